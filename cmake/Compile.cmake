@@ -1,0 +1,31 @@
+# How every file is compiled, and where the results go. What differs between builds (optimisation,
+# sanitizers, warnings as errors) is in CMakePresets.json.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}")
+
+include_directories("${PROJECT_SOURCE_DIR}")  # the include path is the folder path
+add_compile_options(-Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+
+# The same arithmetic on every machine (docs/decisions/0004-integers-decide.md). The linker hears it
+# too, because with link-time optimisation it is the linker that generates code.
+add_compile_options(-ffp-contract=off)
+add_link_options(-ffp-contract=off)
+
+find_program(XR3_CCACHE ccache)
+if(XR3_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${XR3_CCACHE}")
+endif()
+
+find_program(XR3_MOLD mold)
+if(XR3_MOLD)
+  add_link_options(-fuse-ld=mold)
+endif()
+
+if(XR3_LTO)
+  include(CheckIPOSupported)
+  check_ipo_supported(RESULT lto_works OUTPUT lto_output LANGUAGES CXX)
+  set(CMAKE_INTERPROCEDURAL_OPTIMIZATION ${lto_works})
+endif()

@@ -1,0 +1,113 @@
+#include "core/camera_fill.hpp"
+
+#include <algorithm>
+
+namespace xr3 {
+namespace {
+
+/// Products of three lengths, or of two lengths and two numbers of pixels, fit with room to spare.
+__extension__ using Wide = __int128;
+
+struct Quotient {
+  Wide floor;
+  Wide rest;  ///< 0 <= rest < divisor
+};
+
+/// divisor > 0.
+Quotient divide(Wide number, Wide divisor) {
+  const Wide quotient = number / divisor;
+  const Wide rest = number % divisor;
+  return rest < 0 ? Quotient{quotient - 1, rest + divisor} : Quotient{quotient, rest};
+}
+
+/// > 0: c lies to the left of the way from a to b, as seen along it with x right and y up.
+Wide turn(const SurfacePoint& a, const SurfacePoint& b, const SurfacePoint& c) {
+  return static_cast<Wide>(b.x - a.x) * (c.y - a.y) - static_cast<Wide>(b.y - a.y) * (c.x - a.x);
+}
+
+/// The border of the hull from its lowest corner up to its highest.
+struct Chain {
+  std::array<SurfacePoint, kBoxCorners> corners;
+  std::size_t count = 0;
+};
+
+/// side +1: the border at low x, with every corner to its right; -1: the one at high x.
+Chain chain(const BoxCorners& sorted, int side) {
+  Chain hull;
+  for (const SurfacePoint& corner : sorted) {
+    while (hull.count >= 2 &&
+           side * turn(hull.corners[hull.count - 2], hull.corners[hull.count - 1], corner) >= 0) {
+      --hull.count;
+    }
+    hull.corners[hull.count++] = corner;
+  }
+  return hull;
+}
+
+int clamped(Wide value, int low, int high) {
+  return static_cast<int>(std::clamp<Wide>(value, low, high));
+}
+
+}  // namespace
+
+CameraFill::CameraFill(const Camera& camera, int first_row, int rows)
+    : camera_(camera),
+      first_row_(first_row),
+      image_(camera.pixels_x, rows),
+      begins_(static_cast<std::size_t>(rows)) {}
+
+// The centre of row r lies at y = location.y + field_y / 2 - (2 r + 1) field_y / (2 pixels_y).
+// This is the lowest row of the picture (of ours, or the one above them) whose centre is at y or above.
+int CameraFill::last_row_above(Micrometres y) const {
+  const Wide pixels = camera_.pixels_y;
+  const Wide number = 2 * pixels * (camera_.location_um.y - y) + (pixels - 1) * camera_.field_y_um;
+  return clamped(divide(number, 2 * camera_.field_y_um).floor, first_row_ - 1,
+                 first_row_ + image_.height() - 1);
+}
+
+// Calls take(row, column) for each row whose centre has low.y <= y < high.y: the column is the first
+// whose centre has at least the x of the edge from low to high there, cut to the picture's width. The
+// column is a quotient linear in the row: one division gives its start, one its step, and then
+// quotient and rest are carried along from row to row.
+template <class Take>
+void CameraFill::walk(const SurfacePoint& low, const SurfacePoint& high, Take take) const {
+  const int begin = last_row_above(high.y) + 1;
+  const int end = last_row_above(low.y) + 1;
+  if (begin >= end) return;
+  const Wide width = camera_.pixels_x;
+  const Wide height = camera_.pixels_y;
+  const Wide rise = high.y - low.y;
+  const Wide drift = high.x - low.x;
+  const Wide below = 2 * height * (camera_.location_um.y - low.y) +
+                     (height - 1 - 2 * static_cast<Wide>(begin)) * camera_.field_y_um;
+  const Wide right = 2 * width * (low.x - camera_.location_um.x) + (width - 1) * camera_.field_x_um;
+  const Wide divisor = 2 * camera_.field_x_um * height * rise;
+  // The least whole column is a quotient rounded up: adding divisor - 1 lets it be rounded down.
+  Quotient column = divide(right * height * rise + width * drift * below + divisor - 1, divisor);
+  const Quotient step = divide(-2 * width * drift * camera_.field_y_um, divisor);
+  for (int row = begin; row < end; ++row) {
+    take(row - first_row_, clamped(column.floor, 0, camera_.pixels_x));
+    column.floor += step.floor;
+    column.rest += step.rest;
+    if (column.rest < divisor) continue;
+    column.rest -= divisor;
+    ++column.floor;
+  }
+}
+
+void CameraFill::add(BoxCorners corners) {
+  std::sort(corners.begin(), corners.end());
+  const Chain left = chain(corners, +1);
+  const Chain right = chain(corners, -1);
+  for (std::size_t i = 1; i < left.count; ++i) {
+    walk(left.corners[i - 1], left.corners[i],
+         [&](int row, int column) { begins_[static_cast<std::size_t>(row)] = column; });
+  }
+  for (std::size_t i = 1; i < right.count; ++i) {
+    walk(right.corners[i - 1], right.corners[i], [&](int row, int column) {
+      image_.fill(row, begins_[static_cast<std::size_t>(row)], column);
+    });
+  }
+}
+
+}  // namespace xr3

@@ -1,0 +1,178 @@
+// The controller's vocabulary as values: every command of the paper's Tables VI and VII and of the
+// Rhino Mark III's own set, and every reply. How they look as bytes is protocol's business.
+#pragma once
+
+#include <cstdint>
+#include <variant>
+
+#include "core/image.hpp"
+
+namespace xr3 {
+
+// --- Motion and inquiry (paper, Table VI). Labels are 'A'...'H'.
+
+/// Add counts to the joint's error counter. counts: -128...127.
+struct Move {
+  char label;
+  int counts;
+  bool operator==(const Move&) const = default;
+};
+/// counts_per_s: 1...255.
+struct SetSpeed {
+  char label;
+  int counts_per_s;
+  bool operator==(const SetSpeed&) const = default;
+};
+/// Error counter := 0.
+struct Stop {
+  char label;
+  bool operator==(const Stop&) const = default;
+};
+/// `a?`: how far there is still to go.
+struct QueryError {
+  char label;
+  bool operator==(const QueryError&) const = default;
+};
+/// `aT`: the error counter with its sign.
+struct QuerySignedError {
+  char label;
+  bool operator==(const QuerySignedError&) const = default;
+};
+/// `aV`: the joint's microswitch.
+struct QuerySwitch {
+  char label;
+  bool operator==(const QuerySwitch&) const = default;
+};
+/// `I`: switches of joints C...H.
+struct QuerySwitchesI {
+  bool operator==(const QuerySwitchesI&) const = default;
+};
+/// `J`: switches of joints A and B, input lines 5-8.
+struct QuerySwitchesJ {
+  bool operator==(const QuerySwitchesJ&) const = default;
+};
+/// `K`: input lines 1-4.
+struct QueryInputs {
+  bool operator==(const QueryInputs&) const = default;
+};
+/// `L M N O`: auxiliary port 1 or 2 on or off.
+struct SetAuxiliary {
+  int port;
+  bool on;
+  bool operator==(const SetAuxiliary&) const = default;
+};
+/// `Pn`, `Rn`: output line 1...8 high or low.
+struct SetOutput {
+  int line;
+  bool high;
+  bool operator==(const SetOutput&) const = default;
+};
+/// `Q`: error counters 0, outputs and ports off, speeds back to the file's; no homing.
+struct ControllerReset {
+  bool operator==(const ControllerReset&) const = default;
+};
+
+// --- Environment (paper, Table VII).
+
+struct ToggleDisplay {
+  bool operator==(const ToggleDisplay&) const = default;
+};
+/// Integers -9...9, not all 0.
+struct SetViewVector {
+  int x;
+  int y;
+  int z;
+  bool operator==(const SetViewVector&) const = default;
+};
+/// `A$`: everything to the file's home values, stall cleared.
+struct SoftHome {
+  bool operator==(const SoftHome&) const = default;
+};
+/// `A@`: enable or disable the simulator.
+struct ToggleSimulator {
+  bool operator==(const ToggleSimulator&) const = default;
+};
+/// `A.x`: half_seconds 1...255.
+struct SetRefreshPeriod {
+  int half_seconds;
+  bool operator==(const SetRefreshPeriod&) const = default;
+};
+/// `A|`: toggle erasing before redrawing.
+struct ToggleErasing {
+  bool operator==(const ToggleErasing&) const = default;
+};
+/// `A%n`: status line option 0...6.
+struct SelectStatus {
+  int option;
+  bool operator==(const SelectStatus&) const = default;
+};
+/// Command mode's Alt F6: function keys on or off (never sent on a line).
+struct ToggleFunctionKeys {
+  bool operator==(const ToggleFunctionKeys&) const = default;
+};
+/// `A**`: the whole binary image.
+struct CameraImage {
+  bool operator==(const CameraImage&) const = default;
+};
+/// `A*r*`: one row, from 0 at the top.
+struct CameraRow {
+  int row;
+  bool operator==(const CameraRow&) const = default;
+};
+/// `A*c,r*`: one pixel.
+struct CameraPixel {
+  int column;
+  int row;
+  bool operator==(const CameraPixel&) const = default;
+};
+
+using Command = std::variant<Move, SetSpeed, Stop, QueryError, QuerySignedError, QuerySwitch,
+                             QuerySwitchesI, QuerySwitchesJ, QueryInputs, SetAuxiliary, SetOutput,
+                             ControllerReset, ToggleDisplay, SetViewVector, SoftHome,
+                             ToggleSimulator, SetRefreshPeriod, ToggleErasing, SelectStatus,
+                             ToggleFunctionKeys, CameraImage, CameraRow, CameraPixel>;
+
+// --- Replies. Only an inquiry has one.
+
+struct NoReply {
+  bool operator==(const NoReply&) const = default;
+};
+/// To `a?`: |error counter|, 0...128.
+struct ErrorMagnitude {
+  int counts;
+  bool operator==(const ErrorMagnitude&) const = default;
+};
+/// To `aT`.
+struct SignedError {
+  std::int8_t counts;
+  bool operator==(const SignedError&) const = default;
+};
+/// To `aV`.
+struct SwitchState {
+  bool closed;
+  bool operator==(const SwitchState&) const = default;
+};
+/// To `I`, `J`, `K`: bits of closed switches and, apart from them, of high input lines.
+/// `fitted` are the bits behind which there is a switch at all.
+struct SwitchBits {
+  std::uint8_t closed = 0;
+  std::uint8_t fitted = 0;
+  std::uint8_t inputs = 0;
+  char inquiry = 'I';  ///< 'I', 'J' or 'K'
+  bool operator==(const SwitchBits&) const = default;
+};
+/// To the camera's inquiries for the whole image or a row of it.
+struct CameraRows {
+  Image image;
+  bool operator==(const CameraRows&) const = default;
+};
+/// To `A*c,r*`.
+struct PixelValue {
+  bool set;
+  bool operator==(const PixelValue&) const = default;
+};
+
+using Reply = std::variant<NoReply, ErrorMagnitude, SignedError, SwitchState, SwitchBits,
+                           CameraRows, PixelValue>;
+
+}  // namespace xr3

@@ -1,0 +1,148 @@
+#include "core/grasp.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+namespace xr3 {
+namespace {
+
+constexpr double kQuarter = 90.0;
+
+Microdegrees normalized(Microdegrees angle) {
+  constexpr Microdegrees kTurn = 360'000'000;
+  angle %= kTurn;
+  if (angle > kTurn / 2) angle -= kTurn;
+  return angle <= -kTurn / 2 ? angle + kTurn : angle;
+}
+
+Micrometres opening_um(const Model& model, Counts tool_position) {
+  return micrometres(opening_mm(model, tool_position));
+}
+
+/// The tip in the block's own frame.
+PointUm tip_in_block(const Block& block, const PointUm& tip) {
+  const auto [sin, cos] = sin_cos_deg(degrees(block.yaw_udeg));
+  const auto dx = static_cast<double>(tip.x - block.centroid_um.x) / kMicrometresPerMm;
+  const auto dy = static_cast<double>(tip.y - block.centroid_um.y) / kMicrometresPerMm;
+  return {micrometres(cos * dx + sin * dy), micrometres(cos * dy - sin * dx),
+          tip.z - block.centroid_um.z};
+}
+
+bool contains(const Block& block, const PointUm& tip) {
+  const PointUm p = tip_in_block(block, tip);
+  return 2 * std::abs(p.x) <= block.size_um.x && 2 * std::abs(p.y) <= block.size_um.y &&
+         2 * std::abs(p.z) <= block.size_um.z;
+}
+
+Micrometres squared_distance(const PointUm& a, const PointUm& b) {
+  const Micrometres x = a.x - b.x;
+  const Micrometres y = a.y - b.y;
+  const Micrometres z = a.z - b.z;
+  return x * x + y * y + z * z;
+}
+
+/// The block around the tip: the one with the nearest centroid, then the first in the file.
+std::optional<std::uint32_t> block_at(const State& state, const PointUm& tip) {
+  std::optional<std::uint32_t> nearest;
+  for (std::uint32_t i = 0; i < state.blocks.size(); ++i) {
+    if (!contains(state.blocks[i], tip)) continue;
+    const bool is_nearer =
+        !nearest || squared_distance(state.blocks[i].centroid_um, tip) <
+                        squared_distance(state.blocks[*nearest].centroid_um, tip);
+    if (is_nearer) nearest = i;
+  }
+  return nearest;
+}
+
+/// How the block lies between jaws whose net roll is given.
+struct Fit {
+  Micrometres extent_um;  ///< what it needs between the fingers until it lies flat
+  Micrometres flat_um;    ///< along the jaws once it is turned flat
+  int quarter_turns;
+};
+
+Fit fit(const Block& block, double net_roll) {
+  const double delta = degrees(block.yaw_udeg) - net_roll;
+  const auto [sin, cos] = sin_cos_deg(delta);
+  const double extent = mm(block.size_um.y) * std::abs(cos) + mm(block.size_um.x) * std::abs(sin);
+  const auto quarters = static_cast<int>(std::floor(delta / kQuarter + 0.5));
+  const Micrometres flat = quarters % 2 == 0 ? block.size_um.y : block.size_um.x;
+  // A slender block that is to be turned onto its length needs more room flat than as it lies.
+  return {std::max(micrometres(extent), flat), flat, quarters & 3};
+}
+
+Microdegrees flat_yaw(double net_roll, int quarter_turns) {
+  return normalized(microdegrees(net_roll + kQuarter * quarter_turns));
+}
+
+}  // namespace
+
+Transform block_pose(const Model& model, const State& state, std::size_t index) {
+  const Block& block = state.blocks[index];
+  const auto [sin, cos] = sin_cos_deg(degrees(block.yaw_udeg));
+  Transform upright = Transform::Identity();
+  upright(0, 0) = cos;
+  upright(0, 1) = -sin;
+  upright(1, 0) = sin;
+  upright(1, 1) = cos;
+  upright.block<3, 1>(0, 3) << mm(block.centroid_um.x), mm(block.centroid_um.y),
+      mm(block.centroid_um.z);
+  if (!state.held || state.held->block != index) return upright;
+  const Transform grasped = tool_transform(model, state.held->grasped_at);
+  Transform now = tool_transform(model, positions(model, state.motors));
+  now.block<3, 3>(0, 0) *= grasped.block<3, 3>(0, 0).transpose() * upright.block<3, 3>(0, 0);
+  return now;
+}
+
+bool opens_jaws(const Model& model, int direction) {
+  return direction * model.motor(model.tool_index()).drive.direction > 0;
+}
+
+JawContact next_closing(const Model& model, const State& state, const Positions& positions) {
+  using Kind = JawContact::Kind;
+  const Counts now = positions[static_cast<std::size_t>(model.tool_index())];
+  const Counts next = now - model.motor(model.tool_index()).drive.direction;
+  const auto index = block_at(state, tool_tip(model, positions));
+  if (!index) return {};
+  const Fit lies = fit(state.blocks[*index], net_roll_deg(model, positions));
+  const Micrometres next_opening = opening_um(model, next);
+  const JawContact contact{Kind::kFree, *index, lies.quarter_turns};
+  if (opening_um(model, now) < lies.extent_um)
+    return {Kind::kTooNarrow, contact.block, contact.quarter_turns};
+  if (next_opening < lies.flat_um) return {Kind::kHolds, contact.block, contact.quarter_turns};
+  if (next_opening < lies.extent_um) return {Kind::kTurns, contact.block, contact.quarter_turns};
+  return contact;
+}
+
+void release(const Model& model, State& state, const Positions& positions, Events& events) {
+  Block& block = state.blocks[state.held->block];
+  block.centroid_um = tool_tip(model, positions);
+  block.yaw_udeg = flat_yaw(net_roll_deg(model, positions), state.held->quarter_turns);
+  state.held.reset();
+  events.push_back({state.tick, Released{block.name, block.centroid_um, block.yaw_udeg}});
+}
+
+void update_grasp(const Model& model, State& state, const Positions& positions,
+                  const JawContact& contact, bool opened, Events& events) {
+  using Kind = JawContact::Kind;
+  if (opened) state.jaws_warned = false;
+  if (opened && state.held) return release(model, state, positions, events);
+  if (contact.kind == Kind::kFree) return;
+  Block& block = state.blocks[contact.block];
+  if (contact.kind == Kind::kTooNarrow) {
+    if (!state.jaws_warned) {
+      events.push_back({state.tick, Warning{WarningCode::kJawsTooNarrow, 'A', 0, 0, block.name}});
+    }
+    state.jaws_warned = true;
+    return;
+  }
+  block.yaw_udeg = flat_yaw(net_roll_deg(model, positions), contact.quarter_turns);
+  if (contact.kind == Kind::kTurns) return;
+  block.centroid_um = tool_tip(model, positions);
+  state.held = Held{contact.block, contact.quarter_turns, positions};
+  events.push_back({state.tick, Grasped{block.name, block.centroid_um, block.yaw_udeg}});
+}
+
+}  // namespace xr3

@@ -1,0 +1,68 @@
+// A binary picture, as the camera takes it: a plain value of packed bits. It knows nothing of blocks,
+// of lengths, or of how a picture is sent or stored.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace xr3 {
+
+/// Columns count from the left, rows from the top, both from 0.
+class Image {
+ public:
+  /// All pixels 0. width and height: 0 or above.
+  Image(int width, int height)
+      : width_(width),
+        height_(height),
+        words_a_row_((static_cast<std::size_t>(width) + kBits - 1) / kBits),
+        words_(words_a_row_ * static_cast<std::size_t>(height)) {}
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  /// A pixel within the picture.
+  bool at(int column, int row) const {
+    return (word(column, row) >> (static_cast<unsigned>(column) % kBits) & 1U) != 0;
+  }
+
+  /// The pixels of a row from the left.
+  std::vector<bool> row(int row) const {
+    std::vector<bool> pixels(static_cast<std::size_t>(width_));
+    for (int column = 0; column < width_; ++column) {
+      pixels[static_cast<std::size_t>(column)] = at(column, row);
+    }
+    return pixels;
+  }
+
+  /// Sets the pixels begin <= column < end of a row, 0 <= begin, end <= width; none if end <= begin.
+  void fill(int row, int begin, int end) {
+    while (begin < end) {
+      const unsigned first = static_cast<unsigned>(begin) % kBits;
+      const unsigned rest = kBits - first;
+      const auto wanted = static_cast<unsigned>(end - begin);
+      const unsigned count = wanted < rest ? wanted : rest;
+      word(begin, row) |= ~std::uint64_t{0} >> (kBits - count) << first;
+      begin += static_cast<int>(count);
+    }
+  }
+
+  bool operator==(const Image&) const = default;
+
+ private:
+  static constexpr unsigned kBits = 64;
+
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * words_a_row_ + static_cast<unsigned>(column) / kBits;
+  }
+  std::uint64_t word(int column, int row) const { return words_[index(column, row)]; }
+  std::uint64_t& word(int column, int row) { return words_[index(column, row)]; }
+
+  int width_;
+  int height_;
+  std::size_t words_a_row_;
+  std::vector<std::uint64_t>
+      words_;  ///< each row begins a word; its leftmost pixel is the lowest bit
+};
+
+}  // namespace xr3

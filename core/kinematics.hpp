@@ -1,0 +1,38 @@
+// Direct kinematics by the Denavit-Hartenberg convention: the paper's equations (2) and (3), the tool
+// tip in whole micrometres for every decision, the tool-configuration vector and the net roll.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/coupling.hpp"
+#include "core/model.hpp"
+
+namespace xr3 {
+
+using Transform = Eigen::Matrix4d;  ///< homogeneous, lengths in mm
+using ToolConfiguration = Eigen::Matrix<double, 6, 1>;
+
+/// T(k-1,k) of joint `joint` (index k-1) at a position: the paper's equation (2).
+Transform link_transform(const Model& model, int joint, Counts position);
+
+/// T(0,k) for k = 0...n: the paper's equation (3), with the identity in front.
+std::vector<Transform> base_transforms(const Model& model, const Positions& positions);
+
+/// T(0,n): the tool's frame, whose origin is the tip, z the approach and y the sliding vector.
+Transform tool_transform(const Model& model, const Positions& positions);
+
+/// The tool tip in the base frame. Two machines that agree on the counts agree on every bit.
+PointUm tool_tip(const Model& model, const Positions& positions);
+
+/// w = (p, exp(q_n / pi) * approach): mm, then dimensionless; q_n is the last joint's variable in
+/// radians (mm for a prismatic one). For display only.
+ToolConfiguration tool_configuration(const Model& model, const Positions& positions);
+
+/// Yaw of the tool's x axis about the vertical with the tool down, in degrees (paper, Section III-A).
+double net_roll_deg(const Model& model, const Positions& positions);
+
+/// Distance between the fingertips in mm at a tool position.
+double opening_mm(const Model& model, Counts tool_position);
+
+}  // namespace xr3

@@ -1,0 +1,87 @@
+#include "core/model.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace xr3 {
+namespace {
+
+constexpr double kCountTolerance = 1e-6;
+
+Microswitch fitted_switch(Microswitch file, Profile profile) {
+  if (profile == Profile::kMark3 && !file.width) file.width = kMark3SwitchWidth;
+  return file;
+}
+
+MotorModel motor_model(const Drive& drive, Profile profile) {
+  const CountRange range = count_limits(drive);
+  return {drive, range.low, range.high, fitted_switch(drive.microswitch, profile)};
+}
+
+}  // namespace
+
+CountRange count_limits(const Drive& drive) {
+  const double low = std::ceil((drive.min - drive.home) / drive.precision - kCountTolerance);
+  const double high = std::floor((drive.max - drive.home) / drive.precision + kCountTolerance);
+  const auto first = static_cast<Counts>(low);
+  const auto last = static_cast<Counts>(high);
+  return drive.direction > 0 ? CountRange{first, last} : CountRange{-last, -first};
+}
+
+Model::Model(Robot robot, Workcell workcell, Profile profile)
+    : robot_(std::move(robot)), workcell_(std::move(workcell)), profile_(profile) {
+  for (const Joint& joint : robot_.joints) motors_.push_back(motor_model(joint.drive, profile));
+  motors_.push_back(motor_model(robot_.tool.drive, profile));
+  find_gains();
+  fill_tables();
+  region_radius_um_ = micrometres(robot_.protected_region.radius_mm);
+  region_height_um_ = micrometres(robot_.protected_region.height_mm);
+}
+
+// A coupling is given between joint variables; between counts both directions enter.
+void Model::find_gains() {
+  for (int i = 0; i < motor_count(); ++i)
+    gain_[static_cast<std::size_t>(i)][static_cast<std::size_t>(i)] = 1;
+  for (const Coupling& c : robot_.couplings) {
+    const int sign = c.sign * motor(c.joint).drive.direction * motor(c.coupled).drive.direction;
+    auto& gain = gain_[static_cast<std::size_t>(c.coupled)][static_cast<std::size_t>(c.joint)];
+    gain = static_cast<std::int8_t>(gain + sign);
+  }
+  for (int turning = 0; turning < motor_count(); ++turning) {
+    auto& driven = driven_[static_cast<std::size_t>(turning)];
+    driven.push_back({static_cast<std::uint8_t>(turning), 1});
+    for (int joint = 0; joint < joint_count(); ++joint) {
+      if (joint == turning || gain(joint, turning) == 0) continue;
+      driven.push_back(
+          {static_cast<std::uint8_t>(joint), static_cast<std::int8_t>(gain(joint, turning))});
+    }
+  }
+}
+
+void Model::fill_tables() {
+  for (int k = 0; k < joint_count(); ++k) {
+    const Joint& joint = robot_.joints[static_cast<std::size_t>(k)];
+    const bool turns = joint.variable == JointVariable::kTheta;
+    const double step = turns ? joint.drive.precision * joint.drive.direction : 0.0;
+    const Counts low = turns ? motor(k).low : 0;
+    const Counts high = turns ? motor(k).high : 0;
+    thetas_.emplace_back(joint.dh.theta_deg, step, low, high);
+    twists_.push_back(sin_cos_deg(joint.dh.alpha_deg));
+  }
+}
+
+int Model::index_of(char label) const {
+  const int index = tool_index() - (label - 'A');
+  return label >= 'A' && index >= 0 ? index : -1;
+}
+
+double Model::variable(int index, Counts position) const {
+  const Drive& drive = motor(index).drive;
+  return drive.home + drive.precision * drive.direction * static_cast<double>(position);
+}
+
+SinCos Model::theta(int joint, Counts position) const {
+  return thetas_[static_cast<std::size_t>(joint)].at(position);
+}
+
+}  // namespace xr3

@@ -1,0 +1,101 @@
+// The immutable Model of a cell: robot, workcell and profile, and every integer and table that is
+// worked out from them once at load, so that no floating point decides a count later on.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/robot.hpp"
+#include "core/trig.hpp"
+#include "core/workcell.hpp"
+
+namespace xr3 {
+
+/// Which controller the lines show: the paper's, or the hardware that surviving programs drove.
+enum class Profile : std::uint8_t { kPaper, kMark3 };
+
+/// Switch width in counts that the mark3 profile gives a switch whose file names none.
+inline constexpr Counts kMark3SwitchWidth = 60;
+
+/// Integers of one motor and of the joint (or tool) it drives.
+struct MotorModel {
+  Drive drive;
+  Counts low = 0;           ///< least joint position within the limits, counts from the soft home
+  Counts high = 0;          ///< greatest joint position within the limits
+  Microswitch microswitch;  ///< with the width that the profile gives it
+  bool operator==(const MotorModel&) const = default;
+};
+
+/// One joint that a motor's count moves, and by how many counts.
+struct Driven {
+  std::uint8_t joint = 0;
+  std::int8_t gain = 0;
+  bool operator==(const Driven&) const = default;
+};
+
+class Model {
+ public:
+  /// Works out integers and tables. The robot has 1...kMaxJoints joints and has been checked.
+  Model(Robot robot, Workcell workcell, Profile profile);
+
+  const Robot& robot() const { return robot_; }
+  const Workcell& workcell() const { return workcell_; }
+  Profile profile() const { return profile_; }
+
+  int joint_count() const { return static_cast<int>(robot_.joints.size()); }
+  /// Motors are the joints' from the base, then the tool's.
+  int motor_count() const { return joint_count() + 1; }
+  int tool_index() const { return joint_count(); }
+
+  const MotorModel& motor(int index) const { return motors_[static_cast<std::size_t>(index)]; }
+  /// The motor behind a label 'A'...'H', or -1.
+  int index_of(char label) const;
+
+  /// The joints that motor `index` moves: its own first, then the coupled ones.
+  const std::vector<Driven>& driven_by(int index) const {
+    return driven_[static_cast<std::size_t>(index)];
+  }
+  /// Counts of position of joint `joint` for each count of motor `motor`: 1 on the diagonal.
+  int gain(int joint, int motor) const {
+    return gain_[static_cast<std::size_t>(joint)][static_cast<std::size_t>(motor)];
+  }
+
+  /// The joint or tool variable at a position, in degrees or mm, in the model's own arithmetic.
+  double variable(int index, Counts position) const;
+  /// Sine and cosine of joint `joint`'s theta at a position; constant for a prismatic joint.
+  SinCos theta(int joint, Counts position) const;
+  /// Sine and cosine of the link twist of joint `joint`.
+  const SinCos& twist(int joint) const { return twists_[static_cast<std::size_t>(joint)]; }
+
+  Micrometres region_radius_um() const { return region_radius_um_; }
+  Micrometres region_height_um() const { return region_height_um_; }
+
+ private:
+  void find_gains();
+  void fill_tables();
+
+  Robot robot_;
+  Workcell workcell_;
+  Profile profile_;
+  std::vector<MotorModel> motors_;
+  std::array<std::vector<Driven>, kMaxMotors> driven_;
+  std::array<std::array<std::int8_t, kMaxMotors>, kMaxMotors> gain_{};
+  std::vector<SinCosTable> thetas_;
+  std::vector<SinCos> twists_;
+  Micrometres region_radius_um_ = 0;
+  Micrometres region_height_um_ = 0;
+};
+
+/// Position limits in whole counts, rounded inwards with a tolerance of a millionth of a count.
+struct CountRange {
+  Counts low;
+  Counts high;
+  bool operator==(const CountRange&) const = default;
+};
+CountRange count_limits(const Drive& drive);
+
+using ModelPtr = std::shared_ptr<const Model>;
+
+}  // namespace xr3

@@ -1,0 +1,105 @@
+#include "core/motor.hpp"
+
+namespace xr3 {
+namespace {
+
+int sign(int value) { return (value > 0) - (value < 0); }
+
+MotorBlocked blocked_event(const Model& model, const State& state, int index,
+                           const Obstacle& obstacle) {
+  const MotorState& motor = state.motor(index);
+  MotorBlocked event{
+      model.motor(index).drive.label, obstacle.why, 0, false, 0.0, motor.count, motor.error};
+  if (obstacle.why != Blocked::kLimit) return event;
+  const MotorModel& limiting = model.motor(obstacle.joint);
+  event.by = limiting.drive.label;
+  event.upper = obstacle.high == (limiting.drive.direction > 0);
+  event.limit = event.upper ? limiting.drive.max : limiting.drive.min;
+  return event;
+}
+
+void make_count(const Model& model, State& state, Positions& positions, int index) {
+  MotorState& motor = state.motor(index);
+  const int direction = sign(motor.error);
+  motor.count += direction;
+  turn(model, positions, index, direction);
+  set_error(motor, static_cast<std::int8_t>(motor.error - direction));
+}
+
+// One tick of phase; true when a count is due.
+bool gathers_a_count(MotorState& motor) {
+  if (!is_running(motor)) return false;
+  motor.phase = static_cast<std::int16_t>(motor.phase + motor.speed);
+  if (motor.phase < kPhasePerCount) return false;
+  motor.phase = static_cast<std::int16_t>(motor.phase - kPhasePerCount);
+  return true;
+}
+
+// The tool's count happens unless it would squeeze a block.
+Turned turn_tool(const Model& model, State& state, Positions& positions, Turned turned) {
+  const int tool = model.tool_index();
+  turned.opened = opens_jaws(model, sign(state.motor(tool).error));
+  if (!turned.opened) turned.jaws = next_closing(model, state, positions);
+  if (turned.jaws.kind != JawContact::Kind::kHolds) make_count(model, state, positions, tool);
+  return turned;
+}
+
+}  // namespace
+
+void set_error(MotorState& motor, std::int8_t error) {
+  if (error == 0 || sign(error) != sign(motor.error)) motor.phase = 0;
+  motor.error = error;
+}
+
+bool add_to_error(MotorState& motor, int counts) {
+  const int sum = motor.error + counts;
+  set_error(motor, static_cast<std::int8_t>(sum));
+  return sum != motor.error;
+}
+
+Obstacle obstacle(const Model& model, const State& state, const Positions& positions, int index) {
+  const int direction = sign(state.motor(index).error);
+  const bool squeezes = state.held && index == model.tool_index() && !opens_jaws(model, direction);
+  if (squeezes) return {Blocked::kBlock, -1, false};
+  for (const Driven& driven : model.driven_by(index)) {
+    const int change = driven.gain * direction;
+    const Counts next = positions[driven.joint] + change;
+    const MotorModel& joint = model.motor(driven.joint);
+    // A joint that stands past a limit may always come back.
+    if (change > 0 && next > joint.high) return {Blocked::kLimit, driven.joint, true};
+    if (change < 0 && next < joint.low) return {Blocked::kLimit, driven.joint, false};
+  }
+  return {};
+}
+
+Turned turn_motors(const Model& model, State& state, Positions& positions) {
+  Turned turned;
+  for (int i = 0; i < model.motor_count(); ++i) {
+    if (!gathers_a_count(state.motor(i))) continue;
+    if (obstacle(model, state, positions, i).why != Blocked::kNo) continue;  // marked afterwards
+    turned.any = true;
+    if (i == model.tool_index()) return turn_tool(model, state, positions, turned);
+    make_count(model, state, positions, i);
+    turned.joint = true;
+  }
+  return turned;
+}
+
+void update_blocked(const Model& model, State& state, const Positions& positions, Events& events) {
+  for (int i = 0; i < model.motor_count(); ++i) {
+    MotorState& motor = state.motor(i);
+    const Blocked before = motor.blocked;
+    if (motor.error == 0) {
+      motor.blocked = Blocked::kNo;
+      continue;
+    }
+    const Obstacle in_the_way = obstacle(model, state, positions, i);
+    motor.blocked = in_the_way.why;
+    if (in_the_way.why == Blocked::kNo) continue;
+    motor.phase = 0;
+    if (before == Blocked::kNo)
+      events.push_back({state.tick, blocked_event(model, state, i, in_the_way)});
+  }
+}
+
+}  // namespace xr3

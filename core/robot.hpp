@@ -1,0 +1,137 @@
+// The robot as its data file describes it: joints with their Denavit-Hartenberg rows and drives, the
+// tool, the outline for drawing, coupling, protected region and net roll (paper, Section III-A and
+// Table II). Plain values in millimetres and degrees; the loader has already converted inches.
+// It knows nothing of files, JSON or the state.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/units.hpp"
+
+namespace xr3 {
+
+/// Most joints a robot may have (the tool is not a joint); labels then run from H (base) to A (tool).
+inline constexpr int kMaxJoints = 7;
+/// Most motors: one a joint, and the tool's.
+inline constexpr int kMaxMotors = kMaxJoints + 1;
+
+/// Positions of the joints from the base and then the tool, in counts from the soft home.
+using Positions = std::array<Counts, kMaxMotors>;
+
+/// Which Denavit-Hartenberg parameter the motor changes (the paper's jvar 1 and 2).
+enum class JointVariable : std::uint8_t { kTheta, kD };
+
+/// How the fingers close: on a slide (variable: distance, mm) or on hinges (variable: angle, degrees).
+enum class ToolKind : std::uint8_t { kParallel, kAngular };
+
+/// A microswitch, watching its own motor's count.
+struct Microswitch {
+  Counts position = 0;          ///< where it closes; its sign is the side on which it stays closed
+  std::uint8_t mask = 0;        ///< its bit in the reply to I or J; 0 leaves it out of both
+  std::optional<Counts> width;  ///< given: closed only while 2*|count - position| <= width
+  bool operator==(const Microswitch&) const = default;
+};
+
+/// A DC motor with an incremental encoder: what every joint and the tool have.
+struct Drive {
+  char label = 'A';            ///< A for the tool, then B for the last joint, and so on to the base
+  double precision = 0;        ///< degrees or mm a count, above 0
+  double min = 0;              ///< lower limit of the variable, degrees or mm
+  double max = 0;              ///< upper limit of the variable, degrees or mm
+  double home = 0;             ///< the variable at the soft home, degrees or mm
+  int speed_counts_per_s = 0;  ///< 1...255
+  int direction = 1;           ///< +1: positive counts increase the variable; -1: decrease it
+  Microswitch microswitch;
+  bool operator==(const Drive&) const = default;
+};
+
+/// One row of the Denavit-Hartenberg table at the soft home: T(k-1,k) as the paper's equation (2).
+struct DhRow {
+  double theta_deg = 0;
+  double d_mm = 0;
+  double a_mm = 0;
+  double alpha_deg = 0;
+  bool operator==(const DhRow&) const = default;
+};
+
+struct Joint {
+  std::string name;
+  JointVariable variable = JointVariable::kTheta;
+  DhRow dh;
+  Drive drive;
+  bool operator==(const Joint&) const = default;
+};
+
+/// A corner of an outline: move the pen there, or draw a line to it.
+struct OutlinePoint {
+  bool draw = false;
+  Eigen::Vector3d p_mm = Eigen::Vector3d::Zero();
+  bool operator==(const OutlinePoint&) const = default;
+};
+
+/// The drawing of one link in its own frame; link 0 is the base, link n the tool's body.
+struct Outline {
+  int color = 0;  ///< palette index 0...15
+  std::vector<OutlinePoint> points;
+  bool operator==(const Outline&) const = default;
+};
+
+/// A part of the tool that moves when the tool does, in frame n with the jaws closed: shifted by
+/// side * opening / 2 along y (parallel) or turned by side * angle / 2 about x through its pivot.
+struct ToolPart {
+  int side = 1;   ///< +1 or -1
+  int color = 0;  ///< palette index 0...15
+  Eigen::Vector3d pivot_mm = Eigen::Vector3d::Zero();
+  std::vector<OutlinePoint> points;
+  bool operator==(const ToolPart&) const = default;
+};
+
+struct Tool {
+  ToolKind kind = ToolKind::kParallel;
+  Drive drive;
+  double finger_length_mm = 0;  ///< angular jaws only
+  std::vector<ToolPart> parts;
+  bool operator==(const Tool&) const = default;
+};
+
+/// Motor `joint` turns joint `coupled` along with it (sign +1) or against it (-1), as joint variables.
+struct Coupling {
+  int joint = 0;    ///< index from 0 at the base
+  int coupled = 0;  ///< index from 0 at the base
+  int sign = 1;
+  bool operator==(const Coupling&) const = default;
+};
+
+/// A cylinder about the base axis that the tool tip may not enter: r < radius and z < height.
+struct ProtectedRegion {
+  double radius_mm = 0;
+  double height_mm = 0;
+  bool operator==(const ProtectedRegion&) const = default;
+};
+
+/// One term of the net roll: a joint variable, added or subtracted.
+struct RollTerm {
+  int joint = 0;  ///< index from 0 at the base
+  int sign = 1;
+  bool operator==(const RollTerm&) const = default;
+};
+
+struct Robot {
+  std::string name;
+  std::string notes;
+  std::vector<Joint> joints;  ///< from the base; 1...kMaxJoints of them
+  Tool tool;
+  std::vector<Outline> links;  ///< joints.size() + 1 of them, or none
+  std::vector<Coupling> couplings;
+  ProtectedRegion protected_region;
+  std::vector<RollTerm> net_roll;
+  double net_roll_offset_deg = 0;
+  bool operator==(const Robot&) const = default;
+};
+
+}  // namespace xr3

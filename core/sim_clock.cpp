@@ -1,0 +1,44 @@
+#include "core/sim_clock.hpp"
+
+namespace xr3 {
+namespace {
+
+__extension__ using Wide = __int128;
+// A tick is this many nanoseconds times millionths of rate.
+constexpr Wide kNsMillionthsPerTick = Wide{1'000'000'000 / kTickHz} * 1'000'000;
+
+}  // namespace
+
+Tick SimClock::at(WallNs now) const {
+  if (mode_ == ClockMode::kManual || now <= since_) return base_;
+  return base_ + static_cast<Tick>(Wide{now - since_} * rate_.millionths / kNsMillionthsPerTick);
+}
+
+WallNs SimClock::when(Tick tick) const {
+  if (tick <= base_) return since_;
+  const Wide needed = Wide{tick - base_} * kNsMillionthsPerTick;
+  return since_ + static_cast<WallNs>((needed + rate_.millionths - 1) / rate_.millionths);
+}
+
+void SimClock::pause(WallNs now) {
+  base_ = at(now);
+  mode_ = ClockMode::kManual;
+}
+
+void SimClock::resume(WallNs now) {
+  base_ = at(now);
+  since_ = now;
+  mode_ = ClockMode::kReal;
+}
+
+void SimClock::set_rate(Rate rate, WallNs now) {
+  set_tick(at(now), now);
+  rate_ = rate;
+}
+
+void SimClock::set_tick(Tick tick, WallNs now) {
+  base_ = tick;
+  since_ = now;
+}
+
+}  // namespace xr3

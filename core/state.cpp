@@ -1,0 +1,14 @@
+#include "core/state.hpp"
+
+namespace xr3 {
+
+void TipPath::add(const PointUm& tip) {
+  if (points.size() < kMostTipPoints) {
+    points.push_back(tip);
+    return;
+  }
+  points[oldest] = tip;
+  oldest = (oldest + 1) % kMostTipPoints;
+}
+
+}  // namespace xr3

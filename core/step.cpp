@@ -1,0 +1,94 @@
+#include "core/step.hpp"
+
+#include <algorithm>
+
+#include "core/coupling.hpp"
+#include "core/envelope.hpp"
+#include "core/grasp.hpp"
+#include "core/kinematics.hpp"
+#include "core/motor.hpp"
+#include "core/switches.hpp"
+
+namespace xr3 {
+namespace {
+
+void stall(State& state, const Motors& before, Stall why, Events& events) {
+  state.motors = before;
+  state.stall = why;
+  events.push_back({state.tick, Stalled{why}});
+}
+
+void tell_reached(const Model& model, const State& state, const Motors& before, Events& events) {
+  for (int i = 0; i < model.motor_count(); ++i) {
+    const bool arrived =
+        state.motor(i).error == 0 && before[static_cast<std::size_t>(i)].error != 0;
+    if (!arrived) continue;
+    events.push_back({state.tick, Reached{model.motor(i).drive.label, state.motor(i).count}});
+  }
+}
+
+// Ticks, at most `limit`, in which running motors only gather phase.
+Tick quiet_ticks(const Model& model, const State& state, Tick limit) {
+  for (int i = 0; i < model.motor_count(); ++i) {
+    const MotorState& motor = state.motor(i);
+    if (is_running(motor)) limit = std::min(limit, ticks_to_count(motor) - 1);
+  }
+  return limit;
+}
+
+void coast(const Model& model, State& state, Tick ticks) {
+  if (ticks == 0) return;
+  state.tick += ticks;
+  for (int i = 0; i < model.motor_count(); ++i) {
+    MotorState& motor = state.motor(i);
+    if (is_running(motor))
+      motor.phase = static_cast<std::int16_t>(motor.phase + ticks * motor.speed);
+  }
+}
+
+}  // namespace
+
+bool is_at_rest(const Model& model, const State& state) {
+  if (state.stall != Stall::kNo) return true;
+  for (int i = 0; i < model.motor_count(); ++i) {
+    if (is_running(state.motor(i))) return false;
+  }
+  return true;
+}
+
+void step(const Model& model, State& state, Events& events) {
+  ++state.tick;
+  if (state.stall != Stall::kNo) return;
+  const Motors before = state.motors;
+  Positions positions = xr3::positions(model, state.motors);
+  const Turned turned = turn_motors(model, state, positions);
+  if (turned.joint) {
+    const PointUm tip = tool_tip(model, positions);
+    if (const Stall why = stall_at(model, state, tip); why != Stall::kNo) {
+      return stall(state, before, why, events);
+    }
+    update_surface(model, state, tip, events);
+    if (state.motor(model.tool_index()).error == 0) state.jaws_warned = false;  // at another place
+    if (!state.display.erase) state.tip_path.add(tip);
+  }
+  if (turned.any) {
+    update_switches(model, state, events);
+    update_grasp(model, state, positions, turned.jaws, turned.opened, events);
+  }
+  tell_reached(model, state, before, events);
+  update_blocked(model, state, positions, events);
+}
+
+void run_to_rest(const Model& model, State& state, Tick target, Events& events) {
+  while (state.tick < target && !is_at_rest(model, state)) {
+    coast(model, state, quiet_ticks(model, state, target - state.tick));
+    if (state.tick < target) step(model, state, events);
+  }
+}
+
+void advance_to(const Model& model, State& state, Tick target, Events& events) {
+  run_to_rest(model, state, target, events);
+  state.tick = std::max(state.tick, target);
+}
+
+}  // namespace xr3

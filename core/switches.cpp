@@ -1,0 +1,52 @@
+#include "core/switches.hpp"
+
+#include <cstdlib>
+
+namespace xr3 {
+namespace {
+
+// I asks for the joints C...H, J for A and B: the label decides.
+bool belongs_to(char label, char inquiry) {
+  return inquiry == 'I' ? label >= 'C' : inquiry == 'J' && label < 'C';
+}
+
+constexpr unsigned kLowInputs = 0x0f;  // lines 1-4, answered by K in bits 0-3
+
+// J carries input lines 5-8 in its bits 2-5.
+std::uint8_t input_bits(std::uint8_t inputs, char inquiry) {
+  if (inquiry == 'K') return static_cast<std::uint8_t>(inputs & kLowInputs);
+  if (inquiry == 'J') return static_cast<std::uint8_t>((inputs >> 4) << 2);
+  return 0;
+}
+
+}  // namespace
+
+bool is_closed(const Microswitch& microswitch, Counts count) {
+  if (microswitch.width) return 2 * std::abs(count - microswitch.position) <= *microswitch.width;
+  return microswitch.position < 0 ? count <= microswitch.position : count >= microswitch.position;
+}
+
+void update_switches(const Model& model, State& state, Events& events) {
+  for (int i = 0; i < model.motor_count(); ++i) {
+    MotorState& motor = state.motor(i);
+    const bool closed = is_closed(model.motor(i).microswitch, motor.count);
+    if (closed == motor.switch_closed) continue;
+    motor.switch_closed = closed;
+    events.push_back({state.tick, SwitchChanged{model.motor(i).drive.label, closed, motor.count}});
+  }
+}
+
+SwitchBits switch_bits(const Model& model, const State& state, char inquiry) {
+  SwitchBits bits;
+  bits.inquiry = inquiry;
+  bits.inputs = input_bits(state.io.inputs, inquiry);
+  for (int i = 0; i < model.motor_count(); ++i) {
+    const std::uint8_t mask = model.motor(i).microswitch.mask;
+    if (!belongs_to(model.motor(i).drive.label, inquiry)) continue;
+    bits.fitted = static_cast<std::uint8_t>(bits.fitted | mask);
+    if (state.motor(i).switch_closed) bits.closed = static_cast<std::uint8_t>(bits.closed | mask);
+  }
+  return bits;
+}
+
+}  // namespace xr3

@@ -1,0 +1,49 @@
+#include "core/trig.hpp"
+
+#include <cmath>
+
+namespace xr3 {
+namespace {
+
+// Taylor series by Horner's rule; |x| <= pi/4, where the first term left out is below 1e-17.
+double sine_near_zero(double x) {
+  const double x2 = x * x;
+  double sum = 1.0;
+  for (int n = 16; n >= 2; n -= 2) sum = 1.0 - sum * x2 / static_cast<double>(n * (n + 1));
+  return x * sum;
+}
+
+double cosine_near_zero(double x) {
+  const double x2 = x * x;
+  double sum = 1.0;
+  for (int n = 17; n >= 1; n -= 2) sum = 1.0 - sum * x2 / static_cast<double>(n * (n + 1));
+  return sum;
+}
+
+}  // namespace
+
+SinCos sin_cos_deg(double angle_deg) {
+  const double quarters = std::floor(angle_deg / 90.0 + 0.5);  // exact on every machine
+  const double rest = (angle_deg - 90.0 * quarters) * (kPi / 180.0);
+  const double s = sine_near_zero(rest);
+  const double c = cosine_near_zero(rest);
+  switch (static_cast<long long>(quarters) & 3) {
+    case 0: return {s, c};
+    case 1: return {c, -s};
+    case 2: return {-s, -c};
+    default: return {-c, s};
+  }
+}
+
+SinCosTable::SinCosTable(double home_deg, double step_deg, Counts low, Counts high)
+    : home_deg_(home_deg), step_deg_(step_deg), low_(low) {
+  if (high - low >= kLongestTable) return;
+  table_.reserve(static_cast<std::size_t>(high - low + 1));
+  for (Counts position = low; position <= high; ++position) table_.push_back(computed(position));
+}
+
+SinCos SinCosTable::computed(Counts position) const {
+  return sin_cos_deg(home_deg_ + step_deg_ * static_cast<double>(position));
+}
+
+}  // namespace xr3

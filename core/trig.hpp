@@ -1,0 +1,44 @@
+// Sines and cosines that are the same bits on every machine: plain double arithmetic on degrees,
+// no libm, and tables of them by encoder count. The build forbids contraction into fused operations.
+#pragma once
+
+#include <vector>
+
+#include "core/units.hpp"
+
+namespace xr3 {
+
+struct SinCos {
+  double sin = 0;
+  double cos = 1;
+  bool operator==(const SinCos&) const = default;
+};
+
+/// Sine and cosine of an angle in degrees, |angle| < 1e9, to about one unit in the last place; exact
+/// at multiples of 90.
+SinCos sin_cos_deg(double angle_deg);
+
+/// Sine and cosine of home + direction * precision * position for every position in a range.
+/// Ranges beyond kLongestTable are computed at each call, with the same bits.
+class SinCosTable {
+ public:
+  static constexpr Counts kLongestTable = 1 << 16;
+
+  /// angle_deg(position) = home_deg + step_deg * position.
+  SinCosTable(double home_deg, double step_deg, Counts low, Counts high);
+
+  SinCos at(Counts position) const {
+    const auto index = static_cast<std::size_t>(position - low_);
+    return index < table_.size() ? table_[index] : computed(position);
+  }
+
+ private:
+  SinCos computed(Counts position) const;
+
+  double home_deg_;
+  double step_deg_;
+  Counts low_;
+  std::vector<SinCos> table_;
+};
+
+}  // namespace xr3

@@ -1,0 +1,52 @@
+// Units and small integer types of the machine. Lengths that decide anything are whole micrometres,
+// angles that are stored are whole microdegrees, time is whole ticks: a state holds no floating point.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+
+namespace xr3 {
+
+/// Simulated time in ticks of 1/kTickHz seconds. Within an epoch it only grows.
+using Tick = std::int64_t;
+inline constexpr int kTickHz = 1000;
+
+/// Encoder counts of a motor, or counts of a joint position (motor counts plus coupling).
+using Counts = std::int32_t;
+
+/// Whole micrometres in the base frame.
+using Micrometres = std::int64_t;
+
+/// Whole microdegrees; kept in (-180, 180] degrees where an angle is a yaw.
+using Microdegrees = std::int64_t;
+
+inline constexpr double kMicrometresPerMm = 1000.0;
+inline constexpr double kMicrodegreesPerDegree = 1e6;
+inline constexpr double kPi = 3.14159265358979323846;
+
+/// A point in the base frame, in micrometres.
+struct PointUm {
+  Micrometres x = 0;
+  Micrometres y = 0;
+  Micrometres z = 0;
+  auto operator<=>(const PointUm&) const = default;
+};
+
+/// The nearest whole micrometre (halves away from zero).
+constexpr Micrometres micrometres(double mm) {
+  const double um = mm * kMicrometresPerMm;
+  return static_cast<Micrometres>(um < 0 ? um - 0.5 : um + 0.5);
+}
+
+/// The nearest whole microdegree (halves away from zero).
+constexpr Microdegrees microdegrees(double degrees) {
+  const double parts = degrees * kMicrodegreesPerDegree;
+  return static_cast<Microdegrees>(parts < 0 ? parts - 0.5 : parts + 0.5);
+}
+
+constexpr double mm(Micrometres um) { return static_cast<double>(um) / kMicrometresPerMm; }
+constexpr double degrees(Microdegrees angle) {
+  return static_cast<double>(angle) / kMicrodegreesPerDegree;
+}
+
+}  // namespace xr3

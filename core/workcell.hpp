@@ -1,0 +1,56 @@
+// The workcell as its data file describes it: workspace, work surface, blocks and camera (paper,
+// Section III-B). Plain values in whole micrometres and microdegrees, so that they can lie in a state.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/units.hpp"
+
+namespace xr3 {
+
+/// The box 0 <= x <= X, -Y <= y <= Y, 0 <= z <= Z in the base frame.
+struct Workspace {
+  Micrometres x_um = 0;
+  Micrometres y_um = 0;
+  Micrometres z_um = 0;
+  bool operator==(const Workspace&) const = default;
+};
+
+/// A rectangular box: length along its own x, width along y, height along z; upright unless held.
+struct Block {
+  std::string name;  ///< unique in a workcell
+  PointUm size_um;   ///< length, width, height
+  PointUm centroid_um;
+  Microdegrees yaw_udeg = 0;  ///< about the vertical through the centroid, in (-180, 180] degrees
+  int color = 0;              ///< palette index 0...15
+  bool operator==(const Block&) const = default;
+};
+
+enum class Projection : std::uint8_t { kOrthographic, kPerspective };
+
+/// The one fixed camera, looking straight down. Column 0 is at low x, row 0 at high y.
+struct Camera {
+  PointUm location_um;
+  Micrometres field_x_um = 0;  ///< length of the field of view on the work surface
+  Micrometres field_y_um = 0;  ///< width of the field of view on the work surface
+  int pixels_x = 0;            ///< 1...2048
+  int pixels_y = 0;            ///< 1...2048
+  Projection projection = Projection::kOrthographic;
+  bool operator==(const Camera&) const = default;
+};
+
+struct Workcell {
+  std::string name;
+  std::string notes;
+  Workspace workspace;
+  Micrometres work_surface_um = 0;  ///< z of the table's plane
+  bool surface_stalls = false;      ///< the tip under the surface stalls the robot, not only warns
+  std::vector<Block> blocks;
+  std::optional<Camera> camera;
+  bool operator==(const Workcell&) const = default;
+};
+
+}  // namespace xr3

@@ -1,0 +1,89 @@
+// One message of a monitor's client, read into a value: what is asked for, with the id to answer
+// to, or what is wrong with it, all of it. Unknown members are ignored, but inside `args` they are
+// refused. It knows neither the cell nor the connection.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/units.hpp"
+#include "protocol/call.hpp"
+#include "protocol/snapshot_json.hpp"
+
+namespace xr3::monitor {
+
+inline constexpr std::size_t kMostMessageBytes = 256 * 1024;
+/// Lists and objects inside one another, the message itself counted.
+inline constexpr int kDeepest = 32;
+inline constexpr std::size_t kLongestId = 64;
+/// Every integer of the protocol is a number that JavaScript has, too.
+inline constexpr std::int64_t kMostInteger = (std::int64_t{1} << 53) - 1;
+inline constexpr int kMostWithinMs = 60'000;
+
+/// Nothing where a request carries no id, or none that could be read.
+using RequestId = std::variant<std::monostate, std::int64_t, std::string>;
+
+struct Ping {};
+
+struct Get {
+  std::string channel;
+  Fields fields;
+};
+
+/// A barrier: the call waits until the line has received so many bytes in all.
+struct After {
+  std::uint32_t line = 0;
+  std::uint64_t bytes_in = 0;
+  int within_ms = 1000;  ///< 0...kMostWithinMs
+};
+
+struct CallRequest {
+  std::string fn;
+  call::Call call;
+  std::optional<After> after;  ///< step and run_until only
+  Fields fields;               ///< step and run_until only: members of the state in the answer
+};
+
+struct Request {
+  RequestId id;
+  std::string cell;
+  std::variant<Ping, Get, CallRequest> what;
+};
+
+/// One wrong value: where it stands in the message (JSON pointer), null where nothing stands there.
+struct Detail {
+  std::string pointer;
+  Json found;
+  std::string allowed;
+};
+
+/// Why a request is not carried out. `code` is stable.
+struct RequestError {
+  RequestId id;
+  std::string code;
+  std::string message;
+  std::string hint;
+  std::vector<Detail> details;
+};
+
+using RequestReading = std::variant<Request, RequestError>;
+
+/// What there is to ask for in this version, as `hello` lists it.
+const std::vector<std::string>& channels();
+const std::vector<std::string>& calls();
+
+/// Reads one message. `cells`: those that may be named, the default first. Never throws.
+RequestReading read_request(std::string_view message, const std::vector<std::string>& cells);
+
+/// Keeps time inside what the protocol can say: a run is cut short at the last tick, a step that
+/// would pass it is an error.
+std::optional<RequestError> fit(Request& request, Tick now);
+
+/// `"a", "b" or "c"`.
+std::string one_of(const std::vector<std::string>& names);
+
+}  // namespace xr3::monitor

@@ -1,0 +1,49 @@
+// A telnet filter before the parser (RFC 854, 855, 860): IAC sequences never reach the controller,
+// every offer is refused, and DO TIMING-MARK is answered, since a client that sent Ctrl-C stays mute
+// until it is. A raw client never sees an IAC. A copyable value without I/O.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace xr3 {
+
+class TelnetFilter {
+ public:
+  /// A subnegotiation longer than this is abandoned.
+  static constexpr int kLongestSubnegotiation = 512;
+
+  /// Takes a byte from the client; returns the data byte that it completes, if any. What the client's
+  /// telnet must be answered is appended to `answers`.
+  std::optional<std::uint8_t> take(std::uint8_t byte, std::string& answers);
+
+  /// The client has shown that it speaks telnet: by a complete option or an interrupt (IP).
+  bool is_telnet() const { return is_telnet_; }
+
+  /// Appends reply bytes as the client must see them: FF doubled for telnet.
+  void encode(std::string_view replies, std::string& out) const;
+
+  bool operator==(const TelnetFilter&) const = default;
+
+ private:
+  enum class Mode : std::uint8_t {
+    kData,
+    kCommand,
+    kOption,
+    kSubnegotiation,
+    kSubnegotiationCommand
+  };
+
+  std::optional<std::uint8_t> take_command(std::uint8_t byte);
+  void take_option(std::uint8_t option, std::string& answers);
+  void take_subnegotiation(std::uint8_t byte);
+
+  Mode mode_ = Mode::kData;
+  std::uint8_t verb_ = 0;  ///< WILL, WONT, DO or DONT before an option
+  bool is_telnet_ = false;
+  int length_ = 0;  ///< of the subnegotiation so far
+};
+
+}  // namespace xr3

@@ -1,0 +1,166 @@
+// The workcell editor as a dialogue without a terminal: it takes a line and gives the text to show
+// next, the successor of the paper's WORKCELL program (Section III-B). It asks for each item with a
+// default and a range and says what is odd as it goes. It writes nothing: it asks its caller to, and
+// only for a text that loads.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/robot.hpp"
+#include "core/workcell.hpp"
+#include "protocol/top_view.hpp"
+#include "protocol/workcell_dialogue_checks.hpp"
+#include "protocol/workcell_dialogue_items.hpp"
+
+namespace xr3 {
+
+struct DialogueStart {
+  std::string file;                  ///< to be written; for messages only
+  std::optional<Workcell> workcell;  ///< to be changed; a new one is asked for item by item
+  std::string from;                  ///< the file that `workcell` comes from
+  Robot robot;                       ///< checked against
+};
+
+/// What is to be shown and done after a line.
+struct DialogueTurn {
+  std::string text;                      ///< ends with a prompt, unless something is to be done
+  std::optional<std::string> file_text;  ///< to be written now; written() says how it went
+  bool may_replace = false;              ///< whether a file that is there may be replaced by it
+  bool is_over = false;
+};
+
+enum class WriteOutcome : std::uint8_t { kWritten, kIsThere, kFailed };
+
+class WorkcellDialogue {
+ public:
+  explicit WorkcellDialogue(DialogueStart start);
+  WorkcellDialogue(const WorkcellDialogue&) = delete;
+  WorkcellDialogue& operator=(const WorkcellDialogue&) = delete;
+
+  /// The greeting and the first prompt.
+  DialogueTurn begin();
+  /// Takes a line without its end.
+  DialogueTurn take(std::string_view line);
+  /// After a turn with `file_text`; `why` is for kFailed.
+  DialogueTurn written(WriteOutcome outcome, const std::string& why = "");
+  /// The input has ended, or was broken off: what to say on leaving. Nothing is written.
+  DialogueTurn leave(std::string_view why);
+
+  /// Whether anything would be lost by leaving now.
+  bool has_unsaved() const { return saved_ != workcell_; }
+
+ private:
+  using Question = dialogue::Question;
+  using Step = std::function<Question()>;
+  using Action = void (WorkcellDialogue::*)();
+
+  struct Command {
+    std::string name;
+    Action action;
+    bool needs_block = false;
+  };
+  static const std::vector<Command>& commands();
+
+  void say(const std::string& text);
+  void answer(std::string_view line);
+  void next();
+  DialogueTurn turn();
+
+  /// Asks the steps one after another, then does `then`.
+  void ask(std::deque<Step> steps, Action then);
+  Question menu();
+  std::string run_command(const std::string& line);
+  std::optional<std::size_t> block_named(const std::string& name) const;
+
+  // Commands of the menu.
+  void help();
+  void list();
+  void view();
+  void check();
+  void add();
+  void change();
+  void move();
+  void turn_block();
+  void remove();
+  void name();
+  void workspace();
+  void surface();
+  void camera();
+  void save();
+  void quit();
+
+  // A new workcell, item by item.
+  void ask_all();
+  void offer_block();
+  void take_offer();
+
+  // Room: everything but blocks; the answers go to draft_ first.
+  void ask_room(std::deque<Step> steps, Action judge);
+  void keep_room();
+  static Step length_step(const std::string& prompt, dialogue::Lengths sensible,
+                          dialogue::Lengths possible, Micrometres& value, const std::string& help);
+  std::deque<Step> name_steps();
+  std::deque<Step> workspace_steps();
+  std::deque<Step> surface_steps();
+  void ask_camera();
+  void take_camera_answer();
+  void finish_camera();
+
+  // Blocks: the answers go to block_ first.
+  std::deque<Step> name_of_block_steps();
+  std::deque<Step> size_steps();
+  std::deque<Step> place_steps();
+  std::deque<Step> yaw_steps();
+  std::deque<Step> height_steps();
+  std::deque<Step> color_steps();
+  void block_steps(std::vector<std::deque<Step>> parts);
+  void ask_block_again();
+  void judge_block();
+  void take_verdict();
+  void keep_block();
+  void take_removal();
+
+  // Writing and leaving.
+  void take_replacement();
+  void take_leaving();
+  void write(bool may_replace);
+  ReachAbove reach_above();
+
+  std::string file_;
+  std::string from_;
+  bool is_new_;
+  dialogue::Arm arm_;
+  Workcell workcell_;
+  std::optional<Workcell> saved_;  ///< what the file holds, as far as is known
+
+  Question question_;
+  std::deque<Step> steps_;
+  Action then_ = nullptr;
+  std::string text_;
+
+  Workcell draft_;
+  std::deque<Step> room_steps_;
+  Action room_judge_ = nullptr;  ///< what looks at the answers
+  Action room_then_ = nullptr;   ///< what comes when they are kept
+  bool wants_camera_ = true;
+  std::size_t projection_ = 0;
+
+  Block block_;
+  std::size_t block_index_ = 0;  ///< the number of blocks for one that is added
+  std::vector<std::deque<Step>> block_parts_;
+  bool is_yes_ = false;
+  bool is_making_ = false;  ///< a new workcell is still asked for item by item
+
+  std::optional<std::string> file_text_;
+  bool may_replace_ = false;
+  bool has_written_ = false;
+  bool is_leaving_ = false;
+  bool is_over_ = false;
+};
+
+}  // namespace xr3

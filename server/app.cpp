@@ -1,0 +1,124 @@
+#include "server/app.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+#include <csignal>
+#include <iostream>
+#include <utility>
+
+#include "protocol/robot_json.hpp"
+#include "protocol/workcell_json.hpp"
+#include "server/data_files.hpp"
+#include "server/log.hpp"
+#include "server/port_file.hpp"
+#include "server/wall_clock.hpp"
+
+namespace xr3 {
+namespace {
+
+// Clients that do not take their last replies keep the process no longer than this.
+constexpr std::chrono::milliseconds kDrainLimit{1000};
+
+SimClock start_clock(const ClockChoice& choice) {
+  return choice.mode == ClockMode::kManual ? SimClock::manual()
+                                           : SimClock::real(choice.rate, wall_now());
+}
+
+std::string to_text(const tcp::endpoint& endpoint) {
+  const auto address = endpoint.address();
+  const std::string host = address.is_v6() ? "[" + address.to_string() + "]" : address.to_string();
+  return host + ":" + std::to_string(endpoint.port());
+}
+
+ListenError listen_error(const std::string& what, const tcp::endpoint& endpoint, ErrorCode error) {
+  if (error == asio::error::address_in_use) {
+    return {ExitCode::kPortInUse,
+            what + " port " + to_text(endpoint) +
+                " is in use by another program; choose another, or 0 for a free one"};
+  }
+  return {ExitCode::kBadInput, "cannot listen on " + to_text(endpoint) + " for the " + what +
+                                   " port: " + error.message()};
+}
+
+std::string workcell_name(const ServeOptions& options) {
+  if (!options.workcell.empty()) return options.workcell;
+  const std::string name = std::filesystem::path(options.robot).stem();
+  if (has_data_file(name, "workcells")) return name;
+  throw FileError("no workcell is named like the robot " + name + "; name one with --workcell");
+}
+
+}  // namespace
+
+ModelPtr load_model(const ServeOptions& options) {
+  const DataFile robot_file = find_data_file(options.robot, "robots");
+  const Robot robot = load_robot(robot_file.text, robot_file.path);
+  const DataFile workcell_file = find_data_file(workcell_name(options), "workcells");
+  const Workcell workcell = load_workcell(workcell_file.text, workcell_file.path);
+  return std::make_shared<const Model>(robot, workcell, options.profile);
+}
+
+App::App(const ServeOptions& options, ModelPtr model)
+    : options_(options),
+      cell_("main", model, start_clock(options.clock),
+            [model](const CellEvent& event) { log_event(event, *model); }),
+      robot_port_(io_, cell_, options.most_lines, [this] { acted(); }),
+      monitor_port_(
+          io_, cell_, robot_port_, [this] { return is_ready(); }, [this] { acted(); }),
+      signals_(io_, SIGINT, SIGTERM) {}
+
+void App::run() {
+  listen();
+  await_signal();
+  announce();
+  io_.run();
+}
+
+void App::listen() {
+  const auto address =
+      asio::ip::make_address(options_.listen == "localhost" ? "127.0.0.1" : options_.listen);
+  const tcp::endpoint robot{address, options_.robot_port};
+  const tcp::endpoint monitor{address, options_.monitor_port};
+  if (const ErrorCode error = robot_port_.listen(robot)) throw listen_error("robot", robot, error);
+  if (const ErrorCode error = monitor_port_.listen(monitor))
+    throw listen_error("monitor", monitor, error);
+}
+
+// Only when everything is ready: whoever waits for this line or this file may connect at once.
+void App::announce() {
+  stage_ = Stage::kReady;
+  const tcp::endpoint robot = robot_port_.endpoint();
+  const tcp::endpoint monitor = monitor_port_.endpoint();
+  if (!options_.port_file.empty())
+    write_port_file(options_.port_file, robot.port(), monitor.port());
+  std::cout << "LISTENING robot=" << to_text(robot) << " monitor=" << to_text(monitor) << std::endl;
+}
+
+void App::await_signal() {
+  signals_.async_wait([this](ErrorCode cancelled, int signal) {
+    if (cancelled) return;
+    spdlog::info("signal {}: stopping", signal);
+    stop();
+  });
+}
+
+void App::acted() {
+  if (stage_ != Stage::kDraining) return heartbeat_.acted();
+  if (robot_port_.is_empty() && monitor_port_.is_empty()) drain_limit_.cancel();
+}
+
+// Everything that keeps the loop alive is closed, so that run() returns by itself.
+void App::stop() {
+  stage_ = Stage::kDraining;
+  heartbeat_.stop();
+  robot_port_.close();
+  monitor_port_.close();
+  if (robot_port_.is_empty() && monitor_port_.is_empty()) return;
+  drain_limit_.expires_after(kDrainLimit);
+  drain_limit_.async_wait([this](ErrorCode) {
+    robot_port_.abort();  // none are left if the wait was cancelled
+    monitor_port_.abort();
+  });
+}
+
+}  // namespace xr3

@@ -1,0 +1,83 @@
+#include "server/data_files.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+namespace xr3 {
+namespace {
+
+namespace fs = std::filesystem;
+
+// More than any sensible data file; a wrong path (a disk image, a device) is refused at once.
+constexpr std::uintmax_t kLargestFile = 64 * 1024 * 1024;
+
+bool is_path(const std::string& what) {
+  return what.find('/') != std::string::npos || what.ends_with(".json");
+}
+
+std::string names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    names.push_back(entry.path().stem());
+  std::sort(names.begin(), names.end());
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+fs::path path_of(const std::string& name, const std::string& kind) {
+  return data_folder() / kind / (name + ".json");
+}
+
+}  // namespace
+
+DataFile read_file(const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) throw FileError(path.string() + ": is a folder, not a file");
+  if (fs::file_size(path, error) > kLargestFile && !error) {
+    throw FileError(path.string() + ": larger than 64 MiB, which no data file is");
+  }
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw FileError(path.string() + ": cannot be read: " + std::strerror(errno));
+  std::ostringstream text;
+  text << file.rdbuf();
+  return {path.string(), text.str()};
+}
+
+DataFile find_data_file(const std::string& what, const std::string& kind) {
+  if (is_path(what)) return read_file(what);
+  if (!has_data_file(what, kind)) {
+    throw FileError("no " + kind.substr(0, kind.size() - 1) + " is named " + what +
+                    "; there are: " + names_in(data_folder() / kind) +
+                    "; or give the path of a file");
+  }
+  return read_file(path_of(what, kind));
+}
+
+bool has_data_file(const std::string& name, const std::string& kind) {
+  std::error_code error;
+  return fs::is_regular_file(path_of(name, kind), error);
+}
+
+fs::path data_folder() {
+  std::error_code error;
+  if (const char* named = std::getenv("XR3_DATA")) {
+    if (fs::is_directory(fs::path(named) / "robots", error)) return named;
+    throw FileError(std::string("XR3_DATA=") + named + ": has no folder robots");
+  }
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  for (const fs::path& folder :
+       {program.parent_path() / "../share/xr3", program.parent_path() / "../../data"}) {
+    if (fs::is_directory(folder / "robots", error)) return fs::weakly_canonical(folder, error);
+  }
+  throw FileError("the data folder is not found beside " + program.string() +
+                  "; set XR3_DATA to it");
+}
+
+}  // namespace xr3

@@ -1,0 +1,39 @@
+// Everything that can change a cell, as values: lines that open and close, their bytes, and calls of
+// the monitor. Sessions make them; Cell::apply is the one door through which they go in.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "protocol/call.hpp"
+#include "server/line.hpp"
+
+namespace xr3 {
+
+struct LineOpened {
+  LineId line = 0;
+  std::string peer;  ///< for people: address and port, or what else it is
+};
+
+struct BytesIn {
+  LineId line = 0;
+  std::string_view bytes;
+};
+
+enum class CloseReason : std::uint8_t { kClientClosed, kStranger, kError, kShutdown };
+
+struct LineClosed {
+  LineId line = 0;
+  CloseReason reason = CloseReason::kClientClosed;
+};
+
+using Input = std::variant<LineOpened, BytesIn, LineClosed, call::Call>;
+
+/// What came of an input: how many of the bytes were taken, or the outcome of a call.
+struct Applied {
+  std::size_t bytes_taken = 0;
+  call::Outcome outcome;
+};
+
+}  // namespace xr3

@@ -1,0 +1,41 @@
+#include "server/line.hpp"
+
+namespace xr3 {
+
+std::size_t Line::receive(std::string_view bytes, Simulation& simulation,
+                          std::vector<Exchange>& exchanges) {
+  std::size_t taken = 0;
+  while (taken < bytes.size() && !is_full() && !is_stranger_) {
+    const auto byte = static_cast<std::uint8_t>(bytes[taken++]);
+    const std::uint64_t offset = bytes_in_++;
+    const Verdict verdict = guard_.take(byte);
+    is_stranger_ = verdict == Verdict::kStranger;
+    if (verdict != Verdict::kPass) continue;
+    if (!guard_.held().empty()) {
+      const std::string held = guard_.release();
+      for (std::size_t i = 0; i < held.size(); ++i) {
+        act(static_cast<std::uint8_t>(held[i]), offset - held.size() + i, simulation, exchanges);
+      }
+    }
+    act(byte, offset, simulation, exchanges);
+  }
+  return taken;
+}
+
+void Line::act(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
+               std::vector<Exchange>& exchanges) {
+  const auto data = telnet_.take(byte, outbox_);
+  if (!data) return;
+  std::string replies;
+  endpoint_.take(*data, offset, simulation, replies, exchanges);
+  if (!replies.empty()) deliver(replies);
+}
+
+void Line::deliver(std::string_view replies) { telnet_.encode(replies, outbox_); }
+
+void Line::sent(std::size_t count) {
+  outbox_.erase(0, count);
+  bytes_out_ += count;
+}
+
+}  // namespace xr3

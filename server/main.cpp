@@ -1,0 +1,78 @@
+// xr3: reads the command line, does what it says, and turns every failure into a sentence and a code.
+#include <sys/resource.h>
+
+#include <csignal>
+#include <exception>
+#include <iostream>
+
+#include "protocol/finding.hpp"
+#include "server/app.hpp"
+#include "server/check_command.hpp"
+#include "server/convert_command.hpp"
+#include "server/data_files.hpp"
+#include "server/draw_command.hpp"
+#include "server/kin_command.hpp"
+#include "server/log.hpp"
+#include "server/options.hpp"
+#include "server/pose_argument.hpp"
+#include "server/workcell_command.hpp"
+
+namespace xr3 {
+namespace {
+
+// Lines are descriptors: as many as the system allows.
+void raise_descriptor_limit() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+  limit.rlim_cur = limit.rlim_max;
+  ::setrlimit(RLIMIT_NOFILE, &limit);
+}
+
+ExitCode serve(const ServeOptions& options) {
+  std::signal(SIGPIPE, SIG_IGN);
+  raise_descriptor_limit();
+  start_log(options.log_level);
+  App(options, load_model(options)).run();
+  return ExitCode::kGood;
+}
+
+ExitCode fail(ExitCode code, const std::string& message) {
+  std::cerr << "xr3: " << message << "\n";
+  return code;
+}
+
+struct Command {
+  ExitCode operator()(const ServeOptions& options) const { return serve(options); }
+  ExitCode operator()(const CheckOptions& options) const { return check_files(options); }
+  ExitCode operator()(const DrawOptions& options) const { return draw(options); }
+  ExitCode operator()(const KinOptions& options) const { return show_kinematics(options); }
+  ExitCode operator()(const ConvertOptions& options) const { return convert_file(options); }
+  ExitCode operator()(const WorkcellOptions& options) const { return edit_workcell(options); }
+  ExitCode operator()(const Leave& leave) const {
+    std::cout << leave.to_stdout;
+    std::cerr << leave.to_stderr;
+    return leave.code;
+  }
+};
+
+ExitCode run(int argc, const char* const* argv) {
+  try {
+    return std::visit(Command{}, parse_options(argc, argv));
+  } catch (const ListenError& error) {
+    return fail(error.code(), error.what());
+  } catch (const FileError& error) {
+    return fail(ExitCode::kBadInput, error.what());
+  } catch (const ArgumentError& error) {
+    return fail(ExitCode::kBadInput, error.what());
+  } catch (const DataError& error) {
+    std::cerr << to_text(error.findings());
+    return ExitCode::kBadInput;
+  } catch (const std::exception& error) {
+    return fail(ExitCode::kInternal, error.what());
+  }
+}
+
+}  // namespace
+}  // namespace xr3
+
+int main(int argc, char** argv) { return xr3::as_int(xr3::run(argc, argv)); }

@@ -1,0 +1,54 @@
+#include "server/monitor_port.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <boost/asio/buffer.hpp>
+#include <utility>
+
+namespace xr3 {
+
+MonitorPort::MonitorPort(asio::io_context& io, Cell& cell, RobotPort& robot_port,
+                         std::function<bool()> is_ready, std::function<void()> acted)
+    : context_{MonitorService(cell, robot_port, acted), std::move(is_ready),
+               [this] { tell_of_tls(); },
+               [this, acted](const std::shared_ptr<MonitorSession>& session) {
+                 sessions_.erase(session);
+                 acted();
+               }},
+      listener_(io, [this](tcp::socket socket) { open(std::move(socket)); }) {}
+
+ErrorCode MonitorPort::listen(const tcp::endpoint& endpoint) { return listener_.listen(endpoint); }
+
+void MonitorPort::open(tcp::socket socket) {
+  if (sessions_.size() >= kMostMonitors) return refuse(std::move(socket));
+  const auto session = std::make_shared<MonitorSession>(std::move(socket), context_);
+  sessions_.insert(session);
+  session->start();
+}
+
+void MonitorPort::refuse(tcp::socket socket) {
+  spdlog::warn("monitor: connection refused: {} are open already", sessions_.size());
+  const std::string last_words = *monitor::bye(monitor::Bye::kFull) + "\n";
+  ErrorCode ignored;
+  socket.write_some(asio::buffer(last_words), ignored);
+  socket.shutdown(tcp::socket::shutdown_send, ignored);
+}
+
+void MonitorPort::tell_of_tls() {
+  if (std::exchange(has_told_of_tls_, true)) return;
+  spdlog::warn(
+      "monitor: a client spoke TLS and was closed; this port speaks plain JSON lines and HTTP "
+      "(told once)");
+}
+
+// Copies of the set: a session that ends takes itself out of it.
+void MonitorPort::close() {
+  listener_.close();
+  for (const auto& session : Sessions(sessions_)) session->finish();
+}
+
+void MonitorPort::abort() {
+  for (const auto& session : Sessions(sessions_)) session->abort();
+}
+
+}  // namespace xr3

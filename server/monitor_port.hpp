@@ -1,0 +1,49 @@
+// The TCP port of the monitor: accepts connections up to a limit and keeps their sessions.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <set>
+
+#include "server/asio.hpp"
+#include "server/cell.hpp"
+#include "server/listener.hpp"
+#include "server/monitor_session.hpp"
+#include "server/robot_port.hpp"
+
+namespace xr3 {
+
+class MonitorPort {
+ public:
+  /// Connections beyond are told that it is full, and closed.
+  static constexpr std::size_t kMostMonitors = 1024;
+
+  /// `is_ready` is what /readyz tells; `acted` is called after each call on the
+  /// cell, and when a connection has ended.
+  MonitorPort(asio::io_context& io, Cell& cell, RobotPort& robot_port,
+              std::function<bool()> is_ready, std::function<void()> acted);
+
+  /// Binds; afterwards endpoint() is known and connections are accepted. Returns what went wrong.
+  ErrorCode listen(const tcp::endpoint& endpoint);
+  tcp::endpoint endpoint() const { return listener_.endpoint(); }
+
+  /// Takes no further connection; sessions finish their request, say `bye` and end.
+  void close();
+  /// Ends every connection now.
+  void abort();
+  bool is_empty() const { return sessions_.empty(); }
+
+ private:
+  using Sessions = std::set<std::shared_ptr<MonitorSession>>;
+
+  void open(tcp::socket socket);
+  void refuse(tcp::socket socket);
+  void tell_of_tls();
+
+  MonitorContext context_;
+  Listener listener_;
+  Sessions sessions_;
+  bool has_told_of_tls_ = false;
+};
+
+}  // namespace xr3

@@ -1,0 +1,105 @@
+#include "server/monitor_socket.hpp"
+
+#include <netinet/tcp.h>
+
+#include <boost/asio/buffer.hpp>
+#include <utility>
+
+namespace xr3 {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+constexpr seconds kMostStuck{30};
+constexpr milliseconds kMostLinger{500};
+constexpr std::size_t kMostLingerBytes = 16 * 1024 * 1024;
+constexpr int kIdleBeforeProbe_s = 30;
+constexpr int kProbeEvery_s = 10;
+
+void set_option(tcp::socket& socket, int name, int value) {
+  ::setsockopt(socket.native_handle(), IPPROTO_TCP, name, &value, sizeof value);
+}
+
+void watch_for_dead_peer(tcp::socket& socket) {
+  ErrorCode ignored;
+  socket.set_option(asio::socket_base::keep_alive(true), ignored);
+  set_option(socket, TCP_KEEPIDLE, kIdleBeforeProbe_s);
+  set_option(socket, TCP_KEEPINTVL, kProbeEvery_s);
+  set_option(socket, TCP_USER_TIMEOUT, static_cast<int>(milliseconds(kMostStuck).count()));
+}
+
+void close_when_due(asio::steady_timer& timer, milliseconds time,
+                    std::shared_ptr<tcp::socket> socket) {
+  timer.expires_after(time);
+  timer.async_wait([socket = std::move(socket)](ErrorCode cancelled) {
+    ErrorCode ignored;
+    if (!cancelled) socket->close(ignored);
+  });
+}
+
+}  // namespace
+
+MonitorSocket::MonitorSocket(tcp::socket socket)
+    : socket_(std::make_shared<tcp::socket>(std::move(socket))),
+      deadline_(socket_->get_executor()),
+      stuck_(socket_->get_executor()),
+      buffer_() {
+  watch_for_dead_peer(*socket_);
+}
+
+asio::awaitable<std::string_view> MonitorSocket::read() {
+  const auto [error, count] = co_await socket_->async_read_some(asio::buffer(buffer_), kAwait);
+  if (error && error != asio::error::eof) close();
+  if (!is_open()) co_return std::string_view{};
+  co_return std::string_view(buffer_.data(), count);
+}
+
+asio::awaitable<bool> MonitorSocket::send(std::string_view bytes) {
+  while (is_open() && !bytes.empty()) {
+    ErrorCode error;
+    bytes.remove_prefix(socket_->write_some(asio::buffer(bytes), error));
+    if (error == asio::error::would_block || error == asio::error::try_again) {
+      const bool writable = co_await wait_until_writable();
+      if (!writable) close();
+    } else if (error) {
+      close();
+    }
+  }
+  co_return is_open();
+}
+
+asio::awaitable<bool> MonitorSocket::wait_until_writable() {
+  close_when_due(stuck_, kMostStuck, socket_);
+  const auto [error] = co_await socket_->async_wait(tcp::socket::wait_write, kAwait);
+  stuck_.cancel();
+  co_return !error && is_open();
+}
+
+asio::awaitable<void> MonitorSocket::linger() {
+  ErrorCode ignored;
+  socket_->shutdown(tcp::socket::shutdown_send, ignored);
+  close_after(kMostLinger);
+  for (std::size_t forgotten = 0; is_open() && forgotten < kMostLingerBytes;) {
+    const std::string_view bytes = co_await read();
+    if (bytes.empty()) break;
+    forgotten += bytes.size();
+  }
+  close();
+}
+
+void MonitorSocket::close_after(milliseconds time) { close_when_due(deadline_, time, socket_); }
+
+void MonitorSocket::stop_reading() {
+  ErrorCode ignored;
+  socket_->shutdown(tcp::socket::shutdown_receive, ignored);
+}
+
+void MonitorSocket::close() {
+  ErrorCode ignored;
+  socket_->close(ignored);
+  deadline_.cancel();
+  stuck_.cancel();
+}
+
+}  // namespace xr3

@@ -1,0 +1,53 @@
+// A TCP connection of the monitor port with its patience: reading, writing to a client that may
+// take nothing, and closing so that the last words still arrive. It knows no language.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <memory>
+#include <string_view>
+
+#include "server/asio.hpp"
+
+namespace xr3 {
+
+class MonitorSocket {
+ public:
+  /// The socket is non-blocking. Dead peers are found by TCP keepalive.
+  explicit MonitorSocket(tcp::socket socket);
+  MonitorSocket(const MonitorSocket&) = delete;
+  MonitorSocket& operator=(const MonitorSocket&) = delete;
+  ~MonitorSocket() { close(); }
+
+  bool is_open() const { return socket_->is_open(); }
+  asio::any_io_executor executor() const { return socket_->get_executor(); }
+
+  /// Some bytes, valid until the next read. Empty: the client has stopped sending, or, if the
+  /// socket is not open any more, the connection is lost.
+  asio::awaitable<std::string_view> read();
+
+  /// Sends all of it. False: the connection is lost, or the client took no byte for 30 s.
+  asio::awaitable<bool> send(std::string_view bytes);
+
+  /// Waits a moment, reading and forgetting, for the client to close, so that what was sent last is
+  /// not destroyed by what it is still sending; then closes.
+  asio::awaitable<void> linger();
+
+  /// Closes when so much time has passed, unless it is called off.
+  void close_after(std::chrono::milliseconds time);
+  void call_off() { deadline_.cancel(); }
+
+  /// No byte is read any more; what can be sent still is.
+  void stop_reading();
+  void close();
+
+ private:
+  asio::awaitable<bool> wait_until_writable();
+
+  std::shared_ptr<tcp::socket> socket_;  ///< shared with timers that close it
+  asio::steady_timer deadline_;
+  asio::steady_timer stuck_;
+  std::array<char, 8192> buffer_;
+};
+
+}  // namespace xr3

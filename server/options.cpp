@@ -1,0 +1,329 @@
+#include "server/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "protocol/picture.hpp"
+#include "server/asio.hpp"
+#include "server/pose_argument.hpp"
+
+namespace xr3 {
+namespace {
+
+constexpr const char* kAbout =
+    "xr3: a robot controller behind TCP ports that stands in for a real Rhino XR-3 and its like.\n"
+    "Each connection to the robot port is a serial line; the monitor port speaks JSON lines.";
+
+constexpr const char* kFooter =
+    "Exit codes: 0 good; 1 something failed inside; 2 wrong arguments or a wrong file;\n"
+    "            3 a port is in use.\n"
+    "Try: xr3 serve, then in another terminal: telnet localhost 9600, and type E+50 and E?";
+
+const std::map<std::string, Profile> kProfiles{{"paper", Profile::kPaper},
+                                               {"mark3", Profile::kMark3}};
+const std::vector<std::string> kLogLevels{"trace", "debug", "info", "warn", "error", "off"};
+constexpr int kMostLines = 20000;
+
+// A CLI11 check: the text parses, or the parser's words say why not.
+template <class Parse>
+CLI::Validator parses(Parse parse, const std::string& what) {
+  return CLI::Validator(
+      [parse](const std::string& text) -> std::string {
+        try {
+          parse(text);
+          return {};
+        } catch (const std::invalid_argument& error) {
+          return error.what();
+        }
+      },
+      what);
+}
+
+void add_profile(CLI::App& command, Profile& profile) {
+  command
+      .add_option("--compat", profile,
+                  "the controller that lines see: paper (default), or mark3, the hardware")
+      ->transform(CLI::CheckedTransformer(kProfiles, CLI::ignore_case).description("paper|mark3"));
+}
+
+void add_serve(CLI::App& app, ServeOptions& options) {
+  CLI::App& serve = *app.add_subcommand("serve", "start a robot and its controller");
+  serve.add_option("--robot", options.robot, "robot: a name, or a file")
+      ->type_name("NAME|FILE")
+      ->capture_default_str();
+  serve
+      .add_option("--workcell", options.workcell,
+                  "workcell: a name, or a file (default: named like the robot)")
+      ->type_name("NAME|FILE");
+  serve
+      .add_option("--listen", options.listen,
+                  "address to listen on; beyond this machine needs --insecure")
+      ->type_name("ADDR")
+      ->capture_default_str();
+  serve
+      .add_option("--robot-port", options.robot_port,
+                  "port of the serial lines; 0 takes a free one")
+      ->type_name("PORT")
+      ->capture_default_str();
+  serve
+      .add_option("--monitor-port", options.monitor_port,
+                  "port of the JSON monitor; 0 takes a free one")
+      ->type_name("PORT")
+      ->capture_default_str();
+  add_profile(serve, options.profile);
+  serve
+      .add_option_function<std::string>(
+          "--clock", [&options](const std::string& text) { options.clock = parse_clock(text); },
+          "real (default), real:FACTOR to run faster or slower, or manual: the monitor steps time")
+      ->type_name("real[:FACTOR]|manual")
+      ->check(parses(parse_clock, ""));
+  serve
+      .add_option("--max-lines", options.most_lines,
+                  "lines open at once; more are closed without a byte")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostLines).description(""))
+      ->capture_default_str();
+  serve
+      .add_option("--port-file", options.port_file,
+                  "write the ports there as JSON once all is ready")
+      ->type_name("FILE");
+  serve.add_option("--log-level", options.log_level, "trace, debug, info, warn, error or off")
+      ->type_name("L")
+      ->check(CLI::IsMember(kLogLevels).description(""))
+      ->capture_default_str();
+  serve.add_flag("--insecure", options.is_insecure,
+                 "let anybody who reaches --listen drive the robot: it has no password");
+}
+
+void add_check(CLI::App& app, CheckOptions& options) {
+  CLI::App& check =
+      *app.add_subcommand("check", "say what is wrong in robot and workcell files, or sum them up");
+  check.add_option("files", options.files, "the files")->type_name("FILE")->required();
+  check.add_option("--robot", options.robot, "check workcells against this robot's tool")
+      ->type_name("NAME|FILE");
+  add_profile(check, options.profile);
+}
+
+std::string check_picture_name(const std::string& name) {
+  const bool is_good = name.ends_with(".svg") || name.ends_with(".png");
+  return is_good ? "" : name + ": a picture's name ends in .svg or .png";
+}
+
+void add_draw(CLI::App& app, DrawOptions& options) {
+  CLI::App& draw = *app.add_subcommand("draw", "draw a robot and its workcell as a picture");
+  draw.add_option("out", options.out, "the picture; its name says which kind")
+      ->type_name("OUT.svg|OUT.png")
+      ->required()
+      ->check(CLI::Validator(check_picture_name, ""));
+  draw.add_option("--robot", options.robot, "robot: a name, or a file")
+      ->type_name("NAME|FILE")
+      ->capture_default_str();
+  draw.add_option("--workcell", options.workcell,
+                  "workcell: a name, or a file (default: named like the robot)")
+      ->type_name("NAME|FILE");
+  draw.add_option_function<std::string>(
+          "--joints", [&options](const std::string& text) { options.joints = parse_numbers(text); },
+          "joint variables from the base on, degrees or mm (default: soft home)")
+      ->type_name("V1,V2,...")
+      ->check(parses(parse_numbers, ""));
+  draw.add_option("--tool", options.tool, "tool variable, mm or degrees (default: soft home)")
+      ->type_name("V");
+  draw.add_option_function<std::string>(
+          "--view", [&options](const std::string& text) { options.view = parse_view(text); },
+          "seen from there: whole numbers from -9 to 9 (default 1,1,1)")
+      ->type_name("X,Y,Z")
+      ->check(parses(parse_view, ""));
+  draw.add_option("--width", options.width_px, "width in pixels")
+      ->type_name("PX")
+      ->check(CLI::Range(kLeastPictureWidthPx, kMostPictureWidthPx).description(""))
+      ->capture_default_str();
+}
+
+void add_list(CLI::App& command, const std::string& name, std::vector<double>& numbers,
+              const std::string& type, const std::string& what) {
+  command
+      .add_option_function<std::string>(
+          name, [&numbers](const std::string& text) { numbers = parse_numbers(text); }, what)
+      ->type_name(type)
+      ->check(parses(parse_numbers, ""));
+}
+
+void add_kin(CLI::App& app, KinOptions& options) {
+  CLI::App& kin = *app.add_subcommand(
+      "kin", "where the tool is for joint values or counts, or how to bring it somewhere");
+  KinOptionValues& values = options.values;
+  kin.add_option("--robot", options.robot, "robot: a name, or a file")
+      ->type_name("NAME|FILE")
+      ->capture_default_str();
+  add_list(kin, "--joints", values.joints, "V1,...",
+           "joint variables from the base, degrees or mm");
+  add_list(kin, "--counts", values.counts, "N1,...", "motor counts from the base");
+  kin.add_option("--tool", values.tool, "the tool's variable beside them, mm or degrees")
+      ->type_name("V");
+  add_list(kin, "--pose", values.pose, "X,Y,Z[,YAW,PITCH,ROLL]",
+           "tip in mm, and the tool turned by R = Rz(yaw) Ry(pitch) Rx(roll), degrees");
+  kin.add_option("--down", values.down, "with X,Y,Z: tool straight down at this net roll, degrees")
+      ->type_name("NET_ROLL");
+  add_list(kin, "--approach", values.approach, "AX,AY,AZ", "with X,Y,Z: the way the hand points");
+  kin.add_option("--roll", values.roll, "with --approach: the variable of the last joint")
+      ->type_name("Q");
+  add_list(kin, "--configuration", values.configuration, "W1,...,W6", "tool-configuration vector");
+  kin.add_option("--tolerance", values.tolerance.tolerance_deg,
+                 "degrees that the approach may be off where an arm cannot have it exactly")
+      ->type_name("DEG")
+      ->check(CLI::Range(0.0, 45.0).description(""))
+      ->capture_default_str();
+  kin.add_option("--tolerance-mm", values.tolerance.tolerance_mm, "mm that the tip may be off")
+      ->type_name("MM")
+      ->check(CLI::Range(0.0, 1000.0).description(""))
+      ->capture_default_str();
+  kin.add_flag("--json", options.is_json, "everything as JSON");
+}
+
+void add_convert(CLI::App& app, ConvertOptions& options) {
+  CLI::App& convert = *app.add_subcommand(
+      "convert", "turn a robot or workcell file into the paper's plain form, or back into JSON");
+  convert.add_option("in", options.in, "the file, of either form")->type_name("IN")->required();
+  convert.add_option("out", options.out, "the new file: .json, or .txt or .dat for the plain form")
+      ->type_name("OUT")
+      ->required();
+  convert.add_flag("--force", options.force, "replace OUT if it is there already");
+}
+
+void add_workcell(CLI::App& app, WorkcellOptions& options) {
+  CLI::App& workcell =
+      *app.add_subcommand("workcell", "make a workcell file, or change one, question by question");
+  workcell.add_option("file", options.file, "the file; opened if it is there already")
+      ->type_name("NEW.json")
+      ->required();
+  workcell
+      .add_option("--robot", options.robot,
+                  "robot to check against (default: named like the file, else rhino-xr3)")
+      ->type_name("NAME|FILE");
+  workcell.add_option("--from", options.from, "begin with this workcell: a name, or a file")
+      ->type_name("NAME|FILE");
+}
+
+/// The subcommand that was named, for the hint where to read on.
+std::string named_command(const CLI::App& app) {
+  for (const CLI::App* command : app.get_subcommands()) return "xr3 " + command->get_name();
+  return "xr3";
+}
+
+Leave unknown_command(const std::string& word) {
+  return {ExitCode::kBadInput, "",
+          "xr3: there is no command " + word + "; xr3 --help lists those that there are\n"};
+}
+
+// Help and version are printed as they are; an error becomes one sentence.
+Leave leave(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() != 0) {
+    const std::vector<std::string> extras = app.remaining(true);
+    const bool is_unknown = app.get_subcommands().empty() && !extras.empty();
+    if (is_unknown) return unknown_command(extras.front());
+    return {ExitCode::kBadInput, "",
+            "xr3: " + std::string(error.what()) + "; " + named_command(app) +
+                " --help tells what is allowed\n"};
+  }
+  std::ostringstream out;
+  std::ostringstream err;
+  app.exit(error, out, err);
+  return {ExitCode::kGood, out.str(), err.str()};
+}
+
+Leave refuse_listen(const std::string& address) {
+  return {ExitCode::kBadInput, "",
+          "xr3: --listen " + address +
+              " lets other machines drive the robot, which has no password; "
+              "add --insecure if that is meant\n"};
+}
+
+Options checked(const ServeOptions& options) {
+  ErrorCode error;
+  if (options.listen != "localhost") asio::ip::make_address(options.listen, error);
+  if (error) {
+    return Leave{ExitCode::kBadInput, "",
+                 "xr3: --listen " + options.listen +
+                     " is not an address; give one such as 127.0.0.1 or ::1\n"};
+  }
+  if (!is_loopback(options.listen) && !options.is_insecure) return refuse_listen(options.listen);
+  return options;
+}
+
+}  // namespace
+
+bool is_loopback(const std::string& address) {
+  ErrorCode error;
+  return address == "localhost" || asio::ip::make_address(address, error).is_loopback();
+}
+
+Rate parse_rate(const std::string& text) {
+  const auto refuse = [&] {
+    throw std::invalid_argument(text + ": a rate is a number 0.001...100000");
+  };
+  std::size_t end = 0;
+  double factor = 0;
+  try {
+    factor = std::stod(text, &end);
+  } catch (const std::exception&) {
+    refuse();
+  }
+  const Rate rate{static_cast<std::int64_t>(factor >= 0 && factor < 1e6 ? factor * 1e6 + 0.5 : 0)};
+  const bool is_allowed =
+      rate.millionths >= kSlowest.millionths && rate.millionths <= kFastest.millionths;
+  if (end != text.size() || !is_allowed) refuse();
+  return rate;
+}
+
+ClockChoice parse_clock(const std::string& text) {
+  if (text == "manual") return {ClockMode::kManual, Rate{}};
+  if (text == "real") return {ClockMode::kReal, Rate{}};
+  if (text.starts_with("real:")) return {ClockMode::kReal, parse_rate(text.substr(5))};
+  throw std::invalid_argument(text + ": a clock is real, real:FACTOR or manual");
+}
+
+ViewVector parse_view(const std::string& text) {
+  const auto is_allowed = [](double n) { return n >= -9 && n <= 9 && n == static_cast<int>(n); };
+  const std::vector<double> v = parse_numbers(text);
+  const bool is_good = v.size() == 3 && std::all_of(v.begin(), v.end(), is_allowed);
+  if (!is_good || v == std::vector<double>{0, 0, 0}) {
+    throw std::invalid_argument(
+        text + ": a view is three whole numbers from -9 to 9, not all 0, as in 1,1,1");
+  }
+  return {static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2])};
+}
+
+Options parse_options(int argc, const char* const* argv) {
+  CLI::App app(kAbout, "xr3");
+  app.footer(kFooter);
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "xr3 " XR3_VERSION);
+  ServeOptions serve;
+  CheckOptions check;
+  DrawOptions draw;
+  add_serve(app, serve);
+  add_check(app, check);
+  add_draw(app, draw);
+  KinOptions kin;
+  add_kin(app, kin);
+  ConvertOptions convert;
+  add_convert(app, convert);
+  WorkcellOptions workcell;
+  add_workcell(app, workcell);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return leave(app, error);
+  }
+  if (app.got_subcommand("check")) return check;
+  if (app.got_subcommand("draw")) return draw;
+  if (app.got_subcommand("kin")) return kin;
+  if (app.got_subcommand("convert")) return convert;
+  if (app.got_subcommand("workcell")) return workcell;
+  return checked(serve);
+}
+
+}  // namespace xr3

@@ -1,0 +1,13 @@
+// Pixels as a PNG file, by libpng.
+#pragma once
+
+#include <string>
+
+#include "server/raster.hpp"
+
+namespace xr3 {
+
+/// The bytes of a file with red, green and blue of 8 bits each.
+std::string to_png(const Raster& raster);
+
+}  // namespace xr3

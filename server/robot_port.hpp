@@ -1,0 +1,63 @@
+// The TCP port of the serial lines: accepts connections up to the limit and keeps their sessions.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+
+#include "server/asio.hpp"
+#include "server/cell.hpp"
+#include "server/listener.hpp"
+#include "server/robot_session.hpp"
+
+namespace xr3 {
+
+class RobotPort {
+ public:
+  /// `most_lines`: connections beyond are closed without a byte. `acted` is called after each input and each end.
+  RobotPort(asio::io_context& io, Cell& cell, std::size_t most_lines, std::function<void()> acted);
+
+  /// Binds; afterwards endpoint() is known and connections are accepted. Returns what went wrong.
+  ErrorCode listen(const tcp::endpoint& endpoint);
+  tcp::endpoint endpoint() const { return listener_.endpoint(); }
+
+  /// Every byte that has already arrived on any line, also on one that has not been accepted yet,
+  /// acts now. `step` and `run_until` call it first, so that no byte is overtaken.
+  void take_in();
+
+  /// Waits until a line has received so many bytes in all. False: it did not within the time, it has
+  /// closed without them, or the port is closing.
+  asio::awaitable<bool> wait_for_bytes(LineId line, std::uint64_t bytes_in,
+                                       std::chrono::milliseconds within);
+
+  /// Takes no further connection; sessions hand out what is in their outboxes and end.
+  void close();
+  bool is_empty() const { return sessions_.empty(); }
+  /// Ends what close() left over.
+  void abort();
+
+ private:
+  using Sessions = std::map<LineId, std::shared_ptr<RobotSession>>;
+
+  void open(tcp::socket socket);
+  Sessions sessions() const { return sessions_; }
+
+  void tell();
+
+  asio::io_context& io_;
+  Cell& cell_;
+  std::size_t most_lines_;
+  std::function<void()> acted_;
+  std::array<char, 64 * 1024> scratch_{};
+  RobotSessionContext context_;
+  Listener listener_;
+  std::set<asio::steady_timer*> waiting_;  ///< cancelled when bytes have acted
+  Sessions sessions_;
+  LineId last_line_ = 0;
+  bool is_closing_ = false;
+};
+
+}  // namespace xr3

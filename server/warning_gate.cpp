@@ -1,0 +1,55 @@
+#include "server/warning_gate.hpp"
+
+#include <utility>
+
+namespace xr3 {
+
+bool WarningGate::extends_run(LineId line, Tick tick, std::string_view code) {
+  const auto found = lines_.find(line);
+  if (found == lines_.end() || !found->second.run) return false;
+  const bool extends = found->second.run->code == code && found->second.second == tick / kTickHz;
+  if (extends) ++found->second.run->count;
+  return extends;
+}
+
+std::vector<CellNote> WarningGate::take(LineId line, Tick tick, ProblemNote note) {
+  if (extends_run(line, tick, note.code)) return {};
+  PerLine& of_line = lines_[line];
+  std::vector<CellNote> due = begin_second(of_line, tick);
+  end_run(of_line, due);
+  of_line.run = std::move(note);
+  return due;
+}
+
+std::vector<CellNote> WarningGate::finish(LineId line, Tick tick) {
+  const auto found = lines_.find(line);
+  if (found == lines_.end()) return {};
+  std::vector<CellNote> due = begin_second(found->second, tick);
+  end_run(found->second, due);
+  return due;
+}
+
+std::vector<CellNote> WarningGate::begin_second(PerLine& line, Tick tick) {
+  const Tick second = tick / kTickHz;
+  if (second == line.second) return {};
+  std::vector<CellNote> due;
+  end_run(line, due);
+  if (line.left_out > 0) due.emplace_back(SuppressedNote{line.left_out});
+  line.second = second;
+  line.notes = 0;
+  line.left_out = 0;
+  return due;
+}
+
+void WarningGate::end_run(PerLine& line, std::vector<CellNote>& due) {
+  if (!line.run) return;
+  if (line.notes < kMostNotesPerSecond) {
+    ++line.notes;
+    due.emplace_back(std::move(*line.run));
+  } else {
+    line.left_out += line.run->count;
+  }
+  line.run.reset();
+}
+
+}  // namespace xr3

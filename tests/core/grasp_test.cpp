@@ -1,0 +1,385 @@
+// Jaws and blocks, sentence by sentence: when closing jaws turn a block flat, where they stop, what
+// lets the block go and what never does.
+#include "core/grasp.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "core/kinematics.hpp"
+#include "tests/support/rig.hpp"
+
+namespace xr3 {
+namespace {
+
+using test::Rig;
+
+constexpr double kHairDeg = 1e-5;
+
+// Over the red block of the Rhino's table: the tool down, net roll 90 degrees.
+constexpr std::initializer_list<test::LabelledCount> kDown = {{'E', 449}, {'D', -625}};
+constexpr Counts kFullyOpen = 16;
+
+ModelPtr rhino_with(std::vector<Block> blocks, Workcell workcell = test::bare_workcell()) {
+  workcell.blocks = std::move(blocks);
+  return std::make_shared<const Model>(test::robot_named("rhino-xr3"), workcell, Profile::kPaper);
+}
+
+PointUm tip(const Rig& rig) {
+  return tool_tip(rig.model(), positions(rig.model(), rig.state().motors));
+}
+double net_roll(const Rig& rig) {
+  return net_roll_deg(rig.model(), positions(rig.model(), rig.state().motors));
+}
+Micrometres opening(const Rig& rig) {
+  return micrometres(opening_mm(rig.model(), rig.position('A')));
+}
+const Block& block(const Rig& rig, std::size_t index = 0) { return rig.state().blocks[index]; }
+
+const PointUm kPlace = tool_tip(*test::rhino(), test::positions_at(*test::rhino(), kDown));
+
+Block block_at(const PointUm& centroid, double yaw_deg, PointUm size_um = {40'000, 30'000, 36'000},
+               std::string name = "block") {
+  return {std::move(name), size_um, centroid, microdegrees(yaw_deg), 1};
+}
+
+PointUm beside(const PointUm& place, Micrometres x, Micrometres y, Micrometres z = 0) {
+  return {place.x + x, place.y + y, place.z + z};
+}
+
+/// The jaws fully open about the blocks.
+Rig over(std::vector<Block> blocks, Workcell workcell = test::bare_workcell()) {
+  Rig rig(rhino_with(std::move(blocks), std::move(workcell)));
+  rig.stand_at({{'E', 449}, {'D', -625}, {'A', kFullyOpen}});
+  return rig;
+}
+
+void close_jaws(Rig& rig, int counts = 100) {
+  rig.move('A', -counts);
+  rig.settle();
+}
+
+/// Gripped: a block of 40 x 30 that lies flat, by its width.
+Rig holding(Workcell workcell = test::bare_workcell()) {
+  Rig rig = over({block_at(kPlace, 90)}, std::move(workcell));
+  close_jaws(rig);
+  rig.execute(Stop{'A'});
+  rig.simulation.take_events();
+  return rig;
+}
+
+/// The least angle between two yaws, degrees.
+double apart(double a, double b) { return std::abs(std::remainder(a - b, 360.0)); }
+
+// --- A closing count that would not leave room first turns the block flat.
+
+struct TurnCase {
+  double delta;  ///< yaw of the block less the net roll, degrees
+  int quarters;
+};
+
+constexpr TurnCase kTurns[] = {
+    {0, 0},    {1, 0},     {20, 0},    {44, 0},    {46, 1},     {70, 1},     {90, 1},   {110, 1},
+    {134, 1},  {136, 2},   {160, 2},   {180, 2},   {-20, 0},    {-44, 0},    {-46, -1}, {-70, -1},
+    {-90, -1}, {-134, -1}, {-136, -2}, {-179, -2}, {44.999, 0}, {45.001, 1},
+};
+
+class TurnsFlat : public testing::TestWithParam<Counts> {};  // by the count of the base
+
+TEST_P(TurnsFlat, ToTheNearestQuarterWhenThereIsNoRoomForItAsItLies) {
+  for (const auto& [delta, quarters] : kTurns) {
+    const Positions there =
+        test::positions_at(*test::rhino(), {{'F', GetParam()}, {'E', 449}, {'D', -625}});
+    const double roll = net_roll_deg(*test::rhino(), there);
+    Rig rig(
+        rhino_with({block_at(beside(tool_tip(*test::rhino(), there), 3000, -2000), roll + delta)}));
+    rig.stand_at({{'F', GetParam()}, {'E', 449}, {'D', -625}, {'A', kFullyOpen}});
+    const double radians = delta * kPi / 180;
+    const double extent = 30 * std::abs(std::cos(radians)) + 40 * std::abs(std::sin(radians));
+    const Block before = block(rig);
+    const bool flat_already = std::fmod(delta, 90) == 0;
+    while (static_cast<double>(opening(rig)) / 1000 - 0.79375 >= extent + 1e-3) {
+      close_jaws(rig, 1);
+      ASSERT_EQ(block(rig), before) << "room for it as it lies, delta " << delta;
+    }
+    close_jaws(rig, 1);
+    EXPECT_EQ(block(rig).centroid_um == before.centroid_um, !flat_already) << "turned, not moved";
+    EXPECT_LT(apart(degrees(block(rig).yaw_udeg), roll + 90 * quarters), kHairDeg) << delta;
+    close_jaws(rig);
+    const Micrometres flat = quarters % 2 == 0 ? 30'000 : 40'000;
+    EXPECT_GE(opening(rig), flat) << delta;
+    EXPECT_LT(opening(rig), flat + 794) << delta;
+    ASSERT_TRUE(rig.state().held) << delta;
+    EXPECT_EQ(block(rig).centroid_um, tip(rig)) << "held, its centroid is at the tip";
+    EXPECT_LT(apart(degrees(block(rig).yaw_udeg), roll + 90 * quarters), kHairDeg) << delta;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Grasp, TurnsFlat, testing::Values(0, 71, -138, 500));
+
+TEST(Grasp, ASlenderBlockIsNotForcedBetweenJawsNarrowerThanItsLength) {
+  const PointUm slender{60'000, 12'000, 30'000};  // at 50 degrees 53.7 mm, flat on its length 60 mm
+  Rig rig = over({block_at(kPlace, 90 + 50.0, slender)});
+  close_jaws(rig);
+  ASSERT_TRUE(rig.state().held);
+  EXPECT_GE(opening(rig), 60'000);
+  EXPECT_LT(apart(degrees(block(rig).yaw_udeg), 180), kHairDeg);
+
+  Rig narrower = over({block_at(kPlace, 90 + 50.0, slender)});
+  narrower.stand_at({{'E', 449}, {'D', -625}, {'A', 5}});  // 54.77 mm
+  close_jaws(narrower);
+  EXPECT_FALSE(narrower.state().held);
+  EXPECT_EQ(block(narrower), block_at(kPlace, 140, slender));
+}
+
+// --- Where they stop, and what A's counter tells.
+
+struct MeasureCase {
+  Micrometres width;
+  Counts stop;  ///< ceil((width - home) / precision - 1e-6)
+};
+
+// Home 50.8 mm, 0.79375 mm a count.
+constexpr MeasureCase kMeasures[] = {
+    {32'000, -23}, {28'000, -28}, {50'800, 0},  {50'801, 1},  {50'799, 0},  {50'006, -1},
+    {50'007, 0},   {1'000, -62},  {63'500, 16}, {63'000, 16}, {62'700, 15}, {11'906, -49},
+};
+
+TEST(Grasp, TheJawsStandAtTheLastCountThatLeavesRoom) {
+  for (const auto& [width, stop] : kMeasures) {
+    Rig rig = over({block_at(kPlace, 90, {70'000, width, 30'000})});
+    close_jaws(rig, 100);
+    ASSERT_TRUE(rig.state().held) << width;
+    EXPECT_EQ(rig.count('A'), stop) << width;
+    EXPECT_EQ(rig.motor('A').blocked, Blocked::kBlock) << width;
+    EXPECT_TRUE(rig.simulation.is_at_rest());
+    EXPECT_EQ(rig.error('A'), -100 + (kFullyOpen - stop)) << "what was left of the closing move";
+    EXPECT_EQ(rig.execute(QueryError{'A'}), Reply(ErrorMagnitude{100 - (kFullyOpen - stop)}));
+  }
+}
+
+TEST(Grasp, TheGraspIsToldOnceAndThenThatTheJawsStand) {
+  Rig rig = over({block_at(kPlace, 90)});
+  close_jaws(rig);
+  EXPECT_EQ(rig.told<Grasped>(), (std::vector<Grasped>{{"block", kPlace, 90'000'000}}));
+  ASSERT_EQ(rig.told<MotorBlocked>().size(), 1U);
+  EXPECT_EQ(rig.told<MotorBlocked>()[0].why, Blocked::kBlock);
+  EXPECT_EQ(test::ticks_of<Grasped>(rig.simulation.events()),
+            test::ticks_of<MotorBlocked>(rig.simulation.events()));
+}
+
+TEST(Grasp, JawsThatStopJustAtTheBlockDoNotHoldIt) {
+  Rig rig = over({block_at(kPlace, 90)});
+  close_jaws(rig, kFullyOpen + 26);
+  EXPECT_EQ(rig.count('A'), -26);
+  EXPECT_EQ(rig.error('A'), 0);
+  EXPECT_FALSE(rig.state().held);
+  close_jaws(rig, 1);
+  EXPECT_EQ(rig.count('A'), -26);
+  EXPECT_TRUE(rig.state().held);
+}
+
+TEST(Grasp, WithoutAStopAnOpeningMoveIsEatenByWhatIsLeft) {
+  Rig rig = over({block_at(kPlace, 90)});
+  close_jaws(rig);
+  ASSERT_EQ(rig.error('A'), -58);
+  rig.move('A', 20);
+  rig.settle();
+  EXPECT_EQ(rig.error('A'), -38);
+  EXPECT_EQ(rig.count('A'), -26);
+  EXPECT_TRUE(rig.state().held);
+  rig.execute(Stop{'A'});
+  EXPECT_EQ(rig.motor('A').blocked, Blocked::kNo);
+  EXPECT_TRUE(rig.state().held) << "stopping is not opening";
+  rig.move('A', 20);
+  rig.settle();
+  EXPECT_EQ(rig.count('A'), -6);
+  EXPECT_FALSE(rig.state().held);
+}
+
+TEST(Grasp, AClosingMoveOfHeldJawsStandsAtOnce) {
+  Rig rig = holding();
+  close_jaws(rig, 30);
+  EXPECT_EQ(rig.count('A'), -26);
+  EXPECT_EQ(rig.error('A'), -30);
+  EXPECT_EQ(rig.motor('A').blocked, Blocked::kBlock);
+  EXPECT_TRUE(rig.told<Grasped>().empty()) << "it was held already";
+}
+
+TEST(Grasp, NothingBetweenTheJawsIsNothingInTheirWay) {
+  Rig rig = over({block_at(beside(kPlace, 20'001, 0), 90, {60'000, 40'000, 36'000}),
+                  block_at(beside(kPlace, 0, 0, -18'001), 0)});
+  const std::vector<Block> before = rig.state().blocks;
+  close_jaws(rig, 80);
+  EXPECT_EQ(rig.count('A'), -64) << "closed";
+  EXPECT_EQ(rig.error('A'), 0);
+  EXPECT_EQ(rig.state().blocks, before);
+}
+
+TEST(Grasp, ARobotWhoseCountsCloseItsJawsGripsAsWell) {
+  Robot robot = test::robot_named("rhino-xr3");
+  robot.tool.drive.direction = -1;
+  robot.tool.drive.microswitch.position = -16;
+  Workcell workcell = test::bare_workcell();
+  workcell.blocks = {block_at(kPlace, 90)};
+  Rig rig(std::make_shared<const Model>(robot, workcell, Profile::kPaper));
+  rig.stand_at(kDown);
+  rig.move('A', 100);
+  rig.settle();
+  EXPECT_TRUE(rig.state().held);
+  EXPECT_EQ(rig.count('A'), 26);
+  EXPECT_EQ(rig.error('A'), 74);
+  rig.execute(Stop{'A'});
+  rig.move('A', -1);
+  rig.settle();
+  EXPECT_FALSE(rig.state().held);
+}
+
+// --- Too narrow.
+
+int narrow_warnings(const Rig& rig) {
+  int count = 0;
+  for (const Warning& warning : rig.told<Warning>())
+    count += warning.code == WarningCode::kJawsTooNarrow ? 1 : 0;
+  return count;
+}
+
+TEST(Grasp, JawsNarrowerThanTheBlockGripNothingAndSaySoOnce) {
+  Rig rig = over({block_at(kPlace, 90)});
+  rig.stand_at({{'E', 449}, {'D', -625}, {'A', -27}});
+  close_jaws(rig, 10);
+  EXPECT_EQ(rig.count('A'), -37) << "they close all the same";
+  EXPECT_EQ(narrow_warnings(rig), 1);
+  EXPECT_EQ(rig.told<Warning>()[0].block, "block");
+  EXPECT_EQ(block(rig), block_at(kPlace, 90));
+  EXPECT_FALSE(rig.state().held);
+  close_jaws(rig, 10);
+  EXPECT_EQ(narrow_warnings(rig), 1) << "the same closing goes on";
+  rig.travel('A', 5);
+  close_jaws(rig, 10);
+  EXPECT_EQ(narrow_warnings(rig), 2) << "opened in between";
+  rig.travel('B', 3);
+  close_jaws(rig, 10);
+  EXPECT_EQ(narrow_warnings(rig), 3) << "tried again at another place";
+}
+
+TEST(Grasp, TheExtentAsTheBlockLiesHasToFitBetweenTheJaws) {
+  Rig rig = over({block_at(kPlace, 90 + 30.0)});       // 46.0 mm as it lies, 30 mm flat
+  rig.stand_at({{'E', 449}, {'D', -625}, {'A', -7}});  // 45.2 mm
+  close_jaws(rig);
+  EXPECT_FALSE(rig.state().held);
+  EXPECT_EQ(narrow_warnings(rig), 1);
+}
+
+// --- Which of several.
+
+TEST(Grasp, TheNearestCentroidIsTakenThenTheFirstInTheFile) {
+  const PointUm wide{60'000, 30'000, 36'000};
+  struct Case {
+    const char* what;
+    std::vector<Block> blocks;
+    std::uint32_t taken;
+  };
+  const Case cases[] = {
+      {"nearer along x",
+       {block_at(beside(kPlace, 0, 9000), 90, wide), block_at(beside(kPlace, 0, -8000), 90, wide)},
+       1},
+      {"nearer in height",
+       {block_at(beside(kPlace, 0, 0, 12'000), 90), block_at(beside(kPlace, 0, 0, -11'999), 90)},
+       1},
+      {"just as near",
+       {block_at(beside(kPlace, 0, 0, 12'000), 90), block_at(beside(kPlace, 0, 0, -12'000), 90)},
+       0},
+      {"around the tip before nearer",
+       {block_at(beside(kPlace, 16'000, 0), 90), block_at(beside(kPlace, 0, 19'000), 90)},
+       1},
+  };
+  for (const Case& c : cases) {
+    Rig rig = over(c.blocks);
+    close_jaws(rig);
+    ASSERT_TRUE(rig.state().held) << c.what;
+    EXPECT_EQ(rig.state().held->block, c.taken) << c.what;
+    EXPECT_EQ(block(rig, 1 - c.taken), c.blocks[1 - c.taken]) << c.what << ": the other one stays";
+  }
+}
+
+TEST(Grasp, OfTwoStackedBlocksTheOneAroundTheTipIsTaken) {
+  const Block upper = block_at(beside(kPlace, 0, 0, 36'000), 90);
+  const Block lower = block_at(kPlace, 90);
+  for (const std::uint32_t wanted : {0U, 1U}) {
+    Rig rig = over(wanted == 1 ? std::vector{upper, lower} : std::vector{lower, upper});
+    close_jaws(rig);
+    ASSERT_TRUE(rig.state().held);
+    EXPECT_EQ(rig.state().held->block, wanted);
+    rig.execute(Stop{'A'});
+    rig.travel('E', -100);
+    rig.travel('A', 10);
+    EXPECT_EQ(block(rig, 1 - wanted), upper) << "pulled out from under it: there is no gravity";
+    EXPECT_EQ(block(rig, wanted).centroid_um, tip(rig));
+  }
+}
+
+// --- What lets go, and how the block then lies.
+
+TEST(Grasp, TheFirstOpeningCountReleases) {
+  Rig rig = holding();
+  rig.move('A', 1);
+  rig.pass(16);  // 60 counts a second
+  EXPECT_TRUE(rig.state().held);
+  rig.pass(1);
+  EXPECT_EQ(rig.count('A'), -25);
+  EXPECT_FALSE(rig.state().held);
+  EXPECT_EQ(rig.told<Released>(), (std::vector<Released>{{"block", kPlace, 90'000'000}}));
+}
+
+struct LetGoCase {
+  const char* what;
+  std::initializer_list<test::LabelledCount> travel;
+};
+
+// The pitch tilts the hand; the block lies upright again all the same.
+const LetGoCase kLetGo[] = {
+    {"where it was", {}},
+    {"turned by the base", {{'F', 120}}},
+    {"turned by the roll", {{'B', -333}}},
+    {"lifted", {{'E', -207}, {'D', 185}}},
+    {"tilted", {{'E', -207}, {'D', 185}, {'C', 300}}},
+    {"tilted and turned", {{'E', -150}, {'C', -250}, {'B', 75}, {'F', -300}}},
+};
+
+TEST(Grasp, ABlockLetGoLiesUprightAtTheTipInMidAirTurnedByTheNetRoll) {
+  for (const double yaw : {90.0, 0.0, 180.0, 115.0, 20.0}) {
+    for (const LetGoCase& c : kLetGo) {
+      Rig rig = over({block_at(kPlace, yaw)});
+      close_jaws(rig);
+      rig.execute(Stop{'A'});
+      const int quarters = rig.state().held->quarter_turns;
+      for (const auto& [label, counts] : c.travel) rig.travel(label, counts);
+      ASSERT_TRUE(rig.state().held) << c.what;
+      rig.travel('A', 1);
+      ASSERT_FALSE(rig.state().held) << c.what;
+      EXPECT_EQ(block(rig).centroid_um, tip(rig)) << c.what;
+      EXPECT_LT(apart(degrees(block(rig).yaw_udeg), net_roll(rig) + 90 * quarters), kHairDeg)
+          << c.what;
+      EXPECT_EQ(block_pose(rig.model(), rig.state(), 0)(2, 2), 1.0) << "upright: " << c.what;
+      const Block there = block(rig);
+      rig.pass(100'000);
+      EXPECT_EQ(block(rig), there) << "nothing falls";
+    }
+  }
+}
+
+TEST(Grasp, AYawStaysWithinHalfATurn) {
+  for (const Counts roll : {-2000, -577, 288, 576, 1152, 3000}) {
+    Rig rig = holding();
+    rig.travel('B', roll);
+    rig.travel('A', 1);
+    EXPECT_GT(block(rig).yaw_udeg, -180'000'000) << roll;
+    EXPECT_LE(block(rig).yaw_udeg, 180'000'000) << roll;
+    EXPECT_LT(apart(degrees(block(rig).yaw_udeg), 90 - 0.3125 * roll), kHairDeg) << roll;
+  }
+}
+
+}  // namespace
+}  // namespace xr3

@@ -1,0 +1,133 @@
+// Microswitches: latched beyond their position or of finite width, watching the motor and not the
+// joint; the bits of I, J and K.
+#include "core/switches.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/rig.hpp"
+
+namespace xr3 {
+namespace {
+
+using test::Rig;
+using test::roomy_rhino;
+
+struct ClosedCase {
+  Microswitch microswitch;
+  Counts first_closed;  ///< of the counts -1000...1000
+  Counts last_closed;
+};
+
+constexpr Counts kFar = 1000;
+
+TEST(Switches, WhereTheyAreClosed) {
+  const ClosedCase cases[] = {
+      {{30, 8, std::nullopt}, 30, kFar},
+      {{-40, 4, std::nullopt}, -kFar, -40},
+      {{1, 1, std::nullopt}, 1, kFar},
+      {{-1, 1, std::nullopt}, -kFar, -1},
+      {{30, 8, 60}, 0, 60},
+      {{-40, 4, 60}, -70, -10},
+      {{40, 2, 7}, 37, 43},
+      {{40, 2, 1}, 40, 40},
+      {{40, 2, 0}, 40, 40},
+      {{40, 2, 2}, 39, 41},
+  };
+  for (const ClosedCase& wanted : cases) {
+    for (Counts count = -kFar; count <= kFar; ++count) {
+      const bool inside = count >= wanted.first_closed && count <= wanted.last_closed;
+      ASSERT_EQ(is_closed(wanted.microswitch, count), inside)
+          << "position " << wanted.microswitch.position << ", count " << count;
+    }
+  }
+}
+
+struct TravelCase {
+  char label;
+  int away;  ///< a sign: the way to the switch
+  Counts closes;
+};
+
+// F closes at +30, E at -40, D and C at +40, B at -25, A at +16.
+constexpr TravelCase kTravels[] = {{'F', 1, 30}, {'E', -1, -40}, {'D', 1, 40},
+                                   {'C', 1, 40}, {'B', -1, -25}, {'A', 1, 16}};
+
+TEST(Switches, EachClosesAtItsPositionStaysClosedBeyondAndOpensOnTheWayBack) {
+  for (const auto& [label, away, closes] : kTravels) {
+    Rig rig(roomy_rhino());
+    const Counts far = label == 'A' ? 16 : closes + away * 50;
+    rig.travel(label, far);
+    EXPECT_EQ(rig.count(label), far) << label;
+    EXPECT_TRUE(rig.motor(label).switch_closed) << label;
+    rig.travel(label, -far);
+    EXPECT_EQ(rig.told<SwitchChanged>(),
+              (std::vector<SwitchChanged>{{label, true, closes}, {label, false, closes - away}}))
+        << label;
+  }
+}
+
+TEST(Switches, TheMark3sAreSixtyCountsWide) {
+  Rig rig(roomy_rhino(Profile::kMark3));
+  EXPECT_TRUE(rig.motor('F').switch_closed) << "30 counts from the middle is still closed";
+  EXPECT_FALSE(rig.motor('E').switch_closed);
+  rig.travel('E', -100);
+  EXPECT_EQ(rig.told<SwitchChanged>(),
+            (std::vector<SwitchChanged>{{'E', true, -10}, {'E', false, -71}}));
+}
+
+TEST(Switches, WatchTheMotorAndNotTheJointThatCouplingMoves) {
+  Rig rig(roomy_rhino());
+  rig.travel('E', 100);
+  EXPECT_EQ(rig.position('D'), 100);
+  EXPECT_EQ(rig.count('D'), 0);
+  EXPECT_FALSE(rig.motor('D').switch_closed);
+  EXPECT_TRUE(rig.told<SwitchChanged>().empty());
+}
+
+TEST(Switches, AreAsTheirCountAtTheStart) {
+  Robot robot = test::robot_named("rhino-xr3");
+  robot.joints[0].drive.microswitch = {0, 8, 10};
+  const Rig rig(test::model_of(robot));
+  EXPECT_TRUE(rig.motor('F').switch_closed);
+  EXPECT_FALSE(rig.motor('E').switch_closed);
+}
+
+TEST(Switches, BitsOfIAndJGoByLabelAndMask) {
+  Rig rig(roomy_rhino());
+  rig.stand_at({{'F', 30}, {'E', -40}, {'D', 40}, {'C', 40}, {'B', -25}, {'A', 16}});
+  EXPECT_EQ(switch_bits(rig.model(), rig.state(), 'I'), (SwitchBits{15, 15, 0, 'I'}));
+  EXPECT_EQ(switch_bits(rig.model(), rig.state(), 'J'), (SwitchBits{3, 3, 0, 'J'}));
+  EXPECT_EQ(switch_bits(rig.model(), rig.state(), 'K'), (SwitchBits{0, 0, 0, 'K'}));
+  const std::pair<char, SwitchBits> alone[] = {{'F', {8, 15, 0, 'I'}}, {'E', {4, 15, 0, 'I'}},
+                                               {'D', {2, 15, 0, 'I'}}, {'C', {1, 15, 0, 'I'}},
+                                               {'B', {2, 3, 0, 'J'}},  {'A', {1, 3, 0, 'J'}}};
+  for (const auto& [label, bits] : alone) {
+    const Counts closed = rig.model().motor(rig.model().index_of(label)).microswitch.position;
+    const State state = test::state_at(rig.model(), {{label, closed}});
+    EXPECT_EQ(switch_bits(rig.model(), state, bits.inquiry), bits) << label;
+  }
+}
+
+TEST(Switches, AMaskOf0LeavesAJointOutOfBoth) {
+  Robot robot = test::robot_named("rhino-xr3");
+  robot.joints[0].drive.microswitch.mask = 0;
+  const ModelPtr model = test::model_of(robot);
+  const State state = test::state_at(*model, {{'F', 30}});
+  EXPECT_TRUE(state.motor(0).switch_closed);
+  EXPECT_EQ(switch_bits(*model, state, 'I'), (SwitchBits{0, 7, 0, 'I'}));
+}
+
+TEST(Switches, InputLinesAreBitsOfKAndJ) {
+  for (int line = 1; line <= 8; ++line) {
+    Rig rig;
+    rig.simulation.set_input(line, true);
+    const unsigned k = line <= 4 ? 1U << static_cast<unsigned>(line - 1) : 0U;
+    const unsigned j = line > 4 ? 1U << static_cast<unsigned>(line - 3) : 0U;
+    EXPECT_EQ(switch_bits(rig.model(), rig.state(), 'K').inputs, k) << line;
+    EXPECT_EQ(switch_bits(rig.model(), rig.state(), 'J').inputs, j) << line;
+    EXPECT_EQ(switch_bits(rig.model(), rig.state(), 'I').inputs, 0) << line;
+  }
+}
+
+}  // namespace
+}  // namespace xr3

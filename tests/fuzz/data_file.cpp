@@ -1,0 +1,65 @@
+// Fuzzes the loaders of robot and workcell files: any text gives a value or findings, never
+// anything else; what was accepted makes a model that runs, and is the same when written and read
+// again.
+//
+// Input: the first byte chooses the kind of file, the rest is its text.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+#include <utility>
+
+#include "core/simulation.hpp"
+#include "protocol/robot_json.hpp"
+#include "protocol/workcell_json.hpp"
+#include "tests/support/models.hpp"
+
+namespace xr3 {
+namespace {
+
+void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "broken: %s\n", what);
+  std::abort();
+}
+
+// A few moves of every motor, up to where limits, region or blocks stop them.
+void exercise(Robot robot, Workcell workcell) {
+  Simulation simulation(
+      std::make_shared<const Model>(std::move(robot), std::move(workcell), Profile::kPaper));
+  for (const int counts : {100, -128, 5}) {
+    for (int i = 0; i < simulation.model().motor_count(); ++i) {
+      simulation.execute(Move{simulation.model().motor(i).drive.label, counts});
+    }
+    simulation.advance_to(simulation.tick() + 300);
+  }
+}
+
+void read_as_robot(std::string_view text) {
+  RobotReading reading = read_robot(text, "robot.json");
+  require(reading.robot.has_value() != has_errors(reading.findings), "a robot, or why not");
+  if (!reading.robot) return;
+  const RobotReading again = read_robot(robot_to_json(*reading.robot).dump(), "robot.json");
+  require(again.robot == reading.robot, "the robot written and read again");
+  exercise(std::move(*reading.robot), test::bare_workcell());
+}
+
+void read_as_workcell(std::string_view text) {
+  WorkcellReading reading = read_workcell(text, "workcell.json");
+  require(reading.workcell.has_value() != has_errors(reading.findings), "a workcell, or why not");
+  if (!reading.workcell) return;
+  const std::string written = workcell_to_json(*reading.workcell).dump();
+  require(read_workcell(written, "workcell.json").workcell == reading.workcell,
+          "the workcell written and read again");
+  exercise(test::robot_named("rhino-xr3"), std::move(*reading.workcell));
+}
+
+}  // namespace
+}  // namespace xr3
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  const std::string_view text{reinterpret_cast<const char*>(data) + 1, size - 1};
+  data[0] % 2 == 0 ? xr3::read_as_robot(text) : xr3::read_as_workcell(text);
+  return 0;
+}

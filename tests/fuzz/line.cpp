@@ -1,0 +1,118 @@
+// Fuzzes two serial lines of one robot: any bytes, at any ticks. Checks what must hold whatever is
+// sent: joints within their limits, marks and phases that follow from the counters, rest in time,
+// and the same state and replies however bytes and time are sliced.
+//
+// Input: the first byte chooses the profile; then chunks of a byte c and more: c < 0x40 sends the
+// next c + 1 bytes on line 1, c < 0x80 the next c - 0x3f on line 2, else (c - 0x7f)^2 ticks pass.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "core/motor.hpp"
+#include "tests/support/rig.hpp"
+#include "tests/support/wire.hpp"
+
+namespace xr3 {
+namespace {
+
+void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "broken: %s\n", what);
+  std::abort();
+}
+
+struct Chunk {
+  int wire = 0;  ///< 0: time passes
+  std::string_view bytes;
+  Tick ticks = 0;
+};
+
+std::vector<Chunk> chunks_of(std::string_view input) {
+  std::vector<Chunk> chunks;
+  while (!input.empty()) {
+    const auto c = static_cast<unsigned char>(input[0]);
+    input.remove_prefix(1);
+    if (c >= 0x80) {
+      const Tick root = c - 0x7f;
+      chunks.push_back({0, {}, root * root});
+      continue;
+    }
+    const std::size_t size = std::min<std::size_t>(input.size(), (c & 0x3fU) + 1);
+    chunks.push_back({c < 0x40 ? 1 : 2, input.substr(0, size), 0});
+    input.remove_prefix(size);
+  }
+  return chunks;
+}
+
+struct Cell {
+  explicit Cell(ModelPtr model)
+      : rig(std::move(model)), wires{Wire(rig.model().profile()), Wire(rig.model().profile())} {}
+
+  using Wire = test::Wire;
+  test::Rig rig;
+  Wire wires[2];
+  std::string replies[2];
+
+  void send(int wire, std::string_view bytes) {
+    wires[wire - 1].send(bytes, rig.simulation);
+    replies[wire - 1] += wires[wire - 1].received();
+  }
+};
+
+void check(const test::Rig& rig) {
+  const Model& model = rig.model();
+  const Positions at = positions(model, rig.state().motors);
+  for (int i = 0; i < model.motor_count(); ++i) {
+    const Counts position = at[static_cast<std::size_t>(i)];
+    require(position >= model.motor(i).low && position <= model.motor(i).high, "limits");
+    const MotorState& motor = rig.state().motor(i);
+    require(motor.phase >= 0 && motor.phase < kPhasePerCount, "phase in range");
+    require(motor.phase == 0 || is_running(motor), "phase of a standing motor");
+    require(motor.error != 0 || motor.blocked == Blocked::kNo, "blocked with nothing to do");
+  }
+}
+
+void live(const std::vector<Chunk>& chunks, Cell& whole, Cell& sliced) {
+  for (const Chunk& chunk : chunks) {
+    if (chunk.wire != 0) {
+      whole.send(chunk.wire, chunk.bytes);
+      for (const char& byte : chunk.bytes) sliced.send(chunk.wire, {&byte, 1});
+    } else {
+      whole.rig.pass(chunk.ticks);
+      for (Tick left = chunk.ticks; left > 0; left -= std::min<Tick>(left, 7)) {
+        sliced.rig.pass(std::min<Tick>(left, 7));
+      }
+    }
+    check(whole.rig);
+  }
+}
+
+void run(std::string_view input) {
+  if (input.empty()) return;
+  const Profile profile = (input[0] & 1) == 0 ? Profile::kPaper : Profile::kMark3;
+  static const ModelPtr models[] = {
+      std::make_shared<const Model>(test::robot_named("rhino-xr3"),
+                                    test::workcell_named("rhino-xr3"), Profile::kPaper),
+      std::make_shared<const Model>(test::robot_named("rhino-xr3"),
+                                    test::workcell_named("rhino-xr3"), Profile::kMark3)};
+  const ModelPtr& model = models[profile == Profile::kPaper ? 0 : 1];
+  Cell whole(model);
+  Cell sliced(model);
+  live(chunks_of(input.substr(1)), whole, sliced);
+  require(whole.rig.state() == sliced.rig.state(), "state of sliced time and bytes");
+  require(whole.replies[0] == sliced.replies[0], "replies on line 1");
+  require(whole.replies[1] == sliced.replies[1], "replies on line 2");
+  const Tick longest = 128'000 + Tick{1000} * model->motor_count();
+  whole.rig.simulation.run_to_rest(whole.rig.simulation.tick() + longest);
+  require(whole.rig.simulation.is_at_rest(), "rest without input");
+}
+
+}  // namespace
+}  // namespace xr3
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  xr3::run({reinterpret_cast<const char*>(data), size});
+  return 0;
+}

@@ -1,0 +1,85 @@
+"""Lockstep: bytes that were written on one socket before a `step` on another act before that step.
+
+Each try writes moves on robot sockets, then at once a step on the monitor's socket, without a barrier,
+and checks in the step's answer that exactly those bytes have acted, at the tick before the step.
+Nothing is pipelined: the next try begins when the answer has been checked.
+"""
+
+import itertools
+import json
+
+from support import Server, connect
+
+TICKS = 10  # at 110 counts a second E and F make their first count in the tenth tick
+
+
+class Lockstep:
+    def __init__(self, test):
+        self.test = test
+
+    def __enter__(self):
+        self.server = Server("--log-level", "off", "--max-lines", 5000)
+        self.server.__enter__()
+        self.monitor = self.server.monitor()
+        self.joints = {joint["label"]: place for place, joint in enumerate(self.monitor.get()["joints"])}
+        return self
+
+    def __exit__(self, *problem):
+        self.monitor.close()
+        self.server.__exit__(*problem)
+
+    def step(self, ticks=TICKS):
+        """One step; returns count and error of each joint by its label."""
+        self.monitor.socket.sendall(
+            b'{"op":"call","id":1,"fn":"step","args":{"ticks":%d,"fields":["joints"]}}\n' % ticks)
+        joints = json.loads(self.monitor._file.readline())["value"]["state"]["joints"]
+        return {label: (joints[place]["count"], joints[place]["error"])
+                for label, place in self.joints.items()}
+
+    def one_line(self, tries):
+        """E goes up one count and down one count: at the end of each step it stands there, done."""
+        sock = self.server.line().socket
+        for move in itertools.islice(itertools.cycle((b"E+1\r", b"E-1\r")), tries):
+            sock.sendall(move)
+            self.test.assertEqual((1 if move == b"E+1\r" else 0, 0), self.step()["E"])
+
+    def several_lines(self, tries, lines=4):
+        """Each of several lines adds a count to one counter, which makes one count in each step."""
+        socks = [self.server.line().socket for _ in range(lines)]
+        label, error = b"F", 0
+        for number in range(tries):
+            sign = 1 if number % 2 == 0 else -1
+            for sock in socks:
+                sock.sendall(b"%c%+d\r" % (label[0], sign))
+            before = error
+            error += sign * lines
+            motion = (error > 0) - (error < 0)
+            error -= motion
+            self.test.assertEqual(error, self.step()["F"][1], f"try {number}: {before} before it")
+
+    def split_moves(self, tries):
+        """The last byte of a move decides: written by itself, and right before the step."""
+        sock = self.server.line().socket
+        for number in range(tries):
+            count = 1 - number % 2
+            sock.sendall(b"E+" if count else b"E-")
+            sock.sendall(b"1")
+            self.test.assertEqual((1 - count, 0), self.step(0)["E"])
+            sock.sendall(b"\r")
+            self.test.assertEqual((count, 0), self.step()["E"])
+
+    def fresh_connections(self, tries):
+        """The line itself is opened right before the step: it has not even been accepted."""
+        for number in range(tries):
+            count = 1 - number % 2
+            with connect(self.server.robot_port) as sock:
+                sock.sendall(b"E+1\r" if count else b"E-1\r")
+                self.test.assertEqual((count, 0), self.step()["E"])
+
+    def bursts(self, tries, size=100_000):
+        """More than one read takes: a burst of moves of nothing, and behind it the one that counts."""
+        sock = self.server.line().socket
+        for number in range(tries):
+            count = 1 - number % 2
+            sock.sendall(b"F+0\r" * (size // 4) + (b"E+1\r" if count else b"E-1\r"))
+            self.test.assertEqual((count, 0), self.step()["E"])

@@ -1,0 +1,314 @@
+"""What the integration tests share: a running xr3, a serial line over TCP, and the monitor's JSON lines.
+
+Nothing here sleeps. A test moves time by Monitor.step, or waits for an event (a byte, an end of file,
+the exit of a process, a line of the log) with a deadline, which is only how long a failure takes.
+"""
+
+import json
+import os
+import re
+import signal
+import socket
+import struct
+import subprocess
+import threading
+import time
+
+XR3 = os.environ["XR3"]
+ROOT = os.environ["XR3_ROOT"]
+DEADLINE_S = 20.0
+SHUTDOWN_S = 2.0  # promised by xr3
+LOCALHOST = "127.0.0.1"
+MOST_COUNTS_A_MOVE = 100
+
+
+def run_xr3(*arguments, **options):
+    """Runs xr3 to its end, for runs that are expected to end by themselves."""
+    return subprocess.run([XR3, *map(str, arguments)], capture_output=True, text=True,
+                          timeout=DEADLINE_S, check=False, **options)
+
+
+def connect(port, receive_buffer=None):
+    """A connected TCP socket whose operations raise TimeoutError after the deadline."""
+    sock = socket.socket()
+    if receive_buffer is not None:
+        sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, receive_buffer)
+    sock.settimeout(DEADLINE_S)
+    sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+    sock.connect((LOCALHOST, port))
+    return sock
+
+
+class Server:
+    """A running `xr3 serve`, as a context: on two free ports, and ended by SIGTERM, exit code 0.
+
+    `with Server("--compat", "mark3") as xr3:` stands at tick 0 (clock manual, unless told otherwise).
+    """
+
+    def __init__(self, *options, clock="manual", environment=None):
+        self.options = ["--robot-port", "0", "--monitor-port", "0", "--clock", clock, *map(str, options)]
+        self.environment = {**os.environ, **(environment or {})}
+        self.lines_opened = 0
+        self._log = ""
+        self._log_grew = threading.Condition()
+
+    def __enter__(self):
+        self.process = subprocess.Popen(
+            [XR3, "serve", *self.options], cwd=ROOT, env=self.environment, stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.pid = self.process.pid
+        self._log_reader = threading.Thread(target=self._read_log, daemon=True)
+        self._log_reader.start()
+        try:
+            self._read_ports()
+        except BaseException:
+            self.process.kill()
+            self.process.wait()
+            raise
+        return self
+
+    def _read_ports(self):
+        watchdog = threading.Timer(DEADLINE_S, self.process.kill)
+        watchdog.start()
+        self.greeting = self.process.stdout.readline()
+        watchdog.cancel()
+        ports = re.fullmatch(r"LISTENING robot=\S+:(\d+) monitor=\S+:(\d+)\n", self.greeting)
+        if not ports:
+            self.process.kill()
+            self._log_reader.join()
+            raise AssertionError(f"xr3 did not start: {self.greeting!r}\n{self._log}")
+        self.robot_port, self.monitor_port = map(int, ports.groups())
+
+    def _read_log(self):
+        for line in self.process.stderr:
+            with self._log_grew:
+                self._log += line
+                self._log_grew.notify_all()
+
+    def __exit__(self, kind, error, trace):
+        if kind is not None:
+            self.process.kill()
+            self.process.wait()
+            self._log_reader.join()
+            print(f"--- log of xr3 {' '.join(self.options)}\n{self._log}---")
+        elif self.process.poll() is None:
+            code = self.stop()
+            assert code == 0, f"xr3 ended with {code}\n{self._log}"
+        self.process.stdout.close()
+        self.process.stderr.close()
+
+    def stop(self, how=signal.SIGTERM):
+        """Ends the server by a signal; returns its exit code. Fails if it takes longer than promised."""
+        started = time.monotonic()
+        self.process.send_signal(how)
+        try:
+            code = self.process.wait(DEADLINE_S)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            raise AssertionError(f"xr3 did not end after signal {how}\n{self._log}") from None
+        took = time.monotonic() - started
+        self._log_reader.join()
+        assert took < SHUTDOWN_S, f"xr3 took {took:.2f} s to end\n{self._log}"
+        rest = self.process.stdout.read()
+        assert rest == "", f"more than one line on standard output: {rest!r}"
+        return code
+
+    def log(self):
+        with self._log_grew:
+            return self._log
+
+    def wait_log(self, pattern, times=1):
+        """Waits until the log has so many matches of the pattern; returns the log."""
+        with self._log_grew:
+            found = self._log_grew.wait_for(
+                lambda: len(re.findall(pattern, self._log)) >= times, DEADLINE_S)
+            assert found, f"not {times} of {pattern!r} in the log:\n{self._log}"
+            return self._log
+
+    def line(self, **options):
+        """Opens a serial line. Its number is its order of opening, so open no other in between."""
+        self.lines_opened += 1
+        return Line(connect(self.robot_port, **options), self.lines_opened)
+
+    def monitor(self):
+        return Monitor(self.monitor_port)
+
+    def status(self, name):
+        """A number of /proc/PID/status, such as VmRSS (KiB) or voluntary_ctxt_switches."""
+        with open(f"/proc/{self.pid}/status", encoding="ascii") as file:
+            return int(re.search(rf"^{name}:\s+(\d+)", file.read(), re.MULTILINE).group(1))
+
+
+class Line:
+    """A serial line: a raw socket to the robot port. `sent` counts the bytes written to it."""
+
+    def __init__(self, sock, number=None):
+        self.socket = sock
+        self.number = number
+        self.sent = 0
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def send(self, data):
+        data = data.encode("ascii") if isinstance(data, str) else data
+        self.socket.sendall(data)
+        self.sent += len(data)
+
+    def read(self, count):
+        """Exactly so many reply bytes; EOFError if the server closes before."""
+        data = b""
+        while len(data) < count:
+            part = self.socket.recv(count - len(data))
+            if not part:
+                raise EOFError(f"closed after {data!r}")
+            data += part
+        return data
+
+    def ask(self, inquiry):
+        """Sends an inquiry; returns the one byte that answers it, as a number."""
+        self.send(inquiry)
+        return self.read(1)[0]
+
+    def read_to_end(self):
+        """Every byte until the server closes; a reset counts as a close."""
+        data = b""
+        try:
+            while part := self.socket.recv(65536):
+                data += part
+        except (ConnectionResetError, BrokenPipeError):
+            pass
+        return data
+
+    def unread(self):
+        """What has arrived and was not read, without waiting: b"" if nothing, None if closed."""
+        self.socket.setblocking(False)
+        try:
+            return self.socket.recv(65536) or None
+        except BlockingIOError:
+            return b""
+        except ConnectionResetError:
+            return None
+        finally:
+            self.socket.settimeout(DEADLINE_S)
+
+    def finish_sending(self):
+        self.socket.shutdown(socket.SHUT_WR)
+
+    def abort(self):
+        """Closes with a TCP reset."""
+        self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+        self.socket.close()
+
+    def close(self):
+        self.socket.close()
+
+
+class MonitorError(Exception):
+    """A result with ok: false."""
+
+    def __init__(self, error):
+        super().__init__(f"{error['code']}: {error['message']} ({error['hint']})")
+        self.code, self.message, self.hint = error["code"], error["message"], error["hint"]
+        self.details = error["details"]
+
+
+class Monitor:
+    """The monitor port as JSON lines. A program that sends first is greeted at once."""
+
+    def __init__(self, port):
+        self.socket = connect(port)
+        self._file = self.socket.makefile("rb")
+        self._last_id = 0
+        self.send({"op": "ping", "id": 0})
+        self.hello = self.read()
+        assert self.hello["op"] == "hello", self.hello
+        assert self.read() == {"op": "pong", "id": 0}
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def close(self):
+        self._file.close()
+        self.socket.close()
+
+    def send(self, message):
+        """Sends an object, or bytes as they are."""
+        data = message if isinstance(message, bytes) else json.dumps(message).encode() + b"\n"
+        self.socket.sendall(data)
+
+    def read(self):
+        """The next message, or None at the end of the stream."""
+        line = self._file.readline()
+        return json.loads(line) if line else None
+
+    def request(self, op, **members):
+        """Sends a request with a fresh id; returns its answer, or raises MonitorError."""
+        self._last_id += 1
+        self.send({"op": op, "id": self._last_id, **members})
+        answer = self.read()
+        assert answer is not None, f"the monitor closed instead of answering {op}"
+        assert answer["id"] == self._last_id, answer
+        if answer["op"] == "result" and not answer["ok"]:
+            raise MonitorError(answer["error"])
+        return answer
+
+    def call(self, fn, **arguments):
+        """Carries out a call; returns the value of its result."""
+        return self.request("call", fn=fn, args=arguments)["value"]
+
+    def get(self, *fields):
+        """The state: whole, or with these members only."""
+        return self.request("get", channel="state", **({"fields": list(fields)} if fields else {}))
+
+    def step(self, ticks, after=None, fields=None):
+        """Lets standing time pass; `after` a line has received what was sent on it (a Line, or its
+        number and a count of bytes). Returns the state."""
+        arguments = {"ticks": ticks}
+        if after is not None:
+            number, sent = after if isinstance(after, tuple) else (after.number, after.sent)
+            arguments["after"] = {"line": number, "bytes_in": sent,
+                                  "within_ms": int(DEADLINE_S * 1000)}
+        if fields is not None:
+            arguments["fields"] = fields
+        return self.call("step", **arguments)["state"]
+
+    def settle(self, after=None):
+        """Lets time pass until nothing moves; returns the state."""
+        self.step(0, after, fields=[])
+        return self.call("run_until", idle=True, max_ticks=10**6)["state"]
+
+
+def motors(state):
+    """The joints and the tool of a state by their labels."""
+    return {motor["label"]: motor for motor in [*state["joints"], state["tool"]]}
+
+
+def counts(state, labels="FEDCBA"):
+    """Encoder counts, as a string such as "E-40 D40" that reads well in a failure; zeros left out."""
+    by_label = motors(state)
+    return " ".join(f"{label}{by_label[label]['count']}" for label in labels
+                    if label in by_label and by_label[label]["count"])
+
+
+def machine(state):
+    """What of a state is the machine's own: without envelope and clock."""
+    return {name: value for name, value in state.items()
+            if name not in ("op", "id", "cell", "epoch", "seq", "tick", "clock")}
+
+
+def drive(line, monitor, **targets):
+    """Moves motors by counts, all together, in moves that the error counter can hold."""
+    while any(targets.values()):
+        for label, left in targets.items():
+            move = max(-MOST_COUNTS_A_MOVE, min(MOST_COUNTS_A_MOVE, left))
+            line.send(f"{label}{move:+d}\r")
+            targets[label] -= move
+        monitor.settle(after=line)
+    return monitor.get()

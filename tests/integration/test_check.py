@@ -1,0 +1,67 @@
+"""`xr3 check`: every shipped file is summed up and exits 0; of every broken one everything that is
+wrong is told, each on a line with file, line, JSON pointer, what stands there and what may, and exits 2."""
+
+import pathlib
+import unittest
+
+from support import ROOT, run_xr3
+
+DATA = pathlib.Path(ROOT, "data")
+BROKEN = sorted(pathlib.Path(ROOT, "tests/data/broken").glob("*.json"))
+FINDING = r"{file}:\d+:(\d+:)?( warning:)?( /[^ :]*:)? found .+; allowed: .+"
+
+
+def shipped(kind):
+    return sorted((DATA / kind).glob("*.json"))
+
+
+class Check(unittest.TestCase):
+    def test_shipped_robots(self):
+        for file, words in [
+            ("rhino-xr3", ["Rhino XR-3", "260.4", "228.6", "168.3", "0.1135", "110", "160", "Hard home: F+30 E-40 D+40"]),
+            ("adept-one", ["Adept One", "877", "425", "375", "200"]),
+            ("intelledex-660", ["Intelledex 660", "373.4", "304.8", "228.6"]),
+        ]:
+            with self.subTest(file):
+                done = run_xr3("check", DATA / "robots" / f"{file}.json")
+                self.assertEqual((0, ""), (done.returncode, done.stderr))
+                for word in words:
+                    self.assertIn(word, done.stdout)
+                self.assertLessEqual(max(map(len, done.stdout.splitlines())), 120)
+
+    def test_everything_shipped_at_once(self):
+        files = shipped("robots") + shipped("workcells")
+        self.assertGreaterEqual(len(files), 7)
+        done = run_xr3("check", *files)
+        self.assertEqual((0, ""), (done.returncode, done.stderr))
+
+    def test_broken_files(self):
+        self.assertGreaterEqual(len(BROKEN), 20)
+        for file in BROKEN:
+            with self.subTest(file.name):
+                done = run_xr3("check", file)
+                self.assertEqual((2, ""), (done.returncode, done.stdout))
+                report = done.stderr.splitlines()
+                self.assertTrue(report)
+                for line in report:
+                    self.assertRegex(line, r"\A" + FINDING.format(file=file) + r"\Z")
+
+    def test_a_broken_file_among_good_ones(self):
+        good = DATA / "robots" / "rhino-xr3.json"
+        done = run_xr3("check", good, BROKEN[0], good)
+        self.assertEqual(2, done.returncode)
+        self.assertEqual(2, done.stdout.count("260.4") // run_xr3("check", good).stdout.count("260.4"))
+        self.assertIn(str(BROKEN[0]), done.stderr)
+
+    def test_serve_refuses_each_of_them(self):
+        for file in BROKEN:
+            kind = "--workcell" if file.name.startswith("workcell") else "--robot"
+            with self.subTest(file.name):
+                other = "--robot" if kind == "--workcell" else "--workcell"
+                done = run_xr3("serve", "--robot-port", 0, "--monitor-port", 0, kind, file, other, "rhino-xr3")
+                self.assertEqual((2, ""), (done.returncode, done.stdout))
+                self.assertIn(file.name, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,140 @@
+"""Programs that people have: inetutils telnet under a terminal, and netcat. What they add of their own
+must not reach the robot, and what the robot says must reach them."""
+
+import os
+import pty
+import re
+import select
+import shutil
+import subprocess
+import time
+import unittest
+
+from support import DEADLINE_S, LOCALHOST, Server, counts, motors
+
+
+def needs(program, package):
+    return unittest.skipUnless(shutil.which(program),
+                               f"{program} is not installed (Debian package {package})")
+
+
+class Telnet:
+    """A person at a terminal with `telnet`: what they type, and what the screen shows."""
+
+    def __init__(self, port):
+        self.terminal, inner = pty.openpty()
+        self.process = subprocess.Popen(
+            ["telnet", LOCALHOST, str(port)], stdin=inner, stdout=inner, stderr=inner,
+            preexec_fn=lambda: os.login_tty(inner), env={**os.environ, "TERM": "dumb"})
+        os.close(inner)
+        self.screen = b""
+        self.read_until(rb"Escape character is[^\n]*\n")
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.process.kill()
+        self.process.wait()
+        os.close(self.terminal)
+
+    def type(self, keys):
+        os.write(self.terminal, keys)
+
+    def read_until(self, pattern):
+        """Waits until the screen, from where the last wait ended, matches; returns the match."""
+        ends = time.monotonic() + DEADLINE_S
+        while not (match := re.search(pattern, self.screen, re.DOTALL)):
+            left = ends - time.monotonic()
+            if left < 0 or not select.select([self.terminal], [], [], left)[0]:
+                raise AssertionError(f"the screen shows {self.screen!r}, not {pattern!r}")
+            self.screen += os.read(self.terminal, 4096)
+        self.screen = self.screen[match.end():]
+        return match
+
+    def inquire(self, inquiry):
+        """Types an inquiry and Enter; returns the byte that appears behind the echo of both."""
+        self.type(inquiry + b"\n")
+        return self.read_until(re.escape(inquiry) + rb"\r\n(.)").group(1)
+
+
+@needs("telnet", "inetutils-telnet")
+class TelnetSession(unittest.TestCase):
+    def test_typed_lines(self):
+        with Server() as xr3, xr3.monitor() as monitor, Telnet(xr3.robot_port) as telnet:
+            telnet.type(b"E+50\n")
+            monitor.step(200, after=(1, 6))
+            self.assertEqual(b"<", telnet.inquire(b"E?"))
+            self.assertEqual("E50", counts(monitor.settle()))
+            self.assertEqual(b" ", telnet.inquire(b"e?"))
+            self.assertEqual(b" ", telnet.inquire(b"I"))
+
+    def test_interrupt_in_the_middle(self):
+        """Ctrl-C makes telnet throw away what it reads until the server has answered its mark."""
+        with Server() as xr3, xr3.monitor() as monitor, Telnet(xr3.robot_port) as telnet:
+            telnet.type(b"E+50\n")
+            monitor.step(100, after=(1, 6))
+            telnet.type(b"\x03")
+            self.assertEqual(b"G", telnet.inquire(b"E?"), "39 to go")
+            telnet.type(b"EX\n")
+            self.assertEqual(b" ", telnet.inquire(b"E?"))
+            self.assertEqual("E11", counts(monitor.settle()))
+        self.assertNotIn("unknown_byte", xr3.log())
+
+    def test_interrupt_again_and_again(self):
+        with Server() as xr3, Telnet(xr3.robot_port) as telnet:
+            for _ in range(5):
+                telnet.type(b"\x03")
+                self.assertEqual(b" ", telnet.inquire(b"E?"))
+
+    def test_a_reply_of_ff_is_seen_once(self):
+        """After an interrupt the line is known for telnet, and FF is doubled on the wire."""
+        with Server() as xr3, xr3.monitor() as monitor, Telnet(xr3.robot_port) as telnet:
+            telnet.type(b"\x03")
+            telnet.type(b"F-1\n")
+            monitor.step(0, after=(1, 5 + 5))
+            telnet.type(b"FT\n")
+            self.assertEqual(b"\xff", telnet.read_until(rb"FT\r\n(.)").group(1))
+            self.assertEqual(b"!", telnet.inquire(b"F?"))
+
+    def test_two_at_once(self):
+        """Two people share the robot; a reply goes only to the one who asked."""
+        with Server() as xr3, xr3.monitor() as monitor, Telnet(xr3.robot_port) as first:
+            monitor.step(0)
+            with Telnet(xr3.robot_port) as second:
+                first.type(b"E+5\n")
+                monitor.step(0, after=(1, 5))
+                self.assertEqual(b"%", second.inquire(b"E?"))
+                second.type(b"D-7\n")
+                monitor.step(0, after=(2, 4 + 5))
+                self.assertEqual(b"'", first.inquire(b"D?"))
+                self.assertEqual(b"'", second.inquire(b"D?"))
+                self.assertEqual(b"%", first.inquire(b"E?"))
+                state = monitor.settle()
+                self.assertEqual("E5 D-7", counts(state))
+
+
+@needs("nc", "netcat-openbsd")
+class Netcat(unittest.TestCase):
+    def netcat(self, xr3, data):
+        done = subprocess.run(["nc", "-N", "localhost", str(xr3.robot_port)], input=data,
+                              capture_output=True, timeout=DEADLINE_S, check=False)
+        self.assertEqual((0, b""), (done.returncode, done.stderr))
+        return done.stdout
+
+    def test_half_close(self):
+        """It sends, shuts down its side, and still gets the one byte that it asked for."""
+        with Server() as xr3:
+            self.assertEqual(b"%", self.netcat(xr3, b"E+5\rE?"))
+
+    def test_many_replies(self):
+        with Server() as xr3, xr3.monitor() as monitor:
+            self.assertEqual(b"\x20" * 2000, self.netcat(xr3, b"E?" * 2000))
+            self.assertEqual(b"", self.netcat(xr3, b"E+5\r"))
+            self.assertEqual(b"", self.netcat(xr3, b"D+7"), "a number that is still open is dropped")
+            state = monitor.settle()
+            self.assertEqual((5, 0), tuple(motors(state)[label]["count"] for label in "ED"))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,135 @@
+"""`xr3 convert`: every shipped file goes to the paper's plain form and back and loses nothing; broken
+files of either form are refused with every finding; nothing is replaced without --force."""
+
+import json
+import os
+import pathlib
+import tempfile
+import unittest
+
+from support import ROOT, run_xr3
+
+DATA = pathlib.Path(ROOT, "data")
+SHIPPED = sorted([*(DATA / "robots").glob("*.json"), *(DATA / "workcells").glob("*.json")])
+
+TABLE = """\
+* A workcell with nothing but what the paper names.
+* X Y Z
+600 500 700
+* blocks
+1
+64 32 40 262 0 20 90
+* camera
+290 0 1000
+384 384
+192 192
+"""
+
+
+def data_of(file):
+    """A JSON file's content; members that may be left out are there in any case."""
+    data = json.loads(file.read_text())
+    for member, default in [("notes", ""), ("work_surface", 0), ("surface_stalls", False)]:
+        data.setdefault(member, default)
+    if "camera" in data:
+        data["camera"].setdefault("projection", "orthographic")
+    return data
+
+
+class Convert(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def file(self, name, text=None):
+        file = self.folder / name
+        if text is not None:
+            file.write_text(text)
+        return file
+
+    def assertDone(self, done, words=""):
+        self.assertEqual((0, ""), (done.returncode, done.stderr))
+        self.assertIn(words, done.stdout)
+
+    def assertRefused(self, done, *words):
+        self.assertEqual((2, ""), (done.returncode, done.stdout))
+        for word in words:
+            self.assertIn(word, done.stderr)
+
+    def test_everything_shipped_there_and_back(self):
+        self.assertGreaterEqual(len(SHIPPED), 7)
+        for number, file in enumerate(SHIPPED):
+            with self.subTest(file.name):
+                plain, back, again = (self.file(f"{number}{end}") for end in (".txt", ".json", ".dat"))
+                self.assertDone(run_xr3("convert", file, plain), "plain form")
+                self.assertDone(run_xr3("convert", plain, back), "JSON")
+                self.assertDone(run_xr3("convert", back, again))
+                self.assertEqual(data_of(file), data_of(back))
+                self.assertEqual(plain.read_text(), again.read_text())
+                kind = run_xr3("check", file).stdout, run_xr3("check", back).stdout
+                self.assertEqual(*kind)
+                self.assertEqual([], [p.name for p in self.folder.iterdir() if p.name.count(".") > 1],
+                                 "no drafts are left")
+
+    def test_a_file_written_by_hand(self):
+        out = self.file("lab.json")
+        self.assertDone(run_xr3("convert", self.file("hand.txt", TABLE), out), 'workcell "hand"')
+        block = data_of(out)["blocks"][0]
+        self.assertEqual(("block 1", [64, 32, 40], [262, 0, 20], 90),
+                         (block["name"], block["size"], block["centroid"], block["yaw_deg"]))
+        self.assertDone(run_xr3("check", out), "1 block, a camera")
+
+    def test_nothing_is_replaced_without_force(self):
+        plain, out = self.file("w.txt", TABLE), self.file("w.json", "mine")
+        self.assertRefused(run_xr3("convert", plain, out), "w.json", "--force")
+        self.assertEqual("mine", out.read_text())
+        out.chmod(0o640)
+        self.assertDone(run_xr3("convert", "--force", plain, out))
+        self.assertEqual((600, 0o640), (data_of(out)["workspace"]["x"], out.stat().st_mode & 0o777))
+
+    def test_links_are_followed_and_folders_are_no_files(self):
+        plain, target, link = self.file("w.txt", TABLE), self.file("t.json", "old"), self.file("l.json")
+        link.symlink_to(target)
+        self.assertDone(run_xr3("convert", "--force", plain, link))
+        self.assertTrue(link.is_symlink())
+        self.assertEqual(600, data_of(target)["workspace"]["x"])
+        self.file("d.json").mkdir()
+        self.assertRefused(run_xr3("convert", "--force", plain, self.folder / "d.json"), "not a file")
+        self.assertRefused(run_xr3("convert", plain, self.folder / "no" / "w.json"), "cannot be written")
+
+    def test_every_finding_with_its_line(self):
+        plain = self.file("lab.txt", TABLE.replace("64 32 40", "64 -32 wide").replace("384 384", "384"))
+        done = run_xr3("convert", plain, self.file("lab.json"))
+        self.assertRefused(done)
+        self.assertEqual(
+            [f"{plain}:6: /blocks/0/size/1: found -32; allowed: a length above 0, up to 100000 mm",
+             f'{plain}:6: /blocks/0/size/2: found "wide"; allowed: a length above 0, up to 100000 mm',
+             f'{plain}:9: /camera/field: found "384"; allowed: 2 items: camera\'s field of view: '
+             "length (x), width (y)"],
+            done.stderr.splitlines())
+        self.assertFalse(self.file("lab.json").exists())
+
+    def test_broken_json_is_refused_as_by_check(self):
+        for file in sorted(pathlib.Path(ROOT, "tests/data/broken").glob("*.json")):
+            with self.subTest(file.name):
+                done = run_xr3("convert", file, self.file("out.txt"))
+                self.assertRefused(done, file.name)
+                self.assertFalse(self.file("out.txt").exists())
+
+    def test_wrong_names(self):
+        plain = self.file("w.txt", TABLE)
+        self.assertRefused(run_xr3("convert", plain, self.file("w.xml")), ".json", ".txt", ".dat")
+        self.assertRefused(run_xr3("convert", self.file("none.txt"), self.file("w.json")), "none.txt")
+        self.assertRefused(run_xr3("convert", self.folder, self.file("w.json")), "folder")
+        self.assertRefused(run_xr3("convert", plain))
+
+    @unittest.skipIf(os.getuid() == 0, "root may write everywhere")
+    def test_a_folder_that_may_not_be_written(self):
+        self.folder.chmod(0o500)
+        self.addCleanup(self.folder.chmod, 0o700)
+        self.assertRefused(run_xr3("convert", SHIPPED[0], self.file("w.txt")), "cannot be written")
+
+
+if __name__ == "__main__":
+    unittest.main()

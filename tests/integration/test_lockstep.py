@@ -1,0 +1,31 @@
+"""Bytes written before a step act before it: see lockstep.py; some thousand tries, with sanitizers."""
+
+import unittest
+
+from lockstep import Lockstep
+
+
+class LockstepTests(unittest.TestCase):
+    def test_one_line(self):
+        with Lockstep(self) as lockstep:
+            lockstep.one_line(3000)
+
+    def test_several_lines(self):
+        with Lockstep(self) as lockstep:
+            lockstep.several_lines(500)
+
+    def test_split_moves(self):
+        with Lockstep(self) as lockstep:
+            lockstep.split_moves(500)
+
+    def test_fresh_connections(self):
+        with Lockstep(self) as lockstep:
+            lockstep.fresh_connections(500)
+
+    def test_bursts(self):
+        with Lockstep(self) as lockstep:
+            lockstep.bursts(10)
+
+
+if __name__ == "__main__":
+    unittest.main()

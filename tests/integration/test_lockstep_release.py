@@ -1,0 +1,28 @@
+"""Bytes written before a step act before it, in a hundred thousand tries: see lockstep.py."""
+# labels: release
+
+import unittest
+
+from lockstep import Lockstep
+
+
+class LockstepTests(unittest.TestCase):
+    def test_one_line(self):
+        with Lockstep(self) as lockstep:
+            lockstep.one_line(100_000)
+
+    def test_several_lines(self):
+        with Lockstep(self) as lockstep:
+            lockstep.several_lines(5000)
+
+    def test_fresh_connections(self):
+        with Lockstep(self) as lockstep:
+            lockstep.fresh_connections(5000)
+
+    def test_bursts(self):
+        with Lockstep(self) as lockstep:
+            lockstep.bursts(200)
+
+
+if __name__ == "__main__":
+    unittest.main()

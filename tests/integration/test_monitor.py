@@ -1,0 +1,237 @@
+"""The monitor port as JSON lines: greeting, state, time, calls and errors, in the documented shapes."""
+
+import select
+import time
+import unittest
+
+from support import Monitor, MonitorError, Server, connect, counts, machine, motors
+
+STATE = {"op", "cell", "epoch", "seq", "tick", "clock", "joints", "tool", "blocks", "switches", "io", "moving",
+         "stalled", "enabled", "model_rev"}
+MOTOR = {"label", "count", "error", "value", "unit", "speed", "switch", "moving", "blocked"}
+TOOL = MOTOR | {"opening_mm", "xyz_mm", "rotation", "configuration", "net_roll_deg", "holding"}
+
+
+class Greeting(unittest.TestCase):
+    def test_hello(self):
+        with Server() as xr3, xr3.monitor() as monitor:
+            hello = monitor.hello
+        for member, value in {"op": "hello", "proto": 1, "cell": "main", "cells": ["main"], "epoch": 0,
+                              "tick": 0, "tick_hz": 1000, "clock": {"mode": "manual", "rate": 1.0},
+                              "compat": "paper", "access": "control"}.items():
+            self.assertEqual(value, hello[member], member)
+        self.assertRegex(hello["server"], r"^xr3 \d+\.\d+\.\d+$")
+        self.assertEqual({"name": "Rhino XR-3", "joints": list("FEDCB"), "tool": "A"}, hello["robot"])
+        self.assertIn("state", hello["channels"])
+        self.assertLessEqual({"pause", "resume", "rate", "step", "run_until", "reset", "home"},
+                             set(hello["calls"]))
+        self.assertEqual((262144, 32), (hello["limits"]["message_bytes"], hello["limits"]["depth"]))
+
+    def test_silence_is_greeted_after_a_second(self):
+        with Server() as xr3:
+            started = time.monotonic()
+            sock = connect(xr3.monitor_port)
+            self.assertRegex(sock.recv(65536), rb'\A\{"op":"hello",[^\n]*\}\n\Z')
+            self.assertGreater(time.monotonic() - started, 0.9)
+            sock.sendall(b'{"op":"ping","id":"later"}\n')
+            self.assertEqual(b'{"op":"pong","id":"later"}\n', sock.recv(65536))
+            sock.close()
+
+    def test_blanks_and_a_byte_order_mark_at_the_start(self):
+        for start in [b"\r\n \r\n", b"\xef\xbb\xbf", b"\xef\xbb\xbf\r\n  ", b"  \n\n"]:
+            with self.subTest(start), Server() as xr3:
+                sock = connect(xr3.monitor_port)
+                with sock, sock.makefile("rb") as file:
+                    sock.sendall(start + b'{"op":"ping","id":7}\r\n\r\n\n')
+                    self.assertTrue(file.readline().startswith(b'{"op":"hello"'))
+                    self.assertEqual(b'{"op":"pong","id":7}\n', file.readline())
+
+    def test_what_is_not_json_is_told_so(self):
+        for data in [b"hello?\n", b"[1]\n", b"e\n", b"\xff\xfe{", b"\x00\n"]:
+            with self.subTest(data), Server() as xr3:
+                sock = connect(xr3.monitor_port)
+                with sock, sock.makefile("rb") as file:
+                    sock.sendall(data)
+                    self.assertTrue(file.readline().startswith(b'{"op":"hello"'))
+                    self.assertRegex(file.readline(), rb'^\{"op":"bye","why":"not_json","message":.*\{.*\n$')
+                    self.assertEqual(b"", file.read())
+
+    def test_tls_is_closed(self):
+        with Server() as xr3:
+            for _ in range(2):
+                with connect(xr3.monitor_port) as sock:
+                    sock.sendall(bytes.fromhex("16030100c8010000c40303"))
+                    self.assertIn(receive_all(sock), (b"",))
+            xr3.wait_log("TLS")
+            xr3.monitor().close()
+        self.assertEqual(1, xr3.log().count("TLS"), "logged once")
+
+    def test_half_close_still_gets_its_answers(self):
+        with Server() as xr3, connect(xr3.monitor_port) as sock:
+            sock.sendall(b'{"op":"ping","id":1}\n{"op":"get","channel":"state"}\n{"op":"ping","id":2}')
+            sock.shutdown(1)
+            lines = receive_all(sock).split(b"\n")
+            self.assertEqual([b'{"op":"hello"', b'{"op":"pong",', b'{"op":"state"', b'{"op":"pong",', b""],
+                             [line[:13] for line in lines])
+
+
+def receive_all(sock):
+    data = b""
+    try:
+        while part := sock.recv(65536):
+            data += part
+    except ConnectionResetError:
+        pass
+    return data
+
+
+class State(unittest.TestCase):
+    def test_whole(self):
+        with Server() as xr3, xr3.monitor() as monitor:
+            state = monitor.get()
+        self.assertEqual(STATE | {"id"}, set(state))
+        self.assertEqual(["F", "E", "D", "C", "B"], [joint["label"] for joint in state["joints"]])
+        for joint in state["joints"]:
+            self.assertEqual(MOTOR, set(joint))
+        self.assertEqual(TOOL, set(state["tool"]))
+        self.assertEqual({"inputs": [False] * 8, "outputs": [False] * 8, "aux": [False] * 2}, state["io"])
+        self.assertEqual((None, False, True), (state["stalled"], state["moving"], state["enabled"]))
+        self.assertEqual({"I": 0, "J": 0}, state["switches"])
+        self.assertEqual(["red", "green", "blue", "yellow", "magenta"],
+                         [block["name"] for block in state["blocks"]])
+        self.assertEqual({"name", "xyz_mm", "yaw_deg", "held"}, set(state["blocks"][0]))
+        self.assertEqual({"name": "red", "xyz_mm": [262.0, 0.0, 20.0], "yaw_deg": 90.0, "held": False},
+                         state["blocks"][0])
+        self.assertEqual([0, 1, 0, 1, 0, 0, 0, 0, -1], state["tool"]["rotation"])
+
+    def test_chosen_members(self):
+        with Server() as xr3, xr3.monitor() as monitor:
+            self.assertEqual({"op", "id", "cell", "epoch", "seq", "tick", "stalled", "moving"},
+                             set(monitor.get("stalled", "moving")))
+            self.assertEqual({"moving"}, set(monitor.step(1, fields=["moving"])))
+            self.assertEqual(STATE - {"op", "cell", "epoch", "seq", "tick"}, set(monitor.step(1)))
+
+    def test_what_lines_do_is_seen(self):
+        with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
+            line.send("LP3P8E-60\rD55S")
+            state = monitor.step(500, after=line)
+            self.assertEqual([True, False], state["io"]["aux"])
+            self.assertEqual([False, False, True, False, False, False, False, True], state["io"]["outputs"])
+            e, d = motors(state)["E"], motors(state)["D"]
+            self.assertEqual((-55, -5, True, True), (e["count"], e["error"], e["switch"], e["moving"]))
+            self.assertEqual(55, d["speed"])
+            self.assertEqual(({"I": 4, "J": 0}, True), (state["switches"], state["moving"]))
+
+    def test_switches_in_mark3_are_told_as_they_are(self):
+        """`switch` is true for closed in every profile; `switches` is what the line would say."""
+        with Server("--compat", "mark3") as xr3, xr3.monitor() as monitor, xr3.line() as line:
+            state = monitor.get()
+            self.assertEqual((True, False), tuple(motors(state)[label]["switch"] for label in "FE"))
+            self.assertEqual(state["switches"]["I"], line.ask("I") - 32)
+            self.assertEqual("mark3", monitor.hello["compat"])
+
+
+class Time(unittest.TestCase):
+    def test_step(self):
+        with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
+            line.send("E+5\r")
+            self.assertEqual((0, 9, "E0"), self.tick_of(monitor, 9, line))
+            value = monitor.call("step", ticks=1)
+            self.assertEqual((0, 10, "E1"), (value["epoch"], value["tick"], "E1"))
+            self.assertEqual("E1", counts(value["state"]))
+
+    def tick_of(self, monitor, ticks, line):
+        value = monitor.call("step", ticks=ticks, after={"line": line.number, "bytes_in": line.sent})
+        return value["epoch"], value["tick"], counts(value["state"]) or "E0"
+
+    def test_run_until(self):
+        with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
+            line.send("E+5\r")
+            for arguments, reached, ran in [
+                (dict(after={"line": 1, "bytes_in": 4}, tick=20, max_ticks=1000), True, 20),
+                (dict(idle=True, max_ticks=10), False, 10),
+                (dict(idle=True, max_ticks=60000), True, 16),  # ceil(5000 / 110) - 30
+                (dict(idle=True, max_ticks=60000), True, 0),
+                (dict(tick=100, max_ticks=10), False, 10),
+                (dict(tick=100, max_ticks=10**6), True, 44),
+                (dict(tick=50, max_ticks=10), True, 0),
+            ]:
+                with self.subTest(arguments):
+                    value = monitor.call("run_until", **arguments)
+                    self.assertEqual((reached, ran), (value["reached"], value["ran_ticks"]))
+            self.assertEqual((0, 100, "E5"), (value["epoch"], value["tick"], counts(value["state"])))
+
+    def test_pause_resume_and_rate(self):
+        with Server(clock="real:1000") as xr3, xr3.monitor() as monitor:
+            self.assertEqual({"mode": "real", "rate": 1000.0}, monitor.hello["clock"])
+            stood = monitor.call("pause")["tick"]
+            self.assertEqual(stood, monitor.get("clock")["tick"])
+            self.assertEqual({"mode": "manual", "rate": 1000.0}, monitor.get()["clock"])
+            self.assertEqual(stood + 5, monitor.call("step", ticks=5)["tick"])
+            monitor.call("rate", factor=2.5)
+            monitor.call("resume")
+            self.assertEqual({"mode": "real", "rate": 2.5}, monitor.get()["clock"])
+            while monitor.get("moving")["tick"] < stood + 20:
+                pass
+
+    def test_reset_begins_an_epoch_and_keeps_lines(self):
+        with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
+            before = machine(monitor.get())
+            line.send("E+9\rLP2A#E17S D+5")
+            monitor.step(30, after=line)
+            value = monitor.call("reset")
+            self.assertEqual((1, 0), (value["epoch"], value["tick"]))
+            line.send("\r")  # the D+5 that was open is forgotten
+            monitor.step(0, after=line)
+            state = monitor.get()
+            self.assertEqual((before, 1, 0), (machine(state), state["epoch"], state["tick"]))
+            self.assertEqual(32, line.ask("E?"))
+
+    def test_home(self):
+        with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
+            before = machine(monitor.get())
+            line.send("E-120\r" * 1)
+            for _ in range(3):
+                state = monitor.settle(after=line)
+                line.send("E-120\r")
+            state = monitor.settle(after=line)
+            self.assertIsNotNone(state["stalled"])
+            monitor.call("home")
+            self.assertEqual(before, machine(monitor.get()))
+
+    def test_a_month_at_rest_is_free(self):
+        with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
+            line.send("E+50\r")
+            monitor.step(0, after=line)
+            started = time.monotonic()
+            monitor.step(10**12)
+            self.assertLess(time.monotonic() - started, 0.5)
+            self.assertEqual((10**12, "E50"), (monitor.get()["tick"], counts(monitor.get())))
+            self.assertEqual(32, line.ask("E?"))
+
+    def test_after_waits_for_bytes_that_come_later(self):
+        with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
+            monitor.send(b'{"op":"call","id":1,"fn":"step","args":{"ticks":50,'
+                         b'"after":{"line":1,"bytes_in":8,"within_ms":20000}}}\n')
+            with xr3.monitor() as other:
+                line.send("E+2\r")
+                other.step(0, after=line)
+                self.assertEqual(([], [], []), select.select([monitor.socket], [], [], 0))
+                self.assertEqual(0, other.get("moving")["tick"])
+                line.send("F+3\r")
+                result = monitor.read()
+            self.assertEqual((True, 50, "F3 E2"), (result["ok"], result["value"]["tick"],
+                                                   counts(result["value"]["state"])))
+
+    def test_after_gives_up(self):
+        with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
+            line.send("E+5\r")
+            for fn, more in [("step", {"ticks": 50}), ("run_until", {"idle": True, "max_ticks": 100})]:
+                with self.assertRaises(MonitorError) as caught:
+                    monitor.call(fn, after={"line": 1, "bytes_in": 5, "within_ms": 30}, **more)
+                self.assertEqual("timeout", caught.exception.code)
+            self.assertEqual(0, monitor.get("moving")["tick"], "nothing was stepped")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,202 @@
+"""How the process begins and ends: the line LISTENING, the port file, exit codes, signals."""
+
+import json
+import os
+import pathlib
+import re
+import signal
+import socket
+import subprocess
+import tempfile
+import time
+import unittest
+
+from support import DEADLINE_S, LOCALHOST, XR3, Server, connect, run_xr3
+
+BROKEN = '{"name": "half a robot", "joints": ['
+
+
+class Start(unittest.TestCase):
+    def test_listening_is_all_it_prints(self):
+        with Server() as xr3:
+            self.assertRegex(xr3.greeting, r"^LISTENING robot=127\.0\.0\.1:\d+ monitor=127\.0\.0\.1:\d+\n$")
+            self.assertNotIn(0, (xr3.robot_port, xr3.monitor_port))
+            self.assertNotEqual(xr3.robot_port, xr3.monitor_port)
+        # The context has checked that nothing came behind that line.
+
+    def test_both_ports_answer_as_soon_as_it_listens(self):
+        for _ in range(5):
+            with Server() as xr3:
+                robot, monitor = connect(xr3.robot_port), connect(xr3.monitor_port)
+                monitor.sendall(b"GET /readyz HTTP/1.1\r\nHost: localhost\r\n\r\n")
+                robot.sendall(b"E?")
+                self.assertEqual(b" ", robot.recv(1))
+                self.assertRegex(monitor.recv(4096), rb"^HTTP/1\.1 200 ")
+                robot.close()
+                monitor.close()
+
+    def test_port_file_appears_whole(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "ports.json")
+            command = [XR3, "serve", "--robot-port", "0", "--monitor-port", "0", "--port-file", path]
+            with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
+                text, ends = None, time.monotonic() + DEADLINE_S
+                while text is None and time.monotonic() < ends:  # the very first sight of it counts
+                    try:
+                        text = path.read_text(encoding="ascii")
+                    except FileNotFoundError:
+                        pass
+                greeting = process.stdout.readline()
+                process.terminate()
+            ports = json.loads(text)
+            self.assertEqual({"robot", "monitor", "pid"}, set(ports))
+            self.assertEqual(process.pid, ports["pid"])
+            self.assertIn(b"robot=127.0.0.1:%d monitor=127.0.0.1:%d\n" % (ports["robot"], ports["monitor"]),
+                          greeting)
+            self.assertLessEqual(set(os.listdir(folder)), {"ports.json"}, "no draft is left behind")
+
+    def test_ipv6(self):
+        with Server("--listen", "::1") as xr3:
+            self.assertTrue(xr3.greeting.startswith("LISTENING robot=[::1]:"))
+            with socket.create_connection(("::1", xr3.robot_port), DEADLINE_S) as sock:
+                sock.sendall(b"E?")
+                self.assertEqual(b" ", sock.recv(1))
+
+
+class ExitCodes(unittest.TestCase):
+    def refused(self, code, says, *arguments):
+        """It ends with the code, one sentence on standard error, and nothing on standard output."""
+        done = run_xr3(*arguments)
+        self.assertEqual((code, ""), (done.returncode, done.stdout), done.stderr)
+        self.assertRegex(done.stderr, says)
+        self.assertRegex(done.stderr, r"\A[^\n]{10,}\n\Z", "one sentence on one line")
+
+    def test_bad_arguments_and_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            broken = pathlib.Path(folder, "broken.json")
+            broken.write_text(BROKEN, encoding="ascii")
+            nowhere = str(pathlib.Path(folder, "absent", "ports.json"))
+            for says, arguments in [
+                ("--dance", ["serve", "--dance"]),
+                ("dance", ["dance"]),
+                ("r2d2.*rhino-xr3", ["serve", "--robot", "r2d2"]),
+                ("r2d2.*rhino-xr3", ["serve", "--workcell", "r2d2"]),
+                ("absent.json", ["serve", "--robot", f"{folder}/absent.json"]),
+                (r"broken.json:1:\d+: ", ["serve", "--robot", broken]),
+                (r"broken.json:1:\d+: ", ["serve", "--workcell", broken]),
+                ("--compat", ["serve", "--compat", "mark4"]),
+                ("--clock", ["serve", "--clock", "stopped"]),
+                ("--clock", ["serve", "--clock", "real:0"]),
+                ("--clock", ["serve", "--clock", "real:fast"]),
+                ("--max-lines", ["serve", "--max-lines", "-1"]),
+                ("--robot-port", ["serve", "--robot-port", "65536"]),
+                ("--monitor-port", ["serve", "--monitor-port", "some"]),
+                ("--log-level", ["serve", "--log-level", "loud"]),
+                ("--listen", ["serve", "--listen", "nobody.invalid"]),
+                ("--insecure", ["serve", "--listen", "0.0.0.0"]),
+                ("--insecure", ["serve", "--listen", "::"]),
+                ("port file", ["serve", "--robot-port", 0, "--monitor-port", 0, "--port-file", nowhere]),
+                ("absent.json", ["check", f"{folder}/absent.json"]),
+                ("FILE|files", ["check"]),
+            ]:
+                with self.subTest(arguments=arguments):
+                    self.refused(2, says, *arguments)
+
+    def test_port_in_use(self):
+        with socket.create_server((LOCALHOST, 0)) as taken:
+            port = taken.getsockname()[1]
+            for option, other in [("--robot-port", "--monitor-port"), ("--monitor-port", "--robot-port")]:
+                with self.subTest(option):
+                    self.refused(3, f"{port}.*in use", "serve", option, port, other, 0)
+
+    def test_the_same_port_twice(self):
+        with socket.create_server((LOCALHOST, 0)) as free:
+            port = free.getsockname()[1]
+        self.refused(3, f"{port}.*in use", "serve", "--robot-port", port, "--monitor-port", port)
+
+    def test_a_failed_start_leaves_no_port_file(self):
+        with tempfile.TemporaryDirectory() as folder, socket.create_server((LOCALHOST, 0)) as taken:
+            path = pathlib.Path(folder, "ports.json")
+            self.refused(3, "in use", "serve", "--robot-port", 0, "--monitor-port",
+                         taken.getsockname()[1], "--port-file", path)
+            self.assertEqual([], os.listdir(folder))
+
+    def test_insecure_listens_to_all(self):
+        with Server("--listen", "0.0.0.0", "--insecure") as xr3, xr3.line() as line:
+            self.assertRegex(xr3.greeting, r"robot=0\.0\.0\.0:\d+ monitor=0\.0\.0\.0:\d+")
+            self.assertEqual(32, line.ask("E?"))
+
+    def test_help_is_for_people(self):
+        for arguments, words in [
+            (["--help"], ["serve", "check", "telnet", "Exit codes"]),
+            (["serve", "--help"], ["--robot", "--workcell", "--listen", "--robot-port", "--monitor-port",
+                                   "--compat", "--clock", "--max-lines", "--port-file", "--log-level",
+                                   "--insecure"]),
+            (["check", "--help"], ["FILE"]),
+        ]:
+            with self.subTest(arguments=arguments):
+                done = run_xr3(*arguments)
+                self.assertEqual((0, ""), (done.returncode, done.stderr))
+                for word in words:
+                    self.assertIn(word, done.stdout)
+                self.assertLessEqual(max(map(len, done.stdout.splitlines())), 120)
+
+    def test_version(self):
+        self.assertTrue(re.fullmatch(r"xr3 \d+\.\d+\.\d+\n", run_xr3("--version").stdout))
+
+
+class Shutdown(unittest.TestCase):
+    SIGNALS = (signal.SIGTERM, signal.SIGINT)
+
+    def test_with_nobody_there(self):
+        for how in self.SIGNALS:
+            with self.subTest(how), Server(clock="real") as xr3:
+                self.assertEqual(0, xr3.stop(how))
+
+    def test_with_clients_of_every_kind(self):
+        """Server.stop() fails when it takes longer than two seconds."""
+        for how in self.SIGNALS:
+            with self.subTest(how), Server(clock="real") as xr3, xr3.monitor() as monitor:
+                silent, undecided = xr3.line(), connect(xr3.monitor_port)
+                begun, held = xr3.line(), xr3.line()
+                begun.send("E+5")
+                held.send("DELETE ")
+                http = connect(xr3.monitor_port)
+                http.sendall(b"GET /healthz HTT")
+                moving = xr3.line()
+                moving.send("E+100\rE?")
+                self.assertGreater(moving.read(1)[0], 32)
+                self.assertEqual(0, xr3.stop(how))
+                for line in silent, begun, held, moving:
+                    self.assertEqual(b"", line.read_to_end())
+                    line.close()
+                last_words = monitor.read()
+                self.assertEqual(("bye", "shutdown"), (last_words["op"], last_words["why"]))
+                self.assertIsNone(monitor.read())
+                undecided.close()
+                http.close()
+
+    def test_replies_that_are_due_are_handed_out(self):
+        with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
+            line.send("E?" * 3000)
+            monitor.step(0, after=line)
+            self.assertEqual(0, xr3.stop())
+            self.assertEqual(b" " * 3000, line.read_to_end())
+
+    def test_with_clients_that_never_read(self):
+        with Server() as xr3, xr3.line(receive_buffer=4096) as line:
+            monitor = connect(xr3.monitor_port, receive_buffer=4096)
+            for sock, request in [(line.socket, b"E?" * 4096),
+                                  (monitor, b'{"op":"get","channel":"state"}\n' * 100)]:
+                sock.setblocking(False)
+                try:
+                    while True:
+                        sock.send(request)
+                except BlockingIOError:
+                    pass
+            self.assertEqual(0, xr3.stop())
+            monitor.close()
+
+
+if __name__ == "__main__":
+    unittest.main()

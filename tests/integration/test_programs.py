@@ -1,0 +1,149 @@
+"""Programs written for the hardware end where they ended there: to the count, over TCP, against the
+real binary; in standing time that the test steps, and some with the clock running fast."""
+
+import unittest
+
+from programs import LabProgram, Trs80, write_only
+from support import Server, counts, motors
+
+
+class Bench:
+    """A server with one line and a way to wait, in simulated milliseconds, on it."""
+
+    def __init__(self, *options, clock="manual"):
+        self.server = Server(*options, clock=clock)
+        self.stands = clock == "manual"
+
+    def __enter__(self):
+        self.server.__enter__()
+        self.monitor = self.server.monitor()
+        self.line = self.server.line()
+        return self
+
+    def __exit__(self, *problem):
+        self.line.close()
+        self.monitor.close()
+        self.server.__exit__(*problem)
+
+    def wait(self, milliseconds):
+        if self.stands:
+            self.monitor.step(milliseconds, after=self.line, fields=["moving"])
+            return
+        until = self.monitor.get("moving")["tick"] + milliseconds
+        while self.monitor.get("moving")["tick"] < until:
+            pass
+
+    def settle(self):
+        if not self.stands:
+            self.monitor.call("pause")
+        return self.monitor.settle(after=self.line)
+
+
+class DriverOf1983(unittest.TestCase):
+    def run_it(self, work, **options):
+        with Bench("--compat", "mark3", **options) as bench:
+            driver = Trs80(bench.line, bench.wait)
+            work(driver)
+            state = bench.settle()
+            self.assertEqual(b"", bench.line.unread())
+        return driver, state
+
+    def home_e_d_and_f(self, driver):
+        self.assertTrue(driver.home("E", follower="D"))
+        self.assertTrue(driver.home("D"))
+        self.assertTrue(driver.home("F"))
+
+    def test_moves_every_motor(self):
+        moves = {"A": -60, "B": 230, "C": -90, "D": 175, "E": -200, "F": 300}
+
+        def work(driver):
+            for label, count in moves.items():
+                self.assertTrue(driver.move(label, count), label)
+
+        driver, state = self.run_it(work)
+        self.assertEqual("F300 E-200 D175 C-90 B230 A-60", counts(state))
+        self.assertEqual([], driver.stuck)
+
+    def test_homes_from_the_soft_home(self):
+        driver, state = self.run_it(self.home_e_d_and_f)
+        self.assertEqual("F30 E-40 D40", counts(state))
+        self.assertEqual([], driver.stuck)
+
+    def test_homes_from_the_far_side_of_the_switch(self):
+        """E runs down to its limit, is found stuck there, and turns back."""
+        def work(driver):
+            driver.move("E", -120)
+            driver.move("D", 120)
+            self.home_e_d_and_f(driver)
+
+        driver, state = self.run_it(work)
+        self.assertEqual("F30 E-40 D40", counts(state))
+        self.assertEqual(["E"], driver.stuck)
+
+    def test_stops_jaws_that_are_stuck(self):
+        """The jaws stand at their limit, 16 counts up from the soft home, and their counter with them."""
+        driver, state = self.run_it(lambda driver: self.assertFalse(driver.move("A", 85)))
+        self.assertEqual(["A"], driver.stuck)
+        jaws = motors(state)["A"]
+        self.assertEqual((16, 0, False), (jaws["count"], jaws["error"], jaws["moving"]))
+
+    def test_homes_while_the_clock_runs(self):
+        with Bench("--compat", "mark3", clock="real:10") as bench:
+            self.home_e_d_and_f(Trs80(bench.line, bench.wait))
+            self.assertEqual("F30 E-40 D40", counts(bench.settle()))
+
+
+class LabProgramOfEveryWeek(unittest.TestCase):
+    def test_steps_and_polls(self):
+        for profile in "paper", "mark3":
+            with self.subTest(profile), Bench("--compat", profile) as bench:
+                program = LabProgram(bench.line, bench.wait)
+                program.move("E", 40)
+                program.move("F", -26)
+                self.assertEqual("F-26 E40", counts(bench.monitor.get()))
+                self.assertEqual(33 * 2, program.polls, "two counts take 19 ticks at 110 a second")
+                self.assertEqual("F-26 E40", counts(bench.settle()))
+                self.assertEqual(b"", bench.line.unread())
+
+    def test_homes_by_the_switches(self):
+        """Each joint runs up to the low edge of the 60 counts about its switch."""
+        with Bench("--compat", "mark3") as bench:
+            program = LabProgram(bench.line, bench.wait)
+            for label in "DC":
+                program.home(label)
+            program.move("E", -100)
+            program.home("E")
+            program.move("F", -20)
+            program.home("F")
+            self.assertEqual("E-70 D10 C10", counts(bench.settle()))
+
+    def test_in_running_time(self):
+        with Bench("--compat", "mark3", clock="real:50") as bench:
+            program = LabProgram(bench.line, bench.wait)
+            program.move("E", 40)
+            program.home("D")
+            self.assertEqual("E40 D10", counts(bench.settle()))
+
+
+class WriteOnlyProgram(unittest.TestCase):
+    def test_ends_where_the_sums_say(self):
+        for profile in "paper", "mark3":
+            with self.subTest(profile), Bench("--compat", profile) as bench:
+                write_only(bench.line, bench.wait)
+                state = bench.settle()
+                self.assertEqual("E-224 D219", counts(state))
+                self.assertFalse(state["moving"] or state["stalled"])
+                self.assertEqual(b"", bench.line.unread())
+            self.assertNotIn("counter_overflow", bench.server.log())
+
+    def test_without_the_pauses_the_counter_wraps(self):
+        """Why it pauses: four times 50 do not fit into eight bits."""
+        with Bench() as bench:
+            write_only(bench.line, lambda _: None)
+            state = bench.settle()
+            self.assertEqual("E32 D-37", counts(state))
+            bench.server.wait_log("counter_overflow")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,155 @@
+"""HTTP and TLS at the robot port: whatever a stranger sends, in whatever pieces, not one bit of the
+state changes, and a good line beside it goes on."""
+
+import shutil
+import subprocess
+import unittest
+
+from support import DEADLINE_S, LOCALHOST, Line, Server, connect, machine
+
+METHODS = ["GET", "HEAD", "POST", "PUT", "PATCH", "DELETE", "OPTIONS", "TRACE", "CONNECT"]
+TLS_HELLO = bytes.fromhex("1603010200010001fc0303") + bytes(range(256)) * 2
+BODY = "F+100\r"
+# Bytes of the method names move aux ports (L M N O) and output lines (P R): each is tried both ways.
+EVERYTHING_HIGH = "LNP1P2P3P4P5P6P7P8E+30\r"
+EVERYTHING_LOW = "MOR1R2R3R4R5R6R7R8E+30\r"
+
+
+def request(method):
+    return (f"{method} / HTTP/1.1\r\nHost: {LOCALHOST}\r\nUser-Agent: L\rN\rP1\r\n"
+            f"Content-Length: {len(BODY)}\r\n\r\n{BODY}").encode()
+
+
+class Robot:
+    """A robot in the middle of a move, all its outputs high or low, and a good line that asks it."""
+
+    def __init__(self, setup, clock="manual"):
+        self.server = Server("--max-lines", 5000, "--log-level", "warn", clock=clock)
+        self.setup = setup
+
+    def __enter__(self):
+        self.server.__enter__()
+        self.monitor = self.server.monitor()
+        self.good = self.server.line()
+        self.good.send(self.setup)
+        self.monitor.step(100, after=self.good)
+        self.before = machine(self.monitor.get())
+        return self
+
+    def __exit__(self, *problem):
+        self.good.close()
+        self.monitor.close()
+        self.server.__exit__(*problem)
+
+    def stranger(self):
+        return self.server.line()
+
+    def arrived(self, line):
+        """All that was sent on the line has been taken in by the server, on its own."""
+        self.monitor.step(0, after=line, fields=["moving"])
+
+    def assert_untouched(self, test, what=None):
+        test.assertEqual(32 + 19, self.good.ask("E?"), what)
+        test.assertEqual(self.before, machine(self.monitor.get()), what)
+
+
+class Strangers(unittest.TestCase):
+    def each_way(self):
+        for setup in EVERYTHING_HIGH, EVERYTHING_LOW:
+            with Robot(setup) as robot:
+                yield robot
+
+    def test_whole_requests(self):
+        for robot in self.each_way():
+            for data in [*map(request, METHODS), TLS_HELLO]:
+                with robot.stranger() as line:
+                    line.send(data)
+                    self.assertEqual(b"", line.read_to_end())
+                robot.assert_untouched(self, data)
+
+    def test_cut_after_each_byte_and_never_continued(self):
+        for robot in self.each_way():
+            for data in [*map(request, METHODS), TLS_HELLO[:20]]:
+                for length in range(1, len(data)):
+                    with robot.stranger() as line:
+                        line.send(data[:length])
+                        line.finish_sending()
+                        self.assertEqual(b"", line.read_to_end())
+                robot.assert_untouched(self, data)
+
+    def test_cut_after_each_byte_and_continued(self):
+        for robot in self.each_way():
+            for data in [*map(request, METHODS), TLS_HELLO[:20]]:
+                for length in range(1, 12):
+                    with robot.stranger() as line:
+                        line.send(data[:length])
+                        if length < len(data.partition(b"/")[0]) + 1 and data != TLS_HELLO[:20]:
+                            robot.arrived(line)
+                        self.send_rest(line, data[length:])
+                        self.assertEqual(b"", line.read_to_end())
+                    robot.assert_untouched(self, data[:length])
+
+    def send_rest(self, line, rest):
+        try:
+            line.send(rest)
+        except (BrokenPipeError, ConnectionResetError):
+            pass  # the server has closed the line already
+
+    def test_byte_by_byte(self):
+        """Each byte arrives by itself, up to the one that shows what it is."""
+        for robot in self.each_way():
+            for method in METHODS:
+                with robot.stranger() as line:
+                    for letter in f"{method} ":
+                        line.send(letter)
+                        robot.arrived(line)
+                    robot.assert_untouched(self, method)
+                    self.send_rest(line, b"/ HTTP/1.1\r\n\r\n" + BODY.encode())
+                    self.assertEqual(b"", line.read_to_end())
+                robot.assert_untouched(self, method)
+
+    def test_what_only_begins_like_a_request_acts_whole(self):
+        """The first byte that differs lets all of them act, in order."""
+        for data, replies in [(b"D?", b" "), (b"DE?", b" "), (b"DELE?", b" "), (b"PUT?", b""), (b"P1E?", b" "),
+                              (b"POST E?", b" "), (b"GET E?", b"\0 "), (b"H?", b" "), (b"C?", b" "), (b"\x16E?", b" "),
+                              (b"T?A?", b" "), (b"CONNE?", b" "), (b"O/E?", b" ")]:
+            with self.subTest(data), Server() as xr3, xr3.line() as line:
+                line.send(data)
+                self.assertEqual(replies, line.read(len(replies)))
+                self.assertEqual(32, line.ask("\rE?"))
+                self.assertEqual(b"", line.unread())
+
+    def test_later_on_a_line_nothing_is_held(self):
+        with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
+            self.assertEqual(32, line.ask("E?"))
+            line.send("\rPOST / HTTP/1.1\r\n\r\nF+9\r")
+            self.assertEqual(b"\0\0", line.read(2), "H has no motor and is asked twice for its T")
+            self.assertEqual(9, monitor.settle(after=line)["joints"][0]["count"])
+            self.assertEqual(32, line.ask("E?"))
+
+
+@unittest.skipUnless(shutil.which("curl"), "curl is not installed (Debian package curl)")
+class Curl(unittest.TestCase):
+    def test_every_method(self):
+        for setup in EVERYTHING_HIGH, EVERYTHING_LOW:
+            with Robot(setup) as robot:
+                url = f"http://{LOCALHOST}:{robot.server.robot_port}/"
+                for options in [["-X", "POST", "-d", BODY], ["-X", "POST", "--data-binary", BODY], ["-G"],
+                                ["--head"], *(["-X", method] for method in METHODS[3:]),
+                                ["--http0.9"], ["--http1.0"],
+                                ["-T", "/dev/null"], ["-F", f"x={BODY}"]]:
+                    done = subprocess.run(["curl", "-sS", "-m", str(DEADLINE_S), *options, url],
+                                          capture_output=True, check=False)
+                    self.assertEqual((b"", False), (done.stdout, done.returncode == 0), options)
+                    robot.assert_untouched(self, options)
+
+    def test_tls(self):
+        with Robot(EVERYTHING_HIGH) as robot:
+            url = f"https://{LOCALHOST}:{robot.server.robot_port}/"
+            done = subprocess.run(["curl", "-ksS", "-m", str(DEADLINE_S), url], capture_output=True, check=False)
+            self.assertNotEqual(0, done.returncode)
+            robot.assert_untouched(self)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,71 @@
+// A robot on the bench: a simulation whose motors are reached by their labels, and short words for
+// what tests do over and over.
+#pragma once
+
+#include <initializer_list>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/coupling.hpp"
+#include "core/simulation.hpp"
+#include "tests/support/models.hpp"
+#include "tests/support/words.hpp"
+
+namespace xr3::test {
+
+/// A motor, by label, and its count.
+using LabelledCount = std::pair<char, Counts>;
+
+/// The soft home, but for these motors' counts; switches and the side of the work surface agree.
+State state_at(const Model& model, std::initializer_list<LabelledCount> counts);
+
+/// Positions in counts when these motors stand at these counts and all others at 0.
+Positions positions_at(const Model& model, std::initializer_list<LabelledCount> counts);
+
+class Rig {
+ public:
+  explicit Rig(ModelPtr model = rhino()) : simulation(std::move(model)) {}
+
+  Simulation simulation;
+
+  const Model& model() const { return simulation.model(); }
+  const State& state() const { return simulation.state(); }
+  const MotorState& motor(char label) const { return state().motor(model().index_of(label)); }
+  Counts count(char label) const { return motor(label).count; }
+  int error(char label) const { return motor(label).error; }
+  Counts position(char label) const;
+
+  /// Starts anew with the motors at these counts.
+  void stand_at(std::initializer_list<LabelledCount> counts);
+  Reply execute(const Command& command) { return simulation.execute(command); }
+  void move(char label, int counts) { execute(Move{label, counts}); }
+  void pass(Tick ticks) { simulation.advance_to(simulation.tick() + ticks); }
+  /// Moves as many counts as it takes, in pieces that the 8-bit counter holds, each waited for.
+  void travel(char label, Counts counts);
+  /// Until nothing moves any more; at most the 128 s that an 8-bit counter can keep a motor
+  /// running.
+  void settle();
+
+  /// Bodies of one kind among the events since they were last taken, in order.
+  template <class Body>
+  std::vector<Body> told() const {
+    std::vector<Body> bodies;
+    for (const Event& event : simulation.events()) {
+      if (const Body* body = std::get_if<Body>(&event.body)) bodies.push_back(*body);
+    }
+    return bodies;
+  }
+};
+
+/// Ticks at which events of one kind happened.
+template <class Body>
+std::vector<Tick> ticks_of(const Events& events) {
+  std::vector<Tick> ticks;
+  for (const Event& event : events) {
+    if (std::holds_alternative<Body>(event.body)) ticks.push_back(event.tick);
+  }
+  return ticks;
+}
+
+}  // namespace xr3::test
