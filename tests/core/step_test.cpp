@@ -36,7 +36,7 @@ Command command_of(const Happening& happening) {
     case 16: return ToggleSimulator{};
     case 15:
     case 14:
-    case 13: return SetSpeed{label, 1 + counts + 127};
+    case 13: return SetSpeed{label, 1 + (counts + 128) % 255};
     default: return Move{label, counts};
   }
 }
