@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/inverse_chain.hpp"
 #include "protocol/text_table.hpp"
 
 namespace xr3 {
@@ -21,16 +22,18 @@ std::string name(const Model& model, int index) {
          model.robot().joints[static_cast<std::size_t>(index)].name + ")";
 }
 
-Counts nearest(const Model& model, int index, double value) {
-  const MotorModel& motor = model.motor(index);
-  const Drive& drive = motor.drive;
-  if (value < drive.min || value > drive.max) {
-    throw ArgumentError(name(model, index) + " cannot be at " + plain_number(value) +
-                        "; it goes from " + plain_number(drive.min) + " to " +
-                        plain_number(drive.max) + (is_angle(model, index) ? " degrees" : " mm"));
-  }
-  const double counts = (value - drive.home) / drive.precision * drive.direction;
-  return std::clamp(static_cast<Counts>(std::lround(counts)), motor.low, motor.high);
+void check_limits(const Model& model, int index, double value) {
+  const Drive& drive = model.motor(index).drive;
+  if (value >= drive.min && value <= drive.max) return;
+  throw ArgumentError(name(model, index) + " cannot be at " + plain_number(value) +
+                      "; it goes from " + plain_number(drive.min) + " to " +
+                      plain_number(drive.max) + (is_angle(model, index) ? " degrees" : " mm"));
+}
+
+Counts tool_counts(const Model& model, double value) {
+  const MotorModel& tool = model.motor(model.tool_index());
+  const double counts = (value - tool.drive.home) / tool.drive.precision * tool.drive.direction;
+  return std::clamp(static_cast<Counts>(std::lround(counts)), tool.low, tool.high);
 }
 
 std::string labels(const Model& model) {
@@ -64,11 +67,18 @@ Positions pose_argument(const Model& model, const std::vector<double>& joints,
                         model.robot().name + " has " + std::to_string(model.joint_count()) + ":" +
                         labels(model));
   }
-  for (std::size_t k = 0; k < joints.size(); ++k) {
-    positions[k] = nearest(model, static_cast<int>(k), joints[k]);
+  for (int k = 0; k < static_cast<int>(joints.size()); ++k) {
+    check_limits(model, k, joints[static_cast<std::size_t>(k)]);
   }
-  const int tool_index = model.tool_index();
-  if (tool) positions[static_cast<std::size_t>(tool_index)] = nearest(model, tool_index, *tool);
+  if (!joints.empty()) positions = nearest_counts(model, joints).positions;
+  for (int k = 0; k < model.joint_count(); ++k) {
+    Counts& position = positions[static_cast<std::size_t>(k)];
+    position = std::clamp(position, model.motor(k).low, model.motor(k).high);
+  }
+  if (tool) {
+    check_limits(model, model.tool_index(), *tool);
+    positions[static_cast<std::size_t>(model.tool_index())] = tool_counts(model, *tool);
+  }
   return positions;
 }
 
