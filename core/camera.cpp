@@ -43,6 +43,8 @@ class Sight {
   Sight(const Model& model, const State& state)
       : model_(model), state_(state), camera_(*model.workcell().camera) {}
 
+  Image whole() const { return rows(0, camera_.pixels_y); }
+
   Image rows(int first_row, int count) const {
     CameraFill fill(camera_, first_row, count);
     for (std::size_t i = 0; i < state_.blocks.size(); ++i) {
@@ -79,7 +81,7 @@ class Sight {
 }  // namespace
 
 Image camera_image(const Model& model, const State& state) {
-  return Sight(model, state).rows(0, model.workcell().camera->pixels_y);
+  return Sight(model, state).whole();
 }
 
 Image camera_row(const Model& model, const State& state, int row) {

@@ -48,7 +48,7 @@ std::string filled(const Json& rows, std::size_t indent) {
 
 /// `used` is how much of the line stands before the value, `indent` the depth of what is inside it.
 std::string shown(const Json& value, std::size_t indent, std::size_t used) {
-  const std::string line = on_one_line(value);
+  std::string line = on_one_line(value);
   const bool is_root = indent == kIndent;
   if (!value.is_structured() || value.empty() || (!is_root && used + line.size() < kColumns)) {
     return line;

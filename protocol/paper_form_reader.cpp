@@ -1,6 +1,7 @@
 #include "protocol/paper_form_reader.hpp"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 #include "protocol/data_json.hpp"
@@ -145,20 +146,24 @@ void Reader::take_additions(const std::vector<Addition>& additions) {
   for (const Addition& addition : additions) take(addition);
 }
 
+/// The innermost part that has such a member takes it.
 void Reader::take(const Addition& addition) {
-  for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) {
-    for (const Extra& extra : part->extras) {
-      if (extra.key != addition.key) continue;
-      const std::string pointer = part->pointer + extra.member;
-      if (line_of_.contains(pointer)) {
-        return report(addition.line, pointer, "\"" + extra.key + "\" for the second time",
-                      "each member once");
-      }
-      line_of_[pointer] = addition.line;
-      return set(pointer, addition.value);
+  for (const Part& part : parts_ | std::views::reverse) {
+    for (const Extra& extra : part.extras) {
+      if (extra.key == addition.key) return put(addition, extra, part.pointer);
     }
   }
   refuse_addition(addition);
+}
+
+void Reader::put(const Addition& addition, const Extra& extra, const std::string& part) {
+  const std::string pointer = part + extra.member;
+  if (line_of_.contains(pointer)) {
+    return report(addition.line, pointer, "\"" + extra.key + "\" for the second time",
+                  "each member once");
+  }
+  line_of_[pointer] = addition.line;
+  set(pointer, addition.value);
 }
 
 void Reader::refuse_addition(const Addition& addition) {

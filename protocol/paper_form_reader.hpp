@@ -86,6 +86,7 @@ class Reader {
   void put(const Cell& cell, const std::string& part, const std::string& item, int line);
   void take_additions(const std::vector<Addition>& additions);
   void take(const Addition& addition);
+  void put(const Addition& addition, const Extra& extra, const std::string& part);
   void refuse_addition(const Addition& addition);
   void report(int line, const std::string& pointer, std::string found, std::string allowed);
   bool is_refused(const std::string& pointer) const;

@@ -92,7 +92,7 @@ std::vector<PointUm> places(const Workspace& space, Micrometres field) {
 
 std::string free_name(const Workcell& workcell) {
   for (std::size_t number = workcell.blocks.size() + 1;; ++number) {
-    const std::string name = "block " + std::to_string(number);
+    std::string name = "block " + std::to_string(number);
     const bool is_taken = std::any_of(workcell.blocks.begin(), workcell.blocks.end(),
                                       [&](const Block& block) { return block.name == name; });
     if (!is_taken) return name;

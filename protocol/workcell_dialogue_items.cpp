@@ -84,7 +84,7 @@ Question whole_question(const std::string& prompt, int min, int max, int& value,
                         const std::string& help) {
   Question question = number_question(prompt, min, max, "", [](double) {});
   question.take = [in_range = question.take, &value](const std::string& answer) -> std::string {
-    const std::string problem = in_range(answer);
+    std::string problem = in_range(answer);
     if (!problem.empty()) return problem;
     const auto number = paper::number_or_text(answer).get<double>();
     if (number != std::floor(number)) return "That is no whole number.";
@@ -108,7 +108,7 @@ Question text_question(const std::string& prompt, std::size_t least, std::size_t
     if (text.size() > most)
       return "That is too long: at most " + std::to_string(most) + " letters.";
     if (!is_printable(text)) return "That holds signs that are no text.";
-    const std::string problem = check ? check(text) : "";
+    std::string problem = check ? check(text) : "";
     if (problem.empty()) value = text;
     return problem;
   };
@@ -144,13 +144,13 @@ Question choice_question(const std::string& prompt, const std::vector<std::strin
 }
 
 Question yes_no_question(const std::string& prompt, bool& value, const std::string& help) {
-  static const std::vector<std::string> kWords = {"no", "yes"};
+  static const std::vector<std::string> no_and_yes = {"no", "yes"};
   Question question;
   question.prompt = prompt + " (yes or no)";
-  question.fallback = kWords[value ? 1 : 0];
+  question.fallback = no_and_yes[value ? 1 : 0];
   question.help = help;
   question.take = [&value](const std::string& answer) -> std::string {
-    const std::vector<std::string> like = words_like(answer, kWords);
+    const std::vector<std::string> like = words_like(answer, no_and_yes);
     if (like.size() != 1) return "Please answer yes or no.";
     value = like[0] == "yes";
     return "";

@@ -175,8 +175,10 @@ void WorkcellDialogue::take_camera_answer() {
 }
 
 void WorkcellDialogue::finish_camera() {
-  draft_.camera->projection =
-      projection_ == 1 ? Projection::kPerspective : Projection::kOrthographic;
+  if (draft_.camera) {
+    draft_.camera->projection =
+        projection_ == 1 ? Projection::kPerspective : Projection::kOrthographic;
+  }
   keep_room();
 }
 

@@ -25,8 +25,14 @@ std::string text_in(Form form, const CheckResult& data) {
   if (data.robot) {
     return is_json ? json_text(robot_to_json(*data.robot)) : robot_to_paper_form(*data.robot);
   }
+  if (!data.workcell) return "";  // never: a file without errors is one of the two
   return is_json ? json_text(workcell_to_json(*data.workcell))
                  : workcell_to_paper_form(*data.workcell);
+}
+
+std::string words_for(const CheckResult& data) {
+  if (data.robot) return "robot \"" + data.robot->name + "\"";
+  return data.workcell ? "workcell \"" + data.workcell->name + "\"" : "";
 }
 
 /// What was written must be what was read: a conversion that loses anything is never left behind.
@@ -43,11 +49,8 @@ ExitCode refuse(const std::string& message) {
 }
 
 void tell(const ConvertOptions& options, Form form, const CheckResult& data) {
-  const bool is_robot = data.kind == DataKind::kRobot;
-  std::cout << options.out << ": " << (is_robot ? "robot \"" : "workcell \"")
-            << (is_robot ? data.robot->name : data.workcell->name)
-            << (form == Form::kJson ? "\" as JSON, in mm\n"
-                                    : "\" in the paper's plain form, in mm\n");
+  std::cout << options.out << ": " << words_for(data)
+            << (form == Form::kJson ? " as JSON, in mm\n" : " in the paper's plain form, in mm\n");
 }
 
 }  // namespace

@@ -45,19 +45,19 @@ class Input {
   void read_more();
   std::string take(std::size_t length, std::size_t line_end);
 
-  static volatile std::sig_atomic_t stopped_;
-  static volatile std::sig_atomic_t nothing_;  // a descriptor of /dev/null
+  static volatile std::sig_atomic_t stopped;
+  static volatile std::sig_atomic_t nothing;  // a descriptor of /dev/null
   bool is_terminal_ = ::isatty(STDIN_FILENO) != 0;
   std::string text_;
   End end_ = End::kNone;
 };
 
-volatile std::sig_atomic_t Input::stopped_ = 0;
-volatile std::sig_atomic_t Input::nothing_ = -1;
+volatile std::sig_atomic_t Input::stopped = 0;
+volatile std::sig_atomic_t Input::nothing = -1;
 
 Input::Input() {
-  stopped_ = 0;
-  nothing_ = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  stopped = 0;
+  nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   struct sigaction action {};
   action.sa_handler = &Input::stop;
   for (const int signal : kSignals) ::sigaction(signal, &action, nullptr);
@@ -65,21 +65,21 @@ Input::Input() {
 
 Input::~Input() {
   for (const int signal : kSignals) std::signal(signal, SIG_DFL);
-  ::close(nothing_);
+  ::close(nothing);
 }
 
 /// Interrupts a read that waits; one that is just about to wait finds an input at its end instead.
 void Input::stop(int signal) {
   const int before = errno;
-  stopped_ = signal;
-  ::dup2(nothing_, STDIN_FILENO);
+  stopped = signal;
+  ::dup2(nothing, STDIN_FILENO);
   errno = before;
 }
 
 void Input::read_more() {
   char bytes[4096];
   const ::ssize_t count = ::read(STDIN_FILENO, bytes, sizeof bytes);
-  if (stopped_ != 0) {
+  if (stopped != 0) {
     end_ = End::kSignal;
   } else if (count > 0) {
     text_.append(bytes, static_cast<std::size_t>(count));
@@ -160,10 +160,11 @@ DialogueStart start_of(const WorkcellOptions& options) {
 
 DialogueTurn write(const WorkcellOptions& options, const DialogueTurn& turn,
                    WorkcellDialogue& dialogue) {
+  const std::string text = turn.file_text.value_or("");
   const Existing existing = turn.may_replace ? Existing::kReplace : Existing::kKeep;
   try {
     const bool is_written =
-        write_whole_file(options.file, *turn.file_text, existing,
+        write_whole_file(options.file, text, existing,
                          [](const DataFile& draft) { load_workcell(draft.text, draft.path); });
     return dialogue.written(is_written ? WriteOutcome::kWritten : WriteOutcome::kIsThere);
   } catch (const std::runtime_error& error) {  // FileError, DataError

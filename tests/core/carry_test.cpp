@@ -1,5 +1,5 @@
-// A block in the jaws: rigid in the tool's frame whatever the arm does, and what a stall, a limit, a
-// home or a reset does to it.
+// A block in the jaws: rigid in the tool's frame whatever the arm does, and what a stall, a limit,
+// a home or a reset does to it.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -136,7 +136,7 @@ TEST(Carry, WithoutThatOptionTheSurfaceWarnsOnceACrossingAndTheBlockGoesAlong) {
   rig.travel('E', 100);
   EXPECT_LT(tip(rig).z, 0);
   rig.travel('B', 20);
-  EXPECT_EQ(rig.told<Warning>().size(), 1U);
+  ASSERT_EQ(rig.told<Warning>().size(), 1U);
   EXPECT_EQ(rig.told<Warning>()[0].code, WarningCode::kBelowSurface);
   EXPECT_TRUE(rig.state().held);
   rig.travel('E', -100);

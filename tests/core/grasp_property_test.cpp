@@ -1,5 +1,5 @@
-// A hundred thousand random motions of arm and jaws among blocks, watched count by count: whatever the
-// tool does, no block is lost, doubled, squeezed or moved without being touched.
+// A hundred thousand random motions of arm and jaws among blocks, watched count by count: whatever
+// the tool does, no block is lost, doubled, squeezed or moved without being touched.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -153,7 +153,7 @@ class Wanderer {
     twin_.execute(command);
   }
 
-  // Any of the arm's motors or the jaws, so that it stays about the centre; at times something else.
+  // Some of the arm's motors or the jaws, about the centre; at times something else.
   void motion() {
     const bool stands = state().stall != Stall::kNo;
     if (dice_.one_in(stands ? 3 : 400)) return home();
@@ -202,7 +202,7 @@ class Wanderer {
     both(Move{label, std::clamp(wanted - rig_.count(label) - rig_.error(label), -25, 25)});
   }
 
-  // Between two counts of the jaws nothing happens to any block; at such a count, what check_count says.
+  // Between two counts of the jaws nothing happens to any block; check_count says what may at one.
   void watch_until(Tick until) {
     const int tool = model().tool_index();
     while (rig_.simulation.tick() < until) {
@@ -262,9 +262,17 @@ class Wanderer {
     EXPECT_EQ(is.centroid_um, tip);
     EXPECT_EQ(grasped_at, where(state()));
     check_flat(was, is);
+    EXPECT_GE(static_cast<double>(opening(before)) + kHairUm, extent(was)) << "too narrow";
     EXPECT_LT(opening(state()) - micrometres(8.0), flat(is, quarter_turns))
         << "no sooner than needed";
     check_changes(before, static_cast<int>(index));
+  }
+
+  /// Along the jaws as they are, in micrometres.
+  double extent(const Block& block) const {
+    const double delta = degrees(block.yaw_udeg) - net_roll_deg(model(), where(state()));
+    return static_cast<double>(block.size_um.y) * std::abs(std::cos(delta * kPi / 180)) +
+           static_cast<double>(block.size_um.x) * std::abs(std::sin(delta * kPi / 180));
   }
 
   void check_flat(const Block& was, const Block& is) const {
@@ -283,6 +291,8 @@ class Wanderer {
       EXPECT_TRUE(is_in(was, tool_tip(model(), where(state()))));
       EXPECT_EQ(is.centroid_um, was.centroid_um);
       check_flat(was, is);
+      EXPECT_GE(static_cast<double>(opening(before)) + kHairUm, extent(was)) << "too narrow";
+      EXPECT_LT(static_cast<double>(opening(state())), extent(was) + kHairUm) << "no need to";
       check_changes(before, static_cast<int>(i));
     }
   }

@@ -153,6 +153,7 @@ TEST(Grasp, TheJawsStandAtTheLastCountThatLeavesRoom) {
     ASSERT_TRUE(rig.state().held) << width;
     EXPECT_EQ(rig.count('A'), stop) << width;
     EXPECT_EQ(rig.motor('A').blocked, Blocked::kBlock) << width;
+    EXPECT_EQ(rig.motor('A').phase, 0) << width;
     EXPECT_TRUE(rig.simulation.is_at_rest());
     EXPECT_EQ(rig.error('A'), -100 + (kFullyOpen - stop)) << "what was left of the closing move";
     EXPECT_EQ(rig.execute(QueryError{'A'}), Reply(ErrorMagnitude{100 - (kFullyOpen - stop)}));
@@ -250,7 +251,7 @@ TEST(Grasp, JawsNarrowerThanTheBlockGripNothingAndSaySoOnce) {
   rig.stand_at({{'E', 449}, {'D', -625}, {'A', -27}});
   close_jaws(rig, 10);
   EXPECT_EQ(rig.count('A'), -37) << "they close all the same";
-  EXPECT_EQ(narrow_warnings(rig), 1);
+  ASSERT_EQ(narrow_warnings(rig), 1);
   EXPECT_EQ(rig.told<Warning>()[0].block, "block");
   EXPECT_EQ(block(rig), block_at(kPlace, 90));
   EXPECT_FALSE(rig.state().held);

@@ -1,5 +1,5 @@
-// Every pick of the three default tables, to the count: where the joints stand, that the tip is in the
-// block, where the jaws stop, and that the block comes along when it is lifted.
+// Every pick of the three default tables, to the count: where the joints stand, that the tip is in
+// the block, where the jaws stop, and that the block comes along when it is lifted.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -12,7 +12,6 @@ from exercise_sight import Picture
 
 SPACE = 32  # what every reply of one byte is counted from
 STRIDE = 60  # most counts of one move of an arm that goes somewhere in a straight line of counts
-POLL_MS = 40
 STANDS_MS = 100  # a counter that stays for so long is that of a motor that stands
 CLOSING = 100  # counts that close the jaws on anything
 LIFT_MM = 100
@@ -101,8 +100,8 @@ class Robot:
             if counts:
                 self.send(label, counts)
         for label, counts in way.items():
-            while self.to_go(label):
-                self.wait(POLL_MS)
+            left = self.finish(label)
+            assert not left, f"{label} stands {left} counts short of where it was sent"
             self.at[label] += counts
 
     def move_to(self, x, y, z, yaw):

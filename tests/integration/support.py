@@ -48,7 +48,7 @@ class Server:
     def __init__(self, *options, clock="manual", environment=None):
         self.options = ["--robot-port", "0", "--monitor-port", "0", "--clock", clock, *map(str, options)]
         self.environment = {**os.environ, **(environment or {})}
-        self.lines_opened = 0
+        self.lines = []
         self._log = ""
         self._log_grew = threading.Condition()
 
@@ -96,6 +96,8 @@ class Server:
             assert code == 0, f"xr3 ended with {code}\n{self._log}"
         self.process.stdout.close()
         self.process.stderr.close()
+        for line in self.lines:
+            line.close()
 
     def stop(self, how=signal.SIGTERM):
         """Ends the server by a signal; returns its exit code. Fails if it takes longer than promised."""
@@ -126,9 +128,9 @@ class Server:
             return self._log
 
     def line(self, **options):
-        """Opens a serial line. Its number is its order of opening, so open no other in between."""
-        self.lines_opened += 1
-        return Line(connect(self.robot_port, **options), self.lines_opened)
+        """Opens a serial line. Its number is its order of opening: open none past this method."""
+        self.lines.append(Line(connect(self.robot_port, **options), len(self.lines) + 1))
+        return self.lines[-1]
 
     def monitor(self):
         return Monitor(self.monitor_port)

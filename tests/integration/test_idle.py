@@ -1,7 +1,8 @@
 """A robot at rest costs nothing: with clients connected and the clock running, the process is never
-scheduled."""
+scheduled. All cases are watched at once, each in a process of its own."""
 # labels: release serial
 
+import contextlib
 import os
 import select
 import unittest
@@ -9,6 +10,8 @@ import unittest
 from support import Server
 
 WATCHED_S = 1.0
+# A timer that was armed while something moved goes off once more, within this.
+LAST_TIMER_S = 1.2
 
 
 def scheduling(pid):
@@ -22,46 +25,71 @@ def scheduling(pid):
     return ran, switches
 
 
+class Case:
+    """A server with a monitor and three lines: one that has asked, one with half a command, one mute."""
+
+    def __init__(self, *options, clock="real"):
+        self.server = Server(*options, clock=clock)
+
+    def __enter__(self):
+        self.server.__enter__()
+        self.monitor = self.server.monitor()
+        self.asked, self.begun, self.mute = (self.server.line() for _ in range(3))
+        self.asked.ask("E?")
+        self.begun.send("E+5")
+        return self
+
+    def __exit__(self, *problem):
+        self.monitor.close()
+        self.server.__exit__(*problem)
+
+    def sockets(self):
+        return [self.monitor.socket, *(line.socket for line in (self.asked, self.begun, self.mute))]
+
+    def move_while_time_runs(self, moves):
+        """Moves to their end, in running time."""
+        self.asked.send(moves)
+        while self.monitor.get("moving")["moving"]:
+            pass
+        return self
+
+    def move_in_standing_time(self, *moves):
+        """Moves, each to where it ends or is stopped; then time runs."""
+        self.monitor.call("pause")
+        for move in moves:
+            self.asked.send(move)
+            self.monitor.settle(after=self.asked)
+        self.monitor.call("resume")
+        return self
+
+
 class Idle(unittest.TestCase):
-    def assert_never_runs(self, xr3, *sockets):
-        """Measures idleness for a second: not a wait for something, since nothing may come. A timer
-        that was armed before and is not needed any more still goes off once; that is let pass first."""
-        self.assertEqual(([], [], []), select.select(sockets, [], [], 1.2 * WATCHED_S))
-        before = scheduling(xr3.pid)
-        self.assertEqual(([], [], []), select.select(sockets, [], [], WATCHED_S))
-        self.assertEqual(before, scheduling(xr3.pid))
+    def test_nothing_wakes_a_robot_at_rest(self):
+        with contextlib.ExitStack() as stack:
+            case = lambda *options, clock="real": stack.enter_context(Case(*options, clock=clock))
+            cases = {
+                "at the soft home": case(),
+                "in fast time": case(clock="real:1000"),
+                "in standing time": case(clock="manual"),
+                "as mark3": case("--compat", "mark3"),
+                "after a move": case(clock="real:100").move_while_time_runs("E+20\rF+50\rD-9\r"),
+                "at a limit": case().move_in_standing_time("A+127\r"),
+                "stalled": case().move_in_standing_time("E-120\r", "E-120\r", "E-120\r"),
+            }
+            self.assertIsNotNone(cases["stalled"].monitor.get("stalled")["stalled"])
+            self.assertEqual("limit", cases["at a limit"].monitor.get("tool")["tool"]["blocked"])
+            sockets = [sock for case in cases.values() for sock in case.sockets()]
+            self.watch(sockets, LAST_TIMER_S)
+            before = {name: scheduling(case.server.pid) for name, case in cases.items()}
+            self.watch(sockets, WATCHED_S)
+            after = {name: scheduling(case.server.pid) for name, case in cases.items()}
+            self.assertEqual(before, after)
+            for case in cases.values():
+                case.asked.ask("F?")
 
-    def test_at_rest_with_clients(self):
-        for clock in "real", "real:1000", "manual":
-            with self.subTest(clock), Server(clock=clock) as xr3, xr3.monitor() as monitor:
-                with xr3.line() as asked, xr3.line() as begun, xr3.line() as silent:
-                    self.assertEqual(32, asked.ask("E?"))
-                    begun.send("E+5")
-                    self.assertEqual(32, silent.ask("F?"))
-                    self.assertEqual(False, monitor.get("moving")["moving"])
-                    self.assert_never_runs(xr3, asked.socket, begun.socket, silent.socket, monitor.socket)
-                    self.assertEqual(32, asked.ask("E?"))
-
-    def test_at_rest_again_after_a_move(self):
-        with Server(clock="real:100") as xr3, xr3.monitor() as monitor, xr3.line() as line:
-            line.send("E+20\rF+300\rD-9\r")
-            while line.ask("E?") != 32 or line.ask("D?") != 32:
-                pass
-            xr3.monitor().close()
-            heartbeat_s = 2 * WATCHED_S  # whatever was still armed goes off in that time
-            select.select([line.socket], [], [], heartbeat_s)
-            self.assert_never_runs(xr3, line.socket, monitor.socket)
-
-    def test_blocked_and_stalled_are_rest_too(self):
-        """A motor at its limit keeps its counter, and a stalled robot its moves: neither keeps time."""
-        for name, work in [("blocked", "A+127\r"), ("stalled", "E-120\r" * 3)]:
-            with self.subTest(name), Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
-                for move in work.split("\r")[:-1]:
-                    line.send(move + "\r")
-                    state = monitor.settle(after=line)
-                self.assertFalse(state["moving"])
-                monitor.call("resume")
-                self.assert_never_runs(xr3, line.socket, monitor.socket)
+    def watch(self, sockets, seconds):
+        """Measures idleness: this waits for nothing, since nothing may come."""
+        self.assertEqual(([], [], []), select.select(sockets, [], [], seconds))
 
 
 if __name__ == "__main__":

@@ -81,7 +81,8 @@ TEST(TopView, WhateverLiesOutsideIsNotDrawn) {
   cell.camera = Camera{{0, 0, 1'000'000}, 90'000'000, 90'000'000, 1, 1, Projection::kOrthographic};
   const std::string view = top_view(cell, {});
   EXPECT_EQ(view.find_first_of(":"), view.find(": camera's")) << view;
-  EXPECT_EQ(std::count(view.begin(), view.end(), 'b'), 3) << "its name and letter, and robot: " << view;
+  EXPECT_EQ(std::count(view.begin(), view.end(), 'b'), 3)
+      << "its name and letter, and robot: " << view;
 }
 
 TEST(TopView, FitsATerminal) {

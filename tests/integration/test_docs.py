@@ -1,0 +1,106 @@
+"""Runs the commands that README.md and docs/ show, with the ports and paths of a test."""
+
+import pathlib
+import re
+import shlex
+import shutil
+import signal
+import subprocess
+import tempfile
+import unittest
+
+from support import DEADLINE_S, ROOT, XR3, Server, run_xr3
+
+FENCE = re.compile(r"^ *```.*?\n(.*?)^ *```", re.DOTALL | re.MULTILINE)
+BEHIND = re.compile(r"(\s+#.*|\s{2,}\S.*)$")  # what is said about a command on its line
+
+
+def shown_lines():
+    """(file, line) of everything that stands in a fence."""
+    for path in [pathlib.Path(ROOT, "README.md"), *sorted(pathlib.Path(ROOT, "docs").rglob("*.md"))]:
+        for block in FENCE.findall(path.read_text(encoding="utf-8")):
+            for line in block.splitlines():
+                yield path.name, line.strip()
+
+
+def xr3_commands():
+    for name, line in shown_lines():
+        match = re.match(r"(?:\$ )?(?:build/release/)?xr3 (.+)", line)
+        if match:
+            yield name, shlex.split(BEHIND.sub("", match[1]))
+
+
+def client_commands():
+    for name, line in shown_lines():
+        command = line.removeprefix("$ ")
+        if re.match(r"(nc|curl|printf|echo) .*localhost", command):
+            yield name, BEHIND.sub("", command)
+
+
+class Docs(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        data = pathlib.Path(ROOT, "data")
+        (self.folder / "data").symlink_to(data)
+        shutil.copy(data / "robots" / "rhino-xr3.json", self.folder / "my-arm.json")
+        shutil.copy(data / "workcells" / "rhino-xr3.json", self.folder / "lab.json")
+        run_xr3("convert", "my-arm.json", "my-arm.txt", cwd=self.folder)
+        (self.folder / "lab.dat").touch()
+
+    def serve(self, arguments):
+        command = [XR3, "serve", *arguments, "--robot-port", "0", "--monitor-port", "0"]
+        with subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              text=True) as process:
+            greeting = process.stdout.readline()
+            process.send_signal(signal.SIGTERM)
+            process.communicate(timeout=DEADLINE_S)
+        self.assertRegex(greeting, "^LISTENING ")
+        self.assertEqual(0, process.returncode)
+
+    def test_commands_of_xr3(self):
+        commands = list(xr3_commands())
+        self.assertGreater(len(commands), 10)
+        for name, (what, *arguments) in commands:
+            with self.subTest(file=name, command=[what, *arguments]):
+                if what == "serve" and "--help" not in arguments:
+                    options = list(arguments)
+                    for port in "--robot-port", "--monitor-port":
+                        if port in options:
+                            at = options.index(port)
+                            del options[at:at + 2]
+                    self.serve(options)
+                    continue
+                if what == "convert" and "--force" not in arguments:
+                    (self.folder / arguments[-1]).unlink(missing_ok=True)
+                if "--from" in arguments:
+                    (self.folder / arguments[0]).unlink()
+                done = run_xr3(what, *arguments, cwd=self.folder, stdin=subprocess.DEVNULL)
+                # The editor asks; at the end of its input it leaves without writing.
+                self.assertEqual(0, done.returncode, done.stderr)
+
+    def test_commands_of_clients(self):
+        commands = list(client_commands())
+        self.assertGreater(len(commands), 2)
+        with Server(clock="real") as xr3:
+            for name, command in commands:
+                with self.subTest(file=name, command=command):
+                    command = command.replace("9600", str(xr3.robot_port)).replace("9601", str(xr3.monitor_port))
+                    command = command.replace("nc localhost", "nc -N localhost")
+                    done = subprocess.run(["bash", "-c", command], stdin=subprocess.DEVNULL, capture_output=True,
+                                          timeout=DEADLINE_S, check=False)
+                    self.assertEqual(0, done.returncode, done.stderr)
+                    self.assertNotEqual(b"", done.stdout)
+
+    def test_scripts_know_their_options(self):
+        for script in "./run", "./test", "scripts/setup":
+            with self.subTest(script):
+                done = subprocess.run([script, "--help"], cwd=ROOT, capture_output=True, text=True,
+                                      timeout=DEADLINE_S, check=False)
+                self.assertEqual(0, done.returncode)
+                self.assertIn(script.split("/")[-1], done.stdout + done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
