@@ -92,14 +92,14 @@ class Server:
             self._log_reader.join()
             print(f"--- log of xr3 {' '.join(self.options)}\n{self._log}---")
         elif self.process.poll() is None:
-            code = self.stop()
+            code = self.stop(within_s=DEADLINE_S)  # leak checks take their time on a busy machine
             assert code == 0, f"xr3 ended with {code}\n{self._log}"
         self.process.stdout.close()
         self.process.stderr.close()
         for line in self.lines:
             line.close()
 
-    def stop(self, how=signal.SIGTERM):
+    def stop(self, how=signal.SIGTERM, within_s=SHUTDOWN_S):
         """Ends the server by a signal; returns its exit code. Fails if it takes longer than promised."""
         started = time.monotonic()
         self.process.send_signal(how)
@@ -110,7 +110,7 @@ class Server:
             raise AssertionError(f"xr3 did not end after signal {how}\n{self._log}") from None
         took = time.monotonic() - started
         self._log_reader.join()
-        assert took < SHUTDOWN_S, f"xr3 took {took:.2f} s to end\n{self._log}"
+        assert took < within_s, f"xr3 took {took:.2f} s to end\n{self._log}"
         rest = self.process.stdout.read()
         assert rest == "", f"more than one line on standard output: {rest!r}"
         return code

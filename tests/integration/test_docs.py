@@ -74,11 +74,19 @@ class Docs(unittest.TestCase):
                     continue
                 if what == "convert" and "--force" not in arguments:
                     (self.folder / arguments[-1]).unlink(missing_ok=True)
-                if "--from" in arguments:
-                    (self.folder / arguments[0]).unlink()
+                if what == "workcell":
+                    self.leave_the_editor(arguments)
+                    continue
                 done = run_xr3(what, *arguments, cwd=self.folder, stdin=subprocess.DEVNULL)
-                # The editor asks; at the end of its input it leaves without writing.
                 self.assertEqual(0, done.returncode, done.stderr)
+
+    def leave_the_editor(self, arguments):
+        """It asks, and at the end of its input it leaves the file as it was."""
+        before = (self.folder / "lab.json").read_text(encoding="utf-8")
+        done = run_xr3("workcell", *arguments, cwd=self.folder, stdin=subprocess.DEVNULL)
+        self.assertIn(done.returncode, (0, 2), done.stderr)
+        self.assertIn("lab.json", done.stdout)
+        self.assertEqual(before, (self.folder / "lab.json").read_text(encoding="utf-8"))
 
     def test_commands_of_clients(self):
         commands = list(client_commands())

@@ -1,4 +1,5 @@
 """How the process begins and ends: the line LISTENING, the port file, exit codes, signals."""
+# labels: serial
 
 import json
 import os

@@ -30,7 +30,8 @@ TEST(PoseArgument, NumbersStandBetweenCommas) {
 }
 
 TEST(PoseArgument, ValuesBecomeTheNearestCounts) {
-  const Positions wanted = pose_argument(*rhino(), {0, -39.0385, 109.976, -70.9375, -90}, std::nullopt);
+  const Positions wanted =
+      pose_argument(*rhino(), {0, -39.0385, 109.976, -70.9375, -90}, std::nullopt);
   EXPECT_EQ(motor_counts(*rhino(), wanted), (Positions{0, 449, -625, 0, 0, 0}));
   EXPECT_EQ(pose_argument(*rhino(), {}, 63.5), (Positions{0, 0, 0, 0, 0, 16}));
   EXPECT_EQ(pose_argument(*rhino(), {}, std::nullopt), Positions{});
@@ -57,6 +58,14 @@ TEST(PoseArgument, WhatCannotBeSaysWhy) {
                  "joint E (shoulder) cannot be at 10.1; it goes from -140 to 10 degrees");
   expect_refused({}, 63.6, "the tool cannot be at 63.6; it goes from 0 to 63.5 mm");
   expect_refused({1, 2}, {}, "2 joint values are given; Rhino XR-3 has 5: joint F (base), ");
+}
+
+TEST(PoseArgument, AViewIsThreeSmallWholeNumbers) {
+  EXPECT_EQ(parse_view("-9,0,3"), (ViewVector{-9, 0, 3}));
+  for (const char* wrong :
+       {"0,0,0", "1,1", "1,1,1,1", "10,0,0", "-10,0,0", "1,1,0.5", "1e99,0,1"}) {
+    EXPECT_THROW(parse_view(wrong), std::invalid_argument) << wrong;
+  }
 }
 
 // --- Pixels.
