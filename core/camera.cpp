@@ -80,9 +80,7 @@ class Sight {
 
 }  // namespace
 
-Image camera_image(const Model& model, const State& state) {
-  return Sight(model, state).whole();
-}
+Image camera_image(const Model& model, const State& state) { return Sight(model, state).whole(); }
 
 Image camera_row(const Model& model, const State& state, int row) {
   return Sight(model, state).rows(row, 1);

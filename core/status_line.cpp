@@ -12,7 +12,8 @@ namespace {
 std::string fixed(double value, int decimals) {
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), "%.*f", decimals, value + 0.0);
-  const bool is_negative_zero = std::string_view(text.data()).find_first_not_of("-0.") == std::string_view::npos;
+  const bool is_negative_zero =
+      std::string_view(text.data()).find_first_not_of("-0.") == std::string_view::npos;
   return is_negative_zero && text[0] == '-' ? text.data() + 1 : text.data();
 }
 
@@ -52,8 +53,10 @@ std::string status_line(const Model& model, const State& state) {
   switch (state.display.status_option) {
     case 1: return configuration(model, now);
     case 2: return variables(model, now);
-    case 3: return of_each_motor(model, [&](int i) { return std::to_string(state.motor(i).error); });
-    case 4: return of_each_motor(model, [&](int i) { return std::to_string(state.motor(i).count); });
+    case 3:
+      return of_each_motor(model, [&](int i) { return std::to_string(state.motor(i).error); });
+    case 4:
+      return of_each_motor(model, [&](int i) { return std::to_string(state.motor(i).count); });
     case 5:
       return of_each_motor(model, [&](int i) -> std::string {
         return state.motor(i).switch_closed ? "closed" : "open";

@@ -49,12 +49,9 @@ CheckResult unknown_result(const std::string& file) {
 CheckResult check_text(std::string_view text, const std::string& file, Profile profile,
                        const Robot* robot) try {
   switch (kind_of(JsonSource(text, file).root())) {
-    case DataKind::kRobot:
-      return robot_result(text, file, profile);
-    case DataKind::kWorkcell:
-      return workcell_result(text, file, robot);
-    case DataKind::kUnknown:
-      break;
+    case DataKind::kRobot: return robot_result(text, file, profile);
+    case DataKind::kWorkcell: return workcell_result(text, file, robot);
+    case DataKind::kUnknown: break;
   }
   return unknown_result(file);
 } catch (const DataError& error) {

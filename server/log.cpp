@@ -48,9 +48,13 @@ struct NoteLogger {
     return (event.line ? "line " + std::to_string(*event.line) : "cell") + " @" +
            std::to_string(event.tick);
   }
+  // What a student has to know even if nothing was asked: a stall, and warnings that come with time.
   void operator()(const EventBody& body) const {
-    if (!spdlog::should_log(spdlog::level::debug)) return;
-    spdlog::debug("{}: {}: {}", where(), code_of(body), describe(body, model));
+    const bool matters =
+        std::holds_alternative<Stalled>(body) || std::holds_alternative<Warning>(body);
+    const auto level = matters ? spdlog::level::info : spdlog::level::debug;
+    if (!spdlog::should_log(level)) return;
+    spdlog::log(level, "{}: {}: {}", where(), code_of(body), describe(body, model));
   }
   void operator()(const ProblemNote& note) const {
     spdlog::info("{}: {}: byte {}: {}{}", where(), note.code, note.offset, note.message,

@@ -43,8 +43,8 @@ TEST(StatusLine, TellsCountersEncodersAndSwitchesApart) {
 }
 
 TEST(StatusLine, NamesTheBlockThatIsHeld) {
-  test::Rig rig(std::make_shared<const Model>(test::robot_named("rhino-xr3"), test::workcell_named("rhino-xr3"),
-                                              Profile::kPaper));
+  test::Rig rig(std::make_shared<const Model>(test::robot_named("rhino-xr3"),
+                                              test::workcell_named("rhino-xr3"), Profile::kPaper));
   rig.stand_at({{'E', 449}, {'D', -625}});
   rig.move('A', -100);
   rig.settle();

@@ -12,7 +12,8 @@ constexpr WallNs kMs = 1'000'000;
 /// A whole cell in memory, with everything that it told.
 struct Lab {
   explicit Lab(SimClock clock = SimClock::manual(), Profile profile = Profile::kPaper)
-      : cell("main", test::rhino(profile), clock, [this](const CellEvent& e) { told.push_back(e); }) {}
+      : cell("main", test::rhino(profile), clock,
+             [this](const CellEvent& e) { told.push_back(e); }) {}
 
   std::vector<CellEvent> told;
   Cell cell;
@@ -26,7 +27,9 @@ struct Lab {
     of_cell.sent(reply.size());
     return reply;
   }
-  call::Outcome call(call::Call call, WallNs now = 0) { return cell.apply(Input{call}, now).outcome; }
+  call::Outcome call(call::Call call, WallNs now = 0) {
+    return cell.apply(Input{call}, now).outcome;
+  }
   Counts count(char label) const { return cell.state().motor(cell.model().index_of(label)).count; }
 
   template <class Note>
@@ -166,7 +169,8 @@ TEST(Cell, EventsComeInOrderOfTheirTicks) {
   lab.open(1);
   lab.send(1, "E+3\rD+3\r");
   lab.cell.catch_up(1000 * kMs);
-  for (std::size_t i = 1; i < lab.told.size(); ++i) EXPECT_LE(lab.told[i - 1].tick, lab.told[i].tick);
+  for (std::size_t i = 1; i < lab.told.size(); ++i)
+    EXPECT_LE(lab.told[i - 1].tick, lab.told[i].tick);
   EXPECT_EQ(lab.told.back().line, std::nullopt);
 }
 

@@ -29,7 +29,9 @@ TEST(Line, AFullOutboxTakesNoFurtherByteUntilItIsEmptied) {
 
 TEST(Line, CountsBytesAsTheTransportSeesThem) {
   OneLine one;
-  one.receive("E+5\r\xff\xfd\x06" "E?");
+  one.receive(
+      "E+5\r\xff\xfd\x06"
+      "E?");
   EXPECT_EQ(one.line.bytes_in(), 9U);
   EXPECT_EQ(one.line.outbox(), "\xff\xfb\x06%");
   one.line.sent(4);

@@ -27,9 +27,10 @@ TEST(Options, ServeHasTheDocumentedDefaults) {
 
 TEST(Options, ServeTakesEveryOption) {
   const auto options = std::get<ServeOptions>(
-      parse({"serve", "--robot", "adept-one", "--workcell", "w.json", "--listen", "::1", "--robot-port", "0",
-             "--monitor-port", "7", "--compat", "mark3", "--clock", "real:2.5", "--max-lines", "3",
-             "--port-file", "p.json", "--log-level", "debug"}));
+      parse({"serve",  "--robot",      "adept-one", "--workcell",     "w.json", "--listen",
+             "::1",    "--robot-port", "0",         "--monitor-port", "7",      "--compat",
+             "mark3",  "--clock",      "real:2.5",  "--max-lines",    "3",      "--port-file",
+             "p.json", "--log-level",  "debug"}));
   EXPECT_EQ(options.workcell, "w.json");
   EXPECT_EQ(options.profile, Profile::kMark3);
   EXPECT_EQ(options.clock.rate.millionths, 2'500'000);
@@ -39,20 +40,33 @@ TEST(Options, ServeTakesEveryOption) {
 
 TEST(Options, BeyondLoopbackNeedsInsecure) {
   EXPECT_EQ(refused({"serve", "--listen", "0.0.0.0"}).code, ExitCode::kBadInput);
-  EXPECT_NE(refused({"serve", "--listen", "0.0.0.0"}).to_stderr.find("--insecure"), std::string::npos);
-  EXPECT_TRUE(std::holds_alternative<ServeOptions>(parse({"serve", "--listen", "0.0.0.0", "--insecure"})));
+  EXPECT_NE(refused({"serve", "--listen", "0.0.0.0"}).to_stderr.find("--insecure"),
+            std::string::npos);
+  EXPECT_TRUE(
+      std::holds_alternative<ServeOptions>(parse({"serve", "--listen", "0.0.0.0", "--insecure"})));
 }
 
 TEST(Options, LoopbackIsWhatOnlyThisMachineReaches) {
-  for (const char* address : {"127.0.0.1", "127.9.9.9", "::1", "localhost"}) EXPECT_TRUE(is_loopback(address)) << address;
-  for (const char* address : {"0.0.0.0", "::", "192.168.1.1", "example", ""}) EXPECT_FALSE(is_loopback(address)) << address;
+  for (const char* address : {"127.0.0.1", "127.9.9.9", "::1", "localhost"})
+    EXPECT_TRUE(is_loopback(address)) << address;
+  for (const char* address : {"0.0.0.0", "::", "192.168.1.1", "example", ""})
+    EXPECT_FALSE(is_loopback(address)) << address;
 }
 
 TEST(Options, WrongArgumentsAreRefusedWithASentence) {
   const std::initializer_list<std::initializer_list<const char*>> wrong = {
-      {}, {"fly"}, {"serve", "--robot-port", "65536"}, {"serve", "--robot-port", "x"}, {"serve", "--compat", "mark4"},
-      {"serve", "--clock", "fast"}, {"serve", "--clock", "real:0"}, {"serve", "--clock", "real:1e9"},
-      {"serve", "--max-lines", "0"}, {"serve", "--log-level", "loud"}, {"serve", "extra"}, {"check"},
+      {},
+      {"fly"},
+      {"serve", "--robot-port", "65536"},
+      {"serve", "--robot-port", "x"},
+      {"serve", "--compat", "mark4"},
+      {"serve", "--clock", "fast"},
+      {"serve", "--clock", "real:0"},
+      {"serve", "--clock", "real:1e9"},
+      {"serve", "--max-lines", "0"},
+      {"serve", "--log-level", "loud"},
+      {"serve", "extra"},
+      {"check"},
       {"serve", "--listen", "nowhere"}};
   for (const auto& words : wrong) {
     const Leave leave = refused(words);

@@ -5,7 +5,9 @@
 namespace xr3 {
 namespace {
 
-ProblemNote note(std::string_view code, std::uint64_t offset) { return {code, "why", offset, {}, 1}; }
+ProblemNote note(std::string_view code, std::uint64_t offset) {
+  return {code, "why", offset, {}, 1};
+}
 
 const ProblemNote& problem(const CellNote& note) { return std::get<ProblemNote>(note); }
 
