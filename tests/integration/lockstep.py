@@ -7,10 +7,13 @@ Nothing is pipelined: the next try begins when the answer has been checked.
 
 import itertools
 import json
+import os
+import signal
 
 from support import Server, connect
 
 TICKS = 10  # at 110 counts a second E and F make their first count in the tenth tick
+STEP = b'{"op":"call","id":1,"fn":"step","args":{"ticks":%d,"fields":["joints"]}}\n'
 
 
 class Lockstep:
@@ -30,9 +33,11 @@ class Lockstep:
 
     def step(self, ticks=TICKS):
         """One step; returns count and error of each joint by its label."""
-        self.monitor.socket.sendall(
-            b'{"op":"call","id":1,"fn":"step","args":{"ticks":%d,"fields":["joints"]}}\n' % ticks)
-        joints = json.loads(self.monitor._file.readline())["value"]["state"]["joints"]
+        self.monitor.socket.sendall(STEP % ticks)
+        return self.answer()
+
+    def answer(self):
+        joints = json.loads(self.monitor.read_line())["value"]["state"]["joints"]
         return {label: (joints[place]["count"], joints[place]["error"])
                 for label, place in self.joints.items()}
 
@@ -75,6 +80,27 @@ class Lockstep:
             with connect(self.server.robot_port) as sock:
                 sock.sendall(b"E+1\r" if count else b"E-1\r")
                 self.test.assertEqual((count, 0), self.step()["E"])
+
+    def frozen(self, tries, fresh):
+        """The worst order: the monitor's socket becomes ready first, by the beginning of a request, then
+        the move arrives, on an old line or a fresh connection, then the rest of the request. The
+        server is stopped meanwhile, so that it finds all of it at once."""
+        old = self.server.line().socket
+        for number in range(tries):
+            count = 1 - number % 2
+            self.stop_server()
+            self.monitor.socket.sendall(STEP[:10])
+            sock = connect(self.server.robot_port) if fresh else old
+            sock.sendall(b"E+1\r" if count else b"E-1\r")
+            self.monitor.socket.sendall(STEP[10:] % TICKS)
+            os.kill(self.server.pid, signal.SIGCONT)
+            self.test.assertEqual((count, 0), self.answer()["E"], f"try {number}")
+            if fresh:
+                sock.close()
+
+    def stop_server(self):
+        os.kill(self.server.pid, signal.SIGSTOP)
+        os.waitid(os.P_PID, self.server.pid, os.WSTOPPED)
 
     def bursts(self, tries, size=100_000):
         """More than one read takes: a burst of moves of nothing, and behind it the one that counts."""

@@ -99,10 +99,11 @@ class Server:
         for line in self.lines:
             line.close()
 
-    def stop(self, how=signal.SIGTERM, within_s=SHUTDOWN_S):
+    def stop(self, how=signal.SIGTERM, within_s=SHUTDOWN_S, meanwhile=lambda: None):
         """Ends the server by a signal; returns its exit code. Fails if it takes longer than promised."""
         started = time.monotonic()
         self.process.send_signal(how)
+        meanwhile()
         try:
             code = self.process.wait(DEADLINE_S)
         except subprocess.TimeoutExpired:
@@ -247,8 +248,11 @@ class Monitor:
 
     def read(self):
         """The next message, or None at the end of the stream."""
-        line = self._file.readline()
+        line = self.read_line()
         return json.loads(line) if line else None
+
+    def read_line(self):
+        return self._file.readline()
 
     def request(self, op, **members):
         """Sends a request with a fresh id; returns its answer, or raises MonitorError."""

@@ -22,6 +22,11 @@ class LockstepTests(unittest.TestCase):
         with Lockstep(self) as lockstep:
             lockstep.fresh_connections(500)
 
+    def test_in_the_worst_order(self):
+        for fresh in False, True:
+            with self.subTest(fresh=fresh), Lockstep(self) as lockstep:
+                lockstep.frozen(50, fresh)
+
     def test_bursts(self):
         with Lockstep(self) as lockstep:
             lockstep.bursts(10)
