@@ -28,11 +28,12 @@ def run_xr3(*arguments, **options):
                           timeout=DEADLINE_S, check=False, **options)
 
 
-def connect(port, receive_buffer=None):
+def connect(port, buffer_bytes=None):
     """A connected TCP socket whose operations raise TimeoutError after the deadline."""
     sock = socket.socket()
-    if receive_buffer is not None:
-        sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, receive_buffer)
+    if buffer_bytes is not None:
+        sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, buffer_bytes)
+        sock.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, buffer_bytes)
     sock.settimeout(DEADLINE_S)
     sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
     sock.connect((LOCALHOST, port))

@@ -185,8 +185,8 @@ class Shutdown(unittest.TestCase):
             self.assertEqual(b" " * 3000, line.read_to_end())
 
     def test_with_clients_that_never_read(self):
-        with Server() as xr3, xr3.line(receive_buffer=4096) as line:
-            monitor = connect(xr3.monitor_port, receive_buffer=4096)
+        with Server() as xr3, xr3.line(buffer_bytes=16384) as line:
+            monitor = connect(xr3.monitor_port, buffer_bytes=16384)
             for sock, request in [(line.socket, b"E?" * 4096),
                                   (monitor, b'{"op":"get","channel":"state"}\n' * 100)]:
                 sock.setblocking(False)
