@@ -229,7 +229,7 @@ class RequestReader {
     const Tree* channel = members_.find("channel");
     if (!names_one(channel, channels()))
       return unknown(request_.id, "channel", channel, channels());
-    request_.what = Get{channel->get<std::string>(), members_.fields("fields")};
+    request_.what = Get{Selection{Channel::kState, members_.fields("fields"), Encoding::kRows}, {}};
     return std::nullopt;
   }
 
@@ -274,10 +274,12 @@ RequestReading read_request(std::string_view message, const std::vector<std::str
 std::optional<RequestError> fit(Request& request, Tick now) {
   auto* wanted = std::get_if<CallRequest>(&request.what);
   if (wanted == nullptr) return std::nullopt;
+  auto* of_cell = std::get_if<call::Call>(&wanted->call);
+  if (of_cell == nullptr) return std::nullopt;
   const Tick room = kMostInteger - now;
-  if (auto* run = std::get_if<call::RunUntil>(&wanted->call))
+  if (auto* run = std::get_if<call::RunUntil>(of_cell))
     run->max_ticks = std::min(run->max_ticks, room);
-  const auto* step = std::get_if<call::Step>(&wanted->call);
+  const auto* step = std::get_if<call::Step>(of_cell);
   if (step == nullptr || step->ticks <= room) return std::nullopt;
   Findings findings;
   const Tree ticks = step->ticks;

@@ -27,12 +27,47 @@ inline constexpr int kMostWithinMs = 60'000;
 /// Nothing where a request carries no id, or none that could be read.
 using RequestId = std::variant<std::monostate, std::int64_t, std::string>;
 
+/// What a client can look at: the last of each of the first four, every message of the others.
+enum class Channel : std::uint8_t { kState, kImage, kDisplay, kModel, kEvent, kLine };
+
+/// How an image is written: a text of 0 and 1 a row, or run lengths that begin with zeros.
+enum class Encoding : std::uint8_t { kRows, kRle };
+
+/// What of a channel is shown, and how: what is selected alike is the same bytes for everybody.
+struct Selection {
+  Channel channel = Channel::kState;
+  Fields fields;                       ///< top-level members; none: all
+  Encoding encoding = Encoding::kRows;  ///< image only
+  bool operator==(const Selection&) const = default;
+};
+
 struct Ping {};
 
-struct Get {
-  std::string channel;
-  Fields fields;
+struct Auth {
+  std::string token;
 };
+
+/// Frames a second of 1/1000, 100...60,000.
+using MilliHz = int;
+inline constexpr MilliHz kMostMilliHz = 60'000;
+inline constexpr MilliHz kLeastMilliHz = 100;
+
+struct Subscribe {
+  Selection selection;
+  MilliHz max_millihz = 30'000;
+  bool on_change = true;
+  std::optional<std::int64_t> since;  ///< event and line only: the first seq that is wanted
+};
+
+struct Unsubscribe {
+  Channel channel = Channel::kState;
+};
+
+struct Get {
+  Selection selection;
+  std::optional<std::int64_t> since;  ///< event and line only; none: the last kMostRecalled
+};
+inline constexpr std::int64_t kMostRecalled = 256;
 
 /// A barrier: the call waits until the line has received so many bytes in all.
 struct After {
@@ -41,9 +76,22 @@ struct After {
   int within_ms = 1000;  ///< 0...kMostWithinMs
 };
 
+/// Calls that are not the cell's own.
+struct Send {
+  std::string bytes;
+};
+struct ListLines {};
+struct DisconnectLine {
+  std::uint32_t line = 0;
+};
+/// What calls there are and what they take, as JSON; made when the request is read.
+struct Describe {
+  Json description;
+};
+
 struct CallRequest {
   std::string fn;
-  call::Call call;
+  std::variant<call::Call, Send, ListLines, DisconnectLine, Describe> call;
   std::optional<After> after;  ///< step and run_until only
   Fields fields;               ///< step and run_until only: members of the state in the answer
 };
@@ -51,7 +99,7 @@ struct CallRequest {
 struct Request {
   RequestId id;
   std::string cell;
-  std::variant<Ping, Get, CallRequest> what;
+  std::variant<Ping, Auth, Subscribe, Unsubscribe, Get, CallRequest> what;
 };
 
 /// One wrong value: where it stands in the message (JSON pointer), null where nothing stands there.
