@@ -4,6 +4,7 @@ Nothing here sleeps. A test moves time by Monitor.step, or waits for an event (a
 the exit of a process, a line of the log) with a deadline, which is only how long a failure takes.
 """
 
+import collections
 import json
 import os
 import re
@@ -13,6 +14,8 @@ import struct
 import subprocess
 import threading
 import time
+
+import monitor_schema
 
 XR3 = os.environ["XR3"]
 ROOT = os.environ["XR3_ROOT"]
@@ -221,12 +224,16 @@ class MonitorError(Exception):
 
 
 class Monitor:
-    """The monitor port as JSON lines. A program that sends first is greeted at once."""
+    """The monitor port as JSON lines. A program that sends first is greeted at once. Each message that
+    it reads must be as data/schema/monitor-v1.schema.json says, and nothing more."""
 
-    def __init__(self, port):
-        self.socket = connect(port)
+    def __init__(self, port, buffer_bytes=None):
+        self.socket = connect(port, buffer_bytes)
         self._file = self.socket.makefile("rb")
         self._last_id = 0
+        self._kept = collections.deque()  # messages that came while an answer was awaited
+        self._subscribed = False
+        self._partial = set()  # channels of which not every member was asked for
         self.send({"op": "ping", "id": 0})
         self.hello = self.read()
         assert self.hello["op"] == "hello", self.hello
@@ -247,32 +254,84 @@ class Monitor:
         data = message if isinstance(message, bytes) else json.dumps(message).encode() + b"\n"
         self.socket.sendall(data)
 
-    def read(self):
-        """The next message, or None at the end of the stream."""
+    def read(self, is_whole=None):
+        """The next message, or None at the end of the stream. Not whole: some of its members were
+        chosen."""
+        if self._kept:
+            return self._kept.popleft()
         line = self.read_line()
-        return json.loads(line) if line else None
+        return self._checked(json.loads(line), is_whole) if line else None
+
+    def _checked(self, message, is_whole=None):
+        if is_whole is None:
+            is_whole = message.get("op") not in self._partial
+        return monitor_schema.check(message, is_whole)
 
     def read_line(self):
         return self._file.readline()
 
+    def read_until(self, is_last):
+        """The messages up to the one for which is_last(message) holds, that one included."""
+        messages = []
+        while not messages or not is_last(messages[-1]):
+            messages.append(self.read())
+            assert messages[-1] is not None, f"closed after {messages[-10:-1]}"
+        return messages
+
     def request(self, op, **members):
-        """Sends a request with a fresh id; returns its answer, or raises MonitorError."""
+        """Sends a request with a fresh id; returns its answer, or raises MonitorError. What else comes
+        meanwhile is kept for `read`, and may come only where there are subscriptions."""
         self._last_id += 1
         self.send({"op": op, "id": self._last_id, **members})
-        answer = self.read()
-        assert answer is not None, f"the monitor closed instead of answering {op}"
-        assert answer["id"] == self._last_id, answer
+        is_whole = False if '"fields"' in json.dumps(members) else None
+        while True:
+            line = self.read_line()
+            assert line, f"the monitor closed instead of answering {op}"
+            answer = json.loads(line)
+            if answer.get("id") == self._last_id and answer["op"] not in ("event", "line"):
+                break
+            assert self._subscribed, answer
+            self._kept.append(self._checked(answer))
+        self._checked(answer, is_whole)
         if answer["op"] == "result" and not answer["ok"]:
             raise MonitorError(answer["error"])
         return answer
 
     def call(self, fn, **arguments):
         """Carries out a call; returns the value of its result."""
-        return self.request("call", fn=fn, args=arguments)["value"]
+        value = self.request("call", fn=fn, args=arguments)["value"]
+        return monitor_schema.check_value(fn, value, "fields" not in arguments)
+
+    def subscribe(self, channel, **options):
+        """Returns what holds from now on."""
+        self._subscribed = True
+        if "fields" in options:
+            self._partial.add(channel)
+        value = self.request("sub", channel=channel, **options)["value"]
+        return monitor_schema.check_value("sub", value)
+
+    def unsubscribe(self, channel):
+        return monitor_schema.check_value("unsub", self.request("unsub", channel=channel)["value"])
+
+    def recall(self, channel, **options):
+        """What the ring of `event` or `line` holds, oldest first."""
+        self._subscribed = True
+        if "fields" in options:
+            self._partial.add(channel)
+        before = len(self._kept)
+        self.request("get", channel=channel, **options)
+        recalled = list(self._kept)[before:]
+        while len(self._kept) > before:
+            self._kept.pop()
+        return recalled
 
     def get(self, *fields):
         """The state: whole, or with these members only."""
-        return self.request("get", channel="state", **({"fields": list(fields)} if fields else {}))
+        return self.look("state", **({"fields": list(fields)} if fields else {}))
+
+    def look(self, channel, **options):
+        """The last message of a channel of which the last counts."""
+        return self.request("get", channel=channel, **options)
 
     def step(self, ticks, after=None, fields=None):
         """Lets standing time pass; `after` a line has received what was sent on it (a Line, or its

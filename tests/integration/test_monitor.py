@@ -4,6 +4,7 @@ import select
 import time
 import unittest
 
+from monitor_schema import messages
 from support import Monitor, MonitorError, Server, connect, counts, machine, motors
 
 STATE = {"op", "cell", "epoch", "seq", "tick", "clock", "joints", "tool", "blocks", "switches", "io", "moving",
@@ -31,7 +32,9 @@ class Greeting(unittest.TestCase):
         with Server() as xr3:
             started = time.monotonic()
             sock = connect(xr3.monitor_port)
-            self.assertRegex(sock.recv(65536), rb'\A\{"op":"hello",[^\n]*\}\n\Z')
+            hello = sock.recv(65536)
+            self.assertRegex(hello, rb'\A\{"op":"hello",[^\n]*\}\n\Z')
+            messages(hello)
             self.assertGreater(time.monotonic() - started, 0.9)
             sock.sendall(b'{"op":"ping","id":"later"}\n')
             self.assertEqual(b'{"op":"pong","id":"later"}\n', sock.recv(65536))
@@ -52,9 +55,9 @@ class Greeting(unittest.TestCase):
                 sock = connect(xr3.monitor_port)
                 with sock, sock.makefile("rb") as file:
                     sock.sendall(data)
-                    self.assertTrue(file.readline().startswith(b'{"op":"hello"'))
-                    self.assertRegex(file.readline(), rb'^\{"op":"bye","why":"not_json","message":.*\{.*\n$')
-                    self.assertEqual(b"", file.read())
+                    hello, bye = messages(file.read())
+                    self.assertEqual(("hello", "bye", "not_json"), (hello["op"], bye["op"], bye["why"]))
+                    self.assertIn("{", bye["message"], "an example")
 
     def test_tls_is_closed(self):
         with Server() as xr3:
@@ -70,7 +73,9 @@ class Greeting(unittest.TestCase):
         with Server() as xr3, connect(xr3.monitor_port) as sock:
             sock.sendall(b'{"op":"ping","id":1}\n{"op":"get","channel":"state"}\n{"op":"ping","id":2}')
             sock.shutdown(1)
-            lines = receive_all(sock).split(b"\n")
+            received = receive_all(sock)
+            messages(received)
+            lines = received.split(b"\n")
             self.assertEqual([b'{"op":"hello"', b'{"op":"pong",', b'{"op":"state"', b'{"op":"pong",', b""],
                              [line[:13] for line in lines])
 

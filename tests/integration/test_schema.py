@@ -1,12 +1,17 @@
 """The schemas of data/schema against the shipped files, which conform, and the broken ones of
-tests/data/broken, which do not wherever a schema can tell."""
+tests/data/broken, which do not wherever a schema can tell. The monitor's schema against the messages
+that docs/ shows; each of them, changed anywhere, conforms to its strict copy no more."""
 
+import copy
 import json
 import os
 import pathlib
+import re
 import sys
 
 import jsonschema
+
+import monitor_schema
 
 ROOT = pathlib.Path(os.environ.get("XR3_ROOT", pathlib.Path(__file__).parents[2]))
 
@@ -97,8 +102,61 @@ def check_commands():
     assert len(forms) == 26, len(forms)
 
 
+# --- The monitor port.
+
+MESSAGE = re.compile(r'\{"(?:op|error)"')
+
+
+def shown_messages():
+    """(file, object) of every message in a fence of docs/ from which nothing is left out."""
+    for path in sorted((ROOT / "docs").glob("*.md")):
+        for block in re.findall(r"```.*?\n(.*?)```", path.read_text(encoding="utf-8"), re.DOTALL):
+            for match in MESSAGE.finditer(block):
+                text = block[match.start():]
+                try:
+                    yield path.name, json.JSONDecoder().raw_decode(text)[0]
+                except json.JSONDecodeError:
+                    assert "..." in text.partition("\n")[0], f"{path.name}: {text[:200]}"
+
+
+def check_monitor_examples():
+    schema = monitor_schema.load("monitor-v1")
+    jsonschema.Draft202012Validator.check_schema(schema)
+    served = jsonschema.Draft202012Validator(schema)
+    requests = jsonschema.Draft202012Validator({"$ref": "#/$defs/request", "$defs": schema["$defs"]})
+    answers = 0
+    for name, message in shown_messages():
+        if "error" in message and "op" not in message:
+            continue  # of HTTP
+        if message["op"] in monitor_schema.MESSAGES:
+            monitor_schema.check(message, is_whole=False)
+            served.validate(message)
+            served.validate({**message, "added_later": 1})
+            check_mutations(name, message)
+            answers += 1
+        else:
+            requests.validate(message)
+    assert answers > 1, answers
+
+
+def check_mutations(name, message):
+    """A member more, an envelope's member less, or a value of another type, is found out."""
+    wrong = [{**message, "added_later": 1}]
+    for member in message:
+        if member in ("op", "cell", "epoch", "seq", "tick", "ok", "error", "why"):
+            wrong.append({each: message[each] for each in message if each != member})
+        wrong.append({**copy.deepcopy(message), member: {"nobody": "expects this"}})
+    for mutated in wrong:
+        try:
+            monitor_schema.check(mutated, is_whole=False)
+        except AssertionError:
+            continue
+        raise AssertionError(f"{name}: {mutated} conforms to the strict schema")
+
+
 if __name__ == "__main__":
     check_shipped()
     check_broken()
     check_commands()
+    check_monitor_examples()
     sys.exit(0)
