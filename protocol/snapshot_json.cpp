@@ -14,9 +14,6 @@
 namespace xr3 {
 namespace {
 
-constexpr int kMmDecimals = 3;
-constexpr int kDegreeDecimals = 4;
-constexpr int kMatrixDecimals = 5;
 constexpr double kWhole = 9007199254740992.0;  // 2^53: from here up a double has no decimals
 constexpr int kDigitalLines = 8;
 constexpr int kAuxiliaryPorts = 2;
@@ -48,11 +45,6 @@ Json stall_json(Stall stall) {
     case Stall::kWorkSurface: return "work_surface";
   }
   return nullptr;
-}
-
-Json point_json(const PointUm& point) {
-  return {rounded(mm(point.x), kMmDecimals), rounded(mm(point.y), kMmDecimals),
-          rounded(mm(point.z), kMmDecimals)};
 }
 
 Json bits_json(unsigned bits, int count) {
@@ -190,6 +182,11 @@ const std::vector<std::string>& state_members() {
 Json clock_json(ClockMode mode, Rate rate) {
   return {{"mode", mode == ClockMode::kReal ? "real" : "manual"},
           {"rate", static_cast<double>(rate.millionths) / 1e6}};
+}
+
+Json point_json(const PointUm& point) {
+  return {rounded(mm(point.x), kMmDecimals), rounded(mm(point.y), kMmDecimals),
+          rounded(mm(point.z), kMmDecimals)};
 }
 
 Json state_json(const Model& model, const Snapshot& snapshot) {

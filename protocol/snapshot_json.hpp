@@ -26,6 +26,11 @@ struct Snapshot {
   bool operator==(const Snapshot&) const = default;
 };
 
+/// Decimals of the monitor's numbers.
+inline constexpr int kMmDecimals = 3;
+inline constexpr int kDegreeDecimals = 4;
+inline constexpr int kMatrixDecimals = 5;
+
 /// Names of top-level members that a client chose; none: all of them.
 using Fields = std::optional<std::vector<std::string>>;
 
@@ -40,6 +45,9 @@ Json state_json(const Model& model, const Snapshot& snapshot);
 
 /// The chosen members in the order in which they were chosen; names without a member are left out.
 Json chosen(const Json& members, const Fields& fields);
+
+/// A point as the monitor shows it: `[250.0,60.0,15.0]` in mm.
+Json point_json(const PointUm& point);
 
 /// To so many decimals, 0...9, and never -0. JSON has no infinity: it becomes the greatest number.
 double rounded(double value, int decimals);
