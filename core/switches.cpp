@@ -5,11 +5,6 @@
 namespace xr3 {
 namespace {
 
-// I asks for the joints C...H, J for A and B: the label decides.
-bool belongs_to(char label, char inquiry) {
-  return inquiry == 'I' ? label >= 'C' : inquiry == 'J' && label < 'C';
-}
-
 constexpr unsigned kLowInputs = 0x0f;  // lines 1-4, answered by K in bits 0-3
 
 // J carries input lines 5-8 in its bits 2-5.
@@ -20,6 +15,10 @@ std::uint8_t input_bits(std::uint8_t inputs, char inquiry) {
 }
 
 }  // namespace
+
+bool is_asked_for(char label, char inquiry) {
+  return inquiry == 'I' ? label >= 'C' : inquiry == 'J' && label < 'C';
+}
 
 bool is_closed(const Microswitch& microswitch, Counts count) {
   if (microswitch.width) return 2 * std::abs(count - microswitch.position) <= *microswitch.width;
@@ -42,7 +41,7 @@ SwitchBits switch_bits(const Model& model, const State& state, char inquiry) {
   bits.inputs = input_bits(state.io.inputs, inquiry);
   for (int i = 0; i < model.motor_count(); ++i) {
     const std::uint8_t mask = model.motor(i).microswitch.mask;
-    if (!belongs_to(model.motor(i).drive.label, inquiry)) continue;
+    if (!is_asked_for(model.motor(i).drive.label, inquiry)) continue;
     bits.fitted = static_cast<std::uint8_t>(bits.fitted | mask);
     if (state.motor(i).switch_closed) bits.closed = static_cast<std::uint8_t>(bits.closed | mask);
   }

@@ -8,6 +8,9 @@
 
 namespace xr3 {
 
+/// Whether `I` or `J` asks for the switch of a joint: I for C...H, J for A and B.
+bool is_asked_for(char label, char inquiry);
+
 /// Closed at the position and beyond it as seen from the soft home, so that it stays closed while the
 /// joint goes on the way that closed it; with a width, only near the position, as on the hardware.
 bool is_closed(const Microswitch& microswitch, Counts count);

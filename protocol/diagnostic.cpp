@@ -61,8 +61,6 @@ const char* unit_of(const Model& model, char label) {
   return variable == JointVariable::kD ? "mm" : "deg";
 }
 
-std::string signed_number(int value) { return (value < 0 ? "" : "+") + std::to_string(value); }
-
 struct Describer {
   const Model& model;
 
@@ -186,6 +184,8 @@ std::string_view code_of(const EventBody& event) {
   };
   return std::visit(Codes{}, event);
 }
+
+std::string signed_number(int value) { return (value < 0 ? "" : "+") + std::to_string(value); }
 
 std::string readable(std::string_view bytes) {
   std::string text;

@@ -17,6 +17,9 @@ std::string_view code_of(WarningCode code);
 /// The stable code of an event, as in `reached`.
 std::string_view code_of(const EventBody& event);
 
+/// A number with its sign: `+5`, `-3`, `+0`.
+std::string signed_number(int value);
+
 /// Bytes for people: printable as they are, the others as \r, \n, \0 or \x1b.
 std::string readable(std::string_view bytes);
 

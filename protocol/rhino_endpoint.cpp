@@ -15,7 +15,7 @@ void RhinoEndpoint::take(std::uint8_t byte, std::uint64_t offset, Simulation& si
     parser_.take_disabled(byte, offset, parsed_);
   }
   for (Parsed& item : parsed_) {
-    Exchange& exchange = exchanges.emplace_back(Exchange{std::move(item), NoReply{}, {}});
+    Exchange& exchange = exchanges.emplace_back(Exchange{std::move(item), NoReply{}, {}, 0, 0});
     const Command* command = std::get_if<Command>(&exchange.parsed.what);
     if (command == nullptr) continue;
     exchange.reply = simulation.execute(*command);

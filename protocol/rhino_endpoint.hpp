@@ -16,6 +16,10 @@ struct Exchange {
   Parsed parsed;
   Reply reply;
   Events events;
+  /// The reply's bytes [from, to) in the line's output; equal where there are none, or until whoever
+  /// delivers them says so.
+  std::uint64_t reply_from = 0;
+  std::uint64_t reply_to = 0;
 };
 
 class RhinoEndpoint {

@@ -28,7 +28,11 @@ void Line::act(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
   if (!data) return;
   std::string replies;
   endpoint_.take(*data, offset, simulation, replies, exchanges);
-  if (!replies.empty()) deliver(replies);
+  if (replies.empty()) return;
+  // A byte completes one inquiry at most, and nothing behind it.
+  exchanges.back().reply_from = output_end();
+  deliver(replies);
+  exchanges.back().reply_to = output_end();
 }
 
 void Line::deliver(std::string_view replies) { telnet_.encode(replies, outbox_); }

@@ -40,6 +40,8 @@ class Line {
   /// Bytes that the guard still holds back.
   std::size_t held_bytes() const { return guard_.held().size(); }
   bool is_telnet() const { return telnet_.is_telnet(); }
+  /// As it is before the next byte.
+  const TelnetFilter& telnet() const { return telnet_; }
 
   /// Bytes for the transport; whoever sends some removes them by sent().
   std::string_view outbox() const { return outbox_; }
@@ -52,6 +54,8 @@ class Line {
   Tick opened_tick() const { return opened_; }
   std::uint64_t bytes_in() const { return bytes_in_; }
   std::uint64_t bytes_out() const { return bytes_out_; }
+  /// Where the next byte of output will stand, the outbox counted.
+  std::uint64_t output_end() const { return bytes_out_ + outbox_.size(); }
 
  private:
   void act(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,

@@ -1,0 +1,101 @@
+#include "protocol/explain.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "protocol/command_words.hpp"
+#include "protocol/diagnostic.hpp"
+#include "protocol/reply_words.hpp"
+
+namespace xr3 {
+namespace {
+
+constexpr std::string_view kTelnet = "telnet";
+
+struct Explainer {
+  const wire::Item& item;
+  const Model& model;
+
+  Explanation words(std::string_view code, std::string message) const {
+    return {item.from, item.to, code, std::move(message)};
+  }
+  Explanation event(const EventBody& body, const std::string& before = "") const {
+    return words(code_of(body), before + describe(body, model));
+  }
+
+  Explanation operator()(const wire::Obeyed& obeyed) const {
+    return words(code_of(obeyed.command), describe(obeyed));
+  }
+  Explanation operator()(const wire::Ignored& ignored) const {
+    std::string message =
+        describe(Parsed{item.from, item.to, ignored.raw, ignored.problem}, ignored.problem);
+    if (ignored.count > 1) message += " (" + std::to_string(ignored.count) + " in a row)";
+    return words(code_of(ignored.problem.code), std::move(message));
+  }
+  Explanation operator()(const wire::Raised& raised) const {
+    return event(Warning{raised.code, raised.label, raised.value, raised.limit, {}});
+  }
+  Explanation operator()(const MotorBlocked& blocked) const { return event(blocked); }
+  Explanation operator()(const wire::HeldBack& held_back) const {
+    return event(Stalled{held_back.why}, "nothing moves: ");
+  }
+  Explanation operator()(const wire::Answered& answered) const {
+    return words(code_of(answered), describe(answered, model));
+  }
+};
+
+/// Appends [from, to), or lengthens the last one where it goes on there.
+void add_telnet(std::vector<Explanation>& all, std::uint64_t from, std::uint64_t to,
+                const char* message) {
+  const bool goes_on = !all.empty() && all.back().code == kTelnet && all.back().to == from;
+  if (goes_on) {
+    all.back().to = to;
+  } else {
+    all.push_back({from, to, kTelnet, message});
+  }
+}
+
+/// Bytes that came in for the telnet filter: those that it does not pass on.
+std::vector<Explanation> telnet_in(const WireRecord& record) {
+  std::vector<Explanation> all;
+  TelnetFilter filter = record.telnet;
+  std::string answers;
+  for (std::size_t i = 0; i < record.shown.size(); ++i) {
+    const std::uint64_t at = record.offset + i;
+    const bool is_data =
+        filter.take(static_cast<std::uint8_t>(record.shown[i]), answers).has_value();
+    if (!is_data) add_telnet(all, at, at + 1, "telnet's own bytes; the controller never sees them");
+  }
+  return all;
+}
+
+/// Bytes that went out and belong to no reply.
+std::vector<Explanation> telnet_out(const WireRecord& record) {
+  std::vector<Explanation> all;
+  std::uint64_t from = record.offset;
+  const auto add_up_to = [&](std::uint64_t to) {
+    if (from < to) add_telnet(all, from, to, "answers to telnet; the controller sent nothing");
+  };
+  for (const wire::Item& item : record.items) {
+    add_up_to(item.from);
+    from = item.to;
+  }
+  add_up_to(record.offset + record.bytes);
+  return all;
+}
+
+}  // namespace
+
+std::vector<Explanation> explain(const WireRecord& record, const Model& model) {
+  std::vector<Explanation> all =
+      record.direction == Direction::kIn ? telnet_in(record) : telnet_out(record);
+  for (const wire::Item& item : record.items) {
+    all.push_back(std::visit(Explainer{item, model}, item.what));
+  }
+  // Telnet's bytes may stand between the bytes of a command: it is told where it was complete.
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Explanation& a, const Explanation& b) { return a.to < b.to; });
+  return all;
+}
+
+}  // namespace xr3

@@ -1,0 +1,137 @@
+#include "protocol/wire_record.hpp"
+
+#include <type_traits>
+
+namespace xr3 {
+namespace {
+
+using wire::Answered;
+using wire::HeldBack;
+using wire::Ignored;
+using wire::Item;
+using wire::Obeyed;
+using wire::PictureSize;
+using wire::Raised;
+
+// A ring of records is overwritten hundreds of thousands of times a second.
+static_assert(std::is_trivially_copyable_v<Item>);
+
+void begin(WireRecord& record, Direction direction, const WirePlace& place, std::string_view bytes,
+           std::size_t most_shown) {
+  record.epoch = place.epoch;
+  record.tick = place.tick;
+  record.line = place.line;
+  record.direction = direction;
+  record.offset = place.offset;
+  record.bytes = bytes.size();
+  record.shown.assign(bytes.substr(0, most_shown));
+  record.items.clear();
+}
+
+// Problems that skip a single byte: garbage comes by the megabyte.
+bool is_junk(const Problem& problem) {
+  return problem.code == ProblemCode::kUnknownByte ||
+         problem.code == ProblemCode::kNoJointSelected || problem.code == ProblemCode::kDisabled;
+}
+
+void add_problem(std::vector<Item>& items, const Parsed& parsed, const Problem& problem) {
+  if (is_junk(problem) && !items.empty() && items.back().to == parsed.from) {
+    auto* run = std::get_if<Ignored>(&items.back().what);
+    if (run != nullptr && run->problem == problem) {
+      for (const char byte : parsed.raw.view()) run->raw.push(static_cast<std::uint8_t>(byte));
+      ++run->count;
+      items.back().to = parsed.to;
+      return;
+    }
+  }
+  items.push_back({parsed.from, parsed.to, Ignored{problem, parsed.raw, 1}});
+}
+
+std::optional<std::int8_t> counter_behind(const Exchange& exchange) {
+  for (const Event& event : exchange.events) {
+    const auto* taken = std::get_if<MoveTaken>(&event.body);
+    if (taken != nullptr) return static_cast<std::int8_t>(taken->error);
+  }
+  return std::nullopt;
+}
+
+void add_command(std::vector<Item>& items, const Exchange& exchange, const Command& command,
+                 const State& after) {
+  const Parsed& parsed = exchange.parsed;
+  const auto counter = counter_behind(exchange);
+  items.push_back({parsed.from, parsed.to, Obeyed{command, counter, false}});
+  for (const Event& event : exchange.events) {
+    if (const auto* warning = std::get_if<Warning>(&event.body)) {
+      const Raised raised{warning->code, warning->label, warning->value, warning->limit};
+      items.push_back({parsed.from, parsed.to, raised});
+    } else if (const auto* blocked = std::get_if<MotorBlocked>(&event.body)) {
+      items.push_back({parsed.from, parsed.to, *blocked});
+    }
+  }
+  // Only time stalls a robot: stalled behind the bytes, it was so at each of them.
+  if (counter && after.stall != Stall::kNo)
+    items.push_back({parsed.from, parsed.to, HeldBack{after.stall}});
+}
+
+// From the state behind the bytes back to what each toggle among them came to.
+void settle_toggles(std::vector<Item>& items, const State& after) {
+  bool display = after.display.on;
+  bool erase = after.display.erase;
+  bool enabled = after.enabled;
+  for (auto item = items.rbegin(); item != items.rend(); ++item) {
+    auto* obeyed = std::get_if<Obeyed>(&item->what);
+    if (obeyed == nullptr) continue;
+    bool* toggled = nullptr;
+    if (std::holds_alternative<ToggleDisplay>(obeyed->command)) toggled = &display;
+    if (std::holds_alternative<ToggleErasing>(obeyed->command)) toggled = &erase;
+    if (std::holds_alternative<ToggleSimulator>(obeyed->command)) toggled = &enabled;
+    if (toggled == nullptr) continue;
+    obeyed->is_on = *toggled;
+    *toggled = !*toggled;
+  }
+}
+
+/// A reply without its picture.
+struct Answer {
+  Item& item;
+  const Command& command;
+
+  void operator()(const NoReply&) const {}
+  void operator()(const CameraRows& rows) const {
+    item.what = Answered{command, PictureSize{rows.image.width(), rows.image.height()}};
+  }
+  template <class Small>
+  void operator()(const Small& reply) const {
+    item.what = Answered{command, reply};
+  }
+};
+
+}  // namespace
+
+void fill_in(WireRecord& record, const WirePlace& place, std::string_view bytes,
+             const TelnetFilter& before, const std::vector<Exchange>& exchanges,
+             const State& after) {
+  begin(record, Direction::kIn, place, bytes, kMostShownIn);
+  record.telnet = before;
+  for (const Exchange& exchange : exchanges) {
+    if (const auto* problem = std::get_if<Problem>(&exchange.parsed.what)) {
+      add_problem(record.items, exchange.parsed, *problem);
+    } else {
+      add_command(record.items, exchange, std::get<Command>(exchange.parsed.what), after);
+    }
+  }
+  settle_toggles(record.items, after);
+}
+
+void fill_out(WireRecord& record, const WirePlace& place, std::string_view bytes,
+              const std::vector<Exchange>& exchanges) {
+  begin(record, Direction::kOut, place, bytes, kMostShownOut);
+  record.telnet = {};
+  for (const Exchange& exchange : exchanges) {
+    if (exchange.reply_from == exchange.reply_to) continue;
+    Item& item = record.items.emplace_back(Item{exchange.reply_from, exchange.reply_to, {}});
+    std::visit(Answer{item, std::get<Command>(exchange.parsed.what)}, exchange.reply);
+  }
+}
+
+}  // namespace xr3
