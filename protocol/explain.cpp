@@ -37,7 +37,14 @@ struct Explainer {
   }
   Explanation operator()(const MotorBlocked& blocked) const { return event(blocked); }
   Explanation operator()(const wire::HeldBack& held_back) const {
-    return event(Stalled{held_back.why}, "nothing moves: ");
+    if (held_back.stall != Stall::kNo) {
+      return event(Stalled{held_back.stall}, "nothing moves: ");
+    }
+    const bool at_limit = held_back.blocked == Blocked::kLimit;
+    return words(at_limit ? "limit" : "block",
+                 std::string(1, held_back.label) +
+                     (at_limit ? " stands at a limit already, and is free the other way"
+                               : " stands against a block already, and is free the other way"));
   }
   Explanation operator()(const wire::Answered& answered) const {
     return words(code_of(answered), describe(answered, model));

@@ -1,6 +1,7 @@
 #include "protocol/wire_record.hpp"
 
 #include <type_traits>
+#include <utility>
 
 namespace xr3 {
 namespace {
@@ -47,30 +48,39 @@ void add_problem(std::vector<Item>& items, const Parsed& parsed, const Problem& 
   items.push_back({parsed.from, parsed.to, Ignored{problem, parsed.raw, 1}});
 }
 
-std::optional<std::int8_t> counter_behind(const Exchange& exchange) {
+const MoveTaken* move_in(const Exchange& exchange) {
   for (const Event& event : exchange.events) {
-    const auto* taken = std::get_if<MoveTaken>(&event.body);
-    if (taken != nullptr) return static_cast<std::int8_t>(taken->error);
+    if (const auto* taken = std::get_if<MoveTaken>(&event.body)) return taken;
   }
-  return std::nullopt;
+  return nullptr;
+}
+
+// Only time stalls a robot: stalled behind the bytes, it was so at each of them.
+HeldBack held_back(const MoveTaken& move, const Simulation& machine) {
+  const MotorState& motor = machine.state().motor(machine.model().index_of(move.label));
+  return {move.label, machine.state().stall, motor.blocked};
 }
 
 void add_command(std::vector<Item>& items, const Exchange& exchange, const Command& command,
-                 const State& after) {
-  const Parsed& parsed = exchange.parsed;
-  const auto counter = counter_behind(exchange);
-  items.push_back({parsed.from, parsed.to, Obeyed{command, counter, false}});
+                 const Simulation& machine) {
+  const auto [from, to] = std::pair(exchange.parsed.from, exchange.parsed.to);
+  const MoveTaken* move = move_in(exchange);
+  Obeyed obeyed{command, std::nullopt, false};
+  if (move != nullptr) obeyed.counter = static_cast<std::int8_t>(move->error);
+  items.push_back({from, to, obeyed});
+  bool is_told = false;
   for (const Event& event : exchange.events) {
     if (const auto* warning = std::get_if<Warning>(&event.body)) {
-      const Raised raised{warning->code, warning->label, warning->value, warning->limit};
-      items.push_back({parsed.from, parsed.to, raised});
+      items.push_back(
+          {from, to, Raised{warning->code, warning->label, warning->value, warning->limit}});
     } else if (const auto* blocked = std::get_if<MotorBlocked>(&event.body)) {
-      items.push_back({parsed.from, parsed.to, *blocked});
+      items.push_back({from, to, *blocked});
+      is_told = true;
     }
   }
-  // Only time stalls a robot: stalled behind the bytes, it was so at each of them.
-  if (counter && after.stall != Stall::kNo)
-    items.push_back({parsed.from, parsed.to, HeldBack{after.stall}});
+  if (move == nullptr || is_told) return;
+  const HeldBack why = held_back(*move, machine);
+  if (why.stall != Stall::kNo || why.blocked != Blocked::kNo) items.push_back({from, to, why});
 }
 
 // From the state behind the bytes back to what each toggle among them came to.
@@ -110,17 +120,17 @@ struct Answer {
 
 void fill_in(WireRecord& record, const WirePlace& place, std::string_view bytes,
              const TelnetFilter& before, const std::vector<Exchange>& exchanges,
-             const State& after) {
+             const Simulation& machine) {
   begin(record, Direction::kIn, place, bytes, kMostShownIn);
   record.telnet = before;
   for (const Exchange& exchange : exchanges) {
     if (const auto* problem = std::get_if<Problem>(&exchange.parsed.what)) {
       add_problem(record.items, exchange.parsed, *problem);
     } else {
-      add_command(record.items, exchange, std::get<Command>(exchange.parsed.what), after);
+      add_command(record.items, exchange, std::get<Command>(exchange.parsed.what), machine);
     }
   }
-  settle_toggles(record.items, after);
+  settle_toggles(record.items, machine.state());
 }
 
 void fill_out(WireRecord& record, const WirePlace& place, std::string_view bytes,

@@ -12,7 +12,7 @@
 
 #include "core/command.hpp"
 #include "core/event.hpp"
-#include "core/state.hpp"
+#include "core/simulation.hpp"
 #include "protocol/cell_event.hpp"
 #include "protocol/rhino_endpoint.hpp"
 #include "protocol/telnet.hpp"
@@ -45,9 +45,11 @@ struct Raised {
   int limit = 0;
 };
 
-/// A Move that turns nothing until the robot is set free.
+/// A Move that turns nothing: the robot is stalled, or the joint was blocked before and still is.
 struct HeldBack {
-  Stall why = Stall::kNo;
+  char label = 0;
+  Stall stall = Stall::kNo;
+  Blocked blocked = Blocked::kNo;
 };
 
 /// Rows of the camera's picture, without the picture.
@@ -99,10 +101,10 @@ struct WirePlace {
 
 /// Makes `record` that of bytes that came in: as the transport brought them, at most kMostShownIn.
 /// `before` is the line's telnet filter as it was before them, `exchanges` what they completed, and
-/// `after` the machine behind them, at the same tick.
+/// `machine` as it is behind them, at the same tick.
 void fill_in(WireRecord& record, const WirePlace& place, std::string_view bytes,
              const TelnetFilter& before, const std::vector<Exchange>& exchanges,
-             const State& after);
+             const Simulation& machine);
 
 /// Makes `record` that of bytes that went out in answer to `exchanges`: as the transport gets them,
 /// however many.
