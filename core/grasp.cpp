@@ -116,10 +116,16 @@ JawContact next_closing(const Model& model, const State& state, const Positions&
   return contact;
 }
 
-void release(const Model& model, State& state, const Positions& positions, Events& events) {
-  Block& block = state.blocks[state.held->block];
+Block as_released(const Model& model, const State& state, const Positions& positions) {
+  Block block = state.blocks[state.held->block];
   block.centroid_um = tool_tip(model, positions);
   block.yaw_udeg = flat_yaw(net_roll_deg(model, positions), state.held->quarter_turns);
+  return block;
+}
+
+void release(const Model& model, State& state, const Positions& positions, Events& events) {
+  Block& block = state.blocks[state.held->block];
+  block = as_released(model, state, positions);
   state.held.reset();
   events.push_back({state.tick, Released{block.name, block.centroid_um, block.yaw_udeg}});
 }

@@ -38,7 +38,11 @@ bool opens_jaws(const Model& model, int direction);
 void update_grasp(const Model& model, State& state, const Positions& positions,
                   const JawContact& contact, bool opened, Events& events);
 
-/// Lets the held block go where the tool is now: centroid at the tip, upright, yaw by the net roll.
+/// The held block as it would lie if it were let go where the tool is now: centroid at the tip, upright,
+/// yaw by the net roll. Only while one is held.
+Block as_released(const Model& model, const State& state, const Positions& positions);
+
+/// Lets the held block go, see as_released().
 void release(const Model& model, State& state, const Positions& positions, Events& events);
 
 }  // namespace xr3

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace xr3 {
@@ -35,6 +36,13 @@ class Image {
     return pixels;
   }
 
+  /// The pixels of a row, kWordBits a word, the leftmost of them in the lowest bit; bits behind the last
+  /// pixel are 0.
+  std::span<const std::uint64_t> words(int row) const {
+    return {words_.data() + static_cast<std::size_t>(row) * words_a_row_, words_a_row_};
+  }
+  static constexpr int kWordBits = 64;
+
   /// Sets the pixels begin <= column < end of a row, 0 <= begin, end <= width; none if end <= begin.
   void fill(int row, int begin, int end) {
     while (begin < end) {
@@ -50,7 +58,7 @@ class Image {
   bool operator==(const Image&) const = default;
 
  private:
-  static constexpr unsigned kBits = 64;
+  static constexpr unsigned kBits = kWordBits;
 
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * words_a_row_ + static_cast<unsigned>(column) / kBits;

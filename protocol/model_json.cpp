@@ -1,0 +1,26 @@
+#include "protocol/model_json.hpp"
+
+#include "core/coupling.hpp"
+#include "core/grasp.hpp"
+#include "protocol/robot_json.hpp"
+#include "protocol/workcell_json.hpp"
+
+namespace xr3 {
+
+Workcell workcell_now(const Model& model, const State& state) {
+  Workcell workcell = model.workcell();
+  workcell.blocks = state.blocks;
+  if (state.held) {
+    workcell.blocks[state.held->block] = as_released(model, state, positions(model, state.motors));
+  }
+  return workcell;
+}
+
+Json model_json(const Model& model, const State& state, int rev, std::string_view hash) {
+  return {{"rev", rev},
+          {"robot", robot_to_json(model.robot())},
+          {"workcell", workcell_to_json(workcell_now(model, state))},
+          {"hash", hash}};
+}
+
+}  // namespace xr3
