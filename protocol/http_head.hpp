@@ -37,7 +37,4 @@ struct Head {
 /// Reads a head from the front of what was received; what follows it is not looked at.
 Head read_head(std::string_view received);
 
-/// Equal but for upper and lower case of ASCII.
-bool is_same_name(std::string_view a, std::string_view b);
-
 }  // namespace xr3::http

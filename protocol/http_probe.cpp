@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "protocol/http_guard.hpp"
 #include "protocol/http_head.hpp"
 #include "protocol/json_source.hpp"
 
@@ -97,53 +98,6 @@ Answer decide(const Head& head, Readiness readiness) {
   return resource(head.target.substr(0, head.target.find('?')), readiness);
 }
 
-bool is_port(std::string_view text) {
-  return text.empty() ||
-         (text.size() <= 6 && text[0] == ':' &&
-          std::all_of(text.begin() + 1, text.end(), [](char c) { return '0' <= c && c <= '9'; }));
-}
-
-bool is_ip4(std::string_view text) {
-  int dots = 0;
-  int number = -1;  // none begun
-  for (const char c : text) {
-    if (c == '.') {
-      if (number < 0) return false;
-      ++dots;
-      number = -1;
-      continue;
-    }
-    if (c < '0' || c > '9') return false;
-    number = std::max(number, 0) * 10 + (c - '0');
-    if (number > 255) return false;
-  }
-  return dots == 3 && number >= 0;
-}
-
-/// Only an address can stand in brackets; which one does not matter.
-bool is_ip6(std::string_view text) {
-  return text.size() >= 4 && text.front() == '[' && text.back() == ']' &&
-         text.find(':') != std::string_view::npos &&
-         text.substr(1, text.size() - 2).find_first_not_of("0123456789abcdefABCDEF:.") ==
-             std::string_view::npos;
-}
-
-bool is_localhost(std::string_view name) {
-  constexpr std::string_view kLocal = "localhost";
-  if (name.size() < kLocal.size() ||
-      !is_same_name(name.substr(name.size() - kLocal.size()), kLocal))
-    return false;
-  const std::string_view front = name.substr(0, name.size() - kLocal.size());
-  if (front.empty()) return true;
-  const auto is_label_char = [](char c) {
-    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '-' ||
-           c == '.';
-  };
-  return front.size() > 1 && front.front() != '.' && front.back() == '.' &&
-         front.find("..") == std::string_view::npos &&
-         std::all_of(front.begin(), front.end(), is_label_char);
-}
-
 }  // namespace
 
 bool is_head_decided(std::string_view received) {
@@ -158,14 +112,6 @@ std::string answer(std::string_view received, Readiness readiness) {
                      answer.fields;
   text.append(kSafetyFields).append("\r\n");
   return head.method == "HEAD" ? text : text + answer.body;
-}
-
-bool is_local_host(std::string_view host) {
-  const std::size_t colon =
-      host.find(':', host.starts_with('[') ? std::min(host.find(']'), host.size()) : 0);
-  const std::string_view name = host.substr(0, std::min(colon, host.size()));
-  if (!is_port(host.substr(name.size()))) return false;
-  return is_ip4(name) || is_ip6(name) || is_localhost(name);
 }
 
 }  // namespace xr3::http

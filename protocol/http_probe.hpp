@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "protocol/http_guard.hpp"
+
 namespace xr3::http {
 
 inline constexpr std::size_t kMostHeadBytes = 16 * 1024;
@@ -22,9 +24,5 @@ enum class Readiness : std::uint8_t { kReady, kNotReady };
 
 /// The whole answer to a head, or to as much of one as came.
 std::string answer(std::string_view received, Readiness readiness);
-
-/// An IP literal, localhost or a name under it, whatever the port: what no foreign name server can
-/// point at this machine.
-bool is_local_host(std::string_view host);
 
 }  // namespace xr3::http
