@@ -1,0 +1,42 @@
+// What a cell and its viewers have counted since the server started, for /metrics: plain numbers
+// that only grow, but for those that say "now". It knows neither the cell nor any text format.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string_view>
+#include <variant>
+
+#include "core/command.hpp"
+#include "protocol/monitor_request.hpp"
+
+namespace xr3 {
+
+inline constexpr std::size_t kCommandKinds = std::variant_size_v<Command>;
+inline constexpr std::size_t kChannels = 6;  ///< monitor::Channel's
+
+/// Frames of one latest-wins channel, or messages of a ring, over all clients.
+struct ChannelCounters {
+  std::uint64_t sent = 0;
+  std::uint64_t overwritten = 0;  ///< in a client's slot, before it was writable; or off the ring
+};
+
+struct CellCounters {
+  std::uint64_t lines_open = 0;  ///< now
+  std::uint64_t lines_total = 0;
+  std::uint64_t bytes_in = 0;
+  std::uint64_t bytes_out = 0;
+  std::array<std::uint64_t, kCommandKinds> commands{};  ///< by index in Command
+  std::map<std::string_view, std::uint64_t> warnings;   ///< by code
+  std::uint64_t ticks = 0;                              ///< simulated, over all epochs
+  std::array<ChannelCounters, kChannels> channels{};    ///< by monitor::Channel
+  std::uint64_t viewers = 0;                            ///< monitor clients now
+
+  std::uint64_t& of(const Command& command) { return commands[command.index()]; }
+  ChannelCounters& of(monitor::Channel channel) {
+    return channels[static_cast<std::size_t>(channel)];
+  }
+};
+
+}  // namespace xr3
