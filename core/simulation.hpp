@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/command.hpp"
+#include "core/edit.hpp"
 #include "core/event.hpp"
 #include "core/execute.hpp"
 #include "core/home.hpp"
@@ -37,6 +38,18 @@ class Simulation {
   void reset() { state_ = initial_state(*model_); }
   /// Continues from a state that belongs to this model.
   void restore(State state) { state_ = std::move(state); }
+  /// Continues from a state in its own workcell. The model's robot and profile are the same as before.
+  void restore(ModelPtr model, State state) {
+    model_ = std::move(model);
+    state_ = std::move(state);
+  }
+  /// The blocks of the state, to be changed from outside; see edit.hpp.
+  State& edit() { return state_; }
+  /// Goes on in another workcell. The model's robot and profile are the same as before.
+  void replace_workcell(ModelPtr model) {
+    model_ = std::move(model);
+    take_over_workcell(*model_, state_, events_);
+  }
 
   /// What has happened since the last call, in order.
   Events take_events() { return std::exchange(events_, {}); }

@@ -19,6 +19,9 @@ struct Workspace {
   bool operator==(const Workspace&) const = default;
 };
 
+/// So many blocks lie in a workcell at most.
+inline constexpr std::size_t kMaxBlocks = 10'000;
+
 /// A rectangular box: length along its own x, width along y, height along z; upright unless held.
 struct Block {
   std::string name;  ///< unique in a workcell

@@ -1,5 +1,6 @@
 #include "protocol/monitor_client.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace xr3::monitor {
@@ -15,6 +16,8 @@ RequestError too_long() {
 
 }  // namespace
 
+// --- In.
+
 std::optional<Request> Client::take(std::string_view message) {
   if (has_ended_) return std::nullopt;
   RequestReading reading = read_request(message, cells_);
@@ -23,36 +26,91 @@ std::optional<Request> Client::take(std::string_view message) {
   return std::nullopt;
 }
 
+// --- The lane.
+
 void Client::send(Message message) {
   if (has_ended_) return;
   lane_bytes_ += message->size();
-  lane_.push_back(std::move(message));
+  lane_.emplace_back(std::move(message));
+}
+
+void Client::replay(Feed& feed, const std::string& cell, const Get& get, const RequestId& id) {
+  const std::int64_t wanted = get.since.value_or(feed.next() - kMostRecalled);
+  const Subscribe from{get.selection, {}, {}, std::max(wanted, feed.first())};
+  if (!has_ended_) lane_.emplace_back(Replay{{cell, from, feed}, feed.next(), id});
 }
 
 void Client::end(Bye why) {
   send(bye(why));
   has_ended_ = true;
+  followed_.clear();
 }
 
-Message Client::next_output() {
-  if (lane_.empty()) return nullptr;
-  Message message = std::move(lane_.front());
-  lane_.pop_front();
-  lane_bytes_ -= message->size();
-  return message;
+void Client::end(LineFault fault) {
+  if (fault == LineFault::kTooLong) send(result(too_long()));
+  end(fault == LineFault::kTooLong ? Bye::kTooLong : Bye::kNotJson);
 }
 
-std::optional<Request> next_request(Lines& lines, Client& client) {
-  while (!client.has_ended() && !client.is_full()) {
-    const auto line = lines.next();
-    if (!line) break;
-    if (auto request = client.take(*line)) return request;
+Message Client::next_answer() {
+  while (!lane_.empty()) {
+    if (auto* replay = std::get_if<Replay>(&lane_.front())) {
+      if (replay->from.position() < replay->end)
+        return with_id(replay->from.next_output(), replay->id);
+      lane_.pop_front();
+      continue;
+    }
+    Message message = std::get<Message>(std::move(lane_.front()));
+    lane_.pop_front();
+    lane_bytes_ -= message->size();
+    return message;
   }
-  if (client.is_full() || lines.fault() == LineFault::kNone) return std::nullopt;
-  const bool long_line = lines.fault() == LineFault::kTooLong;
-  if (long_line) client.send(result(too_long()));
-  client.end(long_line ? Bye::kTooLong : Bye::kNotJson);
-  return std::nullopt;
+  return nullptr;
+}
+
+// --- What is followed.
+
+FrameSubscription& Client::follow_frames(const std::string& cell, const Subscribe& wanted) {
+  const Where where{cell, wanted.selection.channel};
+  followed_.erase(where);
+  const auto entry = followed_.emplace(where, FrameSubscription(cell, wanted)).first;
+  return std::get<FrameSubscription>(entry->second);
+}
+
+void Client::follow_feed(const std::string& cell, const Subscribe& wanted, Feed& feed) {
+  followed_.insert_or_assign({cell, wanted.selection.channel},
+                             FeedSubscription(cell, wanted, feed));
+}
+
+void Client::unfollow(const std::string& cell, Channel channel) {
+  followed_.erase({cell, channel});
+}
+
+bool Client::has_output(FrameNumber now) const {
+  if (!lane_.empty()) return true;
+  return std::any_of(followed_.begin(), followed_.end(), [now](const auto& entry) {
+    if (const auto* frames = std::get_if<FrameSubscription>(&entry.second))
+      return frames->has_output(now);
+    return std::get<FeedSubscription>(entry.second).has_output();
+  });
+}
+
+Message Client::next_output(FrameNumber now) {
+  if (Message answer = next_answer()) return answer;
+  return next_followed(now);
+}
+
+Message Client::next_followed(FrameNumber now) {
+  auto turn = followed_.upper_bound(last_turn_);
+  for (std::size_t i = 0; i < followed_.size(); ++i, ++turn) {
+    if (turn == followed_.end()) turn = followed_.begin();
+    auto* frames = std::get_if<FrameSubscription>(&turn->second);
+    Message message =
+        frames ? frames->next_output(now) : std::get<FeedSubscription>(turn->second).next_output();
+    if (!message) continue;
+    last_turn_ = turn->first;
+    return message;
+  }
+  return nullptr;
 }
 
 }  // namespace xr3::monitor

@@ -1,18 +1,22 @@
-// One client of the monitor without its connection: messages in, requests to carry out, and a lane
-// of messages out that is bounded by what the client has not taken yet. JSON lines over TCP, and
-// later others, are thin shells around it. It knows no cell; whoever does gives the answers.
+// One client of the monitor without its connection: messages in, requests to carry out, and messages
+// out: answers in a lane that is bounded by what the client has not taken yet, then what it follows.
+// JSON lines over TCP, and others, are thin shells around it. It knows no cell.
 #pragma once
 
 #include <cstddef>
 #include <deque>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "protocol/monitor_lines.hpp"
 #include "protocol/monitor_message.hpp"
 #include "protocol/monitor_request.hpp"
+#include "protocol/monitor_subscription.hpp"
 
 namespace xr3::monitor {
 
@@ -30,25 +34,57 @@ class Client {
 
   /// Puts a message at the end of the lane. After end() nothing is taken any more.
   void send(Message message);
-  /// Puts the last message at the end of the lane.
+  /// Puts the messages begin <= seq < end of a ring into the lane, each with the id; those that have
+  /// gone from the ring when their turn comes are told of by one `lag`.
+  void replay(Feed& feed, const std::string& cell, const Get& get, const RequestId& id);
+  /// Puts the last message at the end of the lane; what was followed ends.
   void end(Bye why);
+  /// Ends because of what came as a line.
+  void end(LineFault fault);
   bool has_ended() const { return has_ended_; }
 
   /// No request may be taken until the client has taken some of its answers.
   bool is_full() const { return lane_.size() >= kMostAnswers || lane_bytes_ >= kMostAnswerBytes; }
 
-  /// The message that is to go out next, or null.
-  Message next_output();
+  /// Follows a channel of a cell, in place of what was followed there.
+  FrameSubscription& follow_frames(const std::string& cell, const Subscribe& wanted);
+  void follow_feed(const std::string& cell, const Subscribe& wanted, Feed& feed);
+  void unfollow(const std::string& cell, Channel channel);
+  bool follows_anything() const { return !followed_.empty(); }
+
+  /// Calls `visit(FrameSubscription&)` for each latest-wins channel that is followed.
+  template <class Visit>
+  void for_each_frame_subscription(const Visit& visit) {
+    for (auto& [where, followed] : followed_) {
+      if (auto* frames = std::get_if<FrameSubscription>(&followed)) visit(*frames);
+    }
+  }
+
+  /// Something can go out now.
+  bool has_output(FrameNumber now) const;
+  /// The message that is to go out next, or null: answers first, then each channel in turn.
+  Message next_output(FrameNumber now);
 
  private:
+  using Followed = std::variant<FrameSubscription, FeedSubscription>;
+  using Where = std::pair<std::string, Channel>;
+
+  /// The rest of a `get` of a ring.
+  struct Replay {
+    FeedSubscription from;
+    std::int64_t end;
+    RequestId id;
+  };
+
+  Message next_answer();
+  Message next_followed(FrameNumber now);
+
   std::vector<std::string> cells_;
-  std::deque<Message> lane_;
+  std::deque<std::variant<Message, Replay>> lane_;
   std::size_t lane_bytes_ = 0;
+  std::map<Where, Followed> followed_;
+  Where last_turn_;  ///< the channel that had its turn last
   bool has_ended_ = false;
 };
-
-/// Goes through the lines up to the next request to carry out. Nothing where more bytes are needed,
-/// the lane is full, or the lines have ended the client.
-std::optional<Request> next_request(Lines& lines, Client& client);
 
 }  // namespace xr3::monitor

@@ -8,10 +8,7 @@ namespace {
 constexpr int kProtocol = 1;
 constexpr int kMostHz = 60;
 
-Message message_of(const Json& json) {
-  return std::make_shared<const std::string>(
-      json.dump(-1, ' ', false, Json::error_handler_t::replace));
-}
+Message message_of(const Json& json) { return std::make_shared<const std::string>(text_of(json)); }
 
 Json id_json(const RequestId& id) {
   if (const auto* number = std::get_if<std::int64_t>(&id)) return *number;
@@ -50,12 +47,19 @@ ByeWords words_of(Bye why) {
               "a line begins with {; send one JSON object a line, such as "
               "{\"op\":\"get\",\"channel\":\"state\"}"};
     case Bye::kTooLong: return {"too_long", "a line has at most 262144 bytes"};
+    case Bye::kBadToken: return {"bad_token", "too many wrong tokens"};
     case Bye::kFull: return {"full", "too many connections; close some and try again"};
+    case Bye::kIdle: return {"idle", "nothing was heard of this client for too long"};
+    case Bye::kDisconnected: return {"disconnected", "the connection was closed by the server"};
   }
   return {"internal", ""};
 }
 
 }  // namespace
+
+std::string text_of(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 Message hello(const Greeting& greeting) {
   const Snapshot& now = greeting.snapshot;
@@ -71,7 +75,7 @@ Message hello(const Greeting& greeting) {
       {"clock", clock_json(now.mode, now.rate)},
       {"compat", greeting.model.profile() == Profile::kPaper ? "paper" : "mark3"},
       {"robot", robot_json(greeting.model)},
-      {"access", "control"},
+      {"access", greeting.may_call ? "control" : "read"},
       {"channels", channels()},
       {"calls", calls()},
       {"limits", {{"message_bytes", kMostMessageBytes}, {"depth", kDeepest}, {"max_hz", kMostHz}}},
@@ -92,16 +96,54 @@ Message result(const RequestError& error) {
 
 Message pong(const RequestId& id) { return message_of({{"op", "pong"}, {"id", id_json(id)}}); }
 
-Message state(const RequestId& id, const StateHead& head, const Json& members) {
-  Json message;
-  message["op"] = "state";
-  if (!std::holds_alternative<std::monostate>(id)) message["id"] = id_json(id);
-  message["cell"] = head.cell;
-  message["epoch"] = head.epoch;
-  message["seq"] = head.seq;
-  message["tick"] = head.tick;
-  message.update(members);
-  return message_of(message);
+Message channel_message(Channel channel, const ChannelHead& head, std::string_view members) {
+  std::string text = R"({"op":")";
+  text.append(name_of(channel)).append(R"(","cell":)").append(Json(head.cell).dump());
+  text.append(R"(,"epoch":)").append(std::to_string(head.epoch));
+  text.append(R"(,"seq":)").append(std::to_string(head.seq));
+  text.append(R"(,"tick":)").append(std::to_string(head.tick));
+  members.remove_prefix(1);  // its opening brace
+  if (members != "}") text.push_back(',');
+  text.append(members);
+  return std::make_shared<const std::string>(std::move(text));
+}
+
+Message with_id(const Message& message, const RequestId& id) {
+  if (std::holds_alternative<std::monostate>(id)) return message;
+  const std::size_t behind_op = message->find(',');
+  std::string text = message->substr(0, behind_op);
+  text.append(R"(,"id":)").append(text_of(id_json(id))).append(*message, behind_op);
+  return std::make_shared<const std::string>(std::move(text));
+}
+
+Message with_fields(const Message& message, const Fields& fields) {
+  if (!fields) return message;
+  const Json whole = Json::parse(*message);
+  Json picked = Json::object();
+  for (const char* name : {"op", "cell", "epoch", "seq", "tick"}) picked[name] = whole.at(name);
+  picked.update(chosen(whole, fields));
+  return message_of(picked);
+}
+
+Message lag(std::string_view cell, Channel channel, const Missed& missed) {
+  return message_of({{"op", "lag"},
+                     {"cell", cell},
+                     {"channel", name_of(channel)},
+                     {"missed", missed.count},
+                     {"from_seq", missed.from_seq},
+                     {"to_seq", missed.to_seq}});
+}
+
+std::string_view name_of(Channel channel) {
+  switch (channel) {
+    case Channel::kState: return "state";
+    case Channel::kImage: return "image";
+    case Channel::kDisplay: return "display";
+    case Channel::kModel: return "model";
+    case Channel::kEvent: return "event";
+    case Channel::kLine: return "line";
+  }
+  return "";
 }
 
 Message bye(Bye why) {

@@ -36,7 +36,7 @@ enum class Encoding : std::uint8_t { kRows, kRle };
 /// What of a channel is shown, and how: what is selected alike is the same bytes for everybody.
 struct Selection {
   Channel channel = Channel::kState;
-  Fields fields;                       ///< top-level members; none: all
+  Fields fields;                        ///< top-level members; none: all
   Encoding encoding = Encoding::kRows;  ///< image only
   bool operator==(const Selection&) const = default;
 };

@@ -10,7 +10,6 @@ namespace {
 
 using namespace data;  // NOLINT: the tables below read as the file does
 
-constexpr std::size_t kMaxBlocks = 10000;
 constexpr int kMaxPixels = 2048;
 constexpr double kTurnDeg = 360;
 

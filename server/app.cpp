@@ -60,11 +60,10 @@ ModelPtr load_model(const ServeOptions& options) {
 
 App::App(const ServeOptions& options, ModelPtr model)
     : options_(options),
-      cell_("main", model, start_clock(options.clock),
-            [model](const CellEvent& event) { log_event(event, *model); }),
+      cell_("main", model, start_clock(options.clock), log_event),
       robot_port_(io_, cell_, options.most_lines, [this] { acted(); }),
       monitor_port_(
-          io_, cell_, robot_port_, [this] { return is_ready(); }, [this] { acted(); }),
+          io_, cell_, robot_port_, policy_, [this] { return is_ready(); }, [this] { acted(); }),
       signals_(io_, SIGINT, SIGTERM) {}
 
 void App::run() {
@@ -103,14 +102,14 @@ void App::await_signal() {
 }
 
 void App::acted() {
-  if (stage_ != Stage::kDraining) return heartbeat_.acted();
+  if (stage_ != Stage::kDraining) return monitor_port_.audience().acted();
   if (robot_port_.is_empty() && monitor_port_.is_empty()) drain_limit_.cancel();
 }
 
 // Everything that keeps the loop alive is closed, so that run() returns by itself.
 void App::stop() {
   stage_ = Stage::kDraining;
-  heartbeat_.stop();
+  monitor_port_.audience().stop();
   robot_port_.close();
   monitor_port_.close();
   if (robot_port_.is_empty() && monitor_port_.is_empty()) return;

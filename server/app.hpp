@@ -6,7 +6,6 @@
 
 #include "server/asio.hpp"
 #include "server/cell.hpp"
-#include "server/heartbeat.hpp"
 #include "server/monitor_port.hpp"
 #include "server/options.hpp"
 #include "server/robot_port.hpp"
@@ -44,7 +43,7 @@ class App {
   asio::io_context io_{1};
   Stage stage_ = Stage::kStarting;
   Cell cell_;
-  Heartbeat heartbeat_{io_, cell_};
+  AccessPolicy policy_;
   RobotPort robot_port_;
   MonitorPort monitor_port_;
   asio::signal_set signals_;

@@ -4,31 +4,45 @@
 #include <utility>
 
 #include "protocol/diagnostic.hpp"
+#include "protocol/event_json.hpp"
+#include "protocol/wire_json.hpp"
 
 namespace xr3 {
-namespace {
-
-call::Refused clock_running(std::string_view call) {
-  return {"clock_running", std::string(call) + " needs standing time; the clock is real",
-          "call pause first, or start with --clock manual"};
-}
-
-}  // namespace
 
 Cell::Cell(std::string name, ModelPtr model, SimClock clock, CellEventSink sink)
     : name_(std::move(name)),
       simulation_(std::move(model)),
       clock_(clock),
+      events_(kMostEvents,
+              [this](const ToldEvent& told, std::int64_t seq) {
+                return monitor::channel_message(monitor::Channel::kEvent,
+                                                {name_, told.event.epoch, seq, told.event.tick},
+                                                monitor::text_of(event_json(told.event, *told.model)));
+              }),
+      wires_(kMostWires,
+             [this](const WireRecord& record, std::int64_t seq) {
+               return monitor::channel_message(monitor::Channel::kLine,
+                                               {name_, record.epoch, seq, record.tick},
+                                               monitor::text_of(wire_json(record, this->model())));
+             }),
       sink_(std::move(sink)) {}
 
 Applied Cell::apply(const Input& input, WallNs now) {
   catch_up(now);
+  ++revision_;
   return std::visit([&](const auto& each) { return take(each, now); }, input);
 }
 
 void Cell::catch_up(WallNs now) {
+  const Tick before = state().tick;
   simulation_.advance_to(clock_.at(now));
+  if (state().tick == before) return;
+  ++revision_;
   if (!simulation_.events().empty()) tell_machine(std::nullopt, simulation_.take_events());
+}
+
+Snapshot Cell::snapshot() const {
+  return {epoch_, clock_.mode(), clock_.rate(), model_rev_, state()};
 }
 
 Line* Cell::find_line(LineId line) {
@@ -46,22 +60,50 @@ std::optional<std::uint64_t> Cell::bytes_in(LineId line) const {
 // --- Lines.
 
 Applied Cell::take(const LineOpened& opened, WallNs) {
-  lines_.try_emplace(opened.line, model().profile(), opened.peer, state().tick);
-  tell(opened.line, LineOpenedNote{opened.peer});
+  const LineId id = ++last_line_;
+  lines_.try_emplace(id, model().profile(), opened.kind, opened.peer, state().tick);
+  ++counters_.lines_total;
+  tell(id, LineOpenedNote{opened.kind, opened.peer});
   if (!state().enabled) {
     const Problem problem{ProblemCode::kDisabled, Subject::kNone};
-    tell(opened.line, ProblemNote{code_of(problem.code), describe(Parsed{}, problem), 0, {}, 1});
+    tell(id, ProblemNote{code_of(problem.code), describe(Parsed{}, problem), 0, {}, 1});
   }
-  return {};
+  Applied applied;
+  applied.line = id;
+  return applied;
 }
 
 Applied Cell::take(const BytesIn& in, WallNs) {
   Line* line = find_line(in.line);
   if (line == nullptr) return {};
+  std::size_t taken = 0;
+  while (taken < in.bytes.size()) {
+    const std::size_t count = take_piece(in.line, *line, in.bytes.substr(taken, kMostShownIn));
+    taken += count;
+    if (count == 0 || line->is_stranger()) break;
+  }
+  tell_all(in.line, warnings_.finish(in.line, state().tick));
+  Applied applied;
+  applied.bytes_taken = taken;
+  return applied;
+}
+
+/// As many bytes as one record shows, with what they did and what was answered.
+std::size_t Cell::take_piece(LineId id, Line& line, std::string_view bytes) {
+  const WirePlace in{epoch_, state().tick, id, line.bytes_in()};
+  const WirePlace out{epoch_, state().tick, id, line.output_end()};
+  const TelnetFilter telnet = line.telnet();
+  const std::size_t unsent = line.outbox().size();
   exchanges_.clear();
-  const std::size_t taken = line->receive(in.bytes, simulation_, exchanges_);
-  tell_exchanges(in.line);
-  return {taken, {}};
+  const std::size_t taken = line.receive(bytes, simulation_, exchanges_);
+  if (taken == 0) return 0;
+  const std::string_view replies = line.outbox().substr(unsent);
+  counters_.bytes_in += taken;
+  counters_.bytes_out += replies.size();
+  fill_in(wires_.push(), in, bytes.substr(0, taken), telnet, exchanges_, state());
+  if (!replies.empty()) fill_out(wires_.push(), out, replies, exchanges_);
+  tell_exchanges(id, line);
+  return taken;
 }
 
 Applied Cell::take(const LineClosed& closed, WallNs) {
@@ -75,8 +117,6 @@ Applied Cell::take(const LineClosed& closed, WallNs) {
   return {};
 }
 
-// --- Calls.
-
 Applied Cell::take(const call::Call& call, WallNs now) {
   Applied applied;
   applied.outcome = std::visit([&](const auto& each) { return carry_out(each, now); }, call);
@@ -84,94 +124,55 @@ Applied Cell::take(const call::Call& call, WallNs now) {
   return applied;
 }
 
-call::Outcome Cell::carry_out(const call::Pause&, WallNs now) {
-  clock_.pause(now);
-  tell(std::nullopt, ClockNote{"pause"});
-  return call::Done{};
-}
-
-call::Outcome Cell::carry_out(const call::Resume&, WallNs now) {
-  clock_.resume(now);
-  tell(std::nullopt, ClockNote{"resume"});
-  return call::Done{};
-}
-
-call::Outcome Cell::carry_out(const call::SetRate& rate, WallNs now) {
-  clock_.set_rate(rate.rate, now);
-  tell(std::nullopt, ClockNote{"rate"});
-  return call::Done{};
-}
-
-call::Outcome Cell::carry_out(const call::Step& step, WallNs now) {
-  if (clock_.mode() != ClockMode::kManual) return clock_running("step");
-  simulation_.advance_to(state().tick + step.ticks);
-  clock_.set_tick(state().tick, now);
-  return call::Done{};
-}
-
-call::Outcome Cell::carry_out(const call::RunUntil& run, WallNs now) {
-  if (clock_.mode() != ClockMode::kManual) return clock_running("run_until");
-  const Tick start = state().tick;
-  const Tick limit = start + run.max_ticks;
-  if (run.tick) {
-    simulation_.advance_to(std::min(limit, *run.tick));
-  } else {
-    simulation_.run_to_rest(limit);
-  }
-  clock_.set_tick(state().tick, now);
-  const bool reached = run.tick ? state().tick >= *run.tick : is_at_rest();
-  return call::Done{reached, state().tick - start};
-}
-
-call::Outcome Cell::carry_out(const call::Reset&, WallNs now) {
-  const EpochNote note{epoch_, state().tick};
-  simulation_.reset();
-  clock_.set_tick(0, now);
-  ++epoch_;
-  for (auto& [id, line] : lines_) line.reset();
-  tell(std::nullopt, note);
-  return call::Done{};
-}
-
-call::Outcome Cell::carry_out(const call::Home&, WallNs) {
-  simulation_.execute(SoftHome{});
-  return call::Done{};
-}
-
 // --- What is told.
 
 void Cell::tell(std::optional<LineId> line, CellNote note) {
-  if (sink_) sink_({epoch_, state().tick, line, std::move(note)});
+  tell_at(state().tick, line, std::move(note));
+}
+
+void Cell::tell_at(Tick tick, std::optional<LineId> line, CellNote note) {
+  ToldEvent& told = events_.push();
+  told.event = {epoch_, tick, line, std::move(note)};
+  told.model = simulation_.model_ptr();
+  if (sink_) sink_(told.event, *told.model);
 }
 
 void Cell::tell_machine(std::optional<LineId> line, Events events) {
-  if (!sink_) return;
-  for (Event& event : events) sink_({epoch_, event.tick, line, std::move(event.body)});
+  for (Event& event : events) {
+    if (const Warning* warning = std::get_if<Warning>(&event.body))
+      ++counters_.warnings[code_of(warning->code)];
+    tell_at(event.tick, line, std::move(event.body));
+  }
 }
 
-void Cell::tell_exchanges(LineId line) {
+void Cell::tell_exchanges(LineId id, Line& line) {
   for (Exchange& exchange : exchanges_) {
+    line.note(exchange.parsed.raw);
     if (const Problem* problem = std::get_if<Problem>(&exchange.parsed.what)) {
-      warn(line, exchange.parsed, code_of(problem->code),
+      line.note_warning();
+      warn(id, exchange.parsed, code_of(problem->code),
            [&] { return describe(exchange.parsed, *problem); });
+    } else {
+      ++counters_.commands[std::get<Command>(exchange.parsed.what).index()];
     }
     for (Event& event : exchange.events) {
       if (const Warning* warning = std::get_if<Warning>(&event.body)) {
-        warn(line, exchange.parsed, code_of(warning->code),
+        line.note_warning();
+        warn(id, exchange.parsed, code_of(warning->code),
              [&] { return describe(event.body, model()); });
         continue;
       }
-      tell_all(line, warnings_.finish(line, event.tick));
-      tell(line, std::move(event.body));
+      tell_all(id, warnings_.finish(id, event.tick));
+      tell(id, std::move(event.body));
     }
   }
-  tell_all(line, warnings_.finish(line, state().tick));
 }
 
 // The sentence is made only where it will be told: garbage comes by the megabyte.
 void Cell::warn(LineId line, const Parsed& parsed, std::string_view code,
                 const std::function<std::string()>& message) {
   const Tick tick = state().tick;
+  ++counters_.warnings[code];
   if (warnings_.extends_run(line, tick, code)) return;
   tell_all(line, warnings_.take(line, tick, {code, message(), parsed.from, parsed.raw, 1}));
 }

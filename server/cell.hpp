@@ -1,8 +1,10 @@
-// Everything of one robot: model, state, clock, lines and epoch. Inputs come in by apply() and nothing
-// else changes a cell; it is brought up to date lazily, when an input or a look at it needs that.
-// It knows no socket, so that a whole server can run in a test's memory. Wall time is an argument.
+// Everything of one robot: model, state, clock, lines, epoch, and what its monitors can look back on.
+// Inputs come in by apply() and nothing else changes a cell; it is brought up to date lazily, when an
+// input or a look at it needs that. It knows no socket, so that a whole server can run in a test's
+// memory. Wall time is an argument.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -11,20 +13,33 @@
 
 #include "core/sim_clock.hpp"
 #include "core/simulation.hpp"
-#include "server/cell_event.hpp"
+#include "protocol/cell_event.hpp"
+#include "protocol/monitor_feed.hpp"
+#include "protocol/snapshot_json.hpp"
+#include "protocol/wire_record.hpp"
+#include "server/counters.hpp"
 #include "server/input.hpp"
 #include "server/warning_gate.hpp"
 
 namespace xr3 {
 
+using CellEventSink = std::function<void(const CellEvent&, const Model&)>;
+
 class Cell {
  public:
+  /// Every event goes into the ring, and to `sink`, which may be empty.
   Cell(std::string name, ModelPtr model, SimClock clock, CellEventSink sink);
+  Cell(const Cell&) = delete;
+  Cell& operator=(const Cell&) = delete;
 
   const std::string& name() const { return name_; }
   const Model& model() const { return simulation_.model(); }
   const SimClock& clock() const { return clock_; }
   Epoch epoch() const { return epoch_; }
+  /// Counts the workcells, and their changes from outside, from 1.
+  int model_rev() const { return model_rev_; }
+  /// Counts whatever can be seen of the cell: as long as it stays, every look shows the same.
+  std::uint64_t revision() const { return revision_; }
 
   /// The one door. Time is brought up to `now` first; a call that needs standing time is refused by
   /// `clock_running` where time runs.
@@ -35,15 +50,27 @@ class Cell {
 
   /// As of the last apply() or catch_up().
   const State& state() const { return simulation_.state(); }
+  Snapshot snapshot() const;
   bool is_at_rest() const { return simulation_.is_at_rest(); }
+
+  /// The last events, and the last bytes of the lines with what was made of them.
+  monitor::Feed& events() { return events_; }
+  monitor::Feed& wires() { return wires_; }
+  static constexpr std::size_t kMostEvents = 4096;
+  static constexpr std::size_t kMostWires = 1024;
 
   /// The line, or null: nothing of it but outbox and counters concerns a transport.
   Line* find_line(LineId line);
-  std::size_t line_count() const { return lines_.size(); }
+  const std::map<LineId, Line>& lines() const { return lines_; }
 
   /// How many bytes a line has received in all; also of one of the last kRememberedLines that closed.
   std::optional<std::uint64_t> bytes_in(LineId line) const;
   static constexpr std::size_t kRememberedLines = 1024;
+
+  /// Named snapshots that can be kept.
+  static constexpr std::size_t kMostSnapshots = 16;
+
+  const CellCounters& counters() const { return counters_; }
 
  private:
   Applied take(const LineOpened& opened, WallNs now);
@@ -58,10 +85,25 @@ class Cell {
   call::Outcome carry_out(const call::RunUntil& run, WallNs now);
   call::Outcome carry_out(const call::Reset&, WallNs now);
   call::Outcome carry_out(const call::Home&, WallNs now);
+  call::Outcome carry_out(const call::Key& key, WallNs now);
+  call::Outcome carry_out(const call::SetInput& input, WallNs now);
+  call::Outcome carry_out(const call::AddBlock& add, WallNs now);
+  call::Outcome carry_out(const call::MoveBlock& move, WallNs now);
+  call::Outcome carry_out(const call::RemoveBlock& remove, WallNs now);
+  call::Outcome carry_out(const call::ReplaceWorkcell& replace, WallNs now);
+  call::Outcome carry_out(const call::SaveSnapshot& save, WallNs now);
+  call::Outcome carry_out(const call::LoadSnapshot& load, WallNs now);
 
+  void begin_epoch(std::string_view call, WallNs now, const std::function<void()>& change);
+  void set_standing_tick(WallNs now);
+  void changed_model(std::string_view call, const std::string& name);
+  ModelPtr model_with(const Workcell& workcell) const;
+
+  std::size_t take_piece(LineId id, Line& line, std::string_view bytes);
   void tell(std::optional<LineId> line, CellNote note);
   void tell_machine(std::optional<LineId> line, Events events);
-  void tell_exchanges(LineId line);
+  void tell_at(Tick tick, std::optional<LineId> line, CellNote note);
+  void tell_exchanges(LineId id, Line& line);
   void tell_all(LineId line, std::vector<CellNote> notes);
   void warn(LineId line, const Parsed& parsed, std::string_view code,
             const std::function<std::string()>& message);
@@ -70,10 +112,21 @@ class Cell {
   Simulation simulation_;
   SimClock clock_;
   Epoch epoch_ = 0;
+  int model_rev_ = 1;
+  std::uint64_t revision_ = 1;
   std::map<LineId, Line> lines_;
+  LineId last_line_ = 0;
   std::map<LineId, std::uint64_t> closed_bytes_in_;  ///< of lines that are gone, the oldest first
+  std::map<std::string, SavedCellPtr> snapshots_;
   std::vector<Exchange> exchanges_;  ///< of the bytes being taken; kept for its memory
   WarningGate warnings_;
+  struct ToldEvent {
+    CellEvent event;
+    ModelPtr model;  ///< as it was then
+  };
+  monitor::Ring<ToldEvent> events_;
+  monitor::Ring<WireRecord> wires_;
+  CellCounters counters_;
   CellEventSink sink_;
 };
 

@@ -12,16 +12,14 @@
 namespace xr3 {
 
 struct LineOpened {
-  LineId line = 0;
   std::string peer;  ///< for people: address and port, or what else it is
+  LineKind kind = LineKind::kRaw;
 };
 
 struct BytesIn {
   LineId line = 0;
   std::string_view bytes;
 };
-
-enum class CloseReason : std::uint8_t { kClientClosed, kStranger, kError, kShutdown };
 
 struct LineClosed {
   LineId line = 0;
@@ -30,8 +28,10 @@ struct LineClosed {
 
 using Input = std::variant<LineOpened, BytesIn, LineClosed, call::Call>;
 
-/// What came of an input: how many of the bytes were taken, or the outcome of a call.
+/// What came of an input: the number of a line that was opened, how many of the bytes were taken, or
+/// the outcome of a call.
 struct Applied {
+  LineId line = 0;
   std::size_t bytes_taken = 0;
   call::Outcome outcome;
 };

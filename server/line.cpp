@@ -8,6 +8,10 @@ std::size_t Line::receive(std::string_view bytes, Simulation& simulation,
   while (taken < bytes.size() && !is_full() && !is_stranger_) {
     const auto byte = static_cast<std::uint8_t>(bytes[taken++]);
     const std::uint64_t offset = bytes_in_++;
+    if (kind_ == LineKind::kMonitor) {  // no stranger, no telnet: bytes as they are
+      act_on(byte, offset, simulation, exchanges);
+      continue;
+    }
     const Verdict verdict = guard_.take(byte);
     is_stranger_ = verdict == Verdict::kStranger;
     if (verdict != Verdict::kPass) continue;
@@ -25,9 +29,13 @@ std::size_t Line::receive(std::string_view bytes, Simulation& simulation,
 void Line::act(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
                std::vector<Exchange>& exchanges) {
   const auto data = telnet_.take(byte, outbox_);
-  if (!data) return;
+  if (data) act_on(*data, offset, simulation, exchanges);
+}
+
+void Line::act_on(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
+                  std::vector<Exchange>& exchanges) {
   std::string replies;
-  endpoint_.take(*data, offset, simulation, replies, exchanges);
+  endpoint_.take(byte, offset, simulation, replies, exchanges);
   if (replies.empty()) return;
   // A byte completes one inquiry at most, and nothing behind it.
   exchanges.back().reply_from = output_end();

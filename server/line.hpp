@@ -9,22 +9,20 @@
 #include <vector>
 
 #include "core/simulation.hpp"
+#include "protocol/cell_event.hpp"
 #include "protocol/rhino_endpoint.hpp"
 #include "protocol/stranger_guard.hpp"
 #include "protocol/telnet.hpp"
 
 namespace xr3 {
 
-/// Lines are numbered from 1 in the order in which they were opened.
-using LineId = std::uint32_t;
-
 class Line {
  public:
   /// Above this the line takes no further byte until its transport has taken replies.
   static constexpr std::size_t kFullOutbox = 64 * 1024;
 
-  Line(Profile profile, std::string peer, Tick opened)
-      : endpoint_(profile), peer_(std::move(peer)), opened_(opened) {}
+  Line(Profile profile, LineKind kind, std::string peer, Tick opened)
+      : endpoint_(profile), kind_(kind), peer_(std::move(peer)), opened_(opened) {}
 
   /// Takes bytes at the simulation's tick and returns how many: all, unless the outbox is full or the
   /// client turned out to be a stranger.
@@ -39,9 +37,9 @@ class Line {
   bool is_stranger() const { return is_stranger_; }
   /// Bytes that the guard still holds back.
   std::size_t held_bytes() const { return guard_.held().size(); }
-  bool is_telnet() const { return telnet_.is_telnet(); }
   /// As it is before the next byte.
   const TelnetFilter& telnet() const { return telnet_; }
+  LineKind kind() const { return telnet_.is_telnet() ? LineKind::kTelnet : kind_; }
 
   /// Bytes for the transport; whoever sends some removes them by sent().
   std::string_view outbox() const { return outbox_; }
@@ -49,6 +47,12 @@ class Line {
 
   /// Forgets commands that have begun.
   void reset() { endpoint_.reset(); }
+
+  /// What was made of the last bytes, and how much of it was not obeyed or surprising.
+  const RawBytes& last() const { return last_; }
+  std::uint64_t warnings() const { return warnings_; }
+  void note(const RawBytes& last) { last_ = last; }
+  void note_warning() { ++warnings_; }
 
   const std::string& peer() const { return peer_; }
   Tick opened_tick() const { return opened_; }
@@ -60,15 +64,20 @@ class Line {
  private:
   void act(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
            std::vector<Exchange>& exchanges);
+  void act_on(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
+              std::vector<Exchange>& exchanges);
 
   StrangerGuard guard_;
   TelnetFilter telnet_;
   RhinoEndpoint endpoint_;
   std::string outbox_;
+  LineKind kind_;
   std::string peer_;
   Tick opened_;
   std::uint64_t bytes_in_ = 0;  ///< as the transport delivered them, telnet and held bytes included
   std::uint64_t bytes_out_ = 0;  ///< as the transport took them
+  std::uint64_t warnings_ = 0;
+  RawBytes last_;
   bool is_stranger_ = false;
 };
 

@@ -36,6 +36,7 @@ std::string_view words(CloseReason reason) {
       return "closed: it spoke HTTP or TLS, and not one byte of it has acted";
     case CloseReason::kError: return "lost";
     case CloseReason::kShutdown: return "closed: the server stops";
+    case CloseReason::kDisconnected: return "closed: a monitor disconnected it";
   }
   return "";
 }
@@ -72,6 +73,9 @@ struct NoteLogger {
   }
   void operator()(const ClockNote& note) const {
     spdlog::info("{}: clock: {}", where(), note.call);
+  }
+  void operator()(const ModelNote& note) const {
+    spdlog::info("{}: workcell changed: {} {}", where(), note.call, note.name);
   }
   void operator()(const EpochNote& note) const {
     spdlog::info("{}: reset: tick {} of epoch {} became tick 0", where(), note.from_tick,

@@ -8,9 +8,10 @@
 namespace xr3 {
 
 MonitorPort::MonitorPort(asio::io_context& io, Cell& cell, RobotPort& robot_port,
-                         std::function<bool()> is_ready, std::function<void()> acted)
-    : context_{MonitorService(cell, robot_port, acted), std::move(is_ready),
-               [this] { tell_of_tls(); },
+                         const AccessPolicy& policy, std::function<bool()> is_ready,
+                         std::function<void()> acted)
+    : service_(io, cell, robot_port, policy, acted),
+      context_{service_, std::move(is_ready), [this] { tell_of_tls(); },
                [this, acted](const std::shared_ptr<MonitorSession>& session) {
                  sessions_.erase(session);
                  acted();

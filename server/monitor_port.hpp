@@ -20,7 +20,7 @@ class MonitorPort {
 
   /// `is_ready` is what /readyz tells; `acted` is called after each call on the
   /// cell, and when a connection has ended.
-  MonitorPort(asio::io_context& io, Cell& cell, RobotPort& robot_port,
+  MonitorPort(asio::io_context& io, Cell& cell, RobotPort& robot_port, const AccessPolicy& policy,
               std::function<bool()> is_ready, std::function<void()> acted);
 
   /// Binds; afterwards endpoint() is known and connections are accepted. Returns what went wrong.
@@ -33,6 +33,9 @@ class MonitorPort {
   void abort();
   bool is_empty() const { return sessions_.empty(); }
 
+  /// Everybody who watches.
+  Audience& audience() { return service_.audience(); }
+
  private:
   using Sessions = std::set<std::shared_ptr<MonitorSession>>;
 
@@ -40,6 +43,7 @@ class MonitorPort {
   void refuse(tcp::socket socket);
   void tell_of_tls();
 
+  MonitorService service_;
   MonitorContext context_;
   Listener listener_;
   Sessions sessions_;

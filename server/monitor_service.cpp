@@ -1,123 +1,173 @@
 #include "server/monitor_service.hpp"
 
-#include <chrono>
 #include <utility>
 
-#include "protocol/snapshot_json.hpp"
 #include "server/wall_clock.hpp"
 
 namespace xr3 {
 namespace {
 
-using std::chrono::milliseconds;
+using monitor::Channel;
 
-bool moves_time(const call::Call& call) {
-  return std::holds_alternative<call::Step>(call) || std::holds_alternative<call::RunUntil>(call);
-}
+constexpr int kMostWrongTokens = 5;
 
-monitor::RequestError no_such_line(LineId line) {
-  return {{},
-          "no_such_line",
-          "line " + std::to_string(line) + " is not open",
-          "lines are numbered from 1 as they are opened",
+bool is_feed(Channel channel) { return channel == Channel::kEvent || channel == Channel::kLine; }
+
+monitor::RequestError no_camera(const monitor::RequestId& id) {
+  return {id,
+          "no_camera",
+          "this workcell has no camera",
+          "give the workcell file a camera, or replace it by the call workcell",
           {}};
 }
 
-monitor::RequestError timeout(const monitor::After& after, std::uint64_t bytes_in) {
-  const std::string message = "line " + std::to_string(after.line) + " has received " +
-                              std::to_string(bytes_in) + " of " + std::to_string(after.bytes_in) +
-                              " bytes after " + std::to_string(after.within_ms) + " ms";
-  return {{},
-          "timeout",
-          message,
-          "nothing was changed; send the bytes, or allow more time by within_ms",
+monitor::RequestError token_required(const monitor::RequestId& id, const std::string& what) {
+  return {id,
+          "token_required",
+          what + " needs the token",
+          R"(send {"op":"auth","token":"..."} first)",
           {}};
 }
 
-monitor::RequestError refused_error(const monitor::RequestId& id, const call::Refused& refused) {
-  return {id, refused.code, refused.message, refused.hint, {}};
+/// What holds from now on, as the answer to a `sub`.
+Json terms(const std::string& cell, const monitor::Subscribe& wanted, std::int64_t since) {
+  const Channel channel = wanted.selection.channel;
+  Json value = {{"cell", cell}, {"channel", monitor::name_of(channel)}};
+  if (is_feed(channel)) {
+    value["since"] = since;
+  } else {
+    value["max_hz"] = wanted.max_millihz / 1000.0;
+    value["on_change"] = wanted.on_change;
+  }
+  value["fields"] = wanted.selection.fields ? Json(*wanted.selection.fields) : Json();
+  if (channel == Channel::kImage)
+    value["encoding"] = wanted.selection.encoding == monitor::Encoding::kRle ? "rle" : "rows";
+  return value;
 }
 
 }  // namespace
 
-std::int64_t StateSequence::number_of(const Snapshot& snapshot) {
-  if (last_ != snapshot) {
-    last_ = snapshot;
-    ++seq_;
-  }
-  return seq_;
+MonitorService::MonitorService(asio::io_context& io, Cell& cell, RobotPort& robot_port,
+                               const AccessPolicy& policy, std::function<void()> acted)
+    : cell_(cell),
+      robot_port_(robot_port),
+      policy_(policy),
+      acted_(std::move(acted)),
+      frames_(cell),
+      audience_(io, cell, frames_) {}
+
+// --- Viewers.
+
+Access MonitorService::first_access() const {
+  if (!policy_.needs_token()) return Access::kControl;
+  return policy_.is_private() ? Access::kNone : Access::kRead;
 }
 
-monitor::Message MonitorService::hello() {
-  cell_.catch_up(wall_now());
-  const Snapshot now = snapshot();
-  return monitor::hello({"xr3 " XR3_VERSION, cells(), cell_.model(), now});
-}
-
-asio::awaitable<monitor::Message> MonitorService::answer(monitor::Request request) {
-  if (std::holds_alternative<monitor::Ping>(request.what)) co_return monitor::pong(request.id);
-  if (const auto* get = std::get_if<monitor::Get>(&request.what))
-    co_return show_state(request, *get);
-  const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  const bool in_standing_time = cell_.clock().mode() == ClockMode::kManual;
-  if (wanted.after && in_standing_time) {  // running time is refused without waiting
-    auto error = co_await wait_for(*wanted.after);
-    if (error) {
-      error->id = request.id;
-      co_return monitor::result(*error);
-    }
-  }
-  co_return carry_out(request);
-}
-
-monitor::Message MonitorService::show_state(const monitor::Request& request,
-                                            const monitor::Get& get) {
-  cell_.catch_up(wall_now());
-  const Snapshot now = snapshot();
-  const Json members = chosen(state_json(cell_.model(), now), get.fields);
-  return monitor::state(
-      request.id, {request.cell, now.epoch, sequence_.number_of(now), now.state.tick}, members);
-}
-
-asio::awaitable<std::optional<monitor::RequestError>> MonitorService::wait_for(
-    monitor::After after) {
-  robot_port_.take_in();
-  if (!cell_.bytes_in(after.line)) co_return no_such_line(after.line);
-  const bool arrived = co_await robot_port_.wait_for_bytes(after.line, after.bytes_in,
-                                                           milliseconds(after.within_ms));
-  if (arrived) co_return std::nullopt;
-  if (cell_.find_line(after.line) == nullptr) co_return no_such_line(after.line);
-  co_return timeout(after, cell_.bytes_in(after.line).value_or(0));
-}
-
-// Nothing suspends between taking in the bytes that have arrived and the call that must follow
-// them.
-monitor::Message MonitorService::carry_out(monitor::Request& request) {
-  const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  if (moves_time(wanted.call)) robot_port_.take_in();
-  if (const auto error = monitor::fit(request, cell_.state().tick)) return monitor::result(*error);
-  const Applied applied = cell_.apply(wanted.call, wall_now());
+void MonitorService::remove(Viewer& viewer) {
+  audience_.remove(viewer);
+  if (!viewer.own_line()) return;
+  cell_.apply(LineClosed{*viewer.own_line(), CloseReason::kClientClosed}, wall_now());
   acted_();
-  if (const auto* refused = std::get_if<call::Refused>(&applied.outcome)) {
-    return monitor::result(refused_error(request.id, *refused));
+}
+
+monitor::Message MonitorService::hello(const Viewer& viewer) {
+  cell_.catch_up(wall_now());
+  const Snapshot now = cell_.snapshot();
+  return monitor::hello(
+      {"xr3 " XR3_VERSION, cells(), cell_.model(), now, viewer.access() == Access::kControl});
+}
+
+const monitor::Frame* MonitorService::look(const monitor::Selection& selection) {
+  cell_.catch_up(wall_now());
+  return frames_.current(selection);
+}
+
+// --- Requests.
+
+asio::awaitable<void> MonitorService::carry_out(Viewer& viewer, monitor::Request request) {
+  if (const Error error = check_access(viewer, request)) {
+    viewer.client().send(monitor::result(*error));
+  } else if (std::holds_alternative<monitor::Ping>(request.what)) {
+    viewer.client().send(monitor::pong(request.id));
+  } else if (const auto* auth = std::get_if<monitor::Auth>(&request.what)) {
+    authorize(viewer, request, *auth);
+  } else if (std::holds_alternative<monitor::Subscribe>(request.what)) {
+    subscribe(viewer, request);
+  } else if (std::holds_alternative<monitor::Unsubscribe>(request.what)) {
+    unsubscribe(viewer, request);
+  } else if (std::holds_alternative<monitor::Get>(request.what)) {
+    show(viewer, request);
+  } else {
+    co_await call(viewer, std::move(request));
   }
-  return done(request, std::get<call::Done>(applied.outcome));
 }
 
-monitor::Message MonitorService::done(const monitor::Request& request, const call::Done& done) {
-  const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  const Snapshot now = snapshot();
-  Json value = {{"epoch", now.epoch}, {"tick", now.state.tick}};
-  if (done.reached) value["reached"] = *done.reached;
-  if (done.ran_ticks) value["ran_ticks"] = *done.ran_ticks;
-  if (moves_time(wanted.call))
-    value["state"] = chosen(state_json(cell_.model(), now), wanted.fields);
-  return monitor::result(request.id, value);
+MonitorService::Error MonitorService::check_access(const Viewer& viewer,
+                                                   const monitor::Request& request) const {
+  const auto* wanted = std::get_if<monitor::CallRequest>(&request.what);
+  if (wanted != nullptr && viewer.access() != Access::kControl)
+    return token_required(request.id, "the call " + wanted->fn);
+  const bool reads = std::holds_alternative<monitor::Subscribe>(request.what) ||
+                     std::holds_alternative<monitor::Get>(request.what);
+  if (reads && viewer.access() == Access::kNone)
+    return token_required(request.id, "reading this server");
+  return std::nullopt;
 }
 
-Snapshot MonitorService::snapshot() const {
-  const SimClock& clock = cell_.clock();
-  return {cell_.epoch(), clock.mode(), clock.rate(), 1, cell_.state()};
+void MonitorService::authorize(Viewer& viewer, const monitor::Request& request,
+                               const monitor::Auth& auth) {
+  if (!policy_.needs_token() || policy_.is_right(auth.token)) {
+    viewer.grant(Access::kControl);
+    viewer.client().send(monitor::result(request.id, {{"access", "control"}}));
+    return;
+  }
+  viewer.client().send(monitor::result({request.id,
+                                        "bad_token",
+                                        "this is not the token",
+                                        "five wrong ones end the connection",
+                                        {}}));
+  if (viewer.note_wrong_token() >= kMostWrongTokens) viewer.end(monitor::Bye::kBadToken);
+}
+
+// --- Channels.
+
+monitor::Feed& MonitorService::feed(Channel channel) {
+  return channel == Channel::kEvent ? cell_.events() : cell_.wires();
+}
+
+void MonitorService::subscribe(Viewer& viewer, const monitor::Request& request) {
+  const auto& wanted = std::get<monitor::Subscribe>(request.what);
+  const Channel channel = wanted.selection.channel;
+  if (is_feed(channel)) {
+    cell_.catch_up(wall_now());
+    const std::int64_t since = wanted.since.value_or(feed(channel).next());
+    viewer.client().send(monitor::result(request.id, terms(request.cell, wanted, since)));
+    viewer.client().follow_feed(request.cell, wanted, feed(channel));
+  } else {
+    const monitor::Frame* frame = look(wanted.selection);
+    if (frame == nullptr) return viewer.client().send(monitor::result(no_camera(request.id)));
+    viewer.client().send(monitor::result(request.id, terms(request.cell, wanted, 0)));
+    viewer.client().follow_frames(request.cell, wanted).offer(*frame, Audience::now());
+  }
+  audience_.acted();
+}
+
+void MonitorService::unsubscribe(Viewer& viewer, const monitor::Request& request) {
+  const Channel channel = std::get<monitor::Unsubscribe>(request.what).channel;
+  viewer.client().unfollow(request.cell, channel);
+  viewer.client().send(monitor::result(request.id, Json::object()));
+}
+
+void MonitorService::show(Viewer& viewer, const monitor::Request& request) {
+  const auto& get = std::get<monitor::Get>(request.what);
+  if (is_feed(get.selection.channel)) {
+    cell_.catch_up(wall_now());
+    viewer.client().replay(feed(get.selection.channel), request.cell, get, request.id);
+    return viewer.client().send(monitor::result(request.id, Json::object()));
+  }
+  const monitor::Frame* frame = look(get.selection);
+  viewer.client().send(frame ? monitor::with_id(frame->message, request.id)
+                             : monitor::result(no_camera(request.id)));
 }
 
 }  // namespace xr3

@@ -1,8 +1,7 @@
-// What the monitor's clients ask of the cell, carried out: requests in, messages out. It knows no
-// connection; all of them, whatever they are made of, share one service.
+// What the monitor's clients ask of the cell, carried out: requests in, messages into their lanes. It
+// knows no connection; all viewers, whatever carries them, share one service.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -10,47 +9,68 @@
 
 #include "protocol/monitor_message.hpp"
 #include "protocol/monitor_request.hpp"
+#include "server/access.hpp"
 #include "server/asio.hpp"
+#include "server/audience.hpp"
 #include "server/cell.hpp"
+#include "server/frames.hpp"
 #include "server/robot_port.hpp"
+#include "server/viewer.hpp"
 
 namespace xr3 {
 
-/// Numbers the states that clients are shown: the same state has the same number for all of them.
-class StateSequence {
- public:
-  std::int64_t number_of(const Snapshot& snapshot);
-
- private:
-  std::optional<Snapshot> last_;
-  std::int64_t seq_ = 0;
-};
-
 class MonitorService {
  public:
-  /// `acted` is called after each call.
-  MonitorService(Cell& cell, RobotPort& robot_port, std::function<void()> acted)
-      : cell_(cell), robot_port_(robot_port), acted_(std::move(acted)) {}
+  /// `acted` is called after each call. All of them outlive it.
+  MonitorService(asio::io_context& io, Cell& cell, RobotPort& robot_port,
+                 const AccessPolicy& policy, std::function<void()> acted);
 
   std::vector<std::string> cells() const { return {cell_.name()}; }
 
-  /// The first message of a connection.
-  monitor::Message hello();
+  // --- Viewers.
 
-  /// Carries out a request and answers it. A call with `after` waits; nothing else does.
-  asio::awaitable<monitor::Message> answer(monitor::Request request);
+  void add(Viewer& viewer) { audience_.add(viewer); }
+  /// Closes what the viewer had opened.
+  void remove(Viewer& viewer);
+  Access first_access() const;
+  /// The first message of a connection.
+  monitor::Message hello(const Viewer& viewer);
+
+  /// Carries out a request and answers it. A call with `after` waits; nothing else does. The viewer
+  /// must still be there when it is done.
+  asio::awaitable<void> carry_out(Viewer& viewer, monitor::Request request);
+
+  /// A frame of the cell as it is now, or null for an image where there is no camera.
+  const monitor::Frame* look(const monitor::Selection& selection);
+
+  Audience& audience() { return audience_; }
 
  private:
-  monitor::Message show_state(const monitor::Request& request, const monitor::Get& get);
-  asio::awaitable<std::optional<monitor::RequestError>> wait_for(monitor::After after);
-  monitor::Message carry_out(monitor::Request& request);
+  using Error = std::optional<monitor::RequestError>;
+
+  Error check_access(const Viewer& viewer, const monitor::Request& request) const;
+  void authorize(Viewer& viewer, const monitor::Request& request, const monitor::Auth& auth);
+  void subscribe(Viewer& viewer, const monitor::Request& request);
+  void unsubscribe(Viewer& viewer, const monitor::Request& request);
+  void show(Viewer& viewer, const monitor::Request& request);
+  monitor::Feed& feed(monitor::Channel channel);
+
+  asio::awaitable<void> call(Viewer& viewer, monitor::Request request);
+  asio::awaitable<Error> wait_for(monitor::After after);
+  monitor::Message call_cell(monitor::Request& request);
+  monitor::Message send(Viewer& viewer, const monitor::Request& request);
+  monitor::Message list_lines(const monitor::Request& request);
+  monitor::Message disconnect(const monitor::Request& request);
   monitor::Message done(const monitor::Request& request, const call::Done& done);
-  Snapshot snapshot() const;
+  /// Epoch and tick, which every value begins with.
+  Json value_now() const;
 
   Cell& cell_;
   RobotPort& robot_port_;
+  const AccessPolicy& policy_;
   std::function<void()> acted_;
-  StateSequence sequence_;
+  Frames frames_;
+  Audience audience_;
 };
 
 }  // namespace xr3

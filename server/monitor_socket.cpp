@@ -69,6 +69,23 @@ asio::awaitable<bool> MonitorSocket::send(std::string_view bytes) {
   co_return is_open();
 }
 
+std::size_t MonitorSocket::send_some(std::span<const asio::const_buffer> buffers) {
+  ErrorCode error;
+  const std::size_t count = socket_->write_some(buffers, error);
+  const bool must_wait = error == asio::error::would_block || error == asio::error::try_again;
+  if (error && !must_wait) close();
+  return count;
+}
+
+void MonitorSocket::when_writable(std::function<void()> ready) {
+  close_when_due(stuck_, kMostStuck, socket_);
+  socket_->async_wait(tcp::socket::wait_write,
+                      [this, socket = socket_, ready = std::move(ready)](ErrorCode) {
+                        if (socket->is_open()) stuck_.cancel();
+                        ready();
+                      });
+}
+
 asio::awaitable<bool> MonitorSocket::wait_until_writable() {
   close_when_due(stuck_, kMostStuck, socket_);
   const auto [error] = co_await socket_->async_wait(tcp::socket::wait_write, kAwait);

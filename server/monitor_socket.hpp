@@ -3,8 +3,11 @@
 #pragma once
 
 #include <array>
+#include <boost/asio/buffer.hpp>
 #include <chrono>
+#include <functional>
 #include <memory>
+#include <span>
 #include <string_view>
 
 #include "server/asio.hpp"
@@ -28,6 +31,13 @@ class MonitorSocket {
 
   /// Sends all of it. False: the connection is lost, or the client took no byte for 30 s.
   asio::awaitable<bool> send(std::string_view bytes);
+
+  /// Sends as much as the connection takes now, and returns how much that was; 0 and not open where it
+  /// is lost.
+  std::size_t send_some(std::span<const asio::const_buffer> buffers);
+
+  /// Calls `ready` when more can be sent, or when the connection is lost, at the latest after 30 s.
+  void when_writable(std::function<void()> ready);
 
   /// Waits a moment, reading and forgetting, for the client to close, so that what was sent last is
   /// not destroyed by what it is still sending; then closes.

@@ -28,10 +28,18 @@ void RobotPort::open(tcp::socket socket) {
     spdlog::warn("line refused: {} lines are open already (--max-lines)", sessions_.size());
     return;  // closed without a byte
   }
-  const LineId id = ++last_line_;
-  const auto session = std::make_shared<RobotSession>(std::move(socket), id, context_);
-  sessions_.emplace(id, session);
+  const auto session = std::make_shared<RobotSession>(std::move(socket), context_);
+  sessions_.emplace(session->line(), session);
   session->start();
+  tell();
+}
+
+bool RobotPort::disconnect(LineId line) {
+  const auto found = sessions_.find(line);
+  if (found == sessions_.end()) return false;
+  const auto session = found->second;  // it takes itself out of the map
+  session->close(CloseReason::kDisconnected);
+  return true;
 }
 
 // A copy of the map: a session that ends takes itself out of it.

@@ -33,6 +33,9 @@ class RobotPort {
   asio::awaitable<bool> wait_for_bytes(LineId line, std::uint64_t bytes_in,
                                        std::chrono::milliseconds within);
 
+  /// Closes the connection of a line. False: none of this port's is it.
+  bool disconnect(LineId line);
+
   /// Takes no further connection; sessions hand out what is in their outboxes and end.
   void close();
   bool is_empty() const { return sessions_.empty(); }
@@ -56,7 +59,6 @@ class RobotPort {
   Listener listener_;
   std::set<asio::steady_timer*> waiting_;  ///< cancelled when bytes have acted
   Sessions sessions_;
-  LineId last_line_ = 0;
   bool is_closing_ = false;
 };
 

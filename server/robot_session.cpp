@@ -23,11 +23,12 @@ std::string name_of(const tcp::socket& socket) {
 
 }  // namespace
 
-RobotSession::RobotSession(tcp::socket socket, LineId id, RobotSessionContext& context)
-    : socket_(std::move(socket)), id_(id), context_(context) {
+RobotSession::RobotSession(tcp::socket socket, RobotSessionContext& context)
+    : socket_(std::move(socket)),
+      id_(context.cell.apply(LineOpened{name_of(socket_)}, wall_now()).line),
+      context_(context) {
   ErrorCode ignored;
   socket_.set_option(asio::socket_base::keep_alive(true), ignored);
-  context_.cell.apply(LineOpened{id_, name_of(socket_)}, wall_now());
 }
 
 void RobotSession::start() {

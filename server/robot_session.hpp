@@ -22,8 +22,10 @@ struct RobotSessionContext {
 
 class RobotSession : public std::enable_shared_from_this<RobotSession> {
  public:
-  /// Opens line `id` of the cell. `context` outlives the session.
-  RobotSession(tcp::socket socket, LineId id, RobotSessionContext& context);
+  /// Opens a line of the cell. `context` outlives the session.
+  RobotSession(tcp::socket socket, RobotSessionContext& context);
+
+  LineId line() const { return id_; }
 
   /// Runs until the connection ends.
   void start();

@@ -1,16 +1,22 @@
 // One client of the monitor, whatever carries it: JSON lines and WebSocket are thin shells around this.
-// Messages go in, messages come out; it closes what it had opened when it is destroyed.
+// Messages go in, messages come out; what it had opened is closed when it is destroyed.
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "protocol/monitor_client.hpp"
 #include "server/asio.hpp"
+#include "server/line.hpp"
 
 namespace xr3 {
 
 class MonitorService;
+
+/// What a client may do: look, and with the token, or where none is needed, call.
+enum class Access : std::uint8_t { kNone, kRead, kControl };
 
 class Viewer {
  public:
@@ -29,11 +35,38 @@ class Viewer {
   monitor::Message next_output();
 
   /// No request may be taken until the client has taken some of its answers.
-  bool is_full() const;
+  bool is_full() const { return client_.is_full(); }
   /// The last message has been put into the lane: when it is out, the connection ends.
-  bool has_ended() const;
+  bool has_ended() const { return client_.has_ended(); }
+  /// It still follows a channel: messages may come although nothing is asked any more.
+  bool follows_anything() const { return client_.follows_anything(); }
+
   /// Says bye.
   void end(monitor::Bye why);
+  void end(monitor::LineFault fault);
+
+  // --- For the service and the audience.
+
+  monitor::Client& client() { return client_; }
+  /// There is output.
+  void wake() { wake_(); }
+
+  Access access() const { return access_; }
+  void grant(Access access) { access_ = access; }
+  /// Counts a wrong token; returns how many there were.
+  int note_wrong_token() { return ++wrong_tokens_; }
+
+  /// The line that its first `send` opened.
+  std::optional<LineId> own_line() const { return own_line_; }
+  void set_own_line(LineId line) { own_line_ = line; }
+
+ private:
+  MonitorService& service_;
+  monitor::Client client_;
+  std::function<void()> wake_;
+  Access access_;
+  int wrong_tokens_ = 0;
+  std::optional<LineId> own_line_;
 };
 
 }  // namespace xr3

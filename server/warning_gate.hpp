@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "server/cell_event.hpp"
+#include "protocol/cell_event.hpp"
 
 namespace xr3 {
 

@@ -12,6 +12,18 @@
 namespace xr3::monitor {
 namespace {
 
+/// What a shell around a client does with its lines, up to the next request to carry out.
+std::optional<Request> next_request(Lines& lines, Client& client) {
+  while (!client.has_ended() && !client.is_full()) {
+    const auto line = lines.next();
+    if (!line) break;
+    if (auto request = client.take(*line)) return request;
+  }
+  if (!client.is_full() && lines.fault() != LineFault::kNone && !client.has_ended())
+    client.end(lines.fault());
+  return std::nullopt;
+}
+
 /// A connection without a network: pings are answered, calls are counted.
 class Pipe {
  public:
@@ -31,7 +43,7 @@ class Pipe {
   bool has_ended() const { return client_.has_ended(); }
   std::string received() {
     std::string all;
-    while (const Message message = client_.next_output()) all += *message + "\n";
+    while (const Message message = client_.next_output(0)) all += *message + "\n";
     return all;
   }
 
@@ -220,10 +232,10 @@ TEST(MonitorClient, AFullLaneStopsRequests) {
   serve();
   EXPECT_EQ(answered, 256);
   EXPECT_TRUE(client.is_full());
-  EXPECT_EQ(*client.next_output() + "\n", pong_line(0));
+  EXPECT_EQ(*client.next_output(0) + "\n", pong_line(0));
   serve();
   EXPECT_EQ(answered, 257);
-  while (client.next_output()) {
+  while (client.next_output(0)) {
   }
   serve();
   EXPECT_EQ(answered, 300);
@@ -238,7 +250,7 @@ TEST(MonitorClient, ErrorsFillTheLaneToo) {
   EXPECT_TRUE(client.is_full());
   EXPECT_FALSE(client.has_ended());
   int messages = 0;
-  while (client.next_output()) ++messages;
+  while (client.next_output(0)) ++messages;
   EXPECT_EQ(messages, 256);
   EXPECT_FALSE(next_request(lines, client));
   EXPECT_TRUE(client.has_ended());
@@ -250,9 +262,9 @@ TEST(MonitorClient, BytesFillTheLaneToo) {
   EXPECT_TRUE(client.is_full());
   client.end(Bye::kShutdown);  // the last word is always taken
   client.send(pong({}));
-  EXPECT_NE(client.next_output(), nullptr);
-  EXPECT_EQ(*client.next_output(), *bye(Bye::kShutdown));
-  EXPECT_EQ(client.next_output(), nullptr);
+  EXPECT_NE(client.next_output(0), nullptr);
+  EXPECT_EQ(*client.next_output(0), *bye(Bye::kShutdown));
+  EXPECT_EQ(client.next_output(0), nullptr);
 }
 
 }  // namespace

@@ -74,9 +74,10 @@ TEST(MonitorMessage, Pong) {
 TEST(MonitorMessage, StateWithAndWithoutId) {
   const Json members = {{"stalled", nullptr}, {"moving", false}};
   EXPECT_EQ(
-      *state(std::int64_t{5}, {"main", 0, 90, 1200}, members),
+      *with_id(channel_message(Channel::kState, {"main", 0, 90, 1200}, text_of(members)),
+               std::int64_t{5}),
       R"({"op":"state","id":5,"cell":"main","epoch":0,"seq":90,"tick":1200,"stalled":null,"moving":false})");
-  EXPECT_EQ(*state({}, {"main", 1, 91, 0}, Json::object()),
+  EXPECT_EQ(*channel_message(Channel::kState, {"main", 1, 91, 0}, "{}"),
             R"({"op":"state","cell":"main","epoch":1,"seq":91,"tick":0})");
 }
 

@@ -13,12 +13,14 @@ constexpr WallNs kMs = 1'000'000;
 struct Lab {
   explicit Lab(SimClock clock = SimClock::manual(), Profile profile = Profile::kPaper)
       : cell("main", test::rhino(profile), clock,
-             [this](const CellEvent& e) { told.push_back(e); }) {}
+             [this](const CellEvent& e, const Model&) { told.push_back(e); }) {}
 
   std::vector<CellEvent> told;
   Cell cell;
 
-  void open(LineId line, WallNs now = 0) { cell.apply(LineOpened{line, "test"}, now); }
+  void open(LineId line, WallNs now = 0) {
+    EXPECT_EQ(cell.apply(LineOpened{"test"}, now).line, line);
+  }
   /// Sends bytes and returns the reply.
   std::string send(LineId line, std::string_view bytes, WallNs now = 0) {
     cell.apply(BytesIn{line, bytes}, now);
@@ -160,7 +162,7 @@ TEST(Cell, ALineThatIsGoneTakesNothing) {
   lab.open(1);
   lab.cell.apply(LineClosed{1, CloseReason::kClientClosed}, 0);
   EXPECT_EQ(lab.cell.apply(BytesIn{1, "E+5\r"}, 0).bytes_taken, 0U);
-  EXPECT_EQ(lab.cell.line_count(), 0U);
+  EXPECT_EQ(lab.cell.lines().size(), 0U);
   EXPECT_EQ(lab.notes<LineClosedNote>().size(), 1U);
 }
 

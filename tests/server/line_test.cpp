@@ -9,7 +9,7 @@ namespace {
 
 struct OneLine {
   Simulation simulation{test::rhino()};
-  Line line{Profile::kPaper, "test", 0};
+  Line line{Profile::kPaper, LineKind::kRaw, "test", 0};
   std::vector<Exchange> exchanges;
 
   std::size_t receive(std::string_view bytes) { return line.receive(bytes, simulation, exchanges); }

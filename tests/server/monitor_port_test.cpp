@@ -98,7 +98,8 @@ class MonitorPortTest : public testing::Test {
   bool is_ready_ = true;
   int acted_ = 0;
   RobotPort robot_port_{io_, cell_, 16, [] {}};
-  MonitorPort monitor_port_{io_, cell_, robot_port_, [this] { return is_ready_; },
+  AccessPolicy policy_;
+  MonitorPort monitor_port_{io_, cell_, robot_port_, policy_, [this] { return is_ready_; },
                             [this] { ++acted_; }};
 };
 

@@ -13,7 +13,7 @@ namespace xr3::test {
 
 class Wire {
  public:
-  explicit Wire(Profile profile) : line_(profile, "test", 0) {}
+  explicit Wire(Profile profile) : line_(profile, LineKind::kRaw, "test", 0) {}
 
   /// What a client sends, at the simulation's tick; a closed line takes nothing.
   void send(std::string_view bytes, Simulation& simulation);

@@ -1,0 +1,85 @@
+#include "protocol/monitor_subscription.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace xr3::monitor {
+namespace {
+
+bool is_equal(const std::shared_ptr<const std::string>& a,
+              const std::shared_ptr<const std::string>& b) {
+  return a == b || (a && b && *a == *b);
+}
+
+}  // namespace
+
+// --- Latest wins.
+
+// The grid of max_hz: frames of one slot are as good as one.
+std::int64_t FrameSubscription::slot_of(FrameNumber frame) const {
+  return frame * wanted_.max_millihz / (kFramesPerSecond * 1000);
+}
+
+bool FrameSubscription::is_due(FrameNumber now) const {
+  return last_offer_ < 0 || slot_of(now) > slot_of(last_offer_);
+}
+
+void FrameSubscription::offer(const Frame& frame, FrameNumber now) {
+  if (wanted_.on_change && waiting_.message && is_equal(frame.content, waiting_.content)) return;
+  const bool is_old = wanted_.on_change && is_equal(frame.content, sent_);
+  if (is_old && !waiting_.message) return;
+  miss_waiting();
+  if (is_old) return;  // it has come back to what the client knows
+  waiting_ = frame;
+  last_offer_ = now;
+}
+
+void FrameSubscription::miss_waiting() {
+  if (!waiting_.message) return;
+  if (missed_.count++ == 0) missed_.from_seq = waiting_.seq;
+  missed_.to_seq = waiting_.seq;
+  ++tally_.overwritten;
+  waiting_ = {};
+}
+
+bool FrameSubscription::is_settled(const Frame& current) const {
+  if (!wanted_.on_change || missed_.count > 0) return false;
+  return is_equal(current.content, waiting_.message ? waiting_.content : sent_);
+}
+
+bool FrameSubscription::is_lag_due(FrameNumber now) const {
+  return missed_.count > 0 && now >= last_lag_ + kFramesPerSecond;
+}
+
+Message FrameSubscription::next_output(FrameNumber now) {
+  if (is_lag_due(now)) {
+    last_lag_ = now;
+    return lag(cell_, wanted_.selection.channel, std::exchange(missed_, {}));
+  }
+  if (!waiting_.message) return nullptr;
+  ++tally_.sent;
+  sent_ = std::move(waiting_.content);
+  Message message = std::move(waiting_.message);
+  waiting_ = {};
+  return message;
+}
+
+// --- Every message.
+
+FeedSubscription::FeedSubscription(std::string cell, const Subscribe& wanted, Feed& feed)
+    : cell_(std::move(cell)), wanted_(wanted), feed_(&feed), next_(feed.next()) {
+  if (wanted.since) next_ = std::clamp<std::int64_t>(*wanted.since, 1, feed.next());
+}
+
+Message FeedSubscription::next_output() {
+  const std::int64_t first = feed_->first();
+  if (next_ < first) {
+    const Missed missed{first - next_, next_, first - 1};
+    next_ = first;
+    return lag(cell_, wanted_.selection.channel, missed);
+  }
+  if (!has_output()) return nullptr;
+  return with_fields(feed_->at(next_++), wanted_.selection.fields);
+}
+
+}  // namespace xr3::monitor

@@ -1,0 +1,124 @@
+#include "server/audience.hpp"
+
+#include <algorithm>
+#include <boost/asio/post.hpp>
+#include <chrono>
+
+#include "server/wall_clock.hpp"
+
+namespace xr3 {
+namespace {
+
+constexpr WallNs kSecond = 1'000'000'000;
+
+/// The first moment of a frame.
+WallNs start_of(monitor::FrameNumber frame) {
+  return (frame * kSecond + monitor::kFramesPerSecond - 1) / monitor::kFramesPerSecond;
+}
+
+}  // namespace
+
+// Seconds and the rest of one apart: a product of all nanoseconds would not fit.
+monitor::FrameNumber Audience::now() {
+  const WallNs wall = wall_now();
+  return wall / kSecond * monitor::kFramesPerSecond +
+         wall % kSecond * monitor::kFramesPerSecond / kSecond;
+}
+
+void Audience::remove(Viewer& viewer) {
+  const auto found = std::find(viewers_.begin(), viewers_.end(), &viewer);
+  if (found == viewers_.end()) return;
+  const auto index = static_cast<std::size_t>(found - viewers_.begin());
+  viewers_.erase(found);
+  if (index < next_) --next_;
+}
+
+bool Audience::has_followers() const {
+  return std::any_of(viewers_.begin(), viewers_.end(),
+                     [](const Viewer* viewer) { return viewer->follows_anything(); });
+}
+
+// --- When.
+
+void Audience::acted() {
+  has_acted_ = true;
+  if (is_stopped_ || is_serving_ || armed_ == Wake::kFrame) return;
+  if (!viewers_.empty() && has_followers()) return arm_frame();
+  const bool runs = cell_.clock().mode() == ClockMode::kReal && !cell_.is_at_rest();
+  if (runs && armed_ == Wake::kNone) arm(Wake::kSecond);
+}
+
+// At once where this frame has not been served yet, so that who waits for an answer need not wait.
+void Audience::arm_frame() {
+  if (now() == frame_) return arm(Wake::kFrame);
+  armed_ = Wake::kFrame;
+  timer_.cancel();
+  asio::post(io_, [this] { beat(); });
+}
+
+void Audience::arm(Wake wake) {
+  armed_ = wake;
+  const WallNs due = wake == Wake::kFrame ? start_of(now() + 1) : wall_now() + kSecond;
+  timer_.expires_at(as_time_point(due));
+  timer_.async_wait([this](ErrorCode cancelled) {
+    if (!cancelled) beat();
+  });
+}
+
+void Audience::stop() {
+  is_stopped_ = true;
+  timer_.cancel();
+}
+
+// --- What.
+
+void Audience::beat() {
+  armed_ = Wake::kNone;
+  if (is_stopped_ || is_serving_) return;
+  cell_.catch_up(wall_now());
+  begin_round();
+}
+
+void Audience::begin_round() {
+  is_serving_ = true;
+  has_acted_ = false;
+  is_settled_ = true;
+  next_ = 0;
+  frame_ = now();
+  serve_some();
+}
+
+void Audience::serve_some() {
+  const std::size_t end = std::min(viewers_.size(), next_ + kFairShare);
+  while (next_ < std::min(end, viewers_.size())) serve(*viewers_[next_++]);
+  if (next_ < viewers_.size() && !is_stopped_) return asio::post(io_, [this] { serve_some(); });
+  end_round();
+}
+
+void Audience::serve(Viewer& viewer) {
+  viewer.client().for_each_frame_subscription([this](monitor::FrameSubscription& subscription) {
+    const auto& selection = subscription.wanted().selection;
+    const monitor::Frame* frame = frames_.current(selection);
+    if (frame == nullptr) return;
+    if (subscription.is_due(frame_)) subscription.offer(*frame, frame_);
+    is_settled_ = is_settled_ && subscription.is_settled(*frame);
+    auto& tally = tallies_.at(static_cast<std::size_t>(selection.channel));
+    const auto news = subscription.take_tally();
+    tally.sent += news.sent;
+    tally.overwritten += news.overwritten;
+  });
+  if (viewer.client().has_output(frame_)) viewer.wake();
+}
+
+void Audience::end_round() {
+  is_serving_ = false;
+  if (is_stopped_) return;
+  const bool runs = cell_.clock().mode() == ClockMode::kReal && !cell_.is_at_rest();
+  if (!has_followers()) {
+    if (runs) arm(Wake::kSecond);
+  } else if (runs || !is_settled_ || has_acted_) {
+    arm(Wake::kFrame);
+  }
+}
+
+}  // namespace xr3

@@ -1,0 +1,70 @@
+// Everybody who watches a cell, and when they are served: on a grid of 1/60 s, only while something
+// that somebody follows may have changed, and a few of them at a time, so that a robot line never waits
+// behind a thousand viewers. Without followers a moving cell is brought up to date once a second, for
+// the log and the rings. At rest nothing wakes.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "server/asio.hpp"
+#include "server/cell.hpp"
+#include "server/frames.hpp"
+#include "server/viewer.hpp"
+
+namespace xr3 {
+
+class Audience {
+ public:
+  /// Viewers served in one turn of the loop.
+  static constexpr std::size_t kFairShare = 64;
+
+  /// All of them outlive it.
+  Audience(asio::io_context& io, Cell& cell, Frames& frames)
+      : io_(io), timer_(io), cell_(cell), frames_(frames) {}
+
+  void add(Viewer& viewer) { viewers_.push_back(&viewer); }
+  void remove(Viewer& viewer);
+
+  /// Something has acted on the cell, or a viewer follows something else than before: everybody is
+  /// served at the next point of the grid.
+  void acted();
+  void stop();
+
+  /// The point of the grid at which we are.
+  static monitor::FrameNumber now();
+
+  std::size_t size() const { return viewers_.size(); }
+
+  /// Frames handed out and overwritten before they were, by channel.
+  using Tallies = std::array<monitor::FrameSubscription::Tally, 4>;
+  const Tallies& tallies() const { return tallies_; }
+
+ private:
+  enum class Wake : std::uint8_t { kNone, kSecond, kFrame };
+
+  void arm(Wake wake);
+  void arm_frame();
+  void beat();
+  void begin_round();
+  void serve_some();
+  void serve(Viewer& viewer);
+  void end_round();
+  bool has_followers() const;
+
+  asio::io_context& io_;
+  asio::steady_timer timer_;
+  Cell& cell_;
+  Frames& frames_;
+  std::vector<Viewer*> viewers_;
+  Wake armed_ = Wake::kNone;
+  bool is_stopped_ = false;
+  bool is_serving_ = false;          ///< a round is under way
+  bool has_acted_ = false;           ///< meanwhile something has acted
+  bool is_settled_ = true;           ///< nobody of this round waits for a later frame
+  std::size_t next_ = 0;             ///< viewer of the round that comes next
+  monitor::FrameNumber frame_ = -1;  ///< of the last round
+  Tallies tallies_{};
+};
+
+}  // namespace xr3
