@@ -29,6 +29,13 @@ call::Refused no_such_snapshot(const std::string& name) {
   return {"no_such_snapshot", "there is no snapshot " + name, "snapshot_save makes one"};
 }
 
+/// The same blocks, wherever they lie.
+bool are_same_things(const std::vector<Block>& a, const std::vector<Block>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Block& x, const Block& y) {
+    return x.name == y.name && x.size_um == y.size_um && x.color == y.color;
+  });
+}
+
 }  // namespace
 
 // --- Time.
@@ -85,12 +92,16 @@ call::Outcome Cell::carry_out(const call::Reset&, WallNs now) {
 // The note stands at the first tick of the new epoch and tells where the old one ended.
 void Cell::begin_epoch(std::string_view call, WallNs now, const std::function<void()>& change) {
   const EpochNote note{call, epoch_, state().tick};
+  const ModelPtr old_model = simulation_.model_ptr();
+  const std::vector<Block> old_blocks = state().blocks;
   change();
   ++epoch_;
   clock_.set_tick(state().tick, now);
   for (const auto& [id, line] : lines_) warnings_.forget(id);
   tell(std::nullopt, note);
-  changed_model(call, model().workcell().name);
+  const bool is_same =
+      old_model->workcell() == model().workcell() && are_same_things(old_blocks, state().blocks);
+  if (!is_same) changed_model(call, model().workcell().name);
 }
 
 // --- The machine.
