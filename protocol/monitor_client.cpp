@@ -37,7 +37,9 @@ void Client::send(Message message) {
 void Client::replay(Feed& feed, const std::string& cell, const Get& get, const RequestId& id) {
   const std::int64_t wanted = get.since.value_or(feed.next() - kMostRecalled);
   const Subscribe from{get.selection, {}, {}, std::max(wanted, feed.first())};
-  if (!has_ended_) lane_.emplace_back(Replay{{cell, from, feed}, feed.next(), id});
+  if (!has_ended_)
+    lane_.emplace_back(
+        Replay{{cell, from, feed, tally_of(get.selection.channel)}, feed.next(), id});
 }
 
 void Client::end(Bye why) {
@@ -72,13 +74,16 @@ Message Client::next_answer() {
 FrameSubscription& Client::follow_frames(const std::string& cell, const Subscribe& wanted) {
   const Where where{cell, wanted.selection.channel};
   followed_.erase(where);
-  const auto entry = followed_.emplace(where, FrameSubscription(cell, wanted)).first;
+  const auto entry =
+      followed_.emplace(where, FrameSubscription(cell, wanted, tally_of(wanted.selection.channel)))
+          .first;
   return std::get<FrameSubscription>(entry->second);
 }
 
 void Client::follow_feed(const std::string& cell, const Subscribe& wanted, Feed& feed) {
-  followed_.insert_or_assign({cell, wanted.selection.channel},
-                             FeedSubscription(cell, wanted, feed));
+  followed_.insert_or_assign(
+      {cell, wanted.selection.channel},
+      FeedSubscription(cell, wanted, feed, tally_of(wanted.selection.channel)));
 }
 
 void Client::unfollow(const std::string& cell, Channel channel) {

@@ -3,6 +3,7 @@
 // JSON lines over TCP, and others, are thin shells around it. It knows no cell.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <deque>
 #include <map>
@@ -27,6 +28,8 @@ class Client {
 
   /// `cells` are those that a request may name, the default first.
   explicit Client(std::vector<std::string> cells) : cells_(std::move(cells)) {}
+  Client(const Client&) = delete;
+  Client& operator=(const Client&) = delete;
 
   /// Takes one message. A request is to be carried out, and answered by send(), before the next one
   /// is taken; a message that is none has been answered by its error.
@@ -60,6 +63,9 @@ class Client {
     }
   }
 
+  /// What it was given of each channel, by Channel.
+  const std::array<Tally, kChannels>& tallies() const { return tallies_; }
+
   /// Something can go out now.
   bool has_output(FrameNumber now) const;
   /// The message that is to go out next, or null: answers first, then each channel in turn.
@@ -76,12 +82,14 @@ class Client {
     RequestId id;
   };
 
+  Tally& tally_of(Channel channel) { return tallies_.at(static_cast<std::size_t>(channel)); }
   Message next_answer();
   Message next_followed(FrameNumber now);
 
   std::vector<std::string> cells_;
   std::deque<std::variant<Message, Replay>> lane_;
   std::size_t lane_bytes_ = 0;
+  std::array<Tally, kChannels> tallies_{};
   std::map<Where, Followed> followed_;
   Where last_turn_;  ///< the channel that had its turn last
   bool has_ended_ = false;

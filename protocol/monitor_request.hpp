@@ -29,6 +29,7 @@ using RequestId = std::variant<std::monostate, std::int64_t, std::string>;
 
 /// What a client can look at: the last of each of the first four, every message of the others.
 enum class Channel : std::uint8_t { kState, kImage, kDisplay, kModel, kEvent, kLine };
+inline constexpr std::size_t kChannels = 6;
 
 /// How an image is written: a text of 0 and 1 a row, or run lengths that begin with zeros.
 enum class Encoding : std::uint8_t { kRows, kRle };

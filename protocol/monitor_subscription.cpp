@@ -38,7 +38,7 @@ void FrameSubscription::miss_waiting() {
   if (!waiting_.message) return;
   if (missed_.count++ == 0) missed_.from_seq = waiting_.seq;
   missed_.to_seq = waiting_.seq;
-  ++tally_.overwritten;
+  ++tally_->overwritten;
   waiting_ = {};
 }
 
@@ -57,7 +57,7 @@ Message FrameSubscription::next_output(FrameNumber now) {
     return lag(cell_, wanted_.selection.channel, std::exchange(missed_, {}));
   }
   if (!waiting_.message) return nullptr;
-  ++tally_.sent;
+  ++tally_->sent;
   sent_ = std::move(waiting_.content);
   Message message = std::move(waiting_.message);
   waiting_ = {};
@@ -66,8 +66,9 @@ Message FrameSubscription::next_output(FrameNumber now) {
 
 // --- Every message.
 
-FeedSubscription::FeedSubscription(std::string cell, const Subscribe& wanted, Feed& feed)
-    : cell_(std::move(cell)), wanted_(wanted), feed_(&feed), next_(feed.next()) {
+FeedSubscription::FeedSubscription(std::string cell, const Subscribe& wanted, Feed& feed,
+                                   Tally& tally)
+    : cell_(std::move(cell)), wanted_(wanted), feed_(&feed), tally_(&tally), next_(feed.next()) {
   if (wanted.since) next_ = std::clamp<std::int64_t>(*wanted.since, 1, feed.next());
 }
 
@@ -75,10 +76,12 @@ Message FeedSubscription::next_output() {
   const std::int64_t first = feed_->first();
   if (next_ < first) {
     const Missed missed{first - next_, next_, first - 1};
+    tally_->overwritten += static_cast<std::uint64_t>(missed.count);
     next_ = first;
     return lag(cell_, wanted_.selection.channel, missed);
   }
   if (!has_output()) return nullptr;
+  ++tally_->sent;
   return with_fields(feed_->at(next_++), wanted_.selection.fields);
 }
 

@@ -24,11 +24,18 @@ struct Frame {
   std::shared_ptr<const std::string> content;
 };
 
+/// Messages of one channel that a client was given, and those that went past it.
+struct Tally {
+  std::uint64_t sent = 0;
+  std::uint64_t overwritten = 0;
+};
+
 /// A latest-wins channel: one slot, filled by offer(), emptied when the client can take it.
 class FrameSubscription {
  public:
-  FrameSubscription(std::string cell, const Subscribe& wanted)
-      : cell_(std::move(cell)), wanted_(wanted) {}
+  /// `tally` outlives it.
+  FrameSubscription(std::string cell, const Subscribe& wanted, Tally& tally)
+      : cell_(std::move(cell)), wanted_(wanted), tally_(&tally) {}
 
   const Subscribe& wanted() const { return wanted_; }
 
@@ -45,13 +52,6 @@ class FrameSubscription {
   Message next_output(FrameNumber now);
   bool has_output(FrameNumber now) const { return waiting_.message || is_lag_due(now); }
 
-  /// Frames handed out, and those overwritten in the slot, since the last call.
-  struct Tally {
-    std::int64_t sent = 0;
-    std::int64_t overwritten = 0;
-  };
-  Tally take_tally() { return std::exchange(tally_, {}); }
-
  private:
   std::int64_t slot_of(FrameNumber frame) const;
   bool is_lag_due(FrameNumber now) const;
@@ -64,14 +64,14 @@ class FrameSubscription {
   FrameNumber last_offer_ = -1;
   FrameNumber last_lag_ = -kFramesPerSecond;
   Missed missed_;
-  Tally tally_;
+  Tally* tally_;
 };
 
 /// A channel of which every message counts: a cursor into its ring.
 class FeedSubscription {
  public:
-  /// `feed` outlives it. From `since` on, or only what comes from now on.
-  FeedSubscription(std::string cell, const Subscribe& wanted, Feed& feed);
+  /// `feed` and `tally` outlive it. From `since` on, or only what comes from now on.
+  FeedSubscription(std::string cell, const Subscribe& wanted, Feed& feed, Tally& tally);
 
   const Subscribe& wanted() const { return wanted_; }
   bool has_output() const { return next_ < feed_->next(); }
@@ -84,6 +84,7 @@ class FeedSubscription {
   std::string cell_;
   Subscribe wanted_;
   Feed* feed_;
+  Tally* tally_;
   std::int64_t next_;
 };
 

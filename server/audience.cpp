@@ -16,7 +16,20 @@ WallNs start_of(monitor::FrameNumber frame) {
   return (frame * kSecond + monitor::kFramesPerSecond - 1) / monitor::kFramesPerSecond;
 }
 
+void add(Audience::Tallies& sum, const Audience::Tallies& more) {
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    sum[i].sent += more[i].sent;
+    sum[i].overwritten += more[i].overwritten;
+  }
+}
+
 }  // namespace
+
+Audience::Tallies Audience::tallies() const {
+  Tallies sum = gone_;
+  for (Viewer* viewer : viewers_) xr3::add(sum, viewer->client().tallies());
+  return sum;
+}
 
 // Seconds and the rest of one apart: a product of all nanoseconds would not fit.
 monitor::FrameNumber Audience::now() {
@@ -30,6 +43,7 @@ void Audience::remove(Viewer& viewer) {
   if (found == viewers_.end()) return;
   const auto index = static_cast<std::size_t>(found - viewers_.begin());
   viewers_.erase(found);
+  xr3::add(gone_, viewer.client().tallies());
   if (index < next_) --next_;
 }
 
@@ -102,10 +116,6 @@ void Audience::serve(Viewer& viewer) {
     if (frame == nullptr) return;
     if (subscription.is_due(frame_)) subscription.offer(*frame, frame_);
     is_settled_ = is_settled_ && subscription.is_settled(*frame);
-    auto& tally = tallies_.at(static_cast<std::size_t>(selection.channel));
-    const auto news = subscription.take_tally();
-    tally.sent += news.sent;
-    tally.overwritten += news.overwritten;
   });
   if (viewer.client().has_output(frame_)) viewer.wake();
 }

@@ -36,9 +36,9 @@ class Audience {
 
   std::size_t size() const { return viewers_.size(); }
 
-  /// Frames handed out and overwritten before they were, by channel.
-  using Tallies = std::array<monitor::FrameSubscription::Tally, 4>;
-  const Tallies& tallies() const { return tallies_; }
+  /// What viewers were given since the server started, by monitor::Channel.
+  using Tallies = std::array<monitor::Tally, monitor::kChannels>;
+  Tallies tallies() const;
 
  private:
   enum class Wake : std::uint8_t { kNone, kSecond, kFrame };
@@ -64,7 +64,7 @@ class Audience {
   bool is_settled_ = true;           ///< nobody of this round waits for a later frame
   std::size_t next_ = 0;             ///< viewer of the round that comes next
   monitor::FrameNumber frame_ = -1;  ///< of the last round
-  Tallies tallies_{};
+  Tallies gone_{};                   ///< of viewers that have left
 };
 
 }  // namespace xr3

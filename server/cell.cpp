@@ -15,9 +15,9 @@ Cell::Cell(std::string name, ModelPtr model, SimClock clock, CellEventSink sink)
       clock_(clock),
       events_(kMostEvents,
               [this](const ToldEvent& told, std::int64_t seq) {
-                return monitor::channel_message(monitor::Channel::kEvent,
-                                                {name_, told.event.epoch, seq, told.event.tick},
-                                                monitor::text_of(event_json(told.event, *told.model)));
+                return monitor::channel_message(
+                    monitor::Channel::kEvent, {name_, told.event.epoch, seq, told.event.tick},
+                    monitor::text_of(event_json(told.event, *told.model)));
               }),
       wires_(kMostWires,
              [this](const WireRecord& record, std::int64_t seq) {
@@ -37,6 +37,7 @@ void Cell::catch_up(WallNs now) {
   const Tick before = state().tick;
   simulation_.advance_to(clock_.at(now));
   if (state().tick == before) return;
+  counters_.ticks += static_cast<std::uint64_t>(state().tick - before);
   ++revision_;
   if (!simulation_.events().empty()) tell_machine(std::nullopt, simulation_.take_events());
 }
@@ -153,7 +154,7 @@ void Cell::tell_exchanges(LineId id, Line& line) {
       warn(id, exchange.parsed, code_of(problem->code),
            [&] { return describe(exchange.parsed, *problem); });
     } else {
-      ++counters_.commands[std::get<Command>(exchange.parsed.what).index()];
+      ++counters_.of(std::get<Command>(exchange.parsed.what));
     }
     for (Event& event : exchange.events) {
       if (const Warning* warning = std::get_if<Warning>(&event.body)) {

@@ -95,7 +95,7 @@ class Cell {
   call::Outcome carry_out(const call::LoadSnapshot& load, WallNs now);
 
   void begin_epoch(std::string_view call, WallNs now, const std::function<void()>& change);
-  void set_standing_tick(WallNs now);
+  void stood(Tick start, WallNs now);
   void changed_model(std::string_view call, const std::string& name);
   ModelPtr model_with(const Workcell& workcell) const;
 

@@ -60,8 +60,9 @@ call::Outcome Cell::carry_out(const call::SetRate& rate, WallNs now) {
 
 call::Outcome Cell::carry_out(const call::Step& step, WallNs now) {
   if (clock_.mode() != ClockMode::kManual) return clock_running("step");
-  simulation_.advance_to(state().tick + step.ticks);
-  set_standing_tick(now);
+  const Tick start = state().tick;
+  simulation_.advance_to(start + step.ticks);
+  stood(start, now);
   return call::Done{};
 }
 
@@ -74,12 +75,16 @@ call::Outcome Cell::carry_out(const call::RunUntil& run, WallNs now) {
   } else {
     simulation_.run_to_rest(limit);
   }
-  set_standing_tick(now);
+  stood(start, now);
   const bool reached = run.tick ? state().tick >= *run.tick : is_at_rest();
   return call::Done{reached, state().tick - start, nullptr};
 }
 
-void Cell::set_standing_tick(WallNs now) { clock_.set_tick(state().tick, now); }
+/// Standing time has been moved on from `start`.
+void Cell::stood(Tick start, WallNs now) {
+  clock_.set_tick(state().tick, now);
+  counters_.ticks += static_cast<std::uint64_t>(state().tick - start);
+}
 
 call::Outcome Cell::carry_out(const call::Reset&, WallNs now) {
   begin_epoch("reset", now, [this] {

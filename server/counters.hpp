@@ -14,7 +14,7 @@
 namespace xr3 {
 
 inline constexpr std::size_t kCommandKinds = std::variant_size_v<Command>;
-inline constexpr std::size_t kChannels = 6;  ///< monitor::Channel's
+using monitor::kChannels;
 
 /// Frames of one latest-wins channel, or messages of a ring, over all clients.
 struct ChannelCounters {

@@ -82,6 +82,16 @@ const monitor::Frame* MonitorService::look(const monitor::Selection& selection) 
   return frames_.current(selection);
 }
 
+CellCounters MonitorService::counters() const {
+  CellCounters counters = cell_.counters();
+  counters.lines_open = cell_.lines().size();
+  counters.viewers = audience_.size();
+  const Audience::Tallies tallies = audience_.tallies();
+  for (std::size_t i = 0; i < tallies.size(); ++i)
+    counters.channels.at(i) = {tallies[i].sent, tallies[i].overwritten};
+  return counters;
+}
+
 // --- Requests.
 
 asio::awaitable<void> MonitorService::carry_out(Viewer& viewer, monitor::Request request) {

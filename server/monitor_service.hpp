@@ -45,6 +45,9 @@ class MonitorService {
 
   Audience& audience() { return audience_; }
 
+  /// What cell and viewers have counted.
+  CellCounters counters() const;
+
  private:
   using Error = std::optional<monitor::RequestError>;
 

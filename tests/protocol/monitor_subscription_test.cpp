@@ -39,7 +39,8 @@ std::vector<std::string> all(FrameSubscription& subscription, FrameNumber now) {
 using Strings = std::vector<std::string>;
 
 TEST(FrameSubscription, OnlyWhatChangedIsSent) {
-  FrameSubscription sub("main", to(Channel::kState));
+  Tally tally;
+  FrameSubscription sub("main", to(Channel::kState), tally);
   sub.offer(frame(1, "a"), 0);
   EXPECT_EQ(all(sub, 0), Strings{"1"});
   sub.offer(frame(2, "a"), 1);
@@ -51,7 +52,8 @@ TEST(FrameSubscription, OnlyWhatChangedIsSent) {
 }
 
 TEST(FrameSubscription, WithoutOnChangeEveryFrameIsSent) {
-  FrameSubscription sub("main", to(Channel::kState, kMostMilliHz, false));
+  Tally tally;
+  FrameSubscription sub("main", to(Channel::kState, kMostMilliHz, false), tally);
   for (const FrameNumber now : {0, 1, 2}) {
     ASSERT_TRUE(sub.is_due(now));
     sub.offer(frame(1, "a"), now);
@@ -62,7 +64,8 @@ TEST(FrameSubscription, WithoutOnChangeEveryFrameIsSent) {
 
 TEST(FrameSubscription, MaxHzPicksFramesOfOneGrid) {
   const auto due_in_a_second = [](MilliHz max_millihz) {
-    FrameSubscription sub("main", to(Channel::kState, max_millihz));
+    Tally tally;
+    FrameSubscription sub("main", to(Channel::kState, max_millihz), tally);
     int due = 0;
     for (FrameNumber now = 600; now < 660; ++now) {
       if (!sub.is_due(now)) continue;
@@ -79,18 +82,19 @@ TEST(FrameSubscription, MaxHzPicksFramesOfOneGrid) {
 }
 
 TEST(FrameSubscription, TheLatestWinsAndALagTellsOfTheRest) {
-  FrameSubscription sub("main", to(Channel::kImage));
+  Tally tally;
+  FrameSubscription sub("main", to(Channel::kImage), tally);
   for (std::int64_t seq = 7; seq <= 12; ++seq) sub.offer(frame(seq, std::to_string(seq)), seq);
   EXPECT_EQ(all(sub, 12), (Strings{R"({"op":"lag","cell":"main","channel":"image","missed":5,)"
                                    R"("from_seq":7,"to_seq":11})",
                                    "12"}));
-  const auto tally = sub.take_tally();
-  EXPECT_EQ(tally.sent, 1);
-  EXPECT_EQ(tally.overwritten, 5);
+  EXPECT_EQ(tally.sent, 1U);
+  EXPECT_EQ(tally.overwritten, 5U);
 }
 
 TEST(FrameSubscription, OneLagASecond) {
-  FrameSubscription sub("main", to(Channel::kImage));
+  Tally tally;
+  FrameSubscription sub("main", to(Channel::kImage), tally);
   sub.offer(frame(1, "1"), 0);
   sub.offer(frame(2, "2"), 1);
   EXPECT_EQ(all(sub, 1).size(), 2U);
@@ -106,7 +110,8 @@ TEST(FrameSubscription, OneLagASecond) {
 }
 
 TEST(FrameSubscription, BackToWhatTheClientKnowsNothingIsSent) {
-  FrameSubscription sub("main", to(Channel::kState));
+  Tally tally;
+  FrameSubscription sub("main", to(Channel::kState), tally);
   sub.offer(frame(1, "a"), 0);
   all(sub, 0);
   sub.offer(frame(2, "b"), 1);
@@ -124,7 +129,7 @@ class FeedTest : public testing::Test {
   FeedSubscription follow(std::optional<std::int64_t> since = {}) {
     Subscribe wanted = to(Channel::kEvent);
     wanted.since = since;
-    return {"main", wanted, ring};
+    return {"main", wanted, ring, tally};
   }
   static Strings all(FeedSubscription& sub) {
     Strings messages;
@@ -132,6 +137,7 @@ class FeedTest : public testing::Test {
     return messages;
   }
 
+  Tally tally;
   int made = 0;
   Ring<int> ring{4, [this](const int& value, std::int64_t seq) {
                    ++made;
@@ -177,7 +183,8 @@ TEST_F(FeedTest, TextIsMadeOnceAndOnlyForWhoAsks) {
 
 TEST_F(FeedTest, AnswersGoFirstThenEachChannelInTurn) {
   Client client({"main"});
-  Ring<int> lines(4, [](const int&, std::int64_t seq) { return text("line" + std::to_string(seq)); });
+  Ring<int> lines(4,
+                  [](const int&, std::int64_t seq) { return text("line" + std::to_string(seq)); });
   client.follow_feed("main", to(Channel::kEvent), ring);
   client.follow_feed("main", to(Channel::kLine), lines);
   tell(2);

@@ -99,8 +99,8 @@ class MonitorPortTest : public testing::Test {
   int acted_ = 0;
   RobotPort robot_port_{io_, cell_, 16, [] {}};
   AccessPolicy policy_;
-  MonitorPort monitor_port_{io_, cell_, robot_port_, policy_, [this] { return is_ready_; },
-                            [this] { ++acted_; }};
+  MonitorPort monitor_port_{
+      io_, cell_, robot_port_, policy_, [this] { return is_ready_; }, [this] { ++acted_; }};
 };
 
 std::string call(const std::string& fn, const std::string& args) {
