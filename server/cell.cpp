@@ -101,7 +101,7 @@ std::size_t Cell::take_piece(LineId id, Line& line, std::string_view bytes) {
   const std::string_view replies = line.outbox().substr(unsent);
   counters_.bytes_in += taken;
   counters_.bytes_out += replies.size();
-  fill_in(wires_.push(), in, bytes.substr(0, taken), telnet, exchanges_, state());
+  fill_in(wires_.push(), in, bytes.substr(0, taken), telnet, exchanges_, simulation_);
   if (!replies.empty()) fill_out(wires_.push(), out, replies, exchanges_);
   tell_exchanges(id, line);
   return taken;

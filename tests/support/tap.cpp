@@ -8,7 +8,7 @@
 namespace xr3::test {
 
 Tap::Tap(ModelPtr model)
-    : simulation_(std::move(model)), line_(simulation_.model().profile(), "test", 0) {}
+    : simulation_(std::move(model)), line_(simulation_.model().profile(), LineKind::kRaw, "test", 0) {}
 
 std::string Tap::send(std::string_view bytes) {
   const std::size_t first = records_.size();
