@@ -33,7 +33,7 @@ struct Span {
 Span allowed_span(const Model& model, int joint) {
   const MotorModel& motor = model.motor(joint);
   const auto [low, high] =
-      std::minmax(model.variable(joint, motor.low), model.variable(joint, motor.high));
+      std::minmax({model.variable(joint, motor.low), model.variable(joint, motor.high)});
   return {low - motor.drive.precision / 2, high + motor.drive.precision / 2};
 }
 
