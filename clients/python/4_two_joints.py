@@ -1,0 +1,29 @@
+"""4. Two joints at once, with speeds: base and shoulder start together and arrive together.
+
+    python3 4_two_joints.py [HOST [PORT]]
+"""
+
+import sys
+import time
+
+import xr3
+
+robot = xr3.Robot(*sys.argv[1:3])
+
+# A number with an S behind it is a speed, in counts a second. E has twice as far to go as F,
+# so it gets twice the speed.
+robot.send("F40S E80S\r")
+print("F runs at 40 counts a second, E at 80")
+
+# Each joint has a motor of its own, and the robot does not wait: both run from here on.
+robot.send("F+40 E+80\r")
+print("F+40 E+80")
+
+f, e = robot.ask("F?") - 32, robot.ask("E?") - 32
+while f > 0 or e > 0:
+    print(f"  F {f}, E {e} counts to go")
+    time.sleep(0.05)
+    f, e = robot.ask("F?") - 32, robot.ask("E?") - 32
+print("both are there")
+
+robot.close()

@@ -1,0 +1,51 @@
+"""5. Pick and place at known positions: take the red block from where it lies, and put it somewhere
+else.
+
+    python3 5_pick_and_place.py [HOST [PORT]]
+
+The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.py. """
+
+import sys
+
+import xr3
+
+# Where the motors have to be, in counts from the soft home, for the tool to be at a place. `xr3 kin
+# --pose 262,0,20 --down 90` works out the first one: the middle of the red block, x 262, y 0 and z
+# 20 mm, turned by 90 degrees. "Above" is 100 mm higher up. On a real arm one would drive there by
+# hand and write the counts down.
+HOME = {"F": 0, "E": 0, "D": 0, "C": 0, "B": 0}
+ABOVE_BLOCK = {"F": 0, "E": 242, "D": -440, "C": 0, "B": 0}
+AT_BLOCK = {"F": 0, "E": 449, "D": -625, "C": 0, "B": 0}
+ABOVE_PLACE = {"F": 0, "E": 483, "D": -238, "C": 0, "B": 288}  # x 400, y 0, not turned
+AT_PLACE = {"F": 0, "E": 623, "D": -354, "C": 0, "B": 288}
+
+robot = xr3.Robot(*sys.argv[1:3])
+
+# robot.go() brings all joints to these counts together. A single move is at most 127 counts long,
+# so go() sends several, and waits after each.
+robot.go({"A": 16})
+print("the jaws are open")
+robot.go(ABOVE_BLOCK)
+print("above the block")
+robot.go(AT_BLOCK)
+
+# Close the jaws much further than the block lets them. They stop at the block, and what is left to
+# go tells how wide it is: A is 50.8 mm open at count 0, and a count is 0.79375 mm.
+robot.send("A-100\r")
+left = robot.wait("A")  # also clears what is left (AX), or the jaws would go on pressing
+jaws = 16 - (100 - left)
+print(f"the jaws closed on {50.8 + 0.79375 * jaws:.1f} mm")
+
+robot.go(ABOVE_BLOCK)
+print("lifted")
+robot.go(ABOVE_PLACE)
+robot.go(AT_PLACE)
+print("at its new place")
+robot.send(f"A{16 - jaws:+d}\r")
+robot.wait("A")
+print("let go")
+robot.go(ABOVE_PLACE)
+robot.go(HOME)
+print("back at the start")
+
+robot.close()

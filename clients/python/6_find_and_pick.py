@@ -1,0 +1,43 @@
+"""6. Find with the camera and pick: look at the table, find the largest block wherever it lies,
+take it, put it down elsewhere, and look again.
+
+    python3 6_find_and_pick.py [HOST [PORT]]
+
+The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.py. """
+
+import sys
+
+import xr3
+
+Z = 20  # the largest block is 40 mm high: its middle is 20 mm above the table
+PLACE = xr3.Pose(392, 60, Z, yaw=90)  # a free place, the block's long side along y
+
+robot = xr3.Robot(*sys.argv[1:3])
+
+
+def largest():
+    """The camera's picture has a patch of ones for each block. Of each patch we get its middle in
+    millimetres, its angle in degrees, and its area; xr3/vision.py shows how."""
+    patches = robot.look().patches()
+    print(f"blocks in the picture: {len(patches)}")
+    return patches[0]
+
+
+block = largest()
+print(f"the largest is at x {block.x:.0f}, y {block.y:.0f} mm, turned {block.yaw:.0f} degrees")
+
+# From a place on the table to motor counts is the work of inverse kinematics: xr3/arms.py shows
+# how. pick() and place() are example 5 once more: above the place, down, close or open the jaws, up
+# again.
+width = robot.pick(xr3.Pose(block.x, block.y, Z, block.yaw))
+print(f"the jaws closed on {width:.1f} mm")
+robot.place(PLACE)
+print(f"put down at x {PLACE.x}, y {PLACE.y} mm")
+
+block = largest()
+print(f"the largest is at x {block.x:.0f}, y {block.y:.0f} mm, turned {block.yaw:.0f} degrees")
+
+robot.go({"F": 0, "E": 0, "D": 0, "C": 0, "B": 0})
+print("back at the start")
+
+robot.close()

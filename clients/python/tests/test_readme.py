@@ -1,0 +1,27 @@
+"""What README.md shows of the package runs as it stands there."""
+
+import contextlib
+import io
+import re
+import unittest
+from pathlib import Path
+from unittest import mock
+
+from context import Server
+
+README = Path(__file__).resolve().parent.parent / "README.md"
+
+
+class Readme(unittest.TestCase):
+    def test_the_package_by_example(self):
+        code = re.search(r"```python\n(.*?)```", README.read_text(encoding="utf-8"), re.S).group(1)
+        printed = io.StringIO()
+        with Server("--clock", "real:500") as server, mock.patch("xr3.robot.POLL_S", 0.001), \
+                contextlib.redirect_stdout(printed):
+            code = code.replace("9600", str(server.robot_port))
+            exec(code.replace("9601", str(server.monitor_port)), {})  # pylint: disable=exec-used
+        self.assertIn("[399.9", printed.getvalue())
+
+
+if __name__ == "__main__":
+    unittest.main()

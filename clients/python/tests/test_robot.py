@@ -1,0 +1,149 @@
+"""Robot and Monitor against a real server whose time runs fast: bytes, waiting, home, pick and
+place."""
+
+import math
+import time
+import unittest
+
+from context import Server
+from xr3 import ARMS, RHINO_XR3, Monitor, MonitorError, Pose, Robot, RobotError, Unreachable
+
+FAST = ("--clock", "real:500")
+PICKS = {"rhino-xr3": ("red", Pose(262, 0, 20, 90), Pose(400, 0, 20, 0)),
+         "adept-one": ("red", Pose(560, 0, 520, 90), Pose(700, 0, 520, 0)),
+         "intelledex-660": ("red", Pose(400, 0, 20, 0), Pose(540, 0, 20, 90))}
+
+
+def pause():
+    """Between two questions: a millisecond is half a second of the server's time."""
+    time.sleep(0.001)
+
+
+class WithServer(unittest.TestCase):
+    options = FAST
+
+    def setUp(self):
+        server = self.enterContext(Server(*self.options))
+        self.robot = self.enterContext(Robot(port=server.robot_port, pause=pause))
+        self.monitor = self.enterContext(Monitor(port=server.monitor_port))
+
+
+class OneJoint(WithServer):
+    def test_moves_and_waits(self):
+        self.robot.move("E", 50)
+        self.assertEqual(0, self.robot.wait("E"))
+        self.assertEqual(50, self.monitor.counts()["E"])
+
+    def test_a_joint_at_its_limit_is_stopped(self):
+        self.robot.move("A", 40)  # the jaws are fully open at 16
+        self.assertEqual(24, self.robot.wait("A"))
+        self.assertEqual(0, self.robot.to_go("A"))
+
+    def test_refuses_what_the_robot_would_not_obey(self):
+        with self.assertRaisesRegex(ValueError, "127"):
+            self.robot.move("E", 128)
+        with self.assertRaisesRegex(ValueError, "255"):
+            self.robot.set_speed("E", 0)
+        self.assertEqual(0, self.robot.to_go("E"))
+
+    def test_speed(self):
+        self.robot.set_speed("E", 77)
+        self.robot.to_go("E")
+        speeds = {joint["label"]: joint["speed"] for joint in self.monitor.state()["joints"]}
+        self.assertEqual(77, speeds["E"])
+
+    def test_switch(self):
+        self.assertFalse(self.robot.switch_closed("E"))
+        self.robot.go({"E": -40})
+        self.assertTrue(self.robot.switch_closed("E"))
+
+
+class StandingTime(WithServer):
+    options = ("--clock", "manual")
+
+    def test_error_with_its_sign(self):
+        self.robot.move("E", -50)
+        self.assertEqual((50, -50), (self.robot.to_go("E"), self.robot.error("E")))
+        self.monitor.step(100)  # 110 counts a second
+        self.assertEqual(-39, self.robot.error("E"))
+        self.assertFalse(self.monitor.settle()["moving"])
+        self.assertEqual(-50, self.monitor.counts()["E"])
+
+
+class AllJoints(WithServer):
+    def test_goes_far_in_parts_and_comes_back(self):
+        target = {"F": 71, "E": 543, "D": -479, "C": 0, "B": 260}
+        self.robot.go(target)
+        self.assertEqual({**target, "A": 0}, self.monitor.counts())
+        self.robot.go(dict.fromkeys(target, 0))
+        self.assertEqual({0}, set(self.monitor.counts().values()))
+
+    def test_knows_where_it_stands_after_it_could_not_go_on(self):
+        with self.assertRaisesRegex(RobotError, "A stands .* short"):
+            self.robot.go({"A": 50})
+        self.assertEqual(self.robot.at, self.monitor.counts())
+
+    def test_refuses_a_place_out_of_reach(self):
+        with self.assertRaises(Unreachable):
+            self.robot.pick(Pose(900, 0, 20))
+        self.assertEqual(16, self.monitor.counts()["A"])  # only the jaws had opened
+
+
+class Home(WithServer):
+    def test_from_wherever_it_is(self):
+        self.robot.go({"F": 50, "E": 30, "D": -40, "C": -30, "B": 20, "A": -20})
+        self.robot.at = {}
+        self.robot.home()
+        self.assertEqual(RHINO_XR3.switches, self.robot.at)
+        self.assertEqual(self.robot.at, self.monitor.counts())
+
+    def test_soft_home(self):
+        self.robot.go({"F": 50, "A": -20})
+        self.robot.soft_home()
+        self.robot.to_go("F")
+        self.assertEqual(self.robot.at, self.monitor.counts())
+
+
+class PickAndPlace(unittest.TestCase):
+    def test_with_each_arm(self):
+        for name, (block, there, place) in PICKS.items():
+            with self.subTest(name), Server("--robot", name, *FAST) as server, \
+                    Robot(port=server.robot_port, arm=ARMS[name], pause=pause) as robot, \
+                    Monitor(port=server.monitor_port) as monitor:
+                width = robot.pick(there)
+                self.assertTrue(monitor.block(block)["held"])
+                robot.place(place)
+                self.assertGreater(width, 30)
+                self.assertLess(width, 41)
+                lies = monitor.block(block)["xyz_mm"]
+                self.assertLess(math.dist((place.x, place.y, place.z), lies), 2)
+
+    def test_nothing_to_pick(self):
+        with Server(*FAST) as server, Robot(port=server.robot_port, pause=pause) as robot:
+            self.assertIsNone(robot.pick(Pose(300, 0, 20)))
+
+
+class AtTheMonitor(WithServer):
+    def test_hello(self):
+        self.assertEqual(("hello", 1), (self.monitor.hello["op"], self.monitor.hello["proto"]))
+
+    def test_errors_say_what_is_wrong(self):
+        with self.assertRaisesRegex(MonitorError, "clock_running") as caught:
+            self.monitor.step(1)
+        self.assertEqual("clock_running", caught.exception.code)
+
+    def test_time_can_be_held(self):
+        self.monitor.call("pause")
+        self.robot.move("E", 20)
+        self.robot.to_go("E")
+        self.assertEqual(0, self.monitor.counts()["E"])
+        self.monitor.settle()
+        self.assertEqual(20, self.monitor.counts()["E"])
+
+    def test_unknown_block(self):
+        with self.assertRaises(KeyError):
+            self.monitor.block("purple")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,20 @@
+"""Drives an xr3 robot from Python, with nothing but the standard library.
+
+    import xr3
+    with xr3.Robot() as robot:
+        robot.send("E+50\\r")
+        print(robot.to_go("E"), "counts to go")
+
+`Robot` speaks the serial line (port 9600) as a real arm does, `Monitor` the JSON side channel (port
+9601) that only the simulator has. `RHINO_XR3`, `ADEPT_ONE` and `INTELLEDEX_660` are the arms' data
+sheets with their kinematics; `Picture` and `Patch` find blocks in what the camera sees. """
+
+from xr3.arms import ADEPT_ONE, ARMS, INTELLEDEX_660, RHINO_XR3
+from xr3.kinematics import Arm, Joint, Jaws, Pose, Unreachable
+from xr3.monitor import Monitor, MonitorError
+from xr3.robot import Robot, RobotError
+from xr3.vision import Camera, Patch, Picture
+
+__all__ = ["ADEPT_ONE", "ARMS", "Arm", "Camera", "INTELLEDEX_660", "Jaws", "Joint", "Monitor",
+           "MonitorError", "Patch", "Picture", "Pose", "RHINO_XR3", "Robot", "RobotError",
+           "Unreachable"]

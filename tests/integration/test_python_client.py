@@ -1,0 +1,20 @@
+"""The unit tests of the Python client in clients/python, against the built xr3. The release build
+runs them too, for `xr3 kin` and the client work out the same kinematics on their own."""
+
+# labels: release
+
+import os
+import sys
+import unittest
+from pathlib import Path
+
+TESTS = Path(os.environ["XR3_ROOT"]) / "clients" / "python" / "tests"
+
+
+def load_tests(loader, _tests, _pattern):
+    sys.path.insert(0, str(TESTS))
+    return loader.discover(str(TESTS))
+
+
+if __name__ == "__main__":
+    unittest.main()
