@@ -65,7 +65,8 @@ void add_telnet(std::vector<Explanation>& all, std::uint64_t from, std::uint64_t
 /// Bytes that came in for the telnet filter: those that it does not pass on.
 std::vector<Explanation> telnet_in(const WireRecord& record) {
   std::vector<Explanation> all;
-  TelnetFilter filter = record.telnet;
+  if (!record.telnet) return all;
+  TelnetFilter filter = *record.telnet;
   std::string answers;
   for (std::size_t i = 0; i < record.shown.size(); ++i) {
     const std::uint64_t at = record.offset + i;

@@ -1,6 +1,7 @@
 #include "protocol/snapshot_json.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,6 +15,7 @@
 namespace xr3 {
 namespace {
 
+constexpr std::array<double, 10> kPowersOfTen = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
 constexpr double kWhole = 9007199254740992.0;  // 2^53: from here up a double has no decimals
 constexpr int kDigitalLines = 8;
 constexpr int kAuxiliaryPorts = 2;
@@ -219,7 +221,7 @@ double rounded(double value, int decimals) {
   if (std::isnan(value)) return 0.0;
   const double most = std::numeric_limits<double>::max();
   const double finite = std::clamp(value, -most, most);
-  const double scale = std::pow(10.0, decimals);
+  const double scale = kPowersOfTen.at(static_cast<std::size_t>(decimals));
   if (std::abs(finite) >= kWhole / scale) return finite;
   return std::round(finite * scale) / scale + 0.0;
 }

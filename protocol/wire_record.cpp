@@ -119,7 +119,7 @@ struct Answer {
 }  // namespace
 
 void fill_in(WireRecord& record, const WirePlace& place, std::string_view bytes,
-             const TelnetFilter& before, const std::vector<Exchange>& exchanges,
+             const std::optional<TelnetFilter>& before, const std::vector<Exchange>& exchanges,
              const Simulation& machine) {
   begin(record, Direction::kIn, place, bytes, kMostShownIn);
   record.telnet = before;
@@ -136,7 +136,7 @@ void fill_in(WireRecord& record, const WirePlace& place, std::string_view bytes,
 void fill_out(WireRecord& record, const WirePlace& place, std::string_view bytes,
               const std::vector<Exchange>& exchanges) {
   begin(record, Direction::kOut, place, bytes, kMostShownOut);
-  record.telnet = {};
+  record.telnet.reset();
   for (const Exchange& exchange : exchanges) {
     if (exchange.reply_from == exchange.reply_to) continue;
     Item& item = record.items.emplace_back(Item{exchange.reply_from, exchange.reply_to, {}});

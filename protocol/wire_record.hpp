@@ -79,10 +79,10 @@ struct WireRecord {
   Tick tick = 0;
   LineId line = 0;
   Direction direction = Direction::kIn;
-  std::uint64_t offset = 0;  ///< of the first byte in the line's stream in this direction
-  std::uint64_t bytes = 0;   ///< how many there were
-  std::string shown;         ///< the first of them: kMostShownIn or kMostShownOut
-  TelnetFilter telnet;       ///< in: as it was before the first byte
+  std::uint64_t offset = 0;            ///< of the first byte in the line's stream in this direction
+  std::uint64_t bytes = 0;             ///< how many there were
+  std::string shown;                   ///< the first of them: kMostShownIn or kMostShownOut
+  std::optional<TelnetFilter> telnet;  ///< in, where there is one: as it was before the first byte
   std::vector<wire::Item> items;
 };
 
@@ -100,10 +100,10 @@ struct WirePlace {
 };
 
 /// Makes `record` that of bytes that came in: as the transport brought them, at most kMostShownIn.
-/// `before` is the line's telnet filter as it was before them, `exchanges` what they completed, and
-/// `machine` as it is behind them, at the same tick.
+/// `before` is the line's telnet filter as it was before them, or nothing on a line that has none;
+/// `exchanges` is what they completed, `machine` as it is behind them, at the same tick.
 void fill_in(WireRecord& record, const WirePlace& place, std::string_view bytes,
-             const TelnetFilter& before, const std::vector<Exchange>& exchanges,
+             const std::optional<TelnetFilter>& before, const std::vector<Exchange>& exchanges,
              const Simulation& machine);
 
 /// Makes `record` that of bytes that went out in answer to `exchanges`: as the transport gets them,

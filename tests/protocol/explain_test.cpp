@@ -256,6 +256,19 @@ TEST(Explain, TelnetIsToldApart) {
             "  6..8 reply_signed_error: E: error counter -1\n");
 }
 
+TEST(Explain, WithoutATelnetFilterEveryByteIsTheControllers) {
+  Simulation simulation(test::rhino());
+  RhinoEndpoint endpoint(Profile::kPaper);
+  std::vector<Exchange> exchanges;
+  std::string replies;
+  endpoint.take(0xff, 0, simulation, replies, exchanges);
+  WireRecord record;
+  fill_in(record, {}, "\xff", std::nullopt, exchanges, simulation);
+  EXPECT_EQ(test::transcript(record, simulation.model()),
+            "> \\xff\n"
+            "  0..1 unknown_byte: \\xff: no command begins like this here; skipped\n");
+}
+
 // The names in data/commands.json are the codes.
 TEST(Explain, EveryCommandOfTheDocumentedSetIsNamed) {
   const Json commands = Json::parse(test::project_file("data/commands.json"));

@@ -60,7 +60,7 @@ TEST(WireRecord, AnOldRecordsMemoryIsUsedAgain) {
   std::vector<Exchange> exchanges;
   std::string replies;
   endpoint.take('I', 7, tap.simulation(), replies, exchanges);
-  fill_in(record, {2, 3, 4, 7}, "I", {}, exchanges, tap.simulation());
+  fill_in(record, {2, 3, 4, 7}, "I", std::nullopt, exchanges, tap.simulation());
   EXPECT_EQ(record.items.data(), items);
   EXPECT_EQ(record.shown.data(), shown);
   EXPECT_EQ(test::transcript(record, tap.simulation().model()),
