@@ -5,7 +5,6 @@
 #include <bit>
 #include <cstdint>
 #include <string>
-#include <utility>
 
 namespace xr3 {
 namespace {
@@ -22,17 +21,18 @@ constexpr std::array<Eight, 256> eights() {
 }
 constexpr std::array<Eight, 256> kEights = eights();
 
-std::string row_text(const Image& image, int row) {
-  std::string text;
-  text.reserve(static_cast<std::size_t>(image.width()) + Image::kWordBits);
-  for (const std::uint64_t word : image.words(row)) {
-    for (int shift = 0; shift < Image::kWordBits; shift += 8) {
-      const Eight& eight = kEights[word >> static_cast<unsigned>(shift) & 0xffU];
-      text.append(eight.data(), eight.size());
+/// A row as a text of 0 and 1.
+void append_pixels(const Image& image, int row, std::string& text) {
+  const auto words = image.words(row);
+  const std::size_t begin = text.size();
+  text.resize(begin + words.size() * Image::kWordBits);
+  char* next = text.data() + begin;
+  for (const std::uint64_t word : words) {
+    for (unsigned shift = 0; shift < Image::kWordBits; shift += 8) {
+      next = std::copy_n(kEights[word >> shift & 0xffU].data(), 8, next);
     }
   }
-  text.resize(static_cast<std::size_t>(image.width()));
-  return text;
+  text.resize(begin + static_cast<std::size_t>(image.width()));
 }
 
 /// The first column from `begin` on whose pixel is not `set`, or the width.
@@ -49,29 +49,73 @@ int run_end(const Image& image, int row, int begin, bool set) {
   return image.width();
 }
 
-Json row_runs(const Image& image, int row) {
-  Json runs = Json::array();
+/// Calls `take` with the length of each run of a row, beginning with zeros.
+template <class Take>
+void each_run(const Image& image, int row, Take take) {
   bool set = false;
   for (int begin = 0; begin < image.width(); set = !set) {
     const int end = run_end(image, row, begin, set);
-    runs.push_back(end - begin);
+    take(end - begin);
     begin = end;
   }
+}
+
+Json row_json(const Image& image, int row, monitor::Encoding encoding) {
+  if (encoding == monitor::Encoding::kRows) {
+    std::string pixels;
+    append_pixels(image, row, pixels);
+    return pixels;
+  }
+  Json runs = Json::array();
+  each_run(image, row, [&runs](int length) { runs.push_back(length); });
   return runs;
+}
+
+void append_row(const Image& image, int row, monitor::Encoding encoding, std::string& text) {
+  if (encoding == monitor::Encoding::kRows) {
+    text += '"';
+    append_pixels(image, row, text);
+    text += '"';
+    return;
+  }
+  char before = '[';
+  each_run(image, row, [&](int length) {
+    text += before + std::to_string(length);
+    before = ',';
+  });
+  text += before == '[' ? "[]" : "]";
+}
+
+/// All members but the rows, which are empty.
+Json frame_json(const Image& image, monitor::Encoding encoding) {
+  return {{"width", image.width()},
+          {"height", image.height()},
+          {"encoding", encoding == monitor::Encoding::kRle ? "rle" : "rows"},
+          {"rows", Json::array()}};
 }
 
 }  // namespace
 
 Json image_json(const Image& image, monitor::Encoding encoding) {
-  const bool is_rle = encoding == monitor::Encoding::kRle;
-  Json rows = Json::array();
+  Json members = frame_json(image, encoding);
   for (int row = 0; row < image.height(); ++row) {
-    rows.push_back(is_rle ? row_runs(image, row) : Json(row_text(image, row)));
+    members["rows"].push_back(row_json(image, row, encoding));
   }
-  return {{"width", image.width()},
-          {"height", image.height()},
-          {"encoding", is_rle ? "rle" : "rows"},
-          {"rows", std::move(rows)}};
+  return members;
+}
+
+std::string image_text(const Image& image, monitor::Encoding encoding) {
+  std::string text = frame_json(image, encoding).dump();
+  const auto width = static_cast<std::size_t>(image.width());
+  if (encoding == monitor::Encoding::kRows)
+    text.reserve(text.size() + static_cast<std::size_t>(image.height()) * (width + 3) + Image::kWordBits);
+  text.resize(text.size() - 2);  // up to the bracket in which the rows stand
+  for (int row = 0; row < image.height(); ++row) {
+    if (row > 0) text += ',';
+    append_row(image, row, encoding, text);
+  }
+  text += "]}";
+  return text;
 }
 
 }  // namespace xr3

@@ -94,6 +94,12 @@ void camera_members(benchmark::State& state) {
 }
 BENCHMARK(camera_members)->Unit(benchmark::kMicrosecond);
 
+void camera_text(benchmark::State& state) {
+  const Image image = camera_image(hundred(), initial_state(hundred()));
+  for (auto _ : state) benchmark::DoNotOptimize(image_text(image, monitor::Encoding::kRows));
+}
+BENCHMARK(camera_text)->Unit(benchmark::kMicrosecond);
+
 void display_members(benchmark::State& state) {
   const State home = initial_state(hundred());
   for (auto _ : state) benchmark::DoNotOptimize(display_json(hundred(), home));

@@ -40,6 +40,19 @@ TEST(ImageJson, RunLengthsBeginWithZeros) {
             "[[0,4],[0,1,2,1]]");
 }
 
+void expect_the_same_text(const Image& image) {
+  for (const Encoding encoding : {Encoding::kRows, Encoding::kRle}) {
+    EXPECT_EQ(image_text(image, encoding), image_json(image, encoding).dump());
+  }
+}
+
+TEST(ImageJson, TheQuickTextIsTheSame) {
+  expect_the_same_text(image_of(kPicture));
+  expect_the_same_text(image_of({"1"}));
+  expect_the_same_text(Image(70, 0));
+  expect_the_same_text(Image(0, 2));
+}
+
 std::string unpacked(const Json& runs) {
   std::string text;
   char pixel = '0';
@@ -62,6 +75,7 @@ TEST(ImageJson, BothEncodingsShowEveryPixel) {
       row.resize(static_cast<std::size_t>(width));
       const Image image = image_of({row});
       EXPECT_EQ(image_json(image, Encoding::kRows)["rows"][0], row);
+      expect_the_same_text(image);
       const Json runs = image_json(image, Encoding::kRle)["rows"][0];
       EXPECT_EQ(unpacked(runs), row);
       for (std::size_t i = 1; i < runs.size(); ++i) EXPECT_GT(runs[i], 0);
