@@ -28,15 +28,21 @@ void drop_trailing(std::string& text, char unwanted) {
 
 }  // namespace
 
-std::string plain_number(double number, int decimals) {
+std::string fixed_number(double number, int decimals) {
   std::ostringstream out;
   out << std::fixed << std::setprecision(decimals) << number;
-  std::string text = out.str();
+  const std::string text = out.str();
+  const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
+  return is_zero && text.front() == '-' ? text.substr(1) : text;
+}
+
+std::string plain_number(double number, int decimals) {
+  std::string text = fixed_number(number, decimals);
   if (text.find('.') != std::string::npos) {
     drop_trailing(text, '0');
     drop_trailing(text, '.');
   }
-  return text == "-0" ? "0" : text;
+  return text;
 }
 
 std::string text_table(const std::vector<std::vector<std::string>>& rows,

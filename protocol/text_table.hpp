@@ -8,6 +8,8 @@ namespace xr3 {
 
 /// A number with at most so many decimals, without trailing zeros and never -0.
 std::string plain_number(double number, int decimals = 3);
+/// A number with just so many decimals, for columns; never -0.
+std::string fixed_number(double number, int decimals);
 
 /// Rows of cells, the first one the heading. Each column is as wide as its widest cell; one whose
 /// letter in `alignment` is 'r' is flush right, any other flush left. Every line is indented by two

@@ -1,0 +1,162 @@
+// The table of joints: a row each, with a bar that shows where between its limits a joint stands.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "protocol/text_table.hpp"
+#include "protocol/watch_panels.hpp"
+
+namespace xr3::watch {
+namespace {
+
+constexpr int kLongestBar = 64;
+constexpr int kEighths = 8;
+constexpr char32_t kFullBlock = U'█';
+/// A block of n eighths from the left is kFullBlock + 8 - n; n = 1...7.
+constexpr char32_t eighths_block(int eighths) {
+  return kFullBlock + static_cast<char32_t>(kEighths - eighths);
+}
+
+/// An axis and where it may go; without limits nothing is known of them.
+struct Row {
+  const Axis& axis;
+  std::optional<Limits> limits;
+};
+
+/// A column of the table. Where room is short the one with the greatest `rank` is left out; rank 0
+/// never is.
+struct Column {
+  enum class Kind : std::uint8_t { kLeft, kRight, kBar };
+  std::string name;
+  int width;
+  Kind kind;
+  int rank;
+  std::function<std::string(const Row&)> text;
+};
+
+/// "mm" as wide as "deg", so that the points stand below each other.
+std::string value_text(const Axis& axis) {
+  return fixed_number(axis.value, 2) + " " + axis.unit + (axis.unit.size() < 3 ? " " : "");
+}
+
+std::string state_text(const Axis& axis) {
+  if (!axis.blocked.empty()) return axis.blocked;
+  return axis.is_moving ? "moves" : "rests";
+}
+
+std::vector<Column> all_columns() {
+  using Kind = Column::Kind;
+  const auto limit = [](double Limits::*end) {
+    return [end](const Row& row) { return row.limits ? plain_number((*row.limits).*end, 1) : ""; };
+  };
+  return {
+      {"", 1, Kind::kLeft, 0, [](const Row& row) { return row.axis.label; }},
+      {"from", 7, Kind::kRight, 8, limit(&Limits::min)},
+      {"", kLeastBar, Kind::kBar, 4, {}},
+      {"to", 7, Kind::kLeft, 8, limit(&Limits::max)},
+      {"value", 13, Kind::kRight, 0, [](const Row& row) { return value_text(row.axis); }},
+      {"count", 7, Kind::kRight, 1, [](const Row& row) { return std::to_string(row.axis.count); }},
+      {"error", 5, Kind::kRight, 3, [](const Row& row) { return std::to_string(row.axis.error); }},
+      {"speed", 5, Kind::kRight, 6, [](const Row& row) { return std::to_string(row.axis.speed); }},
+      {"switch", 6, Kind::kLeft, 5,
+       [](const Row& row) { return row.axis.is_closed ? "closed" : "open"; }},
+      {"", 5, Kind::kLeft, 2, [](const Row& row) { return state_text(row.axis); }}};
+}
+
+/// What the columns need, with a blank between two.
+int width_of(const std::vector<Column>& columns) {
+  int width = -1;
+  for (const Column& column : columns) width += column.width + 1;
+  return width;
+}
+
+/// The columns that fit, and a bar as long as the rest allows.
+std::vector<Column> fitting_columns(int width) {
+  std::vector<Column> columns = all_columns();
+  const auto by_rank = [](const Column& a, const Column& b) { return a.rank < b.rank; };
+  while (width_of(columns) > width) {
+    const int rank = std::max_element(columns.begin(), columns.end(), by_rank)->rank;
+    if (rank == 0) break;
+    std::erase_if(columns, [rank](const Column& column) { return column.rank == rank; });
+  }
+  for (Column& column : columns) {
+    if (column.kind != Column::Kind::kBar) continue;
+    column.width = std::clamp(kLeastBar + width - width_of(columns), kLeastBar, kLongestBar);
+  }
+  return columns;
+}
+
+TextStyle style_of(const Axis& axis) {
+  if (!axis.blocked.empty()) return TextStyle::kBad;
+  return axis.is_moving ? TextStyle::kGood : TextStyle::kPlain;
+}
+
+/// How many eighths of a column are filled.
+int filled_eighths(const Row& row, int columns) {
+  const double span = row.limits->max - row.limits->min;
+  const double part = span > 0 ? (row.axis.value - row.limits->min) / span : 0;
+  return static_cast<int>(std::lround(std::clamp(part, 0.0, 1.0) * columns * kEighths));
+}
+
+void paint_bar(TextScreen& screen, int at, int from, int columns, const Row& row) {
+  const int eighths = row.limits ? filled_eighths(row, columns) : 0;
+  for (int i = 0; i < columns; ++i) {
+    const int here = std::clamp(eighths - i * kEighths, 0, kEighths);
+    if (here == 0) {
+      screen.put_letter(at, from + i, U'·', TextStyle::kFaint);
+    } else {
+      screen.put_letter(at, from + i, eighths_block(here), style_of(row.axis));
+    }
+  }
+}
+
+std::string aligned(const std::string& text, const Column& column) {
+  const std::size_t letters = one_column_letters(text).size();
+  const auto width = static_cast<std::size_t>(column.width);
+  if (column.kind != Column::Kind::kRight || letters >= width) return text;
+  return std::string(width - letters, ' ') + text;
+}
+
+void paint_row(TextScreen& screen, int at, int from, const std::vector<Column>& columns,
+               const Row& row) {
+  for (const Column& column : columns) {
+    if (column.kind == Column::Kind::kBar) {
+      paint_bar(screen, at, from, column.width, row);
+    } else {
+      screen.put(at, from, aligned(column.text(row), column), style_of(row.axis), column.width);
+    }
+    from += column.width + 1;
+  }
+}
+
+void paint_heading(TextScreen& screen, int at, int from, const std::vector<Column>& columns) {
+  for (const Column& column : columns) {
+    screen.put(at, from, aligned(column.name, column), TextStyle::kFaint, column.width);
+    from += column.width + 1;
+  }
+}
+
+}  // namespace
+
+void paint_joints(TextScreen& screen, const TextArea& area, const Known& known) {
+  std::vector<Row> rows;
+  const auto add = [&](const Axis& axis) {
+    const auto found = known.limits.find(axis.label);
+    rows.push_back(
+        {axis, found == known.limits.end() ? std::nullopt : std::optional<Limits>(found->second)});
+  };
+  for (const Axis& joint : known.state->joints) add(joint);
+  add(known.state->tool.axis);
+
+  const std::vector<Column> columns = fitting_columns(area.columns);
+  const int end = area.row + area.rows;
+  int at = area.row;
+  if (area.rows > static_cast<int>(rows.size())) {
+    paint_heading(screen, at++, area.column, columns);
+  }
+  for (std::size_t i = 0; i < rows.size() && at < end; ++i, ++at) {
+    paint_row(screen, at, area.column, columns, rows[i]);
+  }
+}
+
+}  // namespace xr3::watch

@@ -1,0 +1,231 @@
+#include "protocol/watch_screen.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "protocol/text_table.hpp"
+#include "protocol/watch_panels.hpp"
+
+namespace xr3::watch {
+namespace {
+
+constexpr int kLeastNotes = 4;   ///< rows, its rule counted
+constexpr int kLeastMiddle = 3;  ///< rows for blocks and lines: a rule, one block, the lines
+constexpr int kLeastImageColumns = 24;
+constexpr int kLeastImage = 4;     ///< rows, its rule counted
+constexpr int kWideColumns = 130;  ///< from here on the camera stands beside everything
+constexpr int kWideRows = 16;
+constexpr int kWideLeft = 84;    ///< columns that the tables then have at least
+constexpr int kTickWidth = 78;   ///< columns from which the title has epoch and tick, too
+constexpr int kLinesWidth = 47;  ///< columns that blocks and lines need beside a camera
+
+constexpr std::array kHelp{
+    "q  Esc  Ctrl-C   leave",
+    "space            let time stand, or go on",
+    ".                one step of ten ticks, while time stands",
+    ">                one second, while time stands",
+    "h                home, as A$ on a line: frees a stalled robot, too",
+    "?                this page, and back",
+    "",
+    "A bar shows where between its limits a joint stands.",
+    "error: counts still to go; speed: counts a second; switch: its microswitch.",
+    "Digital lines show their number while they are high.",
+    "Events leave out moves and switches: the table shows them.",
+};
+
+/// A text that begins a row, and one that ends it where both fit.
+void paint_ends(TextScreen& screen, int row, const std::string& left, const std::string& right,
+                TextStyle style) {
+  for (int i = 0; i < screen.columns(); ++i) screen.put_letter(row, i, U' ', style);
+  const int after = screen.put(row, 1, left, style, screen.columns() - 2);
+  const int width = static_cast<int>(one_column_letters(right).size());
+  const int at = screen.columns() - 1 - width;
+  if (at > after + 1) screen.put(row, at, right, style, width);
+}
+
+std::string clock_text(const Known& known, int columns) {
+  const std::string mode =
+      known.mode == ClockMode::kManual ? "time stands" : "real x " + plain_number(known.rate, 6);
+  const std::string time = "   " + seconds_text(known.tick, known.tick_hz);
+  if (columns < kTickWidth) return mode + time;
+  return mode + "   epoch " + std::to_string(known.epoch) + "   tick " +
+         std::to_string(known.tick) + time;
+}
+
+void paint_title(TextScreen& screen, const Known& known, const Link& link) {
+  std::string left = "xr3 watch";
+  if (!known.cell.empty()) left += "   " + known.robot + "   " + known.cell;
+  const bool is_known = known.state.has_value();
+  paint_ends(screen, 0, left, is_known ? clock_text(known, screen.columns()) : link.address,
+             TextStyle::kTitle);
+}
+
+void paint_footer(TextScreen& screen, const Known& known) {
+  const bool is_standing = known.mode == ClockMode::kManual;
+  std::string keys = "q quit   ? help";
+  if (known.has_control) {
+    keys += is_standing ? "   space resume   . step   h home" : "   space pause   h home";
+  } else if (!known.cell.empty()) {
+    keys += "   read only";
+  }
+  if (!known.said.empty()) keys = known.said;
+  paint_ends(screen, screen.rows() - 1, keys, known.said.empty() ? known.server : "",
+             TextStyle::kTitle);
+}
+
+std::string stall_text(const std::string& stall) {
+  if (stall == "protected_region") return "the tool would enter the protected region";
+  if (stall == "work_surface") return "the tool would enter the work surface";
+  return stall;
+}
+
+/// The one thing that must not be overlooked; empty: there is none.
+std::string banner_text(const Known& known, const Link& link) {
+  if (link.phase != Link::Phase::kLive) {
+    return (link.trouble.empty() ? "no connection" : link.trouble) +
+           "; below is what was known, trying again";
+  }
+  if (!known.state->stalled.empty()) {
+    return "STALLED: " + stall_text(known.state->stalled) + "; h (or A$, or reset) sets it free";
+  }
+  return known.state->is_enabled ? "" : "disabled: only A@ is obeyed";
+}
+
+void paint_lines(TextScreen& screen, const std::vector<std::string>& lines) {
+  int row = std::max(1, (screen.rows() - static_cast<int>(lines.size())) / 2);
+  std::size_t longest = 0;
+  for (const std::string& line : lines) longest = std::max(longest, line.size());
+  const int column = std::max(1, (screen.columns() - static_cast<int>(longest)) / 2);
+  for (const std::string& line : lines) {
+    screen.put(row++, column, line, TextStyle::kPlain, screen.columns() - column - 1);
+  }
+}
+
+void paint_waiting(TextScreen& screen, const Link& link) {
+  if (link.phase == Link::Phase::kLive)
+    return paint_lines(screen, {"waiting for the robot's state"});
+  if (link.trouble.empty()) return paint_lines(screen, {"connecting to " + link.address});
+  paint_lines(screen, {link.trouble + ".", "", "Start one with: xr3 serve",
+                       "This goes on trying, every second."});
+}
+
+/// Where the camera's image stands.
+enum class ImagePlace : std::uint8_t { kBesideBlocks, kBesideAll };
+
+/// The rows of the parts between title and footer, from top to bottom.
+struct Heights {
+  int joints = 0;
+  int tool = 0;
+  int middle = 0;  ///< blocks and lines, and the camera where it is not beside everything
+  int notes = 0;
+};
+
+/// Rows that the image has something for, its rule counted, in so many columns.
+int useful_image_rows(const Image& image, int columns) {
+  const auto room = static_cast<std::size_t>(std::max(columns, 1));
+  return static_cast<int>(shrunk_size(image, room, image.height).height + 1) / 2 + 1;
+}
+
+/// `image_rows` are those that the image could use of the middle.
+Heights heights_for(const State& state, int rows, int image_rows) {
+  Heights heights;
+  const int table = static_cast<int>(state.joints.size()) + 2;
+  heights.joints = std::min(rows, table);
+  heights.tool = std::min(1, rows - heights.joints);
+  const int rest = rows - heights.joints - heights.tool;
+  heights.notes = std::min(rest, std::max(kLeastNotes, rest / 3 + 1));
+  heights.middle = rest - heights.notes;
+  if (heights.middle < kLeastMiddle) heights.middle = 0;
+  const int useful = static_cast<int>(std::min<std::size_t>(state.blocks.size(), 1000)) + 2;
+  heights.middle = std::min(heights.middle, std::max(useful, image_rows));
+  heights.notes = rest - heights.middle;
+  return heights;
+}
+
+void paint_middle(TextScreen& screen, TextArea area, const Known& known) {
+  const bool has_room = area.columns > kLinesWidth + kLeastBar && area.rows >= kLeastImage;
+  if (known.image && has_room) {
+    const int width = std::min(area.columns - kLinesWidth - 1, 2 * (area.rows - 1) + 12);
+    TextArea right = area;
+    right.columns = width;
+    right.column = area.column + area.columns - width;
+    area.columns -= width + 1;
+    paint_image(screen, right, *known.image);
+  }
+  paint_blocks_and_lines(screen, area, *known.state);
+}
+
+/// Joints, tool, blocks and lines, one below the other; the image too, unless it has its own place.
+void paint_tables(TextScreen& screen, TextArea area, const Known& known, const Heights& heights,
+                  ImagePlace place) {
+  paint_joints(screen, {area.row, area.column, heights.joints, area.columns}, known);
+  area.row += heights.joints;
+  if (heights.tool > 0) {
+    paint_tool(screen, {area.row, area.column, 1, area.columns}, *known.state);
+  }
+  area.row += heights.tool;
+  area.rows = heights.middle;
+  if (place == ImagePlace::kBesideBlocks) {
+    paint_middle(screen, area, known);
+  } else {
+    paint_blocks_and_lines(screen, area, *known.state);
+  }
+}
+
+/// Everything but title, banner and footer, on a wide screen: the camera beside all tables.
+void paint_wide(TextScreen& screen, TextArea area, const Known& known) {
+  const int most_columns = area.columns - kWideLeft - 2;
+  const int image_rows = useful_image_rows(*known.image, most_columns);
+  const int table = static_cast<int>(known.state->joints.size()) + 3;
+  const Heights heights = heights_for(*known.state, area.rows, image_rows - table);
+  const int upper = area.rows - heights.notes;
+  const int width = std::min(most_columns, std::max(kLeastImageColumns, 4 * upper));
+  paint_image(screen, {area.row, area.column + area.columns - width, upper, width}, *known.image);
+  paint_notes(screen, {area.row + upper, area.column, heights.notes, area.columns}, known);
+  area.columns -= width + 2;
+  paint_tables(screen, area, known, heights, ImagePlace::kBesideAll);
+}
+
+void paint_narrow(TextScreen& screen, const TextArea& area, const Known& known) {
+  const int columns = area.columns - kLinesWidth - 1;
+  const int image_rows = known.image ? useful_image_rows(*known.image, columns) : 0;
+  const Heights heights = heights_for(*known.state, area.rows, image_rows);
+  paint_tables(screen, area, known, heights, ImagePlace::kBesideBlocks);
+  const int row = area.row + area.rows - heights.notes;
+  if (heights.notes > 0) {
+    paint_notes(screen, {row, area.column, heights.notes, area.columns}, known);
+  }
+}
+
+void paint_state(TextScreen& screen, const Known& known, const Link& link) {
+  TextArea area{1, 1, std::max(0, screen.rows() - 2), std::max(0, screen.columns() - 2)};
+  const std::string banner = banner_text(known, link);
+  if (!banner.empty() && area.rows > 0) {
+    screen.put(area.row++, area.column, banner, TextStyle::kBad, area.columns);
+    --area.rows;
+  }
+  const bool is_wide = known.image && area.columns >= kWideColumns && area.rows >= kWideRows;
+  if (is_wide) {
+    paint_wide(screen, area, known);
+  } else {
+    paint_narrow(screen, area, known);
+  }
+}
+
+}  // namespace
+
+TextScreen watch_screen(const Known& known, const Link& link, Page page, int rows, int columns) {
+  TextScreen screen(rows, columns);
+  if (page == Page::kHelp) {
+    paint_lines(screen, {kHelp.begin(), kHelp.end()});
+  } else if (known.state) {
+    paint_state(screen, known, link);
+  } else {
+    paint_waiting(screen, link);
+  }
+  paint_title(screen, known, link);
+  paint_footer(screen, known);
+  return screen;
+}
+
+}  // namespace xr3::watch
