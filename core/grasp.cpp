@@ -116,16 +116,18 @@ JawContact next_closing(const Model& model, const State& state, const Positions&
   return contact;
 }
 
-Block as_released(const Model& model, const State& state, const Positions& positions) {
-  Block block = state.blocks[state.held->block];
+Block as_released(const Model& model, const State& state, const Held& held,
+                  const Positions& positions) {
+  Block block = state.blocks[held.block];
   block.centroid_um = tool_tip(model, positions);
-  block.yaw_udeg = flat_yaw(net_roll_deg(model, positions), state.held->quarter_turns);
+  block.yaw_udeg = flat_yaw(net_roll_deg(model, positions), held.quarter_turns);
   return block;
 }
 
 void release(const Model& model, State& state, const Positions& positions, Events& events) {
+  if (!state.held) return;
   Block& block = state.blocks[state.held->block];
-  block = as_released(model, state, positions);
+  block = as_released(model, state, *state.held, positions);
   state.held.reset();
   events.push_back({state.tick, Released{block.name, block.centroid_um, block.yaw_udeg}});
 }

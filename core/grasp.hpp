@@ -38,11 +38,12 @@ bool opens_jaws(const Model& model, int direction);
 void update_grasp(const Model& model, State& state, const Positions& positions,
                   const JawContact& contact, bool opened, Events& events);
 
-/// The held block as it would lie if it were let go where the tool is now: centroid at the tip, upright,
-/// yaw by the net roll. Only while one is held.
-Block as_released(const Model& model, const State& state, const Positions& positions);
+/// A held block as it would lie if it were let go where the tool is now: centroid at the tip, upright,
+/// yaw by the net roll.
+Block as_released(const Model& model, const State& state, const Held& held,
+                  const Positions& positions);
 
-/// Lets the held block go, see as_released().
+/// Lets the held block go, see as_released(); nothing where none is held.
 void release(const Model& model, State& state, const Positions& positions, Events& events);
 
 }  // namespace xr3

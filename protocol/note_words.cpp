@@ -57,9 +57,9 @@ struct NoteDescriber {
   std::string line() const { return event.line ? "line " + std::to_string(*event.line) : "a line"; }
 
   std::string operator()(const EventBody& body) const {
-    const std::string sentence = xr3::describe(body, model);
-    if (!std::holds_alternative<Homed>(body)) return sentence;
-    return sentence + (event.line ? " by A$" : " by a call");
+    std::string sentence = xr3::describe(body, model);
+    if (std::holds_alternative<Homed>(body)) sentence += event.line ? " by A$" : " by a call";
+    return sentence;
   }
   std::string operator()(const ProblemNote& note) const { return note.message; }
   std::string operator()(const SuppressedNote& note) const {

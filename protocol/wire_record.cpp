@@ -1,5 +1,6 @@
 #include "protocol/wire_record.hpp"
 
+#include <ranges>
 #include <type_traits>
 #include <utility>
 
@@ -88,8 +89,8 @@ void settle_toggles(std::vector<Item>& items, const State& after) {
   bool display = after.display.on;
   bool erase = after.display.erase;
   bool enabled = after.enabled;
-  for (auto item = items.rbegin(); item != items.rend(); ++item) {
-    auto* obeyed = std::get_if<Obeyed>(&item->what);
+  for (Item& item : std::views::reverse(items)) {
+    auto* obeyed = std::get_if<Obeyed>(&item.what);
     if (obeyed == nullptr) continue;
     bool* toggled = nullptr;
     if (std::holds_alternative<ToggleDisplay>(obeyed->command)) toggled = &display;
