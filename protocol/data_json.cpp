@@ -10,11 +10,6 @@ namespace {
 constexpr std::size_t kLongestShown = 40;
 constexpr double kLargestWholeDouble = 9007199254740992.0;
 
-bool starts_with_level(const std::string& pointer, const std::string& around) {
-  return pointer.size() > around.size() && pointer.compare(0, around.size(), around) == 0 &&
-         pointer[around.size()] == '/';
-}
-
 std::string plain(double number) {
   std::ostringstream out;
   out.precision(10);
@@ -64,9 +59,15 @@ Codec<double> scaled_number(Range range, std::string_view kind, bool is_length) 
   return codec;
 }
 
+const JsonSource& no_source() {
+  static const JsonSource source(R"({"length_unit":"mm"})", "");
+  return source;
+}
+
 }  // namespace
 
 Reading::Reading(const JsonSource& source) : source_(source), findings_(source.duplicates()) {
+  for (const Finding& duplicate : findings_) wrong_.insert(duplicate.pointer);
   const Json& root = source.root();
   if (!root.is_object()) return;
   const auto unit = root.find("length_unit");
@@ -79,18 +80,25 @@ Reading::Reading(const JsonSource& source) : source_(source), findings_(source.d
   }
 }
 
+Reading::Reading() : Reading(no_source()) {}
+
 void Reading::report(Severity severity, const std::string& pointer, std::string found,
                      std::string allowed) {
+  if (severity == Severity::kError) wrong_.insert(pointer);
   findings_.push_back({severity, source_.file(), source_.line_of(pointer), 0, pointer,
                        std::move(found), std::move(allowed)});
 }
 
 bool Reading::is_sound(const std::string& pointer) const {
-  return std::none_of(findings_.begin(), findings_.end(), [&](const Finding& finding) {
-    return finding.severity == Severity::kError &&
-           (finding.pointer == pointer || starts_with_level(finding.pointer, pointer) ||
-            starts_with_level(pointer, finding.pointer));
-  });
+  const std::string inside = pointer + "/";
+  const auto first_inside = wrong_.lower_bound(inside);
+  if (first_inside != wrong_.end() && first_inside->starts_with(inside)) return false;
+  for (std::string around = pointer; !wrong_.contains(around);) {
+    const std::size_t slash = around.rfind('/');
+    if (slash == std::string::npos) return true;
+    around.resize(slash);
+  }
+  return false;
 }
 
 Findings Reading::take_findings() {
@@ -171,19 +179,7 @@ Codec<bool> boolean() {
   return codec;
 }
 
-Codec<int> whole(int min, int max) {
-  Codec<int> codec;
-  const Range range{static_cast<double>(min), static_cast<double>(max)};
-  codec.allowed = range_words(range, "a whole number");
-  codec.read = [=, allowed = codec.allowed](const Place& place, int& result) {
-    if (!place.value.is_number()) return place.refuse(allowed);
-    const double number = place.value.get<double>();
-    if (!is_within(range, number) || number != std::floor(number)) return place.refuse(allowed);
-    return result = static_cast<int>(number), true;
-  };
-  codec.write = [](const int& value) { return Json(value); };
-  return codec;
-}
+Codec<int> whole(int min, int max) { return integer<int>(min, max); }
 
 Codec<double> number(Range range) { return scaled_number(range, "a number", false); }
 
@@ -201,6 +197,18 @@ std::string quoted_names(const std::vector<std::string>& names) {
     words += "\"" + names[i] + "\"";
   }
   return words;
+}
+
+std::string integer_words(std::int64_t min, std::int64_t max) {
+  return "a whole number from " + std::to_string(min) + " to " + std::to_string(max);
+}
+
+std::optional<std::int64_t> integer_in(const Json& value, std::int64_t min, std::int64_t max) {
+  if (!value.is_number()) return std::nullopt;
+  const auto number = value.get<double>();  // exact where it is in range
+  const bool is_within = static_cast<double>(min) <= number && number <= static_cast<double>(max);
+  if (!is_within || number != std::floor(number)) return std::nullopt;
+  return static_cast<std::int64_t>(number);
 }
 
 std::string list_words(std::size_t min_count, std::size_t max_count) {

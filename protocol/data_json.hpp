@@ -3,8 +3,10 @@
 // finding; reading goes on. It knows no robot and no workcell.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,6 +26,8 @@ class Reading {
  public:
   /// Starts with the source's duplicates and takes the length unit from the root's `length_unit`.
   explicit Reading(const JsonSource& source);
+  /// For values that stand in no file: lengths are in mm, every line is 1.
+  Reading();
 
   const JsonSource& source() const { return source_; }
   double mm_per_unit() const { return mm_per_unit_; }
@@ -38,6 +42,7 @@ class Reading {
   const JsonSource& source_;
   double mm_per_unit_ = 1;
   Findings findings_;
+  std::set<std::string> wrong_;  ///< pointers of the errors among them
 };
 
 /// A value of the file together with where it stands.
@@ -83,6 +88,9 @@ inline constexpr Range kCoordinate{-kMaxLengthMm, kMaxLengthMm};
 Codec<std::string> text(std::size_t min_length, std::size_t max_length);
 Codec<bool> boolean();
 Codec<int> whole(int min, int max);
+/// The same for any type of integer; both within +-2^53.
+template <class I>
+Codec<I> integer(std::int64_t min, std::int64_t max);
 Codec<double> number(Range range);
 /// A length in the file's unit, read into mm and written in mm; the range is in mm.
 Codec<double> length(Range range);

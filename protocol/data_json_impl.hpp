@@ -17,6 +17,12 @@ std::string quoted_names(const std::vector<std::string>& names);
 /// `a list of 3`, `a list of 1 to 7`.
 std::string list_words(std::size_t min_count, std::size_t max_count);
 
+/// `a whole number from 1 to 255`.
+std::string integer_words(std::int64_t min, std::int64_t max);
+
+/// The number, unless it is none or out of range; nothing is reported.
+std::optional<std::int64_t> integer_in(const Json& value, std::int64_t min, std::int64_t max);
+
 template <class T>
 std::vector<std::string> names_of(const Members<T>& members) {
   std::vector<std::string> names;
@@ -25,6 +31,19 @@ std::vector<std::string> names_of(const Members<T>& members) {
 }
 
 }  // namespace detail
+
+template <class I>
+Codec<I> integer(std::int64_t min, std::int64_t max) {
+  Codec<I> codec;
+  codec.allowed = detail::integer_words(min, max);
+  codec.read = [=, allowed = codec.allowed](const Place& place, I& result) {
+    const auto number = detail::integer_in(place.value, min, max);
+    if (!number) return place.refuse(allowed);
+    return result = static_cast<I>(*number), true;
+  };
+  codec.write = [](const I& value) { return Json(value); };
+  return codec;
+}
 
 template <class E>
 Codec<E> choice(std::vector<std::pair<std::string, E>> names) {

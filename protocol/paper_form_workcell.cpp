@@ -10,7 +10,6 @@ namespace {
 
 using namespace paper;  // NOLINT: the tables below read as the file does
 
-constexpr std::size_t kMostBlocks = 10000;
 constexpr int kFirstBrightColor = 9;
 constexpr int kBrightColors = 6;
 
@@ -39,7 +38,7 @@ const std::vector<Row> kCameraRows = {
 constexpr const char* kBlocksTitle = "number of blocks";
 
 void read_blocks(Reader& reader) {
-  const std::size_t blocks = reader.count(kBlocksTitle, "/blocks", kMostBlocks);
+  const std::size_t blocks = reader.count(kBlocksTitle, "/blocks", kMaxBlocks);
   for (std::size_t i = 0; i < blocks; ++i) {
     const std::string block = child_pointer("/blocks", i);
     reader.open(block, kBlockExtras);

@@ -13,7 +13,6 @@ using dialogue::kAnyPlace;
 using dialogue::kAnySize;
 
 constexpr std::size_t kLongestName = 40;
-constexpr std::size_t kMostBlocks = 10000;
 constexpr int kLastColor = 15;
 
 constexpr const char* kColorHelp =
@@ -95,7 +94,7 @@ void WorkcellDialogue::ask_block_again() {
 }
 
 void WorkcellDialogue::add() {
-  if (workcell_.blocks.size() >= kMostBlocks) return say("There is no room for more blocks.\n");
+  if (workcell_.blocks.size() >= kMaxBlocks) return say("There is no room for more blocks.\n");
   block_index_ = workcell_.blocks.size();
   block_ = dialogue::proposed_block(workcell_, arm_);
   change();

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "protocol/data_json.hpp"
+#include "protocol/block_json.hpp"
 #include "protocol/workcell_rules.hpp"
 
 namespace xr3 {
@@ -11,71 +11,11 @@ namespace {
 using namespace data;  // NOLINT: the tables below read as the file does
 
 constexpr int kMaxPixels = 2048;
-constexpr double kTurnDeg = 360;
-
-const Range kSize{0, kMaxLengthMm, true};
-
-/// A length, kept in whole micrometres.
-Codec<Micrometres> length_um(Range range) {
-  const Codec<double> in_mm = length(range);
-  Codec<Micrometres> codec;
-  codec.allowed = in_mm.allowed;
-  codec.read = [in_mm](const Place& place, Micrometres& result) {
-    double length_mm = 0;
-    const bool is_good = in_mm.read(place, length_mm);
-    return result = micrometres(length_mm), is_good;
-  };
-  codec.write = [](const Micrometres& um) { return number_json(mm(um)); };
-  return codec;
-}
-
-/// Three lengths, kept in whole micrometres.
-Codec<PointUm> point_um(Range range, const std::string& names) {
-  const Codec<Micrometres> item = length_um(range);
-  Codec<PointUm> codec;
-  codec.allowed = "a list " + names + " of three lengths";
-  codec.read = [item, allowed = codec.allowed](const Place& place, PointUm& p) {
-    if (!place.value.is_array() || place.value.size() != 3) return place.refuse(allowed);
-    const bool has_x = item.read(place.element(0), p.x);
-    const bool has_y = item.read(place.element(1), p.y);
-    return item.read(place.element(2), p.z) && has_x && has_y;
-  };
-  codec.write = [](const PointUm& p) {
-    return Json::array({number_json(mm(p.x)), number_json(mm(p.y)), number_json(mm(p.z))});
-  };
-  return codec;
-}
-
-/// An angle of at most one turn either way, kept in (-180, 180] degrees.
-Codec<Microdegrees> yaw() {
-  const Codec<double> in_degrees = number({-kTurnDeg, kTurnDeg, false, "degrees"});
-  Codec<Microdegrees> codec;
-  codec.allowed = in_degrees.allowed;
-  codec.read = [in_degrees](const Place& place, Microdegrees& result) {
-    double angle_deg = 0;
-    const bool is_good = in_degrees.read(place, angle_deg);
-    constexpr Microdegrees kHalfTurn = 180000000;
-    result = microdegrees(angle_deg);
-    while (result > kHalfTurn) result -= 2 * kHalfTurn;
-    while (result <= -kHalfTurn) result += 2 * kHalfTurn;
-    return is_good;
-  };
-  codec.write = [](const Microdegrees& angle) { return number_json(degrees(angle)); };
-  return codec;
-}
 
 Members<Workspace> workspace_members() {
   return {required("x", &Workspace::x_um, length_um(kSize)),
           required("y", &Workspace::y_um, length_um(kSize)),
           required("z", &Workspace::z_um, length_um(kSize))};
-}
-
-Members<Block> block_members() {
-  return {required("name", &Block::name, text(1, 40)),
-          required("size", &Block::size_um, point_um(kSize, "[length, width, height]")),
-          required("centroid", &Block::centroid_um, point_um(kCoordinate, "[x, y, z]")),
-          required("yaw_deg", &Block::yaw_udeg, yaw()),
-          required("color", &Block::color, whole(0, 15))};
 }
 
 /// `names` are two members of a Camera that the file gives as one list.

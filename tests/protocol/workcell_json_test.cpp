@@ -167,5 +167,19 @@ TEST(WorkcellJson, TenThousandBlocksAreCheckedInReasonableTime) {
   EXPECT_EQ(to_text(read_workcell(with_blocks(blocks), "f").findings), "");
 }
 
+TEST(WorkcellJson, TenThousandBrokenBlocksAreToldInReasonableTime) {
+  std::string blocks = "{}";
+  for (int i = 1; i < 10000; ++i) blocks += ",{}";
+  EXPECT_EQ(read_workcell(with_blocks(blocks), "f").findings.size(), 50000U);
+}
+
+TEST(WorkcellJson, NoSizeMayRoundToNothing) {
+  EXPECT_TRUE(
+      read_workcell(with_blocks(block("a", "[0.0005, 1, 1]", "[9, 9, 101]")), "f").workcell);
+  const auto reading = read_workcell(with_blocks(block("a", "[1, 1, 0.0004]", "[9, 9, 101]")), "f");
+  ASSERT_EQ(reading.findings.size(), 1U);
+  EXPECT_EQ(reading.findings[0].pointer, "/blocks/0/size/2");
+}
+
 }  // namespace
 }  // namespace xr3

@@ -1,0 +1,33 @@
+// What a block is made of, as codecs: names, lengths in whole micrometres, a yaw in whole microdegrees.
+// Workcell files and the calls that change a workcell share them, so that their ranges are the same.
+#pragma once
+
+#include <string>
+
+#include "core/workcell.hpp"
+#include "protocol/data_json.hpp"
+
+namespace xr3::data {
+
+/// Lengths of what has a size.
+inline constexpr Range kSize{0, kMaxLengthMm, true};
+
+/// A length, kept in whole micrometres; the range is in mm.
+Codec<Micrometres> length_um(Range range);
+
+/// Three lengths, kept in whole micrometres; `names` are their names, as in "[x, y, z]".
+Codec<PointUm> point_um(Range range, const std::string& names);
+
+/// An angle of at most one turn either way, kept in (-180, 180] degrees.
+Codec<Microdegrees> yaw();
+
+Codec<std::string> block_name();
+Codec<PointUm> block_size();
+Codec<PointUm> block_centroid();
+/// A palette index.
+Codec<int> block_color();
+
+/// A block of a workcell file.
+Members<Block> block_members();
+
+}  // namespace xr3::data
