@@ -1,5 +1,37 @@
+// A saved cell as JSON and back, exact to the last bit: the state is integers and is written so, the
+// workcell has the form of its file. What comes back is read strictly, so that nothing that a client
+// made up can bring the machine into a state from which it could not run on.
 #pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/model.hpp"
 #include "protocol/call.hpp"
+#include "protocol/finding.hpp"
+#include "protocol/json_source.hpp"
 #include "protocol/monitor_request.hpp"
-namespace xr3 { inline Json saved_cell_to_json(const SavedCell& s) { return {{"robot_hash", s.robot_hash}, {"tick", s.state.tick}}; }
-namespace monitor { inline std::vector<Detail> misfits(const Model&, const SavedCell&) { return {}; } } }
+
+namespace xr3 {
+
+/// `{"robot_hash","workcell","state"}`; lengths of the state in micrometres, angles in microdegrees.
+Json saved_cell_to_json(const SavedCell& saved);
+
+/// A saved cell, unless a finding is an error, and everything found in it.
+struct SavedCellReading {
+  std::optional<SavedCell> saved;
+  Findings findings;
+};
+
+/// Reads what saved_cell_to_json() made; pointers begin at `json`. Never throws.
+SavedCellReading read_saved_cell(const Json& json);
+
+}  // namespace xr3
+
+namespace xr3::monitor {
+
+/// What a machine with this model's robot could never have come to: more motors than it has, joints
+/// outside their limits. Pointers begin at the saved cell. Nothing: it can be loaded.
+std::vector<Detail> misfits(const Model& model, const SavedCell& saved);
+
+}  // namespace xr3::monitor
