@@ -1,18 +1,18 @@
 // Members of a request read one by one: each that is missing, of the wrong kind or out of range is
-// noted with its pointer, and reading goes on, so that a client hears of all of them at once.
+// noted with its pointer, and reading goes on, so that a client hears of all of them at once. What
+// was asked for is kept, so that a reader describes itself by reading nothing.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "protocol/data_json.hpp"
 #include "protocol/monitor_request.hpp"
+#include "protocol/monitor_tree.hpp"
 
 namespace xr3::monitor {
-
-/// A message as it was parsed: a map, so that no message is slow to take in.
-using Tree = nlohmann::json;
 
 /// Wrong values found so far; of very many only the first are kept.
 class Findings {
@@ -21,12 +21,16 @@ class Findings {
 
   /// `found` may be null: nothing stands there. A long one is told by its size.
   void add(std::string pointer, const Tree* found, std::string allowed);
+  /// The errors that a reader of files found in `value`, which stands at the pointer `at`.
+  void add_errors(const xr3::Findings& errors, const Tree& value, const std::string& at);
 
   bool empty() const { return count_ == 0; }
   /// The error `bad_args` with everything that was found.
   RequestError error(RequestId id) const;
 
  private:
+  void keep(std::string pointer, Json found, std::string allowed);
+
   std::size_t count_ = 0;
   std::vector<Detail> details_;
 };
@@ -34,37 +38,74 @@ class Findings {
 /// A whole number within +-kMostInteger, also where it is written as 5.0 or 5e0.
 std::optional<std::int64_t> whole_number(const Tree& value);
 
+/// A member that was asked for, and what it may be.
+struct Asked {
+  std::string name;
+  bool is_required;
+  std::string allowed;
+};
+
+enum class Presence : std::uint8_t { kRequired, kOptional };
+
+/// Its readers give nothing where the member is left out, or is wrong and noted.
 class ArgsReader {
  public:
   /// `object` may be null: an empty one. `pointer` is where it stands in the message.
   ArgsReader(const Tree* object, std::string pointer, Findings& findings)
       : object_(object), pointer_(std::move(pointer)), findings_(findings) {}
 
-  /// The member, or null; it counts as known from now on.
-  const Tree* find(const std::string& name);
+  /// The member as it stands, or null; it counts as known from now on.
+  const Tree* ask(const std::string& name, Presence presence = Presence::kOptional,
+                  std::string allowed = {});
+  /// The same, but an object; null also where it is wrong or missing, and noted.
+  const Tree* object(const std::string& name, Presence presence,
+                     const std::string& allowed = "an object");
 
-  /// A whole number that must be there; `low` where it is not, or is wrong.
-  std::int64_t whole(const std::string& name, std::int64_t low, std::int64_t high);
-  /// The same, but it may be left out.
-  std::int64_t whole_or(const std::string& name, std::int64_t low, std::int64_t high,
-                        std::int64_t otherwise);
-  /// A number that must be there; `low` where it is not, or is wrong.
-  double number(const std::string& name, double low, double high);
-  /// A list of names of members of `state`, or nothing where it is left out.
-  Fields fields(const std::string& name);
-  /// An object inside this one, or null where it is left out or wrong.
-  const Tree* object(const std::string& name);
+  std::optional<std::int64_t> whole(const std::string& name, std::int64_t low, std::int64_t high,
+                                    Presence presence = Presence::kRequired);
+  std::optional<double> number(const std::string& name, double low, double high,
+                               Presence presence = Presence::kRequired);
+  /// A value as the data files have it, lengths in mm.
+  template <class V>
+  std::optional<V> coded(const std::string& name, const data::Codec<V>& codec,
+                         Presence presence = Presence::kRequired);
+  /// A list of names of members of the channel, or nothing where it is left out.
+  Fields fields(const std::string& name, Channel channel);
+
+  /// Exactly one of the two is there; noted at the first otherwise.
+  bool has_one_of(const std::string& first, const std::string& second);
 
   std::string pointer_to(const std::string& name) const;
   void refuse(const std::string& name, std::string allowed);
   /// Notes every member that was not asked for.
   void refuse_others();
 
+  Findings& findings() const { return findings_; }
+  const std::vector<Asked>& asked() const { return asked_; }
+
  private:
+  const Tree* find(const std::string& name) const;
+
   const Tree* object_;
   std::string pointer_;
   Findings& findings_;
-  std::vector<std::string> known_;
+  std::vector<Asked> asked_;
 };
+
+template <class V>
+std::optional<V> ArgsReader::coded(const std::string& name, const data::Codec<V>& codec,
+                                   Presence presence) {
+  const Tree* value = ask(name, presence, codec.allowed);
+  if (value == nullptr) {
+    if (presence == Presence::kRequired) refuse(name, codec.allowed);
+    return std::nullopt;
+  }
+  const Json json(*value);
+  data::Reading reading;
+  V result{};
+  const bool is_good = codec.read({reading, json, pointer_to(name)}, result);
+  findings_.add_errors(reading.findings(), *value, pointer_to(name));
+  return is_good ? std::optional<V>(std::move(result)) : std::nullopt;
+}
 
 }  // namespace xr3::monitor

@@ -134,18 +134,6 @@ Message lag(std::string_view cell, Channel channel, const Missed& missed) {
                      {"to_seq", missed.to_seq}});
 }
 
-std::string_view name_of(Channel channel) {
-  switch (channel) {
-    case Channel::kState: return "state";
-    case Channel::kImage: return "image";
-    case Channel::kDisplay: return "display";
-    case Channel::kModel: return "model";
-    case Channel::kEvent: return "event";
-    case Channel::kLine: return "line";
-  }
-  return "";
-}
-
 Message bye(Bye why) {
   const ByeWords words = words_of(why);
   return message_of({{"op", "bye"}, {"why", words.why}, {"message", words.message}});

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "protocol/monitor_fields.hpp"
 #include "protocol/monitor_request.hpp"
 #include "protocol/snapshot_json.hpp"
 
@@ -57,9 +58,6 @@ struct Missed {
   std::int64_t to_seq = 0;
 };
 Message lag(std::string_view cell, Channel channel, const Missed& missed);
-
-/// `state`, `image`...
-std::string_view name_of(Channel channel);
 
 /// Why a connection ends.
 enum class Bye : std::uint8_t {

@@ -1,168 +1,16 @@
 #include "protocol/monitor_request.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
-#include "protocol/json_syntax.hpp"
 #include "protocol/monitor_args.hpp"
+#include "protocol/monitor_calls.hpp"
+#include "protocol/monitor_fields.hpp"
+#include "protocol/monitor_tree.hpp"
 
 namespace xr3::monitor {
 namespace {
-
-// --- From text to a tree.
-
-/// Listens to the parser for nothing but its complaint.
-class ComplaintListener : public nlohmann::json_sax<Tree> {
- public:
-  explicit ComplaintListener(std::string_view text) : text_(text) {}
-  const Finding& finding() const { return finding_; }
-
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(number_integer_t) override { return true; }
-  bool number_unsigned(number_unsigned_t) override { return true; }
-  bool number_float(number_float_t, const string_t&) override { return true; }
-  bool string(string_t&) override { return true; }
-  bool binary(binary_t&) override { return true; }
-  bool start_object(std::size_t) override { return true; }
-  bool start_array(std::size_t) override { return true; }
-  bool end_object() override { return true; }
-  bool end_array() override { return true; }
-  bool key(string_t&) override { return true; }
-  bool parse_error(std::size_t position, const std::string& last_token,
-                   const nlohmann::detail::exception& error) override {
-    finding_ = syntax_finding(text_, "", {position, last_token, error.what()});
-    return false;
-  }
-
- private:
-  std::string_view text_;
-  Finding finding_;
-};
-
-/// How deep lists and objects lie inside one another; brackets inside texts do not count.
-int depth_of(std::string_view text) {
-  int depth = 0;
-  int deepest = 0;
-  bool in_text = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (in_text && c == '\\') ++i;
-    if (c == '"') in_text = !in_text;
-    if (in_text) continue;
-    if (c == '{' || c == '[') deepest = std::max(deepest, ++depth);
-    if (c == '}' || c == ']') --depth;
-  }
-  return deepest;
-}
-
-RequestError bad_json(std::size_t column, const std::string& what) {
-  return {{},
-          "bad_json",
-          "line 1, column " + std::to_string(column) + ": " + what,
-          "one JSON object a line",
-          {}};
-}
-
-RequestError syntax_error(std::string_view message) {
-  ComplaintListener listener(message);
-  Tree::sax_parse(message, &listener);
-  const Finding& finding = listener.finding();
-  const std::string found =
-      finding.found == "the end of the file" ? "the end of the message" : finding.found;
-  return bad_json(static_cast<std::size_t>(finding.column),
-                  found + "; allowed: " + finding.allowed);
-}
-
-using TreeReading = std::variant<Tree, RequestError>;
-
-TreeReading read_tree(std::string_view message) {
-  if (message.size() > kMostMessageBytes) {
-    return RequestError{
-        {}, "too_long", "a message has at most 262144 bytes", "send less at once", {}};
-  }
-  if (depth_of(message) > kDeepest) {
-    return RequestError{{},
-                        "too_deep",
-                        "lists and objects lie more than 32 deep",
-                        "no request needs more than 4",
-                        {}};
-  }
-  const std::size_t nul = message.find('\0');  // the parser would take it for the end
-  if (nul != std::string_view::npos) return bad_json(nul + 1, "a NUL byte; allowed: JSON in UTF-8");
-  Tree tree = Tree::parse(message, nullptr, false);
-  if (tree.is_discarded()) return syntax_error(message);
-  if (!tree.is_object()) return bad_json(1, "no object; allowed: {");
-  return tree;
-}
-
-// --- The calls.
-
-template <class Call>
-call::Call without_args(ArgsReader&) {
-  return Call{};
-}
-
-call::Call read_rate(ArgsReader& args) {
-  const double factor = args.number("factor", 0.001, 100'000);
-  return call::SetRate{{std::llround(factor * 1e6)}};
-}
-
-call::Call read_step(ArgsReader& args) { return call::Step{args.whole("ticks", 0, kMostInteger)}; }
-
-call::Call read_run_until(ArgsReader& args) {
-  call::RunUntil run;
-  const Tree* idle = args.find("idle");
-  const bool has_tick = args.find("tick") != nullptr;
-  if (has_tick) run.tick = args.whole("tick", 0, kMostInteger);
-  if (idle != nullptr && (has_tick || *idle != true)) args.refuse("idle", "true, and then no tick");
-  if (idle == nullptr && !has_tick) args.refuse("idle", "true, or else a tick");
-  run.max_ticks = args.whole("max_ticks", 0, kMostInteger);
-  return run;
-}
-
-struct CallForm {
-  std::string_view fn;
-  call::Call (*read)(ArgsReader&);
-  bool moves_time = false;  ///< takes `after` and `fields`
-};
-
-constexpr std::array kForms = {
-    CallForm{"pause", without_args<call::Pause>},
-    CallForm{"resume", without_args<call::Resume>},
-    CallForm{"rate", read_rate},
-    CallForm{"step", read_step, true},
-    CallForm{"run_until", read_run_until, true},
-    CallForm{"reset", without_args<call::Reset>},
-    CallForm{"home", without_args<call::Home>},
-};
-
-std::optional<After> read_after(const Tree* object, const std::string& pointer,
-                                Findings& findings) {
-  if (object == nullptr) return std::nullopt;
-  ArgsReader args(object, pointer, findings);
-  After after;
-  after.line = static_cast<std::uint32_t>(args.whole("line", 1, UINT32_MAX));
-  after.bytes_in = static_cast<std::uint64_t>(args.whole("bytes_in", 0, kMostInteger));
-  after.within_ms = static_cast<int>(args.whole_or("within_ms", 0, kMostWithinMs, after.within_ms));
-  args.refuse_others();
-  return after;
-}
-
-CallRequest read_call(const CallForm& form, ArgsReader& members, Findings& findings) {
-  ArgsReader args(members.object("args"), "/args", findings);
-  CallRequest request{std::string(form.fn), form.read(args), {}, {}};
-  if (form.moves_time) {
-    request.after = read_after(args.object("after"), "/args/after", findings);
-    request.fields = args.fields("fields");
-  }
-  args.refuse_others();
-  return request;
-}
-
-// --- The whole request.
 
 /// What stands there, unless it is long.
 std::string quoted(const Tree& value) {
@@ -183,7 +31,7 @@ bool names_one(const Tree* value, const std::vector<std::string>& names) {
 }
 
 RequestId read_id(ArgsReader& members, Findings& findings) {
-  const Tree* value = members.find("id");
+  const Tree* value = members.ask("id");
   if (value == nullptr || value->is_null()) return {};
   if (value->is_string() && value->get_ref<const std::string&>().size() <= kLongestId) {
     return value->get<std::string>();
@@ -194,8 +42,43 @@ RequestId read_id(ArgsReader& members, Findings& findings) {
 }
 
 const std::vector<std::string>& ops() {
-  static const std::vector<std::string> names = {"get", "call", "ping"};
+  static const std::vector<std::string> names = {"auth", "sub", "unsub", "get", "call", "ping"};
   return names;
+}
+
+/// The token is not shown again, whatever it is.
+Auth read_auth(ArgsReader& members) {
+  const Tree* token = members.ask("token");
+  if (token != nullptr && token->is_string()) return {token->get<std::string>()};
+  members.findings().add(members.pointer_to("token"), nullptr, "a text");
+  return {};
+}
+
+Selection read_selection(Channel channel, ArgsReader& members) {
+  Selection selection{channel, members.fields("fields", channel), Encoding::kRows};
+  if (channel != Channel::kImage) return selection;
+  const auto encoding =
+      data::choice<Encoding>({{"rows", Encoding::kRows}, {"rle", Encoding::kRle}});
+  selection.encoding =
+      members.coded("encoding", encoding, Presence::kOptional).value_or(Encoding::kRows);
+  return selection;
+}
+
+std::optional<std::int64_t> read_since(Channel channel, ArgsReader& members) {
+  if (is_latest_wins(channel)) return std::nullopt;
+  return members.whole("since", 0, kMostInteger, Presence::kOptional);
+}
+
+Subscribe read_subscribe(Channel channel, ArgsReader& members) {
+  Subscribe wanted;
+  wanted.selection = read_selection(channel, members);
+  const auto max_hz =
+      members.number("max_hz", kLeastMilliHz / 1000.0, kMostMilliHz / 1000.0, Presence::kOptional);
+  if (max_hz) wanted.max_millihz = static_cast<MilliHz>(std::lround(*max_hz * 1000));
+  wanted.on_change =
+      members.coded("on_change", data::boolean(), Presence::kOptional).value_or(true);
+  wanted.since = read_since(channel, members);
+  return wanted;
 }
 
 /// Carries on from the id: reads the members that belong to the op.
@@ -214,32 +97,40 @@ class RequestReader {
 
  private:
   std::optional<RequestError> read_names() {
-    const Tree* op = members_.find("op");
+    const Tree* op = members_.ask("op");
     if (!names_one(op, ops())) return unknown(request_.id, "op", op, ops());
-    const Tree* cell = members_.find("cell");
+    const Tree* cell = members_.ask("cell");
     if (cell != nullptr && !names_one(cell, cells_))
       return unknown(request_.id, "cell", cell, cells_);
     request_.cell = cell == nullptr ? cells_.front() : cell->get<std::string>();
-    if (*op == "get") return read_get();
-    if (*op == "call") return read_call_request();
-    return std::nullopt;
+    return read_op(op->get_ref<const std::string&>());
   }
 
-  std::optional<RequestError> read_get() {
-    const Tree* channel = members_.find("channel");
-    if (!names_one(channel, channels()))
-      return unknown(request_.id, "channel", channel, channels());
-    request_.what = Get{Selection{Channel::kState, members_.fields("fields"), Encoding::kRows}, {}};
+  std::optional<RequestError> read_op(const std::string& op) {
+    if (op == "call") return read_call_request();
+    if (op == "ping") return std::nullopt;
+    if (op == "auth") {
+      request_.what = read_auth(members_);
+      return std::nullopt;
+    }
+    return read_of_channel(op);
+  }
+
+  std::optional<RequestError> read_of_channel(const std::string& op) {
+    const Tree* name = members_.ask("channel");
+    if (!names_one(name, channels())) return unknown(request_.id, "channel", name, channels());
+    const Channel channel = *channel_named(name->get_ref<const std::string&>());
+    if (op == "sub") request_.what = read_subscribe(channel, members_);
+    if (op == "unsub") request_.what = Unsubscribe{channel};
+    if (op == "get")
+      request_.what = Get{read_selection(channel, members_), read_since(channel, members_)};
     return std::nullopt;
   }
 
   std::optional<RequestError> read_call_request() {
-    const Tree* fn = members_.find("fn");
+    const Tree* fn = members_.ask("fn");
     if (!names_one(fn, calls())) return unknown(request_.id, "fn", fn, calls());
-    const auto& name = fn->get_ref<const std::string&>();
-    const auto* form = std::find_if(kForms.begin(), kForms.end(),
-                                    [&name](const CallForm& each) { return each.fn == name; });
-    request_.what = read_call(*form, members_, findings_);
+    request_.what = read_call(*find_call(fn->get_ref<const std::string&>()), members_);
     return std::nullopt;
   }
 
@@ -250,20 +141,6 @@ class RequestReader {
 };
 
 }  // namespace
-
-const std::vector<std::string>& channels() {
-  static const std::vector<std::string> names = {"state"};
-  return names;
-}
-
-const std::vector<std::string>& calls() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all;
-    for (const CallForm& form : kForms) all.emplace_back(form.fn);
-    return all;
-  }();
-  return names;
-}
 
 RequestReading read_request(std::string_view message, const std::vector<std::string>& cells) {
   TreeReading reading = read_tree(message);

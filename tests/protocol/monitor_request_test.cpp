@@ -5,41 +5,10 @@
 
 #include <string>
 
+#include "tests/protocol/requests.hpp"
+
 namespace xr3::monitor {
 namespace {
-
-const std::vector<std::string> kCells = {"main", "second"};
-
-Request good(const std::string& text) {
-  RequestReading reading = read_request(text, kCells);
-  const auto* error = std::get_if<RequestError>(&reading);
-  EXPECT_EQ(error, nullptr) << text << ": " << (error == nullptr ? "" : error->message);
-  return error == nullptr ? std::get<Request>(reading) : Request{};
-}
-
-RequestError bad(const std::string& text) {
-  RequestReading reading = read_request(text, kCells);
-  const auto* error = std::get_if<RequestError>(&reading);
-  EXPECT_NE(error, nullptr) << text;
-  return error == nullptr ? RequestError{} : *error;
-}
-
-template <class Call>
-Call call_of(const std::string& fn, const std::string& args) {
-  const Request request = good(R"({"op":"call","fn":")" + fn + R"(","args":)" + args + "}");
-  return std::get<Call>(std::get<CallRequest>(request.what).call);
-}
-
-/// Pointers of the details that a call is answered with.
-std::vector<std::string> wrong_in(const std::string& fn, const std::string& args) {
-  const RequestError error = bad(R"({"op":"call","fn":")" + fn + R"(","args":)" + args + "}");
-  EXPECT_EQ(error.code, "bad_args") << args;
-  std::vector<std::string> pointers;
-  for (const Detail& detail : error.details) pointers.push_back(detail.pointer);
-  return pointers;
-}
-
-using Pointers = std::vector<std::string>;
 
 TEST(MonitorRequest, PingWithEveryKindOfId) {
   EXPECT_EQ(good(R"({"op":"ping"})").id, RequestId{});
@@ -65,13 +34,114 @@ TEST(MonitorRequest, IdsThatAreNone) {
   }
 }
 
+template <class What>
+What what_of(const std::string& text) {
+  const Request request = good(text);
+  return std::get<What>(request.what);
+}
+
+Pointers wrong(const std::string& text) {
+  const RequestError error = bad(text);
+  EXPECT_EQ(error.code, "bad_args") << text;
+  return pointers_of(error);
+}
+
+TEST(MonitorRequest, Auth) {
+  EXPECT_EQ(what_of<Auth>(R"({"op":"auth","token":"3q2-7w"})").token, "3q2-7w");
+  EXPECT_EQ(wrong(R"({"op":"auth"})"), Pointers{"/token"});
+  const RequestError error = bad(R"({"op":"auth","token":12345678})");
+  ASSERT_EQ(pointers_of(error), Pointers{"/token"});
+  EXPECT_EQ(error.details[0].found, nullptr) << "a token is never shown";
+}
+
+TEST(MonitorRequest, Subscribe) {
+  const auto plain = what_of<Subscribe>(R"({"op":"sub","channel":"state"})");
+  EXPECT_EQ(plain.selection, Selection{});
+  EXPECT_EQ(plain.max_millihz, 30'000);
+  EXPECT_TRUE(plain.on_change);
+  EXPECT_EQ(plain.since, std::nullopt);
+  const auto all = what_of<Subscribe>(
+      R"({"op":"sub","channel":"image","max_hz":0.1,"on_change":false,"fields":["rows","width"],"encoding":"rle"})");
+  EXPECT_EQ(all.selection, (Selection{Channel::kImage, {{"rows", "width"}}, Encoding::kRle}));
+  EXPECT_EQ(all.max_millihz, 100);
+  EXPECT_FALSE(all.on_change);
+}
+
+TEST(MonitorRequest, RatesOfASubscription) {
+  const auto millihz = [](const std::string& max_hz) {
+    return what_of<Subscribe>(R"({"op":"sub","channel":"model","max_hz":)" + max_hz + "}")
+        .max_millihz;
+  };
+  EXPECT_EQ(millihz("60"), 60'000);
+  EXPECT_EQ(millihz("0.1"), 100);
+  EXPECT_EQ(millihz("29.97"), 29'970);
+  for (const char* max_hz : {"0", "0.09", "60.1", "-1", "1e300", "\"30\"", "null"}) {
+    EXPECT_EQ(wrong(std::string(R"({"op":"sub","channel":"state","max_hz":)") + max_hz + "}"),
+              Pointers{"/max_hz"})
+        << max_hz;
+  }
+}
+
+TEST(MonitorRequest, SinceIsOfEventsAndLinesOnly) {
+  EXPECT_EQ(what_of<Subscribe>(R"({"op":"sub","channel":"event","since":4711})").since, 4711);
+  EXPECT_EQ(what_of<Subscribe>(R"({"op":"sub","channel":"line","since":0})").since, 0);
+  EXPECT_EQ(what_of<Get>(R"({"op":"get","channel":"line","since":7})").since, 7);
+  EXPECT_EQ(what_of<Get>(R"({"op":"get","channel":"event"})").since, std::nullopt);
+  EXPECT_EQ(what_of<Subscribe>(R"({"op":"sub","channel":"state","since":"x"})").since,
+            std::nullopt);
+  for (const char* since : {"-1", "1.5", "9007199254740992", "\"1\"", "null"}) {
+    EXPECT_EQ(wrong(std::string(R"({"op":"get","channel":"event","since":)") + since + "}"),
+              Pointers{"/since"})
+        << since;
+  }
+}
+
+TEST(MonitorRequest, EncodingIsOfImagesOnly) {
+  EXPECT_EQ(what_of<Get>(R"({"op":"get","channel":"image"})").selection.encoding, Encoding::kRows);
+  EXPECT_EQ(what_of<Get>(R"({"op":"get","channel":"image","encoding":"rle"})").selection.encoding,
+            Encoding::kRle);
+  EXPECT_EQ(what_of<Get>(R"({"op":"get","channel":"state","encoding":"rle"})").selection.encoding,
+            Encoding::kRows);
+  const RequestError error = bad(R"({"op":"get","channel":"image","encoding":"png"})");
+  ASSERT_EQ(pointers_of(error), Pointers{"/encoding"});
+  EXPECT_EQ(error.details[0].found, "png");
+  EXPECT_EQ(error.details[0].allowed, R"("rows" or "rle")");
+}
+
+TEST(MonitorRequest, Unsubscribe) {
+  EXPECT_EQ(what_of<Unsubscribe>(R"({"op":"unsub","channel":"display"})").channel,
+            Channel::kDisplay);
+  EXPECT_EQ(bad(R"({"op":"unsub"})").code, "unknown_channel");
+}
+
 TEST(MonitorRequest, Get) {
-  const Request request = good(
+  const auto get = what_of<Get>(
       R"({"op":"get","id":5,"channel":"state","fields":["stalled","moving","stalled","tick"]})");
-  const Get& get = std::get<Get>(request.what);
-  EXPECT_EQ(get.channel, "state");
-  EXPECT_EQ(get.fields, (Fields{{"stalled", "moving", "tick"}}));
-  EXPECT_EQ(std::get<Get>(good(R"({"op":"get","channel":"state"})").what).fields, std::nullopt);
+  EXPECT_EQ(get.selection.channel, Channel::kState);
+  EXPECT_EQ(get.selection.fields, (Fields{{"stalled", "moving", "tick"}}));
+  EXPECT_EQ(what_of<Get>(R"({"op":"get","channel":"state"})").selection.fields, std::nullopt);
+}
+
+TEST(MonitorRequest, FieldsAreThoseOfTheChannel) {
+  what_of<Get>(R"({"op":"get","channel":"event","fields":["event","message","seq"]})");
+  what_of<Get>(R"({"op":"get","channel":"line","fields":["hex","parsed"]})");
+  what_of<Get>(R"({"op":"get","channel":"display","fields":["polylines","function_keys"]})");
+  what_of<Get>(R"({"op":"get","channel":"model","fields":["hash"]})");
+  const RequestError error = bad(R"({"op":"get","channel":"model","fields":["hash","joints",1]})");
+  EXPECT_EQ(pointers_of(error), (Pointers{"/fields/1", "/fields/2"}));
+  EXPECT_EQ(error.details[0].allowed, R"("rev", "robot", "workcell" or "hash")");
+}
+
+TEST(MonitorRequest, EveryWrongMemberOfASubscription) {
+  EXPECT_EQ(
+      wrong(
+          R"({"op":"sub","id":1.5,"channel":"image","fields":"all","encoding":1,"max_hz":99,"on_change":1})"),
+      (Pointers{"/id", "/fields", "/encoding", "/max_hz", "/on_change"}));
+}
+
+TEST(MonitorRequest, ChannelsAreListed) {
+  EXPECT_EQ(channels(),
+            (std::vector<std::string>{"state", "image", "event", "line", "display", "model"}));
 }
 
 TEST(MonitorRequest, UnknownMembersAreIgnored) {
@@ -87,86 +157,15 @@ TEST(MonitorRequest, CellsByName) {
   EXPECT_EQ(bad(R"({"op":"ping","cell":1})").code, "unknown_cell");
 }
 
-TEST(MonitorRequest, CallsWithoutArgs) {
-  for (const std::string fn : {"pause", "resume", "reset", "home"}) {
-    const std::string start = R"({"op":"call","fn":")" + fn + "\"";
-    EXPECT_EQ(std::get<CallRequest>(good(start + "}").what).fn, fn);
-    good(start + R"(,"args":{}})");
-    EXPECT_EQ(wrong_in(fn, R"({"ticks":1})"), Pointers{"/args/ticks"});
-    EXPECT_EQ(wrong_in(fn, "7"), Pointers{"/args"});
-  }
-}
-
-TEST(MonitorRequest, RateInExactMillionths) {
-  const auto millionths = [](const std::string& factor) {
-    return call_of<call::SetRate>("rate", R"({"factor":)" + factor + "}").rate.millionths;
-  };
-  EXPECT_EQ(millionths("1"), 1'000'000);
-  EXPECT_EQ(millionths("0.1"), 100'000);
-  EXPECT_EQ(millionths("0.001"), 1'000);
-  EXPECT_EQ(millionths("100000"), 100'000'000'000);
-  EXPECT_EQ(millionths("1e5"), 100'000'000'000);
-  EXPECT_EQ(millionths("1.000001"), 1'000'001);
-  for (const char* factor : {"0", "0.0009", "100000.1", "-1", "\"1\"", "null", "1e300"}) {
-    EXPECT_EQ(wrong_in("rate", std::string(R"({"factor":)") + factor + "}"),
-              Pointers{"/args/factor"})
-        << factor;
-  }
-  EXPECT_EQ(wrong_in("rate", "{}"), Pointers{"/args/factor"});
-}
-
-TEST(MonitorRequest, StepTicks) {
-  EXPECT_EQ(call_of<call::Step>("step", R"({"ticks":200})").ticks, 200);
-  EXPECT_EQ(call_of<call::Step>("step", R"({"ticks":0})").ticks, 0);
-  EXPECT_EQ(call_of<call::Step>("step", R"({"ticks":2e2})").ticks, 200);
-  EXPECT_EQ(call_of<call::Step>("step", R"({"ticks":9007199254740991})").ticks, kMostInteger);
-  for (const char* ticks :
-       {"-1", "1.5", "9007199254740992", "18446744073709551615", "1e19", "\"5\"", "null", "[5]"}) {
-    EXPECT_EQ(wrong_in("step", std::string(R"({"ticks":)") + ticks + "}"), Pointers{"/args/ticks"})
-        << ticks;
-  }
-  EXPECT_EQ(wrong_in("step", "{}"), Pointers{"/args/ticks"});
-}
-
-TEST(MonitorRequest, StepAfterABarrier) {
-  const Request request = good(
-      R"({"op":"call","id":8,"fn":"step","args":{"ticks":50,"after":{"line":3,"bytes_in":120,"within_ms":2000},"fields":["joints"]}})");
-  const auto& wanted = std::get<CallRequest>(request.what);
-  ASSERT_TRUE(wanted.after);
-  EXPECT_EQ(wanted.after->line, 3U);
-  EXPECT_EQ(wanted.after->bytes_in, 120U);
-  EXPECT_EQ(wanted.after->within_ms, 2000);
-  EXPECT_EQ(wanted.fields, (Fields{{"joints"}}));
-}
-
-TEST(MonitorRequest, TheBarrierWaitsASecondUnlessTold) {
-  const Request request =
-      good(R"({"op":"call","fn":"step","args":{"ticks":5,"after":{"line":1,"bytes_in":0}}})");
-  EXPECT_EQ(std::get<CallRequest>(request.what).after->within_ms, 1000);
-}
-
-TEST(MonitorRequest, RunUntil) {
-  const auto idle = call_of<call::RunUntil>("run_until", R"({"idle":true,"max_ticks":60000})");
-  EXPECT_EQ(idle.tick, std::nullopt);
-  EXPECT_EQ(idle.max_ticks, 60'000);
-  EXPECT_EQ(call_of<call::RunUntil>("run_until", R"({"tick":1000,"max_ticks":5})").tick, 1000);
-  EXPECT_EQ(wrong_in("run_until", R"({"max_ticks":5})"), Pointers{"/args/idle"});
-  EXPECT_EQ(wrong_in("run_until", R"({"idle":false,"max_ticks":5})"), Pointers{"/args/idle"});
-  EXPECT_EQ(wrong_in("run_until", R"({"idle":true,"tick":5,"max_ticks":5})"),
-            Pointers{"/args/idle"});
-  EXPECT_EQ(wrong_in("run_until", R"({"tick":-5})"), (Pointers{"/args/tick", "/args/max_ticks"}));
-}
-
 TEST(MonitorRequest, EveryWrongFieldIsTold) {
   const RequestError error = bad(
       R"({"op":"call","id":[],"fn":"step","args":{"ticks":-1,"a/b":2,"after":{"line":0,"x":1,"within_ms":60001},"fields":["nope",3]}})");
   EXPECT_EQ(error.message, "9 wrong fields");
   EXPECT_EQ(error.hint, "nothing was changed");
-  Pointers pointers;
-  for (const Detail& detail : error.details) pointers.push_back(detail.pointer);
-  EXPECT_EQ(pointers, (Pointers{"/id", "/args/ticks", "/args/after/line", "/args/after/bytes_in",
-                                "/args/after/within_ms", "/args/after/x", "/args/fields/0",
-                                "/args/fields/1", "/args/a~1b"}));
+  EXPECT_EQ(pointers_of(error),
+            (Pointers{"/id", "/args/ticks", "/args/after/line", "/args/after/bytes_in",
+                      "/args/after/within_ms", "/args/after/x", "/args/fields/0", "/args/fields/1",
+                      "/args/a~1b"}));
   EXPECT_EQ(error.details[1].found, -1);
   EXPECT_EQ(error.details[1].allowed, "a whole number 0...9007199254740991");
   EXPECT_EQ(error.details[3].found, nullptr);
@@ -190,13 +189,13 @@ TEST(MonitorRequest, UnknownNamesAndWhatThereIs) {
   };
   const Row rows[] = {
       {R"({"id":1})", "unknown_op", "the request names no op"},
-      {R"({"id":1,"op":"sub","channel":"state"})", "unknown_op", R"(there is no op "sub")"},
+      {R"({"id":1,"op":"seek","channel":"state"})", "unknown_op", R"(there is no op "seek")"},
       {R"({"id":1,"op":["ping"]})", "unknown_op", R"(there is no op ["ping"])"},
       {R"({"id":1,"op":"get"})", "unknown_channel", "the request names no channel"},
-      {R"({"id":1,"op":"get","channel":"image"})", "unknown_channel",
-       R"(there is no channel "image")"},
+      {R"({"id":1,"op":"get","channel":"images"})", "unknown_channel",
+       R"(there is no channel "images")"},
       {R"({"id":1,"op":"call"})", "unknown_fn", "the request names no fn"},
-      {R"({"id":1,"op":"call","fn":"send"})", "unknown_fn", R"(there is no fn "send")"},
+      {R"({"id":1,"op":"call","fn":"sendd"})", "unknown_fn", R"(there is no fn "sendd")"},
   };
   for (const Row& row : rows) {
     const RequestError error = bad(row.text);
@@ -205,7 +204,8 @@ TEST(MonitorRequest, UnknownNamesAndWhatThereIs) {
     EXPECT_EQ(error.id, RequestId{std::int64_t{1}});
     EXPECT_FALSE(error.hint.empty());
   }
-  EXPECT_EQ(bad(R"({"op":"sub"})").hint, R"(there is "get", "call" or "ping")");
+  EXPECT_EQ(bad(R"({"op":"seek"})").hint,
+            R"(there is "auth", "sub", "unsub", "get", "call" or "ping")");
 }
 
 TEST(MonitorRequest, BrokenJsonInPlainWords) {
@@ -257,7 +257,8 @@ TEST(MonitorRequest, NoTickBeyondWhatCanBeSaid) {
   Request run =
       good(R"({"op":"call","fn":"run_until","args":{"idle":true,"max_ticks":9007199254740991}})");
   EXPECT_FALSE(fit(run, 1000));
-  EXPECT_EQ(std::get<call::RunUntil>(std::get<CallRequest>(run.what).call).max_ticks,
+  EXPECT_EQ(std::get<call::RunUntil>(std::get<call::Call>(std::get<CallRequest>(run.what).call))
+                .max_ticks,
             kMostInteger - 1000);
 }
 

@@ -1,0 +1,67 @@
+// Requests of a monitor's client for tests: read, and expected to be good or bad.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "protocol/monitor_request.hpp"
+
+namespace xr3::monitor {
+
+inline const std::vector<std::string> kCells = {"main", "second"};
+
+using Pointers = std::vector<std::string>;
+
+inline Pointers pointers_of(const RequestError& error) {
+  Pointers pointers;
+  for (const Detail& detail : error.details) pointers.push_back(detail.pointer);
+  return pointers;
+}
+
+/// "message: pointer: found; allowed", for a test that fails.
+inline std::string words_of(const RequestError& error) {
+  std::string words = error.message;
+  for (const Detail& detail : error.details)
+    words += "\n" + detail.pointer + ": " + detail.found.dump() + "; " + detail.allowed;
+  return words;
+}
+
+inline Request good(const std::string& text) {
+  RequestReading reading = read_request(text, kCells);
+  const auto* error = std::get_if<RequestError>(&reading);
+  EXPECT_EQ(error, nullptr) << text << ": " << (error == nullptr ? "" : words_of(*error));
+  return error == nullptr ? std::get<Request>(std::move(reading)) : Request{};
+}
+
+inline RequestError bad(const std::string& text) {
+  RequestReading reading = read_request(text, kCells);
+  const auto* error = std::get_if<RequestError>(&reading);
+  EXPECT_NE(error, nullptr) << text;
+  return error == nullptr ? RequestError{} : *error;
+}
+
+inline std::string call_text(const std::string& fn, const std::string& args) {
+  return R"({"op":"call","fn":")" + fn + R"(","args":)" + args + "}";
+}
+
+/// A good call's value: one of the cell's own calls.
+template <class Call>
+Call call_of(const std::string& fn, const std::string& args) {
+  const Request request = good(call_text(fn, args));
+  const auto* wanted = std::get_if<CallRequest>(&request.what);
+  if (wanted == nullptr) return Call{};
+  return std::get<Call>(std::get<call::Call>(wanted->call));
+}
+
+/// Pointers of the details with which a call is refused.
+inline Pointers wrong_in(const std::string& fn, const std::string& args) {
+  const RequestError error = bad(call_text(fn, args));
+  EXPECT_EQ(error.code, "bad_args") << args;
+  return pointers_of(error);
+}
+
+}  // namespace xr3::monitor
