@@ -48,6 +48,13 @@ std::string workcell_name(const ServeOptions& options) {
   throw FileError("no workcell is named like the robot " + name + "; name one with --workcell");
 }
 
+AccessRules access_rules(const ServeOptions& options, std::string token) {
+  const auto reach = is_loopback(options.listen) ? http::Reach::kThisMachine : http::Reach::kBeyond;
+  return {{reach, options.allow_hosts, options.allow_origins},
+          options.is_private ? Reading::kWithToken : Reading::kFree,
+          std::move(token)};
+}
+
 }  // namespace
 
 ModelPtr load_model(const ServeOptions& options) {
@@ -58,9 +65,11 @@ ModelPtr load_model(const ServeOptions& options) {
   return std::make_shared<const Model>(robot, workcell, options.profile);
 }
 
-App::App(const ServeOptions& options, ModelPtr model)
+App::App(const ServeOptions& options, ModelPtr model, std::string token)
     : options_(options),
+      fresh_token_(std::holds_alternative<FreshToken>(options.token) ? token : ""),
       cell_("main", model, start_clock(options.clock), log_event),
+      policy_(access_rules(options, std::move(token))),
       robot_port_(io_, cell_, options.most_lines, [this] { acted(); }),
       monitor_port_(
           io_, cell_, robot_port_, policy_, [this] { return is_ready(); }, [this] { acted(); }),
@@ -89,8 +98,17 @@ void App::announce() {
   const tcp::endpoint robot = robot_port_.endpoint();
   const tcp::endpoint monitor = monitor_port_.endpoint();
   if (!options_.port_file.empty())
-    write_port_file(options_.port_file, robot.port(), monitor.port());
+    write_port_file(options_.port_file, {robot.port(), monitor.port(), fresh_token_});
+  announce_token(monitor.port());
   std::cout << "LISTENING robot=" << to_text(robot) << " monitor=" << to_text(monitor) << std::endl;
+}
+
+// Past the log, which may be kept: this is for whoever started the process. It never goes to standard
+// output, which has one line only.
+void App::announce_token(std::uint16_t monitor_port) const {
+  if (fresh_token_.empty()) return;
+  std::cerr << "xr3: calls need this run's token; open http://localhost:" << monitor_port
+            << "/#token=" << fresh_token_ << std::endl;
 }
 
 void App::await_signal() {

@@ -4,6 +4,7 @@
 #include <boost/asio/signal_set.hpp>
 #include <string>
 
+#include "server/access.hpp"
 #include "server/asio.hpp"
 #include "server/cell.hpp"
 #include "server/monitor_port.hpp"
@@ -24,7 +25,8 @@ class ListenError : public std::runtime_error {
 
 class App {
  public:
-  App(const ServeOptions& options, ModelPtr model);
+  /// `token`: what the options' source gave; empty: there is none.
+  App(const ServeOptions& options, ModelPtr model, std::string token);
 
   /// Serves until SIGTERM or SIGINT, then hands out what is due and returns. Throws ListenError.
   void run();
@@ -32,6 +34,7 @@ class App {
  private:
   void listen();
   void announce();
+  void announce_token(std::uint16_t monitor_port) const;
   void await_signal();
   void stop();
   void acted();
@@ -40,6 +43,7 @@ class App {
   enum class Stage : std::uint8_t { kStarting, kReady, kDraining };
 
   ServeOptions options_;
+  std::string fresh_token_;  ///< to be told to whoever started this; empty: they know it, or none
   asio::io_context io_{1};
   Stage stage_ = Stage::kStarting;
   Cell cell_;

@@ -1,4 +1,5 @@
 // xr3: reads the command line, does what it says, and turns every failure into a sentence and a code.
+#include <spdlog/spdlog.h>
 #include <sys/resource.h>
 
 #include <csignal>
@@ -15,6 +16,7 @@
 #include "server/log.hpp"
 #include "server/options.hpp"
 #include "server/pose_argument.hpp"
+#include "server/token.hpp"
 #include "server/workcell_command.hpp"
 
 namespace xr3 {
@@ -28,11 +30,20 @@ void raise_descriptor_limit() {
   ::setrlimit(RLIMIT_NOFILE, &limit);
 }
 
+void warn_of_open_token(const TokenSource& source) {
+  const auto* file = std::get_if<TokenFile>(&source);
+  if (file != nullptr && others_may_read(file->path)) {
+    spdlog::warn("{}: everybody on this machine may read the token; chmod 600 mends that",
+                 file->path);
+  }
+}
+
 ExitCode serve(const ServeOptions& options) {
   std::signal(SIGPIPE, SIG_IGN);
   raise_descriptor_limit();
   start_log(options.log_level);
-  App(options, load_model(options)).run();
+  warn_of_open_token(options.token);
+  App(options, load_model(options), read_token(options.token)).run();
   return ExitCode::kGood;
 }
 
@@ -61,6 +72,8 @@ ExitCode run(int argc, const char* const* argv) {
   } catch (const ListenError& error) {
     return fail(error.code(), error.what());
   } catch (const FileError& error) {
+    return fail(ExitCode::kBadInput, error.what());
+  } catch (const TokenError& error) {
     return fail(ExitCode::kBadInput, error.what());
   } catch (const ArgumentError& error) {
     return fail(ExitCode::kBadInput, error.what());

@@ -2,12 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <map>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "protocol/picture.hpp"
-#include "server/asio.hpp"
+#include "server/options_parts.hpp"
 #include "server/pose_argument.hpp"
 
 namespace xr3 {
@@ -21,82 +21,6 @@ constexpr const char* kFooter =
     "Exit codes: 0 good; 1 something failed inside; 2 wrong arguments or a wrong file;\n"
     "            3 a port is in use.\n"
     "Try: xr3 serve, then in another terminal: telnet localhost 9600, and type E+50 and E?";
-
-const std::map<std::string, Profile> kProfiles{{"paper", Profile::kPaper},
-                                               {"mark3", Profile::kMark3}};
-const std::vector<std::string> kLogLevels{"trace", "debug", "info", "warn", "error", "off"};
-constexpr int kMostLines = 20000;
-
-// A CLI11 check: the text parses, or the parser's words say why not.
-template <class Parse>
-CLI::Validator parses(Parse parse, const std::string& what) {
-  return CLI::Validator(
-      [parse](const std::string& text) -> std::string {
-        try {
-          parse(text);
-          return {};
-        } catch (const std::invalid_argument& error) {
-          return error.what();
-        }
-      },
-      what);
-}
-
-void add_profile(CLI::App& command, Profile& profile) {
-  command
-      .add_option("--compat", profile,
-                  "the controller that lines see: paper (default), or mark3, the hardware")
-      ->transform(CLI::CheckedTransformer(kProfiles, CLI::ignore_case).description("paper|mark3"));
-}
-
-void add_serve(CLI::App& app, ServeOptions& options) {
-  CLI::App& serve = *app.add_subcommand("serve", "start a robot and its controller");
-  serve.add_option("--robot", options.robot, "robot: a name, or a file")
-      ->type_name("NAME|FILE")
-      ->capture_default_str();
-  serve
-      .add_option("--workcell", options.workcell,
-                  "workcell: a name, or a file (default: named like the robot)")
-      ->type_name("NAME|FILE");
-  serve
-      .add_option("--listen", options.listen,
-                  "address to listen on; beyond this machine needs --insecure")
-      ->type_name("ADDR")
-      ->capture_default_str();
-  serve
-      .add_option("--robot-port", options.robot_port,
-                  "port of the serial lines; 0 takes a free one")
-      ->type_name("PORT")
-      ->capture_default_str();
-  serve
-      .add_option("--monitor-port", options.monitor_port,
-                  "port of the JSON monitor; 0 takes a free one")
-      ->type_name("PORT")
-      ->capture_default_str();
-  add_profile(serve, options.profile);
-  serve
-      .add_option_function<std::string>(
-          "--clock", [&options](const std::string& text) { options.clock = parse_clock(text); },
-          "real (default), real:FACTOR to run faster or slower, or manual: the monitor steps time")
-      ->type_name("real[:FACTOR]|manual")
-      ->check(parses(parse_clock, ""));
-  serve
-      .add_option("--max-lines", options.most_lines,
-                  "lines open at once; more are closed without a byte")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMostLines).description(""))
-      ->capture_default_str();
-  serve
-      .add_option("--port-file", options.port_file,
-                  "write the ports there as JSON once all is ready")
-      ->type_name("FILE");
-  serve.add_option("--log-level", options.log_level, "trace, debug, info, warn, error or off")
-      ->type_name("L")
-      ->check(CLI::IsMember(kLogLevels).description(""))
-      ->capture_default_str();
-  serve.add_flag("--insecure", options.is_insecure,
-                 "let anybody who reaches --listen drive the robot: it has no password");
-}
 
 void add_check(CLI::App& app, CheckOptions& options) {
   CLI::App& check =
@@ -234,31 +158,7 @@ Leave leave(const CLI::App& app, const CLI::ParseError& error) {
   return {ExitCode::kGood, out.str(), err.str()};
 }
 
-Leave refuse_listen(const std::string& address) {
-  return {ExitCode::kBadInput, "",
-          "xr3: --listen " + address +
-              " lets other machines drive the robot, which has no password; "
-              "add --insecure if that is meant\n"};
-}
-
-Options checked(const ServeOptions& options) {
-  ErrorCode error;
-  if (options.listen != "localhost") asio::ip::make_address(options.listen, error);
-  if (error) {
-    return Leave{ExitCode::kBadInput, "",
-                 "xr3: --listen " + options.listen +
-                     " is not an address; give one such as 127.0.0.1 or ::1\n"};
-  }
-  if (!is_loopback(options.listen) && !options.is_insecure) return refuse_listen(options.listen);
-  return options;
-}
-
 }  // namespace
-
-bool is_loopback(const std::string& address) {
-  ErrorCode error;
-  return address == "localhost" || asio::ip::make_address(address, error).is_loopback();
-}
 
 Rate parse_rate(const std::string& text) {
   const auto refuse = [&] {
@@ -323,7 +223,7 @@ Options parse_options(int argc, const char* const* argv) {
   if (app.got_subcommand("kin")) return kin;
   if (app.got_subcommand("convert")) return convert;
   if (app.got_subcommand("workcell")) return workcell;
-  return checked(serve);
+  return checked_serve(std::move(serve));
 }
 
 }  // namespace xr3

@@ -13,6 +13,7 @@
 #include "core/state.hpp"
 #include "protocol/kin_question.hpp"
 #include "server/exit_code.hpp"
+#include "server/token.hpp"
 
 namespace xr3 {
 
@@ -33,6 +34,10 @@ struct ServeOptions {
   std::size_t most_lines = 1024;
   std::string port_file;  ///< empty: none
   std::string log_level = "info";
+  TokenSource token;  ///< not read yet
+  bool is_private = false;
+  std::vector<std::string> allow_hosts;
+  std::vector<std::string> allow_origins;
   bool is_insecure = false;
 };
 

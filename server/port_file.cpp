@@ -1,5 +1,6 @@
 #include "server/port_file.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -10,11 +11,22 @@
 
 namespace xr3 {
 
-void write_port_file(const std::string& path, std::uint16_t robot, std::uint16_t monitor) {
-  const nlohmann::ordered_json ports{{"robot", robot}, {"monitor", monitor}, {"pid", ::getpid()}};
+namespace {
+
+nlohmann::ordered_json to_json(const PortFile& content) {
+  nlohmann::ordered_json json{
+      {"robot", content.robot}, {"monitor", content.monitor}, {"pid", ::getpid()}};
+  if (!content.token.empty()) json["token"] = content.token;
+  return json;
+}
+
+}  // namespace
+
+void write_port_file(const std::string& path, const PortFile& content) {
   const std::string draft = path + "." + std::to_string(::getpid());
   std::ofstream file(draft);
-  file << ports.dump() << "\n";
+  if (file && !content.token.empty()) ::chmod(draft.c_str(), S_IRUSR | S_IWUSR);
+  file << to_json(content).dump() << "\n";
   file.close();
   std::error_code error;
   if (file) std::filesystem::rename(draft, path, error);

@@ -6,7 +6,14 @@
 
 namespace xr3 {
 
-/// {"robot":9600,"monitor":9601,"pid":...}. Throws FileError if it cannot be written.
-void write_port_file(const std::string& path, std::uint16_t robot, std::uint16_t monitor);
+struct PortFile {
+  std::uint16_t robot = 0;
+  std::uint16_t monitor = 0;
+  std::string token;  ///< one made for this run; empty: none
+};
+
+/// {"robot":9600,"monitor":9601,"pid":...}, and the token where there is one; the file is then for its
+/// owner only. Throws FileError if it cannot be written.
+void write_port_file(const std::string& path, const PortFile& content);
 
 }  // namespace xr3

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <initializer_list>
 
 namespace xr3 {
@@ -46,6 +47,42 @@ TEST(Options, BeyondLoopbackNeedsInsecure) {
       std::holds_alternative<ServeOptions>(parse({"serve", "--listen", "0.0.0.0", "--insecure"})));
 }
 
+TEST(Options, BeyondLoopbackOrWithAToken) {
+  const auto with_file = std::get<ServeOptions>(
+      parse({"serve", "--listen", "0.0.0.0", "--token-file", "t", "--private"}));
+  EXPECT_EQ(std::get<TokenFile>(with_file.token).path, "t");
+  EXPECT_TRUE(with_file.is_private);
+  const auto fresh = std::get<ServeOptions>(parse({"serve", "--token", "auto"}));
+  EXPECT_TRUE(std::holds_alternative<FreshToken>(fresh.token));
+  EXPECT_NE(refused({"serve", "--listen", "::"}).to_stderr.find("--token-file"), std::string::npos);
+}
+
+TEST(Options, ATokenInTheEnvironment) {
+  ::setenv(kTokenVariable, "of the environment", 1);
+  const auto options = std::get<ServeOptions>(parse({"serve", "--listen", "::"}));
+  const auto named = std::get<ServeOptions>(parse({"serve", "--token-file", "t"}));
+  ::unsetenv(kTokenVariable);
+  EXPECT_TRUE(std::holds_alternative<TokenInEnvironment>(options.token));
+  EXPECT_TRUE(std::holds_alternative<TokenFile>(named.token));  // what is said goes before
+  const auto without = std::get<ServeOptions>(parse({"serve"}));
+  EXPECT_TRUE(std::holds_alternative<NoToken>(without.token));
+}
+
+TEST(Options, ASecretIsNoArgument) {
+  const Leave leave = refused({"serve", "--token", "correct horse battery"});
+  EXPECT_EQ(leave.code, ExitCode::kBadInput);
+  EXPECT_NE(leave.to_stderr.find("--token-file"), std::string::npos);
+  EXPECT_EQ(leave.to_stderr.find("horse"), std::string::npos) << leave.to_stderr;
+}
+
+TEST(Options, HostsAndOriginsAddUp) {
+  const auto options =
+      std::get<ServeOptions>(parse({"serve", "--allow-host", "a.lab", "--allow-host", "b",
+                                    "--allow-origin", "https://page.lab"}));
+  EXPECT_EQ(options.allow_hosts, (std::vector<std::string>{"a.lab", "b"}));
+  EXPECT_EQ(options.allow_origins, (std::vector<std::string>{"https://page.lab"}));
+}
+
 TEST(Options, LoopbackIsWhatOnlyThisMachineReaches) {
   for (const char* address : {"127.0.0.1", "127.9.9.9", "::1", "localhost"})
     EXPECT_TRUE(is_loopback(address)) << address;
@@ -67,7 +104,13 @@ TEST(Options, WrongArgumentsAreRefusedWithASentence) {
       {"serve", "--log-level", "loud"},
       {"serve", "extra"},
       {"check"},
-      {"serve", "--listen", "nowhere"}};
+      {"serve", "--listen", "nowhere"},
+      {"serve", "--private"},
+      {"serve", "--token-file", "t", "--token", "auto"},
+      {"serve", "--allow-host", "a:80"},
+      {"serve", "--allow-host", "*"},
+      {"serve", "--allow-origin", "null"},
+      {"serve", "--allow-origin", "page.lab"}};
   for (const auto& words : wrong) {
     const Leave leave = refused(words);
     EXPECT_EQ(leave.code, ExitCode::kBadInput);

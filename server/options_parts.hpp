@@ -1,0 +1,36 @@
+// Parts of the command line that several of its files are made of. Only options*.cpp include this.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "server/options.hpp"
+
+namespace xr3 {
+
+/// A CLI11 check: the text parses, or the parser's words say why not.
+template <class Parse>
+CLI::Validator parses(Parse parse, const std::string& what) {
+  return CLI::Validator(
+      [parse](const std::string& text) -> std::string {
+        try {
+          parse(text);
+          return {};
+        } catch (const std::invalid_argument& error) {
+          return error.what();
+        }
+      },
+      what);
+}
+
+/// `--compat`, for whatever sees lines.
+void add_profile(CLI::App& command, Profile& profile);
+
+/// The subcommand `serve` with its options.
+void add_serve(CLI::App& app, ServeOptions& options);
+
+/// What `serve` was told, completed by the environment; or why it makes no sense together.
+Options checked_serve(ServeOptions options);
+
+}  // namespace xr3

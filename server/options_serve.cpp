@@ -1,0 +1,151 @@
+// The options of `xr3 serve`, and what they may not say together.
+#include <cstdlib>
+#include <map>
+#include <utility>
+
+#include "protocol/http_guard.hpp"
+#include "server/asio.hpp"
+#include "server/options_parts.hpp"
+
+namespace xr3 {
+namespace {
+
+const std::map<std::string, Profile> kProfiles{{"paper", Profile::kPaper},
+                                               {"mark3", Profile::kMark3}};
+const std::vector<std::string> kLogLevels{"trace", "debug", "info", "warn", "error", "off"};
+constexpr int kMostLines = 20000;
+
+std::string check_token_word(const std::string& word) {
+  return word == "auto" ? ""
+                        : "takes only the word auto: a secret here could be read in the process "
+                          "list; put it into a file (--token-file) or into XR3_TOKEN";
+}
+
+std::string check_host(const std::string& name) {
+  return http::is_host_name(name) ? "" : name + ": a host is a name such as robot.lab, no port";
+}
+
+std::string check_origin(const std::string& text) {
+  return http::is_origin(text) ? ""
+                               : text + ": an origin is like https://page.lab or http://a:8080";
+}
+
+// Each use of the option adds one.
+void add_names(CLI::App& serve, const std::string& name, std::vector<std::string>& names,
+               const std::string& type, const std::string& what,
+               std::string (*check)(const std::string&)) {
+  serve.add_option(name, names, what)
+      ->type_name(type)
+      ->allow_extra_args(false)
+      ->check(CLI::Validator(check, ""));
+}
+
+void add_access(CLI::App& serve, ServeOptions& options) {
+  auto* file = serve.add_option_function<std::string>(
+      "--token-file", [&options](const std::string& path) { options.token = TokenFile{path}; },
+      "monitor calls need the token in this file (or in XR3_TOKEN): 16 characters or more");
+  file->type_name("FILE");
+  serve
+      .add_option_function<std::string>(
+          "--token", [&options](const std::string&) { options.token = FreshToken{}; },
+          "auto: make a token for this run and print it on standard error")
+      ->type_name("auto")
+      ->check(CLI::Validator(check_token_word, ""))
+      ->excludes(file);
+  serve.add_flag("--private", options.is_private, "reading needs the token, too");
+  add_names(serve, "--allow-host", options.allow_hosts, "NAME",
+            "also answer browsers that know this machine by that name; repeat for more",
+            check_host);
+  add_names(serve, "--allow-origin", options.allow_origins, "ORIGIN",
+            "also answer pages from there, as in https://page.lab; repeat for more", check_origin);
+  serve.add_flag("--insecure", options.is_insecure,
+                 "let anybody who reaches --listen drive the robot: it has no password");
+}
+
+Leave refuse(const std::string& why) { return {ExitCode::kBadInput, "", "xr3: " + why + "\n"}; }
+
+Leave refuse_listen(const std::string& address) {
+  return refuse("--listen " + address +
+                " lets other machines in: give calls a token by --token-file FILE, XR3_TOKEN or "
+                "--token auto (the robot port has no password even so), or say --insecure");
+}
+
+}  // namespace
+
+void add_profile(CLI::App& command, Profile& profile) {
+  command
+      .add_option("--compat", profile,
+                  "the controller that lines see: paper (default), or mark3, the hardware")
+      ->transform(CLI::CheckedTransformer(kProfiles, CLI::ignore_case).description("paper|mark3"));
+}
+
+void add_serve(CLI::App& app, ServeOptions& options) {
+  CLI::App& serve = *app.add_subcommand("serve", "start a robot and its controller");
+  serve.add_option("--robot", options.robot, "robot: a name, or a file")
+      ->type_name("NAME|FILE")
+      ->capture_default_str();
+  serve
+      .add_option("--workcell", options.workcell,
+                  "workcell: a name, or a file (default: named like the robot)")
+      ->type_name("NAME|FILE");
+  serve
+      .add_option("--listen", options.listen,
+                  "address to listen on; beyond this machine needs a token or --insecure")
+      ->type_name("ADDR")
+      ->capture_default_str();
+  serve
+      .add_option("--robot-port", options.robot_port,
+                  "port of the serial lines; 0 takes a free one")
+      ->type_name("PORT")
+      ->capture_default_str();
+  serve
+      .add_option("--monitor-port", options.monitor_port,
+                  "port of the JSON monitor; 0 takes a free one")
+      ->type_name("PORT")
+      ->capture_default_str();
+  add_profile(serve, options.profile);
+  serve
+      .add_option_function<std::string>(
+          "--clock", [&options](const std::string& text) { options.clock = parse_clock(text); },
+          "real (default), real:FACTOR to run faster or slower, or manual: the monitor steps time")
+      ->type_name("real[:FACTOR]|manual")
+      ->check(parses(parse_clock, ""));
+  serve
+      .add_option("--max-lines", options.most_lines,
+                  "lines open at once; more are closed without a byte")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostLines).description(""))
+      ->capture_default_str();
+  serve
+      .add_option("--port-file", options.port_file,
+                  "write the ports there as JSON once all is ready")
+      ->type_name("FILE");
+  serve.add_option("--log-level", options.log_level, "trace, debug, info, warn, error or off")
+      ->type_name("L")
+      ->check(CLI::IsMember(kLogLevels).description(""))
+      ->capture_default_str();
+  add_access(serve, options);
+}
+
+Options checked_serve(ServeOptions options) {
+  ErrorCode error;
+  if (options.listen != "localhost") asio::ip::make_address(options.listen, error);
+  if (error) {
+    return refuse("--listen " + options.listen +
+                  " is not an address; give one such as 127.0.0.1 or ::1");
+  }
+  const auto has_token = [&] { return !std::holds_alternative<NoToken>(options.token); };
+  if (!has_token() && std::getenv(kTokenVariable) != nullptr) options.token = TokenInEnvironment{};
+  if (options.is_private && !has_token())
+    return refuse("--private needs a token: --token-file FILE, XR3_TOKEN or --token auto");
+  const bool is_safe = is_loopback(options.listen) || has_token() || options.is_insecure;
+  if (!is_safe) return refuse_listen(options.listen);
+  return options;
+}
+
+bool is_loopback(const std::string& address) {
+  ErrorCode error;
+  return address == "localhost" || asio::ip::make_address(address, error).is_loopback();
+}
+
+}  // namespace xr3
