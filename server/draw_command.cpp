@@ -1,10 +1,8 @@
 #include "server/draw_command.hpp"
 
-#include <utility>
-
 #include "core/coupling.hpp"
 #include "core/home.hpp"
-#include "core/wireframe.hpp"
+#include "protocol/drawing.hpp"
 #include "protocol/svg.hpp"
 #include "server/app.hpp"
 #include "server/png.hpp"
@@ -30,28 +28,12 @@ State state_for(const Model& model, const DrawOptions& options) {
   return state;
 }
 
-std::string title(const Model& model, const ViewVector& view) {
-  return model.robot().name + " seen from (" + std::to_string(view.x) + ", " +
-         std::to_string(view.y) + ", " + std::to_string(view.z) + ")";
-}
-
-/// The table, too, and room for all that sticks out of the paper's view plane.
-Picture picture_for(const Model& model, const State& state, const DrawOptions& options) {
-  const View view = view_along(options.view);
-  std::vector<Wire> wires{surface_wire(model.workcell())};
-  for (Wire& wire : wireframe(model, state)) wires.push_back(std::move(wire));
-  const std::vector<FlatWire> flat = projected(view, wires);
-  const Extents extents = view_extents(view, model.workcell().workspace, behind_mm(model));
-  Picture picture = lay_out(flat, around(extents, flat), options.width_px);
-  picture.title = title(model, options.view);
-  return picture;
-}
-
 }  // namespace
 
 ExitCode draw(const DrawOptions& options) {
   const ModelPtr model = model_for(options);
-  const Picture picture = picture_for(*model, state_for(*model, options), options);
+  const Picture picture =
+      drawing(*model, state_for(*model, options), options.view, options.width_px);
   const bool is_svg = options.out.ends_with(".svg");
   write_whole_file(options.out, is_svg ? to_svg(picture) : to_png(rasterized(picture)),
                    Existing::kReplace, [](const DataFile&) {});

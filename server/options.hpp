@@ -11,6 +11,7 @@
 #include "core/model.hpp"
 #include "core/sim_clock.hpp"
 #include "core/state.hpp"
+#include "protocol/drawing.hpp"
 #include "protocol/kin_question.hpp"
 #include "server/exit_code.hpp"
 #include "server/token.hpp"
@@ -55,7 +56,7 @@ struct DrawOptions {
   std::vector<double> joints;  ///< joint variables from the base, degrees or mm; none: soft home
   std::optional<double> tool;  ///< tool variable, degrees or mm
   ViewVector view;
-  int width_px = 900;
+  int width_px = kUsualPictureWidthPx;
 };
 
 struct KinOptions {
