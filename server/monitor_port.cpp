@@ -11,7 +11,8 @@ MonitorPort::MonitorPort(asio::io_context& io, Cell& cell, RobotPort& robot_port
                          const AccessPolicy& policy, std::function<bool()> is_ready,
                          std::function<void()> acted)
     : service_(io, cell, robot_port, policy, acted),
-      context_{service_, std::move(is_ready), [this] { tell_of_tls(); },
+      resources_(cell, service_, policy, std::move(is_ready)),
+      context_{service_, resources_, [this] { tell_of_tls(); },
                [this, acted](const std::shared_ptr<MonitorSession>& session) {
                  sessions_.erase(session);
                  acted();

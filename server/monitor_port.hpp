@@ -7,6 +7,7 @@
 
 #include "server/asio.hpp"
 #include "server/cell.hpp"
+#include "server/http_resources.hpp"
 #include "server/listener.hpp"
 #include "server/monitor_session.hpp"
 #include "server/robot_port.hpp"
@@ -44,6 +45,7 @@ class MonitorPort {
   void tell_of_tls();
 
   MonitorService service_;
+  HttpResources resources_;
   MonitorContext context_;
   Listener listener_;
   Sessions sessions_;

@@ -6,14 +6,11 @@
 #include <chrono>
 #include <utility>
 
-#include "protocol/http_probe.hpp"
-
 namespace xr3 {
 namespace {
 
 // A person with netcat waits for a greeting; a program sends first.
 constexpr std::chrono::seconds kSilence{1};
-constexpr std::chrono::seconds kMostHttpHead{10};
 
 void tell_failure(const std::exception_ptr& failure) {
   try {
@@ -92,26 +89,18 @@ asio::awaitable<void> MonitorSession::speak(std::string first_bytes) {
 
 // --- HTTP.
 
-asio::awaitable<void> MonitorSession::speak_http(std::string head) {
-  socket_->close_after(kMostHttpHead);
-  while (!http::is_head_decided(head)) {
-    const std::string_view bytes = co_await socket_->read();
-    if (bytes.empty()) break;
-    head.append(bytes);
-  }
-  socket_->call_off();
-  const auto readiness = context_.is_ready() ? http::Readiness::kReady : http::Readiness::kNotReady;
-  const std::string answer = http::answer(head, readiness);
-  co_await socket_->send(answer);
-  co_await socket_->linger();
+asio::awaitable<void> MonitorSession::speak_http(std::string first_bytes) {
+  http_.emplace(*socket_, context_.resources,
+                [](std::string) -> asio::awaitable<void> { co_return; });
+  co_await http_->run(std::move(first_bytes));
 }
 
 // --- The end.
 
 void MonitorSession::finish() {
-  if (opening_.tongue() == monitor::Tongue::kHttp) return;  // it ends by itself
-  if (!lines_) return abort();
-  lines_->finish();
+  if (lines_) return lines_->finish();
+  if (http_) return http_->finish();
+  abort();
 }
 
 void MonitorSession::abort() {

@@ -4,11 +4,13 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "protocol/monitor_opening.hpp"
 #include "server/asio.hpp"
+#include "server/http_session.hpp"
 #include "server/json_lines.hpp"
 #include "server/monitor_service.hpp"
 #include "server/monitor_socket.hpp"
@@ -20,7 +22,7 @@ class MonitorSession;
 /// What all sessions of the port share. It outlives them while they run.
 struct MonitorContext {
   MonitorService& service;
-  std::function<bool()> is_ready;     ///< what /readyz tells
+  HttpResources& resources;
   std::function<void()> tls_refused;  ///< a client spoke TLS
   std::function<void(const std::shared_ptr<MonitorSession>&)>
       ended;  ///< the session may be dropped
@@ -45,13 +47,14 @@ class MonitorSession : public std::enable_shared_from_this<MonitorSession> {
   void greet_after_silence();
   void greet();
   asio::awaitable<void> speak(std::string first_bytes);
-  asio::awaitable<void> speak_http(std::string head);
+  asio::awaitable<void> speak_http(std::string first_bytes);
 
   MonitorContext& context_;
   std::shared_ptr<MonitorSocket> socket_;
   monitor::Opening opening_;
   asio::steady_timer silence_;
   std::shared_ptr<JsonLines> lines_;  ///< once it has been greeted
+  std::optional<HttpSession> http_;   ///< once it has spoken HTTP
 };
 
 }  // namespace xr3

@@ -107,6 +107,16 @@ asio::awaitable<void> MonitorSocket::linger() {
 
 void MonitorSocket::close_after(milliseconds time) { close_when_due(deadline_, time, socket_); }
 
+void MonitorSocket::stop_reading_after(milliseconds time) {
+  deadline_.expires_after(time);
+  deadline_.async_wait([socket = socket_, waited = has_waited_enough_](ErrorCode cancelled) {
+    if (cancelled || !socket->is_open()) return;
+    *waited = true;
+    ErrorCode ignored;
+    socket->shutdown(tcp::socket::shutdown_receive, ignored);
+  });
+}
+
 void MonitorSocket::stop_reading() {
   ErrorCode ignored;
   socket_->shutdown(tcp::socket::shutdown_receive, ignored);

@@ -45,6 +45,10 @@ class MonitorSocket {
 
   /// Closes when so much time has passed, unless it is called off.
   void close_after(std::chrono::milliseconds time);
+  /// Reads no more when so much time has passed, unless it is called off: read() then finds an end.
+  void stop_reading_after(std::chrono::milliseconds time);
+  /// It was stopped by that.
+  bool has_waited_enough() const { return *has_waited_enough_; }
   void call_off() { deadline_.cancel(); }
 
   /// No byte is read any more; what can be sent still is.
@@ -55,6 +59,7 @@ class MonitorSocket {
   asio::awaitable<bool> wait_until_writable();
 
   std::shared_ptr<tcp::socket> socket_;  ///< shared with timers that close it
+  std::shared_ptr<bool> has_waited_enough_ = std::make_shared<bool>(false);
   asio::steady_timer deadline_;
   asio::steady_timer stuck_;
   std::array<char, 8192> buffer_;
