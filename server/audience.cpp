@@ -58,7 +58,7 @@ void Audience::acted() {
   has_acted_ = true;
   if (is_stopped_ || is_serving_ || armed_ == Wake::kFrame) return;
   if (!viewers_.empty() && has_followers()) return arm_frame();
-  const bool runs = cell_.clock().mode() == ClockMode::kReal && !cell_.is_at_rest();
+  const bool runs = cell_.has_news_to_come();
   if (runs && armed_ == Wake::kNone) arm(Wake::kSecond);
 }
 
@@ -123,7 +123,7 @@ void Audience::serve(Viewer& viewer) {
 void Audience::end_round() {
   is_serving_ = false;
   if (is_stopped_) return;
-  const bool runs = cell_.clock().mode() == ClockMode::kReal && !cell_.is_at_rest();
+  const bool runs = cell_.has_news_to_come();
   if (!has_followers()) {
     if (runs) arm(Wake::kSecond);
   } else if (runs || !is_settled_ || has_acted_) {

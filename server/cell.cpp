@@ -40,6 +40,7 @@ void Cell::catch_up(WallNs now) {
   counters_.ticks += static_cast<std::uint64_t>(state().tick - before);
   ++revision_;
   if (!simulation_.events().empty()) tell_machine(std::nullopt, simulation_.take_events());
+  for (auto& [line, note] : warnings_.words_owed(state().tick)) tell(line, std::move(note));
 }
 
 Snapshot Cell::snapshot() const {
@@ -110,11 +111,11 @@ std::size_t Cell::take_piece(LineId id, Line& line, std::string_view bytes) {
 Applied Cell::take(const LineClosed& closed, WallNs) {
   const Line* line = find_line(closed.line);
   if (line == nullptr) return {};
+  tell_all(closed.line, warnings_.forget(closed.line));
   tell(closed.line, LineClosedNote{closed.reason, line->bytes_in(), line->bytes_out()});
   closed_bytes_in_[closed.line] = line->bytes_in();
   if (closed_bytes_in_.size() > kRememberedLines) closed_bytes_in_.erase(closed_bytes_in_.begin());
   lines_.erase(closed.line);
-  warnings_.forget(closed.line);
   return {};
 }
 

@@ -52,6 +52,10 @@ class Cell {
   const State& state() const { return simulation_.state(); }
   Snapshot snapshot() const;
   bool is_at_rest() const { return simulation_.is_at_rest(); }
+  /// Time alone will tell something: a motor runs, or warnings were left out and nobody knows it yet.
+  bool has_news_to_come() const {
+    return clock_.mode() == ClockMode::kReal && (!is_at_rest() || warnings_.owes_words());
+  }
 
   /// The last events, and the last bytes of the lines with what was made of them.
   monitor::Feed& events() { return events_; }

@@ -96,13 +96,13 @@ call::Outcome Cell::carry_out(const call::Reset&, WallNs now) {
 
 // The note stands at the first tick of the new epoch and tells where the old one ended.
 void Cell::begin_epoch(std::string_view call, WallNs now, const std::function<void()>& change) {
+  for (const auto& [id, line] : lines_) tell_all(id, warnings_.forget(id));
   const EpochNote note{call, epoch_, state().tick};
   const ModelPtr old_model = simulation_.model_ptr();
   const std::vector<Block> old_blocks = state().blocks;
   change();
   ++epoch_;
   clock_.set_tick(state().tick, now);
-  for (const auto& [id, line] : lines_) warnings_.forget(id);
   tell(std::nullopt, note);
   const bool is_same =
       old_model->workcell() == model().workcell() && are_same_things(old_blocks, state().blocks);

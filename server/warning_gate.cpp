@@ -34,10 +34,36 @@ std::vector<CellNote> WarningGate::begin_second(PerLine& line, Tick tick) {
   if (second == line.second) return {};
   std::vector<CellNote> due;
   end_run(line, due);
-  if (line.left_out > 0) due.emplace_back(SuppressedNote{line.left_out});
+  pay(line, due);
   line.second = second;
   line.notes = 0;
+  return due;
+}
+
+void WarningGate::pay(PerLine& line, std::vector<CellNote>& due) {
+  if (line.left_out == 0) return;
+  due.emplace_back(SuppressedNote{line.left_out});
   line.left_out = 0;
+  --owed_;
+}
+
+std::vector<std::pair<LineId, CellNote>> WarningGate::words_owed(Tick tick) {
+  std::vector<std::pair<LineId, CellNote>> words;
+  if (owed_ == 0) return words;
+  for (auto& [id, line] : lines_) {
+    if (line.left_out == 0) continue;
+    for (CellNote& note : begin_second(line, tick)) words.emplace_back(id, std::move(note));
+  }
+  return words;
+}
+
+std::vector<CellNote> WarningGate::forget(LineId line) {
+  const auto found = lines_.find(line);
+  if (found == lines_.end()) return {};
+  std::vector<CellNote> due;
+  end_run(found->second, due);
+  pay(found->second, due);
+  lines_.erase(found);
   return due;
 }
 
@@ -47,6 +73,7 @@ void WarningGate::end_run(PerLine& line, std::vector<CellNote>& due) {
     ++line.notes;
     due.emplace_back(std::move(*line.run));
   } else {
+    if (line.left_out == 0) ++owed_;
     line.left_out += line.run->count;
   }
   line.run.reset();

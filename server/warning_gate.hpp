@@ -5,6 +5,7 @@
 
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "protocol/cell_event.hpp"
@@ -24,8 +25,13 @@ class WarningGate {
   /// The run that still stands open on a line ends: at the end of a read, or before another event.
   std::vector<CellNote> finish(LineId line, Tick tick);
 
-  /// The line is closed, or a new epoch begins.
-  void forget(LineId line) { lines_.erase(line); }
+  /// Some notes were left out, and nobody was told yet.
+  bool owes_words() const { return owed_ > 0; }
+  /// What is owed for seconds that are over, by line.
+  std::vector<std::pair<LineId, CellNote>> words_owed(Tick tick);
+
+  /// The line is closed, or a new epoch begins: returns what is still owed.
+  std::vector<CellNote> forget(LineId line);
 
  private:
   struct PerLine {
@@ -35,10 +41,12 @@ class WarningGate {
     int left_out = 0;
   };
 
-  static std::vector<CellNote> begin_second(PerLine& line, Tick tick);
-  static void end_run(PerLine& line, std::vector<CellNote>& due);
+  std::vector<CellNote> begin_second(PerLine& line, Tick tick);
+  void end_run(PerLine& line, std::vector<CellNote>& due);
+  void pay(PerLine& line, std::vector<CellNote>& due);
 
   std::map<LineId, PerLine> lines_;
+  std::size_t owed_ = 0;  ///< lines of which notes were left out
 };
 
 }  // namespace xr3

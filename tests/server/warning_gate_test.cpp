@@ -52,5 +52,20 @@ TEST(WarningGate, ARunThatCrossesASecondIsTwoNotes) {
   EXPECT_EQ(gate.finish(1, 1000).size(), 1U);
 }
 
+TEST(WarningGate, WhatIsOwedComesWithTheNextSecondOrWhenTheLineCloses) {
+  for (const bool closes : {false, true}) {
+    WarningGate gate;
+    for (int i = 0; i < 100; ++i)
+      gate.take(1, i, note(i % 2 == 0 ? "unknown_byte" : "no_such_joint", 0));
+    gate.finish(1, 100);
+    EXPECT_TRUE(gate.owes_words());
+    EXPECT_TRUE(gate.words_owed(999).empty());
+    const auto words = closes ? gate.forget(1) : std::vector{gate.words_owed(1000).at(0).second};
+    EXPECT_EQ(std::get<SuppressedNote>(words.at(0)).count, 36);
+    EXPECT_FALSE(gate.owes_words());
+    EXPECT_TRUE(gate.words_owed(2000).empty());
+  }
+}
+
 }  // namespace
 }  // namespace xr3
