@@ -30,6 +30,9 @@ class JsonLines : public std::enable_shared_from_this<JsonLines> {
   /// Takes no further request, says `bye` and ends.
   void finish();
 
+  /// The client has stopped sending; it may be gone altogether, which only writing can tell.
+  bool only_listens() const { return is_answered_; }
+
   /// Whoever waits looks again: the connection is gone.
   void wake();
 

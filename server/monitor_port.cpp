@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <boost/asio/buffer.hpp>
 #include <utility>
 
@@ -22,10 +23,21 @@ MonitorPort::MonitorPort(asio::io_context& io, Cell& cell, RobotPort& robot_port
 ErrorCode MonitorPort::listen(const tcp::endpoint& endpoint) { return listener_.listen(endpoint); }
 
 void MonitorPort::open(tcp::socket socket) {
+  if (sessions_.size() >= kMostMonitors) make_room();
   if (sessions_.size() >= kMostMonitors) return refuse(std::move(socket));
   const auto session = std::make_shared<MonitorSession>(std::move(socket), context_);
   sessions_.insert(session);
   session->start();
+}
+
+// Who has closed without a word looks like one who only listens, until something is sent.
+void MonitorPort::make_room() {
+  const auto idle = std::find_if(sessions_.begin(), sessions_.end(),
+                                 [](const auto& session) { return session->only_listens(); });
+  if (idle == sessions_.end()) return;
+  const auto session = *idle;
+  sessions_.erase(idle);
+  session->abort();
 }
 
 void MonitorPort::refuse(tcp::socket socket) {

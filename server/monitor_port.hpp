@@ -42,6 +42,7 @@ class MonitorPort {
 
   void open(tcp::socket socket);
   void refuse(tcp::socket socket);
+  void make_room();
   void tell_of_tls();
 
   MonitorService service_;

@@ -38,6 +38,9 @@ class MonitorSession : public std::enable_shared_from_this<MonitorSession> {
   /// Takes no further request, says `bye` and ends.
   void finish();
 
+  /// The client has stopped sending, and is not waited for where others want in.
+  bool only_listens() const { return lines_ && lines_->only_listens(); }
+
   /// Ends the connection now.
   void abort();
 
