@@ -141,7 +141,7 @@ class FeedTest : public testing::Test {
   int made = 0;
   Ring<int> ring{4, [this](const int& value, std::int64_t seq) {
                    ++made;
-                   return text(std::to_string(seq) + ":" + std::to_string(value - 1));
+                   return text(std::to_string(seq) + ":" + std::to_string(value));
                  }};
 };
 

@@ -129,15 +129,19 @@ TEST_F(MonitorServiceTest, EventsComeInOrderWithTheirTicks) {
   read(one_);
   ask(one_, R"({"op":"sub","channel":"event"})");
   send("E+2\r");
-  call(one_, "step", R"({"ticks":100,"fields":[]})");
-  std::vector<Json> events = wait(one_);
-  for (const Json& more : ask(one_, R"({"op":"get","id":7,"channel":"event","since":1})"))
-    if (more["op"] == "event") events.push_back(more);
-  ASSERT_GE(events.size(), 3U);
-  const Json& last = events.back();
-  EXPECT_EQ(last["event"], "reached");
-  EXPECT_EQ(last["tick"], 19);
-  EXPECT_EQ(last["id"], 7);
+  const auto messages =
+      ask(one_, R"({"op":"call","id":1,"fn":"step","args":{"ticks":100,"fields":[]}})");
+  ASSERT_EQ(messages.size(), 4U) << "the answer first, then what happened";
+  EXPECT_EQ(messages[0]["op"], "result");
+  EXPECT_EQ(messages[1]["event"], "line_open");
+  EXPECT_EQ(messages[2]["event"], "move");
+  EXPECT_EQ(messages[3]["event"], "reached");
+  EXPECT_EQ(messages[3]["tick"], 19);
+  const auto again = ask(one_, R"({"op":"get","id":7,"channel":"event","since":3})");
+  ASSERT_EQ(again.size(), 2U);
+  EXPECT_EQ(again[0]["event"], "reached");
+  EXPECT_EQ(again[0]["id"], 7);
+  EXPECT_EQ(again[1]["ok"], true);
 }
 
 TEST_F(MonitorServiceTest, SendHasALineOfItsOwnThatClosesWithTheViewer) {
