@@ -1,0 +1,261 @@
+"""Why nothing moves: what the controller makes of each byte, in plain words, within one message. The
+`line` channel says it of every byte, a `warning` event of those that were not obeyed."""
+
+import unittest
+
+from support import MonitorError, Server, motors
+
+# What a student types, what is wrong with it, and what the sentence must name.
+MISTAKES = [
+    ("E+200\r", "number_out_of_range", "E+200.*-128...127.*not obeyed"),
+    ("E500S", "speed_out_of_range", "1...255.*not obeyed"),
+    ("E+60S", "unknown_byte", "S sets a speed"),
+    ("+5\r", "no_joint_selected", "letter A...H"),
+    ("?", "no_joint_selected", "letter A...H"),
+    ("E--5\r", "incomplete_command", "sign needs digits"),
+    ("z", "unknown_byte", "no command"),
+    ("move 5\r", "unknown_byte", "no command"),
+    ("G+5\r", "no_such_joint", "G"),
+    ("A!1\r", "incomplete_command", "A!1,1,1!"),
+    ("A!0,0,0!", "bad_view_vector", "not all 0"),
+    ("A*999*", "bad_camera_argument", "rows 0...191"),
+    ("A*3\r", "incomplete_command", "asterisk"),
+    ("P9", "number_out_of_range", "1...8"),
+    ("A%9", "number_out_of_range", "0...6"),
+    ("E+100\rE+100\r", "counter_overflow", "E"),
+]
+DISABLED = ("E+5\r", "disabled", "A@")
+
+
+class Warnings(unittest.TestCase):
+    def setUp(self):
+        self.xr3 = self.enterContext(Server())
+        self.viewer = self.enterContext(self.xr3.monitor())
+        self.line = self.enterContext(self.xr3.line())
+        self.viewer.subscribe("event")
+        self.assertEqual("line_open", self.viewer.recall("event")[0]["event"])
+
+    def type(self, data, line=None):
+        line = line or self.line
+        line.send(data)
+        with self.xr3.monitor() as other:
+            other.step(0, after=line)
+
+    def test_within_one_message(self):
+        for data, code, sentence in MISTAKES:
+            with self.subTest(data):
+                self.viewer.subscribe("event")
+                before = self.line.sent
+                self.type(data)
+                event = self.viewer.read()
+                while event["event"] == "move":  # of a part that was obeyed
+                    event = self.viewer.read()
+                self.assertEqual(("warning", code, 1), (event["event"], event["code"], event["line"]))
+                self.assertRegex(event["message"].replace("...", "…"), sentence.replace("...", "…"))
+                self.assertGreaterEqual(event["offset"], before)
+                self.assertLess(event["offset"], self.line.sent)
+                self.assertTrue(data.encode().hex().find(event["hex"]) >= 0, event["hex"])
+
+    def test_disabled(self):
+        self.type("A@")
+        self.assertEqual(("enabled", "disabled", False),
+                         tuple(self.viewer.read()[name] for name in ("event", "code", "enabled")))
+        self.type(DISABLED[0])
+        event = self.viewer.read()
+        self.assertEqual(("warning", "disabled"), (event["event"], event["code"]))
+        self.assertRegex(event["message"], DISABLED[2])
+
+    def test_a_run_of_one_code_is_one_message(self):
+        self.type("z" * 40)
+        event = self.viewer.read()
+        self.assertEqual(("unknown_byte", 40), (event["code"], event["count"]))
+
+    def test_at_most_64_a_second_then_one_that_says_so(self):
+        for number in range(100):
+            self.type("z+")  # two codes in turn, so that no run grows
+        events = self.told()
+        self.assertEqual(64, len(events))
+        with self.xr3.monitor() as other:
+            other.step(1000)
+        self.type("z")
+        last = self.told()
+        suppressed = [event for event in last if event["code"] == "suppressed"]
+        self.assertEqual(1, len(suppressed))
+        counted = sum(event["count"] for event in events + last)
+        self.assertEqual(201, counted)
+
+    def told(self):
+        self.viewer.send({"op": "ping", "id": "told"})
+        return self.viewer.read_until(lambda message: message["op"] == "pong")[:-1]
+
+    def test_limits_and_stalls_are_told(self):
+        with self.xr3.monitor() as other:
+            for _ in range(3):
+                self.line.send("E-120\r")
+                other.settle(after=self.line)
+        stalled = [event for event in self.told() if event["event"] == "stalled"]
+        self.assertEqual("protected_region", stalled[0]["code"])
+        self.assertIn("A$", stalled[0]["message"])
+
+
+class EveryByte(unittest.TestCase):
+    def setUp(self):
+        self.xr3 = self.enterContext(Server())
+        self.monitor = self.enterContext(self.xr3.monitor())
+        self.line = self.enterContext(self.xr3.line())
+
+    def told(self, *pieces):
+        """The records of these bytes, each sent when the one before had acted."""
+        known = self.monitor.recall("line", since=0)
+        for piece in pieces:
+            self.line.send(piece)
+            self.monitor.step(0, after=self.line)
+        return self.monitor.recall("line", since=known[-1]["seq"] + 1 if known else 0)
+
+    def test_a_move(self):
+        record, = self.told("E+5\r")
+        self.assertEqual((1, "in", 0, "452b350d", "E+5\\r"),
+                         tuple(record[name] for name in ("line", "dir", "offset", "hex", "text")))
+        parsed, = record["parsed"]
+        self.assertEqual("move", parsed["code"])
+        self.assertRegex(parsed["message"], r"E \+5")
+        self.assertEqual(0, parsed["from"])
+        self.assertIn(parsed["to"], (3, 4))
+
+    def test_an_inquiry_and_its_reply(self):
+        self.told("E+5\r")
+        asked, replied = self.told("E?")
+        self.assertEqual(("in", "E?"), (asked["dir"], asked["text"]))
+        self.assertEqual(("out", "25", "%"), (replied["dir"], replied["hex"], replied["text"]))
+        self.assertEqual((0, 0, 1), (replied["offset"], replied["parsed"][0]["from"], replied["parsed"][0]["to"]))
+        self.assertRegex(replied["parsed"][0]["message"], "5 counts to go")
+
+    def test_what_was_not_obeyed(self):
+        record, = self.told("E+200\r")
+        self.assertEqual("number_out_of_range", record["parsed"][0]["code"])
+        self.assertRegex(record["parsed"][0]["message"], "-128...127")
+
+    def test_in_pieces(self):
+        """The piece that completes a command explains it, from where it began."""
+        records = self.told("E", "+", "5", "\r", "z")
+        self.assertEqual(["E", "+", "5", "\\r", "z"], [record["text"] for record in records])
+        self.assertEqual([0, 1, 2, 3, 4], [record["offset"] for record in records])
+        explained = [(parsed["code"], parsed["from"]) for record in records for parsed in record["parsed"]]
+        self.assertIn(("move", 0), explained)
+        self.assertIn(("unknown_byte", 4), explained)
+
+    def test_all_bytes_are_there_in_order(self):
+        data = b"E+5\rz\x00\xfe\\E?" + bytes(range(1, 60)) + b"A**"
+        self.line.send(data)
+        self.monitor.step(0, after=self.line)
+        records = self.monitor.recall("line", since=0)
+        for direction, count in ("in", self.line.sent), ("out", None):
+            offset = 0
+            whole = b""
+            for record in records:
+                if record["dir"] == direction:
+                    self.assertEqual(offset, record["offset"])
+                    offset += record["bytes"]
+                    whole += bytes.fromhex(record["hex"])
+            if count is not None:
+                self.assertEqual(count, offset)
+                self.assertEqual(data, whole)
+
+    def test_several_lines(self):
+        other = self.enterContext(self.xr3.line())
+        self.line.send("E+1\r")
+        self.monitor.step(0, after=self.line)
+        other.send("D?")
+        self.monitor.step(0, after=other)
+        self.assertEqual([(1, "in"), (2, "in"), (2, "out")],
+                         [(record["line"], record["dir"]) for record in self.monitor.recall("line", since=0)])
+
+    def test_calls_are_told_of_too(self):
+        """`send` is a line like others."""
+        value = self.monitor.call("send", text="E?")
+        self.assertEqual(("20", " "), (value["hex"], value["text"]))
+        records = self.monitor.recall("line", since=0)
+        self.assertEqual([(value["line"], "in", "E?"), (value["line"], "out", " ")],
+                         [(record["line"], record["dir"], record["text"]) for record in records])
+        opened = [event for event in self.monitor.recall("event", since=0) if event["event"] == "line_open"]
+        self.assertEqual(["raw", "monitor"], [event["kind"] for event in opened])
+
+
+class Calls(unittest.TestCase):
+    """The calls beside time: lines, send, inputs, keys, description."""
+
+    def setUp(self):
+        self.xr3 = self.enterContext(Server())
+        self.monitor = self.enterContext(self.xr3.monitor())
+
+    def refused(self, code, fn, **arguments):
+        with self.assertRaises(MonitorError) as caught:
+            self.monitor.call(fn, **arguments)
+        self.assertEqual(code, caught.exception.code)
+
+    def test_send(self):
+        self.monitor.call("send", text="E+5\r")
+        self.monitor.call("send", hex="442b330d")
+        state = self.monitor.settle()
+        self.assertEqual((5, 3), tuple(motors(state)[label]["count"] for label in "ED"))
+        first = self.monitor.call("send", text="E?")
+        with self.xr3.monitor() as other:
+            self.assertNotEqual(first["line"], other.call("send", text="E?")["line"], "a line of its own")
+            second = other.call("lines")["lines"]
+            self.assertEqual(["monitor", "monitor"], [line["kind"] for line in second])
+        for arguments in {}, {"text": "a", "hex": "61"}, {"hex": "6"}, {"hex": "xy"}, {"text": 5}:
+            self.refused("bad_args", "send", **arguments)
+
+    def test_half_a_command_stays_on_its_line(self):
+        self.monitor.call("send", text="E+")
+        self.monitor.call("send", text="7\r")
+        self.assertEqual(7, motors(self.monitor.settle())["E"]["count"])
+
+    def test_lines(self):
+        line = self.xr3.line()
+        line.send("E+5\rz")
+        self.monitor.step(3, after=line)
+        line.ask("E?")
+        listed, = self.monitor.call("lines")["lines"]
+        self.assertEqual((1, "raw", 0, 7, 1, 1), tuple(listed[name] for name in (
+            "line", "kind", "opened_tick", "bytes_in", "bytes_out", "warnings")))
+        self.assertRegex(listed["peer"], r"^127\.0\.0\.1:\d+$")
+        self.assertIn("E?", listed["last"])
+
+    def test_line_disconnect(self):
+        line = self.xr3.line()
+        line.send("E+5\r")
+        self.monitor.step(0, after=line)
+        self.monitor.call("line_disconnect", line=1)
+        self.assertEqual(b"", line.read_to_end())
+        self.assertEqual([], self.monitor.call("lines")["lines"])
+        closed = [event for event in self.monitor.recall("event", since=0) if event["event"] == "line_close"]
+        self.assertEqual([("disconnected", 4)], [(event["code"], event["bytes_in"]) for event in closed])
+        self.refused("no_such_line", "line_disconnect", line=1)
+
+    def test_input(self):
+        line = self.xr3.line()
+        self.monitor.call("input", input=3, value=True)
+        self.monitor.call("input", input=6, value=True)
+        self.assertEqual((32 + 4, 32 + 8), (line.ask("K"), line.ask("J")))
+        self.assertEqual([False, False, True, False, False, True, False, False], self.monitor.get("io")["io"]["inputs"])
+        for arguments in {"input": 0, "value": True}, {"input": 9, "value": True}, {"input": 1, "value": 1}:
+            self.refused("bad_args", "input", **arguments)
+
+    def test_describe(self):
+        whole = self.monitor.call("describe")
+        for fn in self.monitor.hello["calls"]:
+            self.assertIn(fn, str(whole))
+            self.assertTrue(self.monitor.call("describe", fn=fn))
+        with self.assertRaises(MonitorError):
+            self.monitor.call("describe", fn="fly")
+
+    def test_hello_lists_what_there_is(self):
+        for fn in self.monitor.hello["calls"]:
+            with self.subTest(fn), self.assertRaises(MonitorError) as caught:
+                self.monitor.call(fn, surely="unknown")
+            self.assertEqual("bad_args", caught.exception.code)
+
+
+if __name__ == "__main__":
+    unittest.main()

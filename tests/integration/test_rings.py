@@ -1,0 +1,182 @@
+"""Viewers that are slow or stuck, and lines that pour garbage: nobody is closed for it, what is lost is
+told with right counts, and it costs the server next to nothing."""
+# labels: serial
+
+import os
+import subprocess
+import sys
+import time
+import unittest
+
+from support import LOCALHOST, Monitor, Server, counts
+
+RING = {"event": 4096, "line": 1024}
+MIB = 1024  # KiB, in which /proc counts
+SMALL_BUFFER = 4096
+POUR = """
+import socket, sys, time
+sock = socket.create_connection(("%s", %d))
+garbage = bytes(number * 7 %% 256 for number in range(65536)).replace(b"A", b"z").replace(b"\\xff", b"z") * 4
+until = time.monotonic() + %f
+while time.monotonic() < until:
+    sock.sendall(garbage)
+"""
+
+
+def pour_garbage(port, seconds):
+    """A process of its own that writes as fast as the server takes it."""
+    return subprocess.Popen([sys.executable, "-c", POUR % (LOCALHOST, port, seconds)], stderr=subprocess.DEVNULL)
+
+
+def check_gaps(test, messages, channel):
+    """Every message of the channel, or a lag that says exactly which are missing; returns how many."""
+    missing = 0
+    expected = None
+    lag = None
+    for message in messages:
+        if message["op"] == "lag" and message["channel"] == channel:
+            test.assertIsNone(lag, "one for a gap")
+            lag = message
+            missing += lag["missed"]
+            test.assertEqual(lag["missed"], lag["to_seq"] - lag["from_seq"] + 1)
+            if expected is not None:
+                test.assertEqual(expected, lag["from_seq"])
+            expected = lag["to_seq"] + 1
+        elif message["op"] == channel:
+            if expected is not None:
+                test.assertEqual(expected, message["seq"])
+            expected = message["seq"] + 1
+            lag = None
+    return missing
+
+
+class Overflow(unittest.TestCase):
+    def stuck(self, xr3, channel):
+        viewer = self.enterContext(Monitor(xr3.monitor_port, buffer_bytes=SMALL_BUFFER))
+        viewer.subscribe(channel)
+        return viewer
+
+    def overflow(self, channel, batch):
+        with Server("--log-level", "warn") as xr3, xr3.monitor() as monitor, xr3.line() as line:
+            viewer = self.stuck(xr3, channel)
+            first = monitor.recall(channel)[-1]["seq"] if monitor.recall(channel) else 0
+            for _ in range(40):
+                line.send(batch)
+                monitor.step(0, after=line, fields=[])
+            newest = monitor.recall(channel)[-1]["seq"]
+            told = viewer.read_until(lambda message: message.get("seq") == newest)
+            self.assertEqual(first + 1, told[0]["seq"])
+            self.assertEqual(1, [message["op"] for message in told].count("lag"))
+            self.assertGreater(check_gaps(self, told, channel), 1000)
+            behind = [message["op"] for message in told].index("lag")
+            self.assertEqual(RING[channel], len(told) - behind - 1, "the whole ring")
+            line.send("E+1\r")
+            monitor.step(0, after=line, fields=[])
+            self.assertEqual(newest + 1, viewer.read()["seq"], "it goes on")
+
+    def test_events(self):
+        self.overflow("event", "E+1\rE-1\r" * 400)
+
+    def test_lines(self):
+        with Server("--log-level", "warn") as xr3, xr3.monitor() as monitor, xr3.line() as line:
+            viewer = self.stuck(xr3, "line")
+            for _ in range(3000):
+                line.ask("E?E?E?E?"[:2])
+            newest = monitor.recall("line")[-1]["seq"]
+            told = viewer.read_until(lambda message: message.get("seq") == newest)
+            missing = check_gaps(self, told, "line")
+            self.assertEqual(newest - told[0]["seq"] + 1, missing + len([m for m in told if m["op"] == "line"]))
+
+    def test_since_what_the_ring_has_lost(self):
+        with Server("--log-level", "warn") as xr3, xr3.monitor() as monitor, xr3.line() as line:
+            line.send("E+1\rE-1\r" * 4000)
+            monitor.step(0, after=line, fields=[])
+            held = monitor.recall("event", since=0)
+            held = [message for message in held if message["op"] == "event"]
+            self.assertEqual(RING["event"], len(held))
+            monitor.subscribe("event", since=1)
+            lag = monitor.read()
+            self.assertEqual(("lag", 1, held[0]["seq"] - 1), (lag["op"], lag["from_seq"], lag["to_seq"]))
+            self.assertEqual(held[0]["seq"], monitor.read()["seq"])
+
+    def test_frames_that_were_overwritten(self):
+        """Of the state a stuck viewer gets the last when it reads at last, and is told what it missed."""
+        with Server("--log-level", "warn", clock="real") as xr3, xr3.monitor() as monitor, xr3.line() as line:
+            viewer = self.stuck(xr3, "state")
+            viewer.subscribe("state", max_hz=60, on_change=False)
+            with xr3.monitor() as good:
+                good.subscribe("state", max_hz=60)
+                for move in "E+120\r", "E-120\r", "E+60\r":
+                    line.send("E255S" + move)
+                    good.read_until(lambda message: message["moving"])
+                    good.read_until(lambda message: not message["moving"])
+            self.assertEqual("E60", counts(monitor.get()))
+            told = viewer.read_until(lambda message: message["op"] == "state" and counts(message) == "E60"
+                                     and not message["moving"])
+            for lag in (message for message in told if message["op"] == "lag"):
+                self.assertEqual("state", lag["channel"])
+                self.assertLessEqual(lag["missed"], lag["to_seq"] - lag["from_seq"] + 1)
+
+
+class Garbage(unittest.TestCase):
+    POURED_S = 3.0
+
+    def test_subscribers_of_everything_live_on(self):
+        with Server("--log-level", "warn", clock="real") as xr3, xr3.monitor() as good:
+            viewers = {channel: xr3.monitor() for channel in ("event", "line")}
+            for channel, viewer in viewers.items():
+                viewer.subscribe(channel)
+            with pour_garbage(xr3.robot_port, self.POURED_S) as pouring:
+                seen = {channel: [] for channel in viewers}
+                while pouring.poll() is None:
+                    self.assertEqual("pong", good.request("ping")["op"])
+                    for channel, viewer in viewers.items():
+                        viewer.send({"op": "ping", "id": "now"})
+                        seen[channel] += viewer.read_until(lambda message: message["op"] == "pong")
+            for channel, messages in seen.items():
+                self.assertGreater(len(messages), 10)
+                check_gaps(self, messages, channel)
+                viewers[channel].close()
+            codes = [message["code"] for message in seen["event"] if message["op"] == "event"]
+            self.assertIn("suppressed", codes)
+
+
+class Stuck(unittest.TestCase):
+    ENVIRONMENT = {"ASAN_OPTIONS": os.environ.get("ASAN_OPTIONS", "") + ":quarantine_size_mb=1"}
+    WANTED = 100_000
+    STUCK_TURNS = 100
+
+    def ask_for_images(self, viewer, good):
+        """Asks without reading, until all is asked for or the server has had many turns and takes no
+        more; returns the bytes that went, and how long `good` waited at most (seconds)."""
+        request = b'{"op":"get","channel":"image"}\n'
+        pending = memoryview(request * self.WANTED)
+        viewer.socket.setblocking(False)
+        turns = 0
+        waits_s = []
+        while pending and turns < self.STUCK_TURNS:
+            try:
+                pending = pending[viewer.socket.send(pending[:65536]):]
+                turns = 0
+            except BlockingIOError:
+                turns += 1
+                started = time.monotonic()
+                good.request("ping")
+                waits_s.append(time.monotonic() - started)
+        return len(request) * self.WANTED - len(pending), sorted(waits_s)
+
+    def test_a_hundred_thousand_images_that_are_never_read(self):
+        with Server("--log-level", "warn", environment=self.ENVIRONMENT) as xr3, xr3.monitor() as good:
+            for _ in range(300):
+                good.look("image")
+            warm = self.enterContext(Monitor(xr3.monitor_port, buffer_bytes=SMALL_BUFFER))
+            self.ask_for_images(warm, good)
+            before = xr3.status("VmRSS")
+            stuck = self.enterContext(Monitor(xr3.monitor_port, buffer_bytes=SMALL_BUFFER))
+            _, waits_s = self.ask_for_images(stuck, good)
+            self.assertLessEqual(xr3.status("VmRSS") - before, MIB)
+            self.assertLess(waits_s[len(waits_s) // 2], 0.05)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,150 @@
+"""Snapshots: what was saved goes on as it did, bit for bit, whatever happened in between, under a name or
+from the client's own copy, in this server or in another."""
+
+import json
+import random
+import unittest
+
+from support import MonitorError, Server, machine
+
+TICKS = 10_000
+COMMANDS = ["E+7\r", "E-9\r", "D+20\r", "D-17\r", "F+3\r", "C-5\r", "B+9\r", "A-30\r", "A+30\r", "EX", "E60S", "F255S", "LM", "P3",
+            "R3", "Q", "A$", "A#", "A!1,2,3!", "A%4", "A|", "A.9\r"]
+
+
+def happen(monitor, seed, ticks=TICKS):
+    """Random commands and calls while so many ticks pass; returns what was seen of it, in order."""
+    chance = random.Random(seed)
+    seen = []
+    added = 0
+    while ticks > 0:
+        what = chance.random()
+        if what < 0.5:
+            monitor.call("send", text=chance.choice(COMMANDS))
+        elif what < 0.55:
+            monitor.call("input", input=chance.randint(1, 8), value=chance.random() < 0.5)
+        elif what < 0.6:
+            added += 1
+            tip = monitor.get("tool")["tool"]["xyz_mm"]
+            monitor.call("block_add", name=f"{seed}-{added}", size_mm=[20, 24, 30], xyz_mm=[tip[0], tip[1], tip[2]],
+                         yaw_deg=chance.randint(-180, 180), color=added % 16)
+        elif what < 0.65:
+            block = chance.choice(monitor.get("blocks")["blocks"])
+            if not block["held"]:
+                monitor.call("block_move", name=block["name"], yaw_deg=chance.randint(-90, 90))
+        else:
+            passing = min(ticks, chance.randint(0, 200))
+            state = monitor.step(passing)
+            seen.append((monitor.get("moving")["tick"], machine(state)))
+            ticks -= passing
+    return [json.dumps(each) for each in seen]
+
+
+class Snapshots(unittest.TestCase):
+    def setUp(self):
+        self.xr3 = self.enterContext(Server("--log-level", "warn"))
+        self.monitor = self.enterContext(self.xr3.monitor())
+
+    def refused(self, code, fn, monitor=None, **arguments):
+        with self.assertRaises(MonitorError) as caught:
+            (monitor or self.monitor).call(fn, **arguments)
+        self.assertEqual(code, caught.exception.code)
+
+    def without_revision(self, seen):
+        """model_rev counts the changes since the start of this server, whatever was loaded."""
+        return [json.dumps([tick, {name: value for name, value in state.items() if name != "model_rev"}])
+                for tick, state in map(json.loads, seen)]
+
+    def test_the_same_continuation(self):
+        happen(self.monitor, seed=1, ticks=2000)
+        saved = self.monitor.call("snapshot_save", name="a")
+        inline = self.monitor.call("snapshot_save", inline=True)
+        self.assertEqual(saved["hash"], inline["hash"])
+        first = self.without_revision(happen(self.monitor, seed=2))
+        ended = self.monitor.call("snapshot_save", name="end")
+        self.assertNotEqual(saved["hash"], ended["hash"])
+        for epoch, source in enumerate([{"name": "a"}, {"snapshot": inline["snapshot"]}, {"name": "a"}], 1):
+            happen(self.monitor, seed=epoch + 10, ticks=500)
+            loaded = self.monitor.call("snapshot_load", **source)
+            self.assertEqual((saved["hash"], saved["tick"], epoch), (loaded["hash"], loaded["tick"], loaded["epoch"]))
+            self.assertEqual(first, self.without_revision(happen(self.monitor, seed=2)))
+            self.assertEqual(ended["hash"], self.monitor.call("snapshot_save", name="again")["hash"])
+        with Server("--log-level", "warn") as other, other.monitor() as monitor:
+            monitor.call("snapshot_load", snapshot=inline["snapshot"])
+            self.assertEqual(first, self.without_revision(happen(monitor, seed=2)))
+            self.assertEqual(ended["hash"], monitor.call("snapshot_save", name="end")["hash"])
+
+    def test_a_new_epoch_begins(self):
+        self.monitor.step(70)
+        self.monitor.call("snapshot_save", name="then")
+        self.monitor.step(30)
+        self.monitor.call("snapshot_load", name="then")
+        state = self.monitor.get()
+        self.assertEqual((1, 70), (state["epoch"], state["tick"]))
+        event = [event for event in self.monitor.recall("event", since=0) if event["event"] == "epoch"][-1]
+        self.assertEqual(("snapshot_load", 0, 100, 1, 70), tuple(event[name] for name in (
+            "code", "from_epoch", "from_tick", "epoch", "tick")))
+
+    def test_neither_lines_nor_clock(self):
+        with self.xr3.line() as line:
+            line.send("E+5\rE+")
+            self.monitor.step(5, after=line)
+            self.monitor.call("snapshot_save", name="then")
+            self.monitor.call("resume")
+            self.monitor.call("snapshot_load", name="then")
+            self.assertEqual("real", self.monitor.get("clock")["clock"]["mode"])
+            self.assertEqual([1], [each["line"] for each in self.monitor.call("lines")["lines"]])
+
+    def test_sixteen_names(self):
+        for number in range(16):
+            self.monitor.call("snapshot_save", name=f"number {number}")
+        self.refused("limit", "snapshot_save", name="one more")
+        self.monitor.step(5)
+        self.monitor.call("snapshot_save", name="number 3")
+        self.assertEqual(5, self.monitor.call("snapshot_load", name="number 3")["tick"])
+        self.assertEqual(0, self.monitor.call("snapshot_load", name="number 4")["tick"])
+        self.monitor.call("snapshot_save", inline=True)
+
+    def test_refused(self):
+        self.refused("no_such_snapshot", "snapshot_load", name="nowhere")
+        self.monitor.call("snapshot_save", name="here")
+        for arguments in {}, {"name": "here", "snapshot": {}}, {"snapshot": {}}, {"snapshot": 5}, {"name": 5}:
+            with self.subTest(arguments):
+                self.refused("bad_args", "snapshot_load", **arguments)
+        for arguments in {}, {"name": ""}, {"name": "a", "inline": True}, {"inline": False}:
+            with self.subTest(arguments):
+                self.refused("bad_args", "snapshot_save", **arguments)
+
+    def test_a_snapshot_that_was_tampered_with(self):
+        saved = self.monitor.call("snapshot_save", inline=True)["snapshot"]
+        for path in self.leaves(saved):
+            broken = json.loads(json.dumps(saved))
+            place = broken
+            for step in path[:-1]:
+                place = place[step]
+            place[path[-1]] = {"what": "is this"}
+            with self.subTest(path), self.assertRaises(MonitorError) as caught:
+                self.monitor.call("snapshot_load", snapshot=broken)
+            self.assertIn(caught.exception.code, ("bad_args", "model_mismatch"))
+        self.assertEqual(0, self.monitor.get("moving")["epoch"])
+
+    def leaves(self, value, path=()):
+        """The paths of up to two members of each list, and of every member of each object."""
+        if isinstance(value, dict):
+            for name, each in value.items():
+                yield from self.leaves(each, (*path, name))
+        elif isinstance(value, list):
+            for place, each in enumerate(value[:2]):
+                yield from self.leaves(each, (*path, place))
+        else:
+            yield path
+
+    def test_of_another_robot(self):
+        saved = self.monitor.call("snapshot_save", inline=True)["snapshot"]
+        for options in ("--robot", "adept-one"), ("--compat", "mark3"):
+            with self.subTest(options), Server(*options) as other, other.monitor() as monitor:
+                self.refused("model_mismatch", "snapshot_load", monitor=monitor, snapshot=saved)
+
+
+if __name__ == "__main__":
+    unittest.main()

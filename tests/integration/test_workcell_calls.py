@@ -1,0 +1,186 @@
+"""Calls that change the workcell: blocks one by one, or the whole; refused whole with every reason; and
+what `model` shows is a file."""
+
+import json
+import pathlib
+import tempfile
+import unittest
+
+from support import MonitorError, Server, machine, motors, run_xr3
+
+SMALL = {"size_mm": [20, 20, 20], "yaw_deg": 0, "color": 4}
+
+
+class Case(unittest.TestCase):
+    OPTIONS = ()
+
+    def setUp(self):
+        self.xr3 = self.enterContext(Server(*self.OPTIONS))
+        self.monitor = self.enterContext(self.xr3.monitor())
+
+    def names(self):
+        return [block["name"] for block in self.monitor.get("blocks")["blocks"]]
+
+    def block(self, name):
+        found, = (block for block in self.monitor.get("blocks")["blocks"] if block["name"] == name)
+        return found
+
+    def refused(self, code, fn, **arguments):
+        """Refused with this code, and nothing has changed."""
+        before = machine(self.monitor.get())
+        with self.assertRaises(MonitorError) as caught:
+            self.monitor.call(fn, **arguments)
+        self.assertEqual(code, caught.exception.code, caught.exception)
+        self.assertEqual(before, machine(self.monitor.get()))
+        return caught.exception
+
+    def hold(self, name):
+        """Puts a block between the open jaws and closes them."""
+        tool = self.monitor.get("tool")["tool"]
+        self.monitor.call("block_add", name=name, **SMALL | {"xyz_mm": tool["xyz_mm"], "yaw_deg": tool["net_roll_deg"]})
+        self.monitor.call("send", text="A-127\rA-127\r")
+        self.assertEqual(name, self.monitor.settle()["tool"]["holding"])
+
+
+class Blocks(Case):
+    def test_add_move_remove(self):
+        self.monitor.call("block_add", name="small", xyz_mm=[400, 0, 10], **SMALL)
+        self.assertEqual({"name": "small", "xyz_mm": [400.0, 0.0, 10.0], "yaw_deg": 0.0, "held": False}, self.block("small"))
+        self.monitor.call("block_move", name="small", xyz_mm=[300, 10, 10])
+        self.assertEqual(([300.0, 10.0, 10.0], 0.0), (self.block("small")["xyz_mm"], self.block("small")["yaw_deg"]))
+        self.monitor.call("block_move", name="small", yaw_deg=45.5)
+        self.assertEqual(([300.0, 10.0, 10.0], 45.5), (self.block("small")["xyz_mm"], self.block("small")["yaw_deg"]))
+        self.monitor.call("block_remove", name="small")
+        self.assertNotIn("small", self.names())
+
+    def test_the_camera_sees_it(self):
+        before = self.monitor.look("image")["rows"]
+        self.monitor.call("block_remove", name="red")
+        after = self.monitor.look("image")["rows"]
+        self.assertLess("".join(after).count("1"), "".join(before).count("1"))
+
+    def test_each_is_told(self):
+        before = self.monitor.get("model_rev")["model_rev"]
+        self.monitor.call("block_add", name="small", xyz_mm=[400, 0, 10], **SMALL)
+        self.monitor.call("block_move", name="small", yaw_deg=1)
+        self.monitor.call("block_remove", name="small")
+        told = [event for event in self.monitor.recall("event", since=0) if event["event"] == "model"]
+        self.assertEqual(["block_add", "block_move", "block_remove"], [event["code"] for event in told])
+        revisions = [event["model_rev"] for event in told]
+        self.assertEqual(sorted(set(revisions)), revisions)
+        self.assertGreater(revisions[0], before)
+        self.assertEqual(revisions[-1], self.monitor.get("model_rev")["model_rev"])
+
+    def test_refused(self):
+        there = {"xyz_mm": [400, 0, 10], **SMALL}
+        self.refused("name_taken", "block_add", name="red", **there)
+        self.refused("no_such_block", "block_move", name="nobody", yaw_deg=1)
+        self.refused("no_such_block", "block_remove", name="nobody")
+        for wrong in ({"size_mm": [0, 1, 1]}, {"size_mm": [1, 1]}, {"color": 16}, {"yaw_deg": "much"}, {"xyz_mm": [1, 2, None]},
+                      {"name": ""}, {"name": "x" * 41}, {"color": 1.5}):
+            with self.subTest(wrong):
+                error = self.refused("bad_args", "block_add", **{"name": "new", **there, **wrong})
+                member = next(iter(wrong))
+                self.assertIn(member, error.details[0]["pointer"])
+
+    def test_a_held_block(self):
+        self.hold("small")
+        self.refused("block_held", "block_move", name="small", yaw_deg=1)
+        self.refused("block_held", "block_remove", name="small")
+        self.monitor.call("block_move", name="red", yaw_deg=1)
+        self.monitor.call("send", text="AXA+60\r")
+        self.assertIsNone(self.monitor.settle()["tool"]["holding"])
+        self.monitor.call("block_remove", name="small")
+
+
+class Whole(Case):
+    def workcell(self):
+        return self.monitor.look("model")["workcell"]
+
+    def test_replaced(self):
+        workcell = self.workcell()
+        workcell["blocks"] = [block | {"name": block["name"] + "2"} for block in workcell["blocks"][:2]]
+        self.monitor.call("send", text="E+10\r")
+        moved = motors(self.monitor.settle())
+        self.monitor.call("workcell", workcell=workcell)
+        self.assertEqual(["red2", "green2"], self.names())
+        self.assertEqual(moved, motors(self.monitor.get()), "the robot stays where it is")
+        self.assertEqual(workcell, self.workcell())
+
+    def test_a_held_block_falls_away_with_its_workcell(self):
+        self.hold("small")
+        workcell = self.workcell()
+        self.monitor.call("workcell", workcell=workcell | {"blocks": workcell["blocks"][:1]})
+        self.assertEqual((["red"], None), (self.names(), self.monitor.get("tool")["tool"]["holding"]))
+
+    def test_reset_keeps_a_replaced_workcell(self):
+        workcell = self.workcell()
+        workcell["blocks"] = workcell["blocks"][:2]
+        self.monitor.call("workcell", workcell=workcell)
+        self.monitor.call("block_move", name="red", xyz_mm=[400, 0, 20])
+        self.monitor.call("send", text="E+10\r")
+        self.monitor.call("reset")
+        self.assertEqual((["red", "green"], [262.0, 0.0, 20.0]), (self.names(), self.block("red")["xyz_mm"]))
+
+    def test_refused_whole_with_every_reason(self):
+        workcell = self.workcell()
+        workcell["blocks"][0]["size"][0] = -5
+        workcell["camera"]["pixels"][0] = "64"
+        error = self.refused("bad_args", "workcell", workcell=workcell)
+        pointers = [detail["pointer"] for detail in error.details]
+        self.assertEqual(2, len(pointers))
+        self.assertTrue(any(pointer.endswith("/blocks/0/size/0") for pointer in pointers), pointers)
+        self.assertTrue(any(pointer.endswith("/camera/pixels/0") for pointer in pointers), pointers)
+        self.assertIn(-5, [detail["found"] for detail in error.details])
+
+    def test_refused(self):
+        workcell = self.workcell()
+        for wrong in {}, {**workcell, "more": 1}, {**workcell, "blocks": workcell["blocks"] + workcell["blocks"][:1]}, []:
+            with self.subTest(str(wrong)[:60]):
+                self.refused("bad_args", "workcell", workcell=wrong)
+
+
+class AsAFile(Case):
+    """What `model` shows, written to files, passes `xr3 check` and gives the same cell."""
+
+    def check_files(self):
+        model, state = self.monitor.look("model"), machine(self.monitor.get())
+        with tempfile.TemporaryDirectory() as folder:
+            paths = {}
+            for kind in "robot", "workcell":
+                paths[kind] = pathlib.Path(folder, f"{kind}.json")
+                paths[kind].write_text(json.dumps(model[kind]), encoding="utf-8")
+            done = run_xr3("check", paths["robot"], paths["workcell"], "--robot", paths["robot"])
+            self.assertEqual(0, done.returncode, done.stdout + done.stderr)
+            with Server("--robot", paths["robot"], "--workcell", paths["workcell"]) as again, again.monitor() as monitor:
+                self.assertEqual(state["blocks"], monitor.get("blocks")["blocks"])
+                loaded = monitor.look("model")
+                self.assertEqual((model["robot"], model["workcell"]), (loaded["robot"], loaded["workcell"]))
+                return state, machine(monitor.get())
+
+    def test_as_shipped(self):
+        before, after = self.check_files()
+        self.assertEqual(before, after)
+
+    def test_after_blocks_were_moved(self):
+        self.monitor.call("block_move", name="red", xyz_mm=[261.125, -1.5, 20], yaw_deg=12.5)
+        self.monitor.call("block_add", name="small", xyz_mm=[400, 0, 10], **SMALL)
+        self.monitor.call("block_remove", name="green")
+        before, after = self.check_files()
+        self.assertEqual(before["tool"], after["tool"])
+
+
+class AsAFileAdept(AsAFile):
+    OPTIONS = ("--robot", "adept-one")
+
+    def test_after_blocks_were_moved(self):
+        self.monitor.call("block_move", name=self.names()[0], yaw_deg=12.5)
+        self.check_files()
+
+
+class AsAFileIntelledex(AsAFileAdept):
+    OPTIONS = ("--robot", "intelledex-660")
+
+
+if __name__ == "__main__":
+    unittest.main()
