@@ -1,5 +1,6 @@
 """Plays every conversation of tests/transcripts over TCP; tests/transcripts/README.md has their form."""
 
+import contextlib
 import pathlib
 import re
 import unittest
@@ -80,8 +81,14 @@ def options_of(path):
 
 
 class Transcripts(unittest.TestCase):
-    def play(self, path):
-        with Server(*options_of(path)) as xr3, xr3.monitor() as monitor:
+    CHANNELS = ("state", "image", "display", "model", "event", "line")
+
+    def play(self, path, viewers=0):
+        with Server(*options_of(path)) as xr3, xr3.monitor() as monitor, contextlib.ExitStack() as stack:
+            for number in range(viewers):
+                viewer = stack.enter_context(xr3.monitor())
+                for channel in self.CHANNELS[number % 3::3]:
+                    viewer.subscribe(channel, max_hz=60)
             player = Player(xr3, monitor, self)
             for number, digit, sign, rest in steps_of(path):
                 if sign == "@":
@@ -98,6 +105,12 @@ class Transcripts(unittest.TestCase):
         for path in files:
             with self.subTest(path.stem):
                 self.play(path)
+
+    def test_every_file_with_fifty_viewers(self):
+        """They see it all and change nothing."""
+        for path in sorted(pathlib.Path(ROOT, "tests", "transcripts").glob("*.txt")):
+            with self.subTest(path.stem):
+                self.play(path, viewers=50)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,78 @@
+"""A TCP forwarder on a port of its own, as a container's or a tunnel's port mapping is one: bytes to the
+server may be held back for a while, as a network holds them; those from it are not."""
+
+import collections
+import selectors
+import socket
+import threading
+import time
+
+from support import LOCALHOST
+
+
+class Proxy:
+    """Forwards every connection to a port; as a context. `delay_s` is that of bytes to the server."""
+
+    def __init__(self, port, delay_s=0.0):
+        self.target, self.delay_s = port, delay_s
+        self._late = collections.deque()  # (when, socket, bytes) to be sent, in order; b"" ends it
+        self._selector = selectors.DefaultSelector()
+        self._listener = socket.create_server((LOCALHOST, 0))
+        self.port = self._listener.getsockname()[1]
+        self._sockets = [self._listener]
+        self._selector.register(self._listener, selectors.EVENT_READ, self._accept)
+        self._waker, self._woken = socket.socketpair()
+        self._selector.register(self._woken, selectors.EVENT_READ, None)
+
+    def __enter__(self):
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._thread.start()
+        return self
+
+    def __exit__(self, *_):
+        self._waker.close()
+        self._thread.join()
+        for sock in [*self._sockets, self._woken]:
+            sock.close()
+
+    def _run(self):
+        while True:
+            left = max(0.0, self._late[0][0] - time.monotonic()) if self._late else None
+            for key, _ in self._selector.select(left):
+                if key.data is None:
+                    return
+                key.data()
+            while self._late and self._late[0][0] <= time.monotonic():
+                _, sock, data = self._late.popleft()
+                self._put(sock, data)
+
+    def _accept(self):
+        client, _ = self._listener.accept()
+        server = socket.create_connection((LOCALHOST, self.target))
+        for sock, other, delay_s in (client, server, self.delay_s), (server, client, 0.0):
+            sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            self._sockets.append(sock)
+            self._selector.register(sock, selectors.EVENT_READ,
+                                    lambda way=(sock, other, delay_s): self._forward(*way))
+
+    def _forward(self, source, target, delay_s):
+        try:
+            data = source.recv(65536)
+        except ConnectionResetError:
+            data = b""
+        if not data:
+            self._selector.unregister(source)
+        if delay_s:
+            self._late.append((time.monotonic() + delay_s, target, data))
+        else:
+            self._put(target, data)
+
+    @staticmethod
+    def _put(sock, data):
+        try:
+            if data:
+                sock.sendall(data)
+            else:
+                sock.shutdown(socket.SHUT_WR)
+        except OSError:
+            pass  # the other side has gone

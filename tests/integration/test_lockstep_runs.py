@@ -1,0 +1,21 @@
+"""Some runs in lockstep under full load: one hash, see lockstep_runs.py. `./test --soak` does a thousand."""
+# labels: serial
+
+import concurrent.futures
+import unittest
+
+from lockstep_runs import delayed_runs, full_load, runs
+
+
+class LockstepRuns(unittest.TestCase):
+    def test_one_hash(self):
+        with full_load(), concurrent.futures.ThreadPoolExecutor() as pool:
+            late = [pool.submit(delayed_runs, 1) for _ in range(3)]
+            hashes = runs(20)
+            for each in late:
+                hashes += each.result()
+        self.assertEqual((23, 1), (len(hashes), len(set(hashes))))
+
+
+if __name__ == "__main__":
+    unittest.main()
