@@ -5,11 +5,12 @@ scheduled. All cases are watched at once, each in a process of its own."""
 import contextlib
 import os
 import select
+import time
 import unittest
 
-from support import Server
+from support import DEADLINE_S, Server
 
-WATCHED_S = 1.0
+WATCHED_S = 10.0
 # A timer that was armed while something moved goes off once more, within this.
 LAST_TIMER_S = 1.2
 
@@ -28,8 +29,11 @@ def scheduling(pid):
 class Case:
     """A server with a monitor and three lines: one that has asked, one with half a command, one mute."""
 
-    def __init__(self, *options, clock="real"):
+    CHANNELS = ("state", "image", "display", "model", "event", "line")
+
+    def __init__(self, *options, clock="real", viewers=0):
         self.server = Server(*options, clock=clock)
+        self.viewer_count = viewers
 
     def __enter__(self):
         self.server.__enter__()
@@ -37,14 +41,19 @@ class Case:
         self.asked, self.begun, self.mute = (self.server.line() for _ in range(3))
         self.asked.ask("E?")
         self.begun.send("E+5")
+        self.viewers = [self.server.monitor() for _ in range(self.viewer_count)]
+        for number, viewer in enumerate(self.viewers):
+            for channel in self.CHANNELS:
+                viewer.subscribe(channel, max_hz=(1, 30, 60)[number % 3])
         return self
 
     def __exit__(self, *problem):
-        self.monitor.close()
+        for monitor in [self.monitor, *self.viewers]:
+            monitor.close()
         self.server.__exit__(*problem)
 
     def sockets(self):
-        return [self.monitor.socket, *(line.socket for line in (self.asked, self.begun, self.mute))]
+        return [*(monitor.socket for monitor in (self.monitor, *self.viewers)), *(line.socket for line in (self.asked, self.begun, self.mute))]
 
     def move_while_time_runs(self, moves):
         """Moves to their end, in running time."""
@@ -66,11 +75,13 @@ class Case:
 class Idle(unittest.TestCase):
     def test_nothing_wakes_a_robot_at_rest(self):
         with contextlib.ExitStack() as stack:
-            case = lambda *options, clock="real": stack.enter_context(Case(*options, clock=clock))
+            case = lambda *options, **more: stack.enter_context(Case(*options, **more))
             cases = {
                 "at the soft home": case(),
                 "in fast time": case(clock="real:1000"),
                 "in standing time": case(clock="manual"),
+                "with fifty viewers": case(viewers=50),
+                "with fifty viewers after a move": case(clock="real:100", viewers=50).move_while_time_runs("E+20\rD-9\r"),
                 "as mark3": case("--compat", "mark3"),
                 "after a move": case(clock="real:100").move_while_time_runs("E+20\rF+50\rD-9\r"),
                 "at a limit": case().move_in_standing_time("A+127\r"),
@@ -79,13 +90,21 @@ class Idle(unittest.TestCase):
             self.assertIsNotNone(cases["stalled"].monitor.get("stalled")["stalled"])
             self.assertEqual("limit", cases["at a limit"].monitor.get("tool")["tool"]["blocked"])
             sockets = [sock for case in cases.values() for sock in case.sockets()]
-            self.watch(sockets, LAST_TIMER_S)
+            self.take_all(sockets)
             before = {name: scheduling(case.server.pid) for name, case in cases.items()}
             self.watch(sockets, WATCHED_S)
             after = {name: scheduling(case.server.pid) for name, case in cases.items()}
             self.assertEqual(before, after)
             for case in cases.values():
                 case.asked.ask("F?")
+
+    def take_all(self, sockets):
+        """Reads what viewers are still sent, until nobody has been sent anything for a while."""
+        ends = time.monotonic() + DEADLINE_S
+        while ready := select.select(sockets, [], [], LAST_TIMER_S)[0]:
+            self.assertLess(time.monotonic(), ends, "they are sent more and more")
+            for sock in ready:
+                sock.recv(1 << 20)
 
     def watch(self, sockets, seconds):
         """Measures idleness: this waits for nothing, since nothing may come."""
