@@ -297,7 +297,7 @@ class Monitor:
             raise MonitorError(answer["error"])
         return answer
 
-    def call(self, fn, **arguments):
+    def call(self, fn, /, **arguments):
         """Carries out a call; returns the value of its result."""
         value = self.request("call", fn=fn, args=arguments)["value"]
         return monitor_schema.check_value(fn, value, "fields" not in arguments)
@@ -318,11 +318,9 @@ class Monitor:
         self._subscribed = True
         if "fields" in options:
             self._partial.add(channel)
-        before = len(self._kept)
         self.request("get", channel=channel, **options)
-        recalled = list(self._kept)[before:]
-        while len(self._kept) > before:
-            self._kept.pop()
+        recalled = [message for message in self._kept if message.get("id") == self._last_id]
+        self._kept = collections.deque(message for message in self._kept if "id" not in message)
         return recalled
 
     def get(self, *fields):

@@ -38,8 +38,9 @@ class Case(unittest.TestCase):
         """Puts a block between the open jaws and closes them."""
         tool = self.monitor.get("tool")["tool"]
         self.monitor.call("block_add", name=name, **SMALL | {"xyz_mm": tool["xyz_mm"], "yaw_deg": tool["net_roll_deg"]})
-        self.monitor.call("send", text="A-127\rA-127\r")
-        self.assertEqual(name, self.monitor.settle()["tool"]["holding"])
+        while not (state := self.monitor.settle())["tool"]["blocked"]:
+            self.monitor.call("send", text="A-60\r")
+        self.assertEqual(name, state["tool"]["holding"])
 
 
 class Blocks(Case):
