@@ -13,6 +13,10 @@ from support import LOCALHOST, MonitorError, Server, connect, run_xr3
 
 TOKEN = "correct-horse-battery-staple"
 WRONG = "correct-horse-battery-stable"
+CALLS = {"step": {"ticks": 1}, "run_until": {"tick": 5, "max_ticks": 5}, "pause": {}, "resume": {}, "rate": {"factor": 2},
+         "reset": {}, "home": {}, "send": {"text": "E+5\r"}, "input": {"input": 1, "value": True},
+         "block_move": {"name": "red", "yaw_deg": 1}, "block_remove": {"name": "red"}, "snapshot_save": {"inline": True},
+         "key": {"function": "display"}, "lines": {}, "line_disconnect": {"line": 1}, "describe": {}}
 
 
 class TokenFile:
@@ -55,8 +59,8 @@ class Tokens(Case):
         xr3 = self.guarded()
         with xr3.monitor() as monitor:
             self.assertEqual("read", monitor.hello["access"])
-            for fn in monitor.hello["calls"]:
-                self.refused("token_required", monitor, "call", fn=fn, args={"ticks": 1} if fn == "step" else {})
+            for fn, arguments in CALLS.items():
+                self.refused("token_required", monitor, "call", fn=fn, args=arguments)
             self.assertEqual(0, monitor.get("moving")["tick"])
             monitor.subscribe("state")
             self.assertEqual("state", monitor.read()["op"])

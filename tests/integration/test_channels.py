@@ -272,8 +272,6 @@ class InRealTime(unittest.TestCase):
         self.assertEqual("E127 D-60", counts(shown))
         for state in last:
             self.assertEqual(machine(shown), machine(state))
-            self.assertEqual(last[0]["seq"], state["seq"])
-            self.assertEqual(last[0], state)
 
 
 if __name__ == "__main__":
