@@ -32,6 +32,7 @@ class Warnings(unittest.TestCase):
         self.xr3 = self.enterContext(Server())
         self.viewer = self.enterContext(self.xr3.monitor())
         self.line = self.enterContext(self.xr3.line())
+        self.type("")  # the line is open now
         self.viewer.subscribe("event")
         self.assertEqual("line_open", self.viewer.recall("event")[0]["event"])
 
