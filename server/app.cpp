@@ -25,12 +25,6 @@ SimClock start_clock(const ClockChoice& choice) {
                                            : SimClock::real(choice.rate, wall_now());
 }
 
-std::string to_text(const tcp::endpoint& endpoint) {
-  const auto address = endpoint.address();
-  const std::string host = address.is_v6() ? "[" + address.to_string() + "]" : address.to_string();
-  return host + ":" + std::to_string(endpoint.port());
-}
-
 ListenError listen_error(const std::string& what, const tcp::endpoint& endpoint, ErrorCode error) {
   if (error == asio::error::address_in_use) {
     return {ExitCode::kPortInUse,
@@ -39,6 +33,20 @@ ListenError listen_error(const std::string& what, const tcp::endpoint& endpoint,
   }
   return {ExitCode::kBadInput, "cannot listen on " + to_text(endpoint) + " for the " + what +
                                    " port: " + error.message()};
+}
+
+template <class Port>
+void listen_on(Port& port, const std::string& what, const tcp::endpoint& endpoint) {
+  if (const ErrorCode error = port.listen(endpoint)) throw listen_error(what, endpoint, error);
+}
+
+// On ::1 as well, at the same port. Without IPv6 nobody misses it; but whoever asks for localhost must
+// not get to another program where the port was chosen.
+template <class Port>
+void listen_too(Port& port, const std::string& what, bool was_chosen) {
+  const tcp::endpoint endpoint{asio::ip::address_v6::loopback(), port.endpoint().port()};
+  const ErrorCode error = port.listen(endpoint);
+  if (error == asio::error::address_in_use && was_chosen) throw listen_error(what, endpoint, error);
 }
 
 std::string workcell_name(const ServeOptions& options) {
@@ -83,13 +91,13 @@ void App::run() {
 }
 
 void App::listen() {
-  const auto address =
-      asio::ip::make_address(options_.listen == "localhost" ? "127.0.0.1" : options_.listen);
-  const tcp::endpoint robot{address, options_.robot_port};
-  const tcp::endpoint monitor{address, options_.monitor_port};
-  if (const ErrorCode error = robot_port_.listen(robot)) throw listen_error("robot", robot, error);
-  if (const ErrorCode error = monitor_port_.listen(monitor))
-    throw listen_error("monitor", monitor, error);
+  const bool is_local = options_.listen == "localhost";
+  const auto address = asio::ip::make_address(is_local ? "127.0.0.1" : options_.listen);
+  listen_on(robot_port_, "robot", {address, options_.robot_port});
+  listen_on(monitor_port_, "monitor", {address, options_.monitor_port});
+  if (!is_local) return;
+  listen_too(robot_port_, "robot", options_.robot_port != 0);
+  listen_too(monitor_port_, "monitor", options_.monitor_port != 0);
 }
 
 // Only when everything is ready: whoever waits for this line or this file may connect at once.

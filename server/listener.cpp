@@ -2,6 +2,7 @@
 
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
+#include <boost/asio/ip/v6_only.hpp>
 #include <chrono>
 #include <utility>
 
@@ -13,34 +14,45 @@ constexpr std::chrono::milliseconds kRetryAfter{100};
 
 }  // namespace
 
+std::string to_text(const tcp::endpoint& endpoint) {
+  const auto address = endpoint.address();
+  const std::string host = address.is_v6() ? "[" + address.to_string() + "]" : address.to_string();
+  return host + ":" + std::to_string(endpoint.port());
+}
+
 ErrorCode Listener::listen(const tcp::endpoint& endpoint) {
   ErrorCode error;
-  acceptor_.open(endpoint.protocol(), error);
-  if (!error) acceptor_.set_option(tcp::acceptor::reuse_address(true), error);
-  if (!error) acceptor_.bind(endpoint, error);
-  if (!error) acceptor_.listen(asio::socket_base::max_listen_connections, error);
-  if (!error) acceptor_.non_blocking(true, error);
-  if (!error) endpoint_ = acceptor_.local_endpoint(error);
-  if (error) {
-    close();
-    return error;
-  }
-  asio::co_spawn(acceptor_.get_executor(), run(), asio::detached);
+  tcp::acceptor acceptor(io_);
+  acceptor.open(endpoint.protocol(), error);
+  if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
+  if (!error && endpoint.protocol() == tcp::v6())
+    acceptor.set_option(asio::ip::v6_only(true), error);
+  if (!error) acceptor.bind(endpoint, error);
+  if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
+  if (!error) acceptor.non_blocking(true, error);
+  if (error) return error;
+  if (acceptors_.empty()) endpoint_ = acceptor.local_endpoint(error);
+  tcp::acceptor& kept = acceptors_.emplace_back(std::move(acceptor));
+  asio::co_spawn(io_, run(kept), asio::detached);
   return error;
 }
 
-asio::awaitable<void> Listener::run() {
-  while (acceptor_.is_open()) {
-    const auto [error] = co_await acceptor_.async_wait(tcp::acceptor::wait_read, kAwait);
-    if (error || !acceptor_.is_open()) co_return;
-    accept_pending();
+asio::awaitable<void> Listener::run(tcp::acceptor& acceptor) {
+  while (acceptor.is_open()) {
+    const auto [error] = co_await acceptor.async_wait(tcp::acceptor::wait_read, kAwait);
+    if (error || !acceptor.is_open()) co_return;
+    accept_pending(acceptor);
   }
 }
 
 void Listener::accept_pending() {
+  for (tcp::acceptor& acceptor : acceptors_) accept_pending(acceptor);
+}
+
+void Listener::accept_pending(tcp::acceptor& acceptor) {
   ErrorCode error;
-  while (acceptor_.is_open() && !error) error = accept_one();
-  if (error == asio::error::would_block || error == asio::error::try_again || !acceptor_.is_open())
+  while (acceptor.is_open() && !error) error = accept_one(acceptor);
+  if (error == asio::error::would_block || error == asio::error::try_again || !acceptor.is_open())
     return;
   retry_.expires_after(kRetryAfter);
   retry_.async_wait([this](ErrorCode cancelled) {
@@ -48,10 +60,10 @@ void Listener::accept_pending() {
   });
 }
 
-ErrorCode Listener::accept_one() {
+ErrorCode Listener::accept_one(tcp::acceptor& acceptor) {
   ErrorCode error;
-  tcp::socket socket(acceptor_.get_executor());
-  acceptor_.accept(socket, error);
+  tcp::socket socket(io_);
+  acceptor.accept(socket, error);
   if (error == asio::error::connection_aborted) return {};
   if (error) return error;
   ErrorCode ignored;
@@ -63,7 +75,7 @@ ErrorCode Listener::accept_one() {
 
 void Listener::close() {
   ErrorCode ignored;
-  acceptor_.close(ignored);
+  for (tcp::acceptor& acceptor : acceptors_) acceptor.close(ignored);
   retry_.cancel();
 }
 

@@ -2,10 +2,15 @@
 #pragma once
 
 #include <functional>
+#include <list>
+#include <string>
 
 #include "server/asio.hpp"
 
 namespace xr3 {
+
+/// Address and port for people: `127.0.0.1:9600`, `[::1]:9600`.
+std::string to_text(const tcp::endpoint& endpoint);
 
 class Listener {
  public:
@@ -13,10 +18,12 @@ class Listener {
 
   /// `accepted` is called with each new connection, non-blocking and with TCP_NODELAY set.
   Listener(asio::io_context& io, Accepted accepted)
-      : acceptor_(io), retry_(io), accepted_(std::move(accepted)) {}
+      : io_(io), retry_(io), accepted_(std::move(accepted)) {}
 
-  /// Binds and starts to accept. Returns what went wrong; nothing is open then.
+  /// Binds and starts to accept, beside the endpoints that are open already. Returns what went wrong;
+  /// that endpoint is not open then.
   ErrorCode listen(const tcp::endpoint& endpoint);
+  /// The first one.
   tcp::endpoint endpoint() const { return endpoint_; }
 
   /// Takes every connection that waits in the kernel.
@@ -24,10 +31,12 @@ class Listener {
   void close();
 
  private:
-  asio::awaitable<void> run();
-  ErrorCode accept_one();
+  asio::awaitable<void> run(tcp::acceptor& acceptor);
+  void accept_pending(tcp::acceptor& acceptor);
+  ErrorCode accept_one(tcp::acceptor& acceptor);
 
-  tcp::acceptor acceptor_;
+  asio::io_context& io_;
+  std::list<tcp::acceptor> acceptors_;
   asio::steady_timer retry_;
   Accepted accepted_;
   tcp::endpoint endpoint_;

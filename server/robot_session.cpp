@@ -5,6 +5,7 @@
 #include <boost/asio/detached.hpp>
 #include <utility>
 
+#include "server/listener.hpp"
 #include "server/wall_clock.hpp"
 
 namespace xr3 {
@@ -18,7 +19,7 @@ constexpr std::size_t kMostArrived = 16 * 1024 * 1024;
 std::string name_of(const tcp::socket& socket) {
   ErrorCode error;
   const auto peer = socket.remote_endpoint(error);
-  return error ? "unknown" : peer.address().to_string() + ":" + std::to_string(peer.port());
+  return error ? "unknown" : to_text(peer);
 }
 
 }  // namespace
