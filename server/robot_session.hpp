@@ -42,7 +42,7 @@ class RobotSession : public std::enable_shared_from_this<RobotSession> {
  private:
   asio::awaitable<void> run();
   void take_in(std::size_t most);
-  std::size_t read();
+  std::size_t read(std::size_t most);
   void act(std::string_view bytes);
   void act_on_pending();
   void flush();

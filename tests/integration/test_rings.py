@@ -3,29 +3,15 @@ told with right counts, and it costs the server next to nothing."""
 # labels: serial
 
 import os
-import subprocess
-import sys
 import time
 import unittest
 
-from support import LOCALHOST, Monitor, Server, counts
+from garbage import pour_garbage
+from support import Monitor, Server, counts
 
 RING = {"event": 4096, "line": 1024}
 MIB = 1024  # KiB, in which /proc counts
 SMALL_BUFFER = 4096
-POUR = """
-import socket, sys, time
-sock = socket.create_connection(("%s", %d))
-garbage = bytes(number * 7 %% 256 for number in range(65536)).replace(b"A", b"z").replace(b"\\xff", b"z") * 4
-until = time.monotonic() + %f
-while time.monotonic() < until:
-    sock.sendall(garbage)
-"""
-
-
-def pour_garbage(port, seconds):
-    """A process of its own that writes as fast as the server takes it."""
-    return subprocess.Popen([sys.executable, "-c", POUR % (LOCALHOST, port, seconds)], stderr=subprocess.DEVNULL)
 
 
 def check_gaps(test, messages, channel):
