@@ -94,7 +94,7 @@ Applied Cell::take(const BytesIn& in, WallNs) {
 std::size_t Cell::take_piece(LineId id, Line& line, std::string_view bytes) {
   const WirePlace in{epoch_, state().tick, id, line.bytes_in()};
   const WirePlace out{epoch_, state().tick, id, line.output_end()};
-  const TelnetFilter telnet = line.telnet();
+  const std::optional<TelnetFilter> telnet = line.telnet();
   const std::size_t unsent = line.outbox().size();
   exchanges_.clear();
   const std::size_t taken = line.receive(bytes, simulation_, exchanges_);

@@ -74,12 +74,16 @@ Frames::Made& Frames::made_for(Film& film, const monitor::Selection& selection) 
   return film.made.emplace_back(Made{selection, 0, {}});
 }
 
+std::string Frames::content_of(const Film& film, const monitor::Selection& selection) {
+  if (!film.image && !selection.fields) return film.text;
+  if (film.image && !selection.fields) return image_text(*film.image, selection.encoding);
+  const Json members = film.image ? image_json(*film.image, selection.encoding) : film.members;
+  return monitor::text_of(chosen(members, selection.fields));
+}
+
 void Frames::make(const Film& film, Made& made) const {
   const monitor::Selection& selection = made.selection;
-  const Json members = film.image ? image_json(*film.image, selection.encoding) : film.members;
-  std::string content = selection.fields || film.image
-                            ? monitor::text_of(chosen(members, selection.fields))
-                            : film.text;
+  std::string content = content_of(film, selection);
   if (!made.frame.content || *made.frame.content != content)
     made.frame.content = std::make_shared<const std::string>(std::move(content));
   made.seq = made.frame.seq = film.seq;

@@ -48,6 +48,7 @@ class Frames {
   bool has_new_image(Film& film) const;
   Json members_now(monitor::Channel channel) const;
   Made& made_for(Film& film, const monitor::Selection& selection) const;
+  static std::string content_of(const Film& film, const monitor::Selection& selection);
   void make(const Film& film, Made& made) const;
 
   Cell& cell_;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,8 +38,10 @@ class Line {
   bool is_stranger() const { return is_stranger_; }
   /// Bytes that the guard still holds back.
   std::size_t held_bytes() const { return guard_.held().size(); }
-  /// As it is before the next byte.
-  const TelnetFilter& telnet() const { return telnet_; }
+  /// The filter as it is before the next byte; a monitor's line has none.
+  std::optional<TelnetFilter> telnet() const {
+    return kind_ == LineKind::kMonitor ? std::nullopt : std::optional(telnet_);
+  }
   LineKind kind() const { return telnet_.is_telnet() ? LineKind::kTelnet : kind_; }
 
   /// Bytes for the transport; whoever sends some removes them by sent().

@@ -2,13 +2,14 @@
 
 #include <poll.h>
 #include <spdlog/details/null_mutex.h>
+#include <spdlog/fmt/fmt.h>
 #include <spdlog/sinks/base_sink.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include <memory>
 
-#include "protocol/diagnostic.hpp"
+#include "protocol/note_words.hpp"
 
 namespace xr3 {
 namespace {
@@ -29,59 +30,37 @@ class PatientSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex>
   void flush_() override {}
 };
 
-std::string_view words(CloseReason reason) {
-  switch (reason) {
-    case CloseReason::kClientClosed: return "closed by its client";
-    case CloseReason::kStranger:
-      return "closed: it spoke HTTP or TLS, and not one byte of it has acted";
-    case CloseReason::kError: return "lost";
-    case CloseReason::kShutdown: return "closed: the server stops";
-    case CloseReason::kDisconnected: return "closed: a monitor disconnected it";
+// What the machine tells is for debugging, but for what a student has to know even if nothing was
+// asked: a stall, and warnings that come with time.
+spdlog::level::level_enum level_of(const CellNote& note) {
+  const auto* body = std::get_if<EventBody>(&note);
+  const bool matters = body == nullptr || std::holds_alternative<Stalled>(*body) ||
+                       std::holds_alternative<Warning>(*body);
+  return matters ? spdlog::level::info : spdlog::level::debug;
+}
+
+/// Where and with which code. What happened to lines, clock and model is named by its own sentence.
+std::string before(const CellEvent& event) {
+  const std::string at = " @" + std::to_string(event.tick) + ": ";
+  const bool is_named = !std::holds_alternative<EventBody>(event.note) &&
+                        !std::holds_alternative<ProblemNote>(event.note) &&
+                        !std::holds_alternative<SuppressedNote>(event.note);
+  if (is_named) return "cell" + at;
+  const std::string where = event.line ? "line " + std::to_string(*event.line) : "cell";
+  return where + at + std::string(code_of(event)) + ": ";
+}
+
+/// What the sentence leaves out.
+std::string behind(const CellNote& note) {
+  if (const auto* problem = std::get_if<ProblemNote>(&note)) {
+    return fmt::format("; byte {}{}", problem->offset,
+                       problem->count > 1 ? fmt::format(", {} in a row", problem->count) : "");
+  }
+  if (const auto* closed = std::get_if<LineClosedNote>(&note)) {
+    return fmt::format("; {} bytes in, {} out", closed->bytes_in, closed->bytes_out);
   }
   return "";
 }
-
-struct NoteLogger {
-  const CellEvent& event;
-  const Model& model;
-
-  std::string where() const {
-    return (event.line ? "line " + std::to_string(*event.line) : "cell") + " @" +
-           std::to_string(event.tick);
-  }
-  // What a student has to know even if nothing was asked: a stall, and warnings that come with time.
-  void operator()(const EventBody& body) const {
-    const bool matters =
-        std::holds_alternative<Stalled>(body) || std::holds_alternative<Warning>(body);
-    const auto level = matters ? spdlog::level::info : spdlog::level::debug;
-    if (!spdlog::should_log(level)) return;
-    spdlog::log(level, "{}: {}: {}", where(), code_of(body), describe(body, model));
-  }
-  void operator()(const ProblemNote& note) const {
-    spdlog::info("{}: {}: byte {}: {}{}", where(), note.code, note.offset, note.message,
-                 note.count > 1 ? " (" + std::to_string(note.count) + " in a row)" : "");
-  }
-  void operator()(const SuppressedNote& note) const {
-    spdlog::info("{}: suppressed: {} more warnings in that second", where(), note.count);
-  }
-  void operator()(const LineOpenedNote& note) const {
-    spdlog::info("{}: opened by {}", where(), note.peer);
-  }
-  void operator()(const LineClosedNote& note) const {
-    spdlog::info("{}: {}; {} bytes in, {} out", where(), words(note.reason), note.bytes_in,
-                 note.bytes_out);
-  }
-  void operator()(const ClockNote& note) const {
-    spdlog::info("{}: clock: {}", where(), note.call);
-  }
-  void operator()(const ModelNote& note) const {
-    spdlog::info("{}: workcell changed: {} {}", where(), note.call, note.name);
-  }
-  void operator()(const EpochNote& note) const {
-    spdlog::info("{}: reset: tick {} of epoch {} became tick 0", where(), note.from_tick,
-                 note.from_epoch);
-  }
-};
 
 }  // namespace
 
@@ -93,7 +72,9 @@ void start_log(const std::string& level) {
 }
 
 void log_event(const CellEvent& event, const Model& model) {
-  std::visit(NoteLogger{event, model}, event.note);
+  const auto level = level_of(event.note);
+  if (!spdlog::should_log(level)) return;
+  spdlog::log(level, "{}{}{}", before(event), describe(event, model), behind(event.note));
 }
 
 }  // namespace xr3

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "protocol/diagnostic.hpp"
+#include "protocol/note_words.hpp"
 #include "protocol/saved_cell_json.hpp"
 #include "protocol/snapshot_json.hpp"
 #include "server/digest.hpp"
@@ -56,15 +57,6 @@ std::optional<monitor::RequestError> misfit(const Model& model, const call::Call
 monitor::Message refused(const monitor::RequestId& id, monitor::RequestError error) {
   error.id = id;
   return monitor::result(error);
-}
-
-const char* name_of(LineKind kind) {
-  switch (kind) {
-    case LineKind::kRaw: return "raw";
-    case LineKind::kTelnet: return "telnet";
-    case LineKind::kMonitor: return "monitor";
-  }
-  return "";
 }
 
 Json line_json(LineId id, const Line& line) {

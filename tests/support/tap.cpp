@@ -8,7 +8,8 @@
 namespace xr3::test {
 
 Tap::Tap(ModelPtr model)
-    : simulation_(std::move(model)), line_(simulation_.model().profile(), LineKind::kRaw, "test", 0) {}
+    : simulation_(std::move(model)),
+      line_(simulation_.model().profile(), LineKind::kRaw, "test", 0) {}
 
 std::string Tap::send(std::string_view bytes) {
   const std::size_t first = records_.size();
@@ -25,7 +26,7 @@ std::string Tap::send(std::string_view bytes) {
 void Tap::receive(std::string_view bytes) {
   simulation_.take_events();
   exchanges_.clear();
-  const TelnetFilter before = line_.telnet();
+  const std::optional<TelnetFilter> before = line_.telnet();
   const Tick tick = simulation_.tick();
   const WirePlace in{0, tick, 1, line_.bytes_in()};
   const WirePlace out{0, tick, 1, line_.output_end()};
