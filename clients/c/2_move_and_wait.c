@@ -1,0 +1,37 @@
+/* 2. Move and wait: send a joint somewhere, and ask until it has arrived.
+
+       build/2_move_and_wait [HOST [PORT]] */
+
+#include <stdio.h>
+
+#include "robot.h"
+
+/* Asks how far there is still to go until nothing is left. Between two questions it does nothing
+   for a while. */
+static void wait_for(int joint) {
+  int left = robot_to_go(joint);
+  while (left > 0) {
+    printf("  %d counts to go\n", left);
+    wait_ms(50);
+    left = robot_to_go(joint);
+  }
+  printf("%c is there\n", LETTERS[joint]);
+}
+
+int main(int argc, char *argv[]) {
+  robot_connect(argc, argv);
+
+  /* The shoulder shall turn by 50 counts of its encoder. The carriage return tells the robot that
+     the number ends here. It starts to move, and answers nothing: so we ask. */
+  printf("E+50\n");
+  robot_send("E+50\r");
+  wait_for(E);
+
+  /* The same for the base, the other way round. */
+  printf("F-40\n");
+  robot_send("F-40\r");
+  wait_for(F);
+
+  robot_close();
+  return 0;
+}

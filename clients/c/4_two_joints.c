@@ -1,0 +1,32 @@
+/* 4. Two joints at once, with speeds: base and shoulder start together and arrive together.
+
+       build/4_two_joints [HOST [PORT]] */
+
+#include <stdio.h>
+
+#include "robot.h"
+
+int main(int argc, char *argv[]) {
+  robot_connect(argc, argv);
+
+  /* A number with an S behind it is a speed, in counts a second. E has twice as far to go as F,
+     so it gets twice the speed. */
+  robot_send("F40S E80S\r");
+  printf("F runs at 40 counts a second, E at 80\n");
+
+  /* Each joint has a motor of its own, and the robot does not wait: both run from here on. */
+  robot_send("F+40 E+80\r");
+  printf("F+40 E+80\n");
+
+  int f = robot_to_go(F), e = robot_to_go(E);
+  while (f > 0 || e > 0) {
+    printf("  F %d, E %d counts to go\n", f, e);
+    wait_ms(50);
+    f = robot_to_go(F);
+    e = robot_to_go(E);
+  }
+  printf("both are there\n");
+
+  robot_close();
+  return 0;
+}

@@ -1,0 +1,67 @@
+/* 5. Pick and place at known positions: take the red block from where it lies, and put it
+   somewhere else.
+
+       build/5_pick_and_place [HOST [PORT]]
+
+   The arm has to be at its soft home, as it is when the simulator starts, or after 3_home. */
+
+#include <stdio.h>
+
+#include "robot.h"
+
+/* How far the jaws, joint A, are open: A is 50.8 mm open at count 0, and a count is 0.79375 mm. */
+enum { OPEN = 16 };
+
+/* Where the motors have to be, in counts from the soft home, for the tool to be at a place.
+   `xr3 kin --pose 262,0,20 --down 90` works out the first one: the middle of the red block, x 262,
+   y 0 and z 20 mm, turned by 90 degrees. "Above" is 100 mm higher up. On a real arm one would drive
+   there by hand and write the counts down. */
+/*                                  F    E     D  C    B */
+static const int ABOVE_BLOCK[5] = { 0, 242, -440, 0,   0 };
+static const int AT_BLOCK[5] =    { 0, 449, -625, 0,   0 };
+static const int ABOVE_PLACE[5] = { 0, 483, -238, 0, 288 }; /* x 400, y 0, not turned */
+static const int AT_PLACE[5] =    { 0, 623, -354, 0, 288 };
+static const int HOME[5] =        { 0,   0,    0, 0,   0 };
+
+/* Brings the arm there, all joints together, and leaves the jaws as they are. A single move is at
+   most 127 counts long, so robot_go sends several, and waits after each. */
+static void go(const int place[5]) {
+  const int wanted[JOINTS] = {place[F], place[E], place[D], place[C], place[B], at[A]};
+  robot_go(wanted);
+}
+
+static void open_jaws(void) {
+  const int wanted[JOINTS] = {at[F], at[E], at[D], at[C], at[B], OPEN};
+  robot_go(wanted);
+}
+
+int main(int argc, char *argv[]) {
+  robot_connect(argc, argv);
+
+  open_jaws();
+  printf("the jaws are open\n");
+  go(ABOVE_BLOCK);
+  printf("above the block\n");
+  go(AT_BLOCK);
+
+  /* Close the jaws much further than the block lets them. They stop at the block, and what is left
+     to go tells how wide it is. robot_wait also clears what is left (AX), or the jaws would go on
+     pressing. */
+  robot_send("A-100\r");
+  at[A] -= 100 - robot_wait(A);
+  printf("the jaws closed on %.1f mm\n", 50.8 + 0.79375 * at[A]);
+
+  go(ABOVE_BLOCK);
+  printf("lifted\n");
+  go(ABOVE_PLACE);
+  go(AT_PLACE);
+  printf("at its new place\n");
+  open_jaws();
+  printf("let go\n");
+  go(ABOVE_PLACE);
+  go(HOME);
+  printf("back at the start\n");
+
+  robot_close();
+  return 0;
+}
