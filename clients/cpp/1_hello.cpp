@@ -1,0 +1,59 @@
+// 1. Hello: connect to the robot, ask it two questions, print the answers.
+//
+//     build/1_hello [HOST [PORT]]
+//
+// A robot on a serial line knows no lines of text and no "OK". It answers a question with one byte,
+// and everything else with silence.
+
+#include <netdb.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+std::string setting(const char* name, const std::string& otherwise) {
+  const char* value = std::getenv(name);
+  return value ? value : otherwise;
+}
+
+int main(int argc, char* argv[]) {
+  // Where the robot is: from the arguments, else from the environment, else this machine.
+  const std::string host = argc > 1 ? argv[1] : setting("XR3_HOST", "localhost");
+  const std::string port = argc > 2 ? argv[2] : setting("XR3_PORT", "9600");
+
+  // A name may have several addresses; the first one that answers is taken.
+  addrinfo wanted{};
+  wanted.ai_socktype = SOCK_STREAM;
+  addrinfo* addresses = nullptr;
+  if (getaddrinfo(host.c_str(), port.c_str(), &wanted, &addresses) != 0) {
+    std::cerr << "no such host: " << host << "\n";
+    return 1;
+  }
+  int robot = -1;
+  for (const addrinfo* a = addresses; a && robot < 0; a = a->ai_next) {
+    robot = socket(a->ai_family, a->ai_socktype, a->ai_protocol);
+    if (connect(robot, a->ai_addr, a->ai_addrlen) != 0) {
+      close(robot);
+      robot = -1;
+    }
+  }
+  freeaddrinfo(addresses);
+  if (robot < 0) {
+    std::cerr << "no robot at " << host << " port " << port << "\n";
+    return 1;
+  }
+
+  // How far has the shoulder, joint E, still to go? The answer is counted from 32, the code of a
+  // blank, so that it can be printed: a blank means 0 counts to go, "!" means 1, and so on.
+  unsigned char reply = 0;
+  if (write(robot, "E?", 2) != 2 || read(robot, &reply, 1) != 1) return 1;
+  std::cout << "E? is answered by " << int{reply} << ": " << reply - 32 << " counts to go\n";
+
+  // Which microswitches are closed? Again 32 is added; each switch has a bit of its own.
+  if (write(robot, "I", 1) != 1 || read(robot, &reply, 1) != 1) return 1;
+  std::cout << "I is answered by " << int{reply} << ": switches " << reply - 32 << "\n";
+
+  close(robot);
+}

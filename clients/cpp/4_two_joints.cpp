@@ -1,0 +1,30 @@
+// 4. Two joints at once, with speeds: base and shoulder start together and arrive together.
+//
+//     build/4_two_joints [HOST [PORT]]
+
+#include <iostream>
+
+#include "robot.hpp"
+
+int main(int argc, char* argv[]) {
+  Robot robot(argc, argv);
+
+  // A number with an S behind it is a speed, in counts a second. E has twice as far to go as F,
+  // so it gets twice the speed.
+  robot.send("F40S E80S\r");
+  std::cout << "F runs at 40 counts a second, E at 80\n";
+
+  // Each joint has a motor of its own, and the robot does not wait: both run from here on.
+  robot.send("F+40 E+80\r");
+  std::cout << "F+40 E+80\n";
+
+  int f = robot.to_go('F');
+  int e = robot.to_go('E');
+  while (f > 0 || e > 0) {
+    std::cout << "  F " << f << ", E " << e << " counts to go\n";
+    Robot::pause();
+    f = robot.to_go('F');
+    e = robot.to_go('E');
+  }
+  std::cout << "both are there\n";
+}
