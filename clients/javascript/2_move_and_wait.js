@@ -1,0 +1,36 @@
+// 2. Move and wait: send a joint somewhere, and ask until it has arrived.
+//
+//     node 2_move_and_wait.js [HOST [PORT]]
+
+const { Robot } = require("./robot");
+
+const robot = new Robot();
+
+// Asks how far there is still to go until nothing is left. Between two questions it does nothing
+// for a while.
+async function waitFor(joint) {
+  let left = await robot.toGo(joint);
+  while (left > 0) {
+    console.log(`  ${left} counts to go`);
+    await robot.pause();
+    left = await robot.toGo(joint);
+  }
+  console.log(`${joint} is there`);
+}
+
+async function main() {
+  // The shoulder shall turn by 50 counts of its encoder. The carriage return tells the robot that
+  // the number ends here. It starts to move, and answers nothing: so we ask.
+  console.log("E+50");
+  robot.send("E+50\r");
+  await waitFor("E");
+
+  // The same for the base, the other way round.
+  console.log("F-40");
+  robot.send("F-40\r");
+  await waitFor("F");
+
+  robot.close();
+}
+
+main();

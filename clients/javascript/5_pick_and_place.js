@@ -1,0 +1,52 @@
+// 5. Pick and place at known positions: take the red block from where it lies, and put it somewhere
+// else.
+//
+//     node 5_pick_and_place.js [HOST [PORT]]
+//
+// The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.js.
+
+const { Robot } = require("./robot");
+
+// Where the motors have to be, in counts from the soft home, for the tool to be at a place. `xr3
+// kin --pose 262,0,20 --down 90` works out the one of the block: its middle is at x 262, y 0 and
+// z 20 mm, and it is turned by 90 degrees. "Above" is 100 mm higher up. On a real arm one would
+// drive there by hand and write the counts down.
+const aboveBlock = { F: 0, E: 242, D: -440, C: 0, B: 0 };
+const atBlock = { F: 0, E: 449, D: -625, C: 0, B: 0 };
+const abovePlace = { F: 0, E: 483, D: -238, C: 0, B: 288 }; // x 400, y 0, not turned
+const atPlace = { F: 0, E: 623, D: -354, C: 0, B: 288 };
+const home = { F: 0, E: 0, D: 0, C: 0, B: 0 };
+
+const robot = new Robot();
+
+async function main() {
+  // robot.go() brings all joints to these counts together. A single move is at most 127 counts
+  // long, so go() sends several, and waits after each.
+  await robot.go({ A: 16 });
+  console.log("the jaws are open");
+  await robot.go(aboveBlock);
+  console.log("above the block");
+  await robot.go(atBlock);
+
+  // Close the jaws much further than the block lets them. They stop at the block, and what is
+  // left to go tells how wide it is: A is 50.8 mm open at count 0, and a count is 0.79375 mm.
+  // wait() also clears what is left (AX), or the jaws would go on pressing.
+  robot.send("A-100\r");
+  robot.at.A -= 100 - (await robot.wait("A"));
+  console.log(`the jaws closed on ${(50.8 + 0.79375 * robot.at.A).toFixed(1)} mm`);
+
+  await robot.go(aboveBlock);
+  console.log("lifted");
+  await robot.go(abovePlace);
+  await robot.go(atPlace);
+  console.log("at its new place");
+  await robot.go({ A: 16 });
+  console.log("let go");
+  await robot.go(abovePlace);
+  await robot.go(home);
+  console.log("back at the start");
+
+  robot.close();
+}
+
+main();
