@@ -1,0 +1,30 @@
+// 4. Two joints at once, with speeds: base and shoulder start together and arrive together.
+//
+//     java -cp build 4_two_joints.java [HOST [PORT]]
+
+class TwoJoints {
+    public static void main(String[] args) throws Exception {
+        Robot robot = new Robot(args);
+
+        // A number with an S behind it is a speed, in counts a second. E has twice as far to go
+        // as F, so it gets twice the speed.
+        robot.send("F40S E80S\r");
+        System.out.println("F runs at 40 counts a second, E at 80");
+
+        // Each joint has a motor of its own, and the robot does not wait: both run from here on.
+        robot.send("F+40 E+80\r");
+        System.out.println("F+40 E+80");
+
+        int f = robot.toGo("F");
+        int e = robot.toGo("E");
+        while (f > 0 || e > 0) {
+            System.out.println("  F " + f + ", E " + e + " counts to go");
+            robot.pause();
+            f = robot.toGo("F");
+            e = robot.toGo("E");
+        }
+        System.out.println("both are there");
+
+        robot.close();
+    }
+}

@@ -1,0 +1,156 @@
+// 6. Find with the camera and pick: look at the table, find the largest block wherever it lies,
+// take it, put it down elsewhere, and look again.
+//
+//     java -cp build 6_find_and_pick.java [HOST [PORT]]
+//
+// The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.java.
+
+import java.util.Map;
+
+class FindAndPick {
+    // The camera looks straight down on a square of 384 mm about x 290, y 0, in 192 x 192 pixels of
+    // 2 mm. A byte of the picture has six pixels.
+    static final int PIXELS = 192;
+    static final int ROW_BYTES = PIXELS / 6;
+
+    static final int OPEN = 16; // counts of the open jaws
+    static final double Z = 20; // the largest block is 40 mm high: this is its middle
+    static final double ABOVE = 100; // how far above it the tool comes and goes, mm
+
+    /** A place on the table: millimetres, and the direction of a block's long side in degrees. */
+    record Place(double x, double y, double angle) {}
+
+    /** Sums over the pixels of one patch, from which its middle and its angle follow. */
+    static class Patch {
+        double n, x, y, xx, yy, xy;
+
+        void add(double px, double py) {
+            n += 1;
+            x += px;
+            y += py;
+            xx += px * px;
+            yy += py * py;
+            xy += px * py;
+        }
+
+        /**
+         * The middle is the average of the pixels. The long side points where they are spread
+         * most; the formula is that of the principal axis of inertia.
+         */
+        Place measure() {
+            double mx = x / n;
+            double my = y / n;
+            double spreadX = xx / n - mx * mx;
+            double spreadY = yy / n - my * my;
+            double both = xy / n - mx * my;
+            double angle = Math.toDegrees(Math.atan2(2 * both, spreadX - spreadY) / 2);
+            return new Place(mx, my, angle < 0 ? angle + 180 : angle);
+        }
+    }
+
+    static Robot robot;
+
+    /**
+     * Asks for the whole picture and returns its rows from the top, true where the camera sees a
+     * block. The leftmost of six pixels is the highest bit, and 32 is added to each byte.
+     */
+    static boolean[][] look() throws Exception {
+        robot.send("A**");
+        byte[] bytes = robot.read(PIXELS * ROW_BYTES);
+        boolean[][] picture = new boolean[PIXELS][PIXELS];
+        for (int row = 0; row < PIXELS; row++) {
+            for (int column = 0; column < PIXELS; column++) {
+                int six = bytes[row * ROW_BYTES + column / 6] - 32;
+                picture[row][column] = (six >> (5 - column % 6) & 1) == 1;
+            }
+        }
+        return picture;
+    }
+
+    /**
+     * Adds this pixel and all that hang together with it to the patch, and takes them out of the
+     * picture, so that none is counted twice.
+     */
+    static void collect(boolean[][] picture, int row, int column, Patch patch) {
+        if (row < 0 || row >= PIXELS || column < 0 || column >= PIXELS) return;
+        if (!picture[row][column]) return;
+        picture[row][column] = false;
+        patch.add(290 - 192 + 2 * (column + 0.5), 0 + 192 - 2 * (row + 0.5));
+        collect(picture, row, column + 1, patch);
+        collect(picture, row, column - 1, patch);
+        collect(picture, row + 1, column, patch);
+        collect(picture, row - 1, column, patch);
+    }
+
+    static Place findLargest() throws Exception {
+        boolean[][] picture = look();
+        Patch largest = new Patch();
+        int patches = 0;
+        for (int row = 0; row < PIXELS; row++) {
+            for (int column = 0; column < PIXELS; column++) {
+                Patch patch = new Patch();
+                collect(picture, row, column, patch);
+                if (patch.n > 0) patches++;
+                if (patch.n > largest.n) largest = patch;
+            }
+        }
+        System.out.println("blocks in the picture: " + patches);
+        Place found = largest.measure();
+        System.out.printf("the largest is at x %.0f, y %.0f mm, turned %.0f degrees%n",
+                found.x(), found.y(), found.angle());
+        return found;
+    }
+
+    /**
+     * Inverse kinematics: brings the tool to a place at the height z, pointing down. Seen from
+     * the side, upper arm and forearm, 228.6 mm each, are two sides of a triangle; the third one
+     * leads from the shoulder, 260.4 mm above the table, to the wrist, which is 168.3 mm above
+     * the tip and 9.5 mm nearer to the base. Each motor sets the slope of one link, whatever the
+     * others do.
+     */
+    static void goTo(Place place, double z) throws Exception {
+        double out = Math.hypot(place.x(), place.y()) - 9.5;
+        double up = z + 168.3 - 260.4;
+        double base = Math.toDegrees(Math.atan2(place.y(), place.x()));
+        double slope = Math.toDegrees(Math.atan2(up, out));
+        double corner = Math.toDegrees(Math.acos(Math.hypot(out, up) / 2 / 228.6));
+        double upperArm = slope + corner;
+        double forearm = slope - corner;
+        // A block looks the same after half a turn, so the roll may be anything from -90 to 90.
+        double roll = base - place.angle() + 90;
+        roll -= 180 * Math.round(roll / 180);
+        robot.go(Robot.arm(counts(base / 0.2269), counts((90 - upperArm) / 0.1135),
+                counts(forearm / 0.1135), 0, counts(roll / 0.3125)));
+    }
+
+    static int counts(double exact) {
+        return (int) Math.round(exact);
+    }
+
+    public static void main(String[] args) throws Exception {
+        robot = new Robot(args);
+        Place block = findLargest();
+
+        robot.go(Map.of("A", OPEN));
+        goTo(block, Z + ABOVE);
+        goTo(block, Z);
+        robot.send("A-100\r"); // as in example 5
+        int jaws = OPEN - (100 - robot.waitFor("A"));
+        robot.at.put("A", jaws);
+        System.out.printf("the jaws closed on %.1f mm%n", 50.8 + 0.79375 * jaws);
+        goTo(block, Z + ABOVE);
+
+        Place target = new Place(392, 60, 90); // a free place, the block's long side along y
+        goTo(target, Z + ABOVE);
+        goTo(target, Z);
+        robot.go(Map.of("A", OPEN));
+        goTo(target, Z + ABOVE);
+        System.out.printf("put down at x %.0f, y %.0f mm%n", target.x(), target.y());
+
+        findLargest();
+        robot.go(Robot.arm(0, 0, 0, 0, 0));
+        System.out.println("back at the start");
+
+        robot.close();
+    }
+}
