@@ -1,0 +1,52 @@
+// 5. Pick and place at known positions: take the red block from where it lies, and put it somewhere
+// else.
+//
+//     build/5_pick_and_place [HOST [PORT]]
+//
+// The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.
+
+mod robot;
+use robot::{Robot, JAWS};
+use std::io::Result;
+
+// Where the motors have to be, in counts from the soft home, for the tool to be at a place.
+// `xr3 kin --pose 262,0,20 --down 90` works out the one of the block: its middle is at x 262, y 0
+// and z 20 mm, and it is turned by 90 degrees. "Above" is 100 mm higher up. On a real arm one would
+// drive there by hand and write the counts down.
+//                            F    E     D  C    B
+const ABOVE_BLOCK: [i32; 5] = [0, 242, -440, 0, 0];
+const AT_BLOCK: [i32; 5] = [0, 449, -625, 0, 0];
+const ABOVE_PLACE: [i32; 5] = [0, 483, -238, 0, 288]; // x 400, y 0, not turned
+const AT_PLACE: [i32; 5] = [0, 623, -354, 0, 288];
+const HOME: [i32; 5] = [0, 0, 0, 0, 0];
+
+fn main() -> Result<()> {
+    let mut robot = Robot::connect()?;
+
+    // go_arm() brings all joints to these counts together. A single move is at most 127 counts
+    // long, so it sends several, and waits after each.
+    robot.go_jaws(16)?;
+    println!("the jaws are open");
+    robot.go_arm(ABOVE_BLOCK)?;
+    println!("above the block");
+    robot.go_arm(AT_BLOCK)?;
+
+    // Close the jaws much further than the block lets them. They stop at the block, and what is
+    // left to go tells how wide it is: A is 50.8 mm open at count 0, and a count is 0.79375 mm.
+    // wait() also clears what is left (AX), or the jaws would go on pressing.
+    robot.send("A-100\r")?;
+    robot.at[JAWS] -= 100 - robot.wait('A')?;
+    println!("the jaws closed on {:.1} mm", 50.8 + 0.79375 * f64::from(robot.at[JAWS]));
+
+    robot.go_arm(ABOVE_BLOCK)?;
+    println!("lifted");
+    robot.go_arm(ABOVE_PLACE)?;
+    robot.go_arm(AT_PLACE)?;
+    println!("at its new place");
+    robot.go_jaws(16)?;
+    println!("let go");
+    robot.go_arm(ABOVE_PLACE)?;
+    robot.go_arm(HOME)?;
+    println!("back at the start");
+    Ok(())
+}
