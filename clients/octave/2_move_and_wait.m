@@ -1,0 +1,33 @@
+% 2. Move and wait: send a joint somewhere, and ask until it has arrived.
+%
+%     octave-cli 2_move_and_wait.m [HOST [PORT]]
+
+robot = robot_connect();
+
+% The shoulder shall turn by 50 counts of its encoder. The carriage return tells the robot that the
+% number ends here.
+fprintf('E+50\n');
+robot_send(robot, 'E+50\r');
+
+% It starts to move, and answers nothing: so we ask how far there is still to go, until nothing is
+% left. Between two questions we do nothing for a while.
+left = robot_to_go(robot, 'E');
+while left > 0
+  fprintf('  %d counts to go\n', left);
+  pause(0.05);
+  left = robot_to_go(robot, 'E');
+end
+fprintf('E is there\n');
+
+% The same for the base, the other way round.
+fprintf('F-40\n');
+robot_send(robot, 'F-40\r');
+left = robot_to_go(robot, 'F');
+while left > 0
+  fprintf('  %d counts to go\n', left);
+  pause(0.05);
+  left = robot_to_go(robot, 'F');
+end
+fprintf('F is there\n');
+
+clear robot

@@ -1,0 +1,64 @@
+function place = find_largest(robot)
+% Looks at the table and returns where the largest block lies: x and y of its middle in mm, and the
+% angle of its long side in degrees.
+%
+% The camera looks straight down on a square of 384 mm about x 290, y 0, in 192 x 192 pixels of 2
+% mm.
+  pixels = 192;
+
+  % The whole picture: rows from the top, six pixels a byte, the leftmost of them in the highest
+  % bit, and 32 added to each byte.
+  robot_send(robot, 'A**');
+  bytes = double(read(robot.line, pixels * pixels / 6)) - 32;
+  six = zeros(6, numel(bytes));
+  for bit = 1:6
+    six(bit, :) = bitget(bytes, 7 - bit);
+  end
+  picture = reshape(six, pixels, pixels)';  % picture(row, column)
+
+  % Patches of ones that hang together, one after the other; the largest is kept.
+  patches = 0;
+  largest = [];
+  while any(picture(:))
+    [picture, patch] = take_patch(picture);
+    patches = patches + 1;
+    if size(patch, 1) > size(largest, 1)
+      largest = patch;
+    end
+  end
+  fprintf('blocks in the picture: %d\n', patches);
+
+  % The middle is the average of the pixels. The long side points where they are spread most; the
+  % formula is that of the principal axis of inertia.
+  x = 290 - 192 + 2 * (largest(:, 2) - 0.5);
+  y = 0 + 192 - 2 * (largest(:, 1) - 0.5);
+  place.x = mean(x);
+  place.y = mean(y);
+  xx = mean((x - place.x) .^ 2);
+  yy = mean((y - place.y) .^ 2);
+  xy = mean((x - place.x) .* (y - place.y));
+  place.angle = mod(atan2(2 * xy, xx - yy) / 2 * 180 / pi, 180);
+  fprintf('the largest is at x %.0f, y %.0f mm, turned %.0f degrees\n', ...
+          place.x, place.y, place.angle);
+end
+
+function [picture, patch] = take_patch(picture)
+% Takes the first one of the picture and all that hang together with it out of the picture. A row of
+% `patch` is [row column] of a pixel.
+  [row, column] = find(picture, 1);
+  picture(row, column) = 0;
+  patch = [row column];
+  next = 1;
+  while next <= size(patch, 1)  % every pixel of the patch, which grows meanwhile
+    for step = [0 0 1 -1; 1 -1 0 0]
+      row = patch(next, 1) + step(1);
+      column = patch(next, 2) + step(2);
+      inside = row >= 1 && row <= size(picture, 1) && column >= 1 && column <= size(picture, 2);
+      if inside && picture(row, column)
+        picture(row, column) = 0;
+        patch(end + 1, :) = [row column];
+      end
+    end
+    next = next + 1;
+  end
+end

@@ -1,0 +1,23 @@
+function robot = robot_go(robot, wanted)
+% Brings the motors to these counts together, in parts small enough for the error counter: base,
+% shoulder, elbow, pitch, roll, and the jaws if there is a sixth number. Use it as
+%     robot = robot_go(robot, [0 0 0 0 0]);
+  start = robot.at;
+  moving = 1:numel(wanted);
+  parts = ceil(max(abs(wanted - start(moving))) / 60);  % no move is longer than 60 counts
+  for part = 1:parts
+    next = start;
+    next(moving) = start(moving) + round((wanted - start(moving)) * part / parts);
+    for j = moving
+      if next(j) ~= robot.at(j)
+        robot_send(robot, '%s%+d\r', robot.joints(j), next(j) - robot.at(j));
+      end
+    end
+    for j = moving
+      if robot_wait(robot, robot.joints(j)) > 0
+        error('%s stands and is not where it was sent', robot.joints(j));
+      end
+    end
+    robot.at = next;
+  end
+end
