@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# 1. Hello: connect to the robot, ask it two questions, print the answers.
+#
+#     ./1_hello.sh [HOST [PORT]]
+#
+# A robot on a serial line knows no lines of text and no "OK". It answers a question with one byte,
+# and everything else with silence.
+
+# Where the robot is: from the arguments, else from the environment, else this machine.
+host=${1:-${XR3_HOST:-localhost}}
+port=${2:-${XR3_PORT:-9600}}
+
+# E? asks how far the shoulder, joint E, has still to go; I asks which microswitches are closed.
+# netcat (nc) carries the four bytes there and the two answers back; -N closes the line behind our
+# last byte. od writes the bytes that come back as numbers.
+answers=$(printf 'E?I' | nc -N "$host" "$port" | od -An -tu1)
+read -r to_go switches <<<"$answers"
+
+# The answer is counted from 32, the code of a blank, so that it can be printed: a blank means 0
+# counts to go, "!" means 1, and so on. The same with the switches; each has a bit of its own.
+echo "E? is answered by $to_go: $((to_go - 32)) counts to go"
+echo "I is answered by $switches: switches $((switches - 32))"

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# 2. Move and wait: send a joint somewhere, and ask until it has arrived.
+#
+#     ./2_move_and_wait.sh [HOST [PORT]]
+
+cd "$(dirname "$0")" || exit
+. ./robot.sh "$@"
+
+# Asks how far there is still to go until nothing is left. Between two questions it does nothing
+# for a while.
+wait_for() {
+  robot_to_go "$1"
+  while [ "$left" -gt 0 ]; do
+    echo "  $left counts to go"
+    sleep 0.05
+    robot_to_go "$1"
+  done
+  echo "$1 is there"
+}
+
+# The shoulder shall turn by 50 counts of its encoder. The carriage return tells the robot that the
+# number ends here. It starts to move, and answers nothing: so we ask.
+echo 'E+50'
+robot_send 'E+50\r'
+wait_for E
+
+# The same for the base, the other way round.
+echo 'F-40'
+robot_send 'F-40\r'
+wait_for F

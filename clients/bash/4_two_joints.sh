@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# 4. Two joints at once, with speeds: base and shoulder start together and arrive together.
+#
+#     ./4_two_joints.sh [HOST [PORT]]
+
+cd "$(dirname "$0")" || exit
+. ./robot.sh "$@"
+
+# A number with an S behind it is a speed, in counts a second. E has twice as far to go as F, so it
+# gets twice the speed.
+robot_send 'F40S E80S\r'
+echo 'F runs at 40 counts a second, E at 80'
+
+# Each joint has a motor of its own, and the robot does not wait: both run from here on.
+robot_send 'F+40 E+80\r'
+echo 'F+40 E+80'
+
+ask_both() {
+  robot_to_go F
+  f=$left
+  robot_to_go E
+  e=$left
+}
+
+ask_both
+while [ "$f" -gt 0 ] || [ "$e" -gt 0 ]; do
+  echo "  F $f, E $e counts to go"
+  sleep 0.05
+  ask_both
+done
+echo 'both are there'

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# 6. Find with the camera and pick: look at the table, find the largest block wherever it lies, take
+# it, put it down elsewhere, and look again.
+#
+#     ./6_find_and_pick.sh [HOST [PORT]]
+#
+# The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.sh. This
+# is where the shell's own language ends: it knows whole numbers only. What needs a sine or a
+# picture is done by awk, in find_largest.awk and counts_at.awk.
+
+cd "$(dirname "$0")" || exit
+. ./robot.sh "$@"
+
+z=20        # the largest block is 40 mm high: this is its middle
+above=100   # how far above it the tool comes and goes, mm
+jaws_open=16
+
+# The camera's picture is 192 rows of 32 bytes; od writes them as numbers, a row on a line. Leaves
+# in $x, $y and $angle where the largest block lies.
+look() {
+  local patches
+  robot_send 'A**'
+  read -r patches x y angle < <(head -c 6144 <&"$from_robot" | od -An -v -tu1 -w32 |
+    awk -f find_largest.awk) || exit
+  echo "blocks in the picture: $patches"
+  printf 'the largest is at x %.0f, y %.0f mm, turned %.0f degrees\n' "$x" "$y" "$angle"
+}
+
+# go_to X Y ANGLE Z: brings the tool there, pointing down.
+go_to() {
+  local counts
+  read -r -a counts < <(awk -v x="$1" -v y="$2" -v angle="$3" -v z="$4" -f counts_at.awk)
+  robot_go "${counts[@]}"
+}
+
+look
+robot_go A $jaws_open
+go_to "$x" "$y" "$angle" $((z + above))
+go_to "$x" "$y" "$angle" $z
+robot_send 'A-100\r' # as in example 5
+robot_wait A
+at[A]=$((jaws_open - (100 - left)))
+awk -v jaws="${at[A]}" 'BEGIN { printf "the jaws closed on %.1f mm\n", 50.8 + 0.79375 * jaws }'
+go_to "$x" "$y" "$angle" $((z + above))
+
+# A free place, the block's long side along y.
+go_to 392 60 90 $((z + above))
+go_to 392 60 90 $z
+robot_go A $jaws_open
+go_to 392 60 90 $((z + above))
+echo 'put down at x 392, y 60 mm'
+
+look
+robot_go F 0 E 0 D 0 C 0 B 0
+echo 'back at the start'
