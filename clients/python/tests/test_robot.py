@@ -140,6 +140,14 @@ class AtTheMonitor(WithServer):
         self.monitor.settle()
         self.assertEqual(20, self.monitor.counts()["E"])
 
+    def test_recalls_what_happened(self):
+        self.assertEqual([], [event for event in self.monitor.recall("event")
+                              if event["event"] == "warning"])
+        self.robot.send("E+200\r")
+        self.robot.to_go("E")
+        codes = [event["code"] for event in self.monitor.recall("event")]
+        self.assertIn("number_out_of_range", codes)
+
     def test_unknown_block(self):
         with self.assertRaises(KeyError):
             self.monitor.block("purple")

@@ -6,7 +6,7 @@ import json
 import os
 import socket
 from types import TracebackType
-from typing import Any, Dict, Iterator, Optional, Sequence, Type, Union
+from typing import Any, Dict, Iterator, List, Optional, Sequence, Type, Union
 
 Message = Dict[str, Any]
 
@@ -86,6 +86,14 @@ class Monitor:
         if answer["op"] == "result" and not answer["ok"]:
             raise MonitorError(answer["error"])
         return answer
+
+    def recall(self, channel: str, **options: Any) -> List[Message]:
+        """What the server still has of `event` or `line`: the last 256 messages, or those `since` a
+        number."""
+        messages = [self.request("get", channel=channel, **options)]
+        while messages[-1]["op"] != "result":
+            messages.append(self.read())
+        return [message for message in messages if message["op"] == channel]
 
     # --- What one asks for most.
 
