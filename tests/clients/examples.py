@@ -1,0 +1,245 @@
+#!/usr/bin/env python3
+"""Runs every example of every language in clients/ against a real server whose time runs fast,
+with the one command that the language's README gives, and looks at the monitor port at what
+became of it: where the motors are, where the blocks lie, whether the robot was told anything that
+it did not obey. What the examples print is the same in every language: expected/*.txt.
+
+    XR3=build/release/xr3 tests/clients/examples.py [LANGUAGE...]
+
+The last lines list the languages: ok, FAILED, or left out and why. A language that is left out is
+no failure. """
+
+import argparse
+import concurrent.futures
+import dataclasses
+import json
+import math
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+CLIENTS = ROOT / "clients"
+EXPECTED = Path(__file__).resolve().parent / "expected"
+sys.path.insert(0, str(CLIENTS / "python" / "tests"))
+
+from context import Server  # noqa: E402
+from xr3 import Monitor, Robot  # noqa: E402
+
+EXAMPLES = ("1_hello", "2_move_and_wait", "3_home", "4_two_joints", "5_pick_and_place",
+            "6_find_and_pick")
+CLOCK = "real:50"
+DEADLINE_S = 120  # how long a failure may take; an example takes one to four seconds
+AT_ONCE = 4
+PROGRESS = re.compile(r"^  .*\d+ counts to go$")  # how often an example asks is a matter of luck
+
+# What each language needs: commands that must succeed.
+NEEDS = {
+    "python": ["python3 --version"],
+    "c": ["make --version", "gcc --version"],
+    "cpp": ["make --version", "g++ --version"],
+    "javascript": ["node --version"],
+    "java": ["make --version", "javac -version", "java -version"],
+    "rust": ["make --version", "rustc --version"],
+    "octave": ["octave-cli --version", "octave-cli --eval 'pkg load instrument-control'"],
+    "bash": ["command -v nc", "od --version", "awk 'BEGIN { exit }'"],
+}
+
+DISPLACED = {"F": 45, "E": 30, "D": -40, "C": -30, "B": 20, "A": -20}  # from where 3_home begins
+MOVED_RED = {"centroid": [285, 25, 20], "yaw_deg": 35}  # where 6_find_and_pick has to find it
+MOST_MM = 2  # how far off its place a block may be put down, when a camera saw it
+MOST_DEG = 3
+
+
+class Wrong(Exception):
+    """An example did not do what it should; the message says what."""
+
+
+# --- What must be so after each example.
+
+@dataclasses.dataclass
+class Outcome:
+    """Where the motors must be (those not named: at 0), and where the red block, if it must have
+    moved."""
+
+    counts: dict = dataclasses.field(default_factory=dict)
+    speeds: dict = dataclasses.field(default_factory=dict)
+    red: tuple = None  # x, y, z in mm, yaw in degrees
+
+
+OUTCOMES = {
+    "1_hello": Outcome(),
+    "2_move_and_wait": Outcome(counts={"E": 50, "F": -40}),
+    "3_home": Outcome(),
+    "4_two_joints": Outcome(counts={"F": 40, "E": 80}, speeds={"F": 40, "E": 80}),
+    "5_pick_and_place": Outcome(counts={"A": 16}, red=(400, 0, 20, 0)),
+    "6_find_and_pick": Outcome(counts={"A": 16}, red=(392, 60, 20, 90)),
+}
+
+
+def check_outcome(monitor, wanted, blocks):
+    """Compares the machine with what is wanted; `blocks` is where they lay before, by name."""
+    state = monitor.state()
+    motors = {motor["label"]: motor for motor in [*state["joints"], state["tool"]]}
+    for label, motor in motors.items():
+        should = wanted.counts.get(label, 0)
+        if motor["count"] != should:
+            raise Wrong(f"{label} is at {motor['count']}, not at {should}")
+        if motor["speed"] != wanted.speeds.get(label, motor["speed"]):
+            raise Wrong(f"{label} has speed {motor['speed']}")
+    if state["stalled"] or state["moving"] or state["tool"]["holding"]:
+        raise Wrong("the robot stalls, moves, or holds something")
+    for block in state["blocks"]:
+        check_block(block, blocks[block["name"]], wanted.red)
+    for event in monitor.recall("event", since=0):
+        if event["event"] in ("warning", "stalled"):
+            raise Wrong(f"{event['code']}: {event['message']}")
+
+
+def check_block(block, before, red):
+    """A block is where it lay, and the red one is where it was to be put."""
+    if block["name"] == "red" and red is not None:
+        if math.dist(block["xyz_mm"], red[:3]) > MOST_MM:
+            raise Wrong(f"block red is at {block['xyz_mm']}, not at {red[:3]}")
+        if abs(math.remainder(block["yaw_deg"] - red[3], 180)) > MOST_DEG:
+            raise Wrong(f"block red is turned {block['yaw_deg']}, not {red[3]} degrees")
+    elif (block["xyz_mm"], block["yaw_deg"]) != (before["xyz_mm"], before["yaw_deg"]):
+        raise Wrong(f"block {block['name']} is not where it lay")
+
+
+def check_output(example, printed):
+    lines = [line for line in printed.splitlines() if not PROGRESS.match(line)]
+    expected = (EXPECTED / f"{example}.txt").read_text(encoding="utf-8").splitlines()
+    if lines != expected:
+        raise Wrong("it printed\n    " + "\n    ".join(lines)
+                    + "\n  not\n    " + "\n    ".join(expected))
+
+
+# --- Running.
+
+def commands_of(language):
+    """The command of the README's first shell fence, and the one that it gives for a robot
+    elsewhere."""
+    readme = (CLIENTS / language / "README.md").read_text(encoding="utf-8")
+    command = re.search(r"```sh\n(.*1_hello.*)\n```", readme).group(1)
+    elsewhere = re.search(r"`([^`]*1_hello[^`]*) HOST PORT`", readme).group(1)
+    return command, elsewhere
+
+
+def run(command, folder, **environment):
+    """Runs a shell command in a folder; returns what it printed. Raises Wrong if it fails."""
+    clean = {name: value for name, value in os.environ.items() if not name.startswith("XR3_")}
+    ran = subprocess.run(command, shell=True, cwd=folder, env={**clean, **environment}, text=True,
+                         stdin=subprocess.DEVNULL, capture_output=True, check=False,
+                         timeout=DEADLINE_S)
+    if ran.returncode != 0:
+        raise Wrong(f"`{command}` ended with {ran.returncode}\n{ran.stdout}{ran.stderr}")
+    return ran.stdout
+
+
+def workcell_for(example, folder):
+    """The Rhino's own table; for the camera, one with the red block where no program expects
+    it."""
+    table = ROOT / "data" / "workcells" / "rhino-xr3.json"
+    if example != "6_find_and_pick":
+        return table
+    cell = json.loads(table.read_text(encoding="utf-8"))
+    next(block for block in cell["blocks"] if block["name"] == "red").update(MOVED_RED)
+    moved = Path(folder) / "moved.json"
+    moved.write_text(json.dumps(cell), encoding="utf-8")
+    return moved
+
+
+def displace(server):
+    """Somebody has moved the arm by hand."""
+    with Robot("127.0.0.1", server.robot_port) as robot:
+        robot.go(DISPLACED)
+
+
+def run_example(language, example, command, by_arguments=False):
+    """One example against a server of its own."""
+    with tempfile.TemporaryDirectory() as folder, \
+            Server("--workcell", str(workcell_for(example, folder)), "--clock", CLOCK) as server, \
+            Monitor("127.0.0.1", server.monitor_port) as monitor:
+        if example == "3_home":
+            displace(server)
+        blocks = {block["name"]: block for block in monitor.state("blocks")["blocks"]}
+        where = {"XR3_HOST": "localhost", "XR3_PORT": str(server.robot_port)}
+        if by_arguments:
+            command, where = f"{command} localhost {server.robot_port}", {}
+        printed = run(command, CLIENTS / language, **where)
+        check_output(example, printed)
+        check_outcome(monitor, OUTCOMES[example], blocks)
+
+
+# --- Languages.
+
+def missing(language):
+    """What the machine lacks for a language, or None."""
+    for command in NEEDS[language]:
+        if subprocess.run(command, shell=True, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.DEVNULL, check=False).returncode != 0:
+            return f"`{command}` does not work here"
+    return None
+
+
+def prepare(language):
+    """Builds what needs building, inside the folder's own build folder."""
+    folder = CLIENTS / language
+    if (folder / "Makefile").exists():
+        run("make clean && make build", folder)
+
+
+def check_language(language):
+    """Runs all examples of a language; returns its line of the summary and whether it is fine."""
+    started = time.monotonic()
+    lack = missing(language)
+    if lack:
+        return f"left out  {language:10} {lack}", True
+    faults = []
+    try:
+        prepare(language)
+        command, elsewhere = commands_of(language)
+        for example in EXAMPLES:
+            run_one(language, example, command.replace("1_hello", example), faults)
+        run_one(language, "1_hello", elsewhere, faults, by_arguments=True)
+    except Wrong as wrong:
+        faults.append(f"{language}: {wrong}")
+    print("".join(f"{fault}\n" for fault in faults), end="", flush=True)
+    took = time.monotonic() - started
+    word = "FAILED" if faults else "ok"
+    return f"{word:9} {language:10} {len(EXAMPLES)} examples, {took:.0f} s", not faults
+
+
+def run_one(language, example, command, faults, **options):
+    try:
+        run_example(language, example, command, **options)
+    except (Wrong, subprocess.TimeoutExpired) as wrong:
+        faults.append(f"{language}, {example}: {wrong}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n", maxsplit=1)[0])
+    parser.add_argument("languages", nargs="*", metavar="LANGUAGE",
+                        help=f"some of {', '.join(NEEDS)} (all of them)")
+    parser.add_argument("--summary", type=Path, metavar="FILE", help="write the last lines there, too")
+    options = parser.parse_args()
+    languages = options.languages or list(NEEDS)
+    unknown = set(languages) - set(NEEDS)
+    if unknown:
+        parser.error(f"no such language: {', '.join(sorted(unknown))}")
+    with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
+        results = list(pool.map(check_language, languages))
+    summary = "".join(f"{line}\n" for line, _ in results)
+    print(summary, end="")
+    if options.summary:
+        options.summary.write_text(summary, encoding="utf-8")
+    return 0 if all(fine for _, fine in results) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
