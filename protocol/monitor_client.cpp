@@ -19,7 +19,7 @@ RequestError too_long() {
 // --- In.
 
 std::optional<Request> Client::take(std::string_view message) {
-  if (has_ended_) return std::nullopt;
+  if (farewell_) return std::nullopt;
   RequestReading reading = read_request(message, cells_);
   if (Request* request = std::get_if<Request>(&reading)) return std::move(*request);
   send(result(std::get<RequestError>(reading)));
@@ -29,7 +29,7 @@ std::optional<Request> Client::take(std::string_view message) {
 // --- The lane.
 
 void Client::send(Message message) {
-  if (has_ended_) return;
+  if (farewell_) return;
   lane_bytes_ += message->size();
   lane_.emplace_back(std::move(message));
 }
@@ -37,14 +37,14 @@ void Client::send(Message message) {
 void Client::replay(Feed& feed, const std::string& cell, const Get& get, const RequestId& id) {
   const std::int64_t wanted = get.since.value_or(feed.next() - kMostRecalled);
   const Subscribe from{get.selection, {}, {}, std::max(wanted, feed.first())};
-  if (!has_ended_)
+  if (!farewell_)
     lane_.emplace_back(
         Replay{{cell, from, feed, tally_of(get.selection.channel)}, feed.next(), id});
 }
 
 void Client::end(Bye why) {
   send(bye(why));
-  has_ended_ = true;
+  if (!farewell_) farewell_ = why;
   followed_.clear();
 }
 

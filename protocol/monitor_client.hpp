@@ -44,7 +44,9 @@ class Client {
   void end(Bye why);
   /// Ends because of what came as a line.
   void end(LineFault fault);
-  bool has_ended() const { return has_ended_; }
+  bool has_ended() const { return farewell_.has_value(); }
+  /// Why it has ended; nothing where it has not.
+  std::optional<Bye> farewell() const { return farewell_; }
 
   /// No request may be taken until the client has taken some of its answers.
   bool is_full() const { return lane_.size() >= kMostAnswers || lane_bytes_ >= kMostAnswerBytes; }
@@ -92,7 +94,7 @@ class Client {
   std::array<Tally, kChannels> tallies_{};
   std::map<Where, Followed> followed_;
   Where last_turn_;  ///< the channel that had its turn last
-  bool has_ended_ = false;
+  std::optional<Bye> farewell_;
 };
 
 }  // namespace xr3::monitor

@@ -34,6 +34,7 @@ void MonitorSession::start() {
         tell_failure(failure);
         self->abort();
         if (self->lines_) self->lines_->retire();
+        if (self->websocket_) self->websocket_->retire();
         self->context_.ended(self);
       });
 }
@@ -91,14 +92,20 @@ asio::awaitable<void> MonitorSession::speak(std::string first_bytes) {
 
 asio::awaitable<void> MonitorSession::speak_http(std::string first_bytes) {
   http_.emplace(*socket_, context_.resources,
-                [](std::string) -> asio::awaitable<void> { co_return; });
+                [this](std::string head) { return speak_websocket(std::move(head)); });
   co_await http_->run(std::move(first_bytes));
+}
+
+asio::awaitable<void> MonitorSession::speak_websocket(std::string head) {
+  websocket_ = Websocket::make(socket_, context_.service);
+  co_await websocket_->run(std::move(head));
 }
 
 // --- The end.
 
 void MonitorSession::finish() {
   if (lines_) return lines_->finish();
+  if (websocket_) return websocket_->finish();
   if (http_) return http_->finish();
   abort();
 }
@@ -107,6 +114,7 @@ void MonitorSession::abort() {
   silence_.cancel();
   socket_->close();
   if (lines_) lines_->wake();
+  if (websocket_) websocket_->wake();
 }
 
 }  // namespace xr3

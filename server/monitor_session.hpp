@@ -14,6 +14,7 @@
 #include "server/json_lines.hpp"
 #include "server/monitor_service.hpp"
 #include "server/monitor_socket.hpp"
+#include "server/websocket.hpp"
 
 namespace xr3 {
 
@@ -51,13 +52,15 @@ class MonitorSession : public std::enable_shared_from_this<MonitorSession> {
   void greet();
   asio::awaitable<void> speak(std::string first_bytes);
   asio::awaitable<void> speak_http(std::string first_bytes);
+  asio::awaitable<void> speak_websocket(std::string head);
 
   MonitorContext& context_;
   std::shared_ptr<MonitorSocket> socket_;
   monitor::Opening opening_;
   asio::steady_timer silence_;
-  std::shared_ptr<JsonLines> lines_;  ///< once it has been greeted
-  std::optional<HttpSession> http_;   ///< once it has spoken HTTP
+  std::shared_ptr<JsonLines> lines_;      ///< once it has been greeted
+  std::optional<HttpSession> http_;       ///< once it has spoken HTTP
+  std::shared_ptr<Websocket> websocket_;  ///< once it has asked for that
 };
 
 }  // namespace xr3

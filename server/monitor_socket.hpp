@@ -23,6 +23,8 @@ class MonitorSocket {
   ~MonitorSocket() { close(); }
 
   bool is_open() const { return socket_->is_open(); }
+  /// For those who bring their own way of reading and writing.
+  tcp::socket& stream() { return *socket_; }
   asio::any_io_executor executor() const { return socket_->get_executor(); }
 
   /// Some bytes, valid until the next read. Empty: the client has stopped sending, or, if the

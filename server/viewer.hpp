@@ -38,6 +38,8 @@ class Viewer {
   bool is_full() const { return client_.is_full(); }
   /// The last message has been put into the lane: when it is out, the connection ends.
   bool has_ended() const { return client_.has_ended(); }
+  /// Why; nothing where it has not.
+  std::optional<monitor::Bye> farewell() const { return client_.farewell(); }
   /// It still follows a channel: messages may come although nothing is asked any more.
   bool follows_anything() const { return client_.follows_anything(); }
 
