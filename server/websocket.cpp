@@ -108,9 +108,9 @@ class BeastWebsocket final : public Websocket {
   WebsocketPatience patience_;
   ws::stream<Wire> stream_;
   std::optional<Viewer> viewer_;  ///< once the handshake is done
-  beast::flat_buffer received_;
-  monitor::Message message_;     ///< being written
-  asio::steady_timer progress_;  ///< never expires; cancelled when something was written
+  beast::flat_buffer received_;   ///< bounded by the greatest message
+  monitor::Message message_;      ///< being written
+  asio::steady_timer progress_;   ///< never expires; cancelled when something was written
   asio::steady_timer watch_;
   Clock::time_point heard_;  ///< anything, from the client
   bool is_reading_ = false;
@@ -125,7 +125,6 @@ BeastWebsocket::BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorSer
       service_(service),
       patience_(patience),
       stream_(socket_->stream()),
-      received_(monitor::kMostMessageBytes),
       progress_(socket_->executor(), kNever),
       watch_(socket_->executor()) {
   // The watch is ours: Beast's would also run while a call waits and nothing is read.
@@ -155,6 +154,7 @@ asio::awaitable<bool> BeastWebsocket::is_accepted(const std::string& head) {
   const bool has_offer = handshake.count("Sec-WebSocket-Protocol") > 0;
   stream_.set_option(ws::stream_base::decorator([has_offer](ws::response_type& answer) {
     if (has_offer) answer.set("Sec-WebSocket-Protocol", http::kSubprotocol);
+    answer.set(beast::http::field::server, "xr3");  // else Beast names itself
     for (const http::Field& field : http::safety_fields()) answer.set(field.name, field.value);
   }));
   stream_.control_callback([this](ws::frame_type, beast::string_view) { heard_ = Clock::now(); });

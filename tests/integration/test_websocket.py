@@ -1,0 +1,234 @@
+"""/ws with a client that is not ours (python3-websockets), and with bytes by hand where that one is too polite:
+the handshake, what messages may be, how connections end."""
+
+import asyncio
+import base64
+import json
+import struct
+import unittest
+
+import websockets
+
+from support import DEADLINE_S, LOCALHOST, Server, connect
+
+KEY = base64.b64encode(bytes(range(16))).decode()
+HANDSHAKE = ("GET /ws HTTP/1.1\r\nHost: localhost\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
+             f"Sec-WebSocket-Key: {KEY}\r\nSec-WebSocket-Version: 13\r\n")
+TEXT, BINARY, CLOSE, PING, PONG, CONTINUATION = 1, 2, 8, 9, 10, 0
+LONGEST = 256 * 1024
+
+
+def frame(opcode, data=b"", last=True):
+    """A masked frame; the mask is zeros."""
+    first = (0x80 if last else 0) | opcode
+    if len(data) < 126:
+        return struct.pack("!BB", first, 0x80 | len(data)) + bytes(4) + data
+    if len(data) < 65536:
+        return struct.pack("!BBH", first, 0x80 | 126, len(data)) + bytes(4) + data
+    return struct.pack("!BBQ", first, 0x80 | 127, len(data)) + bytes(4) + data
+
+
+class Raw:
+    """A WebSocket by hand; no frame of the server is fragmented."""
+
+    def __init__(self, port, fields=""):
+        self.socket = connect(port)
+        self.socket.sendall((HANDSHAKE + fields + "\r\n").encode())
+        self.file = self.socket.makefile("rb")
+        self.head = b"".join(iter(self.file.readline, b"\r\n")).decode()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.file.close()
+        self.socket.close()
+
+    def send(self, *arguments, **options):
+        self.socket.sendall(frame(*arguments, **options))
+
+    def read(self):
+        """(opcode, data) of the next frame; None at the end."""
+        start = self.file.read(2)
+        if len(start) < 2:
+            return None
+        size = start[1]
+        if size == 126:
+            size, = struct.unpack("!H", self.file.read(2))
+        elif size == 127:
+            size, = struct.unpack("!Q", self.file.read(8))
+        return start[0] & 15, self.file.read(size)
+
+    def text(self):
+        opcode, data = self.read()
+        assert opcode == TEXT, (opcode, data)
+        return json.loads(data)
+
+    def close_code(self):
+        """The code of the close frame that comes, texts before it passed over."""
+        while (got := self.read()) is not None:
+            if got[0] == CLOSE:
+                return struct.unpack("!H", got[1][:2])[0]
+        return None
+
+
+class Library(unittest.TestCase):
+    def run_with(self, port, work, **options):
+        async def run():
+            options.setdefault("subprotocols", ["xr3.v1"])
+            async with websockets.connect(f"ws://{LOCALHOST}:{port}/ws", **options) as socket:
+                await asyncio.wait_for(work(socket), DEADLINE_S)
+        asyncio.run(run())
+
+    def test_the_same_objects_as_lines(self):
+        async def work(socket):
+            self.assertEqual("xr3.v1", socket.subprotocol)
+            self.assertEqual([], socket.extensions)
+            hello = json.loads(await socket.recv())
+            self.assertEqual(self.hello, hello)
+            await socket.send(json.dumps({"op": "call", "id": 1, "fn": "step", "args": {"ticks": 5, "fields": []}}))
+            self.assertEqual(5, json.loads(await socket.recv())["value"]["tick"])
+            await socket.send(json.dumps({"op": "get", "id": 2, "channel": "state"}))
+            by_socket = json.loads(await socket.recv())
+            self.assertEqual({**self.monitor.get(), "id": 2}, by_socket)
+
+        with Server() as xr3, xr3.monitor() as self.monitor:
+            self.hello = self.monitor.hello
+            self.run_with(xr3.monitor_port, work)
+
+    def test_a_subscription(self):
+        async def work(socket):
+            await socket.recv()
+            await socket.send(json.dumps({"op": "sub", "channel": "state", "fields": ["joints"], "max_hz": 60}))
+            self.assertTrue(json.loads(await socket.recv())["ok"])
+            self.assertEqual(0, json.loads(await socket.recv())["joints"][1]["count"])
+            self.line.send("E+5\r")
+            count = 0
+            while count != 5:
+                count = json.loads(await socket.recv())["joints"][1]["count"]
+
+        with Server(clock="real") as xr3, xr3.line() as self.line:
+            self.run_with(xr3.monitor_port, work)
+
+    def test_fragments_and_pings(self):
+        async def work(socket):
+            await socket.recv()
+            await (await socket.ping(b"hello"))
+            await socket.send(iter(['{"op":"pi', 'ng","id":', '"whole"}']))
+            self.assertEqual({"op": "pong", "id": "whole"}, json.loads(await socket.recv()))
+
+        with Server() as xr3:
+            self.run_with(xr3.monitor_port, work)
+
+    def test_no_subprotocol_is_taken_another_is_not(self):
+        async def work(socket):
+            self.assertIsNone(socket.subprotocol)
+            self.assertEqual("hello", json.loads(await socket.recv())["op"])
+
+        with Server() as xr3:
+            self.run_with(xr3.monitor_port, work, subprotocols=None)
+            with self.assertRaises(websockets.InvalidStatusCode) as refused:
+                self.run_with(xr3.monitor_port, work, subprotocols=["soap"])
+            self.assertEqual(400, refused.exception.status_code)
+            with self.assertRaises(websockets.InvalidStatusCode) as refused:
+                self.run_with(xr3.monitor_port, work, origin="http://evil.example")
+            self.assertEqual(403, refused.exception.status_code)
+
+    def test_shutdown_is_going_away(self):
+        async def work(socket):
+            await socket.recv()
+            self.xr3.process.terminate()
+            self.assertEqual("shutdown", json.loads(await socket.recv())["why"])
+            with self.assertRaises(websockets.ConnectionClosed):
+                await socket.recv()
+            self.assertEqual(1001, socket.close_code)
+
+        with Server() as self.xr3:
+            self.run_with(self.xr3.monitor_port, work)
+            self.assertEqual(0, self.xr3.process.wait(DEADLINE_S))
+
+    def test_five_wrong_tokens(self):
+        async def work(socket):
+            self.assertEqual("read", json.loads(await socket.recv())["access"])
+            for _ in range(5):
+                await socket.send(json.dumps({"op": "auth", "token": "wrong"}))
+                self.assertEqual("bad_token", json.loads(await socket.recv())["error"]["code"])
+            self.assertEqual("bad_token", json.loads(await socket.recv())["why"])
+            with self.assertRaises(websockets.ConnectionClosed):
+                await socket.recv()
+            self.assertEqual(1008, socket.close_code)
+
+        with Server(environment={"XR3_TOKEN": "sixteen letters!"}) as xr3:
+            self.run_with(xr3.monitor_port, work)
+
+
+class Bytes(unittest.TestCase):
+    def test_what_closes_and_how(self):
+        cases = [("binary", frame(BINARY, b"{}"), 1003),
+                 ("bad UTF-8", frame(TEXT, b'{"op":"\xff"}'), 1007),
+                 ("bad UTF-8 over fragments", frame(TEXT, b"\xe2\x82", last=False) + frame(CONTINUATION, b"{"), 1007),
+                 ("too big", frame(TEXT, b" " * (LONGEST + 1)), 1009),
+                 ("too big in fragments",
+                  frame(TEXT, b" " * LONGEST, last=False) + frame(CONTINUATION, b" "), 1009),
+                 ("no mask", b"\x81\x02{}", 1002),
+                 ("a close", frame(CLOSE, struct.pack("!H", 1000)), 1000)]
+        with Server() as xr3, Raw(xr3.monitor_port) as good:
+            good.text()
+            for name, data, code in cases:
+                with self.subTest(name), Raw(xr3.monitor_port) as client:
+                    self.assertEqual("hello", client.text()["op"])
+                    client.socket.sendall(data)
+                    self.assertEqual(code, client.close_code())
+                    self.assertIsNone(client.read())
+            good.send(TEXT, b'{"op":"ping","id":1}')
+            self.assertEqual({"op": "pong", "id": 1}, good.text())
+
+    def test_what_does_not_close(self):
+        with Server() as xr3, Raw(xr3.monitor_port) as client:
+            client.text()
+            for message, code in [(b"", "bad_json"), (b"[1]", "bad_json"), (b'{"op":', "bad_json"),
+                                  (b"[" * 1000, "bad_json"), (b'{"op":"fly"}', "unknown_op")]:
+                client.send(TEXT, message)
+                answer = client.text()
+                self.assertFalse(answer["ok"], answer)
+                self.assertIn(answer["error"]["code"], (code, "too_deep"))
+            longest = b'{"op":"ping","id":7,"x":"' + b"x" * (LONGEST - 27) + b'"}'
+            self.assertEqual(LONGEST, len(longest))
+            client.send(TEXT, longest)
+            self.assertEqual({"op": "pong", "id": 7}, client.text())
+            client.send(PING, b"there?")
+            self.assertEqual((PONG, b"there?"), client.read())
+
+    def test_the_handshake(self):
+        with Server() as xr3:
+            with Raw(xr3.monitor_port, "Sec-WebSocket-Protocol: a, xr3.v1\r\n") as client:
+                self.assertTrue(client.head.startswith("HTTP/1.1 101 "), client.head)
+                self.assertIn("Sec-WebSocket-Protocol: xr3.v1\r\n", client.head)
+                self.assertIn("X-Content-Type-Options: nosniff\r\n", client.head)
+                self.assertNotIn("Extensions", client.head)
+            compressing = "Sec-WebSocket-Extensions: permessage-deflate\r\n"
+            with Raw(xr3.monitor_port, compressing) as client:
+                self.assertNotIn("Extensions", client.head)
+            with Raw(xr3.monitor_port, "Host: localhost\r\n") as client:
+                self.assertTrue(client.head.startswith("HTTP/1.1 400 "), client.head)
+            with connect(xr3.monitor_port) as early:  # a client waits for 101
+                early.sendall((HANDSHAKE + "\r\n").encode() + frame(TEXT, b'{"op":"call","fn":"reset"}'))
+                self.assertTrue(early.recv(100).startswith(b"HTTP/1.1 400 "))
+            with xr3.monitor() as monitor:
+                self.assertEqual(0, monitor.get()["epoch"])
+
+    def test_handshakes_that_stop_half_way(self):
+        with Server() as xr3:
+            stuck = [connect(xr3.monitor_port) for _ in range(200)]
+            for sock in stuck:
+                sock.sendall(HANDSHAKE.encode())
+            with Raw(xr3.monitor_port) as good:
+                self.assertEqual("hello", good.text()["op"])
+            answer = stuck[0].recv(4096)
+            self.assertTrue(answer.startswith(b"HTTP/1.1 408 "), answer)
+            for sock in stuck:
+                sock.close()
+
+
+if __name__ == "__main__":
+    unittest.main()
