@@ -19,7 +19,7 @@ Leave refused(std::initializer_list<const char*> words) { return std::get<Leave>
 TEST(Options, ServeHasTheDocumentedDefaults) {
   const auto options = std::get<ServeOptions>(parse({"serve"}));
   EXPECT_EQ(options.robot, "rhino-xr3");
-  EXPECT_EQ(options.listen, "127.0.0.1");
+  EXPECT_EQ(options.listen, "localhost");
   EXPECT_EQ(options.robot_port, 9600);
   EXPECT_EQ(options.monitor_port, 9601);
   EXPECT_EQ(options.profile, Profile::kPaper);
