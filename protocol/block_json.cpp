@@ -1,5 +1,7 @@
 #include "protocol/block_json.hpp"
 
+#include <string_view>
+
 namespace xr3::data {
 namespace {
 
@@ -26,7 +28,8 @@ Codec<Micrometres> length_um(Range range) {
 Codec<PointUm> point_um(Range range, const std::string& names) {
   const Codec<Micrometres> item = length_um(range);
   Codec<PointUm> codec;
-  codec.allowed = "a list " + names + " of three lengths";
+  const std::string range_words = item.allowed.substr(std::string_view("a length ").size());
+  codec.allowed = "a list " + names + " of three lengths, each " + range_words;
   codec.read = [item, allowed = codec.allowed](const Place& place, PointUm& p) {
     if (!place.value.is_array() || place.value.size() != 3) return place.refuse(allowed);
     const bool has_x = item.read(place.element(0), p.x);

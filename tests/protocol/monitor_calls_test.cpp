@@ -207,6 +207,8 @@ TEST(MonitorCalls, BlocksThatAreWrong) {
   EXPECT_EQ(error.details[3].found, "1");
   EXPECT_EQ(error.details[2].allowed, "a length above 0, up to 100000 mm");
   EXPECT_EQ(error.details[4].found, (Json{1, 2}));
+  EXPECT_EQ(error.details[4].allowed,
+            "a list [x, y, z] of three lengths, each from -100000 to 100000 mm");
 }
 
 TEST(MonitorCalls, MoveABlock) {
