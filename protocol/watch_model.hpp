@@ -33,7 +33,8 @@ class WatchModel {
  public:
   explicit WatchModel(Wish wish) : wish_(std::move(wish)) {}
 
-  /// The line that opens a connection: a program that sends first is greeted at once.
+  /// What opens a connection: a program that sends first is greeted at once. It is the beginning of
+  /// a line that goes on with the first answer of `take`.
   std::string opening() const;
 
   /// Takes one message, any bytes; returns the lines to send now, each with its line feed.

@@ -60,7 +60,7 @@ void paint_title(TextScreen& screen, const Known& known, const Link& link) {
              TextStyle::kTitle);
 }
 
-void paint_footer(TextScreen& screen, const Known& known) {
+std::string keys_text(const Known& known) {
   const bool is_standing = known.mode == ClockMode::kManual;
   std::string keys = "q quit   ? help";
   if (known.has_control) {
@@ -68,8 +68,14 @@ void paint_footer(TextScreen& screen, const Known& known) {
   } else if (!known.cell.empty()) {
     keys += "   read only";
   }
-  if (!known.said.empty()) keys = known.said;
-  paint_ends(screen, screen.rows() - 1, keys, known.said.empty() ? known.server : "",
+  return keys;
+}
+
+/// The keys; in their place what the server said last.
+void paint_footer(TextScreen& screen, const Known& known, Page page) {
+  const std::string keys = page == Page::kPrint ? "" : keys_text(known);
+  const bool has_word = !known.said.empty();
+  paint_ends(screen, screen.rows() - 1, has_word ? known.said : keys, has_word ? "" : known.server,
              TextStyle::kTitle);
 }
 
@@ -224,7 +230,7 @@ TextScreen watch_screen(const Known& known, const Link& link, Page page, int row
     paint_waiting(screen, link);
   }
   paint_title(screen, known, link);
-  paint_footer(screen, known);
+  paint_footer(screen, known, page);
   return screen;
 }
 

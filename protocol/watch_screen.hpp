@@ -18,8 +18,8 @@ struct Link {
   std::string trouble;  ///< why it does not stand, in words; empty: nothing is known yet
 };
 
-/// What is shown.
-enum class Page : std::uint8_t { kCell, kHelp };
+/// What is shown: the cell, the keys, or the cell for somebody who has no keys.
+enum class Page : std::uint8_t { kCell, kHelp, kPrint };
 
 /// A screen of this size, any size. What is known stays on it, dimmed by a word, when the server went.
 TextScreen watch_screen(const Known& known, const Link& link, Page page, int rows, int columns);

@@ -17,6 +17,7 @@
 #include "server/options.hpp"
 #include "server/pose_argument.hpp"
 #include "server/token.hpp"
+#include "server/watch_command.hpp"
 #include "server/workcell_command.hpp"
 
 namespace xr3 {
@@ -59,6 +60,7 @@ struct Command {
   ExitCode operator()(const KinOptions& options) const { return show_kinematics(options); }
   ExitCode operator()(const ConvertOptions& options) const { return convert_file(options); }
   ExitCode operator()(const WorkcellOptions& options) const { return edit_workcell(options); }
+  ExitCode operator()(const WatchOptions& options) const { return watch_cell(options); }
   ExitCode operator()(const Leave& leave) const {
     std::cout << leave.to_stdout;
     std::cerr << leave.to_stderr;

@@ -15,6 +15,7 @@
 #include "protocol/kin_question.hpp"
 #include "server/exit_code.hpp"
 #include "server/token.hpp"
+#include "server/watch_options.hpp"
 
 namespace xr3 {
 
@@ -85,7 +86,7 @@ struct Leave {
 };
 
 using Options = std::variant<ServeOptions, CheckOptions, DrawOptions, KinOptions, ConvertOptions,
-                             WorkcellOptions, Leave>;
+                             WorkcellOptions, WatchOptions, Leave>;
 
 /// Never throws and never prints.
 Options parse_options(int argc, const char* const* argv);
