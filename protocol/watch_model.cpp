@@ -89,7 +89,8 @@ std::vector<std::string> WatchModel::first_requests(const Json& channels) const 
   // First the subscription, then what was before: an event that comes by both has one seq.
   if (!is_once) look("sub", "event", Json::object());
   look("get", "event", Json::object());
-  requests.push_back(request({{"op", "ping"}, {"id", kLastId}}));
+  // (Without the cell: it is answered even where there is no such cell.)
+  requests.push_back(Json{{"op", "ping"}, {"id", kLastId}}.dump() + "\n");
   return requests;
 }
 
@@ -127,10 +128,13 @@ void WatchModel::take_event(const Json& message) {
   if (known_.notes.size() > kMostNotes) known_.notes.erase(known_.notes.begin());
 }
 
-// Of good answers only the token's tells something new.
 void WatchModel::take_result(const Json& message) {
   if (value_of<bool>(message, "ok")) {
-    const auto access = value_of<std::string>(member(message, "value"), "access");
+    const Json& value = member(message, "value");
+    // A step that changes nothing but time makes no state.
+    read(value, "epoch", known_.epoch);
+    read(value, "tick", known_.tick);
+    const auto access = value_of<std::string>(value, "access");
     if (!access.empty()) known_.has_control = access == "control";
     return;
   }

@@ -69,7 +69,9 @@ void paint_note(TextScreen& screen, int row, const TextArea& area, const Known& 
   const std::string indent(kTimeWidth - std::min(kTimeWidth, time.size()), ' ');
   const int end = area.column + area.columns;
   int at = screen.put(row, area.column, indent + time + "  ", TextStyle::kFaint, area.columns);
-  std::string text = note.line ? "line " + std::to_string(*note.line) + ": " : "";
+  const bool names_its_line = note.message.starts_with("line ");
+  std::string text =
+      note.line && !names_its_line ? "line " + std::to_string(*note.line) + ": " : "";
   text += note.message.empty() ? note.kind : note.message;
   if (note.times > 1) text += " (" + std::to_string(note.times) + " times)";
   screen.put(row, at, text, style_of(note), end - at);

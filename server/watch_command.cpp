@@ -26,6 +26,7 @@ using watch::Link;
 using watch::Page;
 
 constexpr std::chrono::seconds kBeforeNextTry{1};
+constexpr std::chrono::seconds kOnceAtMost{15};
 
 watch::Wish wish_of(const WatchOptions& options, watch::Interest interest) {
   TokenSource source = NoToken{};
@@ -178,8 +179,11 @@ ExitCode watch_once(const WatchOptions& options) {
     });
   };
   asio::co_spawn(context, look(), asio::detached);
-  context.run();
-  if (!model.is_complete()) return fail(ExitCode::kNoServer, trouble);
+  context.run_for(kOnceAtMost);
+  if (!model.is_complete()) {
+    return fail(ExitCode::kNoServer,
+                trouble.empty() ? options.address + " does not answer" : trouble);
+  }
   if (!model.known().state) return fail(ExitCode::kBadInput, model.known().said);
   const Link link{Link::Phase::kLive, options.address, ""};
   const TerminalSize size = terminal_size();

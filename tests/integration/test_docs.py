@@ -74,6 +74,10 @@ class Docs(unittest.TestCase):
                     continue
                 if what == "convert" and "--force" not in arguments:
                     (self.folder / arguments[-1]).unlink(missing_ok=True)
+                if what == "watch":
+                    with Server() as xr3:
+                        self.assertEqual(0, run_xr3("watch", f"localhost:{xr3.monitor_port}").returncode)
+                    continue
                 if what == "workcell":
                     self.leave_the_editor(arguments)
                     continue

@@ -1,0 +1,196 @@
+"""`xr3 watch` in a real terminal, beside a real server: what is seen, keys, sizes, and how it leaves."""
+
+import os
+import pathlib
+import re
+import signal
+import socket
+import subprocess
+import tempfile
+import unittest
+
+from support import DEADLINE_S, LOCALHOST, XR3, Server, run_xr3
+from terminal import Terminal
+
+NO_SERVER = 4
+TOKEN = "a token of no meaning"
+
+
+def watch(port, *options, **how):
+    return Terminal([XR3, "watch", f"localhost:{port}", *options], **how)
+
+
+def row_of(label, screen):
+    """The row of a joint in the table; nothing where it is not painted yet."""
+    row = re.search(rf"^ {label} .*$", screen, re.MULTILINE)
+    return row[0] if row else ""
+
+
+class Watch(unittest.TestCase):
+    def leave(self, terminal, code=0):
+        self.assertEqual(code, terminal.wait_end(), terminal.process.stderr.read())
+        self.assertTrue(terminal.is_as_before(), "the terminal is left in another mode")
+
+    def test_shows_what_happens(self):
+        with Server(clock="real:20") as xr3, watch(xr3.monitor_port) as terminal:
+            terminal.wait_for(lambda text: re.search(r"-140 █.*-90\.00 deg.*rests", row_of("E", text)))
+            terminal.wait_text("magenta")
+            terminal.wait_for(lambda text: "camera 192 x 192" in text and re.search("[▀▄]", text))
+            line = xr3.line()
+            line.send("E+50\rE+200\r")
+            terminal.wait_for(lambda text: "-84.33 deg" in row_of("E", text) and "rests" in row_of("E", text))
+            terminal.wait_text("E+200")
+            terminal.press("q")
+            self.leave(terminal)
+
+    def test_follows_the_size_of_its_window(self):
+        with Server() as xr3, watch(xr3.monitor_port) as terminal:
+            terminal.wait_text("camera")
+            for rows, columns in (60, 200), (10, 40), (24, 80):
+                with self.subTest(rows=rows, columns=columns):
+                    terminal.resize(rows, columns)
+                    terminal.wait_for(lambda text, is_large=columns > 79: (
+                        text.startswith(" xr3 watch") and text.split("\n")[-1].startswith(" q quit")
+                        and "-90.00 deg" in row_of("E", text) and ("camera" in text) == is_large))
+            terminal.press("\x1b")
+            self.leave(terminal)
+
+    def test_keys_hold_time_and_home(self):
+        with Server(clock="real") as xr3, xr3.monitor() as monitor, watch(xr3.monitor_port) as terminal:
+            terminal.wait_text("space pause")
+            terminal.press(" ")
+            terminal.wait_text("time stands")
+            before = monitor.get("clock")
+            self.assertEqual("manual", before["clock"]["mode"])
+            line = xr3.line()
+            line.send("F+20\r")
+            monitor.step(0, after=line)
+            terminal.press(">")
+            terminal.wait_for(lambda text: re.search(r" 20 +0 ", row_of("F", text)))
+            self.assertEqual(before["tick"] + 1000, monitor.get("clock")["tick"])
+            terminal.press(".")
+            terminal.wait_text(f"tick {before['tick'] + 1010}")
+            terminal.press("h")
+            terminal.wait_text("home")
+            terminal.press("?")
+            terminal.wait_text("this page, and back")
+            terminal.press("?")
+            terminal.wait_text("deg")
+            terminal.press(" ")
+            terminal.wait_text("real x 1")
+            terminal.press("\x03")
+            self.leave(terminal)
+
+    def test_says_that_it_is_stalled(self):
+        with Server(clock="real:50") as xr3, watch(xr3.monitor_port) as terminal:
+            terminal.wait_text("rests")
+            with xr3.monitor() as monitor:
+                line = xr3.line()
+                monitor.call("pause")
+                for _ in range(8):
+                    line.send("E-100\rD+100\r")
+                    monitor.settle(after=line)
+            terminal.wait_for(lambda text: "STALLED" in text or "limit" in text)
+
+    def test_waits_for_a_server_and_comes_back_to_it(self):
+        with socket.socket() as taken:  # a port where nobody listens, and nobody else will
+            taken.bind((LOCALHOST, 0))
+            port = taken.getsockname()[1]
+            with watch(port) as terminal:
+                terminal.wait_text("nobody listens at")
+                terminal.press("q")
+                self.leave(terminal)
+        with Server() as first, watch(first.monitor_port) as terminal:
+            terminal.wait_text("-90.00 deg")
+            first.stop()
+            terminal.wait_for(lambda text: re.search("the server is stopping.*trying again", text))
+            terminal.wait_text("-90.00 deg")
+            second = Server("--robot", "adept-one")
+            second.options[second.options.index("--monitor-port") + 1] = str(first.monitor_port)
+            with second:
+                terminal.wait_for(lambda text: "Adept" in text and "trying again" not in text)
+            terminal.wait_text("trying again")
+            terminal.press("q")
+            self.leave(terminal)
+
+    def test_a_server_that_is_killed_is_missed(self):
+        with Server() as xr3, watch(xr3.monitor_port) as terminal:
+            terminal.wait_text("-90.00 deg")
+            xr3.stop(signal.SIGINT)
+            terminal.wait_text("trying again")
+            terminal.signal(signal.SIGTERM)
+            self.leave(terminal)
+
+    def test_colors_are_a_choice(self):
+        with Server() as xr3:
+            for options, environment, has_colors in ([], {}, True), (["--no-color"], {}, False), \
+                    ([], {"NO_COLOR": "1"}, False):
+                with self.subTest(options=options, environment=environment), \
+                        watch(xr3.monitor_port, *options, environment=environment) as terminal:
+                    terminal.wait_text("magenta")
+                    self.assertEqual(has_colors, "cyan" in terminal.colors())
+                    terminal.press("q")
+                    self.leave(terminal)
+
+    def test_a_locale_without_unicode_gets_ascii(self):
+        with Server() as xr3, watch(xr3.monitor_port, environment={"LC_ALL": "C"}) as terminal:
+            terminal.wait_for(lambda text: "175" in text and "#" in row_of("E", text))
+            self.assertTrue(terminal.bytes.isascii())
+            terminal.press("q")
+            self.leave(terminal)
+
+    def test_a_terminal_without_a_cursor_is_refused_in_words(self):
+        with watch(1, environment={"TERM": "dumb"}) as terminal:
+            self.assertEqual(1, terminal.process.wait(DEADLINE_S))
+            self.assertIn(b"--once", terminal.process.stderr.read())
+
+    def test_once_prints_a_screen(self):
+        with Server() as xr3:
+            done = run_xr3("watch", "--once", f"localhost:{xr3.monitor_port}")
+            self.assertEqual((0, ""), (done.returncode, done.stderr))
+            self.assertIn("-90.00 deg", row_of("E", done.stdout))
+            self.assertIn("camera 192 x 192", done.stdout)
+            self.assertNotIn("\x1b", done.stdout)
+            self.assertLessEqual(max(map(len, done.stdout.split("\n"))), 80)
+            piped = run_xr3("watch", f"localhost:{xr3.monitor_port}", stdin=subprocess.DEVNULL)
+            self.assertEqual(done.stdout, piped.stdout)
+            plain = run_xr3("watch", "--ascii", f"localhost:{xr3.monitor_port}",
+                            env={**os.environ, "LINES": "60", "COLUMNS": "200"})
+            self.assertTrue(plain.stdout.isascii())
+            self.assertEqual(60, plain.stdout.count("\n"))
+
+    def test_once_says_what_is_wrong(self):
+        with Server() as xr3:
+            self.assertEqual(NO_SERVER, self.refused(f"localhost:{xr3.robot_port}", "no monitor port"))
+            self.assertEqual(2, self.refused(f"localhost:{xr3.monitor_port}", "there is no cell", "--cell", "x"))
+        with socket.socket() as taken:
+            taken.bind((LOCALHOST, 0))
+            self.assertEqual(NO_SERVER, self.refused(f"localhost:{taken.getsockname()[1]}", "nobody listens"))
+        for address in "localhost:", ":9601", "localhost:x", "localhost:70000", "":
+            self.assertEqual(2, self.refused(address, "HOST:PORT"))
+        self.assertEqual(2, self.refused("localhost:1", "no/such/file", "--token-file", "no/such/file"))
+
+    def refused(self, address, word, *options):
+        done = run_xr3("watch", "--once", address, *options)
+        self.assertIn(word, done.stderr)
+        self.assertEqual("", done.stdout)
+        return done.returncode
+
+    def test_keys_need_the_token_where_there_is_one(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "token")
+            file.write_text(TOKEN + "\n", encoding="ascii")
+            file.chmod(0o600)
+            with Server("--token-file", file) as xr3:
+                with watch(xr3.monitor_port) as terminal:
+                    terminal.wait_text("read only")
+                    terminal.press("h")
+                    terminal.wait_text("--token-file")
+                with watch(xr3.monitor_port, "--token-file", str(file)) as terminal:
+                    terminal.wait_text("space resume")
+                with watch(xr3.monitor_port, environment={"XR3_TOKEN": TOKEN}) as terminal:
+                    terminal.wait_text("space resume")
+
+
+if __name__ == "__main__":
+    unittest.main()
