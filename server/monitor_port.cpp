@@ -3,7 +3,6 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <boost/asio/buffer.hpp>
 #include <utility>
 
 namespace xr3 {
@@ -18,7 +17,8 @@ MonitorPort::MonitorPort(asio::io_context& io, Cell& cell, RobotPort& robot_port
                  sessions_.erase(session);
                  acted();
                }},
-      listener_(io, [this](tcp::socket socket) { open(std::move(socket)); }) {}
+      listener_(io, [this](tcp::socket socket) { open(std::move(socket)); }),
+      refusals_(acted) {}
 
 ErrorCode MonitorPort::listen(const tcp::endpoint& endpoint) { return listener_.listen(endpoint); }
 
@@ -42,10 +42,7 @@ void MonitorPort::make_room() {
 
 void MonitorPort::refuse(tcp::socket socket) {
   spdlog::warn("monitor: connection refused: {} are open already", sessions_.size());
-  const std::string last_words = *monitor::bye(monitor::Bye::kFull) + "\n";
-  ErrorCode ignored;
-  socket.write_some(asio::buffer(last_words), ignored);
-  socket.shutdown(tcp::socket::shutdown_send, ignored);
+  refusals_.add(std::move(socket));
 }
 
 void MonitorPort::tell_of_tls() {
@@ -59,10 +56,12 @@ void MonitorPort::tell_of_tls() {
 void MonitorPort::close() {
   listener_.close();
   for (const auto& session : Sessions(sessions_)) session->finish();
+  refusals_.abort();
 }
 
 void MonitorPort::abort() {
   for (const auto& session : Sessions(sessions_)) session->abort();
+  refusals_.abort();
 }
 
 }  // namespace xr3

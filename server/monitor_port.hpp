@@ -10,6 +10,7 @@
 #include "server/http_resources.hpp"
 #include "server/listener.hpp"
 #include "server/monitor_session.hpp"
+#include "server/refusals.hpp"
 #include "server/robot_port.hpp"
 
 namespace xr3 {
@@ -32,7 +33,7 @@ class MonitorPort {
   void close();
   /// Ends every connection now.
   void abort();
-  bool is_empty() const { return sessions_.empty(); }
+  bool is_empty() const { return sessions_.empty() && refusals_.is_empty(); }
 
   /// Everybody who watches.
   Audience& audience() { return service_.audience(); }
@@ -50,6 +51,7 @@ class MonitorPort {
   MonitorContext context_;
   Listener listener_;
   Sessions sessions_;
+  Refusals refusals_;
   bool has_told_of_tls_ = false;
 };
 

@@ -284,6 +284,9 @@ TEST_F(MonitorPortTest, ThereIsALimitToConnections) {
   for (std::size_t i = 0; i < MonitorPort::kMostMonitors; ++i) clients.push_back(monitor());
   io_.run_for(50ms);
   EXPECT_EQ(monitor().json()["why"], "full");
+  Client browser = monitor();
+  browser.send("GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  EXPECT_TRUE(browser.rest().starts_with("HTTP/1.1 503 "));
 }
 
 }  // namespace
