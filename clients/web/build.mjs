@@ -1,0 +1,29 @@
+// Bundles the page into dist/: one script, one style sheet, the page itself and its icon. From there the
+// build of the server links them into its binary (server/web_assets.cmake).
+import { build } from "esbuild";
+import { copyFile, mkdir, readFile, rm, stat } from "node:fs/promises";
+
+const kMostBundleBytes = 800_000;
+const here = new URL(".", import.meta.url);
+const path = (name) => new URL(name, here).pathname;
+
+await rm(path("dist"), { recursive: true, force: true });
+await mkdir(path("dist/assets"), { recursive: true });
+await build({
+  entryPoints: [path("src/main.js"), path("src/style.css")],
+  outdir: path("dist/assets"),
+  bundle: true,
+  minify: true,
+  format: "esm",
+  target: "es2022",
+  legalComments: "none",
+  logLevel: "warning",
+});
+await copyFile(path("src/index.html"), path("dist/index.html"));
+await copyFile(path("src/icon.svg"), path("dist/assets/icon.svg"));
+await copyFile(path("node_modules/three/LICENSE"), path("dist/assets/three-license.txt"));
+
+const { size } = await stat(path("dist/assets/main.js"));
+await readFile(path("dist/index.html"));
+console.log(`viewer: ${Math.round(size / 1000)} kB of script`);
+if (size > kMostBundleBytes) throw new Error(`the script has ${size} bytes, allowed are ${kMostBundleBytes}`);

@@ -1,0 +1,48 @@
+// Command mode as in the paper's Table IV: functions on Alt F1...F6, a menu on Alt keypad-minus, and plain
+// keys and buttons beside them, since desktops take some of the Alt keys for themselves.
+
+/** Each function: its keys, and what it is at the moment, in words. */
+export const kFunctions = [
+  { name: "display", words: "Graphics display", alt: "F1", key: "d", now: (d) => (d?.on ? "on" : "off") },
+  { name: "view", words: "View vector", alt: "F2", key: "v", now: (d) => d?.view?.join(", ") ?? "" },
+  { name: "home", words: "Soft home", alt: "F3", key: "h", now: () => "" },
+  { name: "status", words: "Status line", alt: "F4", key: "s", now: (d) => kStatusWords[d?.status?.option ?? 0] },
+  { name: "enabled", words: "Simulator", alt: "F5", key: "e", now: (d, s) => (s?.enabled === false ? "disabled" : "enabled") },
+  { name: "function_keys", words: "Function keys", alt: "F6", key: "k", now: (d) => (d?.function_keys === false ? "off" : "on") },
+  { name: "path", words: "Erase before redrawing", alt: null, key: "p", now: (d) => (d?.erase === false ? "no" : "yes") },
+  { name: "period", words: "Refresh period", alt: null, key: "r", now: (d) => (d ? `${d.period_ticks / 1000} s` : "") },
+];
+
+export const kStatusWords = ["blank", "tool configuration", "joint variables", "error counters", "encoder positions", "switches", "tool opening"];
+
+const isTyping = (target) => target.closest?.("input, textarea, select, [contenteditable]");
+
+export class CommandMode {
+  /** `run(name)` carries a function out; `toggleMenu()` shows or hides the menu. */
+  constructor({ run, toggleMenu, known }) {
+    Object.assign(this, { run, toggleMenu, known });
+    document.addEventListener("keydown", (event) => this.#key(event));
+  }
+
+  #key(event) {
+    if (event.altKey) return this.#altKey(event);
+    if (event.ctrlKey || event.metaKey || isTyping(event.target) || document.querySelector("dialog[open]")) return;
+    if (event.key === "m") return this.#take(event, () => this.toggleMenu());
+    const wanted = kFunctions.find((each) => each.key === event.key);
+    if (wanted) this.#take(event, () => this.run(wanted.name));
+  }
+
+  // F6 turns all of them off, but never itself.
+  #altKey(event) {
+    if (event.code === "NumpadSubtract") return this.#take(event, () => this.toggleMenu());
+    const wanted = kFunctions.find((each) => each.alt === event.key);
+    if (!wanted) return;
+    const isOff = this.known.display?.function_keys === false && wanted.name !== "function_keys";
+    this.#take(event, () => isOff || this.run(wanted.name));
+  }
+
+  #take(event, act) {
+    event.preventDefault();
+    act();
+  }
+}

@@ -1,0 +1,52 @@
+// The joint table: count, value, error counter, speed, switch, blocked, and a bar against the limits.
+import { el, setText } from "./dom.js";
+
+const digits = (unit) => (unit === "mm" ? 1 : 2);
+
+export class JointTable {
+  constructor(body) {
+    this.body = body;
+    this.rows = new Map();
+  }
+
+  setModel(model) {
+    const { joints, tool } = model.robot;
+    this.files = [...joints, { ...tool, name: "tool" }];
+    this.body.replaceChildren(...this.files.map((file) => this.#row(file)));
+  }
+
+  #row(file) {
+    const cell = (name) => el(`td.${name}`);
+    const mark = el("span.mark");
+    const cells = {
+      value: cell("value"), bar: el("td.bar", {}, el("div.track", { "aria-hidden": "true" }, mark)),
+      count: cell("count"), error: cell("error"), speed: cell("speed"), note: cell("note"),
+    };
+    this.rows.set(file.label, { ...cells, mark, file });
+    const head = el("th", { scope: "row", title: file.name }, el("span.letter", {}, file.label), el("span.name", {}, file.name));
+    const row = el("tr", {}, head, cells.value, cells.bar, cells.count, cells.error, cells.speed, cells.note);
+    row.dataset.label = file.label;
+    return row;
+  }
+
+  setState(state) {
+    for (const joint of [...state.joints, state.tool]) this.#show(joint);
+  }
+
+  #show(joint) {
+    const row = this.rows.get(joint.label);
+    if (!row) return;
+    setText(row.value, `${joint.value.toFixed(digits(joint.unit))} ${joint.unit === "deg" ? "°" : "mm"}`);
+    setText(row.count, String(joint.count));
+    setText(row.error, joint.error > 0 ? `+${joint.error}` : String(joint.error));
+    setText(row.speed, String(joint.speed));
+    const notes = [joint.switch ? "switch" : "", joint.blocked ? `at ${joint.blocked}` : ""].filter(Boolean);
+    setText(row.note, notes.join(", "));
+    row.note.classList.toggle("alarm", Boolean(joint.blocked));
+    row.error.classList.toggle("busy", joint.error !== 0);
+    const [low, high] = row.file.limits;
+    const part = Math.min(Math.max((joint.value - low) / (high - low), 0), 1);
+    row.mark.style.left = `${(part * 100).toFixed(2)}%`;
+    row.mark.classList.toggle("alarm", Boolean(joint.blocked));
+  }
+}

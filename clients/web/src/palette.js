@@ -1,0 +1,8 @@
+// The sixteen colours of robot and workcell files, as solid things look good in them.
+
+export const kColors = [
+  "#2b3036", "#3b6fd4", "#3f9e5a", "#7d93a6", "#b3524a", "#8a62b8", "#c98a3c", "#c9ced4",
+  "#6b747e", "#4f8ff7", "#4fbf6b", "#8fa9bd", "#e0584f", "#c26fd6", "#efc443", "#f4f6f8",
+];
+
+export const colorOf = (index) => kColors[index] ?? kColors[7];

@@ -1,0 +1,96 @@
+// The view of 1989: the orthographic wire frame along the program's view vector, as `display` messages
+// bring it, redrawn at the program's own period and erased before, or not, as its path option says.
+
+const kInk = {
+  paper: { background: "#ffffff", line: "#101010", own: false },
+  green: { background: "#041204", line: "#43e06a", own: false },
+  color: { background: "#0b0f13", line: "#d0d0d0", own: true },
+};
+
+export class PaperView {
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.ink = "paper";
+    this.isLive = false;
+    this.lastPeriod = null;
+    this.draws = 0;
+    new ResizeObserver(() => this.#redrawAll()).observe(canvas.parentElement);
+  }
+
+  setInk(name) {
+    this.ink = name;
+    this.#redrawAll();
+  }
+  setLive(isLive) {
+    this.isLive = isLive;
+    this.#redrawAll();
+  }
+
+  setDisplay(display) {
+    const turned = !this.display || this.display.on !== display.on || this.display.erase !== display.erase ||
+      String(this.display.view) !== String(display.view);
+    this.display = display;
+    if (turned) this.#redrawAll();
+    this.tick(display.tick);
+  }
+
+  /** Simulated time has come to this tick: draws if a period has begun. */
+  tick(tick) {
+    if (!this.display) return;
+    const period = Math.floor(tick / this.display.period_ticks);
+    if (period === this.lastPeriod && !this.isLive) return;
+    this.lastPeriod = period;
+    this.#draw(this.display.erase);
+  }
+
+  #redrawAll() {
+    const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
+    const ratio = Math.min(window.devicePixelRatio || 1, 2);
+    if (width === 0 || height === 0) return;
+    if (this.canvas.width !== width * ratio || this.canvas.height !== height * ratio) {
+      this.canvas.width = width * ratio;
+      this.canvas.height = height * ratio;
+    }
+    this.#draw(true);
+  }
+
+  #draw(isErased) {
+    const { width, height } = this.canvas;
+    const pen = this.canvas.getContext("2d");
+    const ink = kInk[this.ink];
+    if (isErased) {
+      pen.fillStyle = ink.background;
+      pen.fillRect(0, 0, width, height);
+    }
+    if (!this.display?.on) return;
+    ++this.draws;
+    const place = this.#placing(width, height);
+    pen.lineWidth = Math.max(1, width / 900);
+    pen.lineJoin = "round";
+    for (const { color, points } of this.display.polylines) {
+      pen.strokeStyle = ink.own ? color : ink.line;
+      pen.beginPath();
+      points.forEach((point, i) => (i === 0 ? pen.moveTo(...place(point)) : pen.lineTo(...place(point))));
+      pen.stroke();
+    }
+    this.#writeStatus(pen, ink, width, height);
+  }
+
+  #placing(width, height) {
+    const [left, bottom, right, top] = this.display.extents_mm;
+    const scale = 0.92 * Math.min(width / (right - left), height / (top - bottom));
+    const [cx, cy] = [(left + right) / 2, (bottom + top) / 2];
+    return ([x, y]) => [width / 2 + (x - cx) * scale, height / 2 - (y - cy) * scale];
+  }
+
+  #writeStatus(pen, ink, width, height) {
+    const text = this.display.status?.text;
+    if (!text) return;
+    const size = Math.max(12, Math.round(width / 60));
+    pen.font = `${size}px ui-monospace, monospace`;
+    pen.fillStyle = ink.background;
+    pen.fillRect(0, height - size * 1.8, width, size * 1.8);
+    pen.fillStyle = ink.line;
+    pen.fillText(text, size * 0.6, height - size * 0.6);
+  }
+}
