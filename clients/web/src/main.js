@@ -45,12 +45,14 @@ function takeModel(model) {
 }
 
 function takeState(state) {
+  known.firstStateMs ??= performance.now();
   known.state = state;
   known.arrival = performance.now();
   if (known.model) for (const panel of [scene, joints, camera, workcell]) panel.setState(state);
   showClock(state);
   showTool(state);
   showLamps(state.io);
+  showMenu();
   showAlarm(state);
 }
 

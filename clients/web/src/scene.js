@@ -356,9 +356,9 @@ export class Scene {
   lookFrom(name) {
     const { workcell } = this.model ?? {};
     const reach = workcell ? Math.max(workcell.workspace.x, workcell.workspace.z) * mmPerUnit(workcell) : 800;
-    const target = new THREE.Vector3(reach * 0.28, 0, reach * 0.3);
+    const target = new THREE.Vector3(reach * 0.26, 0, reach * 0.26);
     const away = {
-      corner: [1.45, -1.25, 0.95], front: [2.1, 0, 0.25], left: [0, 2.1, 0.25], right: [0, -2.1, 0.25], top: [0.001, 0, 2.3],
+      corner: [1.25, -1.1, 0.8], front: [2.1, 0, 0.25], left: [0, 2.1, 0.25], right: [0, -2.1, 0.25], top: [0.001, 0, 2.3],
     }[name];
     this.camera.position.set(...away).multiplyScalar(reach).add(target);
     this.controls.target.copy(target);

@@ -1,0 +1,27 @@
+"""The browser page in real Chromium, by Playwright: tests/web/*.mjs against this xr3."""
+# labels: serial
+
+import os
+import shutil
+import subprocess
+import unittest
+
+from support import ROOT
+
+SCRIPTS = os.path.join(ROOT, "tests", "web")
+PLAYWRIGHT = os.path.join(ROOT, "clients", "web", "node_modules", "playwright-core")
+
+
+class Viewer(unittest.TestCase):
+    def test_in_chromium(self):
+        self.assertTrue(shutil.which("node"), "node is not installed (scripts/setup test)")
+        self.assertTrue(os.path.isdir(PLAYWRIGHT), "run scripts/viewer first: it fetches Playwright")
+        run = subprocess.run(["node", "--test", "--test-concurrency=1", "--test-reporter=spec",
+                              os.path.join(SCRIPTS, "viewer_test.mjs")],
+                             capture_output=True, text=True, timeout=280, check=False, cwd=ROOT)
+        print(run.stdout[-6000:] if run.returncode else run.stdout[-1500:])
+        self.assertEqual(0, run.returncode, run.stderr[-3000:])
+
+
+if __name__ == "__main__":
+    unittest.main()

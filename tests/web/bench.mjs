@@ -1,0 +1,59 @@
+// What the tests of the page share: a running xr3, a serial line, and a page in Debian's Chromium driven by
+// Playwright, which fails the test on any error in the console. Nothing here sleeps to wait.
+import { spawn } from "node:child_process";
+import { once } from "node:events";
+import { connect } from "node:net";
+import { fileURLToPath } from "node:url";
+import { chromium } from "../../clients/web/node_modules/playwright-core/index.mjs";
+
+export const kDeadlineMs = 30_000;
+export const root = fileURLToPath(new URL("../../", import.meta.url));
+const kFlags = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
+
+/** A running `xr3 serve` with the ports that it took. */
+export async function serve(...options) {
+  const ports = options.includes("--monitor-port") ? [] : ["--robot-port", "0", "--monitor-port", "0"];
+  const child = spawn(process.env.XR3, ["serve", ...ports, "--log-level", "off", ...options], {
+    cwd: root, stdio: ["ignore", "pipe", "inherit"], env: { ...process.env, XR3_DATA: `${root}data` },
+  });
+  const [greeting] = await once(child.stdout, "data");
+  const [, robot, monitor] = /robot=\S+:(\d+) monitor=\S+:(\d+)/.exec(String(greeting));
+  return {
+    robot: Number(robot), monitor: Number(monitor), url: `http://localhost:${monitor}/`, pid: child.pid,
+    get: async (path) => (await fetch(`http://localhost:${monitor}${path}`)).text(),
+    state: async () => (await fetch(`http://localhost:${monitor}/state`)).json(),
+    async stop(signal = "SIGTERM") {
+      const ended = once(child, "exit");
+      child.kill(signal);
+      await ended;
+    },
+  };
+}
+
+/** Sends bytes on a serial line of its own and closes it. */
+export async function type(port, bytes) {
+  const socket = connect(port, "127.0.0.1");
+  await once(socket, "connect");
+  socket.end(bytes);
+  socket.resume();
+  await once(socket, "close");
+}
+
+let browser;
+export async function open(url, options = {}) {
+  browser ??= await chromium.launch({ executablePath: "/usr/bin/chromium", args: kFlags });
+  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, ...options });
+  const page = await context.newPage();
+  page.setDefaultTimeout(kDeadlineMs);
+  page.errors = [];
+  page.on("pageerror", (error) => page.errors.push(error.message));
+  page.on("console", (message) => {
+    if (message.type() === "error" || message.type() === "warning") page.errors.push(message.text());
+  });
+  await page.goto(url);
+  return page;
+}
+/** The page knows robot and state, and has drawn them. */
+export const ready = (page) => page.waitForFunction(() => window.xr3?.known.model && window.xr3?.known.state && window.xr3?.tipDrawn());
+
+export const close = async () => browser?.close();

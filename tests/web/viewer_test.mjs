@@ -1,0 +1,281 @@
+// The viewer in real Chromium against a real server: what people see is what the server says.
+import assert from "node:assert/strict";
+import { createServer } from "node:http";
+import { stat } from "node:fs/promises";
+import { after, test } from "node:test";
+import { close, open, ready, root, serve, type } from "./bench.mjs";
+
+after(close);
+
+const kRobots = ["rhino-xr3", "adept-one", "intelledex-660"];
+const near = (a, b, tolerance) => a.every((v, i) => Math.abs(v - b[i]) <= tolerance);
+/** Errors that are not of the page: software rendering says that it is slow. */
+const ofThePage = (page) => page.errors.filter((text) => !/GPU stall|GL Driver|swiftshader/i.test(text));
+const screenshots = process.env.XR3_SCREENSHOTS;
+
+async function withPage(options, act, pageOptions) {
+  const server = await serve(...options);
+  const page = await open(server.url, pageOptions);
+  try {
+    await ready(page);
+    await act(page, server);
+    assert.deepEqual(ofThePage(page), []);
+  } finally {
+    await page.context().close();
+    await server.stop("SIGKILL");
+  }
+}
+
+for (const robot of kRobots) {
+  test(`${robot}: the page's own tip, the drawn one and the server's are the same`, () =>
+    withPage(["--robot", robot, "--clock", "real:20"], async (page, server) => {
+      await type(server.robot, "E+60\rD-40\rC+25\rB+90\rA-20\r");
+      await page.waitForFunction(() => !window.xr3.known.state.moving && window.xr3.known.state.joints.some((j) => j.count !== 0));
+      const { tool, joints } = await server.state();
+      await page.waitForFunction((count) => window.xr3.known.state.joints[0].count === count, joints[0].count);
+      assert.ok(near(await page.evaluate(() => window.xr3.tip()), tool.xyz_mm, 0.01));
+      await page.waitForFunction((xyz) => window.xr3.tipDrawn().every((v, i) => Math.abs(v - xyz[i]) < 0.01), tool.xyz_mm);
+      for (const joint of joints) {
+        const row = page.locator(`tr[data-label=${joint.label}]`);
+        assert.equal(await row.locator(".count").textContent(), String(joint.count));
+      }
+      if (!screenshots) return;
+      await page.screenshot({ path: `${screenshots}/${robot}.png` });
+      await page.click("#theme");
+      await page.screenshot({ path: `${screenshots}/${robot}-dark.png` });
+    }));
+}
+
+test("a move typed on the robot port glides in the scene and counts in the table", () =>
+  withPage([], async (page, server) => {
+    const before = await page.evaluate(() => window.xr3.tipDrawn());
+    await type(server.robot, "F+100\r");
+    await page.waitForFunction((from) => window.xr3.tipDrawn()[1] - from[1] > 5, before);
+    await page.waitForSelector("tr[data-label=F] .error.busy");
+    await page.waitForFunction(() => document.querySelector("tr[data-label=F] .count").textContent === "100");
+    await page.waitForSelector("tr[data-label=F] .error:not(.busy)");
+  }));
+
+/** Points of each part, moved and scaled so that all of them together fill the unit square. */
+function normalized(parts) {
+  const all = parts.flatMap(({ points }) => points);
+  const low = [0, 1].map((k) => Math.min(...all.map((p) => p[k])));
+  const high = [0, 1].map((k) => Math.max(...all.map((p) => p[k])));
+  return parts.map(({ part, points }) => ({
+    part, points: points.map((p) => [0, 1].map((k) => (p[k] - low[k]) / (high[k] - low[k]))),
+  }));
+}
+
+test("the paper's view shows the lines of /view.svg", () =>
+  withPage([], async (page, server) => {
+    await page.click("#view-paper");
+    await page.click("#display-on");
+    await page.waitForFunction(() => window.xr3.known.display.on && window.xr3.paperDraws() > 0);
+    const display = await page.evaluate(() => window.xr3.known.display);
+    const svg = await server.get(`/view.svg?vector=${display.view.join(",")}`);
+    const drawn = normalized(display.polylines.map(({ part, points }) => ({ part, points: points.map(([x, y]) => [x, -y]) })));
+    const parts = [...svg.matchAll(/<path[^>]*data-part="([^"]+)"[^>]*>/g)].filter(([, part]) => part !== "surface").map(([path, part]) => ({
+      part, points: [...(/ d="([^"]+)"/.exec(path)[1]).matchAll(/(-?[\d.]+)[ ,](-?[\d.]+)/g)].map(([, x, y]) => [Number(x), Number(y)]),
+    }));
+    const expected = normalized(parts);
+    assert.ok(expected.length > 10);
+    for (const { part, points } of expected) {
+      const candidates = drawn.filter((each) => each.part === part).flatMap((each) => each.points);
+      for (const point of points)
+        assert.ok(candidates.some((other) => near(point, other, 0.004)), `${part} at ${point} is not drawn`);
+    }
+    const inked = await page.evaluate(() => {
+      const canvas = document.querySelector("#paper-canvas");
+      const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+      return pixels.filter((value, i) => i % 4 === 0 && value < 128).length;
+    });
+    assert.ok(inked > 500, `${inked} dark pixels`);
+  }));
+
+test("a stall is shown and the home key clears it", () =>
+  withPage(["--clock", "real:50"], async (page, server) => {
+    for (let i = 0; i < 20 && !(await server.state()).stalled; ++i) {
+      await type(server.robot, "E-120\r");
+      await page.waitForFunction(() => !window.xr3.known.state.moving || window.xr3.known.state.stalled);
+    }
+    await page.waitForSelector("#alarm:not([hidden])");
+    assert.match(await page.textContent("#alarm"), /^Stalled/);
+    await page.keyboard.press("h");
+    await page.waitForSelector("#alarm[hidden]", { state: "attached" });
+    assert.equal((await server.state()).stalled, null);
+  }));
+
+test("a block dragged in the plan is where /state says, and in the scene", () =>
+  withPage([], async (page, server) => {
+    await page.click("#tab-workcell");
+    const shape = await page.locator("[data-block=green]").boundingBox();
+    const [x, y] = [shape.x + shape.width / 2, shape.y + shape.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 20, y - 10, { steps: 4 });
+    await page.mouse.up();
+    await page.waitForFunction(() => window.xr3.known.state.blocks.find((b) => b.name === "green").xyz_mm[0] !== 330);
+    const block = (await server.state()).blocks.find((each) => each.name === "green");
+    assert.ok(block.xyz_mm[0] > 330 && block.xyz_mm[1] < 96, String(block.xyz_mm));
+    await page.waitForFunction((xyz) => window.xr3.blockDrawn("green").every((v, i) => Math.abs(v - xyz[i]) < 0.01), block.xyz_mm);
+    await page.click("#turn-left");
+    await page.waitForFunction((yaw) => window.xr3.known.state.blocks.find((b) => b.name === "green").yaw_deg === yaw, block.yaw_deg + 5);
+  }));
+
+test("blocks are added and removed, and the saved file is one that xr3 check accepts", () =>
+  withPage([], async (page, server) => {
+    await page.click("#tab-workcell");
+    await page.fill("#block-name", "cube");
+    await page.click("#block-form button");
+    await page.waitForSelector("[data-block=cube]");
+    const [saved] = await Promise.all([page.waitForEvent("download"), page.click("#workcell-save")]);
+    const file = await saved.path();
+    const { spawnSync } = await import("node:child_process");
+    const named = `${file}.json`;
+    await saved.saveAs(named);
+    const check = spawnSync(process.env.XR3, ["check", named], { encoding: "utf8", env: { ...process.env, XR3_DATA: `${root}data` } });
+    assert.equal(check.status, 0, check.stdout + check.stderr);
+    await page.locator("[data-block=cube]").focus();
+    await page.keyboard.press("Delete");
+    await page.waitForFunction(() => window.xr3.known.state.blocks.every((b) => b.name !== "cube"));
+    await page.setInputFiles("#workcell-load", named);
+    await page.waitForSelector("[data-block=cube]");
+    assert.ok((await server.state()).blocks.some((block) => block.name === "cube"));
+  }));
+
+test("a server that was killed and started again is picked up", async () => {
+  const first = await serve();
+  const page = await open(first.url);
+  await ready(page);
+  await first.stop("SIGKILL");
+  await page.waitForSelector('#connection[data-state="lost"]');
+  const again = await serve("--robot-port", String(first.robot), "--monitor-port", String(first.monitor));
+  await page.waitForSelector('#connection[data-state="open"]');
+  await type(again.robot, "F+20\r");
+  await page.waitForFunction(() => window.xr3.known.state.joints[0].count === 20);
+  await page.context().close();
+  await again.stop();
+});
+
+test("the wire panel explains bytes, and after a reload shows the last 256 messages", () =>
+  withPage(["--clock", "manual"], async (page, server) => {
+    await type(server.robot, "E+200\r");
+    await page.waitForFunction(() => document.querySelector("#wire .warning")?.textContent.includes("-128...127"));
+    for (let i = 0; i < 300; ++i) await type(server.robot, "I");
+    await page.reload();
+    await ready(page);
+    await page.waitForFunction(() => document.querySelectorAll("#wire li").length === 256);
+    await page.fill("#wire-filter", "no such thing");
+    assert.equal(await page.locator("#wire li").count(), 0);
+  }));
+
+test("the console's replies are decoded, and jogging moves a joint", () =>
+  withPage(["--clock", "manual"], async (page) => {
+    await page.click("#tab-console");
+    await page.fill("#console-input", "E+13");
+    await page.keyboard.press("Enter");
+    await page.fill("#console-input", "E?");
+    await page.keyboard.press("Enter");
+    await page.waitForFunction(() => /'-' 0x2d.*13 counts to go/.test(document.querySelector("#console-log li:last-child").textContent));
+    await page.keyboard.press("ArrowUp");
+    assert.equal(await page.inputValue("#console-input"), "E?");
+    await page.locator("#jog button").first().focus();
+    await page.keyboard.press("Enter");
+    await page.waitForFunction(() => window.xr3.known.state.joints[0].error !== 0);
+  }));
+
+test("command mode: Alt keys, plain keys and the menu do the same", () =>
+  withPage([], async (page) => {
+    await page.keyboard.press("Alt+F1");
+    await page.waitForFunction(() => window.xr3.known.display.on);
+    await page.keyboard.press("d");
+    await page.waitForFunction(() => !window.xr3.known.display.on);
+    await page.keyboard.press("Alt+F6");
+    await page.waitForFunction(() => !window.xr3.known.display.function_keys);
+    await page.keyboard.press("Alt+F5");
+    await page.keyboard.press("Alt+F6");
+    await page.waitForFunction(() => window.xr3.known.display.function_keys);
+    assert.ok(await page.evaluate(() => window.xr3.known.state.enabled), "a key that is off does nothing");
+    await page.keyboard.press("Alt+NumpadSubtract");
+    await page.waitForSelector("#menu[open]");
+    await page.click("#functions button:has-text('Simulator')");
+    await page.waitForSelector("#functions [data-now=enabled]:has-text('disabled')");
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("Alt+F2");
+    await page.waitForSelector("#ask-view[open]");
+    await page.fill("#view-y", "-4");
+    await page.click("#ask-view button[value=ok]");
+    await page.waitForFunction(() => window.xr3.known.display.view[1] === -4);
+  }));
+
+test("time is paused, stepped and resumed; input lines are clicked", () =>
+  withPage([], async (page) => {
+    await page.click("#pause");
+    await page.waitForSelector("#pause:has-text('Resume')");
+    const tick = await page.evaluate(() => window.xr3.known.state.tick);
+    await page.click("#step");
+    await page.waitForFunction(() => document.querySelector("#step").disabled === false);
+    await page.click("#inputs button:nth-child(3)");
+    await page.waitForSelector("#inputs button:nth-child(3)[aria-pressed=true]");
+    assert.equal(await page.evaluate(() => window.xr3.known.state.tick), tick + 100);
+    await page.click("#pause");
+    await page.waitForSelector("#pause:has-text('Pause')");
+  }));
+
+test("without its token it looks on; with #token= it drives, and the token leaves the address bar", async () => {
+  process.env.XR3_TOKEN = "a-token-of-a-test";
+  const server = await serve();
+  delete process.env.XR3_TOKEN;
+  const page = await open(server.url);
+  await ready(page);
+  await page.waitForSelector("body.read-only");
+  assert.ok(await page.isDisabled("#home"));
+  await page.click("#unlock");
+  await page.fill("#token", "a-token-of-a-test");
+  await page.click("#ask-token button[value=ok]");
+  await page.waitForSelector("body:not(.read-only)");
+  const other = await open(`${server.url}#token=a-token-of-a-test`);
+  await ready(other);
+  await other.waitForSelector("body:not(.read-only)");
+  assert.equal(other.url(), server.url);
+  await other.context().close();
+  await page.context().close();
+  await server.stop();
+});
+
+test("a page that frames it stays empty", async () => {
+  const server = await serve();
+  const thief = createServer((_, answer) => {
+    answer.setHeader("Content-Type", "text/html");
+    answer.end(`<iframe src="${server.url}"></iframe>`);
+  }).listen(0);
+  const page = await open(`http://localhost:${thief.address().port}/`);
+  const frame = page.frames().find((each) => each !== page.mainFrame());
+  await frame?.waitForLoadState().catch(() => {});
+  assert.equal(await frame?.evaluate(() => typeof window.xr3).catch(() => "undefined"), "undefined");
+  assert.ok(page.errors.some((text) => /frame-ancestors|refused to connect/i.test(text)), String(page.errors));
+  await page.context().close();
+  thief.close();
+  await server.stop();
+});
+
+test("every control has a name, and the page fits a laptop and a tablet", async () => {
+  for (const viewport of [{ width: 1280, height: 720 }, { width: 1024, height: 768 }]) {
+    await withPage([], async (page) => {
+      const nameless = await page.evaluate(() => [...document.querySelectorAll("button, select, input")]
+        .filter((each) => !(each.textContent.trim() || each.getAttribute("aria-label") || each.labels?.length || each.title)).map((each) => each.outerHTML));
+      assert.deepEqual(nameless, []);
+      const overflow = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+      assert.ok(overflow <= 0, `${overflow} px too wide`);
+    }, { viewport });
+  }
+});
+
+test("the script stays under 800 kB, and the robot is there soon", async () => {
+  assert.ok((await stat(`${root}clients/web/dist/assets/main.js`)).size < 800_000);
+  await withPage([], async (page) => {
+    const ms = await page.evaluate(() => Math.round(window.xr3.known.firstStateMs));
+    console.log(`first picture after ${ms} ms`);
+    assert.ok(ms < 5000, "a second is promised on a machine that is not busy");
+  });
+});
