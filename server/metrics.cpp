@@ -18,9 +18,16 @@ using prometheus::ClientMetric;
 using prometheus::MetricFamily;
 using prometheus::MetricType;
 
+/// Commands with several codes are counted under what these have in common.
+std::string kind_of(const Command& command) {
+  if (std::holds_alternative<SetAuxiliary>(command)) return "auxiliary";
+  if (std::holds_alternative<SetOutput>(command)) return "output";
+  return std::string(code_of(command));
+}
+
 template <std::size_t... kIndex>
 std::vector<std::string> kinds(std::index_sequence<kIndex...>) {
-  return {std::string(code_of(Command(std::in_place_index<kIndex>)))...};
+  return {kind_of(Command(std::in_place_index<kIndex>))...};
 }
 
 /// The names of the commands, by index in Command.

@@ -5,7 +5,7 @@ import time
 import unittest
 
 from monitor_schema import messages
-from support import Monitor, MonitorError, Server, connect, counts, machine, motors
+from support import MonitorError, Server, connect, counts, machine, motors
 
 STATE = {"op", "cell", "epoch", "seq", "tick", "clock", "joints", "tool", "blocks", "switches", "io", "moving",
          "stalled", "enabled", "model_rev"}

@@ -1,7 +1,6 @@
 """What the monitor port refuses: broken JSON, unknown names, wrong arguments, HTTP that carries calls.
 An error leaves the robot as it was and the connection open, unless it says `bye`."""
 
-import json
 import shutil
 import subprocess
 import unittest

@@ -5,7 +5,7 @@ import shutil
 import subprocess
 import unittest
 
-from support import DEADLINE_S, LOCALHOST, Line, Server, connect, machine
+from support import DEADLINE_S, LOCALHOST, Server, machine
 
 METHODS = ["GET", "HEAD", "POST", "PUT", "PATCH", "DELETE", "OPTIONS", "TRACE", "CONNECT"]
 TLS_HELLO = bytes.fromhex("1603010200010001fc0303") + bytes(range(256)) * 2
