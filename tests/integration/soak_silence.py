@@ -1,0 +1,65 @@
+"""What silence means, in real time: a person at a terminal may be silent for as long as they like; a
+WebSocket that no longer answers pings is gone in half a minute, and so is who takes no byte."""
+
+import asyncio
+import re
+import time
+import unittest
+import urllib.request
+
+from support import LOCALHOST, Monitor, Server, connect
+from web_viewer import UPGRADE, Viewer
+
+GONE_S = 30.0
+SOON_S = 10.0  # how much later it may be
+
+
+def connections(xr3):
+    """Monitor clients, as /metrics counts them."""
+    with urllib.request.urlopen(f"http://{LOCALHOST}:{xr3.monitor_port}/metrics") as answer:
+        return int(re.search(r"^xr3_viewers\S* (\d+)", answer.read().decode(), re.MULTILINE)[1])
+
+
+class Silence(unittest.IsolatedAsyncioTestCase):
+    async def test_who_is_gone_after_half_a_minute(self):
+        with Server("--log-level", "warn") as xr3, Server("--log-level", "warn") as other, xr3.monitor() as person:
+            async with Viewer(xr3) as listener:  # its library answers pings by itself
+                await asyncio.gather(asyncio.to_thread(self.mute_websocket, xr3), asyncio.to_thread(self.stuck, other))
+                self.assertEqual("pong", (await listener.ask(op="ping"))["op"])
+            self.assertEqual("pong", person.request("ping")["op"])
+
+    def mute_websocket(self, xr3):
+        """It reads, but no ping of the server is ever answered."""
+        with connect(xr3.monitor_port) as sock:
+            started = time.monotonic()
+            sock.settimeout(GONE_S + SOON_S)
+            sock.sendall(UPGRADE)
+            pings = 0
+            try:
+                while data := sock.recv(65536):
+                    pings += data.count(b"\x89")
+            except ConnectionResetError:
+                pass
+            took_s = time.monotonic() - started
+            self.assertTrue(GONE_S / 2 < took_s < GONE_S + SOON_S, took_s)
+            self.assertGreater(pings, 0)
+
+    def stuck(self, xr3):
+        """It asks and takes no answer."""
+        stuck = Monitor(xr3.monitor_port, buffer_bytes=4096)
+        stuck.socket.setblocking(False)
+        try:
+            while True:
+                stuck.socket.send(b'{"op":"get","channel":"image"}\n' * 1000)
+        except BlockingIOError:
+            pass
+        before, started = connections(xr3), time.monotonic()
+        while connections(xr3) >= before:
+            self.assertLess(time.monotonic() - started, 2 * GONE_S + SOON_S)
+            time.sleep(0.5)  # what it waits for is time itself
+        self.assertGreater(time.monotonic() - started, GONE_S / 2)
+        stuck.close()
+
+
+if __name__ == "__main__":
+    unittest.main()
