@@ -111,6 +111,8 @@ def shown_messages():
     """(file, object) of every message in a fence of docs/ from which nothing is left out."""
     for path in sorted((ROOT / "docs").glob("*.md")):
         for block in re.findall(r"```.*?\n(.*?)```", path.read_text(encoding="utf-8"), re.DOTALL):
+            if "\n> " in block:  # a conversation: what is asked there may be wrong on purpose
+                block = "\n".join(line for line in block.splitlines() if line.startswith("< "))
             for match in MESSAGE.finditer(block):
                 text = block[match.start():]
                 try:
@@ -136,14 +138,15 @@ def check_monitor_examples():
             answers += 1
         else:
             requests.validate(message)
-    assert answers > 1, answers
+    assert answers > 60, answers
 
 
 def check_mutations(name, message):
     """A member more, an envelope's member less, or a value of another type, is found out."""
     wrong = [{**message, "added_later": 1}]
+    needed = set(message) - {"id"} if message["op"] in ("hello", "result", "lag", "bye") else set(monitor_schema.ALWAYS)
     for member in message:
-        if member in ("op", "cell", "epoch", "seq", "tick", "ok", "error", "why"):
+        if member in needed:
             wrong.append({each: message[each] for each in message if each != member})
         wrong.append({**copy.deepcopy(message), member: {"nobody": "expects this"}})
     for mutated in wrong:
