@@ -6,6 +6,7 @@ import subprocess
 import tempfile
 import unittest
 
+import monitor_schema
 from support import DEADLINE_S, LOCALHOST, ROOT, Server, connect, machine, run_xr3
 
 RESOURCES = {"/": "text/html; charset=utf-8", "/healthz": "text/plain; charset=utf-8",
@@ -66,7 +67,7 @@ class Contents(unittest.TestCase):
         with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
             line.send("E+5\r")
             monitor.step(100, after=line)
-            shown = json.loads(curl(xr3, "/state")[2])
+            shown = monitor_schema.check(json.loads(curl(xr3, "/state")[2]))
             message = monitor.get()
             message.pop("id")
             self.assertEqual(message, shown)

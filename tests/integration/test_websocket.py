@@ -9,6 +9,7 @@ import unittest
 
 import websockets
 
+import monitor_schema
 from support import DEADLINE_S, LOCALHOST, Server, connect
 
 KEY = base64.b64encode(bytes(range(16))).decode()
@@ -26,6 +27,11 @@ def frame(opcode, data=b"", last=True):
     if len(data) < 65536:
         return struct.pack("!BBH", first, 0x80 | 126, len(data)) + bytes(4) + data
     return struct.pack("!BBQ", first, 0x80 | 127, len(data)) + bytes(4) + data
+
+
+def checked(text):
+    """A message of the server, as the schema says."""
+    return monitor_schema.check(json.loads(text), is_whole=False)
 
 
 class Raw:
@@ -62,7 +68,7 @@ class Raw:
     def text(self):
         opcode, data = self.read()
         assert opcode == TEXT, (opcode, data)
-        return json.loads(data)
+        return checked(data)
 
     def close_code(self):
         """The code of the close frame that comes, texts before it passed over."""
@@ -84,12 +90,12 @@ class Library(unittest.TestCase):
         async def work(socket):
             self.assertEqual("xr3.v1", socket.subprotocol)
             self.assertEqual([], socket.extensions)
-            hello = json.loads(await socket.recv())
+            hello = checked(await socket.recv())
             self.assertEqual(self.hello, hello)
             await socket.send(json.dumps({"op": "call", "id": 1, "fn": "step", "args": {"ticks": 5, "fields": []}}))
-            self.assertEqual(5, json.loads(await socket.recv())["value"]["tick"])
+            self.assertEqual(5, checked(await socket.recv())["value"]["tick"])
             await socket.send(json.dumps({"op": "get", "id": 2, "channel": "state"}))
-            by_socket = json.loads(await socket.recv())
+            by_socket = checked(await socket.recv())
             self.assertEqual({**self.monitor.get(), "id": 2}, by_socket)
 
         with Server() as xr3, xr3.monitor() as self.monitor:
@@ -100,12 +106,12 @@ class Library(unittest.TestCase):
         async def work(socket):
             await socket.recv()
             await socket.send(json.dumps({"op": "sub", "channel": "state", "fields": ["joints"], "max_hz": 60}))
-            self.assertTrue(json.loads(await socket.recv())["ok"])
-            self.assertEqual(0, json.loads(await socket.recv())["joints"][1]["count"])
+            self.assertTrue(checked(await socket.recv())["ok"])
+            self.assertEqual(0, checked(await socket.recv())["joints"][1]["count"])
             self.line.send("E+5\r")
             count = 0
             while count != 5:
-                count = json.loads(await socket.recv())["joints"][1]["count"]
+                count = checked(await socket.recv())["joints"][1]["count"]
 
         with Server(clock="real") as xr3, xr3.line() as self.line:
             self.run_with(xr3.monitor_port, work)
@@ -115,7 +121,7 @@ class Library(unittest.TestCase):
             await socket.recv()
             await (await socket.ping(b"hello"))
             await socket.send(iter(['{"op":"pi', 'ng","id":', '"whole"}']))
-            self.assertEqual({"op": "pong", "id": "whole"}, json.loads(await socket.recv()))
+            self.assertEqual({"op": "pong", "id": "whole"}, checked(await socket.recv()))
 
         with Server() as xr3:
             self.run_with(xr3.monitor_port, work)
@@ -123,7 +129,7 @@ class Library(unittest.TestCase):
     def test_no_subprotocol_is_taken_another_is_not(self):
         async def work(socket):
             self.assertIsNone(socket.subprotocol)
-            self.assertEqual("hello", json.loads(await socket.recv())["op"])
+            self.assertEqual("hello", checked(await socket.recv())["op"])
 
         with Server() as xr3:
             self.run_with(xr3.monitor_port, work, subprotocols=None)
@@ -138,7 +144,7 @@ class Library(unittest.TestCase):
         async def work(socket):
             await socket.recv()
             self.xr3.process.terminate()
-            self.assertEqual("shutdown", json.loads(await socket.recv())["why"])
+            self.assertEqual("shutdown", checked(await socket.recv())["why"])
             with self.assertRaises(websockets.ConnectionClosed):
                 await socket.recv()
             self.assertEqual(1001, socket.close_code)
@@ -149,11 +155,11 @@ class Library(unittest.TestCase):
 
     def test_five_wrong_tokens(self):
         async def work(socket):
-            self.assertEqual("read", json.loads(await socket.recv())["access"])
+            self.assertEqual("read", checked(await socket.recv())["access"])
             for _ in range(5):
                 await socket.send(json.dumps({"op": "auth", "token": "wrong"}))
-                self.assertEqual("bad_token", json.loads(await socket.recv())["error"]["code"])
-            self.assertEqual("bad_token", json.loads(await socket.recv())["why"])
+                self.assertEqual("bad_token", checked(await socket.recv())["error"]["code"])
+            self.assertEqual("bad_token", checked(await socket.recv())["why"])
             with self.assertRaises(websockets.ConnectionClosed):
                 await socket.recv()
             self.assertEqual(1008, socket.close_code)
