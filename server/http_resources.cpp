@@ -165,7 +165,7 @@ Answer HttpResources::page(const Request& request) const {
   const bool is_page = is_root || path == "/favicon.ico" || path.starts_with(kAssets);
   if (!is_page) return http::not_found("there is nothing here");
   const WebAsset asset = find_web_asset(is_root ? "/index.html" : path);
-  if (!asset.bytes.empty()) return {200, std::string(asset.type), std::string(asset.bytes), {}};
+  if (!asset.type.empty()) return {200, std::string(asset.type), std::string(asset.bytes), {}};
   if (is_root) return {200, "text/html; charset=utf-8", kNoViewer, {}};
   return http::not_found("the viewer has no such file");
 }

@@ -25,9 +25,9 @@ std::string kind_of(const Command& command) {
   return std::string(code_of(command));
 }
 
-template <std::size_t... kIndex>
-std::vector<std::string> kinds(std::index_sequence<kIndex...>) {
-  return {kind_of(Command(std::in_place_index<kIndex>))...};
+template <std::size_t... Index>
+std::vector<std::string> kinds(std::index_sequence<Index...>) {
+  return {kind_of(Command(std::in_place_index<Index>))...};
 }
 
 /// The names of the commands, by index in Command.

@@ -61,7 +61,7 @@ std::string to_png(const Raster& raster) {
 
 std::string to_png(const Image& image) {
   std::string bytes;
-  Writer writer;
+  const Writer writer;
   png_set_write_fn(writer.png, &bytes, append, nullptr);
   png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width()),
                static_cast<png_uint_32>(image.height()), 1, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,

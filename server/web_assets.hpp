@@ -10,7 +10,7 @@ struct WebAsset {
   std::string_view bytes;
 };
 
-/// The file under a path such as `/assets/main.js`, or `/index.html`. No bytes where there is none.
+/// The file under a path such as `/assets/main.js`, or `/index.html`. No type where there is none.
 WebAsset find_web_asset(std::string_view path);
 
 }  // namespace xr3

@@ -5,6 +5,7 @@
 #include <boost/beast/http/empty_body.hpp>
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/websocket/stream.hpp>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -107,10 +108,10 @@ class BeastWebsocket final : public Websocket {
   MonitorService& service_;
   WebsocketPatience patience_;
   ws::stream<Wire> stream_;
-  std::optional<Viewer> viewer_;  ///< once the handshake is done
-  beast::flat_buffer received_;   ///< bounded by the greatest message
-  monitor::Message message_;      ///< being written
-  asio::steady_timer progress_;   ///< never expires; cancelled when something was written
+  std::unique_ptr<Viewer> viewer_;  ///< once the handshake is done
+  beast::flat_buffer received_;     ///< bounded by the greatest message
+  monitor::Message message_;        ///< being written
+  asio::steady_timer progress_;     ///< never expires; cancelled when something was written
   asio::steady_timer watch_;
   Clock::time_point heard_;  ///< anything, from the client
   bool is_reading_ = false;
@@ -139,7 +140,7 @@ BeastWebsocket::BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorSer
 asio::awaitable<void> BeastWebsocket::run(std::string head) {
   const bool accepted = co_await is_accepted(head);
   if (accepted) {
-    viewer_.emplace(service_, [this] { pump(); });
+    viewer_ = std::make_unique<Viewer>(service_, [this] { pump(); });
     heard_ = Clock::now();
     watch();
     pump();
