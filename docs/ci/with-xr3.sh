@@ -1,0 +1,47 @@
+#!/bin/sh
+# Runs commands against a robot of their own, and tells by its exit code whether all succeeded.
+#
+#     with-xr3.sh 'python3 my_program.py' 'python3 my_check.py'
+#
+# Each argument is a shell command. They run one after the other and find the robot by XR3_HOST,
+# XR3_PORT and XR3_MONITOR_PORT. The ports are free ones, so any number of these may run at once.
+# Where a command fails, the server's log is shown. XR3 names the executable, if it is not the
+# checkout's own; XR3_OPTIONS are the options of `xr3 serve`, where they are not to be `--clock
+# real:50`: time fifty times as fast.
+set -eu
+
+xr3=${XR3:-$(dirname "$0")/../../build/release/xr3}
+folder=$(mktemp -d)
+mkfifo "$folder/said"
+
+# shellcheck disable=SC2086  # options are words
+"$xr3" serve --robot-port 0 --monitor-port 0 ${XR3_OPTIONS---clock real:50} \
+  >"$folder/said" 2>"$folder/log" &
+server=$!
+
+finish() {
+  code=$?
+  kill "$server" 2>/dev/null || true
+  wait "$server" 2>/dev/null || true
+  [ "$code" = 0 ] || { echo "--- log of xr3:"; cat "$folder/log"; } >&2
+  rm -rf "$folder"
+  exit "$code"
+}
+trap finish EXIT
+trap 'exit 130' INT TERM
+
+# The server says one line, when both of its ports take connections: LISTENING robot=HOST:PORT
+# monitor=HOST:PORT. No sleeping, no asking again: read waits for it, and fails if the server ends
+# instead.
+exec 3<"$folder/said"
+read -r listening <&3
+XR3_HOST=localhost
+XR3_PORT=${listening#*robot=*:}
+XR3_PORT=${XR3_PORT%% *}
+XR3_MONITOR_PORT=${listening##*:}
+export XR3_HOST XR3_PORT XR3_MONITOR_PORT
+
+for command; do
+  echo "\$ $command"
+  sh -c "$command" 3<&-
+done

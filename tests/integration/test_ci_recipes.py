@@ -1,0 +1,97 @@
+"""The recipes of docs/ci: the shell one is run as it stands there, for a program that does its
+work, one that fails and one that does something else; the others must have the same commands."""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+from support import DEADLINE_S, ROOT, XR3
+
+RECIPES = pathlib.Path(ROOT, "docs", "ci")
+FILES = ("README.md", "github-actions.yml", "gitlab-ci.yml")
+
+
+def shown(name):
+    """The commands of a file that belong to xr3, in their order."""
+    text = (RECIPES / name).read_text(encoding="utf-8")
+    return re.findall(r"^(?: *- (?:run: )?)?(xr3/\S.*)$", text, re.MULTILINE)
+
+
+class Recipes(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        (self.folder / "xr3").symlink_to(ROOT)
+        self.temporary = self.folder / "tmp"
+        self.temporary.mkdir()
+        for name in ("my_program.py", "my_check.py"):
+            shutil.copy(RECIPES / name, self.folder)
+
+    def run_recipe(self, command=None, **environment):
+        """Runs a command line in a repository with xr3 beside its own files."""
+        return subprocess.run(
+            command or shown("README.md")[-1], shell=True, cwd=self.folder, text=True,
+            env={**os.environ, "XR3": XR3, "TMPDIR": str(self.temporary), **environment},
+            stdin=subprocess.DEVNULL, capture_output=True, timeout=DEADLINE_S, check=False)
+
+    def change(self, name, old, new):
+        path = self.folder / name
+        text = path.read_text(encoding="utf-8")
+        self.assertIn(old, text)
+        path.write_text(text.replace(old, new), encoding="utf-8")
+
+    def test_all_recipes_have_the_same_commands(self):
+        commands = shown("README.md")
+        self.assertEqual("xr3/run --build", commands[0])
+        for name in FILES:
+            with self.subTest(name):
+                self.assertEqual(commands, shown(name))
+
+    def test_a_program_that_does_its_work(self):
+        ran = self.run_recipe()
+        self.assertEqual((0, ""), (ran.returncode, ran.stderr))
+        self.assertEqual(["$ python3 my_program.py", "E is there", "$ python3 my_check.py",
+                          "the arm is where it should be"], ran.stdout.splitlines())
+        self.assertEqual([], list(self.temporary.iterdir()))
+
+    def test_a_program_that_does_something_else(self):
+        self.change("my_program.py", "E+50", "E+49")
+        ran = self.run_recipe()
+        self.assertNotEqual(0, ran.returncode)
+        self.assertIn("'E': 49", ran.stderr)
+
+    def test_a_program_that_is_not_obeyed(self):
+        self.change("my_program.py", "E+50", "E+200")
+        ran = self.run_recipe()
+        self.assertNotEqual(0, ran.returncode)
+        self.assertRegex(ran.stderr, "--- log of xr3:\n(?s:.*)E\\+200: a move is")
+
+    def test_the_exit_code_is_the_programs(self):
+        ran = self.run_recipe("xr3/docs/ci/with-xr3.sh 'exit 7' 'echo not reached'")
+        self.assertEqual((7, "$ exit 7\n"), (ran.returncode, ran.stdout))
+        self.assertEqual([], list(self.temporary.iterdir()))
+
+    def test_a_server_that_does_not_start(self):
+        ran = self.run_recipe(XR3_OPTIONS="--robot no-such-robot")
+        self.assertNotEqual(0, ran.returncode)
+        self.assertIn("no-such-robot", ran.stderr)
+
+    def test_options_of_the_server(self):
+        ran = self.run_recipe("xr3/docs/ci/with-xr3.sh 'curl -s localhost:$XR3_MONITOR_PORT/state'",
+                              XR3_OPTIONS="--robot adept-one --clock manual")
+        self.assertEqual(0, ran.returncode, ran.stderr)
+        self.assertIn('"mode":"manual"', ran.stdout)
+
+    def test_two_at_once(self):
+        inner = "xr3/docs/ci/with-xr3.sh 'python3 my_program.py'"
+        ran = self.run_recipe(f"""xr3/docs/ci/with-xr3.sh "{inner}" 'python3 my_program.py'""")
+        self.assertEqual(0, ran.returncode, ran.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
