@@ -24,7 +24,7 @@ echo 'E+50'
 robot_send 'E+50\r'
 wait_for E
 
-# The same for the base, the other way round.
-echo 'F-40'
-robot_send 'F-40\r'
-wait_for F
+# And back again.
+echo 'E-50'
+robot_send 'E-50\r'
+wait_for E

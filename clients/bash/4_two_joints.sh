@@ -29,3 +29,9 @@ while [ "$f" -gt 0 ] || [ "$e" -gt 0 ]; do
   ask_both
 done
 echo 'both are there'
+
+# And back again. robot_wait is example 2 once more, for one joint after the other.
+robot_send 'F-40 E-80\r'
+robot_wait F
+robot_wait E
+echo 'both are back'

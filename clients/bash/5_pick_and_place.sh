@@ -17,7 +17,7 @@ above_block=(F 0 E 242 D -440 C 0 B 0)
 at_block=(F 0 E 449 D -625 C 0 B 0)
 above_place=(F 0 E 483 D -238 C 0 B 288) # x 400, y 0, not turned
 at_place=(F 0 E 623 D -354 C 0 B 288)
-home=(F 0 E 0 D 0 C 0 B 0)
+home=(F 0 E 0 D 0 C 0 B 0 A 0)
 
 # robot_go brings all joints to these counts together. A single move is at most 127 counts long,
 # so it sends several, and waits after each.

@@ -51,5 +51,5 @@ go_to 392 60 90 $((z + above))
 echo 'put down at x 392, y 60 mm'
 
 look
-robot_go F 0 E 0 D 0 C 0 B 0
+robot_go F 0 E 0 D 0 C 0 B 0 A 0
 echo 'back at the start'

@@ -27,10 +27,10 @@ int main(int argc, char *argv[]) {
   robot_send("E+50\r");
   wait_for(E);
 
-  /* The same for the base, the other way round. */
-  printf("F-40\n");
-  robot_send("F-40\r");
-  wait_for(F);
+  /* And back again. */
+  printf("E-50\n");
+  robot_send("E-50\r");
+  wait_for(E);
 
   robot_close();
   return 0;

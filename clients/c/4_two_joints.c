@@ -27,6 +27,12 @@ int main(int argc, char *argv[]) {
   }
   printf("both are there\n");
 
+  /* And back again. robot_wait is example 2 once more, for one joint after the other. */
+  robot_send("F-40 E-80\r");
+  robot_wait(F);
+  robot_wait(E);
+  printf("both are back\n");
+
   robot_close();
   return 0;
 }

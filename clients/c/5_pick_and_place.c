@@ -21,7 +21,7 @@ static const int ABOVE_BLOCK[5] = { 0, 242, -440, 0,   0 };
 static const int AT_BLOCK[5] =    { 0, 449, -625, 0,   0 };
 static const int ABOVE_PLACE[5] = { 0, 483, -238, 0, 288 }; /* x 400, y 0, not turned */
 static const int AT_PLACE[5] =    { 0, 623, -354, 0, 288 };
-static const int HOME[5] =        { 0,   0,    0, 0,   0 };
+static const int HOME[JOINTS] =   { 0,   0,    0, 0,   0, 0 };   /* the jaws, A, too */
 
 /* Brings the arm there, all joints together, and leaves the jaws as they are. A single move is at
    most 127 counts long, so robot_go sends several, and waits after each. */
@@ -59,7 +59,7 @@ int main(int argc, char *argv[]) {
   open_jaws();
   printf("let go\n");
   go(ABOVE_PLACE);
-  go(HOME);
+  robot_go(HOME);
   printf("back at the start\n");
 
   robot_close();

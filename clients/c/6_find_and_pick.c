@@ -141,7 +141,7 @@ int main(int argc, char *argv[]) {
   printf("put down at x %.0f, y %.0f mm\n", target.x, target.y);
 
   find_largest();
-  const int home[JOINTS] = {[A] = OPEN};
+  const int home[JOINTS] = {0};
   robot_go(home);
   printf("back at the start\n");
 

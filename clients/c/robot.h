@@ -11,7 +11,8 @@ extern const char LETTERS[]; /* "FEDCBA" */
 /* Where the motors are, in counts from the soft home, as far as robot_go moved them. */
 extern int at[JOINTS];
 
-/* Connects to HOST and PORT of the arguments, else of XR3_HOST and XR3_PORT, else to localhost 9600. */
+/* Connects to HOST and PORT of the arguments, else of XR3_HOST and XR3_PORT, else to localhost
+   9600. */
 void robot_connect(int argc, char *argv[]);
 
 /* Sends commands; the text is printf's. A move has to end with \r. */

@@ -27,8 +27,8 @@ int main(int argc, char* argv[]) {
   robot.send("E+50\r");
   wait_for(robot, 'E');
 
-  // The same for the base, the other way round.
-  std::cout << "F-40\n";
-  robot.send("F-40\r");
-  wait_for(robot, 'F');
+  // And back again.
+  std::cout << "E-50\n";
+  robot.send("E-50\r");
+  wait_for(robot, 'E');
 }

@@ -27,4 +27,10 @@ int main(int argc, char* argv[]) {
     e = robot.to_go('E');
   }
   std::cout << "both are there\n";
+
+  // And back again. wait() is example 2 once more, for one joint after the other.
+  robot.send("F-40 E-80\r");
+  robot.wait('F');
+  robot.wait('E');
+  std::cout << "both are back\n";
 }

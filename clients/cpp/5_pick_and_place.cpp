@@ -18,7 +18,7 @@ const Counts kAboveBlock{{'F', 0}, {'E', 242}, {'D', -440}, {'C', 0}, {'B', 0}};
 const Counts kAtBlock{{'F', 0}, {'E', 449}, {'D', -625}, {'C', 0}, {'B', 0}};
 const Counts kAbovePlace{{'F', 0}, {'E', 483}, {'D', -238}, {'C', 0}, {'B', 288}};  // x 400, y 0
 const Counts kAtPlace{{'F', 0}, {'E', 623}, {'D', -354}, {'C', 0}, {'B', 288}};
-const Counts kHome{{'F', 0}, {'E', 0}, {'D', 0}, {'C', 0}, {'B', 0}};
+const Counts kHome{{'F', 0}, {'E', 0}, {'D', 0}, {'C', 0}, {'B', 0}, {'A', 0}};
 
 int main(int argc, char* argv[]) {
   Robot robot(argc, argv);

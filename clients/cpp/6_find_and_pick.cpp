@@ -146,6 +146,6 @@ int main(int argc, char* argv[]) {
   std::cout << "put down at x " << target.x << ", y " << target.y << " mm\n";
 
   find_largest(robot);
-  robot.go({{'F', 0}, {'E', 0}, {'D', 0}, {'C', 0}, {'B', 0}});
+  robot.go({{'F', 0}, {'E', 0}, {'D', 0}, {'C', 0}, {'B', 0}, {'A', 0}});
   std::cout << "back at the start\n";
 }

@@ -26,10 +26,10 @@ class MoveAndWait {
         robot.send("E+50\r");
         waitFor(robot, "E");
 
-        // The same for the base, the other way round.
-        System.out.println("F-40");
-        robot.send("F-40\r");
-        waitFor(robot, "F");
+        // And back again.
+        System.out.println("E-50");
+        robot.send("E-50\r");
+        waitFor(robot, "E");
 
         robot.close();
     }

@@ -25,6 +25,12 @@ class TwoJoints {
         }
         System.out.println("both are there");
 
+        // And back again. robot.waitFor() is example 2 once more, for one joint after the other.
+        robot.send("F-40 E-80\r");
+        robot.waitFor("F");
+        robot.waitFor("E");
+        System.out.println("both are back");
+
         robot.close();
     }
 }

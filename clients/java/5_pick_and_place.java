@@ -46,6 +46,7 @@ class PickAndPlace {
         System.out.println("let go");
         robot.go(ABOVE_PLACE);
         robot.go(HOME);
+        robot.go(Map.of("A", 0));
         System.out.println("back at the start");
 
         robot.close();

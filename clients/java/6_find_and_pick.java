@@ -149,6 +149,7 @@ class FindAndPick {
 
         findLargest();
         robot.go(Robot.arm(0, 0, 0, 0, 0));
+        robot.go(Map.of("A", 0));
         System.out.println("back at the start");
 
         robot.close();

@@ -25,10 +25,10 @@ async function main() {
   robot.send("E+50\r");
   await waitFor("E");
 
-  // The same for the base, the other way round.
-  console.log("F-40");
-  robot.send("F-40\r");
-  await waitFor("F");
+  // And back again.
+  console.log("E-50");
+  robot.send("E-50\r");
+  await waitFor("E");
 
   robot.close();
 }

@@ -26,6 +26,12 @@ async function main() {
   }
   console.log("both are there");
 
+  // And back again. wait() is example 2 once more, for one joint after the other.
+  robot.send("F-40 E-80\r");
+  await robot.wait("F");
+  await robot.wait("E");
+  console.log("both are back");
+
   robot.close();
 }
 

@@ -15,7 +15,7 @@ const aboveBlock = { F: 0, E: 242, D: -440, C: 0, B: 0 };
 const atBlock = { F: 0, E: 449, D: -625, C: 0, B: 0 };
 const abovePlace = { F: 0, E: 483, D: -238, C: 0, B: 288 }; // x 400, y 0, not turned
 const atPlace = { F: 0, E: 623, D: -354, C: 0, B: 288 };
-const home = { F: 0, E: 0, D: 0, C: 0, B: 0 };
+const home = { F: 0, E: 0, D: 0, C: 0, B: 0, A: 0 };
 
 const robot = new Robot();
 

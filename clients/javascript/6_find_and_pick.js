@@ -133,7 +133,7 @@ async function main() {
   console.log(`put down at x ${target.x}, y ${target.y} mm`);
 
   await findLargest();
-  await robot.go({ F: 0, E: 0, D: 0, C: 0, B: 0 });
+  await robot.go({ F: 0, E: 0, D: 0, C: 0, B: 0, A: 0 });
   console.log("back at the start");
 
   robot.close();

@@ -19,15 +19,15 @@ while left > 0
 end
 fprintf('E is there\n');
 
-% The same for the base, the other way round.
-fprintf('F-40\n');
-robot_send(robot, 'F-40\r');
-left = robot_to_go(robot, 'F');
+% And back again.
+fprintf('E-50\n');
+robot_send(robot, 'E-50\r');
+left = robot_to_go(robot, 'E');
 while left > 0
   fprintf('  %d counts to go\n', left);
   pause(0.05);
-  left = robot_to_go(robot, 'F');
+  left = robot_to_go(robot, 'E');
 end
-fprintf('F is there\n');
+fprintf('E is there\n');
 
 clear robot

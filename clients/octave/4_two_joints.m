@@ -23,4 +23,10 @@ while f > 0 || e > 0
 end
 fprintf('both are there\n');
 
+% And back again. robot_wait is example 2 once more, for one joint after the other.
+robot_send(robot, 'F-40 E-80\r');
+robot_wait(robot, 'F');
+robot_wait(robot, 'E');
+fprintf('both are back\n');
+
 clear robot

@@ -42,7 +42,7 @@ fprintf('at its new place\n');
 robot = robot_go(robot, [at_place 16]);
 fprintf('let go\n');
 robot = robot_go(robot, above_place);
-robot = robot_go(robot, home);
+robot = robot_go(robot, [home 0]);
 fprintf('back at the start\n');
 
 clear robot

@@ -32,7 +32,7 @@ robot = robot_go(robot, counts_at(target, z + above));
 fprintf('put down at x %d, y %d mm\n', target.x, target.y);
 
 find_largest(robot);
-robot = robot_go(robot, [0 0 0 0 0]);
+robot = robot_go(robot, [0 0 0 0 0 0]);
 fprintf('back at the start\n');
 
 clear robot

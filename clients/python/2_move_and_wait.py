@@ -28,9 +28,9 @@ print("E+50")
 robot.send("E+50\r")
 wait_for("E")
 
-# The same for the base, the other way round.
-print("F-40")
-robot.send("F-40\r")
-wait_for("F")
+# And back again.
+print("E-50")
+robot.send("E-50\r")
+wait_for("E")
 
 robot.close()

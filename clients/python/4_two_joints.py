@@ -26,4 +26,10 @@ while f > 0 or e > 0:
     f, e = robot.ask("F?") - 32, robot.ask("E?") - 32
 print("both are there")
 
+# And back again. wait() is example 2 once more, for one joint after the other.
+robot.send("F-40 E-80\r")
+robot.wait("F")
+robot.wait("E")
+print("both are back")
+
 robot.close()

@@ -13,7 +13,7 @@ import xr3
 # --pose 262,0,20 --down 90` works out the first one: the middle of the red block, x 262, y 0 and z
 # 20 mm, turned by 90 degrees. "Above" is 100 mm higher up. On a real arm one would drive there by
 # hand and write the counts down.
-HOME = {"F": 0, "E": 0, "D": 0, "C": 0, "B": 0}
+HOME = {"F": 0, "E": 0, "D": 0, "C": 0, "B": 0, "A": 0}
 ABOVE_BLOCK = {"F": 0, "E": 242, "D": -440, "C": 0, "B": 0}
 AT_BLOCK = {"F": 0, "E": 449, "D": -625, "C": 0, "B": 0}
 ABOVE_PLACE = {"F": 0, "E": 483, "D": -238, "C": 0, "B": 288}  # x 400, y 0, not turned
@@ -41,8 +41,8 @@ print("lifted")
 robot.go(ABOVE_PLACE)
 robot.go(AT_PLACE)
 print("at its new place")
-robot.send(f"A{16 - jaws:+d}\r")
-robot.wait("A")
+robot.at["A"] = jaws
+robot.go({"A": 16})
 print("let go")
 robot.go(ABOVE_PLACE)
 robot.go(HOME)

@@ -37,7 +37,7 @@ print(f"put down at x {PLACE.x}, y {PLACE.y} mm")
 block = largest()
 print(f"the largest is at x {block.x:.0f}, y {block.y:.0f} mm, turned {block.yaw:.0f} degrees")
 
-robot.go({"F": 0, "E": 0, "D": 0, "C": 0, "B": 0})
+robot.go({"F": 0, "E": 0, "D": 0, "C": 0, "B": 0, "A": 0})
 print("back at the start")
 
 robot.close()

@@ -28,8 +28,8 @@ fn main() -> Result<()> {
     robot.send("E+50\r")?;
     wait_for(&mut robot, 'E')?;
 
-    // The same for the base, the other way round.
-    println!("F-40");
-    robot.send("F-40\r")?;
-    wait_for(&mut robot, 'F')
+    // And back again.
+    println!("E-50");
+    robot.send("E-50\r")?;
+    wait_for(&mut robot, 'E')
 }

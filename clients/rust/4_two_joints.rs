@@ -27,5 +27,11 @@ fn main() -> Result<()> {
         e = robot.to_go('E')?;
     }
     println!("both are there");
+
+    // And back again. wait() is example 2 once more, for one joint after the other.
+    robot.send("F-40 E-80\r")?;
+    robot.wait('F')?;
+    robot.wait('E')?;
+    println!("both are back");
     Ok(())
 }

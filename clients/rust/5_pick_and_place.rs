@@ -18,7 +18,6 @@ const ABOVE_BLOCK: [i32; 5] = [0, 242, -440, 0, 0];
 const AT_BLOCK: [i32; 5] = [0, 449, -625, 0, 0];
 const ABOVE_PLACE: [i32; 5] = [0, 483, -238, 0, 288]; // x 400, y 0, not turned
 const AT_PLACE: [i32; 5] = [0, 623, -354, 0, 288];
-const HOME: [i32; 5] = [0, 0, 0, 0, 0];
 
 fn main() -> Result<()> {
     let mut robot = Robot::connect()?;
@@ -46,7 +45,7 @@ fn main() -> Result<()> {
     robot.go_jaws(16)?;
     println!("let go");
     robot.go_arm(ABOVE_PLACE)?;
-    robot.go_arm(HOME)?;
+    robot.go([0; 6])?; // home: all of them at 0, the jaws, too
     println!("back at the start");
     Ok(())
 }

@@ -152,7 +152,7 @@ fn main() -> Result<()> {
     println!("put down at x {}, y {} mm", target.x, target.y);
 
     find_largest(&mut robot)?;
-    robot.go_arm([0, 0, 0, 0, 0])?;
+    robot.go([0; 6])?;
     println!("back at the start");
     Ok(())
 }

@@ -63,21 +63,20 @@ class Wrong(Exception):
 
 @dataclasses.dataclass
 class Outcome:
-    """Where the motors must be (those not named: at 0), and where the red block, if it must have
-    moved."""
+    """What must be so at the end, beside that all motors are at 0."""
 
-    counts: dict = dataclasses.field(default_factory=dict)
+    moves: str = None  # every move that was obeyed, where that is of interest
     speeds: dict = dataclasses.field(default_factory=dict)
-    red: tuple = None  # x, y, z in mm, yaw in degrees
+    red: tuple = None  # x, y, z in mm and yaw in degrees of the red block, if it must have moved
 
 
 OUTCOMES = {
-    "1_hello": Outcome(),
-    "2_move_and_wait": Outcome(counts={"E": 50, "F": -40}),
+    "1_hello": Outcome(moves=""),
+    "2_move_and_wait": Outcome(moves="E+50 E-50"),
     "3_home": Outcome(),
-    "4_two_joints": Outcome(counts={"F": 40, "E": 80}, speeds={"F": 40, "E": 80}),
-    "5_pick_and_place": Outcome(counts={"A": 16}, red=(400, 0, 20, 0)),
-    "6_find_and_pick": Outcome(counts={"A": 16}, red=(392, 60, 20, 90)),
+    "4_two_joints": Outcome(moves="F+40 E+80 F-40 E-80", speeds={"F": 40, "E": 80}),
+    "5_pick_and_place": Outcome(red=(400, 0, 20, 0)),
+    "6_find_and_pick": Outcome(red=(392, 60, 20, 90)),
 }
 
 
@@ -86,18 +85,26 @@ def check_outcome(monitor, wanted, blocks):
     state = monitor.state()
     motors = {motor["label"]: motor for motor in [*state["joints"], state["tool"]]}
     for label, motor in motors.items():
-        should = wanted.counts.get(label, 0)
-        if motor["count"] != should:
-            raise Wrong(f"{label} is at {motor['count']}, not at {should}")
+        if motor["count"] != 0:
+            raise Wrong(f"{label} is at {motor['count']}, not at 0")
         if motor["speed"] != wanted.speeds.get(label, motor["speed"]):
             raise Wrong(f"{label} has speed {motor['speed']}")
     if state["stalled"] or state["moving"] or state["tool"]["holding"]:
         raise Wrong("the robot stalls, moves, or holds something")
     for block in state["blocks"]:
         check_block(block, blocks[block["name"]], wanted.red)
-    for event in monitor.recall("event", since=0):
+    check_events(monitor.recall("event", since=0), wanted)
+
+
+def check_events(events, wanted):
+    """Nothing went wrong, and the moves are the ones that should be seen."""
+    for event in events:
         if event["event"] in ("warning", "stalled"):
             raise Wrong(f"{event['code']}: {event['message']}")
+    moves = " ".join(f"{event['joint']}{event['counts']:+d}" for event in events
+                     if event["event"] == "move")
+    if wanted.moves not in (None, moves):
+        raise Wrong(f"the moves were {moves}, not {wanted.moves}")
 
 
 def check_block(block, before, red):
@@ -160,6 +167,14 @@ def displace(server):
         robot.go(DISPLACED)
 
 
+def run_in_a_row(language):
+    """`make`: all examples one after the other, on one robot."""
+    with Server("--clock", CLOCK) as server, Monitor("127.0.0.1", server.monitor_port) as monitor:
+        blocks = {block["name"]: block for block in monitor.state("blocks")["blocks"]}
+        run("make", CLIENTS / language, XR3_HOST="localhost", XR3_PORT=str(server.robot_port))
+        check_outcome(monitor, Outcome(red=OUTCOMES[EXAMPLES[-1]].red), blocks)
+
+
 def run_example(language, example, command, by_arguments=False):
     """One example against a server of its own."""
     with tempfile.TemporaryDirectory() as folder, \
@@ -207,7 +222,9 @@ def check_language(language):
         for example in EXAMPLES:
             run_one(language, example, command.replace("1_hello", example), faults)
         run_one(language, "1_hello", elsewhere, faults, by_arguments=True)
-    except Wrong as wrong:
+        if command.startswith("make"):
+            run_in_a_row(language)
+    except (Wrong, subprocess.TimeoutExpired) as wrong:
         faults.append(f"{language}: {wrong}")
     print("".join(f"{fault}\n" for fault in faults), end="", flush=True)
     took = time.monotonic() - started
