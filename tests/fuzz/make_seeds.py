@@ -1,10 +1,12 @@
 #!/usr/bin/python3
-"""Writes the fuzzers' seeds: transcripts for fuzz_line, data files for fuzz_data_file.
+"""Writes the fuzzers' seeds: transcripts for fuzz_line, data files for fuzz_data_file, one request of
+each kind for fuzz_monitor_request.
 
-    make_seeds.py FOLDER      writes FOLDER/line/* and FOLDER/data_file/*
+    make_seeds.py FOLDER      writes FOLDER/line/*, FOLDER/data_file/* and FOLDER/monitor_request/*
 """
 
 import glob
+import json
 import os
 import re
 import sys
@@ -65,6 +67,52 @@ def files(pattern):
             yield os.path.splitext(os.path.basename(path))[0], file.read()
 
 
+def saved_cell(workcell):
+    """A saved cell at the soft home, one motor under way, with a block in the jaws."""
+    motor = {"count": 0, "phase": 0, "error": 0, "speed": 1, "blocked": "no", "switch_closed": False}
+    display = {"on": True, "view": [1, 1, 1], "period_half_s": 6, "erase": False, "status_option": 6,
+               "function_keys": True}
+    block = {"name": "red", "size_um": [64000, 32000, 40000], "centroid_um": [262000, 0, 20000],
+             "yaw_udeg": 90000000, "color": 12}
+    state = {"tick": 5, "motors": [{**motor, "phase": 3, "error": 50, "speed": 130}] + [motor] * 7,
+             "stall": "no", "below_surface": False, "enabled": True, "display": display,
+             "io": {"inputs": 1, "outputs": 2, "auxiliary": 3}, "blocks": [block],
+             "held": {"block": 0, "quarter_turns": 1, "grasped_at": [0] * 8}, "jaws_warned": False,
+             "tip_path": {"points": [[238100, 0, 320700], [238000, 0, 320700]], "oldest": 0}}
+    return {"robot_hash": "sha256:1", "workcell": workcell, "state": state}
+
+
+def calls(workcell):
+    """Every call with args."""
+    return {
+        "rate": {"factor": 0.5},
+        "step": {"ticks": 5, "after": {"line": 1, "bytes_in": 2, "within_ms": 3}, "fields": ["tool"]},
+        "run_until": {"idle": True, "max_ticks": 60000}, "key": {"function": "view", "value": [1, 0, -9]},
+        "send": {"hex": "452b350d"}, "input": {"input": 8, "value": True},
+        "block_add": {"name": "a", "size_mm": [40, 20, 10], "xyz_mm": [300, 0, 5], "yaw_deg": 30, "color": 2},
+        "block_move": {"name": "a", "xyz_mm": [1, 2, 3]}, "block_remove": {"name": "a"},
+        "workcell": {"workcell": workcell}, "snapshot_save": {"inline": True},
+        "snapshot_load": {"snapshot": saved_cell(workcell)}, "line_disconnect": {"line": 1},
+        "describe": {"fn": "step"},
+    }
+
+
+def requests():
+    """One request of each kind, by name."""
+    workcell = {
+        "name": "w", "length_unit": "mm", "workspace": {"x": 600, "y": 500, "z": 700},
+        "blocks": [{"name": "red", "size": [64, 32, 40], "centroid": [262, 0, 20], "yaw_deg": 90, "color": 12}],
+        "camera": {"location": [290, 0, 1000], "field": [384, 384], "pixels": [64, 64],
+                   "projection": "perspective"}}
+    yield "auth", {"op": "auth", "id": "a", "token": "3q2-7wEXAMPLEtoken16chars"}
+    yield "sub", {"op": "sub", "channel": "image", "encoding": "rle", "max_hz": 10, "on_change": False,
+                  "fields": ["rows"]}
+    yield "unsub", {"op": "unsub", "channel": "line"}
+    yield "get", {"op": "get", "cell": "main", "channel": "event", "since": 7}
+    for fn, args in calls(workcell).items():
+        yield fn, {"op": "call", "id": 1, "fn": fn, "args": args}
+
+
 def main():
     folder = sys.argv[1]
     for name, text in files("tests/transcripts/*.txt"):
@@ -72,6 +120,8 @@ def main():
     for kind, first in (("robots", b"\0"), ("workcells", b"\1")):
         for name, text in files(f"data/{kind}/*.json"):
             write(os.path.join(folder, "data_file"), f"{kind}-{name}", first + text)
+    for name, request in requests():
+        write(os.path.join(folder, "monitor_request"), name, json.dumps(request).encode())
 
 
 if __name__ == "__main__":

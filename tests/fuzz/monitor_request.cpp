@@ -1,0 +1,88 @@
+// Fuzzes the reader of the monitor's requests: any bytes give a request or what is wrong with them,
+// never anything else; a saved cell that was accepted is the same when written and read again, and
+// where it fits the Rhino, a machine runs on from it, is drawn and is seen.
+//
+// Input: one message.
+#include "protocol/monitor_request.hpp"
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/camera.hpp"
+#include "core/simulation.hpp"
+#include "core/status_line.hpp"
+#include "core/wireframe.hpp"
+#include "protocol/monitor_message.hpp"
+#include "protocol/saved_cell_json.hpp"
+#include "tests/support/models.hpp"
+
+namespace xr3::monitor {
+namespace {
+
+constexpr int kMostPixels = 65536;  ///< larger pictures only take time
+
+void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "broken: %s\n", what);
+  std::abort();
+}
+
+/// Everything that is made of a state, and whatever a line or a tick does to it.
+void exercise(const SavedCell& saved) {
+  Simulation simulation(std::make_shared<const Model>(test::robot_named("rhino-xr3"),
+                                                      saved.workcell, Profile::kPaper));
+  simulation.restore(saved.state);
+  const auto& camera = saved.workcell.camera;
+  if (camera && camera->pixels_x * camera->pixels_y <= kMostPixels)
+    camera_image(simulation.model(), simulation.state());
+  wireframe(simulation.model(), simulation.state());
+  view_along(simulation.state().display.view);
+  status_line(simulation.model(), simulation.state());
+  simulation.advance_to(simulation.tick() + 300);
+  for (const char label : {'F', 'E', 'A', 'A'}) simulation.execute(Move{label, -100});
+  simulation.execute(ToggleErasing{});
+  simulation.advance_to(simulation.tick() + 300);
+  simulation.execute(Move{'A', 100});
+  simulation.run_to_rest(simulation.tick() + 100'000);
+  state_json(simulation.model(), {0, ClockMode::kReal, {}, 1, simulation.state()});
+  simulation.execute(SoftHome{});
+}
+
+void load(const SavedCell& saved) {
+  const SavedCellReading again = read_saved_cell(saved_cell_to_json(saved));
+  require(again.saved && *again.saved == saved, "the saved cell written and read again");
+  if (misfits(*test::rhino(), saved).empty()) exercise(saved);
+}
+
+void check(const Request& request) {
+  require(request.cell == "main", "the only cell");
+  const auto* wanted = std::get_if<CallRequest>(&request.what);
+  if (wanted == nullptr) return;
+  const auto* of_cell = std::get_if<call::Call>(&wanted->call);
+  if (of_cell == nullptr) return;
+  const auto* snapshot = std::get_if<call::LoadSnapshot>(of_cell);
+  if (snapshot == nullptr) return;
+  require(snapshot->name.empty() == (snapshot->saved != nullptr), "a name or a saved cell");
+  if (snapshot->saved) load(*snapshot->saved);
+}
+
+void check(const RequestError& error) {
+  require(!error.code.empty() && !error.message.empty(), "an error says what is wrong");
+  require(error.code != "bad_args" || !error.details.empty(), "wrong args are told");
+  require(!Json::parse(*result(error)).is_discarded(), "an answer is JSON");
+}
+
+}  // namespace
+}  // namespace xr3::monitor
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace xr3::monitor;  // NOLINT: one call
+  const std::string_view text{reinterpret_cast<const char*>(data), size};
+  const RequestReading reading = read_request(text, {"main"});
+  std::visit([](const auto& value) { check(value); }, reading);
+  return 0;
+}
