@@ -200,6 +200,10 @@ test("command mode: Alt keys, plain keys and the menu do the same", () =>
     await page.waitForSelector("#menu[open]");
     await page.click("#functions button:has-text('Simulator')");
     await page.waitForSelector("#functions [data-now=enabled]:has-text('disabled')");
+    await page.keyboard.press("F5");
+    await page.waitForSelector("#functions [data-now=enabled]:has-text('enabled')");
+    await page.keyboard.press("p");
+    await page.waitForSelector("#functions [data-now=path]:has-text('no')");
     await page.keyboard.press("Escape");
     await page.keyboard.press("Alt+F2");
     await page.waitForSelector("#ask-view[open]");

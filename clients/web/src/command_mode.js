@@ -26,9 +26,12 @@ export class CommandMode {
 
   #key(event) {
     if (event.altKey) return this.#altKey(event);
-    if (event.ctrlKey || event.metaKey || isTyping(event.target) || document.querySelector("dialog[open]")) return;
+    const dialog = document.querySelector("dialog[open]");
+    const isElsewhere = isTyping(event.target) || (dialog && dialog.id !== "menu");
+    if (event.ctrlKey || event.metaKey || isElsewhere) return;
     if (event.key === "m") return this.#take(event, () => this.toggleMenu());
-    const wanted = kFunctions.find((each) => each.key === event.key);
+    // Inside the menu the function keys need no Alt.
+    const wanted = kFunctions.find((each) => each.key === event.key || (dialog && each.alt === event.key));
     if (wanted) this.#take(event, () => this.run(wanted.name));
   }
 

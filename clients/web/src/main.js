@@ -24,7 +24,7 @@ if (connection.token) history.replaceState(null, "", location.pathname); // not 
 function take(message) {
   const takers = {
     hello: takeHello, model: takeModel, state: takeState, display: takeDisplay, image: (m) => camera.setImage(m),
-    line: takeLine, event: takeEvent, lag: (m) => wire.lag(m), bye: (m) => tell(m.message), result: () => {},
+    line: takeLine, event: takeEvent, lag: takeLag, bye: (m) => tell(m.message), result: () => {},
   };
   takers[message.op]?.(message);
 }
@@ -70,6 +70,11 @@ function takeDisplay(display) {
 function takeLine(message) {
   wire.take(message);
   consolePanel.explain(message);
+}
+
+// Frames that were overwritten are nobody's loss; messages of a ring are.
+function takeLag(lag) {
+  if (lag.channel === "line") wire.lag(lag);
 }
 
 function takeEvent(event) {
@@ -323,9 +328,10 @@ connection.follow("line");
 connection.follow("event");
 connection.open();
 
-// For tests: what is known and what is drawn, to be read only.
+// For tests and pictures: what is known and what is drawn.
 window.xr3 = {
   known, transcriptLine,
+  step: (ticks) => call("step", { ticks, fields: [] }),
   tip: () => known.model && tip(known.model.robot, known.state.joints.map((joint) => joint.value)),
   tipDrawn: () => scene.tipDrawn(),
   blockDrawn: (name) => scene.blockDrawn(name),

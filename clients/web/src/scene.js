@@ -10,6 +10,7 @@ import { prisms, segments, strokes, triangles } from "./solids.js";
 const kMostPathPoints = 4096;
 const kJumpDegrees = 25; // more than that at once is a jump (home, reset), not a motion
 const kLongestGlideMs = 120;
+const kFill = 0.92; // of the distance at which everything is surely in the picture
 
 const matrixOf = (rows) => new THREE.Matrix4().set(...rows.flat());
 const mix = (a, b, t) => a + (b - a) * t;
@@ -86,7 +87,7 @@ export class Scene {
     this.unit = mmPerUnit(model.robot);
     this.#buildRobot(model.robot);
     this.#buildCell(model.robot, model.workcell);
-    if (isNew) this.lookFrom("corner");
+    this.mustLook = this.mustLook || isNew;
     if (this.state) this.#pose();
   }
 
@@ -250,6 +251,10 @@ export class Scene {
     this.state = state;
     this.glide = { from: [...this.values], to: wanted, since: now, duration };
     if (isFirst) this.pathPoints = [];
+    if (this.mustLook && this.model) {
+      this.mustLook = false;
+      this.lookFrom("corner");
+    }
     this.#wake();
   }
 
@@ -354,13 +359,17 @@ export class Scene {
   // --- Looking.
 
   lookFrom(name) {
-    const { workcell } = this.model ?? {};
-    const reach = workcell ? Math.max(workcell.workspace.x, workcell.workspace.z) * mmPerUnit(workcell) : 800;
-    const target = new THREE.Vector3(reach * 0.26, 0, reach * 0.26);
+    this.#pose();
+    const box = new THREE.Box3().setFromObject(this.robot).union(new THREE.Box3().setFromObject(this.blocks));
+    if (box.isEmpty()) box.set(new THREE.Vector3(-200, -400, 0), new THREE.Vector3(600, 400, 600));
+    const ball = box.getBoundingSphere(new THREE.Sphere());
     const away = {
-      corner: [1.25, -1.1, 0.8], front: [2.1, 0, 0.25], left: [0, 2.1, 0.25], right: [0, -2.1, 0.25], top: [0.001, 0, 2.3],
+      corner: [1.25, -1.1, 0.75], front: [1, 0, 0.12], left: [0, 1, 0.12], right: [0, -1, 0.12], top: [0.001, 0, 1],
     }[name];
-    this.camera.position.set(...away).multiplyScalar(reach).add(target);
+    const narrow = Math.min(1, this.camera.aspect);
+    const reach = ball.radius / Math.sin(THREE.MathUtils.degToRad(this.camera.fov / 2)) / narrow;
+    const target = ball.center;
+    this.camera.position.set(...away).setLength(reach * kFill).add(target);
     this.controls.target.copy(target);
     this.controls.update();
     this.#wake();

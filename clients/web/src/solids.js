@@ -1,8 +1,9 @@
 // From the outlines of a robot file to surfaces. An outline is a pen's way: closed loops and single lines.
-// Two loops of the same shape, one the other one shifted, are the ends of a prism; those get faces. What
-// is no prism stays lines. It knows no renderer.
+// Two loops of the same shape, one the other one shifted, and perhaps larger, are the ends of a prism or
+// a frustum; those get faces. What is neither stays lines. It knows no renderer.
 
 const kTolerance = 0.6; // mm: files are rounded
+const kLeastScale = 0.3; // of one end of a frustum against the other
 
 const distance = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -24,11 +25,22 @@ export function segments(all) {
 
 const isLoop = (stroke) => stroke.length > 3 && distance(stroke[0], stroke.at(-1)) < kTolerance;
 
+const middle = (loop) => [0, 1, 2].map((k) => loop.reduce((sum, point) => sum + point[k], 0) / loop.length);
+
+/** One loop is the other one shifted across its plane, and scaled. */
 function isShifted(a, b) {
   if (a.length !== b.length) return false;
-  const shift = minus(b[0], a[0]);
-  if (Math.hypot(...shift) < kTolerance) return false;
-  return a.every((point, i) => distance(minus(b[i], point), shift) < kTolerance);
+  const [from, to] = [middle(a), middle(b)];
+  const scale = distance(b[0], to) / distance(a[0], from);
+  if (distance(from, to) < kTolerance || !(scale > kLeastScale && scale < 1 / kLeastScale)) return false;
+  const [e, f] = plane(a);
+  const shift = minus(to, from);
+  const inPlane = [e, f].map((axis) => axis[0] * shift[0] + axis[1] * shift[1] + axis[2] * shift[2]);
+  if (distance(from, to) - Math.hypot(...inPlane) < kTolerance) return false;
+  return a.every((point, i) => {
+    const wanted = point.map((x, k) => to[k] + scale * (x - from[k]));
+    return distance(wanted, b[i]) < 2 * kTolerance;
+  });
 }
 
 /** Prisms in the strokes: pairs of loops without their repeated last point. */

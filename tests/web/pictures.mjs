@@ -1,0 +1,65 @@
+// Screenshots for the docs, and the frames of a short film: the Rhino picks up a block and carries it.
+// node pictures.mjs DOCS_FOLDER FRAMES_FOLDER, with XR3 naming the executable.
+import { close, open, ready, serve, type } from "./bench.mjs";
+
+const [docs, frames] = process.argv.slice(2);
+const kSize = { width: 1280, height: 720 };
+
+async function still(robot, colorScheme, act) {
+  const server = await serve("--robot", robot);
+  const page = await open(server.url, { viewport: kSize, colorScheme });
+  await ready(page);
+  await act(page, server);
+  await page.waitForTimeout(400);
+  await page.screenshot({ path: `${docs}/viewer-${robot}.png` });
+  await page.context().close();
+  await server.stop();
+}
+
+const move = (text) => async (page, server) => {
+  await type(server.robot, text);
+  await page.waitForFunction(() => window.xr3.known.state.moving);
+  await page.waitForFunction(() => !window.xr3.known.state.moving);
+};
+
+await still("rhino-xr3", "light", move("F+90\rE+60\rD-30\rC+20\rE?I"));
+await still("adept-one", "dark", move("E+110\rD-120\rC+90\rE?"));
+await still("intelledex-660", "light", move("G-120\rF+100\rE-90\rF?"));
+
+// The film: time stands, and every frame is a step of it. Counts as `xr3 kin --pose 262,0,20 --down 90` says.
+const kStepTicks = 320;
+const kMostCounts = 110;
+const kWay = [{ E: 449, D: -625 }, { A: -24 }, { E: -300, D: 420 }, { F: 190 }, { E: 260, D: -380 }, { A: 24 }, { E: -409, D: 585, F: -190 }];
+const server = await serve("--clock", "manual");
+const page = await open(server.url, { viewport: kSize });
+await ready(page);
+let shots = 0;
+
+async function frame() {
+  await page.evaluate((ticks) => window.xr3.step(ticks), kStepTicks);
+  await page.waitForTimeout(80);
+  await page.screenshot({ path: `${frames}/${String(++shots).padStart(4, "0")}.png` });
+}
+
+/** Moves joints by counts, in pieces that an 8-bit error counter holds. */
+async function go(left) {
+  while (Object.values(left).some((counts) => counts !== 0)) {
+    const { joints, tool } = await server.state();
+    let bytes = "";
+    for (const [label, counts] of Object.entries(left)) {
+      const { error } = [...joints, tool].find((joint) => joint.label === label);
+      const piece = Math.sign(counts) * Math.min(Math.abs(counts), kMostCounts - Math.abs(error));
+      if (piece !== 0) bytes += `${label}${piece > 0 ? "+" : ""}${piece}\r`;
+      left[label] -= piece;
+    }
+    await type(server.robot, bytes);
+    await frame();
+  }
+  while ((await server.state()).moving) await frame();
+}
+
+for (const leg of kWay) await go({ ...leg });
+console.log(`${shots} frames`);
+await page.context().close();
+await server.stop();
+await close();
