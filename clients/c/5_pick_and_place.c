@@ -13,9 +13,9 @@
 enum { OPEN = 16 };
 
 /* Where the motors have to be, in counts from the soft home, for the tool to be at a place.
-   `xr3 kin --pose 262,0,20 --down 90` works out the first one: the middle of the red block, x 262,
-   y 0 and z 20 mm, turned by 90 degrees. "Above" is 100 mm higher up. On a real arm one would drive
-   there by hand and write the counts down. */
+   `xr3 kin --pose 262,0,20 --down 90` works out the one of the block: its middle is at x 262, y 0
+   and z 20 mm, and it is turned by 90 degrees. "Above" is 100 mm higher up. On a real arm one would
+   drive there by hand and write the counts down. */
 /*                                  F    E     D  C    B */
 static const int ABOVE_BLOCK[5] = { 0, 242, -440, 0,   0 };
 static const int AT_BLOCK[5] =    { 0, 449, -625, 0,   0 };

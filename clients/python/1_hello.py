@@ -3,7 +3,8 @@
     python3 1_hello.py [HOST [PORT]]
 
 A robot on a serial line knows no lines of text and no "OK". It answers a question with one byte,
-and everything else with silence. """
+and everything else with silence.
+"""
 
 import os
 import socket

@@ -3,16 +3,17 @@ else.
 
     python3 5_pick_and_place.py [HOST [PORT]]
 
-The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.py. """
+The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.py.
+"""
 
 import sys
 
 import xr3
 
-# Where the motors have to be, in counts from the soft home, for the tool to be at a place. `xr3 kin
-# --pose 262,0,20 --down 90` works out the first one: the middle of the red block, x 262, y 0 and z
-# 20 mm, turned by 90 degrees. "Above" is 100 mm higher up. On a real arm one would drive there by
-# hand and write the counts down.
+# Where the motors have to be, in counts from the soft home, for the tool to be at a place.
+# `xr3 kin --pose 262,0,20 --down 90` works out the one of the block: its middle is at x 262, y 0
+# and z 20 mm, and it is turned by 90 degrees. "Above" is 100 mm higher up. On a real arm one would
+# drive there by hand and write the counts down.
 HOME = {"F": 0, "E": 0, "D": 0, "C": 0, "B": 0, "A": 0}
 ABOVE_BLOCK = {"F": 0, "E": 242, "D": -440, "C": 0, "B": 0}
 AT_BLOCK = {"F": 0, "E": 449, "D": -625, "C": 0, "B": 0}
@@ -33,15 +34,14 @@ robot.go(AT_BLOCK)
 # go tells how wide it is: A is 50.8 mm open at count 0, and a count is 0.79375 mm.
 robot.send("A-100\r")
 left = robot.wait("A")  # also clears what is left (AX), or the jaws would go on pressing
-jaws = 16 - (100 - left)
-print(f"the jaws closed on {50.8 + 0.79375 * jaws:.1f} mm")
+robot.at["A"] -= 100 - left  # robot.at is where go() believes the motors to be
+print(f"the jaws closed on {50.8 + 0.79375 * robot.at['A']:.1f} mm")
 
 robot.go(ABOVE_BLOCK)
 print("lifted")
 robot.go(ABOVE_PLACE)
 robot.go(AT_PLACE)
 print("at its new place")
-robot.at["A"] = jaws
 robot.go({"A": 16})
 print("let go")
 robot.go(ABOVE_PLACE)

@@ -3,7 +3,8 @@ take it, put it down elsewhere, and look again.
 
     python3 6_find_and_pick.py [HOST [PORT]]
 
-The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.py. """
+The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.py.
+"""
 
 import sys
 

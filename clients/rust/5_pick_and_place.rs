@@ -12,8 +12,7 @@ use std::io::Result;
 // Where the motors have to be, in counts from the soft home, for the tool to be at a place.
 // `xr3 kin --pose 262,0,20 --down 90` works out the one of the block: its middle is at x 262, y 0
 // and z 20 mm, and it is turned by 90 degrees. "Above" is 100 mm higher up. On a real arm one would
-// drive there by hand and write the counts down.
-//                            F    E     D  C    B
+// drive there by hand and write the counts down. They are those of F, E, D, C and B.
 const ABOVE_BLOCK: [i32; 5] = [0, 242, -440, 0, 0];
 const AT_BLOCK: [i32; 5] = [0, 449, -625, 0, 0];
 const ABOVE_PLACE: [i32; 5] = [0, 483, -238, 0, 288]; // x 400, y 0, not turned

@@ -7,7 +7,8 @@ it did not obey. What the examples print is the same in every language: expected
     XR3=build/release/xr3 tests/clients/examples.py [LANGUAGE...]
 
 The last lines list the languages: ok, FAILED, or left out and why. A language that is left out is
-no failure. """
+no failure.
+"""
 
 import argparse
 import concurrent.futures

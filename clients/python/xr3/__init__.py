@@ -7,7 +7,8 @@
 
 `Robot` speaks the serial line (port 9600) as a real arm does, `Monitor` the JSON side channel (port
 9601) that only the simulator has. `RHINO_XR3`, `ADEPT_ONE` and `INTELLEDEX_660` are the arms' data
-sheets with their kinematics; `Picture` and `Patch` find blocks in what the camera sees. """
+sheets with their kinematics; `Picture` and `Patch` find blocks in what the camera sees.
+"""
 
 from xr3.arms import ADEPT_ONE, ARMS, INTELLEDEX_660, RHINO_XR3
 from xr3.kinematics import Arm, Joint, Jaws, Pose, Unreachable

@@ -1,6 +1,7 @@
 """The data sheets of xr3's three arms, as in its data/robots/*.json, and the inverse kinematics of
 each with the tool pointing down: from a pose to the joint variables, for every way in which the
-elbow can lie. """
+elbow can lie.
+"""
 
 import math
 from typing import Dict, List, Tuple

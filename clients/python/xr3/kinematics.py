@@ -3,7 +3,8 @@
 of xr3 are in arms.py.
 
 The way forward works for every arm that a Denavit-Hartenberg table describes. The way back is here
-for a tool that points straight down, as it does for picking blocks off a table, in closed form. """
+for a tool that points straight down, as it does for picking blocks off a table, in closed form.
+"""
 
 import math
 from dataclasses import dataclass, field

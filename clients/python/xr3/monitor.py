@@ -1,6 +1,7 @@
 """The monitor port, JSON lines: what the robot looks like right now, and control of its time. A
 real arm has no such port; a test of a robot's program wants it. Messages are dictionaries as
-docs/monitor.md describes them. """
+docs/monitor.md describes them.
+"""
 
 import json
 import os

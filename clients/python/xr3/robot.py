@@ -1,6 +1,7 @@
 """The arm at the other end of a serial line: bytes first, then what is made of them, from a single
 move to picking up a block. It sends nothing that a real arm would not understand, but for
-soft_home() and the camera. """
+soft_home() and the camera.
+"""
 
 import os
 import socket

@@ -1,6 +1,7 @@
 """What to make of the camera's picture: its pixels out of the reply's bytes, the patches of pixels
 that hang together, and of each patch where its middle is, how it is turned, how long and wide it
-is. """
+is.
+"""
 
 import math
 from dataclasses import dataclass
