@@ -2,7 +2,7 @@
 // Gives a list of [attempt, what came of it]; "read: ..." is a text that the page has got hold of.
 async (base, call) => {
   const tried = [];
-  const patience_ms = 5000;
+  const patience_ms = 3000;
   const late = () => new Promise(done => setTimeout(() => done("nothing"), patience_ms));
   const attempt = (name, what) =>
     tried.push(Promise.race([what().catch(() => "failed"), late()]).then(came => [name, came]));

@@ -13,6 +13,7 @@ from support import LOCALHOST, MonitorError, Server, connect, run_xr3
 
 TOKEN = "correct-horse-battery-staple"
 WRONG = "correct-horse-battery-stable"
+TOLD = r"#token=([A-Za-z0-9_-]{16,})\s"  # on standard error, past the log
 CALLS = {"step": {"ticks": 1}, "run_until": {"tick": 5, "max_ticks": 5}, "pause": {}, "resume": {}, "rate": {"factor": 2},
          "reset": {}, "home": {}, "send": {"text": "E+5\r"}, "input": {"input": 1, "value": True},
          "block_move": {"name": "red", "yaw_deg": 1}, "block_remove": {"name": "red"}, "snapshot_save": {"inline": True},
@@ -164,9 +165,7 @@ class Starts(Case):
         for _ in range(2):
             with Server("--token", "auto") as xr3, xr3.monitor() as monitor:
                 self.assertEqual("read", monitor.hello["access"])
-                told = re.search(r"[#]token=([A-Za-z0-9_-]{16,})|token:? ([A-Za-z0-9_-]{16,})", xr3.log())
-                self.assertTrue(told, "where is the token told?\n" + xr3.log())
-                token = told[1] or told[2]
+                token = re.search(TOLD, xr3.wait_log(TOLD))[1]
                 self.assertEqual("control", monitor.request("auth", token=token)["value"]["access"])
                 tokens.add(token)
         self.assertEqual(2, len(tokens))
