@@ -1,0 +1,45 @@
+"""Random requests for two minutes, with seeds that nobody has tried; the one that fails is told. See
+random_requests.py; `soak_requests.py SEED` asks one of them again."""
+
+import concurrent.futures
+import os
+import sys
+import time
+import unittest
+
+from random_requests import ask
+
+REQUESTS = 2000
+LASTS_S = 120
+ROBOTS = ["rhino-xr3", "adept-one", "intelledex-660"]
+
+
+def one(seed):
+    """What went wrong, or nothing."""
+    try:
+        ask(unittest.TestCase(), seed, REQUESTS, "--robot", ROBOTS[seed % 3], "--compat", ["paper", "mark3"][seed // 3 % 2],
+            clock="manual" if seed % 4 else "real:20")
+    except Exception as error:  # whatever it is, its seed is wanted
+        return f"seed {seed}: {error!r}"[:2000]
+    return ""
+
+
+def soak():
+    first, ends = time.time_ns() // 1000 % 10**9, time.monotonic() + LASTS_S
+    done = 0
+    with concurrent.futures.ProcessPoolExecutor(os.cpu_count()) as pool:
+        while time.monotonic() < ends:
+            wrong = [what for what in pool.map(one, range(first + done, first + done + 8 * os.cpu_count())) if what]
+            done += 8 * os.cpu_count()
+            if wrong:
+                print("\n".join(wrong))
+                return False
+    print(f"{done} seeds from {first} on, {REQUESTS} requests each")
+    return True
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1:
+        print(one(int(sys.argv[1])) or "good")
+    else:
+        sys.exit(0 if soak() else 1)

@@ -1,0 +1,26 @@
+"""Random requests, right and wrong, some thousand: see random_requests.py. `./test --soak` asks more."""
+
+import unittest
+
+from random_requests import ask
+
+
+class RandomRequests(unittest.TestCase):
+    def test_in_standing_time(self):
+        for seed in range(6):
+            with self.subTest(seed=seed):
+                ask(self, seed, 500)
+
+    def test_in_running_time(self):
+        for seed in range(100, 103):
+            with self.subTest(seed=seed):
+                ask(self, seed, 500, clock="real:50")
+
+    def test_other_robots(self):
+        for seed, options in (200, ("--robot", "adept-one")), (201, ("--robot", "intelledex-660", "--compat", "mark3")):
+            with self.subTest(seed=seed):
+                ask(self, seed, 300, *options)
+
+
+if __name__ == "__main__":
+    unittest.main()
