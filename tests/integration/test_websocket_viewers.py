@@ -1,14 +1,17 @@
 """The monitor port by WebSocket beside JSON lines: the same objects, bit for bit, under the same rules; and
 frames that no library would send, of which none acts."""
 
+import asyncio
+import contextlib
 import json
 import os
 import struct
 import unittest
+import urllib.request
 
 import websockets
 
-from support import LOCALHOST, Server, connect
+from support import LOCALHOST, Server, connect, machine
 from web_viewer import SUBPROTOCOL, UPGRADE, Viewer
 
 CONTINUATION, TEXT, BINARY, CLOSE, PING, PONG = 0, 1, 2, 8, 9, 10
@@ -62,6 +65,28 @@ class Conversation(unittest.IsolatedAsyncioTestCase):
                         self.assertEqual(seen[message["op"], message["seq"]], message)
                         both += 1
                 self.assertGreater(both, 5)
+
+    async def test_fifty_of_them_end_where_the_robot_is(self):
+        self.monitor.call("resume")
+        async with contextlib.AsyncExitStack() as stack:
+            viewers = [await stack.enter_async_context(Viewer(self.xr3)) for _ in range(50)]
+            for number, viewer in enumerate(viewers):
+                await viewer.socket.send(json.dumps({"op": "sub", "channel": "state", "max_hz": (5, 30, 60)[number % 3]}))
+            self.monitor.call("send", text="E255SE+100\rD-40\r")
+            last = await asyncio.gather(*map(self.until_rest, viewers))
+            with urllib.request.urlopen(f"http://{LOCALHOST}:{self.xr3.monitor_port}/state") as answer:
+                shown = machine(json.load(answer))
+            for state in last:
+                self.assertEqual(shown, machine(state))
+
+    async def until_rest(self, viewer):
+        """The state in which a move has come to its end."""
+        has_moved = False
+        while True:
+            message = await viewer.read()
+            if message["op"] == "state" and has_moved and not message["moving"]:
+                return message
+            has_moved = has_moved or message.get("moving", False)
 
     async def into(self, viewer, seen):
         message = await viewer.read()
