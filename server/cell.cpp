@@ -5,6 +5,7 @@
 
 #include "protocol/diagnostic.hpp"
 #include "protocol/event_json.hpp"
+#include "protocol/monitor_request.hpp"
 #include "protocol/wire_json.hpp"
 
 namespace xr3 {
@@ -35,7 +36,8 @@ Applied Cell::apply(const Input& input, WallNs now) {
 
 void Cell::catch_up(WallNs now) {
   const Tick before = state().tick;
-  simulation_.advance_to(clock_.at(now));
+  // Time ends with the integers of the protocol, some 285,000 years on.
+  simulation_.advance_to(std::min(clock_.at(now), monitor::kMostInteger));
   if (state().tick == before) return;
   counters_.ticks += static_cast<std::uint64_t>(state().tick - before);
   ++revision_;

@@ -63,6 +63,17 @@ TEST(Cell, RealTimeMovesWithTheWallClockAndItsRate) {
   EXPECT_EQ(lab.count('E'), 11);  // 100 ticks at 110 counts a second
 }
 
+TEST(Cell, RunningTimeEndsWhereItsTicksWouldBeTooLargeToSay) {
+  constexpr Tick kLast = (Tick{1} << 53) - 1;
+  Lab lab;
+  lab.call(call::RunUntil{kLast - 10, kLast});
+  lab.call(call::Resume{});
+  lab.cell.catch_up(7 * kMs);
+  EXPECT_EQ(lab.cell.state().tick, kLast - 3);
+  lab.cell.catch_up(1'000'000 * kMs);
+  EXPECT_EQ(lab.cell.state().tick, kLast);
+}
+
 TEST(Cell, AReplyGoesOnlyToTheLineThatAsked) {
   Lab lab;
   lab.open(1);
