@@ -12,8 +12,6 @@ constexpr auto kNever = std::chrono::steady_clock::time_point::max();
 // What is handed to the system at once: messages, and bytes after which no further one is added.
 constexpr std::size_t kMostBatch = 16;
 constexpr std::size_t kBatchBytes = 64 * 1024;
-// Requests answered in one turn of the loop.
-constexpr int kFairShare = 64;
 constexpr std::string_view kLineEnd = "\n";
 
 }  // namespace
@@ -48,15 +46,16 @@ asio::awaitable<void> JsonLines::run(std::string first_bytes, monitor::Tongue to
   co_await socket_->linger();
 }
 
-/// Carries out what the lines ask for, one after the other, while the client takes the answers.
+/// Carries out what the lines ask for, one after the other, while the client takes the answers. Each
+/// has a turn of the loop for itself, so that a robot line waits for one of them at most.
 asio::awaitable<void> JsonLines::answer_lines() {
-  for (int answered = 1; socket_->is_open() && !viewer_->has_ended(); ++answered) {
+  for (bool is_first = true; socket_->is_open() && !viewer_->has_ended(); is_first = false) {
     co_await until_there_is_room();
     if (!socket_->is_open() || viewer_->has_ended()) co_return;
     const auto line = lines_.next();
     if (!line) break;
+    if (!is_first) co_await asio::post(socket_->executor(), asio::use_awaitable);
     co_await viewer_->take(*line);
-    if (answered % kFairShare == 0) co_await asio::post(socket_->executor(), asio::use_awaitable);
   }
   const bool is_over = lines_.fault() != monitor::LineFault::kNone;
   if (is_over && !viewer_->has_ended()) viewer_->end(lines_.fault());

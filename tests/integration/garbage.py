@@ -1,4 +1,4 @@
-"""A line of garbage at full speed, from a process of its own."""
+"""Floods at full speed, each from a process of its own: a line of garbage, a monitor client that asks."""
 
 import subprocess
 import sys
@@ -18,3 +18,20 @@ while time.monotonic() < until:
 def pour_garbage(port, seconds):
     """A process of its own that writes as fast as the server takes it."""
     return subprocess.Popen([sys.executable, "-c", POUR % (LOCALHOST, port, seconds)], stderr=subprocess.DEVNULL)
+
+
+ASK = """
+import socket, threading
+sock = socket.create_connection(("%s", %d))
+def take():
+    while sock.recv(1 << 20):
+        pass
+threading.Thread(target=take, daemon=True).start()
+while True:
+    sock.sendall(%r * 200)
+"""
+
+
+def ask_without_end(port, request):
+    """A process that asks as fast as it is answered, and takes the answers."""
+    return subprocess.Popen([sys.executable, "-c", ASK % (LOCALHOST, port, request)], stderr=subprocess.DEVNULL)
