@@ -8,11 +8,13 @@ import random
 from support import Server
 
 CHANNELS = ["state", "image", "display", "model", "event", "line"]
-MEMBERS = ["joints", "tool", "blocks", "clock", "moving", "rows", "rev", "message", "hex", "status", "workcell", "event", "parsed"]
-BYTES = ["E+5\r", "E-100\r", "A-120\r", "A+60\r", "D+127\rD+127\r", "E?", "I", "A**", "A@", "A#", "A$", "Q", "LP3", "E+200\r", "z\0\x7f",
-         "A!1,1,1!", "A%3", "\xff", "GET / HTTP/1.1\r\n\r\n"]
-ODD = [None, True, False, 0, 1, -1, 5, 2**31, 2**53 - 1, 2**53, -2**63, 10**30, 0.5, -0.0, 1e-9, 1e308, "", "red", "\0", "x" * 200,
-       "\ud800", [], [1, 2, 3], [0, 0, 0], [None] * 3, {}, {"a": {"b": []}}, "main", "rle"]
+MEMBERS = ["joints", "tool", "blocks", "clock", "moving", "rows", "rev", "message", "hex", "status", "workcell", "event",
+           "parsed"]
+FUNCTIONS = ["display", "view", "home", "status", "enabled", "function_keys", "period", "path", "jump"]
+BYTES = ["E+5\r", "E-100\r", "A-120\r", "A+60\r", "D+127\rD+127\r", "E?", "I", "A**", "A@", "A#", "A$", "Q",
+         "LP3", "E+200\r", "z\0\x7f", "A!1,1,1!", "A%3", "\xff", "GET / HTTP/1.1\r\n\r\n"]
+ODD = [None, True, False, 0, 1, -1, 5, 2**31, 2**53 - 1, 2**53, -2**63, 10**30, 0.5, -0.0, 1e-9, 1e308, "", "red",
+       "\0", "x" * 200, "\ud800", [], [1, 2, 3], [0, 0, 0], [None] * 3, {}, {"a": {"b": []}}, "main", "rle"]
 
 
 class Asker:
@@ -44,8 +46,10 @@ class Asker:
         makers = {
             "rate": lambda: {"factor": self.one_of(1, 0.001, 100, 100000, 0)},
             "step": lambda: {"ticks": count(0, 2000), **self.maybe(fields=self.fields(), after=self.after())},
-            "run_until": lambda: {"max_ticks": count(0, 5000), **self.one_of({"idle": True}, {"tick": count(0, 10**5)})},
-            "send": lambda: self.one_of({"text": self.chance.choice(BYTES)}, {"hex": self.one_of("453f", "ff", "4", "")}),
+            "run_until": lambda: {"max_ticks": count(0, 5000),
+                                  **self.one_of({"idle": True}, {"tick": count(0, 10**5)})},
+            "send": lambda: self.one_of({"text": self.chance.choice(BYTES)},
+                                        {"hex": self.one_of("453f", "ff", "4", "")}),
             "input": lambda: {"input": count(0, 9), "value": self.one_of(True, False)},
             "block_add": lambda: {"name": self.name(), "size_mm": self.point(), "xyz_mm": self.point(),
                                   "yaw_deg": count(-400, 400), "color": count(-1, 16)},
@@ -56,8 +60,8 @@ class Asker:
             "snapshot_load": lambda: self.one_of({"name": self.one_of("a", "b", "z")},
                                                  {"snapshot": self.chance.choice(self.snapshots)}),
             "line_disconnect": lambda: {"line": count(0, 5)},
-            "key": lambda: {"function": self.one_of("display", "view", "home", "status", "enabled", "function_keys", "period",
-                                                    "path", "jump"), **self.maybe(value=self.one_of(3, [1, 2, 3], [0, 0, 0], 300))},
+            "key": lambda: {"function": self.chance.choice(FUNCTIONS),
+                            **self.maybe(value=self.one_of(3, [1, 2, 3], [0, 0, 0], 300))},
             "describe": lambda: self.maybe(fn=self.one_of("step", "fly")),
         }
         args = makers.get(fn, dict)()
@@ -67,13 +71,15 @@ class Asker:
         return {name: value for name, value in members.items() if self.chance.random() < 0.4}
 
     def after(self):
-        return {"line": self.chance.randint(0, 4), "bytes_in": self.chance.randint(0, 30), "within_ms": self.one_of(0, 1, 5)}
+        return {"line": self.chance.randint(0, 4), "bytes_in": self.chance.randint(0, 30),
+                "within_ms": self.one_of(0, 1, 5)}
 
     def workcell(self):
         blocks = [{"name": name, "size": [20, 30, 40], "centroid": self.point(), "yaw_deg": 5, "color": 3}
                   for name in self.chance.sample("abcdef", self.chance.randint(0, 4))]
-        workcell = {"name": "random", "length_unit": self.one_of("mm", "inch"), "workspace": {"x": 600, "y": 500, "z": 700},
-                    "blocks": blocks, **self.maybe(work_surface=self.length(), surface_stalls=True, camera={
+        workcell = {"name": "random", "length_unit": self.one_of("mm", "inch"),
+                    "workspace": {"x": 600, "y": 500, "z": 700}, "blocks": blocks,
+                    **self.maybe(work_surface=self.length(), surface_stalls=True, camera={
                         "location": [290, 0, 1000], "field": [384, 384], "pixels": [self.chance.randint(0, 40), 30]})}
         return self.spoiled(workcell) if self.chance.random() < 0.3 else workcell
 
@@ -101,8 +107,8 @@ class Asker:
                        **self.maybe(fields=self.fields(), encoding="rle", since=self.chance.randint(0, 5000))}
         elif what < 0.9:
             request = {"op": "sub", "channel": self.chance.choice(CHANNELS),
-                       **self.maybe(fields=self.fields(), encoding="rle", since=self.chance.randint(0, 5000), on_change=False,
-                                    max_hz=self.one_of(0.1, 1, 59.9, 60, 0))}
+                       **self.maybe(fields=self.fields(), encoding="rle", since=self.chance.randint(0, 5000),
+                                    on_change=False, max_hz=self.one_of(0.1, 1, 59.9, 60, 0))}
         else:
             request = {"op": self.one_of("unsub", "ping", "auth", "dance"), "channel": self.chance.choice(CHANNELS)}
         return self.spoiled(request) if self.chance.random() < 0.1 else request

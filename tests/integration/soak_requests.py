@@ -17,8 +17,8 @@ ROBOTS = ["rhino-xr3", "adept-one", "intelledex-660"]
 def one(seed):
     """What went wrong, or nothing."""
     try:
-        ask(unittest.TestCase(), seed, REQUESTS, "--robot", ROBOTS[seed % 3], "--compat", ["paper", "mark3"][seed // 3 % 2],
-            clock="manual" if seed % 4 else "real:20")
+        ask(unittest.TestCase(), seed, REQUESTS, "--robot", ROBOTS[seed % 3],
+            "--compat", ["paper", "mark3"][seed // 3 % 2], clock="manual" if seed % 4 else "real:20")
     except Exception as error:  # whatever it is, its seed is wanted
         return f"seed {seed}: {error!r}"[:2000]
     return ""

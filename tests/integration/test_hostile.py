@@ -58,9 +58,11 @@ class Malformed(Case):
 
     def test_each_gets_a_clear_error(self):
         for code, data in [
-            ("bad_json", b'{"op":"ping"\n'), ("bad_json", b"{{\n"), ("bad_json", b"{}}\n"), ("bad_json", b'{"op":"\\x"}\n'),
+            ("bad_json", b'{"op":"ping"\n'), ("bad_json", b"{{\n"), ("bad_json", b"{}}\n"),
+            ("bad_json", b'{"op":"\\x"}\n'),
             ("bad_json", b'{"op":"ping","id":1e}\n'), ("bad_json", b'{"op":"ping","id":01}\n'), ("bad_json", b'{"\0":1}\n'),
-            ("bad_json", b'{"op":"\\ud800"}\n'), ("bad_json", b'{"op":"\xc3\x28"}\n'), ("bad_json", b"{" + b"\xff" * 1000 + b"\n"),
+            ("bad_json", b'{"op":"\\ud800"}\n'), ("bad_json", b'{"op":"\xc3\x28"}\n'),
+            ("bad_json", b"{" + b"\xff" * 1000 + b"\n"),
             ("too_deep", deep(b"[]", 40)), ("too_deep", deep(b"[]", 100_000)), ("too_deep", deep(b"[", 200_000)),
             ("too_deep", b'{"op":"call","args":' * 5000 + b"\n"),
             ("unknown_op", b"{}\n"), ("unknown_op", b'{"op":{}}\n'), ("unknown_op", b'{"op":"' + b"x" * 100_000 + b'"}\n'),

@@ -53,7 +53,8 @@ class Case:
         self.server.__exit__(*problem)
 
     def sockets(self):
-        return [*(monitor.socket for monitor in (self.monitor, *self.viewers)), *(line.socket for line in (self.asked, self.begun, self.mute))]
+        clients = [self.monitor, *self.viewers, self.asked, self.begun, self.mute]
+        return [client.socket for client in clients]
 
     def move_while_time_runs(self, moves):
         """Moves to their end, in running time."""

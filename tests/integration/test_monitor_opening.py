@@ -130,7 +130,8 @@ class Opening(unittest.TestCase):
 
     def test_what_http_says(self):
         for status, data in [(505, b"PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n"), (400, b"HELP\r\n\r\n"),
-                             (400, b"GET / HTTP/1.1\r\n\r\n"), (200, b"GET /healthz HTTP/1.0\r\nHost: a.localhost\r\n\r\n")]:
+                             (400, b"GET / HTTP/1.1\r\n\r\n"),
+                             (200, b"GET /healthz HTTP/1.0\r\nHost: a.localhost\r\n\r\n")]:
             with self.subTest(data), self.stream() as stream:
                 stream.send(data)
                 self.assertRegex(stream.ends(), rb"\AHTTP/1\.[01] %d " % status)

@@ -53,7 +53,8 @@ class Strangers(unittest.TestCase):
             for setup in EVERYTHING_HIGH, EVERYTHING_LOW:
                 robot = Robot(self, setup)
                 monitor_port, robot_port = robot.xr3.monitor_port, robot.xr3.robot_port
-                for base, call in [(f"http://{LOCALHOST}:{monitor_port}/", STEP), (f"http://localhost:{monitor_port}/", STEP),
+                for base, call in [(f"http://{LOCALHOST}:{monitor_port}/", STEP),
+                                   (f"http://localhost:{monitor_port}/", STEP),
                                    (f"http://{LOCALHOST}:{robot_port}/", MOVES)]:
                     for attempt, came in robot.attack(page, base, call):
                         self.assertNotIn("read", came, f"{attempt} at {base}")

@@ -8,8 +8,8 @@ import unittest
 from support import MonitorError, Server, machine
 
 TICKS = 10_000
-COMMANDS = ["E+7\r", "E-9\r", "D+20\r", "D-17\r", "F+3\r", "C-5\r", "B+9\r", "A-30\r", "A+30\r", "EX", "E60S", "F255S", "LM", "P3",
-            "R3", "Q", "A$", "A#", "A!1,2,3!", "A%4", "A|", "A.9\r"]
+COMMANDS = ["E+7\r", "E-9\r", "D+20\r", "D-17\r", "F+3\r", "C-5\r", "B+9\r", "A-30\r", "A+30\r", "EX",
+            "E60S", "F255S", "LM", "P3", "R3", "Q", "A$", "A#", "A!1,2,3!", "A%4", "A|", "A.9\r"]
 
 
 def happen(monitor, seed, ticks=TICKS):

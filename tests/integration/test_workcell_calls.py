@@ -46,7 +46,8 @@ class Case(unittest.TestCase):
 class Blocks(Case):
     def test_add_move_remove(self):
         self.monitor.call("block_add", name="small", xyz_mm=[400, 0, 10], **SMALL)
-        self.assertEqual({"name": "small", "xyz_mm": [400.0, 0.0, 10.0], "yaw_deg": 0.0, "held": False}, self.block("small"))
+        self.assertEqual({"name": "small", "xyz_mm": [400.0, 0.0, 10.0], "yaw_deg": 0.0, "held": False},
+                         self.block("small"))
         self.monitor.call("block_move", name="small", xyz_mm=[300, 10, 10])
         self.assertEqual(([300.0, 10.0, 10.0], 0.0), (self.block("small")["xyz_mm"], self.block("small")["yaw_deg"]))
         self.monitor.call("block_move", name="small", yaw_deg=45.5)
@@ -77,8 +78,8 @@ class Blocks(Case):
         self.refused("name_taken", "block_add", name="red", **there)
         self.refused("no_such_block", "block_move", name="nobody", yaw_deg=1)
         self.refused("no_such_block", "block_remove", name="nobody")
-        for wrong in ({"size_mm": [0, 1, 1]}, {"size_mm": [1, 1]}, {"color": 16}, {"yaw_deg": "much"}, {"xyz_mm": [1, 2, None]},
-                      {"name": ""}, {"name": "x" * 41}, {"color": 1.5}):
+        for wrong in ({"size_mm": [0, 1, 1]}, {"size_mm": [1, 1]}, {"color": 16}, {"yaw_deg": "much"},
+                      {"xyz_mm": [1, 2, None]}, {"name": ""}, {"name": "x" * 41}, {"color": 1.5}):
             with self.subTest(wrong):
                 error = self.refused("bad_args", "block_add", **{"name": "new", **there, **wrong})
                 member = next(iter(wrong))
