@@ -46,6 +46,7 @@ void Client::end(Bye why) {
   send(bye(why));
   if (!farewell_) farewell_ = why;
   followed_.clear();
+  last_turn_ = nullptr;
 }
 
 void Client::end(LineFault fault) {
@@ -73,7 +74,7 @@ Message Client::next_answer() {
 
 FrameSubscription& Client::follow_frames(const std::string& cell, const Subscribe& wanted) {
   const Where where{cell, wanted.selection.channel};
-  followed_.erase(where);
+  unfollow(cell, wanted.selection.channel);
   const auto entry =
       followed_.emplace(where, FrameSubscription(cell, wanted, tally_of(wanted.selection.channel)))
           .first;
@@ -87,7 +88,10 @@ void Client::follow_feed(const std::string& cell, const Subscribe& wanted, Feed&
 }
 
 void Client::unfollow(const std::string& cell, Channel channel) {
-  followed_.erase({cell, channel});
+  const auto found = followed_.find({cell, channel});
+  if (found == followed_.end()) return;
+  if (last_turn_ == &found->first) last_turn_ = nullptr;
+  followed_.erase(found);
 }
 
 bool Client::has_output(FrameNumber now) const {
@@ -105,14 +109,15 @@ Message Client::next_output(FrameNumber now) {
 }
 
 Message Client::next_followed(FrameNumber now) {
-  auto turn = followed_.upper_bound(last_turn_);
+  auto turn = last_turn_ != nullptr && followed_.size() > 1 ? followed_.upper_bound(*last_turn_)
+                                                            : followed_.begin();
   for (std::size_t i = 0; i < followed_.size(); ++i, ++turn) {
     if (turn == followed_.end()) turn = followed_.begin();
     auto* frames = std::get_if<FrameSubscription>(&turn->second);
     Message message =
         frames ? frames->next_output(now) : std::get<FeedSubscription>(turn->second).next_output();
     if (!message) continue;
-    last_turn_ = turn->first;
+    last_turn_ = &turn->first;
     return message;
   }
   return nullptr;

@@ -93,7 +93,7 @@ class Client {
   std::size_t lane_bytes_ = 0;
   std::array<Tally, kChannels> tallies_{};
   std::map<Where, Followed> followed_;
-  Where last_turn_;  ///< the channel that had its turn last
+  const Where* last_turn_ = nullptr;  ///< the key of the channel that had its turn last
   std::optional<Bye> farewell_;
 };
 

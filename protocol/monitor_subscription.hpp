@@ -44,6 +44,8 @@ class FrameSubscription {
 
   /// Puts a frame into the slot, unless on_change holds and nothing has changed.
   void offer(const Frame& frame, FrameNumber now);
+  /// Something waits in the slot.
+  bool is_waiting() const { return waiting_.message != nullptr; }
 
   /// The client has, or will have, what the content shows, and nothing is to be told of later.
   bool is_settled(const Frame& current) const;

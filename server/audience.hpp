@@ -5,6 +5,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "server/asio.hpp"
@@ -19,9 +21,9 @@ class Audience {
   /// Viewers served in one turn of the loop.
   static constexpr std::size_t kFairShare = 64;
 
-  /// All of them outlive it.
-  Audience(asio::io_context& io, Cell& cell, Frames& frames)
-      : io_(io), timer_(io), cell_(cell), frames_(frames) {}
+  /// All of them outlive it. `between` is called between two viewers: what must not wait for all.
+  Audience(asio::io_context& io, Cell& cell, Frames& frames, std::function<void()> between)
+      : io_(io), timer_(io), cell_(cell), frames_(frames), between_(std::move(between)) {}
 
   void add(Viewer& viewer) { viewers_.push_back(&viewer); }
   void remove(Viewer& viewer);
@@ -31,8 +33,8 @@ class Audience {
   void acted();
   void stop();
 
-  /// The point of the grid at which we are.
-  static monitor::FrameNumber now();
+  /// The point of the grid at which we are; that of the round while one is under way.
+  monitor::FrameNumber now() const { return is_serving_ ? frame_ : wall_frame(); }
 
   std::size_t size() const { return viewers_.size(); }
 
@@ -43,6 +45,7 @@ class Audience {
  private:
   enum class Wake : std::uint8_t { kNone, kSecond, kFrame };
 
+  static monitor::FrameNumber wall_frame();
   void arm(Wake wake);
   void arm_frame();
   void beat();
@@ -56,6 +59,7 @@ class Audience {
   asio::steady_timer timer_;
   Cell& cell_;
   Frames& frames_;
+  std::function<void()> between_;
   std::vector<Viewer*> viewers_;
   Wake armed_ = Wake::kNone;
   bool is_stopped_ = false;

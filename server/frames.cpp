@@ -40,12 +40,22 @@ void Frames::look(Channel channel, Film& film) {
 
 bool Frames::has_changed(Channel channel, Film& film) const {
   if (channel == Channel::kImage) return has_new_image(film);
-  const bool is_later = channel == Channel::kState && film.tick != cell_.state().tick;
+  if (channel == Channel::kState && is_only_later(film)) return film.tick != cell_.state().tick;
   film.members = members_now(channel);
   std::string text = monitor::text_of(film.members);
   const bool is_other = text != film.text;
   film.text = std::move(text);
+  const bool is_later = channel == Channel::kState && film.tick != cell_.state().tick;
   return is_other || is_later;
+}
+
+/// Nothing but time has passed since the last look: no text need be made anew.
+bool Frames::is_only_later(Film& film) const {
+  Snapshot now = cell_.snapshot();
+  now.state.tick = 0;
+  const bool is_same = film.snapshot == now;
+  film.snapshot = std::move(now);
+  return is_same;
 }
 
 bool Frames::has_new_image(Film& film) const {

@@ -39,12 +39,14 @@ class Frames {
     Tick tick = 0;
     Json members;
     std::string text;
+    std::optional<Snapshot> snapshot;  ///< state only: what the text shows, at tick 0
     std::optional<Image> image;
     std::vector<Made> made;
   };
 
   void look(monitor::Channel channel, Film& film);
   bool has_changed(monitor::Channel channel, Film& film) const;
+  bool is_only_later(Film& film) const;
   bool has_new_image(Film& film) const;
   Json members_now(monitor::Channel channel) const;
   Made& made_for(Film& film, const monitor::Selection& selection) const;

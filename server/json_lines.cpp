@@ -12,6 +12,8 @@ constexpr auto kNever = std::chrono::steady_clock::time_point::max();
 // What is handed to the system at once: messages, and bytes after which no further one is added.
 constexpr std::size_t kMostBatch = 16;
 constexpr std::size_t kBatchBytes = 64 * 1024;
+// A message below this is copied to stand beside its line end.
+constexpr std::size_t kMostCopied = 4096;
 constexpr std::string_view kLineEnd = "\n";
 
 }  // namespace
@@ -90,22 +92,39 @@ void JsonLines::pump() {
   if (is_pumping_ || is_blocked_ || !viewer_) return;
   is_pumping_ = true;
   for (fill(); !out_.empty() && socket_->is_open(); fill()) {
-    std::array<asio::const_buffer, 2 * kMostBatch> buffers;
-    std::size_t count = 0;
-    std::size_t skipped = written_;
-    for (const monitor::Message& message : out_) {
-      const std::size_t of_text = std::min(skipped, message->size());
-      buffers[count++] = asio::buffer(*message) + of_text;
-      skipped = 0;
-      buffers[count++] = asio::buffer(kLineEnd);
-    }
-    const std::size_t sent = socket_->send_some({buffers.data(), count});
+    const std::size_t sent = is_one_and_small() ? send_copy() : send_gathered();
     if (sent == 0) break;
     written(sent);
   }
   is_pumping_ = false;
   if (!out_.empty() && socket_->is_open()) wait_for_room();
   progress_.cancel();
+}
+
+// The common case, a frame for one of a thousand viewers: one buffer is half the work of two.
+bool JsonLines::is_one_and_small() const {
+  return out_.size() == 1 && written_ == 0 && out_.front()->size() < kMostCopied;
+}
+
+std::size_t JsonLines::send_copy() {
+  std::array<char, kMostCopied> bytes;
+  const std::size_t size = out_.front()->copy(bytes.data(), kMostCopied);
+  bytes[size] = kLineEnd.front();
+  const asio::const_buffer buffer(bytes.data(), size + 1);
+  return socket_->send_some({&buffer, 1});
+}
+
+std::size_t JsonLines::send_gathered() {
+  std::array<asio::const_buffer, 2 * kMostBatch> buffers;
+  std::size_t count = 0;
+  std::size_t skipped = written_;
+  for (const monitor::Message& message : out_) {
+    const std::size_t of_text = std::min(skipped, message->size());
+    buffers[count++] = asio::buffer(*message) + of_text;
+    skipped = 0;
+    buffers[count++] = asio::buffer(kLineEnd);
+  }
+  return socket_->send_some({buffers.data(), count});
 }
 
 void JsonLines::fill() {

@@ -48,6 +48,9 @@ class JsonLines : public std::enable_shared_from_this<JsonLines> {
   bool is_done() const;
 
   void pump();
+  bool is_one_and_small() const;
+  std::size_t send_copy();
+  std::size_t send_gathered();
   void fill();
   void wait_for_room();
   void written(std::size_t count);

@@ -54,7 +54,7 @@ MonitorService::MonitorService(asio::io_context& io, Cell& cell, RobotPort& robo
       policy_(policy),
       acted_(std::move(acted)),
       frames_(cell),
-      audience_(io, cell, frames_) {}
+      audience_(io, cell, frames_, [this] { robot_port_.take_in_news(); }) {}
 
 // --- Viewers.
 
@@ -157,7 +157,7 @@ void MonitorService::subscribe(Viewer& viewer, const monitor::Request& request) 
     const monitor::Frame* frame = look(wanted.selection);
     if (frame == nullptr) return viewer.client().send(monitor::result(no_camera(request.id)));
     viewer.client().send(monitor::result(request.id, terms(request.cell, wanted, 0)));
-    viewer.client().follow_frames(request.cell, wanted).offer(*frame, Audience::now());
+    viewer.client().follow_frames(request.cell, wanted).offer(*frame, audience_.now());
   }
   audience_.acted();
 }

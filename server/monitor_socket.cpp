@@ -71,7 +71,8 @@ asio::awaitable<bool> MonitorSocket::send(std::string_view bytes) {
 
 std::size_t MonitorSocket::send_some(std::span<const asio::const_buffer> buffers) {
   ErrorCode error;
-  const std::size_t count = socket_->write_some(buffers, error);
+  const std::size_t count = buffers.size() == 1 ? socket_->write_some(buffers.front(), error)
+                                                : socket_->write_some(buffers, error);
   const bool must_wait = error == asio::error::would_block || error == asio::error::try_again;
   if (error && !must_wait) close();
   return count;

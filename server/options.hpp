@@ -26,9 +26,9 @@ struct ClockChoice {
 };
 
 struct ServeOptions {
-  std::string robot = "rhino-xr3";  ///< name or path
-  std::string workcell;             ///< name or path; empty: the one named like the robot
-  std::string listen = "localhost";  ///< this: 127.0.0.1 and, where there is IPv6, ::1
+  std::string robot = "rhino-xr3";    ///< name or path
+  std::string workcell;               ///< name or path; empty: the one named like the robot
+  std::string listen = "localhost";   ///< this: 127.0.0.1 and, where there is IPv6, ::1
   std::uint16_t robot_port = 9600;    ///< 0 takes a free one
   std::uint16_t monitor_port = 9601;  ///< 0 takes a free one
   Profile profile = Profile::kPaper;

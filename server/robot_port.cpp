@@ -28,7 +28,9 @@ void RobotPort::open(tcp::socket socket) {
     spdlog::warn("line refused: {} lines are open already (--max-lines)", sessions_.size());
     return;  // closed without a byte
   }
+  const int descriptor = socket.native_handle();
   const auto session = std::make_shared<RobotSession>(std::move(socket), context_);
+  watch_.add(descriptor, session->line());
   sessions_.emplace(session->line(), session);
   session->start();
   tell();
@@ -40,6 +42,15 @@ bool RobotPort::disconnect(LineId line) {
   const auto session = found->second;  // it takes itself out of the map
   session->close(CloseReason::kDisconnected);
   return true;
+}
+
+void RobotPort::take_in_news() {
+  for (const LineId line : watch_.news()) {
+    const auto found = sessions_.find(line);
+    if (found == sessions_.end()) continue;
+    const auto session = found->second;  // it may take itself out of the map
+    session->take_in();
+  }
 }
 
 // A copy of the map: a session that ends takes itself out of it.

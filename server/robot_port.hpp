@@ -10,6 +10,7 @@
 
 #include "server/asio.hpp"
 #include "server/cell.hpp"
+#include "server/line_watch.hpp"
 #include "server/listener.hpp"
 #include "server/robot_session.hpp"
 
@@ -27,6 +28,10 @@ class RobotPort {
   /// Every byte that has already arrived on any line, also on one that has not been accepted yet,
   /// acts now. `step` and `run_until` call it first, so that no byte is overtaken.
   void take_in();
+
+  /// The same, but only for lines on which something has arrived since the last call: cheap enough to
+  /// be asked between two writes to viewers, so that a line never waits behind a thousand of them.
+  void take_in_news();
 
   /// Waits until a line has received so many bytes in all. False: it did not within the time, it has
   /// closed without them, or the port is closing.
@@ -57,6 +62,7 @@ class RobotPort {
   std::array<char, 64 * 1024> scratch_{};
   RobotSessionContext context_;
   Listener listener_;
+  LineWatch watch_;
   std::set<asio::steady_timer*> waiting_;  ///< cancelled when bytes have acted
   Sessions sessions_;
   bool is_closing_ = false;

@@ -23,7 +23,7 @@ asio::awaitable<void> Viewer::take(std::string_view message) {
   wake_();
 }
 
-monitor::Message Viewer::next_output() { return client_.next_output(Audience::now()); }
+monitor::Message Viewer::next_output() { return client_.next_output(service_.audience().now()); }
 
 void Viewer::end(monitor::Bye why) {
   client_.end(why);

@@ -176,7 +176,7 @@ test("the console's replies are decoded, and jogging moves a joint", () =>
     await page.keyboard.press("Enter");
     await page.fill("#console-input", "E?");
     await page.keyboard.press("Enter");
-    await page.waitForFunction(() => /'-' 0x2d.*13 counts to go/.test(document.querySelector("#console-log li:last-child").textContent));
+    await page.waitForFunction(() => /'-' 0x2d.*13 counts to go/.test(document.querySelector("#console-log li:last-child")?.textContent ?? ""));
     await page.keyboard.press("ArrowUp");
     assert.equal(await page.inputValue("#console-input"), "E?");
     await page.locator("#jog button").first().focus();
