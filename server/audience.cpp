@@ -119,10 +119,14 @@ void Audience::serve_some() {
 void Audience::serve(Viewer& viewer) {
   bool has_frame = false;
   viewer.client().for_each_frame_subscription([&, this](monitor::FrameSubscription& subscription) {
+    if (!subscription.is_due(frame_)) {  // it is looked at when it is: until then no text is made
+      is_settled_ = false;
+      return;
+    }
     const auto& selection = subscription.wanted().selection;
     const monitor::Frame* frame = frames_.current(selection);
     if (frame == nullptr) return;
-    if (subscription.is_due(frame_)) subscription.offer(*frame, frame_);
+    subscription.offer(*frame, frame_);
     is_settled_ = is_settled_ && subscription.is_settled(*frame);
     has_frame = has_frame || subscription.is_waiting();
   });
