@@ -41,6 +41,7 @@ void Frames::look(Channel channel, Film& film) {
 bool Frames::has_changed(Channel channel, Film& film) const {
   if (channel == Channel::kImage) return has_new_image(film);
   if (channel == Channel::kState && is_only_later(film)) return film.tick != cell_.state().tick;
+  if (channel == Channel::kModel && is_same_model(film)) return false;
   film.members = members_now(channel);
   std::string text = monitor::text_of(film.members);
   const bool is_other = text != film.text;
@@ -55,6 +56,14 @@ bool Frames::is_only_later(Film& film) const {
   now.state.tick = 0;
   const bool is_same = film.snapshot == now;
   film.snapshot = std::move(now);
+  return is_same;
+}
+
+/// The workcell is as it was at the last look; the robot never changes.
+bool Frames::is_same_model(Film& film) const {
+  ShownModel now{cell_.model_rev(), workcell_now(cell_.model(), cell_.state())};
+  const bool is_same = film.model == now;
+  film.model = std::move(now);
   return is_same;
 }
 

@@ -31,6 +31,12 @@ class Frames {
     std::int64_t seq = 0;
     monitor::Frame frame;
   };
+  /// What a `model` message is made of, beside the robot.
+  struct ShownModel {
+    int rev = 0;
+    Workcell workcell;
+    bool operator==(const ShownModel&) const = default;
+  };
   /// One channel's latest frame. `text` and `image` are compared to find out whether it is another.
   struct Film {
     std::uint64_t revision = 0;  ///< of the cell when it was looked at last
@@ -40,6 +46,7 @@ class Frames {
     Json members;
     std::string text;
     std::optional<Snapshot> snapshot;  ///< state only: what the text shows, at tick 0
+    std::optional<ShownModel> model;   ///< model only
     std::optional<Image> image;
     std::vector<Made> made;
   };
@@ -47,6 +54,7 @@ class Frames {
   void look(monitor::Channel channel, Film& film);
   bool has_changed(monitor::Channel channel, Film& film) const;
   bool is_only_later(Film& film) const;
+  bool is_same_model(Film& film) const;
   bool has_new_image(Film& film) const;
   Json members_now(monitor::Channel channel) const;
   Made& made_for(Film& film, const monitor::Selection& selection) const;

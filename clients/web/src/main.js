@@ -204,6 +204,12 @@ function chooseView(name) {
     byId(`${each}-tools`).hidden = each !== name;
     byId(`view-${each}`).setAttribute("aria-checked", String(each === name));
   }
+  followDisplay(name);
+}
+
+// The wire frame is the dearest of all messages: often only while somebody looks at it.
+function followDisplay(view) {
+  connection.follow("display", { max_hz: view === "paper" ? 10 : 2 });
 }
 byId("view-solid").onclick = () => chooseView("solid");
 byId("view-paper").onclick = () => chooseView("paper");
@@ -322,7 +328,7 @@ setTheme(prefersDark.matches ? "dark" : "light");
 
 connection.follow("model", { max_hz: 2 });
 connection.follow("state", { max_hz: 30 });
-connection.follow("display", { max_hz: 10 });
+followDisplay("solid");
 connection.follow("image", { max_hz: 10, encoding: "rle" });
 connection.follow("line");
 connection.follow("event");
