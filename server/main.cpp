@@ -12,6 +12,7 @@
 #include "server/convert_command.hpp"
 #include "server/data_files.hpp"
 #include "server/draw_command.hpp"
+#include "server/health_command.hpp"
 #include "server/kin_command.hpp"
 #include "server/log.hpp"
 #include "server/options.hpp"
@@ -61,6 +62,7 @@ struct Command {
   ExitCode operator()(const ConvertOptions& options) const { return convert_file(options); }
   ExitCode operator()(const WorkcellOptions& options) const { return edit_workcell(options); }
   ExitCode operator()(const WatchOptions& options) const { return watch_cell(options); }
+  ExitCode operator()(const HealthOptions& options) const { return check_health(options); }
   ExitCode operator()(const Leave& leave) const {
     std::cout << leave.to_stdout;
     std::cerr << leave.to_stderr;

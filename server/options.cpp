@@ -19,7 +19,7 @@ constexpr const char* kAbout =
 
 constexpr const char* kFooter =
     "Exit codes: 0 good; 1 something failed inside; 2 wrong arguments or a wrong file;\n"
-    "            3 a port is in use; 4 nobody answers where xr3 watch looks.\n"
+    "            3 a port is in use; 4 nobody answers xr3 watch or xr3 healthcheck.\n"
     "Try: xr3 serve, then in another terminal: telnet localhost 9600, and type E+50 and E?";
 
 void add_check(CLI::App& app, CheckOptions& options) {
@@ -215,6 +215,8 @@ Options parse_options(int argc, const char* const* argv) {
   add_workcell(app, workcell);
   WatchOptions watch;
   add_watch(app, watch);
+  HealthOptions health;
+  add_health(app, health);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -226,6 +228,7 @@ Options parse_options(int argc, const char* const* argv) {
   if (app.got_subcommand("convert")) return convert;
   if (app.got_subcommand("workcell")) return workcell;
   if (app.got_subcommand("watch")) return watch;
+  if (app.got_subcommand("healthcheck")) return health;
   return checked_serve(std::move(serve));
 }
 

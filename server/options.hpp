@@ -14,6 +14,7 @@
 #include "protocol/drawing.hpp"
 #include "protocol/kin_question.hpp"
 #include "server/exit_code.hpp"
+#include "server/health_options.hpp"
 #include "server/token.hpp"
 #include "server/watch_options.hpp"
 
@@ -86,7 +87,7 @@ struct Leave {
 };
 
 using Options = std::variant<ServeOptions, CheckOptions, DrawOptions, KinOptions, ConvertOptions,
-                             WorkcellOptions, WatchOptions, Leave>;
+                             WorkcellOptions, WatchOptions, HealthOptions, Leave>;
 
 /// Never throws and never prints.
 Options parse_options(int argc, const char* const* argv);

@@ -24,6 +24,13 @@ CLI::Validator parses(Parse parse, const std::string& what) {
       what);
 }
 
+/// Checks that say what is allowed: an address to listen on, and a port.
+std::string check_listen(const std::string& text);
+std::string check_port(const std::string& text);
+
+/// Whether the option was said on the command line, and not elsewhere.
+bool is_argument(const CLI::App& command, const std::string& name);
+
 /// `--compat`, for whatever sees lines.
 void add_profile(CLI::App& command, Profile& profile);
 

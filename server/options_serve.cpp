@@ -92,16 +92,19 @@ void add_serve(CLI::App& app, ServeOptions& options) {
       .add_option("--listen", options.listen,
                   "address to listen on; beyond this machine needs a token or --insecure")
       ->type_name("ADDR")
+      ->check(CLI::Validator(check_listen, ""))
       ->capture_default_str();
   serve
       .add_option("--robot-port", options.robot_port,
                   "port of the serial lines; 0 takes a free one")
       ->type_name("PORT")
+      ->check(CLI::Validator(check_port, ""))
       ->capture_default_str();
   serve
       .add_option("--monitor-port", options.monitor_port,
                   "port of the JSON monitor; 0 takes a free one")
       ->type_name("PORT")
+      ->check(CLI::Validator(check_port, ""))
       ->capture_default_str();
   add_profile(serve, options.profile);
   serve
@@ -128,12 +131,6 @@ void add_serve(CLI::App& app, ServeOptions& options) {
 }
 
 Options checked_serve(ServeOptions options) {
-  ErrorCode error;
-  if (options.listen != "localhost") asio::ip::make_address(options.listen, error);
-  if (error) {
-    return refuse("--listen " + options.listen +
-                  " is not an address; give one such as 127.0.0.1 or ::1");
-  }
   const auto has_token = [&] { return !std::holds_alternative<NoToken>(options.token); };
   if (!has_token() && std::getenv(kTokenVariable) != nullptr) options.token = TokenInEnvironment{};
   if (options.is_private && !has_token())

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -34,6 +35,15 @@ void write_port_file(const std::string& path, const PortFile& content) {
   std::error_code ignored;
   std::filesystem::remove(draft, ignored);
   throw FileError(path + ": the port file cannot be written there");
+}
+
+std::uint16_t read_monitor_port(const std::string& path) {
+  const auto json = nlohmann::json::parse(read_file(path).text, nullptr, false);
+  const auto port = json.is_object() ? json.find("monitor") : json.end();
+  const bool is_port = port != json.end() && port->is_number_unsigned() && *port > 0 &&
+                       *port <= std::numeric_limits<std::uint16_t>::max();
+  if (is_port) return port->get<std::uint16_t>();
+  throw FileError(path + ": names no monitor port; xr3 serve --port-file writes such a file");
 }
 
 }  // namespace xr3

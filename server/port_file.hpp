@@ -16,4 +16,7 @@ struct PortFile {
 /// owner only. Throws FileError if it cannot be written.
 void write_port_file(const std::string& path, const PortFile& content);
 
+/// The port of the monitor in such a file. Throws FileError.
+std::uint16_t read_monitor_port(const std::string& path);
+
 }  // namespace xr3

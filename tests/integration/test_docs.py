@@ -1,5 +1,6 @@
 """Runs the commands that README.md and docs/ show, with the ports and paths of a test."""
 
+import os
 import pathlib
 import re
 import shlex
@@ -78,11 +79,22 @@ class Docs(unittest.TestCase):
                     with Server() as xr3:
                         self.assertEqual(0, run_xr3("watch", f"localhost:{xr3.monitor_port}").returncode)
                     continue
+                if what == "healthcheck":
+                    self.ask_for_health(arguments)
+                    continue
                 if what == "workcell":
                     self.leave_the_editor(arguments)
                     continue
                 done = run_xr3(what, *arguments, cwd=self.folder, stdin=subprocess.DEVNULL)
                 self.assertEqual(0, done.returncode, done.stderr)
+
+    def ask_for_health(self, arguments):
+        """A server on a port of its own, with the port file that is asked for."""
+        with Server("--port-file", self.folder / "ports.json") as xr3:
+            arguments = [str(xr3.monitor_port) if word == "9701" else word for word in arguments]
+            environment = {**os.environ, "XR3_MONITOR_PORT": str(xr3.monitor_port)}
+            done = run_xr3("healthcheck", *arguments, cwd=self.folder, env=environment)
+        self.assertEqual((0, "", ""), (done.returncode, done.stdout, done.stderr))
 
     def leave_the_editor(self, arguments):
         """It asks, and at the end of its input it leaves the file as it was."""

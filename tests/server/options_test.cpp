@@ -2,19 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <initializer_list>
+
+#include "tests/support/command_line.hpp"
 
 namespace xr3 {
 namespace {
 
-Options parse(std::initializer_list<const char*> words) {
-  std::vector<const char*> argv{"xr3"};
-  argv.insert(argv.end(), words);
-  return parse_options(static_cast<int>(argv.size()), argv.data());
-}
-
-Leave refused(std::initializer_list<const char*> words) { return std::get<Leave>(parse(words)); }
+using test::Environment;
+using test::parse;
+using test::refused;
 
 TEST(Options, ServeHasTheDocumentedDefaults) {
   const auto options = std::get<ServeOptions>(parse({"serve"}));
@@ -58,12 +55,13 @@ TEST(Options, BeyondLoopbackOrWithAToken) {
 }
 
 TEST(Options, ATokenInTheEnvironment) {
-  ::setenv(kTokenVariable, "of the environment", 1);
-  const auto options = std::get<ServeOptions>(parse({"serve", "--listen", "::"}));
-  const auto named = std::get<ServeOptions>(parse({"serve", "--token-file", "t"}));
-  ::unsetenv(kTokenVariable);
-  EXPECT_TRUE(std::holds_alternative<TokenInEnvironment>(options.token));
-  EXPECT_TRUE(std::holds_alternative<TokenFile>(named.token));  // what is said goes before
+  {
+    const Environment environment({{kTokenVariable, "of the environment"}});
+    const auto options = std::get<ServeOptions>(parse({"serve", "--listen", "::"}));
+    EXPECT_TRUE(std::holds_alternative<TokenInEnvironment>(options.token));
+    const auto named = std::get<ServeOptions>(parse({"serve", "--token-file", "t"}));
+    EXPECT_TRUE(std::holds_alternative<TokenFile>(named.token));  // what is said goes before
+  }
   const auto without = std::get<ServeOptions>(parse({"serve"}));
   EXPECT_TRUE(std::holds_alternative<NoToken>(without.token));
 }

@@ -1,0 +1,161 @@
+"""`xr3 healthcheck` beside real servers, beside none, and beside others that are no xr3."""
+
+import contextlib
+import os
+import pathlib
+import socket
+import subprocess
+import tempfile
+import threading
+import unittest
+
+from support import DEADLINE_S, LOCALHOST, XR3, Server, run_xr3
+
+NO_SERVER = 4
+TOKEN = "a token of no meaning"
+HELLO = b'{"op":"hello","proto":1,"server":"xr3 9.9.9"}\n'
+PONG = b'{"op":"pong","id":"health"}\n'
+
+
+@contextlib.contextmanager
+def stand_in(*answers):
+    """Somebody else's server: gives each connection the next answer, as soon as a byte came, and ends
+    it; without an answer it only takes the connections. Yields the port."""
+    with socket.create_server((LOCALHOST, 0)) as server:
+        def serve():
+            for answer in answers:
+                client, _ = server.accept()
+                with client:
+                    client.recv(1)
+                    client.sendall(answer)
+                    while answer and client.recv(4096):  # what else it says, until it leaves
+                        pass
+        thread = threading.Thread(target=serve, daemon=True)
+        thread.start()
+        yield server.getsockname()[1]
+        thread.join(DEADLINE_S)
+        assert not thread.is_alive(), "not every answer was asked for"
+
+
+@contextlib.contextmanager
+def unused_port(family=socket.AF_INET, host=LOCALHOST):
+    """A port where nobody listens, and nobody else will."""
+    with socket.socket(family) as taken:
+        taken.bind((host, 0))
+        yield taken.getsockname()[1]
+
+
+def check(*arguments, environment=None):
+    return run_xr3("healthcheck", *arguments, env={**os.environ, **(environment or {})})
+
+
+class Healthcheck(unittest.TestCase):
+    def healthy(self, *arguments, **how):
+        done = check(*arguments, **how)
+        self.assertEqual((0, "", ""), (done.returncode, done.stdout, done.stderr))
+
+    def unhealthy(self, says, *arguments, code=NO_SERVER, **how):
+        done = check(*arguments, **how)
+        self.assertEqual((code, ""), (done.returncode, done.stdout), done.stderr)
+        self.assertRegex(done.stderr, r"\Axr3: [^\n]+\n\Z", "one sentence on one line")
+        self.assertRegex(done.stderr, says)
+
+    def test_a_server_is_healthy(self):
+        with Server() as xr3, xr3.monitor() as monitor:
+            self.healthy("--monitor-port", xr3.monitor_port)
+            self.healthy(environment={"XR3_MONITOR_PORT": str(xr3.monitor_port)})
+            self.assertEqual([], monitor.call("lines")["lines"])
+            self.assertNotIn("warning", xr3.log())
+
+    def test_whatever_the_token(self):
+        with tempfile.TemporaryDirectory() as folder:
+            ports = pathlib.Path(folder, "ports.json")
+            with Server("--private", "--port-file", ports, environment={"XR3_TOKEN": TOKEN}):
+                self.healthy("--port-file", ports)
+            with Server("--token", "auto", "--port-file", ports):
+                self.healthy(environment={"XR3_PORT_FILE": str(ports), "XR3_MONITOR_PORT": "0"})
+
+    def test_every_place_where_serve_listens(self):
+        for listen in "localhost", "127.0.0.1", "127.9.9.9", "0.0.0.0", "::1", "::":
+            with self.subTest(listen), Server("--listen", listen, "--insecure") as xr3:
+                port = xr3.greeting.rsplit(":", 1)[1].strip()
+                self.healthy("--listen", listen, "--monitor-port", port)
+                self.healthy(environment={"XR3_LISTEN": listen, "XR3_MONITOR_PORT": port})
+
+    def test_nobody(self):
+        with unused_port() as port:
+            self.unhealthy(rf"nobody listens at 127\.0\.0\.1:{port} \(Connection refused\)",
+                           "--monitor-port", port)
+        with unused_port(socket.AF_INET6, "::1") as port:
+            self.unhealthy(rf"\[::1\]:{port}", "--monitor-port", port, "--listen", "::")
+
+    def test_no_xr3(self):
+        for says, answer in [("is not xr3: it says \"HTTP/1.1 400 Bad", b"HTTP/1.1 400 Bad Request\r\n\r\n"),
+                             ("says nothing", b""),
+                             ("is not xr3", b'{"op":"hello","server":"another"}\n'),
+                             ("is not xr3", bytes(range(256)) * 400),
+                             ("too many", b'{"op":"bye","why":"full","message":"too many"}\n')]:
+            with self.subTest(says), stand_in(answer) as port:
+                self.unhealthy(says, "--monitor-port", port)
+
+    def test_a_port_of_lines_is_no_monitor(self):
+        with Server() as xr3, xr3.monitor() as monitor:
+            before = monitor.get("joints", "moving")
+            self.unhealthy("says nothing", "--monitor-port", xr3.robot_port, "--wait", "0.1")
+            after = monitor.get("joints", "moving")
+            self.assertEqual(before["joints"], after["joints"])
+
+    def test_who_does_not_answer_is_not_waited_for(self):
+        with stand_in() as port:  # takes connections, and says nothing
+            self.unhealthy("says nothing", "--monitor-port", port, "--wait", "0.1")
+        with socket.socket() as server:
+            server.bind((LOCALHOST, 0))
+            server.listen(0)
+            address = server.getsockname()
+            with contextlib.ExitStack() as waiting:  # until its queue is full: then nobody gets in
+                for _ in range(3):
+                    client = waiting.enter_context(socket.socket())
+                    client.setblocking(False)
+                    client.connect_ex(address)
+                self.unhealthy("timed out", "--monitor-port", address[1], "--wait", "0.1")
+
+    def test_waits_until_it_is_healthy(self):
+        answers = [b"HTTP/1.1 503 Starting\r\n\r\n", b"", HELLO + PONG]
+        with stand_in(*answers) as port:  # which sees to it that each was asked for
+            self.healthy("--monitor-port", port, "--wait", DEADLINE_S)
+
+    def test_waits_for_a_server_that_is_to_come(self):
+        with tempfile.TemporaryDirectory() as folder:
+            ports = pathlib.Path(folder, "ports.json")
+            self.unhealthy("ports.json", "--port-file", ports)
+            with subprocess.Popen([XR3, "healthcheck", "--port-file", ports, "--wait", str(DEADLINE_S)]) as waiting, \
+                    Server("--port-file", ports):
+                self.assertEqual(0, waiting.wait(DEADLINE_S))
+
+    def test_waits_where_nobody_listens_yet(self):
+        with socket.socket() as server:
+            server.bind((LOCALHOST, 0))
+            port = server.getsockname()[1]
+            with subprocess.Popen([XR3, "healthcheck", "--monitor-port", str(port), "--wait", str(DEADLINE_S)]) as waiting:
+                server.listen()
+                client, _ = server.accept()
+                with client:
+                    client.sendall(HELLO + PONG)
+                    self.assertEqual(0, waiting.wait(DEADLINE_S))
+
+    def test_port_files_that_are_none(self):
+        with tempfile.TemporaryDirectory() as folder:
+            ports = pathlib.Path(folder, "ports.json")
+            for text in "", "{", "[]", "{}", '{"monitor":"9601"}', '{"monitor":0}', '{"monitor":65536}', '{"monitor":-1}':
+                with self.subTest(text):
+                    ports.write_text(text, encoding="ascii")
+                    self.unhealthy("ports.json: names no monitor port", "--port-file", ports)
+
+    def test_wrong_arguments(self):
+        for says, *arguments in [("--wait", "--wait", "-1"), ("65535", "--monitor-port", "70000"),
+                                 ("--port-file", "--monitor-port", "0"), ("address", "--listen", "robot.lab")]:
+            self.unhealthy(says, *arguments, code=2)
+
+
+if __name__ == "__main__":
+    unittest.main()
