@@ -65,6 +65,13 @@ class Client {
     }
   }
 
+  /// Calls `bring(object)` with what the next frame will touch first, which it may only take the address
+  /// of.
+  template <class Bring>
+  void prefetch(const Bring& bring) const {
+    if (follows_anything()) bring(*followed_.begin());
+  }
+
   /// What it was given of each channel, by Channel.
   const std::array<Tally, kChannels>& tallies() const { return tallies_; }
 

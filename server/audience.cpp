@@ -109,11 +109,20 @@ void Audience::begin_round() {
 void Audience::serve_some() {
   const std::size_t end = std::min(viewers_.size(), next_ + kFairShare);
   while (next_ < std::min(end, viewers_.size())) {
+    prefetch();
     serve(*viewers_[next_++]);
     if (next_ % kViewersBetween == 0) between_();
   }
   if (next_ < viewers_.size() && !is_stopped_) return asio::post(io_, [this] { serve_some(); });
   end_round();
+}
+
+/// The viewers whose turns come next: the farthest itself, each nearer one a depth more.
+void Audience::prefetch() const {
+  for (std::size_t depth = 0; depth < kDepths; ++depth) {
+    const std::size_t ahead = next_ + kDepths - depth;
+    if (ahead < viewers_.size()) viewers_[ahead]->prefetch(static_cast<Depth>(depth));
+  }
 }
 
 void Audience::serve(Viewer& viewer) {

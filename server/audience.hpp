@@ -51,6 +51,7 @@ class Audience {
   void beat();
   void begin_round();
   void serve_some();
+  void prefetch() const;
   void serve(Viewer& viewer);
   void end_round();
   bool has_followers() const;

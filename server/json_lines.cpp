@@ -21,7 +21,7 @@ constexpr std::string_view kLineEnd = "\n";
 std::shared_ptr<JsonLines> JsonLines::greet(std::shared_ptr<MonitorSocket> socket,
                                             MonitorService& service) {
   std::shared_ptr<JsonLines> lines(new JsonLines(std::move(socket), service));
-  lines->viewer_.emplace(service, [self = lines.get()] { self->pump(); });
+  lines->viewer_.emplace(service, static_cast<Carrier&>(*lines));
   lines->pump();
   return lines;
 }
@@ -99,6 +99,10 @@ void JsonLines::pump() {
   is_pumping_ = false;
   if (!out_.empty() && socket_->is_open()) wait_for_room();
   progress_.cancel();
+}
+
+void JsonLines::prefetch(Depth depth) const {
+  depth == Depth::kCarried ? xr3::prefetch(socket_.get()) : socket_->prefetch();
 }
 
 // The common case, a frame for one of a thousand viewers: one buffer is half the work of two.

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,7 +17,7 @@
 
 namespace xr3 {
 
-class JsonLines : public std::enable_shared_from_this<JsonLines> {
+class JsonLines : public std::enable_shared_from_this<JsonLines>, private Carrier {
  public:
   /// Says hello. `service` outlives it.
   static std::shared_ptr<JsonLines> greet(std::shared_ptr<MonitorSocket> socket,
@@ -47,7 +46,8 @@ class JsonLines : public std::enable_shared_from_this<JsonLines> {
   asio::awaitable<void> until_all_is_written();
   bool is_done() const;
 
-  void pump();
+  void pump() override;
+  void prefetch(Depth depth) const override;
   bool is_one_and_small() const;
   std::size_t send_copy();
   std::size_t send_gathered();
@@ -55,9 +55,8 @@ class JsonLines : public std::enable_shared_from_this<JsonLines> {
   void wait_for_room();
   void written(std::size_t count);
 
+  // (What every message touches comes first.)
   std::shared_ptr<MonitorSocket> socket_;
-  std::optional<Viewer> viewer_;
-  monitor::Lines lines_;
   std::vector<monitor::Message> out_;  ///< being written, each with a line end
   std::size_t written_ = 0;            ///< bytes of the first of them
   std::size_t out_bytes_ = 0;
@@ -65,6 +64,8 @@ class JsonLines : public std::enable_shared_from_this<JsonLines> {
   bool is_pumping_ = false;
   bool is_answered_ = false;     ///< no further request will come
   asio::steady_timer progress_;  ///< never expires; cancelled when something was written
+  std::optional<Viewer> viewer_;
+  monitor::Lines lines_;
 };
 
 }  // namespace xr3

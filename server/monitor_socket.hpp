@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "server/asio.hpp"
+#include "server/prefetch.hpp"
 
 namespace xr3 {
 
@@ -37,6 +38,9 @@ class MonitorSocket {
   /// Sends as much as the connection takes now, and returns how much that was; 0 and not open where it
   /// is lost.
   std::size_t send_some(std::span<const asio::const_buffer> buffers);
+
+  /// Brings what send_some() will touch.
+  void prefetch() const { xr3::prefetch(socket_.get()); }
 
   /// Calls `ready` when more can be sent, or when the connection is lost, at the latest after 30 s.
   void when_writable(std::function<void()> ready);

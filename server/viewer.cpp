@@ -6,10 +6,10 @@
 
 namespace xr3 {
 
-Viewer::Viewer(MonitorService& service, std::function<void()> wake)
+Viewer::Viewer(MonitorService& service, Carrier& carrier)
     : service_(service),
       client_(service.cells()),
-      wake_(std::move(wake)),
+      carrier_(carrier),
       access_(service.first_access()) {
   service_.add(*this);
   client_.send(service_.hello(*this));
@@ -20,19 +20,26 @@ Viewer::~Viewer() { service_.remove(*this); }
 asio::awaitable<void> Viewer::take(std::string_view message) {
   auto request = client_.take(message);
   if (request) co_await service_.carry_out(*this, *std::move(request));
-  wake_();
+  wake();
 }
 
 monitor::Message Viewer::next_output() { return client_.next_output(service_.audience().now()); }
 
+void Viewer::prefetch(Depth depth) const {
+  if (depth == Depth::kItself) return xr3::prefetch(this);
+  if (depth != Depth::kHeld) return carrier_.prefetch(depth);
+  xr3::prefetch(&carrier_);
+  client_.prefetch([](const auto& followed) { xr3::prefetch(&followed); });
+}
+
 void Viewer::end(monitor::Bye why) {
   client_.end(why);
-  wake_();
+  wake();
 }
 
 void Viewer::end(monitor::LineFault fault) {
   client_.end(fault);
-  wake_();
+  wake();
 }
 
 }  // namespace xr3

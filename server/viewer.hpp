@@ -2,13 +2,13 @@
 // Messages go in, messages come out; what it had opened is closed when it is destroyed.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "protocol/monitor_client.hpp"
 #include "server/asio.hpp"
+#include "server/carrier.hpp"
 #include "server/line.hpp"
 
 namespace xr3 {
@@ -20,9 +20,8 @@ enum class Access : std::uint8_t { kNone, kRead, kControl };
 
 class Viewer {
  public:
-  /// Says hello. `wake` is called when there is output; the shell then takes it by next_output(), now
-  /// or when its connection is writable. `service` outlives the viewer.
-  Viewer(MonitorService& service, std::function<void()> wake);
+  /// Says hello. Both outlive the viewer; the carrier is told when there is output.
+  Viewer(MonitorService& service, Carrier& carrier);
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
   ~Viewer();
@@ -51,7 +50,9 @@ class Viewer {
 
   monitor::Client& client() { return client_; }
   /// There is output.
-  void wake() { wake_(); }
+  void wake() { carrier_.pump(); }
+  /// It will be served soon: brings what that will touch, at one depth.
+  void prefetch(Depth depth) const;
 
   Access access() const { return access_; }
   void grant(Access access) { access_ = access; }
@@ -65,7 +66,7 @@ class Viewer {
  private:
   MonitorService& service_;
   monitor::Client client_;
-  std::function<void()> wake_;
+  Carrier& carrier_;
   Access access_;
   int wrong_tokens_ = 0;
   std::optional<LineId> own_line_;

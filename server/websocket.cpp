@@ -78,7 +78,7 @@ ws::close_code code_of(std::optional<monitor::Bye> why) {
   return ws::close_code::normal;
 }
 
-class BeastWebsocket final : public Websocket {
+class BeastWebsocket final : public Websocket, private Carrier {
  public:
   BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorService& service,
                  WebsocketPatience patience);
@@ -97,7 +97,8 @@ class BeastWebsocket final : public Websocket {
   asio::awaitable<bool> is_text_read();
   asio::awaitable<void> until_there_is_room();
 
-  void pump();
+  void pump() override;
+  void prefetch(Depth depth) const override;
   void written(ErrorCode error);
   void close(ws::close_code code);
   void watch();
@@ -140,7 +141,7 @@ BeastWebsocket::BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorSer
 asio::awaitable<void> BeastWebsocket::run(std::string head) {
   const bool accepted = co_await is_accepted(head);
   if (accepted) {
-    viewer_ = std::make_unique<Viewer>(service_, [this] { pump(); });
+    viewer_ = std::make_unique<Viewer>(service_, static_cast<Carrier&>(*this));
     heard_ = Clock::now();
     watch();
     pump();
@@ -209,6 +210,10 @@ void BeastWebsocket::pump() {
   } else if (viewer_->has_ended()) {
     close(code_of(viewer_->farewell()));
   }
+}
+
+void BeastWebsocket::prefetch(Depth depth) const {
+  depth == Depth::kCarried ? xr3::prefetch(socket_.get()) : socket_->prefetch();
 }
 
 void BeastWebsocket::written(ErrorCode error) {
