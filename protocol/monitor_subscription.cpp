@@ -11,27 +11,26 @@ bool is_equal(const std::shared_ptr<const std::string>& a,
   return a == b || (a && b && *a == *b);
 }
 
+// Frames of one slot of a rate's grid are as good as one: the first of the next slot.
+FrameNumber next_slot(FrameNumber now, MilliHz rate) {
+  constexpr std::int64_t kMilliFrames = kFramesPerSecond * 1000;
+  const std::int64_t slot = now * rate / kMilliFrames;
+  return ((slot + 1) * kMilliFrames + rate - 1) / rate;
+}
+
 }  // namespace
 
 // --- Latest wins.
 
-// The grid of max_hz: frames of one slot are as good as one.
-std::int64_t FrameSubscription::slot_of(FrameNumber frame) const {
-  return frame * wanted_.max_millihz / (kFramesPerSecond * 1000);
-}
-
-bool FrameSubscription::is_due(FrameNumber now) const {
-  return last_offer_ < 0 || slot_of(now) > slot_of(last_offer_);
-}
-
 void FrameSubscription::offer(const Frame& frame, FrameNumber now) {
+  due_ = next_slot(now, std::max(wanted_.max_millihz, kLookMilliHz));
   if (wanted_.on_change && waiting_.message && is_equal(frame.content, waiting_.content)) return;
   const bool is_old = wanted_.on_change && is_equal(frame.content, sent_);
   if (is_old && !waiting_.message) return;
   miss_waiting();
   if (is_old) return;  // it has come back to what the client knows
   waiting_ = frame;
-  last_offer_ = now;
+  due_ = next_slot(now, wanted_.max_millihz);
 }
 
 void FrameSubscription::miss_waiting() {

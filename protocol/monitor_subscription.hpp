@@ -30,6 +30,9 @@ struct Tally {
   std::uint64_t overwritten = 0;
 };
 
+/// How often a change is looked for, however small max_hz is: it should be seen soon.
+inline constexpr MilliHz kLookMilliHz = 10'000;
+
 /// A latest-wins channel: one slot, filled by offer(), emptied when the client can take it.
 class FrameSubscription {
  public:
@@ -39,8 +42,10 @@ class FrameSubscription {
 
   const Subscribe& wanted() const { return wanted_; }
 
-  /// The grid has come to a frame at which max_hz lets something out again.
-  bool is_due(FrameNumber now) const;
+  /// The first frame at which it is worth while to look again: the next of max_hz's grid, or, where
+  /// nothing had changed, the next of kLookMilliHz's if that comes sooner.
+  FrameNumber due() const { return due_; }
+  bool is_due(FrameNumber now) const { return now >= due_; }
 
   /// Puts a frame into the slot, unless on_change holds and nothing has changed.
   void offer(const Frame& frame, FrameNumber now);
@@ -55,7 +60,6 @@ class FrameSubscription {
   bool has_output(FrameNumber now) const { return waiting_.message || is_lag_due(now); }
 
  private:
-  std::int64_t slot_of(FrameNumber frame) const;
   bool is_lag_due(FrameNumber now) const;
   void miss_waiting();
 
@@ -63,7 +67,7 @@ class FrameSubscription {
   Subscribe wanted_;
   Frame waiting_;
   std::shared_ptr<const std::string> sent_;  ///< content of the last frame that went out
-  FrameNumber last_offer_ = -1;
+  FrameNumber due_ = 0;
   FrameNumber last_lag_ = -kFramesPerSecond;
   Missed missed_;
   Tally* tally_;

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <boost/asio/post.hpp>
 #include <chrono>
-
-#include "server/wall_clock.hpp"
+#include <limits>
 
 namespace xr3 {
 namespace {
@@ -14,6 +13,10 @@ constexpr WallNs kSecond = 1'000'000'000;
 // Viewers that a robot line may have to wait for: some 25 us. More would be felt, fewer cost a system
 // call each.
 constexpr std::size_t kViewersBetween = 4;
+
+// While time runs everybody is looked after at least so often: what time brings (a stall, a line that
+// is told of) comes within a few hundredths of a second.
+constexpr monitor::FrameNumber kMostApart = 2;
 
 /// The first moment of a frame.
 WallNs start_of(monitor::FrameNumber frame) {
@@ -60,24 +63,33 @@ bool Audience::has_followers() const {
 
 void Audience::acted() {
   has_acted_ = true;
-  if (is_stopped_ || is_serving_ || armed_ == Wake::kFrame) return;
+  if (is_stopped_ || is_serving_) return;
+  if (armed_ == Wake::kFrame && armed_frame_ <= wall_frame() + 1) return;
   if (!viewers_.empty() && has_followers()) return arm_frame();
   const bool runs = cell_.has_news_to_come();
-  if (runs && armed_ == Wake::kNone) arm(Wake::kSecond);
+  if (runs && armed_ == Wake::kNone) arm_second();
 }
 
 // At once where this frame has not been served yet, so that who waits for an answer need not wait.
 void Audience::arm_frame() {
-  if (wall_frame() == frame_) return arm(Wake::kFrame);
+  const monitor::FrameNumber now = wall_frame();
+  if (now == frame_) return arm_at(now + 1);
   armed_ = Wake::kFrame;
+  armed_frame_ = now;
   timer_.cancel();
   asio::post(io_, [this] { beat(); });
 }
 
-void Audience::arm(Wake wake) {
+void Audience::arm_at(monitor::FrameNumber frame) {
+  armed_frame_ = frame;
+  arm(Wake::kFrame, start_of(frame));
+}
+
+void Audience::arm_second() { arm(Wake::kSecond, wall_now() + kSecond); }
+
+void Audience::arm(Wake wake, WallNs when) {
   armed_ = wake;
-  const WallNs due = wake == Wake::kFrame ? start_of(wall_frame() + 1) : wall_now() + kSecond;
-  timer_.expires_at(as_time_point(due));
+  timer_.expires_at(as_time_point(when));
   timer_.async_wait([this](ErrorCode cancelled) {
     if (!cancelled) beat();
   });
@@ -101,6 +113,7 @@ void Audience::begin_round() {
   is_serving_ = true;
   has_acted_ = false;
   is_settled_ = true;
+  due_ = std::numeric_limits<monitor::FrameNumber>::max();
   next_ = 0;
   frame_ = wall_frame();
   serve_some();
@@ -128,18 +141,20 @@ void Audience::prefetch() const {
 void Audience::serve(Viewer& viewer) {
   bool has_frame = false;
   viewer.client().for_each_frame_subscription([&, this](monitor::FrameSubscription& subscription) {
-    if (!subscription.is_due(frame_)) {  // it is looked at when it is: until then no text is made
-      is_settled_ = false;
-      return;
-    }
-    const auto& selection = subscription.wanted().selection;
-    const monitor::Frame* frame = frames_.current(selection);
-    if (frame == nullptr) return;
-    subscription.offer(*frame, frame_);
-    is_settled_ = is_settled_ && subscription.is_settled(*frame);
+    const bool is_settled = subscription.is_due(frame_) && look(subscription);
+    is_settled_ = is_settled_ && is_settled;
+    due_ = std::min(due_, subscription.due());
     has_frame = has_frame || subscription.is_waiting();
   });
   if (has_frame || viewer.client().has_output(frame_)) viewer.wake();
+}
+
+/// Whether the client has, or will have, all that there is. Until it is due no text is made for it.
+bool Audience::look(monitor::FrameSubscription& subscription) {
+  const monitor::Frame* frame = frames_.current(subscription.wanted().selection);
+  if (frame == nullptr) return true;
+  subscription.offer(*frame, frame_);
+  return subscription.is_settled(*frame);
 }
 
 void Audience::end_round() {
@@ -147,9 +162,12 @@ void Audience::end_round() {
   if (is_stopped_) return;
   const bool runs = cell_.has_news_to_come();
   if (!has_followers()) {
-    if (runs) arm(Wake::kSecond);
-  } else if (runs || !is_settled_ || has_acted_) {
+    if (runs) arm_second();
+  } else if (has_acted_) {
     arm_frame();
+  } else if (runs || !is_settled_) {
+    const auto apart = runs ? kMostApart : monitor::kFramesPerSecond;
+    arm_at(std::clamp(due_, frame_ + 1, frame_ + apart));
   }
 }
 

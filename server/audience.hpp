@@ -1,5 +1,5 @@
-// Everybody who watches a cell, and when they are served: on a grid of 1/60 s, only while something
-// that somebody follows may have changed, and a few of them at a time, so that a robot line never waits
+// Everybody who watches a cell, and when they are served: on a grid of 1/60 s, at the points where
+// somebody is due, only while something that somebody follows may have changed, and a few of them at a time, so that a robot line never waits
 // behind a thousand viewers. Without followers a moving cell is brought up to date once a second, for
 // the log and the rings. At rest nothing wakes.
 #pragma once
@@ -13,6 +13,7 @@
 #include "server/cell.hpp"
 #include "server/frames.hpp"
 #include "server/viewer.hpp"
+#include "server/wall_clock.hpp"
 
 namespace xr3 {
 
@@ -46,13 +47,16 @@ class Audience {
   enum class Wake : std::uint8_t { kNone, kSecond, kFrame };
 
   static monitor::FrameNumber wall_frame();
-  void arm(Wake wake);
+  void arm(Wake wake, WallNs when);
+  void arm_second();
+  void arm_at(monitor::FrameNumber frame);
   void arm_frame();
   void beat();
   void begin_round();
   void serve_some();
   void prefetch() const;
   void serve(Viewer& viewer);
+  bool look(monitor::FrameSubscription& subscription);
   void end_round();
   bool has_followers() const;
 
@@ -63,10 +67,12 @@ class Audience {
   std::function<void()> between_;
   std::vector<Viewer*> viewers_;
   Wake armed_ = Wake::kNone;
+  monitor::FrameNumber armed_frame_ = 0;  ///< where it is kFrame
   bool is_stopped_ = false;
   bool is_serving_ = false;          ///< a round is under way
   bool has_acted_ = false;           ///< meanwhile something has acted
   bool is_settled_ = true;           ///< nobody of this round waits for a later frame
+  monitor::FrameNumber due_ = 0;     ///< when the first of this round wants to look again
   std::size_t next_ = 0;             ///< viewer of the round that comes next
   monitor::FrameNumber frame_ = -1;  ///< of the last round
   Tallies gone_{};                   ///< of viewers that have left

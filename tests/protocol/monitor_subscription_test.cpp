@@ -81,6 +81,28 @@ TEST(FrameSubscription, MaxHzPicksFramesOfOneGrid) {
   EXPECT_EQ(due_in_a_second(100), 1);
 }
 
+TEST(FrameSubscription, WhereNothingChangesItIsLookedAtAtMostTenTimesASecond) {
+  Tally tally;
+  FrameSubscription sub("main", to(Channel::kState, 1'000), tally);
+  sub.offer(frame(1, "a"), 600);
+  all(sub, 600);
+  EXPECT_EQ(sub.due(), 660) << "a message a second";
+  sub.offer(frame(1, "a"), 660);
+  EXPECT_EQ(sub.due(), 666) << "nothing was sent, so a change is told soon";
+  sub.offer(frame(2, "b"), 666);
+  EXPECT_EQ(sub.due(), 720);
+}
+
+TEST(FrameSubscription, ItIsNotLookedAtMoreOftenThanItMayBeSent) {
+  Tally tally;
+  FrameSubscription sub("main", to(Channel::kState, 30'000), tally);
+  sub.offer(frame(1, "a"), 600);
+  all(sub, 600);
+  sub.offer(frame(1, "a"), 602);
+  EXPECT_FALSE(sub.is_due(603));
+  EXPECT_TRUE(sub.is_due(604));
+}
+
 TEST(FrameSubscription, TheLatestWinsAndALagTellsOfTheRest) {
   Tally tally;
   FrameSubscription sub("main", to(Channel::kImage), tally);

@@ -25,6 +25,12 @@ AccessPolicy with_token(Reading reading) {
   return AccessPolicy(rules);
 }
 
+/// No connection: the tests take the output themselves.
+struct NoCarrier final : Carrier {
+  void pump() override {}
+  void prefetch(Depth) const override {}
+};
+
 class MonitorServiceTest : public testing::Test {
  protected:
   explicit MonitorServiceTest(AccessPolicy policy = {}) : policy_(std::move(policy)) {}
@@ -74,7 +80,8 @@ class MonitorServiceTest : public testing::Test {
   AccessPolicy policy_;
   MonitorService service_{io_, cell_, robot_port_, policy_,
                           [this] { service_.audience().acted(); }};
-  Viewer one_{service_, [] {}};
+  NoCarrier carrier_;
+  Viewer one_{service_, carrier_};
   LineId line_ = 0;
 };
 
@@ -114,7 +121,7 @@ TEST_F(MonitorServiceTest, AtRestTheLoopHasNothingToDo) {
 }
 
 TEST_F(MonitorServiceTest, TheSameSeqIsTheSameBytes) {
-  Viewer other(service_, [] {});
+  Viewer other(service_, carrier_);
   read(one_);
   read(other);
   const std::string sub = R"({"op":"sub","channel":"model"})";
@@ -146,7 +153,7 @@ TEST_F(MonitorServiceTest, EventsComeInOrderWithTheirTicks) {
 
 TEST_F(MonitorServiceTest, SendHasALineOfItsOwnThatClosesWithTheViewer) {
   {
-    Viewer other(service_, [] {});
+    Viewer other(service_, carrier_);
     read(other);
     const Json value = call(other, "send", R"({"text":"E+5\rE?"})")["value"];
     EXPECT_EQ(value["hex"], "25");

@@ -1,0 +1,29 @@
+// What one page costs the server, all its channels followed: at rest, and while four joints move for as
+// long as they are watched. Exit code 1 where that is above its bound.
+import { readFileSync } from "node:fs";
+import { close, open, ready, serve, type } from "./bench.mjs";
+
+const kSeconds = 6;
+const kMostPerCent = 1;
+
+/** Processor time of the server's one thread, ns. */
+const spentNs = (pid) => Number(readFileSync(`/proc/${pid}/schedstat`, "utf8").split(" ")[0]);
+
+async function perCent(server, page) {
+  const [spent, start] = [spentNs(server.pid), performance.now()];
+  await page.waitForTimeout(kSeconds * 1000);
+  return (spentNs(server.pid) - spent) / (performance.now() - start) / 1e4;
+}
+
+const server = await serve();
+const page = await open(server.url);
+await ready(page);
+const resting = await perCent(server, page);
+await type(server.robot, "F+127\rE+127\rD-127\rB+127\rF20SE20SD20SB20S"); // slowly
+const moving = await perCent(server, page);
+const isMoving = (await server.state()).moving;
+await close();
+await server.stop();
+console.log(`one page at 30 Hz: ${resting.toFixed(2)} % of a processor at rest, ${moving.toFixed(2)} % while the robot moves (bound ${kMostPerCent} %)`);
+if (!isMoving) throw new Error("the robot stood still too early");
+process.exitCode = moving > kMostPerCent ? 1 : 0;
