@@ -66,9 +66,12 @@ AccessRules access_rules(const ServeOptions& options, std::string token) {
 }  // namespace
 
 ModelPtr load_model(const ServeOptions& options) {
-  const DataFile robot_file = find_data_file(options.robot, "robots");
+  const DataFile robot_file =
+      blaming(options.origins, "--robot", [&] { return find_data_file(options.robot, "robots"); });
   const Robot robot = load_robot(robot_file.text, robot_file.path);
-  const DataFile workcell_file = find_data_file(workcell_name(options), "workcells");
+  const DataFile workcell_file = blaming(options.origins, "--workcell", [&] {
+    return find_data_file(workcell_name(options), "workcells");
+  });
   const Workcell workcell = load_workcell(workcell_file.text, workcell_file.path);
   return std::make_shared<const Model>(robot, workcell, options.profile);
 }
@@ -105,8 +108,11 @@ void App::announce() {
   stage_ = Stage::kReady;
   const tcp::endpoint robot = robot_port_.endpoint();
   const tcp::endpoint monitor = monitor_port_.endpoint();
-  if (!options_.port_file.empty())
-    write_port_file(options_.port_file, {robot.port(), monitor.port(), fresh_token_});
+  if (!options_.port_file.empty()) {
+    blaming(options_.origins, "--port-file", [&] {
+      write_port_file(options_.port_file, {robot.port(), monitor.port(), fresh_token_});
+    });
+  }
   announce_token(monitor.port());
   std::cout << "LISTENING robot=" << to_text(robot) << " monitor=" << to_text(monitor) << std::endl;
 }

@@ -1,6 +1,7 @@
 #include "server/health_options.hpp"
 
 #include "server/asio.hpp"
+#include "server/options_environment.hpp"
 #include "server/options_parts.hpp"
 
 namespace xr3 {
@@ -24,22 +25,20 @@ void add_health(CLI::App& app, HealthOptions& options) {
       "healthcheck", "ask the server on this machine whether it answers; exit code 0 says yes");
   health.add_option("--listen", options.listen, "where it listens, as serve was told")
       ->type_name("ADDR")
-      ->envname("XR3_LISTEN")
       ->check(CLI::Validator(check_listen, ""))
       ->capture_default_str();
   health.add_option("--monitor-port", options.monitor_port, "its monitor port")
       ->type_name("PORT")
-      ->envname("XR3_MONITOR_PORT")
       ->check(CLI::Validator(check_port, ""))
       ->capture_default_str();
   health
       .add_option("--port-file", options.port_file,
                   "read the port from this file, which serve wrote")
-      ->type_name("FILE")
-      ->envname("XR3_PORT_FILE");
+      ->type_name("FILE");
   health.add_option("--wait", options.wait_s, "try again for so long, until it answers")
       ->type_name("SECONDS")
       ->check(CLI::Range(0.0, kLongestWaitS).description(""));
+  take_environment(health, {"--wait"});
   health.parse_complete_callback([&health, &options] { choose_port(health, options); });
 }
 

@@ -45,7 +45,9 @@ ExitCode serve(const ServeOptions& options) {
   raise_descriptor_limit();
   start_log(options.log_level);
   warn_of_open_token(options.token);
-  App(options, load_model(options), read_token(options.token)).run();
+  const std::string token =
+      blaming(options.origins, "--token-file", [&] { return read_token(options.token); });
+  App(options, load_model(options), token).run();
   return ExitCode::kGood;
 }
 

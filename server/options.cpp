@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "protocol/picture.hpp"
+#include "server/options_environment.hpp"
 #include "server/options_parts.hpp"
 #include "server/pose_argument.hpp"
 
@@ -137,6 +138,19 @@ std::string named_command(const CLI::App& app) {
   return "xr3";
 }
 
+/// What is wrong, in words that name the place where it is said.
+std::string trouble_of(const CLI::App& app, const CLI::ParseError& error) {
+  for (CLI::App* command : app.get_subcommands()) {
+    if (const auto trouble = trouble_in_environment(*command)) return *trouble;
+  }
+  return error.what();
+}
+
+bool is_help_wanted(const CLI::App& app) {
+  const std::vector<CLI::App*> commands = app.get_subcommands();
+  return !commands.empty() && commands.front()->get_help_ptr()->count() > 0;
+}
+
 Leave unknown_command(const std::string& word) {
   return {ExitCode::kBadInput, "",
           "xr3: there is no command " + word + "; xr3 --help lists those that there are\n"};
@@ -144,12 +158,13 @@ Leave unknown_command(const std::string& word) {
 
 // Help and version are printed as they are; an error becomes one sentence.
 Leave leave(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() != 0 && is_help_wanted(app)) return {ExitCode::kGood, app.help(), ""};
   if (error.get_exit_code() != 0) {
     const std::vector<std::string> extras = app.remaining(true);
     const bool is_unknown = app.get_subcommands().empty() && !extras.empty();
     if (is_unknown) return unknown_command(extras.front());
     return {ExitCode::kBadInput, "",
-            "xr3: " + std::string(error.what()) + "; " + named_command(app) +
+            "xr3: " + trouble_of(app, error) + "; " + named_command(app) +
                 " --help tells what is allowed\n"};
   }
   std::ostringstream out;

@@ -15,6 +15,7 @@
 #include "protocol/kin_question.hpp"
 #include "server/exit_code.hpp"
 #include "server/health_options.hpp"
+#include "server/origins.hpp"
 #include "server/token.hpp"
 #include "server/watch_options.hpp"
 
@@ -42,6 +43,7 @@ struct ServeOptions {
   std::vector<std::string> allow_hosts;
   std::vector<std::string> allow_origins;
   bool is_insecure = false;
+  Origins origins;
 };
 
 struct CheckOptions {

@@ -1,8 +1,8 @@
 #include "server/options_parts.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <stdexcept>
 
 #include "server/asio.hpp"
 
@@ -21,9 +21,31 @@ std::string check_port(const std::string& text) {
   return is_port ? "" : text + ": a port is a number from 0 to 65535";
 }
 
-bool is_argument(const CLI::App& command, const std::string& name) {
-  const std::vector<CLI::Option*>& said = command.parse_order();
-  return std::find(said.begin(), said.end(), command.get_option(name)) != said.end();
+std::string check_flag(const std::string& text) {
+  const std::string word = CLI::detail::to_lower(text);
+  for (const char* known : {"true", "false", "1", "0", "yes", "no", "on", "off"})
+    if (word == known) return {};
+  return text + ": this is true or false, 1 or 0, yes or no, on or off";
+}
+
+Profile parse_profile(const std::string& text) {
+  const std::string word = CLI::detail::to_lower(text);
+  if (word == "paper") return Profile::kPaper;
+  if (word == "mark3") return Profile::kMark3;
+  throw std::invalid_argument(text + ": a controller is paper or mark3");
+}
+
+void add_profile(CLI::App& command, Profile& profile) {
+  command
+      .add_option_function<std::string>(
+          "--compat", [&profile](const std::string& text) { profile = parse_profile(text); },
+          "the controller that lines see: paper (default), or mark3, the hardware")
+      ->type_name("paper|mark3")
+      ->check(parses(parse_profile, ""));
+}
+
+void add_flag(CLI::App& command, const std::string& name, bool& value, const std::string& what) {
+  command.add_flag(name, value, what)->check(CLI::Validator(check_flag, ""));
 }
 
 }  // namespace xr3

@@ -24,15 +24,19 @@ CLI::Validator parses(Parse parse, const std::string& what) {
       what);
 }
 
-/// Checks that say what is allowed: an address to listen on, and a port.
+/// Checks that say what is allowed: an address to listen on, a port, and a flag that is not an argument.
 std::string check_listen(const std::string& text);
 std::string check_port(const std::string& text);
+std::string check_flag(const std::string& text);
 
-/// Whether the option was said on the command line, and not elsewhere.
-bool is_argument(const CLI::App& command, const std::string& name);
+/// Throws std::invalid_argument with what is allowed.
+Profile parse_profile(const std::string& text);
 
 /// `--compat`, for whatever sees lines.
 void add_profile(CLI::App& command, Profile& profile);
+
+/// A flag: there, or not there; elsewhere than on the command line it has a value.
+void add_flag(CLI::App& command, const std::string& name, bool& value, const std::string& what);
 
 /// The subcommand `serve` with its options.
 void add_serve(CLI::App& app, ServeOptions& options);

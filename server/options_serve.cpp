@@ -1,17 +1,14 @@
 // The options of `xr3 serve`, and what they may not say together.
-#include <cstdlib>
-#include <map>
 #include <utility>
 
 #include "protocol/http_guard.hpp"
 #include "server/asio.hpp"
+#include "server/options_environment.hpp"
 #include "server/options_parts.hpp"
 
 namespace xr3 {
 namespace {
 
-const std::map<std::string, Profile> kProfiles{{"paper", Profile::kPaper},
-                                               {"mark3", Profile::kMark3}};
 const std::vector<std::string> kLogLevels{"trace", "debug", "info", "warn", "error", "off"};
 constexpr int kMostLines = 20000;
 
@@ -30,54 +27,55 @@ std::string check_origin(const std::string& text) {
                                : text + ": an origin is like https://page.lab or http://a:8080";
 }
 
-// Each use of the option adds one.
+// Each use of the option adds one; in one use, commas stand between them.
 void add_names(CLI::App& serve, const std::string& name, std::vector<std::string>& names,
                const std::string& type, const std::string& what,
                std::string (*check)(const std::string&)) {
   serve.add_option(name, names, what)
       ->type_name(type)
       ->allow_extra_args(false)
+      ->delimiter(',')
       ->check(CLI::Validator(check, ""));
 }
 
 void add_access(CLI::App& serve, ServeOptions& options) {
-  auto* file = serve.add_option_function<std::string>(
-      "--token-file", [&options](const std::string& path) { options.token = TokenFile{path}; },
-      "monitor calls need the token in this file (or in XR3_TOKEN): 16 characters or more");
-  file->type_name("FILE");
+  serve
+      .add_option_function<std::string>(
+          "--token-file", [&options](const std::string& path) { options.token = TokenFile{path}; },
+          "monitor calls need the token in this file (or in XR3_TOKEN): 16 characters or more")
+      ->type_name("FILE");
+  // Behind --token-file: it takes the place of a file that the environment names.
   serve
       .add_option_function<std::string>(
           "--token", [&options](const std::string&) { options.token = FreshToken{}; },
-          "auto: make a token for this run and print it on standard error")
+          "auto: make a token for this run and print it on standard error; no --token-file then")
       ->type_name("auto")
-      ->check(CLI::Validator(check_token_word, ""))
-      ->excludes(file);
-  serve.add_flag("--private", options.is_private, "reading needs the token, too");
+      ->check(CLI::Validator(check_token_word, ""));
+  add_flag(serve, "--private", options.is_private, "reading needs the token, too");
   add_names(serve, "--allow-host", options.allow_hosts, "NAME",
-            "also answer browsers that know this machine by that name; repeat for more",
+            "also answer browsers that know this machine by that name; more with commas",
             check_host);
   add_names(serve, "--allow-origin", options.allow_origins, "ORIGIN",
-            "also answer pages from there, as in https://page.lab; repeat for more", check_origin);
-  serve.add_flag("--insecure", options.is_insecure,
-                 "let anybody who reaches --listen drive the robot: it has no password");
+            "also answer pages from there, as in https://page.lab; more with commas", check_origin);
+  add_flag(serve, "--insecure", options.is_insecure,
+           "let anybody who reaches --listen drive the robot: it has no password");
 }
 
 Leave refuse(const std::string& why) { return {ExitCode::kBadInput, "", "xr3: " + why + "\n"}; }
 
-Leave refuse_listen(const std::string& address) {
-  return refuse("--listen " + address +
+Leave refuse_listen(const ServeOptions& options) {
+  return refuse(said_as(options.origins, "--listen") + " " + options.listen +
                 " lets other machines in: give calls a token by --token-file FILE, XR3_TOKEN or "
                 "--token auto (the robot port has no password even so), or say --insecure");
 }
 
-}  // namespace
-
-void add_profile(CLI::App& command, Profile& profile) {
-  command
-      .add_option("--compat", profile,
-                  "the controller that lines see: paper (default), or mark3, the hardware")
-      ->transform(CLI::CheckedTransformer(kProfiles, CLI::ignore_case).description("paper|mark3"));
+void complete(const CLI::App& serve, ServeOptions& options) {
+  if (is_argument(serve, "--token") && is_argument(serve, "--token-file"))
+    throw CLI::ExcludesError("--token", "--token-file");
+  options.origins = origins_in_environment(serve);
 }
+
+}  // namespace
 
 void add_serve(CLI::App& app, ServeOptions& options) {
   CLI::App& serve = *app.add_subcommand("serve", "start a robot and its controller");
@@ -128,15 +126,18 @@ void add_serve(CLI::App& app, ServeOptions& options) {
       ->check(CLI::IsMember(kLogLevels).description(""))
       ->capture_default_str();
   add_access(serve, options);
+  take_environment(serve, {"--token"});
+  serve.parse_complete_callback([&serve, &options] { complete(serve, options); });
 }
 
 Options checked_serve(ServeOptions options) {
   const auto has_token = [&] { return !std::holds_alternative<NoToken>(options.token); };
-  if (!has_token() && std::getenv(kTokenVariable) != nullptr) options.token = TokenInEnvironment{};
+  if (!has_token() && is_token_in_environment()) options.token = TokenInEnvironment{};
   if (options.is_private && !has_token())
-    return refuse("--private needs a token: --token-file FILE, XR3_TOKEN or --token auto");
+    return refuse(said_as(options.origins, "--private") +
+                  " needs a token: --token-file FILE, XR3_TOKEN or --token auto");
   const bool is_safe = is_loopback(options.listen) || has_token() || options.is_insecure;
-  if (!is_safe) return refuse_listen(options.listen);
+  if (!is_safe) return refuse_listen(options);
   return options;
 }
 

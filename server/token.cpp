@@ -68,6 +68,11 @@ struct Reader {
 
 }  // namespace
 
+bool is_token_in_environment() {
+  const char* value = std::getenv(kTokenVariable);
+  return value != nullptr && *value != '\0';
+}
+
 std::string read_token(const TokenSource& source) { return std::visit(Reader{}, source); }
 
 bool others_may_read(const std::string& path) {

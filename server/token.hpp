@@ -30,6 +30,9 @@ class TokenError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Whether XR3_TOKEN holds anything: an empty one counts as not set.
+bool is_token_in_environment();
+
 /// The token, empty where there is none to be. A file's last line end is left out. Throws TokenError,
 /// and FileError for a file that cannot be read.
 std::string read_token(const TokenSource& source);

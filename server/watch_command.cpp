@@ -30,7 +30,7 @@ constexpr std::chrono::seconds kOnceAtMost{15};
 
 watch::Wish wish_of(const WatchOptions& options, watch::Interest interest) {
   TokenSource source = NoToken{};
-  if (std::getenv(kTokenVariable) != nullptr) source = TokenInEnvironment{};
+  if (is_token_in_environment()) source = TokenInEnvironment{};
   if (!options.token_file.empty()) source = TokenFile{options.token_file};
   return {options.cell, read_token(source), interest};
 }

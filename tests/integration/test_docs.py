@@ -26,9 +26,10 @@ def shown_lines():
 
 def xr3_commands():
     for name, line in shown_lines():
-        match = re.match(r"(?:\$ )?(?:build/release/)?xr3 (.+)", line)
+        match = re.match(r"(?:\$ )?((?:XR3_\w+=\S+ )*)(?:build/release/)?xr3 (.+)", line)
         if match:
-            yield name, shlex.split(BEHIND.sub("", match[1]))
+            variables = dict(word.split("=", 1) for word in match[1].split())
+            yield name, variables, shlex.split(BEHIND.sub("", match[2]))
 
 
 def client_commands():
@@ -50,10 +51,10 @@ class Docs(unittest.TestCase):
         run_xr3("convert", "my-arm.json", "my-arm.txt", cwd=self.folder)
         (self.folder / "lab.dat").touch()
 
-    def serve(self, arguments):
+    def serve(self, arguments, variables):
         command = [XR3, "serve", *arguments, "--robot-port", "0", "--monitor-port", "0"]
         with subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                              text=True) as process:
+                              text=True, env={**os.environ, **variables}) as process:
             greeting = process.stdout.readline()
             process.send_signal(signal.SIGTERM)
             process.communicate(timeout=DEADLINE_S)
@@ -63,7 +64,7 @@ class Docs(unittest.TestCase):
     def test_commands_of_xr3(self):
         commands = list(xr3_commands())
         self.assertGreater(len(commands), 10)
-        for name, (what, *arguments) in commands:
+        for name, variables, (what, *arguments) in commands:
             with self.subTest(file=name, command=[what, *arguments]):
                 if what == "serve" and "--help" not in arguments:
                     options = list(arguments)
@@ -71,7 +72,7 @@ class Docs(unittest.TestCase):
                         if port in options:
                             at = options.index(port)
                             del options[at:at + 2]
-                    self.serve(options)
+                    self.serve(options, variables)
                     continue
                 if what == "convert" and "--force" not in arguments:
                     (self.folder / arguments[-1]).unlink(missing_ok=True)
