@@ -1,6 +1,7 @@
 #include "server/health_options.hpp"
 
 #include "server/asio.hpp"
+#include "server/options_config.hpp"
 #include "server/options_environment.hpp"
 #include "server/options_parts.hpp"
 
@@ -16,6 +17,12 @@ void choose_port(const CLI::App& health, HealthOptions& options) {
   if (options.port_file.empty() && options.monitor_port == 0) {
     throw CLI::ValidationError("port 0 is a free one: --port-file names the file that says which");
   }
+}
+
+void complete(CLI::App& health, HealthOptions& options) {
+  Origins origins = origins_in_environment(health);
+  take_config(health, options.config, OtherKeys::kSkip, origins);
+  choose_port(health, options);
 }
 
 }  // namespace
@@ -37,9 +44,11 @@ void add_health(CLI::App& app, HealthOptions& options) {
       ->type_name("FILE");
   health.add_option("--wait", options.wait_s, "try again for so long, until it answers")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.0, kLongestWaitS).description(""));
+      ->check(CLI::Range(0.0, kLongestWaitS).description(""))
+      ->configurable(false);
+  add_config(health, options.config);
   take_environment(health, {"--wait"});
-  health.parse_complete_callback([&health, &options] { choose_port(health, options); });
+  health.parse_complete_callback([&health, &options] { complete(health, options); });
 }
 
 std::string address_to_ask(const std::string& listen) {

@@ -12,6 +12,7 @@ struct HealthOptions {
   std::uint16_t monitor_port = 9601;  ///< counts where there is no port file
   std::string port_file;              ///< that serve writes; empty: none
   double wait_s = 0;                  ///< for so long it may be unhealthy; 0: one try
+  std::string config;                 ///< a file that serve takes options from; empty: none
 };
 
 /// The subcommand `healthcheck` with its options.

@@ -43,6 +43,7 @@ struct ServeOptions {
   std::vector<std::string> allow_hosts;
   std::vector<std::string> allow_origins;
   bool is_insecure = false;
+  std::string config;  ///< a file with more of these; empty: none
   Origins origins;
 };
 

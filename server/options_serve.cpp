@@ -3,6 +3,7 @@
 
 #include "protocol/http_guard.hpp"
 #include "server/asio.hpp"
+#include "server/options_config.hpp"
 #include "server/options_environment.hpp"
 #include "server/options_parts.hpp"
 
@@ -41,7 +42,10 @@ void add_names(CLI::App& serve, const std::string& name, std::vector<std::string
 void add_access(CLI::App& serve, ServeOptions& options) {
   serve
       .add_option_function<std::string>(
-          "--token-file", [&options](const std::string& path) { options.token = TokenFile{path}; },
+          "--token-file",
+          [&options](const std::string& path) {
+            if (std::holds_alternative<NoToken>(options.token)) options.token = TokenFile{path};
+          },
           "monitor calls need the token in this file (or in XR3_TOKEN): 16 characters or more")
       ->type_name("FILE");
   // Behind --token-file: it takes the place of a file that the environment names.
@@ -50,7 +54,8 @@ void add_access(CLI::App& serve, ServeOptions& options) {
           "--token", [&options](const std::string&) { options.token = FreshToken{}; },
           "auto: make a token for this run and print it on standard error; no --token-file then")
       ->type_name("auto")
-      ->check(CLI::Validator(check_token_word, ""));
+      ->check(CLI::Validator(check_token_word, ""))
+      ->configurable(false);
   add_flag(serve, "--private", options.is_private, "reading needs the token, too");
   add_names(serve, "--allow-host", options.allow_hosts, "NAME",
             "also answer browsers that know this machine by that name; more with commas",
@@ -69,10 +74,14 @@ Leave refuse_listen(const ServeOptions& options) {
                 "--token auto (the robot port has no password even so), or say --insecure");
 }
 
-void complete(const CLI::App& serve, ServeOptions& options) {
+// What is nearer has had its turn: arguments, then the environment.
+void complete(CLI::App& serve, ServeOptions& options) {
   if (is_argument(serve, "--token") && is_argument(serve, "--token-file"))
     throw CLI::ExcludesError("--token", "--token-file");
   options.origins = origins_in_environment(serve);
+  const bool has_token = !std::holds_alternative<NoToken>(options.token);
+  if (!has_token && is_token_in_environment()) options.token = TokenInEnvironment{};
+  take_config(serve, options.config, OtherKeys::kRefuse, options.origins);
 }
 
 }  // namespace
@@ -126,17 +135,17 @@ void add_serve(CLI::App& app, ServeOptions& options) {
       ->check(CLI::IsMember(kLogLevels).description(""))
       ->capture_default_str();
   add_access(serve, options);
+  add_config(serve, options.config);
   take_environment(serve, {"--token"});
   serve.parse_complete_callback([&serve, &options] { complete(serve, options); });
 }
 
 Options checked_serve(ServeOptions options) {
-  const auto has_token = [&] { return !std::holds_alternative<NoToken>(options.token); };
-  if (!has_token() && is_token_in_environment()) options.token = TokenInEnvironment{};
-  if (options.is_private && !has_token())
+  const bool has_token = !std::holds_alternative<NoToken>(options.token);
+  if (options.is_private && !has_token)
     return refuse(said_as(options.origins, "--private") +
                   " needs a token: --token-file FILE, XR3_TOKEN or --token auto");
-  const bool is_safe = is_loopback(options.listen) || has_token() || options.is_insecure;
+  const bool is_safe = is_loopback(options.listen) || has_token || options.is_insecure;
   if (!is_safe) return refuse_listen(options);
   return options;
 }

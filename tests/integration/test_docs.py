@@ -24,6 +24,12 @@ def shown_lines():
                 yield path.name, line.strip()
 
 
+def shown_file(name, language):
+    """The file of that language that a page shows."""
+    text = pathlib.Path(ROOT, "docs", name).read_text(encoding="utf-8")
+    return re.search(rf"^```{language}\n(.*?)^```", text, re.DOTALL | re.MULTILINE)[1]
+
+
 def xr3_commands():
     for name, line in shown_lines():
         match = re.match(r"(?:\$ )?((?:XR3_\w+=\S+ )*)(?:build/release/)?xr3 (.+)", line)
@@ -50,6 +56,7 @@ class Docs(unittest.TestCase):
         shutil.copy(data / "workcells" / "rhino-xr3.json", self.folder / "lab.json")
         run_xr3("convert", "my-arm.json", "my-arm.txt", cwd=self.folder)
         (self.folder / "lab.dat").touch()
+        (self.folder / "lab.toml").write_text(shown_file("options.md", "toml"), encoding="utf-8")
 
     def serve(self, arguments, variables):
         command = [XR3, "serve", *arguments, "--robot-port", "0", "--monitor-port", "0"]

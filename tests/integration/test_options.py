@@ -52,8 +52,61 @@ class Environment(Options):
     def test_help_names_the_variables(self):
         done = serve("--help")
         for option in "ROBOT", "WORKCELL", "LISTEN", "ROBOT_PORT", "MONITOR_PORT", "COMPAT", "CLOCK", "MAX_LINES", \
-                "PORT_FILE", "LOG_LEVEL", "TOKEN_FILE", "PRIVATE", "ALLOW_HOST", "ALLOW_ORIGIN", "INSECURE":
+                "PORT_FILE", "LOG_LEVEL", "TOKEN_FILE", "PRIVATE", "ALLOW_HOST", "ALLOW_ORIGIN", "INSECURE", "CONFIG":
             self.assertIn(f"(Env:XR3_{option})", done.stdout)
+
+
+class Config(Options):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def file(self, text):
+        path = self.folder / "lab.toml"
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    def test_says_what_nothing_nearer_says(self):
+        path = self.file('robot = "adept-one"\nclock = "real:9"\ncompat = "mark3"\nlog-level = "debug"\n')
+        for arguments, environment in [(["--config", path], {}), ([], {"XR3_CONFIG": str(path)})]:
+            environment["XR3_COMPAT"] = "paper"
+            with Server(*arguments, environment=environment) as xr3, xr3.monitor() as monitor:
+                self.assertEqual("Adept One", monitor.hello["robot"]["name"])
+                self.assertEqual("paper", monitor.hello["compat"], "the environment counts more")
+                self.assertEqual("manual", monitor.hello["clock"]["mode"], "an argument counts more")
+
+    def test_a_token_file(self):
+        token = self.folder / "token"
+        token.write_text(TOKEN, encoding="ascii")
+        path = self.file(f"private = true\ntoken-file = '{token}'")
+        with Server("--config", path) as xr3, xr3.monitor() as monitor:
+            self.assertEqual("read", monitor.hello["access"])
+            monitor.request("auth", token=TOKEN)
+
+    def test_the_server_and_its_healthcheck_share_a_file(self):
+        with Server() as free:
+            port = free.monitor_port
+        path = self.file(f"robot = 'adept-one'\nlisten = '127.9.9.9'\nrobot-port = 0\nmonitor-port = {port}\n")
+        server = Server("--config", path)
+        server.options = ["--config", str(path)]
+        with server:
+            done = run_xr3("healthcheck", "--config", path)
+            self.assertEqual((0, ""), (done.returncode, done.stderr))
+            done = run_xr3("healthcheck", env={**os.environ, "XR3_CONFIG": str(path)})
+            self.assertEqual((0, ""), (done.returncode, done.stderr))
+
+    def test_what_is_wrong_is_said_with_file_and_line(self):
+        for says, text in [("lab.toml:2: robt: there is no such key; there are: robot, workcell", "\nrobt = 1"),
+                           ("lab.toml:1: token: a secret", f'token = "{TOKEN}"'),
+                           ("lab.toml:1: max-lines: .*20000", "max-lines = 0"),
+                           ("lab.toml:3: robot: no robot is named r2d2", "# a\n\nrobot = 'r2d2'"),
+                           ("lab.toml:1: token-file: /absent", "token-file = '/absent'"),
+                           ("lab.toml:1: listen 0.0.0.0 lets", "listen = '0.0.0.0'")]:
+            with self.subTest(text):
+                self.refused(".*" + says, "--config", self.file(text))
+        self.refused("--config: .*absent.toml: cannot be read", "--config", self.folder / "absent.toml")
+        self.refused("XR3_CONFIG: .*absent.toml: cannot be read", XR3_CONFIG=str(self.folder / "absent.toml"))
 
 
 if __name__ == "__main__":
