@@ -69,9 +69,11 @@ void add_access(CLI::App& serve, ServeOptions& options) {
 Leave refuse(const std::string& why) { return {ExitCode::kBadInput, "", "xr3: " + why + "\n"}; }
 
 Leave refuse_listen(const ServeOptions& options) {
-  return refuse(said_as(options.origins, "--listen") + " " + options.listen +
-                " lets other machines in: give calls a token by --token-file FILE, XR3_TOKEN or "
-                "--token auto (the robot port has no password even so), or say --insecure");
+  return refuse(
+      said_as(options.origins, "--listen") + " " + options.listen +
+      " lets other machines in: give calls a token by --token-file FILE (XR3_TOKEN_FILE), "
+      "XR3_TOKEN or --token auto (the robot port has no password even so), or say "
+      "--insecure (XR3_INSECURE=1)");
 }
 
 // What is nearer has had its turn: arguments, then the environment.
