@@ -1,0 +1,118 @@
+"""The compose files: valid; a lab that comes up and goes; a student's container whose exit code tells."""
+
+import pathlib
+import shutil
+import socket
+import subprocess
+import tempfile
+import unittest
+import urllib.request
+import uuid
+
+from containers import DEADLINE_S, LABEL, ROOT, environment_without_xr3
+from xr3 import Monitor, MonitorError
+
+LAB, TEST = "docker/compose.yml", "docker/compose.test.yml"
+TOKEN = "a token of the tests"
+RECIPE = ROOT / "docs" / "ci"
+
+
+def free_ports(count):
+    """Ports that nobody listens on: a compose file cannot ask for any."""
+    sockets = [socket.create_server(("127.0.0.1", 0)) for _ in range(count)]
+    ports = [sock.getsockname()[1] for sock in sockets]
+    for sock in sockets:
+        sock.close()
+    return ports
+
+
+class Project:
+    """A project of docker compose, removed at the end."""
+
+    def __init__(self, file, **environment):
+        self.command = ["docker", "compose", "-p", f"{LABEL}-{uuid.uuid4().hex[:8]}", "-f", file]
+        self.environment = {**environment_without_xr3(), **environment}
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.run("down")
+
+    def run(self, *arguments):
+        return subprocess.run([*self.command, *arguments], cwd=ROOT, env=self.environment, text=True,
+                              stdin=subprocess.DEVNULL, capture_output=True, check=False,
+                              timeout=2 * DEADLINE_S)
+
+
+class Files(unittest.TestCase):
+    def test_are_valid(self):
+        for file in LAB, TEST:
+            with self.subTest(file):
+                done = Project(file, XR3_TOKEN=TOKEN).run("config", "--quiet")
+                self.assertEqual(0, done.returncode, done.stdout + done.stderr)
+
+    def test_lab_wants_a_token(self):
+        done = Project(LAB).run("config", "--quiet")
+        self.assertNotEqual(0, done.returncode)
+        self.assertIn("XR3_TOKEN", done.stderr)
+
+
+class Lab(unittest.TestCase):
+    def test_comes_up_and_goes(self):
+        robot_port, monitor_port = free_ports(2)
+        with Project(LAB, XR3_TOKEN=TOKEN, XR3_ROBOT="adept-one", XR3_ROBOT_PORT=str(robot_port),
+                     XR3_MONITOR_PORT=str(monitor_port)) as lab:
+            up = lab.run("up", "-d", "--no-build")
+            self.assertEqual(0, up.returncode, up.stderr)
+            follower = subprocess.Popen([*lab.command, "logs", "--follow"], cwd=ROOT, text=True,
+                                        env=lab.environment, stdout=subprocess.PIPE,
+                                        stderr=subprocess.DEVNULL)
+            with follower:
+                self.assertTrue(any("LISTENING" in line for line in follower.stdout))
+                follower.kill()
+            with urllib.request.urlopen(f"http://localhost:{monitor_port}/") as page:
+                self.assertIn(b"<!doctype html>", page.read())
+            with Monitor("127.0.0.1", monitor_port) as monitor:
+                self.assertEqual("Adept One", monitor.hello["robot"]["name"])
+                with self.assertRaises(MonitorError):
+                    monitor.call("pause")
+            with Monitor("127.0.0.1", monitor_port, token=TOKEN) as monitor:
+                monitor.call("pause")
+            with socket.create_connection(("127.0.0.1", robot_port)) as line:
+                line.sendall(b"E?")
+                self.assertEqual(b" ", line.recv(1))
+
+
+class Student(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.folder.chmod(0o755)
+        for name in ("my_program.py", "my_check.py"):
+            shutil.copy(RECIPE / name, self.folder)
+
+    def verdict(self, **environment):
+        with Project(TEST, **environment) as project:
+            return project.run("up", "--no-build", "--exit-code-from", "student")
+
+    def test_a_program_that_does_its_work(self):
+        done = self.verdict(STUDENT=str(self.folder))
+        self.assertEqual(0, done.returncode, done.stdout + done.stderr)
+        self.assertIn("the arm is where it should be", done.stdout)
+
+    def test_a_program_that_does_something_else(self):
+        program = self.folder / "my_program.py"
+        program.write_text(program.read_text(encoding="utf-8").replace("E+50", "E+49"),
+                           encoding="utf-8")
+        done = self.verdict(STUDENT=str(self.folder))
+        self.assertNotEqual(0, done.returncode)
+        self.assertIn("'E': 49", done.stdout)
+
+    def test_the_exit_code_is_the_students(self):
+        self.assertEqual(7, self.verdict(RUN="exit 7").returncode)
+
+
+if __name__ == "__main__":
+    unittest.main()
