@@ -22,6 +22,7 @@ import examples  # noqa: E402
 
 TOKEN = "a token of the tests"
 COMMANDS = {"python": "cd /clients/python && python3 {}.py", "c": "/clients/c/build/{}"}
+BY_NAME = ROOT / "tests" / "images" / "by_name.py"
 AT_ONCE = 3
 
 
@@ -91,18 +92,18 @@ class MappedPort(unittest.TestCase):
 
 
 class SecondContainer(unittest.TestCase):
-    """Every Python and C example, each with a server of its own, which it finds by its name."""
+    """One that finds the server by its name; so do every Python and C example, each a server of its own."""
 
     @classmethod
     def setUpClass(cls):
         cls.network = Network().__enter__()
         cls.addClassCleanup(cls.network.__exit__)
 
-    def test_the_page_by_the_name_of_the_service(self):
-        with Robot(f"--network={self.network.name}", "--network-alias=xr3", XR3_INSECURE=1):
-            code = "import urllib.request as r; print(r.urlopen('http://xr3:9601/').read().decode())"
-            page = self.network.student("python3", "-c", code).stdout
-        self.assertIn("<!doctype html>", page)
+    def test_by_the_name_of_the_service(self):
+        with Robot(f"--network={self.network.name}", "--network-alias=xr3", XR3_TOKEN=TOKEN):
+            options = [f"--volume={BY_NAME}:/by_name.py:ro", "-e", "PYTHONPATH=/clients/python"]
+            seen = self.network.student("python3", "/by_name.py", "xr3", TOKEN, options=options)
+        self.assertEqual(["page", "websocket", "calls", "line"], seen.stdout.split())
 
     def test_examples(self):
         every = [(language, example) for language in COMMANDS for example in examples.EXAMPLES]
