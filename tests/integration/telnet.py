@@ -1,0 +1,57 @@
+"""A person at a terminal with inetutils telnet."""
+
+import os
+import pty
+import re
+import select
+import shutil
+import subprocess
+import time
+import unittest
+
+from support import DEADLINE_S, LOCALHOST
+
+
+def needs(program, package):
+    return unittest.skipUnless(shutil.which(program),
+                               f"{program} is not installed (Debian package {package})")
+
+
+class Telnet:
+    """A person at a terminal with `telnet`: what they type, and what the screen shows."""
+
+    def __init__(self, port):
+        self.terminal, inner = pty.openpty()
+        self.process = subprocess.Popen(
+            ["telnet", LOCALHOST, str(port)], stdin=inner, stdout=inner, stderr=inner,
+            preexec_fn=lambda: os.login_tty(inner), env={**os.environ, "TERM": "dumb"})
+        os.close(inner)
+        self.screen = b""
+        self.read_until(rb"Escape character is[^\n]*\n")
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.process.kill()
+        self.process.wait()
+        os.close(self.terminal)
+
+    def type(self, keys):
+        os.write(self.terminal, keys)
+
+    def read_until(self, pattern):
+        """Waits until the screen, from where the last wait ended, matches; returns the match."""
+        ends = time.monotonic() + DEADLINE_S
+        while not (match := re.search(pattern, self.screen, re.DOTALL)):
+            left = ends - time.monotonic()
+            if left < 0 or not select.select([self.terminal], [], [], left)[0]:
+                raise AssertionError(f"the screen shows {self.screen!r}, not {pattern!r}")
+            self.screen += os.read(self.terminal, 4096)
+        self.screen = self.screen[match.end():]
+        return match
+
+    def inquire(self, inquiry):
+        """Types an inquiry and Enter; returns the byte that appears behind the echo of both."""
+        self.type(inquiry + b"\n")
+        return self.read_until(re.escape(inquiry) + rb"\r\n(.)").group(1)
