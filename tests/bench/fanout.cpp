@@ -2,121 +2,36 @@
 // writes with the same bytes in the same run; and what they do to the round trip of a robot line beside
 // them. It speaks POSIX only. Usage: bench_fanout XR3 [VIEWERS [ROUNDS [LINES_BOUND WEBSOCKET_BOUND
 // LINE_BOUND]]]; exit code 1 where a ratio is above its bound.
-#include <arpa/inet.h>
 #include <fcntl.h>
-#include <netinet/tcp.h>
-#include <sched.h>
 #include <signal.h>
 #include <sys/epoll.h>
-#include <sys/resource.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
+#include "tests/bench/processes.hpp"
+
+namespace xr3::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using std::chrono::milliseconds;
 
 constexpr int kHz = 60;
 const std::string kFollow =
     R"({"op":"sub","channel":"state","max_hz":60,"on_change":false,"fields":["joints","io"]})";
-
-int connect_to(int port) {
-  const int fd = ::socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<std::uint16_t>(port));
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  if (::connect(fd, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0)
-    throw std::runtime_error("cannot connect");
-  const int on = 1;
-  ::setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-  return fd;
-}
-
-void send_all(int fd, const std::string& bytes) {
-  if (::send(fd, bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    throw std::runtime_error("cannot send");
-}
-
-/// Keeps who measures, who is measured and who reads apart, where there are processors enough: a wake-up
-/// would otherwise put a client where the server is busy, and the scheduler's slice would be measured.
-enum class Place { kMeasures = 0, kServes = 1, kReads = 2 };
-void stay_at(Place place) {
-  const auto processors = static_cast<int>(std::thread::hardware_concurrency());
-  if (processors < 3) return;
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  CPU_SET(static_cast<int>(place), &set);
-  ::sched_setaffinity(0, sizeof set, &set);
-}
-
-/// User and system time of a process, seconds.
-double cpu_s(pid_t pid) {
-  clockid_t clock = 0;
-  timespec spent{};
-  if (::clock_getcpuclockid(pid, &clock) != 0 || ::clock_gettime(clock, &spent) != 0)
-    throw std::runtime_error("no processor time of a child");
-  return static_cast<double>(spent.tv_sec) + static_cast<double>(spent.tv_nsec) * 1e-9;
-}
-
-/// A child process that is ended with this value.
-class Child {
- public:
-  template <class Run>
-  explicit Child(const Run& run) {
-    int ends[2];
-    if (::pipe(ends) != 0) throw std::runtime_error("no pipe");
-    pid_ = ::fork();
-    if (pid_ == 0) {
-      ::dup2(ends[1], STDOUT_FILENO);
-      ::close(ends[0]);
-      stay_at(Place::kServes);
-      run();
-      std::_Exit(0);
-    }
-    ::close(ends[1]);
-    out_ = ends[0];
-  }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-  ~Child() {
-    ::kill(pid_, SIGTERM);
-    ::waitpid(pid_, nullptr, 0);
-    ::close(out_);
-  }
-  pid_t pid() const { return pid_; }
-  /// Its first line.
-  std::string greeting() const {
-    std::string line;
-    for (char c = 0; ::read(out_, &c, 1) == 1 && c != '\n';) line += c;
-    return line;
-  }
-
- private:
-  pid_t pid_ = 0;
-  int out_ = -1;
-};
-
-int port_in(const std::string& greeting, const std::string& name) {
-  const std::size_t at = greeting.find(name + "=");
-  if (at == std::string::npos) throw std::runtime_error("not started: " + greeting);
-  return std::atoi(greeting.c_str() + greeting.find(':', at) + 1);
-}
 
 /// Reads everything that comes on many connections, and counts bytes.
 class Drain {
@@ -162,8 +77,6 @@ class Drain {
   std::thread thread_;
 };
 
-void pass(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
-
 /// CPU time of a process for each message of so many bytes, in microseconds.
 double us_a_message(pid_t pid, const Drain& drain, std::size_t message_bytes, double seconds) {
   const double cpu = cpu_s(pid);
@@ -176,21 +89,11 @@ double us_a_message(pid_t pid, const Drain& drain, std::size_t message_bytes, do
 
 /// One write of the same bytes to everybody, 60 times a second.
 [[noreturn]] void write_loop(int viewers, const std::string& message) {
-  const int listener = ::socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof address;
-  ::bind(listener, reinterpret_cast<sockaddr*>(&address), size);
-  ::listen(listener, 4096);
-  ::getsockname(listener, reinterpret_cast<sockaddr*>(&address), &size);
-  std::printf("LISTENING bare=127.0.0.1:%d\n", ntohs(address.sin_port));
-  std::fflush(stdout);
+  const int listener = listen_as("bare");
   std::vector<int> fds;
   for (int i = 0; i < viewers; ++i) {
     fds.push_back(::accept4(listener, nullptr, nullptr, SOCK_NONBLOCK));
-    const int on = 1;
-    ::setsockopt(fds.back(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+    set_no_delay(fds.back());
   }
   const std::chrono::microseconds period(1'000'000 / kHz);
   for (auto next = Clock::now();; next = std::max(next + period, Clock::now() - period)) {
@@ -210,13 +113,6 @@ const std::string kHandshake =
     "GET /ws HTTP/1.1\r\nHost: localhost\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
     "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
     "Sec-WebSocket-Protocol: xr3.v1\r\n\r\n";
-
-std::string read_some(int fd) {
-  std::string bytes(65536, '\0');
-  const ssize_t got = ::read(fd, bytes.data(), bytes.size());
-  bytes.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
-  return bytes;
-}
 
 enum class Carrier { kLines, kWebsocket };
 
@@ -356,11 +252,10 @@ double line_beside(Sender& sender, int robot_port, double seconds) {
 }
 
 template <class Value>
-double median(const std::vector<Round>& rounds, const Value& value) {
+double median_of(const std::vector<Round>& rounds, const Value& value) {
   std::vector<double> all;
   for (const Round& round : rounds) all.push_back(value(round));
-  std::sort(all.begin(), all.end());
-  return all[all.size() / 2];
+  return median(std::move(all));
 }
 
 /// The line's best: neighbours on the machine can only make it wait.
@@ -373,14 +268,10 @@ Round best(const std::vector<Round>& rounds) {
   return found;
 }
 
-/// Of each round, since what is compared must have met the same neighbours.
+/// The ratio in each round, since what is compared must have met the same neighbours.
 template <class Value, class Base>
-bool judge(const char* what, const std::vector<Round>& rounds, const Value& value, const Base& base,
-           double bound) {
-  const double ratio =
-      median(rounds, [&](const Round& round) { return value(round) / base(round); });
-  std::printf("%-52s %5.2f  (bound %.2f)%s\n", what, ratio, bound, ratio > bound ? "  BROKEN" : "");
-  return ratio <= bound;
+double ratio(const std::vector<Round>& rounds, const Value& value, const Base& base) {
+  return median_of(rounds, [&](const Round& round) { return value(round) / base(round); });
 }
 
 struct Bounds {
@@ -393,27 +284,22 @@ bool report(const std::vector<Round>& rounds, const Bounds& bounds) {
   const auto bare = [](const Round& round) { return round.bare; };
   const auto lines = [](const Round& round) { return round.lines; };
   const auto websocket = [](const Round& round) { return round.websocket; };
-  const auto alone = [](const Round& round) { return round.alone; };
-  const auto beside = [](const Round& round) { return round.beside; };
+  const Round line = best(rounds);
   std::printf("medians: bare write loop %.2f us a message, JSON lines %.2f, WebSocket %.2f\n",
-              median(rounds, bare), median(rounds, lines), median(rounds, websocket));
+              median_of(rounds, bare), median_of(rounds, lines), median_of(rounds, websocket));
   std::printf("robot line, p99 of a round trip: %.0f us alone, %.0f us beside the viewers\n",
-              best(rounds).alone, best(rounds).beside);
-  bool is_kept =
-      judge("JSON lines against the bare loop, CPU a message", rounds, lines, bare, bounds.lines);
-  is_kept = judge("WebSocket against the bare loop, CPU a message", rounds, websocket, bare,
-                  bounds.websocket) &&
-            is_kept;
-  return judge("robot line's p99 beside the viewers against alone", {best(rounds)}, beside, alone,
-               bounds.robot_line) &&
-         is_kept;
+              line.alone, line.beside);
+  const bool kept[] = {judge("JSON lines against the bare loop, CPU a message",
+                             ratio(rounds, lines, bare), bounds.lines),
+                       judge("WebSocket against the bare loop, CPU a message",
+                             ratio(rounds, websocket, bare), bounds.websocket),
+                       judge("robot line's p99 beside the viewers against alone",
+                             line.beside / line.alone, bounds.robot_line)};
+  return std::all_of(std::begin(kept), std::end(kept), [](bool is_kept) { return is_kept; });
 }
 
 bool run(const std::string& xr3, int viewers, int rounds, const Bounds& bounds) {
-  const Child server([&] {
-    ::execl(xr3.c_str(), "xr3", "serve", "--robot-port", "0", "--monitor-port", "0", "--log-level",
-            "off", nullptr);
-  });
+  const Child server = serve(xr3);
   const std::string greeting = server.greeting();
   const int monitor = port_in(greeting, "monitor");
   const int robot = port_in(greeting, "robot");
@@ -440,28 +326,22 @@ bool run(const std::string& xr3, int viewers, int rounds, const Bounds& bounds) 
                 round.bare, round.lines, round.websocket, round.alone, round.beside);
     found.push_back(round);
   }
-  bare.start();  // a stopped process would not end
   return report(found, bounds);
 }
 
 }  // namespace
+}  // namespace xr3::bench
 
 int main(int argc, char** argv) {
   if (argc < 2) return std::fputs("bench_fanout XR3 [VIEWERS [ROUNDS [BOUNDS...]]]\n", stderr), 2;
   const auto number = [&](int i, double otherwise) {
     return i < argc ? std::atof(argv[i]) : otherwise;
   };
-  rlimit limit{};
-  ::getrlimit(RLIMIT_NOFILE, &limit);
-  limit.rlim_cur = limit.rlim_max;
-  ::setrlimit(RLIMIT_NOFILE, &limit);
-  ::signal(SIGPIPE, SIG_IGN);
-  std::setvbuf(stdout, nullptr, _IOLBF, 0);
-  stay_at(Place::kMeasures);
+  xr3::bench::prepare();
   try {
     const bool is_kept =
-        run(argv[1], static_cast<int>(number(2, 1000)), static_cast<int>(number(3, 9)),
-            {number(4, 1.2), number(5, 1.6), number(6, 1.2)});
+        xr3::bench::run(argv[1], static_cast<int>(number(2, 1000)), static_cast<int>(number(3, 9)),
+                        {number(4, 1.2), number(5, 1.6), number(6, 1.2)});
     return is_kept ? 0 : 1;
   } catch (const std::exception& error) {
     return std::fprintf(stderr, "bench_fanout: %s\n", error.what()), 2;

@@ -1,0 +1,181 @@
+// What an inquiry on the robot line costs, against a bare epoll loop that answers every two bytes by one,
+// in the same run: processor time with many lines that ask in turn, one byte asked for at a time and
+// many at once, and the median time of a round trip of one line alone. Usage: bench_round_trips XR3 [LINES
+// [ROUNDS [COST_BOUND PIPELINED_BOUND TIME_BOUND]]]; exit code 1 where a ratio is above its bound.
+#include <sys/epoll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tests/bench/processes.hpp"
+
+namespace xr3::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kPipelined = 64;
+const std::string kInquiry = "E?";
+
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+void answer(int fd) {
+  std::array<char, 4096> bytes;
+  const ssize_t got = ::read(fd, bytes.data(), bytes.size());
+  if (got <= 0) {
+    ::close(fd);
+    return;
+  }
+  std::fill_n(bytes.begin(), got / 2, ' ');
+  if (::write(fd, bytes.data(), static_cast<std::size_t>(got / 2)) < 0) ::close(fd);
+}
+
+/// The least that a server on sockets can do.
+[[noreturn]] void bare_loop() {
+  const int listener = listen_as("bare");
+  const int set = ::epoll_create1(0);
+  epoll_event event{EPOLLIN, {.fd = listener}};
+  ::epoll_ctl(set, EPOLL_CTL_ADD, listener, &event);
+  std::array<epoll_event, 128> events;
+  for (;;) {
+    const int count = ::epoll_wait(set, events.data(), static_cast<int>(events.size()), -1);
+    for (int i = 0; i < count; ++i) {
+      const int fd = events[static_cast<std::size_t>(i)].data.fd;
+      if (fd != listener) {
+        answer(fd);
+        continue;
+      }
+      epoll_event line{EPOLLIN, {.fd = ::accept4(listener, nullptr, nullptr, SOCK_NONBLOCK)}};
+      set_no_delay(line.data.fd);
+      ::epoll_ctl(set, EPOLL_CTL_ADD, line.data.fd, &line);
+    }
+  }
+}
+
+void read_exactly(int fd, std::size_t bytes) {
+  while (bytes > 0) {
+    const std::size_t got = read_some(fd).size();
+    if (got == 0) throw std::runtime_error("the server has closed a line");
+    bytes -= got;
+  }
+}
+
+/// Connected lines to one server.
+class Lines {
+ public:
+  Lines(pid_t pid, int port, int lines) : pid_(pid) {
+    for (int i = 0; i < lines; ++i) fds_.push_back(connect_to(port));
+  }
+  Lines(const Lines&) = delete;
+  Lines& operator=(const Lines&) = delete;
+  ~Lines() {
+    for (const int fd : fds_) ::close(fd);
+  }
+
+  /// Processor time of the server for each inquiry, microseconds: all lines ask, then all are read.
+  double cost_us(int at_once, double seconds) const {
+    const std::string asked = repeated(kInquiry, at_once);
+    const double spent = cpu_s(pid_);
+    long inquiries = 0;
+    for (const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+         Clock::now() < end;) {
+      for (const int fd : fds_) send_all(fd, asked);
+      for (const int fd : fds_) read_exactly(fd, static_cast<std::size_t>(at_once));
+      inquiries += static_cast<long>(fds_.size()) * at_once;
+    }
+    return (cpu_s(pid_) - spent) * 1e6 / static_cast<double>(inquiries);
+  }
+
+  /// The median of one line's round trips, microseconds.
+  double time_us(double seconds) const {
+    std::vector<double> times;
+    for (const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+         Clock::now() < end;) {
+      const auto start = Clock::now();
+      send_all(fds_.front(), kInquiry);
+      read_exactly(fds_.front(), 1);
+      times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - start).count());
+    }
+    return median(std::move(times));
+  }
+
+ private:
+  pid_t pid_;
+  std::vector<int> fds_;
+};
+
+struct Figures {
+  double cost_us = 0;
+  double pipelined_us = 0;
+  double time_us = 0;
+};
+
+Figures measured(const Lines& lines) {
+  constexpr double kSeconds = 0.7;
+  return {lines.cost_us(1, kSeconds), lines.cost_us(kPipelined, kSeconds), lines.time_us(kSeconds)};
+}
+
+struct Bounds {
+  double cost = 1.05;
+  double pipelined = 4;
+  double time = 1.1;
+};
+
+bool run(const std::string& xr3, int lines, int rounds, const Bounds& bounds) {
+  const Child server = serve(xr3);
+  const Child loop([] { bare_loop(); });
+  const Lines ours(server.pid(), port_in(server.greeting(), "robot"), lines);
+  const Lines bare(loop.pid(), port_in(loop.greeting(), "bare"), lines);
+  std::printf("%d lines, each asked %d time and %d times at once; then one line alone; %d rounds\n",
+              lines, 1, kPipelined, rounds);
+  std::vector<double> cost;
+  std::vector<double> pipelined;
+  std::vector<double> time;
+  for (int i = 0; i < rounds; ++i) {
+    const Figures of_bare = measured(bare);
+    const Figures of_ours = measured(ours);
+    std::printf("    bare %.2f, %.3f us of processor, %.1f us; xr3 %.2f, %.3f us, %.1f us\n",
+                of_bare.cost_us, of_bare.pipelined_us, of_bare.time_us, of_ours.cost_us,
+                of_ours.pipelined_us, of_ours.time_us);
+    cost.push_back(of_ours.cost_us / of_bare.cost_us);
+    pipelined.push_back(of_ours.pipelined_us / of_bare.pipelined_us);
+    time.push_back(of_ours.time_us / of_bare.time_us);
+  }
+  const bool kept[] = {
+      judge("an inquiry against the bare loop, CPU", median(cost), bounds.cost),
+      judge("the same, 64 at once", median(pipelined), bounds.pipelined),
+      judge("a round trip against the bare loop, time", median(time), bounds.time)};
+  return std::all_of(std::begin(kept), std::end(kept), [](bool is_kept) { return is_kept; });
+}
+
+}  // namespace
+}  // namespace xr3::bench
+
+int main(int argc, char** argv) {
+  if (argc < 2)
+    return std::fputs("bench_round_trips XR3 [LINES [ROUNDS [BOUNDS...]]]\n", stderr), 2;
+  const auto number = [&](int i, double otherwise) {
+    return i < argc ? std::atof(argv[i]) : otherwise;
+  };
+  xr3::bench::prepare();
+  try {
+    const bool is_kept =
+        xr3::bench::run(argv[1], static_cast<int>(number(2, 64)), static_cast<int>(number(3, 9)),
+                        {number(4, 1.05), number(5, 4), number(6, 1.1)});
+    return is_kept ? 0 : 1;
+  } catch (const std::exception& error) {
+    return std::fprintf(stderr, "bench_round_trips: %s\n", error.what()), 2;
+  }
+}
