@@ -1,36 +1,48 @@
-// Tells on which robot lines bytes have arrived, by one short system call and without a turn of the event
-// loop: an edge-triggered epoll set beside Asio's own. A line is told once for each arrival; nothing is
-// lost if nobody asks, since the loop reads every line by itself.
+// Tells at which robot lines something has happened: one edge-triggered epoll set for all of them, which
+// the event loop watches as one. A line is told once for each arrival and each time that it can be
+// written to again, so whoever is told reads all that there is, or remembers that there is more.
 #pragma once
 
 #include <sys/epoll.h>
 
 #include <array>
+#include <boost/asio/posix/stream_descriptor.hpp>
 #include <span>
 
 #include "protocol/cell_event.hpp"
+#include "server/asio.hpp"
 
 namespace xr3 {
 
 class LineWatch {
  public:
-  LineWatch();
+  /// Something has happened at a line.
+  struct News {
+    LineId line = 0;
+    bool is_end = false;  ///< its client sends no more, or it is broken: read to the end
+  };
+
+  /// Throws boost::system::system_error where no descriptor is left.
+  explicit LineWatch(asio::io_context& io);
   LineWatch(const LineWatch&) = delete;
   LineWatch& operator=(const LineWatch&) = delete;
-  ~LineWatch();
 
-  /// The descriptor leaves the set by itself when it is closed.
-  void add(int descriptor, LineId line);
+  /// What has happened by now is news. The descriptor leaves the set by itself when it is closed.
+  /// False: the system has no room for it.
+  bool add(int descriptor, LineId line);
 
-  /// Lines with news since they were told last, at most 16; valid until the next call.
-  std::span<const LineId> news();
+  /// Waits until there are news. False: it was closed.
+  asio::awaitable<bool> wait();
+  void close();
+
+  /// At most kMostNews; empty: there are none. Valid until the next call.
+  std::span<const News> news();
+  static constexpr std::size_t kMostNews = 128;
 
  private:
-  static constexpr int kMostNews = 16;
-
-  int epoll_;
+  asio::posix::stream_descriptor set_;
   std::array<epoll_event, kMostNews> events_{};
-  std::array<LineId, kMostNews> lines_{};
+  std::array<News, kMostNews> news_{};
 };
 
 }  // namespace xr3

@@ -54,7 +54,7 @@ MonitorService::MonitorService(asio::io_context& io, Cell& cell, RobotPort& robo
       policy_(policy),
       acted_(std::move(acted)),
       frames_(cell),
-      audience_(io, cell, frames_, [this] { robot_port_.take_in_news(); }) {}
+      audience_(io, cell, frames_, [this] { robot_port_.take_turns(); }) {}
 
 // --- Viewers.
 

@@ -2,6 +2,9 @@
 
 #include <spdlog/spdlog.h>
 
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/post.hpp>
 #include <utility>
 
 #include "server/wall_clock.hpp"
@@ -14,12 +17,9 @@ RobotPort::RobotPort(asio::io_context& io, Cell& cell, std::size_t most_lines,
       cell_(cell),
       most_lines_(most_lines),
       acted_(std::move(acted)),
-      context_{cell, scratch_, [this] { tell(); },
-               [this](LineId line) {
-                 sessions_.erase(line);
-                 tell();
-               }},
-      listener_(io, [this](tcp::socket socket) { open(std::move(socket)); }) {}
+      context_{cell, scratch_, [this] { tell(); }, [this](LineId line) { end(line); }},
+      listener_(io, [this](tcp::socket socket) { open(std::move(socket)); }),
+      watch_(io) {}
 
 ErrorCode RobotPort::listen(const tcp::endpoint& endpoint) { return listener_.listen(endpoint); }
 
@@ -28,11 +28,18 @@ void RobotPort::open(tcp::socket socket) {
     spdlog::warn("line refused: {} lines are open already (--max-lines)", sessions_.size());
     return;  // closed without a byte
   }
-  const int descriptor = socket.native_handle();
   const auto session = std::make_shared<RobotSession>(std::move(socket), context_);
-  watch_.add(descriptor, session->line());
   sessions_.emplace(session->line(), session);
-  session->start();
+  if (!watch_.add(session->descriptor(), session->line()))
+    return session->close(CloseReason::kError);
+  if (!std::exchange(is_watching_, true)) asio::co_spawn(io_, run(), asio::detached);
+  tell();
+}
+
+void RobotPort::end(LineId line) {
+  sessions_.erase(line);
+  unfinished_.erase(line);
+  if (is_closing_ && sessions_.empty()) watch_.close();
   tell();
 }
 
@@ -44,13 +51,39 @@ bool RobotPort::disconnect(LineId line) {
   return true;
 }
 
-void RobotPort::take_in_news() {
-  for (const LineId line : watch_.news()) {
-    const auto found = sessions_.find(line);
-    if (found == sessions_.end()) continue;
-    const auto session = found->second;  // it may take itself out of the map
-    session->take_in();
+// --- Turns.
+
+asio::awaitable<void> RobotPort::run() {
+  for (bool has_news = true; has_news;) {
+    has_news = co_await watch_.wait();
+    if (has_news) take_turns();
   }
+}
+
+void RobotPort::take_turns() {
+  for (const LineId line : std::exchange(unfinished_, {})) take_turn(line);
+  for (const auto& [line, is_end] : watch_.news()) {
+    const auto found = sessions_.find(line);
+    if (found != sessions_.end() && is_end) found->second->note_end();
+    take_turn(line);
+  }
+  if (!unfinished_.empty()) take_turns_again();
+}
+
+void RobotPort::take_turn(LineId line) {
+  const auto found = sessions_.find(line);
+  if (found == sessions_.end()) return;
+  const auto session = found->second;  // it may take itself out of the map
+  if (session->take_turn()) unfinished_.insert(line);
+}
+
+// Behind whatever else is ready now.
+void RobotPort::take_turns_again() {
+  if (std::exchange(is_again_, true)) return;
+  asio::post(io_, [this] {
+    is_again_ = false;
+    take_turns();
+  });
 }
 
 // A copy of the map: a session that ends takes itself out of it.
@@ -84,6 +117,7 @@ void RobotPort::close() {
   is_closing_ = true;
   listener_.close();
   for (const auto& [id, session] : sessions()) session->finish();
+  if (sessions_.empty()) watch_.close();
   tell();
 }
 

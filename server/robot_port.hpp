@@ -29,9 +29,9 @@ class RobotPort {
   /// acts now. `step` and `run_until` call it first, so that no byte is overtaken.
   void take_in();
 
-  /// The same, but only for lines on which something has arrived since the last call: cheap enough to
-  /// be asked between two writes to viewers, so that a line never waits behind a thousand of them.
-  void take_in_news();
+  /// A turn for each line at which something has happened: cheap enough to be taken between two writes
+  /// to viewers, so that a line never waits behind a thousand of them.
+  void take_turns();
 
   /// Waits until a line has received so many bytes in all. False: it did not within the time, it has
   /// closed without them, or the port is closing.
@@ -51,6 +51,10 @@ class RobotPort {
   using Sessions = std::map<LineId, std::shared_ptr<RobotSession>>;
 
   void open(tcp::socket socket);
+  asio::awaitable<void> run();
+  void take_turn(LineId line);
+  void take_turns_again();
+  void end(LineId line);
   Sessions sessions() const { return sessions_; }
 
   void tell();
@@ -63,6 +67,9 @@ class RobotPort {
   RobotSessionContext context_;
   Listener listener_;
   LineWatch watch_;
+  bool is_watching_ = false;
+  std::set<LineId> unfinished_;            ///< had more to take in than a fair share
+  bool is_again_ = false;                  ///< their next turns are on their way
   std::set<asio::steady_timer*> waiting_;  ///< cancelled when bytes have acted
   Sessions sessions_;
   bool is_closing_ = false;

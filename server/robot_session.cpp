@@ -1,8 +1,6 @@
 #include "server/robot_session.hpp"
 
-#include <boost/asio/buffer.hpp>
-#include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
+#include <algorithm>
 #include <utility>
 
 #include "server/listener.hpp"
@@ -26,61 +24,37 @@ std::string name_of(const tcp::socket& socket) {
 }  // namespace
 
 RobotSession::RobotSession(tcp::socket socket, RobotSessionContext& context)
-    : socket_(std::move(socket)),
-      id_(context.cell.apply(LineOpened{name_of(socket_)}, wall_now()).line),
-      context_(context) {
-  ErrorCode ignored;
-  socket_.set_option(asio::socket_base::keep_alive(true), ignored);
-}
+    : RobotSession(name_of(socket), std::move(socket), context) {}
 
-void RobotSession::start() {
-  asio::co_spawn(
-      socket_.get_executor(), [self = shared_from_this()] { return self->run(); }, asio::detached);
-}
+RobotSession::RobotSession(const std::string& peer, tcp::socket&& socket,
+                           RobotSessionContext& context)
+    : socket_(std::move(socket)),
+      id_(context.cell.apply(LineOpened{peer}, wall_now()).line),
+      context_(context) {}
 
 // Reading waits while replies do: a client that does not read its replies is not read either.
-asio::awaitable<void> RobotSession::run() {
-  while (socket_.is_open()) {
-    const bool must_write = !context_.cell.find_line(id_)->outbox().empty();
-    const auto event = must_write ? tcp::socket::wait_write : tcp::socket::wait_read;
-    const auto [error] = co_await socket_.async_wait(event, kAwait);
-    if (!socket_.is_open()) break;
-    if (error == asio::error::operation_aborted) continue;  // look again what there is to wait for
-    if (error) {
-      close(CloseReason::kError);
-    } else if (must_write) {
-      flush();
-    } else {
-      take_in(kFairShare);
-    }
-  }
-}
+bool RobotSession::take_turn() { return has_flushed() && take_in(kFairShare); }
 
-void RobotSession::take_in() {
-  take_in(kMostArrived);
-  if (socket_.is_open() && !context_.cell.find_line(id_)->outbox().empty()) socket_.cancel();
-}
+void RobotSession::take_in() { take_in(kMostArrived); }
 
-void RobotSession::take_in(std::size_t most) {
-  while (socket_.is_open() && !has_ended_ && pending_.empty() && most > 0) {
+// True: so much was read that there may be more.
+bool RobotSession::take_in(std::size_t most) {
+  bool has_more = true;
+  while (socket_.is_open() && !has_ended_ && pending_.empty() && has_more && most > 0) {
     const std::size_t wanted = std::min(most, context_.scratch.size());
     const std::size_t count = read(wanted);
     act({context_.scratch.data(), count});
-    if (count < wanted) break;  // all that there was
+    has_more = count == wanted || (is_ending_ && count > 0);
     most -= count;
   }
-  flush();
+  return has_flushed() && has_more && !has_ended_;
 }
 
 // Bytes read into the scratch buffer; 0 where there are none now or, then has_ended_, ever.
 std::size_t RobotSession::read(std::size_t most) {
-  ErrorCode error;
-  const std::size_t count = socket_.read_some(asio::buffer(context_.scratch.data(), most), error);
-  if (error == asio::error::eof) {
-    has_ended_ = true;
-  } else if (error && error != asio::error::would_block && error != asio::error::try_again) {
-    close(CloseReason::kError);
-  }
+  const std::size_t count = socket_.read(context_.scratch.first(most));
+  has_ended_ = socket_.has_ended();
+  if (socket_.is_lost()) close(CloseReason::kError);
   return count;
 }
 
@@ -88,8 +62,9 @@ void RobotSession::act(std::string_view bytes) {
   if (bytes.empty()) return;
   const std::size_t taken = context_.cell.apply(BytesIn{id_, bytes}, wall_now()).bytes_taken;
   context_.acted();
+  if (!socket_.is_open()) return;
   if (context_.cell.find_line(id_)->is_stranger()) return close(CloseReason::kStranger);
-  pending_.append(bytes.substr(taken));
+  if (taken < bytes.size()) pending_.append(bytes.substr(taken));
 }
 
 void RobotSession::act_on_pending() {
@@ -97,32 +72,34 @@ void RobotSession::act_on_pending() {
   act(bytes);
 }
 
-// Sends what the socket takes now, and goes on with the bytes that had to wait for it.
-void RobotSession::flush() {
-  while (socket_.is_open()) {
-    Line& line = *context_.cell.find_line(id_);
-    if (line.outbox().empty() && pending_.empty()) break;
-    ErrorCode error;
-    line.sent(socket_.write_some(asio::buffer(line.outbox()), error));
-    if (error == asio::error::would_block || error == asio::error::try_again) return;
-    if (error) return close(CloseReason::kError);
+// Sends what the socket takes now, and goes on with the bytes that had to wait for it. True: nothing is
+// left, and the connection goes on.
+bool RobotSession::has_flushed() {
+  if (!socket_.is_open()) return false;
+  Line& line = *context_.cell.find_line(id_);  // as long as the socket is open
+  while (!line.outbox().empty() || !pending_.empty()) {
+    const std::size_t count = socket_.write(line.outbox());
+    if (socket_.is_lost()) close(CloseReason::kError);
+    if (!socket_.is_open()) return false;
+    line.sent(count);
+    if (count == 0 && !line.outbox().empty()) return false;
     if (!line.is_full()) act_on_pending();
+    if (!socket_.is_open()) return false;
   }
   if (has_ended_) close(end_);
+  return socket_.is_open();
 }
 
 void RobotSession::finish() {
   has_ended_ = true;
   end_ = CloseReason::kShutdown;
   pending_.clear();
-  flush();
+  has_flushed();
 }
 
 void RobotSession::close(CloseReason reason) {
   if (!socket_.is_open()) return;
-  ErrorCode ignored;
-  socket_.shutdown(tcp::socket::shutdown_send, ignored);
-  socket_.close(ignored);
+  socket_.close();
   context_.cell.apply(LineClosed{id_, reason}, wall_now());
   context_.ended(id_);
 }
