@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/asio/buffer.hpp>
-#include <boost/asio/write.hpp>
 #include <chrono>
 #include <string>
 #include <utility>
@@ -13,59 +11,14 @@
 
 #include "protocol/json_source.hpp"
 #include "tests/support/models.hpp"
+#include "tests/support/tcp_client.hpp"
 
 namespace xr3 {
 namespace {
 
+using test::Client;
+
 using namespace std::chrono_literals;
-
-/// A client that never blocks; the server runs while it waits.
-class Client {
- public:
-  Client(asio::io_context& io, const tcp::endpoint& server) : io_(io), socket_(io) {
-    socket_.connect(server);
-    socket_.non_blocking(true);
-  }
-
-  void send(std::string_view bytes) { asio::write(socket_, asio::buffer(bytes)); }
-  void half_close() { socket_.shutdown(tcp::socket::shutdown_send); }
-
-  /// The next line, or what came before the connection ended.
-  std::string line() {
-    while (received_.find('\n') == std::string::npos && read()) {
-    }
-    const std::string line = received_.substr(0, received_.find('\n'));
-    received_.erase(0, line.size() + 1);
-    return line;
-  }
-  Json json() { return Json::parse(line()); }
-  /// Everything up to the end of the connection.
-  std::string rest() {
-    while (read()) {
-    }
-    return std::exchange(received_, {});
-  }
-
- private:
-  bool read() {
-    const auto deadline = std::chrono::steady_clock::now() + 10s;
-    for (;;) {
-      char bytes[4096];
-      ErrorCode error;
-      const std::size_t count = socket_.read_some(asio::buffer(bytes), error);
-      received_.append(bytes, count);
-      if (count > 0) return true;
-      if (error != asio::error::would_block) return false;
-      if (std::chrono::steady_clock::now() > deadline)
-        return ADD_FAILURE() << "nothing came", false;
-      io_.run_one_for(20ms);
-    }
-  }
-
-  asio::io_context& io_;
-  tcp::socket socket_;
-  std::string received_;
-};
 
 class MonitorPortTest : public testing::Test {
  protected:

@@ -1,0 +1,133 @@
+// The robot port over real sockets, with time standing: when lines have their turns, and that none is
+// forgotten although each is told of once.
+#include "server/robot_port.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/support/models.hpp"
+#include "tests/support/tcp_client.hpp"
+
+namespace xr3 {
+namespace {
+
+using test::Client;
+
+constexpr std::size_t kMostLines = 4;
+const std::string kJunk(std::size_t{100} * 1024, 'z');
+
+std::string inquiries(std::size_t count) {
+  std::string all;
+  for (std::size_t i = 0; i < count; ++i) all += "E?";
+  return all;
+}
+
+class RobotPortTest : public testing::Test {
+ protected:
+  RobotPortTest() { EXPECT_FALSE(port_.listen({asio::ip::address_v4::loopback(), 0})); }
+  ~RobotPortTest() override {
+    port_.close();
+    port_.abort();
+    io_.run();  // returns: nothing of the port is left
+  }
+
+  /// Bytes that a line has received so far.
+  std::uint64_t received(LineId line) const { return cell_.bytes_in(line).value_or(0); }
+  /// Lets everything happen that can.
+  void settle() {
+    io_.restart();
+    while (io_.poll() > 0) {
+    }
+  }
+
+  asio::io_context io_{1};
+  Cell cell_{"main", test::rhino(), SimClock::manual(), {}};
+  RobotPort port_{io_, cell_, kMostLines, [] {}};
+};
+
+TEST_F(RobotPortTest, ARequestAndTheEndInOneGo) {
+  Client client(io_, port_.endpoint());
+  client.send("E+5\rE?");
+  client.half_close();
+  EXPECT_EQ(client.rest(), "%");
+  settle();
+  EXPECT_TRUE(cell_.lines().empty());
+}
+
+TEST_F(RobotPortTest, TheEndAloneIsFound) {
+  Client client(io_, port_.endpoint());
+  client.send("E?");
+  EXPECT_EQ(client.bytes(1), " ");
+  client.half_close();
+  EXPECT_EQ(client.rest(), "");
+  settle();
+  EXPECT_TRUE(cell_.lines().empty());
+}
+
+TEST_F(RobotPortTest, BytesOfBeforeTheLineWasOpenedAct) {
+  Client client(io_, port_.endpoint());
+  client.send("E+5\rE?");
+  port_.take_in();
+  EXPECT_EQ(received(1), 6U) << "accepted and read, without a turn of the loop";
+  EXPECT_EQ(client.bytes(1), "%");
+}
+
+TEST_F(RobotPortTest, AFloodLeavesRoomForTheOthers) {
+  Client flood(io_, port_.endpoint());
+  Client other(io_, port_.endpoint());
+  settle();
+  flood.send(kJunk);
+  other.send("E?");
+  EXPECT_EQ(other.bytes(1), " ");
+  EXPECT_LT(received(1), kJunk.size() / 2) << "the flood was not taken in at once";
+  settle();
+  EXPECT_EQ(received(1), kJunk.size()) << "but all of it in the end, though it was told of once";
+}
+
+TEST_F(RobotPortTest, ABarrierTakesInAllThatHasArrived) {
+  Client flood(io_, port_.endpoint());
+  Client other(io_, port_.endpoint());
+  settle();
+  flood.send(kJunk);
+  other.send("E+5\r");
+  port_.take_in();
+  EXPECT_EQ(received(1), kJunk.size());
+  EXPECT_EQ(received(2), 4U);
+}
+
+TEST_F(RobotPortTest, WhoDoesNotReadItsRepliesIsNotRead) {
+  Client client(io_, port_.endpoint());
+  const std::string asked = inquiries(1024);
+  std::size_t sent = 0;
+  for (bool is_taken = true; is_taken; settle()) {
+    const std::size_t count = client.send_some(std::string_view(asked).substr(sent % asked.size()));
+    sent += count;
+    is_taken = count > 0;
+  }
+  EXPECT_LT(received(1), sent);
+  EXPECT_EQ(client.bytes(sent / 2), std::string(sent / 2, ' ')) << "and no reply is lost";
+  settle();
+  EXPECT_EQ(received(1), sent);
+}
+
+TEST_F(RobotPortTest, LinesBeyondTheMostAreClosedWithoutAByte) {
+  std::vector<std::unique_ptr<Client>> lines;
+  for (std::size_t i = 0; i < kMostLines; ++i)
+    lines.push_back(std::make_unique<Client>(io_, port_.endpoint()));
+  Client beyond(io_, port_.endpoint());
+  EXPECT_EQ(beyond.rest(), "");
+  EXPECT_EQ(cell_.lines().size(), kMostLines);
+}
+
+TEST_F(RobotPortTest, ClosingHandsOutWhatWasAnswered) {
+  Client client(io_, port_.endpoint());
+  client.send("E+5\rE?");
+  port_.take_in();
+  port_.close();
+  EXPECT_EQ(client.rest(), "%");
+  EXPECT_TRUE(port_.is_empty());
+}
+
+}  // namespace
+}  // namespace xr3
