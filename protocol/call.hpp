@@ -83,9 +83,9 @@ struct LoadSnapshot {
   SavedCellPtr saved;  ///< where there is no name
 };
 
-using Call = std::variant<Pause, Resume, SetRate, Step, RunUntil, Reset, Home, Key, SetInput,
-                          AddBlock, MoveBlock, RemoveBlock, ReplaceWorkcell, SaveSnapshot,
-                          LoadSnapshot>;
+using Call =
+    std::variant<Pause, Resume, SetRate, Step, RunUntil, Reset, Home, Key, SetInput, AddBlock,
+                 MoveBlock, RemoveBlock, ReplaceWorkcell, SaveSnapshot, LoadSnapshot>;
 
 /// A call that was carried out.
 struct Done {

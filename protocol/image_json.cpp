@@ -108,7 +108,8 @@ std::string image_text(const Image& image, monitor::Encoding encoding) {
   std::string text = frame_json(image, encoding).dump();
   const auto width = static_cast<std::size_t>(image.width());
   if (encoding == monitor::Encoding::kRows)
-    text.reserve(text.size() + static_cast<std::size_t>(image.height()) * (width + 3) + Image::kWordBits);
+    text.reserve(text.size() + static_cast<std::size_t>(image.height()) * (width + 3) +
+                 Image::kWordBits);
   text.resize(text.size() - 2);  // up to the bracket in which the rows stand
   for (int row = 0; row < image.height(); ++row) {
     if (row > 0) text += ',';
