@@ -223,9 +223,9 @@ std::string describe(const Parsed& parsed, const Problem& problem) {
   while (!bytes.empty() && (bytes.back() == '\r' || bytes.back() == '\n' || bytes.back() == ' ')) {
     bytes.remove_suffix(1);
   }
-  const std::string words(sentence(problem));
-  if (bytes.empty()) return words;
-  return readable(bytes) + (parsed.raw.was_cut ? "..." : "") + ": " + words;
+  const std::string before =
+      bytes.empty() ? "" : readable(bytes) + (parsed.raw.was_cut ? "..." : "") + ": ";
+  return before + std::string(sentence(problem));
 }
 
 std::string describe(const EventBody& event, const Model& model) {

@@ -118,12 +118,14 @@ class RequestReader {
 
   std::optional<RequestError> read_of_channel(const std::string& op) {
     const Tree* name = members_.ask("channel");
-    if (!names_one(name, channels())) return unknown(request_.id, "channel", name, channels());
-    const Channel channel = *channel_named(name->get_ref<const std::string&>());
-    if (op == "sub") request_.what = read_subscribe(channel, members_);
-    if (op == "unsub") request_.what = Unsubscribe{channel};
+    const auto channel = names_one(name, channels())
+                             ? channel_named(name->get_ref<const std::string&>())
+                             : std::nullopt;
+    if (!channel) return unknown(request_.id, "channel", name, channels());
+    if (op == "sub") request_.what = read_subscribe(*channel, members_);
+    if (op == "unsub") request_.what = Unsubscribe{*channel};
     if (op == "get")
-      request_.what = Get{read_selection(channel, members_), read_since(channel, members_)};
+      request_.what = Get{read_selection(*channel, members_), read_since(*channel, members_)};
     return std::nullopt;
   }
 
