@@ -92,14 +92,14 @@ TextStyle style_of(const Axis& axis) {
 }
 
 /// How many eighths of a column are filled.
-int filled_eighths(const Row& row, int columns) {
-  const double span = row.limits->max - row.limits->min;
-  const double part = span > 0 ? (row.axis.value - row.limits->min) / span : 0;
+int filled_eighths(double value, const Limits& limits, int columns) {
+  const double span = limits.max - limits.min;
+  const double part = span > 0 ? (value - limits.min) / span : 0;
   return static_cast<int>(std::lround(std::clamp(part, 0.0, 1.0) * columns * kEighths));
 }
 
 void paint_bar(TextScreen& screen, int at, int from, int columns, const Row& row) {
-  const int eighths = row.limits ? filled_eighths(row, columns) : 0;
+  const int eighths = row.limits ? filled_eighths(row.axis.value, *row.limits, columns) : 0;
   for (int i = 0; i < columns; ++i) {
     const int here = std::clamp(eighths - i * kEighths, 0, kEighths);
     if (here == 0) {
@@ -138,15 +138,16 @@ void paint_heading(TextScreen& screen, int at, int from, const std::vector<Colum
 
 }  // namespace
 
-void paint_joints(TextScreen& screen, const TextArea& area, const Known& known) {
+void paint_joints(TextScreen& screen, const TextArea& area, const Known& known,
+                  const State& state) {
   std::vector<Row> rows;
   const auto add = [&](const Axis& axis) {
     const auto found = known.limits.find(axis.label);
     rows.push_back(
         {axis, found == known.limits.end() ? std::nullopt : std::optional<Limits>(found->second)});
   };
-  for (const Axis& joint : known.state->joints) add(joint);
-  add(known.state->tool.axis);
+  for (const Axis& joint : state.joints) add(joint);
+  add(state.tool.axis);
 
   const std::vector<Column> columns = fitting_columns(area.columns);
   const int end = area.row + area.rows;

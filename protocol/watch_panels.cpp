@@ -68,7 +68,8 @@ void paint_note(TextScreen& screen, int row, const TextArea& area, const Known& 
   const std::string time = seconds_text(note.tick, known.tick_hz);
   const std::string indent(kTimeWidth - std::min(kTimeWidth, time.size()), ' ');
   const int end = area.column + area.columns;
-  int at = screen.put(row, area.column, indent + time + "  ", TextStyle::kFaint, area.columns);
+  const int at =
+      screen.put(row, area.column, indent + time + "  ", TextStyle::kFaint, area.columns);
   const bool names_its_line = note.message.starts_with("line ");
   std::string text =
       note.line && !names_its_line ? "line " + std::to_string(*note.line) + ": " : "";

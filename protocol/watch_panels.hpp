@@ -12,8 +12,8 @@ namespace xr3::watch {
 /// Columns that a bar needs to say something.
 inline constexpr int kLeastBar = 10;
 
-/// A heading, the joints, then the tool as one more row; the heading goes first where room is short.
-void paint_joints(TextScreen& screen, const TextArea& area, const Known& known);
+/// A heading, the joints of the state, then the tool as one more row; the heading goes first where room is short.
+void paint_joints(TextScreen& screen, const TextArea& area, const Known& known, const State& state);
 
 /// One row: opening, tip and what is held.
 void paint_tool(TextScreen& screen, const TextArea& area, const State& state);

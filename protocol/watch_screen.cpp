@@ -86,15 +86,15 @@ std::string stall_text(const std::string& stall) {
 }
 
 /// The one thing that must not be overlooked; empty: there is none.
-std::string banner_text(const Known& known, const Link& link) {
+std::string banner_text(const State& state, const Link& link) {
   if (link.phase != Link::Phase::kLive) {
     return (link.trouble.empty() ? "no connection" : link.trouble) +
            "; below is what was known, trying again";
   }
-  if (!known.state->stalled.empty()) {
-    return "STALLED: " + stall_text(known.state->stalled) + "; h (or A$, or reset) sets it free";
+  if (!state.stalled.empty()) {
+    return "STALLED: " + stall_text(state.stalled) + "; h (or A$, or reset) sets it free";
   }
-  return known.state->is_enabled ? "" : "disabled: only A@ is obeyed";
+  return state.is_enabled ? "" : "disabled: only A@ is obeyed";
 }
 
 void paint_lines(TextScreen& screen, const std::vector<std::string>& lines) {
@@ -148,7 +148,7 @@ Heights heights_for(const State& state, int rows, int image_rows) {
   return heights;
 }
 
-void paint_middle(TextScreen& screen, TextArea area, const Known& known) {
+void paint_middle(TextScreen& screen, TextArea area, const Known& known, const State& state) {
   const bool has_room = area.columns > kLinesWidth + kLeastBar && area.rows >= kLeastImage;
   if (known.image && has_room) {
     const int width = std::min(area.columns - kLinesWidth - 1, 2 * (area.rows - 1) + 12);
@@ -158,63 +158,65 @@ void paint_middle(TextScreen& screen, TextArea area, const Known& known) {
     area.columns -= width + 1;
     paint_image(screen, right, *known.image);
   }
-  paint_blocks_and_lines(screen, area, *known.state);
+  paint_blocks_and_lines(screen, area, state);
 }
 
 /// Joints, tool, blocks and lines, one below the other; the image too, unless it has its own place.
-void paint_tables(TextScreen& screen, TextArea area, const Known& known, const Heights& heights,
-                  ImagePlace place) {
-  paint_joints(screen, {area.row, area.column, heights.joints, area.columns}, known);
+void paint_tables(TextScreen& screen, TextArea area, const Known& known, const State& state,
+                  const Heights& heights, ImagePlace place) {
+  paint_joints(screen, {area.row, area.column, heights.joints, area.columns}, known, state);
   area.row += heights.joints;
   if (heights.tool > 0) {
-    paint_tool(screen, {area.row, area.column, 1, area.columns}, *known.state);
+    paint_tool(screen, {area.row, area.column, 1, area.columns}, state);
   }
   area.row += heights.tool;
   area.rows = heights.middle;
   if (place == ImagePlace::kBesideBlocks) {
-    paint_middle(screen, area, known);
+    paint_middle(screen, area, known, state);
   } else {
-    paint_blocks_and_lines(screen, area, *known.state);
+    paint_blocks_and_lines(screen, area, state);
   }
 }
 
 /// Everything but title, banner and footer, on a wide screen: the camera beside all tables.
-void paint_wide(TextScreen& screen, TextArea area, const Known& known) {
+void paint_wide(TextScreen& screen, TextArea area, const Known& known, const State& state,
+                const Image& image) {
   const int most_columns = area.columns - kWideLeft - 2;
-  const int image_rows = useful_image_rows(*known.image, most_columns);
-  const int table = static_cast<int>(known.state->joints.size()) + 3;
-  const Heights heights = heights_for(*known.state, area.rows, image_rows - table);
+  const int image_rows = useful_image_rows(image, most_columns);
+  const int table = static_cast<int>(state.joints.size()) + 3;
+  const Heights heights = heights_for(state, area.rows, image_rows - table);
   const int upper = area.rows - heights.notes;
   const int width = std::min(most_columns, std::max(kLeastImageColumns, 4 * upper));
-  paint_image(screen, {area.row, area.column + area.columns - width, upper, width}, *known.image);
+  paint_image(screen, {area.row, area.column + area.columns - width, upper, width}, image);
   paint_notes(screen, {area.row + upper, area.column, heights.notes, area.columns}, known);
   area.columns -= width + 2;
-  paint_tables(screen, area, known, heights, ImagePlace::kBesideAll);
+  paint_tables(screen, area, known, state, heights, ImagePlace::kBesideAll);
 }
 
-void paint_narrow(TextScreen& screen, const TextArea& area, const Known& known) {
+void paint_narrow(TextScreen& screen, const TextArea& area, const Known& known,
+                  const State& state) {
   const int columns = area.columns - kLinesWidth - 1;
   const int image_rows = known.image ? useful_image_rows(*known.image, columns) : 0;
-  const Heights heights = heights_for(*known.state, area.rows, image_rows);
-  paint_tables(screen, area, known, heights, ImagePlace::kBesideBlocks);
+  const Heights heights = heights_for(state, area.rows, image_rows);
+  paint_tables(screen, area, known, state, heights, ImagePlace::kBesideBlocks);
   const int row = area.row + area.rows - heights.notes;
   if (heights.notes > 0) {
     paint_notes(screen, {row, area.column, heights.notes, area.columns}, known);
   }
 }
 
-void paint_state(TextScreen& screen, const Known& known, const Link& link) {
+void paint_state(TextScreen& screen, const Known& known, const State& state, const Link& link) {
   TextArea area{1, 1, std::max(0, screen.rows() - 2), std::max(0, screen.columns() - 2)};
-  const std::string banner = banner_text(known, link);
+  const std::string banner = banner_text(state, link);
   if (!banner.empty() && area.rows > 0) {
     screen.put(area.row++, area.column, banner, TextStyle::kBad, area.columns);
     --area.rows;
   }
-  const bool is_wide = known.image && area.columns >= kWideColumns && area.rows >= kWideRows;
-  if (is_wide) {
-    paint_wide(screen, area, known);
+  const bool has_room = area.columns >= kWideColumns && area.rows >= kWideRows;
+  if (known.image && has_room) {
+    paint_wide(screen, area, known, state, *known.image);
   } else {
-    paint_narrow(screen, area, known);
+    paint_narrow(screen, area, known, state);
   }
 }
 
@@ -225,7 +227,7 @@ TextScreen watch_screen(const Known& known, const Link& link, Page page, int row
   if (page == Page::kHelp) {
     paint_lines(screen, {kHelp.begin(), kHelp.end()});
   } else if (known.state) {
-    paint_state(screen, known, link);
+    paint_state(screen, known, *known.state, link);
   } else {
     paint_waiting(screen, link);
   }
