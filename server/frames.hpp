@@ -43,7 +43,7 @@ class Frames {
     std::int64_t seq = 0;
     Epoch epoch = 0;
     Tick tick = 0;
-    Json members;
+    Json members = Json::object();
     std::string text;
     std::optional<Snapshot> snapshot;  ///< state only: what the text shows, at tick 0
     std::optional<ShownModel> model;   ///< model only
