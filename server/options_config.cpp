@@ -117,8 +117,8 @@ void take_config(CLI::App& command, const std::string& file, OtherKeys others, O
   for (const CLI::ConfigItem& item : command.get_config_formatter()->from_config(text)) {
     const std::string key = item.fullname();
     const auto line = lines.find(key);
-    const std::string place =
-        file + (line == lines.end() ? "" : ":" + std::to_string(line->second)) + ": " + key;
+    const std::string number = line == lines.end() ? "" : ":" + std::to_string(line->second);
+    const std::string place = file + number + ": " + key;
     CLI::Option* option = find_option(command, key);
     if (option == nullptr && others == OtherKeys::kSkip) continue;
     if (option == nullptr) refuse_key(command, key, place);
