@@ -45,7 +45,8 @@ asio::awaitable<void> visit(asio::io_context& context, tcp::endpoint place, Visi
   MonitorSocket socket(std::move(connecting));
   std::string to_send = HealthProbe::opening();
   while (visit.probe.verdict() == Verdict::kUnknown) {
-    if (!to_send.empty() && !co_await socket.send(to_send)) break;
+    const bool is_sent = co_await socket.send(to_send);
+    if (!is_sent) break;
     const std::string_view bytes = co_await socket.read();
     if (bytes.empty()) break;
     to_send = visit.probe.take(bytes);

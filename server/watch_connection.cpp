@@ -96,7 +96,8 @@ void WatchConnection::send(const std::string& bytes) {
 asio::awaitable<void> WatchConnection::send_all(std::shared_ptr<MonitorSocket> socket) {
   while (!unsent_.empty()) {
     const std::string bytes = std::exchange(unsent_, {});
-    if (!co_await socket->send(bytes)) break;
+    const bool is_sent = co_await socket->send(bytes);
+    if (!is_sent) break;
   }
   unsent_.clear();
   is_sending_ = false;
