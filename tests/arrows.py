@@ -34,7 +34,7 @@ def project_files():
     except (OSError, subprocess.CalledProcessError):
         listed = [os.path.relpath(os.path.join(folder, name), ROOT)
                   for folder, _, names in os.walk(ROOT) for name in names]
-        listed = [path for path in listed if not re.search(r"(^|/)(build|\.git)/", path)]
+        listed = [path for path in listed if not re.search(r"(^|/)(build|\.git|node_modules|dist)/", path)]
     return sorted(path for path in listed if path and os.path.isfile(os.path.join(ROOT, path)))
 
 
