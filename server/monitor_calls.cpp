@@ -153,9 +153,12 @@ Json MonitorService::value_now() const {
 monitor::Message MonitorService::send(Viewer& viewer, const monitor::Request& request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   std::string_view bytes = std::get<monitor::Send>(wanted.call).bytes;
-  if (!viewer.own_line() || cell_.find_line(*viewer.own_line()) == nullptr)
-    viewer.set_own_line(cell_.apply(LineOpened{"monitor", LineKind::kMonitor}, wall_now()).line);
-  const LineId id = *viewer.own_line();
+  const std::optional<LineId> open_line = viewer.own_line();
+  const bool is_open = open_line && cell_.find_line(*open_line) != nullptr;
+  const LineId id = is_open
+                        ? *open_line
+                        : cell_.apply(LineOpened{"monitor", LineKind::kMonitor}, wall_now()).line;
+  if (!is_open) viewer.set_own_line(id);
   std::string replies;
   do {  // a long reply fills the outbox: what is behind it has to wait until it is taken
     bytes.remove_prefix(cell_.apply(BytesIn{id, bytes}, wall_now()).bytes_taken);

@@ -9,7 +9,7 @@ namespace xr3 {
 
 MonitorPort::MonitorPort(asio::io_context& io, Cell& cell, RobotPort& robot_port,
                          const AccessPolicy& policy, std::function<bool()> is_ready,
-                         std::function<void()> acted)
+                         const std::function<void()>& acted)
     : service_(io, cell, robot_port, policy, acted),
       resources_(cell, service_, policy, std::move(is_ready)),
       context_{service_, resources_, [this] { tell_of_tls(); },
@@ -35,9 +35,8 @@ void MonitorPort::make_room() {
   const auto idle = std::find_if(sessions_.begin(), sessions_.end(),
                                  [](const auto& session) { return session->only_listens(); });
   if (idle == sessions_.end()) return;
-  const auto session = *idle;
-  sessions_.erase(idle);
-  session->abort();
+  const auto taken = sessions_.extract(idle);
+  taken.value()->abort();
 }
 
 void MonitorPort::refuse(tcp::socket socket) {

@@ -23,7 +23,7 @@ class MonitorPort {
   /// `is_ready` is what /readyz tells; `acted` is called after each call on the
   /// cell, and when a connection has ended.
   MonitorPort(asio::io_context& io, Cell& cell, RobotPort& robot_port, const AccessPolicy& policy,
-              std::function<bool()> is_ready, std::function<void()> acted);
+              std::function<bool()> is_ready, const std::function<void()>& acted);
 
   /// Binds; afterwards endpoint() is known and connections are accepted. Returns what went wrong.
   ErrorCode listen(const tcp::endpoint& endpoint);

@@ -65,8 +65,9 @@ Access MonitorService::first_access() const {
 
 void MonitorService::remove(Viewer& viewer) {
   audience_.remove(viewer);
-  if (!viewer.own_line()) return;
-  cell_.apply(LineClosed{*viewer.own_line(), CloseReason::kClientClosed}, wall_now());
+  const std::optional<LineId> line = viewer.own_line();
+  if (!line) return;
+  cell_.apply(LineClosed{*line, CloseReason::kClientClosed}, wall_now());
   acted_();
 }
 

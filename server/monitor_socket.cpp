@@ -14,8 +14,8 @@ using std::chrono::seconds;
 constexpr seconds kMostStuck{30};
 constexpr milliseconds kMostLinger{500};
 constexpr std::size_t kMostLingerBytes = 16 * 1024 * 1024;
-constexpr int kIdleBeforeProbe_s = 30;
-constexpr int kProbeEvery_s = 10;
+constexpr seconds kIdleBeforeProbe{30};
+constexpr seconds kProbeEvery{10};
 
 void set_option(tcp::socket& socket, int name, int value) {
   ::setsockopt(socket.native_handle(), IPPROTO_TCP, name, &value, sizeof value);
@@ -24,8 +24,8 @@ void set_option(tcp::socket& socket, int name, int value) {
 void watch_for_dead_peer(tcp::socket& socket) {
   ErrorCode ignored;
   socket.set_option(asio::socket_base::keep_alive(true), ignored);
-  set_option(socket, TCP_KEEPIDLE, kIdleBeforeProbe_s);
-  set_option(socket, TCP_KEEPINTVL, kProbeEvery_s);
+  set_option(socket, TCP_KEEPIDLE, static_cast<int>(kIdleBeforeProbe.count()));
+  set_option(socket, TCP_KEEPINTVL, static_cast<int>(kProbeEvery.count()));
   set_option(socket, TCP_USER_TIMEOUT, static_cast<int>(milliseconds(kMostStuck).count()));
 }
 
@@ -121,6 +121,12 @@ void MonitorSocket::stop_reading_after(milliseconds time) {
 void MonitorSocket::stop_reading() {
   ErrorCode ignored;
   socket_->shutdown(tcp::socket::shutdown_receive, ignored);
+}
+
+// (Its timers end with it.)
+MonitorSocket::~MonitorSocket() {
+  ErrorCode ignored;
+  socket_->close(ignored);
 }
 
 void MonitorSocket::close() {

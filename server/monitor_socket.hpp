@@ -21,7 +21,7 @@ class MonitorSocket {
   explicit MonitorSocket(tcp::socket socket);
   MonitorSocket(const MonitorSocket&) = delete;
   MonitorSocket& operator=(const MonitorSocket&) = delete;
-  ~MonitorSocket() { close(); }
+  ~MonitorSocket();
 
   bool is_open() const { return socket_->is_open(); }
   /// For those who bring their own way of reading and writing.
