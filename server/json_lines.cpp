@@ -21,7 +21,7 @@ constexpr std::string_view kLineEnd = "\n";
 std::shared_ptr<JsonLines> JsonLines::greet(std::shared_ptr<MonitorSocket> socket,
                                             MonitorService& service) {
   std::shared_ptr<JsonLines> lines(new JsonLines(std::move(socket), service));
-  lines->viewer_.emplace(service, static_cast<Carrier&>(*lines));
+  lines->viewer_ = std::make_unique<Viewer>(service, static_cast<Carrier&>(*lines));
   lines->pump();
   return lines;
 }

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,7 +63,7 @@ class JsonLines : public std::enable_shared_from_this<JsonLines>, private Carrie
   bool is_pumping_ = false;
   bool is_answered_ = false;     ///< no further request will come
   asio::steady_timer progress_;  ///< never expires; cancelled when something was written
-  std::optional<Viewer> viewer_;
+  std::unique_ptr<Viewer> viewer_;
   monitor::Lines lines_;
 };
 

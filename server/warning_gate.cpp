@@ -6,9 +6,11 @@ namespace xr3 {
 
 bool WarningGate::extends_run(LineId line, Tick tick, std::string_view code) {
   const auto found = lines_.find(line);
-  if (found == lines_.end() || !found->second.run) return false;
-  const bool extends = found->second.run->code == code && found->second.second == tick / kTickHz;
-  if (extends) ++found->second.run->count;
+  if (found == lines_.end()) return false;
+  PerLine& of_line = found->second;
+  if (!of_line.run) return false;
+  const bool extends = of_line.run->code == code && of_line.second == tick / kTickHz;
+  if (extends) ++of_line.run->count;
   return extends;
 }
 
