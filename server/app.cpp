@@ -51,7 +51,7 @@ void listen_too(Port& port, const std::string& what, bool was_chosen) {
 
 std::string workcell_name(const ServeOptions& options) {
   if (!options.workcell.empty()) return options.workcell;
-  const std::string name = std::filesystem::path(options.robot).stem();
+  std::string name = std::filesystem::path(options.robot).stem();
   if (has_data_file(name, "workcells")) return name;
   throw FileError("no workcell is named like the robot " + name + "; name one with --workcell");
 }
@@ -79,7 +79,7 @@ ModelPtr load_model(const ServeOptions& options) {
 App::App(const ServeOptions& options, ModelPtr model, std::string token)
     : options_(options),
       fresh_token_(std::holds_alternative<FreshToken>(options.token) ? token : ""),
-      cell_("main", model, start_clock(options.clock), log_event),
+      cell_("main", std::move(model), start_clock(options.clock), log_event),
       policy_(access_rules(options, std::move(token))),
       robot_port_(io_, cell_, options.most_lines, [this] { acted(); }),
       monitor_port_(

@@ -43,7 +43,7 @@ DataFile read_file(const fs::path& path) {
   if (fs::file_size(path, error) > kLargestFile && !error) {
     throw FileError(path.string() + ": larger than 64 MiB, which no data file is");
   }
-  std::ifstream file(path, std::ios::binary);
+  const std::ifstream file(path, std::ios::binary);
   if (!file) throw FileError(path.string() + ": cannot be read: " + std::strerror(errno));
   std::ostringstream text;
   text << file.rdbuf();

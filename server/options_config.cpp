@@ -60,6 +60,12 @@ Lines lines_of(const DataFile& file) {
   return lines;
 }
 
+std::string place_of(const std::string& key, const std::string& file, const Lines& lines) {
+  const auto line = lines.find(key);
+  const std::string number = line == lines.end() ? "" : ":" + std::to_string(line->second);
+  return file + number + ": " + key;
+}
+
 std::string allowed_keys(const CLI::App& command) {
   std::string keys;
   for (const CLI::Option* option : command.get_options()) {
@@ -116,9 +122,7 @@ void take_config(CLI::App& command, const std::string& file, OtherKeys others, O
   std::istringstream text(config.text);
   for (const CLI::ConfigItem& item : command.get_config_formatter()->from_config(text)) {
     const std::string key = item.fullname();
-    const auto line = lines.find(key);
-    const std::string number = line == lines.end() ? "" : ":" + std::to_string(line->second);
-    const std::string place = file + number + ": " + key;
+    const std::string place = place_of(key, file, lines);
     CLI::Option* option = find_option(command, key);
     if (option == nullptr && others == OtherKeys::kSkip) continue;
     if (option == nullptr) refuse_key(command, key, place);

@@ -22,7 +22,7 @@
 namespace xr3 {
 namespace {
 
-constexpr int kEscapeDelay_ms = 25;
+constexpr int kEscapeDelayMs = 25;
 
 struct Look {
   short color;  ///< -1: the terminal's own
@@ -61,6 +61,7 @@ bool can_move_its_cursor() {
   if (setupterm(nullptr, STDOUT_FILENO, &trouble) == ERR) return false;
   char name[] = "cup";
   const char* sequence = tigetstr(name);
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): so terminfo says that this is no text
   const bool can = sequence != nullptr && sequence != reinterpret_cast<char*>(-1);
   del_curterm(cur_term);
   return can;
@@ -111,7 +112,7 @@ Terminal::Terminal(Letters letters, Colors colors)
   nonl();
   keypad(stdscr, TRUE);
   nodelay(stdscr, TRUE);
-  set_escdelay(kEscapeDelay_ms);
+  set_escdelay(kEscapeDelayMs);
   curs_set(0);
   if (colors == Colors::kYes) start_colors();
   screen_->has_colors = colors == Colors::kYes && has_colors();

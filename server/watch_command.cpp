@@ -105,6 +105,7 @@ class Watcher {
       int waiting = 0;
       const bool has_gone = ::ioctl(STDIN_FILENO, FIONREAD, &waiting) != 0 || waiting == 0;
       if (has_gone) stop();
+      // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
       while (const auto key = terminal_.key()) press(*key);
     }
   }
