@@ -19,7 +19,9 @@ set(text "// Made by server/web_assets.cmake.\n#include \"server/web_assets_tabl
 if(count GREATER 0)
   string(APPEND text
     "asm(\".pushsection .rodata\\n\"\n${bytes}    \".popsection\\n\");\n\n"
-    "extern \"C\" {\n${externs}}\n\n"
+    "// NOLINTBEGIN(readability-identifier-naming): names of the assembler's\n"
+    "extern \"C\" {\n${externs}}\n"
+    "// NOLINTEND(readability-identifier-naming)\n\n"
     "static const xr3::EmbeddedFile kFiles[] = {\n${rows}};\n\n"
     "std::span<const xr3::EmbeddedFile> xr3::embedded_files() { return kFiles; }\n")
 else()
