@@ -128,8 +128,8 @@ Figures measured(const Lines& lines) {
 }
 
 struct Bounds {
-  double cost = 1.05;
-  double pipelined = 4;
+  double cost = 1.3;
+  double pipelined = 3;
   double time = 1.1;
 };
 
@@ -173,7 +173,7 @@ int main(int argc, char** argv) {
   try {
     const bool is_kept =
         xr3::bench::run(argv[1], static_cast<int>(number(2, 64)), static_cast<int>(number(3, 9)),
-                        {number(4, 1.05), number(5, 4), number(6, 1.1)});
+                        {number(4, 1.3), number(5, 3), number(6, 1.1)});
     return is_kept ? 0 : 1;
   } catch (const std::exception& error) {
     return std::fprintf(stderr, "bench_round_trips: %s\n", error.what()), 2;
