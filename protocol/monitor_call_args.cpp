@@ -65,7 +65,8 @@ data::Codec<bool> only_true() {
   data::Codec<bool> codec;
   codec.allowed = "true";
   codec.read = [](const data::Place& place, bool& result) {
-    return place.value == true ? result = true : place.refuse("true");
+    result = place.value == true;
+    return result || place.refuse("true");
   };
   return codec;
 }
