@@ -216,6 +216,7 @@ test("time is paused, stepped and resumed; input lines are clicked", () =>
   withPage([], async (page) => {
     await page.click("#pause");
     await page.waitForSelector("#pause:has-text('Resume')");
+    await page.waitForFunction(() => window.xr3.known.state.clock.mode === "manual"); // the event was sooner
     const tick = await page.evaluate(() => window.xr3.known.state.tick);
     await page.click("#step");
     await page.waitForFunction(() => document.querySelector("#step").disabled === false);
