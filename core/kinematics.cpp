@@ -5,20 +5,6 @@
 namespace xr3 {
 namespace {
 
-struct LinkFigures {
-  SinCos theta;
-  SinCos alpha;
-  double d_mm;
-  double a_mm;
-};
-
-LinkFigures figures(const Model& model, int joint, Counts position) {
-  const Joint& link = model.robot().joints[static_cast<std::size_t>(joint)];
-  const bool slides = link.variable == JointVariable::kD;
-  const double d = slides ? model.variable(joint, position) : link.dh.d_mm;
-  return {model.theta(joint, position), model.twist(joint), d, link.dh.a_mm};
-}
-
 Counts at(const Positions& positions, int index) {
   return positions[static_cast<std::size_t>(index)];
 }
@@ -26,7 +12,10 @@ Counts at(const Positions& positions, int index) {
 }  // namespace
 
 Transform link_transform(const Model& model, int joint, Counts position) {
-  const auto [theta, alpha, d, a] = figures(model, joint, position);
+  const SinCos theta = model.theta(joint, position);
+  const SinCos& alpha = model.twist(joint);
+  const double d = model.link_offset_mm(joint, position);
+  const double a = model.link_length_mm(joint);
   Transform t;
   t << theta.cos, -alpha.cos * theta.sin, alpha.sin * theta.sin, a * theta.cos,  //
       theta.sin, alpha.cos * theta.cos, -alpha.sin * theta.cos, a * theta.sin,   //
@@ -49,19 +38,22 @@ Transform tool_transform(const Model& model, const Positions& positions) {
   return pose;
 }
 
-// From the tip inwards, a point instead of matrices: a dozen multiplications a joint.
+// From the tip inwards, a point instead of matrices: a dozen multiplications a joint, and none for
+// turning a point that lies on the joint's own axis, as the tip does for the roll.
 PointUm tool_tip(const Model& model, const Positions& positions) {
   double x = 0;
   double y = 0;
   double z = 0;
   for (int k = model.joint_count() - 1; k >= 0; --k) {
-    const auto [theta, alpha, d, a] = figures(model, k, at(positions, k));
-    const double along = x + a;
+    const Counts position = at(positions, k);
+    const SinCos& alpha = model.twist(k);
+    const double along = x + model.link_length_mm(k);
     const double across = alpha.cos * y - alpha.sin * z;
-    const double up = alpha.sin * y + alpha.cos * z;
+    z = alpha.sin * y + alpha.cos * z + model.link_offset_mm(k, position);
+    const bool on_axis = along == 0.0 && across == 0.0;
+    const SinCos theta = on_axis ? SinCos{} : model.theta(k, position);
     x = theta.cos * along - theta.sin * across;
     y = theta.sin * along + theta.cos * across;
-    z = up + d;
   }
   return {micrometres(x), micrometres(y), micrometres(z)};
 }

@@ -84,4 +84,9 @@ SinCos Model::theta(int joint, Counts position) const {
   return thetas_[static_cast<std::size_t>(joint)].at(position);
 }
 
+double Model::link_offset_mm(int joint, Counts position) const {
+  const Joint& link = robot_.joints[static_cast<std::size_t>(joint)];
+  return link.variable == JointVariable::kD ? variable(joint, position) : link.dh.d_mm;
+}
+
 }  // namespace xr3

@@ -66,6 +66,12 @@ class Model {
   double variable(int index, Counts position) const;
   /// Sine and cosine of joint `joint`'s theta at a position; constant for a prismatic joint.
   SinCos theta(int joint, Counts position) const;
+  /// Distance along joint `joint`'s axis (Denavit-Hartenberg d) at a position; constant for a revolute joint.
+  double link_offset_mm(int joint, Counts position) const;
+  /// Denavit-Hartenberg a of joint `joint`.
+  double link_length_mm(int joint) const {
+    return robot_.joints[static_cast<std::size_t>(joint)].dh.a_mm;
+  }
   /// Sine and cosine of the link twist of joint `joint`.
   const SinCos& twist(int joint) const { return twists_[static_cast<std::size_t>(joint)]; }
 

@@ -5,16 +5,30 @@ namespace {
 
 int sign(int value) { return (value > 0) - (value < 0); }
 
-MotorBlocked blocked_event(const Model& model, const State& state, int index,
-                           const Obstacle& obstacle) {
+// The joint, of those that motor `index` moves, that would pass a limit with its next count, or -1.
+int limited_joint(const Model& model, const Positions& positions, int index, int direction) {
+  for (const Driven& driven : model.driven_by(index)) {
+    const int change = driven.gain * direction;
+    const Counts next = positions[driven.joint] + change;
+    const MotorModel& joint = model.motor(driven.joint);
+    // A joint that stands past a limit may always come back.
+    if (change > 0 ? next > joint.high : next < joint.low) return driven.joint;
+  }
+  return -1;
+}
+
+MotorBlocked blocked_event(const Model& model, const State& state, const Positions& positions,
+                           int index) {
   const MotorState& motor = state.motor(index);
   MotorBlocked event{
-      model.motor(index).drive.label, obstacle.why, 0, false, 0.0, motor.count, motor.error};
-  if (obstacle.why != Blocked::kLimit) return event;
-  const MotorModel& limiting = model.motor(obstacle.joint);
-  event.by = limiting.drive.label;
-  event.upper = obstacle.high == (limiting.drive.direction > 0);
-  event.limit = event.upper ? limiting.drive.max : limiting.drive.min;
+      model.motor(index).drive.label, motor.blocked, 0, false, 0.0, motor.count, motor.error};
+  if (motor.blocked != Blocked::kLimit) return event;
+  const int direction = sign(motor.error);
+  const int joint = limited_joint(model, positions, index, direction);
+  const Drive& limited = model.motor(joint).drive;
+  event.by = limited.label;
+  event.upper = (model.gain(joint, index) * direction > 0) == (limited.direction > 0);
+  event.limit = event.upper ? limited.max : limited.min;
   return event;
 }
 
@@ -57,26 +71,19 @@ bool add_to_error(MotorState& motor, int counts) {
   return sum != motor.error;
 }
 
-Obstacle obstacle(const Model& model, const State& state, const Positions& positions, int index) {
+Blocked obstacle(const Model& model, const State& state, const Positions& positions, int index) {
   const int direction = sign(state.motor(index).error);
   const bool squeezes = state.held && index == model.tool_index() && !opens_jaws(model, direction);
-  if (squeezes) return {Blocked::kBlock, -1, false};
-  for (const Driven& driven : model.driven_by(index)) {
-    const int change = driven.gain * direction;
-    const Counts next = positions[driven.joint] + change;
-    const MotorModel& joint = model.motor(driven.joint);
-    // A joint that stands past a limit may always come back.
-    if (change > 0 && next > joint.high) return {Blocked::kLimit, driven.joint, true};
-    if (change < 0 && next < joint.low) return {Blocked::kLimit, driven.joint, false};
-  }
-  return {};
+  if (squeezes) return Blocked::kBlock;
+  const bool limited = limited_joint(model, positions, index, direction) >= 0;
+  return limited ? Blocked::kLimit : Blocked::kNo;
 }
 
 Turned turn_motors(const Model& model, State& state, Positions& positions) {
   Turned turned;
   for (int i = 0; i < model.motor_count(); ++i) {
     if (!gathers_a_count(state.motor(i))) continue;
-    if (obstacle(model, state, positions, i).why != Blocked::kNo) continue;  // marked afterwards
+    if (obstacle(model, state, positions, i) != Blocked::kNo) continue;  // marked afterwards
     turned.any = true;
     if (i == model.tool_index()) return turn_tool(model, state, positions, turned);
     make_count(model, state, positions, i);
@@ -93,12 +100,11 @@ void update_blocked(const Model& model, State& state, const Positions& positions
       motor.blocked = Blocked::kNo;
       continue;
     }
-    const Obstacle in_the_way = obstacle(model, state, positions, i);
-    motor.blocked = in_the_way.why;
-    if (in_the_way.why == Blocked::kNo) continue;
+    motor.blocked = obstacle(model, state, positions, i);
+    if (motor.blocked == Blocked::kNo) continue;
     motor.phase = 0;
     if (before == Blocked::kNo)
-      events.push_back({state.tick, blocked_event(model, state, i, in_the_way)});
+      events.push_back({state.tick, blocked_event(model, state, positions, i)});
   }
 }
 

@@ -28,17 +28,9 @@ inline Tick ticks_to_count(const MotorState& motor) {
   return (kPhasePerCount - motor.phase + motor.speed - 1) / motor.speed;
 }
 
-/// What stands in the way of the next count of a motor that has one to make.
-struct Obstacle {
-  Blocked why = Blocked::kNo;
-  int joint = -1;     ///< whose limit, for kLimit
-  bool high = false;  ///< at the high end of its positions
-  bool operator==(const Obstacle&) const = default;
-};
-
-/// The limit, of any joint that it moves, which motor `index` would pass with its next count, or the
-/// block that the jaws hold.
-Obstacle obstacle(const Model& model, const State& state, const Positions& positions, int index);
+/// What stands in the way of the next count of a motor that has one to make: the limit of a joint that
+/// it moves, or the block that the jaws hold.
+Blocked obstacle(const Model& model, const State& state, const Positions& positions, int index);
 
 /// What the motors did in a tick.
 struct Turned {

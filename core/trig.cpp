@@ -1,24 +1,32 @@
 #include "core/trig.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace xr3 {
 namespace {
 
-// Taylor series by Horner's rule; |x| <= pi/4, where the first term left out is below 1e-17.
-double sine_near_zero(double x) {
-  const double x2 = x * x;
-  double sum = 1.0;
-  for (int n = 16; n >= 2; n -= 2) sum = 1.0 - sum * x2 / static_cast<double>(n * (n + 1));
-  return x * sum;
-}
+constexpr int kTerms = 18;
 
-double cosine_near_zero(double x) {
-  const double x2 = x * x;
+// 1 / (n (n + 1)): what a term of either series is of the one before, but for -x^2.
+constexpr std::array<double, kTerms> kShrink = [] {
+  std::array<double, kTerms> shrink{};
+  for (int n = 1; n < kTerms; ++n) shrink[static_cast<std::size_t>(n)] = 1.0 / (n * (n + 1));
+  return shrink;
+}();
+
+// Taylor series by Horner's rule; |x| <= pi/4, where the first term left out is below 1e-17.
+template <int first, int last>
+double series(double x2) {
   double sum = 1.0;
-  for (int n = 17; n >= 1; n -= 2) sum = 1.0 - sum * x2 / static_cast<double>(n * (n + 1));
+  for (int n = last; n >= first; n -= 2)
+    sum = 1.0 - sum * (x2 * kShrink[static_cast<std::size_t>(n)]);
   return sum;
 }
+
+double sine_near_zero(double x) { return x * series<2, 16>(x * x); }
+
+double cosine_near_zero(double x) { return series<1, 17>(x * x); }
 
 }  // namespace
 
