@@ -1,5 +1,6 @@
 // What the tests of the page share: a running xr3, a serial line, and a page in Debian's Chromium driven by
 // Playwright, which fails the test on any error in the console. Nothing here sleeps to wait.
+import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { once } from "node:events";
 import { connect } from "node:net";
@@ -18,10 +19,16 @@ export async function serve(...options) {
   });
   const [greeting] = await once(child.stdout, "data");
   const [, robot, monitor] = /robot=\S+:(\d+) monitor=\S+:(\d+)/.exec(String(greeting));
+  const state = async () => (await fetch(`http://localhost:${monitor}/state`)).json();
   return {
     robot: Number(robot), monitor: Number(monitor), url: `http://localhost:${monitor}/`, pid: child.pid,
     get: async (path) => (await fetch(`http://localhost:${monitor}${path}`)).text(),
-    state: async () => (await fetch(`http://localhost:${monitor}/state`)).json(),
+    state,
+    /** Asks until nothing moves: bytes that were sent before have acted. */
+    async rest() {
+      const deadline = Date.now() + kDeadlineMs;
+      while ((await state()).moving) if (Date.now() > deadline) throw new Error("it does not come to rest");
+    },
     async stop(signal = "SIGTERM") {
       const ended = once(child, "exit");
       child.kill(signal);
@@ -57,3 +64,20 @@ export async function open(url, options = {}) {
 export const ready = (page) => page.waitForFunction(() => window.xr3?.known.model && window.xr3?.known.state && window.xr3?.tipDrawn());
 
 export const close = async () => browser?.close();
+
+/** Errors that are not of the page: software rendering says that it is slow. */
+export const ofThePage = (page) => page.errors.filter((text) => !/GPU stall|GL Driver|swiftshader/i.test(text));
+
+/** Runs `act` on a page of a server of its own; any error in the console fails it. */
+export async function withPage(options, act, pageOptions) {
+  const server = await serve(...options);
+  const page = await open(server.url, pageOptions);
+  try {
+    await ready(page);
+    await act(page, server);
+    assert.deepEqual(ofThePage(page), []);
+  } finally {
+    await page.context().close();
+    await server.stop("SIGKILL");
+  }
+}

@@ -3,28 +3,13 @@ import assert from "node:assert/strict";
 import { createServer } from "node:http";
 import { stat } from "node:fs/promises";
 import { after, test } from "node:test";
-import { close, open, ready, root, serve, type } from "./bench.mjs";
+import { close, ofThePage, open, ready, root, serve, type, withPage } from "./bench.mjs";
 
 after(close);
 
 const kRobots = ["rhino-xr3", "adept-one", "intelledex-660"];
 const near = (a, b, tolerance) => a.every((v, i) => Math.abs(v - b[i]) <= tolerance);
-/** Errors that are not of the page: software rendering says that it is slow. */
-const ofThePage = (page) => page.errors.filter((text) => !/GPU stall|GL Driver|swiftshader/i.test(text));
 const screenshots = process.env.XR3_SCREENSHOTS;
-
-async function withPage(options, act, pageOptions) {
-  const server = await serve(...options);
-  const page = await open(server.url, pageOptions);
-  try {
-    await ready(page);
-    await act(page, server);
-    assert.deepEqual(ofThePage(page), []);
-  } finally {
-    await page.context().close();
-    await server.stop("SIGKILL");
-  }
-}
 
 for (const robot of kRobots) {
   test(`${robot}: the page's own tip, the drawn one and the server's are the same`, () =>
@@ -96,7 +81,7 @@ test("a stall is shown and the home key clears it", () =>
   withPage(["--clock", "real:50"], async (page, server) => {
     for (let i = 0; i < 20 && !(await server.state()).stalled; ++i) {
       await type(server.robot, "E-120\r");
-      await page.waitForFunction(() => !window.xr3.known.state.moving || window.xr3.known.state.stalled);
+      await server.rest();
     }
     await page.waitForSelector("#alarm:not([hidden])");
     assert.match(await page.textContent("#alarm"), /^Stalled/);
