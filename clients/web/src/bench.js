@@ -1,0 +1,59 @@
+// The lower part of the page: its tabs, and the buttons beside the wire's and the workcell's panels.
+import { byId, setText } from "./dom.js";
+import { colorOptions } from "./workcell_panel.js";
+
+const kTurnDegrees = 5;
+
+/** Tabs, with arrow keys. */
+export function wireTabs() {
+  const tabs = [...document.querySelectorAll("[role=tab]")];
+  tabs.forEach((tab, i) => {
+    tab.onclick = () => chooseTab(tabs, tab);
+    tab.onkeydown = (event) => {
+      const way = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+      if (!way) return;
+      const next = tabs[(i + way + tabs.length) % tabs.length];
+      chooseTab(tabs, next);
+      next.focus();
+    };
+  });
+}
+
+function chooseTab(tabs, tab) {
+  for (const each of tabs) {
+    const isChosen = each === tab;
+    each.setAttribute("aria-selected", String(isChosen));
+    each.tabIndex = isChosen ? 0 : -1;
+    byId(each.getAttribute("aria-controls")).hidden = !isChosen;
+  }
+}
+
+/** The buttons above the bytes. */
+export function wireWireBar(wire, onError) {
+  byId("wire-pause").onclick = ({ target }) => {
+    wire.setPaused(!wire.isPaused);
+    target.setAttribute("aria-pressed", String(wire.isPaused));
+    setText(target, wire.isPaused ? "Go on" : "Pause");
+  };
+  byId("wire-clear").onclick = () => wire.clear();
+  byId("wire-copy").onclick = () => navigator.clipboard?.writeText(wire.transcript()).catch(onError);
+  byId("wire-save").onclick = () => wire.save();
+}
+
+/** The buttons beside the plan. */
+export function wireWorkcellBar(workcell) {
+  byId("block-color").replaceChildren(...colorOptions());
+  byId("turn-left").onclick = () => workcell.turn(kTurnDegrees);
+  byId("turn-right").onclick = () => workcell.turn(-kTurnDegrees);
+  byId("block-remove").onclick = () => workcell.remove();
+  byId("block-form").onsubmit = (event) => {
+    event.preventDefault();
+    const size = byId("block-size").value.trim().split(/\s+/).map(Number);
+    workcell.add({ name: byId("block-name").value.trim(), size, color: Number(byId("block-color").value) });
+  };
+  byId("workcell-save").onclick = () => workcell.save();
+  byId("workcell-load").onchange = async ({ target }) => {
+    if (target.files[0]) await workcell.load(target.files[0]);
+    target.value = "";
+  };
+}

@@ -1,0 +1,53 @@
+// The two views and what stands around them: which is seen, from where, with what in it, the status line and
+// what is said of the display. What the views draw is their own affair.
+import { kStatusWords } from "./command_mode.js";
+import { byId, el, setText } from "./dom.js";
+
+export class Stage {
+  /** `follow(options)` follows the display channel; `call` asks the server; `run` carries out a function of command mode. */
+  constructor({ scene, paper, follow, call, run }) {
+    Object.assign(this, { scene, paper, follow });
+    for (const name of ["solid", "paper"]) byId(`view-${name}`).onclick = () => this.choose(name);
+    this.#solidTools();
+    this.#paperTools(run);
+    this.#statusLine(call);
+  }
+
+  choose(name) {
+    for (const each of ["solid", "paper"]) {
+      byId(each).hidden = each !== name;
+      byId(`${each}-tools`).hidden = each !== name;
+      byId(`view-${each}`).setAttribute("aria-checked", String(each === name));
+    }
+    // The wire frame is the dearest of all messages: often only while somebody looks at it.
+    this.follow({ max_hz: name === "paper" ? 10 : 2 });
+  }
+
+  setDisplay(display) {
+    this.paper.setDisplay(display);
+    setText(byId("status-text"), display.status.text);
+    byId("status-option").value = String(display.status.option);
+    const note = display.on ? `every ${display.period_ticks / 1000} s, ${display.erase ? "erased" : "not erased"} before`
+      : "The program has its display off: A# or the button turns it on.";
+    setText(byId("display-note"), note);
+  }
+
+  #solidTools() {
+    const { scene } = this;
+    for (const button of document.querySelectorAll("[data-look]")) button.onclick = () => scene.lookFrom(button.dataset.look);
+    for (const box of document.querySelectorAll("[data-show]")) box.onchange = () => scene.show(box.dataset.show, box.checked);
+    byId("clear-path").onclick = () => scene.clearPath();
+  }
+
+  #paperTools(run) {
+    byId("ink").onchange = (event) => this.paper.setInk(event.target.value);
+    byId("live").onchange = (event) => this.paper.setLive(event.target.checked);
+    byId("display-on").onclick = () => run("display");
+  }
+
+  #statusLine(call) {
+    const option = byId("status-option");
+    option.replaceChildren(...kStatusWords.map((words, i) => el("option", { value: String(i) }, `${i} ${words}`)));
+    option.onchange = () => call("key", { function: "status", value: Number(option.value) });
+  }
+}

@@ -1,0 +1,48 @@
+// Time in the header: the clock, pause, step and speed. Between two messages time goes on, and so does the
+// clock: what needs the tick of this moment asks here.
+import { byId, el, setText } from "./dom.js";
+
+const kStepTicks = 100;
+const kClockEveryMs = 100;
+
+export class TimeBar {
+  /** `call(fn, args)` asks the server; `isOpen()` and `mayCall()` tell of the connection; `onTick(tick)` follows time. */
+  constructor({ known, call, isOpen, mayCall, onTick }) {
+    Object.assign(this, { known, mayCall, onTick });
+    byId("pause").onclick = () => call(known.state?.clock.mode === "manual" ? "resume" : "pause");
+    byId("step").onclick = () => call("step", { ticks: kStepTicks, fields: [] });
+    byId("rate").onchange = (event) => call("rate", { factor: Number(event.target.value) });
+    setInterval(() => known.state && isOpen() && this.#follow(), kClockEveryMs);
+  }
+
+  setState({ clock, tick }) {
+    const isStanding = clock.mode === "manual";
+    setText(byId("pause"), isStanding ? "Resume" : "Pause");
+    byId("step").disabled = !isStanding || !this.mayCall();
+    this.#showRate(clock.rate);
+    this.#showTick(tick);
+  }
+
+  #showRate(wanted) {
+    const rate = byId("rate");
+    const optionOf = () => [...rate.options].find((option) => Number(option.value) === wanted);
+    if (!optionOf()) rate.append(el("option", { value: String(wanted) }, `${wanted} ×`));
+    rate.value = optionOf().value;
+  }
+
+  #showTick(tick) {
+    setText(byId("clock"), `${(tick / this.known.hello.tick_hz).toFixed(3)} s`);
+  }
+
+  #follow() {
+    const tick = this.tickNow();
+    this.#showTick(tick);
+    this.onTick(tick);
+  }
+
+  tickNow() {
+    const { state, hello, arrival } = this.known;
+    if (state.clock.mode === "manual") return state.tick;
+    return Math.floor(state.tick + ((performance.now() - arrival) / 1000) * state.clock.rate * hello.tick_hz);
+  }
+}
