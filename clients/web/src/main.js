@@ -156,7 +156,7 @@ connection.open();
 
 // For tests and pictures: what is known and what is drawn.
 window.xr3 = {
-  known, transcriptLine,
+  known, transcriptLine, scene, paper,
   step: (ticks) => call("step", { ticks, fields: [] }),
   tip: () => known.model && tip(known.model.robot, known.state.joints.map((joint) => joint.value)),
   tipDrawn: () => scene.tipDrawn(),

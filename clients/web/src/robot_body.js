@@ -1,0 +1,88 @@
+// The robot as solids: links, fingers and the axes of its tool's frame, posed by the values of its joints.
+import * as THREE from "three";
+import { frames, mmPerUnit } from "./kinematics.js";
+import { solidOf } from "./solid_mesh.js";
+import { themes } from "./scene_theme.js";
+
+const kAxesMm = 60;
+const matrixOf = (rows) => new THREE.Matrix4().set(...rows.flat());
+
+export class RobotBody {
+  constructor() {
+    this.group = new THREE.Group();
+    this.group.name = "robot";
+    this.links = [];
+    this.fingers = [];
+    this.showsFrame = true;
+  }
+
+  build(robot, theme) {
+    this.robot = robot;
+    this.unit = mmPerUnit(robot);
+    this.group.clear();
+    const edge = themes[theme].edge;
+    this.links = robot.links.map((link, k) => this.#link(link, k, edge));
+    this.group.add(...this.links);
+    this.fingers = robot.tool.parts.map((part) => this.#finger(part, edge));
+    this.frameAxes = this.#mark(new THREE.AxesHelper(kAxesMm), "tool frame");
+    this.frameAxes.visible = this.showsFrame;
+    this.tipMark = this.#mark(new THREE.Object3D(), "tip");
+    this.links.at(-1).add(...this.fingers, this.frameAxes, this.tipMark);
+  }
+
+  #link({ points, color }, k, edge) {
+    const group = new THREE.Group();
+    group.name = `link${k}`;
+    group.matrixAutoUpdate = false;
+    group.add(solidOf(points, this.unit, color, edge));
+    return group;
+  }
+
+  #finger({ side, pivot, points, color }, edge) {
+    const finger = solidOf(points, this.unit, color, edge);
+    finger.userData = { side, pivot: (pivot ?? [0, 0, 0]).map((x) => x * this.unit) };
+    return finger;
+  }
+
+  #mark(object, name) {
+    object.name = name;
+    return object;
+  }
+
+  showFrame(isShown) {
+    this.showsFrame = isShown;
+    if (this.frameAxes) this.frameAxes.visible = isShown;
+  }
+
+  /** `values` are the joints' and, last, the tool's. */
+  pose(values) {
+    frames(this.robot, values).forEach((frame, k) => {
+      this.links[k].matrix.copy(matrixOf(frame));
+      this.links[k].matrixWorldNeedsUpdate = true;
+    });
+    for (const finger of this.fingers) this.#poseFinger(finger, values.at(-1));
+  }
+
+  #poseFinger(finger, opening) {
+    const { side, pivot } = finger.userData;
+    if (this.robot.tool.kind === "parallel") {
+      finger.position.y = (side * opening) / 2;
+      return;
+    }
+    finger.rotation.x = THREE.MathUtils.degToRad((side * opening) / 2);
+    const shift = new THREE.Vector3(...pivot);
+    finger.position.copy(shift).sub(shift.clone().applyEuler(finger.rotation));
+  }
+
+  /** The tool's frame as a matrix, mm. */
+  get toolFrame() {
+    return this.links.at(-1).matrix;
+  }
+
+  /** Where the tip is drawn, mm: read back from the scene graph. */
+  tipDrawn() {
+    if (!this.tipMark) return null;
+    this.group.updateMatrixWorld(true);
+    return new THREE.Vector3().setFromMatrixPosition(this.tipMark.matrixWorld).toArray();
+  }
+}

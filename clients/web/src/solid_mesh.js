@@ -1,0 +1,39 @@
+// What the renderer needs of a solid: the faces that `solids.js` finds in an outline, with its strokes as
+// edges upon them. An outline without faces stays lines in its own colour.
+import * as THREE from "three";
+import { colorOf } from "./palette.js";
+import { prisms, segments, strokes, triangles } from "./solids.js";
+
+// Faces lie a little behind their edges, which are drawn in the same planes.
+const kBehindEdges = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+
+export const faceMaterial = (colorIndex, more = {}) =>
+  new THREE.MeshLambertMaterial({ color: colorOf(colorIndex), ...kBehindEdges, ...more });
+
+export const lineMaterial = (color, opacity) => new THREE.LineBasicMaterial({ color, transparent: true, opacity });
+
+function geometryOf(points) {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.Float32BufferAttribute(points.flat(), 3));
+  return geometry;
+}
+
+const triangulate = (flat) => THREE.ShapeUtils.triangulateShape(flat.map(([x, y]) => new THREE.Vector2(x, y)), []);
+
+function faces(points, colorIndex) {
+  const geometry = geometryOf(points);
+  geometry.computeVertexNormals();
+  return new THREE.Mesh(geometry, faceMaterial(colorIndex, { side: THREE.DoubleSide, flatShading: true }));
+}
+
+/** The solid of an outline (lengths in `unit` mm) with its edges in `edgeColor`. */
+export function solidOf(outline, unit, colorIndex, edgeColor) {
+  const group = new THREE.Group();
+  const all = strokes(outline, unit);
+  const points = prisms(all).flatMap((prism) => triangles(prism, triangulate));
+  const isBare = points.length === 0;
+  if (!isBare) group.add(faces(points, colorIndex));
+  const ink = isBare ? lineMaterial(colorOf(colorIndex), 1) : lineMaterial(edgeColor, 0.75);
+  group.add(new THREE.LineSegments(geometryOf(segments(all)), ink));
+  return group;
+}
