@@ -46,6 +46,15 @@ export async function type(port, bytes) {
   await once(socket, "close");
 }
 
+/** A call by another client of the monitor port; gives the result. */
+export async function call(port, fn, args = {}) {
+  const socket = connect(port, "127.0.0.1");
+  socket.end(`${JSON.stringify({ op: "call", id: 1, fn, args })}\n`);
+  let text = "";
+  for await (const chunk of socket) text += chunk;
+  return text.split("\n").filter(Boolean).map((line) => JSON.parse(line)).find((message) => message.op === "result");
+}
+
 let browser;
 export async function open(url, options = {}) {
   browser ??= await chromium.launch({ executablePath: "/usr/bin/chromium", args: kFlags });

@@ -29,14 +29,14 @@ function chooseTab(tabs, tab) {
 }
 
 /** The buttons above the bytes. */
-export function wireWireBar(wire, onError) {
+export function wireWireBar(wire) {
   byId("wire-pause").onclick = ({ target }) => {
     wire.setPaused(!wire.isPaused);
     target.setAttribute("aria-pressed", String(wire.isPaused));
     setText(target, wire.isPaused ? "Go on" : "Pause");
   };
   byId("wire-clear").onclick = () => wire.clear();
-  byId("wire-copy").onclick = () => navigator.clipboard?.writeText(wire.transcript()).catch(onError);
+  byId("wire-copy").onclick = () => wire.copy();
   byId("wire-save").onclick = () => wire.save();
 }
 

@@ -48,12 +48,12 @@ export class Connection {
   #take(message) {
     if (message.op === "hello") return this.#greeted(message);
     if (message.op === "event" || message.op === "line") this.lastSeq.set(message.op, message.seq);
-    const waiting = message.op === "result" || message.op === "pong" ? this.pending.get(message.id) : null;
-    if (!waiting) return this.handlers.onMessage(message);
+    const waiting = this.pending.get(message.id);
+    if (!waiting || !["result", "pong", waiting.channel].includes(message.op)) return this.handlers.onMessage(message);
     this.pending.delete(message.id);
     clearTimeout(waiting.timer);
     if (message.ok === false) waiting.reject(new Refused(message.error));
-    else waiting.resolve(message.value);
+    else waiting.resolve(message.op === waiting.channel ? message : message.value);
   }
 
   async #greeted(hello) {
@@ -73,8 +73,11 @@ export class Connection {
     if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(message));
   }
 
-  /** Asks and waits for the value of the result; rejects with Refused, or when the connection is lost. */
-  request(message) {
+  /**
+   * Asks and waits for the value of the result, or for the message of `channel`, where one is named, that bears
+   * the id; rejects with Refused, or when the connection is lost.
+   */
+  request(message, channel) {
     const id = ++this.lastId;
     return new Promise((resolve, reject) => {
       if (this.socket?.readyState !== WebSocket.OPEN) return reject(new Error("not connected"));
@@ -82,13 +85,18 @@ export class Connection {
         this.pending.delete(id);
         reject(new Error("the server did not answer"));
       }, kAnswerWithinMs);
-      this.pending.set(id, { resolve, reject, timer });
+      this.pending.set(id, { resolve, reject, timer, channel });
       this.#send({ ...message, id });
     });
   }
 
   call(fn, args = {}) {
     return this.request({ op: "call", fn, args });
+  }
+
+  /** The newest message of `state`, `model`, `image` or `display`, as the server has it now. */
+  get(channel, options = {}) {
+    return this.request({ op: "get", channel, ...options }, channel);
   }
 
   async authorize(token) {

@@ -31,22 +31,53 @@ export function download(name, text, type = "text/plain") {
   setTimeout(() => URL.revokeObjectURL(url), 1000);
 }
 
-/** Calls `act` at once and again while a button is held, by mouse, finger or keyboard. */
-export function whileHeld(button, act, everyMs = 120) {
+/** Puts a text on the clipboard, on plain http, too; tells whether that went well. */
+export async function copyText(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    return copyBySelection(text); // only https and localhost have a clipboard
+  }
+}
+function copyBySelection(text) {
+  const before = document.activeElement;
+  const area = el("textarea.unseen", { value: text, readOnly: true });
+  document.body.append(area);
+  area.select();
+  const isCopied = document.execCommand("copy");
+  area.remove();
+  before?.focus();
+  return isCopied;
+}
+
+/**
+ * Calls `act` at once, with true, and again, with false, while a button is held by mouse, finger or keyboard:
+ * every so many ms, but not before the last call has come to its end.
+ */
+export function whileHeld(button, act, everyMs = 60) {
   let timer = null;
+  let isUnderWay = false;
+  const again = async () => {
+    if (isUnderWay) return;
+    isUnderWay = true;
+    await act(false);
+    isUnderWay = false;
+  };
   const stop = () => {
     clearInterval(timer);
     timer = null;
   };
   const start = () => {
     if (timer || button.disabled) return;
-    act();
-    timer = setInterval(act, everyMs);
+    act(true);
+    timer = setInterval(() => (button.isConnected ? again() : stop()), everyMs);
   };
   button.addEventListener("pointerdown", (event) => {
     if (event.button === 0) start();
   });
   for (const end of ["pointerup", "pointerleave", "pointercancel", "blur", "keyup"]) button.addEventListener(end, stop);
+  button.addEventListener("contextmenu", (event) => timer && event.preventDefault()); // a finger that rests
   button.addEventListener("keydown", (event) => {
     if (event.key === " " || event.key === "Enter") {
       event.preventDefault();
@@ -54,3 +85,6 @@ export function whileHeld(button, act, everyMs = 120) {
     }
   });
 }
+
+/** Whether two values say the same, as far as JSON goes. */
+export const isSame = (a, b) => JSON.stringify(a) === JSON.stringify(b);

@@ -1,7 +1,9 @@
 // The joint table: count, value, error counter, speed, switch, blocked, and a bar against the limits.
-import { el, setText } from "./dom.js";
+import { el, isSame, setText } from "./dom.js";
 
-const digits = (unit) => (unit === "mm" ? 1 : 2);
+const kManyDigits = 1000; // a roll of a thousand turns needs no hundredths
+const digits = ({ unit, value }) => (Math.abs(value) >= kManyDigits ? 0 : unit === "mm" ? 1 : 2);
+const shown = (joint) => `${joint.value.toFixed(digits(joint))}${joint.unit === "deg" ? "°" : " mm"}`;
 
 export class JointTable {
   constructor(body) {
@@ -9,8 +11,11 @@ export class JointTable {
     this.rows = new Map();
   }
 
-  setModel(model) {
-    const { joints, tool } = model.robot;
+  /** A model comes whenever a block moves; the rows stay as long as the robot is the same. */
+  setModel({ robot }) {
+    if (isSame(robot, this.robot)) return;
+    this.robot = robot;
+    const { joints, tool } = robot;
     this.files = [...joints, { ...tool, name: "tool" }];
     this.body.replaceChildren(...this.files.map((file) => this.#row(file)));
   }

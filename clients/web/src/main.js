@@ -16,7 +16,8 @@ import { PaperView } from "./paper_view.js";
 import { Scene } from "./scene.js";
 import { Stage } from "./stage.js";
 import { TimeBar } from "./time_bar.js";
-import { WirePanel, transcriptLine } from "./wire_panel.js";
+import { WirePanel } from "./wire_panel.js";
+import { transcriptLine } from "./wire_words.js";
 import { WorkcellPanel } from "./workcell_panel.js";
 
 const known = {}; // the newest hello, model, state and display, and when the state came
@@ -45,10 +46,10 @@ const paper = new PaperView(byId("paper-canvas"));
 const joints = new JointTable(byId("joints"));
 const camera = new CameraPanel(byId("camera"), byId("camera-caption"));
 const lines = new DigitalLines({ setInput: (i, value) => call("input", { input: i + 1, value }) });
-const wire = new WirePanel({ list: byId("wire"), filter: byId("wire-filter"), count: byId("wire-count") });
+const wire = new WirePanel({ list: byId("wire"), filter: byId("wire-filter"), count: byId("wire-count"), said: byId("wire-said") });
 const consolePanel = new ConsolePanel({
   form: byId("console-form"), input: byId("console-input"), log: byId("console-log"), jog: byId("jog"), step: byId("jog-step"),
-  send: (text) => connection.call("send", { text }), onError: tellError,
+  send: (text) => connection.call("send", { text }), getState: (fields) => connection.get("state", { fields }), onError: tellError,
 });
 const workcell = new WorkcellPanel({
   plan: byId("plan"), form: byId("block-form"), chosen: byId("chosen"), call: (fn, args) => connection.call(fn, args), onError: tellError,
@@ -65,7 +66,7 @@ byId("home").onclick = () => call("home");
 byId("reset").onclick = () => call("reset");
 byId("outlines").onchange = (event) => camera.setOutlines(event.target.checked);
 wireTabs();
-wireWireBar(wire, tellError);
+wireWireBar(wire);
 wireWorkcellBar(workcell);
 
 // --- What the server tells.
@@ -84,6 +85,7 @@ function takeHello(hello) {
   document.title = `${hello.robot.name} – xr3`;
   setText(byId("robot-name"), hello.robot.name + (hello.compat === "paper" ? "" : ` (${hello.compat})`));
   access.set(hello.access);
+  consolePanel.restart();
   connection.recall("line").catch(() => {});
 }
 

@@ -1,19 +1,13 @@
 // Every byte in and out, by line, with what the controller made of it: what a serial analyser shows.
-import { download, el } from "./dom.js";
+import { copyText, download, el, setText } from "./dom.js";
+import { counted, isWarning, transcriptLine } from "./wire_words.js";
 
 const kMostRows = 1024;
-const kWarnings = /unknown|range|no_joint|incomplete|bad_|disabled|overflow|no_such|narrow|below|suppressed|held_back/;
-
-/** One `line` or warning message as a line of a transcript. */
-export function transcriptLine(message) {
-  const arrow = message.dir === "in" ? ">" : "<";
-  const made = message.parsed.map((item) => item.message).join("; ");
-  return `@${message.tick} line ${message.line} ${arrow} ${message.text}${made ? `    # ${made}` : ""}`;
-}
+const kMostSeen = 8 * kMostRows;
 
 export class WirePanel {
-  constructor({ list, filter, count }) {
-    Object.assign(this, { list, filter, count });
+  constructor({ list, filter, count, said }) {
+    Object.assign(this, { list, filter, count, said });
     this.messages = [];
     this.seen = new Set();
     this.isPaused = false;
@@ -25,8 +19,15 @@ export class WirePanel {
     const key = `${message.op}${message.seq}`;
     if (this.seen.has(key)) return;
     this.seen.add(key);
-    if (this.isPaused) this.waiting.push(message);
+    if (this.seen.size > kMostSeen) this.seen.delete(this.seen.values().next().value);
+    if (this.isPaused) this.#wait(message);
     else this.#add(message);
+  }
+
+  #wait(message) {
+    this.waiting.push(message);
+    if (this.waiting.length > kMostRows) this.waiting.shift();
+    this.#tell();
   }
 
   lag({ channel, missed }) {
@@ -37,6 +38,7 @@ export class WirePanel {
     this.isPaused = isPaused;
     if (isPaused) return;
     for (const message of this.waiting.splice(0)) this.#add(message);
+    this.#tell();
   }
 
   /** The server was started anew: its numbers begin again. */
@@ -45,6 +47,7 @@ export class WirePanel {
   }
   clear() {
     this.messages = [];
+    this.waiting = [];
     this.list.replaceChildren();
     this.#tell();
   }
@@ -78,27 +81,44 @@ export class WirePanel {
     const words = el("span.words");
     message.parsed.forEach((item, i) => {
       if (i > 0) words.append(" · ");
-      words.append(el(kWarnings.test(item.code) ? "span.warning" : "span", {}, item.message));
+      words.append(el(isWarning(item.code) ? "span.warning" : "span", {}, item.message));
     });
     row.append(words);
     return row;
   }
 
+  #fitting() {
+    return this.messages.filter((message) => this.#fits(message));
+  }
+
   #refresh() {
-    this.list.replaceChildren(...this.messages.filter((message) => this.#fits(message)).map((message) => this.#row(message)));
+    this.list.replaceChildren(...this.#fitting().map((message) => this.#row(message)));
     this.list.scrollTop = this.list.scrollHeight;
     this.#tell();
   }
 
   #tell() {
-    this.count.textContent = this.messages.length === 0 ? "No byte yet: connect to the robot port, or use the console."
-      : `${this.messages.length} messages`;
+    const wait = this.waiting.length > 0 ? `, ${this.waiting.length} more wait` : "";
+    setText(this.count, this.#countWords() + wait);
+  }
+  #countWords() {
+    const all = counted(this.messages.length, "message");
+    if (this.messages.length === 0) return this.isPaused ? all : "No byte yet: connect to the robot port, or use the console.";
+    return this.filter.value.trim() ? `${this.list.querySelectorAll("li:not(.lag)").length} of ${all}` : all;
   }
 
   transcript() {
-    return this.messages.filter((message) => this.#fits(message)).map(transcriptLine).join("\n") + "\n";
+    return this.#fitting().map(transcriptLine).join("\n") + "\n";
   }
   save() {
     download("transcript.txt", this.transcript());
+  }
+
+  /** Copies what is shown; where the browser allows no page to do it, it is selected for the person to copy. */
+  async copy() {
+    const isCopied = await copyText(this.transcript());
+    if (!isCopied) getSelection().selectAllChildren(this.list);
+    setText(this.said, isCopied ? `Copied ${counted(this.#fitting().length, "line")}.`
+      : "This browser lets no page copy: the bytes are selected, press Ctrl-C.");
   }
 }

@@ -1,0 +1,49 @@
+// The console: what was sent, what came back byte for byte, and words beside the bytes that they are about.
+import assert from "node:assert/strict";
+import { after, test } from "node:test";
+import { close, withPage } from "./bench.mjs";
+
+after(close);
+
+async function enter(page, ...texts) {
+  for (const text of texts) {
+    await page.fill("#console-input", text);
+    await page.press("#console-input", "Enter");
+  }
+}
+const row = (page, n) => page.locator(`#console-log li:nth-child(${n})`);
+
+test("a reply of several blanks is shown with all of them", () =>
+  withPage(["--clock", "manual"], async (page) => {
+    await page.click("#tab-console");
+    await enter(page, "E?D?C?");
+    await page.waitForSelector("#console-log .reply");
+    assert.match(await page.locator("#console-log .reply").innerText(), /'   ' 0x202020/);
+  }));
+
+test("explanations stand beside their own command, however quickly commands follow each other", () =>
+  withPage(["--clock", "manual"], async (page) => {
+    await page.click("#tab-console");
+    await page.evaluate(() => {
+      const input = document.querySelector("#console-input");
+      for (const text of ["D?", "J", "E+", "7"]) {
+        input.value = text;
+        document.querySelector("#console-form").requestSubmit();
+      }
+    });
+    await page.waitForFunction(() => /move E \+7/.test(document.querySelector("#console-log li:nth-child(4)")?.textContent));
+    assert.match(await row(page, 1).textContent(), /how far D has.*D: 0 counts/);
+    assert.match(await row(page, 2).textContent(), /^J → ' ' 0x20 · (?!.*\bD\b)/);
+    assert.doesNotMatch(await row(page, 3).textContent(), /move/);
+  }));
+
+test("a warning has the colour of warnings", () =>
+  withPage(["--clock", "manual"], async (page) => {
+    await page.click("#tab-console");
+    await enter(page, "E+300");
+    await page.waitForSelector("#console-log .warning:has-text('not obeyed')");
+    const [shown, wanted] = await page.evaluate(() => [
+      getComputedStyle(document.querySelector("#console-log .warning")).color,
+      getComputedStyle(Object.assign(document.querySelector("#alarm"), { hidden: false })).color]);
+    assert.equal(shown, wanted);
+  }));

@@ -1,0 +1,55 @@
+// The wire panel: what it counts, what it holds back while paused, and copying with and without a clipboard.
+import assert from "node:assert/strict";
+import { after, test } from "node:test";
+import { close, type, withPage } from "./bench.mjs";
+
+after(close);
+
+const says = (page, pattern) =>
+  page.waitForFunction(([id, source]) => new RegExp(source).test(document.querySelector(id).textContent), ["#wire-count", pattern.source]);
+
+test("it counts in good English, with a filter, and while paused", () =>
+  withPage(["--clock", "manual"], async (page, server) => {
+    await type(server.robot, "E+5\r");
+    await says(page, /^1 message$/);
+    await type(server.robot, "D?");
+    await says(page, /^3 messages$/);
+    await page.fill("#wire-filter", "move E");
+    await says(page, /^1 of 3 messages$/);
+    await page.fill("#wire-filter", "");
+    await page.click("#wire-pause");
+    await type(server.robot, "C?");
+    await says(page, /^3 messages, 2 more wait$/);
+    await page.click("#wire-clear");
+    await says(page, /^0 messages$/);
+    await page.click("#wire-pause");
+    assert.equal(await page.locator("#wire li").count(), 0);
+  }));
+
+const withBytes = (act) => withPage(["--clock", "manual"], async (page, server) => {
+  await type(server.robot, "E+5\r");
+  await says(page, /^1 message$/);
+  await act(page);
+});
+
+test("copying says that it did, also where there is no clipboard, as on plain http", () =>
+  withBytes(async (page) => {
+    await page.evaluate(() => {
+      Object.defineProperty(navigator, "clipboard", { value: undefined });
+      document.addEventListener("copy", () => (window.copied = document.activeElement.value));
+    });
+    await page.click("#wire-copy");
+    await page.waitForSelector("#wire-said:has-text('Copied 1 line.')");
+    assert.match(await page.evaluate(() => window.copied), /move E \+5/);
+  }));
+
+test("where nothing may be copied, the bytes are selected and the page says so", () =>
+  withBytes(async (page) => {
+    await page.evaluate(() => {
+      Object.defineProperty(navigator, "clipboard", { value: { writeText: () => Promise.reject(new Error("no")) } });
+      document.execCommand = () => false;
+    });
+    await page.click("#wire-copy");
+    await page.waitForSelector("#wire-said:has-text('Ctrl-C')");
+    assert.match(await page.evaluate(() => String(getSelection())), /E\+5/);
+  }));
