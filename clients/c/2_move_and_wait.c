@@ -7,13 +7,18 @@
 #include "robot.h"
 
 /* Asks how far there is still to go until nothing is left. Between two questions it does nothing
-   for a while. */
+   for a while. A joint that is blocked would let us ask forever: we give up after STANDS_MS without
+   a count. */
 static void wait_for(int joint) {
   int left = robot_to_go(joint);
+  int still_ms = 0; /* for how long the counter has not changed */
   while (left > 0) {
     printf("  %d counts to go\n", left);
-    wait_ms(50);
+    wait_ms(PAUSE_MS);
+    int before = left;
     left = robot_to_go(joint);
+    still_ms = left == before ? still_ms + PAUSE_MS : 0;
+    if (still_ms >= STANDS_MS) robot_stands(joint, left);
   }
   printf("%c is there\n", LETTERS[joint]);
 }

@@ -19,18 +19,25 @@ int main(int argc, char *argv[]) {
   printf("F+40 E+80\n");
 
   int f = robot_to_go(F), e = robot_to_go(E);
+  int still_ms = 0; /* for how long neither counter has changed, as in example 2 */
   while (f > 0 || e > 0) {
     printf("  F %d, E %d counts to go\n", f, e);
-    wait_ms(50);
+    wait_ms(PAUSE_MS);
+    int before = f + e;
     f = robot_to_go(F);
     e = robot_to_go(E);
+    still_ms = f + e == before ? still_ms + PAUSE_MS : 0;
+    if (still_ms >= STANDS_MS && f > 0) robot_stands(F, f);
+    if (still_ms >= STANDS_MS && e > 0) robot_stands(E, e);
   }
   printf("both are there\n");
 
   /* And back again. robot_wait is example 2 once more, for one joint after the other. */
   robot_send("F-40 E-80\r");
-  robot_wait(F);
-  robot_wait(E);
+  f = robot_wait(F);
+  if (f > 0) robot_stands(F, f);
+  e = robot_wait(E);
+  if (e > 0) robot_stands(E, e);
   printf("both are back\n");
 
   robot_close();

@@ -9,8 +9,8 @@
 
 #include "robot.h"
 
-/* How far the jaws, joint A, are open: A is 50.8 mm open at count 0, and a count is 0.79375 mm. */
-enum { OPEN = 16 };
+/* The jaws, joint A, are 50.8 mm open at count 0, and a count is 0.79375 mm: 0 mm is count -64. */
+enum { OPEN = 16, SHUT = -64 };
 
 /* Where the motors have to be, in counts from the soft home, for the tool to be at a place.
    `xr3 kin --pose 262,0,20 --down 90` works out the one of the block: its middle is at x 262, y 0
@@ -49,6 +49,14 @@ int main(int argc, char *argv[]) {
      pressing. */
   robot_send("A-100\r");
   at[A] -= 100 - robot_wait(A);
+  if (at[A] <= SHUT) {
+    fprintf(stderr, "the jaws closed on nothing: is the block at x 262, y 0 mm? Restart the server "
+                    "to have it there (the examples 3 to 6 are for the Rhino XR-3 with its own "
+                    "workcell, in the profile paper)\n");
+    go(ABOVE_BLOCK); /* back to where the examples begin */
+    robot_go(HOME);
+    return 1;
+  }
   printf("the jaws closed on %.1f mm\n", 50.8 + 0.79375 * at[A]);
 
   go(ABOVE_BLOCK);

@@ -16,7 +16,7 @@
    2 mm. A byte of the picture has six pixels. */
 enum { PIXELS = 192, ROW_BYTES = PIXELS / 6 };
 
-enum { OPEN = 16 };                 /* counts of the open jaws */
+enum { OPEN = 16, SHUT = -64 };     /* counts of the jaws, as in example 5 */
 static const double Z = 20;         /* the largest block is 40 mm high: this is its middle */
 static const double ABOVE = 100;    /* how far above it the tool comes and goes, mm */
 
@@ -87,6 +87,7 @@ static struct place find_largest(void) {
     }
   }
   printf("blocks in the picture: %d\n", patches);
+  if (patches == 0) robot_give_up("the camera sees no block: is one on the table?");
   struct place found = measure(&largest);
   printf("the largest is at x %.0f, y %.0f mm, ", found.x, found.y);
   printf("turned %.0f degrees\n", found.angle);
@@ -121,6 +122,8 @@ static void open_jaws(void) {
   robot_go(wanted);
 }
 
+static const int HOME[JOINTS] = {0};
+
 int main(int argc, char *argv[]) {
   robot_connect(argc, argv);
   struct place block = find_largest();
@@ -130,6 +133,14 @@ int main(int argc, char *argv[]) {
   go_to(block, Z);
   robot_send("A-100\r"); /* as in example 5 */
   at[A] -= 100 - robot_wait(A);
+  if (at[A] <= SHUT) {
+    fprintf(stderr, "the jaws closed on nothing: is the block at x %.0f, y %.0f mm? (The examples "
+                    "3 to 6 are for the Rhino XR-3 with its own workcell, in the profile paper)\n",
+            block.x, block.y);
+    go_to(block, Z + ABOVE); /* back to where the examples begin */
+    robot_go(HOME);
+    return 1;
+  }
   printf("the jaws closed on %.1f mm\n", 50.8 + 0.79375 * at[A]);
   go_to(block, Z + ABOVE);
 
@@ -141,8 +152,7 @@ int main(int argc, char *argv[]) {
   printf("put down at x %.0f, y %.0f mm\n", target.x, target.y);
 
   find_largest();
-  const int home[JOINTS] = {0};
-  robot_go(home);
+  robot_go(HOME);
   printf("back at the start\n");
 
   robot_close();

@@ -1,3 +1,5 @@
+#define _POSIX_C_SOURCE 200809L /* the network is no part of C11: it comes from POSIX */
+
 #include "robot.h"
 
 #include <netdb.h>
@@ -16,19 +18,34 @@ int at[JOINTS];
 
 static int line = -1; /* the socket */
 
-static void give_up(const char *why) {
-  fprintf(stderr, "%s\n", why);
+void robot_give_up(const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  vfprintf(stderr, format, arguments);
+  va_end(arguments);
+  fprintf(stderr, "\n");
   exit(1);
 }
 
+/* A variable of the environment; one that is empty counts as not set. */
+static const char *setting(const char *name, const char *otherwise) {
+  const char *value = getenv(name);
+  return value != NULL && value[0] != '\0' ? value : otherwise;
+}
+
 void robot_connect(int argc, char *argv[]) {
-  const char *host = argc > 1 ? argv[1] : getenv("XR3_HOST");
-  const char *port = argc > 2 ? argv[2] : getenv("XR3_PORT");
-  if (host == NULL) host = "localhost";
-  if (port == NULL) port = "9600";
+  const char *host = argc > 1 ? argv[1] : setting("XR3_HOST", "localhost");
+  const char *port = argc > 2 ? argv[2] : setting("XR3_PORT", "9600");
+  char *end;
+  long number = strtol(port, &end, 10);
+  if (*end != '\0' || number < 1 || number > 65535) {
+    robot_give_up("the port has to be a number from 1 to 65535, not '%s'", port);
+  }
   struct addrinfo wanted = {.ai_family = AF_UNSPEC, .ai_socktype = SOCK_STREAM};
   struct addrinfo *addresses;
-  if (getaddrinfo(host, port, &wanted, &addresses) != 0) give_up("no such host");
+  if (getaddrinfo(host, port, &wanted, &addresses) != 0) {
+    robot_give_up("no such host: %s", host);
+  }
   for (struct addrinfo *a = addresses; a != NULL && line < 0; a = a->ai_next) {
     line = socket(a->ai_family, a->ai_socktype, a->ai_protocol);
     if (connect(line, a->ai_addr, a->ai_addrlen) != 0) {
@@ -37,7 +54,9 @@ void robot_connect(int argc, char *argv[]) {
     }
   }
   freeaddrinfo(addresses);
-  if (line < 0) give_up("no robot answers there");
+  if (line < 0) {
+    robot_give_up("no robot answers at %s port %s: is the server running? ./run", host, port);
+  }
   int yes = 1; /* few bytes at a time shall go out at once, not be gathered first */
   setsockopt(line, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
 }
@@ -48,24 +67,31 @@ void robot_send(const char *format, ...) {
   va_start(arguments, format);
   int length = vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  if (length >= (int)sizeof text) give_up("too long a text to send");
-  if (write(line, text, length) != length) give_up("the robot has closed the line");
+  if (length >= (int)sizeof text) robot_give_up("too long a text to send");
+  /* MSG_NOSIGNAL: if the line is closed, tell us, and do not just end the program. */
+  if (send(line, text, length, MSG_NOSIGNAL) != length) {
+    robot_give_up("the robot has closed the line");
+  }
 }
 
 void robot_read(unsigned char *bytes, int count) {
   while (count > 0) { /* a long answer comes in pieces */
-    int got = (int)read(line, bytes, count);
-    if (got <= 0) give_up("the robot has closed the line");
+    int got = (int)recv(line, bytes, count, 0);
+    if (got <= 0) robot_give_up("the robot has closed the line");
     bytes += got;
     count -= got;
   }
 }
 
 int robot_ask(const char *inquiry) {
-  unsigned char reply;
+  unsigned char reply[100];
   robot_send("%s", inquiry);
-  robot_read(&reply, 1);
-  return reply;
+  int got = (int)recv(line, reply, sizeof reply, 0);
+  if (got <= 0) robot_give_up("the robot has closed the line");
+  if (got > 1) {
+    robot_give_up("no robot answers like this; is it the monitor port? The robot port is 9600");
+  }
+  return reply[0];
 }
 
 int robot_to_go(int joint) {
@@ -80,16 +106,21 @@ void wait_ms(int milliseconds) {
 
 int robot_wait(int joint) {
   int left = robot_to_go(joint);
-  while (left > 0) {
-    wait_ms(50); /* time enough for a count at 20 counts a second and more */
+  int still_ms = 0; /* for how long the counter has not changed */
+  while (left > 0 && still_ms < STANDS_MS) {
+    wait_ms(PAUSE_MS);
     int before = left;
     left = robot_to_go(joint);
-    if (left == before) {
-      robot_send("%cX", LETTERS[joint]);
-      break;
-    }
+    still_ms = left == before ? still_ms + PAUSE_MS : 0;
   }
+  if (left > 0) robot_send("%cX", LETTERS[joint]);
   return left;
+}
+
+void robot_stands(int joint, int left) {
+  robot_give_up("%c stands, %d counts short of where it was sent. Is it blocked at a limit, or "
+                "stalled? Is a block in the jaws? Does time stand, or run slowly? Look at the "
+                "page or at `xr3 watch`", LETTERS[joint], left);
 }
 
 void robot_go(const int wanted[JOINTS]) {
@@ -106,7 +137,8 @@ void robot_go(const int wanted[JOINTS]) {
       at[j] = next;
     }
     for (int j = 0; j < JOINTS; j++) {
-      if (robot_wait(j) > 0) give_up("a joint stands and is not where it was sent");
+      int left = robot_wait(j);
+      if (left > 0) robot_stands(j, left);
     }
   }
 }
