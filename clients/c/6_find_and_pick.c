@@ -20,6 +20,8 @@ enum { OPEN = 16, SHUT = -64 };     /* counts of the jaws, as in example 5 */
 static const double Z = 20;         /* the largest block is 40 mm high: this is its middle */
 static const double ABOVE = 100;    /* how far above it the tool comes and goes, mm */
 
+static const int HOME[JOINTS] = {0};
+
 /* A place on the table: millimetres, and the direction of a block's long side in degrees. */
 struct place { double x, y, angle; };
 
@@ -121,8 +123,6 @@ static void open_jaws(void) {
   const int wanted[JOINTS] = {at[F], at[E], at[D], at[C], at[B], OPEN};
   robot_go(wanted);
 }
-
-static const int HOME[JOINTS] = {0};
 
 int main(int argc, char *argv[]) {
   robot_connect(argc, argv);

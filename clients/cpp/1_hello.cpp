@@ -13,15 +13,39 @@
 #include <iostream>
 #include <string>
 
+/// A variable of the environment; one that is empty counts as not set.
 std::string setting(const char* name, const std::string& otherwise) {
   const char* value = std::getenv(name);
-  return value ? value : otherwise;
+  return value && *value ? value : otherwise;
+}
+
+/// Sends a question and returns the byte that answers it.
+int ask(int robot, const std::string& question) {
+  unsigned char reply[100];
+  // MSG_NOSIGNAL: if the line is closed, tell us, and do not just end the program.
+  const ssize_t sent = send(robot, question.data(), question.size(), MSG_NOSIGNAL);
+  const ssize_t got = sent < 0 ? 0 : recv(robot, reply, sizeof reply, 0);
+  if (got <= 0) {
+    std::cerr << "the robot has closed the line\n";
+    std::exit(1);
+  }
+  if (got > 1) {
+    std::cerr << "no robot answers like this; is it the monitor port? The robot port is 9600\n";
+    std::exit(1);
+  }
+  return reply[0];
 }
 
 int main(int argc, char* argv[]) {
   // Where the robot is: from the arguments, else from the environment, else this machine.
   const std::string host = argc > 1 ? argv[1] : setting("XR3_HOST", "localhost");
   const std::string port = argc > 2 ? argv[2] : setting("XR3_PORT", "9600");
+  char* end = nullptr;
+  const long number = std::strtol(port.c_str(), &end, 10);
+  if (*end != '\0' || number < 1 || number > 65535) {
+    std::cerr << "the port has to be a number from 1 to 65535, not '" << port << "'\n";
+    return 1;
+  }
 
   // A name may have several addresses; the first one that answers is taken.
   addrinfo wanted{};
@@ -41,19 +65,19 @@ int main(int argc, char* argv[]) {
   }
   freeaddrinfo(addresses);
   if (robot < 0) {
-    std::cerr << "no robot at " << host << " port " << port << "\n";
+    std::cerr << "no robot answers at " << host << " port " << port
+              << ": is the server running? ./run\n";
     return 1;
   }
 
   // How far has the shoulder, joint E, still to go? The answer is counted from 32, the code of a
   // blank, so that it can be printed: a blank means 0 counts to go, "!" means 1, and so on.
-  unsigned char reply = 0;
-  if (write(robot, "E?", 2) != 2 || read(robot, &reply, 1) != 1) return 1;
-  std::cout << "E? is answered by " << int{reply} << ": " << reply - 32 << " counts to go\n";
+  int reply = ask(robot, "E?");
+  std::cout << "E? is answered by " << reply << ": " << reply - 32 << " counts to go\n";
 
   // Which microswitches are closed? Again 32 is added; each switch has a bit of its own.
-  if (write(robot, "I", 1) != 1 || read(robot, &reply, 1) != 1) return 1;
-  std::cout << "I is answered by " << int{reply} << ": switches " << reply - 32 << "\n";
+  reply = ask(robot, "I");
+  std::cout << "I is answered by " << reply << ": switches " << reply - 32 << "\n";
 
   close(robot);
 }

@@ -5,6 +5,7 @@
 //
 // The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.
 
+#include <exception>
 #include <iomanip>
 #include <iostream>
 
@@ -18,9 +19,10 @@ const Counts kAboveBlock{{'F', 0}, {'E', 242}, {'D', -440}, {'C', 0}, {'B', 0}};
 const Counts kAtBlock{{'F', 0}, {'E', 449}, {'D', -625}, {'C', 0}, {'B', 0}};
 const Counts kAbovePlace{{'F', 0}, {'E', 483}, {'D', -238}, {'C', 0}, {'B', 288}};  // x 400, y 0
 const Counts kAtPlace{{'F', 0}, {'E', 623}, {'D', -354}, {'C', 0}, {'B', 288}};
+const int kShut = -64;  // where the jaws, joint A, meet
 const Counts kHome{{'F', 0}, {'E', 0}, {'D', 0}, {'C', 0}, {'B', 0}, {'A', 0}};
 
-int main(int argc, char* argv[]) {
+int main(int argc, char* argv[]) try {
   Robot robot(argc, argv);
   std::cout << std::fixed << std::setprecision(1);
 
@@ -37,6 +39,14 @@ int main(int argc, char* argv[]) {
   // wait() also clears what is left (AX), or the jaws would go on pressing.
   robot.send("A-100\r");
   robot.at['A'] -= 100 - robot.wait('A');
+  if (robot.at['A'] <= kShut) {
+    std::cerr << "the jaws closed on nothing: is the block at x 262, y 0 mm? Restart the server to "
+                 "have it there (the examples 3 to 6 are for the Rhino XR-3 with its own workcell, "
+                 "in the profile paper)\n";
+    robot.go(kAboveBlock);  // back to where the examples begin
+    robot.go(kHome);
+    return 1;
+  }
   std::cout << "the jaws closed on " << 50.8 + 0.79375 * robot.at['A'] << " mm\n";
 
   robot.go(kAboveBlock);
@@ -49,4 +59,7 @@ int main(int argc, char* argv[]) {
   robot.go(kAbovePlace);
   robot.go(kHome);
   std::cout << "back at the start\n";
+} catch (const std::exception& error) {
+  std::cerr << error.what() << "\n";
+  return 1;
 }

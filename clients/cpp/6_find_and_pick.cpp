@@ -6,6 +6,7 @@
 // The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.
 
 #include <cmath>
+#include <exception>
 #include <iomanip>
 #include <iostream>
 #include <vector>
@@ -20,8 +21,11 @@ const int kPixels = 192;
 const int kRowBytes = kPixels / 6;
 
 const int kOpen = 16;       // counts of the open jaws
+const int kShut = -64;      // and of jaws that meet
 const double kZ = 20;       // the largest block is 40 mm high: this is its middle
 const double kAbove = 100;  // how far above it the tool comes and goes, mm
+
+const Counts kHome{{'F', 0}, {'E', 0}, {'D', 0}, {'C', 0}, {'B', 0}, {'A', 0}};
 
 /// A place on the table: millimetres, and the direction of a block's long side in degrees.
 struct Place {
@@ -96,6 +100,7 @@ Place find_largest(Robot& robot) {
     }
   }
   std::cout << "blocks in the picture: " << patches << "\n";
+  if (patches == 0) throw std::runtime_error("the camera sees no block: is one on the table?");
   const Place found = measure(largest);
   std::cout << "the largest is at x " << found.x << ", y " << found.y << " mm, turned "
             << found.angle << " degrees\n";
@@ -124,7 +129,7 @@ void go_to(Robot& robot, Place place, double z) {
             {'B', std::lround(roll / 0.3125)}});
 }
 
-int main(int argc, char* argv[]) {
+int main(int argc, char* argv[]) try {
   Robot robot(argc, argv);
   std::cout << std::fixed << std::setprecision(0);
   const Place block = find_largest(robot);
@@ -134,6 +139,15 @@ int main(int argc, char* argv[]) {
   go_to(robot, block, kZ);
   robot.send("A-100\r");  // as in example 5
   robot.at['A'] -= 100 - robot.wait('A');
+  if (robot.at['A'] <= kShut) {
+    std::cerr << "the jaws closed on nothing: is the block at x " << std::lround(block.x) << ", y "
+              << std::lround(block.y)
+              << " mm? (The examples 3 to 6 are for the Rhino XR-3 with its own workcell, "
+                 "in the profile paper)\n";
+    go_to(robot, block, kZ + kAbove);  // back to where the examples begin
+    robot.go(kHome);
+    return 1;
+  }
   std::cout << "the jaws closed on " << std::setprecision(1) << 50.8 + 0.79375 * robot.at['A']
             << std::setprecision(0) << " mm\n";
   go_to(robot, block, kZ + kAbove);
@@ -146,6 +160,9 @@ int main(int argc, char* argv[]) {
   std::cout << "put down at x " << target.x << ", y " << target.y << " mm\n";
 
   find_largest(robot);
-  robot.go({{'F', 0}, {'E', 0}, {'D', 0}, {'C', 0}, {'B', 0}, {'A', 0}});
+  robot.go(kHome);
   std::cout << "back at the start\n";
+} catch (const std::exception& error) {
+  std::cerr << error.what() << "\n";
+  return 1;
 }

@@ -29,8 +29,8 @@ inline std::string move_of(char joint, int counts) {
 class Robot {
  public:
   /// Connects to HOST and PORT of main's arguments, else of XR3_HOST and XR3_PORT, else to
-  /// localhost 9600. Like everything here, it throws std::runtime_error if the robot is not
-  /// there.
+  /// localhost 9600. Like everything here, it throws std::runtime_error, with a text for people,
+  /// if it cannot do its work.
   Robot(int argc, char* argv[]) {
     connect_to(argc > 1 ? argv[1] : setting("XR3_HOST", "localhost"),
                argc > 2 ? argv[2] : setting("XR3_PORT", "9600"));
@@ -41,7 +41,9 @@ class Robot {
 
   /// Sends commands. A move has to end with \r.
   void send(const std::string& text) {
-    if (write(line_, text.data(), text.size()) != static_cast<ssize_t>(text.size())) {
+    // MSG_NOSIGNAL: if the line is closed, tell us, and do not just end the program.
+    const ssize_t sent = ::send(line_, text.data(), text.size(), MSG_NOSIGNAL);
+    if (sent != static_cast<ssize_t>(text.size())) {
       throw std::runtime_error("the robot has closed the line");
     }
   }
@@ -50,7 +52,7 @@ class Robot {
   std::vector<unsigned char> read(std::size_t count) {
     std::vector<unsigned char> bytes(count);
     for (std::size_t have = 0; have < count;) {  // a long answer comes in pieces
-      const ssize_t got = ::read(line_, bytes.data() + have, count - have);
+      const ssize_t got = recv(line_, bytes.data() + have, count - have, 0);
       if (got <= 0) throw std::runtime_error("the robot has closed the line");
       have += static_cast<std::size_t>(got);
     }
@@ -60,30 +62,50 @@ class Robot {
   /// Asks, and returns the byte that answers.
   int ask(const std::string& inquiry) {
     send(inquiry);
-    return read(1)[0];
+    unsigned char reply[100];
+    const ssize_t got = recv(line_, reply, sizeof reply, 0);
+    if (got <= 0) throw std::runtime_error("the robot has closed the line");
+    if (got > 1) {
+      throw std::runtime_error(
+          "no robot answers like this; is it the monitor port? The robot port is 9600");
+    }
+    return reply[0];
   }
 
   /// How many counts the joint has still to go.
   int to_go(char joint) { return ask(std::string{joint, '?'}) - 32; }
 
-  /// Waits until the joint is there. One that makes no count between two questions stands, at a
-  /// limit or with the jaws at a block, and is stopped. Returns the counts that were left.
+  /// A joint stands if its counter has not changed for so long. The slowest speed is one count a
+  /// second, and the simulator's clock may run slowly, so be patient.
+  static constexpr int kStandsMs = 2000;
+
+  /// Waits until the joint is there. One that makes no count for kStandsMs stands, at a limit or
+  /// with the jaws at a block, and is stopped. Returns the counts that were left.
   int wait(char joint) {
     int left = to_go(joint);
-    while (left > 0) {
+    int still_ms = 0;  // for how long the counter has not changed
+    while (left > 0 && still_ms < kStandsMs) {
       pause();
       const int before = left;
       left = to_go(joint);
-      if (left == before) {
-        send(std::string{joint, 'X'});
-        break;
-      }
+      still_ms = left == before ? still_ms + kPauseMs : 0;
     }
+    if (left > 0) send(std::string{joint, 'X'});
     return left;
   }
 
-  /// Between two questions: time enough for a count at 20 counts a second and more.
-  static void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(50)); }
+  /// How long pause() does nothing, between two questions.
+  static constexpr int kPauseMs = 50;
+  static void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(kPauseMs)); }
+
+  /// Throws if there are counts left: says which joint stands, and what the reason may be.
+  static void check_arrived(char joint, int left) {
+    if (left <= 0) return;
+    throw std::runtime_error(
+        std::string{joint} + " stands, " + std::to_string(left) +
+        " counts short of where it was sent. Is it blocked at a limit, or stalled? Is a block in "
+        "the jaws? Does time stand, or run slowly? Look at the page or at `xr3 watch`");
+  }
 
   /// Brings these motors to these counts together, in parts small enough for the error counter.
   void go(const Counts& wanted) {
@@ -100,7 +122,7 @@ class Robot {
         at[joint] = next;
       }
       for (const auto& [joint, count] : wanted) {
-        if (wait(joint) > 0) throw std::runtime_error(joint + std::string(" stands"));
+        check_arrived(joint, wait(joint));
       }
     }
   }
@@ -109,12 +131,18 @@ class Robot {
   Counts at{{'F', 0}, {'E', 0}, {'D', 0}, {'C', 0}, {'B', 0}, {'A', 0}};
 
  private:
+  /// A variable of the environment; one that is empty counts as not set.
   static std::string setting(const char* name, const std::string& otherwise) {
     const char* value = std::getenv(name);
-    return value ? value : otherwise;
+    return value && *value ? value : otherwise;
   }
 
   void connect_to(const std::string& host, const std::string& port) {
+    char* end = nullptr;
+    const long number = std::strtol(port.c_str(), &end, 10);
+    if (*end != '\0' || number < 1 || number > 65535) {
+      throw std::runtime_error("the port has to be a number from 1 to 65535, not '" + port + "'");
+    }
     addrinfo wanted{};
     wanted.ai_socktype = SOCK_STREAM;
     addrinfo* addresses = nullptr;
@@ -129,7 +157,10 @@ class Robot {
       }
     }
     freeaddrinfo(addresses);
-    if (line_ < 0) throw std::runtime_error("no robot at " + host + " port " + port);
+    if (line_ < 0) {
+      throw std::runtime_error("no robot answers at " + host + " port " + port +
+                               ": is the server running? ./run");
+    }
     const int yes = 1;  // few bytes at a time shall go out at once, not be gathered first
     setsockopt(line_, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
   }
