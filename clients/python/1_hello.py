@@ -10,19 +10,36 @@ import os
 import socket
 import sys
 
-host = sys.argv[1] if len(sys.argv) > 1 else os.environ.get("XR3_HOST", "localhost")
-port = int(sys.argv[2] if len(sys.argv) > 2 else os.environ.get("XR3_PORT", "9600"))
-robot = socket.create_connection((host, port))
+# Where the robot is: from the arguments, else from the environment, else this machine.
+host = sys.argv[1] if len(sys.argv) > 1 else os.environ.get("XR3_HOST") or "localhost"
+port = sys.argv[2] if len(sys.argv) > 2 else os.environ.get("XR3_PORT") or "9600"
+if not port.isdecimal() or not 1 <= int(port) <= 65535:
+    sys.exit(f"the port has to be a number from 1 to 65535, not {port!r}")
+try:
+    robot = socket.create_connection((host, int(port)), timeout=5)
+except OSError as error:
+    sys.exit(f"no robot answers at {host} port {port}: is the server running? ./run ({error})")
+
+
+def ask(question):
+    """Sends a question and returns the byte that answers it, as a number."""
+    robot.sendall(question)
+    try:
+        answer = robot.recv(100)
+    except socket.timeout:
+        answer = b""
+    if len(answer) != 1:
+        sys.exit("no robot answers like this; is it the monitor port? The robot port is 9600")
+    return answer[0]
+
 
 # How far has the shoulder, joint E, still to go? The answer is counted from 32, the code of a
 # blank, so that it can be printed: a blank means 0 counts to go, "!" means 1, and so on.
-robot.sendall(b"E?")
-reply = robot.recv(1)[0]
+reply = ask(b"E?")
 print(f"E? is answered by {reply}: {reply - 32} counts to go")
 
 # Which microswitches are closed? Again 32 is added; each switch has a bit of its own.
-robot.sendall(b"I")
-reply = robot.recv(1)[0]
+reply = ask(b"I")
 print(f"I is answered by {reply}: switches {reply - 32}")
 
 robot.close()

@@ -8,17 +8,29 @@ import time
 
 import xr3
 
-robot = xr3.Robot(*sys.argv[1:3])  # send() and ask() are all that we use of it here
+# A joint stands if 40 answers, in 2 seconds, are the same. The slowest speed is one count a second,
+# and the simulator's clock may run slowly, so be patient.
+STANDS_AFTER = 40
+WHY_IT_STANDS = ("Is it blocked at a limit, or stalled? Does time stand, or run slowly? Look at the "
+                 "page or at `xr3 watch`")
+
+robot = xr3.connect()  # send() and ask() are all that we use of it here
 
 
 def wait_for(joint):
     """Asks how far there is still to go until nothing is left. Between two questions it does
-    nothing for a while."""
+    nothing for a while. A joint that is blocked would let us ask forever: we give up after so many
+    questions with the same answer."""
     left = robot.ask(joint + "?") - 32
+    same = 0  # how many answers in a row have been the same
     while left > 0:
         print(f"  {left} counts to go")
         time.sleep(0.05)
+        before = left
         left = robot.ask(joint + "?") - 32
+        same = same + 1 if left == before else 0
+        if same == STANDS_AFTER:
+            sys.exit(f"{joint} stands, {left} counts short of where it was sent. {WHY_IT_STANDS}")
     print(f"{joint} is there")
 
 

@@ -7,8 +7,9 @@ import sys
 import time
 
 import xr3
+from xr3.robot import STANDS_AFTER, WHY_IT_STANDS  # as in example 2
 
-robot = xr3.Robot(*sys.argv[1:3])
+robot = xr3.connect()
 
 # A number with an S behind it is a speed, in counts a second. E has twice as far to go as F,
 # so it gets twice the speed.
@@ -20,16 +21,22 @@ robot.send("F+40 E+80\r")
 print("F+40 E+80")
 
 f, e = robot.ask("F?") - 32, robot.ask("E?") - 32
+same = 0  # how many answers in a row have been the same
 while f > 0 or e > 0:
     print(f"  F {f}, E {e} counts to go")
     time.sleep(0.05)
+    before = f, e
     f, e = robot.ask("F?") - 32, robot.ask("E?") - 32
+    same = same + 1 if (f, e) == before else 0
+    if same == STANDS_AFTER:
+        sys.exit(f"F stands, {f} counts short, and E, {e} counts short. {WHY_IT_STANDS}")
 print("both are there")
 
 # And back again. wait() is example 2 once more, for one joint after the other.
 robot.send("F-40 E-80\r")
-robot.wait("F")
-robot.wait("E")
+f, e = robot.wait("F"), robot.wait("E")
+if f > 0 or e > 0:
+    sys.exit(f"F stands, {f} counts short, and E, {e} counts short. {WHY_IT_STANDS}")
 print("both are back")
 
 robot.close()

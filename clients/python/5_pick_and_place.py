@@ -19,8 +19,9 @@ ABOVE_BLOCK = {"F": 0, "E": 242, "D": -440, "C": 0, "B": 0}
 AT_BLOCK = {"F": 0, "E": 449, "D": -625, "C": 0, "B": 0}
 ABOVE_PLACE = {"F": 0, "E": 483, "D": -238, "C": 0, "B": 288}  # x 400, y 0, not turned
 AT_PLACE = {"F": 0, "E": 623, "D": -354, "C": 0, "B": 288}
+SHUT = -64  # where the jaws, A, have nothing between them
 
-robot = xr3.Robot(*sys.argv[1:3])
+robot = xr3.connect()
 
 # robot.go() brings all joints to these counts together. A single move is at most 127 counts long,
 # so go() sends several, and waits after each.
@@ -35,6 +36,12 @@ robot.go(AT_BLOCK)
 robot.send("A-100\r")
 left = robot.wait("A")  # also clears what is left (AX), or the jaws would go on pressing
 robot.at["A"] -= 100 - left  # robot.at is where go() believes the motors to be
+if robot.at["A"] <= SHUT:
+    robot.go(ABOVE_BLOCK)  # back to where the examples begin
+    robot.go(HOME)
+    sys.exit("the jaws closed on nothing: is the block at x 262, y 0 mm? Restart the server to have "
+             "it there (the examples 3 to 6 are for the Rhino XR-3 with its own workcell, in the "
+             "profile paper)")
 print(f"the jaws closed on {50.8 + 0.79375 * robot.at['A']:.1f} mm")
 
 robot.go(ABOVE_BLOCK)

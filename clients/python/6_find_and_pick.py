@@ -11,9 +11,10 @@ import sys
 import xr3
 
 Z = 20  # the largest block is 40 mm high: its middle is 20 mm above the table
+HOME = {"F": 0, "E": 0, "D": 0, "C": 0, "B": 0, "A": 0}
 PLACE = xr3.Pose(392, 60, Z, yaw=90)  # a free place, the block's long side along y
 
-robot = xr3.Robot(*sys.argv[1:3])
+robot = xr3.connect()
 
 
 def largest():
@@ -21,6 +22,8 @@ def largest():
     millimetres, its angle in degrees, and its area; xr3/vision.py shows how."""
     patches = robot.look().patches()
     print(f"blocks in the picture: {len(patches)}")
+    if not patches:
+        sys.exit("the camera sees no block: is one on the table?")
     return patches[0]
 
 
@@ -31,6 +34,10 @@ print(f"the largest is at x {block.x:.0f}, y {block.y:.0f} mm, turned {block.yaw
 # how. pick() and place() are example 5 once more: above the place, down, close or open the jaws, up
 # again.
 width = robot.pick(xr3.Pose(block.x, block.y, Z, block.yaw))
+if width is None:
+    robot.go(HOME)
+    sys.exit(f"the jaws closed on nothing: is the block at x {block.x:.0f}, y {block.y:.0f} mm? (The "
+             "examples 3 to 6 are for the Rhino XR-3 with its own workcell, in the profile paper)")
 print(f"the jaws closed on {width:.1f} mm")
 robot.place(PLACE)
 print(f"put down at x {PLACE.x}, y {PLACE.y} mm")
@@ -38,7 +45,7 @@ print(f"put down at x {PLACE.x}, y {PLACE.y} mm")
 block = largest()
 print(f"the largest is at x {block.x:.0f}, y {block.y:.0f} mm, turned {block.yaw:.0f} degrees")
 
-robot.go({"F": 0, "E": 0, "D": 0, "C": 0, "B": 0, "A": 0})
+robot.go(HOME)
 print("back at the start")
 
 robot.close()

@@ -14,6 +14,10 @@ from xr3 import ADEPT_ONE, ARMS, INTELLEDEX_660, RHINO_XR3, Pose, Unreachable
 CELLS = {"rhino-xr3": (200, 420, 0, 150), "adept-one": (450, 700, 510, 660),
          "intelledex-660": (280, 560, 0, 150)}
 POSES = 8
+# Farther than each arm reaches: up to this distance from the base, and between these heights, in mm.
+SURROUNDINGS = {"rhino-xr3": (500, -100, 400), "adept-one": (850, 400, 950),
+                "intelledex-660": (650, -150, 600)}
+ANYWHERE = 100  # of these, a few are in the protected region or near the limits
 
 
 def kin(arm, *arguments):
@@ -31,6 +35,31 @@ def poses(arm):
         angle, distance = math.radians(scatter.uniform(-40, 40)), scatter.uniform(near, far)
         yield Pose(round(distance * math.cos(angle), 2), round(distance * math.sin(angle), 2),
                    round(scatter.uniform(low, high), 2), round(scatter.uniform(-175, 175), 2))
+
+
+def poses_anywhere(arm):
+    """Scattered poses, the same in every run, whether the arm gets there or not."""
+    far, low, high = SURROUNDINGS[arm.name]
+    scatter = random.Random(arm.name)
+    for _ in range(ANYWHERE):
+        angle, distance = math.radians(scatter.uniform(-180, 180)), scatter.uniform(0, far)
+        yield Pose(round(distance * math.cos(angle), 2), round(distance * math.sin(angle), 2),
+                   round(scatter.uniform(low, high), 2), round(scatter.uniform(-360, 360), 2))
+
+
+def allowed_by_kin(arm, pose):
+    """The counts of every way that xr3 kin allows, as a set."""
+    report = kin(arm, f"--pose={pose.x},{pose.y},{pose.z}", f"--down={pose.yaw}")
+    return {tuple(solution["counts"].items()) for solution in report["solutions"]
+            if solution["allowed"]}
+
+
+def solutions(arm, pose):
+    """The same of the arm."""
+    try:
+        return {tuple(counts.items()) for counts in arm.solutions(pose)}
+    except Unreachable:
+        return set()
 
 
 class Forward(unittest.TestCase):
@@ -72,6 +101,24 @@ class Back(unittest.TestCase):
                     self.assertIn(arm.solve(pose), allowed)
                     for counts in arm.solutions(pose):
                         self.assertIn(counts, allowed)
+
+    def test_has_a_way_where_xr3_kin_has_one(self):
+        for arm in ARMS.values():
+            for pose in poses_anywhere(arm):
+                with self.subTest(arm.name, pose=pose):
+                    self.assertEqual(allowed_by_kin(arm, pose), solutions(arm, pose))
+
+    def test_leads_back_to_the_pose_from_anywhere(self):
+        for arm in ARMS.values():
+            for pose in poses_anywhere(arm):
+                for counts in solutions(arm, pose):
+                    with self.subTest(arm.name, pose=pose, counts=counts):
+                        self.assertLess(math.dist((pose.x, pose.y, pose.z),
+                                                  arm.tip(dict(counts))), 2)
+
+    def test_protected_region(self):
+        with self.assertRaisesRegex(Unreachable, "protected region, nearer than 100 mm"):
+            RHINO_XR3.solve(Pose(95, 0, 300))
 
     def test_leads_back_to_the_pose(self):
         for arm in ARMS.values():

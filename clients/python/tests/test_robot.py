@@ -2,8 +2,10 @@
 place."""
 
 import math
+import os
 import time
 import unittest
+from unittest import mock
 
 from context import Server
 from xr3 import ARMS, RHINO_XR3, Monitor, MonitorError, Pose, Robot, RobotError, Unreachable
@@ -23,9 +25,9 @@ class WithServer(unittest.TestCase):
     options = FAST
 
     def setUp(self):
-        server = self.enterContext(Server(*self.options))
-        self.robot = self.enterContext(Robot(port=server.robot_port, pause=pause))
-        self.monitor = self.enterContext(Monitor(port=server.monitor_port))
+        self.server = self.enterContext(Server(*self.options))
+        self.robot = self.enterContext(Robot(port=self.server.robot_port, pause=pause))
+        self.monitor = self.enterContext(Monitor(port=self.server.monitor_port))
 
 
 class OneJoint(WithServer):
@@ -38,6 +40,11 @@ class OneJoint(WithServer):
         self.robot.move("A", 40)  # the jaws are fully open at 16
         self.assertEqual(24, self.robot.wait("A"))
         self.assertEqual(0, self.robot.to_go("A"))
+
+    def test_the_slowest_speed_is_no_standing(self):
+        self.robot.set_speed("E", 1)
+        self.robot.move("E", 3)
+        self.assertEqual(0, self.robot.wait("E"))
 
     def test_refuses_what_the_robot_would_not_obey(self):
         with self.assertRaisesRegex(ValueError, "127"):
@@ -83,6 +90,25 @@ class AllJoints(WithServer):
             self.robot.go({"A": 50})
         self.assertEqual(self.robot.at, self.monitor.counts())
 
+    def test_says_how_far_it_came_and_what_it_may_be(self):
+        self.robot.soft_home()
+        self.robot.at["E"] = -400  # that is not so: it will meet its limit on the way
+        with self.assertRaisesRegex(RobotError, "E stands at 481, 319 counts short of 800.*stalled"):
+            self.robot.go({"E": 800})
+
+    def test_refuses_counts_past_a_limit(self):
+        with self.assertRaisesRegex(Unreachable, "joint E would be .* 2000 .* from -440 to 881"):
+            self.robot.go({"E": 2000})
+        self.assertEqual(0, self.monitor.counts()["E"])
+
+    def test_nowhere_to_go(self):
+        self.robot.go({})
+        self.assertEqual({0}, set(self.monitor.counts().values()))
+
+    def test_refuses_the_protected_region(self):
+        with self.assertRaisesRegex(Unreachable, "protected region"):
+            self.robot.go_to(Pose(95, 0, 300))
+
     def test_refuses_a_place_out_of_reach(self):
         with self.assertRaises(Unreachable):
             self.robot.pick(Pose(900, 0, 20))
@@ -102,6 +128,22 @@ class Home(WithServer):
         self.robot.soft_home()
         self.robot.to_go("F")
         self.assertEqual(self.robot.at, self.monitor.counts())
+
+
+    def test_a_stall_is_among_what_it_may_be(self):
+        with self.assertRaisesRegex(RobotError, "short of .* stalled"):
+            self.robot.go({"E": -420})  # bends back into the protected region
+        self.assertEqual("protected_region", self.monitor.state()["stalled"])
+        with self.assertRaisesRegex(RobotError, "no switch found by DECBF.* stalled"):
+            self.robot.home()
+
+
+class HomeInProfileMark3(WithServer):
+    options = (*FAST, "--compat", "mark3")
+
+    def test_is_refused(self):
+        with self.assertRaisesRegex(RobotError, "mark3"):
+            self.robot.home()
 
 
 class PickAndPlace(unittest.TestCase):
@@ -148,9 +190,67 @@ class AtTheMonitor(WithServer):
         codes = [event["code"] for event in self.monitor.recall("event")]
         self.assertIn("number_out_of_range", codes)
 
+    def test_silence_does_not_end_the_connection(self):
+        self.monitor = self.enterContext(Monitor(port=self.server.monitor_port, timeout_s=0.2))
+        self.monitor.sub("event")
+        for _ in range(2):
+            with self.assertRaisesRegex(TimeoutError, "nothing for 0.2 s"):
+                next(self.monitor.messages())
+        self.assertEqual(0, self.monitor.counts()["E"])
+        self.robot.move("E", 1)
+        self.assertEqual("move", next(self.monitor.messages())["event"])
+
     def test_unknown_block(self):
         with self.assertRaises(KeyError):
             self.monitor.block("purple")
+
+
+class Token(unittest.TestCase):
+    def test_comes_from_the_environment(self):
+        with mock.patch.dict(os.environ, XR3_TOKEN="sixteen or more characters"), \
+                Server(*FAST) as server:
+            with Monitor(port=server.monitor_port) as monitor:
+                monitor.call("pause")
+            with mock.patch.dict(os.environ, XR3_TOKEN=""), \
+                    Monitor(port=server.monitor_port) as monitor, \
+                    self.assertRaisesRegex(MonitorError, "token"):
+                monitor.call("pause")
+        with mock.patch.dict(os.environ, XR3_TOKEN="of another server"), Server(*FAST) as server, \
+                Monitor(port=server.monitor_port, token=None):
+            pass
+
+
+class NobodyThere(unittest.TestCase):
+    def test_the_server_ends(self):
+        with Server(*FAST) as server:
+            robot = self.enterContext(Robot(port=server.robot_port))
+            monitor = self.enterContext(Monitor(port=server.monitor_port))
+        for ask in (lambda: robot.to_go("E"), monitor.counts):
+            with self.assertRaises(ConnectionError):
+                ask()
+
+    def test_no_server(self):
+        with Server(*FAST) as server:
+            pass
+        for kind, port in ((Robot, server.robot_port), (Monitor, server.monitor_port)):
+            with self.assertRaisesRegex(ConnectionError, f"port {port}: is the server running"):
+                kind(port=port)
+
+    def test_no_port(self):
+        for port in ("abc", "-1", 70000):
+            with self.assertRaisesRegex(ValueError, "1 to 65535, not "):
+                Robot(port=port)
+
+    def test_empty_variables_count_as_not_set(self):
+        with Server(*FAST) as server, \
+                mock.patch.dict(os.environ, XR3_HOST="", XR3_PORT=str(server.robot_port)), \
+                Robot("", "") as robot:
+            self.assertEqual(0, robot.to_go("E"))
+
+    def test_another_server(self):
+        with Server(*FAST) as server, Robot(port=server.monitor_port, timeout_s=0.2) as robot, \
+                self.assertRaisesRegex(TimeoutError, "is this the monitor port"):
+            robot.to_go("E")
 
 
 if __name__ == "__main__":

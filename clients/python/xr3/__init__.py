@@ -13,9 +13,11 @@ sheets with their kinematics; `Picture` and `Patch` find blocks in what the came
 from xr3.arms import ADEPT_ONE, ARMS, INTELLEDEX_660, RHINO_XR3
 from xr3.kinematics import Arm, Joint, Jaws, Pose, Unreachable
 from xr3.monitor import Monitor, MonitorError
-from xr3.robot import Robot, RobotError
+from xr3.robot import Robot, RobotError, connect
 from xr3.vision import Camera, Patch, Picture
+
+__version__ = "0.1.0"  # that of the xr3 it comes with
 
 __all__ = ["ADEPT_ONE", "ARMS", "Arm", "Camera", "INTELLEDEX_660", "Jaws", "Joint", "Monitor",
            "MonitorError", "Patch", "Picture", "Pose", "RHINO_XR3", "Robot", "RobotError",
-           "Unreachable"]
+           "Unreachable", "connect"]

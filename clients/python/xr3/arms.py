@@ -6,7 +6,7 @@ elbow can lie.
 import math
 from typing import Dict, List, Tuple
 
-from xr3.kinematics import Arm, Jaws, Joint, Pose, Ways, near, two_links
+from xr3.kinematics import Arm, Jaws, Joint, Pose, Unreachable, Ways, two_links
 
 
 def _rhino(pose: Pose) -> Ways:
@@ -15,15 +15,9 @@ def _rhino(pose: Pose) -> Ways:
     mm nearer to the base."""
     ways = []
     up = pose.z + 168.3 - 260.4
-    for base, distance in _front_and_back(pose):
-        for upper, forearm in two_links(distance - 9.5, up, 228.6, 228.6):
-            ways.append((base, -upper, upper - forearm, forearm, near(base - pose.yaw, -90)))
-    return [(base, near(e, -90), near(d, 90), near(c, 0), b) for base, e, d, c, b in ways]
-
-
-def _front_and_back(pose: Pose) -> List[Tuple[float, float]]:
-    base, distance = math.degrees(math.atan2(pose.y, pose.x)), math.hypot(pose.x, pose.y)
-    return [(base, distance), (near(base + 180, 0), -distance)]
+    for base, upper, forearm in _front_and_back(pose, 9.5, up, 228.6):
+        ways.append((base, -upper, upper - forearm, forearm, base - pose.yaw))
+    return ways
 
 
 def _adept(pose: Pose) -> Ways:
@@ -31,23 +25,40 @@ def _adept(pose: Pose) -> Ways:
     second frame hangs upside down. The height is the slide's alone."""
     ways = []
     for first, second in two_links(pose.x, pose.y, 425, 375):
-        elbow = near(first - second, 0)
-        ways.append((near(first, 0), elbow, 877 - 200 - pose.z, near(first - elbow - pose.yaw, 90)))
+        elbow = first - second
+        ways.append((first, elbow, 877 - 200 - pose.z, first - elbow - pose.yaw))
     return ways
 
 
 def _intelledex(pose: Pose) -> Ways:
     """The shoulder's roll stays at the soft home, so that the arm works in the upright plane of the
-    base (there are other ways, which lay the arm's plane over). In the plane two links lead to the
-    wrist, 228.6 mm above the tip."""
+    base (there are other ways, which lay the arm's plane over, but they are past the limits). The
+    base turns that plane to the block or away from it. In the plane two links lead to the wrist,
+    228.6 mm above the tip."""
     ways = []
     up = pose.z + 228.6 - 373.4
-    azimuth = math.degrees(math.atan2(pose.y, pose.x))
-    for upper, forearm in two_links(math.hypot(pose.x, pose.y), up, 304.8, 304.8):
+    for base, upper, forearm in _front_and_back(pose, 0, up, 304.8):
         shoulder, elbow = 90 + upper, forearm - upper
-        wrist = near(90 - shoulder - elbow, 90)
-        roll = near(azimuth - pose.yaw, 0)
-        ways.append((azimuth + 90, -90.0, near(shoulder, 90), near(elbow, 0), wrist, roll))
+        ways.append((base + 90, -90.0, shoulder, elbow, 90 - shoulder - elbow, base - pose.yaw))
+    return ways
+
+
+def _front_and_back(pose: Pose, in_front: float, up: float,
+                    link: float) -> List[Tuple[float, float, float]]:
+    """An upright plane that turns about the base: where it looks, and how two links of one length
+    lie in it. The plane looks at the place, or away from it with the arm bent back. The wrist is so
+    much nearer to the base than the tip, and so much higher than the shoulder. Raises Unreachable
+    where the links are too short both ways."""
+    azimuth, distance = math.degrees(math.atan2(pose.y, pose.x)), math.hypot(pose.x, pose.y)
+    ways = []
+    for base, out in ((azimuth + 180, -distance), (azimuth, distance)):
+        try:
+            ways += [(base, upper, forearm)
+                     for upper, forearm in two_links(out - in_front, up, link, link)]
+        except Unreachable as error:
+            too_short = error
+    if not ways:
+        raise too_short
     return ways
 
 
@@ -63,6 +74,7 @@ RHINO_XR3 = Arm(
     coupling=((1, 2, -1), (2, 3, -1)),
     jaws=Jaws(precision=0.79375, home=50.8, switch=16),
     homing="DECBF",
+    protected=(100, 340),
     inverse=_rhino,
 )
 
@@ -76,6 +88,7 @@ ADEPT_ONE = Arm(
     ),
     jaws=Jaws(precision=0.5, home=60, switch=40),
     homing="CEDB",
+    protected=(300, 900),
     inverse=_adept,
 )
 
@@ -91,6 +104,7 @@ INTELLEDEX_660 = Arm(
     ),
     jaws=Jaws(precision=0.5, home=40, switch=40, finger=60),
     homing="DECBFG",
+    protected=(150, 500),
     inverse=_intelledex,
 )
 

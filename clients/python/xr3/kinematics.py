@@ -55,16 +55,38 @@ class Joint:
         return self.d if self.slides else self.theta
 
     def variable(self, position: int) -> float:
+        """The joint variable, in degrees or millimetres, at this position in counts."""
         return self.home + self.direction * self.precision * position
 
     def exact_counts(self, variable: float) -> float:
         """The position in counts, not yet rounded, at which the joint has this variable."""
         return (variable - self.home) / (self.direction * self.precision)
 
-    def allows(self, position: int) -> bool:
-        """Whether the position lies within the limits (a millionth of a count is not looked at)."""
+    @property
+    def range(self) -> Tuple[int, int]:
+        """The first and the last position within the limits (a millionth of a count is not looked
+        at)."""
         low, high = sorted(self.exact_counts(limit) for limit in self.limits)
-        return low - 1e-6 <= position <= high + 1e-6
+        return math.ceil(low - 1e-6), math.floor(high + 1e-6)
+
+    def allows(self, position: int) -> bool:
+        """Whether the position lies within the limits."""
+        low, high = self.range
+        return low <= position <= high
+
+    def within(self, variable: float) -> float:
+        """The same direction, whole turns added or taken away: within the limits where that can be,
+        and as near as can be to the soft home. Where the joint slides there is only one."""
+        if self.slides:
+            return variable
+        nearest = near(variable, self.home)
+        return min((nearest, nearest + 360, nearest - 360), key=self._beyond)
+
+    def _beyond(self, variable: float) -> float:
+        """How far the variable is past the limits; what rounds to a count within them is not."""
+        low, high = (self.variable(position) for position in self.range)
+        low, high = min(low, high) - self.precision / 2, max(low, high) + self.precision / 2
+        return max(low - variable, variable - high, 0.0)
 
     def matrix(self, position: int) -> Matrix:
         """The frame at the far end of this link, seen from the frame before it."""
@@ -99,13 +121,15 @@ class Jaws:
 class Arm:
     """The data sheet of an arm. `joints` go from the base to the tool. A coupling (j, k, sign) says
     that joint j, counted from 0, turns joint k with (+1) or against (-1) itself. `inverse` gives
-    the candidates for a pose as joint variables."""
+    the candidates for a pose as joint variables. `protected` is radius and height in millimetres of
+    the cylinder about the base axis in which the robot stalls before its tip comes in."""
 
     name: str
     joints: Tuple[Joint, ...]
     jaws: Jaws
     inverse: Callable[[Pose], Ways]
     homing: str
+    protected: Tuple[float, float]
     coupling: Tuple[Tuple[int, int, int], ...] = ()
     switches: Counts = field(init=False)
 
@@ -155,16 +179,23 @@ class Arm:
     def solve(self, pose: Pose) -> Counts:
         """The motor counts that bring the tool there, pointing down; of several ways the one that
         turns the busiest motor least from the soft home. Raises Unreachable."""
-        solutions = self.solutions(pose)
+        ways = self._ways(pose)
+        solutions = [counts for counts in ways if self.refusal(counts) is None]
         if not solutions:
-            raise Unreachable(f"{self.name} at {pose}: a joint would be past its limit")
+            why = "; or ".join(dict.fromkeys(str(self.refusal(counts)) for counts in ways))
+            raise Unreachable(f"{self.name} at {pose}: {why}")
         return min(solutions, key=lambda counts: max(abs(count) for count in counts.values()))
 
     def solutions(self, pose: Pose) -> List[Counts]:
-        """Every way to bring the tool there within the limits. Raises Unreachable where the arm is
-        too short."""
-        candidates = (self.motor_counts(variables) for variables in self.inverse(pose))
-        return [counts for counts in candidates if self.allows(counts)]
+        """Every way to bring the tool there within the limits and outside the protected region.
+        Raises Unreachable where the arm is too short."""
+        return [counts for counts in self._ways(pose) if self.refusal(counts) is None]
+
+    def _ways(self, pose: Pose) -> List[Counts]:
+        """Motor counts for each way that the elbow can lie, whether they are allowed or not."""
+        return [self.motor_counts([joint.within(variable)
+                                   for joint, variable in zip(self.joints, variables)])
+                for variables in self.inverse(pose)]
 
     def motor_counts(self, variables: Sequence[float]) -> Counts:
         """The motors' whole counts that give these joint variables. What one joint adds to another
@@ -174,12 +205,36 @@ class Arm:
         motors: List[float] = []
         for k, position in enumerate(exact):
             motors.append(position - self._added(k, motors))
-        return {joint.label: round(motor) for joint, motor in zip(self.joints, motors)}
+        return {joint.label: _whole(motor) for joint, motor in zip(self.joints, motors)}
+
+    # --- What the arm may do.
 
     def allows(self, counts: Counts) -> bool:
         """Whether every joint is within its limits at these counts."""
-        positions = self.positions(counts)
-        return all(joint.allows(position) for joint, position in zip(self.joints, positions))
+        return self.past_limit(counts) is None
+
+    def past_limit(self, counts: Counts) -> Optional[str]:
+        """Which joint would be past its limit at these counts, as a sentence; None if none."""
+        for joint, position in zip(self.joints, self.positions(counts)):
+            if not joint.allows(position):
+                low, high = joint.range
+                return (f"joint {joint.label} would be past its limit, {position} counts from the "
+                        f"soft home; it can be from {low} to {high}")
+        return None
+
+    def is_protected(self, counts: Counts) -> bool:
+        """Whether the tip would be in the protected region: the robot stalls before it comes in.
+        Lengths are compared in whole micrometres, as the robot does."""
+        x, y, z, radius, height = (round(1000 * mm) for mm in (*self.tip(counts), *self.protected))
+        return z < height and x * x + y * y < radius * radius
+
+    def refusal(self, counts: Counts) -> Optional[str]:
+        """Why the robot would not go there, as a sentence; None if it would."""
+        if self.is_protected(counts):
+            radius, height = self.protected
+            return (f"the tip would be in the protected region, nearer than {radius:g} mm to the "
+                    f"base axis and lower than {height:g} mm")
+        return self.past_limit(counts)
 
 
 def two_links(out: float, up: float, first: float, second: float) -> List[Tuple[float, float]]:
@@ -200,6 +255,10 @@ def two_links(out: float, up: float, first: float, second: float) -> List[Tuple[
 def near(angle: float, middle: float) -> float:
     """The same direction, whole turns added or taken away, as near to the middle as can be."""
     return middle + math.remainder(angle - middle, 360)
+
+
+def _whole(counts: float) -> int:
+    return int(counts + math.copysign(0.5, counts))  # a half goes away from 0, as in xr3 kin
 
 
 def _cosine(value: float) -> float:

@@ -9,6 +9,8 @@ import socket
 from types import TracebackType
 from typing import Any, Dict, Iterator, List, Optional, Sequence, Type, Union
 
+from xr3.address import connect
+
 Message = Dict[str, Any]
 
 
@@ -26,19 +28,21 @@ class Monitor:
     server said first.
 
     Host and port come from XR3_HOST and XR3_MONITOR_PORT where they are not given, else localhost
-    and 9601. Every operation raises OSError when the server is gone and TimeoutError when it is
-    silent for timeout_s."""
+    and 9601; the token from XR3_TOKEN where the server wants one. Every operation raises OSError
+    when the server is gone and TimeoutError when it is silent for timeout_s; after a TimeoutError
+    the connection can be used as before."""
 
     def __init__(self, host: Optional[str] = None, port: Union[int, str, None] = None, *,
                  token: Optional[str] = None, timeout_s: float = 30.0) -> None:
-        host = host or os.environ.get("XR3_HOST") or "localhost"
-        port = int(port or os.environ.get("XR3_MONITOR_PORT") or 9601)
-        self._socket = socket.create_connection((host, port), timeout_s)
-        self._file = self._socket.makefile("rb")
+        self._timeout_s = timeout_s
+        self._socket = connect(host, port, "XR3_MONITOR_PORT", 9601, timeout_s)
+        self._received = b""  # what no message has been made of yet
         self._last_id = 0
         self._send({"op": "ping", "id": 0})  # who sends first is greeted at once
         self.hello = self.read()
         self.read()
+        if token is None and self.hello["access"] == "read":
+            token = os.environ.get("XR3_TOKEN") or None
         if token is not None:
             self.request("auth", token=token)
 
@@ -50,7 +54,7 @@ class Monitor:
         self.close()
 
     def close(self) -> None:
-        self._file.close()
+        """Ends the connection."""
         self._socket.close()
 
     # --- Messages.
@@ -59,21 +63,26 @@ class Monitor:
         self._socket.sendall(json.dumps(message).encode() + b"\n")
 
     def read(self) -> Message:
-        """The next message of the server, whatever it is. Raises EOFError when there is none any
-        more."""
-        line = self._file.readline()
-        if not line:
-            raise EOFError("the server closed the monitor's connection")
+        """The next message of the server, whatever it is."""
+        while b"\n" not in self._received:
+            try:
+                part = self._socket.recv(65536)
+            except socket.timeout:  # before Python 3.10 that is no TimeoutError
+                raise TimeoutError(f"the server said nothing for {self._timeout_s} s") from None
+            if not part:
+                raise ConnectionError("the server closed the monitor's connection")
+            self._received += part
+        line, _, self._received = self._received.partition(b"\n")
         message: Message = json.loads(line)
         return message
 
     def messages(self) -> Iterator[Message]:
         """Every message from now on, until the server closes: for the channels that sub() asked
-        for."""
+        for. TimeoutError says that none came within timeout_s; call it again to wait for more."""
         while True:
             try:
                 yield self.read()
-            except EOFError:
+            except ConnectionError:
                 return
 
     def request(self, op: str, **members: Any) -> Message:

@@ -3,12 +3,13 @@ move to picking up a block. It sends nothing that a real arm would not understan
 soft_home() and the camera.
 """
 
-import os
 import socket
+import sys
 import time
 from types import TracebackType
 from typing import Callable, List, Optional, Type, Union
 
+from xr3.address import connect as connect_line
 from xr3.arms import RHINO_XR3
 from xr3.kinematics import Arm, Counts, Pose, Unreachable
 from xr3.vision import CAMERAS, Camera, Picture
@@ -17,7 +18,13 @@ SPACE = 32  # what every reply of one byte is counted from: a blank says 0
 STRIDE = 60  # most counts of one move: the error counter has 8 bits and must not run over
 CLOSING = 100  # counts that close the jaws on anything
 LIFT_MM = 100.0  # how far above a block the tool comes and goes
-POLL_S = 0.05  # between two questions; a motor of 20 counts/s and more makes a count meanwhile
+POLL_S = 0.05  # between two questions
+# A joint stands if its counter has been the same for 2 s of questions: the slowest speed is one
+# count a second, and the simulator's clock may run slowly.
+STANDS_AFTER = 40
+MOST_COUNTS = 3000  # no joint has so far to go from one end of its way to the other
+WHY_IT_STANDS = ("Is it blocked at a limit, or stalled? Is a block in the jaws? Does time stand, or "
+                 "run slowly? Look at the page or at `xr3 watch`")
 
 
 class RobotError(Exception):
@@ -30,19 +37,20 @@ class Robot:
     Host and port come from XR3_HOST and XR3_PORT where they are not given, else localhost and 9600.
     `at` is where the motors are in counts from the soft home, for as long as they are moved by go()
     and what stands on it; at the start the arm is taken to be there. Every operation raises OSError
-    when the line is gone and TimeoutError when an answer does not come within timeout_s."""
+    when the line is gone and TimeoutError when an answer does not come within timeout_s.
+
+    A joint counts as standing when its counter is the same for STANDS_AFTER questions, with
+    `pause()` between two of them: POLL_S in the usual case, and 2 s in all."""
 
     def __init__(self, host: Optional[str] = None, port: Union[int, str, None] = None, *,
                  arm: Arm = RHINO_XR3, camera: Optional[Camera] = None, timeout_s: float = 10.0,
                  pause: Callable[[], None] = lambda: time.sleep(POLL_S)) -> None:
-        host = host or os.environ.get("XR3_HOST") or "localhost"
-        port = int(port or os.environ.get("XR3_PORT") or 9600)
         self.arm = arm
         self.camera = camera or CAMERAS.get(arm.name) or Camera()
         self.at: Counts = dict.fromkeys(arm.labels, 0)
         self._pause = pause
-        self._socket = socket.create_connection((host, port), timeout_s)
-        self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)  # bytes go out at once
+        self._timeout_s = timeout_s
+        self._socket = connect_line(host, port, "XR3_PORT", 9600, timeout_s)
 
     def __enter__(self) -> "Robot":
         return self
@@ -52,6 +60,7 @@ class Robot:
         self.close()
 
     def close(self) -> None:
+        """Ends the line. The robot goes on with what it was told."""
         self._socket.close()
 
     # --- Bytes.
@@ -61,12 +70,16 @@ class Robot:
         self._socket.sendall(text.encode("ascii"))
 
     def read(self, count: int) -> bytes:
-        """Exactly so many bytes of replies. Raises EOFError when the line ends before."""
+        """Exactly so many bytes of replies."""
         reply = b""
         while len(reply) < count:
-            part = self._socket.recv(count - len(reply))
+            try:
+                part = self._socket.recv(count - len(reply))
+            except socket.timeout:  # before Python 3.10 that is no TimeoutError
+                raise TimeoutError(f"the robot did not answer within {self._timeout_s} s: is this "
+                                   "the monitor port? The robot port is 9600") from None
             if not part:
-                raise EOFError("the robot closed the line")
+                raise ConnectionError("the robot has closed the line")
             reply += part
         return reply
 
@@ -97,8 +110,7 @@ class Robot:
         return self.ask(f"{label}V") == 1
 
     def set_speed(self, label: str, counts_per_s: int) -> None:
-        """Sets the speed of a joint, 1 to 255 counts a second. Below 20, wait() takes it for
-        standing."""
+        """Sets the speed of a joint, 1 to 255 counts a second."""
         if not 1 <= counts_per_s <= 255:
             raise ValueError(f"a speed is 1...255 counts a second, not {counts_per_s}")
         self.send(f"{label}{counts_per_s}S")
@@ -108,41 +120,50 @@ class Robot:
         self.send(f"{label}X")
 
     def wait(self, label: str) -> int:
-        """Waits until the joint is there. A joint that makes no count between two questions stands
-        (at a limit, or the jaws at a block) and is stopped. Returns the counts that were left: 0 if
-        it got there."""
-        left = self.to_go(label)
-        while left:
+        """Waits until the joint is there. A joint that stands (at a limit, the jaws at a block,
+        the arm stalled, time held) is stopped. Returns the counts that were left: 0 if it got
+        there."""
+        left, same = self.to_go(label), 0
+        while left and same < STANDS_AFTER:
             self._pause()
             before, left = left, self.to_go(label)
-            if left == before:
-                self.stop(label)
-                break
+            same = same + 1 if left == before else 0
+        if left:
+            self.stop(label)
         return left
 
     # --- All joints.
 
     def go(self, counts: Counts) -> None:
         """Brings these motors to these counts, all together and in equal parts, and waits. Raises
-        RobotError where one of them does not get there."""
+        Unreachable where a joint would be past its limit, before anything moves, and RobotError
+        where one does not get there."""
+        past_limit = self.arm.past_limit({**self.at, **counts})
+        if past_limit:
+            raise Unreachable(f"{self.arm.name}: {past_limit}")
         way = {label: wanted - self.at[label] for label, wanted in counts.items()}
-        parts = max(1, -(-max(abs(whole) for whole in way.values()) // STRIDE))
+        parts = -(-max((abs(whole) for whole in way.values()), default=0) // STRIDE)
         for part in range(1, parts + 1):
-            self._stride({label: whole * part // parts - whole * (part - 1) // parts
-                          for label, whole in way.items()})
+            stuck = self._stride({label: whole * part // parts - whole * (part - 1) // parts
+                                  for label, whole in way.items()})
+            if stuck:
+                short = (f"{label} stands at {self.at[label]}, "
+                         f"{abs(counts[label] - self.at[label])} counts short of {counts[label]}"
+                         for label in stuck)
+                raise RobotError(f"{'; '.join(short)}. {WHY_IT_STANDS}")
 
-    def _stride(self, way: Counts) -> None:
+    def _stride(self, way: Counts) -> List[str]:
+        """Moves these joints together and waits; returns those that did not get there."""
         for label, counts in way.items():
             if counts:
                 self.move(label, counts)
-        stuck: List[str] = []
-        for label, counts in way.items():
-            left = self.wait(label)
-            self.at[label] += counts - left if counts > 0 else counts + left
-            if left:
-                stuck.append(f"{label} stands {left} counts short of where it was sent")
-        if stuck:
-            raise RobotError("; ".join(stuck))
+        return [label for label, counts in way.items() if not self._arrives(label, counts)]
+
+    def _arrives(self, label: str, counts: int) -> bool:
+        """Waits for the end of a move of so many counts, and keeps `at` right."""
+        left = self.wait(label)
+        self.at[label] = self.at.get(label, 0) + (counts - left if counts > 0 else counts + left)
+        return left == 0
 
     def go_to(self, pose: Pose) -> None:
         """Brings the tool there, pointing down. Raises Unreachable or RobotError."""
@@ -156,14 +177,19 @@ class Robot:
     def home(self) -> None:
         """Brings every joint to its microswitch and opens the jaws: from then on `at` is right
         wherever the arm began. A joint that stands is put off until others have moved out of its
-        way. Raises RobotError."""
+        way. It is for a robot that tells of a closed switch by 1, as in the profile paper. Raises
+        RobotError."""
+        if self.ask("I") - SPACE >= 32:  # the highest bit belongs to no switch
+            raise RobotError("the switches tell 1 when they are open, as in the profile mark3; "
+                             "home() is for the profile paper")
         waiting = list(self.arm.homing)
-        for _ in range(4 * len(waiting)):
-            if waiting and not self._find_switch(waiting[0]):
-                waiting.append(waiting[0])
-            waiting = waiting[1:]
+        for _ in range(4):
+            before = dict(self.at)
+            waiting = [label for label in waiting if not self._find_switch(label)]
+            if not waiting or before == self.at:  # all found, or nothing moves any more
+                break
         if waiting or not self._find_switch("A"):
-            raise RobotError(f"no switch found by {''.join(waiting) or 'A'}")
+            raise RobotError(f"no switch found by {''.join(waiting) or 'A'}. {WHY_IT_STANDS}")
         self.at = dict(self.arm.switches)
 
     def _find_switch(self, label: str) -> bool:
@@ -173,12 +199,15 @@ class Robot:
         return all(self._creep(label, counts * way, until=counts > 0) for counts in (-5, 5, -1, 1))
 
     def _creep(self, label: str, counts: int, until: bool) -> bool:
-        """Small moves until the switch is as wanted. False: the joint stands and it is not."""
-        while self.switch_closed(label) != until:
+        """Small moves until the switch is as wanted. False: the joint stands, or has gone its whole
+        way, and it is not."""
+        for _ in range(MOST_COUNTS // abs(counts)):
+            if self.switch_closed(label) == until:
+                return True
             self.move(label, counts)
-            if self.wait(label):
-                return self.switch_closed(label) == until
-        return True
+            if not self._arrives(label, counts):
+                break
+        return self.switch_closed(label) == until
 
     # --- Seeing and grasping.
 
@@ -188,15 +217,14 @@ class Robot:
         return Picture.decode(self.read(self.camera.picture_bytes), self.camera)
 
     def open_jaws(self) -> None:
+        """Opens the jaws fully."""
         self.go({"A": self.arm.jaws.switch})
 
     def close_jaws(self) -> Optional[float]:
         """Closes the jaws until something is between them. Returns their opening in millimetres, or
-        None if they closed on nothing. What is left in the counter measures the block; it is
+        None if they closed on nothing. That they stand is known after 2 s, see wait(). What is left in the counter measures the block; it is
         cleared, or they could not open again."""
-        self.move("A", -CLOSING)
-        left = self.wait("A")
-        self.at["A"] -= CLOSING - left
+        self._stride({"A": -CLOSING})
         opening = self.arm.jaws.opening(self.at["A"])
         return opening if opening > self.arm.jaws.precision else None
 
@@ -231,3 +259,14 @@ class Robot:
 
 def _above(pose: Pose) -> Pose:
     return Pose(pose.x, pose.y, pose.z + LIFT_MM, pose.yaw)
+
+
+def connect() -> Robot:
+    """For a program that a person runs: the robot at the HOST and PORT of its command line, or as
+    Robot() finds it. Where none answers, the program ends with a line that says so."""
+    try:
+        robot = Robot(*sys.argv[1:3], timeout_s=5)
+        robot.ask("I")  # a robot answers at once, another server would not
+        return robot
+    except (OSError, ValueError) as error:
+        sys.exit(str(error))

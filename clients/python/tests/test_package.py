@@ -1,0 +1,43 @@
+"""The folder can be installed with pip, and then the package is whole. Needs pip with what it
+builds by, and no network; where they are missing there is nothing to test."""
+
+import importlib.util
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from context import XR3
+import xr3
+
+FOLDER = Path(__file__).resolve().parent.parent
+NEEDS = ("pip", "setuptools", "wheel")
+ASK = "import xr3, pathlib; print(xr3.__version__, pathlib.Path(xr3.__file__).parent)"
+
+
+class Installed(unittest.TestCase):
+    @unittest.skipUnless(all(map(importlib.util.find_spec, NEEDS)), f"{NEEDS} are not all here")
+    def test_by_pip(self):
+        with tempfile.TemporaryDirectory() as there:
+            copy, site = Path(there) / "python", Path(there) / "site"
+            shutil.copytree(FOLDER, copy, ignore=shutil.ignore_patterns("build", "*.egg-info"))
+            subprocess.run([sys.executable, "-m", "pip", "install", "-q", "--no-index", "--no-deps",
+                            "--no-build-isolation", "--target", str(site), str(copy)],
+                           check=True, timeout=120, stderr=subprocess.PIPE)
+            said = subprocess.run([sys.executable, "-c", ASK], cwd=there, check=True, timeout=60,
+                                  env={**os.environ, "PYTHONPATH": str(site)}, text=True,
+                                  stdout=subprocess.PIPE).stdout
+            self.assertEqual(f"{xr3.__version__} {site / 'xr3'}\n", said)
+            self.assertTrue((site / "xr3" / "py.typed").exists())
+
+    def test_version_is_that_of_xr3(self):
+        said = subprocess.run([XR3, "--version"], check=True, timeout=60, text=True,
+                              stdout=subprocess.PIPE).stdout
+        self.assertIn(xr3.__version__, said.split())
+
+
+if __name__ == "__main__":
+    unittest.main()
