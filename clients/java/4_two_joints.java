@@ -2,8 +2,10 @@
 //
 //     java -cp build 4_two_joints.java [HOST [PORT]]
 
+import java.io.IOException;
+
 class TwoJoints {
-    public static void main(String[] args) throws Exception {
+    static void twoJoints(String[] args) throws IOException, InterruptedException {
         Robot robot = new Robot(args);
 
         // A number with an S behind it is a speed, in counts a second. E has twice as far to go
@@ -17,20 +19,36 @@ class TwoJoints {
 
         int f = robot.toGo("F");
         int e = robot.toGo("E");
+        int stillMs = 0; // for how long neither counter has changed, as in example 2
         while (f > 0 || e > 0) {
             System.out.println("  F " + f + ", E " + e + " counts to go");
             robot.pause();
+            int before = f + e;
             f = robot.toGo("F");
             e = robot.toGo("E");
+            stillMs = f + e == before ? stillMs + Robot.PAUSE_MS : 0;
+            if (stillMs >= Robot.STANDS_MS) {
+                Robot.checkArrived("F", f);
+                Robot.checkArrived("E", e);
+            }
         }
         System.out.println("both are there");
 
         // And back again. robot.waitFor() is example 2 once more, for one joint after the other.
         robot.send("F-40 E-80\r");
-        robot.waitFor("F");
-        robot.waitFor("E");
+        Robot.checkArrived("F", robot.waitFor("F"));
+        Robot.checkArrived("E", robot.waitFor("E"));
         System.out.println("both are back");
 
         robot.close();
+    }
+
+    public static void main(String[] args) throws InterruptedException {
+        try {
+            twoJoints(args);
+        } catch (IOException why) {
+            System.err.println(why.getMessage());
+            System.exit(1);
+        }
     }
 }

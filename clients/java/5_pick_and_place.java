@@ -5,6 +5,7 @@
 //
 // The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.java.
 
+import java.io.IOException;
 import java.util.Map;
 
 class PickAndPlace {
@@ -16,9 +17,10 @@ class PickAndPlace {
     static final Map<String, Integer> AT_BLOCK = Robot.arm(0, 449, -625, 0, 0);
     static final Map<String, Integer> ABOVE_PLACE = Robot.arm(0, 483, -238, 0, 288); // x 400, y 0
     static final Map<String, Integer> AT_PLACE = Robot.arm(0, 623, -354, 0, 288);
+    static final int SHUT = -64; // where the jaws, joint A, meet
     static final Map<String, Integer> HOME = Robot.arm(0, 0, 0, 0, 0);
 
-    public static void main(String[] args) throws Exception {
+    static void pickAndPlace(String[] args) throws IOException, InterruptedException {
         Robot robot = new Robot(args);
 
         // robot.go() brings all joints to these counts together. A single move is at most 127
@@ -35,6 +37,15 @@ class PickAndPlace {
         robot.send("A-100\r");
         int jaws = 16 - (100 - robot.waitFor("A"));
         robot.at.put("A", jaws);
+        if (jaws <= SHUT) {
+            System.err.println("the jaws closed on nothing: is the block at x 262, y 0 mm? Restart "
+                    + "the server to have it there (the examples 3 to 6 are for the Rhino XR-3 "
+                    + "with its own workcell, in the profile paper)");
+            robot.go(ABOVE_BLOCK); // back to where the examples begin
+            robot.go(HOME);
+            robot.go(Map.of("A", 0));
+            System.exit(1);
+        }
         System.out.printf("the jaws closed on %.1f mm%n", 50.8 + 0.79375 * jaws);
 
         robot.go(ABOVE_BLOCK);
@@ -50,5 +61,14 @@ class PickAndPlace {
         System.out.println("back at the start");
 
         robot.close();
+    }
+
+    public static void main(String[] args) throws InterruptedException {
+        try {
+            pickAndPlace(args);
+        } catch (IOException why) {
+            System.err.println(why.getMessage());
+            System.exit(1);
+        }
     }
 }

@@ -5,6 +5,7 @@
 //
 // The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.java.
 
+import java.io.IOException;
 import java.util.Map;
 
 class FindAndPick {
@@ -14,6 +15,7 @@ class FindAndPick {
     static final int ROW_BYTES = PIXELS / 6;
 
     static final int OPEN = 16; // counts of the open jaws
+    static final int SHUT = -64; // and of jaws that meet
     static final double Z = 20; // the largest block is 40 mm high: this is its middle
     static final double ABOVE = 100; // how far above it the tool comes and goes, mm
 
@@ -54,7 +56,7 @@ class FindAndPick {
      * Asks for the whole picture and returns its rows from the top, true where the camera sees a
      * block. The leftmost of six pixels is the highest bit, and 32 is added to each byte.
      */
-    static boolean[][] look() throws Exception {
+    static boolean[][] look() throws IOException {
         robot.send("A**");
         byte[] bytes = robot.read(PIXELS * ROW_BYTES);
         boolean[][] picture = new boolean[PIXELS][PIXELS];
@@ -82,7 +84,7 @@ class FindAndPick {
         collect(picture, row - 1, column, patch);
     }
 
-    static Place findLargest() throws Exception {
+    static Place findLargest() throws IOException {
         boolean[][] picture = look();
         Patch largest = new Patch();
         int patches = 0;
@@ -95,6 +97,7 @@ class FindAndPick {
             }
         }
         System.out.println("blocks in the picture: " + patches);
+        if (patches == 0) throw new IOException("the camera sees no block: is one on the table?");
         Place found = largest.measure();
         System.out.printf("the largest is at x %.0f, y %.0f mm, turned %.0f degrees%n",
                 found.x(), found.y(), found.angle());
@@ -108,7 +111,7 @@ class FindAndPick {
      * the tip and 9.5 mm nearer to the base. Each motor sets the slope of one link, whatever the
      * others do.
      */
-    static void goTo(Place place, double z) throws Exception {
+    static void goTo(Place place, double z) throws IOException, InterruptedException {
         double out = Math.hypot(place.x(), place.y()) - 9.5;
         double up = z + 168.3 - 260.4;
         double base = Math.toDegrees(Math.atan2(place.y(), place.x()));
@@ -127,7 +130,7 @@ class FindAndPick {
         return (int) Math.round(exact);
     }
 
-    public static void main(String[] args) throws Exception {
+    static void findAndPick(String[] args) throws IOException, InterruptedException {
         robot = new Robot(args);
         Place block = findLargest();
 
@@ -137,6 +140,15 @@ class FindAndPick {
         robot.send("A-100\r"); // as in example 5
         int jaws = OPEN - (100 - robot.waitFor("A"));
         robot.at.put("A", jaws);
+        if (jaws <= SHUT) {
+            System.err.printf("the jaws closed on nothing: is the block at x %.0f, y %.0f mm? "
+                    + "(The examples 3 to 6 are for the Rhino XR-3 with its own workcell, in the "
+                    + "profile paper)%n", block.x(), block.y());
+            goTo(block, Z + ABOVE); // back to where the examples begin
+            robot.go(Robot.arm(0, 0, 0, 0, 0));
+            robot.go(Map.of("A", 0));
+            System.exit(1);
+        }
         System.out.printf("the jaws closed on %.1f mm%n", 50.8 + 0.79375 * jaws);
         goTo(block, Z + ABOVE);
 
@@ -153,5 +165,14 @@ class FindAndPick {
         System.out.println("back at the start");
 
         robot.close();
+    }
+
+    public static void main(String[] args) throws InterruptedException {
+        try {
+            findAndPick(args);
+        } catch (IOException why) {
+            System.err.println(why.getMessage());
+            System.exit(1);
+        }
     }
 }

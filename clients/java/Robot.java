@@ -4,10 +4,21 @@
 import java.io.EOFException;
 import java.io.IOException;
 import java.net.Socket;
+import java.net.UnknownHostException;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
+/** Whatever it cannot do, it throws as an IOException with a text for people. */
 public class Robot {
+    /** How long pause() does nothing, between two questions. */
+    public static final int PAUSE_MS = 50;
+
+    /**
+     * A joint stands if its counter has not changed for so long. The slowest speed is one count a
+     * second, and the simulator's clock may run slowly, so be patient.
+     */
+    public static final int STANDS_MS = 2000;
+
     /** Where the motors are, in counts from the soft home, as far as go() moved them. */
     public final Map<String, Integer> at = new LinkedHashMap<>(arm(0, 0, 0, 0, 0));
 
@@ -18,14 +29,29 @@ public class Robot {
     public Robot(String[] args) throws IOException {
         String host = args.length > 0 ? args[0] : setting("XR3_HOST", "localhost");
         String port = args.length > 1 ? args[1] : setting("XR3_PORT", "9600");
-        line = new Socket(host, Integer.parseInt(port));
+        line = connect(host, port);
         line.setTcpNoDelay(true); // few bytes at a time shall go out at once, not be gathered first
         at.put("A", 0);
     }
 
+    private static Socket connect(String host, String port) throws IOException {
+        try {
+            return new Socket(host, Integer.parseInt(port));
+        } catch (IllegalArgumentException why) { // no number, or one that is no port
+            throw new IOException("the port has to be a number from 1 to 65535, not '" + port
+                    + "'");
+        } catch (UnknownHostException why) {
+            throw new IOException("no such host: " + host);
+        } catch (IOException why) {
+            throw new IOException("no robot answers at " + host + " port " + port
+                    + ": is the server running? ./run");
+        }
+    }
+
+    /** A variable of the environment; one that is empty counts as not set. */
     private static String setting(String name, String otherwise) {
         String value = System.getenv(name);
-        return value != null ? value : otherwise;
+        return value != null && !value.isEmpty() ? value : otherwise;
     }
 
     /** Counts of base, shoulder, elbow, pitch and roll, for go(). */
@@ -54,7 +80,14 @@ public class Robot {
     /** Asks, and returns the byte that answers, 0 to 255. */
     public int ask(String inquiry) throws IOException {
         send(inquiry);
-        return read(1)[0] & 0xFF;
+        byte[] reply = new byte[100];
+        int got = line.getInputStream().read(reply);
+        if (got < 1) throw new EOFException("the robot has closed the line");
+        if (got > 1) {
+            throw new IOException("no robot answers like this; is it the monitor port? "
+                    + "The robot port is 9600");
+        }
+        return reply[0] & 0xFF;
     }
 
     /** How many counts the joint has still to go. */
@@ -62,27 +95,34 @@ public class Robot {
         return ask(joint + "?") - 32;
     }
 
-    /** Between two questions: time enough for a count at 20 counts a second and more. */
+    /** Does nothing for a while. */
     public void pause() throws InterruptedException {
-        Thread.sleep(50);
+        Thread.sleep(PAUSE_MS);
     }
 
     /**
-     * Waits until the joint is there. One that makes no count between two questions stands, at a
-     * limit or with the jaws at a block, and is stopped. Returns the counts that were left.
+     * Waits until the joint is there. One that makes no count for STANDS_MS stands, at a limit or
+     * with the jaws at a block, and is stopped. Returns the counts that were left.
      */
     public int waitFor(String joint) throws IOException, InterruptedException {
         int left = toGo(joint);
-        while (left > 0) {
+        int stillMs = 0; // for how long the counter has not changed
+        while (left > 0 && stillMs < STANDS_MS) {
             pause();
             int before = left;
             left = toGo(joint);
-            if (left == before) {
-                send(joint + "X");
-                break;
-            }
+            stillMs = left == before ? stillMs + PAUSE_MS : 0;
         }
+        if (left > 0) send(joint + "X");
         return left;
+    }
+
+    /** Throws if there are counts left: says which joint stands, and what the reason may be. */
+    public static void checkArrived(String joint, int left) throws IOException {
+        if (left <= 0) return;
+        throw new IOException(joint + " stands, " + left + " counts short of where it was sent. "
+                + "Is it blocked at a limit, or stalled? Is a block in the jaws? Does time stand, "
+                + "or run slowly? Look at the page or at `xr3 watch`");
     }
 
     /** Brings these motors to these counts together, in parts that the error counter can hold. */
@@ -101,7 +141,7 @@ public class Robot {
                 at.put(joint, next);
             }
             for (String joint : wanted.keySet()) {
-                if (waitFor(joint) > 0) throw new IOException(joint + " stands and is not there");
+                checkArrived(joint, waitFor(joint));
             }
         }
     }

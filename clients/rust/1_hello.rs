@@ -6,28 +6,65 @@
 // and everything else with silence.
 
 use std::env;
-use std::io::{Read, Result, Write};
+use std::io::{Error, ErrorKind, Read, Result, Write};
 use std::net::TcpStream;
 
-fn main() -> Result<()> {
+/// An error that says something to people.
+fn error(why: &str) -> Error {
+    Error::new(ErrorKind::Other, why)
+}
+
+/// A variable of the environment; one that is empty counts as not set.
+fn setting(name: &str) -> Option<String> {
+    env::var(name).ok().filter(|value| !value.is_empty())
+}
+
+/// A line to the robot; what may go wrong is said in words.
+fn connect(host: &str, port: &str) -> Result<TcpStream> {
+    let number: u16 = port.parse().map_err(|_| {
+        error(&format!("the port has to be a number from 1 to 65535, not '{port}'"))
+    })?;
+    TcpStream::connect((host, number)).map_err(|_| {
+        error(&format!("no robot answers at {host} port {port}: is the server running? ./run"))
+    })
+}
+
+/// Sends a question and returns the byte that answers it.
+fn ask(robot: &mut TcpStream, question: &str) -> Result<i32> {
+    robot.write_all(question.as_bytes())?;
+    let mut reply = [0; 100];
+    match robot.read(&mut reply)? {
+        0 => Err(error("the robot has closed the line")),
+        1 => Ok(reply[0].into()),
+        _ => {
+            Err(error("no robot answers like this; is it the monitor port? The robot port is 9600"))
+        }
+    }
+}
+
+fn hello() -> Result<()> {
     // Where the robot is: from the arguments, else from the environment, else this machine.
-    let host = env::args().nth(1).or(env::var("XR3_HOST").ok());
-    let port = env::args().nth(2).or(env::var("XR3_PORT").ok());
+    let host = env::args().nth(1).or(setting("XR3_HOST"));
+    let port = env::args().nth(2).or(setting("XR3_PORT"));
     let host = host.unwrap_or("localhost".to_string());
     let port = port.unwrap_or("9600".to_string());
-    let mut robot = TcpStream::connect(format!("{host}:{port}"))?;
+    let mut robot = connect(&host, &port)?;
 
     // How far has the shoulder, joint E, still to go? The answer is counted from 32, the code of a
     // blank, so that it can be printed: a blank means 0 counts to go, "!" means 1, and so on.
-    let mut reply = [0u8];
-    robot.write_all(b"E?")?;
-    robot.read_exact(&mut reply)?;
-    println!("E? is answered by {}: {} counts to go", reply[0], reply[0] - 32);
+    let reply = ask(&mut robot, "E?")?;
+    println!("E? is answered by {}: {} counts to go", reply, reply - 32);
 
     // Which microswitches are closed? Again 32 is added; each switch has a bit of its own.
-    robot.write_all(b"I")?;
-    robot.read_exact(&mut reply)?;
-    println!("I is answered by {}: switches {}", reply[0], reply[0] - 32);
+    let reply = ask(&mut robot, "I")?;
+    println!("I is answered by {}: switches {}", reply, reply - 32);
 
     Ok(())
+}
+
+fn main() {
+    if let Err(why) = hello() {
+        eprintln!("{why}"); // no robot there, or not any more
+        std::process::exit(1);
+    }
 }

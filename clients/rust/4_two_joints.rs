@@ -3,10 +3,10 @@
 //     build/4_two_joints [HOST [PORT]]
 
 mod robot;
-use robot::{pause, Robot};
+use robot::{check_arrived, pause, Robot, PAUSE_MS, STANDS_MS};
 use std::io::Result;
 
-fn main() -> Result<()> {
+fn two_joints() -> Result<()> {
     let mut robot = Robot::connect()?;
 
     // A number with an S behind it is a speed, in counts a second. E has twice as far to go as F,
@@ -20,18 +20,32 @@ fn main() -> Result<()> {
 
     let mut f = robot.to_go('F')?;
     let mut e = robot.to_go('E')?;
+    let mut still_ms = 0; // for how long neither counter has changed, as in example 2
     while f > 0 || e > 0 {
         println!("  F {f}, E {e} counts to go");
         pause();
+        let before = f + e;
         f = robot.to_go('F')?;
         e = robot.to_go('E')?;
+        still_ms = if f + e == before { still_ms + PAUSE_MS } else { 0 };
+        if still_ms >= STANDS_MS {
+            check_arrived('F', f)?;
+            check_arrived('E', e)?;
+        }
     }
     println!("both are there");
 
     // And back again. wait() is example 2 once more, for one joint after the other.
     robot.send("F-40 E-80\r")?;
-    robot.wait('F')?;
-    robot.wait('E')?;
+    check_arrived('F', robot.wait('F')?)?;
+    check_arrived('E', robot.wait('E')?)?;
     println!("both are back");
     Ok(())
+}
+
+fn main() {
+    if let Err(why) = two_joints() {
+        eprintln!("{why}");
+        std::process::exit(1);
+    }
 }

@@ -17,8 +17,9 @@ const ABOVE_BLOCK: [i32; 5] = [0, 242, -440, 0, 0];
 const AT_BLOCK: [i32; 5] = [0, 449, -625, 0, 0];
 const ABOVE_PLACE: [i32; 5] = [0, 483, -238, 0, 288]; // x 400, y 0, not turned
 const AT_PLACE: [i32; 5] = [0, 623, -354, 0, 288];
+const SHUT: i32 = -64; // where the jaws, joint A, meet
 
-fn main() -> Result<()> {
+fn pick_and_place() -> Result<()> {
     let mut robot = Robot::connect()?;
 
     // go_arm() brings all joints to these counts together. A single move is at most 127 counts
@@ -34,6 +35,16 @@ fn main() -> Result<()> {
     // wait() also clears what is left (AX), or the jaws would go on pressing.
     robot.send("A-100\r")?;
     robot.at[JAWS] -= 100 - robot.wait('A')?;
+    if robot.at[JAWS] <= SHUT {
+        eprintln!(
+            "the jaws closed on nothing: is the block at x 262, y 0 mm? Restart the server to have \
+             it there (the examples 3 to 6 are for the Rhino XR-3 with its own workcell, in the \
+             profile paper)"
+        );
+        robot.go_arm(ABOVE_BLOCK)?; // back to where the examples begin
+        robot.go([0; 6])?;
+        std::process::exit(1);
+    }
     println!("the jaws closed on {:.1} mm", 50.8 + 0.79375 * f64::from(robot.at[JAWS]));
 
     robot.go_arm(ABOVE_BLOCK)?;
@@ -47,4 +58,11 @@ fn main() -> Result<()> {
     robot.go([0; 6])?; // home: all of them at 0, the jaws, too
     println!("back at the start");
     Ok(())
+}
+
+fn main() {
+    if let Err(why) = pick_and_place() {
+        eprintln!("{why}");
+        std::process::exit(1);
+    }
 }

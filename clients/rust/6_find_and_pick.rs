@@ -6,7 +6,7 @@
 // The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.
 
 mod robot;
-use robot::{Robot, JAWS};
+use robot::{error, Robot, JAWS};
 use std::io::Result;
 
 // The camera looks straight down on a square of 384 mm about x 290, y 0, in 192 x 192 pixels of
@@ -15,6 +15,7 @@ const PIXELS: usize = 192;
 const ROW_BYTES: usize = PIXELS / 6;
 
 const OPEN: i32 = 16; // counts of the open jaws
+const SHUT: i32 = -64; // and of jaws that meet
 const Z: f64 = 20.0; // the largest block is 40 mm high: this is its middle
 const ABOVE: f64 = 100.0; // how far above it the tool comes and goes, mm
 
@@ -36,7 +37,7 @@ fn look(robot: &mut Robot) -> Result<Picture> {
     let mut picture = vec![vec![false; PIXELS]; PIXELS];
     for row in 0..PIXELS {
         for column in 0..PIXELS {
-            let six = bytes[row * ROW_BYTES + column / 6] - 32;
+            let six = i32::from(bytes[row * ROW_BYTES + column / 6]) - 32;
             picture[row][column] = six >> (5 - column % 6) & 1 == 1;
         }
     }
@@ -102,6 +103,9 @@ fn find_largest(robot: &mut Robot) -> Result<Place> {
         }
     }
     println!("blocks in the picture: {patches}");
+    if patches == 0 {
+        return Err(error("the camera sees no block: is one on the table?"));
+    }
     let Place { x, y, angle } = measure(&largest);
     println!("the largest is at x {x:.0}, y {y:.0} mm, turned {angle:.0} degrees");
     Ok(Place { x, y, angle })
@@ -131,7 +135,7 @@ fn go_to(robot: &mut Robot, place: &Place, z: f64) -> Result<()> {
     ])
 }
 
-fn main() -> Result<()> {
+fn find_and_pick() -> Result<()> {
     let mut robot = Robot::connect()?;
     let block = find_largest(&mut robot)?;
 
@@ -140,6 +144,16 @@ fn main() -> Result<()> {
     go_to(&mut robot, &block, Z)?;
     robot.send("A-100\r")?; // as in example 5
     robot.at[JAWS] -= 100 - robot.wait('A')?;
+    if robot.at[JAWS] <= SHUT {
+        eprintln!(
+            "the jaws closed on nothing: is the block at x {:.0}, y {:.0} mm? (The examples 3 to 6 \
+             are for the Rhino XR-3 with its own workcell, in the profile paper)",
+            block.x, block.y
+        );
+        go_to(&mut robot, &block, Z + ABOVE)?; // back to where the examples begin
+        robot.go([0; 6])?;
+        std::process::exit(1);
+    }
     println!("the jaws closed on {:.1} mm", 50.8 + 0.79375 * f64::from(robot.at[JAWS]));
     go_to(&mut robot, &block, Z + ABOVE)?;
 
@@ -155,4 +169,11 @@ fn main() -> Result<()> {
     robot.go([0; 6])?;
     println!("back at the start");
     Ok(())
+}
+
+fn main() {
+    if let Err(why) = find_and_pick() {
+        eprintln!("{why}");
+        std::process::exit(1);
+    }
 }

@@ -18,6 +18,15 @@ pub const JAWS: usize = 5;
 /// A count for each motor, in the order of LETTERS.
 pub type Counts = [i32; 6];
 
+/// How long pause() does nothing, between two questions.
+pub const PAUSE_MS: u64 = 50;
+
+/// A joint stands if its counter has not changed for so long. The slowest speed is one count a
+/// second, and the simulator's clock may run slowly, so be patient.
+pub const STANDS_MS: u64 = 2000;
+
+const CLOSED: &str = "the robot has closed the line";
+
 pub struct Robot {
     /// Where the motors are, in counts from the soft home, as far as go() moved them.
     pub at: Counts,
@@ -26,33 +35,46 @@ pub struct Robot {
 
 impl Robot {
     /// Connects to HOST and PORT of the arguments, else of XR3_HOST and XR3_PORT, else to localhost
-    /// 9600.
+    /// 9600. Like everything here, it returns an error, with a text for people, if it cannot do
+    /// its work.
     pub fn connect() -> Result<Robot> {
-        let host = env::args().nth(1).or(env::var("XR3_HOST").ok());
-        let port = env::args().nth(2).or(env::var("XR3_PORT").ok());
+        let host = env::args().nth(1).or(setting("XR3_HOST"));
+        let port = env::args().nth(2).or(setting("XR3_PORT"));
         let host = host.unwrap_or("localhost".to_string());
         let port = port.unwrap_or("9600".to_string());
-        let line = TcpStream::connect(format!("{host}:{port}"))?;
+        let number: u16 = port.parse().map_err(|_| {
+            error(&format!("the port has to be a number from 1 to 65535, not '{port}'"))
+        })?;
+        let line = TcpStream::connect((host.as_str(), number)).map_err(|_| {
+            error(&format!("no robot answers at {host} port {port}: is the server running? ./run"))
+        })?;
         line.set_nodelay(true)?; // few bytes at a time shall go out at once, not be gathered first
         Ok(Robot { at: [0; 6], line })
     }
 
     /// Sends commands. A move has to end with \r.
     pub fn send(&mut self, text: &str) -> Result<()> {
-        self.line.write_all(text.as_bytes())
+        self.line.write_all(text.as_bytes()).map_err(|_| error(CLOSED))
     }
 
     /// Reads exactly so many bytes of an answer.
     pub fn read(&mut self, count: usize) -> Result<Vec<u8>> {
         let mut bytes = vec![0; count];
-        self.line.read_exact(&mut bytes)?;
+        self.line.read_exact(&mut bytes).map_err(|_| error(CLOSED))?;
         Ok(bytes)
     }
 
     /// Asks, and returns the byte that answers.
     pub fn ask(&mut self, inquiry: &str) -> Result<i32> {
         self.send(inquiry)?;
-        Ok(self.read(1)?[0].into())
+        let mut reply = [0; 100];
+        match self.line.read(&mut reply) {
+            Ok(1) => Ok(reply[0].into()),
+            Ok(0) | Err(_) => Err(error(CLOSED)),
+            Ok(_) => Err(error(
+                "no robot answers like this; is it the monitor port? The robot port is 9600",
+            )),
+        }
     }
 
     /// How many counts the joint has still to go.
@@ -60,18 +82,19 @@ impl Robot {
         Ok(self.ask(&format!("{joint}?"))? - 32)
     }
 
-    /// Waits until the joint is there. One that makes no count between two questions stands, at a
-    /// limit or with the jaws at a block, and is stopped. Returns the counts that were left.
+    /// Waits until the joint is there. One that makes no count for STANDS_MS stands, at a limit
+    /// or with the jaws at a block, and is stopped. Returns the counts that were left.
     pub fn wait(&mut self, joint: char) -> Result<i32> {
         let mut left = self.to_go(joint)?;
-        while left > 0 {
+        let mut still_ms = 0; // for how long the counter has not changed
+        while left > 0 && still_ms < STANDS_MS {
             pause();
             let before = left;
             left = self.to_go(joint)?;
-            if left == before {
-                self.send(&format!("{joint}X"))?;
-                break;
-            }
+            still_ms = if left == before { still_ms + PAUSE_MS } else { 0 };
+        }
+        if left > 0 {
+            self.send(&format!("{joint}X"))?;
         }
         Ok(left)
     }
@@ -93,10 +116,7 @@ impl Robot {
                 self.at[j] = next;
             }
             for joint in LETTERS {
-                if self.wait(joint)? > 0 {
-                    let why = format!("{joint} stands and is not where it was sent");
-                    return Err(Error::new(ErrorKind::Other, why));
-                }
+                check_arrived(joint, self.wait(joint)?)?;
             }
         }
         Ok(())
@@ -115,7 +135,29 @@ impl Robot {
     }
 }
 
-/// Between two questions: time enough for a count at 20 counts a second and more.
+/// Does nothing for a while.
 pub fn pause() {
-    sleep(Duration::from_millis(50));
+    sleep(Duration::from_millis(PAUSE_MS));
+}
+
+/// An error if there are counts left: which joint stands, and what the reason may be.
+pub fn check_arrived(joint: char, left: i32) -> Result<()> {
+    if left <= 0 {
+        return Ok(());
+    }
+    Err(error(&format!(
+        "{joint} stands, {left} counts short of where it was sent. Is it blocked at a limit, or \
+         stalled? Is a block in the jaws? Does time stand, or run slowly? Look at the page or at \
+         `xr3 watch`"
+    )))
+}
+
+/// An error that says something to people.
+pub fn error(why: &str) -> Error {
+    Error::new(ErrorKind::Other, why)
+}
+
+/// A variable of the environment; one that is empty counts as not set.
+fn setting(name: &str) -> Option<String> {
+    env::var(name).ok().filter(|value| !value.is_empty())
 }
