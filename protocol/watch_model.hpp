@@ -37,6 +37,9 @@ class WatchModel {
   /// a line that goes on with the first answer of `take`.
   std::string opening() const;
 
+  /// The line that asks whether the server is still there, with its line feed.
+  std::string ping() const { return "{\"op\":\"ping\"}\n"; }
+
   /// Takes one message, any bytes; returns the lines to send now, each with its line feed.
   std::vector<std::string> take(std::string_view line);
 

@@ -41,6 +41,11 @@ void Cell::catch_up(WallNs now) {
   if (state().tick == before) return;
   counters_.ticks += static_cast<std::uint64_t>(state().tick - before);
   ++revision_;
+  tell_of_time();
+}
+
+// What time has brought.
+void Cell::tell_of_time() {
   if (!simulation_.events().empty()) tell_machine(std::nullopt, simulation_.take_events());
   for (auto& [line, note] : warnings_.words_owed(state().tick)) tell(line, std::move(note));
 }
@@ -124,7 +129,7 @@ Applied Cell::take(const LineClosed& closed, WallNs) {
 Applied Cell::take(const call::Call& call, WallNs now) {
   Applied applied;
   applied.outcome = std::visit([&](const auto& each) { return carry_out(each, now); }, call);
-  if (!simulation_.events().empty()) tell_machine(std::nullopt, simulation_.take_events());
+  tell_of_time();
   return applied;
 }
 

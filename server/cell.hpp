@@ -106,6 +106,7 @@ class Cell {
   std::size_t take_piece(LineId id, Line& line, std::string_view bytes);
   void tell(std::optional<LineId> line, CellNote note);
   void tell_machine(std::optional<LineId> line, Events events);
+  void tell_of_time();
   void tell_at(Tick tick, std::optional<LineId> line, CellNote note);
   void tell_exchanges(LineId id, Line& line);
   void tell_all(LineId line, std::vector<CellNote> notes);

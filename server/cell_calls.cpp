@@ -41,14 +41,16 @@ bool are_same_things(const std::vector<Block>& a, const std::vector<Block>& b) {
 // --- Time.
 
 call::Outcome Cell::carry_out(const call::Pause&, WallNs now) {
+  const bool is_new = clock_.mode() != ClockMode::kManual;
   clock_.pause(now);
-  tell(std::nullopt, ClockNote{"pause", clock_.mode(), clock_.rate()});
+  if (is_new) tell(std::nullopt, ClockNote{"pause", clock_.mode(), clock_.rate()});
   return call::Done{};
 }
 
 call::Outcome Cell::carry_out(const call::Resume&, WallNs now) {
+  const bool is_new = clock_.mode() != ClockMode::kReal;
   clock_.resume(now);
-  tell(std::nullopt, ClockNote{"resume", clock_.mode(), clock_.rate()});
+  if (is_new) tell(std::nullopt, ClockNote{"resume", clock_.mode(), clock_.rate()});
   return call::Done{};
 }
 

@@ -25,9 +25,8 @@ Answer error(unsigned status, const char* code, const std::string& message,
   return {status, "application/json", body, {}};
 }
 
-Answer bad_request(const std::string& message) {
-  return closing(error(400, "bad_request", message,
-                       "GET /healthz HTTP/1.1 with one Host, lines ended by CR LF"));
+Answer bad_request(const std::string& message, const std::string& hint) {
+  return closing(error(400, "bad_request", message, hint));
 }
 
 Answer not_found(const std::string& message) {

@@ -24,8 +24,10 @@ Answer json(std::string body);
 Answer error(unsigned status, const char* code, const std::string& message,
              const std::string& hint);
 
+inline constexpr const char* kRequestHint =
+    "GET /healthz HTTP/1.1 with one Host, lines ended by CR LF";
 /// 400, and the connection ends: what follows cannot be trusted.
-Answer bad_request(const std::string& message);
+Answer bad_request(const std::string& message, const std::string& hint = kRequestHint);
 Answer not_found(const std::string& message);
 /// 405; the connection ends, since a body may follow.
 Answer method_not_allowed();

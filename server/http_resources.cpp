@@ -27,6 +27,7 @@ using http::Request;
 
 constexpr std::string_view kPng = "/camera.png";
 constexpr std::string_view kAssets = "/assets/";
+constexpr std::string_view kIcon = "/assets/icon.svg";
 
 // In place of a viewer that was not built. No style: the page may not have any in line.
 constexpr const char* kNoViewer = R"(<!doctype html>
@@ -109,13 +110,15 @@ std::optional<Answer> HttpResources::refuse_websocket(const Request& request) {
   if (!request.is_upgrade) return upgrade_required();
   if (versions.size() != 1 || versions.front() != "13") return upgrade_required();
   if (keys.size() != 1 || !is_websocket_key(keys.front()))
-    return http::bad_request("a WebSocket handshake has one Sec-WebSocket-Key of 16 bytes");
+    return http::bad_request("a WebSocket handshake has one Sec-WebSocket-Key of 16 bytes",
+                             "send 16 random bytes in base64, as WebSocket libraries do");
   const auto offers = request.values("Sec-WebSocket-Protocol");
   for (const std::string_view offer : offers) {
     if (has_token(offer, http::kSubprotocol)) return std::nullopt;
   }
   if (offers.empty()) return std::nullopt;
-  return http::bad_request("the only subprotocol is xr3.v1; offer it, or none");
+  return http::bad_request("no subprotocol that was offered is known here",
+                           "offer xr3.v1, or none");
 }
 
 // --- What there is.
@@ -162,9 +165,10 @@ asio::awaitable<Answer> HttpResources::answer(const Request& request) {
 Answer HttpResources::page(const Request& request) const {
   const std::string_view path = request.path();
   const bool is_root = path == "/";
-  const bool is_page = is_root || path == "/favicon.ico" || path.starts_with(kAssets);
+  const bool is_icon = path == "/favicon.ico";  // asked for by whatever shows a tab
+  const bool is_page = is_root || is_icon || path.starts_with(kAssets);
   if (!is_page) return http::not_found("there is nothing here");
-  const WebAsset asset = find_web_asset(is_root ? "/index.html" : path);
+  const WebAsset asset = find_web_asset(is_root ? "/index.html" : is_icon ? kIcon : path);
   if (!asset.type.empty()) return {200, std::string(asset.type), std::string(asset.bytes), {}};
   if (is_root) return {200, "text/html; charset=utf-8", kNoViewer, {}};
   return http::not_found("the viewer has no such file");

@@ -61,7 +61,8 @@ asio::awaitable<http::Answer> HttpSession::answer(const http::HeadReading& head)
   if (auto refused = resources_.refuse(head.request)) co_return *std::move(refused);
   if (head.request.path() == kWebsocketPath) {
     if (auto refused = HttpResources::refuse_websocket(head.request)) co_return *std::move(refused);
-    co_return http::bad_request("a WebSocket client waits for 101 before it sends");
+    co_return http::bad_request("a WebSocket client waits for 101 before it sends",
+                                "send the head of the handshake alone");
   }
   co_return co_await resources_.answer(head.request);
 }

@@ -14,14 +14,32 @@
 namespace xr3 {
 namespace {
 
+/// A message as one line that moves no terminal: clients choose names, and names may hold any character.
+std::string one_line(std::string_view formatted) {
+  std::string line;
+  for (const char c : formatted.substr(0, formatted.size() - 1)) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_second_of_c1 = byte >= 0x80 && byte < 0xA0 && line.ends_with('\xC2');
+    const bool is_control = byte < ' ' || byte == 0x7F;
+    if (is_second_of_c1) line.pop_back();
+    if (is_control || is_second_of_c1) {
+      line += fmt::format("\\x{:02x}", byte);
+    } else {
+      line += c;
+    }
+  }
+  return line + '\n';
+}
+
 // A parent that starts xr3 with a pipe and never reads it must not stop the robot. A pipe that polls
 // writable takes PIPE_BUF bytes at once; what is longer is cut to that.
 class PatientSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
   static constexpr std::size_t kMostBytes = 4096;
 
   void sink_it_(const spdlog::details::log_msg& message) override {
-    spdlog::memory_buf_t text;
-    formatter_->format(message, text);
+    spdlog::memory_buf_t formatted;
+    formatter_->format(message, formatted);
+    const std::string text = one_line({formatted.data(), formatted.size()});
     pollfd ready{STDERR_FILENO, POLLOUT, 0};
     if (::poll(&ready, 1, 0) != 1 || (ready.revents & POLLOUT) == 0) return;
     const auto written = ::write(STDERR_FILENO, text.data(), std::min(text.size(), kMostBytes));

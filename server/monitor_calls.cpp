@@ -152,22 +152,21 @@ Json MonitorService::value_now() const {
 
 monitor::Message MonitorService::send(Viewer& viewer, const monitor::Request& request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  std::string_view bytes = std::get<monitor::Send>(wanted.call).bytes;
+  const std::string& bytes = std::get<monitor::Send>(wanted.call).bytes;
   const std::optional<LineId> open_line = viewer.own_line();
   const bool is_open = open_line && cell_.find_line(*open_line) != nullptr;
   const LineId id = is_open
                         ? *open_line
                         : cell_.apply(LineOpened{"monitor", LineKind::kMonitor}, wall_now()).line;
   if (!is_open) viewer.set_own_line(id);
-  std::string replies;
-  do {  // a long reply fills the outbox: what is behind it has to wait until it is taken
-    bytes.remove_prefix(cell_.apply(BytesIn{id, bytes}, wall_now()).bytes_taken);
-    Line& line = *cell_.find_line(id);
-    replies.append(line.outbox());
-    line.sent(line.outbox().size());
-  } while (!bytes.empty());
+  // Camera images fill the outbox: what is behind them is for the next call, so that none takes long.
+  const std::size_t taken = cell_.apply(BytesIn{id, bytes}, wall_now()).bytes_taken;
+  Line& line = *cell_.find_line(id);
+  const std::string replies(line.outbox());
+  line.sent(replies.size());
   Json value = value_now();
   value["line"] = id;
+  if (taken < bytes.size()) value["taken"] = taken;
   value["hex"] = hexadecimal(replies);
   value["text"] = readable(replies);
   return monitor::result(request.id, value);

@@ -15,6 +15,7 @@ MonitorPort::MonitorPort(asio::io_context& io, Cell& cell, RobotPort& robot_port
       context_{service_, resources_, [this] { tell_of_tls(); },
                [this, acted](const std::shared_ptr<MonitorSession>& session) {
                  sessions_.erase(session);
+                 has_told_of_full_ = false;
                  acted();
                }},
       listener_(io, [this](tcp::socket socket) { open(std::move(socket)); }),
@@ -40,7 +41,10 @@ void MonitorPort::make_room() {
 }
 
 void MonitorPort::refuse(tcp::socket socket) {
-  spdlog::warn("monitor: connection refused: {} are open already", sessions_.size());
+  if (!std::exchange(has_told_of_full_, true)) {
+    spdlog::warn("monitor: connections are refused: {} are open already (told once until one ends)",
+                 sessions_.size());
+  }
   refusals_.add(std::move(socket));
 }
 

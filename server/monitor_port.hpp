@@ -53,6 +53,7 @@ class MonitorPort {
   Sessions sessions_;
   Refusals refusals_;
   bool has_told_of_tls_ = false;
+  bool has_told_of_full_ = false;
 };
 
 }  // namespace xr3

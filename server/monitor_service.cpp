@@ -1,5 +1,6 @@
 #include "server/monitor_service.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "server/wall_clock.hpp"
@@ -151,7 +152,8 @@ void MonitorService::subscribe(Viewer& viewer, const monitor::Request& request) 
   const Channel channel = wanted.selection.channel;
   if (is_feed(channel)) {
     cell_.catch_up(wall_now());
-    const std::int64_t since = wanted.since.value_or(feed(channel).next());
+    const std::int64_t next = feed(channel).next();
+    const std::int64_t since = std::clamp<std::int64_t>(wanted.since.value_or(next), 1, next);
     viewer.client().send(monitor::result(request.id, terms(request.cell, wanted, since)));
     viewer.client().follow_feed(request.cell, wanted, feed(channel));
   } else {

@@ -25,7 +25,10 @@ ErrorCode RobotPort::listen(const tcp::endpoint& endpoint) { return listener_.li
 
 void RobotPort::open(tcp::socket socket) {
   if (sessions_.size() >= most_lines_) {
-    spdlog::warn("line refused: {} lines are open already (--max-lines)", sessions_.size());
+    if (!std::exchange(has_told_of_full_, true)) {
+      spdlog::warn("lines are refused: {} are open already (--max-lines; told once until one ends)",
+                   sessions_.size());
+    }
     return;  // closed without a byte
   }
   const auto session = std::make_shared<RobotSession>(std::move(socket), context_);
@@ -39,6 +42,7 @@ void RobotPort::open(tcp::socket socket) {
 void RobotPort::end(LineId line) {
   sessions_.erase(line);
   unfinished_.erase(line);
+  has_told_of_full_ = false;
   if (is_closing_ && sessions_.empty()) watch_.close();
   tell();
 }

@@ -68,6 +68,7 @@ class RobotPort {
   Listener listener_;
   LineWatch watch_;
   bool is_watching_ = false;
+  bool has_told_of_full_ = false;
   std::set<LineId> unfinished_;            ///< had more to take in than a fair share
   bool is_again_ = false;                  ///< their next turns are on their way
   std::set<asio::steady_timer*> waiting_;  ///< cancelled when bytes have acted

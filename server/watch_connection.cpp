@@ -37,16 +37,17 @@ asio::awaitable<std::string> WatchConnection::run(std::function<void()> on_news)
   while (socket->is_open()) {
     const std::string_view bytes = co_await socket->read();
     if (bytes.empty() || !take(bytes)) break;
+    has_heard_ = true;
     if (!is_greeted && !model_.known().cell.empty()) {
       is_greeted = true;
-      deadline_.cancel();
+      ask_for_life();
     }
     on_news();
   }
   deadline_.cancel();
   socket->close();
   socket_.reset();
-  co_return is_greeted ? farewell() : options_.address + " is no monitor port: no greeting came";
+  co_return farewell(is_greeted);
 }
 
 asio::awaitable<std::string> WatchConnection::connect() {
@@ -79,10 +80,12 @@ bool WatchConnection::take(std::string_view bytes) {
   return line_.size() <= kMostLineBytes;
 }
 
-std::string WatchConnection::farewell() const {
+std::string WatchConnection::farewell(bool is_greeted) const {
   const std::string& word = model_.known().said;
-  const bool has_word = model_.has_parted() && !word.empty();
-  return has_word ? word : "the connection to " + options_.address + " is lost";
+  if (model_.has_parted() && !word.empty()) return word;
+  if (!is_greeted) return options_.address + " is no monitor port: no greeting came";
+  if (is_late_) return options_.address + " does not answer";
+  return "the connection to " + options_.address + " is lost";
 }
 
 void WatchConnection::send(const std::string& bytes) {
@@ -108,6 +111,19 @@ void WatchConnection::close_when_due() {
   deadline_.expires_after(kMostPatience);
   deadline_.async_wait([this](ErrorCode cancelled) {
     if (cancelled) return;
+    is_late_ = true;
+    close();
+  });
+}
+
+// Where nothing happens a server says nothing: whether it is still there, only a question tells.
+void WatchConnection::ask_for_life() {
+  has_heard_ = false;
+  send(model_.ping());
+  deadline_.expires_after(kMostPatience);
+  deadline_.async_wait([this](ErrorCode cancelled) {
+    if (cancelled) return;
+    if (has_heard_) return ask_for_life();
     is_late_ = true;
     close();
   });

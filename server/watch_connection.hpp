@@ -31,16 +31,18 @@ class WatchConnection {
   asio::awaitable<std::string> connect();
   asio::awaitable<void> send_all(std::shared_ptr<MonitorSocket> socket);
   bool take(std::string_view bytes);
-  std::string farewell() const;
+  std::string farewell(bool is_greeted) const;
   void close_when_due();
+  void ask_for_life();
 
   asio::io_context& context_;
   const WatchOptions& options_;
   watch::WatchModel& model_;
   tcp::resolver resolver_;
   tcp::socket connecting_;
-  asio::steady_timer deadline_;  ///< for the greeting
+  asio::steady_timer deadline_;  ///< for the greeting, then for an answer to each ping
   bool is_late_ = false;
+  bool has_heard_ = false;                 ///< since the last ping
   std::shared_ptr<MonitorSocket> socket_;  ///< none while there is no connection
   std::string line_;                       ///< the beginning of the next message
   std::string unsent_;

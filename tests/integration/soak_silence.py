@@ -2,12 +2,15 @@
 WebSocket that no longer answers pings is gone in half a minute, and so is who takes no byte."""
 
 import asyncio
+import os
 import re
+import signal
 import time
 import unittest
 import urllib.request
 
-from support import LOCALHOST, Monitor, Server, connect
+from support import LOCALHOST, XR3, Monitor, Server, connect
+from terminal import Terminal
 from web_viewer import UPGRADE, Viewer
 
 GONE_S = 30.0
@@ -27,6 +30,16 @@ class Silence(unittest.IsolatedAsyncioTestCase):
                 await asyncio.gather(asyncio.to_thread(self.mute_websocket, xr3), asyncio.to_thread(self.stuck, other))
                 self.assertEqual("pong", (await listener.ask(op="ping"))["op"])
             self.assertEqual("pong", person.request("ping")["op"])
+
+    async def test_a_server_that_hangs_is_missed_by_who_watches(self):
+        with Server("--log-level", "warn") as xr3, Terminal([XR3, "watch", f"localhost:{xr3.monitor_port}"]) as terminal:
+            terminal.wait_text("-90.00 deg")
+            os.kill(xr3.pid, signal.SIGSTOP)
+            try:
+                terminal.wait_text("does not answer")
+            finally:
+                os.kill(xr3.pid, signal.SIGCONT)
+            terminal.wait_for(lambda text: "trying again" not in text)
 
     def mute_websocket(self, xr3):
         """It reads, but no ping of the server is ever answered."""

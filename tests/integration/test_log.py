@@ -23,6 +23,12 @@ class Log(unittest.TestCase):
                 monitor.settle(after=line)
             self.assertIn("A$", xr3.wait_log("protected_region: .*"))
 
+    def test_a_name_forges_no_line_and_moves_no_terminal(self):
+        with Server() as xr3, xr3.monitor() as monitor:
+            monitor.call("block_add", name="x\n12:00:00.000 \x1b[31m\x9b\x00é", size_mm=[9, 9, 9], xyz_mm=[300, 0, 5], color=1)
+            line = xr3.wait_log("block_add x.*")
+            self.assertTrue(line.endswith(r"block_add x\x0a12:00:00.000 \x1b[31m\x9b\x00é" "\n"), line)
+
 
 if __name__ == "__main__":
     unittest.main()

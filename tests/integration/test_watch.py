@@ -7,6 +7,7 @@ import signal
 import socket
 import subprocess
 import tempfile
+import threading
 import unittest
 
 from support import DEADLINE_S, LOCALHOST, XR3, Server, run_xr3
@@ -169,6 +170,22 @@ class Watch(unittest.TestCase):
         for address in "localhost:", ":9601", "localhost:x", "localhost:70000", "":
             self.assertEqual(2, self.refused(address, "HOST:PORT"))
         self.assertEqual(2, self.refused("localhost:1", "no/such/file", "--token-file", "no/such/file"))
+
+    def test_a_server_that_is_full_is_quoted(self):
+        with socket.create_server((LOCALHOST, 0)) as full:
+            answer = threading.Thread(target=self.say_full, args=(full,))
+            answer.start()
+            self.assertEqual(NO_SERVER, self.refused(f"localhost:{full.getsockname()[1]}", "too many connections"))
+            answer.join()
+
+    def say_full(self, listener):
+        """As xr3 does it beyond its last connection."""
+        sock, _ = listener.accept()
+        with sock:
+            sock.sendall(b'{"op":"bye","code":"full","message":"too many connections; close some and try again"}\n')
+            sock.shutdown(socket.SHUT_WR)
+            while sock.recv(4096):
+                pass
 
     def refused(self, address, word, *options):
         done = run_xr3("watch", "--once", address, *options)

@@ -306,6 +306,7 @@ TEST_F(HttpTest, Pictures) {
 TEST_F(HttpTest, TheSchemaAndThePage) {
   EXPECT_EQ(json_of(answer(get("/schema/v1.json")))["$schema"].is_string(), true);
   EXPECT_TRUE(answer(get("/")).find("text/html") != std::string::npos);
+  EXPECT_EQ(body_of(get("/favicon.ico")), body_of(get("/assets/icon.svg")));
   EXPECT_EQ(status_of(get("/assets/")), "404");
   EXPECT_EQ(status_of(get("/assets/../../etc/passwd")), "404");
 }

@@ -170,6 +170,35 @@ TEST_F(MonitorServiceTest, SendTakesBytesAsTheyAre) {
   EXPECT_EQ(cell_.lines().at(value["line"]).bytes_in(), 18U) << "nobody is a stranger here";
 }
 
+TEST_F(MonitorServiceTest, SendTakesNoMoreThanAnOutboxOfReplies) {
+  cell_.apply(call::ReplaceWorkcell{test::workcell_named("rhino-xr3")}, wall_now());
+  read(one_);
+  std::string images;
+  for (int i = 0; i < 100; ++i) images += "A**";
+  const Json value = call(one_, "send", R"({"text":")" + images + R"("})")["value"];
+  const auto taken = value["taken"].get<std::size_t>();
+  const std::size_t replies = value["hex"].get_ref<const std::string&>().size() / 2;
+  EXPECT_LT(taken, images.size());
+  EXPECT_GE(replies, Line::kFullOutbox);
+  EXPECT_LT(replies, 2 * Line::kFullOutbox) << "each image is smaller than an outbox";
+  EXPECT_FALSE(call(one_, "send", R"({"text":"E?"})")["value"].contains("taken"));
+}
+
+TEST_F(MonitorServiceTest, AClockThatStandsAlreadyIsNotToldOf) {
+  read(one_);
+  ask(one_, R"({"op":"sub","channel":"event"})");
+  EXPECT_EQ(ask(one_, R"({"op":"call","id":1,"fn":"pause"})").size(), 1U);
+  EXPECT_EQ(ask(one_, R"({"op":"call","id":1,"fn":"resume"})").size(), 2U);
+  EXPECT_EQ(ask(one_, R"({"op":"call","id":1,"fn":"resume"})").size(), 1U);
+  EXPECT_EQ(ask(one_, R"({"op":"call","id":1,"fn":"pause"})").size(), 2U);
+}
+
+TEST_F(MonitorServiceTest, ASubscriptionFromTheFutureBeginsNow) {
+  read(one_);
+  const Json value = answer(one_, R"({"op":"sub","channel":"event","since":100000})")["value"];
+  EXPECT_EQ(value["since"], cell_.events().next());
+}
+
 TEST_F(MonitorServiceTest, LinesTellsAndDisconnectCloses) {
   read(one_);
   send("E+200\rI");
