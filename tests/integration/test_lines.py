@@ -16,12 +16,15 @@ class Lines(unittest.TestCase):
             for _ in range(3):
                 with xr3.line() as refused:
                     self.assertEqual(b"", refused.read_to_end())
-            self.assertIn("max-lines", xr3.wait_log("refused", times=3))
+            self.assertIn("max-lines", xr3.wait_log("refused"))
             self.assertEqual((32, 32), (first.ask("E?"), second.ask("E?")))
             first.close()
             xr3.wait_log(r"line 1 .*closed by its client")
-            with xr3.line() as third:
+            self.assertEqual(1, xr3.log().count("refused"), "it is told once, until a line ends")
+            with xr3.line() as third, xr3.line() as refused:
                 self.assertEqual(32, third.ask("E?"))
+                self.assertEqual(b"", refused.read_to_end())
+            xr3.wait_log("refused", 2)
 
     def test_half_close_gets_its_replies(self):
         for data, replies in [(b"E+5\rE?", b"%"), (b"E?" * 5000, b" " * 5000), (b"E+5\r", b""), (b"", b""),
