@@ -10,25 +10,46 @@
 # real:50`: time fifty times as fast.
 set -eu
 
+[ $# -gt 0 ] || { echo "usage: $0 'COMMAND'..." >&2; exit 2; }
+
 xr3=${XR3:-$(dirname "$0")/../../build/release/xr3}
 folder=$(mktemp -d)
 mkfifo "$folder/said"
 
+# (on this machine, wherever another server is told to listen)
 # shellcheck disable=SC2086  # options are words
-"$xr3" serve --robot-port 0 --monitor-port 0 ${XR3_OPTIONS---clock real:50} \
+XR3_LISTEN='' "$xr3" serve --robot-port 0 --monitor-port 0 ${XR3_OPTIONS---clock real:50} \
   >"$folder/said" 2>"$folder/log" &
 server=$!
 
+running=
 finish() {
   code=$?
+  trap '' INT TERM
+  # (by both names: its session may still be to come)
+  [ -z "$running" ] || kill -- "-$running" "$running" 2>/dev/null || true
   kill "$server" 2>/dev/null || true
+  [ -z "$running" ] || wait "$running" 2>/dev/null || true
   wait "$server" 2>/dev/null || true
   [ "$code" = 0 ] || { echo "--- log of xr3:"; cat "$folder/log"; } >&2
   rm -rf "$folder"
   exit "$code"
 }
 trap finish EXIT
-trap 'exit 130' INT TERM
+trap 'exit 130' INT
+trap 'exit 143' TERM
+
+# Runs one command. A shell hears a signal at once only while it waits, so the command is in the
+# background: in a session of its own, so that all of it can be ended, and with what `&` takes from
+# it, standard input and its signals.
+run() {
+  setsid env --default-signal=INT,QUIT sh -c "$1" <&4 3<&- 4<&- &
+  running=$!
+  code=0
+  wait "$running" || code=$?
+  running=
+  return "$code"
+}
 
 # The server says one line, when both of its ports take connections: LISTENING robot=HOST:PORT
 # monitor=HOST:PORT. No sleeping, no asking again: read waits for it, and fails if the server ends
@@ -36,12 +57,14 @@ trap 'exit 130' INT TERM
 exec 3<"$folder/said"
 read -r listening <&3
 XR3_HOST=localhost
-XR3_PORT=${listening#*robot=*:}
-XR3_PORT=${XR3_PORT%% *}
+robot=${listening#*robot=}
+robot=${robot%% *}
+XR3_PORT=${robot##*:}  # a host may have colons, too
 XR3_MONITOR_PORT=${listening##*:}
 export XR3_HOST XR3_PORT XR3_MONITOR_PORT
 
+exec 4<&0
 for command; do
   echo "\$ $command"
-  sh -c "$command" 3<&-
+  run "$command"
 done

@@ -5,6 +5,7 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import tempfile
 import unittest
@@ -38,6 +39,17 @@ class Recipes(unittest.TestCase):
             command or shown("README.md")[-1], shell=True, cwd=self.folder, text=True,
             env={**os.environ, "XR3": XR3, "TMPDIR": str(self.temporary), **environment},
             stdin=subprocess.DEVNULL, capture_output=True, timeout=DEADLINE_S, check=False)
+
+    def start_recipe(self, script, *commands):
+        """Starts it with these commands, and waits until the first has said that it runs."""
+        process = subprocess.Popen([script, *commands], cwd=self.folder, text=True, stdin=subprocess.PIPE,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   env={**os.environ, "XR3": XR3, "TMPDIR": str(self.temporary)})
+        self.addCleanup(process.communicate)
+        for line in process.stdout:
+            if line == "runs\n":
+                return process
+        return self.fail(process.stderr.read())
 
     def change(self, name, old, new):
         path = self.folder / name
@@ -75,6 +87,40 @@ class Recipes(unittest.TestCase):
         ran = self.run_recipe("xr3/docs/ci/with-xr3.sh 'exit 7' 'echo not reached'")
         self.assertEqual((7, "$ exit 7\n"), (ran.returncode, ran.stdout))
         self.assertEqual([], list(self.temporary.iterdir()))
+
+    def test_without_a_command_nothing_was_tested(self):
+        ran = self.run_recipe("xr3/docs/ci/with-xr3.sh")
+        self.assertEqual((2, ""), (ran.returncode, ran.stdout))
+        self.assertRegex(ran.stderr, r"\Ausage: \S*with-xr3\.sh 'COMMAND'[^\n]*\n\Z")
+        self.assertEqual([], list(self.temporary.iterdir()))
+
+    def test_a_signal_ends_it_and_all_that_it_started(self):
+        pipe = self.folder / "held"  # whoever of the command is alive holds it open
+        os.mkfifo(pipe)
+        for number, code in (signal.SIGTERM, 143), (signal.SIGINT, 130):
+            with self.subTest(number.name):
+                held = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+                self.addCleanup(os.close, held)
+                process = self.start_recipe(
+                    "xr3/docs/ci/with-xr3.sh", f"exec 9>held; echo runs; sleep {3 * DEADLINE_S}; true", "echo more")
+                os.set_blocking(held, True)
+                process.send_signal(number)
+                self.assertEqual(code, process.wait(DEADLINE_S))
+                self.assertEqual(b"", os.read(held, 1), "its end")
+                self.assertNotIn("more", process.stdout.read())
+                self.assertEqual([], list(self.temporary.iterdir()))
+
+    def test_commands_have_standard_input_and_signals_as_anywhere(self):
+        process = self.start_recipe("xr3/docs/ci/with-xr3.sh",
+                                    "echo runs; read -r word; echo $word; sh -c 'kill -INT $$'")
+        self.assertEqual("heard\n", process.communicate("heard\n", timeout=DEADLINE_S)[0])
+        self.assertEqual(128 + signal.SIGINT, process.returncode)
+
+    def test_another_address(self):
+        ran = self.run_recipe(XR3_LISTEN="::1")
+        self.assertEqual((0, ""), (ran.returncode, ran.stderr))
+        ran = self.run_recipe("xr3/docs/ci/with-xr3.sh 'echo $XR3_PORT+$XR3_MONITOR_PORT'", XR3_OPTIONS="--listen ::1")
+        self.assertRegex(ran.stdout, r"\n\d+\+\d+\n\Z")
 
     def test_a_server_that_does_not_start(self):
         ran = self.run_recipe(XR3_OPTIONS="--robot no-such-robot")
