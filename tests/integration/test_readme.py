@@ -26,9 +26,10 @@ def session():
 class ThirtySeconds(unittest.TestCase):
     def test_what_is_typed_and_what_comes_back(self):
         lines = session()
-        self.assertEqual(["E5S", "E+50", "E?", "A$"], [typed for typed, _ in lines])
+        self.assertEqual(["E5S", "E+50", "E?", "A$", "Q"], [typed for typed, _ in lines])
         received = 0
         with Server() as xr3, xr3.monitor() as monitor, Telnet(xr3.robot_port) as telnet:
+            before = monitor.get("joints")
             for typed, reply in lines:
                 if reply is not None:
                     state = monitor.step(TICKS_BEFORE_ASKING)
@@ -39,6 +40,7 @@ class ThirtySeconds(unittest.TestCase):
                 received += len(typed) + 2  # telnet sends CR LF
                 state = monitor.step(0, after=(1, received))
             self.assertEqual("", counts(state), "home")
+            self.assertEqual(before["joints"], state["joints"], "with the speeds it had")
 
 
 if __name__ == "__main__":
