@@ -124,7 +124,7 @@ void add_serve(CLI::App& app, ServeOptions& options) {
       ->check(parses(parse_clock, ""));
   serve
       .add_option("--max-lines", options.most_lines,
-                  "lines open at once; more are closed without a byte")
+                  "connections of the robot port open at once; more are closed without a byte")
       ->type_name("N")
       ->check(CLI::Range(1, kMostLines).description(""))
       ->capture_default_str();
