@@ -5,6 +5,7 @@
 #include <boost/asio/detached.hpp>
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <iostream>
 #include <thread>
 #include <utility>
@@ -71,20 +72,29 @@ std::string ask(const tcp::endpoint& place, Clock::time_point deadline) {
   return trouble_of(result, place);
 }
 
-std::string try_once(const HealthOptions& options, Clock::time_point deadline) {
+/// What came instead of a good answer, or nothing, and what this is called.
+struct Outcome {
+  std::string trouble;
+  ExitCode code = ExitCode::kNoServer;
+};
+
+/// A port file that is not there may be to come with its server; one that names no port is wrong.
+Outcome try_once(const HealthOptions& options, Clock::time_point deadline) {
   const auto address = asio::ip::make_address(address_to_ask(options.listen));
   try {
     const bool has_file = !options.port_file.empty();
     const auto port = has_file ? read_monitor_port(options.port_file) : options.monitor_port;
-    return ask({address, port}, deadline);
+    return {ask({address, port}, deadline)};
   } catch (const FileError& error) {
-    return error.what();
+    std::error_code ignored;
+    const bool is_there = std::filesystem::exists(options.port_file, ignored);
+    return {error.what(), is_there ? ExitCode::kBadInput : ExitCode::kNoServer};
   }
 }
 
-ExitCode fail(const std::string& trouble) {
-  std::cerr << "xr3: " << trouble << "\n";
-  return ExitCode::kNoServer;
+ExitCode fail(const Outcome& outcome) {
+  std::cerr << "xr3: " << outcome.trouble << "\n";
+  return outcome.code;
 }
 
 }  // namespace
@@ -96,10 +106,10 @@ ExitCode check_health(const HealthOptions& options) {
       std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.wait_s));
   const auto deadline = Clock::now() + (is_one_try ? kMostPatience : wait);
   for (;;) {
-    const std::string trouble = try_once(options, std::min(deadline, Clock::now() + kMostPatience));
-    if (trouble.empty()) return ExitCode::kGood;
+    const Outcome outcome = try_once(options, std::min(deadline, Clock::now() + kMostPatience));
+    if (outcome.trouble.empty()) return ExitCode::kGood;
     // (twice, so that the last try has some time itself)
-    if (is_one_try || Clock::now() + 2 * kBeforeNextTry > deadline) return fail(trouble);
+    if (is_one_try || Clock::now() + 2 * kBeforeNextTry > deadline) return fail(outcome);
     std::this_thread::sleep_for(kBeforeNextTry);
   }
 }

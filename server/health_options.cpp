@@ -44,7 +44,7 @@ void add_health(CLI::App& app, HealthOptions& options) {
       ->type_name("FILE");
   health.add_option("--wait", options.wait_s, "try again for so long, until it answers")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.0, kLongestWaitS).description(""))
+      ->check(number_between(0, kLongestWaitS))
       ->configurable(false);
   add_config(health, options.config);
   take_environment(health, {"--wait"});

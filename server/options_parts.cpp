@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cstdint>
+#include <sstream>
 #include <stdexcept>
 
 #include "server/asio.hpp"
@@ -26,6 +27,19 @@ std::string check_flag(const std::string& text) {
   for (const char* known : {"true", "false", "1", "0", "yes", "no", "on", "off"})
     if (word == known) return {};
   return text + ": this is true or false, 1 or 0, yes or no, on or off";
+}
+
+CLI::Validator number_between(double least, double most) {
+  return CLI::Validator(
+      [least, most](const std::string& text) -> std::string {
+        double number = 0;
+        const bool is_number = CLI::detail::lexical_cast(text, number);
+        if (is_number && number >= least && number <= most) return {};
+        std::ostringstream allowed;
+        allowed << text << ": a number from " << least << " to " << most;
+        return allowed.str();
+      },
+      "");
 }
 
 Profile parse_profile(const std::string& text) {

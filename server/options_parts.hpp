@@ -29,6 +29,9 @@ std::string check_listen(const std::string& text);
 std::string check_port(const std::string& text);
 std::string check_flag(const std::string& text);
 
+/// A check of a number, which says the bounds as people write them.
+CLI::Validator number_between(double least, double most);
+
 /// Throws std::invalid_argument with what is allowed.
 Profile parse_profile(const std::string& text);
 

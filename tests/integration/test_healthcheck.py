@@ -149,11 +149,24 @@ class Healthcheck(unittest.TestCase):
             for text in "", "{", "[]", "{}", '{"monitor":"9601"}', '{"monitor":0}', '{"monitor":65536}', '{"monitor":-1}':
                 with self.subTest(text):
                     ports.write_text(text, encoding="ascii")
-                    self.unhealthy("ports.json: names no monitor port", "--port-file", ports)
+                    for wait in [], ["--wait", "0.1"]:
+                        self.unhealthy("ports.json: names no monitor port", "--port-file", ports, *wait, code=2)
+            self.unhealthy("is a folder", "--port-file", folder, code=2)
+
+    def test_waits_for_a_port_file_that_is_still_written(self):
+        with tempfile.TemporaryDirectory() as folder, Server() as xr3:
+            ports = pathlib.Path(folder, "ports.json")
+            ports.write_text("{", encoding="ascii")
+            with subprocess.Popen([XR3, "healthcheck", "--port-file", ports, "--wait", str(DEADLINE_S)]) as waiting:
+                with self.assertRaises(subprocess.TimeoutExpired, msg="it waits"):
+                    waiting.wait(0.2)
+                ports.write_text(f'{{"monitor": {xr3.monitor_port}}}', encoding="ascii")
+                self.assertEqual(0, waiting.wait(DEADLINE_S))
 
     def test_wrong_arguments(self):
         for says, *arguments in [("--wait", "--wait", "-1"), ("65535", "--monitor-port", "70000"),
-                                 ("--port-file", "--monitor-port", "0"), ("address", "--listen", "robot.lab")]:
+                                 ("--port-file", "--monitor-port", "0"), ("address", "--listen", "robot.lab"),
+                                 (r"--wait: abc: a number from 0 to 86400;", "--wait", "abc")]:
             self.unhealthy(says, *arguments, code=2)
 
 
