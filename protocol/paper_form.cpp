@@ -27,6 +27,27 @@ CheckResult unknown_result(const std::string& file, const paper::Lines& lines) {
   return result;
 }
 
+/// The first character outside comments, or a blank if there is none.
+char first_character(std::string_view text) {
+  const std::string data = without_comment_lines(text);
+  const std::size_t first = data.find_first_not_of(" \t\r\n");
+  return first == std::string::npos ? ' ' : data[first];
+}
+
+bool is_json_file(std::string_view text, const std::string& file) {
+  constexpr std::string_view kBeginsNumber = "0123456789+-.";
+  if (is_json_form(text)) return true;
+  return file.ends_with(".json") &&
+         kBeginsNumber.find(first_character(text)) == std::string_view::npos;
+}
+
+/// Why a file cannot be used: what is wrong in it, or that it is of the other kind.
+DataError unusable(const CheckResult& result, const std::string& file, const std::string& found,
+                   const std::string& allowed) {
+  if (!result.is_good()) return DataError(result.findings);
+  return DataError({{Severity::kError, file, 1, 0, "", found, allowed}});
+}
+
 template <class Reading>
 CheckResult result_of(DataKind kind, Reading& reading) {
   CheckResult result;
@@ -38,14 +59,13 @@ CheckResult result_of(DataKind kind, Reading& reading) {
 }  // namespace
 
 bool is_json_form(std::string_view text) {
-  const std::string data = without_comment_lines(text);
-  const std::size_t first = data.find_first_not_of(" \t\r\n");
-  return first != std::string::npos && (data[first] == '{' || data[first] == '[');
+  const char first = first_character(text);
+  return first == '{' || first == '[';
 }
 
 CheckResult check_either_form(std::string_view text, const std::string& file, Profile profile,
                               const Robot* robot) {
-  if (is_json_form(text)) return check_text(text, file, profile, robot);
+  if (is_json_file(text, file)) return check_text(text, file, profile, robot);
   const paper::Lines lines = paper::split(text, file);
   if (kind_of(lines) == DataKind::kRobot) {
     RobotReading reading = read_paper_robot(text, file);
@@ -62,6 +82,20 @@ CheckResult check_either_form(std::string_view text, const std::string& file, Pr
     return result;
   }
   return unknown_result(file, lines);
+}
+
+Robot load_robot_of_either_form(std::string_view text, const std::string& file) {
+  if (is_json_file(text, file)) return load_robot(text, file);
+  CheckResult result = check_either_form(text, file, Profile::kPaper);
+  if (!result.robot) throw unusable(result, file, "a workcell", "a robot");
+  return *std::move(result.robot);
+}
+
+Workcell load_workcell_of_either_form(std::string_view text, const std::string& file) {
+  if (is_json_file(text, file)) return load_workcell(text, file);
+  CheckResult result = check_either_form(text, file, Profile::kPaper);
+  if (!result.workcell) throw unusable(result, file, "a robot", "a workcell");
+  return *std::move(result.workcell);
 }
 
 }  // namespace xr3

@@ -30,8 +30,13 @@ WorkcellReading read_paper_workcell(std::string_view text, const std::string& fi
 bool is_json_form(std::string_view text);
 
 /// check_text, for files of either form. A plain file that begins with one number is a robot, one with
-/// three a workcell.
+/// three a workcell. What is called .json and does not begin with a number is JSON, broken or not.
 CheckResult check_either_form(std::string_view text, const std::string& file, Profile profile,
                               const Robot* robot = nullptr);
+
+/// load_robot and load_workcell, for files of either form. Throw DataError with every finding if one of
+/// them is an error, or if a plain file is of the other kind.
+Robot load_robot_of_either_form(std::string_view text, const std::string& file);
+Workcell load_workcell_of_either_form(std::string_view text, const std::string& file);
 
 }  // namespace xr3

@@ -7,8 +7,7 @@
 #include <iostream>
 #include <utility>
 
-#include "protocol/robot_json.hpp"
-#include "protocol/workcell_json.hpp"
+#include "protocol/paper_form.hpp"
 #include "server/data_files.hpp"
 #include "server/log.hpp"
 #include "server/port_file.hpp"
@@ -68,11 +67,11 @@ AccessRules access_rules(const ServeOptions& options, std::string token) {
 ModelPtr load_model(const ServeOptions& options) {
   const DataFile robot_file =
       blaming(options.origins, "--robot", [&] { return find_data_file(options.robot, "robots"); });
-  const Robot robot = load_robot(robot_file.text, robot_file.path);
+  const Robot robot = load_robot_of_either_form(robot_file.text, robot_file.path);
   const DataFile workcell_file = blaming(options.origins, "--workcell", [&] {
     return find_data_file(workcell_name(options), "workcells");
   });
-  const Workcell workcell = load_workcell(workcell_file.text, workcell_file.path);
+  const Workcell workcell = load_workcell_of_either_form(workcell_file.text, workcell_file.path);
   return std::make_shared<const Model>(robot, workcell, options.profile);
 }
 

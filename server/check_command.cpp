@@ -3,8 +3,7 @@
 #include <iostream>
 #include <optional>
 
-#include "protocol/check_report.hpp"
-#include "protocol/robot_json.hpp"
+#include "protocol/paper_form.hpp"
 #include "server/data_files.hpp"
 
 namespace xr3 {
@@ -15,14 +14,14 @@ std::optional<Robot> robot_for(const CheckOptions& options, const std::string& f
   const std::string name = std::filesystem::path(file).stem();
   if (options.robot.empty() && !has_data_file(name, "robots")) return std::nullopt;
   const DataFile data = find_data_file(options.robot.empty() ? name : options.robot, "robots");
-  return load_robot(data.text, data.path);
+  return load_robot_of_either_form(data.text, data.path);
 }
 
 bool check_file(const CheckOptions& options, const std::string& file) {
   const DataFile data = read_file(file);
   const std::optional<Robot> robot = robot_for(options, file);
   const CheckResult result =
-      check_text(data.text, data.path, options.profile, robot ? &*robot : nullptr);
+      check_either_form(data.text, data.path, options.profile, robot ? &*robot : nullptr);
   std::cerr << to_text(result.findings) << std::flush;
   std::cout << result.summary << std::flush;
   return result.is_good();

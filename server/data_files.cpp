@@ -6,6 +6,8 @@
 #include <cstring>
 #include <fstream>
 #include <sstream>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace xr3 {
@@ -16,8 +18,12 @@ namespace fs = std::filesystem;
 // More than any sensible data file; a wrong path (a disk image, a device) is refused at once.
 constexpr std::uintmax_t kLargestFile = 64 * 1024 * 1024;
 
+// What editors of Windows put before a text; it is no part of it.
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 bool is_path(const std::string& what) {
-  return what.find('/') != std::string::npos || what.ends_with(".json");
+  if (what.find('/') != std::string::npos) return true;
+  return what.ends_with(".json") || what.ends_with(".txt") || what.ends_with(".dat");
 }
 
 std::string names_in(const fs::path& folder) {
@@ -47,12 +53,16 @@ DataFile read_file(const fs::path& path) {
   if (!file) throw FileError(path.string() + ": cannot be read: " + std::strerror(errno));
   std::ostringstream text;
   text << file.rdbuf();
-  return {path.string(), text.str()};
+  std::string content = std::move(text).str();
+  if (content.starts_with(kByteOrderMark)) content.erase(0, kByteOrderMark.size());
+  return {path.string(), std::move(content)};
 }
 
 DataFile find_data_file(const std::string& what, const std::string& kind) {
   if (is_path(what)) return read_file(what);
   if (!has_data_file(what, kind)) {
+    std::error_code error;
+    if (fs::is_regular_file(what, error)) return read_file(what);
     throw FileError("no " + kind.substr(0, kind.size() - 1) + " is named " + what +
                     "; there are: " + names_in(data_folder() / kind) +
                     "; or give the path of a file");

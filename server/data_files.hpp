@@ -19,11 +19,12 @@ struct DataFile {
   std::string text;
 };
 
-/// The whole file. Throws FileError.
+/// The whole file, but for a byte order mark. Throws FileError.
 DataFile read_file(const std::filesystem::path& path);
 
-/// `what` is a path if it has a slash or ends in .json, else the name of a file in the data folder's
-/// `kind` ("robots", "workcells"). Throws FileError, naming those that there are.
+/// `what` is a path if it has a slash or ends in .json, .txt or .dat; else the name of a file in the
+/// data folder's `kind` ("robots", "workcells"); else a file of the current folder. Throws FileError,
+/// naming those that there are.
 DataFile find_data_file(const std::string& what, const std::string& kind);
 
 /// Whether the data folder has such a file.

@@ -5,7 +5,7 @@
 #include "protocol/json_text.hpp"
 #include "protocol/kin_report.hpp"
 #include "protocol/kin_words.hpp"
-#include "protocol/robot_json.hpp"
+#include "protocol/paper_form.hpp"
 #include "server/data_files.hpp"
 
 namespace xr3 {
@@ -33,7 +33,7 @@ ExitCode answer(const Model& model, const InverseQuestion& question, bool as_jso
 
 ExitCode show_kinematics(const KinOptions& options) try {
   const DataFile file = find_data_file(options.robot, "robots");
-  const Model model(load_robot(file.text, file.path), Workcell{}, Profile::kPaper);
+  const Model model(load_robot_of_either_form(file.text, file.path), Workcell{}, Profile::kPaper);
   return std::visit([&](const auto& question) { return answer(model, question, options.is_json); },
                     kin_question(model, options.values));
 } catch (const KinQuestionError& error) {

@@ -26,7 +26,9 @@ constexpr const char* kFooter =
 void add_check(CLI::App& app, CheckOptions& options) {
   CLI::App& check =
       *app.add_subcommand("check", "say what is wrong in robot and workcell files, or sum them up");
-  check.add_option("files", options.files, "the files")->type_name("FILE")->required();
+  check.add_option("files", options.files, "the files: JSON, or the paper's plain form")
+      ->type_name("FILE")
+      ->required();
   check.add_option("--robot", options.robot, "check workcells against this robot's tool")
       ->type_name("NAME|FILE");
   add_profile(check, options.profile);
@@ -99,11 +101,11 @@ void add_kin(CLI::App& app, KinOptions& options) {
   kin.add_option("--tolerance", values.tolerance.tolerance_deg,
                  "degrees that the approach may be off where an arm cannot have it exactly")
       ->type_name("DEG")
-      ->check(CLI::Range(0.0, 45.0).description(""))
+      ->check(number_between(0, 45))
       ->capture_default_str();
   kin.add_option("--tolerance-mm", values.tolerance.tolerance_mm, "mm that the tip may be off")
       ->type_name("MM")
-      ->check(CLI::Range(0.0, 1000.0).description(""))
+      ->check(number_between(0, 1000))
       ->capture_default_str();
   kin.add_flag("--json", options.is_json, "everything as JSON");
 }

@@ -7,7 +7,7 @@ import pathlib
 import tempfile
 import unittest
 
-from support import ROOT, run_xr3
+from support import ROOT, Server, run_xr3
 
 DATA = pathlib.Path(ROOT, "data")
 SHIPPED = sorted([*(DATA / "robots").glob("*.json"), *(DATA / "workcells").glob("*.json")])
@@ -36,7 +36,7 @@ def data_of(file):
     return data
 
 
-class Convert(unittest.TestCase):
+class Files(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -57,6 +57,8 @@ class Convert(unittest.TestCase):
         for word in words:
             self.assertIn(word, done.stderr)
 
+
+class Convert(Files):
     def test_everything_shipped_there_and_back(self):
         self.assertGreaterEqual(len(SHIPPED), 7)
         for number, file in enumerate(SHIPPED):
@@ -129,6 +131,72 @@ class Convert(unittest.TestCase):
         self.folder.chmod(0o500)
         self.addCleanup(self.folder.chmod, 0o700)
         self.assertRefused(run_xr3("convert", SHIPPED[0], self.file("w.txt")), "cannot be written")
+
+
+class PlainFiles(Files):
+    """What reads robots and workcells reads the plain form, too."""
+
+    def setUp(self):
+        super().setUp()
+        for kind in "robots", "workcells":
+            self.assertDone(run_xr3("convert", DATA / kind / "rhino-xr3.json", self.file(f"{kind}.txt")))
+
+    def run_here(self, *arguments):
+        return run_xr3(*arguments, cwd=self.folder)
+
+    def test_check_sums_them_up(self):
+        for kind in "robots", "workcells":
+            done = self.run_here("check", "--robot", "robots.txt", f"{kind}.txt")
+            self.assertDone(done)
+            self.assertEqual(run_xr3("check", DATA / kind / "rhino-xr3.json").stdout, done.stdout)
+
+    def test_check_names_what_is_wrong(self):
+        plain = self.file("lab.txt", TABLE.replace("64 32 40", "64 -32 wide"))
+        done = run_xr3("check", plain)
+        self.assertRefused(done, f"{plain}:6: /blocks/0/size/1: found -32; allowed: a length above 0")
+        self.assertEqual(run_xr3("convert", plain, self.file("lab.json")).stderr, done.stderr)
+
+    def test_serve_takes_them(self):
+        robot, workcell = self.file("robots.txt"), self.file("workcells.txt")
+        with Server("--robot", robot, "--workcell", workcell) as xr3, xr3.monitor() as monitor:
+            self.assertEqual("Rhino XR-3", monitor.hello["robot"]["name"])
+            plain = monitor.look("model")
+        with Server() as xr3, xr3.monitor() as monitor:
+            self.assertEqual(monitor.look("model"), plain)
+
+    def test_serve_names_what_is_wrong(self):
+        plain = self.file("lab.dat", TABLE.replace("64 32 40", "64 -32 wide"))
+        done = self.run_here("serve", "--workcell", "lab.dat")
+        self.assertRefused(done, "lab.dat:6: /blocks/0/size/1: found -32; allowed: a length above 0")
+        self.assertRefused(self.run_here("serve", "--robot", "workcells.txt"),
+                           "workcells.txt:1: found a workcell; allowed: a robot")
+        self.assertRefused(self.run_here("serve", "--workcell", "robots.txt"), "robots.txt:1: found a robot; allowed")
+
+    def test_the_commands_at_the_desk_take_them(self):
+        self.assertDone(self.run_here("kin", "--robot", "robots.txt", "--joints", "0,0,0,0,0"))
+        self.assertDone(self.run_here("draw", "--robot", "robots.txt", "--workcell", "workcells.txt", "a.svg"))
+
+    def test_a_file_of_this_folder_needs_no_slash(self):
+        self.file("robots.txt").rename(self.file("arm"))
+        self.assertDone(self.run_here("kin", "--robot", "arm", "--joints", "0,0,0,0,0"))
+        self.file("rhino-xr3", "no robot")
+        self.assertDone(self.run_here("kin", "--robot", "rhino-xr3", "--joints", "0,0,0,0,0"), "")
+        self.assertRefused(self.run_here("kin", "--robot", "absent.txt"), "absent.txt: cannot be read")
+        self.assertRefused(self.run_here("kin", "--robot", "absent"), "no robot is named absent; there are: adept-one")
+
+    def test_what_is_called_json_and_is_none(self):
+        for text, words in [("", "x.json:1:"), ('"joints": [1]', "x.json:1:9: found"), ("]", "x.json:1:1: found")]:
+            done = run_xr3("check", self.file("x.json", text))
+            self.assertRefused(done, words)
+            self.assertNotIn("axes", done.stderr)
+
+    def test_a_byte_order_mark_is_no_part_of_a_file(self):
+        plain = self.file("lab.txt", "\ufeff" + TABLE[TABLE.index("600"):])
+        self.assertDone(run_xr3("check", plain), "1 block")
+        self.assertDone(run_xr3("convert", plain, self.file("lab.json")))
+        out = self.file("lab.json")
+        out.write_text("\ufeff* a comment\n" + out.read_text())
+        self.assertDone(run_xr3("check", out), "1 block")
 
 
 if __name__ == "__main__":

@@ -79,6 +79,10 @@ allow-origin = "https://page.lab")");
   EXPECT_EQ(said_as(options.origins, "--robot"), path_ + ":2: robot");
 }
 
+TEST_F(OptionsConfig, AByteOrderMarkIsNoPartOfIt) {
+  EXPECT_EQ(serve("\xEF\xBB\xBFrobot = \"adept-one\"\n").robot, "adept-one");
+}
+
 TEST_F(OptionsConfig, WhatIsNearerGoesBeforeIt) {
   write(
       "robot = \"r2d2\"\nclock = \"manual\"\nmax-lines = 5\nallow-host = \"c\"\ninsecure = true\n");
