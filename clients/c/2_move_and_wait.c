@@ -18,7 +18,10 @@ static void wait_for(int joint) {
     int before = left;
     left = robot_to_go(joint);
     still_ms = left == before ? still_ms + PAUSE_MS : 0;
-    if (still_ms >= STANDS_MS) robot_stands(joint, left);
+    if (still_ms >= STANDS_MS) {
+      robot_send("%cX", LETTERS[joint]); /* forget the rest, or the next move would add to it */
+      robot_stands(joint, left);
+    }
   }
   printf("%c is there\n", LETTERS[joint]);
 }

@@ -27,8 +27,11 @@ int main(int argc, char *argv[]) {
     f = robot_to_go(F);
     e = robot_to_go(E);
     still_ms = f + e == before ? still_ms + PAUSE_MS : 0;
-    if (still_ms >= STANDS_MS && f > 0) robot_stands(F, f);
-    if (still_ms >= STANDS_MS && e > 0) robot_stands(E, e);
+    if (still_ms >= STANDS_MS) {
+      robot_send("FX EX"); /* forget the rest, or the next move would add to it */
+      if (f > 0) robot_stands(F, f);
+      if (e > 0) robot_stands(E, e);
+    }
   }
   printf("both are there\n");
 

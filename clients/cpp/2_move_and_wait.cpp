@@ -19,7 +19,10 @@ void wait_for(Robot& robot, char joint) {
     const int before = left;
     left = robot.to_go(joint);
     still_ms = left == before ? still_ms + Robot::kPauseMs : 0;
-    if (still_ms >= Robot::kStandsMs) Robot::check_arrived(joint, left);
+    if (still_ms >= Robot::kStandsMs) {
+      robot.send(std::string{joint, 'X'});  // forget the rest, or the next move would add to it
+      Robot::check_arrived(joint, left);
+    }
   }
   std::cout << joint << " is there\n";
 }

@@ -30,6 +30,7 @@ int main(int argc, char* argv[]) try {
     e = robot.to_go('E');
     still_ms = f + e == before ? still_ms + Robot::kPauseMs : 0;
     if (still_ms >= Robot::kStandsMs) {
+      robot.send("FX EX");  // forget the rest, or the next move would add to it
       Robot::check_arrived('F', f);
       Robot::check_arrived('E', e);
     }

@@ -19,7 +19,10 @@ class MoveAndWait {
             int before = left;
             left = robot.toGo(joint);
             stillMs = left == before ? stillMs + Robot.PAUSE_MS : 0;
-            if (stillMs >= Robot.STANDS_MS) Robot.checkArrived(joint, left);
+            if (stillMs >= Robot.STANDS_MS) {
+                robot.send(joint + "X"); // forget the rest, or the next move would add to it
+                Robot.checkArrived(joint, left);
+            }
         }
         System.out.println(joint + " is there");
     }

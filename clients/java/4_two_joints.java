@@ -28,6 +28,7 @@ class TwoJoints {
             e = robot.toGo("E");
             stillMs = f + e == before ? stillMs + Robot.PAUSE_MS : 0;
             if (stillMs >= Robot.STANDS_MS) {
+                robot.send("FX EX"); // forget the rest, or the next move would add to it
                 Robot.checkArrived("F", f);
                 Robot.checkArrived("E", e);
             }

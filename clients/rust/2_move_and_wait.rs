@@ -19,6 +19,7 @@ fn wait_for(robot: &mut Robot, joint: char) -> Result<()> {
         left = robot.to_go(joint)?;
         still_ms = if left == before { still_ms + PAUSE_MS } else { 0 };
         if still_ms >= STANDS_MS {
+            robot.send(&format!("{joint}X"))?; // forget the rest, or the next move would add to it
             check_arrived(joint, left)?;
         }
     }

@@ -29,6 +29,7 @@ fn two_joints() -> Result<()> {
         e = robot.to_go('E')?;
         still_ms = if f + e == before { still_ms + PAUSE_MS } else { 0 };
         if still_ms >= STANDS_MS {
+            robot.send("FX EX")?; // forget the rest, or the next move would add to it
             check_arrived('F', f)?;
             check_arrived('E', e)?;
         }
