@@ -9,7 +9,15 @@ const net = require("node:net");
 
 // Where the robot is: from the arguments, else from the environment, else this machine.
 const host = process.argv[2] || process.env.XR3_HOST || "localhost";
-const port = Number(process.argv[3] || process.env.XR3_PORT || 9600);
+const port = process.argv[3] || process.env.XR3_PORT || "9600";
+if (!/^\d+$/.test(port) || Number(port) < 1 || Number(port) > 65535) {
+  giveUp(`the port has to be a number from 1 to 65535, not '${port}'`);
+}
+
+function giveUp(message) {
+  console.error(message);
+  process.exit(1);
+}
 
 // "localhost" may have several addresses: the first one that answers is taken.
 const robot = net.connect({ host, port, autoSelectFamily: true });
@@ -17,10 +25,16 @@ let question = "E?";
 
 robot.on("connect", () => {
   robot.write(question);
+  robot.setTimeout(5000, strange); // a robot answers at once
 });
+
+function strange() {
+  giveUp("no robot answers like this; is it the monitor port? The robot port is 9600");
+}
 
 // Node calls this when bytes have come.
 robot.on("data", (bytes) => {
+  if (bytes.length !== 1) strange();
   const reply = bytes[0];
   if (question === "E?") {
     // How far has the shoulder, joint E, still to go? The answer is counted from 32, the code of a
@@ -36,6 +50,7 @@ robot.on("data", (bytes) => {
 });
 
 robot.on("error", (error) => {
-  console.error(`no robot at ${host} port ${port}: ${error.code}`);
-  process.exitCode = 1;
+  giveUp(
+    `no robot answers at ${host} port ${port}: is the server running? ./run (${error.code})`,
+  );
 });

@@ -2,18 +2,23 @@
 //
 //     node 2_move_and_wait.js [HOST [PORT]]
 
-const { Robot } = require("./robot");
+const { Robot, STANDS_AFTER, giveUpStanding } = require("./robot");
 
 const robot = new Robot();
 
 // Asks how far there is still to go until nothing is left. Between two questions it does nothing
-// for a while.
+// for a while. A joint that is blocked would let us ask forever: we give up after so many questions
+// with the same answer.
 async function waitFor(joint) {
   let left = await robot.toGo(joint);
+  let same = 0; // how many answers in a row have been the same
   while (left > 0) {
     console.log(`  ${left} counts to go`);
     await robot.pause();
+    const before = left;
     left = await robot.toGo(joint);
+    same = left === before ? same + 1 : 0;
+    if (same === STANDS_AFTER) giveUpStanding(joint, left);
   }
   console.log(`${joint} is there`);
 }

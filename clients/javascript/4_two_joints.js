@@ -2,7 +2,7 @@
 //
 //     node 4_two_joints.js [HOST [PORT]]
 
-const { Robot } = require("./robot");
+const { Robot, STANDS_AFTER, giveUpStanding } = require("./robot");
 
 const robot = new Robot();
 
@@ -18,18 +18,26 @@ async function main() {
 
   let f = await robot.toGo("F");
   let e = await robot.toGo("E");
+  let same = 0; // how many answers in a row have been the same, as in example 2
   while (f > 0 || e > 0) {
     console.log(`  F ${f}, E ${e} counts to go`);
     await robot.pause();
+    const before = f + e;
     f = await robot.toGo("F");
     e = await robot.toGo("E");
+    same = f + e === before ? same + 1 : 0;
+    if (same === STANDS_AFTER) break;
   }
+  if (f > 0) giveUpStanding("F", f);
+  if (e > 0) giveUpStanding("E", e);
   console.log("both are there");
 
   // And back again. wait() is example 2 once more, for one joint after the other.
   robot.send("F-40 E-80\r");
-  await robot.wait("F");
-  await robot.wait("E");
+  f = await robot.wait("F");
+  e = await robot.wait("E");
+  if (f > 0) giveUpStanding("F", f);
+  if (e > 0) giveUpStanding("E", e);
   console.log("both are back");
 
   robot.close();

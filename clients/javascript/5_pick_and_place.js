@@ -5,7 +5,7 @@
 //
 // The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.js.
 
-const { Robot } = require("./robot");
+const { Robot, giveUp } = require("./robot");
 
 // Where the motors have to be, in counts from the soft home, for the tool to be at a place. `xr3
 // kin --pose 262,0,20 --down 90` works out the one of the block: its middle is at x 262, y 0 and
@@ -16,6 +16,7 @@ const atBlock = { F: 0, E: 449, D: -625, C: 0, B: 0 };
 const abovePlace = { F: 0, E: 483, D: -238, C: 0, B: 288 }; // x 400, y 0, not turned
 const atPlace = { F: 0, E: 623, D: -354, C: 0, B: 288 };
 const home = { F: 0, E: 0, D: 0, C: 0, B: 0, A: 0 };
+const SHUT = -64; // where the jaws, A, have nothing between them
 
 const robot = new Robot();
 
@@ -33,6 +34,15 @@ async function main() {
   // wait() also clears what is left (AX), or the jaws would go on pressing.
   robot.send("A-100\r");
   robot.at.A -= 100 - (await robot.wait("A"));
+  if (robot.at.A <= SHUT) {
+    await robot.go(aboveBlock); // back to where the examples begin
+    await robot.go(home);
+    giveUp(
+      "the jaws closed on nothing: is the block at x 262, y 0 mm? Restart the server to have it " +
+        "there (the examples 3 to 6 are for the Rhino XR-3 with its own workcell, in the profile " +
+        "paper)",
+    );
+  }
   console.log(`the jaws closed on ${(50.8 + 0.79375 * robot.at.A).toFixed(1)} mm`);
 
   await robot.go(aboveBlock);

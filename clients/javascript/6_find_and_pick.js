@@ -5,7 +5,7 @@
 //
 // The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.js.
 
-const { Robot } = require("./robot");
+const { Robot, giveUp } = require("./robot");
 
 const DEGREES = 180 / Math.PI;
 
@@ -15,8 +15,10 @@ const PIXELS = 192;
 const ROW_BYTES = PIXELS / 6;
 
 const OPEN = 16; // counts of the open jaws
+const SHUT = -64; // and of jaws with nothing between them
 const Z = 20; // the largest block is 40 mm high: this is its middle
 const ABOVE = 100; // how far above it the tool comes and goes, mm
+const HOME = { F: 0, E: 0, D: 0, C: 0, B: 0, A: 0 };
 
 const robot = new Robot();
 
@@ -83,6 +85,7 @@ async function findLargest() {
     }
   }
   console.log(`blocks in the picture: ${patches}`);
+  if (patches === 0) giveUp("the camera sees no block: is one on the table?");
   const { x, y, angle } = measure(largest);
   console.log(
     `the largest is at x ${x.toFixed(0)}, y ${y.toFixed(0)} mm, turned ${angle.toFixed(0)} degrees`,
@@ -122,6 +125,15 @@ async function main() {
   await goTo(block, Z);
   robot.send("A-100\r"); // as in example 5
   robot.at.A -= 100 - (await robot.wait("A"));
+  if (robot.at.A <= SHUT) {
+    await goTo(block, Z + ABOVE); // back to where the examples begin
+    await robot.go(HOME);
+    giveUp(
+      `the jaws closed on nothing: is the block at x ${block.x.toFixed(0)}, ` +
+        `y ${block.y.toFixed(0)} mm? (The examples 3 to 6 are for the Rhino XR-3 with its own ` +
+        "workcell, in the profile paper)",
+    );
+  }
   console.log(`the jaws closed on ${(50.8 + 0.79375 * robot.at.A).toFixed(1)} mm`);
   await goTo(block, Z + ABOVE);
 
@@ -133,7 +145,7 @@ async function main() {
   console.log(`put down at x ${target.x}, y ${target.y} mm`);
 
   await findLargest();
-  await robot.go({ F: 0, E: 0, D: 0, C: 0, B: 0, A: 0 });
+  await robot.go(HOME);
   console.log("back at the start");
 
   robot.close();

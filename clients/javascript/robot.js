@@ -3,12 +3,36 @@
 
 const net = require("node:net");
 
+const PAUSE_MS = 50; // between two questions
+
+// A joint stands if its counter is the same after so many questions, in 2 seconds. The slowest speed
+// is one count a second, and the simulator's clock may run slowly, so be patient.
+const STANDS_AFTER = 40;
+
+// Says what is wrong and ends the program.
+function giveUp(message) {
+  console.error(message);
+  process.exit(1);
+}
+
+// The end of a program whose joint stands so many counts short of where it was sent.
+function giveUpStanding(joint, left) {
+  giveUp(
+    `${joint} stands, ${left} counts short of where it was sent. Is it blocked at a limit, or ` +
+      "stalled? Is a block in the jaws? Does time stand, or run slowly? Look at the page or at " +
+      "`xr3 watch`",
+  );
+}
+
 class Robot {
   // Connects to HOST and PORT of the arguments, else of XR3_HOST and XR3_PORT, else to localhost
   // 9600.
   constructor() {
     const host = process.argv[2] || process.env.XR3_HOST || "localhost";
-    const port = Number(process.argv[3] || process.env.XR3_PORT || 9600);
+    const port = process.argv[3] || process.env.XR3_PORT || "9600";
+    if (!/^\d+$/.test(port) || Number(port) < 1 || Number(port) > 65535) {
+      giveUp(`the port has to be a number from 1 to 65535, not '${port}'`);
+    }
     // Where the motors are, in counts from the soft home, as far as go() moved them.
     this.at = { F: 0, E: 0, D: 0, C: 0, B: 0, A: 0 };
     this.received = Buffer.alloc(0); // bytes that nobody has read yet
@@ -18,15 +42,16 @@ class Robot {
       this.received = Buffer.concat([this.received, bytes]);
       this.arrived();
     });
+    this.line.on("connect", () => {
+      this.line.setTimeout(5000, giveUpStrange); // a robot answers at once
+    });
     this.line.on("error", (error) => {
-      console.error(`no robot at ${host} port ${port}: ${error.code}`);
-      process.exit(1);
+      giveUp(
+        `no robot answers at ${host} port ${port}: is the server running? ./run (${error.code})`,
+      );
     });
     this.line.on("close", () => {
-      if (!this.closing) {
-        console.error("the robot has closed the line");
-        process.exit(1);
-      }
+      if (!this.closing) giveUp("the robot has closed the line");
     });
   }
 
@@ -48,7 +73,9 @@ class Robot {
   // Asks, and returns the byte that answers.
   async ask(inquiry) {
     this.send(inquiry);
-    return (await this.read(1))[0];
+    const byte = (await this.read(1))[0];
+    if (this.received.length > 0) giveUpStrange(); // more than we asked for
+    return byte;
   }
 
   // How many counts the joint has still to go.
@@ -56,24 +83,23 @@ class Robot {
     return (await this.ask(joint + "?")) - 32;
   }
 
-  // Between two questions: time enough for a count at 20 counts a second and more.
+  // Between two questions.
   pause() {
-    return new Promise((resolve) => setTimeout(resolve, 50));
+    return new Promise((resolve) => setTimeout(resolve, PAUSE_MS));
   }
 
-  // Waits until the joint is there. One that makes no count between two questions stands, at a
-  // limit or with the jaws at a block, and is stopped. Returns the counts that were left.
+  // Waits until the joint is there. One that stands, at a limit or with the jaws at a block, is
+  // stopped. Returns the counts that were left.
   async wait(joint) {
     let left = await this.toGo(joint);
-    while (left > 0) {
+    let same = 0; // how many answers in a row have been the same
+    while (left > 0 && same < STANDS_AFTER) {
       await this.pause();
       const before = left;
       left = await this.toGo(joint);
-      if (left === before) {
-        this.send(joint + "X");
-        break;
-      }
+      same = left === before ? same + 1 : 0;
     }
+    if (left > 0) this.send(joint + "X");
     return left;
   }
 
@@ -90,7 +116,8 @@ class Robot {
         this.at[joint] = next;
       }
       for (const joint of joints) {
-        if ((await this.wait(joint)) > 0) throw new Error(`${joint} stands and is not there`);
+        const left = await this.wait(joint);
+        if (left > 0) giveUpStanding(joint, left);
       }
     }
   }
@@ -101,9 +128,13 @@ class Robot {
   }
 }
 
+function giveUpStrange() {
+  giveUp("no robot answers like this; is it the monitor port? The robot port is 9600");
+}
+
 // "E+5": a joint, and a number that always shows its sign.
 function move(joint, counts) {
   return joint + (counts < 0 ? "" : "+") + counts;
 }
 
-module.exports = { Robot, move };
+module.exports = { Robot, STANDS_AFTER, giveUp, giveUpStanding, move };
