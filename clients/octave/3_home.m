@@ -9,23 +9,20 @@ joints = 'DECBFA';
 places = [40 -40 40 -25 30 16];
 
 robot = robot_connect();
-is_closed = @(joint) robot_ask(robot, [joint 'V']) == 1;  % a plain 0 or 1, nothing is added
+
+% A robot may tell of its switches the other way round. I shows it: the highest of its six bits
+% belongs to no switch, and should be 0.
+if robot_ask(robot, 'I') - 32 >= 32
+  error(['the switches of D and of all other joints tell 1 when they are open, as in the profile ' ...
+         'mark3. This example is for the profile paper\n']);
+end
 
 for k = 1:6
   joint = joints(k);
   way = sign(places(k));
-  while ~is_closed(joint)  % quickly, until the switch closes
-    robot_send(robot, '%s%+d\r', joint, 5 * way);
-    robot_wait(robot, joint);  % asks as in example 2, and stops a joint that cannot go on
-  end
-  while is_closed(joint)  % back, until it opens again
-    robot_send(robot, '%s%+d\r', joint, -way);
-    robot_wait(robot, joint);
-  end
-  while ~is_closed(joint)  % slowly: now we know to the count where it closes
-    robot_send(robot, '%s%+d\r', joint, way);
-    robot_wait(robot, joint);
-  end
+  robot_search(robot, joint, 5 * way, true);    % quickly, until the switch closes
+  robot_search(robot, joint, -5 * way, false);  % back, until it opens again
+  robot_search(robot, joint, way, true);        % slowly: now we know to the count where it closes
   fprintf('%s stands on its switch, at %+d\n', joint, places(k));
 end
 
@@ -37,8 +34,9 @@ fprintf('switches closed: %d of I, %d of J\n', i, j);
 % From here the soft home is as far away as the switches are from it.
 for k = 1:6
   robot_send(robot, '%s%+d\r', joints(k), -places(k));
-  robot_wait(robot, joints(k));
+  left = robot_wait(robot, joints(k));
+  if left > 0, robot_stands(joints(k), left); end
 end
 fprintf('at the soft home\n');
 
-clear robot is_closed
+clear robot

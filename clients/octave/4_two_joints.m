@@ -15,18 +15,26 @@ fprintf('F+40 E+80\n');
 
 f = robot_to_go(robot, 'F');
 e = robot_to_go(robot, 'E');
+same = 0;
 while f > 0 || e > 0
   fprintf('  F %d, E %d counts to go\n', f, e);
   pause(0.05);
+  before = f + e;
   f = robot_to_go(robot, 'F');
   e = robot_to_go(robot, 'E');
+  if f + e == before, same = same + 1; else, same = 0; end
+  if same == robot_stands_after(), break, end  % as in example 2
 end
+if f > 0, robot_stands('F', f); end
+if e > 0, robot_stands('E', e); end
 fprintf('both are there\n');
 
 % And back again. robot_wait is example 2 once more, for one joint after the other.
 robot_send(robot, 'F-40 E-80\r');
-robot_wait(robot, 'F');
-robot_wait(robot, 'E');
+f = robot_wait(robot, 'F');
+e = robot_wait(robot, 'E');
+if f > 0, robot_stands('F', f); end
+if e > 0, robot_stands('E', e); end
 fprintf('both are back\n');
 
 clear robot

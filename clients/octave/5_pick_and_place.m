@@ -15,6 +15,7 @@ at_block =    [0  449  -625  0    0];
 above_place = [0  483  -238  0  288];  % x 400, y 0, not turned
 at_place =    [0  623  -354  0  288];
 home =        [0    0     0  0    0];
+shut = -64;  % where the jaws, A, have nothing between them
 
 robot = robot_connect();
 
@@ -32,6 +33,13 @@ robot = robot_go(robot, at_block);
 % also clears what is left (AX), or the jaws would go on pressing.
 robot_send(robot, 'A-100\r');
 robot.at(6) = 16 - (100 - robot_wait(robot, 'A'));
+if robot.at(6) <= shut
+  robot = robot_go(robot, above_block);  % back to where the examples begin
+  robot = robot_go(robot, [home 0]);
+  error(['the jaws closed on nothing: is the block at x 262, y 0 mm? Restart the server to have ' ...
+         'it there (the examples 3 to 6 are for the Rhino XR-3 with its own workcell, in the ' ...
+         'profile paper)\n']);
+end
 fprintf('the jaws closed on %.1f mm\n', 50.8 + 0.79375 * robot.at(6));
 
 robot = robot_go(robot, above_block);

@@ -9,6 +9,7 @@
 z = 20;       % the largest block is 40 mm high: this is its middle
 above = 100;  % how far above it the tool comes and goes, mm
 open = 16;    % counts of the open jaws
+shut = -64;   % and of jaws with nothing between them
 
 robot = robot_connect();
 block = find_largest(robot);
@@ -18,6 +19,12 @@ robot = robot_go(robot, counts_at(block, z + above));
 robot = robot_go(robot, counts_at(block, z));
 robot_send(robot, 'A-100\r');  % as in example 5
 robot.at(6) = open - (100 - robot_wait(robot, 'A'));
+if robot.at(6) <= shut
+  robot = robot_go(robot, counts_at(block, z + above));  % back to where the examples begin
+  robot = robot_go(robot, [0 0 0 0 0 0]);
+  error(['the jaws closed on nothing: is the block at x %.0f, y %.0f mm? (The examples 3 to 6 are ' ...
+         'for the Rhino XR-3 with its own workcell, in the profile paper)\n'], block.x, block.y);
+end
 fprintf('the jaws closed on %.1f mm\n', 50.8 + 0.79375 * robot.at(6));
 robot = robot_go(robot, counts_at(block, z + above));
 

@@ -10,6 +10,9 @@ function place = find_largest(robot)
   % bit, and 32 added to each byte.
   robot_send(robot, 'A**');
   bytes = double(read(robot.line, pixels * pixels / 6)) - 32;
+  if numel(bytes) ~= pixels * pixels / 6
+    error('the robot sent no whole picture\n');
+  end
   six = zeros(6, numel(bytes));
   for bit = 1:6
     six(bit, :) = bitget(bytes, 7 - bit);
@@ -27,6 +30,9 @@ function place = find_largest(robot)
     end
   end
   fprintf('blocks in the picture: %d\n', patches);
+  if patches == 0
+    error('the camera sees no block: is one on the table?\n');
+  end
 
   % The middle is the average of the pixels. The long side points where they are spread most; the
   % formula is that of the principal axis of inertia.

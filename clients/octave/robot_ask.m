@@ -2,4 +2,7 @@ function reply = robot_ask(robot, inquiry)
 % Asks, and returns the byte that answers.
   robot_send(robot, '%s', inquiry);
   reply = double(read(robot.line, 1));
+  if isempty(reply)  % after 5 seconds: a robot answers at once
+    error('no robot answers like this; is it the monitor port? The robot port is 9600\n');
+  end
 end

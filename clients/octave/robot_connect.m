@@ -10,7 +10,16 @@ function robot = robot_connect()
   if numel(arguments) > 1, port = arguments{2}; end
   if isempty(host), host = 'localhost'; end
   if isempty(port), port = '9600'; end
-  robot.line = tcpclient(host, str2double(port), 'Timeout', 10);
+  % An error ends the program; behind a \n Octave does not tell the line it came from.
+  number = str2double(port);
+  if ~(number >= 1 && number <= 65535 && number == fix(number))
+    error('the port has to be a number from 1 to 65535, not ''%s''\n', port);
+  end
+  try
+    robot.line = tcpclient(host, number, 'Timeout', 5);
+  catch
+    error('no robot answers at %s port %s: is the server running? ./run\n', host, port);
+  end
   robot.joints = 'FEDCBA';
   robot.at = [0 0 0 0 0 0];
 end

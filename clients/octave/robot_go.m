@@ -14,9 +14,8 @@ function robot = robot_go(robot, wanted)
       end
     end
     for j = moving
-      if robot_wait(robot, robot.joints(j)) > 0
-        error('%s stands and is not where it was sent', robot.joints(j));
-      end
+      left = robot_wait(robot, robot.joints(j));
+      if left > 0, robot_stands(robot.joints(j), left); end
     end
     robot.at = next;
   end

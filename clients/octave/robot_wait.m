@@ -1,14 +1,15 @@
 function left = robot_wait(robot, joint)
-% Waits until the joint is there. One that makes no count between two questions stands, at a limit
-% or with the jaws at a block, and is stopped. Returns the counts that were left.
+% Waits until the joint is there. One that stands, at a limit or with the jaws at a block, is
+% stopped. Returns the counts that were left.
   left = robot_to_go(robot, joint);
-  while left > 0
-    pause(0.05);  % time enough for a count at 20 counts a second and more
+  same = 0;  % how many answers in a row have been the same
+  while left > 0 && same < robot_stands_after()
+    pause(0.05);
     before = left;
     left = robot_to_go(robot, joint);
-    if left == before
-      robot_send(robot, '%sX', joint);
-      break
-    end
+    if left == before, same = same + 1; else, same = 0; end
+  end
+  if left > 0
+    robot_send(robot, '%sX', joint);
   end
 end

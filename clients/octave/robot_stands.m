@@ -1,0 +1,6 @@
+function robot_stands(joint, left)
+% The end of a program whose joint stands so many counts short of where it was sent.
+  error(['%s stands, %d counts short of where it was sent. Is it blocked at a limit, or stalled? ' ...
+         'Is a block in the jaws? Does time stand, or run slowly? Look at the page or at ' ...
+         '`xr3 watch`\n'], joint, left);
+end
