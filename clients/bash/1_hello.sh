@@ -10,11 +10,29 @@
 host=${1:-${XR3_HOST:-localhost}}
 port=${2:-${XR3_PORT:-9600}}
 
+give_up() {
+  echo "$1" >&2
+  exit 1
+}
+
+case $port in '' | *[!0-9]*) number=0 ;; *) number=$port ;; esac
+if [ "$number" -lt 1 ] || [ "$number" -gt 65535 ]; then
+  give_up "the port has to be a number from 1 to 65535, not '$port'"
+fi
+command -v nc >/dev/null || give_up 'nc (netcat) is missing: apt-get install netcat-openbsd'
+# (-z only looks whether somebody is there.)
+nc -z -w 5 "$host" "$port" 2>/dev/null ||
+  give_up "no robot answers at $host port $port: is the server running? ./run"
+
 # E? asks how far the shoulder, joint E, has still to go; I asks which microswitches are closed.
 # netcat (nc) carries the four bytes there and the two answers back; -N closes the line behind our
-# last byte. od writes the bytes that come back as numbers.
-answers=$(printf 'E?I' | nc -N "$host" "$port" | od -An -tu1)
-read -r to_go switches <<<"$answers"
+# last byte, and -w 5 gives up after 5 seconds of silence. od writes the bytes that come back as
+# numbers.
+answers=$(printf 'E?I' | nc -N -w 5 "$host" "$port" | od -An -tu1)
+read -r to_go switches more <<<"$answers"
+if [ -z "$switches" ] || [ -n "$more" ]; then
+  give_up 'no robot answers like this; is it the monitor port? The robot port is 9600'
+fi
 
 # The answer is counted from 32, the code of a blank, so that it can be printed: a blank means 0
 # counts to go, "!" means 1, and so on. The same with the switches; each has a bit of its own.

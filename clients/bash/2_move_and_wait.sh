@@ -7,13 +7,18 @@ cd "$(dirname "$0")" || exit
 . ./robot.sh "$@"
 
 # Asks how far there is still to go until nothing is left. Between two questions it does nothing
-# for a while.
+# for a while. A joint that is blocked would let us ask forever: we give up after so many questions
+# with the same answer.
 wait_for() {
+  local before same=0 # how many answers in a row have been the same
   robot_to_go "$1"
   while [ "$left" -gt 0 ]; do
     echo "  $left counts to go"
     sleep 0.05
+    before=$left
     robot_to_go "$1"
+    if [ "$left" = "$before" ]; then same=$((same + 1)); else same=0; fi
+    [ "$same" -lt "$stands_after" ] || give_up_standing "$1" "$left"
   done
   echo "$1 is there"
 }

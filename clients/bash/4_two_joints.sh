@@ -23,15 +23,23 @@ ask_both() {
 }
 
 ask_both
+same=0 # how many answers in a row have been the same, as in example 2
 while [ "$f" -gt 0 ] || [ "$e" -gt 0 ]; do
   echo "  F $f, E $e counts to go"
   sleep 0.05
+  before=$((f + e))
   ask_both
+  if [ $((f + e)) = "$before" ]; then same=$((same + 1)); else same=0; fi
+  [ "$same" -lt "$stands_after" ] || break
 done
+[ "$f" = 0 ] || give_up_standing F "$f"
+[ "$e" = 0 ] || give_up_standing E "$e"
 echo 'both are there'
 
 # And back again. robot_wait is example 2 once more, for one joint after the other.
 robot_send 'F-40 E-80\r'
 robot_wait F
+[ "$left" = 0 ] || give_up_standing F "$left"
 robot_wait E
+[ "$left" = 0 ] || give_up_standing E "$left"
 echo 'both are back'

@@ -18,6 +18,7 @@ at_block=(F 0 E 449 D -625 C 0 B 0)
 above_place=(F 0 E 483 D -238 C 0 B 288) # x 400, y 0, not turned
 at_place=(F 0 E 623 D -354 C 0 B 288)
 home=(F 0 E 0 D 0 C 0 B 0 A 0)
+shut=-64 # where the jaws, A, have nothing between them
 
 # robot_go brings all joints to these counts together. A single move is at most 127 counts long,
 # so it sends several, and waits after each.
@@ -33,6 +34,12 @@ robot_go "${at_block[@]}"
 robot_send 'A-100\r'
 robot_wait A
 at[A]=$((at[A] - (100 - left)))
+if [ "${at[A]}" -le "$shut" ]; then
+  robot_go "${above_block[@]}" # back to where the examples begin
+  robot_go "${home[@]}"
+  give_up "the jaws closed on nothing: is the block at x 262, y 0 mm? Restart the server to have it \
+there (the examples 3 to 6 are for the Rhino XR-3 with its own workcell, in the profile paper)"
+fi
 # (bash reckons in whole numbers: awk does the rest.)
 awk -v jaws="${at[A]}" 'BEGIN { printf "the jaws closed on %.1f mm\n", 50.8 + 0.79375 * jaws }'
 

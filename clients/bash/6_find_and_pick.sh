@@ -14,6 +14,7 @@ cd "$(dirname "$0")" || exit
 z=20        # the largest block is 40 mm high: this is its middle
 above=100   # how far above it the tool comes and goes, mm
 jaws_open=16
+jaws_shut=-64 # with nothing between them
 
 # The camera's picture is 192 rows of 32 bytes; od writes them as numbers, a row on a line. Leaves
 # in $x, $y and $angle where the largest block lies.
@@ -21,8 +22,9 @@ look() {
   local patches
   robot_send 'A**'
   read -r patches x y angle < <(head -c 6144 <&"$from_robot" | od -An -v -tu1 -w32 |
-    awk -f find_largest.awk) || exit
+    awk -f find_largest.awk)
   echo "blocks in the picture: $patches"
+  [ "$patches" -gt 0 ] || give_up 'the camera sees no block: is one on the table?'
   printf 'the largest is at x %.0f, y %.0f mm, turned %.0f degrees\n' "$x" "$y" "$angle"
 }
 
@@ -40,6 +42,12 @@ go_to "$x" "$y" "$angle" $z
 robot_send 'A-100\r' # as in example 5
 robot_wait A
 at[A]=$((jaws_open - (100 - left)))
+if [ "${at[A]}" -le $jaws_shut ]; then
+  go_to "$x" "$y" "$angle" $((z + above)) # back to where the examples begin
+  robot_go F 0 E 0 D 0 C 0 B 0 A 0
+  give_up "$(printf 'the jaws closed on nothing: is the block at x %.0f, y %.0f mm?' "$x" "$y") (The \
+examples 3 to 6 are for the Rhino XR-3 with its own workcell, in the profile paper)"
+fi
 awk -v jaws="${at[A]}" 'BEGIN { printf "the jaws closed on %.1f mm\n", 50.8 + 0.79375 * jaws }'
 go_to "$x" "$y" "$angle" $((z + above))
 

@@ -65,5 +65,5 @@ END {
       if (angle < 0) angle += 180
     }
   }
-  print patches, x, y, angle
+  print patches + 0, x, y, angle
 }

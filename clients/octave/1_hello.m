@@ -27,20 +27,20 @@ try
 catch
   error('no robot answers at %s port %s: is the server running? ./run\n', host, port);
 end
-strange = 'no robot answers like this; is it the monitor port? The robot port is 9600\n';
+strange = 'no robot answers like this; is it the monitor port? The robot port is 9600';
 
 % How far has the shoulder, joint E, still to go? The answer is counted from 32, the code of a
 % blank, so that it can be printed: a blank means 0 counts to go, "!" means 1, and so on. (Bytes
 % are turned into doubles, for a byte that would be less than 0 becomes 0.)
 write(robot, uint8('E?'));
 reply = double(read(robot, 1));
-if isempty(reply), error(strange); end
+if isempty(reply), error('%s\n', strange); end
 fprintf('E? is answered by %d: %d counts to go\n', reply, reply - 32);
 
 % Which microswitches are closed? Again 32 is added; each switch has a bit of its own.
 write(robot, uint8('I'));
 reply = double(read(robot, 1));
-if isempty(reply), error(strange); end
+if isempty(reply), error('%s\n', strange); end
 fprintf('I is answered by %d: switches %d\n', reply, reply - 32);
 
 clear robot  % closes the line

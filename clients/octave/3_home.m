@@ -13,8 +13,8 @@ robot = robot_connect();
 % A robot may tell of its switches the other way round. I shows it: the highest of its six bits
 % belongs to no switch, and should be 0.
 if robot_ask(robot, 'I') - 32 >= 32
-  error(['the switches of D and of all other joints tell 1 when they are open, as in the profile ' ...
-         'mark3. This example is for the profile paper\n']);
+  error('%s\n', ['the switches of D and of all other joints tell 1 when they are open, as in the ' ...
+                 'profile mark3. This example is for the profile paper']);
 end
 
 for k = 1:6

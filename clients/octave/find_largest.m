@@ -11,7 +11,7 @@ function place = find_largest(robot)
   robot_send(robot, 'A**');
   bytes = double(read(robot.line, pixels * pixels / 6)) - 32;
   if numel(bytes) ~= pixels * pixels / 6
-    error('the robot sent no whole picture\n');
+    error('%s\n', 'the robot sent no whole picture');
   end
   six = zeros(6, numel(bytes));
   for bit = 1:6
@@ -31,7 +31,7 @@ function place = find_largest(robot)
   end
   fprintf('blocks in the picture: %d\n', patches);
   if patches == 0
-    error('the camera sees no block: is one on the table?\n');
+    error('%s\n', 'the camera sees no block: is one on the table?');
   end
 
   % The middle is the average of the pixels. The long side points where they are spread most; the

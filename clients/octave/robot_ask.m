@@ -3,6 +3,6 @@ function reply = robot_ask(robot, inquiry)
   robot_send(robot, '%s', inquiry);
   reply = double(read(robot.line, 1));
   if isempty(reply)  % after 5 seconds: a robot answers at once
-    error('no robot answers like this; is it the monitor port? The robot port is 9600\n');
+    error('%s\n', 'no robot answers like this; is it the monitor port? The robot port is 9600');
   end
 end

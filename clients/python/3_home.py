@@ -58,7 +58,7 @@ print(f"switches closed: {robot.ask('I') - 32} of I, {robot.ask('J') - 32} of J"
 # From here the soft home is as far away as the switches are from it.
 for joint, place in SWITCHES.items():
     if step(joint, -place) > 0:
-        sys.exit(f"{joint} stands and is not at the soft home")
+        sys.exit(f"{joint} stands and is not at the soft home. Look at the page or at `xr3 watch`")
 print("at the soft home")
 
 robot.close()

@@ -11,6 +11,14 @@ from xr3.robot import STANDS_AFTER, WHY_IT_STANDS  # as in example 2
 
 robot = xr3.connect()
 
+
+def check(f, e):
+    """Ends the program if a joint has still counts to go: it stands."""
+    for joint, left in ("F", f), ("E", e):
+        if left > 0:
+            sys.exit(f"{joint} stands, {left} counts short of where it was sent. {WHY_IT_STANDS}")
+
+
 # A number with an S behind it is a speed, in counts a second. E has twice as far to go as F,
 # so it gets twice the speed.
 robot.send("F40S E80S\r")
@@ -29,14 +37,13 @@ while f > 0 or e > 0:
     f, e = robot.ask("F?") - 32, robot.ask("E?") - 32
     same = same + 1 if (f, e) == before else 0
     if same == STANDS_AFTER:
-        sys.exit(f"F stands, {f} counts short, and E, {e} counts short. {WHY_IT_STANDS}")
+        break
+check(f, e)
 print("both are there")
 
 # And back again. wait() is example 2 once more, for one joint after the other.
 robot.send("F-40 E-80\r")
-f, e = robot.wait("F"), robot.wait("E")
-if f > 0 or e > 0:
-    sys.exit(f"F stands, {f} counts short, and E, {e} counts short. {WHY_IT_STANDS}")
+check(robot.wait("F"), robot.wait("E"))
 print("both are back")
 
 robot.close()
