@@ -18,7 +18,10 @@ wait_for() {
     before=$left
     robot_to_go "$1"
     if [ "$left" = "$before" ]; then same=$((same + 1)); else same=0; fi
-    [ "$same" -lt "$stands_after" ] || give_up_standing "$1" "$left"
+    if [ "$same" -ge "$stands_after" ]; then
+      robot_send "$1X" # forgets the rest of the move
+      give_up_standing "$1" "$left"
+    fi
   done
   echo "$1 is there"
 }

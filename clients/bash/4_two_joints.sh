@@ -30,7 +30,10 @@ while [ "$f" -gt 0 ] || [ "$e" -gt 0 ]; do
   before=$((f + e))
   ask_both
   if [ $((f + e)) = "$before" ]; then same=$((same + 1)); else same=0; fi
-  [ "$same" -lt "$stands_after" ] || break
+  if [ "$same" -ge "$stands_after" ]; then
+    robot_send 'FX EX' # forgets the rest of the moves
+    break
+  fi
 done
 [ "$f" = 0 ] || give_up_standing F "$f"
 [ "$e" = 0 ] || give_up_standing E "$e"

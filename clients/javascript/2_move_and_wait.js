@@ -18,7 +18,10 @@ async function waitFor(joint) {
     const before = left;
     left = await robot.toGo(joint);
     same = left === before ? same + 1 : 0;
-    if (same === STANDS_AFTER) giveUpStanding(joint, left);
+    if (same === STANDS_AFTER) {
+      robot.send(joint + "X"); // forgets the rest of the move
+      giveUpStanding(joint, left);
+    }
   }
   console.log(`${joint} is there`);
 }

@@ -26,7 +26,10 @@ async function main() {
     f = await robot.toGo("F");
     e = await robot.toGo("E");
     same = f + e === before ? same + 1 : 0;
-    if (same === STANDS_AFTER) break;
+    if (same === STANDS_AFTER) {
+      robot.send("FX EX"); // forgets the rest of the moves
+      break;
+    }
   }
   if (f > 0) giveUpStanding("F", f);
   if (e > 0) giveUpStanding("E", e);

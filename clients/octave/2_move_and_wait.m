@@ -20,7 +20,10 @@ while left > 0
   before = left;
   left = robot_to_go(robot, 'E');
   if left == before, same = same + 1; else, same = 0; end
-  if same == robot_stands_after(), robot_stands('E', left); end
+  if same == robot_stands_after()
+    robot_send(robot, 'EX');  % forgets the rest of the move
+    robot_stands('E', left);
+  end
 end
 fprintf('E is there\n');
 
@@ -35,7 +38,10 @@ while left > 0
   before = left;
   left = robot_to_go(robot, 'E');
   if left == before, same = same + 1; else, same = 0; end
-  if same == robot_stands_after(), robot_stands('E', left); end
+  if same == robot_stands_after()
+    robot_send(robot, 'EX');  % forgets the rest of the move
+    robot_stands('E', left);
+  end
 end
 fprintf('E is there\n');
 

@@ -23,7 +23,10 @@ while f > 0 || e > 0
   f = robot_to_go(robot, 'F');
   e = robot_to_go(robot, 'E');
   if f + e == before, same = same + 1; else, same = 0; end
-  if same == robot_stands_after(), break, end  % as in example 2
+  if same == robot_stands_after()  % as in example 2
+    robot_send(robot, 'FX EX');  % forgets the rest of the moves
+    break
+  end
 end
 if f > 0, robot_stands('F', f); end
 if e > 0, robot_stands('E', e); end

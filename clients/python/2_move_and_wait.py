@@ -11,8 +11,8 @@ import xr3
 # A joint stands if 40 answers, in 2 seconds, are the same. The slowest speed is one count a second,
 # and the simulator's clock may run slowly, so be patient.
 STANDS_AFTER = 40
-WHY_IT_STANDS = ("Is it blocked at a limit, or stalled? Does time stand, or run slowly? Look at the "
-                 "page or at `xr3 watch`")
+WHY_IT_STANDS = ("Is it blocked at a limit, or stalled? Does time stand, or run slowly? Look at "
+                 "the page or at `xr3 watch`")
 
 robot = xr3.connect()  # send() and ask() are all that we use of it here
 
@@ -30,6 +30,7 @@ def wait_for(joint):
         left = robot.ask(joint + "?") - 32
         same = same + 1 if left == before else 0
         if same == STANDS_AFTER:
+            robot.send(joint + "X")  # forgets the rest of the move
             sys.exit(f"{joint} stands, {left} counts short of where it was sent. {WHY_IT_STANDS}")
     print(f"{joint} is there")
 

@@ -33,16 +33,16 @@ def search(joint, counts, closed):
         left = step(joint, counts)
         gone += abs(counts) - left
         if left == abs(counts) or gone > FARTHEST:
-            sys.exit(f"{joint} went {gone} counts and found no switch. Is it blocked at a limit, or "
-                     "stalled? Does time stand? (The examples 3 to 6 are for the Rhino XR-3 with its "
-                     "own workcell, in the profile paper)")
+            sys.exit(f"{joint} went {gone} counts and found no switch. Is it blocked at a limit, "
+                     "or stalled? Does time stand? (The examples 3 to 6 are for the Rhino XR-3 "
+                     "with its own workcell, in the profile paper)")
 
 
 # A robot may tell of its switches the other way round. I shows it: the highest of its six bits
 # belongs to no switch, and should be 0.
 if robot.ask("I") - 32 >= 32:
-    sys.exit("the switches of D and of all other joints tell 1 when they are open, as in the profile "
-             "mark3. This example is for the profile paper")
+    sys.exit("the switches of D and of all other joints tell 1 when they are open, as in the "
+             "profile mark3. This example is for the profile paper")
 
 
 for joint, place in SWITCHES.items():

@@ -37,6 +37,7 @@ while f > 0 or e > 0:
     f, e = robot.ask("F?") - 32, robot.ask("E?") - 32
     same = same + 1 if (f, e) == before else 0
     if same == STANDS_AFTER:
+        robot.send("FX EX")  # forgets the rest of the moves
         break
 check(f, e)
 print("both are there")
