@@ -1,31 +1,19 @@
 // The lower part of the page: its tabs, and the buttons beside the wire's and the workcell's panels.
 import { byId, setText } from "./dom.js";
+import { rove } from "./roving.js";
 import { colorOptions } from "./workcell_panel.js";
 
 const kTurnDegrees = 5;
 
-/** Tabs, with arrow keys. */
+/** Tabs, each showing its panel. */
 export function wireTabs() {
   const tabs = [...document.querySelectorAll("[role=tab]")];
-  tabs.forEach((tab, i) => {
-    tab.onclick = () => chooseTab(tabs, tab);
-    tab.onkeydown = (event) => {
-      const way = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
-      if (!way) return;
-      const next = tabs[(i + way + tabs.length) % tabs.length];
-      chooseTab(tabs, next);
-      next.focus();
-    };
+  rove(tabs, (chosen) => {
+    for (const tab of tabs) {
+      tab.setAttribute("aria-selected", String(tab === chosen));
+      byId(tab.getAttribute("aria-controls")).hidden = tab !== chosen;
+    }
   });
-}
-
-function chooseTab(tabs, tab) {
-  for (const each of tabs) {
-    const isChosen = each === tab;
-    each.setAttribute("aria-selected", String(isChosen));
-    each.tabIndex = isChosen ? 0 : -1;
-    byId(each.getAttribute("aria-controls")).hidden = !isChosen;
-  }
 }
 
 /** The buttons above the bytes. */

@@ -7,8 +7,9 @@ const kPeriodsInHalfSeconds = [1, 2, 6, 20];
 const kTicksInHalfSecond = 500;
 
 export class CommandMenu {
-  constructor({ known, call, mayCall }) {
-    Object.assign(this, { known, call, mayCall });
+  /** `call(fn, args)` asks the server; `access` says whether it would listen. */
+  constructor({ known, call, access }) {
+    Object.assign(this, { known, call, access });
     this.asks = { home: () => call("home"), view: () => this.#askView(), status: () => this.#nextStatus(), period: () => this.#nextPeriod() };
     byId("menu-button").onclick = () => this.toggle();
     byId("functions").replaceChildren(...kFunctions.map((each) => this.#entry(each)));
@@ -16,8 +17,8 @@ export class CommandMenu {
 
   /** Carries a function out. */
   run(name) {
-    if (!this.mayCall()) return;
-    if (this.asks[name]) this.asks[name]();
+    if (!this.access.mayCall) this.access.explain();
+    else if (this.asks[name]) this.asks[name]();
     else this.#key(name);
   }
 
@@ -34,7 +35,7 @@ export class CommandMenu {
   }
 
   #entry({ name, words, key, alt }) {
-    return el("li", {}, el("button", { type: "button", onclick: () => this.run(name) },
+    return el("li", {}, el("button", { type: "button", "data-call": "key", onclick: () => this.run(name) },
       el("span", {}, words), el("span.now", { "data-now": name }), el("kbd", {}, `${key}${alt ? `  Alt ${alt}` : ""}`)));
   }
 

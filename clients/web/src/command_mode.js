@@ -15,13 +15,25 @@ export const kFunctions = [
 
 export const kStatusWords = ["blank", "tool configuration", "joint variables", "error counters", "encoder positions", "switches", "tool opening"];
 
-const isTyping = (target) => target.closest?.("input, textarea, select, [contenteditable]");
+// Letters go into a text, and choose in a list; a box to tick has no use for them.
+const kTakesLetters = `textarea, select, [contenteditable],
+  input:not([type="checkbox"], [type="radio"], [type="range"], [type="file"], [type="button"])`;
+const isTyping = (target) => target.closest?.(kTakesLetters);
+
+/** A list that was chosen from by mouse lets go of the keys, which are command mode's again. */
+function leaveListsAfterTheMouse() {
+  let isMouse = false;
+  document.addEventListener("pointerdown", () => (isMouse = true), true);
+  document.addEventListener("keydown", () => (isMouse = false), true);
+  document.addEventListener("change", ({ target }) => isMouse && target.matches("select") && target.blur());
+}
 
 export class CommandMode {
   /** `run(name)` carries a function out; `toggleMenu()` shows or hides the menu. */
   constructor({ run, toggleMenu, known }) {
     Object.assign(this, { run, toggleMenu, known });
     document.addEventListener("keydown", (event) => this.#key(event));
+    leaveListsAfterTheMouse();
   }
 
   #key(event) {
@@ -44,8 +56,9 @@ export class CommandMode {
     this.#take(event, () => isOff || this.run(wanted.name));
   }
 
+  // A key that is held would turn things on and off.
   #take(event, act) {
     event.preventDefault();
-    act();
+    if (!event.repeat) act();
   }
 }

@@ -12,7 +12,9 @@ import { DigitalLines } from "./digital_lines.js";
 import { byId, setText } from "./dom.js";
 import { JointTable } from "./joints.js";
 import { tip } from "./kinematics.js";
+import { NoScene } from "./no_scene.js";
 import { PaperView } from "./paper_view.js";
+import { wordsOf } from "./refusal.js";
 import { Scene } from "./scene.js";
 import { Stage } from "./stage.js";
 import { TimeBar } from "./time_bar.js";
@@ -24,9 +26,12 @@ const known = {}; // the newest hello, model, state and display, and when the st
 
 // --- What people do.
 
-const connection = new Connection(`ws://${location.host}/ws`, { onMessage: take, onStatus: showConnection });
-const alarm = new Alarm(byId("alarm"));
-const tellError = (error) => alarm.tell(error.message);
+const connection = new Connection(`ws://${location.host}/ws`, {
+  onMessage: take, onStatus: showConnection, onTokenRefused: (error) => access.refused(error),
+});
+const alarm = new Alarm({ line: byId("alarm"), places: [byId("told"), byId("menu-told")] });
+const tell = (text) => alarm.tell(text);
+const tellError = (error) => tell(wordsOf(error));
 
 async function call(fn, args = {}) {
   try {
@@ -39,9 +44,8 @@ async function call(fn, args = {}) {
 
 // --- The panels.
 
-const access = new Access({ connection, onError: tellError });
-const mayCall = () => access.mayCall;
-const scene = new Scene(byId("solid"));
+const access = new Access({ connection, tell, onError: tellError, onChange: () => timeBar.allow(), onUnlocked: readAgain });
+const scene = makeScene(byId("solid"));
 const paper = new PaperView(byId("paper-canvas"));
 const joints = new JointTable(byId("joints"));
 const camera = new CameraPanel(byId("camera"), byId("camera-caption"));
@@ -55,9 +59,9 @@ const workcell = new WorkcellPanel({
   plan: byId("plan"), form: byId("block-form"), chosen: byId("chosen"), call: (fn, args) => connection.call(fn, args), onError: tellError,
 });
 const timeBar = new TimeBar({
-  known, call, mayCall, isOpen: () => byId("connection").dataset.state === "open", onTick: (tick) => paper.tick(tick),
+  known, call, mayCall: () => access.mayCall, isOpen: () => byId("connection").dataset.state === "open", onTick: (tick) => paper.tick(tick),
 });
-const menu = new CommandMenu({ known, call, mayCall });
+const menu = new CommandMenu({ known, call, access });
 const run = (name) => menu.run(name);
 const stage = new Stage({ scene, paper, call, run, follow: (options) => connection.follow("display", options) });
 new CommandMode({ run, toggleMenu: () => menu.toggle(), known });
@@ -69,12 +73,22 @@ wireTabs();
 wireWireBar(wire);
 wireWorkcellBar(workcell);
 
+// The rest of the page is worth having without 3-D.
+function makeScene(host) {
+  try {
+    return new Scene(host);
+  } catch (error) {
+    console.warn(error);
+    return new NoScene(host);
+  }
+}
+
 // --- What the server tells.
 
 function take(message) {
   const takers = {
     hello: takeHello, model: takeModel, state: takeState, display: takeDisplay, image: (m) => camera.setImage(m),
-    line: takeLine, event: takeEvent, lag: takeLag, bye: (m) => alarm.tell(m.message), result: () => {},
+    line: takeLine, event: takeEvent, lag: takeLag, bye: (m) => tell(m.message), result: takeResult,
   };
   takers[message.op]?.(message);
 }
@@ -89,9 +103,20 @@ function takeHello(hello) {
   connection.recall("line").catch(() => {});
 }
 
+// Answers to subscriptions: a server that is private refuses them until it has its token.
+function takeResult({ error }) {
+  if (error?.code === "token_required") access.set("none");
+}
+
+function readAgain() {
+  connection.renew();
+  connection.recall("line").catch(() => {});
+}
+
 function takeModel(model) {
   known.model = model;
   for (const panel of [scene, joints, camera, consolePanel, workcell]) panel.setModel(model);
+  access.apply();
   if (known.state) takeState(known.state);
 }
 
@@ -123,11 +148,18 @@ function takeLag(lag) {
 
 function takeEvent(event) {
   if (event.event === "epoch") scene.clearPath();
-  if (event.event === "clock" && known.state) timeBar.setState({ ...known.state, clock: event.clock });
+  if (event.event === "clock" && known.state) takeClock(event);
+}
+
+// Sooner than the next state, and with the moment from which the new speed holds.
+function takeClock({ clock, tick }) {
+  known.state = { ...known.state, clock, tick };
+  known.arrival = performance.now();
+  timeBar.setState(known.state);
 }
 
 function showConnection(status) {
-  const words = { connecting: "connecting", open: "connected", lost: "connection lost, trying again" };
+  const words = { open: "connected", silent: "the server does not answer, trying again", lost: "connection lost, trying again" };
   byId("connection").dataset.state = status;
   setText(byId("connection"), words[status]);
 }
@@ -150,7 +182,7 @@ setTheme(prefersDark.matches ? "dark" : "light");
 
 connection.follow("model", { max_hz: 2 });
 connection.follow("state", { max_hz: 30 });
-stage.choose("solid");
+stage.choose(scene instanceof NoScene ? "paper" : "solid");
 connection.follow("image", { max_hz: 10, encoding: "rle" });
 connection.follow("line");
 connection.follow("event");
@@ -159,6 +191,7 @@ connection.open();
 // For tests and pictures: what is known and what is drawn.
 window.xr3 = {
   known, transcriptLine, scene, paper,
+  call,
   step: (ticks) => call("step", { ticks, fields: [] }),
   tip: () => known.model && tip(known.model.robot, known.state.joints.map((joint) => joint.value)),
   tipDrawn: () => scene.tipDrawn(),

@@ -2,19 +2,26 @@
 // what is said of the display. What the views draw is their own affair.
 import { kStatusWords } from "./command_mode.js";
 import { byId, el, setText } from "./dom.js";
+import { rove } from "./roving.js";
+
+const kViews = ["solid", "paper"];
 
 export class Stage {
   /** `follow(options)` follows the display channel; `call` asks the server; `run` carries out a function of command mode. */
   constructor({ scene, paper, follow, call, run }) {
     Object.assign(this, { scene, paper, follow });
-    for (const name of ["solid", "paper"]) byId(`view-${name}`).onclick = () => this.choose(name);
+    this.views = rove(kViews.map((name) => byId(`view-${name}`)), (_, i) => this.#show(kViews[i]));
     this.#solidTools();
     this.#paperTools(run);
     this.#statusLine(call);
   }
 
   choose(name) {
-    for (const each of ["solid", "paper"]) {
+    this.views.choose(byId(`view-${name}`));
+  }
+
+  #show(name) {
+    for (const each of kViews) {
       byId(each).hidden = each !== name;
       byId(`${each}-tools`).hidden = each !== name;
       byId(`view-${each}`).setAttribute("aria-checked", String(each === name));
@@ -30,6 +37,7 @@ export class Stage {
     const note = display.on ? `every ${display.period_ticks / 1000} s, ${display.erase ? "erased" : "not erased"} before`
       : "The program has its display off: A# or the button turns it on.";
     setText(byId("display-note"), note);
+    setText(byId("display-word"), `graphics display ${display.on ? "on" : "off"}`);
   }
 
   #solidTools() {

@@ -16,11 +16,15 @@ export class TimeBar {
   }
 
   setState({ clock, tick }) {
-    const isStanding = clock.mode === "manual";
-    setText(byId("pause"), isStanding ? "Resume" : "Pause");
-    byId("step").disabled = !isStanding || !this.mayCall();
+    setText(byId("pause"), clock.mode === "manual" ? "Resume" : "Pause");
     this.#showRate(clock.rate);
     this.#showTick(tick);
+    this.allow();
+  }
+
+  /** Time that goes by itself cannot be stepped, and who only looks on cannot step it. */
+  allow() {
+    byId("step").disabled = this.known.state?.clock.mode !== "manual" || !this.mayCall();
   }
 
   #showRate(wanted) {

@@ -1,0 +1,53 @@
+// What goes wrong is readable for as long as it takes, and moves nothing on the page.
+import assert from "node:assert/strict";
+import { after, test } from "node:test";
+import { close, type, withPage } from "./bench.mjs";
+
+after(close);
+
+const step = async (page) => {
+  const before = await page.evaluate(() => window.xr3.known.state.tick);
+  await page.evaluate(() => window.xr3.step(100));
+  await page.waitForFunction((tick) => window.xr3.known.state.tick > tick, before);
+};
+const refuse = (page) => page.evaluate(() => window.xr3.call("rate", { factor: -1 }));
+
+test("what a person is told stays while the robot moves, until it is closed", () =>
+  withPage(["--clock", "manual"], async (page, server) => {
+    await type(server.robot, "F+50\r");
+    await refuse(page);
+    await step(page);
+    assert.match(await page.textContent("#told"), /factor: -1 was given, allowed is a number/);
+    assert.ok(await page.isVisible("#told"));
+    await page.click("#told .close");
+    assert.ok(await page.isHidden("#told"));
+  }));
+
+test("a stall and a message are readable together, over the picture and not beside it", () =>
+  withPage(["--clock", "manual"], async (page, server) => {
+    const picture = () => page.locator("#solid canvas").boundingBox();
+    const before = await picture();
+    for (let i = 0; i < 20 && !(await server.state()).stalled; ++i) {
+      await type(server.robot, "E-120\r");
+      await page.evaluate(() => window.xr3.call("run_until", { idle: true, max_ticks: 60000 }));
+    }
+    await page.waitForSelector("#alarm:has-text('Stalled')");
+    await refuse(page);
+    await page.waitForSelector("#told:has-text('factor')");
+    assert.match(await page.textContent("#alarm"), /^Stalled/);
+    assert.ok(await page.isVisible("#alarm"));
+    assert.deepEqual(await picture(), before);
+  }));
+
+test("a disabled simulator names the key that enables it", () =>
+  withPage([], async (page) => {
+    await page.keyboard.press("e");
+    await page.waitForSelector("#alarm:has-text('the key e')");
+  }));
+
+test("a display turned on or off is seen in the 3-D view", () =>
+  withPage([], async (page) => {
+    await page.waitForSelector("#display-word:has-text('display off')");
+    await page.keyboard.press("d");
+    await page.waitForSelector("#display-word:has-text('display on')");
+  }));

@@ -1,0 +1,65 @@
+// Every function of command mode, by each of its ways: plain key, Alt key, entry of the menu.
+import assert from "node:assert/strict";
+import { after, test } from "node:test";
+import { close, withPage } from "./bench.mjs";
+
+after(close);
+
+const kEntries = { d: "Graphics display", h: "Soft home", s: "Status line", e: "Simulator", k: "Function keys", p: "Erase", r: "Refresh" };
+const kAlt = { d: "F1", h: "F3", s: "F4", e: "F5", k: "F6" };
+/** What each function changes, as the page knows it. */
+const kSeen = {
+  d: "display.on", h: "state.joints.0.count", s: "display.status.option", e: "state.enabled",
+  k: "display.function_keys", p: "display.erase", r: "display.period_ticks",
+};
+
+/** What the page knows there, once it is another value than `before`. */
+const valueOf = async (page, key, before = null) => {
+  const found = await page.waitForFunction(([path, old]) => {
+    const value = path.split(".").reduce((at, name) => at?.[name], window.xr3.known);
+    return value !== undefined && String(value) !== old && [String(value)];
+  }, [kSeen[key], before]);
+  return (await found.jsonValue())[0];
+};
+
+/** Presses, by `act`, and waits until what it stands for has changed. */
+async function changes(page, key, act) {
+  if (key === "h") await page.evaluate(() => window.xr3.call("send", { text: "F+5\r" }));
+  const before = await valueOf(page, key, key === "h" ? "0" : null);
+  await act();
+  await valueOf(page, key, before);
+}
+
+test("plain keys", () =>
+  withPage([], async (page) => {
+    for (const key of Object.keys(kEntries)) await changes(page, key, () => page.keyboard.press(key));
+    await page.keyboard.press("v");
+    await page.waitForSelector("#ask-view[open]");
+  }));
+
+test("Alt keys", () =>
+  withPage([], async (page) => {
+    for (const [key, alt] of Object.entries(kAlt)) await changes(page, key, () => page.keyboard.press(`Alt+${alt}`));
+    await page.keyboard.press("Alt+F6"); // they are off now
+    await page.keyboard.press("Alt+F2");
+    await page.waitForSelector("#ask-view[open]");
+  }));
+
+test("entries of the menu, and the status line goes through all its options", () =>
+  withPage([], async (page) => {
+    await page.keyboard.press("m");
+    for (const [key, words] of Object.entries(kEntries)) await changes(page, key, () => page.click(`#functions button:has-text('${words}')`));
+    for (let i = 0; i < 7; ++i) await changes(page, "s", () => page.click("#functions button:has-text('Status line')"));
+    await page.click("#functions button:has-text('View vector')");
+    await page.waitForSelector("#ask-view[open]");
+  }));
+
+test("what is refused from within the menu is explained there, with what is allowed", () =>
+  withPage([], async (page) => {
+    await page.keyboard.press("m");
+    await page.click("#functions button:has-text('View vector')");
+    for (const axis of "xyz") await page.fill(`#view-${axis}`, "0");
+    await page.click("#ask-view button[value=ok]");
+    await page.waitForSelector("#menu-told:has-text('value: [0,0,0] was given, allowed is')");
+    assert.ok(await page.isVisible("#menu[open]"));
+  }));

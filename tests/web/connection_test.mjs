@@ -1,0 +1,40 @@
+// The connection: a server that hangs is noticed, and what is too big for it is not sent.
+import assert from "node:assert/strict";
+import { writeFile } from "node:fs/promises";
+import { after, test } from "node:test";
+import { close, type, withPage } from "./bench.mjs";
+
+after(close);
+
+/** Whether the clock shows the same for five of its own periods. */
+const clockStands = (page) => page.evaluate(() => new Promise((resolve) => {
+  const clock = document.querySelector("#clock");
+  const before = clock.textContent;
+  let periods = 0;
+  const timer = setInterval(() => {
+    if (++periods < 5) return;
+    clearInterval(timer);
+    resolve(clock.textContent === before);
+  }, 100);
+}));
+
+test("a server that hangs is noticed, the clock stands, and it is picked up when it goes on", () =>
+  withPage([], async (page, server) => {
+    process.kill(server.pid, "SIGSTOP");
+    await page.waitForSelector("#connection:has-text('does not answer')");
+    assert.ok(await clockStands(page));
+    process.kill(server.pid, "SIGCONT");
+    await page.waitForSelector('#connection[data-state="open"]');
+    await type(server.robot, "F+20\r");
+    await page.waitForFunction(() => window.xr3.known.state.joints[0].count === 20);
+  }));
+
+test("a workcell that is too big for one message is refused before it is sent", () =>
+  withPage([], async (page) => {
+    const file = `${process.env.TMPDIR ?? "/tmp"}/xr3-too-big-${process.pid}.json`;
+    await writeFile(file, JSON.stringify({ name: "x".repeat(300 * 1024) }));
+    await page.click("#tab-workcell");
+    await page.setInputFiles("#workcell-load", file);
+    await page.waitForSelector("#told:has-text('too big to be sent: 301 KiB, and the server takes at most 256 KiB')");
+    assert.equal(await page.getAttribute("#connection", "data-state"), "open");
+  }));

@@ -1,0 +1,28 @@
+// Refusals in words: each wrong member with what was given and what is allowed, but not without bound.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { Refused, wordsOf } from "../../clients/web/src/refusal.js";
+
+const detail = (i) => ({ pointer: `/blocks/${i}/size`, found: [i], allowed: "three lengths" });
+const refused = (details, code = "bad_args") => new Refused({ code, message: `${details.length} wrong fields`, hint: "nothing was changed", details });
+
+test("every wrong member has its line", () => {
+  const words = wordsOf(refused([{ pointer: "/args/factor", found: -1, allowed: "a number above 0" }, { pointer: "/workspace/z", found: null, allowed: "a length" }]));
+  assert.equal(words, "2 wrong fields (nothing was changed)\nfactor: -1 was given, allowed is a number above 0\nworkspace/z: nothing was given, allowed is a length");
+});
+
+test("the first eight of many, each found thing cut", () => {
+  const lines = wordsOf(refused(Array.from({ length: 20 }, (_, i) => detail(i)))).split("\n");
+  assert.equal(lines.length, 10);
+  assert.equal(lines.at(-1), "and 12 more");
+  const [, long] = wordsOf(refused([{ pointer: "/args/text", found: "x".repeat(5000), allowed: "4096 bytes" }])).split("\n");
+  assert.ok(long.length < 120, long);
+});
+
+test("a token is asked for in words of the page, not of the protocol", () => {
+  const words = wordsOf(refused([], "token_required"));
+  assert.match(words, /press Unlock/);
+  assert.doesNotMatch(words, /\{"op"/);
+});
+
+test("an error of the page's own is what it says", () => assert.equal(wordsOf(new Error("not connected")), "not connected"));

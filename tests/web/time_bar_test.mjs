@@ -1,0 +1,25 @@
+// The clock of the header.
+import assert from "node:assert/strict";
+import { after, test } from "node:test";
+import { close, withPage } from "./bench.mjs";
+
+after(close);
+
+test("another speed at rest does not put the clock back", () =>
+  withPage([], async (page) => {
+    await page.waitForFunction(() => parseFloat(document.querySelector("#clock").textContent) * 1000 > window.xr3.known.state.tick + 1000);
+    await page.evaluate(() => {
+      const clock = document.querySelector("#clock");
+      window.shown = [parseFloat(clock.textContent)];
+      new MutationObserver(() => window.shown.push(parseFloat(clock.textContent))).observe(clock, { childList: true });
+    });
+    await page.selectOption("#rate", "2");
+    await page.waitForFunction(() => window.xr3.known.state.clock.rate === 2 && window.shown.length > 5);
+    const shown = await page.evaluate(() => window.shown);
+    assert.ok(shown.every((s, i) => i === 0 || s > shown[i - 1] - 0.2), String(shown));
+  }));
+
+test("what changes ten times a second is not read aloud", () =>
+  withPage([], async (page) => {
+    for (const id of ["clock", "status-text"]) assert.equal(await page.getAttribute(`#${id}`, "aria-live"), "off");
+  }));
