@@ -34,7 +34,6 @@ export class JogPanel {
   #button(file, sign, text, words) {
     const button = el("button", { type: "button", "aria-label": `${file.name} (${file.label}) ${words}` }, text);
     button.dataset.call = "send";
-    button.disabled = document.body.classList.contains("read-only");
     whileHeld(button, (isFirst) => this.#press(file, sign, isFirst));
     return button;
   }
