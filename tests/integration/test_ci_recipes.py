@@ -64,6 +64,24 @@ class Recipes(unittest.TestCase):
             with self.subTest(name):
                 self.assertEqual(commands, shown(name))
 
+    def test_what_a_cache_brings_back_is_not_in_the_way(self):
+        """It is ccache's folder in the job's own, and the checkout that follows has room for itself."""
+        text = (RECIPES / "gitlab-ci.yml").read_text(encoding="utf-8")
+        path = re.search(r"^ +paths: \[(\S+)\]$", text, re.MULTILINE)[1]
+        self.assertIn(f"CCACHE_DIR: $CI_PROJECT_DIR/{path}\n", text)
+        source, job = self.folder / "source", self.folder / "job"
+        subprocess.run(["git", "init", "-q", source], check=True, timeout=DEADLINE_S)
+        (job / path).mkdir(parents=True)
+        (job / path / "kept").touch()
+        clone = re.search(r"^ +- (git clone .*)$", text, re.MULTILINE)[1]
+        cloned = subprocess.run(clone, shell=True, cwd=job, env={**os.environ, "XR3_URL": f"file://{source}"},
+                                capture_output=True, text=True, timeout=DEADLINE_S, check=False)
+        self.assertEqual(0, cloned.returncode, cloned.stderr)
+        text = (RECIPES / "github-actions.yml").read_text(encoding="utf-8")
+        self.assertEqual(path, re.search(r"^ +path: (\.\S+)$", text, re.MULTILINE)[1])
+        self.assertIn(f"CCACHE_DIR=$PWD/{path}", text)
+        self.assertLess(text.index("CCACHE_DIR"), text.index("xr3/run --build"))
+
     def test_a_program_that_does_its_work(self):
         ran = self.run_recipe()
         self.assertEqual((0, ""), (ran.returncode, ran.stderr))
