@@ -2,7 +2,8 @@
 """Runs every example of every language in clients/ against a real server whose time runs fast,
 with the one command that the language's README gives, and looks at the monitor port at what
 became of it: where the motors are, where the blocks lie, whether the robot was told anything that
-it did not obey. What the examples print is the same in every language: expected/*.txt.
+it did not obey. What the examples print is the same in every language: expected/*.txt. Then it
+looks at what they say where something is wrong: wrong_use.py.
 
     XR3=build/release/xr3 tests/clients/examples.py [LANGUAGE...]
 
@@ -28,6 +29,7 @@ CLIENTS = ROOT / "clients"
 EXPECTED = Path(__file__).resolve().parent / "expected"
 sys.path.insert(0, str(CLIENTS / "python" / "tests"))
 
+import wrong_use  # noqa: E402
 from context import Server  # noqa: E402
 from xr3 import Monitor, Robot  # noqa: E402
 
@@ -225,6 +227,7 @@ def check_language(language):
         run_one(language, "1_hello", elsewhere, faults, by_arguments=True)
         if command.startswith("make"):
             run_in_a_row(language)
+        faults += wrong_use.faults_of(language, command, CLIENTS / language)
     except (Wrong, subprocess.TimeoutExpired) as wrong:
         faults.append(f"{language}: {wrong}")
     print("".join(f"{fault}\n" for fault in faults), end="", flush=True)
