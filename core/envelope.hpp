@@ -17,6 +17,10 @@ bool is_below_surface(const Model& model, const PointUm& tip);
 /// the surface may move there.
 Stall stall_at(const Model& model, const State& state, const PointUm& tip);
 
+/// Some tick from these positions leads the tip to where it stalls for this reason, in this workcell or
+/// in one that has been replaced since: a stall leaves the joints where they were.
+bool could_stall(const Model& model, const Positions& positions, Stall why);
+
 /// Remembers the side of the work surface and warns once a crossing downwards.
 void update_surface(const Model& model, State& state, const PointUm& tip, Events& events);
 

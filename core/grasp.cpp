@@ -68,7 +68,7 @@ Fit fit(const Block& block, double net_roll) {
   const auto [sin, cos] = sin_cos_deg(delta);
   const double extent = mm(block.size_um.y) * std::abs(cos) + mm(block.size_um.x) * std::abs(sin);
   const auto quarters = static_cast<int>(std::floor(delta / kQuarter + 0.5));
-  const Micrometres flat = quarters % 2 == 0 ? block.size_um.y : block.size_um.x;
+  const Micrometres flat = flat_extent_um(block, quarters);
   // A slender block that is to be turned onto its length needs more room flat than as it lies.
   return {std::max(micrometres(extent), flat), flat, quarters & 3};
 }
@@ -122,6 +122,19 @@ Block as_released(const Model& model, const State& state, const Held& held,
   block.centroid_um = tool_tip(model, positions);
   block.yaw_udeg = flat_yaw(net_roll_deg(model, positions), held.quarter_turns);
   return block;
+}
+
+Micrometres flat_extent_um(const Block& block, int quarter_turns) {
+  return quarter_turns % 2 == 0 ? block.size_um.y : block.size_um.x;
+}
+
+bool stand_against(const Model& model, const Block& block, const Held& held) {
+  const MotorModel& tool = model.motor(model.tool_index());
+  const Counts now = held.grasped_at[static_cast<std::size_t>(model.tool_index())];
+  const Counts next = now - tool.drive.direction;
+  const Micrometres flat = flat_extent_um(block, held.quarter_turns);
+  return tool.low <= next && next <= tool.high && opening_um(model, next) < flat &&
+         flat <= opening_um(model, now);
 }
 
 void release(const Model& model, State& state, const Positions& positions, Events& events) {

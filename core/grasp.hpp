@@ -43,6 +43,13 @@ void update_grasp(const Model& model, State& state, const Positions& positions,
 Block as_released(const Model& model, const State& state, const Held& held,
                   const Positions& positions);
 
+/// What a block needs between the fingers, as they closed on it: its width, or for odd turns its length.
+Micrometres flat_extent_um(const Block& block, int quarter_turns);
+
+/// Jaws at the tool position of the grasp stand against this block: they leave it room, and the next
+/// closing count, which the limits allow, would not.
+bool stand_against(const Model& model, const Block& block, const Held& held);
+
 /// Lets the held block go, see as_released(); nothing where none is held.
 void release(const Model& model, State& state, const Positions& positions, Events& events);
 

@@ -30,8 +30,9 @@ SavedCellReading read_saved_cell(const Json& json);
 
 namespace xr3::monitor {
 
-/// What a machine with this model's robot could never have come to: more motors than it has, joints
-/// outside their limits. Pointers begin at the saved cell. Nothing: it can be loaded.
+/// What a machine with this model's robot and profile could never have come to in the saved workcell:
+/// joints outside their limits, switches that do not follow their counts, a tip inside the protected
+/// region, jaws open about what they hold... Pointers begin at the saved cell. Nothing: it can be loaded.
 std::vector<Detail> misfits(const Model& model, const SavedCell& saved);
 
 }  // namespace xr3::monitor

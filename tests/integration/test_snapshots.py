@@ -1,7 +1,9 @@
 """Snapshots: what was saved goes on as it did, bit for bit, whatever happened in between, under a name or
 from the client's own copy, in this server or in another."""
 
+import functools
 import json
+import operator
 import random
 import unittest
 
@@ -126,6 +128,26 @@ class Snapshots(unittest.TestCase):
             with self.subTest(path), self.assertRaises(MonitorError) as caught:
                 self.monitor.call("snapshot_load", snapshot=broken)
             self.assertIn(caught.exception.code, ("bad_args", "model_mismatch"))
+        self.assertEqual(0, self.monitor.get("moving")["epoch"])
+
+    def test_a_machine_that_cannot_be(self):
+        saved = self.monitor.call("snapshot_save", inline=True)["snapshot"]
+        for pointer, value, allowed in (
+                ("/motors/0/switch_closed", True, "false: at count 0 it is open"),
+                ("/motors/1/phase", 999, "0: it has no counts to go"),
+                ("/motors/2/blocked", "limit", '"no": it has no counts to go'),
+                ("/below_surface", True, "false: the tip is at z "),
+                ("/stall", "protected_region", '"no": no tick from here leads into the protected region'),
+                ("/tip_path/points", [[1, 2, 3]], "an empty list while display/erase is true")):
+            broken = json.loads(json.dumps(saved))
+            *path, name = [int(step) if step.isdigit() else step for step in pointer.split("/")[1:]]
+            functools.reduce(operator.getitem, path, broken["state"])[name] = value
+            with self.subTest(pointer):
+                with self.assertRaises(MonitorError) as caught:
+                    self.monitor.call("snapshot_load", snapshot=broken)
+                self.assertEqual("bad_args", caught.exception.code)
+                self.assertEqual(["/state" + pointer], [each["pointer"] for each in caught.exception.details])
+                self.assertTrue(caught.exception.details[0]["allowed"].startswith(allowed), caught.exception.details)
         self.assertEqual(0, self.monitor.get("moving")["epoch"])
 
     def leaves(self, value, path=()):

@@ -1,5 +1,4 @@
-// Saved cells there and back, bit for bit, and those that somebody made up: refused with every reason,
-// so that no machine runs on from what no machine can come to.
+// Saved cells there and back, bit for bit, and those that somebody made up: refused with every reason.
 #include "protocol/saved_cell_json.hpp"
 
 #include <gtest/gtest.h>
@@ -266,65 +265,6 @@ TEST(SavedCellJson, WarningsAreNoErrors) {
   const SavedCellReading reading = read_again(saved);
   EXPECT_FALSE(reading.findings.empty());
   EXPECT_TRUE(reading.saved);
-}
-
-// --- What does not fit the robot.
-
-Strings misfits_of(const SavedCell& saved) {
-  Strings pointers;
-  for (const monitor::Detail& detail : monitor::misfits(*test::rhino(), saved))
-    pointers.push_back(detail.pointer);
-  return pointers;
-}
-
-TEST(SavedCellFit, HomeFits) { EXPECT_EQ(misfits_of(at_home()), Strings{}); }
-
-TEST(SavedCellFit, NoJointIsBeyondItsLimits) {
-  const ModelPtr model = test::rhino();
-  for (int i : {0, model->tool_index()}) {
-    SavedCell saved = at_home();
-    saved.state.motor(i).count = model->motor(i).high;
-    EXPECT_EQ(misfits_of(saved), Strings{});
-    ++saved.state.motor(i).count;
-    EXPECT_EQ(misfits_of(saved), Strings{"/state/motors/" + std::to_string(i) + "/count"});
-    saved.state.motor(i).count = model->motor(i).low - 1;
-    EXPECT_EQ(misfits_of(saved), Strings{"/state/motors/" + std::to_string(i) + "/count"});
-  }
-}
-
-TEST(SavedCellFit, CouplingCounts) {
-  const ModelPtr model = test::rhino();
-  SavedCell saved = at_home();
-  const Driven coupled = model->driven_by(1).at(1);
-  saved.state.motor(1).count = model->motor(1).high;
-  const std::int64_t moved = std::int64_t{coupled.gain} * model->motor(1).high;
-  const MotorModel& joint = model->motor(coupled.joint);
-  saved.state.motor(coupled.joint).count =
-      static_cast<Counts>((moved > 0 ? joint.high : joint.low) - moved);
-  EXPECT_EQ(misfits_of(saved), Strings{});
-  saved.state.motor(coupled.joint).count += moved > 0 ? 1 : -1;
-  EXPECT_FALSE(misfits_of(saved).empty());
-}
-
-TEST(SavedCellFit, HugeCountsAreTold) {
-  SavedCell saved = at_home();
-  for (int i = 0; i < 6; ++i) saved.state.motor(i).count = 1 << 30;
-  EXPECT_GE(misfits_of(saved).size(), 3U);
-}
-
-TEST(SavedCellFit, MotorsThatTheRobotDoesNotHave) {
-  SavedCell saved = at_home();
-  saved.state.motor(6).speed = 2;
-  saved.state.motor(7).count = 1;
-  EXPECT_EQ(misfits_of(saved), (Strings{"/state/motors/6", "/state/motors/7"}));
-}
-
-TEST(SavedCellFit, TheGraspWasWithinTheLimits) {
-  SavedCell saved = at_home();
-  saved.state.held = Held{};
-  saved.state.held->grasped_at[0] = 1 << 30;
-  saved.state.held->grasped_at[6] = 1;
-  EXPECT_EQ(misfits_of(saved), (Strings{"/state/held/grasped_at/0", "/state/held/grasped_at/6"}));
 }
 
 }  // namespace
