@@ -41,6 +41,22 @@ RequestId read_id(ArgsReader& members, Findings& findings) {
   return {};
 }
 
+/// What is wrong inside a document is told as of a file.
+std::string in_document(const std::string& pointer) {
+  for (const std::string_view document : {"/args/workcell/", "/args/snapshot/"}) {
+    if (pointer.starts_with(document)) return pointer.substr(document.size() - 1);
+  }
+  return pointer;
+}
+
+/// Nobody can say which of two members was meant.
+void refuse_duplicates(std::string_view message, const Tree& tree, Findings& findings) {
+  for_each_duplicate(message, tree, [&](const std::string& pointer, const std::string& name) {
+    const Tree found = "\"" + name + "\" for the second time";
+    findings.add(in_document(pointer), &found, "each member once");
+  });
+}
+
 const std::vector<std::string>& ops() {
   static const std::vector<std::string> names = {"auth", "sub", "unsub", "get", "call", "ping"};
   return names;
@@ -84,8 +100,10 @@ Subscribe read_subscribe(Channel channel, ArgsReader& members) {
 /// Carries on from the id: reads the members that belong to the op.
 class RequestReader {
  public:
-  RequestReader(const Tree& tree, const std::vector<std::string>& cells)
-      : cells_(cells), members_(&tree, "", findings_) {}
+  RequestReader(std::string_view message, const Tree& tree, const std::vector<std::string>& cells)
+      : cells_(cells), members_(&tree, "", findings_) {
+    refuse_duplicates(message, tree, findings_);
+  }
 
   RequestReading read() {
     request_.id = read_id(members_, findings_);
@@ -147,7 +165,7 @@ class RequestReader {
 RequestReading read_request(std::string_view message, const std::vector<std::string>& cells) {
   TreeReading reading = read_tree(message);
   if (RequestError* error = std::get_if<RequestError>(&reading)) return std::move(*error);
-  return RequestReader(std::get<Tree>(reading), cells).read();
+  return RequestReader(message, std::get<Tree>(reading), cells).read();
 }
 
 std::optional<RequestError> fit(Request& request, Tick now) {

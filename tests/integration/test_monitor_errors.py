@@ -66,6 +66,20 @@ class Requests(unittest.TestCase):
             self.assertEqual((machine(before), 0, 0), (machine(after), after["tick"], after["epoch"]))
             self.assertEqual(before["clock"], after["clock"])
 
+    def test_a_member_that_is_given_twice(self):
+        with Server() as xr3, xr3.monitor() as monitor:
+            for pointer, line in (
+                    ("/args/ticks", b'{"op":"call","id":"d","fn":"step","args":{"ticks":1,"ticks":500}}\n'),
+                    ("/name", b'{"op":"call","id":"d","fn":"workcell","args":{"workcell":{"name":"a","name":"b"}}}\n'),
+                    ("/op", b'{"op":"ping","id":"d","op":"ping"}\n')):
+                monitor.send(line)
+                answer = monitor.read()
+                with self.subTest(line):
+                    self.assertEqual(("d", "bad_args"), (answer["id"], answer["error"]["code"]))
+                    self.assertIn((pointer, "each member once"),
+                                  [(each["pointer"], each["allowed"]) for each in answer["error"]["details"]])
+            self.assertEqual(0, monitor.get()["tick"])
+
     def test_running_time_is_not_stepped(self):
         with Server(clock="real") as xr3, xr3.monitor() as monitor:
             for request in call("step", ticks=5), call("run_until", idle=True, max_ticks=5):

@@ -262,5 +262,53 @@ TEST(MonitorRequest, NoTickBeyondWhatCanBeSaid) {
             kMostInteger - 1000);
 }
 
+// --- Members that are given twice.
+
+TEST(MonitorRequest, AMemberIsGivenOnce) {
+  const RequestError error =
+      bad(R"({"op":"call","id":"d","fn":"step","args":{"ticks":1,"ticks":500}})");
+  EXPECT_EQ(error.code, "bad_args");
+  EXPECT_EQ(error.id, RequestId{std::string("d")});
+  ASSERT_EQ(pointers_of(error), Pointers{"/args/ticks"});
+  EXPECT_EQ(error.details[0].found, "\"ticks\" for the second time");
+  EXPECT_EQ(error.details[0].allowed, "each member once");
+}
+
+TEST(MonitorRequest, NowhereIsAMemberGivenTwice) {
+  EXPECT_EQ(wrong(R"({"op":"ping","op":"ping"})"), Pointers{"/op"});
+  EXPECT_EQ(wrong(R"({"op":"ping","id":1,"id":2})"), Pointers{"/id"});
+  EXPECT_EQ(wrong(R"({"op":"ping","\u006fp":"ping"})"), Pointers{"/op"}) << "escaped";
+  EXPECT_EQ(wrong(R"({"op":"ping","else":[5,{"a/b":1,"a/b":2,"a/b":3}]})"),
+            (Pointers{"/else/1/a~1b", "/else/1/a~1b"}));
+  EXPECT_EQ(wrong(R"({"op":"ping","else":[[],{},{"a":{"a":1,"b":2},"a":[1]}]})"),
+            Pointers{"/else/2/a"});
+  EXPECT_EQ(wrong(R"({"op":"auth","token":"secret","token":"other"})"), Pointers{"/token"});
+}
+
+TEST(MonitorRequest, TwiceInADocumentIsToldAsOfAFile) {
+  EXPECT_EQ(wrong_in("snapshot_load", R"({"snapshot":{"state":{"tick":5,"tick":0}}})").front(),
+            "/state/tick");
+  EXPECT_EQ(wrong_in("workcell", R"({"workcell":{"name":"a","name":"b"}})").front(), "/name");
+  EXPECT_EQ(wrong_in("workcell", R"({"workcell":{},"workcell":{}})").front(), "/args/workcell");
+}
+
+TEST(MonitorRequest, TheSameNameElsewhereIsNoSecondTime) {
+  good(R"({"op":"ping","a":{"op":"a:b","x":"\":\""},"b":[{"op":1},{"op":{"op":"{:"}}]})");
+}
+
+TEST(MonitorRequest, VeryManyAndVeryLongMembersTwice) {
+  std::string members = R"({"op":"ping","id":7,")" + std::string(100'000, '/') + R"(":{)";
+  while (members.size() < 250'000) members += R"("a":1,)";
+  const RequestError error = bad(members + R"("a":1}})");
+  EXPECT_EQ(error.id, RequestId{std::int64_t{7}});
+  EXPECT_EQ(error.details.size(), 32U);
+  EXPECT_LT(error.details.back().pointer.size(), 300U);
+  EXPECT_EQ(bad(R"({"op":"ping",")" + std::string(100'000, 'x') + R"(":1,")" +
+                std::string(100'000, 'x') + R"(":1})")
+                .details.at(0)
+                .found,
+            "string of 100022 bytes");
+}
+
 }  // namespace
 }  // namespace xr3::monitor
