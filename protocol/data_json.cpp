@@ -156,8 +156,8 @@ Json number_json(double number) {
 
 Codec<std::string> text(std::size_t min_length, std::size_t max_length) {
   Codec<std::string> codec;
-  codec.allowed =
-      "text of " + std::to_string(min_length) + " to " + std::to_string(max_length) + " characters";
+  codec.allowed = "text of " + std::to_string(min_length) + " to " + std::to_string(max_length) +
+                  " bytes in UTF-8";
   codec.read = [=, allowed = codec.allowed](const Place& place, std::string& result) {
     if (!place.value.is_string()) return place.refuse(allowed);
     const auto& found = place.value.get_ref<const std::string&>();

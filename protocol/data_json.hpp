@@ -85,6 +85,7 @@ struct Range {
 /// Where anything may lie, mm.
 inline constexpr Range kCoordinate{-kMaxLengthMm, kMaxLengthMm};
 
+/// Lengths in bytes of UTF-8.
 Codec<std::string> text(std::size_t min_length, std::size_t max_length);
 Codec<bool> boolean();
 Codec<int> whole(int min, int max);

@@ -14,11 +14,14 @@ namespace {
 constexpr std::size_t kLongestFound = 200;
 constexpr std::array<std::string_view, 5> kAlwaysSent = {"op", "cell", "epoch", "seq", "tick"};
 
-/// The value as it stands, or, for one that is long, what it is.
+/// The value as it stands, or, for one that is long, what it is: a text by its own bytes, a list or an
+/// object by those of its JSON.
 Json shown(const Tree& value) {
-  const std::string text = value.dump(-1, ' ', false, Tree::error_handler_t::replace);
-  if (text.size() <= kLongestFound) return Json::parse(text);
-  return std::string(value.type_name()) + " of " + std::to_string(text.size()) + " bytes";
+  const std::string json = value.dump(-1, ' ', false, Tree::error_handler_t::replace);
+  if (json.size() <= kLongestFound) return Json::parse(json);
+  const std::size_t size =
+      value.is_string() ? value.get_ref<const std::string&>().size() : json.size();
+  return std::string(value.type_name()) + " of " + std::to_string(size) + " bytes";
 }
 
 /// What stands at a pointer inside the value, or null.

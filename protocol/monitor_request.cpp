@@ -14,8 +14,10 @@ namespace {
 
 /// What stands there, unless it is long.
 std::string quoted(const Tree& value) {
-  const std::string text = value.dump(-1, ' ', false, Tree::error_handler_t::replace);
-  return text.size() <= kLongestId ? text : "a value of " + std::to_string(text.size()) + " bytes";
+  const std::string json = value.dump(-1, ' ', false, Tree::error_handler_t::replace);
+  if (json.size() <= kLongestId) return json;
+  if (!value.is_string()) return "of " + std::to_string(json.size()) + " bytes";
+  return "of " + std::to_string(value.get_ref<const std::string&>().size()) + " bytes";
 }
 
 RequestError unknown(const RequestId& id, const std::string& kind, const Tree* found,

@@ -126,7 +126,7 @@ const std::vector<Row>& rows() {
        "90000000000 counts from the home to a limit", "up to 100000000 counts"},
       {"robot-twice", 20, "/tool/speed", "\"speed\" for the second time", "each member once"},
       {"robot-twice", 27, "/name", "\"name\" for the second time", "each member once"},
-      {"robot-types", 2, "/name", "5", "text of 1 to 80 characters"},
+      {"robot-types", 2, "/name", "5", "text of 1 to 80 bytes in UTF-8"},
       {"robot-types", 7, "/joints/0/theta_deg", "\"0\"", "a number from -1000000 to 100000"},
       {"robot-types", 7, "/joints/0/d", "null", "a length from -100000 to 100000 "},
       {"robot-types", 14, "/joints/1/limits", "an object", "a list [min, max] of two numbers"},

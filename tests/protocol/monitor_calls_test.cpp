@@ -124,6 +124,38 @@ TEST(MonitorCalls, SendIsBounded) {
   EXPECT_EQ(wrong_in("send", hex(4097)), Pointers{"/args/hex"});
 }
 
+TEST(MonitorCalls, LengthsAreBytes) {
+  const auto umlauts = [](const std::string& member, int letters) {
+    std::string text = "{\"" + member + "\":\"";
+    for (int i = 0; i < letters; ++i) text += "\xC3\xA4";
+    return text + "\"}";
+  };
+  struct Case {
+    const char* fn;
+    std::string args;
+    Json found;
+    const char* allowed;
+  };
+  const Case cases[] = {
+      {"send", R"({"text":")" + std::string(4097, 'x') + "\"}", "string of 4097 bytes",
+       "text of 0 to 4096 bytes in UTF-8"},
+      {"send", umlauts("text", 3000), "string of 6000 bytes", "text of 0 to 4096 bytes in UTF-8"},
+      {"send", R"({"hex":")" + std::string(8194, '0') + "\"}", "string of 8194 bytes",
+       "two hexadecimal digits a byte, at most 4096 bytes"},
+      {"block_remove", umlauts("name", 21), Json::parse(umlauts("n", 21))["n"],
+       "text of 1 to 40 bytes in UTF-8"},
+      {"snapshot_save", umlauts("name", 33), Json::parse(umlauts("n", 33))["n"],
+       "text of 1 to 64 bytes in UTF-8"},
+  };
+  for (const Case& c : cases) {
+    const RequestError error = bad(call_text(c.fn, c.args));
+    ASSERT_EQ(error.details.size(), 1U) << words_of(error);
+    EXPECT_EQ(error.details[0].found, c.found);
+    EXPECT_EQ(error.details[0].allowed, c.allowed);
+  }
+  EXPECT_EQ(call_of<call::RemoveBlock>("block_remove", umlauts("name", 20)).name.size(), 40U);
+}
+
 TEST(MonitorCalls, Input) {
   const auto input = call_of<call::SetInput>("input", R"({"input":8,"value":true})");
   EXPECT_EQ(input.input, 8);

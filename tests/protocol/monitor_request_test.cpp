@@ -178,7 +178,7 @@ TEST(MonitorRequest, WhatIsWrongIsToldBriefly) {
                                  std::string(9999, 'y') + "\"" + members + "}}");
   EXPECT_EQ(error.message, "5001 wrong fields, the first of them in details");
   EXPECT_EQ(error.details.size(), 32U);
-  EXPECT_EQ(error.details[0].found, "string of 10001 bytes");
+  EXPECT_EQ(error.details[0].found, "string of 9999 bytes");
 }
 
 TEST(MonitorRequest, UnknownNamesAndWhatThereIs) {
