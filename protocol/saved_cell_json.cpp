@@ -215,4 +215,9 @@ SavedCellReading read_saved_cell(const Json& json) {
   return result;
 }
 
+bool monitor::fits_a_request(const SavedCell& saved) {
+  constexpr std::size_t kCall = 1024;  // an id of 64 bytes, escaped, and the name of the cell
+  return saved_cell_to_json(saved).dump().size() <= kMostMessageBytes - kCall;
+}
+
 }  // namespace xr3

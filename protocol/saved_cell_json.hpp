@@ -30,6 +30,9 @@ SavedCellReading read_saved_cell(const Json& json);
 
 namespace xr3::monitor {
 
+/// A request can carry it back: beside its JSON, written without blanks, there is room for the call.
+bool fits_a_request(const SavedCell& saved);
+
 /// What a machine with this model's robot and profile could never have come to in the saved workcell:
 /// joints outside their limits, switches that do not follow their counts, a tip inside the protected
 /// region, jaws open about what they hold... Pointers begin at the saved cell. Nothing: it can be loaded.

@@ -190,6 +190,10 @@ call::Outcome Cell::carry_out(const call::SaveSnapshot& save, WallNs) {
   }
   const auto saved =
       std::make_shared<const SavedCell>(robot_hash(model()), model().workcell(), state());
+  if (save.name.empty() && !monitor::fits_a_request(*saved)) {
+    return call::Refused{"limit", "the snapshot is longer than a request may be, 256 KiB",
+                         "save under a name"};
+  }
   if (!save.name.empty()) snapshots_[save.name] = saved;
   return call::Done{{}, {}, saved};
 }

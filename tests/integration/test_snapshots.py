@@ -130,6 +130,19 @@ class Snapshots(unittest.TestCase):
             self.assertIn(caught.exception.code, ("bad_args", "model_mismatch"))
         self.assertEqual(0, self.monitor.get("moving")["epoch"])
 
+    def test_what_is_handed_out_can_be_sent_back(self):
+        workcell = self.monitor.look("model")["workcell"]
+        block = workcell["blocks"][0]
+        workcell["blocks"] = [block | {"name": str(number)} for number in range(1500)]
+        self.monitor.call("workcell", workcell=workcell)
+        self.refused("limit", "snapshot_save", inline=True)
+        self.monitor.call("snapshot_save", name="many")
+        workcell["blocks"] = workcell["blocks"][:500]
+        self.monitor.call("workcell", workcell=workcell)
+        self.monitor.call("snapshot_load", snapshot=self.monitor.call("snapshot_save", inline=True)["snapshot"])
+        self.monitor.call("snapshot_load", name="many")
+        self.assertEqual(1500, len(self.monitor.get("blocks")["blocks"]))
+
     def test_a_machine_that_cannot_be(self):
         saved = self.monitor.call("snapshot_save", inline=True)["snapshot"]
         for pointer, value, allowed in (

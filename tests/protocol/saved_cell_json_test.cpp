@@ -166,6 +166,26 @@ TEST(SavedCellJson, AFullPathOfTheRhinoFitsAMessage) {
   EXPECT_LT(saved_cell_to_json(saved).dump().size(), monitor::kMostMessageBytes * 3 / 4);
 }
 
+TEST(SavedCellJson, WhatIsHandedOutCanBeSentBack) {
+  SavedCell saved = at_home();
+  saved.state.blocks.clear();
+  const std::string before = R"({"op":"call","id":")" + std::string(64, '7') +
+                             R"(","cell":"main","fn":"snapshot_load","args":{"snapshot":)";
+  constexpr std::size_t kMore = 100;
+  Block block = saved.workcell.blocks[0];
+  block.name = "10000000";
+  saved.state.blocks.resize(1000, block);
+  while (monitor::fits_a_request(saved))
+    saved.state.blocks.resize(saved.state.blocks.size() + kMore, block);
+  saved.state.blocks.resize(saved.state.blocks.size() - kMore);
+  for (std::size_t i = 0; i < saved.state.blocks.size(); ++i)
+    saved.state.blocks[i].name = std::to_string(10'000'000 + i);
+  ASSERT_TRUE(monitor::fits_a_request(saved));
+  const auto reading =
+      monitor::read_request(before + saved_cell_to_json(saved).dump() + "}}", {"main"});
+  EXPECT_TRUE(std::holds_alternative<monitor::Request>(reading));
+}
+
 // --- What somebody made up.
 
 TEST(SavedCellJson, EveryMemberIsWantedAndNoOther) {
