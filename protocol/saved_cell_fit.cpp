@@ -156,8 +156,8 @@ void check_stall(const Model& model, const State& state, std::vector<Detail>& de
 
 // --- What the jaws hold: the tool cannot have moved since, one way is shut and the other lets go.
 
-void check_jaws(const Model& model, const State& state, std::vector<Detail>& details) {
-  const Held& held = *state.held;
+void check_jaws(const Model& model, const State& state, const Held& held,
+                std::vector<Detail>& details) {
   const Counts closed = held.grasped_at[at(model.tool_index())];
   const Counts count = state.motor(model.tool_index()).count;
   if (count != closed) {
@@ -201,7 +201,7 @@ std::vector<Detail> misfits(const Model& model, const SavedCell& saved) {
   check_region(there, positions(there, state.motors), "/state/motors", details);
   check_stall(there, state, details);
   if (!state.held) return details;
-  check_jaws(there, state, details);
+  check_jaws(there, state, *state.held, details);
   check_region(there, state.held->grasped_at, "/state/held/grasped_at", details);
   return details;
 }
