@@ -4,7 +4,7 @@ import { byId, setText } from "./dom.js";
 import { kLooksOn } from "./refusal.js";
 import { keep, kept, takeFromAddress } from "./token.js";
 
-const kSeesNothing = "This server shows nothing without its token: press Unlock.";
+const kSeesNothing = "Nothing can be done here without the token: press Unlock.";
 const kAsks = {
   read: "This server lets you look. To move the robot, give the token that it was started with.",
   none: "This server shows and does nothing without the token that it was started with.",

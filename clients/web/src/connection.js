@@ -72,6 +72,7 @@ export class Connection {
     this.heardAt = performance.now();
     if (message.op === "hello") return this.#greeted(message);
     const waiting = this.pending.get(message.id);
+    if (waiting && message.op === waiting.collects) return waiting.onEach(message);
     if (!waiting || !["result", "pong", waiting.channel].includes(message.op)) return this.handlers.onMessage(message);
     this.pending.delete(message.id);
     clearTimeout(waiting.timer);
@@ -115,16 +116,17 @@ export class Connection {
 
   /**
    * Asks and waits for the value of the result, or for the message of `channel`, where one is named, that bears
-   * the id; rejects with Refused, or when no answer can come.
+   * the id; messages of the channel `collects` go to `onEach` until then. Rejects with Refused, or when no answer
+   * can come.
    */
-  request(message, { channel, withinMs = kAnswerWithinMs } = {}) {
+  request(message, { channel, collects, onEach, withinMs = kAnswerWithinMs } = {}) {
     const id = ++this.lastId;
     const text = JSON.stringify({ ...message, id });
     return new Promise((resolve, reject) => {
       if (this.socket?.readyState !== WebSocket.OPEN) return reject(new Error("not connected"));
       if (this.#isTooBig(text)) return reject(this.#tooBig(text));
       const timer = setTimeout(() => this.#late(id), withinMs);
-      this.pending.set(id, { resolve, reject, timer, channel });
+      this.pending.set(id, { resolve, reject, timer, channel, collects, onEach });
       this.#send(text);
     });
   }
@@ -166,8 +168,10 @@ export class Connection {
     this.#send(JSON.stringify(subscription));
   }
 
-  /** What the ring of `event` or `line` still holds; the messages come as they do when followed. */
-  recall(channel) {
-    return this.request({ op: "get", channel });
+  /** The messages that the ring of `event` or `line` still holds, oldest first. */
+  async recall(channel) {
+    const messages = [];
+    await this.request({ op: "get", channel }, { collects: channel, onEach: (message) => messages.push(message) });
+    return messages;
   }
 }

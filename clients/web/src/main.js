@@ -45,6 +45,7 @@ async function call(fn, args = {}) {
 // --- The panels.
 
 const access = new Access({ connection, tell, onError: tellError, onChange: () => timeBar.allow(), onUnlocked: readAgain });
+const mayCall = () => access.mayCall;
 const scene = makeScene(byId("solid"));
 const paper = new PaperView(byId("paper-canvas"));
 const joints = new JointTable(byId("joints"));
@@ -59,7 +60,7 @@ const workcell = new WorkcellPanel({
   plan: byId("plan"), form: byId("block-form"), chosen: byId("chosen"), call: (fn, args) => connection.call(fn, args), onError: tellError,
 });
 const timeBar = new TimeBar({
-  known, call, mayCall: () => access.mayCall, isOpen: () => byId("connection").dataset.state === "open", onTick: (tick) => paper.tick(tick),
+  known, call, mayCall, isOpen: () => byId("connection").dataset.state === "open", onTick: (tick) => paper.tick(tick),
 });
 const menu = new CommandMenu({ known, call, access });
 const run = (name) => menu.run(name);
@@ -94,13 +95,23 @@ function take(message) {
 }
 
 function takeHello(hello) {
-  if (known.hello && (hello.epoch < (known.state?.epoch ?? 0) || hello.tick < (known.state?.tick ?? 0))) wire.restart();
+  const before = known.hello && (known.state ?? known.hello);
   known.hello = hello;
   document.title = `${hello.robot.name} – xr3`;
   setText(byId("robot-name"), hello.robot.name + (hello.compat === "paper" ? "" : ` (${hello.compat})`));
   access.set(hello.access);
   consolePanel.restart();
-  connection.recall("line").catch(() => {});
+  if (before) wire.reconnected(isSooner(hello, before));
+  recallWire();
+}
+
+/** Time only grows: what is sooner comes from a server that was started anew. */
+const isSooner = (a, b) => a.epoch < b.epoch || (a.epoch === b.epoch && a.tick < b.tick);
+
+// Where it is refused, or the connection is lost again, the next hello or the token brings it.
+async function recallWire() {
+  const messages = await connection.recall("line").catch(() => null);
+  if (messages && wire.recall(messages)) scene.clearPath();
 }
 
 // Answers to subscriptions: a server that is private refuses them until it has its token.
@@ -109,8 +120,8 @@ function takeResult({ error }) {
 }
 
 function readAgain() {
+  recallWire(); // before the newest lines come
   connection.renew();
-  connection.recall("line").catch(() => {});
 }
 
 function takeModel(model) {
@@ -191,7 +202,7 @@ connection.open();
 // For tests and pictures: what is known and what is drawn.
 window.xr3 = {
   known, transcriptLine, scene, paper,
-  call,
+  call, disconnect: () => connection.socket?.close(),
   step: (ticks) => call("step", { ticks, fields: [] }),
   tip: () => known.model && tip(known.model.robot, known.state.joints.map((joint) => joint.value)),
   tipDrawn: () => scene.tipDrawn(),

@@ -5,21 +5,32 @@ import { counted, isWarning, transcriptLine } from "./wire_words.js";
 const kMostRows = 1024;
 const kMostSeen = 8 * kMostRows;
 
+const kStartedAnew = "The server was started anew: time and lines begin again.";
+const kThereAgain = "The connection was lost, and is there again.";
+
+/** Of two messages with the same number whether they are the same. */
+const printOf = ({ epoch, tick, line, dir, offset, hex }) => [epoch, tick, line, dir, offset, hex].join();
+
 export class WirePanel {
   constructor({ list, filter, count, said }) {
     Object.assign(this, { list, filter, count, said });
     this.messages = [];
-    this.seen = new Set();
+    this.#forget();
+    this.reconnection = null; // the one that no row tells of yet
     this.isPaused = false;
     this.waiting = [];
     filter.addEventListener("input", () => this.#refresh());
   }
 
   take(message) {
-    const key = `${message.op}${message.seq}`;
-    if (this.seen.has(key)) return;
-    this.seen.add(key);
-    if (this.seen.size > kMostSeen) this.seen.delete(this.seen.values().next().value);
+    if (this.seen.has(message.seq)) return;
+    this.seen.set(message.seq, printOf(message));
+    this.lastSeq = message.seq;
+    if (this.seen.size > kMostSeen) this.seen.delete(this.seen.keys().next().value);
+    this.#put(message);
+  }
+
+  #put(message) {
     if (this.isPaused) this.#wait(message);
     else this.#add(message);
   }
@@ -31,7 +42,7 @@ export class WirePanel {
   }
 
   lag({ channel, missed }) {
-    this.#append(el("li.lag", {}, `${missed} messages of ${channel} went by too fast to be shown`));
+    this.#put({ note: `${missed} messages of ${channel} went by too fast to be shown`, kind: "lag" });
   }
 
   setPaused(isPaused) {
@@ -41,10 +52,32 @@ export class WirePanel {
     this.#tell();
   }
 
-  /** The server was started anew: its numbers begin again. */
-  restart() {
-    this.seen.clear();
+  /** The connection was made again; `isSurelyAnew` where the server's time tells that it was started anew. */
+  reconnected(isSurelyAnew) {
+    this.reconnection = { isSurelyAnew: isSurelyAnew || this.reconnection?.isSurelyAnew };
   }
+
+  /** Takes what the server's ring holds; tells whether the server was started anew since. */
+  recall(messages) {
+    const isAnew = this.reconnection !== null && (this.reconnection.isSurelyAnew || this.#isOfAnotherRun(messages));
+    if (isAnew) this.#forget();
+    if (this.reconnection) this.#put({ note: isAnew ? kStartedAnew : kThereAgain, kind: "mark" });
+    this.reconnection = null;
+    for (const message of messages) this.take(message);
+    return isAnew;
+  }
+
+  // A run has no name of its own; but its ring never falls behind what was seen of it, nor says otherwise.
+  #isOfAnotherRun(messages) {
+    const last = messages.at(-1)?.seq ?? 0;
+    return last < this.lastSeq || messages.some((message) => this.seen.has(message.seq) && this.seen.get(message.seq) !== printOf(message));
+  }
+
+  #forget() {
+    this.seen = new Map();
+    this.lastSeq = 0;
+  }
+
   clear() {
     this.messages = [];
     this.waiting = [];
@@ -73,6 +106,7 @@ export class WirePanel {
   }
 
   #row(message) {
+    if (message.note) return el(`li.${message.kind}`, {}, message.note);
     const row = el(`li.${message.dir}`, {},
       el("span.tick", {}, String(message.tick)),
       el("span.line", { title: `line ${message.line}` }, String(message.line)),
@@ -102,9 +136,9 @@ export class WirePanel {
     setText(this.count, this.#countWords() + wait);
   }
   #countWords() {
-    const all = counted(this.messages.length, "message");
+    const all = counted(this.messages.filter((message) => !message.note).length, "message");
     if (this.messages.length === 0) return this.isPaused ? all : "No byte yet: connect to the robot port, or use the console.";
-    return this.filter.value.trim() ? `${this.list.querySelectorAll("li:not(.lag)").length} of ${all}` : all;
+    return this.filter.value.trim() ? `${this.list.querySelectorAll("li:not(.lag, .mark)").length} of ${all}` : all;
   }
 
   transcript() {

@@ -6,8 +6,9 @@ const kWarnings = /unknown|range|no_joint|incomplete|bad_|disabled|overflow|no_s
 /** Whether the code of an item of a `line` message means that something was not obeyed, or did not go well. */
 export const isWarning = (code) => kWarnings.test(code);
 
-/** One `line` message as a line of a transcript. */
+/** One `line` message, or a note between them, as a line of a transcript. */
 export function transcriptLine(message) {
+  if (message.note) return `# ${message.note}`;
   const arrow = message.dir === "in" ? ">" : "<";
   const made = message.parsed.map((item) => item.message).join("; ");
   return `@${message.tick} line ${message.line} ${arrow} ${message.text}${made ? `    # ${made}` : ""}`;

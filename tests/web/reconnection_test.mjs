@@ -1,0 +1,52 @@
+// After a connection was lost the wire panel goes on, whether or not the server was started anew meanwhile.
+import assert from "node:assert/strict";
+import { after, test } from "node:test";
+import { close, open, ready, serve, type } from "./bench.mjs";
+
+after(close);
+
+/** Another server on the same ports, once the page has noticed that the first is gone. */
+async function again(page, server, ...options) {
+  await server.stop("SIGKILL");
+  await page.waitForSelector('#connection[data-state="lost"]');
+  const next = await serve("--robot-port", String(server.robot), "--monitor-port", String(server.monitor), ...options);
+  await page.waitForSelector('#connection[data-state="open"]');
+  return next;
+}
+const rows = (page) => page.locator("#wire li").allTextContents();
+
+test("a server that was started anew repeats its numbers, and its bytes are shown nevertheless", async () => {
+  const first = await serve("--clock", "manual");
+  const page = await open(first.url);
+  await ready(page);
+  await type(first.robot, "F+20\r");
+  await type(first.robot, "E+20\r");
+  await page.waitForFunction(() => document.querySelectorAll("#wire li").length === 2);
+  const second = await again(page, first, "--clock", "manual");
+  await page.waitForSelector("#wire .mark:has-text('started anew')");
+  await type(second.robot, "F+20\r"); // the same byte, number and tick
+  await page.waitForFunction(() => document.querySelectorAll("#wire li").length === 4);
+  const [before, , mark, after] = await rows(page);
+  assert.equal(after, before);
+  assert.match(mark, /started anew/);
+  await page.context().close();
+  await second.stop("SIGKILL");
+});
+
+test("a connection that was only interrupted shows nothing twice, and a mark where it was", async () => {
+  const server = await serve("--clock", "manual");
+  const page = await open(server.url);
+  await ready(page);
+  await type(server.robot, "F+20\r");
+  await page.waitForSelector("#wire li.in");
+  await page.evaluate(() => window.xr3.disconnect());
+  await type(server.robot, "E+20\r");
+  await page.waitForFunction(() => document.querySelectorAll("#wire li").length === 3);
+  const [, mark, behind] = await rows(page);
+  assert.match(mark, /is there again/);
+  assert.match(behind, /E\+20/);
+  await page.fill("#wire-filter", "again");
+  assert.equal(await page.locator("#wire .mark").count(), 1);
+  await page.context().close();
+  await server.stop("SIGKILL");
+});
