@@ -35,6 +35,6 @@ test("a workcell that is too big for one message is refused before it is sent", 
     await writeFile(file, JSON.stringify({ name: "x".repeat(300 * 1024) }));
     await page.click("#tab-workcell");
     await page.setInputFiles("#workcell-load", file);
-    await page.waitForSelector("#told:has-text('too big to be sent: 301 KiB, and the server takes at most 256 KiB')");
+    await page.waitForSelector("#workcell-problems:has-text('too big to be sent: 301 KiB, and the server takes at most 256 KiB')");
     assert.equal(await page.getAttribute("#connection", "data-state"), "open");
   }));

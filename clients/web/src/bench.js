@@ -1,5 +1,6 @@
 // The lower part of the page: its tabs, and the buttons beside the wire's and the workcell's panels.
 import { byId, setText } from "./dom.js";
+import { colorOf } from "./palette.js";
 import { rove } from "./roving.js";
 import { colorOptions } from "./workcell_panel.js";
 
@@ -30,18 +31,28 @@ export function wireWireBar(wire) {
 
 /** The buttons beside the plan. */
 export function wireWorkcellBar(workcell) {
-  byId("block-color").replaceChildren(...colorOptions());
+  wireColorChoice();
   byId("turn-left").onclick = () => workcell.turn(kTurnDegrees);
   byId("turn-right").onclick = () => workcell.turn(-kTurnDegrees);
   byId("block-remove").onclick = () => workcell.remove();
-  byId("block-form").onsubmit = (event) => {
+  byId("block-form").onsubmit = async (event) => {
     event.preventDefault();
     const size = byId("block-size").value.trim().split(/\s+/).map(Number);
-    workcell.add({ name: byId("block-name").value.trim(), size, color: Number(byId("block-color").value) });
+    const isAdded = await workcell.add({ name: byId("block-name").value.trim(), size, color: Number(byId("block-color").value) });
+    if (isAdded) byId("block-name").value = "";
   };
   byId("workcell-save").onclick = () => workcell.save();
   byId("workcell-load").onchange = async ({ target }) => {
     if (target.files[0]) await workcell.load(target.files[0]);
     target.value = "";
   };
+}
+
+// A list cannot show colours in every browser: what is chosen stands beside it.
+function wireColorChoice() {
+  const choice = byId("block-color");
+  const show = () => (byId("block-swatch").style.background = colorOf(Number(choice.value)));
+  choice.replaceChildren(...colorOptions());
+  choice.onchange = show;
+  show();
 }

@@ -25,11 +25,12 @@ export class JointTable {
     const mark = el("span.mark");
     const cells = {
       value: cell("value"), bar: el("td.bar", {}, el("div.track", { "aria-hidden": "true" }, mark)),
-      count: cell("count"), error: cell("error"), speed: cell("speed"), note: cell("note"),
+      count: cell("count"), error: cell("error"), speed: cell("speed"), switch: cell("switch"), note: cell("note"),
     };
     this.rows.set(file.label, { ...cells, mark, file });
-    const head = el("th", { scope: "row", title: file.name }, el("span.letter", {}, file.label), el("span.name", {}, file.name));
-    const row = el("tr", {}, head, cells.value, cells.bar, cells.count, cells.error, cells.speed, cells.note);
+    const head = el("th", { scope: "row", title: file.name },
+      el("div.joint", {}, el("span.letter", {}, file.label), el("span.name", {}, file.name)));
+    const row = el("tr", {}, head, ...Object.values(cells));
     row.dataset.label = file.label;
     return row;
   }
@@ -41,12 +42,13 @@ export class JointTable {
   #show(joint) {
     const row = this.rows.get(joint.label);
     if (!row) return;
-    setText(row.value, `${joint.value.toFixed(digits(joint.unit))} ${joint.unit === "deg" ? "°" : "mm"}`);
+    setText(row.value, shown(joint));
     setText(row.count, String(joint.count));
     setText(row.error, joint.error > 0 ? `+${joint.error}` : String(joint.error));
     setText(row.speed, String(joint.speed));
-    const notes = [joint.switch ? "switch" : "", joint.blocked ? `at ${joint.blocked}` : ""].filter(Boolean);
-    setText(row.note, notes.join(", "));
+    setText(row.switch, joint.switch ? "●" : "");
+    row.switch.setAttribute("aria-label", joint.switch ? "closed" : "open");
+    setText(row.note, joint.blocked ?? "");
     row.note.classList.toggle("alarm", Boolean(joint.blocked));
     row.error.classList.toggle("busy", joint.error !== 0);
     const [low, high] = row.file.limits;

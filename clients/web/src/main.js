@@ -57,7 +57,7 @@ const consolePanel = new ConsolePanel({
   send: (text) => connection.call("send", { text }), getState: (fields) => connection.get("state", { fields }), onError: tellError,
 });
 const workcell = new WorkcellPanel({
-  plan: byId("plan"), form: byId("block-form"), chosen: byId("chosen"), call: (fn, args) => connection.call(fn, args), onError: tellError,
+  host: byId("workcell-panel"), call: (fn, args) => connection.call(fn, args), getModel: () => connection.get("model"), mayCall: () => access.mayCall, onError: tellError,
 });
 const timeBar = new TimeBar({
   known, call, mayCall, isOpen: () => byId("connection").dataset.state === "open", onTick: (tick) => paper.tick(tick),

@@ -6,3 +6,10 @@ export const kColors = [
 ];
 
 export const colorOf = (index) => kColors[index] ?? kColors[7];
+
+/** What the sixteen are called where the paper's machine had them: the names of the EGA palette. */
+export const kColorNames = [
+  "black", "blue", "green", "cyan", "red", "magenta", "brown", "light grey",
+  "dark grey", "light blue", "light green", "light cyan", "light red", "light magenta", "yellow", "white",
+];
+export const colorNameOf = (index) => kColorNames[index] ?? `colour ${index}`;

@@ -1,173 +1,152 @@
-// Editing the workcell: blocks in a top view are dragged and turned, added and removed; the whole is saved
-// as a file that `xr3 check` accepts, or loaded from one. Every change is a call to the server.
-import { download, el } from "./dom.js";
+// Editing the workcell: the plan, the table of blocks and the numbers of the chosen one show the same blocks;
+// every change is a call to the server, and what it refuses is put back.
+import { BlockTable } from "./block_table.js";
+import { ChosenBlock, placeWords } from "./chosen_block.js";
+import { el, setText } from "./dom.js";
+import { freePlace } from "./free_place.js";
 import { mmPerUnit } from "./kinematics.js";
-import { colorOf, kColors } from "./palette.js";
+import { kColorNames } from "./palette.js";
+import { Plan } from "./plan.js";
+import { WorkcellFile } from "./workcell_file.js";
 
-const kTurnStep = 5; // degrees for a key
-const kMoveStep = 5; // mm for a key
-const svg = (name, members) => {
-  const element = document.createElementNS("http://www.w3.org/2000/svg", name);
-  for (const [key, value] of Object.entries(members)) element.setAttribute(key, value);
-  return element;
-};
+const kUsualColor = 10;
 
 export class WorkcellPanel {
-  constructor({ plan, form, chosen, call, onError }) {
-    Object.assign(this, { plan, form, chosenText: chosen, call, onError });
-    this.chosen = null;
-    plan.addEventListener("pointerdown", (event) => this.#grab(event));
-    plan.addEventListener("pointermove", (event) => this.#drag(event));
-    plan.addEventListener("pointerup", (event) => this.#drop(event));
-    plan.addEventListener("keydown", (event) => this.#key(event));
+  /** `call` and `getModel` ask the server; `mayCall` tells whether this page may change anything. */
+  constructor({ host, call, getModel, mayCall, onError }) {
+    Object.assign(this, { call, mayCall, onError, chosen: null });
+    const part = (id) => host.querySelector(`#${id}`);
+    this.said = part("workcell-said");
+    this.files = new Map(); // what the model says of each block: size_mm and color
+    this.added = new Map(); // the same of new ones, until model and state have them
+    this.wanted = new Map(); // where blocks are to go, until the server has answered
+    this.plan = new Plan(part("plan"), {
+      choose: (name) => this.choose(name), place: (name, xyz_mm) => this.place(name, { xyz_mm }),
+      turn: (degrees) => this.turn(degrees), remove: () => this.remove(), mayMove: mayCall,
+    });
+    this.table = new BlockTable(part("blocks"), { onChoose: (name) => this.choose(name) });
+    this.words = new ChosenBlock({ words: part("chosen"), form: part("place-form"), place: (name, change) => this.place(name, change) });
+    this.file = new WorkcellFile({ problems: part("workcell-problems"), call, getModel, onError });
   }
 
   setModel(model) {
-    this.model = model;
-    this.unit = mmPerUnit(model.workcell);
+    const { workcell, robot } = model;
+    const unit = mmPerUnit(workcell);
+    const inMm = (values) => values.map((v) => v * unit);
+    const { camera, workspace } = workcell;
+    this.ground = {
+      workspace: { x: workspace.x * unit, y: workspace.y * unit }, region: robot.protected_region.radius * mmPerUnit(robot),
+      camera: camera ? { location: inMm(camera.location), field: inMm(camera.field) } : null,
+    };
+    this.surface = (workcell.work_surface ?? 0) * unit;
+    this.files = new Map(workcell.blocks.map(({ name, size, color }) => [name, { size_mm: inMm(size), color }]));
+    this.plan.setGround(this.ground);
     this.#draw();
   }
+
   setState(state) {
     this.state = state;
-    if (!this.dragged) this.#draw();
+    const isThere = (name) => state.blocks.some((block) => block.name === name);
+    if (this.chosen && !isThere(this.chosen) && !this.added.has(this.chosen)) this.choose(null);
+    for (const name of this.added.keys()) if (isThere(name) && this.files.has(name)) this.added.delete(name);
+    this.#draw();
   }
 
-  // --- The plan: x upwards, y to the left, as one sees it standing behind the robot.
+  /** The blocks as they are shown: state and file in one, at the place where they are wanted. */
+  #blocks() {
+    return this.state.blocks.flatMap((block) => {
+      const file = this.files.get(block.name) ?? this.added.get(block.name);
+      if (!file) return [];
+      const shown = { ...block, ...file, ...this.wanted.get(block.name) };
+      return [{ ...shown, words: placeWords(shown) }];
+    });
+  }
+  #block() {
+    return this.#blocks().find((block) => block.name === this.chosen) ?? null;
+  }
 
   #draw() {
-    if (!this.model || !this.state) return;
-    const { workspace, camera } = this.model.workcell;
-    const [x, y] = [workspace.x * this.unit, workspace.y * this.unit];
-    const region = this.model.robot.protected_region.radius * this.unit;
-    const back = region + 20;
-    this.plan.setAttribute("viewBox", `${-y - 20} ${-x - 20} ${2 * y + 40} ${x + back + 40}`);
-    const focused = document.activeElement?.dataset?.block;
-    const shapes = [svg("rect", { class: "space", x: -y, y: -x, width: 2 * y, height: x }),
-      svg("circle", { class: "region", cx: 0, cy: 0, r: region })];
-    if (camera) {
-      const [w, h] = camera.field.map((v) => v * this.unit);
-      const [cx, cy] = camera.location.map((v) => v * this.unit);
-      shapes.push(svg("rect", { class: "field", x: -cy - h / 2, y: -cx - w / 2, width: h, height: w }));
-    }
-    shapes.push(...this.state.blocks.map((block) => this.#blockShape(block)).filter(Boolean), this.#tip());
-    this.plan.replaceChildren(...shapes);
-    if (focused) this.plan.querySelector(`[data-block="${CSS.escape(focused)}"]`)?.focus({ preventScroll: true });
-  }
-
-  #blockShape(block) {
-    const file = this.model.workcell.blocks.find((each) => each.name === block.name);
-    if (!file) return null;
-    const [l, b] = file.size.map((v) => v * this.unit);
-    const at = this.dragged?.name === block.name ? this.dragged.at : block.xyz_mm;
-    const shape = svg("rect", {
-      class: `block${block.name === this.chosen ? " chosen" : ""}${block.held ? " held" : ""}`,
-      x: -b / 2, y: -l / 2, width: b, height: l, fill: colorOf(file.color), tabindex: 0, role: "button",
-      "aria-label": `block ${block.name}`, "data-block": block.name,
-      transform: `translate(${-at[1]} ${-at[0]}) rotate(${-block.yaw_deg})`,
-    });
-    shape.addEventListener("focus", () => this.choose(block.name));
-    return shape;
-  }
-
-  #tip() {
-    const [x, y] = this.state.tool.xyz_mm;
-    return svg("path", { class: "tip", d: `M${-y - 8} ${-x}h16M${-y} ${-x - 8}v16` });
+    if (!this.ground || !this.state) return;
+    const blocks = this.#blocks();
+    this.plan.setBlocks(blocks);
+    this.plan.setTip(this.state.tool.xyz_mm);
+    this.table.setBlocks(blocks);
+    this.words.show(this.#block());
   }
 
   choose(name) {
     if (this.chosen === name) return;
     this.chosen = name;
-    for (const shape of this.plan.querySelectorAll(".block")) shape.classList.toggle("chosen", shape.dataset.block === name);
-    this.chosenText.textContent = name ? `Block ${name}: drag it, arrow keys move, [ and ] turn, Delete removes.`
-      : "Choose a block to move or turn it.";
+    this.plan.setChosen(name);
+    this.table.setChosen(name);
+    if (this.state) this.words.show(this.#block());
   }
 
-  // --- Dragging.
+  // --- Changes.
 
-  #toWorld(event) {
-    const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.plan.getScreenCTM().inverse());
-    return [-point.y, -point.x];
-  }
-
-  #grab(event) {
-    const name = event.target.dataset?.block;
-    if (!name) return this.choose(null);
-    this.choose(name);
-    const block = this.state.blocks.find((each) => each.name === name);
-    const [x, y] = this.#toWorld(event);
-    this.dragged = { name, at: [...block.xyz_mm], off: [block.xyz_mm[0] - x, block.xyz_mm[1] - y], moved: false };
-    this.plan.setPointerCapture(event.pointerId);
-  }
-  #drag(event) {
-    if (!this.dragged) return;
-    const [x, y] = this.#toWorld(event);
-    this.dragged.at = [x + this.dragged.off[0], y + this.dragged.off[1], this.dragged.at[2]];
-    this.dragged.moved = true;
+  /** Puts a block where `change` says, xyz_mm or yaw_deg; tells whether the server did so. */
+  async place(name, change) {
+    const wanted = { ...this.wanted.get(name), ...change };
+    this.wanted.set(name, wanted);
     this.#draw();
-  }
-  async #drop() {
-    const { dragged } = this;
-    if (!dragged) return;
-    if (dragged.moved) await this.#ask("block_move", { name: dragged.name, xyz_mm: dragged.at.map((v) => Math.round(v)) });
-    this.dragged = null;
+    const isDone = await this.#ask("block_move", { name, ...change });
+    if (this.wanted.get(name) === wanted) this.#settle(name, isDone ? wanted : {});
+    return isDone;
   }
 
-  // --- Keys and buttons.
-
-  #key(event) {
-    const block = this.state?.blocks.find((each) => each.name === this.chosen);
-    if (!block) return;
-    const move = { ArrowUp: [1, 0], ArrowDown: [-1, 0], ArrowLeft: [0, 1], ArrowRight: [0, -1] }[event.key];
-    const turn = { "[": 1, "]": -1 }[event.key];
-    if (move) this.#moveBy(block, move);
-    else if (turn) this.turn(turn * kTurnStep);
-    else if (event.key === "Delete") this.remove();
-    else return;
-    event.preventDefault();
-  }
-  #moveBy(block, [dx, dy]) {
-    const [x, y, z] = block.xyz_mm;
-    this.#ask("block_move", { name: block.name, xyz_mm: [x + dx * kMoveStep, y + dy * kMoveStep, z] });
+  // Until the next state comes the block stays where the server has put it.
+  #settle(name, done) {
+    this.wanted.delete(name);
+    const blocks = this.state.blocks.map((block) => (block.name === name ? { ...block, ...done } : block));
+    this.state = { ...this.state, blocks };
+    this.#draw();
+    const block = blocks.find((each) => each.name === name);
+    if (block) setText(this.said, placeWords(block));
   }
 
   turn(degrees) {
-    const block = this.state?.blocks.find((each) => each.name === this.chosen);
-    if (!block) return;
+    const block = this.#block();
+    if (!block) return setText(this.said, "Choose a block first.");
     const yaw = ((((block.yaw_deg + degrees + 180) % 360) + 360) % 360) - 180;
-    this.#ask("block_move", { name: block.name, yaw_deg: yaw });
-  }
-  remove() {
-    if (this.chosen) this.#ask("block_remove", { name: this.chosen });
+    this.place(block.name, { yaw_deg: yaw });
   }
 
+  async remove() {
+    const name = this.chosen;
+    if (!name) return setText(this.said, "Choose a block first.");
+    if (await this.#ask("block_remove", { name })) setText(this.said, `${name} was removed.`);
+  }
+
+  /** Puts a new block on the work surface, where there is room; tells whether the server did so. */
   async add({ name, size, color }) {
-    const surface = (this.model.workcell.work_surface ?? 0) * this.unit;
-    const x = this.model.workcell.workspace.x * this.unit * 0.6;
-    await this.#ask("block_add", { name, size_mm: size, xyz_mm: [x, 0, surface + size[2] / 2], yaw_deg: 0, color });
+    const [x, y] = freePlace({ size_mm: size, blocks: this.#blocks(), ...this.ground });
+    const xyz_mm = [x, y, this.surface + size[2] / 2];
+    const isDone = await this.#ask("block_add", { name, size_mm: size, xyz_mm, yaw_deg: 0, color });
+    if (!isDone) return false;
+    this.added.set(name, { size_mm: size, color });
     this.choose(name);
+    setText(this.said, placeWords({ name, xyz_mm, yaw_deg: 0, held: false }));
+    return true;
   }
 
   save() {
-    download(`${this.model.workcell.name.replaceAll(/\W+/g, "-").toLowerCase()}.json`,
-      `${JSON.stringify(this.model.workcell, null, 2)}\n`, "application/json");
+    return this.file.save();
   }
-  async load(file) {
-    try {
-      await this.call("workcell", { workcell: JSON.parse(await file.text()) });
-    } catch (error) {
-      const first = error.details?.[0];
-      this.onError(first ? new Error(`${error.message}: ${first.pointer} allows ${first.allowed}`) : error);
-    }
+  load(file) {
+    return this.file.load(file);
   }
 
   async #ask(fn, args) {
     try {
       await this.call(fn, args);
+      return true;
     } catch (error) {
       this.onError(error);
+      return false;
     }
   }
 }
 
-/** A choice of the sixteen colours. */
-export const colorOptions = () => kColors.map((_, i) => el("option", { value: String(i), selected: i === 10 }, `colour ${i}`));
+/** A choice of the sixteen colours, by name. */
+export const colorOptions = () =>
+  kColorNames.map((name, i) => el("option", { value: String(i), selected: i === kUsualColor }, name));

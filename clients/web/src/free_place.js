@@ -1,0 +1,25 @@
+// Where a new block can lie without touching another, as near as can be to the middle of the table in front
+// of the robot. All lengths in mm.
+
+const kStep = 20;
+const kGap = 8;
+const radiusOf = ([length, width]) => Math.hypot(length, width) / 2;
+
+/** Points of a grid over the workspace, the nearest to `from` first. */
+function places(workspace, from, edge) {
+  const found = [];
+  for (let x = from[0] % kStep; x <= workspace.x - edge; x += kStep)
+    for (let y = -Math.floor(workspace.y / kStep) * kStep; y <= workspace.y - edge; y += kStep)
+      if (x >= edge && y >= edge - workspace.y) found.push([x, y]);
+  const far = ([x, y]) => Math.hypot(x - from[0], y - from[1]);
+  return found.sort((a, b) => far(a) - far(b));
+}
+
+/** [x, y] for a block of this size; where everything is full, the middle. */
+export function freePlace({ size_mm, blocks, workspace, region }) {
+  const radius = radiusOf(size_mm);
+  const middle = [workspace.x * 0.6, 0];
+  const isFree = ([x, y]) => Math.hypot(x, y) > region + radius && blocks.every((block) =>
+    Math.hypot(x - block.xyz_mm[0], y - block.xyz_mm[1]) > radius + radiusOf(block.size_mm) + kGap);
+  return places(workspace, middle, radius).find(isFree) ?? middle;
+}

@@ -1,0 +1,126 @@
+// Whether everything can be read and hit: contrast, sizes for fingers, and nothing cut off at the sizes of
+// laptops, tablets and phones.
+import assert from "node:assert/strict";
+import { readFile, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { after, test } from "node:test";
+import { close, root, type, withPage } from "./bench.mjs";
+
+after(close);
+
+const kRobots = ["rhino-xr3", "adept-one", "intelledex-660"];
+
+/** Every part of the page for which its contrast with what lies behind it is too small; runs in the page. */
+function pale() {
+  const rgb = (text) => {
+    const [r, g, b, a = 1] = text.match(/[\d.]+/g).map(Number);
+    return { r, g, b, a };
+  };
+  const light = ({ r, g, b }) => [r, g, b].map((v) => v / 255).map((v) => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4))
+    .reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
+  const contrast = (a, b) => (Math.max(light(a), light(b)) + 0.05) / (Math.min(light(a), light(b)) + 0.05);
+  const behind = (element) => {
+    for (let each = element; each; each = each.parentElement) {
+      const color = rgb(getComputedStyle(each).backgroundColor);
+      if (color.a === 1) return color;
+    }
+    return { r: 255, g: 255, b: 255 };
+  };
+  const found = [];
+  const check = (element, color, what, least) => {
+    const is = contrast(rgb(color), behind(element));
+    if (is < least) found.push(`${what} of ${element.id || element.className || element.textContent}: ${is.toFixed(2)}`);
+  };
+  for (const each of document.querySelectorAll("button, select, input:not([type=checkbox]):not([type=file]), .file, .lamp")) {
+    const style = getComputedStyle(each);
+    if (each.disabled || style.borderTopWidth === "0px" || style.borderTopStyle === "none") continue;
+    const is = contrast(rgb(style.borderTopColor), behind(each.parentElement));
+    if (is < 3) found.push(`border of ${each.id || each.textContent}: ${is.toFixed(2)}`);
+  }
+  for (const each of document.querySelectorAll("input[placeholder]")) check(each, getComputedStyle(each, "::placeholder").color, "placeholder", 4.5);
+  for (const each of document.querySelectorAll("label, h2, td, th, .words, #chosen")) check(each, getComputedStyle(each).color, "text", 4.5);
+  check(document.querySelector("#plan"), getComputedStyle(document.querySelector(".space")).stroke, "outline of the workspace", 3);
+  return found;
+}
+
+for (const colorScheme of ["dark", "light"]) {
+  test(`${colorScheme}: texts have a contrast of 4.5, borders and outlines one of 3`, () =>
+    withPage(["--clock", "manual"], async (page) => {
+      assert.deepEqual(await page.evaluate(pale), []);
+    }, { colorScheme }));
+}
+
+const kTablets = [{ width: 1024, height: 768 }, { width: 768, height: 1024 }];
+for (const viewport of kTablets) {
+  test(`${viewport.width}×${viewport.height}: a finger hits every checkbox and every block, and the plan fills its panel`, () =>
+    withPage(["--clock", "manual"], async (page) => {
+      await page.click("#tab-workcell");
+      const small = await page.evaluate(() => [...document.querySelectorAll("[type=checkbox], [data-block], .blocks button, #workcell-panel button")]
+        .map((each) => [each.dataset.block ?? (each.id || each.textContent), each.getBoundingClientRect()])
+        .filter(([, { width, height }]) => width > 0 && Math.min(width, height) < 23.9).map(([name, { width, height }]) => `${name}: ${width}×${height}`));
+      assert.deepEqual(small, []);
+      const used = await page.evaluate(() => {
+        const [plan, space] = ["#plan", "#plan .space"].map((each) => document.querySelector(each).getBoundingClientRect());
+        return space.width / plan.width;
+      });
+      assert.ok(used > 0.75, `the workspace has ${used} of the plan's width`);
+    }, { viewport }));
+}
+
+/** A robot file like the Rhino's whose first joint has a name of this length. */
+async function robotWithName(name) {
+  const robot = JSON.parse(await readFile(`${root}data/robots/rhino-xr3.json`, "utf8"));
+  robot.joints[0].name = name;
+  const path = `${tmpdir()}/xr3-robot-${process.pid}.json`;
+  await writeFile(path, JSON.stringify(robot));
+  return path;
+}
+
+/** What of the joint table is cut: cells whose text is wider than they are, and bars too short to read. */
+const cut = (page) => page.evaluate(() => [
+  ...[...document.querySelectorAll(".joints td:not(.bar), .joints th")].filter((each) => each.scrollWidth > each.clientWidth + 1).map((each) => each.textContent),
+  ...[...document.querySelectorAll(".track")].filter((each) => each.clientWidth < 34).map((each) => `bar of ${each.clientWidth} px`),
+  ...["aside", ".joints"].map((each) => document.querySelector(each)).filter((each) => each.scrollWidth > each.clientWidth).map((each) => `${each.className || each.tagName} too wide`),
+]);
+
+test("the joint table is not cut with any robot at its limits, nor by a long name", async () => {
+  const long = await robotWithName("a joint with a very long name!");
+  for (const [robot, workcell] of [...kRobots.map((each) => [each, each]), [long, "rhino-xr3"]]) {
+    await withPage(["--robot", robot, "--workcell", workcell, "--clock", "real:1000"], async (page, server) => {
+      for (const joints of ["A", "B", "C", "D", "EF"].map((each) => [...each]))
+        for (let i = 0; i < 12; ++i) {
+          await type(server.robot, joints.map((label) => `${label}+120\r`).join(""));
+          await server.rest();
+        }
+      await page.waitForSelector(".joints .note.alarm");
+      assert.deepEqual(await cut(page), [], robot);
+    });
+  }
+});
+
+const kSizes = [{ width: 1280, height: 720 }, ...kTablets, { width: 400, height: 800 }];
+for (const viewport of kSizes) {
+  test(`${viewport.width}×${viewport.height}: no panel is cut`, async () => {
+    for (const robot of kRobots) {
+      await withPage(["--robot", robot, "--workcell", robot, "--clock", "manual"], async (page) => {
+        await page.click("#tab-workcell");
+        await page.focus("[data-block]");
+        await inSight(page, "#workcell-panel button, #workcell-panel .file, #plan");
+        await page.click("#tab-console");
+        await inSight(page, "#console-panel button, #console-input");
+        assert.ok((await page.locator("#console-input").boundingBox()).width > 120);
+        assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), "too wide");
+      }, { viewport });
+    }
+  });
+}
+
+/** Each of these lies within the page's width, and within its height where the page does not scroll. */
+async function inSight(page, selector) {
+  const cutOff = await page.evaluate((wanted) => {
+    const bottom = getComputedStyle(document.body).overflowY === "hidden" ? innerHeight : Infinity;
+    return [...document.querySelectorAll(wanted)].map((each) => [each.id || each.textContent, each.getBoundingClientRect()])
+      .filter(([, box]) => box.left < 0 || box.right > innerWidth || box.bottom > bottom || box.width === 0).map(([name, box]) => `${name} ${JSON.stringify(box)}`);
+  }, selector);
+  assert.deepEqual(cutOff, []);
+}
