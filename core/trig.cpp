@@ -16,17 +16,16 @@ constexpr std::array<double, kTerms> kShrink = [] {
 }();
 
 // Taylor series by Horner's rule; |x| <= pi/4, where the first term left out is below 1e-17.
-template <int first, int last>
-double series(double x2) {
+double series(double x2, int first, int last) {
   double sum = 1.0;
   for (int n = last; n >= first; n -= 2)
     sum = 1.0 - sum * (x2 * kShrink[static_cast<std::size_t>(n)]);
   return sum;
 }
 
-double sine_near_zero(double x) { return x * series<2, 16>(x * x); }
+double sine_near_zero(double x) { return x * series(x * x, 2, 16); }
 
-double cosine_near_zero(double x) { return series<1, 17>(x * x); }
+double cosine_near_zero(double x) { return series(x * x, 1, 17); }
 
 }  // namespace
 

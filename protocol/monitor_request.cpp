@@ -14,7 +14,7 @@ namespace {
 
 /// What stands there, unless it is long.
 std::string quoted(const Tree& value) {
-  const std::string json = value.dump(-1, ' ', false, Tree::error_handler_t::replace);
+  std::string json = value.dump(-1, ' ', false, Tree::error_handler_t::replace);
   if (json.size() <= kLongestId) return json;
   if (!value.is_string()) return "of " + std::to_string(json.size()) + " bytes";
   return "of " + std::to_string(value.get_ref<const std::string&>().size()) + " bytes";

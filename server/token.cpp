@@ -20,7 +20,7 @@ bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }
 
 std::string checked(std::string token, const std::string& where) {
   if (token.size() < kLeastTokenBytes || token.size() > kMostTokenBytes) {
-    throw TokenError(where + ": a token has 16 to 1024 characters; this one has " +
+    throw TokenError(where + ": a token has 16 to 1024 bytes; this one has " +
                      std::to_string(token.size()));
   }
   if (std::any_of(token.begin(), token.end(), is_control))

@@ -119,8 +119,7 @@ RC_GTEST_PROP(Step, AMotorIsMarkedBlockedExactlyWhenItsNextCountIs, ()) {
     const Positions at = positions(rig.model(), state.motors);
     for (int m = 0; m < rig.model().motor_count(); ++m) {
       const MotorState& motor = state.motor(m);
-      const bool stands =
-          motor.error != 0 && obstacle(rig.model(), state, at, m) != Blocked::kNo;
+      const bool stands = motor.error != 0 && obstacle(rig.model(), state, at, m) != Blocked::kNo;
       RC_ASSERT((motor.blocked != Blocked::kNo) == stands);
       if (motor.error == 0 || stands) RC_ASSERT(motor.phase == 0);
     }
