@@ -1,5 +1,6 @@
 // The blocks of the workcell, each a box that is made once and then only moved.
 import * as THREE from "three";
+import { discard } from "./dispose.js";
 import { mmPerUnit } from "./kinematics.js";
 import { faceMaterial, lineMaterial } from "./solid_mesh.js";
 import { themes } from "./scene_theme.js";
@@ -20,7 +21,7 @@ export class Blocks {
   /** Puts every block of the state where it is; `tool` is the matrix of the tool's frame. */
   pose(states, tool) {
     const wanted = new Set(states.map((block) => block.name));
-    for (const mesh of [...this.group.children]) if (!wanted.has(mesh.name)) this.group.remove(mesh);
+    for (const mesh of [...this.group.children]) if (!wanted.has(mesh.name)) discard(mesh);
     for (const block of states) {
       const file = this.files.get(block.name);
       if (file) this.#poseBlock(block, this.#mesh(file), tool);
@@ -28,10 +29,10 @@ export class Blocks {
   }
 
   #mesh(file) {
-    const key = JSON.stringify([file.size, file.color, this.theme]);
+    const key = JSON.stringify([file.size, this.unit, file.color, this.theme]);
     const old = this.group.getObjectByName(file.name);
     if (old?.userData.key === key) return old;
-    if (old) this.group.remove(old);
+    if (old) discard(old);
     const mesh = this.#box(file);
     mesh.userData = { key };
     this.group.add(mesh);

@@ -1,6 +1,7 @@
 // What is drawn of the workcell beside its blocks: work surface with its grid, workspace, protected region
 // and the camera's field.
 import * as THREE from "three";
+import { empty } from "./dispose.js";
 import { mmPerUnit } from "./kinematics.js";
 import { lineMaterial } from "./solid_mesh.js";
 import { themes } from "./scene_theme.js";
@@ -86,18 +87,33 @@ export class CellMarks {
     this.shows = { region: true, field: true };
   }
 
+  /** Makes the marks, unless they are those that are there: blocks have no part in them. Whether it did. */
   build(robot, workcell, themeName) {
-    const theme = themes[themeName];
+    const { workspace, work_surface, camera, length_unit } = workcell;
+    const key = JSON.stringify([robot.protected_region, robot.length_unit, workspace, work_surface, camera, length_unit, themeName]);
+    if (key === this.key) return false;
+    this.key = key;
+    empty(this.group);
+    this.#makeParts(robot, workcell, themes[themeName]);
+    this.#apply();
+    return true;
+  }
+
+  #makeParts(robot, workcell, theme) {
     const unit = mmPerUnit(workcell);
     const height = (workcell.work_surface ?? 0) * unit;
     const [x, y] = [workcell.workspace.x * unit, workcell.workspace.y * unit];
     const reach = Math.max(x, y) * 1.25;
-    this.group.clear();
     this.region = regionOf(robot.protected_region, mmPerUnit(robot));
     this.field = workcell.camera ? fieldOf(workcell.camera, unit, height) : null;
-    this.group.add(surface(reach, height, theme), squares(reach, height, theme), border(x, y, height, theme), this.region);
+    this.border = border(x, y, height, theme);
+    this.group.add(surface(reach, height, theme), squares(reach, height, theme), this.border, this.region);
     if (this.field) this.group.add(this.field);
-    this.#apply();
+  }
+
+  /** What a view of the whole workcell shows to its ends. */
+  outlines() {
+    return [this.border, this.region, this.field].filter(Boolean);
   }
 
   /** `what` is "region" or "field". */

@@ -97,6 +97,7 @@ function take(message) {
 function takeHello(hello) {
   const before = known.hello && (known.state ?? known.hello);
   known.hello = hello;
+  scene.jump();
   document.title = `${hello.robot.name} – xr3`;
   setText(byId("robot-name"), hello.robot.name + (hello.compat === "paper" ? "" : ` (${hello.compat})`));
   access.set(hello.access);
@@ -159,6 +160,7 @@ function takeLag(lag) {
 
 function takeEvent(event) {
   if (event.event === "epoch") scene.clearPath();
+  if (event.event === "homed" || event.event === "epoch") scene.jump();
   if (event.event === "clock" && known.state) takeClock(event);
 }
 

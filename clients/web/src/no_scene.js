@@ -12,6 +12,7 @@ export class NoScene {
   setState() {}
   setTheme() {}
   show() {}
+  jump() {}
   clearPath() {}
   lookFrom() {}
   tipDrawn() {

@@ -1,5 +1,6 @@
 // The robot as solids: links, fingers and the axes of its tool's frame, posed by the values of its joints.
 import * as THREE from "three";
+import { empty } from "./dispose.js";
 import { frames, mmPerUnit } from "./kinematics.js";
 import { solidOf } from "./solid_mesh.js";
 import { themes } from "./scene_theme.js";
@@ -16,14 +17,22 @@ export class RobotBody {
     this.showsFrame = true;
   }
 
+  /** Makes the robot's solids, unless they are those that are there. */
   build(robot, theme) {
+    const key = JSON.stringify([robot, theme]);
+    if (key === this.key) return;
+    this.key = key;
     this.robot = robot;
     this.unit = mmPerUnit(robot);
-    this.group.clear();
-    const edge = themes[theme].edge;
-    this.links = robot.links.map((link, k) => this.#link(link, k, edge));
+    empty(this.group);
+    this.#makeParts(themes[theme].edge);
+  }
+
+  #makeParts(edge) {
+    const { links, tool } = this.robot;
+    this.links = links.map((link, k) => this.#link(link, k, edge));
     this.group.add(...this.links);
-    this.fingers = robot.tool.parts.map((part) => this.#finger(part, edge));
+    this.fingers = tool.parts.map((part) => this.#finger(part, edge));
     this.frameAxes = this.#mark(new THREE.AxesHelper(kAxesMm), "tool frame");
     this.frameAxes.visible = this.showsFrame;
     this.tipMark = this.#mark(new THREE.Object3D(), "tip");

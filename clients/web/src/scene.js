@@ -4,6 +4,7 @@ import * as THREE from "three";
 import { Blocks } from "./blocks.js";
 import { CellMarks } from "./cell_marks.js";
 import { Eye } from "./eye.js";
+import { cornersIn } from "./fit.js";
 import { Motion } from "./motion.js";
 import { RobotBody } from "./robot_body.js";
 import { lamps, themes } from "./scene_theme.js";
@@ -11,17 +12,24 @@ import { ToolPath } from "./tool_path.js";
 
 const kMostPixelRatio = 2;
 
+// A context that was asked for here: without one the page shall hear of it before anything has changed.
 function makeRenderer() {
-  const renderer = new THREE.WebGLRenderer({ antialias: true });
+  const canvas = document.createElement("canvas");
+  const context = canvas.getContext("webgl2", { antialias: true });
+  if (!context) throw new Error("this browser has no WebGL 2, which the view in three dimensions needs");
+  const renderer = new THREE.WebGLRenderer({ canvas, context });
   renderer.setPixelRatio(Math.min(window.devicePixelRatio, kMostPixelRatio));
   return renderer;
 }
 
 function describe(canvas) {
-  canvas.setAttribute("role", "img");
-  canvas.setAttribute("aria-label", "The robot and its workcell in three dimensions");
+  canvas.setAttribute("role", "application");
+  canvas.setAttribute("aria-label",
+    "The robot and its workcell in three dimensions. Arrow keys move the view, with Shift they turn it, plus and minus zoom.");
   canvas.tabIndex = 0;
 }
+
+const isSame = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 
 export class Scene {
   /** @param {HTMLElement} host filled by the canvas, whatever its size */
@@ -52,7 +60,8 @@ export class Scene {
     if (width === 0 || height === 0) return;
     this.renderer.setSize(width, height);
     this.eye.setAspect(width / height);
-    this.#wake();
+    this.#lookAgain();
+    this.#draw(); // at once: a canvas of a new size is empty
   }
 
   setTheme(name) {
@@ -74,29 +83,41 @@ export class Scene {
   // --- What is known.
 
   setModel(model) {
-    const isNew = this.model?.robot.name !== model.robot.name;
+    if (!isSame(this.model?.robot, model.robot)) this.#forget();
     this.model = model;
     this.robot.build(model.robot, this.theme);
-    this.marks.build(model.robot, model.workcell, this.theme);
+    const isNewCell = this.marks.build(model.robot, model.workcell, this.theme);
     this.blocks.setWorkcell(model.workcell, this.theme);
-    this.mustLook = this.mustLook || isNew;
-    if (this.state) this.#pose();
-  }
-
-  setState(state) {
-    const isFirst = this.state?.epoch !== state.epoch;
-    this.motion.take(state, isFirst);
-    this.state = state;
-    if (isFirst) this.path.clear();
-    if (this.mustLook && this.model) {
-      this.mustLook = false;
-      this.lookFrom("corner");
-    }
+    if (isNewCell) this.#lookAgain();
     this.#wake();
   }
 
+  #forget() {
+    this.state = null;
+    this.motion.forget();
+    this.path.clear();
+    this.eye.view = "corner";
+  }
+
+  /** A state of another robot, as it may be there until the new one's comes, is left alone. */
+  setState(state) {
+    if (!isSame(state.joints.map(({ label }) => label), this.model.robot.joints.map(({ label }) => label))) return;
+    if (state.joints === this.state?.joints) return; // told again, beside a new model
+    this.state = state;
+    const how = this.motion.take(state);
+    if (how === "begin") this.path.clear();
+    if (how === "jump") this.path.lift();
+    if (how === "begin") this.#lookAgain();
+    this.#wake();
+  }
+
+  /** The robot was put somewhere else, or was not seen for a while: the next state is no motion. */
+  jump() {
+    this.motion.jump();
+  }
+
   #pose() {
-    if (!this.model || !this.state) return true;
+    if (!this.state) return true;
     const isThere = this.motion.advance();
     this.robot.pose(this.motion.values);
     this.blocks.pose(this.state.blocks, this.robot.toolFrame);
@@ -112,10 +133,14 @@ export class Scene {
   /** `name` is "corner", "front", "left", "right" or "top". */
   lookFrom(name) {
     this.#pose();
-    const box = new THREE.Box3().setFromObject(this.robot.group).union(new THREE.Box3().setFromObject(this.blocks.group));
-    if (box.isEmpty()) box.set(new THREE.Vector3(-200, -400, 0), new THREE.Vector3(600, 400, 600));
-    this.eye.lookAt(box, name);
+    const whole = name === "top" ? this.marks.outlines() : [];
+    const points = [this.robot.group, this.blocks.group, ...whole].flatMap(cornersIn);
+    if (points.length > 0) this.eye.lookAt(points, name);
     this.#wake();
+  }
+
+  #lookAgain() {
+    if (this.state && this.eye.view) this.lookFrom(this.eye.view);
   }
 
   // --- Drawing, only while something changes.

@@ -1,0 +1,101 @@
+// Where the scene is looked at from: named views hold everything in the picture, and keys steer.
+import assert from "node:assert/strict";
+import { after, test } from "node:test";
+import { close, withPage } from "./bench.mjs";
+
+after(close);
+
+const kSizes = [{ width: 1280, height: 720 }, { width: 1024, height: 768 }, { width: 768, height: 1024 }];
+const differ = (a, b) => Math.hypot(...a.map((v, i) => v - b[i]));
+const kViews = ["corner", "front", "left", "right", "top"];
+
+/** The farthest from the middle that any point of robot and blocks (and workcell) is seen: 1 is the border. */
+const farthest = (page, isWhole = false) => page.evaluate((isWhole) => {
+  const { scene } = window.xr3;
+  const { camera } = scene.eye;
+  camera.updateMatrixWorld();
+  const seen = [];
+  for (const object of [scene.robot.group, scene.blocks.group, ...(isWhole ? scene.marks.outlines() : [])]) {
+    object.updateWorldMatrix(true, true);
+    object.traverse(({ geometry, matrixWorld }) => {
+      const ends = geometry?.attributes.position;
+      for (let i = 0; i < (ends?.count ?? 0); ++i) {
+        const point = camera.position.clone().fromBufferAttribute(ends, i).applyMatrix4(matrixWorld).project(camera);
+        seen.push(Math.max(Math.abs(point.x), Math.abs(point.y)));
+      }
+    });
+  }
+  return Math.max(...seen);
+}, isWhole);
+
+for (const robot of ["rhino-xr3", "adept-one", "intelledex-660"]) {
+  test(`${robot}: all of it is in every named view, in windows of every shape`, () => withPage(["--robot", robot], async (page) => {
+    for (const size of kSizes) {
+      await page.setViewportSize(size);
+      for (const view of kViews) {
+        await page.click(`[data-look=${view}]`);
+        const reach = await farthest(page, view === "top");
+        assert.ok(reach < 0.97 && reach > 0.7, `${view} ${size.width}: ${reach}`);
+      }
+    }
+  }));
+}
+
+test("the first view holds after the window has changed, until somebody moves the camera", () =>
+  withPage([], async (page) => {
+    assert.ok(await farthest(page) < 0.97);
+    const aspect = () => page.evaluate(() => window.xr3.scene.eye.camera.aspect);
+    const wide = await aspect();
+    await page.setViewportSize(kSizes[2]);
+    await page.waitForFunction((old) => window.xr3.scene.eye.camera.aspect !== old, wide);
+    assert.ok(await farthest(page) < 0.97);
+    await page.focus("#solid canvas");
+    for (let i = 0; i < 8; ++i) await page.keyboard.press("+");
+    const near = await page.evaluate(() => window.xr3.scene.eye.camera.position.toArray());
+    const narrow = await aspect();
+    await page.setViewportSize(kSizes[0]);
+    await page.waitForFunction((old) => window.xr3.scene.eye.camera.aspect !== old, narrow);
+    assert.ok(differ(await page.evaluate(() => window.xr3.scene.eye.camera.position.toArray()), near) < 1e-6);
+  }));
+
+/** Distance from what is looked at, its place, and the direction to the eye. */
+const look = (page) => page.evaluate(() => {
+  const { camera, controls } = window.xr3.scene.eye;
+  const away = camera.position.clone().sub(controls.target);
+  return { distance: away.length(), target: controls.target.toArray(), way: away.normalize().toArray() };
+});
+
+test("keys zoom, move and turn the view; Alt and minus is the menu's", () =>
+  withPage([], async (page) => {
+    await page.focus("#solid canvas");
+    let before = await look(page);
+    for (const [key, grows] of [["+", false], ["-", true], ["=", false], ["NumpadSubtract", true], ["NumpadAdd", false]]) {
+      await page.keyboard.press(key);
+      const now = await look(page);
+      assert.equal(now.distance > before.distance, grows, key);
+      before = now;
+    }
+    await page.keyboard.press("ArrowLeft");
+    let now = await look(page);
+    assert.ok(differ(now.target, before.target) > 5 && differ(now.way, before.way) < 1e-6, "an arrow moves");
+    await page.keyboard.press("Shift+ArrowLeft");
+    before = now;
+    now = await look(page);
+    assert.ok(differ(now.target, before.target) < 1e-6 && differ(now.way, before.way) > 0.03, "with Shift it turns");
+    await page.keyboard.press("Alt+NumpadSubtract");
+    await page.waitForSelector("#menu[open]");
+    assert.ok(Math.abs((await look(page)).distance - now.distance) < 1e-6);
+  }));
+
+test("the focus of the view is seen inside its border, and its keys are told", () =>
+  withPage([], async (page) => {
+    await page.focus("#clear-path");
+    await page.keyboard.press("Tab");
+    assert.equal(await page.evaluate(() => document.activeElement.closest("#solid") !== null), true);
+    const { offset, width } = await page.evaluate(() => {
+      const style = getComputedStyle(document.activeElement);
+      return { offset: parseFloat(style.outlineOffset), width: parseFloat(style.outlineWidth) };
+    });
+    assert.ok(width >= 2 && offset <= -width, `outline ${width} at ${offset}`);
+    assert.match(await page.getAttribute("#solid canvas", "aria-label"), /Arrow.*Shift.*plus and minus/);
+  }));
