@@ -18,7 +18,7 @@ class Viewer(unittest.TestCase):
         self.assertTrue(shutil.which("node"), "node is not installed (scripts/setup test)")
         self.assertTrue(os.path.isdir(PLAYWRIGHT), "run scripts/viewer first: it fetches Playwright")
         tests = sorted(glob.glob(os.path.join(SCRIPTS, "*_test.mjs")))
-        run = subprocess.run(["node", "--test", "--test-concurrency=1", "--test-reporter=spec", *tests],
+        run = subprocess.run(["node", "--test", "--test-concurrency=3", "--test-reporter=spec", *tests],
                              capture_output=True, text=True, timeout=280, check=False, cwd=ROOT)
         print(run.stdout[-6000:] if run.returncode else run.stdout[-1500:])
         self.assertEqual(0, run.returncode, run.stderr[-3000:])
