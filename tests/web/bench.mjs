@@ -90,3 +90,12 @@ export async function withPage(options, act, pageOptions) {
     await server.stop("SIGKILL");
   }
 }
+
+/** The pixels of a canvas, four bytes each, by a copy of it. */
+export const pixels = (page, selector) => page.evaluate((wanted) => {
+  const canvas = document.querySelector(wanted);
+  const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
+  copy.drawImage(canvas, 0, 0);
+  const { width, height, data } = copy.getImageData(0, 0, canvas.width, canvas.height);
+  return { width, height, data: [...data] };
+}, selector);

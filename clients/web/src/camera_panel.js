@@ -1,16 +1,22 @@
 // The overhead camera's binary image, pixel for pixel, with the outlines of the blocks on demand.
 import { mmPerUnit } from "./kinematics.js";
 
+const kWidestRem = 15;
+const kNearestSightMm = 1; // a corner that comes nearer to the camera's plane is drawn as if it were there
+const rem = () => parseFloat(getComputedStyle(document.documentElement).fontSize);
+
 export class CameraPanel {
   constructor(canvas, caption) {
     Object.assign(this, { canvas, caption });
     this.showsOutlines = false;
+    new ResizeObserver(() => this.#fit()).observe(canvas.parentElement);
   }
 
   setModel(model) {
     this.model = model;
     this.canvas.hidden = !model.workcell.camera;
-    if (!model.workcell.camera) this.caption.textContent = "This workcell has no camera.";
+    if (!model.workcell.camera) this.image = null;
+    this.#tell();
     this.#draw();
   }
   setState(state) {
@@ -24,8 +30,23 @@ export class CameraPanel {
 
   setImage(image) {
     this.image = image;
-    this.caption.textContent = `${image.width} × ${image.height} pixels, ${this.#count(image)} lit`;
+    this.#tell();
     this.#draw();
+  }
+
+  #tell() {
+    const { image } = this;
+    const none = this.model && !this.model.workcell.camera ? "This workcell has no camera." : "No picture yet.";
+    this.caption.textContent = image ? `${image.width} × ${image.height} pixels, ${this.#count(image)} lit` : none;
+  }
+
+  // Each pixel of the image is as many of the screen's as every other, as long as one is left for it.
+  #fit() {
+    if (!this.image) return;
+    const ratio = window.devicePixelRatio || 1;
+    const most = Math.min(this.canvas.parentElement.clientWidth, kWidestRem * rem()) * ratio;
+    const whole = Math.floor(most / this.image.width);
+    this.canvas.style.width = whole > 0 ? `${(whole * this.image.width) / ratio}px` : "";
   }
 
   #count(image) {
@@ -34,6 +55,7 @@ export class CameraPanel {
 
   #draw() {
     if (!this.image) return;
+    this.#fit();
     const { width, height, rows } = this.image;
     const scale = this.showsOutlines ? Math.max(1, Math.floor(768 / width)) : 1;
     this.canvas.width = width * scale;
@@ -52,29 +74,47 @@ export class CameraPanel {
     if (this.showsOutlines && this.state && this.model) this.#outline(pen, scale);
   }
 
-  // As the orthographic camera sees the blocks' footprints; a perspective one draws them a little larger.
+  // The upper and the lower face of each block, as the camera sees them.
   #outline(pen, scale) {
-    const { camera, blocks } = this.model.workcell;
     const unit = mmPerUnit(this.model.workcell);
-    const [cx, cy] = camera.location.map((v) => v * unit);
-    const [w, h] = camera.field.map((v) => v * unit);
-    const sizes = new Map(blocks.map((block) => [block.name, block.size.map((v) => v * unit)]));
-    const place = (x, y) => [
-      ((x - cx) / w + 0.5) * this.image.width * scale,
-      (0.5 - (y - cy) / h) * this.image.height * scale,
-    ];
+    const sizes = new Map(this.model.workcell.blocks.map((block) => [block.name, block.size.map((v) => v * unit)]));
+    const place = this.#sight(scale);
     pen.strokeStyle = "#ff8a3d";
     pen.lineWidth = Math.max(1, scale);
     for (const block of this.state.blocks) {
-      const [l, b] = sizes.get(block.name) ?? [0, 0];
-      const angle = (block.yaw_deg * Math.PI) / 180;
-      pen.beginPath();
-      for (const [u, v] of [[-l, -b], [l, -b], [l, b], [-l, b]]) {
-        const [x, y] = [(u * Math.cos(angle) - v * Math.sin(angle)) / 2, (u * Math.sin(angle) + v * Math.cos(angle)) / 2];
-        pen.lineTo(...place(block.xyz_mm[0] + x, block.xyz_mm[1] + y));
+      for (const face of facesOf(block, sizes.get(block.name) ?? [0, 0, 0])) {
+        pen.beginPath();
+        for (const corner of face) pen.lineTo(...place(corner));
+        pen.closePath();
+        pen.stroke();
       }
-      pen.closePath();
-      pen.stroke();
     }
   }
+
+  // From a point in mm to the canvas: straight down, or along the line of sight onto the work surface.
+  #sight(scale) {
+    const { camera, work_surface: surface = 0 } = this.model.workcell;
+    const unit = mmPerUnit(this.model.workcell);
+    const [cx, cy, cz] = camera.location.map((v) => v * unit);
+    const [w, h] = camera.field.map((v) => v * unit);
+    const height = cz - surface * unit;
+    return ([x, y, z]) => {
+      const nearer = camera.projection === "perspective" ? height / Math.max(cz - z, kNearestSightMm) : 1;
+      return [
+        (((x - cx) * nearer) / w + 0.5) * this.image.width * scale,
+        (0.5 - ((y - cy) * nearer) / h) * this.image.height * scale,
+      ];
+    };
+  }
+}
+
+/** Four corners of a block's upper and of its lower face, mm. */
+function facesOf(block, [l, b, h]) {
+  const angle = (block.yaw_deg * Math.PI) / 180;
+  const [x, y, z] = block.xyz_mm;
+  const corners = [[-l, -b], [l, -b], [l, b], [-l, b]].map(([u, v]) => [
+    x + (u * Math.cos(angle) - v * Math.sin(angle)) / 2,
+    y + (u * Math.sin(angle) + v * Math.cos(angle)) / 2,
+  ]);
+  return [-h / 2, h / 2].map((half) => corners.map(([cx, cy]) => [cx, cy, z + half]));
 }

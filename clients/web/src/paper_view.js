@@ -7,6 +7,9 @@ const kInk = {
   color: { background: "#0b0f13", line: "#d0d0d0", own: true },
 };
 
+/** So many wire frames are kept for drawing the picture anew, in another size or ink. */
+const kMostFrames = 500;
+
 export class PaperView {
   constructor(canvas) {
     this.canvas = canvas;
@@ -14,6 +17,7 @@ export class PaperView {
     this.isLive = false;
     this.lastPeriod = null;
     this.draws = 0;
+    this.frames = []; // what has been drawn since it was last erased, oldest first
     new ResizeObserver(() => this.#redrawAll()).observe(canvas.parentElement);
   }
 
@@ -30,6 +34,7 @@ export class PaperView {
     const turned = !this.display || this.display.on !== display.on || this.display.erase !== display.erase ||
       String(this.display.view) !== String(display.view);
     this.display = display;
+    if (turned) this.frames = [];
     if (turned) this.#redrawAll();
     this.tick(display.tick);
   }
@@ -40,7 +45,14 @@ export class PaperView {
     const period = Math.floor(tick / this.display.period_ticks);
     if (period === this.lastPeriod && !this.isLive) return;
     this.lastPeriod = period;
+    if (this.display.erase) this.frames = [];
+    this.#keep(this.display.polylines);
     this.#draw(this.display.erase);
+  }
+
+  #keep(frame) {
+    if (this.frames.at(-1) !== frame) this.frames.push(frame);
+    if (this.frames.length > kMostFrames) this.frames.shift();
   }
 
   #redrawAll() {
@@ -51,10 +63,11 @@ export class PaperView {
       this.canvas.width = width * ratio;
       this.canvas.height = height * ratio;
     }
-    this.#draw(true);
+    this.#draw(true, this.frames);
   }
 
-  #draw(isErased) {
+  // Behind the newest wire frame those that are given, on paper that is erased first or not.
+  #draw(isErased, before = []) {
     const { width, height } = this.canvas;
     const pen = this.canvas.getContext("2d");
     const ink = kInk[this.ink];
@@ -67,7 +80,7 @@ export class PaperView {
     const place = this.#placing(width, height);
     pen.lineWidth = Math.max(1, width / 900);
     pen.lineJoin = "round";
-    for (const { color, points } of this.display.polylines) {
+    for (const { color, points } of [...before.flat(), ...this.display.polylines]) {
       pen.strokeStyle = ink.own ? color : ink.line;
       pen.beginPath();
       points.forEach((point, i) => (i === 0 ? pen.moveTo(...place(point)) : pen.lineTo(...place(point))));
