@@ -9,13 +9,13 @@ const kSizes = [{ width: 1280, height: 720 }, { width: 1024, height: 768 }, { wi
 const differ = (a, b) => Math.hypot(...a.map((v, i) => v - b[i]));
 const kViews = ["corner", "front", "left", "right", "top"];
 
-/** The farthest from the middle that any point of robot and blocks (and workcell) is seen: 1 is the border. */
+/** The farthest from the middle that any point of robot, protected region and blocks (or of the whole workcell) is seen: 1 is the border. */
 const farthest = (page, isWhole = false) => page.evaluate((isWhole) => {
   const { scene } = window.xr3;
   const { camera } = scene.eye;
   camera.updateMatrixWorld();
   const seen = [];
-  for (const object of [scene.robot.group, scene.blocks.group, ...(isWhole ? scene.marks.outlines() : [])]) {
+  for (const object of [scene.robot.group, scene.blocks.group, ...(isWhole ? scene.marks.outlines() : [scene.marks.region])]) {
     object.updateWorldMatrix(true, true);
     object.traverse(({ geometry, matrixWorld }) => {
       const ends = geometry?.attributes.position;

@@ -133,8 +133,8 @@ export class Scene {
   /** `name` is "corner", "front", "left", "right" or "top". */
   lookFrom(name) {
     this.#pose();
-    const whole = name === "top" ? this.marks.outlines() : [];
-    const points = [this.robot.group, this.blocks.group, ...whole].flatMap(cornersIn);
+    const marks = name === "top" ? this.marks.outlines() : [this.marks.region];
+    const points = [this.robot.group, this.blocks.group, ...marks].flatMap(cornersIn);
     if (points.length > 0) this.eye.lookAt(points, name);
     this.#wake();
   }
