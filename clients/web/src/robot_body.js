@@ -43,7 +43,7 @@ export class RobotBody {
     const group = new THREE.Group();
     group.name = `link${k}`;
     group.matrixAutoUpdate = false;
-    group.add(solidOf(points, this.unit, color, edge));
+    group.add(solidOf(points, this.unit, color, edge, this.robot.links.length - k));
     return group;
   }
 

@@ -7,6 +7,8 @@ import { prisms, segments, strokes, triangles } from "./solids.js";
 // Faces lie a little behind their edges, which are drawn in the same planes.
 const kBehindEdges = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
 
+const kLayerUnits = 16;
+
 export const faceMaterial = (colorIndex, more = {}) =>
   new THREE.MeshLambertMaterial({ color: colorOf(colorIndex), ...kBehindEdges, ...more });
 
@@ -20,19 +22,23 @@ function geometryOf(points) {
 
 const triangulate = (flat) => THREE.ShapeUtils.triangulateShape(flat.map(([x, y]) => new THREE.Vector2(x, y)), []);
 
-function faces(points, colorIndex) {
+function faces(points, colorIndex, layer) {
   const geometry = geometryOf(points);
   geometry.computeVertexNormals();
-  return new THREE.Mesh(geometry, faceMaterial(colorIndex, { side: THREE.DoubleSide, flatShading: true }));
+  const polygonOffsetUnits = kBehindEdges.polygonOffsetUnits + kLayerUnits * layer;
+  return new THREE.Mesh(geometry, faceMaterial(colorIndex, { side: THREE.DoubleSide, flatShading: true, polygonOffsetUnits }));
 }
 
-/** The solid of an outline (lengths in `unit` mm) with its edges in `edgeColor`. */
-export function solidOf(outline, unit, colorIndex, edgeColor) {
+/**
+ * The solid of an outline (lengths in `unit` mm) with its edges in `edgeColor`. Where faces of two solids
+ * share a plane, that of the lower layer is seen.
+ */
+export function solidOf(outline, unit, colorIndex, edgeColor, layer = 0) {
   const group = new THREE.Group();
   const all = strokes(outline, unit);
   const points = prisms(all).flatMap((prism) => triangles(prism, triangulate));
   const isBare = points.length === 0;
-  if (!isBare) group.add(faces(points, colorIndex));
+  if (!isBare) group.add(faces(points, colorIndex, layer));
   const ink = isBare ? lineMaterial(colorOf(colorIndex), 1) : lineMaterial(edgeColor, 0.75);
   group.add(new THREE.LineSegments(geometryOf(segments(all)), ink));
   return group;
