@@ -11,12 +11,15 @@ export const kDeadlineMs = 30_000;
 export const root = fileURLToPath(new URL("../../", import.meta.url));
 const kFlags = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
 
+const servers = new Set();
+
 /** A running `xr3 serve` with the ports that it took. */
 export async function serve(...options) {
   const ports = options.includes("--monitor-port") ? [] : ["--robot-port", "0", "--monitor-port", "0"];
   const child = spawn(process.env.XR3, ["serve", ...ports, "--log-level", "off", ...options], {
     cwd: root, stdio: ["ignore", "pipe", "inherit"], env: { ...process.env, XR3_DATA: `${root}data` },
   });
+  servers.add(child);
   const [greeting] = await once(child.stdout, "data");
   const [, robot, monitor] = /robot=\S+:(\d+) monitor=\S+:(\d+)/.exec(String(greeting));
   const state = async () => (await fetch(`http://localhost:${monitor}/state`)).json();
@@ -72,7 +75,11 @@ export async function open(url, options = {}) {
 /** The page knows robot and state, and has drawn them. */
 export const ready = (page) => page.waitForFunction(() => window.xr3?.known.model && window.xr3?.known.state && window.xr3?.tipDrawn());
 
-export const close = async () => browser?.close();
+/** Ends the browser, and what a test that failed has left. */
+export async function close() {
+  for (const child of servers) child.kill("SIGKILL");
+  await browser?.close();
+}
 
 /** Errors that are not of the page: software rendering says that it is slow. */
 export const ofThePage = (page) => page.errors.filter((text) => !/GPU stall|GL Driver|swiftshader/i.test(text));

@@ -1,0 +1,20 @@
+"""Every part of the browser page in real Chromium, by Playwright: tests/web/*_test.mjs against this xr3."""
+
+import glob
+import os
+import subprocess
+import unittest
+
+from support import ROOT
+
+
+class Viewer(unittest.TestCase):
+    def test_every_part(self):
+        tests = sorted(glob.glob(os.path.join(ROOT, "tests", "web", "*_test.mjs")))
+        run = subprocess.run(["node", "--test", "--test-concurrency=1", "--test-reporter=spec", *tests],
+                             timeout=900, check=False, cwd=ROOT)
+        self.assertEqual(0, run.returncode)
+
+
+if __name__ == "__main__":
+    unittest.main()
