@@ -1,5 +1,5 @@
-// Bundles the page into dist/: one script, one style sheet, the page itself and its icon. From there the
-// build of the server links them into its binary (server/web_assets.cmake).
+// Bundles the page into dist/: one script, one style sheet, index.html and the icon. The server's
+// build embeds these files in its binary (server/web_assets.cmake).
 import { build } from "esbuild";
 import { copyFile, mkdir, readFile, rm, stat } from "node:fs/promises";
 
@@ -26,4 +26,4 @@ await copyFile(path("node_modules/three/LICENSE"), path("dist/assets/three-licen
 const { size } = await stat(path("dist/assets/main.js"));
 await readFile(path("dist/index.html"));
 console.log(`viewer: ${Math.round(size / 1000)} kB of script`);
-if (size > kMostBundleBytes) throw new Error(`the script has ${size} bytes, allowed are ${kMostBundleBytes}`);
+if (size > kMostBundleBytes) throw new Error(`the script has ${size} bytes, the limit is ${kMostBundleBytes}`);

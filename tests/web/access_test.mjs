@@ -1,4 +1,4 @@
-// Who may: what is locked without the token, how it is unlocked, and what the page says of it.
+// Access control: what is locked without a token, how it is unlocked, and the messages shown.
 import assert from "node:assert/strict";
 import { mkdtemp, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
@@ -11,7 +11,7 @@ const kToken = "a+token+of/a-test";
 const file = `${await mkdtemp(`${tmpdir()}/xr3-`)}/token`;
 await writeFile(file, kToken, { mode: 0o600 });
 
-/** A page, of an address with this fragment, of a server that wants the token. */
+/** Runs `act` on a page of a server with --token-file; `fragment` is appended to the URL. */
 async function withLocked(act, { fragment = "", options = [] } = {}) {
   const server = await serve("--token-file", file, ...options);
   const page = await open(server.url + fragment);
@@ -31,12 +31,12 @@ async function unlock(page, token = kToken) {
 const looksOn = (page) => page.waitForSelector("body.read-only", { state: "attached" });
 const drives = (page) => page.waitForSelector("body:not(.read-only) #unlock[hidden]", { state: "attached" });
 
-test("a private server's page says what it needs, and is filled when it has it", () =>
+test("with --private the page asks for the token and shows data once it has it", () =>
   withLocked(async (page, server) => {
     await page.waitForSelector(".nothing-seen:visible");
     await type(server.robot, "F?");
     await page.click("#unlock");
-    assert.match(await page.textContent("#ask-token-words"), /shows and does nothing/);
+    assert.match(await page.textContent("#ask-token-words"), /even for reading/);
     await page.keyboard.press("Escape");
     await unlock(page);
     await ready(page);
@@ -44,7 +44,7 @@ test("a private server's page says what it needs, and is filled when it has it",
     assert.ok(await page.isHidden(".nothing-seen"));
   }, { options: ["--private"] }));
 
-test("a token put into the address of an open page unlocks it and leaves the address bar", () =>
+test("a token added to the address of an open page unlocks it and is removed from the address bar", () =>
   withLocked(async (page, server) => {
     await looksOn(page);
     await page.evaluate((token) => (location.hash = `#token=${token}`), kToken);
@@ -55,18 +55,18 @@ test("a token put into the address of an open page unlocks it and leaves the add
     await drives(page);
   }));
 
-test("a wrong token in the address is said, and forgotten", () =>
+test("a wrong token in the address is reported and forgotten", () =>
   withLocked(async (page) => {
-    await page.waitForSelector("#told:has-text('not the server')");
+    await page.waitForSelector("#told:has-text('Wrong token')");
     await looksOn(page);
     assert.equal(await page.evaluate(() => sessionStorage.length), 0);
     await unlock(page, "another-wrong-token");
-    await page.waitForSelector("#told:has-text('not the server')");
+    await page.waitForSelector("#told:has-text('Wrong token')");
     await unlock(page);
     await drives(page);
   }, { fragment: "#token=not-the-right-token" }));
 
-test("whatever changes the server is locked, also what was built later; Step stays so while time runs", () =>
+test("controls that change the server are locked, also new ones; Step stays disabled while time runs", () =>
   withLocked(async (page) => {
     await ready(page);
     await looksOn(page);
@@ -81,7 +81,7 @@ test("whatever changes the server is locked, also what was built later; Step sta
     assert.ok(await page.isEnabled("#home"));
   }));
 
-test("keys and menu say why they do nothing", () =>
+test("keys and menu explain why they are locked", () =>
   withLocked(async (page) => {
     await ready(page);
     await looksOn(page);
@@ -92,7 +92,7 @@ test("keys and menu say why they do nothing", () =>
     assert.ok(await page.isDisabled("#functions button"));
   }));
 
-test("the field for a file is no ghost beside its words, which are dimmed", () =>
+test("a locked file input is invisible and its label is dimmed", () =>
   withLocked(async (page) => {
     await looksOn(page);
     await page.click("#tab-workcell");

@@ -1,4 +1,4 @@
-// What goes wrong is readable for as long as it takes, and moves nothing on the page.
+// Alarms and messages stay readable and do not shift the layout.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, type, withPage } from "./bench.mjs";
@@ -12,18 +12,18 @@ const step = async (page) => {
 };
 const refuse = (page) => page.evaluate(() => window.xr3.call("rate", { factor: -1 }));
 
-test("what a person is told stays while the robot moves, until it is closed", () =>
+test("a message stays while the robot moves, until it is closed", () =>
   withPage(["--clock", "manual"], async (page, server) => {
     await type(server.robot, "F+50\r");
     await refuse(page);
     await step(page);
-    assert.match(await page.textContent("#told"), /factor: -1 was given, allowed is a number/);
+    assert.match(await page.textContent("#told"), /factor: got -1, expected a number/);
     assert.ok(await page.isVisible("#told"));
     await page.click("#told .close");
     assert.ok(await page.isHidden("#told"));
   }));
 
-test("a stall and a message are readable together, over the picture and not beside it", () =>
+test("an alarm and a message are readable together, over the picture", () =>
   withPage(["--clock", "manual"], async (page, server) => {
     const picture = () => page.locator("#solid canvas").boundingBox();
     const before = await picture();
@@ -45,7 +45,7 @@ test("a disabled simulator names the key that enables it", () =>
     await page.waitForSelector("#alarm:has-text('the key e')");
   }));
 
-test("a display turned on or off is seen in the 3-D view", () =>
+test("the 3-D view shows whether the graphics display is on", () =>
   withPage([], async (page) => {
     await page.waitForSelector("#display-word:has-text('display off')");
     await page.keyboard.press("d");

@@ -1,4 +1,4 @@
-// Every function of command mode, by each of its ways: plain key, Alt key, entry of the menu.
+// Every function of command mode by plain key, Alt key and menu entry.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, withPage } from "./bench.mjs";
@@ -7,13 +7,13 @@ after(close);
 
 const kEntries = { d: "Graphics display", h: "Soft home", s: "Status line", e: "Simulator", k: "Function keys", p: "Erase", r: "Refresh" };
 const kAlt = { d: "F1", h: "F3", s: "F4", e: "F5", k: "F6" };
-/** What each function changes, as the page knows it. */
+/** The member of `known` that each function changes. */
 const kSeen = {
   d: "display.on", h: "state.joints.0.count", s: "display.status.option", e: "state.enabled",
   k: "display.function_keys", p: "display.erase", r: "display.period_ticks",
 };
 
-/** What the page knows there, once it is another value than `before`. */
+/** Waits until the member differs from `before`; resolves to its value. */
 const valueOf = async (page, key, before = null) => {
   const found = await page.waitForFunction(([path, old]) => {
     const value = path.split(".").reduce((at, name) => at?.[name], window.xr3.known);
@@ -22,7 +22,7 @@ const valueOf = async (page, key, before = null) => {
   return (await found.jsonValue())[0];
 };
 
-/** Presses, by `act`, and waits until what it stands for has changed. */
+/** Runs `act` and waits until the member of `key` has changed. */
 async function changes(page, key, act) {
   if (key === "h") await page.evaluate(() => window.xr3.call("send", { text: "F+5\r" }));
   const before = await valueOf(page, key, key === "h" ? "0" : null);
@@ -40,12 +40,12 @@ test("plain keys", () =>
 test("Alt keys", () =>
   withPage([], async (page) => {
     for (const [key, alt] of Object.entries(kAlt)) await changes(page, key, () => page.keyboard.press(`Alt+${alt}`));
-    await changes(page, "k", () => page.keyboard.press("Alt+F6")); // they were off
+    await changes(page, "k", () => page.keyboard.press("Alt+F6")); // they were disabled
     await page.keyboard.press("Alt+F2");
     await page.waitForSelector("#ask-view[open]");
   }));
 
-test("entries of the menu, and the status line goes through all its options", () =>
+test("menu entries; the status line cycles through all its options", () =>
   withPage([], async (page) => {
     await page.keyboard.press("m");
     for (const [key, words] of Object.entries(kEntries)) await changes(page, key, () => page.click(`#functions button:has-text('${words}')`));
@@ -54,12 +54,12 @@ test("entries of the menu, and the status line goes through all its options", ()
     await page.waitForSelector("#ask-view[open]");
   }));
 
-test("what is refused from within the menu is explained there, with what is allowed", () =>
+test("a refused menu entry shows its error in the menu", () =>
   withPage([], async (page) => {
     await page.keyboard.press("m");
     await page.click("#functions button:has-text('View vector')");
     for (const axis of "xyz") await page.fill(`#view-${axis}`, "0");
     await page.click("#ask-view button[value=ok]");
-    await page.waitForSelector("#menu-told:has-text('value: [0,0,0] was given, allowed is')");
+    await page.waitForSelector("#menu-told:has-text('value: got [0,0,0], expected')");
     assert.ok(await page.isVisible("#menu[open]"));
   }));

@@ -1,4 +1,4 @@
-// The connection: a server that hangs is noticed, and what is too big for it is not sent.
+// The connection: a hanging server is detected, and requests over the size limit are not sent.
 import assert from "node:assert/strict";
 import { writeFile } from "node:fs/promises";
 import { after, test } from "node:test";
@@ -6,7 +6,7 @@ import { close, type, withPage } from "./bench.mjs";
 
 after(close);
 
-/** Whether the clock shows the same for five of its own periods. */
+/** Whether the clock shows the same time for five of its update periods. */
 const clockStands = (page) => page.evaluate(() => new Promise((resolve) => {
   const clock = document.querySelector("#clock");
   const before = clock.textContent;
@@ -18,7 +18,7 @@ const clockStands = (page) => page.evaluate(() => new Promise((resolve) => {
   }, 100);
 }));
 
-test("a server that hangs is noticed, the clock stands, and it is picked up when it goes on", () =>
+test("a hanging server is detected, the clock stops, and the page recovers when the server continues", () =>
   withPage([], async (page, server) => {
     process.kill(server.pid, "SIGSTOP");
     await page.waitForSelector("#connection:has-text('does not answer')");
@@ -29,12 +29,12 @@ test("a server that hangs is noticed, the clock stands, and it is picked up when
     await page.waitForFunction(() => window.xr3.known.state.joints[0].count === 20);
   }));
 
-test("a workcell that is too big for one message is refused before it is sent", () =>
+test("a workcell that is too large for one message is not sent", () =>
   withPage([], async (page) => {
     const file = `${process.env.TMPDIR ?? "/tmp"}/xr3-too-big-${process.pid}.json`;
     await writeFile(file, JSON.stringify({ name: "x".repeat(300 * 1024) }));
     await page.click("#tab-workcell");
     await page.setInputFiles("#workcell-load", file);
-    await page.waitForSelector("#workcell-problems:has-text('too big to be sent: 301 KiB, and the server takes at most 256 KiB')");
+    await page.waitForSelector("#workcell-problems:has-text('too large to send: 301 KiB; the server accepts at most 256 KiB')");
     assert.equal(await page.getAttribute("#connection", "data-state"), "open");
   }));

@@ -1,11 +1,11 @@
-// After a connection was lost the wire panel goes on, whether or not the server was started anew meanwhile.
+// The wire panel after a lost connection, with and without a restart of the server.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, open, ready, serve, type } from "./bench.mjs";
 
 after(close);
 
-/** Another server on the same ports, once the page has noticed that the first is gone. */
+/** Kills the server and starts another on the same ports after the page has noticed the loss. */
 async function again(page, server, ...options) {
   await server.stop("SIGKILL");
   await page.waitForSelector('#connection[data-state="lost"]');
@@ -15,7 +15,7 @@ async function again(page, server, ...options) {
 }
 const rows = (page) => page.locator("#wire li").allTextContents();
 
-test("a server that was started anew repeats its numbers, and its bytes are shown nevertheless", async () => {
+test("bytes of a restarted server are shown although its sequence numbers repeat", async () => {
   const first = await serve("--clock", "manual");
   const page = await open(first.url);
   await ready(page);
@@ -23,17 +23,17 @@ test("a server that was started anew repeats its numbers, and its bytes are show
   await type(first.robot, "E+20\r");
   await page.waitForFunction(() => document.querySelectorAll("#wire li").length === 2);
   const second = await again(page, first, "--clock", "manual");
-  await page.waitForSelector("#wire .mark:has-text('started anew')");
+  await page.waitForSelector("#wire .mark:has-text('restarted')");
   await type(second.robot, "F+20\r"); // the same byte, number and tick
   await page.waitForFunction(() => document.querySelectorAll("#wire li").length === 4);
   const [before, , mark, after] = await rows(page);
   assert.equal(after, before);
-  assert.match(mark, /started anew/);
+  assert.match(mark, /restarted/);
   await page.context().close();
   await second.stop("SIGKILL");
 });
 
-test("a connection that was only interrupted shows nothing twice, and a mark where it was", async () => {
+test("after a mere interruption no message is repeated, and a row marks it", async () => {
   const server = await serve("--clock", "manual");
   const page = await open(server.url);
   await ready(page);
@@ -43,9 +43,9 @@ test("a connection that was only interrupted shows nothing twice, and a mark whe
   await type(server.robot, "E+20\r");
   await page.waitForFunction(() => document.querySelectorAll("#wire li").length === 3);
   const [, mark, behind] = await rows(page);
-  assert.match(mark, /is there again/);
+  assert.match(mark, /lost and restored/);
   assert.match(behind, /E\+20/);
-  await page.fill("#wire-filter", "again");
+  await page.fill("#wire-filter", "restored");
   assert.equal(await page.locator("#wire .mark").count(), 1);
   await page.context().close();
   await server.stop("SIGKILL");

@@ -1,4 +1,4 @@
-// Refusals in words: each wrong member with what was given and what is allowed, but not without bound.
+// Texts of error responses: a line for each wrong member, bounded in number and length.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Refused, wordsOf } from "../../clients/web/src/refusal.js";
@@ -6,12 +6,12 @@ import { Refused, wordsOf } from "../../clients/web/src/refusal.js";
 const detail = (i) => ({ pointer: `/blocks/${i}/size`, found: [i], allowed: "three lengths" });
 const refused = (details, code = "bad_args") => new Refused({ code, message: `${details.length} wrong fields`, hint: "nothing was changed", details });
 
-test("every wrong member has its line", () => {
+test("every wrong member has a line", () => {
   const words = wordsOf(refused([{ pointer: "/args/factor", found: -1, allowed: "a number above 0" }, { pointer: "/workspace/z", found: null, allowed: "a length" }]));
-  assert.equal(words, "2 wrong fields (nothing was changed)\nfactor: -1 was given, allowed is a number above 0\nworkspace/z: nothing was given, allowed is a length");
+  assert.equal(words, "2 wrong fields (nothing was changed)\nfactor: got -1, expected a number above 0\nworkspace/z: missing, expected a length");
 });
 
-test("the first eight of many, each found thing cut", () => {
+test("only the first eight members are listed, and long values are truncated", () => {
   const lines = wordsOf(refused(Array.from({ length: 20 }, (_, i) => detail(i)))).split("\n");
   assert.equal(lines.length, 10);
   assert.equal(lines.at(-1), "and 12 more");
@@ -19,10 +19,10 @@ test("the first eight of many, each found thing cut", () => {
   assert.ok(long.length < 120, long);
 });
 
-test("a token is asked for in words of the page, not of the protocol", () => {
+test("the token is requested in terms of the page, not of the protocol", () => {
   const words = wordsOf(refused([], "token_required"));
   assert.match(words, /press Unlock/);
   assert.doesNotMatch(words, /\{"op"/);
 });
 
-test("an error of the page's own is what it says", () => assert.equal(wordsOf(new Error("not connected")), "not connected"));
+test("an error of the page itself keeps its message", () => assert.equal(wordsOf(new Error("not connected")), "not connected"));

@@ -1,4 +1,5 @@
-// Editing the workcell: plan, table and numbers say what the server says, and what it refuses is put back.
+// The workcell editor: plan, table and form agree with the server, and refused changes are
+// reverted.
 import assert from "node:assert/strict";
 import { readFile, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
@@ -12,7 +13,7 @@ const onWorkcell = (options, act, pageOptions) => withPage(options, async (page,
   await act(page, server);
 }, pageOptions);
 
-/** The middle of a block in the plan. */
+/** The centre of a block in the plan, in page coordinates. */
 async function middle(page, name) {
   const box = await page.locator(`[data-block=${name}]`).boundingBox();
   return [box.x + box.width / 2, box.y + box.height / 2];
@@ -25,7 +26,7 @@ async function drag(page, name, by, button = "left") {
   await page.mouse.up({ button });
 }
 const blockOf = async (server, name) => (await server.state()).blocks.find((block) => block.name === name);
-/** The page shows a block where this says, in plan and table. */
+/** Waits until plan and table show a block at this position. */
 const shows = (page, name, [x, y]) => page.waitForFunction(([each, at]) => {
   const shape = document.querySelector(`[data-block=${each}]`).getAttribute("transform");
   const row = [...document.querySelectorAll("#blocks tr")].find((tr) => tr.querySelector(".name").textContent === each);
@@ -33,7 +34,7 @@ const shows = (page, name, [x, y]) => page.waitForFunction(([each, at]) => {
   return shape.startsWith(`translate(${-at[1]} ${-at[0]})`) && cells[0] === at[0] && cells[1] === at[1];
 }, [name, [x, y]]);
 
-/** Closes the jaws round a block that is put between them. */
+/** Adds a block between the jaws and closes the gripper on it. */
 async function grasp(server) {
   const { tool } = await server.state();
   await call(server.monitor, "block_add", { name: "grey", size_mm: [20, 20, 20], xyz_mm: tool.xyz_mm, yaw_deg: 90, color: 7 });
@@ -42,7 +43,7 @@ async function grasp(server) {
   assert.ok((await blockOf(server, "grey")).held);
 }
 
-test("a block in the jaws that was dragged is drawn where it is again, and shown as held", () =>
+test("dragging a held block is refused: it is drawn at its place again, and shown as held", () =>
   onWorkcell(["--clock", "manual"], async (page, server) => {
     await grasp(server);
     await page.waitForSelector("[data-block=grey].held");
@@ -52,7 +53,7 @@ test("a block in the jaws that was dragged is drawn where it is again, and shown
     await shows(page, "grey", (await blockOf(server, "grey")).xyz_mm);
   }));
 
-test("who may only look drags nothing", async () => {
+test("a read-only page drags nothing", async () => {
   process.env.XR3_TOKEN = "a-token-of-a-test";
   const done = onWorkcell([], async (page, server) => {
     const [x, y] = await middle(page, "green");
@@ -62,14 +63,14 @@ test("who may only look drags nothing", async () => {
     assert.deepEqual((await middle(page, "green")).map(Math.round), [x, y].map(Math.round));
     await page.mouse.up();
     await page.keyboard.press("ArrowUp");
-    assert.ok(await page.isHidden("#told"), "and nothing is asked");
+    assert.ok(await page.isHidden("#told"), "and no call is made");
     assert.match(await page.textContent("#chosen"), /^green/);
     assert.equal((await blockOf(server, "green")).xyz_mm[0], 330);
   });
   await done.finally(() => delete process.env.XR3_TOKEN);
 });
 
-test("a drag that is cancelled ends where it began, and the plan follows the robot again", () =>
+test("a cancelled drag puts the block back, and the plan follows the server again", () =>
   onWorkcell([], async (page, server) => {
     const [x, y] = await middle(page, "green");
     await page.mouse.move(x, y);
@@ -82,7 +83,7 @@ test("a drag that is cancelled ends where it began, and the plan follows the rob
     await shows(page, "green", [300, 50]);
   }));
 
-test("the right button drags nothing, and no block leaves the plan", () =>
+test("the right mouse button drags nothing, and no block leaves the plan", () =>
   onWorkcell([], async (page, server) => {
     await drag(page, "red", [40, -20], "right");
     await drag(page, "green", [0, -600]);
@@ -102,18 +103,18 @@ test("the tip's cross does not catch the pointer", () =>
     await page.waitForFunction((from) => window.xr3.known.state.blocks[0].xyz_mm[1] < from, tool.xyz_mm[1] - 1);
   }));
 
-test("what is saved is what the server has, not what the page last heard of", () =>
+test("the saved file is the server's current workcell, not the page's last model", () =>
   onWorkcell(["--clock", "manual"], async (page) => {
     await page.focus("[data-block=red]");
     await page.keyboard.press("ArrowUp");
     await page.waitForFunction(() => window.xr3.known.model.workcell.blocks[0].centroid[0] === 267);
-    await page.keyboard.press("ArrowUp"); // of this one the page hears half a second later
+    await page.keyboard.press("ArrowUp"); // the model with this move arrives half a second later
     const [saved] = await Promise.all([page.waitForEvent("download"), page.click("#workcell-save")]);
     const workcell = JSON.parse(await readFile(await saved.path(), "utf8"));
     assert.equal(workcell.blocks.find((block) => block.name === "red").centroid[0], 272);
   }));
 
-test("a row chooses a block, its numbers move it, and the new place is announced", () =>
+test("a row selects a block, the form moves it, and the new place is announced", () =>
   onWorkcell(["--clock", "manual"], async (page, server) => {
     assert.equal(await page.locator("#blocks tr").count(), 5);
     await page.click("#blocks button:has-text('blue')");
@@ -131,7 +132,7 @@ test("a row chooses a block, its numbers move it, and the new place is announced
     await page.waitForSelector("#workcell-said:has-text('y -87')", { state: "attached" });
   }));
 
-test("a number that is refused is put back", () =>
+test("a refused number is reverted", () =>
   onWorkcell(["--clock", "manual"], async (page) => {
     await page.click("#blocks button:has-text('blue')");
     await page.fill("#place-form [name=x]", "999999");
@@ -140,7 +141,7 @@ test("a number that is refused is put back", () =>
     await page.waitForFunction(() => document.querySelector("#place-form [name=x]").value === "344");
   }));
 
-test("after Delete the next block has the focus, and at the end the plan", () =>
+test("Delete moves the focus to the next block, and after the last to the plan", () =>
   onWorkcell(["--clock", "manual"], async (page, server) => {
     await page.focus("[data-block=yellow]");
     await page.keyboard.press("Delete");
@@ -153,7 +154,7 @@ test("after Delete the next block has the focus, and at the end the plan", () =>
     assert.match(await page.textContent("#chosen"), /^Choose a block/);
   }));
 
-test("new blocks lie beside each other, in colours with names", () =>
+test("new blocks do not touch each other; colours are selected by name", () =>
   onWorkcell(["--clock", "manual"], async (page, server) => {
     await page.selectOption("#block-color", { label: "yellow" });
     for (const name of ["one", "two", "three"]) {
@@ -177,11 +178,11 @@ async function loadText(page, text) {
   return page.locator("#workcell-problems").innerText();
 }
 
-test("a file that is too big, or no workcell, is named with all that is wrong", () =>
+test("a file that is too large or invalid is reported with all its errors", () =>
   onWorkcell(["--clock", "manual"], async (page, server) => {
     const workcell = JSON.parse(await server.get("/workcell"));
     const big = { ...workcell, blocks: Array.from({ length: 4000 }, (_, i) => ({ ...workcell.blocks[0], name: `block ${i}` })) };
-    assert.match(await loadText(page, JSON.stringify(big)), /not loaded: .*too big to be sent: \d+ KiB.* 256 KiB/);
+    assert.match(await loadText(page, JSON.stringify(big)), /not loaded: .*too large to send: \d+ KiB.* 256 KiB/);
     assert.match(await loadText(page, "{"), /it is not JSON/);
     const wrong = { ...workcell, work_surface: "low", workspace: { x: -1, y: 500, z: 0 } };
     const words = await loadText(page, JSON.stringify(wrong));

@@ -1,37 +1,40 @@
-// Who may: the token from the address or from the dialogue, and the controls that need it. Whatever has
-// `data-call` in the document is a control that changes the server; what only looks is never locked.
+// Access control: takes the token from the address or the dialog and locks controls that need it.
+// An element with `data-call` changes the server; all other controls are never locked.
 import { byId, setText } from "./dom.js";
 import { kLooksOn } from "./refusal.js";
 import { keep, kept, takeFromAddress } from "./token.js";
 
-const kSeesNothing = "Nothing can be done here without the token: press Unlock.";
+const kSeesNothing = "This server requires a token: press Unlock.";
 const kAsks = {
-  read: "This server lets you look. To move the robot, give the token that it was started with.",
-  none: "This server shows and does nothing without the token that it was started with.",
+  read: "You can watch without a token. To control the robot, enter the token that the server was started with.",
+  none: "This server requires its token even for reading. Enter the token that it was started with.",
 };
 
 export class Access {
-  /** `tell(text)` says something to the person; `onChange()` hears what may be done, `onUnlocked()` that a token was right. */
+  /**
+   * `tell(text)` shows a message to the user; `onChange()` is called when the access changes, and
+   * `onUnlocked()` when the server has accepted a token.
+   */
   constructor({ connection, tell, onError, onChange, onUnlocked }) {
     Object.assign(this, { connection, tell, onError, onChange, onUnlocked });
-    this.access = "control"; // until the server says otherwise
+    this.access = "control"; // until `hello` arrives
     connection.token = takeFromAddress() ?? kept();
     addEventListener("hashchange", () => this.#fromAddress());
     byId("unlock").onclick = () => this.#ask();
     byId("ask-token").onclose = () => this.#answered();
   }
 
-  /** The page may do things, and not only look on. */
+  /** True if the page may change the server; false if it is read-only. */
   get mayCall() {
     return this.access === "control";
   }
 
-  /** What a person hears who tries nevertheless. */
+  /** Tells the user why a function is locked. */
   explain() {
     this.tell(this.access === "none" ? kSeesNothing : kLooksOn);
   }
 
-  /** `access` is "control", "read", or "none" where even reading needs the token. */
+  /** `access` is "control", "read", or "none" if even reading needs the token. */
   set(access) {
     this.access = access;
     if (this.mayCall) keep(this.connection.token);
@@ -42,13 +45,16 @@ export class Access {
     this.onChange();
   }
 
-  /** Locks controls that came into the page since, or sets free what was locked: no other reason to be disabled is touched. */
+  /**
+   * Locks new controls, or unlocks all controls that this class has locked. Controls that are
+   * disabled for another reason stay disabled.
+   */
   apply() {
     if (this.mayCall) for (const control of document.querySelectorAll("[data-locked]")) unlock(control);
     else for (const control of document.querySelectorAll("[data-call]:not(:disabled)")) lock(control);
   }
 
-  /** The server would not have the token that was tried by itself. */
+  /** Called when the server has rejected the token that was sent on connecting. */
   refused(error) {
     keep("");
     this.onError(error);

@@ -1,5 +1,5 @@
-// What lies over the picture: what is wrong with the robot, for as long as it is, and below it what a person
-// is told, for some seconds or until it is closed. Neither hides the other or moves the page.
+// Notices over the picture: an alarm for as long as the robot's fault lasts, and below it a message
+// that disappears after some seconds or when closed. Neither hides the other or shifts the layout.
 import { el, setText } from "./dom.js";
 
 const kShortestMs = 6000;
@@ -10,15 +10,17 @@ const kStalls = {
   work_surface: "Stalled: the tool would pass under the work surface. Press Home.",
 };
 
-/** What is wrong in a state, in words; empty where all is well. */
+/** The alarm text for a state; empty if there is no fault. */
 const alarmOf = (state) =>
-  kStalls[state.stalled] ?? (state.enabled ? "" : "The simulator is disabled: it obeys only A@, and here the key e.");
+  kStalls[state.stalled] ?? (state.enabled ? "" : "The simulator is disabled: it accepts only A@ or, on this page, the key e.");
 
-/** As long as somebody needs to read it. */
+/** How long a message is shown: proportional to its length, within bounds. */
 const readingMs = (text) => Math.min(Math.max(kShortestMs, text.length * kMsPerLetter), kLongestMs);
 
 export class Alarm {
-  /** `line` shows what is wrong; each of `places` what is told: one on the page, one in each dialogue that calls. */
+  /**
+   * `line` shows the alarm; each of `places` shows messages: one on the page, one in each dialog.
+   */
   constructor({ line, places }) {
     Object.assign(this, { line, places });
     this.timer = null;
@@ -30,7 +32,7 @@ export class Alarm {
     setText(this.line, text);
   }
 
-  /** Says something to the person, a line of the text a paragraph. */
+  /** Shows a message to the user; each line of the text becomes a paragraph. */
   tell(text) {
     for (const place of this.places) this.#fill(place, text);
     clearTimeout(this.timer);

@@ -1,4 +1,4 @@
-// The lower part of the page: its tabs, and the buttons beside the wire's and the workcell's panels.
+// The lower part of the page: the tabs and the buttons of the wire and workcell panels.
 import { byId, setText } from "./dom.js";
 import { colorOf } from "./palette.js";
 import { rove } from "./roving.js";
@@ -6,7 +6,7 @@ import { colorOptions } from "./workcell_panel.js";
 
 const kTurnDegrees = 5;
 
-/** Tabs, each showing its panel. */
+/** Makes each tab show its panel. */
 export function wireTabs() {
   const tabs = [...document.querySelectorAll("[role=tab]")];
   rove(tabs, (chosen) => {
@@ -17,19 +17,19 @@ export function wireTabs() {
   });
 }
 
-/** The buttons above the bytes. */
+/** Connects the buttons of the wire panel. */
 export function wireWireBar(wire) {
   byId("wire-pause").onclick = ({ target }) => {
     wire.setPaused(!wire.isPaused);
     target.setAttribute("aria-pressed", String(wire.isPaused));
-    setText(target, wire.isPaused ? "Go on" : "Pause");
+    setText(target, wire.isPaused ? "Resume" : "Pause");
   };
   byId("wire-clear").onclick = () => wire.clear();
   byId("wire-copy").onclick = () => wire.copy();
   byId("wire-save").onclick = () => wire.save();
 }
 
-/** The buttons beside the plan. */
+/** Connects the buttons of the workcell panel. */
 export function wireWorkcellBar(workcell) {
   wireColorChoice();
   byId("turn-left").onclick = () => workcell.turn(kTurnDegrees);
@@ -48,7 +48,7 @@ export function wireWorkcellBar(workcell) {
   };
 }
 
-// A list cannot show colours in every browser: what is chosen stands beside it.
+// Not every browser shows colours in a <select>: a swatch beside it shows the selected colour.
 function wireColorChoice() {
   const choice = byId("block-color");
   const show = () => (byId("block-swatch").style.background = colorOf(Number(choice.value)));

@@ -1,5 +1,5 @@
-// The blocks as a table: name and colour, where each is, how it is turned, whether the jaws hold it. A row
-// chooses its block.
+// The table of blocks: name, colour, position, yaw, and whether the gripper holds it. A click on a
+// row selects the block.
 import { el, setText } from "./dom.js";
 import { colorNameOf, colorOf } from "./palette.js";
 

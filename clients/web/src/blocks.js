@@ -1,4 +1,4 @@
-// The blocks of the workcell, each a box that is made once and then only moved.
+// The blocks of the workcell. Each mesh is created once and then only moved.
 import * as THREE from "three";
 import { discard } from "./dispose.js";
 import { mmPerUnit } from "./kinematics.js";
@@ -18,7 +18,7 @@ export class Blocks {
     this.theme = theme;
   }
 
-  /** Puts every block of the state where it is; `tool` is the matrix of the tool's frame. */
+  /** Poses the blocks of a state; `tool` is the matrix of the tool frame. */
   pose(states, tool) {
     const wanted = new Set(states.map((block) => block.name));
     for (const mesh of [...this.group.children]) if (!wanted.has(mesh.name)) discard(mesh);
@@ -48,8 +48,8 @@ export class Blocks {
     return mesh;
   }
 
-  // A held block is rigid in the tool's frame, tilt included: it keeps the pose that it had when it was
-  // seen held first.
+  // A held block is rigid in the tool frame, tilt included: it keeps the pose relative to the tool
+  // that it had in the first state in which it was held.
   #poseBlock(block, mesh, tool) {
     if (block.held && mesh.userData.inTool) {
       mesh.matrix.multiplyMatrices(tool, mesh.userData.inTool);
@@ -61,7 +61,7 @@ export class Blocks {
     mesh.matrixWorldNeedsUpdate = true;
   }
 
-  /** Where a block is drawn, mm. */
+  /** The drawn position of a block in mm, or null. */
   drawn(name) {
     const mesh = this.group.getObjectByName(name);
     return mesh ? new THREE.Vector3().setFromMatrixPosition(mesh.matrix).toArray() : null;

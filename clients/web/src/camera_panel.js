@@ -1,8 +1,8 @@
-// The overhead camera's binary image, pixel for pixel, with the outlines of the blocks on demand.
+// The overhead camera's binary image, optionally with the outlines of the blocks.
 import { mmPerUnit } from "./kinematics.js";
 
 const kWidestRem = 15;
-const kNearestSightMm = 1; // a corner that comes nearer to the camera's plane is drawn as if it were there
+const kNearestSightMm = 1; // closer corners are drawn at this distance from the camera's plane
 const rem = () => parseFloat(getComputedStyle(document.documentElement).fontSize);
 
 export class CameraPanel {
@@ -36,11 +36,12 @@ export class CameraPanel {
 
   #tell() {
     const { image } = this;
-    const none = this.model && !this.model.workcell.camera ? "This workcell has no camera." : "No picture yet.";
+    const none = this.model && !this.model.workcell.camera ? "This workcell has no camera." : "No image yet.";
     this.caption.textContent = image ? `${image.width} × ${image.height} pixels, ${this.#count(image)} lit` : none;
   }
 
-  // Each pixel of the image is as many of the screen's as every other, as long as one is left for it.
+  // Scales by an integer, so that all image pixels have the same size on the screen, unless the
+  // panel is narrower than the image.
   #fit() {
     if (!this.image) return;
     const ratio = window.devicePixelRatio || 1;
@@ -74,7 +75,7 @@ export class CameraPanel {
     if (this.showsOutlines && this.state && this.model) this.#outline(pen, scale);
   }
 
-  // The upper and the lower face of each block, as the camera sees them.
+  // Outlines the upper and the lower face of each block in the camera's projection.
   #outline(pen, scale) {
     const unit = mmPerUnit(this.model.workcell);
     const sizes = new Map(this.model.workcell.blocks.map((block) => [block.name, block.size.map((v) => v * unit)]));
@@ -91,7 +92,7 @@ export class CameraPanel {
     }
   }
 
-  // From a point in mm to the canvas: straight down, or along the line of sight onto the work surface.
+  // Maps a point in mm to the canvas: orthographic, or in perspective onto the work surface.
   #sight(scale) {
     const { camera, work_surface: surface = 0 } = this.model.workcell;
     const unit = mmPerUnit(this.model.workcell);
@@ -108,7 +109,7 @@ export class CameraPanel {
   }
 }
 
-/** Four corners of a block's upper and of its lower face, mm. */
+/** The four corners of a block's lower and of its upper face, mm. */
 function facesOf(block, [l, b, h]) {
   const angle = (block.yaw_deg * Math.PI) / 180;
   const [x, y, z] = block.xyz_mm;

@@ -1,5 +1,5 @@
-// What is drawn of the workcell beside its blocks: work surface with its grid, workspace, protected region
-// and the camera's field.
+// The fixed parts of the workcell: work surface with grid, workspace border, protected region and
+// camera field.
 import * as THREE from "three";
 import { empty } from "./dispose.js";
 import { mmPerUnit } from "./kinematics.js";
@@ -87,7 +87,7 @@ export class CellMarks {
     this.shows = { region: true, field: true };
   }
 
-  /** Makes the marks, unless they are those that are there: blocks have no part in them. Whether it did. */
+  /** Rebuilds the marks if anything but the blocks has changed. Returns whether it has. */
   build(robot, workcell, themeName) {
     const { workspace, work_surface, camera, length_unit } = workcell;
     const key = JSON.stringify([robot.protected_region, robot.length_unit, workspace, work_surface, camera, length_unit, themeName]);
@@ -111,7 +111,7 @@ export class CellMarks {
     if (this.field) this.group.add(this.field);
   }
 
-  /** What a view of the whole workcell shows to its ends. */
+  /** The objects that a view of the entire workcell must contain. */
   outlines() {
     return [this.border, this.region, this.field].filter(Boolean);
   }

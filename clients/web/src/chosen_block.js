@@ -1,29 +1,31 @@
-// The block that is chosen, in words, and its place as numbers that can be changed.
+// The selected block: a description, and its position and yaw as editable numbers.
 import { setText } from "./dom.js";
 import { colorNameOf } from "./palette.js";
 
 const kNothing = "Choose a block to move it: drag it, or use the arrow keys; [ and ] turn, Delete removes.";
 const short = (value) => String(Number(value.toFixed(1)));
 
-/** "red, x 262, y 0, z 20 mm, yaw 90°": what a label says and what is announced. */
+/** "red, x 262, y 0, z 20 mm, yaw 90°": for labels and announcements to screen readers. */
 export function placeWords({ name, xyz_mm: [x, y, z], yaw_deg, held }) {
   return `${name}, x ${short(x)}, y ${short(y)}, z ${short(z)} mm, yaw ${short(yaw_deg)}°${held ? ", held" : ""}`;
 }
 
 export class ChosenBlock {
-  /** `place` gets name and what changes: xyz_mm or yaw_deg; it tells whether that was done. */
+  /**
+   * `place(name, change)` applies `xyz_mm` or `yaw_deg` and resolves to whether the server did so.
+   */
   constructor({ words, form, place }) {
     Object.assign(this, { words, form, place, block: null });
     form.addEventListener("submit", (event) => event.preventDefault());
     form.addEventListener("change", ({ target }) => this.#change(target));
   }
 
-  /** A block with name, xyz_mm, yaw_deg, held, size_mm and color, or null. */
+  /** `block` has name, xyz_mm, yaw_deg, held, size_mm and color; null if none is selected. */
   show(block) {
     this.block = block;
     this.form.hidden = !block;
     setText(this.words, block ? `${block.name}: ${colorNameOf(block.color)}, ${block.size_mm.map(short).join(" × ")} mm${block.held ? ", held" : ""}` : kNothing);
-    if (block) this.#fill((input) => input !== document.activeElement); // not while somebody types
+    if (block) this.#fill((input) => input !== document.activeElement); // do not overwrite an input with the focus
   }
 
   #fill(isToBeFilled) {

@@ -1,5 +1,5 @@
-// What command mode does: each function as a call, those that need a value asking for it, and the menu that
-// shows all of them with what they are now. Which key is which function is in command_mode.js.
+// Executes the functions of command mode as calls (those that need a value ask for it) and shows
+// the menu of functions with their current values. command_mode.js maps keys to functions.
 import { kFunctions, kStatusWords } from "./command_mode.js";
 import { byId, el, setText } from "./dom.js";
 
@@ -7,7 +7,7 @@ const kPeriodsInHalfSeconds = [1, 2, 6, 20];
 const kTicksInHalfSecond = 500;
 
 export class CommandMenu {
-  /** `call(fn, args)` asks the server; `access` says whether it would listen. */
+  /** `call(fn, args)` calls the server; `access` is the page's Access. */
   constructor({ known, call, access }) {
     Object.assign(this, { known, call, access });
     this.asks = { home: () => call("home"), view: () => this.#askView(), status: () => this.#nextStatus(), period: () => this.#nextPeriod() };
@@ -15,7 +15,7 @@ export class CommandMenu {
     byId("functions").replaceChildren(...kFunctions.map((each) => this.#entry(each)));
   }
 
-  /** Carries a function out. */
+  /** Runs a function, or explains why it is locked. */
   run(name) {
     if (!this.access.mayCall) this.access.explain();
     else if (this.asks[name]) this.asks[name]();

@@ -1,7 +1,7 @@
-// Command mode as in the paper's Table IV: functions on Alt F1...F6, a menu on Alt keypad-minus, and plain
-// keys and buttons beside them, since desktops take some of the Alt keys for themselves.
+// Command mode as in the paper's Table IV: functions on Alt F1...F6 and a menu on Alt keypad-minus.
+// Plain keys and buttons do the same, since desktops reserve some of the Alt keys.
 
-/** Each function: its keys, and what it is at the moment, in words. */
+/** Each function: its keys, and `now`, the text of its current value. */
 export const kFunctions = [
   { name: "display", words: "Graphics display", alt: "F1", key: "d", now: (d) => (d?.on ? "on" : "off") },
   { name: "view", words: "View vector", alt: "F2", key: "v", now: (d) => d?.view?.join(", ") ?? "" },
@@ -15,12 +15,14 @@ export const kFunctions = [
 
 export const kStatusWords = ["blank", "tool configuration", "joint variables", "error counters", "encoder positions", "switches", "tool opening"];
 
-// Letters go into a text, and choose in a list; a box to tick has no use for them.
+// Controls that use letter keys themselves: text inputs and lists, but not checkboxes.
 const kTakesLetters = `textarea, select, [contenteditable],
   input:not([type="checkbox"], [type="radio"], [type="range"], [type="file"], [type="button"])`;
 const isTyping = (target) => target.closest?.(kTakesLetters);
 
-/** A list that was chosen from by mouse lets go of the keys, which are command mode's again. */
+/**
+ * Removes the focus from a list after a selection by mouse, so that keys reach command mode again.
+ */
 function leaveListsAfterTheMouse() {
   let isMouse = false;
   document.addEventListener("pointerdown", () => (isMouse = true), true);
@@ -29,7 +31,7 @@ function leaveListsAfterTheMouse() {
 }
 
 export class CommandMode {
-  /** `run(name)` carries a function out; `toggleMenu()` shows or hides the menu. */
+  /** `run(name)` runs a function; `toggleMenu()` shows or hides the menu. */
   constructor({ run, toggleMenu, known }) {
     Object.assign(this, { run, toggleMenu, known });
     document.addEventListener("keydown", (event) => this.#key(event));
@@ -42,12 +44,12 @@ export class CommandMode {
     const isElsewhere = isTyping(event.target) || (dialog && dialog.id !== "menu");
     if (event.ctrlKey || event.metaKey || isElsewhere) return;
     if (event.key === "m") return this.#take(event, () => this.toggleMenu());
-    // Inside the menu the function keys need no Alt.
+    // While the menu is open the function keys need no Alt.
     const wanted = kFunctions.find((each) => each.key === event.key || (dialog && each.alt === event.key));
     if (wanted) this.#take(event, () => this.run(wanted.name));
   }
 
-  // F6 turns all of them off, but never itself.
+  // F6 disables all other function keys, but not itself.
   #altKey(event) {
     if (event.code === "NumpadSubtract") return this.#take(event, () => this.toggleMenu());
     const wanted = kFunctions.find((each) => each.alt === event.key);
@@ -56,7 +58,7 @@ export class CommandMode {
     this.#take(event, () => isOff || this.run(wanted.name));
   }
 
-  // A key that is held would turn things on and off.
+  // Ignores key repeat: a held key must not toggle repeatedly.
   #take(event, act) {
     event.preventDefault();
     if (!event.repeat) act();

@@ -1,12 +1,11 @@
-// The monitor's protocol over a WebSocket: requests with their answers, subscriptions that are renewed
-// after every reconnection, a ping where nothing is heard, and messages of the channels handed on. It knows
-// nothing of the page.
+// The monitor protocol over a WebSocket: matches responses to requests, reconnects and renews
+// subscriptions, pings a silent server, and forwards channel messages. Independent of the page.
 import { Refused } from "./refusal.js";
 
 const kFirstRetryMs = 300;
 const kLongestRetryMs = 3000;
 const kAnswerWithinMs = 15000;
-const kQuietMs = 5000; // of silence, before somebody asks
+const kQuietMs = 5000; // of silence before a ping
 const kPongWithinMs = 5000;
 
 const bytesOf = (text) => new TextEncoder().encode(text).length;
@@ -16,7 +15,7 @@ export class Connection {
   /**
    * @param {string} url of the WebSocket
    * @param {{onMessage: (message: object) => void, onStatus: (status: string) => void, onTokenRefused: (error: Error) => void}} handlers
-   *   status is "connecting", "open", "silent" (it is there, but does not answer) or "lost"; `hello` comes as a message.
+   *   status is "open", "silent" (the server does not answer) or "lost"; `hello` is passed to onMessage.
    */
   constructor(url, handlers) {
     this.url = url;
@@ -50,7 +49,7 @@ export class Connection {
     this.retryMs = Math.min(this.retryMs * 1.6, kLongestRetryMs);
   }
 
-  // --- Is it still there? A line that is cut, or a server that hangs, closes nothing.
+  // --- Keep-alive: a cut network or a hanging server does not close the socket.
 
   #askIfQuiet() {
     if (!this.socket || performance.now() - this.heardAt < kQuietMs) return;
@@ -58,7 +57,7 @@ export class Connection {
     this.request({ op: "ping" }, { withinMs: kPongWithinMs }).catch((error) => error.isTimeout && this.#giveUp());
   }
 
-  /** Leaves the socket alone, since its closing may take minutes, and tries another. */
+  /** Abandons the socket, since its closing handshake may take minutes, and reconnects. */
   #giveUp() {
     const { socket } = this;
     socket.onmessage = socket.onclose = null;
@@ -66,7 +65,7 @@ export class Connection {
     this.#lost("silent");
   }
 
-  // --- What comes.
+  // --- Receiving.
 
   #take(message) {
     this.heardAt = performance.now();
@@ -86,7 +85,7 @@ export class Connection {
     this.limits = hello.limits;
     this.handlers.onStatus("open");
     if (this.token && hello.access !== "control") hello.access = await this.#tryToken(hello.access);
-    if (!this.isGreeted) return; // lost meanwhile
+    if (!this.isGreeted) return; // connection lost meanwhile
     this.handlers.onMessage(hello);
     this.renew();
   }
@@ -103,21 +102,22 @@ export class Connection {
     }
   }
 
-  /** Subscribes to everything again: what was refused without a token may be read with it. */
+  /** Sends all subscriptions again, for example after a token has given access to them. */
   renew() {
     for (const subscription of this.subscriptions.values()) this.#send(JSON.stringify(subscription));
   }
 
-  // --- What goes.
+  // --- Sending.
 
   #send(text) {
     if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(text);
   }
 
   /**
-   * Asks and waits for the value of the result, or for the message of `channel`, where one is named, that bears
-   * the id; messages of the channel `collects` go to `onEach` until then. Rejects with Refused, or when no answer
-   * can come.
+   * Sends a request. Resolves to the value of its `result`, or, if `channel` is given, to the
+   * message of that channel with the request's id. Until then, messages of the channel `collects`
+   * with this id are passed to `onEach`. Rejects with Refused, or with Error on timeout or
+   * connection loss.
    */
   request(message, { channel, collects, onEach, withinMs = kAnswerWithinMs } = {}) {
     const id = ++this.lastId;
@@ -131,12 +131,12 @@ export class Connection {
     });
   }
 
-  // The server would end the connection.
+  // The server closes the connection on messages over its limit.
   #isTooBig(text) {
     return bytesOf(text) > (this.limits.message_bytes ?? Infinity);
   }
   #tooBig(text) {
-    return new Error(`too big to be sent: ${kib(bytesOf(text))}, and the server takes at most ${kib(this.limits.message_bytes)} at once`);
+    return new Error(`too large to send: ${kib(bytesOf(text))}; the server accepts at most ${kib(this.limits.message_bytes)}`);
   }
 
   #late(id) {
@@ -149,26 +149,26 @@ export class Connection {
     return this.request({ op: "call", fn, args });
   }
 
-  /** The newest message of `state`, `model`, `image` or `display`, as the server has it now. */
+  /** The current message of `state`, `model`, `image` or `display`. */
   get(channel, options = {}) {
     return this.request({ op: "get", channel, ...options }, { channel });
   }
 
-  /** Gives the token, and remembers it for the next connection if it is right; tells the access. */
+  /** Sends the token, keeps it for reconnections if accepted, and resolves to the access level. */
   async authorize(token) {
     const { access } = await this.request({ op: "auth", token });
     this.token = token;
     return access;
   }
 
-  /** Follows a channel from now on, and again after each reconnection. */
+  /** Subscribes to a channel now and after each reconnection. */
   follow(channel, options = {}) {
     const subscription = { op: "sub", channel, ...options };
     this.subscriptions.set(channel, subscription);
     this.#send(JSON.stringify(subscription));
   }
 
-  /** The messages that the ring of `event` or `line` still holds, oldest first. */
+  /** The messages in the server's ring buffer of `event` or `line`, oldest first. */
   async recall(channel) {
     const messages = [];
     await this.request({ op: "get", channel }, { collects: channel, onEach: (message) => messages.push(message) });

@@ -1,5 +1,6 @@
-// A virtual serial line of one's own: commands typed, replies with what they mean, and a history. Bytes go
-// by the monitor's call `send`; what they mean is said by the `line` channel, by their place on the line.
+// The console, a virtual serial line: typed commands, replies with explanations, and a history.
+// Bytes are sent by the monitor call `send`; explanations arrive on the `line` channel, matched by
+// byte offset.
 import { el, isSame } from "./dom.js";
 import { JogPanel } from "./jog.js";
 import { isWarning } from "./wire_words.js";
@@ -23,19 +24,19 @@ export class ConsolePanel {
     input.addEventListener("keydown", (event) => this.#recall(event));
   }
 
-  /** A model comes whenever a block moves; buttons that are held stay as long as the robot is the same. */
+  /** Models also arrive when blocks move; jog buttons are rebuilt only if the robot has changed. */
   setModel({ robot }) {
     if (isSame(robot, this.robot)) return;
     this.robot = robot;
     this.jog.setRobot(robot);
   }
 
-  /** The connection is a new one: so will be the line. */
+  /** Call on a new connection: the server then opens a new line. */
   restart() {
     Object.assign(this, { line: null, passed: { in: 0, out: 0 }, rows: [], early: [], awaited: 0 });
   }
 
-  /** Sends text as bytes; shows it and the reply. */
+  /** Sends text as bytes and shows it with the reply. */
   async send(text) {
     const sent = text.replaceAll("−", "-");
     ++this.awaited;
@@ -60,21 +61,21 @@ export class ConsolePanel {
     this.#toEnd();
   }
 
-  /** So many bytes more have passed: their places on the line. */
+  /** Counts bytes sent or received; returns their range of offsets on the line. */
   #pass(dir, bytes) {
     const from = this.passed[dir];
     this.passed[dir] += bytes;
     return { from, to: this.passed[dir] };
   }
 
-  /** A `line` message: where it is of our line, its words go beside the bytes that they are about. */
+  /** Takes a `line` message; if it is about this line, shows explanations beside their bytes. */
   explain({ line, dir, parsed }) {
     for (const { to, code, message } of parsed) this.#explain({ line, dir, last: to - 1, code, message });
     this.#toEnd();
   }
 
-  // A command that came in pieces belongs to its last byte. What is not there yet may be about bytes whose
-  // answer is still on its way.
+  // A command sent in pieces is explained at its last byte. An explanation without a matching row
+  // may belong to a `send` whose result is still outstanding: keep it until then.
   #explain(words) {
     const { line, dir, last, code, message } = words;
     const found = line === this.line && this.rows.find((each) => each[dir].from <= last && last < each[dir].to);

@@ -1,4 +1,4 @@
-// The lamps of the digital lines: inputs are pressed, outputs and the auxiliary ports are looked at.
+// The digital lines: inputs are buttons, outputs and auxiliary ports are indicators.
 import { byId, el } from "./dom.js";
 
 const kLines = { inputs: 8, outputs: 8, aux: 2 };
@@ -11,7 +11,7 @@ const inputLamp = (i, onPress) => {
 const outputLamp = (i) => el("span.lamp", { role: "img", "aria-label": `${i + 1} low` }, String(i + 1));
 
 export class DigitalLines {
-  /** `setInput(i, value)` drives input i, counted from 0. */
+  /** `setInput(i, value)` sets input i, counted from 0. */
   constructor({ setInput }) {
     const press = (i) => this.inputs && setInput(i, !this.inputs[i]);
     for (const [id, count] of Object.entries(kLines))

@@ -1,18 +1,18 @@
-// The renderer keeps buffers of its own for whatever it has drawn, and does not see that a thing has left
-// the scene: who removes it gives them back.
+// The renderer keeps GPU buffers for everything it has drawn, also after an object has left the
+// scene. Objects must therefore be removed with these functions, which free the buffers.
 
 function release(object) {
   object.geometry?.dispose();
   for (const material of [object.material ?? []].flat()) material.dispose();
 }
 
-/** Takes an object, with all that hangs on it, out of the scene for good. */
+/** Removes an object with its descendants from the scene and frees their buffers. */
 export function discard(object) {
   object.removeFromParent();
   object.traverse(release);
 }
 
-/** Discards whatever is in the group. */
+/** Discards all children of a group. */
 export function empty(group) {
   for (const child of [...group.children]) discard(child);
 }

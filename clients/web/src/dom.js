@@ -1,6 +1,6 @@
-// Small helpers around the document, so that panels say what they show and not how elements are made.
+// DOM helpers shared by the panels.
 
-/** An element: `el("button.small", { onclick }, "Go")`; members of `on...` are listeners. */
+/** Creates an element: `el("button.small", { onclick }, "Go")`; members `on...` are listeners. */
 export function el(what, members = {}, ...children) {
   const [name, ...classes] = what.split(".");
   const element = document.createElement(name || "div");
@@ -16,12 +16,12 @@ export function el(what, members = {}, ...children) {
 
 export const byId = (id) => document.getElementById(id);
 
-/** Changes the text only where it differs: screen readers and selections stay undisturbed. */
+/** Sets the text only if it differs, so as not to disturb screen readers and selections. */
 export function setText(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
-/** Offers a text as a file. */
+/** Downloads a text as a file. */
 export function download(name, text, type = "text/plain") {
   const url = URL.createObjectURL(new Blob([text], { type }));
   const link = el("a", { href: url, download: name });
@@ -31,13 +31,13 @@ export function download(name, text, type = "text/plain") {
   setTimeout(() => URL.revokeObjectURL(url), 1000);
 }
 
-/** Puts a text on the clipboard, on plain http, too; tells whether that went well. */
+/** Copies a text to the clipboard, also on plain http; resolves to whether it succeeded. */
 export async function copyText(text) {
   try {
     await navigator.clipboard.writeText(text);
     return true;
   } catch {
-    return copyBySelection(text); // only https and localhost have a clipboard
+    return copyBySelection(text); // navigator.clipboard exists only on https and localhost
   }
 }
 function copyBySelection(text) {
@@ -52,8 +52,8 @@ function copyBySelection(text) {
 }
 
 /**
- * Calls `act` at once, with true, and again, with false, while a button is held by mouse, finger or keyboard:
- * every so many ms, but not before the last call has come to its end.
+ * Calls `act(true)` when a button is pressed by mouse, touch or keyboard, then `act(false)` every
+ * `everyMs` while it is held, but never before the previous repeated call has finished.
  */
 export function whileHeld(button, act, everyMs = 60) {
   let timer = null;
@@ -77,7 +77,7 @@ export function whileHeld(button, act, everyMs = 60) {
     if (event.button === 0) start();
   });
   for (const end of ["pointerup", "pointerleave", "pointercancel", "blur", "keyup"]) button.addEventListener(end, stop);
-  button.addEventListener("contextmenu", (event) => timer && event.preventDefault()); // a finger that rests
+  button.addEventListener("contextmenu", (event) => timer && event.preventDefault()); // a long touch
   button.addEventListener("keydown", (event) => {
     if (event.key === " " || event.key === "Enter") {
       event.preventDefault();
@@ -86,5 +86,5 @@ export function whileHeld(button, act, everyMs = 60) {
   });
 }
 
-/** Whether two values say the same, as far as JSON goes. */
+/** Whether two values have the same JSON text. */
 export const isSame = (a, b) => JSON.stringify(a) === JSON.stringify(b);

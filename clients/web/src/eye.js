@@ -1,18 +1,18 @@
-// Where one looks at the scene from: the camera, turned and moved by mouse, touch and keys, and its named
-// views, which keep everything in the picture until somebody moves the camera.
+// The camera of the 3-D scene: orbit controls by mouse, touch and keys, and named views that keep
+// everything in the picture until the user moves the camera.
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { actOf } from "./eye_keys.js";
 import { standBack } from "./fit.js";
 
 const kFieldDegrees = 26;
-const kFill = 0.92; // of the picture's width and height, where either is the narrower
+const kFill = 0.92; // of the picture's width or height, whichever is the tighter
 const kAway = {
   corner: [1.25, -1.1, 0.75], front: [1, 0, 0.12], left: [0, 1, 0.12], right: [0, -1, 0.12], top: [0.001, 0, 1],
 };
 
 export class Eye {
-  /** @param {() => void} onChange called when the picture has to be drawn again */
+  /** @param {() => void} onChange called when the picture must be redrawn */
   constructor(canvas, onChange) {
     this.onChange = onChange;
     this.camera = new THREE.PerspectiveCamera(kFieldDegrees, 1, 20, 40000);
@@ -22,7 +22,7 @@ export class Eye {
     this.controls.addEventListener("change", onChange);
     this.controls.addEventListener("start", () => (this.view = null));
     canvas.addEventListener("keydown", (event) => this.#key(event));
-    /** The named view that holds; null where somebody has moved the camera himself. */
+    /** The named view in effect; null after the user has moved the camera. */
     this.view = null;
   }
 
@@ -41,7 +41,7 @@ export class Eye {
     this.camera.updateProjectionMatrix();
   }
 
-  /** Looks along a named view so that all the points are in the picture. */
+  /** Switches to a named view that contains all the points. */
   lookAt(points, name) {
     const up = kFill * Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
     const back = new THREE.Vector3(...kAway[name]).normalize();
@@ -53,14 +53,14 @@ export class Eye {
     this.view = name;
   }
 
-  // What a mouse has set going must not go on in the new view.
+  // Ends a damped motion, which would otherwise continue in the new view.
   #stop() {
     this.controls.enableDamping = false;
     this.controls.update();
     this.controls.enableDamping = true;
   }
 
-  /** Lets go on what was begun by mouse. */
+  /** Continues a damped motion; call once per frame. */
   update() {
     this.controls.update();
   }

@@ -1,10 +1,10 @@
-// Turning, moving and zooming the view by keys, for who has no mouse: arrows move, with Shift they turn,
-// plus and minus zoom.
+// Keyboard control of the 3-D view: arrow keys move, Shift with arrow keys turns, plus and minus
+// zoom.
 import * as THREE from "three";
 
 const kZoom = 1.15;
 const kTurn = THREE.MathUtils.degToRad(5);
-const kMove = 0.05; // of the distance that one looks over
+const kMove = 0.05; // of the distance to the target
 
 const kWays = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 const kZooms = { "+": 1 / kZoom, "=": 1 / kZoom, "-": kZoom };
@@ -15,7 +15,7 @@ function zoom({ camera, target }, factor) {
 
 function turn({ camera, target }, [right, up]) {
   const away = camera.position.clone().sub(target);
-  const ball = new THREE.Spherical().setFromCartesianCoords(away.y, away.z, away.x); // three's ball has y upwards
+  const ball = new THREE.Spherical().setFromCartesianCoords(away.y, away.z, away.x); // in three.js, y points up
   ball.theta += right * kTurn;
   ball.phi -= up * kTurn;
   away.setFromSpherical(ball.makeSafe());
@@ -30,7 +30,10 @@ function move({ camera, target }, [right, up]) {
   target.add(shift);
 }
 
-/** What a key does to a view ({ camera, target }), or undefined. Alt and Ctrl belong to the page and the browser. */
+/**
+ * The function that a key applies to a view ({ camera, target }), or undefined. Keys with Alt, Ctrl
+ * or Meta are left to the page and the browser.
+ */
 export function actOf(event) {
   if (event.altKey || event.ctrlKey || event.metaKey) return undefined;
   const way = kWays[event.key];

@@ -1,11 +1,11 @@
-// Where a camera must stand so that given points fill its picture: exact, by the four planes of its
-// pyramid of sight.
+// Computes the camera position from which given points fill the picture, exactly, from the four
+// side planes of the view frustum.
 import * as THREE from "three";
 
 const cornersOf = ({ min, max }) => [min.x, max.x].flatMap((x) => [min.y, max.y].flatMap((y) => [min.z, max.z].map((z) =>
   new THREE.Vector3(x, y, z))));
 
-/** The corners, in the world, of the boxes around everything that is drawn of an object. */
+/** World coordinates of the bounding box corners of all geometry in an object. */
 export function cornersIn(object) {
   const all = [];
   object.updateWorldMatrix(true, true);
@@ -20,8 +20,9 @@ export function cornersIn(object) {
 const highest = (values) => values.reduce((a, b) => Math.max(a, b), -Infinity);
 
 /**
- * Along one axis of the picture: a point at height h and depth z (towards the camera) is seen while
- * |h - middle| <= (camera - z) tangent. Returns the middle, and the least camera depth for all points.
+ * Along one axis of the picture: a point at height h and depth z (towards the camera) is visible if
+ * |h - middle| <= (camera - z) * tangent. Returns the middle and the minimum camera depth for all
+ * points.
  */
 function span(points, tangent) {
   const above = highest(points.map(([h, z]) => h + z * tangent));
@@ -30,9 +31,9 @@ function span(points, tangent) {
 }
 
 /**
- * Stands the camera, which looks along -`back`, as near as `points` allow.
- * @param {{across: number, up: number}} tangents of half the angles of sight
- * @returns {{position: THREE.Vector3, distance: number}} `distance`: from there to the middle of the points' depths
+ * The nearest position of a camera looking along -`back` that sees all `points`.
+ * @param {{across: number, up: number}} tangents of half the horizontal and vertical fields of view
+ * @returns {{position: THREE.Vector3, distance: number}} `distance` to the middle of the points' depths
  */
 export function standBack(points, back, tangents) {
   const z = back.clone().normalize();

@@ -1,11 +1,11 @@
-// Where a new block can lie without touching another, as near as can be to the middle of the table in front
-// of the robot. All lengths in mm.
+// Finds a free position for a new block, as near as possible to the middle of the work surface in
+// front of the robot. All lengths in mm.
 
 const kStep = 20;
 const kGap = 8;
 const radiusOf = ([length, width]) => Math.hypot(length, width) / 2;
 
-/** Points of a grid over the workspace, the nearest to `from` first. */
+/** Grid points of the workspace, sorted by distance from `from`. */
 function places(workspace, from, edge) {
   const found = [];
   for (let x = from[0] % kStep; x <= workspace.x - edge; x += kStep)
@@ -15,7 +15,7 @@ function places(workspace, from, edge) {
   return found.sort((a, b) => far(a) - far(b));
 }
 
-/** [x, y] for a block of this size; where everything is full, the middle. */
+/** [x, y] for a block of this size; the middle if there is no free position. */
 export function freePlace({ size_mm, blocks, workspace, region }) {
   const radius = radiusOf(size_mm);
   const middle = [workspace.x * 0.6, 0];

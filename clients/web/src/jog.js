@@ -1,22 +1,24 @@
-// The jog buttons: a press is one step of a joint, a held button keeps it moving. The robot's error counters
-// have eight bits and wrap, so before each step the server is asked how far that joint has still to go.
+// The jog buttons: a press moves a joint by one step, a held button keeps it moving. The robot's
+// 8-bit error counters wrap, so each step first reads the joint's error counter from the server.
 import { el, whileHeld } from "./dom.js";
 
 const kSteps = [1, 5, 20];
 const kUsualStep = 5;
-const kMostError = 127; // beyond it the counter wraps, and the joint runs the other way
+const kMostError = 127; // beyond it the counter wraps and the joint moves in the opposite direction
 
-/** Whether the counter can take so many counts more. */
+/** Whether the error counter can take `counts` more without wrapping. */
 export const hasRoom = (error, counts) => Math.abs(error + counts) <= kMostError;
 
-/** Whether less than one step is left of the way that `counts` points. */
+/** Whether less than one step remains in the direction of `counts`. */
 export const isNearlyThere = (error, counts) => error * Math.sign(counts) < Math.abs(counts);
 
 export class JogPanel {
-  /** `getState` asks the server for fields of the state; `send` puts text on the console's line. */
+  /**
+   * `getState` gets fields of the state from the server; `send` sends text on the console's line.
+   */
   constructor({ host, step, send, getState, onError }) {
     Object.assign(this, { host, step, sendText: send, getState, onError });
-    this.turn = Promise.resolve(); // one press after the other: each has to see what the last one did
+    this.turn = Promise.resolve(); // serializes presses: each must see the effect of the previous one
     step.replaceChildren(...kSteps.map((count) => el("option", { value: String(count), selected: count === kUsualStep }, `${count} counts`)));
   }
 

@@ -1,7 +1,7 @@
-// The joint table: count, value, error counter, speed, switch, blocked, and a bar against the limits.
+// The joint table: value, bar against the limits, count, error counter, speed, switch, blocked.
 import { el, isSame, setText } from "./dom.js";
 
-const kManyDigits = 1000; // a roll of a thousand turns needs no hundredths
+const kManyDigits = 1000; // large values need no decimals
 const digits = ({ unit, value }) => (Math.abs(value) >= kManyDigits ? 0 : unit === "mm" ? 1 : 2);
 const shown = (joint) => `${joint.value.toFixed(digits(joint))}${joint.unit === "deg" ? "°" : " mm"}`;
 
@@ -11,7 +11,7 @@ export class JointTable {
     this.rows = new Map();
   }
 
-  /** A model comes whenever a block moves; the rows stay as long as the robot is the same. */
+  /** Models also arrive when blocks move; rows are rebuilt only if the robot has changed. */
   setModel({ robot }) {
     if (isSame(robot, this.robot)) return;
     this.robot = robot;

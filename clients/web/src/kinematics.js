@@ -1,10 +1,10 @@
-// Forward kinematics in the page itself, from the robot's data file and the joint values of a state:
-// standard Denavit-Hartenberg frames, lengths in mm, angles in degrees. Matrices are row by row.
+// Forward kinematics from the robot's data file and joint values: standard Denavit-Hartenberg
+// frames, lengths in mm, angles in degrees. Matrices are arrays of rows.
 
 const kMmPerInch = 25.4;
 const radians = (degrees) => (degrees * Math.PI) / 180;
 
-/** mm in one length unit of the file. */
+/** Millimetres per length unit of the file. */
 export const mmPerUnit = (file) => (file.length_unit === "inch" || file.length_unit === "in" ? kMmPerInch : 1);
 
 /** T(k-1,k) of one joint at the value of its variable (degrees or mm). */
@@ -42,7 +42,7 @@ export function frames(robot, values) {
   return all;
 }
 
-/** The tip of the tool, mm. */
+/** The position of the tool tip, mm. */
 export function tip(robot, values) {
   const last = frames(robot, values).at(-1);
   return [last[0][3], last[1][3], last[2][3]];

@@ -1,5 +1,5 @@
-// The page of xr3: what the server tells goes into what is known and on to every panel; what people do
-// goes to the server as calls. It speaks the public monitor protocol and nothing else.
+// Entry point of the page. Messages from the server update `known` and all panels; user actions
+// become calls. The page uses only the public monitor protocol.
 import { Access } from "./access.js";
 import { Alarm } from "./alarm.js";
 import { wireTabs, wireWireBar, wireWorkcellBar } from "./bench.js";
@@ -22,9 +22,9 @@ import { WirePanel } from "./wire_panel.js";
 import { transcriptLine } from "./wire_words.js";
 import { WorkcellPanel } from "./workcell_panel.js";
 
-const known = {}; // the newest hello, model, state and display, and when the state came
+const known = {}; // the newest hello, model, state and display, and the arrival time of the state
 
-// --- What people do.
+// --- Connection and calls.
 
 const connection = new Connection(`ws://${location.host}/ws`, {
   onMessage: take, onStatus: showConnection, onTokenRefused: (error) => access.refused(error),
@@ -74,7 +74,7 @@ wireTabs();
 wireWireBar(wire);
 wireWorkcellBar(workcell);
 
-// The rest of the page is worth having without 3-D.
+// Without WebGL the rest of the page still works.
 function makeScene(host) {
   try {
     return new Scene(host);
@@ -84,7 +84,7 @@ function makeScene(host) {
   }
 }
 
-// --- What the server tells.
+// --- Messages from the server.
 
 function take(message) {
   const takers = {
@@ -106,22 +106,22 @@ function takeHello(hello) {
   recallWire();
 }
 
-/** Time only grows: what is sooner comes from a server that was started anew. */
+/** Simulated time never decreases: if a is earlier than b, the server has been restarted. */
 const isSooner = (a, b) => a.epoch < b.epoch || (a.epoch === b.epoch && a.tick < b.tick);
 
-// Where it is refused, or the connection is lost again, the next hello or the token brings it.
+// If this fails (no token yet, or connection lost), it is repeated after the next hello or Unlock.
 async function recallWire() {
   const messages = await connection.recall("line").catch(() => null);
   if (messages && wire.recall(messages)) scene.clearPath();
 }
 
-// Answers to subscriptions: a server that is private refuses them until it has its token.
+// Results of subscriptions: with --private the server refuses them until it receives the token.
 function takeResult({ error }) {
   if (error?.code === "token_required") access.set("none");
 }
 
 function readAgain() {
-  recallWire(); // before the newest lines come
+  recallWire(); // before new `line` messages arrive
   connection.renew();
 }
 
@@ -153,7 +153,8 @@ function takeLine(message) {
   consolePanel.explain(message);
 }
 
-// Frames that were overwritten are nobody's loss; messages of a ring are.
+// Skipped frames of other channels do no harm; missed `line` messages leave a gap in the wire
+// panel.
 function takeLag(lag) {
   if (lag.channel === "line") wire.lag(lag);
 }
@@ -164,7 +165,7 @@ function takeEvent(event) {
   if (event.event === "clock" && known.state) takeClock(event);
 }
 
-// Sooner than the next state, and with the moment from which the new speed holds.
+// The event arrives before the next state and has the tick at which the new speed took effect.
 function takeClock({ clock, tick }) {
   known.state = { ...known.state, clock, tick };
   known.arrival = performance.now();
@@ -182,7 +183,7 @@ function showTool({ tool }) {
   setText(byId("tool-line"), `tip ${at} mm\nroll ${tool.net_roll_deg.toFixed(1)}°, opening ${tool.opening_mm.toFixed(1)} mm${tool.holding ? `, holds ${tool.holding}` : ""}`);
 }
 
-// --- Light.
+// --- Theme.
 
 function setTheme(name) {
   document.documentElement.dataset.theme = name;
@@ -201,7 +202,7 @@ connection.follow("line");
 connection.follow("event");
 connection.open();
 
-// For tests and pictures: what is known and what is drawn.
+// For tests and screenshots.
 window.xr3 = {
   known, transcriptLine, scene, paper,
   call, disconnect: () => connection.socket?.close(),

@@ -1,6 +1,6 @@
-// What is drawn between two states: joint values glide from those that were drawn last to those that the
-// server told. Where no motor could have turned so far in that time, or somebody knows of a jump (home,
-// a lost connection), they are there at once.
+// Animation between two states: drawn joint values glide from the last drawn ones to those of the
+// new state. If no motor could have moved that far, or a jump is announced (home, lost connection),
+// the new values are drawn at once.
 
 const kLongestGlideMs = 120;
 const kSpareCounts = 2; // a motor may be in the middle of a count
@@ -8,7 +8,7 @@ const kSpareCounts = 2; // a motor may be in the middle of a count
 const mix = (a, b, t) => a + (b - a) * t;
 const motorsOf = (state) => [...state.joints, state.tool];
 
-/** The state is of another epoch, or of a server that began anew. */
+/** Whether a state belongs to another epoch or to a restarted server. */
 const isNewLife = (before, after) => before?.epoch !== after.epoch || after.tick < before.tick;
 
 function turnedTooFar(before, after) {
@@ -23,19 +23,19 @@ export class Motion {
     this.forget();
   }
 
-  /** Nothing is known of where the robot was. */
+  /** Forgets the last state. */
   forget() {
     this.values = [];
     this.state = null;
     this.mustJump = true;
   }
 
-  /** The next state is not reached from the last one by moving. */
+  /** Announces that the next state is a jump, not a motion. */
   jump() {
     this.mustJump = true;
   }
 
-  /** Takes a state and says how it came about: "begin", "jump" or "move". */
+  /** Takes a state; returns "begin" (a new epoch or server), "jump" or "move". */
   take(state) {
     const now = performance.now();
     const how = this.#howTo(state);
@@ -51,7 +51,9 @@ export class Motion {
     return this.mustJump || turnedTooFar(this.state, state) ? "jump" : "move";
   }
 
-  /** Joint values, and the tool's, that are drawn now; whether they are those of the last state. */
+  /**
+   * Updates `values` (joints, then tool) for this moment; returns whether the animation has ended.
+   */
   advance() {
     const { from, to, since, duration } = this.glide;
     const t = duration > 0 ? Math.min((performance.now() - since) / duration, 1) : 1;

@@ -1,8 +1,8 @@
-// What stands in the place of the 3-D view where the browser has no WebGL: a word why. All that the scene is
-// told is heard and forgotten, so that the rest of the page need not know.
+// Replaces Scene if the browser has no WebGL: shows the reason and ignores all calls, so that the
+// rest of the page needs no special case.
 import { el } from "./dom.js";
 
-const kWhy = "This browser draws no 3-D here: its WebGL is off or missing. The paper’s view and all else on this page work.";
+const kWhy = "3-D is not available: WebGL is off or missing in this browser. The paper’s view and the rest of the page work.";
 
 export class NoScene {
   constructor(host) {

@@ -1,4 +1,4 @@
-// The sixteen colours of robot and workcell files, as solid things look good in them.
+// The sixteen colours of robot and workcell files, adapted to solid surfaces.
 
 export const kColors = [
   "#2b3036", "#3b6fd4", "#3f9e5a", "#7d93a6", "#b3524a", "#8a62b8", "#c98a3c", "#c9ced4",
@@ -7,7 +7,7 @@ export const kColors = [
 
 export const colorOf = (index) => kColors[index] ?? kColors[7];
 
-/** What the sixteen are called where the paper's machine had them: the names of the EGA palette. */
+/** The names of the EGA palette, which the paper's machine used. */
 export const kColorNames = [
   "black", "blue", "green", "cyan", "red", "magenta", "brown", "light grey",
   "dark grey", "light blue", "light green", "light cyan", "light red", "light magenta", "yellow", "white",

@@ -1,5 +1,6 @@
-// The view of 1989: the orthographic wire frame along the program's view vector, as `display` messages
-// bring it, redrawn at the program's own period and erased before, or not, as its path option says.
+// The view of the paper (1989): the orthographic wire frame along the program's view vector, from
+// `display` messages. Redraws at the program's refresh period; the program's path option decides
+// whether it erases first.
 
 const kInk = {
   paper: { background: "#ffffff", line: "#101010", own: false },
@@ -7,7 +8,7 @@ const kInk = {
   color: { background: "#0b0f13", line: "#d0d0d0", own: true },
 };
 
-/** So many wire frames are kept for drawing the picture anew, in another size or ink. */
+/** Wire frames kept for redrawing after a change of size or ink. */
 const kMostFrames = 500;
 
 export class PaperView {
@@ -17,7 +18,7 @@ export class PaperView {
     this.isLive = false;
     this.lastPeriod = null;
     this.draws = 0;
-    this.frames = []; // what has been drawn since it was last erased, oldest first
+    this.frames = []; // drawn since the last erase, oldest first
     new ResizeObserver(() => this.#redrawAll()).observe(canvas.parentElement);
   }
 
@@ -39,7 +40,7 @@ export class PaperView {
     this.tick(display.tick);
   }
 
-  /** Simulated time has come to this tick: draws if a period has begun. */
+  /** Simulated time has reached this tick: draws if a new period has begun. */
   tick(tick) {
     if (!this.display) return;
     const period = Math.floor(tick / this.display.period_ticks);
@@ -66,7 +67,7 @@ export class PaperView {
     this.#draw(true, this.frames);
   }
 
-  // Behind the newest wire frame those that are given, on paper that is erased first or not.
+  // Draws the frames of `before`, then the newest one; `isErased`: clears the canvas first.
   #draw(isErased, before = []) {
     const { width, height } = this.canvas;
     const pen = this.canvas.getContext("2d");

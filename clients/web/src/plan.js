@@ -1,11 +1,12 @@
-// The workcell from above, x upwards and y to the left, as one sees it standing behind the robot. Blocks are
-// chosen, dragged and moved by keys; what is to become of them is said to `acts`, never done here.
+// The plan of the workcell, seen from above: x points up and y to the left, as seen from behind the
+// robot. Blocks are selected, dragged and moved by keys. Changes are requested through `acts`,
+// never made here.
 import { colorOf } from "./palette.js";
 
 const kMargin = 20; // mm around the workspace
 const kMoveStep = 5; // mm for a key
 const kTurnStep = 5; // degrees for a key
-const kTouchPx = 24; // what a finger hits
+const kTouchPx = 24; // minimum size of a touch target
 const kArrows = { ArrowUp: [1, 0], ArrowDown: [-1, 0], ArrowLeft: [0, 1], ArrowRight: [0, -1] };
 const kTurns = { "[": 1, "]": -1 };
 
@@ -15,7 +16,7 @@ const svg = (name, members, ...children) => {
   element.append(...children);
   return element;
 };
-/** Sets what differs: thirty states a second leave the rest alone. */
+/** Sets only attributes that differ, since up to 30 states arrive per second. */
 function put(element, members) {
   for (const [key, value] of Object.entries(members))
     if (element.getAttribute(key) !== String(value)) element.setAttribute(key, value);
@@ -23,7 +24,9 @@ function put(element, members) {
 const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
 export class Plan {
-  /** `acts` has choose(name or null), place(name, xyz_mm), turn(degrees), remove() and mayMove(). */
+  /**
+   * `acts` has choose(name or null), place(name, xyz_mm), turn(degrees), remove() and mayMove().
+   */
   constructor(host, acts) {
     Object.assign(this, { host, acts, blocks: [], shapes: new Map(), chosen: null, dragged: null });
     this.ground = svg("g", {});
@@ -37,7 +40,7 @@ export class Plan {
     host.addEventListener("keydown", (event) => this.#key(event));
   }
 
-  /** What stays: lengths in mm; `camera` has `location` and `field`, or is null. */
+  /** Sets the fixed parts, lengths in mm; `camera` has `location` and `field`, or is null. */
   setGround({ workspace, camera, region }) {
     const { x, y } = workspace;
     this.area = { left: -y - kMargin, top: -x - kMargin, width: 2 * (y + kMargin), height: x + region + 3 * kMargin };
@@ -89,7 +92,7 @@ export class Plan {
     return shape;
   }
 
-  // Who deletes with the keyboard goes on with the next block, or stays on the plan where it was the last.
+  // Moves the focus of a removed block to a neighbour, or to the plan if it was the last block.
   #remove(name) {
     const shape = this.shapes.get(name);
     const all = [...this.shapes.values()];
@@ -98,7 +101,7 @@ export class Plan {
     shape.remove();
   }
 
-  // --- What a finger hits around a small block.
+  // --- Halos: enlarge the touch targets of small blocks.
 
   #sizeHalos() {
     for (const block of this.blocks) this.#sizeHalo(this.shapes.get(block.name), ...block.size_mm);
@@ -109,7 +112,7 @@ export class Plan {
     put(shape.firstChild, { x: -w / 2, y: -h / 2, width: w, height: h });
   }
 
-  /** The block under a pointer: itself sooner than what surrounds another. */
+  /** The block under the pointer; a block's body takes precedence over another block's halo. */
   #blockAt(event) {
     const hit = document.elementsFromPoint(event.clientX, event.clientY).filter((each) => this.host.contains(each));
     const part = hit.find((each) => each.matches(".body")) ?? hit.find((each) => each.matches(".halo"));
@@ -123,7 +126,7 @@ export class Plan {
     return [-point.y, -point.x];
   }
 
-  /** A place as near to this one as can be seen. */
+  /** The position clamped to the visible area. */
   #within([x, y, z]) {
     const { left, top, width, height } = this.area;
     const edge = kMargin / 2;

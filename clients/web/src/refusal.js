@@ -1,23 +1,23 @@
-// What the server answered to a refused request, in words for the person at the page: what was wrong where,
-// and what is allowed there.
+// Error responses of the server as text for the user: which member was wrong and what is expected
+// there.
 
 const kMostDetails = 8;
 const kMostLetters = 40;
-export const kLooksOn = "This page only looks on: press Unlock and give the token.";
+export const kLooksOn = "This page is read-only: press Unlock and enter the token.";
 const kOfThePage = {
   token_required: kLooksOn,
-  bad_token: "This is not the server's token. After five wrong ones the server ends the connection.",
+  bad_token: "Wrong token. After five wrong tokens the server closes the connection.",
 };
 
 const short = (text) => (text.length > kMostLetters ? `${text.slice(0, kMostLetters)}…` : text);
 
-/** `/args/size_mm/0` is `size_mm/0` to a person, who knows no `args`. */
-const placeOf = (pointer) => pointer.replace(/^\/(args\/)?/, "") || "the whole";
+/** Omits the protocol's `args` from a JSON pointer: `/args/size_mm/0` becomes `size_mm/0`. */
+const placeOf = (pointer) => pointer.replace(/^\/(args\/)?/, "") || "value";
 
 const lineOf = ({ pointer, found, allowed }) =>
-  `${placeOf(pointer)}: ${found === null ? "nothing" : short(JSON.stringify(found))} was given, allowed is ${allowed}`;
+  `${placeOf(pointer)}: ${found === null ? "missing" : `got ${short(JSON.stringify(found))}`}, expected ${allowed}`;
 
-/** An error that the server answered: `code`, `message` in words, `hint`, `details`. */
+/** An error response of the server: `code`, `message`, `hint`, `details`. */
 export class Refused extends Error {
   constructor({ code, message, hint, details = [] }) {
     super(kOfThePage[code] ?? (hint ? `${message} (${hint})` : message));
@@ -25,7 +25,7 @@ export class Refused extends Error {
   }
 }
 
-/** All that is known of an error; what is wrong in detail a line each, the first of them. */
+/** The text of an error: the message, then one line for each of the first details. */
 export function wordsOf({ message, details = [] }) {
   const more = details.length > kMostDetails ? [`and ${details.length - kMostDetails} more`] : [];
   return [message, ...details.slice(0, kMostDetails).map(lineOf), ...more].join("\n");

@@ -1,4 +1,4 @@
-// The robot as solids: links, fingers and the axes of its tool's frame, posed by the values of its joints.
+// The robot as solids: links, fingers and tool frame axes, posed by joint values.
 import * as THREE from "three";
 import { empty } from "./dispose.js";
 import { frames, mmPerUnit } from "./kinematics.js";
@@ -17,7 +17,7 @@ export class RobotBody {
     this.showsFrame = true;
   }
 
-  /** Makes the robot's solids, unless they are those that are there. */
+  /** Rebuilds the solids if the robot or the theme has changed. */
   build(robot, theme) {
     const key = JSON.stringify([robot, theme]);
     if (key === this.key) return;
@@ -63,7 +63,7 @@ export class RobotBody {
     if (this.frameAxes) this.frameAxes.visible = isShown;
   }
 
-  /** `values` are the joints' and, last, the tool's. */
+  /** `values`: the joints' values, then the tool's. */
   pose(values) {
     frames(this.robot, values).forEach((frame, k) => {
       this.links[k].matrix.copy(matrixOf(frame));
@@ -83,12 +83,12 @@ export class RobotBody {
     finger.position.copy(shift).sub(shift.clone().applyEuler(finger.rotation));
   }
 
-  /** The tool's frame as a matrix, mm. */
+  /** The tool frame as a matrix, mm. */
   get toolFrame() {
     return this.links.at(-1).matrix;
   }
 
-  /** Where the tip is drawn, mm: read back from the scene graph. */
+  /** The drawn position of the tip in mm, read from the scene graph, or null. */
   tipDrawn() {
     if (!this.tipMark) return null;
     this.group.updateMatrixWorld(true);

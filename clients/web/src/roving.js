@@ -1,5 +1,5 @@
-// A row of which one is chosen, tabs or radio buttons: one stop of the Tab key, inside it arrow keys, Home and
-// End, as the ARIA authoring practices say.
+// Roving tabindex for tabs and radio buttons: one Tab stop for the group; arrow keys, Home and End
+// select within it, as in the ARIA Authoring Practices.
 
 const kWays = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
 
@@ -9,7 +9,7 @@ function wanted(key, i, length) {
   return kWays[key] ? (i + kWays[key] + length) % length : null;
 }
 
-/** Keys and clicks of `items` choose one of them: `onChoose(item, i)` shows it. */
+/** Selects one of `items` by keys and clicks; `onChoose(item, i)` shows the selection. */
 export function rove(items, onChoose) {
   const choose = (chosen) => {
     for (const item of items) item.tabIndex = item === chosen ? 0 : -1;

@@ -1,5 +1,6 @@
-// The robot and its workcell in three dimensions. It is told what is known (model, state), hands it on to
-// the parts of the picture, and draws while something changes; it knows no server. Lengths are mm, z points up.
+// The 3-D view of robot and workcell. Takes models and states, passes them to the parts of the
+// picture, and draws while something changes. Independent of the server. Lengths are in mm, z
+// points up.
 import * as THREE from "three";
 import { Blocks } from "./blocks.js";
 import { CellMarks } from "./cell_marks.js";
@@ -12,11 +13,11 @@ import { ToolPath } from "./tool_path.js";
 
 const kMostPixelRatio = 2;
 
-// A context that was asked for here: without one the page shall hear of it before anything has changed.
+// Requests the context itself, to throw before the page is changed if there is no WebGL 2.
 function makeRenderer() {
   const canvas = document.createElement("canvas");
   const context = canvas.getContext("webgl2", { antialias: true });
-  if (!context) throw new Error("this browser has no WebGL 2, which the view in three dimensions needs");
+  if (!context) throw new Error("this browser has no WebGL 2, which the 3-D view requires");
   const renderer = new THREE.WebGLRenderer({ canvas, context });
   renderer.setPixelRatio(Math.min(window.devicePixelRatio, kMostPixelRatio));
   return renderer;
@@ -32,7 +33,7 @@ function describe(canvas) {
 const isSame = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 
 export class Scene {
-  /** @param {HTMLElement} host filled by the canvas, whatever its size */
+  /** @param {HTMLElement} host element that the canvas fills and follows in size */
   constructor(host) {
     this.host = host;
     this.renderer = makeRenderer();
@@ -61,7 +62,7 @@ export class Scene {
     this.renderer.setSize(width, height);
     this.eye.setAspect(width / height);
     this.#lookAgain();
-    this.#draw(); // at once: a canvas of a new size is empty
+    this.#draw(); // at once, since resizing clears the canvas
   }
 
   setTheme(name) {
@@ -80,7 +81,7 @@ export class Scene {
     this.#wake();
   }
 
-  // --- What is known.
+  // --- Model and state.
 
   setModel(model) {
     if (!isSame(this.model?.robot, model.robot)) this.#forget();
@@ -99,10 +100,10 @@ export class Scene {
     this.eye.view = "corner";
   }
 
-  /** A state of another robot, as it may be there until the new one's comes, is left alone. */
+  /** Ignores a state of another robot, which may arrive before the first state of the new robot. */
   setState(state) {
     if (!isSame(state.joints.map(({ label }) => label), this.model.robot.joints.map(({ label }) => label))) return;
-    if (state.joints === this.state?.joints) return; // told again, beside a new model
+    if (state.joints === this.state?.joints) return; // the same state again, with a new model
     this.state = state;
     const how = this.motion.take(state);
     if (how === "begin") this.path.clear();
@@ -111,7 +112,7 @@ export class Scene {
     this.#wake();
   }
 
-  /** The robot was put somewhere else, or was not seen for a while: the next state is no motion. */
+  /** Announces a jump (home, lost connection): the next state is not reached by a motion. */
   jump() {
     this.motion.jump();
   }
@@ -159,12 +160,12 @@ export class Scene {
     if (!isThere) this.#wake();
   }
 
-  /** Where the tip is drawn, mm. */
+  /** The drawn position of the tip in mm, or null. */
   tipDrawn() {
     return this.robot.tipDrawn();
   }
 
-  /** Where a block is drawn, mm. */
+  /** The drawn position of a block in mm, or null. */
   blockDrawn(name) {
     return this.blocks.drawn(name);
   }

@@ -1,4 +1,4 @@
-// How the scene looks in each of the page's two lights, and the lamps that make solid things look solid.
+// Colours of the scene in the light and the dark theme, and its light sources.
 import * as THREE from "three";
 
 export const themes = {

@@ -1,10 +1,10 @@
-// What the renderer needs of a solid: the faces that `solids.js` finds in an outline, with its strokes as
-// edges upon them. An outline without faces stays lines in its own colour.
+// Converts an outline to meshes: the faces that `solids.js` finds in it, with its strokes as edges.
+// An outline without faces is drawn as lines in its own colour.
 import * as THREE from "three";
 import { colorOf } from "./palette.js";
 import { prisms, segments, strokes, triangles } from "./solids.js";
 
-// Faces lie a little behind their edges, which are drawn in the same planes.
+// Offsets faces behind their edges, which lie in the same planes.
 const kBehindEdges = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
 
 const kLayerUnits = 16;
@@ -30,8 +30,8 @@ function faces(points, colorIndex, layer) {
 }
 
 /**
- * The solid of an outline (lengths in `unit` mm) with its edges in `edgeColor`. Where faces of two solids
- * share a plane, that of the lower layer is seen.
+ * The solid of an outline (lengths in `unit` mm) with edges in `edgeColor`. If faces of two solids
+ * share a plane, the face of the lower layer is visible.
  */
 export function solidOf(outline, unit, colorIndex, edgeColor, layer = 0) {
   const group = new THREE.Group();

@@ -1,9 +1,9 @@
-// From the outlines of a robot file to surfaces. An outline is a pen's way: closed loops and single lines.
-// Two loops of the same shape, one the other one shifted, and perhaps larger, are the ends of a prism or
-// a frustum; those get faces. What is neither stays lines. It knows no renderer.
+// Converts outlines of a robot file to surfaces. An outline is a pen path of closed loops and open
+// strokes. Two loops of the same shape, shifted and possibly scaled, are the ends of a prism or
+// frustum, which gets faces. All other strokes stay lines. Independent of the renderer.
 
-const kTolerance = 0.6; // mm: files are rounded
-const kLeastScale = 0.3; // of one end of a frustum against the other
+const kTolerance = 0.6; // mm: coordinates in files are rounded
+const kLeastScale = 0.3; // minimum ratio of the two ends of a frustum
 
 const distance = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -18,7 +18,7 @@ export function strokes(points, unit = 1) {
   return all.filter((stroke) => stroke.length > 1);
 }
 
-/** Pairs of line ends for every stroke. */
+/** Pairs of end points for every line of every stroke. */
 export function segments(all) {
   return all.flatMap((stroke) => stroke.slice(1).flatMap((point, i) => [stroke[i], point]));
 }
@@ -27,7 +27,7 @@ const isLoop = (stroke) => stroke.length > 3 && distance(stroke[0], stroke.at(-1
 
 const middle = (loop) => [0, 1, 2].map((k) => loop.reduce((sum, point) => sum + point[k], 0) / loop.length);
 
-/** One loop is the other one shifted across its plane, and scaled. */
+/** Whether loop b is loop a shifted out of its plane and possibly scaled. */
 function isShifted(a, b) {
   if (a.length !== b.length) return false;
   const [from, to] = [middle(a), middle(b)];
@@ -43,7 +43,7 @@ function isShifted(a, b) {
   });
 }
 
-/** Prisms in the strokes: pairs of loops without their repeated last point. */
+/** Prisms in the strokes: pairs of loops, each without its repeated last point. */
 export function prisms(all) {
   const loops = all.filter(isLoop).map((stroke) => stroke.slice(0, -1));
   const found = [];

@@ -1,5 +1,5 @@
-// The two views and what stands around them: which is seen, from where, with what in it, the status line and
-// what is said of the display. What the views draw is their own affair.
+// The toolbar of the two views: selection of the view, its options, the status line and the display
+// note. The views draw themselves.
 import { kStatusWords } from "./command_mode.js";
 import { byId, el, setText } from "./dom.js";
 import { rove } from "./roving.js";
@@ -7,7 +7,10 @@ import { rove } from "./roving.js";
 const kViews = ["solid", "paper"];
 
 export class Stage {
-  /** `follow(options)` follows the display channel; `call` asks the server; `run` carries out a function of command mode. */
+  /**
+   * `follow(options)` subscribes to the display channel; `call` calls the server; `run` runs a
+   * function of command mode.
+   */
   constructor({ scene, paper, follow, call, run }) {
     Object.assign(this, { scene, paper, follow });
     this.views = rove(kViews.map((name) => byId(`view-${name}`)), (_, i) => this.#show(kViews[i]));
@@ -26,7 +29,7 @@ export class Stage {
       byId(`${each}-tools`).hidden = each !== name;
       byId(`view-${each}`).setAttribute("aria-checked", String(each === name));
     }
-    // The wire frame is the dearest of all messages: often only while somebody looks at it.
+    // Wire frames are the most expensive messages: request a high rate only while they are shown.
     this.follow({ max_hz: name === "paper" ? 10 : 2 });
   }
 
@@ -34,8 +37,8 @@ export class Stage {
     this.paper.setDisplay(display);
     setText(byId("status-text"), display.status.text);
     byId("status-option").value = String(display.status.option);
-    const note = display.on ? `every ${display.period_ticks / 1000} s, ${display.erase ? "erased" : "not erased"} before`
-      : "The program has its display off: A# or the button turns it on.";
+    const note = display.on ? `every ${display.period_ticks / 1000} s, ${display.erase ? "erased first" : "not erased"}`
+      : "The program's display is off: A# or the button turns it on.";
     setText(byId("display-note"), note);
     setText(byId("display-word"), `graphics display ${display.on ? "on" : "off"}`);
   }

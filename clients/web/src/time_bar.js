@@ -1,12 +1,15 @@
-// Time in the header: the clock, pause, step and speed. Between two messages time goes on, and so does the
-// clock: what needs the tick of this moment asks here.
+// The time controls of the header: clock, pause, step and speed. Extrapolates the current tick
+// between two messages.
 import { byId, el, setText } from "./dom.js";
 
 const kStepTicks = 100;
 const kClockEveryMs = 100;
 
 export class TimeBar {
-  /** `call(fn, args)` asks the server; `isOpen()` and `mayCall()` tell of the connection; `onTick(tick)` follows time. */
+  /**
+   * `call(fn, args)` calls the server; `isOpen()` and `mayCall()` report connection and access;
+   * `onTick(tick)` is called with the extrapolated tick.
+   */
   constructor({ known, call, isOpen, mayCall, onTick }) {
     Object.assign(this, { known, mayCall, onTick });
     byId("pause").onclick = () => call(known.state?.clock.mode === "manual" ? "resume" : "pause");
@@ -22,7 +25,7 @@ export class TimeBar {
     this.allow();
   }
 
-  /** Time that goes by itself cannot be stepped, and who only looks on cannot step it. */
+  /** Enables Step only with the manual clock and with control access. */
   allow() {
     byId("step").disabled = this.known.state?.clock.mode !== "manual" || !this.mayCall();
   }

@@ -1,9 +1,9 @@
-// Where the page has its token from, and where it keeps it: behind the # of the address, which browsers do
-// not send, and from there in this tab's own memory, so that a reload need not ask for it again.
+// The token: read from the URL fragment, which browsers do not send to the server, and kept in the
+// tab's sessionStorage, so that it survives a reload.
 
 const kKey = "xr3-token";
 
-/** The token of a fragment, as it is meant: `+` is a plus, only % is decoded. Null where there is none. */
+/** The token in a fragment, or null. Only % is decoded: `+` is a plus. */
 export function tokenOf(fragment) {
   const given = /(?:^#?|&)token=([^&]*)/.exec(fragment)?.[1];
   return given ? decoded(given) : null;
@@ -12,18 +12,20 @@ function decoded(text) {
   try {
     return decodeURIComponent(text);
   } catch {
-    return text; // a lone % of a token that was never encoded
+    return text; // a lone % in a token that was not encoded
   }
 }
 
-/** Takes the token out of the address bar, where it would be copied along; null where there is none. */
+/**
+ * Returns the token in the address, or null, and removes it there, lest it be copied with the URL.
+ */
 export function takeFromAddress() {
   const token = tokenOf(location.hash);
   if (token !== null) history.replaceState(null, "", location.pathname + location.search);
   return token;
 }
 
-// A browser that is told to keep nothing throws here: then it is asked for after each reload.
+// sessionStorage throws if the browser blocks storage: the token is then lost on reload.
 export function kept() {
   try {
     return sessionStorage.getItem(kKey) ?? "";

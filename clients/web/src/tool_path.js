@@ -1,4 +1,5 @@
-// The way of the tool's tip, as strokes: a robot that jumps (home, reset, another robot) lifts the pen.
+// The path of the tool tip as strokes. A jump of the robot (home, lost connection) starts a new
+// stroke.
 import * as THREE from "three";
 import { themes } from "./scene_theme.js";
 
@@ -26,7 +27,7 @@ export class ToolPath {
     this.line.visible = isShown;
   }
 
-  /** The tip has gone on to this point. */
+  /** The tip has moved to this point. */
   extend(tip) {
     const { last } = this;
     if (last && last.distanceTo(tip) < kLeastStepMm) return;
@@ -34,7 +35,7 @@ export class ToolPath {
     if (last) this.#addPiece(last, tip);
   }
 
-  // The newest piece takes the place of the oldest: their order is not seen.
+  // Ring buffer: the newest piece replaces the oldest. The drawing order is irrelevant.
   #addPiece(from, to) {
     const i = (this.pieces++ % kMostPieces) * 2;
     this.ends.setXYZ(i, ...from.toArray());
@@ -43,7 +44,7 @@ export class ToolPath {
     this.line.geometry.setDrawRange(0, 2 * Math.min(this.pieces, kMostPieces));
   }
 
-  /** What comes next is not joined to what was. */
+  /** The next point starts a new stroke. */
   lift() {
     this.last = null;
   }
@@ -54,7 +55,7 @@ export class ToolPath {
     this.line.geometry.setDrawRange(0, 0);
   }
 
-  /** The lengths of the pieces that are drawn, mm. */
+  /** The lengths of the drawn pieces, mm. */
   lengths() {
     const end = (i) => new THREE.Vector3().fromBufferAttribute(this.ends, i);
     return Array.from({ length: Math.min(this.pieces, kMostPieces) }, (_, i) => end(2 * i).distanceTo(end(2 * i + 1)));

@@ -1,14 +1,15 @@
-// Every byte in and out, by line, with what the controller made of it: what a serial analyser shows.
+// The wire panel: every byte sent and received, by line, with its explanation, as in a serial
+// analyser.
 import { copyText, download, el, setText } from "./dom.js";
 import { counted, isWarning, transcriptLine } from "./wire_words.js";
 
 const kMostRows = 1024;
 const kMostSeen = 8 * kMostRows;
 
-const kStartedAnew = "The server was started anew: time and lines begin again.";
-const kThereAgain = "The connection was lost, and is there again.";
+const kStartedAnew = "The server was restarted: its time and line numbers start again.";
+const kThereAgain = "The connection was lost and restored.";
 
-/** Of two messages with the same number whether they are the same. */
+/** Equal for two messages with the same `seq` only if they are the same message. */
 const printOf = ({ epoch, tick, line, dir, offset, hex }) => [epoch, tick, line, dir, offset, hex].join();
 
 export class WirePanel {
@@ -16,7 +17,7 @@ export class WirePanel {
     Object.assign(this, { list, filter, count, said });
     this.messages = [];
     this.#forget();
-    this.reconnection = null; // the one that no row tells of yet
+    this.reconnection = null; // the reconnection that has no row yet
     this.isPaused = false;
     this.waiting = [];
     filter.addEventListener("input", () => this.#refresh());
@@ -42,7 +43,7 @@ export class WirePanel {
   }
 
   lag({ channel, missed }) {
-    this.#put({ note: `${missed} messages of ${channel} went by too fast to be shown`, kind: "lag" });
+    this.#put({ note: `${missed} messages of channel ${channel} were missed: they came too fast`, kind: "lag" });
   }
 
   setPaused(isPaused) {
@@ -52,12 +53,14 @@ export class WirePanel {
     this.#tell();
   }
 
-  /** The connection was made again; `isSurelyAnew` where the server's time tells that it was started anew. */
+  /** Notes a reconnection; `isSurelyAnew`: the server's time shows that it has been restarted. */
   reconnected(isSurelyAnew) {
     this.reconnection = { isSurelyAnew: isSurelyAnew || this.reconnection?.isSurelyAnew };
   }
 
-  /** Takes what the server's ring holds; tells whether the server was started anew since. */
+  /**
+   * Takes the contents of the server's ring buffer; returns whether the server has been restarted.
+   */
   recall(messages) {
     const isAnew = this.reconnection !== null && (this.reconnection.isSurelyAnew || this.#isOfAnotherRun(messages));
     if (isAnew) this.#forget();
@@ -67,7 +70,8 @@ export class WirePanel {
     return isAnew;
   }
 
-  // A run has no name of its own; but its ring never falls behind what was seen of it, nor says otherwise.
+  // A server run has no id. But within a run, `seq` in the ring buffer never falls behind the last
+  // one seen, and a message with a known `seq` never differs.
   #isOfAnotherRun(messages) {
     const last = messages.at(-1)?.seq ?? 0;
     return last < this.lastSeq || messages.some((message) => this.seen.has(message.seq) && this.seen.get(message.seq) !== printOf(message));
@@ -137,7 +141,7 @@ export class WirePanel {
   }
   #countWords() {
     const all = counted(this.messages.filter((message) => !message.note).length, "message");
-    if (this.messages.length === 0) return this.isPaused ? all : "No byte yet: connect to the robot port, or use the console.";
+    if (this.messages.length === 0) return this.isPaused ? all : "No bytes yet: connect to the robot port or use the console.";
     return this.filter.value.trim() ? `${this.list.querySelectorAll("li:not(.lag, .mark)").length} of ${all}` : all;
   }
 
@@ -148,11 +152,11 @@ export class WirePanel {
     download("transcript.txt", this.transcript());
   }
 
-  /** Copies what is shown; where the browser allows no page to do it, it is selected for the person to copy. */
+  /** Copies the shown messages; if the browser forbids it, selects them for the user to copy. */
   async copy() {
     const isCopied = await copyText(this.transcript());
     if (!isCopied) getSelection().selectAllChildren(this.list);
     setText(this.said, isCopied ? `Copied ${counted(this.#fitting().length, "line")}.`
-      : "This browser lets no page copy: the bytes are selected, press Ctrl-C.");
+      : "This browser does not let pages copy. The bytes are selected: press Ctrl-C.");
   }
 }

@@ -1,12 +1,11 @@
-// What is said about bytes, wherever bytes are shown: as a line of a transcript, and whether the controller
-// warns of them.
+// Text for `line` messages, shared by wire panel and console: transcript lines and warnings.
 
 const kWarnings = /unknown|range|no_joint|incomplete|bad_|disabled|overflow|no_such|narrow|below|suppressed|held_back/;
 
-/** Whether the code of an item of a `line` message means that something was not obeyed, or did not go well. */
+/** Whether the code of a `line` message's item means that a command was not executed or failed. */
 export const isWarning = (code) => kWarnings.test(code);
 
-/** One `line` message, or a note between them, as a line of a transcript. */
+/** One `line` message, or a note, as a transcript line. */
 export function transcriptLine(message) {
   if (message.note) return `# ${message.note}`;
   const arrow = message.dir === "in" ? ">" : "<";

@@ -1,13 +1,13 @@
-// The whole workcell as a file: saved as the server has it now, loaded by the call `workcell`. What is wrong
-// in a file is listed, every item of it that the server names.
+// Saves the workcell as the server has it now, and loads a file by the call `workcell`. Lists the
+// errors that the server reports for a file.
 import { download, el } from "./dom.js";
 
-const kMostRead = 8 * 1024 * 1024; // far beyond what can be sent, whatever blanks and line ends are in it
+const kMostRead = 8 * 1024 * 1024; // far beyond the message limit, even with much white space
 const kMostShown = 12;
 
-/** The workcell of a file; throws an Error in words for people. */
+/** Parses a workcell file; throws an Error with a message for the user. */
 async function read(file) {
-  if (file.size > kMostRead) throw new Error(`it is too big: ${Math.ceil(file.size / 1024)} KiB, and the server takes 256 KiB at most`);
+  if (file.size > kMostRead) throw new Error(`it is too large: ${Math.ceil(file.size / 1024)} KiB; the server accepts at most 256 KiB`);
   const text = await file.text();
   try {
     return JSON.parse(text);
@@ -23,7 +23,7 @@ export class WorkcellFile {
 
   async save() {
     try {
-      const { workcell } = await this.getModel(); // what is known here may be half a second old
+      const { workcell } = await this.getModel(); // the model known to the page may be half a second old
       const name = workcell.name.replaceAll(/\W+/g, "-").toLowerCase();
       download(`${name}.json`, `${JSON.stringify(workcell, null, 2)}\n`, "application/json");
     } catch (error) {
@@ -42,7 +42,7 @@ export class WorkcellFile {
 
   #list(name, { message, details = [] }) {
     const close = el("button", { type: "button", onclick: () => (this.problems.hidden = true) }, "Close");
-    const items = details.slice(0, kMostShown).map(({ pointer, allowed }) => el("li", {}, el("code", {}, pointer), ` allows ${allowed}`));
+    const items = details.slice(0, kMostShown).map(({ pointer, allowed }) => el("li", {}, el("code", {}, pointer), `: expected ${allowed}`));
     const more = details.length > kMostShown ? [el("li", {}, `and ${details.length - kMostShown} more`)] : [];
     this.problems.replaceChildren(el("p", {}, `${name} was not loaded: ${message}`), el("ul", {}, ...items, ...more), close);
     this.problems.hidden = false;

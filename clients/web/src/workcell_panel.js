@@ -1,5 +1,5 @@
-// Editing the workcell: the plan, the table of blocks and the numbers of the chosen one show the same blocks;
-// every change is a call to the server, and what it refuses is put back.
+// The workcell editor: plan, table and the form of the selected block show the same blocks. Every
+// change is a call to the server; a refused change is reverted.
 import { BlockTable } from "./block_table.js";
 import { ChosenBlock, placeWords } from "./chosen_block.js";
 import { el, setText } from "./dom.js";
@@ -12,14 +12,16 @@ import { WorkcellFile } from "./workcell_file.js";
 const kUsualColor = 10;
 
 export class WorkcellPanel {
-  /** `call` and `getModel` ask the server; `mayCall` tells whether this page may change anything. */
+  /**
+   * `call` and `getModel` call the server; `mayCall()` returns whether the page has control access.
+   */
   constructor({ host, call, getModel, mayCall, onError }) {
     Object.assign(this, { call, mayCall, onError, chosen: null });
     const part = (id) => host.querySelector(`#${id}`);
     this.said = part("workcell-said");
-    this.files = new Map(); // what the model says of each block: size_mm and color
-    this.added = new Map(); // the same of new ones, until model and state have them
-    this.wanted = new Map(); // where blocks are to go, until the server has answered
+    this.files = new Map(); // size_mm and color of each block, from the model
+    this.added = new Map(); // the same for new blocks, until model and state contain them
+    this.wanted = new Map(); // requested positions, until the server has answered
     this.plan = new Plan(part("plan"), {
       choose: (name) => this.choose(name), place: (name, xyz_mm) => this.place(name, { xyz_mm }),
       turn: (degrees) => this.turn(degrees), remove: () => this.remove(), mayMove: mayCall,
@@ -52,7 +54,7 @@ export class WorkcellPanel {
     this.#draw();
   }
 
-  /** The blocks as they are shown: state and file in one, at the place where they are wanted. */
+  /** The blocks as shown: state and model merged, at their requested positions. */
   #blocks() {
     return this.state.blocks.flatMap((block) => {
       const file = this.files.get(block.name) ?? this.added.get(block.name);
@@ -84,7 +86,7 @@ export class WorkcellPanel {
 
   // --- Changes.
 
-  /** Puts a block where `change` says, xyz_mm or yaw_deg; tells whether the server did so. */
+  /** Moves a block; `change` is xyz_mm or yaw_deg. Resolves to whether the server did so. */
   async place(name, change) {
     const wanted = { ...this.wanted.get(name), ...change };
     this.wanted.set(name, wanted);
@@ -94,7 +96,7 @@ export class WorkcellPanel {
     return isDone;
   }
 
-  // Until the next state comes the block stays where the server has put it.
+  // Shows the block at the position that the server accepted until the next state arrives.
   #settle(name, done) {
     this.wanted.delete(name);
     const blocks = this.state.blocks.map((block) => (block.name === name ? { ...block, ...done } : block));
@@ -117,7 +119,7 @@ export class WorkcellPanel {
     if (await this.#ask("block_remove", { name })) setText(this.said, `${name} was removed.`);
   }
 
-  /** Puts a new block on the work surface, where there is room; tells whether the server did so. */
+  /** Adds a block at a free position on the work surface. Resolves to whether the server did so. */
   async add({ name, size, color }) {
     const [x, y] = freePlace({ size_mm: size, blocks: this.#blocks(), ...this.ground });
     const xyz_mm = [x, y, this.surface + size[2] / 2];
@@ -147,6 +149,6 @@ export class WorkcellPanel {
   }
 }
 
-/** A choice of the sixteen colours, by name. */
+/** <option> elements for the sixteen colours, by name. */
 export const colorOptions = () =>
   kColorNames.map((name, i) => el("option", { value: String(i), selected: i === kUsualColor }, name));
