@@ -1,5 +1,5 @@
-// What the tests of the page share: a running xr3, a serial line, and a page in Debian's Chromium driven by
-// Playwright, which fails the test on any error in the console. Nothing here sleeps to wait.
+// Helpers shared by the page tests: a running xr3, a serial line, and a page in Debian's Chromium
+// driven by Playwright. Errors in the console fail the test. Waits poll conditions, never sleep.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { once } from "node:events";
@@ -13,7 +13,7 @@ const kFlags = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swif
 
 const servers = new Set();
 
-/** A running `xr3 serve` with the ports that it took. */
+/** Starts `xr3 serve` on free ports. */
 export async function serve(...options) {
   const ports = options.includes("--monitor-port") ? [] : ["--robot-port", "0", "--monitor-port", "0"];
   const child = spawn(process.env.XR3, ["serve", ...ports, "--log-level", "off", ...options], {
@@ -27,10 +27,10 @@ export async function serve(...options) {
     robot: Number(robot), monitor: Number(monitor), url: `http://localhost:${monitor}/`, pid: child.pid,
     get: async (path) => (await fetch(`http://localhost:${monitor}${path}`)).text(),
     state,
-    /** Asks until nothing moves: bytes that were sent before have acted. */
+    /** Polls the state until nothing moves. */
     async rest() {
       const deadline = Date.now() + kDeadlineMs;
-      while ((await state()).moving) if (Date.now() > deadline) throw new Error("it does not come to rest");
+      while ((await state()).moving) if (Date.now() > deadline) throw new Error("the robot does not come to rest");
     },
     async stop(signal = "SIGTERM") {
       const ended = once(child, "exit");
@@ -40,7 +40,7 @@ export async function serve(...options) {
   };
 }
 
-/** Sends bytes on a serial line of its own and closes it. */
+/** Sends bytes on a new serial line and closes it. */
 export async function type(port, bytes) {
   const socket = connect(port, "127.0.0.1");
   await once(socket, "connect");
@@ -49,7 +49,7 @@ export async function type(port, bytes) {
   await once(socket, "close");
 }
 
-/** A call by another client of the monitor port; gives the result. */
+/** Makes a call on a new monitor connection; resolves to its `result`. */
 export async function call(port, fn, args = {}) {
   const socket = connect(port, "127.0.0.1");
   socket.end(`${JSON.stringify({ op: "call", id: 1, fn, args })}\n`);
@@ -72,19 +72,19 @@ export async function open(url, options = {}) {
   await page.goto(url);
   return page;
 }
-/** The page knows robot and state, and has drawn them. */
+/** Waits until the page has received and drawn model and state. */
 export const ready = (page) => page.waitForFunction(() => window.xr3?.known.model && window.xr3?.known.state && window.xr3?.tipDrawn());
 
-/** Ends the browser, and what a test that failed has left. */
+/** Closes the browser and kills servers that failed tests have left running. */
 export async function close() {
   for (const child of servers) child.kill("SIGKILL");
   await browser?.close();
 }
 
-/** Errors that are not of the page: software rendering says that it is slow. */
+/** The page's errors without Chromium's warnings about slow software rendering. */
 export const ofThePage = (page) => page.errors.filter((text) => !/GPU stall|GL Driver|swiftshader/i.test(text));
 
-/** Runs `act` on a page of a server of its own; any error in the console fails it. */
+/** Runs `act` on a page of a new server; any error in the console fails the test. */
 export async function withPage(options, act, pageOptions) {
   const server = await serve(...options);
   const page = await open(server.url, pageOptions);
@@ -98,7 +98,7 @@ export async function withPage(options, act, pageOptions) {
   }
 }
 
-/** The pixels of a canvas, four bytes each, by a copy of it. */
+/** The pixels of a canvas as RGBA bytes. */
 export const pixels = (page, selector) => page.evaluate((wanted) => {
   const canvas = document.querySelector(wanted);
   const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });

@@ -1,4 +1,4 @@
-// The camera's picture: even pixels, a caption that is true, outlines as the camera sees the blocks.
+// The camera panel: pixels of equal size, the caption, and outlines in the camera's projection.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, pixels, withPage } from "./bench.mjs";
@@ -16,7 +16,10 @@ const caption = (page, words) => page.waitForFunction((text) => document.querySe
 const kIsLit = (r, b) => b > 200;
 const kIsOutline = (r, b) => r > 200 && b < 120;
 
-/** The box around the pixels of a kind, as parts of the picture: left, top, right, bottom. */
+/**
+ * The bounding box of the pixels that `isOfKind` selects, as fractions of the image: left, top,
+ * right, bottom.
+ */
 async function boxOf(page, isOfKind) {
   const { width, height, data } = await pixels(page, "#camera");
   const found = [];
@@ -27,7 +30,7 @@ async function boxOf(page, isOfKind) {
   return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
 }
 
-test("a camera that goes and comes back is told of", () =>
+test("the caption follows a camera that is removed and added again", () =>
   withPage([], async (page) => {
     await caption(page, "192 × 192");
     await replace(page, kTall);
@@ -37,14 +40,14 @@ test("a camera that goes and comes back is told of", () =>
     await page.waitForSelector("#camera", { state: "visible" });
   }));
 
-test("each pixel of the image takes the same number of the screen's", () =>
+test("all image pixels have the same size on the screen", () =>
   withPage([], async (page) => {
     await caption(page, "192 × 192");
     const width = await page.evaluate(() => document.querySelector("#camera").getBoundingClientRect().width);
     assert.ok(width > 192 && (width - 2) % 192 === 0, `${width} with a border of 1`);
   }));
 
-test("a perspective camera's outlines lie around what it sees", () =>
+test("a perspective camera's outlines enclose the blocks in its image", () =>
   withPage([], async (page) => {
     await replace(page, { ...kTall, camera: kCamera });
     await caption(page, "96 × 96");

@@ -1,4 +1,4 @@
-// Which keys are command mode's, and which belong to what has the focus.
+// Which keys go to command mode and which to the element with the focus.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, withPage } from "./bench.mjs";
@@ -7,7 +7,7 @@ after(close);
 
 const displayIs = (page, isOn) => page.waitForFunction((on) => window.xr3.known.display?.on === on, isOn);
 
-test("plain keys work after a box was ticked, and after a list was chosen from by mouse", () =>
+test("plain keys work after a click on a checkbox and after a selection in a list by mouse", () =>
   withPage([], async (page) => {
     await displayIs(page, false);
     await page.click("[data-show=region]");
@@ -21,18 +21,18 @@ test("plain keys work after a box was ticked, and after a list was chosen from b
     await displayIs(page, false);
   }));
 
-test("letters typed into a text are no commands", () =>
+test("letters typed into a text input are not commands", () =>
   withPage([], async (page) => {
     await page.fill("#wire-filter", "");
     await page.locator("#wire-filter").press("d");
     assert.equal(await page.inputValue("#wire-filter"), "d");
     await page.click("#wire");
-    await page.keyboard.press("p"); // answered behind whatever the d would have asked
+    await page.keyboard.press("p"); // its result comes after that of a call by the d, if there was one
     await page.waitForFunction(() => window.xr3.known.display.erase === false);
     assert.equal(await page.evaluate(() => window.xr3.known.display.on), false);
   }));
 
-test("a key that is held toggles once", () =>
+test("a held key toggles once", () =>
   withPage([], async (page) => {
     await displayIs(page, false);
     for (let i = 0; i < 4; ++i) await page.keyboard.down("d");

@@ -1,4 +1,4 @@
-// The console: what was sent, what came back byte for byte, and words beside the bytes that they are about.
+// The console: sent commands, replies byte for byte, and explanations beside their bytes.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, withPage } from "./bench.mjs";
@@ -13,7 +13,7 @@ async function enter(page, ...texts) {
 }
 const row = (page, n) => page.locator(`#console-log li:nth-child(${n})`);
 
-test("a reply of several blanks is shown with all of them", () =>
+test("a reply of several blanks shows all of them", () =>
   withPage(["--clock", "manual"], async (page) => {
     await page.click("#tab-console");
     await enter(page, "E?D?C?");
@@ -21,7 +21,7 @@ test("a reply of several blanks is shown with all of them", () =>
     assert.match(await page.locator("#console-log .reply").innerText(), /'   ' 0x202020/);
   }));
 
-test("explanations stand beside their own command, however quickly commands follow each other", () =>
+test("explanations appear beside their own command, even if commands follow quickly", () =>
   withPage(["--clock", "manual"], async (page) => {
     await page.click("#tab-console");
     await page.evaluate(() => {
@@ -37,7 +37,7 @@ test("explanations stand beside their own command, however quickly commands foll
     assert.doesNotMatch(await row(page, 3).textContent(), /move/);
   }));
 
-test("a warning has the colour of warnings", () =>
+test("a warning has the alarm colour", () =>
   withPage(["--clock", "manual"], async (page) => {
     await page.click("#tab-console");
     await enter(page, "E+300");

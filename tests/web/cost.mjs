@@ -1,12 +1,12 @@
-// What one page costs the server, all its channels followed: at rest, and while four joints move for as
-// long as they are watched. Exit code 1 where that is above its bound.
+// Measures the server's processor time for one page with all its channels subscribed: at rest, and
+// while four joints move. Exit code 1 if the time while moving is over its bound.
 import { readFileSync } from "node:fs";
 import { close, open, ready, serve, type } from "./bench.mjs";
 
 const kSeconds = 6;
 const kMostPerCent = 1;
 
-/** Processor time of the server's one thread, ns. */
+/** Processor time of the server's only thread, ns. */
 const spentNs = (pid) => Number(readFileSync(`/proc/${pid}/schedstat`, "utf8").split(" ")[0]);
 
 async function perCent(server, page) {
@@ -25,5 +25,5 @@ const isMoving = (await server.state()).moving;
 await close();
 await server.stop();
 console.log(`one page at 30 Hz: ${resting.toFixed(2)} % of a processor at rest, ${moving.toFixed(2)} % while the robot moves (bound ${kMostPerCent} %)`);
-if (!isMoving) throw new Error("the robot stood still too early");
+if (!isMoving) throw new Error("the robot stopped too early");
 process.exitCode = moving > kMostPerCent ? 1 : 0;

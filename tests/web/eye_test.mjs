@@ -1,4 +1,4 @@
-// Where the scene is looked at from: named views hold everything in the picture, and keys steer.
+// The 3-D camera: named views contain everything, and keys control the camera.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, withPage } from "./bench.mjs";
@@ -9,7 +9,10 @@ const kSizes = [{ width: 1280, height: 720 }, { width: 1024, height: 768 }, { wi
 const differ = (a, b) => Math.hypot(...a.map((v, i) => v - b[i]));
 const kViews = ["corner", "front", "left", "right", "top"];
 
-/** The farthest from the middle that any point of robot, protected region and blocks (or of the whole workcell) is seen: 1 is the border. */
+/**
+ * The maximum distance from the middle of the picture, in normalized device coordinates (1 is the
+ * border), of all points of robot, blocks and protected region, or, if `isWhole`, of the workcell.
+ */
 const farthest = (page, isWhole = false) => page.evaluate((isWhole) => {
   const { scene } = window.xr3;
   const { camera } = scene.eye;
@@ -29,7 +32,7 @@ const farthest = (page, isWhole = false) => page.evaluate((isWhole) => {
 }, isWhole);
 
 for (const robot of ["rhino-xr3", "adept-one", "intelledex-660"]) {
-  test(`${robot}: all of it is in every named view, in windows of every shape`, () => withPage(["--robot", robot], async (page) => {
+  test(`${robot}: every named view contains the entire robot, at every window size`, () => withPage(["--robot", robot], async (page) => {
     for (const size of kSizes) {
       await page.setViewportSize(size);
       for (const view of kViews) {
@@ -41,7 +44,7 @@ for (const robot of ["rhino-xr3", "adept-one", "intelledex-660"]) {
   }));
 }
 
-test("the first view holds after the window has changed, until somebody moves the camera", () =>
+test("the named view survives a change of the window size, until the user moves the camera", () =>
   withPage([], async (page) => {
     assert.ok(await farthest(page) < 0.97);
     const aspect = () => page.evaluate(() => window.xr3.scene.eye.camera.aspect);
@@ -58,14 +61,14 @@ test("the first view holds after the window has changed, until somebody moves th
     assert.ok(differ(await page.evaluate(() => window.xr3.scene.eye.camera.position.toArray()), near) < 1e-6);
   }));
 
-/** Distance from what is looked at, its place, and the direction to the eye. */
+/** Distance to the target, position of the target, and direction from it to the camera. */
 const look = (page) => page.evaluate(() => {
   const { camera, controls } = window.xr3.scene.eye;
   const away = camera.position.clone().sub(controls.target);
   return { distance: away.length(), target: controls.target.toArray(), way: away.normalize().toArray() };
 });
 
-test("keys zoom, move and turn the view; Alt and minus is the menu's", () =>
+test("keys zoom, move and turn the view; Alt and minus opens the menu", () =>
   withPage([], async (page) => {
     await page.focus("#solid canvas");
     let before = await look(page);
@@ -87,7 +90,7 @@ test("keys zoom, move and turn the view; Alt and minus is the menu's", () =>
     assert.ok(Math.abs((await look(page)).distance - now.distance) < 1e-6);
   }));
 
-test("the focus of the view is seen inside its border, and its keys are told", () =>
+test("the view's focus outline lies inside its border, and its label names the keys", () =>
   withPage([], async (page) => {
     await page.focus("#clear-path");
     await page.keyboard.press("Tab");

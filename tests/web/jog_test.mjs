@@ -1,4 +1,4 @@
-// The jog buttons never let an error counter wrap, and stay where they are while blocks move.
+// The jog buttons never let an error counter wrap, and are not rebuilt while blocks move.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { call, close, withPage } from "./bench.mjs";
@@ -8,7 +8,7 @@ after(close);
 const errorOf = (page, label) => page.evaluate((each) => window.xr3.known.state.joints.find((j) => j.label === each).error, label);
 const plus = "#jog button[aria-label^='base'][aria-label$='up']";
 
-test("a held button keeps the joint moving, and its counter does not wrap", () =>
+test("a held button keeps the joint moving, and the error counter does not wrap", () =>
   withPage(["--clock", "real:0.5"], async (page) => {
     await page.click("#tab-console");
     await page.selectOption("#jog-step", "20");
@@ -31,7 +31,7 @@ test("clicks stop before the counter wraps, and the page says why", () =>
     assert.equal(await errorOf(page, "F"), 120);
   }));
 
-test("while a block moves, a button keeps the focus and the step its choice", () =>
+test("while a block moves, a button keeps the focus and the step its selection", () =>
   withPage(["--clock", "manual"], async (page, server) => {
     await page.click("#tab-console");
     await page.selectOption("#jog-step", "20");

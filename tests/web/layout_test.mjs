@@ -1,4 +1,4 @@
-// Whether everything can be read and hit: contrast, sizes for fingers, and nothing cut off at the sizes of
+// Readability and touch: contrast, sizes of touch targets, and no clipping at the window sizes of
 // laptops, tablets and phones.
 import assert from "node:assert/strict";
 import { readFile, writeFile } from "node:fs/promises";
@@ -10,7 +10,7 @@ after(close);
 
 const kRobots = ["rhino-xr3", "adept-one", "intelledex-660"];
 
-/** Every part of the page for which its contrast with what lies behind it is too small; runs in the page. */
+/** All elements with too little contrast to their background; runs in the page. */
 function pale() {
   const rgb = (text) => {
     const [r, g, b, a = 1] = text.match(/[\d.]+/g).map(Number);
@@ -44,7 +44,7 @@ function pale() {
 }
 
 for (const colorScheme of ["dark", "light"]) {
-  test(`${colorScheme}: texts have a contrast of 4.5, borders and outlines one of 3`, () =>
+  test(`${colorScheme}: contrast is at least 4.5 for text and 3 for borders and outlines`, () =>
     withPage(["--clock", "manual"], async (page) => {
       assert.deepEqual(await page.evaluate(pale), []);
     }, { colorScheme }));
@@ -52,7 +52,7 @@ for (const colorScheme of ["dark", "light"]) {
 
 const kTablets = [{ width: 1024, height: 768 }, { width: 768, height: 1024 }];
 for (const viewport of kTablets) {
-  test(`${viewport.width}×${viewport.height}: a finger hits every checkbox and every block, and the plan fills its panel`, () =>
+  test(`${viewport.width}×${viewport.height}: checkboxes and blocks are large enough for touch, and the plan fills its panel`, () =>
     withPage(["--clock", "manual"], async (page) => {
       await page.click("#tab-workcell");
       const small = await page.evaluate(() => [...document.querySelectorAll("[type=checkbox], [data-block], .blocks button, #workcell-panel button")]
@@ -63,11 +63,13 @@ for (const viewport of kTablets) {
         const [plan, space] = ["#plan", "#plan .space"].map((each) => document.querySelector(each).getBoundingClientRect());
         return space.width / plan.width;
       });
-      assert.ok(used > 0.75, `the workspace has ${used} of the plan's width`);
+      assert.ok(used > 0.75, `the workspace fills ${used} of the plan's width`);
     }, { viewport }));
 }
 
-/** A robot file like the Rhino's whose first joint has a name of this length. */
+/**
+ * Writes a copy of the Rhino's robot file whose first joint has this name; resolves to its path.
+ */
 async function robotWithName(name) {
   const robot = JSON.parse(await readFile(`${root}data/robots/rhino-xr3.json`, "utf8"));
   robot.joints[0].name = name;
@@ -76,14 +78,14 @@ async function robotWithName(name) {
   return path;
 }
 
-/** What of the joint table is cut: cells whose text is wider than they are, and bars too short to read. */
+/** Clipped parts of the joint table: cells narrower than their text, and bars too short to read. */
 const cut = (page) => page.evaluate(() => [
   ...[...document.querySelectorAll(".joints td:not(.bar), .joints th")].filter((each) => each.scrollWidth > each.clientWidth + 1).map((each) => each.textContent),
   ...[...document.querySelectorAll(".track")].filter((each) => each.clientWidth < 34).map((each) => `bar of ${each.clientWidth} px`),
   ...["aside", ".joints"].map((each) => document.querySelector(each)).filter((each) => each.scrollWidth > each.clientWidth).map((each) => `${each.className || each.tagName} too wide`),
 ]);
 
-test("the joint table is not cut with any robot at its limits, nor by a long name", async () => {
+test("the joint table is not clipped with any robot at its limits, nor with a long joint name", async () => {
   const long = await robotWithName("a joint with a very long name!");
   for (const [robot, workcell] of [...kRobots.map((each) => [each, each]), [long, "rhino-xr3"]]) {
     await withPage(["--robot", robot, "--workcell", workcell, "--clock", "real:1000"], async (page, server) => {
@@ -100,7 +102,7 @@ test("the joint table is not cut with any robot at its limits, nor by a long nam
 
 const kSizes = [{ width: 1280, height: 720 }, ...kTablets, { width: 400, height: 800 }];
 for (const viewport of kSizes) {
-  test(`${viewport.width}×${viewport.height}: no panel is cut`, async () => {
+  test(`${viewport.width}×${viewport.height}: no panel is clipped`, async () => {
     for (const robot of kRobots) {
       await withPage(["--robot", robot, "--workcell", robot, "--clock", "manual"], async (page) => {
         await page.click("#tab-workcell");
@@ -115,7 +117,9 @@ for (const viewport of kSizes) {
   });
 }
 
-/** Each of these lies within the page's width, and within its height where the page does not scroll. */
+/**
+ * Asserts that elements lie within the page's width, and its height if the page does not scroll.
+ */
 async function inSight(page, selector) {
   const cutOff = await page.evaluate((wanted) => {
     const bottom = getComputedStyle(document.body).overflowY === "hidden" ? innerHeight : Infinity;

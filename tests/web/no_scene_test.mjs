@@ -1,11 +1,11 @@
-// A browser without WebGL: the page says so in the picture's place, and all else works.
+// A browser without WebGL: the page shows the reason in place of the picture, and the rest works.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, open, serve, type } from "./bench.mjs";
 
 after(close);
 
-test("without WebGL there is the paper's view, the joints and the wire", async () => {
+test("without WebGL the paper's view, the joints and the wire panel work", async () => {
   const server = await serve();
   const page = await open("about:blank");
   await page.addInitScript(() => {

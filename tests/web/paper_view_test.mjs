@@ -1,4 +1,4 @@
-// The view of 1989 on paper that is not erased: the path stays, whatever happens to the window.
+// The paper's view without erasing: the path is kept when the window changes.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, pixels, type, withPage } from "./bench.mjs";
@@ -12,7 +12,7 @@ async function inked(page) {
   return dark;
 }
 
-test("a path that is not erased outlives another size and a look at the solid view", () =>
+test("a path that is not erased is kept after a change of size and of view", () =>
   withPage(["--clock", "real:5"], async (page, server) => {
     await page.click("#view-paper");
     await page.click("#display-on");

@@ -1,5 +1,6 @@
-// Screenshots for the docs, and the frames of a short film: the Rhino picks up a block and carries it.
-// node pictures.mjs DOCS_FOLDER FRAMES_FOLDER, with XR3 naming the executable.
+// Makes screenshots for the docs, and the frames of a short film: the Rhino picks up and carries a
+// block. Usage: node pictures.mjs DOCS_FOLDER FRAMES_FOLDER, with XR3 set to the path of the
+// executable.
 import { close, open, ready, serve, type } from "./bench.mjs";
 
 const [docs, frames] = process.argv.slice(2);
@@ -26,7 +27,8 @@ await still("rhino-xr3", "light", move("F+90\rE+60\rD-30\rC+20\rE?I"));
 await still("adept-one", "dark", move("E+110\rD-120\rC+90\rE?"));
 await still("intelledex-660", "light", move("G-120\rF+100\rE-90\rF?"));
 
-// The film: time stands, and every frame is a step of it. Counts as `xr3 kin --pose 262,0,20 --down 90` says.
+// The film: with the manual clock, one step per frame. Counts are from
+// `xr3 kin --pose 262,0,20 --down 90`.
 const kStepTicks = 320;
 const kMostCounts = 110;
 const kWay = [{ E: 449, D: -625 }, { A: -24 }, { E: -300, D: 420 }, { F: 190 }, { E: 260, D: -380 }, { A: 24 }, { E: -409, D: 585, F: -190 }];
@@ -41,7 +43,7 @@ async function frame() {
   await page.screenshot({ path: `${frames}/${String(++shots).padStart(4, "0")}.png` });
 }
 
-/** Moves joints by counts, in pieces that an 8-bit error counter holds. */
+/** Moves joints by counts, in pieces that fit an 8-bit error counter. */
 async function go(left) {
   while (Object.values(left).some((counts) => counts !== 0)) {
     const { joints, tool } = await server.state();

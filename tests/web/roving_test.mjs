@@ -1,4 +1,4 @@
-// Tabs and the choice of the view, by keyboard.
+// Keyboard control of the tabs and the view selector.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, withPage } from "./bench.mjs";
@@ -7,7 +7,7 @@ after(close);
 
 const focused = (page) => page.evaluate(() => document.activeElement.id);
 
-test("the kind of view is one stop of Tab, and arrow keys choose", () =>
+test("the view selector is one Tab stop, and arrow keys select", () =>
   withPage([], async (page) => {
     assert.deepEqual(await page.evaluate(() => [...document.querySelectorAll("[role=radio]")].map((each) => each.tabIndex)), [0, -1]);
     await page.locator("#view-solid").focus();
@@ -19,7 +19,7 @@ test("the kind of view is one stop of Tab, and arrow keys choose", () =>
     assert.equal(await focused(page), "view-solid");
   }));
 
-test("tabs: arrow keys go round, Home and End to the ends", () =>
+test("tabs: arrow keys wrap around, Home and End go to the ends", () =>
   withPage([], async (page) => {
     await page.locator("#tab-wire").focus();
     for (const [key, id] of [["End", "workcell"], ["ArrowRight", "wire"], ["ArrowLeft", "workcell"], ["Home", "wire"], ["ArrowRight", "console"]]) {

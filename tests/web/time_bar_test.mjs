@@ -1,11 +1,11 @@
-// The clock of the header.
+// The clock in the header.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, withPage } from "./bench.mjs";
 
 after(close);
 
-test("another speed at rest does not put the clock back", () =>
+test("a change of speed at rest does not set the clock back", () =>
   withPage([], async (page) => {
     await page.waitForFunction(() => parseFloat(document.querySelector("#clock").textContent) * 1000 > window.xr3.known.state.tick + 1000);
     await page.evaluate(() => {
@@ -19,7 +19,7 @@ test("another speed at rest does not put the clock back", () =>
     assert.ok(shown.every((s, i) => i === 0 || s > shown[i - 1] - 0.2), String(shown));
   }));
 
-test("what changes ten times a second is not read aloud", () =>
+test("screen readers do not announce texts that change ten times a second", () =>
   withPage([], async (page) => {
     for (const id of ["clock", "status-text"]) assert.equal(await page.getAttribute(`#${id}`, "aria-live"), "off");
   }));

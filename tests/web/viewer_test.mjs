@@ -1,4 +1,4 @@
-// The viewer in real Chromium against a real server: what people see is what the server says.
+// The page in Chromium with a real server: what it shows agrees with the server.
 import assert from "node:assert/strict";
 import { createServer } from "node:http";
 import { stat } from "node:fs/promises";
@@ -12,7 +12,7 @@ const near = (a, b, tolerance) => a.every((v, i) => Math.abs(v - b[i]) <= tolera
 const screenshots = process.env.XR3_SCREENSHOTS;
 
 for (const robot of kRobots) {
-  test(`${robot}: the page's own tip, the drawn one and the server's are the same`, () =>
+  test(`${robot}: the tip computed by the page, the drawn tip and the server's agree`, () =>
     withPage(["--robot", robot, "--clock", "real:20"], async (page, server) => {
       await type(server.robot, "E+60\rD-40\rC+25\rB+90\rA-20\r");
       await page.waitForFunction(() => !window.xr3.known.state.moving && window.xr3.known.state.joints.some((j) => j.count !== 0));
@@ -31,7 +31,7 @@ for (const robot of kRobots) {
     }));
 }
 
-test("a move typed on the robot port glides in the scene and counts in the table", () =>
+test("a move sent on the robot port shows in the scene and in the joint table", () =>
   withPage([], async (page, server) => {
     const before = await page.evaluate(() => window.xr3.tipDrawn());
     await type(server.robot, "F+100\r");
@@ -41,7 +41,7 @@ test("a move typed on the robot port glides in the scene and counts in the table
     await page.waitForSelector("tr[data-label=F] .error:not(.busy)");
   }));
 
-/** Points of each part, moved and scaled so that all of them together fill the unit square. */
+/** The points of all parts, moved and scaled so that together they fill the unit square. */
 function normalized(parts) {
   const all = parts.flatMap(({ points }) => points);
   const low = [0, 1].map((k) => Math.min(...all.map((p) => p[k])));
@@ -77,7 +77,7 @@ test("the paper's view shows the lines of /view.svg", () =>
     assert.ok(inked > 500, `${inked} dark pixels`);
   }));
 
-test("a stall is shown and the home key clears it", () =>
+test("a stall is shown, and the key h clears it", () =>
   withPage(["--clock", "real:50"], async (page, server) => {
     for (let i = 0; i < 20 && !(await server.state()).stalled; ++i) {
       await type(server.robot, "E-120\r");
@@ -90,7 +90,7 @@ test("a stall is shown and the home key clears it", () =>
     assert.equal((await server.state()).stalled, null);
   }));
 
-test("a block dragged in the plan is where /state says, and in the scene", () =>
+test("a block dragged in the plan moves on the server and in the scene", () =>
   withPage([], async (page, server) => {
     await page.click("#tab-workcell");
     const shape = await page.locator("[data-block=green]").boundingBox();
@@ -107,7 +107,7 @@ test("a block dragged in the plan is where /state says, and in the scene", () =>
     await page.waitForFunction((yaw) => window.xr3.known.state.blocks.find((b) => b.name === "green").yaw_deg === yaw, block.yaw_deg + 5);
   }));
 
-test("blocks are added and removed, and the saved file is one that xr3 check accepts", () =>
+test("blocks are added and removed, and xr3 check accepts the saved file", () =>
   withPage([], async (page, server) => {
     await page.click("#tab-workcell");
     await page.fill("#block-name", "cube");
@@ -128,7 +128,7 @@ test("blocks are added and removed, and the saved file is one that xr3 check acc
     assert.ok((await server.state()).blocks.some((block) => block.name === "cube"));
   }));
 
-test("a server that was killed and started again is picked up", async () => {
+test("the page reconnects to a server that was killed and restarted", async () => {
   const first = await serve();
   const page = await open(first.url);
   await ready(page);
@@ -180,7 +180,7 @@ test("command mode: Alt keys, plain keys and the menu do the same", () =>
     await page.keyboard.press("Alt+F5");
     await page.keyboard.press("Alt+F6");
     await page.waitForFunction(() => window.xr3.known.display.function_keys);
-    assert.ok(await page.evaluate(() => window.xr3.known.state.enabled), "a key that is off does nothing");
+    assert.ok(await page.evaluate(() => window.xr3.known.state.enabled), "a disabled key does nothing");
     await page.keyboard.press("Alt+NumpadSubtract");
     await page.waitForSelector("#menu[open]");
     await page.click("#functions button:has-text('Simulator')");
@@ -201,7 +201,7 @@ test("time is paused, stepped and resumed; input lines are clicked", () =>
   withPage([], async (page) => {
     await page.click("#pause");
     await page.waitForSelector("#pause:has-text('Resume')");
-    await page.waitForFunction(() => window.xr3.known.state.clock.mode === "manual"); // the event was sooner
+    await page.waitForFunction(() => window.xr3.known.state.clock.mode === "manual"); // the button changes earlier, by the event
     const tick = await page.evaluate(() => window.xr3.known.state.tick);
     await page.click("#step");
     await page.waitForFunction(() => document.querySelector("#step").disabled === false);
@@ -212,7 +212,7 @@ test("time is paused, stepped and resumed; input lines are clicked", () =>
     await page.waitForSelector("#pause:has-text('Pause')");
   }));
 
-test("without its token it looks on; with #token= it drives, and the token leaves the address bar", async () => {
+test("the page is read-only without a token; #token= unlocks it and is removed from the address bar", async () => {
   process.env.XR3_TOKEN = "a-token-of-a-test";
   const server = await serve();
   delete process.env.XR3_TOKEN;
@@ -233,7 +233,7 @@ test("without its token it looks on; with #token= it drives, and the token leave
   await server.stop();
 });
 
-test("a page that frames it stays empty", async () => {
+test("the page cannot be embedded in a frame", async () => {
   const server = await serve();
   const thief = createServer((_, answer) => {
     answer.setHeader("Content-Type", "text/html");
@@ -261,11 +261,11 @@ test("every control has a name, and the page fits a laptop and a tablet", async 
   }
 });
 
-test("the script stays under 800 kB, and the robot is there soon", async () => {
+test("the script is smaller than 800 kB, and the robot appears soon", async () => {
   assert.ok((await stat(`${root}clients/web/dist/assets/main.js`)).size < 800_000);
   await withPage([], async (page) => {
     const ms = await page.evaluate(() => Math.round(window.xr3.known.firstStateMs));
     console.log(`first picture after ${ms} ms`);
-    assert.ok(ms < 5000, "a second is promised on a machine that is not busy");
+    assert.ok(ms < 5000, "the target is one second on an idle machine");
   });
 });

@@ -1,4 +1,5 @@
-// The wire panel: what it counts, what it holds back while paused, and copying with and without a clipboard.
+// The wire panel: the count, messages held back while paused, and copying with and without a
+// clipboard.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, type, withPage } from "./bench.mjs";
@@ -8,7 +9,7 @@ after(close);
 const says = (page, pattern) =>
   page.waitForFunction(([id, source]) => new RegExp(source).test(document.querySelector(id).textContent), ["#wire-count", pattern.source]);
 
-test("it counts in good English, with a filter, and while paused", () =>
+test("the count has correct plurals, with a filter and while paused", () =>
   withPage(["--clock", "manual"], async (page, server) => {
     await type(server.robot, "E+5\r");
     await says(page, /^1 message$/);
@@ -32,7 +33,7 @@ const withBytes = (act) => withPage(["--clock", "manual"], async (page, server) 
   await act(page);
 });
 
-test("copying says that it did, also where there is no clipboard, as on plain http", () =>
+test("copying is confirmed, also without navigator.clipboard, as on plain http", () =>
   withBytes(async (page) => {
     await page.evaluate(() => {
       Object.defineProperty(navigator, "clipboard", { value: undefined });
@@ -43,7 +44,7 @@ test("copying says that it did, also where there is no clipboard, as on plain ht
     assert.match(await page.evaluate(() => window.copied), /move E \+5/);
   }));
 
-test("where nothing may be copied, the bytes are selected and the page says so", () =>
+test("if copying is forbidden, the bytes are selected and the page says so", () =>
   withBytes(async (page) => {
     await page.evaluate(() => {
       Object.defineProperty(navigator, "clipboard", { value: { writeText: () => Promise.reject(new Error("no")) } });
