@@ -6,12 +6,12 @@
 cd "$(dirname "$0")" || exit
 . ./robot.sh "$@"
 
-# A number with an S behind it is a speed, in counts a second. E has twice as far to go as F, so it
-# gets twice the speed.
+# A number followed by S sets a speed in counts per second. E moves twice as far as F, so it gets
+# twice the speed.
 robot_send 'F40S E80S\r'
 echo 'F runs at 40 counts a second, E at 80'
 
-# Each joint has a motor of its own, and the robot does not wait: both run from here on.
+# Each joint has its own motor, and the robot does not wait: both start now.
 robot_send 'F+40 E+80\r'
 echo 'F+40 E+80'
 
@@ -23,7 +23,7 @@ ask_both() {
 }
 
 ask_both
-same=0 # how many answers in a row have been the same, as in example 2
+same=0 # number of equal answers in a row, as in example 2
 while [ "$f" -gt 0 ] || [ "$e" -gt 0 ]; do
   echo "  F $f, E $e counts to go"
   sleep 0.05
@@ -31,7 +31,7 @@ while [ "$f" -gt 0 ] || [ "$e" -gt 0 ]; do
   ask_both
   if [ $((f + e)) = "$before" ]; then same=$((same + 1)); else same=0; fi
   if [ "$same" -ge "$stands_after" ]; then
-    robot_send 'FX EX' # forgets the rest of the moves
+    robot_send 'FX EX' # cancels the rest of the moves
     break
   fi
 done
@@ -39,7 +39,7 @@ done
 [ "$e" = 0 ] || give_up_standing E "$e"
 echo 'both are there'
 
-# And back again. robot_wait is example 2 once more, for one joint after the other.
+# And back again. robot_wait is the loop of example 2, for one joint after the other.
 robot_send 'F-40 E-80\r'
 robot_wait F
 [ "$left" = 0 ] || give_up_standing F "$left"

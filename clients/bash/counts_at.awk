@@ -1,10 +1,9 @@
-# Inverse kinematics: from a place on the table (x and y in mm, angle in degrees) and a height z
-# to the motor counts that bring the tool there, pointing down.
+# Inverse kinematics: converts a place on the table (x and y in mm, angle in degrees) and a height z
+# to motor counts, with the tool pointing down.
 #
-# Seen from the side, upper arm and forearm, 228.6 mm each, are two sides of a triangle; the third
-# one leads from the shoulder, 260.4 mm above the table, to the wrist, which is 168.3 mm above the
-# tip and 9.5 mm nearer to the base. Each motor sets the slope of one link, whatever the others
-# do.
+# Seen from the side, upper arm and forearm, 228.6 mm each, are two sides of a triangle. The third
+# side leads from the shoulder, 260.4 mm above the table, to the wrist, 168.3 mm above the tip and
+# 9.5 mm nearer to the base. Each motor sets the slope of one link, independently of the others.
 
 function nearest(number) { return number < 0 ? int(number - 0.5) : int(number + 0.5) }
 
@@ -18,7 +17,7 @@ BEGIN {
   corner = atan2(sqrt(1 - side * side), side) * degrees # awk has no arc cosine
   upper_arm = slope + corner
   forearm = slope - corner
-  # A block looks the same after half a turn, so the roll may be anything from -90 to 90.
+  # A block looks the same after half a turn, so the roll can be reduced to -90...90.
   roll = base - angle + 90
   roll -= 180 * nearest(roll / 180)
   print "F", nearest(base / 0.2269), "E", nearest((90 - upper_arm) / 0.1135), \

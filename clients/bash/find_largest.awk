@@ -1,11 +1,11 @@
-# From the camera's picture to its largest block. Each line of the input is a row of the picture
-# from the top, its bytes as numbers. Prints how many blocks there are, and of the largest x and y
-# of its middle in mm and the angle of its long side in degrees.
+# Finds the largest block in the camera's picture. Each input line is a row of the picture, from the
+# top, its bytes as numbers. Prints the number of blocks and, for the largest, x and y of its centre
+# in mm and the angle of its long side in degrees.
 #
-# The camera looks straight down on a square of 384 mm about x 290, y 0, in 192 x 192 pixels of 2
-# mm.
+# The camera looks straight down on a square of 384 mm centred at x 290, y 0, with 192 x 192 pixels
+# of 2 mm.
 
-# A byte has six pixels, the leftmost in the highest bit, and 32 is added to it.
+# A byte has six pixels, the leftmost in the highest bit, plus 32.
 {
   for (i = 1; i <= NF; i++) {
     six = $i - 32
@@ -16,9 +16,9 @@
   }
 }
 
-# Takes this pixel and all that hang together with it out of the picture, so that none is counted
-# twice, and adds up their places. (A list of those whose neighbours are still to be looked at; a
-# function that calls itself would go too deep for some awks.)
+# Removes this pixel and all pixels connected to it from the picture, so that none is counted twice,
+# and sums their positions. (It keeps a list of pixels whose neighbours are to be checked, since
+# recursion would be too deep for some awks.)
 function collect(row, column,    first, last, place, px, py) {
   n = sx = sy = sxx = syy = sxy = 0
   first = last = 1
@@ -56,8 +56,8 @@ END {
       patches++
       if (n <= most) continue
       most = n
-      # The middle is the average of the pixels. The long side points where they are spread most;
-      # the formula is that of the principal axis of inertia.
+      # The centre is the average of the pixels. The long side has the direction of their largest
+      # spread, the principal axis of inertia.
       x = sx / n
       y = sy / n
       angle = atan2(2 * (sxy / n - x * y), (sxx / n - x * x) - (syy / n - y * y)) / 2

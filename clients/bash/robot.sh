@@ -1,27 +1,28 @@
 # shellcheck shell=bash
 
-# What the examples 2 to 6 share: the line to the robot, and the few things that one says on it.
-# Say `. ./robot.sh "$@"` at the start of a program: it connects to HOST and PORT of the
-# arguments, else of XR3_HOST and XR3_PORT, else to localhost 9600.
+# Shared by examples 2 to 6: the connection to the robot and its basic commands. Put
+# `. ./robot.sh "$@"` at the start of a program: it connects to HOST and PORT from the arguments,
+# else XR3_HOST and XR3_PORT, else localhost 9600.
 
-# Bytes are bytes here, not letters of some language.
+# Treat text as bytes, not as characters of a locale.
 export LC_ALL=C
 
-# A joint stands if its counter is the same after so many questions, in 2 seconds. The slowest speed
-# is one count a second, and the simulator's clock may run slowly, so be patient.
+# A joint counts as stopped if its counter is the same after this many questions, over 2 seconds.
+# The slowest speed is one count per second, and the simulator's clock may run slowly, hence the
+# long wait.
 stands_after=40
 
-# give_up TEXT: says what is wrong and ends the program.
+# give_up TEXT: prints a message and ends the program.
 give_up() {
   echo "$1" >&2
   exit 1
 }
 
-# give_up_standing JOINT LEFT: the end of a program whose joint stands so many counts short of where
-# it was sent.
+# give_up_standing JOINT LEFT: ends the program because a joint has stopped LEFT counts short of its
+# target.
 give_up_standing() {
-  give_up "$1 stands, $2 counts short of where it was sent. Is it blocked at a limit, or stalled? \
-Is a block in the jaws? Does time stand, or run slowly? Look at the page or at \`xr3 watch\`"
+  give_up "$1 stopped $2 counts short of its target. Is it blocked at a limit, or stalled? Is a \
+block in the jaws? Is the clock paused or slow? Look at the page or at \`xr3 watch\`"
 }
 
 host=${1:-${XR3_HOST:-localhost}}
@@ -31,27 +32,27 @@ if [ "$number" -lt 1 ] || [ "$number" -gt 65535 ]; then
   give_up "the port has to be a number from 1 to 65535, not '$port'"
 fi
 command -v nc >/dev/null || give_up 'nc (netcat) is missing: apt-get install netcat-openbsd'
-# (-z only looks whether somebody is there.)
+# (-z only checks that the port accepts connections.)
 nc -z -w 5 "$host" "$port" 2>/dev/null ||
   give_up "no robot answers at $host port $port: is the server running? ./run"
 
-# netcat runs beside the program: what we write into ${robot[1]} goes to the robot, and its
-# answers are read from ${robot[0]}.
+# netcat runs as a coprocess: bytes written to ${robot[1]} go to the robot, and answers are read
+# from ${robot[0]}.
 coproc robot { exec nc -N "$host" "$port"; }
 exec {from_robot}<&"${robot[0]}" {to_robot}>&"${robot[1]}"
-trap '' PIPE # if the line is closed, tell us, and do not just end the program
+trap '' PIPE # on a closed connection, report an error instead of ending the program
 
-# Where the motors are, in counts from the soft home, as far as robot_go moved them.
+# Motor positions in counts from the soft home, as tracked by robot_go.
 declare -A at=([F]=0 [E]=0 [D]=0 [C]=0 [B]=0 [A]=0)
 
-# robot_send TEXT: sends commands; the text is printf's. A move has to end with \r.
+# robot_send TEXT: sends commands; the text is a printf format. A move must end with \r.
 robot_send() {
-  # shellcheck disable=SC2059  # it is a format
+  # shellcheck disable=SC2059  # the text is a format
   printf "$1" 2>/dev/null 1>&"$to_robot" || give_up 'the robot has closed the line'
 }
 
-# robot_ask INQUIRY: asks, and leaves the byte that answers in $reply, as a number. (A byte of 0
-# cannot be read here, for bash drops it: so these programs ask I and J for switches, never EV.)
+# robot_ask INQUIRY: sends an inquiry and sets $reply to the one-byte answer as a number. (bash
+# drops bytes of 0, so these programs ask I and J for switches, never EV.)
 robot_ask() {
   local byte
   robot_send "$1"
@@ -65,16 +66,16 @@ robot_ask() {
   reply=$((reply & 255))
 }
 
-# robot_to_go JOINT: leaves in $left how many counts the joint has still to go.
+# robot_to_go JOINT: sets $left to the counts that the joint still has to go.
 robot_to_go() {
   robot_ask "$1?"
   left=$((reply - 32))
 }
 
-# robot_wait JOINT: waits until the joint is there. One that stands, at a limit or with the jaws at a
-# block, is stopped. Leaves in $left what was left to go.
+# robot_wait JOINT: waits until the joint has arrived. If it is blocked (at a limit, or jaws at a
+# block), cancels its move. Sets $left to the counts that were left.
 robot_wait() {
-  local before same=0 # how many answers in a row have been the same
+  local before same=0 # number of equal answers in a row
   robot_to_go "$1"
   while [ "$left" -gt 0 ] && [ "$same" -lt "$stands_after" ]; do
     sleep 0.05
@@ -85,7 +86,7 @@ robot_wait() {
   [ "$left" = 0 ] || robot_send "$1X"
 }
 
-# robot_go JOINT COUNT...: brings these motors to these counts together, in parts small enough for
+# robot_go JOINT COUNT...: moves these motors to these counts together, in parts small enough for
 # the error counter.
 robot_go() {
   local -A start wanted

@@ -2,10 +2,10 @@
 
        build/1_hello [HOST [PORT]]
 
-   A robot on a serial line knows no lines of text and no "OK". It answers a question with one
-   byte, and everything else with silence. */
+   The robot's serial protocol has no lines of text and no "OK". The robot answers most questions
+   with one byte and does not answer other commands. */
 
-#define _POSIX_C_SOURCE 200809L /* the network is no part of C11: it comes from POSIX */
+#define _POSIX_C_SOURCE 200809L /* sockets are part of POSIX, not of C11 */
 
 #include <netdb.h>
 #include <stdio.h>
@@ -14,16 +14,16 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-/* A variable of the environment; one that is empty counts as not set. */
+/* An environment variable; an empty one counts as not set. */
 static const char *setting(const char *name, const char *otherwise) {
   const char *value = getenv(name);
   return value != NULL && value[0] != '\0' ? value : otherwise;
 }
 
-/* Sends a question and returns the byte that answers it. */
+/* Sends a question and returns the one-byte answer. */
 static int ask(int robot, const char *question) {
   unsigned char reply[100];
-  /* MSG_NOSIGNAL: if the line is closed, tell us, and do not just end the program. */
+  /* MSG_NOSIGNAL: on a closed connection, return an error instead of ending the program. */
   ssize_t sent = send(robot, question, strlen(question), MSG_NOSIGNAL);
   ssize_t got = sent < 0 ? 0 : recv(robot, reply, sizeof reply, 0);
   if (got <= 0) {
@@ -39,7 +39,7 @@ static int ask(int robot, const char *question) {
 }
 
 int main(int argc, char *argv[]) {
-  /* Where the robot is: from the arguments, else from the environment, else this machine. */
+  /* Host and port: from the arguments, else from the environment, else the defaults. */
   const char *host = argc > 1 ? argv[1] : setting("XR3_HOST", "localhost");
   const char *port = argc > 2 ? argv[2] : setting("XR3_PORT", "9600");
   char *end;
@@ -49,7 +49,7 @@ int main(int argc, char *argv[]) {
     return 1;
   }
 
-  /* A name may have several addresses; the first one that answers is taken. */
+  /* A name may have several addresses: use the first one that accepts a connection. */
   struct addrinfo wanted = {.ai_family = AF_UNSPEC, .ai_socktype = SOCK_STREAM};
   struct addrinfo *addresses;
   if (getaddrinfo(host, port, &wanted, &addresses) != 0) {
@@ -70,12 +70,12 @@ int main(int argc, char *argv[]) {
     return 1;
   }
 
-  /* How far has the shoulder, joint E, still to go? The answer is counted from 32, the code of a
-     blank, so that it can be printed: a blank means 0 counts to go, "!" means 1, and so on. */
+  /* How many counts does the shoulder, joint E, still have to go? 32, the code of a blank, is added
+     to the answer to make it printable: a blank means 0 counts to go, "!" means 1, and so on. */
   int reply = ask(robot, "E?");
   printf("E? is answered by %d: %d counts to go\n", reply, reply - 32);
 
-  /* Which microswitches are closed? Again 32 is added; each switch has a bit of its own. */
+  /* Which microswitches are closed? Again 32 is added; each switch has one bit. */
   reply = ask(robot, "I");
   printf("I is answered by %d: switches %d\n", reply, reply - 32);
 

@@ -9,17 +9,17 @@
 int main(int argc, char *argv[]) {
   robot_connect(argc, argv);
 
-  /* A number with an S behind it is a speed, in counts a second. E has twice as far to go as F,
-     so it gets twice the speed. */
+  /* A number followed by S sets a speed in counts per second. E moves twice as far as F, so it gets
+     twice the speed. */
   robot_send("F40S E80S\r");
   printf("F runs at 40 counts a second, E at 80\n");
 
-  /* Each joint has a motor of its own, and the robot does not wait: both run from here on. */
+  /* Each joint has its own motor, and the robot does not wait: both start now. */
   robot_send("F+40 E+80\r");
   printf("F+40 E+80\n");
 
   int f = robot_to_go(F), e = robot_to_go(E);
-  int still_ms = 0; /* for how long neither counter has changed, as in example 2 */
+  int still_ms = 0; /* time without a change of either counter, as in example 2 */
   while (f > 0 || e > 0) {
     printf("  F %d, E %d counts to go\n", f, e);
     wait_ms(PAUSE_MS);
@@ -28,14 +28,14 @@ int main(int argc, char *argv[]) {
     e = robot_to_go(E);
     still_ms = f + e == before ? still_ms + PAUSE_MS : 0;
     if (still_ms >= STANDS_MS) {
-      robot_send("FX EX"); /* forget the rest, or the next move would add to it */
+      robot_send("FX EX"); /* cancel the rest: the next move would add to it */
       if (f > 0) robot_stands(F, f);
       if (e > 0) robot_stands(E, e);
     }
   }
   printf("both are there\n");
 
-  /* And back again. robot_wait is example 2 once more, for one joint after the other. */
+  /* And back again. robot_wait is the loop of example 2, for one joint after the other. */
   robot_send("F-40 E-80\r");
   f = robot_wait(F);
   if (f > 0) robot_stands(F, f);

@@ -1,9 +1,8 @@
-/* 5. Pick and place at known positions: take the red block from where it lies, and put it
-   somewhere else.
+/* 5. Pick and place at known positions: pick up the red block and put it down elsewhere.
 
        build/5_pick_and_place [HOST [PORT]]
 
-   The arm has to be at its soft home, as it is when the simulator starts, or after 3_home. */
+   The arm must be at its soft home, as when the simulator starts or after 3_home. */
 
 #include <stdio.h>
 
@@ -12,19 +11,19 @@
 /* The jaws, joint A, are 50.8 mm open at count 0, and a count is 0.79375 mm: 0 mm is count -64. */
 enum { OPEN = 16, SHUT = -64 };
 
-/* Where the motors have to be, in counts from the soft home, for the tool to be at a place.
-   `xr3 kin --pose 262,0,20 --down 90` works out the one of the block: its middle is at x 262, y 0
-   and z 20 mm, and it is turned by 90 degrees. "Above" is 100 mm higher up. On a real arm one would
-   drive there by hand and write the counts down. */
+/* Motor counts from the soft home for each position of the tool.
+   `xr3 kin --pose 262,0,20 --down 90` computes those at the block, whose centre is at x 262, y 0
+   and z 20 mm, with a yaw of 90 degrees. "Above" is 100 mm higher. On a real arm one would move
+   there manually and note the counts. */
 /*                                  F    E     D  C    B */
 static const int ABOVE_BLOCK[5] = { 0, 242, -440, 0,   0 };
 static const int AT_BLOCK[5] =    { 0, 449, -625, 0,   0 };
 static const int ABOVE_PLACE[5] = { 0, 483, -238, 0, 288 }; /* x 400, y 0, not turned */
 static const int AT_PLACE[5] =    { 0, 623, -354, 0, 288 };
-static const int HOME[JOINTS] =   { 0,   0,    0, 0,   0, 0 };   /* the jaws, A, too */
+static const int HOME[JOINTS] =   { 0,   0,    0, 0,   0, 0 };   /* including the jaws, A */
 
-/* Brings the arm there, all joints together, and leaves the jaws as they are. A single move is at
-   most 127 counts long, so robot_go sends several, and waits after each. */
+/* Moves the arm there, all joints together, and leaves the jaws as they are. A single move is
+   limited to 127 counts, so robot_go sends several and waits after each. */
 static void go(const int place[5]) {
   const int wanted[JOINTS] = {place[F], place[E], place[D], place[C], place[B], at[A]};
   robot_go(wanted);
@@ -44,16 +43,16 @@ int main(int argc, char *argv[]) {
   printf("above the block\n");
   go(AT_BLOCK);
 
-  /* Close the jaws much further than the block lets them. They stop at the block, and what is left
-     to go tells how wide it is. robot_wait also clears what is left (AX), or the jaws would go on
-     pressing. */
+  /* Command the jaws to close much further than the block permits. They stop at the block, and the
+     remaining counts give its width. robot_wait also cancels the remaining counts (AX); otherwise
+     the jaws would keep pressing. */
   robot_send("A-100\r");
   at[A] -= 100 - robot_wait(A);
   if (at[A] <= SHUT) {
     fprintf(stderr, "the jaws closed on nothing: is the block at x 262, y 0 mm? Restart the server "
                     "to have it there (the examples 3 to 6 are for the Rhino XR-3 with its own "
                     "workcell, in the profile paper)\n");
-    go(ABOVE_BLOCK); /* back to where the examples begin */
+    go(ABOVE_BLOCK); /* back to the start position */
     robot_go(HOME);
     return 1;
   }

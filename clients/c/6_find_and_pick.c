@@ -1,9 +1,9 @@
-/* 6. Find with the camera and pick: look at the table, find the largest block wherever it lies,
-   take it, put it down elsewhere, and look again.
+/* 6. Find with the camera and pick: look at the table, find the largest block, pick it up, put it
+   down elsewhere, and look again.
 
        build/6_find_and_pick [HOST [PORT]]
 
-   The arm has to be at its soft home, as it is when the simulator starts, or after 3_home. */
+   The arm must be at its soft home, as when the simulator starts or after 3_home. */
 
 #include <math.h>
 #include <stdio.h>
@@ -12,26 +12,26 @@
 
 #define DEGREES (180 / 3.14159265358979)
 
-/* The camera looks straight down on a square of 384 mm about x 290, y 0, in 192 x 192 pixels of
-   2 mm. A byte of the picture has six pixels. */
+/* The camera looks straight down on a square of 384 mm centred at x 290, y 0, with 192 x 192 pixels
+   of 2 mm. Each byte of the picture has six pixels. */
 enum { PIXELS = 192, ROW_BYTES = PIXELS / 6 };
 
 enum { OPEN = 16, SHUT = -64 };     /* counts of the jaws, as in example 5 */
-static const double Z = 20;         /* the largest block is 40 mm high: this is its middle */
-static const double ABOVE = 100;    /* how far above it the tool comes and goes, mm */
+static const double Z = 20;         /* height of the largest block's centre, mm */
+static const double ABOVE = 100;    /* height above it for approach and departure, mm */
 
 static const int HOME[JOINTS] = {0};
 
-/* A place on the table: millimetres, and the direction of a block's long side in degrees. */
+/* A place on the table: x and y in mm, and the direction of a block's long side in degrees. */
 struct place { double x, y, angle; };
 
-/* Sums over the pixels of one patch, from which its middle and its angle follow. */
+/* Sums over the pixels of one patch, to compute its centre and angle. */
 struct patch { double n, x, y, xx, yy, xy; };
 
 static char picture[PIXELS][PIXELS]; /* 1 where the camera sees a block */
 
-/* Asks for the whole picture: rows from the top, the leftmost of six pixels in the highest bit, and
-   32 added to each byte. */
+/* Requests the picture: rows from the top, the leftmost of six pixels in the highest bit, and 32
+   added to each byte. */
 static void look(void) {
   static unsigned char bytes[PIXELS * ROW_BYTES];
   robot_send("A**");
@@ -44,8 +44,8 @@ static void look(void) {
   }
 }
 
-/* Adds this pixel and all that hang together with it to the patch, and takes them out of the
-   picture, so that none is counted twice. */
+/* Adds this pixel and all pixels connected to it to the patch and removes them from the picture, so
+   that none is counted twice. */
 static void collect(int row, int column, struct patch *patch) {
   if (row < 0 || row >= PIXELS || column < 0 || column >= PIXELS) return;
   if (!picture[row][column]) return;
@@ -64,8 +64,8 @@ static void collect(int row, int column, struct patch *patch) {
   collect(row - 1, column, patch);
 }
 
-/* The middle of a patch is the average of its pixels. The long side points where they are spread
-   most; the formula is that of the principal axis of inertia. */
+/* The centre of a patch is the average of its pixels. The long side has the direction of their
+   largest spread, the principal axis of inertia. */
 static struct place measure(const struct patch *patch) {
   double x = patch->x / patch->n, y = patch->y / patch->n;
   double xx = patch->xx / patch->n - x * x;
@@ -96,10 +96,10 @@ static struct place find_largest(void) {
   return found;
 }
 
-/* Inverse kinematics: brings the tool to a place at the height z, pointing down. Seen from the
-   side, upper arm and forearm, 228.6 mm each, are two sides of a triangle; the third one leads from
-   the shoulder, 260.4 mm above the table, to the wrist, which is 168.3 mm above the tip and 9.5 mm
-   nearer to the base. Each motor sets the slope of one link, whatever the others do. */
+/* Inverse kinematics: moves the tool, pointing down, to a place at height z. Seen from the side,
+   upper arm and forearm, 228.6 mm each, are two sides of a triangle. The third side leads from the
+   shoulder, 260.4 mm above the table, to the wrist, 168.3 mm above the tip and 9.5 mm nearer to the
+   base. Each motor sets the slope of one link, independently of the others. */
 static void go_to(struct place place, double z) {
   double out = hypot(place.x, place.y) - 9.5;
   double up = z + 168.3 - 260.4;
@@ -107,7 +107,7 @@ static void go_to(struct place place, double z) {
   double slope = atan2(up, out) * DEGREES;
   double corner = acos(hypot(out, up) / 2 / 228.6) * DEGREES;
   double upper_arm = slope + corner, forearm = slope - corner;
-  /* A block looks the same after half a turn, so the roll may be anything from -90 to 90. */
+  /* A block looks the same after half a turn, so the roll can be reduced to -90...90. */
   double roll = base - place.angle + 90;
   roll -= 180 * round(roll / 180);
   const int wanted[JOINTS] = {[F] = (int)lround(base / 0.2269),
@@ -137,7 +137,7 @@ int main(int argc, char *argv[]) {
     fprintf(stderr, "the jaws closed on nothing: is the block at x %.0f, y %.0f mm? (The examples "
                     "3 to 6 are for the Rhino XR-3 with its own workcell, in the profile paper)\n",
             block.x, block.y);
-    go_to(block, Z + ABOVE); /* back to where the examples begin */
+    go_to(block, Z + ABOVE); /* back to the start position */
     robot_go(HOME);
     return 1;
   }

@@ -1,4 +1,4 @@
-#define _POSIX_C_SOURCE 200809L /* the network is no part of C11: it comes from POSIX */
+#define _POSIX_C_SOURCE 200809L /* sockets are part of POSIX, not of C11 */
 
 #include "robot.h"
 
@@ -27,7 +27,7 @@ void robot_give_up(const char *format, ...) {
   exit(1);
 }
 
-/* A variable of the environment; one that is empty counts as not set. */
+/* An environment variable; an empty one counts as not set. */
 static const char *setting(const char *name, const char *otherwise) {
   const char *value = getenv(name);
   return value != NULL && value[0] != '\0' ? value : otherwise;
@@ -57,7 +57,7 @@ void robot_connect(int argc, char *argv[]) {
   if (line < 0) {
     robot_give_up("no robot answers at %s port %s: is the server running? ./run", host, port);
   }
-  int yes = 1; /* few bytes at a time shall go out at once, not be gathered first */
+  int yes = 1; /* send small messages at once */
   setsockopt(line, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
 }
 
@@ -68,14 +68,14 @@ void robot_send(const char *format, ...) {
   int length = vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
   if (length >= (int)sizeof text) robot_give_up("too long a text to send");
-  /* MSG_NOSIGNAL: if the line is closed, tell us, and do not just end the program. */
+  /* MSG_NOSIGNAL: on a closed connection, return an error instead of ending the program. */
   if (send(line, text, length, MSG_NOSIGNAL) != length) {
     robot_give_up("the robot has closed the line");
   }
 }
 
 void robot_read(unsigned char *bytes, int count) {
-  while (count > 0) { /* a long answer comes in pieces */
+  while (count > 0) { /* a long answer arrives in pieces */
     int got = (int)recv(line, bytes, count, 0);
     if (got <= 0) robot_give_up("the robot has closed the line");
     bytes += got;
@@ -106,7 +106,7 @@ void wait_ms(int milliseconds) {
 
 int robot_wait(int joint) {
   int left = robot_to_go(joint);
-  int still_ms = 0; /* for how long the counter has not changed */
+  int still_ms = 0; /* time without a change of the counter */
   while (left > 0 && still_ms < STANDS_MS) {
     wait_ms(PAUSE_MS);
     int before = left;
@@ -118,9 +118,9 @@ int robot_wait(int joint) {
 }
 
 void robot_stands(int joint, int left) {
-  robot_give_up("%c stands, %d counts short of where it was sent. Is it blocked at a limit, or "
-                "stalled? Is a block in the jaws? Does time stand, or run slowly? Look at the "
-                "page or at `xr3 watch`", LETTERS[joint], left);
+  robot_give_up("%c stopped %d counts short of its target. Is it blocked at a limit, or stalled? "
+                "Is a block in the jaws? Is the clock paused or slow? Look at the page or at "
+                "`xr3 watch`", LETTERS[joint], left);
 }
 
 void robot_go(const int wanted[JOINTS]) {

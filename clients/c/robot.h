@@ -1,54 +1,53 @@
-/* What the examples 2 to 6 share: the line to the robot, and the few things that one says on it.
-   A function that cannot do its work says so and ends the program with exit code 1. */
+/* Shared by examples 2 to 6: the connection to the robot and its basic commands. On failure, a
+   function prints a message and ends the program with exit code 1. */
 
 #ifndef ROBOT_H
 #define ROBOT_H
 
-/* The joints from the base to the jaws; an array of counts has a place for each. */
+/* The joints from the base to the jaws, as indices into arrays of counts. */
 enum { F, E, D, C, B, A, JOINTS };
 extern const char LETTERS[]; /* "FEDCBA" */
 
-/* How long to do nothing between two questions. */
+/* The pause between two questions. */
 enum { PAUSE_MS = 50 };
 
-/* A joint stands if its counter has not changed for so long. The slowest speed is one count a
-   second, and the simulator's clock may run slowly, so be patient. */
+/* A joint counts as stopped if its counter has not changed for this long. The slowest speed is one
+   count per second, and the simulator's clock may run slowly, hence the long wait. */
 enum { STANDS_MS = 2000 };
 
-/* Where the motors are, in counts from the soft home, as far as robot_go moved them. */
+/* Motor positions in counts from the soft home, as tracked by robot_go. */
 extern int at[JOINTS];
 
-/* Connects to HOST and PORT of the arguments, else of XR3_HOST and XR3_PORT, else to localhost
-   9600. */
+/* Connects to HOST and PORT from the arguments, else XR3_HOST and XR3_PORT, else localhost 9600. */
 void robot_connect(int argc, char *argv[]);
 
-/* Sends commands; the text is printf's. A move has to end with \r. */
+/* Sends commands; the text is a printf format. A move must end with \r. */
 void robot_send(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Reads exactly so many bytes of an answer. */
+/* Reads exactly `count` bytes of an answer. */
 void robot_read(unsigned char *bytes, int count);
 
-/* Asks, and returns the byte that answers. */
+/* Sends an inquiry and returns the one-byte answer. */
 int robot_ask(const char *inquiry);
 
-/* How many counts the joint has still to go. */
+/* The counts that the joint still has to go. */
 int robot_to_go(int joint);
 
-/* Does nothing for so long. */
+/* Sleeps. */
 void wait_ms(int milliseconds);
 
-/* Waits until the joint is there. One that makes no count for STANDS_MS stands, at a limit or with
-   the jaws at a block, and is stopped. Returns the counts that were left. */
+/* Waits until the joint has arrived. If it makes no count for STANDS_MS (at a limit, or jaws at a
+   block), cancels its move. Returns the counts that were left. */
 int robot_wait(int joint);
 
-/* Says that the joint stands so many counts too early and what the reason may be, and ends the
-   program. */
+/* Reports a joint that has stopped `left` counts short of its target, with possible reasons, and
+   ends the program. */
 void robot_stands(int joint, int left);
 
-/* Says what is wrong and ends the program; the text is printf's. */
+/* Prints a message and ends the program; the text is a printf format. */
 void robot_give_up(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Brings all motors to these counts together, in parts small enough for the error counter. */
+/* Moves all motors to these counts together, in parts small enough for the error counter. */
 void robot_go(const int wanted[JOINTS]);
 
 void robot_close(void);

@@ -2,8 +2,8 @@
 //
 //     build/1_hello [HOST [PORT]]
 //
-// A robot on a serial line knows no lines of text and no "OK". It answers a question with one byte,
-// and everything else with silence.
+// The robot's serial protocol has no lines of text and no "OK". The robot answers most questions
+// with one byte and does not answer other commands.
 
 #include <netdb.h>
 #include <sys/socket.h>
@@ -13,16 +13,16 @@
 #include <iostream>
 #include <string>
 
-/// A variable of the environment; one that is empty counts as not set.
+/// An environment variable; an empty one counts as not set.
 std::string setting(const char* name, const std::string& otherwise) {
   const char* value = std::getenv(name);
   return value && *value ? value : otherwise;
 }
 
-/// Sends a question and returns the byte that answers it.
+/// Sends a question and returns the one-byte answer.
 int ask(int robot, const std::string& question) {
   unsigned char reply[100];
-  // MSG_NOSIGNAL: if the line is closed, tell us, and do not just end the program.
+  // MSG_NOSIGNAL: on a closed connection, return an error instead of ending the program.
   const ssize_t sent = send(robot, question.data(), question.size(), MSG_NOSIGNAL);
   const ssize_t got = sent < 0 ? 0 : recv(robot, reply, sizeof reply, 0);
   if (got <= 0) {
@@ -37,7 +37,7 @@ int ask(int robot, const std::string& question) {
 }
 
 int main(int argc, char* argv[]) {
-  // Where the robot is: from the arguments, else from the environment, else this machine.
+  // Host and port: from the arguments, else from the environment, else the defaults.
   const std::string host = argc > 1 ? argv[1] : setting("XR3_HOST", "localhost");
   const std::string port = argc > 2 ? argv[2] : setting("XR3_PORT", "9600");
   char* end = nullptr;
@@ -47,7 +47,7 @@ int main(int argc, char* argv[]) {
     return 1;
   }
 
-  // A name may have several addresses; the first one that answers is taken.
+  // A name may have several addresses: use the first one that accepts a connection.
   addrinfo wanted{};
   wanted.ai_socktype = SOCK_STREAM;
   addrinfo* addresses = nullptr;
@@ -70,12 +70,12 @@ int main(int argc, char* argv[]) {
     return 1;
   }
 
-  // How far has the shoulder, joint E, still to go? The answer is counted from 32, the code of a
-  // blank, so that it can be printed: a blank means 0 counts to go, "!" means 1, and so on.
+  // How many counts does the shoulder, joint E, still have to go? 32, the code of a blank, is added
+  // to the answer to make it printable: a blank means 0 counts to go, "!" means 1, and so on.
   int reply = ask(robot, "E?");
   std::cout << "E? is answered by " << reply << ": " << reply - 32 << " counts to go\n";
 
-  // Which microswitches are closed? Again 32 is added; each switch has a bit of its own.
+  // Which microswitches are closed? Again 32 is added; each switch has one bit.
   reply = ask(robot, "I");
   std::cout << "I is answered by " << reply << ": switches " << reply - 32 << "\n";
 

@@ -1,4 +1,4 @@
-// 2. Move and wait: send a joint somewhere, and ask until it has arrived.
+// 2. Move and wait: move a joint and ask until it has arrived.
 //
 //     build/2_move_and_wait [HOST [PORT]]
 
@@ -7,12 +7,11 @@
 
 #include "robot.hpp"
 
-/// Asks how far there is still to go until nothing is left. Between two questions it does nothing
-/// for a while. A joint that is blocked would let us ask forever: we give up after kStandsMs
-/// without a count.
+/// Asks for the remaining counts until none are left, with a pause between two questions. A blocked
+/// joint would never finish, so the program gives up after kStandsMs without a count.
 void wait_for(Robot& robot, char joint) {
   int left = robot.to_go(joint);
-  int still_ms = 0;  // for how long the counter has not changed
+  int still_ms = 0;  // time without a change of the counter
   while (left > 0) {
     std::cout << "  " << left << " counts to go\n";
     Robot::pause();
@@ -20,7 +19,7 @@ void wait_for(Robot& robot, char joint) {
     left = robot.to_go(joint);
     still_ms = left == before ? still_ms + Robot::kPauseMs : 0;
     if (still_ms >= Robot::kStandsMs) {
-      robot.send(std::string{joint, 'X'});  // forget the rest, or the next move would add to it
+      robot.send(std::string{joint, 'X'});  // cancel the rest: the next move would add to it
       Robot::check_arrived(joint, left);
     }
   }
@@ -30,8 +29,8 @@ void wait_for(Robot& robot, char joint) {
 int main(int argc, char* argv[]) try {
   Robot robot(argc, argv);
 
-  // The shoulder shall turn by 50 counts of its encoder. The carriage return tells the robot that
-  // the number ends here. It starts to move, and answers nothing: so we ask.
+  // Turn the shoulder by 50 counts of its encoder. The carriage return ends the number. The robot
+  // starts to move and does not answer, so the program has to ask.
   std::cout << "E+50\n";
   robot.send("E+50\r");
   wait_for(robot, 'E');
@@ -41,7 +40,7 @@ int main(int argc, char* argv[]) try {
   robot.send("E-50\r");
   wait_for(robot, 'E');
 } catch (const std::exception& error) {
-  // Whatever goes wrong above, robot.hpp says it in words, and we end up here.
+  // robot.hpp reports all failures by exceptions with a readable message.
   std::cerr << error.what() << "\n";
   return 1;
 }

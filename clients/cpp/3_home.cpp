@@ -1,5 +1,5 @@
-// 3. Home by microswitches: after power-on nobody knows where the arm stands. Each joint has a
-// switch that closes at one place of its way. Looking for that place is how a robot finds out.
+// 3. Home by microswitches: after power-on the position of the arm is unknown. Each joint has a
+// switch that closes at a known position. Searching for it tells where the joint is.
 //
 //     build/3_home [HOST [PORT]]
 
@@ -13,30 +13,30 @@ struct Switch {
   int place;  // in counts from the soft home: upper arm upright, forearm level, tool down
 };
 
-// The elbow comes first, for it lifts the hand off the table; the jaws, joint A, come last.
+// The elbow comes first, since it lifts the hand off the table; the jaws, joint A, come last.
 const Switch kSwitches[] = {{'D', 40}, {'E', -40}, {'C', 40}, {'B', -25}, {'F', 30}, {'A', 16}};
 
-// No joint has so many counts to go from one end of its way to the other.
+// More counts than the full travel of any joint.
 const int kFarthest = 2500;
 
 bool is_closed(Robot& robot, char joint) {
-  return robot.ask(std::string{joint, 'V'}) == 1;  // a plain 0 or 1, nothing is added
+  return robot.ask(std::string{joint, 'V'}) == 1;  // 0 or 1, without the 32
 }
 
-/// Moves the joint and returns how many counts were left, if it could not go on.
+/// Moves the joint and returns the counts that were left, 0 if it has arrived.
 int step(Robot& robot, char joint, int counts) {
   robot.send(move_of(joint, counts) + "\r");
-  return robot.wait(joint);  // asks as in example 2, and stops a joint that stands
+  return robot.wait(joint);  // as in example 2; cancels the move of a blocked joint
 }
 
-/// Steps of so many counts until the switch is closed, or until it is open.
+/// Moves in steps of `counts` until the switch is closed (true) or open (false).
 void search(Robot& robot, char joint, int counts, bool closed) {
   for (int gone = 0; is_closed(robot, joint) != closed; gone += std::abs(counts)) {
     if (step(robot, joint, counts) == std::abs(counts)) {
       throw std::runtime_error(
           std::string{joint} +
-          " does not move, and its switch is not found. Is it at a limit, or stalled? Does time "
-          "stand? This example is for the Rhino XR-3, in the profile paper");
+          " does not move, and its switch is not found. Is it at a limit, or stalled? Is the "
+          "clock paused? This example is for the Rhino XR-3, in the profile paper");
     }
     if (gone > kFarthest) {
       throw std::runtime_error(
@@ -50,11 +50,11 @@ void search(Robot& robot, char joint, int counts, bool closed) {
 int main(int argc, char* argv[]) try {
   Robot robot(argc, argv);
 
-  // A robot may tell of its switches the other way round. I shows it: the highest of its six bits
-  // belongs to no switch, and should be 0.
+  // Some controllers report their switches inverted. The answer to I shows it: the highest of its
+  // six bits belongs to no switch and should be 0.
   if (robot.ask("I") - 32 >= 32) {
     throw std::runtime_error(
-        "the switches of D and of all other joints tell 1 when they are open, as in the profile "
+        "the switches of D and of all other joints read 1 when they are open, as in the profile "
         "mark3. This example is for the profile paper");
   }
 
@@ -62,16 +62,16 @@ int main(int argc, char* argv[]) try {
     const int way = place > 0 ? 1 : -1;
     search(robot, joint, 5 * way, true);    // quickly, until the switch closes
     search(robot, joint, -5 * way, false);  // back, until it opens again
-    search(robot, joint, way, true);        // slowly: now we know to the count where it closes
-    std::cout << joint << " stands on its switch, at " << std::showpos << place << "\n";
+    search(robot, joint, way, true);        // slowly, to find the exact count at which it closes
+    std::cout << joint << " is on its switch, at " << std::showpos << place << "\n";
   }
 
-  // All switches at once: I tells of joints C to F, J of A and B.
+  // All switches at once: I reports joints C to F, J reports A and B.
   const int i = robot.ask("I") - 32;
   const int j = robot.ask("J") - 32;
   std::cout << std::noshowpos << "switches closed: " << i << " of I, " << j << " of J\n";
 
-  // From here the soft home is as far away as the switches are from it.
+  // The soft home is at count 0: move each joint back by the count of its switch.
   for (const auto& [joint, place] : kSwitches) {
     Robot::check_arrived(joint, step(robot, joint, -place));
   }

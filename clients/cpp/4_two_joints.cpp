@@ -10,18 +10,18 @@
 int main(int argc, char* argv[]) try {
   Robot robot(argc, argv);
 
-  // A number with an S behind it is a speed, in counts a second. E has twice as far to go as F,
-  // so it gets twice the speed.
+  // A number followed by S sets a speed in counts per second. E moves twice as far as F, so it gets
+  // twice the speed.
   robot.send("F40S E80S\r");
   std::cout << "F runs at 40 counts a second, E at 80\n";
 
-  // Each joint has a motor of its own, and the robot does not wait: both run from here on.
+  // Each joint has its own motor, and the robot does not wait: both start now.
   robot.send("F+40 E+80\r");
   std::cout << "F+40 E+80\n";
 
   int f = robot.to_go('F');
   int e = robot.to_go('E');
-  int still_ms = 0;  // for how long neither counter has changed, as in example 2
+  int still_ms = 0;  // time without a change of either counter, as in example 2
   while (f > 0 || e > 0) {
     std::cout << "  F " << f << ", E " << e << " counts to go\n";
     Robot::pause();
@@ -30,14 +30,14 @@ int main(int argc, char* argv[]) try {
     e = robot.to_go('E');
     still_ms = f + e == before ? still_ms + Robot::kPauseMs : 0;
     if (still_ms >= Robot::kStandsMs) {
-      robot.send("FX EX");  // forget the rest, or the next move would add to it
+      robot.send("FX EX");  // cancel the rest: the next move would add to it
       Robot::check_arrived('F', f);
       Robot::check_arrived('E', e);
     }
   }
   std::cout << "both are there\n";
 
-  // And back again. wait() is example 2 once more, for one joint after the other.
+  // And back again. wait() is the loop of example 2, for one joint after the other.
   robot.send("F-40 E-80\r");
   Robot::check_arrived('F', robot.wait('F'));
   Robot::check_arrived('E', robot.wait('E'));

@@ -1,9 +1,9 @@
-// 6. Find with the camera and pick: look at the table, find the largest block wherever it lies,
-// take it, put it down elsewhere, and look again.
+// 6. Find with the camera and pick: look at the table, find the largest block, pick it up, put it
+// down elsewhere, and look again.
 //
 //     build/6_find_and_pick [HOST [PORT]]
 //
-// The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.
+// The arm must be at its soft home, as when the simulator starts or after 3_home.
 
 #include <cmath>
 #include <exception>
@@ -15,24 +15,24 @@
 
 const double kDegrees = 180 / std::acos(-1.0);
 
-// The camera looks straight down on a square of 384 mm about x 290, y 0, in 192 x 192 pixels of 2
-// mm. A byte of the picture has six pixels.
+// The camera looks straight down on a square of 384 mm centred at x 290, y 0, with 192 x 192 pixels
+// of 2 mm. Each byte of the picture has six pixels.
 const int kPixels = 192;
 const int kRowBytes = kPixels / 6;
 
-const int kOpen = 16;       // counts of the open jaws
-const int kShut = -64;      // and of jaws that meet
-const double kZ = 20;       // the largest block is 40 mm high: this is its middle
-const double kAbove = 100;  // how far above it the tool comes and goes, mm
+const int kOpen = 16;       // count of A with open jaws
+const int kShut = -64;      // count of A with closed jaws
+const double kZ = 20;       // height of the largest block's centre, mm
+const double kAbove = 100;  // height above it for approach and departure, mm
 
 const Counts kHome{{'F', 0}, {'E', 0}, {'D', 0}, {'C', 0}, {'B', 0}, {'A', 0}};
 
-/// A place on the table: millimetres, and the direction of a block's long side in degrees.
+/// A place on the table: x and y in mm, and the direction of a block's long side in degrees.
 struct Place {
   double x, y, angle;
 };
 
-/// Sums over the pixels of one patch, from which its middle and its angle follow.
+/// Sums over the pixels of one patch, to compute its centre and angle.
 struct Patch {
   double n = 0, x = 0, y = 0, xx = 0, yy = 0, xy = 0;
 };
@@ -40,8 +40,8 @@ struct Patch {
 /// Rows from the top; true where the camera sees a block.
 using Picture = std::vector<std::vector<bool>>;
 
-/// Asks for the whole picture. The leftmost of six pixels is the highest bit, and 32 is added to
-/// each byte.
+/// Requests the picture. The leftmost of six pixels is the highest bit, and 32 is added to each
+/// byte.
 Picture look(Robot& robot) {
   robot.send("A**");
   const std::vector<unsigned char> bytes = robot.read(kPixels * kRowBytes);
@@ -55,8 +55,8 @@ Picture look(Robot& robot) {
   return picture;
 }
 
-/// Adds this pixel and all that hang together with it to the patch, and takes them out of the
-/// picture, so that none is counted twice.
+/// Adds this pixel and all pixels connected to it to the patch and removes them from the picture,
+/// so that none is counted twice.
 void collect(Picture& picture, int row, int column, Patch& patch) {
   if (row < 0 || row >= kPixels || column < 0 || column >= kPixels) return;
   if (!picture[row][column]) return;
@@ -75,8 +75,8 @@ void collect(Picture& picture, int row, int column, Patch& patch) {
   collect(picture, row - 1, column, patch);
 }
 
-/// The middle of a patch is the average of its pixels. The long side points where they are spread
-/// most; the formula is that of the principal axis of inertia.
+/// The centre of a patch is the average of its pixels. The long side has the direction of their
+/// largest spread, the principal axis of inertia.
 Place measure(const Patch& patch) {
   const double x = patch.x / patch.n;
   const double y = patch.y / patch.n;
@@ -107,10 +107,10 @@ Place find_largest(Robot& robot) {
   return found;
 }
 
-/// Inverse kinematics: brings the tool to a place at the height z, pointing down. Seen from the
-/// side, upper arm and forearm, 228.6 mm each, are two sides of a triangle; the third one leads
-/// from the shoulder, 260.4 mm above the table, to the wrist, which is 168.3 mm above the tip and
-/// 9.5 mm nearer to the base. Each motor sets the slope of one link, whatever the others do.
+/// Inverse kinematics: moves the tool, pointing down, to a place at height z. Seen from the side,
+/// upper arm and forearm, 228.6 mm each, are two sides of a triangle. The third side leads from the
+/// shoulder, 260.4 mm above the table, to the wrist, 168.3 mm above the tip and 9.5 mm nearer to
+/// the base. Each motor sets the slope of one link, independently of the others.
 void go_to(Robot& robot, Place place, double z) {
   const double out = std::hypot(place.x, place.y) - 9.5;
   const double up = z + 168.3 - 260.4;
@@ -119,7 +119,7 @@ void go_to(Robot& robot, Place place, double z) {
   const double corner = std::acos(std::hypot(out, up) / 2 / 228.6) * kDegrees;
   const double upper_arm = slope + corner;
   const double forearm = slope - corner;
-  // A block looks the same after half a turn, so the roll may be anything from -90 to 90.
+  // A block looks the same after half a turn, so the roll can be reduced to -90...90.
   double roll = base - place.angle + 90;
   roll -= 180 * std::round(roll / 180);
   robot.go({{'F', std::lround(base / 0.2269)},
@@ -144,7 +144,7 @@ int main(int argc, char* argv[]) try {
               << std::lround(block.y)
               << " mm? (The examples 3 to 6 are for the Rhino XR-3 with its own workcell, "
                  "in the profile paper)\n";
-    go_to(robot, block, kZ + kAbove);  // back to where the examples begin
+    go_to(robot, block, kZ + kAbove);  // back to the start position
     robot.go(kHome);
     return 1;
   }

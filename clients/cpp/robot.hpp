@@ -1,5 +1,5 @@
-// What the examples 2 to 6 share: the line to the robot, and the few things that one says on it. It
-// knows joints and their counts, but neither millimetres nor the camera.
+// Shared by examples 2 to 6: the connection to the robot and its basic commands. It handles joints
+// and counts, but not millimetres or the camera.
 #pragma once
 
 #include <netdb.h>
@@ -21,16 +21,15 @@
 /// jaws A.
 using Counts = std::map<char, int>;
 
-/// "E+5": a joint, and a number that always shows its sign.
+/// A move command such as "E+5": the joint and a number with explicit sign.
 inline std::string move_of(char joint, int counts) {
   return joint + std::string(counts < 0 ? "" : "+") + std::to_string(counts);
 }
 
 class Robot {
  public:
-  /// Connects to HOST and PORT of main's arguments, else of XR3_HOST and XR3_PORT, else to
-  /// localhost 9600. Like everything here, it throws std::runtime_error, with a text for people,
-  /// if it cannot do its work.
+  /// Connects to HOST and PORT from main's arguments, else XR3_HOST and XR3_PORT, else localhost
+  /// 9600. Like all members, throws std::runtime_error with a readable message on failure.
   Robot(int argc, char* argv[]) {
     connect_to(argc > 1 ? argv[1] : setting("XR3_HOST", "localhost"),
                argc > 2 ? argv[2] : setting("XR3_PORT", "9600"));
@@ -39,19 +38,19 @@ class Robot {
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
 
-  /// Sends commands. A move has to end with \r.
+  /// Sends commands. A move must end with \r.
   void send(const std::string& text) {
-    // MSG_NOSIGNAL: if the line is closed, tell us, and do not just end the program.
+    // MSG_NOSIGNAL: on a closed connection, return an error instead of ending the program.
     const ssize_t sent = ::send(line_, text.data(), text.size(), MSG_NOSIGNAL);
     if (sent != static_cast<ssize_t>(text.size())) {
       throw std::runtime_error("the robot has closed the line");
     }
   }
 
-  /// Reads exactly so many bytes of an answer.
+  /// Reads exactly `count` bytes of an answer.
   std::vector<unsigned char> read(std::size_t count) {
     std::vector<unsigned char> bytes(count);
-    for (std::size_t have = 0; have < count;) {  // a long answer comes in pieces
+    for (std::size_t have = 0; have < count;) {  // a long answer arrives in pieces
       const ssize_t got = recv(line_, bytes.data() + have, count - have, 0);
       if (got <= 0) throw std::runtime_error("the robot has closed the line");
       have += static_cast<std::size_t>(got);
@@ -59,7 +58,7 @@ class Robot {
     return bytes;
   }
 
-  /// Asks, and returns the byte that answers.
+  /// Sends an inquiry and returns the one-byte answer.
   int ask(const std::string& inquiry) {
     send(inquiry);
     unsigned char reply[100];
@@ -72,18 +71,18 @@ class Robot {
     return reply[0];
   }
 
-  /// How many counts the joint has still to go.
+  /// The counts that the joint still has to go.
   int to_go(char joint) { return ask(std::string{joint, '?'}) - 32; }
 
-  /// A joint stands if its counter has not changed for so long. The slowest speed is one count a
-  /// second, and the simulator's clock may run slowly, so be patient.
+  /// A joint counts as stopped if its counter has not changed for this long. The slowest speed is
+  /// one count per second, and the simulator's clock may run slowly, hence the long wait.
   static constexpr int kStandsMs = 2000;
 
-  /// Waits until the joint is there. One that makes no count for kStandsMs stands, at a limit or
-  /// with the jaws at a block, and is stopped. Returns the counts that were left.
+  /// Waits until the joint has arrived. If it makes no count for kStandsMs (at a limit, or jaws at
+  /// a block), cancels its move. Returns the counts that were left.
   int wait(char joint) {
     int left = to_go(joint);
-    int still_ms = 0;  // for how long the counter has not changed
+    int still_ms = 0;  // time without a change of the counter
     while (left > 0 && still_ms < kStandsMs) {
       pause();
       const int before = left;
@@ -94,20 +93,20 @@ class Robot {
     return left;
   }
 
-  /// How long pause() does nothing, between two questions.
+  /// The duration of pause(), between two questions.
   static constexpr int kPauseMs = 50;
   static void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(kPauseMs)); }
 
-  /// Throws if there are counts left: says which joint stands, and what the reason may be.
+  /// Throws if counts are left; the message has the joint and possible reasons.
   static void check_arrived(char joint, int left) {
     if (left <= 0) return;
     throw std::runtime_error(
-        std::string{joint} + " stands, " + std::to_string(left) +
-        " counts short of where it was sent. Is it blocked at a limit, or stalled? Is a block in "
-        "the jaws? Does time stand, or run slowly? Look at the page or at `xr3 watch`");
+        std::string{joint} + " stopped " + std::to_string(left) +
+        " counts short of its target. Is it blocked at a limit, or stalled? Is a block in the "
+        "jaws? Is the clock paused or slow? Look at the page or at `xr3 watch`");
   }
 
-  /// Brings these motors to these counts together, in parts small enough for the error counter.
+  /// Moves these motors to these counts together, in parts small enough for the error counter.
   void go(const Counts& wanted) {
     const Counts start = at;
     int longest = 0;
@@ -127,11 +126,11 @@ class Robot {
     }
   }
 
-  /// Where the motors are, in counts from the soft home, as far as go() moved them.
+  /// Motor positions in counts from the soft home, as tracked by go().
   Counts at{{'F', 0}, {'E', 0}, {'D', 0}, {'C', 0}, {'B', 0}, {'A', 0}};
 
  private:
-  /// A variable of the environment; one that is empty counts as not set.
+  /// An environment variable; an empty one counts as not set.
   static std::string setting(const char* name, const std::string& otherwise) {
     const char* value = std::getenv(name);
     return value && *value ? value : otherwise;
@@ -161,7 +160,7 @@ class Robot {
       throw std::runtime_error("no robot answers at " + host + " port " + port +
                                ": is the server running? ./run");
     }
-    const int yes = 1;  // few bytes at a time shall go out at once, not be gathered first
+    const int yes = 1;  // send small messages at once
     setsockopt(line_, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
   }
 

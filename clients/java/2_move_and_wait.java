@@ -1,4 +1,4 @@
-// 2. Move and wait: send a joint somewhere, and ask until it has arrived.
+// 2. Move and wait: move a joint and ask until it has arrived.
 //
 //     java -cp build 2_move_and_wait.java [HOST [PORT]]
 
@@ -6,13 +6,12 @@ import java.io.IOException;
 
 class MoveAndWait {
     /**
-     * Asks how far there is still to go until nothing is left. Between two questions it does
-     * nothing for a while. A joint that is blocked would let us ask forever: we give up after
-     * STANDS_MS without a count.
+     * Asks for the remaining counts until none are left, with a pause between two questions. A
+     * blocked joint would never finish, so the program gives up after STANDS_MS without a count.
      */
     static void waitFor(Robot robot, String joint) throws IOException, InterruptedException {
         int left = robot.toGo(joint);
-        int stillMs = 0; // for how long the counter has not changed
+        int stillMs = 0; // time without a change of the counter
         while (left > 0) {
             System.out.println("  " + left + " counts to go");
             robot.pause();
@@ -20,7 +19,7 @@ class MoveAndWait {
             left = robot.toGo(joint);
             stillMs = left == before ? stillMs + Robot.PAUSE_MS : 0;
             if (stillMs >= Robot.STANDS_MS) {
-                robot.send(joint + "X"); // forget the rest, or the next move would add to it
+                robot.send(joint + "X"); // cancel the rest: the next move would add to it
                 Robot.checkArrived(joint, left);
             }
         }
@@ -30,8 +29,8 @@ class MoveAndWait {
     static void moveAndWait(String[] args) throws IOException, InterruptedException {
         Robot robot = new Robot(args);
 
-        // The shoulder shall turn by 50 counts of its encoder. The carriage return tells the
-        // robot that the number ends here. It starts to move, and answers nothing: so we ask.
+        // Turn the shoulder by 50 counts of its encoder. The carriage return ends the number. The
+        // robot starts to move and does not answer, so the program has to ask.
         System.out.println("E+50");
         robot.send("E+50\r");
         waitFor(robot, "E");
@@ -47,7 +46,7 @@ class MoveAndWait {
     public static void main(String[] args) throws InterruptedException {
         try {
             moveAndWait(args);
-        } catch (IOException why) { // Robot.java says in words what went wrong
+        } catch (IOException why) { // Robot.java reports failures with a readable message
             System.err.println(why.getMessage());
             System.exit(1);
         }

@@ -8,18 +8,18 @@ class TwoJoints {
     static void twoJoints(String[] args) throws IOException, InterruptedException {
         Robot robot = new Robot(args);
 
-        // A number with an S behind it is a speed, in counts a second. E has twice as far to go
-        // as F, so it gets twice the speed.
+        // A number followed by S sets a speed in counts per second. E moves twice as far as F, so
+        // it gets twice the speed.
         robot.send("F40S E80S\r");
         System.out.println("F runs at 40 counts a second, E at 80");
 
-        // Each joint has a motor of its own, and the robot does not wait: both run from here on.
+        // Each joint has its own motor, and the robot does not wait: both start now.
         robot.send("F+40 E+80\r");
         System.out.println("F+40 E+80");
 
         int f = robot.toGo("F");
         int e = robot.toGo("E");
-        int stillMs = 0; // for how long neither counter has changed, as in example 2
+        int stillMs = 0; // time without a change of either counter, as in example 2
         while (f > 0 || e > 0) {
             System.out.println("  F " + f + ", E " + e + " counts to go");
             robot.pause();
@@ -28,14 +28,14 @@ class TwoJoints {
             e = robot.toGo("E");
             stillMs = f + e == before ? stillMs + Robot.PAUSE_MS : 0;
             if (stillMs >= Robot.STANDS_MS) {
-                robot.send("FX EX"); // forget the rest, or the next move would add to it
+                robot.send("FX EX"); // cancel the rest: the next move would add to it
                 Robot.checkArrived("F", f);
                 Robot.checkArrived("E", e);
             }
         }
         System.out.println("both are there");
 
-        // And back again. robot.waitFor() is example 2 once more, for one joint after the other.
+        // And back again. robot.waitFor() is the loop of example 2, for one joint after the other.
         robot.send("F-40 E-80\r");
         Robot.checkArrived("F", robot.waitFor("F"));
         Robot.checkArrived("E", robot.waitFor("E"));

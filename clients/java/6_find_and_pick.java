@@ -1,28 +1,28 @@
-// 6. Find with the camera and pick: look at the table, find the largest block wherever it lies,
-// take it, put it down elsewhere, and look again.
+// 6. Find with the camera and pick: look at the table, find the largest block, pick it up, put it
+// down elsewhere, and look again.
 //
 //     java -cp build 6_find_and_pick.java [HOST [PORT]]
 //
-// The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.java.
+// The arm must be at its soft home, as when the simulator starts or after 3_home.java.
 
 import java.io.IOException;
 import java.util.Map;
 
 class FindAndPick {
-    // The camera looks straight down on a square of 384 mm about x 290, y 0, in 192 x 192 pixels of
-    // 2 mm. A byte of the picture has six pixels.
+    // The camera looks straight down on a square of 384 mm centred at x 290, y 0, with 192 x 192
+    // pixels of 2 mm. Each byte of the picture has six pixels.
     static final int PIXELS = 192;
     static final int ROW_BYTES = PIXELS / 6;
 
-    static final int OPEN = 16; // counts of the open jaws
-    static final int SHUT = -64; // and of jaws that meet
-    static final double Z = 20; // the largest block is 40 mm high: this is its middle
-    static final double ABOVE = 100; // how far above it the tool comes and goes, mm
+    static final int OPEN = 16; // count of A with open jaws
+    static final int SHUT = -64; // count of A with closed jaws
+    static final double Z = 20; // height of the largest block's centre, mm
+    static final double ABOVE = 100; // height above it for approach and departure, mm
 
-    /** A place on the table: millimetres, and the direction of a block's long side in degrees. */
+    /** A place on the table: x and y in mm, and the direction of a block's long side in degrees. */
     record Place(double x, double y, double angle) {}
 
-    /** Sums over the pixels of one patch, from which its middle and its angle follow. */
+    /** Sums over the pixels of one patch, to compute its centre and angle. */
     static class Patch {
         double n, x, y, xx, yy, xy;
 
@@ -36,8 +36,8 @@ class FindAndPick {
         }
 
         /**
-         * The middle is the average of the pixels. The long side points where they are spread
-         * most; the formula is that of the principal axis of inertia.
+         * The centre is the average of the pixels. The long side has the direction of their largest
+         * spread, the principal axis of inertia.
          */
         Place measure() {
             double mx = x / n;
@@ -53,8 +53,8 @@ class FindAndPick {
     static Robot robot;
 
     /**
-     * Asks for the whole picture and returns its rows from the top, true where the camera sees a
-     * block. The leftmost of six pixels is the highest bit, and 32 is added to each byte.
+     * Requests the picture and returns its rows from the top, true where the camera sees a block.
+     * The leftmost of six pixels is the highest bit, and 32 is added to each byte.
      */
     static boolean[][] look() throws IOException {
         robot.send("A**");
@@ -70,7 +70,7 @@ class FindAndPick {
     }
 
     /**
-     * Adds this pixel and all that hang together with it to the patch, and takes them out of the
+     * Adds this pixel and all pixels connected to it to the patch and removes them from the
      * picture, so that none is counted twice.
      */
     static void collect(boolean[][] picture, int row, int column, Patch patch) {
@@ -105,11 +105,10 @@ class FindAndPick {
     }
 
     /**
-     * Inverse kinematics: brings the tool to a place at the height z, pointing down. Seen from
-     * the side, upper arm and forearm, 228.6 mm each, are two sides of a triangle; the third one
-     * leads from the shoulder, 260.4 mm above the table, to the wrist, which is 168.3 mm above
-     * the tip and 9.5 mm nearer to the base. Each motor sets the slope of one link, whatever the
-     * others do.
+     * Inverse kinematics: moves the tool, pointing down, to a place at height z. Seen from the
+     * side, upper arm and forearm, 228.6 mm each, are two sides of a triangle. The third side leads
+     * from the shoulder, 260.4 mm above the table, to the wrist, 168.3 mm above the tip and 9.5 mm
+     * nearer to the base. Each motor sets the slope of one link, independently of the others.
      */
     static void goTo(Place place, double z) throws IOException, InterruptedException {
         double out = Math.hypot(place.x(), place.y()) - 9.5;
@@ -119,7 +118,7 @@ class FindAndPick {
         double corner = Math.toDegrees(Math.acos(Math.hypot(out, up) / 2 / 228.6));
         double upperArm = slope + corner;
         double forearm = slope - corner;
-        // A block looks the same after half a turn, so the roll may be anything from -90 to 90.
+        // A block looks the same after half a turn, so the roll can be reduced to -90...90.
         double roll = base - place.angle() + 90;
         roll -= 180 * Math.round(roll / 180);
         robot.go(Robot.arm(counts(base / 0.2269), counts((90 - upperArm) / 0.1135),
@@ -144,7 +143,7 @@ class FindAndPick {
             System.err.printf("the jaws closed on nothing: is the block at x %.0f, y %.0f mm? "
                     + "(The examples 3 to 6 are for the Rhino XR-3 with its own workcell, in the "
                     + "profile paper)%n", block.x(), block.y());
-            goTo(block, Z + ABOVE); // back to where the examples begin
+            goTo(block, Z + ABOVE); // back to the start position
             robot.go(Robot.arm(0, 0, 0, 0, 0));
             robot.go(Map.of("A", 0));
             System.exit(1);

@@ -1,5 +1,5 @@
-// What the examples 2 to 6 share: the line to the robot, and the few things that one says on it. It
-// knows joints and their counts, but neither millimetres nor the camera.
+// Shared by examples 2 to 6: the connection to the robot and its basic commands. It handles joints
+// and counts, but not millimetres or the camera.
 
 import java.io.EOFException;
 import java.io.IOException;
@@ -8,36 +8,38 @@ import java.net.UnknownHostException;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** Whatever it cannot do, it throws as an IOException with a text for people. */
+/** The connection to the robot. All failures throw IOException with a readable message. */
 public class Robot {
-    /** How long pause() does nothing, between two questions. */
+    /** The duration of pause(), between two questions. */
     public static final int PAUSE_MS = 50;
 
     /**
-     * A joint stands if its counter has not changed for so long. The slowest speed is one count a
-     * second, and the simulator's clock may run slowly, so be patient.
+     * A joint counts as stopped if its counter has not changed for this long. The slowest speed is
+     * one count per second, and the simulator's clock may run slowly, hence the long wait.
      */
     public static final int STANDS_MS = 2000;
 
-    /** Where the motors are, in counts from the soft home, as far as go() moved them. */
+    /** Motor positions in counts from the soft home, as tracked by go(). */
     public final Map<String, Integer> at = new LinkedHashMap<>(arm(0, 0, 0, 0, 0));
 
     private final Socket line;
 
-    /** Connects to HOST and PORT of the arguments, else of XR3_HOST and XR3_PORT, else to localhost
-     * 9600. */
+    /**
+     * Connects to HOST and PORT from the arguments, else XR3_HOST and XR3_PORT, else localhost
+     * 9600.
+     */
     public Robot(String[] args) throws IOException {
         String host = args.length > 0 ? args[0] : setting("XR3_HOST", "localhost");
         String port = args.length > 1 ? args[1] : setting("XR3_PORT", "9600");
         line = connect(host, port);
-        line.setTcpNoDelay(true); // few bytes at a time shall go out at once, not be gathered first
+        line.setTcpNoDelay(true); // send small messages at once
         at.put("A", 0);
     }
 
     private static Socket connect(String host, String port) throws IOException {
         try {
             return new Socket(host, Integer.parseInt(port));
-        } catch (IllegalArgumentException why) { // no number, or one that is no port
+        } catch (IllegalArgumentException why) { // not a number, or not a valid port
             throw new IOException("the port has to be a number from 1 to 65535, not '" + port
                     + "'");
         } catch (UnknownHostException why) {
@@ -48,7 +50,7 @@ public class Robot {
         }
     }
 
-    /** A variable of the environment; one that is empty counts as not set. */
+    /** An environment variable; an empty one counts as not set. */
     private static String setting(String name, String otherwise) {
         String value = System.getenv(name);
         return value != null && !value.isEmpty() ? value : otherwise;
@@ -65,19 +67,19 @@ public class Robot {
         return counts;
     }
 
-    /** Sends commands. A move has to end with \r. */
+    /** Sends commands. A move must end with \r. */
     public void send(String text) throws IOException {
         line.getOutputStream().write(text.getBytes());
     }
 
-    /** Reads exactly so many bytes of an answer. */
+    /** Reads exactly `count` bytes of an answer. */
     public byte[] read(int count) throws IOException {
         byte[] bytes = line.getInputStream().readNBytes(count);
         if (bytes.length < count) throw new EOFException("the robot has closed the line");
         return bytes;
     }
 
-    /** Asks, and returns the byte that answers, 0 to 255. */
+    /** Sends an inquiry and returns the one-byte answer, 0 to 255. */
     public int ask(String inquiry) throws IOException {
         send(inquiry);
         byte[] reply = new byte[100];
@@ -90,23 +92,23 @@ public class Robot {
         return reply[0] & 0xFF;
     }
 
-    /** How many counts the joint has still to go. */
+    /** The counts that the joint still has to go. */
     public int toGo(String joint) throws IOException {
         return ask(joint + "?") - 32;
     }
 
-    /** Does nothing for a while. */
+    /** Sleeps for PAUSE_MS. */
     public void pause() throws InterruptedException {
         Thread.sleep(PAUSE_MS);
     }
 
     /**
-     * Waits until the joint is there. One that makes no count for STANDS_MS stands, at a limit or
-     * with the jaws at a block, and is stopped. Returns the counts that were left.
+     * Waits until the joint has arrived. If it makes no count for STANDS_MS (at a limit, or jaws at
+     * a block), cancels its move. Returns the counts that were left.
      */
     public int waitFor(String joint) throws IOException, InterruptedException {
         int left = toGo(joint);
-        int stillMs = 0; // for how long the counter has not changed
+        int stillMs = 0; // time without a change of the counter
         while (left > 0 && stillMs < STANDS_MS) {
             pause();
             int before = left;
@@ -117,15 +119,15 @@ public class Robot {
         return left;
     }
 
-    /** Throws if there are counts left: says which joint stands, and what the reason may be. */
+    /** Throws if counts are left; the message has the joint and possible reasons. */
     public static void checkArrived(String joint, int left) throws IOException {
         if (left <= 0) return;
-        throw new IOException(joint + " stands, " + left + " counts short of where it was sent. "
-                + "Is it blocked at a limit, or stalled? Is a block in the jaws? Does time stand, "
-                + "or run slowly? Look at the page or at `xr3 watch`");
+        throw new IOException(joint + " stopped " + left + " counts short of its target. Is it "
+                + "blocked at a limit, or stalled? Is a block in the jaws? Is the clock paused or "
+                + "slow? Look at the page or at `xr3 watch`");
     }
 
-    /** Brings these motors to these counts together, in parts that the error counter can hold. */
+    /** Moves these motors to these counts together, in parts small enough for the error counter. */
     public void go(Map<String, Integer> wanted) throws IOException, InterruptedException {
         Map<String, Integer> start = new LinkedHashMap<>(at);
         int longest = 0;
@@ -146,7 +148,7 @@ public class Robot {
         }
     }
 
-    /** "E+5": a joint, and a number that always shows its sign. */
+    /** A move command such as "E+5": the joint and a number with explicit sign. */
     public static String move(String joint, int counts) {
         return joint + (counts < 0 ? "" : "+") + counts;
     }

@@ -2,12 +2,12 @@
 //
 //     node 1_hello.js [HOST [PORT]]
 //
-// A robot on a serial line knows no lines of text and no "OK". It answers a question with one byte,
-// and everything else with silence.
+// The robot's serial protocol has no lines of text and no "OK". The robot answers most questions
+// with one byte and does not answer other commands.
 
 const net = require("node:net");
 
-// Where the robot is: from the arguments, else from the environment, else this machine.
+// Host and port: from the arguments, else from the environment, else the defaults.
 const host = process.argv[2] || process.env.XR3_HOST || "localhost";
 const port = process.argv[3] || process.env.XR3_PORT || "9600";
 if (!/^\d+$/.test(port) || Number(port) < 1 || Number(port) > 65535) {
@@ -19,7 +19,7 @@ function giveUp(message) {
   process.exit(1);
 }
 
-// "localhost" may have several addresses: the first one that answers is taken.
+// "localhost" may have several addresses: use the first one that accepts a connection.
 const robot = net.connect({ host, port, autoSelectFamily: true });
 let question = "E?";
 
@@ -32,18 +32,19 @@ function strange() {
   giveUp("no robot answers like this; is it the monitor port? The robot port is 9600");
 }
 
-// Node calls this when bytes have come.
+// Node calls this when bytes have arrived.
 robot.on("data", (bytes) => {
   if (bytes.length !== 1) strange();
   const reply = bytes[0];
   if (question === "E?") {
-    // How far has the shoulder, joint E, still to go? The answer is counted from 32, the code of a
-    // blank, so that it can be printed: a blank means 0 counts to go, "!" means 1, and so on.
+    // How many counts does the shoulder, joint E, still have to go? 32, the code of a blank, is
+    // added to the answer to make it printable: a blank means 0 counts to go, "!" means 1, and so
+    // on.
     console.log(`E? is answered by ${reply}: ${reply - 32} counts to go`);
     question = "I";
     robot.write(question);
   } else {
-    // Which microswitches are closed? Again 32 is added; each switch has a bit of its own.
+    // Which microswitches are closed? Again 32 is added; each switch has one bit.
     console.log(`I is answered by ${reply}: switches ${reply - 32}`);
     robot.end();
   }

@@ -1,4 +1,4 @@
-// 2. Move and wait: send a joint somewhere, and ask until it has arrived.
+// 2. Move and wait: move a joint and ask until it has arrived.
 //
 //     node 2_move_and_wait.js [HOST [PORT]]
 
@@ -6,12 +6,11 @@ const { Robot, STANDS_AFTER, giveUpStanding } = require("./robot");
 
 const robot = new Robot();
 
-// Asks how far there is still to go until nothing is left. Between two questions it does nothing
-// for a while. A joint that is blocked would let us ask forever: we give up after so many questions
-// with the same answer.
+// Asks for the remaining counts until none are left, with a pause between two questions. A blocked
+// joint would never finish, so the program gives up after a number of equal answers.
 async function waitFor(joint) {
   let left = await robot.toGo(joint);
-  let same = 0; // how many answers in a row have been the same
+  let same = 0; // number of equal answers in a row
   while (left > 0) {
     console.log(`  ${left} counts to go`);
     await robot.pause();
@@ -19,7 +18,7 @@ async function waitFor(joint) {
     left = await robot.toGo(joint);
     same = left === before ? same + 1 : 0;
     if (same === STANDS_AFTER) {
-      robot.send(joint + "X"); // forgets the rest of the move
+      robot.send(joint + "X"); // cancels the rest of the move
       giveUpStanding(joint, left);
     }
   }
@@ -27,8 +26,8 @@ async function waitFor(joint) {
 }
 
 async function main() {
-  // The shoulder shall turn by 50 counts of its encoder. The carriage return tells the robot that
-  // the number ends here. It starts to move, and answers nothing: so we ask.
+  // Turn the shoulder by 50 counts of its encoder. The carriage return ends the number. The robot
+  // starts to move and does not answer, so the program has to ask.
   console.log("E+50");
   robot.send("E+50\r");
   await waitFor("E");

@@ -7,18 +7,18 @@ const { Robot, STANDS_AFTER, giveUpStanding } = require("./robot");
 const robot = new Robot();
 
 async function main() {
-  // A number with an S behind it is a speed, in counts a second. E has twice as far to go as F,
-  // so it gets twice the speed.
+  // A number followed by S sets a speed in counts per second. E moves twice as far as F, so it gets
+  // twice the speed.
   robot.send("F40S E80S\r");
   console.log("F runs at 40 counts a second, E at 80");
 
-  // Each joint has a motor of its own, and the robot does not wait: both run from here on.
+  // Each joint has its own motor, and the robot does not wait: both start now.
   robot.send("F+40 E+80\r");
   console.log("F+40 E+80");
 
   let f = await robot.toGo("F");
   let e = await robot.toGo("E");
-  let same = 0; // how many answers in a row have been the same, as in example 2
+  let same = 0; // number of equal answers in a row, as in example 2
   while (f > 0 || e > 0) {
     console.log(`  F ${f}, E ${e} counts to go`);
     await robot.pause();
@@ -27,7 +27,7 @@ async function main() {
     e = await robot.toGo("E");
     same = f + e === before ? same + 1 : 0;
     if (same === STANDS_AFTER) {
-      robot.send("FX EX"); // forgets the rest of the moves
+      robot.send("FX EX"); // cancels the rest of the moves
       break;
     }
   }
@@ -35,7 +35,7 @@ async function main() {
   if (e > 0) giveUpStanding("E", e);
   console.log("both are there");
 
-  // And back again. wait() is example 2 once more, for one joint after the other.
+  // And back again. wait() is the loop of example 2, for one joint after the other.
   robot.send("F-40 E-80\r");
   f = await robot.wait("F");
   e = await robot.wait("E");

@@ -1,29 +1,29 @@
-// 6. Find with the camera and pick: look at the table, find the largest block wherever it lies,
-// take it, put it down elsewhere, and look again.
+// 6. Find with the camera and pick: look at the table, find the largest block, pick it up, put it
+// down elsewhere, and look again.
 //
 //     node 6_find_and_pick.js [HOST [PORT]]
 //
-// The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.js.
+// The arm must be at its soft home, as when the simulator starts or after 3_home.js.
 
 const { Robot, giveUp } = require("./robot");
 
 const DEGREES = 180 / Math.PI;
 
-// The camera looks straight down on a square of 384 mm about x 290, y 0, in 192 x 192 pixels of 2
-// mm. A byte of the picture has six pixels.
+// The camera looks straight down on a square of 384 mm centred at x 290, y 0, with 192 x 192 pixels
+// of 2 mm. Each byte of the picture has six pixels.
 const PIXELS = 192;
 const ROW_BYTES = PIXELS / 6;
 
-const OPEN = 16; // counts of the open jaws
-const SHUT = -64; // and of jaws with nothing between them
-const Z = 20; // the largest block is 40 mm high: this is its middle
-const ABOVE = 100; // how far above it the tool comes and goes, mm
+const OPEN = 16; // count of A with open jaws
+const SHUT = -64; // count of A with closed jaws
+const Z = 20; // height of the largest block's centre, mm
+const ABOVE = 100; // height above it for approach and departure, mm
 const HOME = { F: 0, E: 0, D: 0, C: 0, B: 0, A: 0 };
 
 const robot = new Robot();
 
-// Asks for the whole picture and returns its rows from the top, true where the camera sees a block.
-// The leftmost of six pixels is the highest bit, and 32 is added to each byte.
+// Requests the picture and returns its rows from the top, true where the camera sees a block. The
+// leftmost of six pixels is the highest bit, and 32 is added to each byte.
 async function look() {
   robot.send("A**");
   const bytes = await robot.read(PIXELS * ROW_BYTES);
@@ -38,8 +38,8 @@ async function look() {
   return picture;
 }
 
-// Takes this pixel and all that hang together with it out of the picture, so that none is counted
-// twice, and adds their places on the table, in millimetres, to the patch.
+// Removes this pixel and all pixels connected to it from the picture, so that none is counted
+// twice, and adds their positions on the table, in mm, to the patch.
 function collect(picture, row, column, patch) {
   if (row < 0 || row >= PIXELS || column < 0 || column >= PIXELS) return;
   if (!picture[row][column]) return;
@@ -51,8 +51,8 @@ function collect(picture, row, column, patch) {
   collect(picture, row - 1, column, patch);
 }
 
-// The middle of a patch is the average of its pixels. The long side points where they are spread
-// most; the formula is that of the principal axis of inertia.
+// The centre of a patch is the average of its pixels. The long side has the direction of their
+// largest spread, the principal axis of inertia.
 function measure(patch) {
   let x = 0;
   let y = 0;
@@ -93,10 +93,10 @@ async function findLargest() {
   return { x, y, angle };
 }
 
-// Inverse kinematics: brings the tool to a place at the height z, pointing down. Seen from the
-// side, upper arm and forearm, 228.6 mm each, are two sides of a triangle; the third one leads
-// from the shoulder, 260.4 mm above the table, to the wrist, which is 168.3 mm above the tip and
-// 9.5 mm nearer to the base. Each motor sets the slope of one link, whatever the others do.
+// Inverse kinematics: moves the tool, pointing down, to a place at height z. Seen from the side,
+// upper arm and forearm, 228.6 mm each, are two sides of a triangle. The third side leads from the
+// shoulder, 260.4 mm above the table, to the wrist, 168.3 mm above the tip and 9.5 mm nearer to the
+// base. Each motor sets the slope of one link, independently of the others.
 async function goTo(place, z) {
   const out = Math.hypot(place.x, place.y) - 9.5;
   const up = z + 168.3 - 260.4;
@@ -105,7 +105,7 @@ async function goTo(place, z) {
   const corner = Math.acos(Math.hypot(out, up) / 2 / 228.6) * DEGREES;
   const upperArm = slope + corner;
   const forearm = slope - corner;
-  // A block looks the same after half a turn, so the roll may be anything from -90 to 90.
+  // A block looks the same after half a turn, so the roll can be reduced to -90...90.
   let roll = base - place.angle + 90;
   roll -= 180 * Math.round(roll / 180);
   await robot.go({
@@ -126,7 +126,7 @@ async function main() {
   robot.send("A-100\r"); // as in example 5
   robot.at.A -= 100 - (await robot.wait("A"));
   if (robot.at.A <= SHUT) {
-    await goTo(block, Z + ABOVE); // back to where the examples begin
+    await goTo(block, Z + ABOVE); // back to the start position
     await robot.go(HOME);
     giveUp(
       `the jaws closed on nothing: is the block at x ${block.x.toFixed(0)}, ` +

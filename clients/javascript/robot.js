@@ -1,42 +1,41 @@
-// What the examples 2 to 6 share: the line to the robot, and the few things that one says on it.
-// Whatever takes time returns a promise, so that a program reads from top to bottom with `await`.
+// Shared by examples 2 to 6: the connection to the robot and its basic commands. Functions that
+// take time return a promise, to be used with `await`.
 
 const net = require("node:net");
 
 const PAUSE_MS = 50; // between two questions
 
-// A joint stands if its counter is the same after so many questions, in 2 seconds. The slowest speed
-// is one count a second, and the simulator's clock may run slowly, so be patient.
+// A joint counts as stopped if its counter is the same after this many questions, over 2 seconds.
+// The slowest speed is one count per second, and the simulator's clock may run slowly, hence the
+// long wait.
 const STANDS_AFTER = 40;
 
-// Says what is wrong and ends the program.
+// Prints a message and ends the program.
 function giveUp(message) {
   console.error(message);
   process.exit(1);
 }
 
-// The end of a program whose joint stands so many counts short of where it was sent.
+// Ends the program because a joint has stopped `left` counts short of its target.
 function giveUpStanding(joint, left) {
   giveUp(
-    `${joint} stands, ${left} counts short of where it was sent. Is it blocked at a limit, or ` +
-      "stalled? Is a block in the jaws? Does time stand, or run slowly? Look at the page or at " +
-      "`xr3 watch`",
+    `${joint} stopped ${left} counts short of its target. Is it blocked at a limit, or stalled? ` +
+      "Is a block in the jaws? Is the clock paused or slow? Look at the page or at `xr3 watch`",
   );
 }
 
 class Robot {
-  // Connects to HOST and PORT of the arguments, else of XR3_HOST and XR3_PORT, else to localhost
-  // 9600.
+  // Connects to HOST and PORT from the arguments, else XR3_HOST and XR3_PORT, else localhost 9600.
   constructor() {
     const host = process.argv[2] || process.env.XR3_HOST || "localhost";
     const port = process.argv[3] || process.env.XR3_PORT || "9600";
     if (!/^\d+$/.test(port) || Number(port) < 1 || Number(port) > 65535) {
       giveUp(`the port has to be a number from 1 to 65535, not '${port}'`);
     }
-    // Where the motors are, in counts from the soft home, as far as go() moved them.
+    // Motor positions in counts from the soft home, as tracked by go().
     this.at = { F: 0, E: 0, D: 0, C: 0, B: 0, A: 0 };
-    this.received = Buffer.alloc(0); // bytes that nobody has read yet
-    this.arrived = () => {}; // called when there are more of them
+    this.received = Buffer.alloc(0); // received bytes that are not read yet
+    this.arrived = () => {}; // called when more bytes arrive
     this.line = net.connect({ host, port, noDelay: true, autoSelectFamily: true });
     this.line.on("data", (bytes) => {
       this.received = Buffer.concat([this.received, bytes]);
@@ -55,12 +54,12 @@ class Robot {
     });
   }
 
-  // Sends commands. A move has to end with \r.
+  // Sends commands. A move must end with \r.
   send(text) {
     this.line.write(text);
   }
 
-  // Waits until so many bytes of an answer are there, and returns them.
+  // Reads exactly `count` bytes of an answer.
   async read(count) {
     while (this.received.length < count) {
       await new Promise((resolve) => (this.arrived = resolve));
@@ -70,7 +69,7 @@ class Robot {
     return bytes;
   }
 
-  // Asks, and returns the byte that answers.
+  // Sends an inquiry and returns the one-byte answer.
   async ask(inquiry) {
     this.send(inquiry);
     const byte = (await this.read(1))[0];
@@ -78,21 +77,21 @@ class Robot {
     return byte;
   }
 
-  // How many counts the joint has still to go.
+  // The counts that the joint still has to go.
   async toGo(joint) {
     return (await this.ask(joint + "?")) - 32;
   }
 
-  // Between two questions.
+  // Pauses between two questions.
   pause() {
     return new Promise((resolve) => setTimeout(resolve, PAUSE_MS));
   }
 
-  // Waits until the joint is there. One that stands, at a limit or with the jaws at a block, is
-  // stopped. Returns the counts that were left.
+  // Waits until the joint has arrived. If it is blocked (at a limit, or jaws at a block), cancels
+  // its move. Returns the counts that were left.
   async wait(joint) {
     let left = await this.toGo(joint);
-    let same = 0; // how many answers in a row have been the same
+    let same = 0; // number of equal answers in a row
     while (left > 0 && same < STANDS_AFTER) {
       await this.pause();
       const before = left;
@@ -103,7 +102,7 @@ class Robot {
     return left;
   }
 
-  // Brings these motors to these counts together, in parts small enough for the error counter.
+  // Moves these motors to these counts together, in parts small enough for the error counter.
   async go(wanted) {
     const start = { ...this.at };
     const joints = Object.keys(wanted);
@@ -132,7 +131,7 @@ function giveUpStrange() {
   giveUp("no robot answers like this; is it the monitor port? The robot port is 9600");
 }
 
-// "E+5": a joint, and a number that always shows its sign.
+// A move command such as "E+5": the joint and a number with explicit sign.
 function move(joint, counts) {
   return joint + (counts < 0 ? "" : "+") + counts;
 }

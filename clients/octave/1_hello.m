@@ -2,13 +2,13 @@
 %
 %     octave-cli 1_hello.m [HOST [PORT]]
 %
-% A robot on a serial line knows no lines of text and no "OK". It answers a question with one byte,
-% and everything else with silence.
+% The robot's serial protocol has no lines of text and no "OK". The robot answers most questions
+% with one byte and does not answer other commands.
 
-% Octave has its sockets in a package. (MATLAB has them built in, and needs no such line.)
+% In Octave, sockets are in a package. (In MATLAB they are built in: omit this line.)
 pkg load instrument-control
 
-% Where the robot is: from the arguments, else from the environment, else this machine.
+% Host and port: from the arguments, else from the environment, else the defaults.
 host = getenv('XR3_HOST');
 port = getenv('XR3_PORT');
 arguments = argv();
@@ -17,7 +17,7 @@ if numel(arguments) > 1, port = arguments{2}; end
 if isempty(host), host = 'localhost'; end
 if isempty(port), port = '9600'; end
 
-% An error ends the program; behind a \n Octave does not tell the line it came from.
+% An error ends the program; after a final \n Octave does not print the source line.
 number = str2double(port);
 if ~(number >= 1 && number <= 65535 && number == fix(number))
   error('the port has to be a number from 1 to 65535, not ''%s''\n', port);
@@ -29,15 +29,15 @@ catch
 end
 strange = 'no robot answers like this; is it the monitor port? The robot port is 9600';
 
-% How far has the shoulder, joint E, still to go? The answer is counted from 32, the code of a
-% blank, so that it can be printed: a blank means 0 counts to go, "!" means 1, and so on. (Bytes
-% are turned into doubles, for a byte that would be less than 0 becomes 0.)
+% How many counts does the shoulder, joint E, still have to go? 32, the code of a blank, is added to
+% the answer to make it printable: a blank means 0 counts to go, "!" means 1, and so on. (Bytes are
+% converted to doubles, since uint8 arithmetic saturates at 0.)
 write(robot, uint8('E?'));
 reply = double(read(robot, 1));
 if isempty(reply), error('%s\n', strange); end
 fprintf('E? is answered by %d: %d counts to go\n', reply, reply - 32);
 
-% Which microswitches are closed? Again 32 is added; each switch has a bit of its own.
+% Which microswitches are closed? Again 32 is added; each switch has one bit.
 write(robot, uint8('I'));
 reply = double(read(robot, 1));
 if isempty(reply), error('%s\n', strange); end

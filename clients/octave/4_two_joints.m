@@ -4,12 +4,12 @@
 
 robot = robot_connect();
 
-% A number with an S behind it is a speed, in counts a second. E has twice as far to go as F, so it
-% gets twice the speed.
+% A number followed by S sets a speed in counts per second. E moves twice as far as F, so it gets
+% twice the speed.
 robot_send(robot, 'F40S E80S\r');
 fprintf('F runs at 40 counts a second, E at 80\n');
 
-% Each joint has a motor of its own, and the robot does not wait: both run from here on.
+% Each joint has its own motor, and the robot does not wait: both start now.
 robot_send(robot, 'F+40 E+80\r');
 fprintf('F+40 E+80\n');
 
@@ -24,7 +24,7 @@ while f > 0 || e > 0
   e = robot_to_go(robot, 'E');
   if f + e == before, same = same + 1; else, same = 0; end
   if same == robot_stands_after()  % as in example 2
-    robot_send(robot, 'FX EX');  % forgets the rest of the moves
+    robot_send(robot, 'FX EX');  % cancels the rest of the moves
     break
   end
 end
@@ -32,7 +32,7 @@ if f > 0, robot_stands('F', f); end
 if e > 0, robot_stands('E', e); end
 fprintf('both are there\n');
 
-% And back again. robot_wait is example 2 once more, for one joint after the other.
+% And back again. robot_wait is the loop of example 2, for one joint after the other.
 robot_send(robot, 'F-40 E-80\r');
 f = robot_wait(robot, 'F');
 e = robot_wait(robot, 'E');

@@ -1,15 +1,15 @@
-% 6. Find with the camera and pick: look at the table, find the largest block wherever it lies, take
-% it, put it down elsewhere, and look again.
+% 6. Find with the camera and pick: look at the table, find the largest block, pick it up, put it
+% down elsewhere, and look again.
 %
 %     octave-cli 6_find_and_pick.m [HOST [PORT]]
 %
-% The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.m. Taking
-% the picture apart is the work of find_largest.m, and inverse kinematics of counts_at.m.
+% The arm must be at its soft home, as when the simulator starts or after 3_home.m. find_largest.m
+% analyses the picture, and counts_at.m is the inverse kinematics.
 
-z = 20;       % the largest block is 40 mm high: this is its middle
-above = 100;  % how far above it the tool comes and goes, mm
-open = 16;    % counts of the open jaws
-shut = -64;   % and of jaws with nothing between them
+z = 20;       % height of the largest block's centre, mm
+above = 100;  % height above it for approach and departure, mm
+open = 16;    % count of A with open jaws
+shut = -64;   % count of A with closed jaws
 
 robot = robot_connect();
 block = find_largest(robot);
@@ -20,10 +20,11 @@ robot = robot_go(robot, counts_at(block, z));
 robot_send(robot, 'A-100\r');  % as in example 5
 robot.at(6) = open - (100 - robot_wait(robot, 'A'));
 if robot.at(6) <= shut
-  robot = robot_go(robot, counts_at(block, z + above));  % back to where the examples begin
+  robot = robot_go(robot, counts_at(block, z + above));  % back to the start position
   robot = robot_go(robot, [0 0 0 0 0 0]);
-  error(['the jaws closed on nothing: is the block at x %.0f, y %.0f mm? (The examples 3 to 6 are ' ...
-         'for the Rhino XR-3 with its own workcell, in the profile paper)\n'], block.x, block.y);
+  error(['the jaws closed on nothing: is the block at x %.0f, y %.0f mm? (The examples 3 to 6 ' ...
+         'are for the Rhino XR-3 with its own workcell, in the profile paper)\n'], ...
+        block.x, block.y);
 end
 fprintf('the jaws closed on %.1f mm\n', 50.8 + 0.79375 * robot.at(6));
 robot = robot_go(robot, counts_at(block, z + above));

@@ -1,17 +1,16 @@
 function place = find_largest(robot)
-% Looks at the table and returns where the largest block lies: x and y of its middle in mm, and the
+% Takes a picture and returns the place of the largest block: x and y of its centre in mm, and the
 % angle of its long side in degrees.
 %
-% The camera looks straight down on a square of 384 mm about x 290, y 0, in 192 x 192 pixels of 2
-% mm.
+% The camera looks straight down on a square of 384 mm centred at x 290, y 0, with 192 x 192 pixels
+% of 2 mm.
   pixels = 192;
 
-  % The whole picture: rows from the top, six pixels a byte, the leftmost of them in the highest
-  % bit, and 32 added to each byte.
+  % The picture: rows from the top, six pixels per byte, the leftmost in the highest bit, plus 32.
   robot_send(robot, 'A**');
   bytes = double(read(robot.line, pixels * pixels / 6)) - 32;
   if numel(bytes) ~= pixels * pixels / 6
-    error('%s\n', 'the robot sent no whole picture');
+    error('%s\n', 'the robot sent an incomplete picture');
   end
   six = zeros(6, numel(bytes));
   for bit = 1:6
@@ -19,7 +18,7 @@ function place = find_largest(robot)
   end
   picture = reshape(six, pixels, pixels)';  % picture(row, column)
 
-  % Patches of ones that hang together, one after the other; the largest is kept.
+  % Takes one patch of connected ones after the other and keeps the largest.
   patches = 0;
   largest = [];
   while any(picture(:))
@@ -34,8 +33,8 @@ function place = find_largest(robot)
     error('%s\n', 'the camera sees no block: is one on the table?');
   end
 
-  % The middle is the average of the pixels. The long side points where they are spread most; the
-  % formula is that of the principal axis of inertia.
+  % The centre is the average of the pixels. The long side has the direction of their largest
+  % spread, the principal axis of inertia.
   x = 290 - 192 + 2 * (largest(:, 2) - 0.5);
   y = 0 + 192 - 2 * (largest(:, 1) - 0.5);
   place.x = mean(x);
@@ -49,13 +48,13 @@ function place = find_largest(robot)
 end
 
 function [picture, patch] = take_patch(picture)
-% Takes the first one of the picture and all that hang together with it out of the picture. A row of
+% Removes the first pixel that is 1, and all pixels connected to it, from the picture. A row of
 % `patch` is [row column] of a pixel.
   [row, column] = find(picture, 1);
   picture(row, column) = 0;
   patch = [row column];
   next = 1;
-  while next <= size(patch, 1)  % every pixel of the patch, which grows meanwhile
+  while next <= size(patch, 1)  % the patch grows in this loop
     for step = [0 0 1 -1; 1 -1 0 0]
       row = patch(next, 1) + step(1);
       column = patch(next, 2) + step(2);

@@ -1,5 +1,5 @@
 function reply = robot_ask(robot, inquiry)
-% Asks, and returns the byte that answers.
+% Sends an inquiry and returns the one-byte answer.
   robot_send(robot, '%s', inquiry);
   reply = double(read(robot.line, 1));
   if isempty(reply)  % after 5 seconds: a robot answers at once

@@ -1,6 +1,6 @@
 function robot = robot_go(robot, wanted)
-% Brings the motors to these counts together, in parts small enough for the error counter: base,
-% shoulder, elbow, pitch, roll, and the jaws if there is a sixth number. Use it as
+% Moves the motors to these counts together, in parts small enough for the error counter. The counts
+% are those of base, shoulder, elbow, pitch, roll and, optionally, the jaws. Usage:
 %     robot = robot_go(robot, [0 0 0 0 0]);
   start = robot.at;
   moving = 1:numel(wanted);

@@ -1,4 +1,4 @@
 function left = robot_to_go(robot, joint)
-% How many counts the joint has still to go.
+% The counts that the joint still has to go.
   left = robot_ask(robot, [joint '?']) - 32;
 end

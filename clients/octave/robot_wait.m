@@ -1,8 +1,8 @@
 function left = robot_wait(robot, joint)
-% Waits until the joint is there. One that stands, at a limit or with the jaws at a block, is
-% stopped. Returns the counts that were left.
+% Waits until the joint has arrived. If it is blocked (at a limit, or jaws at a block), cancels its
+% move. Returns the counts that were left.
   left = robot_to_go(robot, joint);
-  same = 0;  % how many answers in a row have been the same
+  same = 0;  % number of equal answers in a row
   while left > 0 && same < robot_stands_after()
     pause(0.05);
     before = left;

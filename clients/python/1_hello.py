@@ -2,15 +2,15 @@
 
     python3 1_hello.py [HOST [PORT]]
 
-A robot on a serial line knows no lines of text and no "OK". It answers a question with one byte,
-and everything else with silence.
+The robot's serial protocol has no lines of text and no "OK". The robot answers most questions with
+one byte and does not answer other commands.
 """
 
 import os
 import socket
 import sys
 
-# Where the robot is: from the arguments, else from the environment, else this machine.
+# Host and port: from the arguments, else from the environment, else the defaults.
 host = sys.argv[1] if len(sys.argv) > 1 else os.environ.get("XR3_HOST") or "localhost"
 port = sys.argv[2] if len(sys.argv) > 2 else os.environ.get("XR3_PORT") or "9600"
 if not port.isdecimal() or not 1 <= int(port) <= 65535:
@@ -22,7 +22,7 @@ except OSError as error:
 
 
 def ask(question):
-    """Sends a question and returns the byte that answers it, as a number."""
+    """Sends a question and returns the one-byte answer as a number."""
     robot.sendall(question)
     try:
         answer = robot.recv(100)
@@ -33,12 +33,12 @@ def ask(question):
     return answer[0]
 
 
-# How far has the shoulder, joint E, still to go? The answer is counted from 32, the code of a
-# blank, so that it can be printed: a blank means 0 counts to go, "!" means 1, and so on.
+# How many counts does the shoulder, joint E, still have to go? 32, the code of a blank, is added to
+# the answer to make it printable: a blank means 0 counts to go, "!" means 1, and so on.
 reply = ask(b"E?")
 print(f"E? is answered by {reply}: {reply - 32} counts to go")
 
-# Which microswitches are closed? Again 32 is added; each switch has a bit of its own.
+# Which microswitches are closed? Again 32 is added; each switch has one bit.
 reply = ask(b"I")
 print(f"I is answered by {reply}: switches {reply - 32}")
 

@@ -13,23 +13,23 @@ robot = xr3.connect()
 
 
 def check(f, e):
-    """Ends the program if a joint has still counts to go: it stands."""
+    """Ends the program if a joint has counts left."""
     for joint, left in ("F", f), ("E", e):
         if left > 0:
-            sys.exit(f"{joint} stands, {left} counts short of where it was sent. {WHY_IT_STANDS}")
+            sys.exit(f"{joint} stopped {left} counts short of its target. {WHY_IT_STANDS}")
 
 
-# A number with an S behind it is a speed, in counts a second. E has twice as far to go as F,
-# so it gets twice the speed.
+# A number followed by S sets a speed in counts per second. E moves twice as far as F, so it gets
+# twice the speed.
 robot.send("F40S E80S\r")
 print("F runs at 40 counts a second, E at 80")
 
-# Each joint has a motor of its own, and the robot does not wait: both run from here on.
+# Each joint has its own motor, and the robot does not wait: both start now.
 robot.send("F+40 E+80\r")
 print("F+40 E+80")
 
 f, e = robot.ask("F?") - 32, robot.ask("E?") - 32
-same = 0  # how many answers in a row have been the same
+same = 0  # number of equal answers in a row
 while f > 0 or e > 0:
     print(f"  F {f}, E {e} counts to go")
     time.sleep(0.05)
@@ -37,12 +37,12 @@ while f > 0 or e > 0:
     f, e = robot.ask("F?") - 32, robot.ask("E?") - 32
     same = same + 1 if (f, e) == before else 0
     if same == STANDS_AFTER:
-        robot.send("FX EX")  # forgets the rest of the moves
+        robot.send("FX EX")  # cancels the rest of the moves
         break
 check(f, e)
 print("both are there")
 
-# And back again. wait() is example 2 once more, for one joint after the other.
+# And back again. wait() is the loop of example 2, for one joint after the other.
 robot.send("F-40 E-80\r")
 check(robot.wait("F"), robot.wait("E"))
 print("both are back")

@@ -1,16 +1,16 @@
-"""6. Find with the camera and pick: look at the table, find the largest block wherever it lies,
-take it, put it down elsewhere, and look again.
+"""6. Find with the camera and pick: look at the table, find the largest block, pick it up,
+put it down elsewhere, and look again.
 
     python3 6_find_and_pick.py [HOST [PORT]]
 
-The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.py.
+The arm must be at its soft home, as when the simulator starts or after 3_home.py.
 """
 
 import sys
 
 import xr3
 
-Z = 20  # the largest block is 40 mm high: its middle is 20 mm above the table
+Z = 20  # mm: the largest block is 40 mm high, so its centre is 20 mm above the table
 HOME = {"F": 0, "E": 0, "D": 0, "C": 0, "B": 0, "A": 0}
 PLACE = xr3.Pose(392, 60, Z, yaw=90)  # a free place, the block's long side along y
 
@@ -18,8 +18,8 @@ robot = xr3.connect()
 
 
 def largest():
-    """The camera's picture has a patch of ones for each block. Of each patch we get its middle in
-    millimetres, its angle in degrees, and its area; xr3/vision.py shows how."""
+    """Takes a picture and returns the largest patch. The camera's picture has a patch of ones for
+    each block; xr3/vision.py computes its centre in mm, its angle in degrees, and its area."""
     patches = robot.look().patches()
     print(f"blocks in the picture: {len(patches)}")
     if not patches:
@@ -30,9 +30,8 @@ def largest():
 block = largest()
 print(f"the largest is at x {block.x:.0f}, y {block.y:.0f} mm, turned {block.yaw:.0f} degrees")
 
-# From a place on the table to motor counts is the work of inverse kinematics: xr3/arms.py shows
-# how. pick() and place() are example 5 once more: above the place, down, close or open the jaws, up
-# again.
+# Inverse kinematics (xr3/arms.py) converts a place on the table to motor counts. pick() and place()
+# work as in example 5: move above the place, down, close or open the jaws, up again.
 width = robot.pick(xr3.Pose(block.x, block.y, Z, block.yaw))
 if width is None:
     robot.go(HOME)

@@ -2,24 +2,24 @@
 //
 //     build/1_hello [HOST [PORT]]
 //
-// A robot on a serial line knows no lines of text and no "OK". It answers a question with one byte,
-// and everything else with silence.
+// The robot's serial protocol has no lines of text and no "OK". The robot answers most questions
+// with one byte and does not answer other commands.
 
 use std::env;
 use std::io::{Error, ErrorKind, Read, Result, Write};
 use std::net::TcpStream;
 
-/// An error that says something to people.
+/// An error with a readable message.
 fn error(why: &str) -> Error {
     Error::new(ErrorKind::Other, why)
 }
 
-/// A variable of the environment; one that is empty counts as not set.
+/// An environment variable; an empty one counts as not set.
 fn setting(name: &str) -> Option<String> {
     env::var(name).ok().filter(|value| !value.is_empty())
 }
 
-/// A line to the robot; what may go wrong is said in words.
+/// Connects to the robot; errors have a readable message.
 fn connect(host: &str, port: &str) -> Result<TcpStream> {
     let number: u16 = port.parse().map_err(|_| {
         error(&format!("the port has to be a number from 1 to 65535, not '{port}'"))
@@ -29,7 +29,7 @@ fn connect(host: &str, port: &str) -> Result<TcpStream> {
     })
 }
 
-/// Sends a question and returns the byte that answers it.
+/// Sends a question and returns the one-byte answer.
 fn ask(robot: &mut TcpStream, question: &str) -> Result<i32> {
     robot.write_all(question.as_bytes())?;
     let mut reply = [0; 100];
@@ -43,19 +43,20 @@ fn ask(robot: &mut TcpStream, question: &str) -> Result<i32> {
 }
 
 fn hello() -> Result<()> {
-    // Where the robot is: from the arguments, else from the environment, else this machine.
+    // Host and port: from the arguments, else from the environment, else the defaults.
     let host = env::args().nth(1).or(setting("XR3_HOST"));
     let port = env::args().nth(2).or(setting("XR3_PORT"));
     let host = host.unwrap_or("localhost".to_string());
     let port = port.unwrap_or("9600".to_string());
     let mut robot = connect(&host, &port)?;
 
-    // How far has the shoulder, joint E, still to go? The answer is counted from 32, the code of a
-    // blank, so that it can be printed: a blank means 0 counts to go, "!" means 1, and so on.
+    // How many counts does the shoulder, joint E, still have to go? 32, the code of a blank, is
+    // added to the answer to make it printable: a blank means 0 counts to go, "!" means 1, and so
+    // on.
     let reply = ask(&mut robot, "E?")?;
     println!("E? is answered by {}: {} counts to go", reply, reply - 32);
 
-    // Which microswitches are closed? Again 32 is added; each switch has a bit of its own.
+    // Which microswitches are closed? Again 32 is added; each switch has one bit.
     let reply = ask(&mut robot, "I")?;
     println!("I is answered by {}: switches {}", reply, reply - 32);
 
@@ -64,7 +65,7 @@ fn hello() -> Result<()> {
 
 fn main() {
     if let Err(why) = hello() {
-        eprintln!("{why}"); // no robot there, or not any more
+        eprintln!("{why}"); // no robot, or connection lost
         std::process::exit(1);
     }
 }

@@ -1,5 +1,5 @@
-// 3. Home by microswitches: after power-on nobody knows where the arm stands. Each joint has a
-// switch that closes at one place of its way. Looking for that place is how a robot finds out.
+// 3. Home by microswitches: after power-on the position of the arm is unknown. Each joint has a
+// switch that closes at a known position. Searching for it tells where the joint is.
 //
 //     build/3_home [HOST [PORT]]
 
@@ -8,31 +8,32 @@ use robot::{check_arrived, error, Robot};
 use std::io::Result;
 
 // Where the switches are, in counts from the soft home: upper arm upright, forearm level, tool
-// down. The elbow comes first, for it lifts the hand off the table; the jaws, joint A, come last.
+// down. The elbow comes first, since it lifts the hand off the table; the jaws, joint A, come last.
 const SWITCHES: [(char, i32); 6] =
     [('D', 40), ('E', -40), ('C', 40), ('B', -25), ('F', 30), ('A', 16)];
 
-/// No joint has so many counts to go from one end of its way to the other.
+/// More counts than the full travel of any joint.
 const FARTHEST: i32 = 2500;
 
 fn is_closed(robot: &mut Robot, joint: char) -> Result<bool> {
-    Ok(robot.ask(&format!("{joint}V"))? == 1) // a plain 0 or 1, nothing is added
+    Ok(robot.ask(&format!("{joint}V"))? == 1) // 0 or 1, without the 32
 }
 
-/// Moves the joint and returns how many counts were left, if it could not go on.
+/// Moves the joint and returns the counts that were left, 0 if it has arrived.
 fn step(robot: &mut Robot, joint: char, counts: i32) -> Result<i32> {
     robot.send(&format!("{joint}{counts:+}\r"))?;
-    robot.wait(joint) // asks as in example 2, and stops a joint that stands
+    robot.wait(joint) // as in example 2; cancels the move of a blocked joint
 }
 
-/// Steps of so many counts until the switch is closed, or until it is open.
+/// Moves in steps of `counts` until the switch is closed (true) or open (false).
 fn search(robot: &mut Robot, joint: char, counts: i32, closed: bool) -> Result<()> {
     let mut gone = 0;
     while is_closed(robot, joint)? != closed {
         if step(robot, joint, counts)? == counts.abs() {
             return Err(error(&format!(
                 "{joint} does not move, and its switch is not found. Is it at a limit, or \
-                 stalled? Does time stand? This example is for the Rhino XR-3, in the profile paper"
+                 stalled? Is the clock paused? This example is for the Rhino XR-3, in the profile \
+                 paper"
             )));
         }
         gone += counts.abs();
@@ -49,11 +50,11 @@ fn search(robot: &mut Robot, joint: char, counts: i32, closed: bool) -> Result<(
 fn home() -> Result<()> {
     let mut robot = Robot::connect()?;
 
-    // A robot may tell of its switches the other way round. I shows it: the highest of its six bits
-    // belongs to no switch, and should be 0.
+    // Some controllers report their switches inverted. The answer to I shows it: the highest of its
+    // six bits belongs to no switch and should be 0.
     if robot.ask("I")? - 32 >= 32 {
         return Err(error(
-            "the switches of D and of all other joints tell 1 when they are open, as in the \
+            "the switches of D and of all other joints read 1 when they are open, as in the \
              profile mark3. This example is for the profile paper",
         ));
     }
@@ -62,16 +63,16 @@ fn home() -> Result<()> {
         let way = place.signum();
         search(&mut robot, joint, 5 * way, true)?; // quickly, until the switch closes
         search(&mut robot, joint, -5 * way, false)?; // back, until it opens again
-        search(&mut robot, joint, way, true)?; // slowly: now we know to the count where it closes
-        println!("{joint} stands on its switch, at {place:+}");
+        search(&mut robot, joint, way, true)?; // slowly, to find the exact count at which it closes
+        println!("{joint} is on its switch, at {place:+}");
     }
 
-    // All switches at once: I tells of joints C to F, J of A and B.
+    // All switches at once: I reports joints C to F, J reports A and B.
     let i = robot.ask("I")? - 32;
     let j = robot.ask("J")? - 32;
     println!("switches closed: {i} of I, {j} of J");
 
-    // From here the soft home is as far away as the switches are from it.
+    // The soft home is at count 0: move each joint back by the count of its switch.
     for (joint, place) in SWITCHES {
         check_arrived(joint, step(&mut robot, joint, -place)?)?;
     }

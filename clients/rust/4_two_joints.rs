@@ -9,18 +9,18 @@ use std::io::Result;
 fn two_joints() -> Result<()> {
     let mut robot = Robot::connect()?;
 
-    // A number with an S behind it is a speed, in counts a second. E has twice as far to go as F,
-    // so it gets twice the speed.
+    // A number followed by S sets a speed in counts per second. E moves twice as far as F, so it
+    // gets twice the speed.
     robot.send("F40S E80S\r")?;
     println!("F runs at 40 counts a second, E at 80");
 
-    // Each joint has a motor of its own, and the robot does not wait: both run from here on.
+    // Each joint has its own motor, and the robot does not wait: both start now.
     robot.send("F+40 E+80\r")?;
     println!("F+40 E+80");
 
     let mut f = robot.to_go('F')?;
     let mut e = robot.to_go('E')?;
-    let mut still_ms = 0; // for how long neither counter has changed, as in example 2
+    let mut still_ms = 0; // time without a change of either counter, as in example 2
     while f > 0 || e > 0 {
         println!("  F {f}, E {e} counts to go");
         pause();
@@ -29,14 +29,14 @@ fn two_joints() -> Result<()> {
         e = robot.to_go('E')?;
         still_ms = if f + e == before { still_ms + PAUSE_MS } else { 0 };
         if still_ms >= STANDS_MS {
-            robot.send("FX EX")?; // forget the rest, or the next move would add to it
+            robot.send("FX EX")?; // cancel the rest: the next move would add to it
             check_arrived('F', f)?;
             check_arrived('E', e)?;
         }
     }
     println!("both are there");
 
-    // And back again. wait() is example 2 once more, for one joint after the other.
+    // And back again. wait() is the loop of example 2, for one joint after the other.
     robot.send("F-40 E-80\r")?;
     check_arrived('F', robot.wait('F')?)?;
     check_arrived('E', robot.wait('E')?)?;

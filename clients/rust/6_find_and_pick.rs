@@ -1,25 +1,25 @@
-// 6. Find with the camera and pick: look at the table, find the largest block wherever it lies,
-// take it, put it down elsewhere, and look again.
+// 6. Find with the camera and pick: look at the table, find the largest block, pick it up, put it
+// down elsewhere, and look again.
 //
 //     build/6_find_and_pick [HOST [PORT]]
 //
-// The arm has to be at its soft home, as it is when the simulator starts, or after 3_home.
+// The arm must be at its soft home, as when the simulator starts or after 3_home.
 
 mod robot;
 use robot::{error, Robot, JAWS};
 use std::io::Result;
 
-// The camera looks straight down on a square of 384 mm about x 290, y 0, in 192 x 192 pixels of
-// 2 mm. A byte of the picture has six pixels.
+// The camera looks straight down on a square of 384 mm centred at x 290, y 0, with 192 x 192 pixels
+// of 2 mm. Each byte of the picture has six pixels.
 const PIXELS: usize = 192;
 const ROW_BYTES: usize = PIXELS / 6;
 
-const OPEN: i32 = 16; // counts of the open jaws
-const SHUT: i32 = -64; // and of jaws that meet
-const Z: f64 = 20.0; // the largest block is 40 mm high: this is its middle
-const ABOVE: f64 = 100.0; // how far above it the tool comes and goes, mm
+const OPEN: i32 = 16; // count of A with open jaws
+const SHUT: i32 = -64; // count of A with closed jaws
+const Z: f64 = 20.0; // height of the largest block's centre, mm
+const ABOVE: f64 = 100.0; // height above it for approach and departure, mm
 
-/// A place on the table: millimetres, and the direction of a block's long side in degrees.
+/// A place on the table: x and y in mm, and the direction of a block's long side in degrees.
 struct Place {
     x: f64,
     y: f64,
@@ -29,8 +29,8 @@ struct Place {
 /// Rows from the top; true where the camera sees a block.
 type Picture = Vec<Vec<bool>>;
 
-/// Asks for the whole picture. The leftmost of six pixels is the highest bit, and 32 is added to
-/// each byte.
+/// Requests the picture. The leftmost of six pixels is the highest bit, and 32 is added to each
+/// byte.
 fn look(robot: &mut Robot) -> Result<Picture> {
     robot.send("A**")?;
     let bytes = robot.read(PIXELS * ROW_BYTES)?;
@@ -44,8 +44,8 @@ fn look(robot: &mut Robot) -> Result<Picture> {
     Ok(picture)
 }
 
-/// Takes this pixel and all that hang together with it out of the picture, so that none is counted
-/// twice, and adds their places on the table, in millimetres, to the patch.
+/// Removes this pixel and all pixels connected to it from the picture, so that none is counted
+/// twice, and adds their positions on the table, in mm, to the patch.
 fn collect(picture: &mut Picture, row: usize, column: usize, patch: &mut Vec<(f64, f64)>) {
     if row >= PIXELS || column >= PIXELS || !picture[row][column] {
         return;
@@ -64,8 +64,8 @@ fn collect(picture: &mut Picture, row: usize, column: usize, patch: &mut Vec<(f6
     }
 }
 
-/// The middle of a patch is the average of its pixels. The long side points where they are spread
-/// most; the formula is that of the principal axis of inertia.
+/// The centre of a patch is the average of its pixels. The long side has the direction of their
+/// largest spread, the principal axis of inertia.
 fn measure(patch: &[(f64, f64)]) -> Place {
     let n = patch.len() as f64;
     let (mut x, mut y) = (0.0, 0.0);
@@ -111,10 +111,10 @@ fn find_largest(robot: &mut Robot) -> Result<Place> {
     Ok(Place { x, y, angle })
 }
 
-/// Inverse kinematics: brings the tool to a place at the height z, pointing down. Seen from the
-/// side, upper arm and forearm, 228.6 mm each, are two sides of a triangle; the third one leads
-/// from the shoulder, 260.4 mm above the table, to the wrist, which is 168.3 mm above the tip and
-/// 9.5 mm nearer to the base. Each motor sets the slope of one link, whatever the others do.
+/// Inverse kinematics: moves the tool, pointing down, to a place at height z. Seen from the side,
+/// upper arm and forearm, 228.6 mm each, are two sides of a triangle. The third side leads from the
+/// shoulder, 260.4 mm above the table, to the wrist, 168.3 mm above the tip and 9.5 mm nearer to
+/// the base. Each motor sets the slope of one link, independently of the others.
 fn go_to(robot: &mut Robot, place: &Place, z: f64) -> Result<()> {
     let out = place.x.hypot(place.y) - 9.5;
     let up = z + 168.3 - 260.4;
@@ -123,7 +123,7 @@ fn go_to(robot: &mut Robot, place: &Place, z: f64) -> Result<()> {
     let corner = (out.hypot(up) / 2.0 / 228.6).acos().to_degrees();
     let upper_arm = slope + corner;
     let forearm = slope - corner;
-    // A block looks the same after half a turn, so the roll may be anything from -90 to 90.
+    // A block looks the same after half a turn, so the roll can be reduced to -90...90.
     let mut roll = base - place.angle + 90.0;
     roll -= 180.0 * (roll / 180.0).round();
     robot.go_arm([
@@ -150,7 +150,7 @@ fn find_and_pick() -> Result<()> {
              are for the Rhino XR-3 with its own workcell, in the profile paper)",
             block.x, block.y
         );
-        go_to(&mut robot, &block, Z + ABOVE)?; // back to where the examples begin
+        go_to(&mut robot, &block, Z + ABOVE)?; // back to the start position
         robot.go([0; 6])?;
         std::process::exit(1);
     }

@@ -1,5 +1,5 @@
-// What the examples 2 to 6 share: the line to the robot, and the few things that one says on it. It
-// knows joints and their counts, but neither millimetres nor the camera.
+// Shared by examples 2 to 6: the connection to the robot and its basic commands. It handles joints
+// and counts, but not millimetres or the camera.
 
 #![allow(dead_code)] // no example uses all of it
 
@@ -12,31 +12,30 @@ use std::time::Duration;
 /// The joints' letters from the base to the jaws.
 pub const LETTERS: [char; 6] = ['F', 'E', 'D', 'C', 'B', 'A'];
 
-/// Where the jaws, joint A, have their place in counts.
+/// The index of the jaws, joint A, in Counts.
 pub const JAWS: usize = 5;
 
 /// A count for each motor, in the order of LETTERS.
 pub type Counts = [i32; 6];
 
-/// How long pause() does nothing, between two questions.
+/// The duration of pause(), between two questions.
 pub const PAUSE_MS: u64 = 50;
 
-/// A joint stands if its counter has not changed for so long. The slowest speed is one count a
-/// second, and the simulator's clock may run slowly, so be patient.
+/// A joint counts as stopped if its counter has not changed for this long. The slowest speed is one
+/// count per second, and the simulator's clock may run slowly, hence the long wait.
 pub const STANDS_MS: u64 = 2000;
 
 const CLOSED: &str = "the robot has closed the line";
 
 pub struct Robot {
-    /// Where the motors are, in counts from the soft home, as far as go() moved them.
+    /// Motor positions in counts from the soft home, as tracked by go().
     pub at: Counts,
     line: TcpStream,
 }
 
 impl Robot {
-    /// Connects to HOST and PORT of the arguments, else of XR3_HOST and XR3_PORT, else to localhost
-    /// 9600. Like everything here, it returns an error, with a text for people, if it cannot do
-    /// its work.
+    /// Connects to HOST and PORT from the arguments, else XR3_HOST and XR3_PORT, else localhost
+    /// 9600. Like all functions here, returns an error with a readable message on failure.
     pub fn connect() -> Result<Robot> {
         let host = env::args().nth(1).or(setting("XR3_HOST"));
         let port = env::args().nth(2).or(setting("XR3_PORT"));
@@ -48,23 +47,23 @@ impl Robot {
         let line = TcpStream::connect((host.as_str(), number)).map_err(|_| {
             error(&format!("no robot answers at {host} port {port}: is the server running? ./run"))
         })?;
-        line.set_nodelay(true)?; // few bytes at a time shall go out at once, not be gathered first
+        line.set_nodelay(true)?; // send small messages at once
         Ok(Robot { at: [0; 6], line })
     }
 
-    /// Sends commands. A move has to end with \r.
+    /// Sends commands. A move must end with \r.
     pub fn send(&mut self, text: &str) -> Result<()> {
         self.line.write_all(text.as_bytes()).map_err(|_| error(CLOSED))
     }
 
-    /// Reads exactly so many bytes of an answer.
+    /// Reads exactly `count` bytes of an answer.
     pub fn read(&mut self, count: usize) -> Result<Vec<u8>> {
         let mut bytes = vec![0; count];
         self.line.read_exact(&mut bytes).map_err(|_| error(CLOSED))?;
         Ok(bytes)
     }
 
-    /// Asks, and returns the byte that answers.
+    /// Sends an inquiry and returns the one-byte answer.
     pub fn ask(&mut self, inquiry: &str) -> Result<i32> {
         self.send(inquiry)?;
         let mut reply = [0; 100];
@@ -77,16 +76,16 @@ impl Robot {
         }
     }
 
-    /// How many counts the joint has still to go.
+    /// The counts that the joint still has to go.
     pub fn to_go(&mut self, joint: char) -> Result<i32> {
         Ok(self.ask(&format!("{joint}?"))? - 32)
     }
 
-    /// Waits until the joint is there. One that makes no count for STANDS_MS stands, at a limit
-    /// or with the jaws at a block, and is stopped. Returns the counts that were left.
+    /// Waits until the joint has arrived. If it makes no count for STANDS_MS (at a limit, or jaws
+    /// at a block), cancels its move. Returns the counts that were left.
     pub fn wait(&mut self, joint: char) -> Result<i32> {
         let mut left = self.to_go(joint)?;
-        let mut still_ms = 0; // for how long the counter has not changed
+        let mut still_ms = 0; // time without a change of the counter
         while left > 0 && still_ms < STANDS_MS {
             pause();
             let before = left;
@@ -99,7 +98,7 @@ impl Robot {
         Ok(left)
     }
 
-    /// Brings all motors to these counts together, in parts small enough for the error counter.
+    /// Moves all motors to these counts together, in parts small enough for the error counter.
     pub fn go(&mut self, wanted: Counts) -> Result<()> {
         let start = self.at;
         let mut longest = 0;
@@ -122,12 +121,12 @@ impl Robot {
         Ok(())
     }
 
-    /// Brings the arm to these counts of F, E, D, C and B, and leaves the jaws as they are.
+    /// Moves the arm to these counts of F, E, D, C and B, and leaves the jaws as they are.
     pub fn go_arm(&mut self, arm: [i32; 5]) -> Result<()> {
         self.go([arm[0], arm[1], arm[2], arm[3], arm[4], self.at[JAWS]])
     }
 
-    /// Brings the jaws to this count, and leaves the arm where it is.
+    /// Moves the jaws to this count, and leaves the arm where it is.
     pub fn go_jaws(&mut self, count: i32) -> Result<()> {
         let mut wanted = self.at;
         wanted[JAWS] = count;
@@ -135,29 +134,28 @@ impl Robot {
     }
 }
 
-/// Does nothing for a while.
+/// Sleeps for PAUSE_MS.
 pub fn pause() {
     sleep(Duration::from_millis(PAUSE_MS));
 }
 
-/// An error if there are counts left: which joint stands, and what the reason may be.
+/// Returns an error if counts are left; the message has the joint and possible reasons.
 pub fn check_arrived(joint: char, left: i32) -> Result<()> {
     if left <= 0 {
         return Ok(());
     }
     Err(error(&format!(
-        "{joint} stands, {left} counts short of where it was sent. Is it blocked at a limit, or \
-         stalled? Is a block in the jaws? Does time stand, or run slowly? Look at the page or at \
-         `xr3 watch`"
+        "{joint} stopped {left} counts short of its target. Is it blocked at a limit, or stalled? \
+         Is a block in the jaws? Is the clock paused or slow? Look at the page or at `xr3 watch`"
     )))
 }
 
-/// An error that says something to people.
+/// An error with a readable message.
 pub fn error(why: &str) -> Error {
     Error::new(ErrorKind::Other, why)
 }
 
-/// A variable of the environment; one that is empty counts as not set.
+/// An environment variable; an empty one counts as not set.
 fn setting(name: &str) -> Option<String> {
     env::var(name).ok().filter(|value| !value.is_empty())
 }

@@ -1,14 +1,13 @@
 #!/usr/bin/env python3
-"""Runs every example of every language in clients/ against a real server whose time runs fast,
-with the one command that the language's README gives, and looks at the monitor port at what
-became of it: where the motors are, where the blocks lie, whether the robot was told anything that
-it did not obey. What the examples print is the same in every language: expected/*.txt. Then it
-looks at what they say where something is wrong: wrong_use.py.
+"""Runs every example of every language in clients/ against a real server at a high clock rate, with
+the command of the language's README, and checks the result at the monitor port: motor positions,
+block positions, and that the robot executed every command. The output of the examples is the same
+in every language: expected/*.txt. Then it checks their error messages: wrong_use.py.
 
     XR3=build/release/xr3 tests/clients/examples.py [LANGUAGE...]
 
-The last lines list the languages: ok, FAILED, or left out and why. A language that is left out is
-no failure.
+The last lines list the languages: ok, FAILED, or left out with the reason. A language that is left
+out is not a failure.
 """
 
 import argparse
@@ -36,9 +35,9 @@ from xr3 import Monitor, Robot  # noqa: E402
 EXAMPLES = ("1_hello", "2_move_and_wait", "3_home", "4_two_joints", "5_pick_and_place",
             "6_find_and_pick")
 CLOCK = "real:50"
-DEADLINE_S = 120  # how long a failure may take; an example takes one to four seconds
+DEADLINE_S = 120  # timeout; an example takes one to four seconds
 AT_ONCE = 4
-PROGRESS = re.compile(r"^  .*\d+ counts to go$")  # how often an example asks is a matter of luck
+PROGRESS = re.compile(r"^  .*\d+ counts to go$")  # these lines depend on timing
 
 # What each language needs: commands that must succeed.
 NEEDS = {
@@ -52,25 +51,25 @@ NEEDS = {
     "bash": ["command -v nc", "od --version", "awk 'BEGIN { exit }'"],
 }
 
-DISPLACED = {"F": 45, "E": 30, "D": -40, "C": -30, "B": 20, "A": -20}  # from where 3_home begins
-MOVED_RED = {"centroid": [285, 25, 20], "yaw_deg": 35}  # where 6_find_and_pick has to find it
-MOST_MM = 2  # how far off its place a block may be put down, when a camera saw it
+DISPLACED = {"F": 45, "E": 30, "D": -40, "C": -30, "B": 20, "A": -20}  # where 3_home starts
+MOVED_RED = {"centroid": [285, 25, 20], "yaw_deg": 35}  # where 6_find_and_pick must find it
+MOST_MM = 2  # tolerance for the place of a block that was found with the camera
 MOST_DEG = 3
 
 
 class Wrong(Exception):
-    """An example did not do what it should; the message says what."""
+    """An example failed; the message gives the reason."""
 
 
-# --- What must be so after each example.
+# --- The expected state after each example.
 
 @dataclasses.dataclass
 class Outcome:
-    """What must be so at the end, beside that all motors are at 0."""
+    """The expected state at the end, in addition to all motors at 0."""
 
-    moves: str = None  # every move that was obeyed, where that is of interest
+    moves: str = None  # all executed moves, if checked
     speeds: dict = dataclasses.field(default_factory=dict)
-    red: tuple = None  # x, y, z in mm and yaw in degrees of the red block, if it must have moved
+    red: tuple = None  # x, y, z in mm and yaw in degrees of the red block, if moved
 
 
 OUTCOMES = {
@@ -84,7 +83,7 @@ OUTCOMES = {
 
 
 def check_outcome(monitor, wanted, blocks):
-    """Compares the machine with what is wanted; `blocks` is where they lay before, by name."""
+    """Compares the state with `wanted`; `blocks` are the blocks before the example, by name."""
     state = monitor.state()
     motors = {motor["label"]: motor for motor in [*state["joints"], state["tool"]]}
     for label, motor in motors.items():
@@ -100,7 +99,7 @@ def check_outcome(monitor, wanted, blocks):
 
 
 def check_events(events, wanted):
-    """Nothing went wrong, and the moves are the ones that should be seen."""
+    """Checks that there were no warnings or stalls, and that the moves are as expected."""
     for event in events:
         if event["event"] in ("warning", "stalled"):
             raise Wrong(f"{event['code']}: {event['message']}")
@@ -111,14 +110,14 @@ def check_events(events, wanted):
 
 
 def check_block(block, before, red):
-    """A block is where it lay, and the red one is where it was to be put."""
+    """Checks that a block is at its place, and the red one at its new place."""
     if block["name"] == "red" and red is not None:
         if math.dist(block["xyz_mm"], red[:3]) > MOST_MM:
             raise Wrong(f"block red is at {block['xyz_mm']}, not at {red[:3]}")
         if abs(math.remainder(block["yaw_deg"] - red[3], 180)) > MOST_DEG:
             raise Wrong(f"block red is turned {block['yaw_deg']}, not {red[3]} degrees")
     elif (block["xyz_mm"], block["yaw_deg"]) != (before["xyz_mm"], before["yaw_deg"]):
-        raise Wrong(f"block {block['name']} is not where it lay")
+        raise Wrong(f"block {block['name']} has moved")
 
 
 def check_output(example, printed):
@@ -132,8 +131,7 @@ def check_output(example, printed):
 # --- Running.
 
 def commands_of(language):
-    """The command of the README's first shell fence, and the one that it gives for a robot
-    elsewhere."""
+    """The command of the README's first shell fence, and its command for another host and port."""
     readme = (CLIENTS / language / "README.md").read_text(encoding="utf-8")
     command = re.search(r"```sh\n(.*1_hello.*)\n```", readme).group(1)
     elsewhere = re.search(r"`([^`]*1_hello[^`]*) HOST PORT`", readme).group(1)
@@ -141,7 +139,7 @@ def commands_of(language):
 
 
 def run(command, folder, **environment):
-    """Runs a shell command in a folder; returns what it printed. Raises Wrong if it fails."""
+    """Runs a shell command in a folder; returns its output. Raises Wrong if it fails."""
     clean = {name: value for name, value in os.environ.items() if not name.startswith("XR3_")}
     ran = subprocess.run(command, shell=True, cwd=folder, env={**clean, **environment}, text=True,
                          stdin=subprocess.DEVNULL, capture_output=True, check=False,
@@ -152,8 +150,7 @@ def run(command, folder, **environment):
 
 
 def workcell_for(example, folder):
-    """The Rhino's own table; for the camera, one with the red block where no program expects
-    it."""
+    """The Rhino's workcell; for 6_find_and_pick, a copy with the red block at another place."""
     table = ROOT / "data" / "workcells" / "rhino-xr3.json"
     if example != "6_find_and_pick":
         return table
@@ -165,13 +162,13 @@ def workcell_for(example, folder):
 
 
 def displace(server):
-    """Somebody has moved the arm by hand."""
+    """Moves the arm away from its soft home."""
     with Robot("127.0.0.1", server.robot_port) as robot:
         robot.go(DISPLACED)
 
 
 def run_in_a_row(language):
-    """`make`: all examples one after the other, on one robot."""
+    """`make`: all examples in sequence, on one robot."""
     with Server("--clock", CLOCK) as server, Monitor("127.0.0.1", server.monitor_port) as monitor:
         blocks = {block["name"]: block for block in monitor.state("blocks")["blocks"]}
         run("make", CLIENTS / language, XR3_HOST="localhost", XR3_PORT=str(server.robot_port))
@@ -179,7 +176,7 @@ def run_in_a_row(language):
 
 
 def run_example(language, example, command, by_arguments=False):
-    """One example against a server of its own."""
+    """Runs one example with a new server."""
     with tempfile.TemporaryDirectory() as folder, \
             Server("--workcell", str(workcell_for(example, folder)), "--clock", CLOCK) as server, \
             Monitor("127.0.0.1", server.monitor_port) as monitor:
@@ -197,7 +194,7 @@ def run_example(language, example, command, by_arguments=False):
 # --- Languages.
 
 def missing(language):
-    """What the machine lacks for a language, or None."""
+    """What is missing on this machine for a language, or None."""
     for command in NEEDS[language]:
         if subprocess.run(command, shell=True, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                           stderr=subprocess.DEVNULL, check=False).returncode != 0:
@@ -206,14 +203,14 @@ def missing(language):
 
 
 def prepare(language):
-    """Builds what needs building, inside the folder's own build folder."""
+    """Builds the examples of a language, if they need it, in its build folder."""
     folder = CLIENTS / language
     if (folder / "Makefile").exists():
         run("make clean && make build", folder)
 
 
 def check_language(language):
-    """Runs all examples of a language; returns its line of the summary and whether it is fine."""
+    """Runs all examples of a language; returns its summary line and whether it passed."""
     started = time.monotonic()
     lack = missing(language)
     if lack:
@@ -247,7 +244,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n", maxsplit=1)[0])
     parser.add_argument("languages", nargs="*", metavar="LANGUAGE",
                         help=f"some of {', '.join(NEEDS)} (all of them)")
-    parser.add_argument("--summary", type=Path, metavar="FILE", help="write the last lines there, too")
+    parser.add_argument("--summary", type=Path, metavar="FILE",
+                        help="also write the summary to FILE")
     options = parser.parse_args()
     languages = options.languages or list(NEEDS)
     unknown = set(languages) - set(NEEDS)

@@ -1,6 +1,5 @@
-"""What every example says where something is not as it expects: a plain sentence that names the
-reason, an exit code that is not 0, and never an invented answer or a stack. examples.py runs this
-for each language."""
+"""Error handling of the examples: each prints one sentence with the reason and exits with a
+non-zero code, without a stack trace. examples.py runs this for each language."""
 
 import concurrent.futures
 import dataclasses
@@ -22,13 +21,13 @@ DEADLINE_S = 120
 STACK = re.compile(r"Traceback|node:internal|panicked|Exception in thread|^\s+at |called from|"
                    r"terminate called", re.MULTILINE)
 NOT_THEIRS = re.compile(r"^make(\[\d+\])?: .*\n|^error: ignoring const execution_exception.*\n",
-                        re.MULTILINE)  # make says that it failed; for Octave see its README
+                        re.MULTILINE)  # make reports the failure; for Octave see its README
 
 
 @dataclasses.dataclass
 class Case:
-    """`says` is looked for in what the example writes to standard error; None: it is to succeed.
-    `before` is done to the robot first, `after` tells what is wrong with it at the end."""
+    """`says` is a regular expression for standard error; None if the example must succeed. `before`
+    prepares the robot; `after` returns what is wrong with it at the end, or None."""
 
     name: str
     example: str
@@ -42,7 +41,7 @@ class Case:
 
 
 def stall(robot):
-    """The shoulder bends back until the tip would enter the protected region."""
+    """Moves the shoulder back until the robot stalls at the protected region."""
     for _ in range(7):
         robot.move("E", -60)
         robot.wait("E")
@@ -60,7 +59,7 @@ def nothing_left(monitor):
     return at_home(monitor)
 
 
-STANDS = r"E stands, 50 counts short of where it was sent\..*limit.*stalled.*xr3 watch"
+STANDS = r"E stopped 50 counts short of its target\..*limit.*stalled.*xr3 watch"
 NO_ROBOT = "no robot answers at localhost port 1: is the server running"
 NO_PORT = "port has to be a number from 1 to 65535, not '{}'"
 CASES = [
@@ -72,9 +71,9 @@ CASES = [
     Case("an empty host", "1_hello", None, host=""),
     Case("the monitor port", "1_hello", "monitor port.* 9600", port="{monitor}"),
     Case("the monitor port", "2_move_and_wait", "monitor port.* 9600", port="{monitor}"),
-    Case("time stands", "2_move_and_wait", STANDS, options=("--clock", "manual"),
+    Case("manual clock", "2_move_and_wait", STANDS, options=("--clock", "manual"),
          after=nothing_left),
-    Case("time stands", "4_two_joints", "F stands, 40 counts short.*xr3 watch",
+    Case("manual clock", "4_two_joints", "F stopped 40 counts short.*xr3 watch",
          options=("--clock", "manual"), after=nothing_left),
     Case("slow jaws", "3_home", None, options=("--clock", "real:10"),
          before=lambda robot: robot.send("A1S"), after=at_home),
@@ -90,13 +89,13 @@ CASES = [
 
 
 def check_case(case, command, folder):
-    """Runs the example as the case wants; returns what is wrong with it, or None."""
+    """Runs the example of a case; returns what is wrong with it, or None."""
     with tempfile.TemporaryDirectory() as there, \
             Server(*case.options, *empty_table(case, there)) as server, \
             Monitor("localhost", server.monitor_port) as monitor:
         with Robot("localhost", server.robot_port) as robot:
             case.before(robot)
-            robot.ask("I")  # now it has got all
+            robot.ask("I")  # all bytes sent before have been executed
         port = case.port.format(robot=server.robot_port, monitor=server.monitor_port)
         clean = {name: value for name, value in os.environ.items() if not name.startswith("XR3_")}
         ran = subprocess.run(command, shell=True, cwd=folder, text=True, stdin=subprocess.DEVNULL,
@@ -106,7 +105,7 @@ def check_case(case, command, folder):
 
 
 def empty_table(case, folder):
-    """Options for a workcell without blocks, where the case wants it."""
+    """Options for a workcell without blocks, if the case needs it."""
     if case.blocks:
         return ()
     cell = json.loads((ROOT / "data" / "workcells" / "rhino-xr3.json").read_text(encoding="utf-8"))
@@ -117,27 +116,27 @@ def empty_table(case, folder):
 
 
 def said_wrong(case, ran):
-    """What is wrong with how the example ended and what it said, or None."""
+    """What is wrong with the exit code and the messages of the example, or None."""
     said = NOT_THEIRS.sub("", ran.stderr)
     if (ran.returncode == 0) != (case.says is None):
-        return f"it ended with {ran.returncode} and said\n{ran.stdout}{said}"
+        return f"it exited with {ran.returncode} and printed\n{ran.stdout}{said}"
     if case.says is None:
         return None
     if not re.search(case.says, said):
-        return f"it said\n{said}  where this was wanted: {case.says}"
+        return f"it printed\n{said}  expected: {case.says}"
     if STACK.search(said) or said.count("\n") != 1:
-        return f"it said more than one sentence\n{said}"
+        return f"it printed more than one sentence\n{said}"
     return None
 
 
 def faults_of(language, command, folder):
-    """Tries all of it in one language, whose first example is run by that command; returns the
-    faults as lines."""
+    """Runs all cases in one language, with `command` for its first example; returns the faults as
+    lines."""
     def fault(case):
         try:
             wrong = check_case(case, command.replace("1_hello", case.example), folder)
         except subprocess.TimeoutExpired:
-            wrong = f"it did not end within {DEADLINE_S} s"
+            wrong = f"it did not finish within {DEADLINE_S} s"
         return wrong and f"{language}, {case.example}, {case.name}: {wrong}"
     with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
         return [wrong for wrong in pool.map(fault, CASES) if wrong]

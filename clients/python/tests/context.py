@@ -1,5 +1,5 @@
-"""Lets the tests find the package beside them without installing it, and gives them a server. XR3
-names the executable (else the `xr3` of the PATH)."""
+"""Makes the package importable without installing it, and provides a server. XR3 is the path of the
+executable (default: `xr3` in PATH)."""
 
 import os
 import re
@@ -14,7 +14,7 @@ XR3 = os.environ.get("XR3", "xr3")
 
 
 class Server:
-    """A running `xr3 serve` on free ports, as a context. It ends when the context does."""
+    """A running `xr3 serve` on free ports, as a context manager."""
 
     def __init__(self, *options: str) -> None:
         self.options = options

@@ -1,5 +1,5 @@
-"""The kinematics of the three arms: back and forth agree with each other, with the worked examples,
-and with what `xr3 kin` works out on its own."""
+"""The kinematics of the three arms: forward and inverse agree with each other, with worked
+examples, and with `xr3 kin`."""
 
 import json
 import math
@@ -10,25 +10,25 @@ import unittest
 from context import XR3
 from xr3 import ADEPT_ONE, ARMS, INTELLEDEX_660, RHINO_XR3, Pose, Unreachable
 
-# Where each arm works: distances from the base and heights, in mm.
+# The working area of each arm: ranges of distance from the base and of height, in mm.
 CELLS = {"rhino-xr3": (200, 420, 0, 150), "adept-one": (450, 700, 510, 660),
          "intelledex-660": (280, 560, 0, 150)}
 POSES = 8
-# Farther than each arm reaches: up to this distance from the base, and between these heights, in mm.
+# Beyond the reach of each arm: maximum distance from the base and range of heights, in mm.
 SURROUNDINGS = {"rhino-xr3": (500, -100, 400), "adept-one": (850, 400, 950),
                 "intelledex-660": (650, -150, 600)}
-ANYWHERE = 100  # of these, a few are in the protected region or near the limits
+ANYWHERE = 100  # poses, some of them in the protected region or near the limits
 
 
 def kin(arm, *arguments):
-    """What xr3 kin says. One that begins with a minus sign must not look like an option."""
+    """The report of xr3 kin. Negative arguments must be given as --option=value."""
     ran = subprocess.run([XR3, "kin", "--json", "--robot", arm.name, *arguments],
                          capture_output=True, text=True, check=False, timeout=60)
     return json.loads(ran.stdout)
 
 
 def poses(arm):
-    """The same scattered poses in every run."""
+    """Random poses in the working area, the same in every run."""
     near, far, low, high = CELLS[arm.name]
     scatter = random.Random(arm.name)
     for _ in range(POSES):
@@ -38,7 +38,7 @@ def poses(arm):
 
 
 def poses_anywhere(arm):
-    """Scattered poses, the same in every run, whether the arm gets there or not."""
+    """Random poses, reachable or not, the same in every run."""
     far, low, high = SURROUNDINGS[arm.name]
     scatter = random.Random(arm.name)
     for _ in range(ANYWHERE):
@@ -48,14 +48,14 @@ def poses_anywhere(arm):
 
 
 def allowed_by_kin(arm, pose):
-    """The counts of every way that xr3 kin allows, as a set."""
+    """The counts of all solutions that xr3 kin allows, as a set."""
     report = kin(arm, f"--pose={pose.x},{pose.y},{pose.z}", f"--down={pose.yaw}")
     return {tuple(solution["counts"].items()) for solution in report["solutions"]
             if solution["allowed"]}
 
 
 def solutions(arm, pose):
-    """The same of the arm."""
+    """The counts of all solutions that the package finds, as a set."""
     try:
         return {tuple(counts.items()) for counts in arm.solutions(pose)}
     except Unreachable:

@@ -1,5 +1,5 @@
-"""The folder can be installed with pip, and then the package is whole. Needs pip with what it
-builds by, and no network; where they are missing there is nothing to test."""
+"""The folder can be installed with pip, and the installed package is complete. Needs pip,
+setuptools and wheel, but no network; skipped if they are missing."""
 
 import importlib.util
 import os
@@ -19,7 +19,7 @@ ASK = "import xr3, pathlib; print(xr3.__version__, pathlib.Path(xr3.__file__).pa
 
 
 class Installed(unittest.TestCase):
-    @unittest.skipUnless(all(map(importlib.util.find_spec, NEEDS)), f"{NEEDS} are not all here")
+    @unittest.skipUnless(all(map(importlib.util.find_spec, NEEDS)), f"needs {NEEDS}")
     def test_by_pip(self):
         with tempfile.TemporaryDirectory() as there:
             copy, site = Path(there) / "python", Path(there) / "site"

@@ -1,4 +1,4 @@
-"""What README.md shows of the package runs as it stands there."""
+"""The example of the package in README.md runs as printed."""
 
 import contextlib
 import io

@@ -1,4 +1,4 @@
-"""Robot and Monitor against a real server whose time runs fast: bytes, waiting, home, pick and
+"""Robot and Monitor with a real server at a high clock rate: bytes, waiting, home, pick and
 place."""
 
 import math
@@ -17,7 +17,7 @@ PICKS = {"rhino-xr3": ("red", Pose(262, 0, 20, 90), Pose(400, 0, 20, 0)),
 
 
 def pause():
-    """Between two questions: a millisecond is half a second of the server's time."""
+    """The pause between two questions: 1 ms is half a second of simulated time."""
     time.sleep(0.001)
 
 
@@ -71,7 +71,7 @@ class StandingTime(WithServer):
     def test_error_with_its_sign(self):
         self.robot.move("E", -50)
         self.assertEqual((50, -50), (self.robot.to_go("E"), self.robot.error("E")))
-        self.monitor.step(100)  # 110 counts a second
+        self.monitor.step(100)  # 110 counts per second
         self.assertEqual(-39, self.robot.error("E"))
         self.assertFalse(self.monitor.settle()["moving"])
         self.assertEqual(-50, self.monitor.counts()["E"])
@@ -86,14 +86,15 @@ class AllJoints(WithServer):
         self.assertEqual({0}, set(self.monitor.counts().values()))
 
     def test_knows_where_it_stands_after_it_could_not_go_on(self):
-        with self.assertRaisesRegex(RobotError, "A stands .* short"):
+        with self.assertRaisesRegex(RobotError, "A stopped .* short"):
             self.robot.go({"A": 50})
         self.assertEqual(self.robot.at, self.monitor.counts())
 
     def test_says_how_far_it_came_and_what_it_may_be(self):
         self.robot.soft_home()
-        self.robot.at["E"] = -400  # that is not so: it will meet its limit on the way
-        with self.assertRaisesRegex(RobotError, "E stands at 481, 319 counts short of 800.*stalled"):
+        self.robot.at["E"] = -400  # wrong on purpose: the joint will reach its limit
+        short = "E stopped at 481, 319 counts short of 800.*stalled"
+        with self.assertRaisesRegex(RobotError, short):
             self.robot.go({"E": 800})
 
     def test_refuses_counts_past_a_limit(self):
@@ -112,7 +113,7 @@ class AllJoints(WithServer):
     def test_refuses_a_place_out_of_reach(self):
         with self.assertRaises(Unreachable):
             self.robot.pick(Pose(900, 0, 20))
-        self.assertEqual(16, self.monitor.counts()["A"])  # only the jaws had opened
+        self.assertEqual(16, self.monitor.counts()["A"])  # only the jaws have opened
 
 
 class Home(WithServer):

@@ -1,5 +1,4 @@
-"""Pixels, patches and their measures: on pictures drawn by hand, and on what the camera really
-sees."""
+"""Pixels, patches and their measures, with drawn pictures and with pictures of the camera."""
 
 import json
 import math
@@ -15,7 +14,7 @@ DATA = Path(os.environ.get("XR3_ROOT", Path(__file__).resolve().parents[3])) / "
 
 
 def drawn(*rows):
-    """The reply of a camera that sees this, row by row from the top."""
+    """The reply of a camera for a picture given as rows from the top."""
     reply = b""
     for row in rows:
         padded = row + "." * (-len(row) % 6)
@@ -57,7 +56,7 @@ class Patches(unittest.TestCase):
     def test_measures_of_a_bar(self):
         patch, = self.find("..........", "..####....", "..........")
         self.assertEqual((16, -2, 0, 0), (patch.area, patch.x, patch.y, patch.yaw))
-        self.assertAlmostEqual(math.sqrt(60), patch.length)  # from the middles of pixels 2 mm apart
+        self.assertAlmostEqual(math.sqrt(60), patch.length)  # from pixel centres 2 mm apart
 
     def test_direction_of_a_slope(self):
         camera = Camera(0, 0, 100, 100, 100, 100)

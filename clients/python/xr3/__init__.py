@@ -1,13 +1,13 @@
-"""Drives an xr3 robot from Python, with nothing but the standard library.
+"""Drives an xr3 robot from Python, using only the standard library.
 
     import xr3
     with xr3.Robot() as robot:
         robot.send("E+50\\r")
         print(robot.to_go("E"), "counts to go")
 
-`Robot` speaks the serial line (port 9600) as a real arm does, `Monitor` the JSON side channel (port
-9601) that only the simulator has. `RHINO_XR3`, `ADEPT_ONE` and `INTELLEDEX_660` are the arms' data
-sheets with their kinematics; `Picture` and `Patch` find blocks in what the camera sees.
+`Robot` uses the serial protocol of a real arm (port 9600), `Monitor` the JSON protocol that only
+the simulator has (port 9601). `RHINO_XR3`, `ADEPT_ONE` and `INTELLEDEX_660` describe the arms and
+compute their kinematics; `Picture` and `Patch` find blocks in the camera's picture.
 """
 
 from xr3.arms import ADEPT_ONE, ARMS, INTELLEDEX_660, RHINO_XR3
@@ -16,7 +16,7 @@ from xr3.monitor import Monitor, MonitorError
 from xr3.robot import Robot, RobotError, connect
 from xr3.vision import Camera, Patch, Picture
 
-__version__ = "0.1.0"  # that of the xr3 it comes with
+__version__ = "0.1.0"  # the version of the xr3 server in this repository
 
 __all__ = ["ADEPT_ONE", "ARMS", "Arm", "Camera", "INTELLEDEX_660", "Jaws", "Joint", "Monitor",
            "MonitorError", "Patch", "Picture", "Pose", "RHINO_XR3", "Robot", "RobotError",

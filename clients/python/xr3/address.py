@@ -1,5 +1,4 @@
-"""Where a port of the server is, and how to get there. Says in one sentence what is wrong where
-there is none."""
+"""Connects to a port of the server. Errors have a one-sentence message."""
 
 import os
 import socket
@@ -8,9 +7,9 @@ from typing import Optional, Union
 
 def connect(host: Optional[str], port: Union[int, str, None], variable: str, usual: int,
             timeout_s: float) -> socket.socket:
-    """A connection to host and port; where they are not given, to XR3_HOST and the port that the
-    variable names, else to localhost and the usual one. Empty ones count as not given. Raises
-    ValueError where the port is none, and ConnectionError where nobody answers."""
+    """Connects to host and port. If they are not given or empty, uses the environment (XR3_HOST and
+    `variable` for the port), else localhost and the port `usual`. Raises ValueError if the port is
+    invalid, and ConnectionError if the connection fails."""
     host = host or os.environ.get("XR3_HOST") or "localhost"
     number = port_number(port or os.environ.get(variable) or usual)
     try:
@@ -18,12 +17,12 @@ def connect(host: Optional[str], port: Union[int, str, None], variable: str, usu
     except OSError as error:
         raise ConnectionError(f"no robot answers at {host} port {number}: is the server running? "
                               f"./run ({error})") from error
-    line.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)  # bytes go out at once
+    line.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)  # send small messages at once
     return line
 
 
 def port_number(port: Union[int, str]) -> int:
-    """The port as a number. Raises ValueError where it is none."""
+    """Converts the port to a number. Raises ValueError if it is invalid."""
     if not str(port).isdecimal() or not 1 <= int(port) <= 65535:
         raise ValueError(f"the port has to be a number from 1 to 65535, not {port!r}")
     return int(port)

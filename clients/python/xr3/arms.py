@@ -1,6 +1,5 @@
-"""The data sheets of xr3's three arms, as in its data/robots/*.json, and the inverse kinematics of
-each with the tool pointing down: from a pose to the joint variables, for every way in which the
-elbow can lie.
+"""The parameters of xr3's three arms, as in data/robots/*.json, and their inverse kinematics with
+the tool pointing down: from a pose to the joint variables, one solution per elbow configuration.
 """
 
 import math
@@ -10,9 +9,9 @@ from xr3.kinematics import Arm, Jaws, Joint, Pose, Unreachable, Ways, two_links
 
 
 def _rhino(pose: Pose) -> Ways:
-    """The base turns the arm's upright plane to the block, or away from it with the arm bent back
-    over itself. In the plane two links lead to the wrist, which is 168.3 mm above the tip and 9.5
-    mm nearer to the base."""
+    """The base turns the arm's vertical plane towards the block, or away from it with the arm bent
+    backwards. In the plane, two links lead to the wrist, which is 168.3 mm above the tip and 9.5 mm
+    nearer to the base."""
     ways = []
     up = pose.z + 168.3 - 260.4
     for base, upper, forearm in _front_and_back(pose, 9.5, up, 228.6):
@@ -21,8 +20,8 @@ def _rhino(pose: Pose) -> Ways:
 
 
 def _adept(pose: Pose) -> Ways:
-    """Seen from above, two links; the elbow and the roll count the other way round, for the arm's
-    second frame hangs upside down. The height is the slide's alone."""
+    """Seen from above, two links. The signs of elbow and roll are inverted, since the second frame
+    of the arm points down. Only the sliding joint sets the height."""
     ways = []
     for first, second in two_links(pose.x, pose.y, 425, 375):
         elbow = first - second
@@ -31,10 +30,10 @@ def _adept(pose: Pose) -> Ways:
 
 
 def _intelledex(pose: Pose) -> Ways:
-    """The shoulder's roll stays at the soft home, so that the arm works in the upright plane of the
-    base (there are other ways, which lay the arm's plane over, but they are past the limits). The
-    base turns that plane to the block or away from it. In the plane two links lead to the wrist,
-    228.6 mm above the tip."""
+    """The shoulder's roll stays at the soft home, so that the arm works in the vertical plane of
+    the base. (Other solutions tilt this plane but exceed the limits.) The base turns the plane
+    towards the block or away from it. In the plane, two links lead to the wrist, 228.6 mm above the
+    tip."""
     ways = []
     up = pose.z + 228.6 - 373.4
     for base, upper, forearm in _front_and_back(pose, 0, up, 304.8):
@@ -45,10 +44,10 @@ def _intelledex(pose: Pose) -> Ways:
 
 def _front_and_back(pose: Pose, in_front: float, up: float,
                     link: float) -> List[Tuple[float, float, float]]:
-    """An upright plane that turns about the base: where it looks, and how two links of one length
-    lie in it. The plane looks at the place, or away from it with the arm bent back. The wrist is so
-    much nearer to the base than the tip, and so much higher than the shoulder. Raises Unreachable
-    where the links are too short both ways."""
+    """Solutions (base, upper, forearm) in degrees for an arm in a vertical plane that turns about
+    the base axis, with two links of length `link`. The plane points towards the pose, or away from
+    it with the arm bent backwards. The wrist is `in_front` nearer to the base than the tip and `up`
+    higher than the shoulder, in mm. Raises Unreachable if the links are too short for both."""
     azimuth, distance = math.degrees(math.atan2(pose.y, pose.x)), math.hypot(pose.x, pose.y)
     ways = []
     for base, out in ((azimuth + 180, -distance), (azimuth, distance)):

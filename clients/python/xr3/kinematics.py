@@ -1,9 +1,9 @@
-"""From motor counts to the tip of the tool and back. Lengths are millimetres, angles degrees; a
-`Counts` is how far each motor is from the soft home, by its label. Knows arms in general; the three
-of xr3 are in arms.py.
+"""Forward and inverse kinematics between motor counts and the tip of the tool, for arms in general;
+the three arms of xr3 are in arms.py. Lengths are in mm, angles in degrees. `Counts` maps the label
+of each motor to its position in counts from the soft home.
 
-The way forward works for every arm that a Denavit-Hartenberg table describes. The way back is here
-for a tool that points straight down, as it does for picking blocks off a table, in closed form.
+Forward kinematics works for any arm with a Denavit-Hartenberg table. Inverse kinematics is in
+closed form, for a tool that points straight down, as when picking blocks off a table.
 """
 
 import math
@@ -11,19 +11,19 @@ from dataclasses import dataclass, field
 from typing import Callable, Dict, List, Optional, Sequence, Tuple
 
 Counts = Dict[str, int]
-Ways = Sequence[Sequence[float]]  # joint variables from the base, for each way of the elbow
-Matrix = List[List[float]]  # four rows of four: turns and shifts in one, as in the textbooks
+Ways = Sequence[Sequence[float]]  # joint variables from the base, for each elbow configuration
+Matrix = List[List[float]]  # 4 x 4 homogeneous transformation, row by row
 
 
 class Unreachable(ValueError):
-    """The arm cannot put its tool there; the message says why."""
+    """The arm cannot reach the pose; the message gives the reason."""
 
 
 @dataclass(frozen=True)
 class Pose:
-    """Where the tip of a tool is that points straight down. `yaw` is the direction of the tool's x
-    axis about the vertical, from the x axis of the table: a block of this yaw lies flat between the
-    jaws."""
+    """The pose of a tool that points straight down: position of the tip, and `yaw`, the angle of
+    the tool's x axis about the vertical, from the x axis of the table. A block with this yaw fits
+    squarely between the jaws."""
 
     x: float
     y: float
@@ -33,10 +33,9 @@ class Pose:
 
 @dataclass(frozen=True)
 class Joint:
-    """One row of the Denavit-Hartenberg table, at the soft home, and what its motor does to it.
-    `precision` is degrees (or millimetres, where the joint slides) a count, `direction` +1 or -1;
-    the limits are those of the variable. `switch` is the motor's count at which the microswitch
-    closes."""
+    """One row of the Denavit-Hartenberg table, at the soft home, and its motor. `precision` is in
+    degrees (mm for a sliding joint) per count, `direction` is +1 or -1, `limits` apply to the joint
+    variable. `switch` is the motor count at which the microswitch closes."""
 
     label: str
     theta: float
@@ -55,17 +54,16 @@ class Joint:
         return self.d if self.slides else self.theta
 
     def variable(self, position: int) -> float:
-        """The joint variable, in degrees or millimetres, at this position in counts."""
+        """The joint variable, in degrees or mm, at this position in counts."""
         return self.home + self.direction * self.precision * position
 
     def exact_counts(self, variable: float) -> float:
-        """The position in counts, not yet rounded, at which the joint has this variable."""
+        """The position in counts, not rounded, for this joint variable."""
         return (variable - self.home) / (self.direction * self.precision)
 
     @property
     def range(self) -> Tuple[int, int]:
-        """The first and the last position within the limits (a millionth of a count is not looked
-        at)."""
+        """The first and the last position within the limits, with a tolerance of 1e-6 counts."""
         low, high = sorted(self.exact_counts(limit) for limit in self.limits)
         return math.ceil(low - 1e-6), math.floor(high + 1e-6)
 
@@ -75,21 +73,21 @@ class Joint:
         return low <= position <= high
 
     def within(self, variable: float) -> float:
-        """The same direction, whole turns added or taken away: within the limits where that can be,
-        and as near as can be to the soft home. Where the joint slides there is only one."""
+        """The equivalent angle (plus or minus full turns) within the limits, if there is one, and
+        nearest to the soft home. The variable of a sliding joint is returned unchanged."""
         if self.slides:
             return variable
         nearest = near(variable, self.home)
         return min((nearest, nearest + 360, nearest - 360), key=self._beyond)
 
     def _beyond(self, variable: float) -> float:
-        """How far the variable is past the limits; what rounds to a count within them is not."""
+        """How far the variable is past the limits; 0 if it rounds to a count within them."""
         low, high = (self.variable(position) for position in self.range)
         low, high = min(low, high) - self.precision / 2, max(low, high) + self.precision / 2
         return max(low - variable, variable - high, 0.0)
 
     def matrix(self, position: int) -> Matrix:
-        """The frame at the far end of this link, seen from the frame before it."""
+        """The transformation from the previous frame to the frame of this link."""
         variable = self.variable(position)
         theta, d = (self.theta, variable) if self.slides else (variable, self.d)
         turn, twist = math.radians(theta), math.radians(self.alpha)
@@ -102,9 +100,9 @@ class Joint:
 
 @dataclass(frozen=True)
 class Jaws:
-    """The tool, joint A. `home` is the opening at count 0 in millimetres or, for fingers that turn
-    (`finger` is their length in millimetres), the angle between them in degrees. `switch` is the
-    count at which they are fully open."""
+    """The gripper, joint A. `home` is the opening at count 0 in mm or, for rotating fingers
+    (`finger` is their length in mm), the angle between them in degrees. `switch` is the count at
+    which the gripper is fully open."""
 
     precision: float
     home: float
@@ -112,17 +110,18 @@ class Jaws:
     finger: Optional[float] = None
 
     def opening(self, count: int) -> float:
-        """Millimetres between the fingertips at this count."""
+        """The distance between the fingertips at this count, mm."""
         value = self.home + self.precision * count
         return value if self.finger is None else 2 * self.finger * math.sin(math.radians(value) / 2)
 
 
 @dataclass(frozen=True)
 class Arm:
-    """The data sheet of an arm. `joints` go from the base to the tool. A coupling (j, k, sign) says
-    that joint j, counted from 0, turns joint k with (+1) or against (-1) itself. `inverse` gives
-    the candidates for a pose as joint variables. `protected` is radius and height in millimetres of
-    the cylinder about the base axis in which the robot stalls before its tip comes in."""
+    """The parameters of an arm. `joints` are in order from base to tool. A coupling (j, k, sign)
+    means that joint j, counted from 0, moves joint k in the same (+1) or the opposite (-1)
+    direction. `inverse` returns all candidate joint variables for a pose. `homing` is the order in
+    which joints are homed. `protected` is radius and height in mm of the protected region, a
+    cylinder about the base axis: the robot stalls before its tip enters it."""
 
     name: str
     joints: Tuple[Joint, ...]
@@ -139,33 +138,33 @@ class Arm:
 
     @property
     def labels(self) -> str:
-        """The joints' letters from the base to the tool, which is A."""
+        """The joints' letters from the base to the tool, A."""
         return "".join(joint.label for joint in self.joints) + "A"
 
     # --- Forward.
 
     def positions(self, counts: Counts) -> List[int]:
-        """What each joint does: the counts of its own motor and what other motors add."""
+        """The position of each joint in counts: its own motor and the coupled ones."""
         motors = [counts.get(joint.label, 0) for joint in self.joints]
         return [motor + round(self._added(k, motors)) for k, motor in enumerate(motors)]
 
     def _added(self, k: int, motors: Sequence[float]) -> float:
-        """What other motors add to joint k. Couplings speak of joint variables, so that in counts
-        both directions enter."""
+        """The counts that coupled motors add to joint k. Couplings are defined on joint variables,
+        so both directions enter."""
         way = self.joints[k].direction
         return sum(sign * self.joints[j].direction * way * motors[j]
                    for j, to, sign in self.coupling if to == k)
 
     def frame(self, counts: Counts) -> Matrix:
-        """The tool's frame in the base frame: columns normal, sliding and approach vector, and the
-        tip."""
+        """The tool frame in base coordinates; its columns are the normal, sliding and approach
+        vectors and the tip."""
         result = [[float(i == j) for j in range(4)] for i in range(4)]
         for joint, position in zip(self.joints, self.positions(counts)):
             result = _product(result, joint.matrix(position))
         return result
 
     def tip(self, counts: Counts) -> Tuple[float, float, float]:
-        """Where the tip of the tool is at these motor counts."""
+        """The position of the tool tip at these motor counts, mm."""
         x, y, z = (row[3] for row in self.frame(counts)[:3])
         return x, y, z
 
@@ -174,11 +173,11 @@ class Arm:
         frame = self.frame(counts)
         return math.degrees(math.atan2(frame[1][0], frame[0][0]))
 
-    # --- Back.
+    # --- Inverse.
 
     def solve(self, pose: Pose) -> Counts:
-        """The motor counts that bring the tool there, pointing down; of several ways the one that
-        turns the busiest motor least from the soft home. Raises Unreachable."""
+        """The motor counts for a pose. Of several solutions, returns the one with the smallest
+        maximum distance of a motor from the soft home. Raises Unreachable."""
         ways = self._ways(pose)
         solutions = [counts for counts in ways if self.refusal(counts) is None]
         if not solutions:
@@ -187,34 +186,33 @@ class Arm:
         return min(solutions, key=lambda counts: max(abs(count) for count in counts.values()))
 
     def solutions(self, pose: Pose) -> List[Counts]:
-        """Every way to bring the tool there within the limits and outside the protected region.
-        Raises Unreachable where the arm is too short."""
+        """All solutions for a pose within the limits and outside the protected region. Raises
+        Unreachable if the arm is too short."""
         return [counts for counts in self._ways(pose) if self.refusal(counts) is None]
 
     def _ways(self, pose: Pose) -> List[Counts]:
-        """Motor counts for each way that the elbow can lie, whether they are allowed or not."""
+        """Motor counts for each elbow configuration, whether allowed or not."""
         return [self.motor_counts([joint.within(variable)
                                    for joint, variable in zip(self.joints, variables)])
                 for variables in self.inverse(pose)]
 
     def motor_counts(self, variables: Sequence[float]) -> Counts:
-        """The motors' whole counts that give these joint variables. What one joint adds to another
-        is taken out of the exact numbers, and then each motor is rounded, so that two roundings
-        never meet in one joint."""
+        """The rounded motor counts for these joint variables. Couplings are subtracted from the
+        exact values before rounding, so that rounding errors do not add up."""
         exact = [joint.exact_counts(variable) for joint, variable in zip(self.joints, variables)]
         motors: List[float] = []
         for k, position in enumerate(exact):
             motors.append(position - self._added(k, motors))
         return {joint.label: _whole(motor) for joint, motor in zip(self.joints, motors)}
 
-    # --- What the arm may do.
+    # --- Limits and protected region.
 
     def allows(self, counts: Counts) -> bool:
         """Whether every joint is within its limits at these counts."""
         return self.past_limit(counts) is None
 
     def past_limit(self, counts: Counts) -> Optional[str]:
-        """Which joint would be past its limit at these counts, as a sentence; None if none."""
+        """A message that names the joint past its limit at these counts; None if none is."""
         for joint, position in zip(self.joints, self.positions(counts)):
             if not joint.allows(position):
                 low, high = joint.range
@@ -223,13 +221,13 @@ class Arm:
         return None
 
     def is_protected(self, counts: Counts) -> bool:
-        """Whether the tip would be in the protected region: the robot stalls before it comes in.
-        Lengths are compared in whole micrometres, as the robot does."""
+        """Whether the tip would be in the protected region, before which the robot stalls. Compares
+        lengths in integer micrometres, as the simulator does."""
         x, y, z, radius, height = (round(1000 * mm) for mm in (*self.tip(counts), *self.protected))
         return z < height and x * x + y * y < radius * radius
 
     def refusal(self, counts: Counts) -> Optional[str]:
-        """Why the robot would not go there, as a sentence; None if it would."""
+        """A message with the reason why these counts are not allowed; None if they are."""
         if self.is_protected(counts):
             radius, height = self.protected
             return (f"the tip would be in the protected region, nearer than {radius:g} mm to the "
@@ -238,9 +236,8 @@ class Arm:
 
 
 def two_links(out: float, up: float, first: float, second: float) -> List[Tuple[float, float]]:
-    """The directions in degrees of two links that lead from (0, 0) to (out, up): with the elbow
-    above the straight way, and below it. Raises Unreachable where they are too short, or the point
-    is too near."""
+    """The directions in degrees of two links that lead from (0, 0) to (out, up), with the elbow
+    above and below the straight line. Raises Unreachable if the point is too far or too near."""
     reach = math.hypot(out, up)
     if not abs(first - second) <= reach <= first + second or reach == 0:
         raise Unreachable(f"the wrist would have to be {reach:.1f} mm from the shoulder; "
@@ -253,16 +250,16 @@ def two_links(out: float, up: float, first: float, second: float) -> List[Tuple[
 
 
 def near(angle: float, middle: float) -> float:
-    """The same direction, whole turns added or taken away, as near to the middle as can be."""
+    """The equivalent angle (plus or minus full turns) nearest to the middle."""
     return middle + math.remainder(angle - middle, 360)
 
 
 def _whole(counts: float) -> int:
-    return int(counts + math.copysign(0.5, counts))  # a half goes away from 0, as in xr3 kin
+    return int(counts + math.copysign(0.5, counts))  # rounds halves away from 0, as xr3 kin does
 
 
 def _cosine(value: float) -> float:
-    return max(-1.0, min(1.0, value))  # a rounding error beyond 1 would have no angle
+    return max(-1.0, min(1.0, value))  # acos fails on rounding errors beyond 1
 
 
 def _product(left: Matrix, right: Matrix) -> Matrix:

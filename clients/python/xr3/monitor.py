@@ -1,6 +1,6 @@
-"""The monitor port, JSON lines: what the robot looks like right now, and control of its time. A
-real arm has no such port; a test of a robot's program wants it. Messages are dictionaries as
-docs/monitor.md describes them.
+"""A client of the monitor port (JSON lines): reads the state of the robot and controls simulated
+time, for tests of robot programs. A real arm has no such port. Messages are dictionaries as
+described in docs/monitor.md.
 """
 
 import json
@@ -15,7 +15,7 @@ Message = Dict[str, Any]
 
 
 class MonitorError(Exception):
-    """The server refused a request. `code` is stable, message and hint are for people."""
+    """The server refused a request. Only `code` is stable, not message and hint."""
 
     def __init__(self, error: Message) -> None:
         super().__init__(f"{error['code']}: {error['message']} ({error['hint']})")
@@ -24,21 +24,21 @@ class MonitorError(Exception):
 
 
 class Monitor:
-    """A connection to the monitor port. Use it in a `with`, or call close(). `hello` is what the
-    server said first.
+    """A connection to the monitor port. Use it in a `with` statement, or call close(). `hello` is
+    the server's first message.
 
-    Host and port come from XR3_HOST and XR3_MONITOR_PORT where they are not given, else localhost
-    and 9601; the token from XR3_TOKEN where the server wants one. Every operation raises OSError
-    when the server is gone and TimeoutError when it is silent for timeout_s; after a TimeoutError
-    the connection can be used as before."""
+    Host and port default to XR3_HOST and XR3_MONITOR_PORT, else localhost and 9601. The token, if
+    the server requires one, defaults to XR3_TOKEN. All operations raise OSError if the connection
+    is lost, and TimeoutError if the server is silent for timeout_s; the connection remains usable
+    after a TimeoutError."""
 
     def __init__(self, host: Optional[str] = None, port: Union[int, str, None] = None, *,
                  token: Optional[str] = None, timeout_s: float = 30.0) -> None:
         self._timeout_s = timeout_s
         self._socket = connect(host, port, "XR3_MONITOR_PORT", 9601, timeout_s)
-        self._received = b""  # what no message has been made of yet
+        self._received = b""  # bytes of an incomplete line
         self._last_id = 0
-        self._send({"op": "ping", "id": 0})  # who sends first is greeted at once
+        self._send({"op": "ping", "id": 0})  # makes the server send `hello` at once
         self.hello = self.read()
         self.read()
         if token is None and self.hello["access"] == "read":
@@ -54,7 +54,7 @@ class Monitor:
         self.close()
 
     def close(self) -> None:
-        """Ends the connection."""
+        """Closes the connection."""
         self._socket.close()
 
     # --- Messages.
@@ -63,11 +63,11 @@ class Monitor:
         self._socket.sendall(json.dumps(message).encode() + b"\n")
 
     def read(self) -> Message:
-        """The next message of the server, whatever it is."""
+        """Reads the next message of the server, of any kind."""
         while b"\n" not in self._received:
             try:
                 part = self._socket.recv(65536)
-            except socket.timeout:  # before Python 3.10 that is no TimeoutError
+            except socket.timeout:  # a subclass of TimeoutError only since Python 3.10
                 raise TimeoutError(f"the server said nothing for {self._timeout_s} s") from None
             if not part:
                 raise ConnectionError("the server closed the monitor's connection")
@@ -77,8 +77,9 @@ class Monitor:
         return message
 
     def messages(self) -> Iterator[Message]:
-        """Every message from now on, until the server closes: for the channels that sub() asked
-        for. TimeoutError says that none came within timeout_s; call it again to wait for more."""
+        """Yields all messages, such as those of subscribed channels, until the server closes the
+        connection. Raises TimeoutError if none arrives within timeout_s; call it again to wait
+        for more."""
         while True:
             try:
                 yield self.read()
@@ -86,8 +87,8 @@ class Monitor:
                 return
 
     def request(self, op: str, **members: Any) -> Message:
-        """Sends a request and returns its answer; messages of subscriptions that come in between
-        are dropped. Raises MonitorError where the server refuses."""
+        """Sends a request and returns its response. Drops messages of subscriptions that arrive in
+        between. Raises MonitorError if the server refuses."""
         self._last_id += 1
         self._send({"op": op, "id": self._last_id, **members})
         answer = self.read()
@@ -98,26 +99,26 @@ class Monitor:
         return answer
 
     def recall(self, channel: str, **options: Any) -> List[Message]:
-        """What the server still has of `event` or `line`: the last 256 messages, or those `since` a
-        number."""
+        """The messages in the server's ring buffer of `event` or `line`: the last 256, or those
+        `since` a sequence number."""
         messages = [self.request("get", channel=channel, **options)]
         while messages[-1]["op"] != "result":
             messages.append(self.read())
         return [message for message in messages if message["op"] == channel]
 
-    # --- What one asks for most.
+    # --- Common requests.
 
     def state(self, *fields: str) -> Message:
-        """The robot's state: whole, or only these members of it."""
+        """The robot's state: all members, or only `fields`."""
         return self.request("get", channel="state", **({"fields": list(fields)} if fields else {}))
 
     def counts(self) -> Dict[str, int]:
-        """Where every motor is, in counts from the soft home, by its label."""
+        """The positions of all motors in counts from the soft home, by label."""
         state = self.state("joints", "tool")
         return {motor["label"]: motor["count"] for motor in [*state["joints"], state["tool"]]}
 
     def block(self, name: str) -> Message:
-        """One block: its name, xyz_mm, yaw_deg and whether it is held. Raises KeyError."""
+        """A block with name, xyz_mm, yaw_deg and held. Raises KeyError if there is none."""
         for block in self.state("blocks")["blocks"]:
             if block["name"] == name:
                 found: Message = block
@@ -125,23 +126,23 @@ class Monitor:
         raise KeyError(name)
 
     def sub(self, channel: str, **options: Any) -> Message:
-        """Asks for the messages of a channel; read them by messages()."""
+        """Subscribes to a channel; read its messages with messages()."""
         value: Message = self.request("sub", channel=channel, **options)["value"]
         return value
 
     def call(self, fn: str, **arguments: Any) -> Message:
-        """Carries out a call, such as `home`, `pause` or `rate` with a factor; returns the value of
-        its result."""
+        """Makes a call, such as `home`, `pause` or `rate` with a factor; returns the value of its
+        result."""
         value: Message = self.request("call", fn=fn, args=arguments)["value"]
         return value
 
     def step(self, ticks: int) -> Message:
-        """Lets standing time pass (after `pause`, or with --clock manual); a tick is a millisecond.
-        Returns the state."""
+        """Advances a manual clock (--clock manual, or after `pause`); a tick is 1 ms. Returns the
+        state."""
         state: Message = self.call("step", ticks=ticks)["state"]
         return state
 
     def settle(self, max_ticks: int = 600_000) -> Message:
-        """Lets standing time pass until nothing moves any more. Returns the state."""
+        """Advances a manual clock until nothing moves. Returns the state."""
         state: Message = self.call("run_until", idle=True, max_ticks=max_ticks)["state"]
         return state

@@ -1,6 +1,5 @@
-"""The arm at the other end of a serial line: bytes first, then what is made of them, from a single
-move to picking up a block. It sends nothing that a real arm would not understand, but for
-soft_home() and the camera.
+"""A client of the robot port, from single bytes to picking up a block. It sends only commands that
+a real arm understands, except for soft_home() and the camera.
 """
 
 import socket
@@ -14,33 +13,33 @@ from xr3.arms import RHINO_XR3
 from xr3.kinematics import Arm, Counts, Pose, Unreachable
 from xr3.vision import CAMERAS, Camera, Picture
 
-SPACE = 32  # what every reply of one byte is counted from: a blank says 0
-STRIDE = 60  # most counts of one move: the error counter has 8 bits and must not run over
-CLOSING = 100  # counts that close the jaws on anything
-LIFT_MM = 100.0  # how far above a block the tool comes and goes
-POLL_S = 0.05  # between two questions
-# A joint stands if its counter has been the same for 2 s of questions: the slowest speed is one
-# count a second, and the simulator's clock may run slowly.
+SPACE = 32  # added to one-byte replies: a blank means 0
+STRIDE = 60  # maximum counts of one move: the 8-bit error counter must not overflow
+CLOSING = 100  # counts that close the jaws from any opening
+LIFT_MM = 100.0  # height above a block for approach and departure
+POLL_S = 0.05  # pause between two questions
+# A joint counts as stopped if its counter is the same for this many questions, over 2 s: the
+# slowest speed is one count per second, and the simulator's clock may run slowly.
 STANDS_AFTER = 40
-MOST_COUNTS = 3000  # no joint has so far to go from one end of its way to the other
-WHY_IT_STANDS = ("Is it blocked at a limit, or stalled? Is a block in the jaws? Does time stand, or "
-                 "run slowly? Look at the page or at `xr3 watch`")
+MOST_COUNTS = 3000  # more counts than the full travel of any joint
+WHY_IT_STANDS = ("Is it blocked at a limit, or stalled? Is a block in the jaws? Is the clock "
+                 "paused or slow? Look at the page or at `xr3 watch`")
 
 
 class RobotError(Exception):
-    """The arm did not do what it was sent to do."""
+    """The arm did not execute a command."""
 
 
 class Robot:
-    """A robot on a serial line over TCP. Use it in a `with`, or call close().
+    """A robot on a serial line over TCP. Use it in a `with` statement, or call close().
 
-    Host and port come from XR3_HOST and XR3_PORT where they are not given, else localhost and 9600.
-    `at` is where the motors are in counts from the soft home, for as long as they are moved by go()
-    and what stands on it; at the start the arm is taken to be there. Every operation raises OSError
-    when the line is gone and TimeoutError when an answer does not come within timeout_s.
+    Host and port default to XR3_HOST and XR3_PORT, else localhost and 9600. `at` holds the motor
+    positions in counts from the soft home, as tracked by go() and the methods that use it; the arm
+    is assumed to start at the soft home. All operations raise OSError if the connection is lost,
+    and TimeoutError if an answer does not arrive within timeout_s.
 
-    A joint counts as standing when its counter is the same for STANDS_AFTER questions, with
-    `pause()` between two of them: POLL_S in the usual case, and 2 s in all."""
+    A joint counts as stopped if its counter is the same for STANDS_AFTER questions, with `pause()`
+    between two of them: by default POLL_S, so 2 s in total."""
 
     def __init__(self, host: Optional[str] = None, port: Union[int, str, None] = None, *,
                  arm: Arm = RHINO_XR3, camera: Optional[Camera] = None, timeout_s: float = 10.0,
@@ -60,22 +59,22 @@ class Robot:
         self.close()
 
     def close(self) -> None:
-        """Ends the line. The robot goes on with what it was told."""
+        """Closes the connection. The robot completes its current moves."""
         self._socket.close()
 
     # --- Bytes.
 
     def send(self, text: str) -> None:
-        """Sends commands. A move acts on the first byte behind its number: end it with `\\r`."""
+        """Sends commands. A move starts at the first byte after its number: end it with `\\r`."""
         self._socket.sendall(text.encode("ascii"))
 
     def read(self, count: int) -> bytes:
-        """Exactly so many bytes of replies."""
+        """Reads exactly `count` bytes of replies."""
         reply = b""
         while len(reply) < count:
             try:
                 part = self._socket.recv(count - len(reply))
-            except socket.timeout:  # before Python 3.10 that is no TimeoutError
+            except socket.timeout:  # a subclass of TimeoutError only since Python 3.10
                 raise TimeoutError(f"the robot did not answer within {self._timeout_s} s: is this "
                                    "the monitor port? The robot port is 9600") from None
             if not part:
@@ -84,7 +83,7 @@ class Robot:
         return reply
 
     def ask(self, inquiry: str) -> int:
-        """Sends an inquiry and returns the byte that answers it, 0 to 255."""
+        """Sends an inquiry and returns the one-byte answer, 0 to 255."""
         self.send(inquiry)
         return self.read(1)[0]
 
@@ -97,11 +96,11 @@ class Robot:
         self.send(f"{label}{counts:+d}\r")
 
     def to_go(self, label: str) -> int:
-        """How many counts the joint has still to go, without their sign."""
+        """The absolute value of the joint's error counter: the counts still to go."""
         return self.ask(f"{label}?") - SPACE
 
     def error(self, label: str) -> int:
-        """The same with its sign."""
+        """The joint's error counter with its sign."""
         byte = self.ask(f"{label}T")
         return byte - 256 if byte > 127 else byte
 
@@ -110,19 +109,19 @@ class Robot:
         return self.ask(f"{label}V") == 1
 
     def set_speed(self, label: str, counts_per_s: int) -> None:
-        """Sets the speed of a joint, 1 to 255 counts a second."""
+        """Sets the speed of a joint, 1 to 255 counts per second."""
         if not 1 <= counts_per_s <= 255:
             raise ValueError(f"a speed is 1...255 counts a second, not {counts_per_s}")
         self.send(f"{label}{counts_per_s}S")
 
     def stop(self, label: str) -> None:
-        """Stops the joint where it is."""
+        """Stops the joint and cancels the rest of its move."""
         self.send(f"{label}X")
 
     def wait(self, label: str) -> int:
-        """Waits until the joint is there. A joint that stands (at a limit, the jaws at a block,
-        the arm stalled, time held) is stopped. Returns the counts that were left: 0 if it got
-        there."""
+        """Waits until the joint has arrived. If it is blocked (at a limit, jaws at a block, arm
+        stalled, clock paused), cancels its move. Returns the counts that were left, 0 if it has
+        arrived."""
         left, same = self.to_go(label), 0
         while left and same < STANDS_AFTER:
             self._pause()
@@ -135,9 +134,9 @@ class Robot:
     # --- All joints.
 
     def go(self, counts: Counts) -> None:
-        """Brings these motors to these counts, all together and in equal parts, and waits. Raises
-        Unreachable where a joint would be past its limit, before anything moves, and RobotError
-        where one does not get there."""
+        """Moves these motors to these counts, all together and in equal parts, and waits. Raises
+        Unreachable, before anything moves, if a joint would be past its limit, and RobotError if a
+        joint does not arrive."""
         past_limit = self.arm.past_limit({**self.at, **counts})
         if past_limit:
             raise Unreachable(f"{self.arm.name}: {past_limit}")
@@ -147,60 +146,59 @@ class Robot:
             stuck = self._stride({label: whole * part // parts - whole * (part - 1) // parts
                                   for label, whole in way.items()})
             if stuck:
-                short = (f"{label} stands at {self.at[label]}, "
+                short = (f"{label} stopped at {self.at[label]}, "
                          f"{abs(counts[label] - self.at[label])} counts short of {counts[label]}"
                          for label in stuck)
                 raise RobotError(f"{'; '.join(short)}. {WHY_IT_STANDS}")
 
     def _stride(self, way: Counts) -> List[str]:
-        """Moves these joints together and waits; returns those that did not get there."""
+        """Moves these joints together and waits; returns those that did not arrive."""
         for label, counts in way.items():
             if counts:
                 self.move(label, counts)
         return [label for label, counts in way.items() if not self._arrives(label, counts)]
 
     def _arrives(self, label: str, counts: int) -> bool:
-        """Waits for the end of a move of so many counts, and keeps `at` right."""
+        """Waits for the end of a move and updates `at`. Returns whether the joint has arrived."""
         left = self.wait(label)
         self.at[label] = self.at.get(label, 0) + (counts - left if counts > 0 else counts + left)
         return left == 0
 
     def go_to(self, pose: Pose) -> None:
-        """Brings the tool there, pointing down. Raises Unreachable or RobotError."""
+        """Moves the tool there, pointing down. Raises Unreachable or RobotError."""
         self.go(self.arm.solve(pose))
 
     def soft_home(self) -> None:
-        """Puts the arm at its soft home at once, as only a simulator can."""
+        """Sets the arm to its soft home at once. Works only in the simulator."""
         self.send("A$")
         self.at = dict.fromkeys(self.arm.labels, 0)
 
     def home(self) -> None:
-        """Brings every joint to its microswitch and opens the jaws: from then on `at` is right
-        wherever the arm began. A joint that stands is put off until others have moved out of its
-        way. It is for a robot that tells of a closed switch by 1, as in the profile paper. Raises
-        RobotError."""
+        """Moves every joint to its microswitch and opens the jaws. Afterwards `at` is correct,
+        wherever the arm started. A blocked joint is retried after the others have moved. Requires a
+        controller that reports a closed switch as 1, as in the profile paper. Raises RobotError."""
         if self.ask("I") - SPACE >= 32:  # the highest bit belongs to no switch
-            raise RobotError("the switches tell 1 when they are open, as in the profile mark3; "
+            raise RobotError("the switches read 1 when they are open, as in the profile mark3; "
                              "home() is for the profile paper")
         waiting = list(self.arm.homing)
         for _ in range(4):
             before = dict(self.at)
             waiting = [label for label in waiting if not self._find_switch(label)]
-            if not waiting or before == self.at:  # all found, or nothing moves any more
+            if not waiting or before == self.at:  # all found, or nothing has moved
                 break
         if waiting or not self._find_switch("A"):
             raise RobotError(f"no switch found by {''.join(waiting) or 'A'}. {WHY_IT_STANDS}")
         self.at = dict(self.arm.switches)
 
     def _find_switch(self, label: str) -> bool:
-        """The edge at which the switch closes, coming from the open side. False: the joint
-        stands."""
+        """Moves to the edge at which the switch closes, from the open side. Returns False if the
+        joint is blocked."""
         way = 1 if self.arm.switches[label] > 0 else -1
         return all(self._creep(label, counts * way, until=counts > 0) for counts in (-5, 5, -1, 1))
 
     def _creep(self, label: str, counts: int, until: bool) -> bool:
-        """Small moves until the switch is as wanted. False: the joint stands, or has gone its whole
-        way, and it is not."""
+        """Moves in steps of `counts` until the switch is closed (True) or open (False), as `until`
+        says. Returns False if the joint is blocked or has moved its full travel before."""
         for _ in range(MOST_COUNTS // abs(counts)):
             if self.switch_closed(label) == until:
                 return True
@@ -212,7 +210,7 @@ class Robot:
     # --- Seeing and grasping.
 
     def look(self) -> Picture:
-        """What the camera sees."""
+        """Takes a picture with the camera."""
         self.send("A**")
         return Picture.decode(self.read(self.camera.picture_bytes), self.camera)
 
@@ -221,17 +219,18 @@ class Robot:
         self.go({"A": self.arm.jaws.switch})
 
     def close_jaws(self) -> Optional[float]:
-        """Closes the jaws until something is between them. Returns their opening in millimetres, or
-        None if they closed on nothing. That they stand is known after 2 s, see wait(). What is left in the counter measures the block; it is
-        cleared, or they could not open again."""
+        """Closes the jaws until something is between them. Returns their opening in mm, or None if
+        they closed on nothing. Takes 2 s to detect that the jaws have stopped, see wait(). The
+        counts left in the error counter give the width of the block and are then cleared, since
+        otherwise the jaws could not open again."""
         self._stride({"A": -CLOSING})
         opening = self.arm.jaws.opening(self.at["A"])
         return opening if opening > self.arm.jaws.precision else None
 
     def pick(self, pose: Pose) -> Optional[float]:
-        """Takes the block whose middle is there and lifts it; returns how wide the jaws found it,
-        None if nothing was there. A block looks the same after half a turn: the way that turns the
-        tool less is taken."""
+        """Picks up the block whose centre is at the pose. Returns its width in mm, or None if the
+        jaws closed on nothing. A block looks the same after half a turn, so the yaw that needs the
+        smaller roll of the tool is used."""
         self.open_jaws()
         pose = self._nearer(pose)
         self.go_to(_above(pose))
@@ -241,7 +240,7 @@ class Robot:
         return width
 
     def place(self, pose: Pose) -> None:
-        """Puts down there what the jaws hold, and leaves it."""
+        """Puts down the block in the jaws at the pose and moves up."""
         pose = self._nearer(pose)
         self.go_to(_above(pose))
         self.go_to(pose)
@@ -249,7 +248,7 @@ class Robot:
         self.go_to(_above(pose))
 
     def _nearer(self, pose: Pose) -> Pose:
-        """Of the two yaws at which the jaws fit, the one with the smaller roll."""
+        """The pose, or the pose after half a turn, whichever needs the smaller roll."""
         either = [Pose(pose.x, pose.y, pose.z, yaw) for yaw in (pose.yaw, pose.yaw + 180)]
         reachable = [each for each in either if self.arm.solutions(each)]
         if not reachable:
@@ -262,11 +261,11 @@ def _above(pose: Pose) -> Pose:
 
 
 def connect() -> Robot:
-    """For a program that a person runs: the robot at the HOST and PORT of its command line, or as
-    Robot() finds it. Where none answers, the program ends with a line that says so."""
+    """For interactive programs: connects to the HOST and PORT of the command line, or to Robot()'s
+    defaults. If that fails, ends the program with a one-line message."""
     try:
         robot = Robot(*sys.argv[1:3], timeout_s=5)
-        robot.ask("I")  # a robot answers at once, another server would not
+        robot.ask("I")  # a robot answers at once, another kind of server does not
         return robot
     except (OSError, ValueError) as error:
         sys.exit(str(error))

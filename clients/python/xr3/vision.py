@@ -1,6 +1,5 @@
-"""What to make of the camera's picture: its pixels out of the reply's bytes, the patches of pixels
-that hang together, and of each patch where its middle is, how it is turned, how long and wide it
-is.
+"""Analysis of the camera's picture: decodes the pixels from the reply, finds connected patches of
+pixels, and measures the centre, yaw, length and width of each patch.
 """
 
 import math
@@ -9,14 +8,13 @@ from typing import FrozenSet, Iterable, Iterator, List, Set, Tuple
 
 Pixel = Tuple[int, int]  # column from the left, row from the top
 
-SPACE = 32  # what every byte of the picture is counted from
+SPACE = 32  # added to every byte of the picture
 
 
 @dataclass(frozen=True)
 class Camera:
-    """A camera that looks straight down on a field of width × height mm whose middle is at (x, y)
-    of the table, in columns × rows pixels. Those of xr3's own workcells: x 290 (Rhino), 540 (Adept
-    One), 400 (Intelledex 660)."""
+    """A camera that looks straight down on a field of width × height mm, centred at (x, y) on the
+    table, with columns × rows pixels. The defaults are those of the Rhino's workcell."""
 
     x: float = 290.0
     y: float = 0.0
@@ -27,7 +25,7 @@ class Camera:
 
     @property
     def row_bytes(self) -> int:
-        """A byte carries six pixels; the last of a row may be padded with zeros."""
+        """Bytes of a row: six pixels per byte, the last one padded with zeros."""
         return -(-self.columns // 6)
 
     @property
@@ -36,11 +34,11 @@ class Camera:
 
     @property
     def pixel_area(self) -> float:
-        """Square millimetres of the table that one pixel stands for."""
+        """The area of the table that one pixel covers, in mm²."""
         return self.width / self.columns * self.height / self.rows
 
     def place(self, pixel: Pixel) -> Tuple[float, float]:
-        """The middle of a pixel on the table: column 0 is at the low x, row 0 at the high y."""
+        """The centre of a pixel on the table, mm. Column 0 is at low x, row 0 at high y."""
         column, row = pixel
         return (self.x - self.width / 2 + (column + 0.5) * self.width / self.columns,
                 self.y + self.height / 2 - (row + 0.5) * self.height / self.rows)
@@ -55,9 +53,8 @@ CAMERAS = {"rhino-xr3": RHINO_CAMERA, "adept-one": ADEPT_CAMERA,
 
 @dataclass(frozen=True)
 class Patch:
-    """Pixels that hang together: a block seen from above. Lengths are millimetres; `yaw` is the
-    direction of the long side in degrees, 0 up to 180 (a block looks the same after half a
-    turn)."""
+    """Connected pixels: a block seen from above. Lengths are in mm. `yaw` is the direction of the
+    long side in degrees, 0 <= yaw < 180 (a block looks the same after half a turn)."""
 
     pixels: FrozenSet[Pixel]
     area: float
@@ -69,9 +66,8 @@ class Patch:
 
     @classmethod
     def of(cls, pixels: Iterable[Pixel], camera: Camera) -> "Patch":
-        """Measures a patch. The middle is the average of the pixels' places; angle, length and
-        width are those of the rectangle whose pixels are spread about its middle in the same
-        way."""
+        """Measures a patch. The centre is the average of the pixels; yaw, length and width are
+        those of the rectangle with the same second moments."""
         pixels = frozenset(pixels)
         places = [camera.place(pixel) for pixel in pixels]
         n = len(places)
@@ -87,7 +83,7 @@ class Patch:
 
 
 class Picture:
-    """A picture in black and white: `ones` are the pixels in which the camera sees a block."""
+    """A binary picture: `ones` are the pixels in which the camera sees a block."""
 
     def __init__(self, ones: Iterable[Pixel], camera: Camera) -> None:
         self.ones = frozenset(ones)
@@ -95,8 +91,8 @@ class Picture:
 
     @classmethod
     def decode(cls, reply: bytes, camera: Camera) -> "Picture":
-        """Reads the reply to `A**`: rows from the top, six pixels a byte, the leftmost worth 32,
-        and 32 added. Raises ValueError where the reply is not a picture of this camera."""
+        """Decodes the reply to `A**`: rows from the top, six pixels per byte, the leftmost in the
+        highest bit, plus 32. Raises ValueError if the reply is not a picture of this camera."""
         if len(reply) != camera.picture_bytes:
             raise ValueError(f"a picture has {camera.picture_bytes} bytes, not {len(reply)}")
         ones: Set[Pixel] = set()
@@ -109,7 +105,7 @@ class Picture:
         return cls(ones, camera)
 
     def patches(self) -> List[Patch]:
-        """The patches of pixels that touch along their sides, the largest first."""
+        """The patches of pixels connected by their sides, the largest first."""
         patches = [Patch.of(pixels, self.camera) for pixels in self._groups()]
         return sorted(patches, key=lambda patch: patch.area, reverse=True)
 
@@ -128,7 +124,7 @@ class Picture:
             yield group
 
     def __str__(self) -> str:
-        """The picture as text, a character a pixel, to look at in a terminal."""
+        """The picture as text for a terminal, one character per pixel."""
         camera = self.camera
         return "\n".join("".join("#" if (column, row) in self.ones else "."
                                  for column in range(camera.columns)) for row in range(camera.rows))
