@@ -1,5 +1,5 @@
-// The controller's vocabulary as values: every command of the paper's Tables VI and VII and of the
-// Rhino Mark III's own set, and every reply. How they look as bytes is protocol's business.
+// The controller's commands and replies as values: the commands of the paper's Tables VI and VII
+// and those of the Rhino Mark III. Protocol converts them from and to bytes.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct Stop {
   char label;
   bool operator==(const Stop&) const = default;
 };
-/// `a?`: how far there is still to go.
+/// `a?`: the distance still to go.
 struct QueryError {
   char label;
   bool operator==(const QueryError&) const = default;
@@ -67,7 +67,8 @@ struct SetOutput {
   bool high;
   bool operator==(const SetOutput&) const = default;
 };
-/// `Q`: error counters 0, outputs and ports off, speeds back to the file's; no homing.
+/// `Q`: sets error counters to 0, outputs and ports off, and speeds to those of the file; no
+/// homing.
 struct ControllerReset {
   bool operator==(const ControllerReset&) const = default;
 };
@@ -84,7 +85,7 @@ struct SetViewVector {
   int z;
   bool operator==(const SetViewVector&) const = default;
 };
-/// `A$`: everything to the file's home values, stall cleared.
+/// `A$`: moves joints and tool to the file's home values and clears a stall.
 struct SoftHome {
   bool operator==(const SoftHome&) const = default;
 };
@@ -106,11 +107,11 @@ struct SelectStatus {
   int option;
   bool operator==(const SelectStatus&) const = default;
 };
-/// Command mode's Alt F6: function keys on or off (never sent on a line).
+/// Command mode's Alt F6: function keys on or off. It has no bytes on a line.
 struct ToggleFunctionKeys {
   bool operator==(const ToggleFunctionKeys&) const = default;
 };
-/// `A**`: the whole binary image.
+/// `A**`: the complete binary image.
 struct CameraImage {
   bool operator==(const CameraImage&) const = default;
 };
@@ -132,7 +133,7 @@ using Command = std::variant<Move, SetSpeed, Stop, QueryError, QuerySignedError,
                              ToggleSimulator, SetRefreshPeriod, ToggleErasing, SelectStatus,
                              ToggleFunctionKeys, CameraImage, CameraRow, CameraPixel>;
 
-// --- Replies. Only an inquiry has one.
+// --- Replies. Only inquiries have one.
 
 struct NoReply {
   bool operator==(const NoReply&) const = default;
@@ -152,8 +153,8 @@ struct SwitchState {
   bool closed;
   bool operator==(const SwitchState&) const = default;
 };
-/// To `I`, `J`, `K`: bits of closed switches and, apart from them, of high input lines.
-/// `fitted` are the bits behind which there is a switch at all.
+/// To `I`, `J`, `K`: the bits of closed switches and, separately, of high input lines.
+/// `fitted` has the bits of all switches that the robot has.
 struct SwitchBits {
   std::uint8_t closed = 0;
   std::uint8_t fitted = 0;
@@ -161,7 +162,7 @@ struct SwitchBits {
   char inquiry = 'I';  ///< 'I', 'J' or 'K'
   bool operator==(const SwitchBits&) const = default;
 };
-/// To the camera's inquiries for the whole image or a row of it.
+/// To `A**` and `A*r*`: the complete image or one row.
 struct CameraRows {
   Image image;
   bool operator==(const CameraRows&) const = default;

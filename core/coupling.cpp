@@ -26,8 +26,8 @@ void turn(const Model& model, Positions& positions, int motor, Counts counts) {
 Positions motor_counts(const Model& model, const Positions& wanted) {
   Positions counts{};
   const int n = model.motor_count();
-  // Couplings of real arms run from the base outwards, so one pass in that order suffices; a second
-  // pass settles files that couple the other way round.
+  // Couplings of real arms run from the base outwards, so one pass in that order suffices. Files
+  // that couple in the other direction need more passes; n always suffice.
   for (int pass = 0; pass < n; ++pass) {
     for (int i = 0; i < n; ++i) {
       Counts added = 0;

@@ -1,5 +1,5 @@
-// Inter-axis coupling (paper, Sections II-B and III-A): a joint's position is its own motor's counts
-// plus what the motors coupled to it add. It acts on motor counts, once, and is not passed on.
+// Inter-axis coupling (paper, Sections II-B and III-A): a joint's position is the count of its own
+// motor plus or minus the counts of the motors coupled to it. Coupling is not transitive.
 #pragma once
 
 #include "core/model.hpp"
@@ -7,15 +7,15 @@
 
 namespace xr3 {
 
-/// Position of one joint (or the tool) in counts.
+/// Position of a joint or the tool in counts.
 Counts position(const Model& model, const Motors& motors, int index);
 
 Positions positions(const Model& model, const Motors& motors);
 
-/// Moves every joint that motor `motor` drives by so many of its counts.
+/// Updates `positions` for `counts` counts of motor `motor`, coupled joints included.
 void turn(const Model& model, Positions& positions, int motor, Counts counts);
 
-/// The motor counts that bring the joints to the given positions: coupling taken out again.
+/// The motor counts that bring the joints to the given positions; the inverse of positions().
 Positions motor_counts(const Model& model, const Positions& wanted);
 
 }  // namespace xr3

@@ -1,5 +1,5 @@
-// What in a state follows from the rest of it. Core keeps it up to date where it changes; here it is
-// worked out anew by the same functions, for a state that comes from outside.
+// The derived part of a state, recomputed from the rest. Core updates it incrementally; this is for
+// states that come from outside and uses the same functions.
 #pragma once
 
 #include "core/model.hpp"
@@ -7,9 +7,9 @@
 
 namespace xr3 {
 
-/// The state with switches, blocked motors, the phase of motors that stand, the side of the work surface
-/// and the held block's entry worked out from counts, counters, settings and the grasp. Every state that
-/// a machine with this model comes to is its own derived state. Positions are within their limits.
+/// Recomputes switches, blocked motors, the phase of motors at rest, the side of the work surface
+/// and the held block's entry from counts, error counters, settings and the grasp. Precondition:
+/// positions are within their limits. Invariant: derived(m, s) == s for every reachable state.
 State derived(const Model& model, State state);
 
 }  // namespace xr3

@@ -1,5 +1,5 @@
-// Changes of the workcell from outside, while the machine is running (monitor calls, not the paper's):
-// blocks are put down, moved and taken away, or the whole workcell is another one.
+// Edits of the workcell while the machine is running, for monitor calls (not in the paper): finding
+// and removing blocks, and replacing the workcell.
 #pragma once
 
 #include <optional>
@@ -10,16 +10,17 @@
 
 namespace xr3 {
 
-/// Index of the block with this name, if there is one.
+/// Index of the block with this name, or nullopt.
 std::optional<std::size_t> find_block(const State& state, std::string_view name);
 
 bool is_held(const State& state, std::size_t block);
 
-/// Takes away a block that is not held; the others keep their order.
+/// Removes a block, which must not be held. The others keep their order.
 void remove_block(State& state, std::size_t block);
 
-/// The blocks are those of the model's workcell; what was held is gone. Motors go on as they were,
-/// free of what stood between the jaws. The state belongs to a model with the same robot.
+/// Replaces the blocks by those of the model's workcell; a held block disappears. Motors continue,
+/// and a tool motor that was blocked by the held block is freed. The state must come from a model
+/// with the same robot.
 void take_over_workcell(const Model& model, State& state, Events& events);
 
 }  // namespace xr3

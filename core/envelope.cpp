@@ -17,7 +17,8 @@ bool are_within_limits(const Model& model, const Positions& positions,
   });
 }
 
-/// Whether one tick's counts of the joints from `joint` on, one or none each, lead to such a tip.
+/// Whether some combination of at most one count per joint, from `joint` on, moves the tip to where
+/// `is_such` holds.
 bool leads_to(const Model& model, const Positions& positions, int joint,
               const std::function<bool(const PointUm&)>& is_such) {
   if (joint == model.joint_count()) return is_such(tool_tip(model, positions));

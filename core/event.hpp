@@ -1,5 +1,5 @@
-// What the machine has to tell, as values with the tick at which it happened. Core appends them in
-// order; who asked for it (a line, the monitor) is added by the cell, and the words by protocol.
+// Events of the machine as values, each with the tick at which it happened. Core appends them in
+// order; the cell adds the cause (a line or the monitor), and protocol formats them as text.
 #pragma once
 
 #include <string>
@@ -10,17 +10,17 @@
 
 namespace xr3 {
 
-/// Why a motor with work to do stands still.
+/// Why a motor with a nonzero error counter does not move.
 enum class Blocked : std::uint8_t {
   kNo,
-  kLimit,  ///< its next count would take a joint past a limit
-  kBlock,  ///< the jaws stand against a block
+  kLimit,  ///< its next count would move a joint past a limit
+  kBlock,  ///< the jaws hold a block and cannot close further
 };
 
-/// Why nothing moves until the robot is sent home.
+/// Why the robot is stalled. It does not move until it is sent home.
 enum class Stall : std::uint8_t { kNo, kProtectedRegion, kWorkSurface };
 
-/// Stable codes of warnings that the machine itself raises.
+/// Stable codes of the warnings that core raises.
 enum class WarningCode : std::uint8_t {
   kCounterOverflow,
   kNoSuchJoint,
@@ -36,19 +36,19 @@ struct MoveTaken {
   int error;
   bool operator==(const MoveTaken&) const = default;
 };
-/// A joint's error counter came to 0 by moving.
+/// A joint's error counter reached 0 by moving.
 struct Reached {
   char label;
   Counts count;
   bool operator==(const Reached&) const = default;
 };
-/// A motor came to stand with its error counter not 0. `by` is the joint whose limit it is.
+/// A motor stopped with a nonzero error counter. `by` is the label of the joint at its limit.
 struct MotorBlocked {
   char label;
   Blocked why;
   char by;
-  bool upper;    ///< the limit at the high end of `by`'s variable
-  double limit;  ///< degrees or mm; 0 where it is not a limit
+  bool upper;    ///< the upper limit of `by`'s variable, not the lower one
+  double limit;  ///< degrees or mm; 0 unless `why` is kLimit
   Counts count;
   int error;
   bool operator==(const MotorBlocked&) const = default;
@@ -98,7 +98,7 @@ struct EnabledChanged {
   bool enabled;
   bool operator==(const EnabledChanged&) const = default;
 };
-/// Something surprising; `label` is the joint concerned, `value` and `limit` what the code needs.
+/// `label` is the joint concerned; the meaning of `value` and `limit` depends on `code`.
 struct Warning {
   WarningCode code;
   char label = 0;

@@ -43,7 +43,7 @@ Micrometres squared_distance(const PointUm& a, const PointUm& b) {
   return x * x + y * y + z * z;
 }
 
-/// The block around the tip: the one with the nearest centroid, then the first in the file.
+/// The block that contains the tip. Of several: the one with the nearest centroid, then the first.
 std::optional<std::uint32_t> block_at(const State& state, const PointUm& tip) {
   std::optional<std::uint32_t> nearest;
   for (std::uint32_t i = 0; i < state.blocks.size(); ++i) {
@@ -56,10 +56,10 @@ std::optional<std::uint32_t> block_at(const State& state, const PointUm& tip) {
   return nearest;
 }
 
-/// How the block lies between jaws whose net roll is given.
+/// How a block lies between the jaws.
 struct Fit {
-  Micrometres extent_um;  ///< what it needs between the fingers until it lies flat
-  Micrometres flat_um;    ///< along the jaws once it is turned flat
+  Micrometres extent_um;  ///< opening that it needs as it lies, and while it turns flat
+  Micrometres flat_um;    ///< opening that it needs once its sides lie flat against the fingers
   int quarter_turns;
 };
 
@@ -69,7 +69,7 @@ Fit fit(const Block& block, double net_roll) {
   const double extent = mm(block.size_um.y) * std::abs(cos) + mm(block.size_um.x) * std::abs(sin);
   const auto quarters = static_cast<int>(std::floor(delta / kQuarter + 0.5));
   const Micrometres flat = flat_extent_um(block, quarters);
-  // A slender block that is to be turned onto its length needs more room flat than as it lies.
+  // A slender block that turns onto its length needs more room flat than as it lies.
   return {std::max(micrometres(extent), flat), flat, quarters & 3};
 }
 

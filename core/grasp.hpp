@@ -1,5 +1,6 @@
-// Blocks and jaws (paper, Section III-B): jaws that close on a block turn it flat and hold it; the
-// first opening count lets it go. No gravity; one block at most is held; none is ever lost.
+// Blocks and jaws (paper, Section III-B). Jaws that close on a block turn it flat against the
+// fingers and hold it; the first opening count releases it. At most one block is held. There is no
+// gravity.
 #pragma once
 
 #include "core/event.hpp"
@@ -9,17 +10,17 @@
 
 namespace xr3 {
 
-/// T(0,block): the block's own frame (x along its length, origin at the centroid) in the base frame,
-/// in mm. A held block is rigid in the tool's frame, tilt included.
+/// T(0,block) in mm: the block's frame (x along its length, origin at the centroid) in the base
+/// frame. A held block is fixed in the tool's frame and tilts with it.
 Transform block_pose(const Model& model, const State& state, std::size_t block);
 
-/// What the next closing count of the tool's motor would do.
+/// The effect of the next closing count of the tool's motor.
 struct JawContact {
   enum class Kind : std::uint8_t {
-    kFree,       ///< nothing is between the jaws, or there is room
-    kTurns,      ///< the count happens and turns the block flat against the jaws
-    kHolds,      ///< the count does not happen: the jaws stand against the block
-    kTooNarrow,  ///< the count happens; the jaws are narrower than the block already
+    kFree,       ///< no block between the jaws, or enough room
+    kTurns,      ///< the count is made and turns the block flat against the jaws
+    kHolds,      ///< the count is not made: the jaws hold the block
+    kTooNarrow,  ///< the count is made; the opening is already narrower than the block
   };
   Kind kind = Kind::kFree;
   std::uint32_t block = 0;
@@ -27,30 +28,30 @@ struct JawContact {
   bool operator==(const JawContact&) const = default;
 };
 
-/// Judged at the positions before the count.
+/// `positions` are those before the count.
 JawContact next_closing(const Model& model, const State& state, const Positions& positions);
 
-/// A count of the tool's motor in this direction opens the jaws.
+/// Whether a count of the tool's motor in this direction opens the jaws.
 bool opens_jaws(const Model& model, int direction);
 
-/// After the motors have turned: turns, holds or releases a block. `contact` is what the tool's motor
-/// met in this tick, `opened` that it made an opening count.
+/// Turns, holds or releases a block after the motors have moved. `contact` is the contact of the
+/// tool's motor in this tick; `opened`: it made an opening count.
 void update_grasp(const Model& model, State& state, const Positions& positions,
                   const JawContact& contact, bool opened, Events& events);
 
-/// A held block as it would lie if it were let go where the tool is now: centroid at the tip, upright,
-/// yaw by the net roll.
+/// The held block as it would lie if released at `positions`: centroid at the tip, upright, yaw
+/// from the net roll.
 Block as_released(const Model& model, const State& state, const Held& held,
                   const Positions& positions);
 
-/// What a block needs between the fingers, as they closed on it: its width, or for odd turns its length.
+/// The opening that a block needs when held: its width, or its length for odd quarter turns.
 Micrometres flat_extent_um(const Block& block, int quarter_turns);
 
-/// Jaws at the tool position of the grasp stand against this block: they leave it room, and the next
-/// closing count, which the limits allow, would not.
+/// Whether jaws at the grasp's tool position can hold this block: they are wide enough for it, and
+/// the next closing count, which must be within the limits, would be too narrow.
 bool stand_against(const Model& model, const Block& block, const Held& held);
 
-/// Lets the held block go, see as_released(); nothing where none is held.
+/// Releases the held block, see as_released(). Does nothing if none is held.
 void release(const Model& model, State& state, const Positions& positions, Events& events);
 
 }  // namespace xr3

@@ -1,4 +1,4 @@
-// The soft home (paper, Section III-A): where a robot begins, and where A$ puts it back.
+// The soft home (paper, Section III-A): where the robot starts, and where A$ moves it.
 #pragma once
 
 #include "core/event.hpp"
@@ -7,11 +7,11 @@
 
 namespace xr3 {
 
-/// The state as the files say: soft home, counters 0, blocks where the workcell has them, tick 0.
+/// The initial state: soft home, counters 0, blocks as in the workcell file, tick 0.
 State initial_state(const Model& model);
 
-/// Joints and tool at the file's home values, counters 0, stall cleared; speeds, settings and digital
-/// lines stay. A held block stays where it was.
+/// Moves joints and tool to the file's home values at once, sets the counters to 0 and clears a
+/// stall. Speeds, settings and digital lines are unchanged. A held block is released where it is.
 void go_home(const Model& model, State& state, Events& events);
 
 }  // namespace xr3

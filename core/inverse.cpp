@@ -22,7 +22,7 @@ bool turns(const Joint& joint) { return joint.variable == JointVariable::kTheta;
 
 Eigen::Vector3d tip_of(const Transform& pose) { return pose.block<3, 1>(0, 3); }
 
-/// The least and greatest value that still rounds to a count within the limits.
+/// The minimum and maximum value that still round to a count within the limits.
 struct Span {
   double low;
   double high;
@@ -37,7 +37,8 @@ Span allowed_span(const Model& model, int joint) {
   return {low - motor.drive.precision / 2, high + motor.drive.precision / 2};
 }
 
-/// Of all values that are whole turns apart: one within the limits, then the nearest to the home.
+/// Adds full turns so that the value is within the limits if possible, and then nearest to the
+/// home.
 double wrapped(const Model& model, int joint, double angle_deg) {
   const Span span = allowed_span(model, joint);
   const double home = model.motor(joint).drive.home;

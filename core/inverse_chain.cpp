@@ -10,7 +10,7 @@
 namespace xr3 {
 namespace {
 
-constexpr double kMostCounts = 2e8;  // what coupling sums of them stays an integer
+constexpr double kMostCounts = 2e8;  // sums of coupled counts still fit into Counts
 
 bool turns(const Joint& joint) { return joint.variable == JointVariable::kTheta; }
 
@@ -22,7 +22,7 @@ double exact_position(const Drive& drive, double variable) {
   return (variable - drive.home) / (drive.precision * drive.direction);
 }
 
-// As motor_counts in coupling.cpp, before any rounding.
+// Like motor_counts() in coupling.cpp, without rounding.
 std::array<double, kMaxMotors> exact_motors(const Model& model, const JointVariables& variables) {
   std::array<double, kMaxMotors> counts{};
   const int joints = static_cast<int>(variables.size());

@@ -1,6 +1,6 @@
-// The Denavit-Hartenberg chain at joint variables that need not lie on a count (paper, equations (2)
-// and (3)), its Jacobian, and the whole motor counts nearest to such variables. For homework and
-// planning: nothing here decides a count of the running machine.
+// The Denavit-Hartenberg chain (paper, equations (2) and (3)) at joint variables that need not lie
+// on a count, its Jacobian, and the motor counts nearest to such variables. For tools and planning;
+// the simulation does not use it.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,41 +11,42 @@
 
 namespace xr3 {
 
-/// One a joint, from the base: degrees (revolute) or mm (prismatic). |degrees| < 1e9.
+/// One variable per joint, from the base: degrees (revolute) or mm (prismatic). |degrees| < 1e9.
 using JointVariables = std::vector<double>;
 
-/// T(k-1,k) of a joint at a value of its variable.
+/// T(k-1,k) of a joint.
 Transform link_transform_at(const Joint& joint, double variable);
 
-/// T(0,k) for k = 0...count of variables, which may be fewer than the robot's joints.
+/// T(0,k) for k = 0...variables.size(), which may be less than the number of joints.
 std::vector<Transform> base_transforms_at(const Robot& robot, const JointVariables& variables);
 
 /// T(0,n).
 Transform tool_transform_at(const Robot& robot, const JointVariables& variables);
 
-/// w as tool_configuration in kinematics.hpp has it.
+/// The vector w of tool_configuration() in kinematics.hpp.
 ToolConfiguration tool_configuration_at(const Robot& robot, const JointVariables& variables);
 
-/// The robot's signed sum of joint variables, in degrees.
+/// The net roll in degrees.
 double net_roll_deg_at(const Robot& robot, const JointVariables& variables);
 
-/// Every joint at the soft home.
+/// The variables at the soft home.
 JointVariables home_variables(const Robot& robot);
 
-/// The variables of joints that stand at these positions.
+/// The variables at these positions.
 JointVariables variables_at(const Model& model, const Positions& positions);
 
-/// What the motors would stand at, and where that puts the joints.
+/// Motor counts and the joint positions that they give.
 struct NearestCounts {
-  Positions motors{};     ///< coupling taken out, then rounded: each motor is at its nearest count
-  Positions positions{};  ///< the joints' positions that follow
+  Positions motors{};     ///< after removal of coupling, each rounded to its nearest count
+  Positions positions{};  ///< the resulting joint positions
 };
 
-/// A joint's own rounding would add up along a chain of couplings, so motors are rounded instead.
-/// Motors past +-2e8 counts are held there.
+/// Rounds the motors, not the joints: rounded joints would add up errors along a chain of
+/// couplings. Motor counts are clamped to +-2e8.
 NearestCounts nearest_counts(const Model& model, const JointVariables& variables);
 
-/// Columns: velocity of the tip (mm) over angular velocity (rad), for each radian or mm of a joint.
+/// One column per joint: velocity of the tip (mm) above angular velocity (rad), per radian or mm of
+/// the joint.
 Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(const Robot& robot,
                                                   const std::vector<Transform>& base_transforms);
 

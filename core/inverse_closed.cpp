@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kSameDeg = 1e-9;
 constexpr double kSameMm = 1e-9;
-constexpr double kNoSide = 1e-9;  // of the elbow's distance from the line shoulder to wrist
+constexpr double kNoSide = 1e-9;  // relative to the elbow's distance from the shoulder-wrist line
 
 }  // namespace
 
@@ -47,7 +47,7 @@ bool ends_in_plain_roll(const Robot& robot) {
 double unit_sin(double twist_deg) { return sin_cos_deg(twist_deg).sin > 0 ? 1.0 : -1.0; }
 double unit_cos(double twist_deg) { return sin_cos_deg(twist_deg).cos > 0 ? 1.0 : -1.0; }
 
-// The law of cosines with the sine from factors, which keeps its digits near the stretched arm.
+// Law of cosines. The sine is computed from factors, which is accurate near the stretched arm, too.
 std::vector<TwoLinkPosture> two_link_postures(const TwoLinks& links, const Eigen::Vector2d& wrist,
                                               double tolerance_mm, Candidates& found) {
   const double a = links.first_mm;

@@ -1,6 +1,6 @@
-// Five axes as the Rhino's: an upright base axis, three parallel axes across it that move the hand in
-// one upright plane, and roll. The base angle follows from the tip alone, so an approach vector out of
-// that plane cannot be had; what remains is two links in a plane.
+// Five axes as in the Rhino: a vertical base axis, three parallel axes perpendicular to it that
+// move the hand in one vertical plane, and roll. The tip alone determines the base angle, so an
+// approach vector out of that plane is impossible. The rest is a two-link problem in the plane.
 #include <cmath>
 
 #include "core/inverse_closed.hpp"
@@ -13,12 +13,12 @@ constexpr double kVertical = 1e-9;
 
 const DhRow& row(const Robot& robot, std::size_t k) { return robot.joints[k - 1].dh; }
 
-/// Distance of the hand's plane from the base axis, along axis 1.
+/// Distance between the hand's plane and the base axis, along axis 1.
 double offset_mm(const Robot& robot) {
   return row(robot, 2).d_mm + row(robot, 3).d_mm + row(robot, 4).d_mm;
 }
 
-// Axis 1 is s * (sin, -cos, 0) of the base angle, and p * axis = offset.
+// Axis 1 is s * (sin, -cos, 0) of the base angle, and dot(p, axis) = offset.
 std::vector<double> base_angles(const Robot& robot, const ToolTarget& target, Candidates& found) {
   const Eigen::Vector3d& p = target.p_mm;
   const double rho = std::hypot(p.x(), p.y());
@@ -41,7 +41,8 @@ std::vector<double> base_angles(const Robot& robot, const ToolTarget& target, Ca
   return {bearing, bearing + kPi};
 }
 
-/// The hand's slope in frame 1, theta2 + theta3 + theta4, and the wrist: where axis 4 crosses.
+/// In frame 1: the hand's slope, theta2 + theta3 + theta4, and the wrist, where axis 4 crosses the
+/// plane.
 struct Hand {
   double slope_rad;
   Eigen::Vector2d wrist;

@@ -1,6 +1,6 @@
-// Inverse kinematics by numbers, for any chain: damped least squares (Levenberg-Marquardt) from the
-// soft home and from points of a Halton sequence over the joints' ranges. The starts are fixed, so the
-// same question gets the same answer; it may miss solutions that no start leads to.
+// Numerical inverse kinematics for any chain: damped least squares (Levenberg-Marquardt) from the
+// soft home and from points of a Halton sequence over the joints' ranges. The starts are fixed, so
+// the result is deterministic. Solutions that no start leads to are missed.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kStarts = 96;
 constexpr int kMostSteps = 80;
-constexpr std::size_t kMostOfFamily = 8;  ///< solutions listed where they are infinitely many
-constexpr double kDone = 1e-13;  ///< residual that cannot be bettered, in lengths of the arm
+constexpr std::size_t kMostOfFamily = 8;  ///< solutions listed if there are infinitely many
+constexpr double kDone = 1e-13;           ///< residual at which the descent ends, in arm lengths
 constexpr double kRankThreshold = 1e-7;
 constexpr double kSameDegOrMm = 1e-4;
 constexpr std::array<int, kMaxJoints> kBases{2, 3, 5, 7, 11, 13, 17};
@@ -25,14 +25,16 @@ using Matrix = Eigen::MatrixXd;
 
 bool turns(const Joint& joint) { return joint.variable == JointVariable::kTheta; }
 
-/// What a radian weighs in mm: the mean length of a link, so that tip and turn are comparable.
+/// The weight of a radian in mm: the mean length of a link, which makes tip and rotation errors
+/// comparable.
 double arm_length_mm(const Robot& robot) {
   double sum = 0;
   for (const Joint& joint : robot.joints) sum += std::abs(joint.dh.a_mm) + std::abs(joint.dh.d_mm);
   return std::max(sum / static_cast<double>(robot.joints.size()), 1.0);
 }
 
-/// The least-squares problem: unknowns in radians or arm lengths, residuals in arm lengths.
+/// The least-squares problem: unknowns in radians or arm lengths, residuals in arm lengths or
+/// radians.
 class Problem {
  public:
   Problem(const Robot& robot, const ToolTarget& target)
@@ -74,7 +76,7 @@ class Problem {
   }
 
  private:
-  /// The rotation vector from the tool as it is to the tool as it is to be, in the base frame.
+  /// The rotation vector from the tool's current to its wanted orientation, in the base frame.
   Eigen::Vector3d turn_left(const Eigen::Matrix3d& rotation) const {
     if (target_.kind == TargetKind::kPointing) {
       const Eigen::Vector3d z = rotation.col(2);
@@ -119,7 +121,7 @@ double halton(int index, int base) {
   return value;
 }
 
-/// Within the joints' limits, and of a joint that turns farther within half a turn of its home.
+/// Start values within the joints' limits and, for revolute joints, within half a turn of the home.
 JointVariables start(const Robot& robot, const ToolTarget& target, int index) {
   JointVariables variables = home_variables(robot);
   for (std::size_t k = 0; index > 0 && k < variables.size(); ++k) {

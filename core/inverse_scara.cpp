@@ -1,5 +1,6 @@
-// Four axes as the Adept One's: two upright turning axes, an upright slide, and roll. Seen from above
-// it is two links in a plane; the height is the slide's alone; the tool can point one way only.
+// Four axes as in the Adept One: two vertical revolute axes, a vertical slide, and roll. Seen from
+// above this is a two-link problem in a plane; the slide alone determines the height. The tool can
+// point in one direction only.
 #include <cmath>
 
 #include "core/inverse_closed.hpp"
@@ -11,7 +12,7 @@ const DhRow& row(const Robot& robot, std::size_t k) { return robot.joints[k - 1]
 
 bool is_upright(double twist_deg) { return is_angle(twist_deg, 0) || is_angle(twist_deg, 180); }
 
-/// Which way axes 1, 2 and 3 point: +1 up, -1 down.
+/// Directions of axes 1, 2 and 3: +1 up, -1 down.
 struct Ways {
   double after_first;
   double after_second;

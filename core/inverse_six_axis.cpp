@@ -1,8 +1,9 @@
-// Six axes as the Intelledex 660's: base, shoulder roll and shoulder pitch meet at right angles in one
-// point S; upper arm and forearm turn about axes parallel to the shoulder pitch; wrist pitch and roll
-// meet in W. W follows from tip and approach. Axis 2, the normal of the arm's plane, must be at right
-// angles to S-W and to the approach: that gives it but for its sign, then base and shoulder roll but
-// for a half turn, then two links in a plane: eight solutions.
+// Six axes as in the Intelledex 660: base, shoulder roll and shoulder pitch meet at right angles in
+// one point S; upper arm and forearm turn about axes parallel to the shoulder pitch; wrist pitch
+// and roll meet in W. W follows from tip and approach. Axis 2, the normal of the arm's plane, is
+// perpendicular to S-W and to the approach. That leaves two signs of the normal, for each two pairs
+// of base and shoulder roll, and for each pair two postures of two links in a plane: eight
+// solutions.
 #include <Eigen/Geometry>
 #include <cmath>
 
@@ -11,12 +12,12 @@
 namespace xr3::inverse {
 namespace {
 
-constexpr double kInLine = 1e-9;  // sine below which two directions count as one
+constexpr double kInLine = 1e-9;  // sine of an angle below which two directions count as equal
 constexpr double kOnShoulderMm = 1e-9;
 
 const DhRow& row(const Robot& robot, std::size_t k) { return robot.joints[k - 1].dh; }
 
-/// The target as this arm sees it: W from S, and the approach.
+/// The target in terms of this arm: the vector from S to W, and the approach.
 struct Aim {
   Eigen::Vector3d wrist;
   Eigen::Vector3d approach;
@@ -28,8 +29,8 @@ Aim aim_at(const Robot& robot, const ToolTarget& target) {
   return {target.p_mm - row(robot, 6).d_mm * approach - shoulder, approach};
 }
 
-/// The normal of the arm's plane, but for its sign. The wrist is met to the last digit however near
-/// to the singular line it is, because the normal is made square to it once more.
+/// The normal of the arm's plane, up to its sign. The last step makes the normal perpendicular to
+/// the wrist again, so that the wrist is exact even near the singular line.
 Eigen::Vector3d plane_normal(const Robot& robot, const Aim& aim, Candidates& found) {
   const bool on_shoulder = aim.wrist.norm() < kOnShoulderMm;
   const Eigen::Vector3d line = on_shoulder ? aim.approach : aim.wrist.normalized();
@@ -46,8 +47,8 @@ Eigen::Vector3d plane_normal(const Robot& robot, const Aim& aim, Candidates& fou
   return (normal - line * normal.dot(line)).normalized();
 }
 
-/// Base and shoulder roll that put axis 2 there: it is s2 * (sin2 * cos1, sin2 * sin1, -s1 * cos2)
-/// with s1 and s2 the sines of the twists.
+/// The base and shoulder roll angles for which axis 2 has this direction. Axis 2 is
+/// s2 * (sin2 * cos1, sin2 * sin1, -s1 * cos2), where s1 and s2 are the sines of the twists.
 std::vector<JointVariables> shoulders(const Robot& robot, const Eigen::Vector3d& axis,
                                       Candidates& found) {
   const double s1 = unit_sin(row(robot, 1).alpha_deg);

@@ -38,8 +38,9 @@ Transform tool_transform(const Model& model, const Positions& positions) {
   return pose;
 }
 
-// From the tip inwards, a point instead of matrices: a dozen multiplications a joint, and none for
-// turning a point that lies on the joint's own axis, as the tip does for the roll.
+// Transforms a point, from the tip inwards, instead of multiplying matrices: a dozen
+// multiplications per joint. A point on the joint's own axis, as the tip is for the roll, needs no
+// rotation.
 PointUm tool_tip(const Model& model, const Positions& positions) {
   double x = 0;
   double y = 0;

@@ -1,5 +1,5 @@
-// Direct kinematics by the Denavit-Hartenberg convention: the paper's equations (2) and (3), the tool
-// tip in whole micrometres for every decision, the tool-configuration vector and the net roll.
+// Forward kinematics by the Denavit-Hartenberg convention (the paper's equations (2) and (3)), the
+// tool-configuration vector and the net roll. Decisions use the tool tip in whole micrometres.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,20 +16,21 @@ using ToolConfiguration = Eigen::Matrix<double, 6, 1>;
 /// T(k-1,k) of joint `joint` (index k-1) at a position: the paper's equation (2).
 Transform link_transform(const Model& model, int joint, Counts position);
 
-/// T(0,k) for k = 0...n: the paper's equation (3), with the identity in front.
+/// T(0,k) for k = 0...n: the paper's equation (3); element 0 is the identity.
 std::vector<Transform> base_transforms(const Model& model, const Positions& positions);
 
-/// T(0,n): the tool's frame, whose origin is the tip, z the approach and y the sliding vector.
+/// T(0,n): the tool's frame. Its origin is the tip, z the approach vector, y the sliding vector.
 Transform tool_transform(const Model& model, const Positions& positions);
 
-/// The tool tip in the base frame. Two machines that agree on the counts agree on every bit.
+/// The tool tip in the base frame: bit-identical on every machine for the same counts.
 PointUm tool_tip(const Model& model, const Positions& positions);
 
 /// w = (p, exp(q_n / pi) * approach): mm, then dimensionless; q_n is the last joint's variable in
 /// radians (mm for a prismatic one). For display only.
 ToolConfiguration tool_configuration(const Model& model, const Positions& positions);
 
-/// Yaw of the tool's x axis about the vertical with the tool down, in degrees (paper, Section III-A).
+/// Yaw of the tool's x axis about the vertical with the tool down, in degrees (paper,
+/// Section III-A).
 double net_roll_deg(const Model& model, const Positions& positions);
 
 /// Distance between the fingertips in mm at a tool position.

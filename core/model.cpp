@@ -38,7 +38,7 @@ Model::Model(Robot robot, Workcell workcell, Profile profile)
   region_height_um_ = micrometres(robot_.protected_region.height_mm);
 }
 
-// A coupling is given between joint variables; between counts both directions enter.
+// A coupling relates joint variables. Between counts, the directions of both motors enter, too.
 void Model::find_gains() {
   for (int i = 0; i < motor_count(); ++i)
     gain_[static_cast<std::size_t>(i)][static_cast<std::size_t>(i)] = 1;

@@ -1,5 +1,5 @@
-// The immutable Model of a cell: robot, workcell and profile, and every integer and table that is
-// worked out from them once at load, so that no floating point decides a count later on.
+// The immutable Model of a cell: robot, workcell and profile, and all integers and tables computed
+// from them at load time. Floating point therefore never decides a count at run time.
 #pragma once
 
 #include <array>
@@ -13,22 +13,23 @@
 
 namespace xr3 {
 
-/// Which controller the lines show: the paper's, or the hardware that surviving programs drove.
+/// Which controller is emulated: the paper's simulator, or the hardware (Mark III) that surviving
+/// programs were written for.
 enum class Profile : std::uint8_t { kPaper, kMark3 };
 
-/// Switch width in counts that the mark3 profile gives a switch whose file names none.
+/// Width in counts of a switch without a width in its file, in the mark3 profile.
 inline constexpr Counts kMark3SwitchWidth = 60;
 
 /// Integers of one motor and of the joint (or tool) it drives.
 struct MotorModel {
   Drive drive;
-  Counts low = 0;           ///< least joint position within the limits, counts from the soft home
-  Counts high = 0;          ///< greatest joint position within the limits
-  Microswitch microswitch;  ///< with the width that the profile gives it
+  Counts low = 0;           ///< minimum joint position within the limits, counts from the soft home
+  Counts high = 0;          ///< maximum joint position within the limits
+  Microswitch microswitch;  ///< with the profile's default width applied
   bool operator==(const MotorModel&) const = default;
 };
 
-/// One joint that a motor's count moves, and by how many counts.
+/// A joint that a motor moves, and by how many counts per count of the motor.
 struct Driven {
   std::uint8_t joint = 0;
   std::int8_t gain = 0;
@@ -37,7 +38,8 @@ struct Driven {
 
 class Model {
  public:
-  /// Works out integers and tables. The robot has 1...kMaxJoints joints and has been checked.
+  /// Computes the integers and tables. `robot` must have passed the rules of robot files
+  /// (1...kMaxJoints joints).
   Model(Robot robot, Workcell workcell, Profile profile);
 
   const Robot& robot() const { return robot_; }
@@ -45,28 +47,29 @@ class Model {
   Profile profile() const { return profile_; }
 
   int joint_count() const { return static_cast<int>(robot_.joints.size()); }
-  /// Motors are the joints' from the base, then the tool's.
+  /// One motor per joint, from the base, and then the tool's.
   int motor_count() const { return joint_count() + 1; }
   int tool_index() const { return joint_count(); }
 
   const MotorModel& motor(int index) const { return motors_[static_cast<std::size_t>(index)]; }
-  /// The motor behind a label 'A'...'H', or -1.
+  /// Index of the motor with label 'A'...'H', or -1.
   int index_of(char label) const;
 
-  /// The joints that motor `index` moves: its own first, then the coupled ones.
+  /// The joints that motor `index` moves: its own first, then those coupled to it.
   const std::vector<Driven>& driven_by(int index) const {
     return driven_[static_cast<std::size_t>(index)];
   }
-  /// Counts of position of joint `joint` for each count of motor `motor`: 1 on the diagonal.
+  /// Counts by which joint `joint` moves per count of motor `motor`; 1 on the diagonal.
   int gain(int joint, int motor) const {
     return gain_[static_cast<std::size_t>(joint)][static_cast<std::size_t>(motor)];
   }
 
-  /// The joint or tool variable at a position, in degrees or mm, in the model's own arithmetic.
+  /// The joint or tool variable at a position, in degrees or mm.
   double variable(int index, Counts position) const;
   /// Sine and cosine of joint `joint`'s theta at a position; constant for a prismatic joint.
   SinCos theta(int joint, Counts position) const;
-  /// Distance along joint `joint`'s axis (Denavit-Hartenberg d) at a position; constant for a revolute joint.
+  /// Distance along joint `joint`'s axis (Denavit-Hartenberg d) at a position; constant for a
+  /// revolute joint.
   double link_offset_mm(int joint, Counts position) const;
   /// Denavit-Hartenberg a of joint `joint`.
   double link_length_mm(int joint) const {
@@ -94,7 +97,7 @@ class Model {
   Micrometres region_height_um_ = 0;
 };
 
-/// Position limits in whole counts, rounded inwards with a tolerance of a millionth of a count.
+/// Position limits in whole counts, rounded inwards with a tolerance of 1e-6 counts.
 struct CountRange {
   Counts low;
   Counts high;

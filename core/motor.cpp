@@ -5,13 +5,13 @@ namespace {
 
 int sign(int value) { return (value > 0) - (value < 0); }
 
-// The joint, of those that motor `index` moves, that would pass a limit with its next count, or -1.
+// The first joint moved by motor `index` that its next count would take past a limit, or -1.
 int limited_joint(const Model& model, const Positions& positions, int index, int direction) {
   for (const Driven& driven : model.driven_by(index)) {
     const int change = driven.gain * direction;
     const Counts next = positions[driven.joint] + change;
     const MotorModel& joint = model.motor(driven.joint);
-    // A joint that stands past a limit may always come back.
+    // Only the limit in the direction of motion counts: a joint past a limit may always move back.
     if (change > 0 ? next > joint.high : next < joint.low) return driven.joint;
   }
   return -1;
@@ -40,7 +40,7 @@ void make_count(const Model& model, State& state, Positions& positions, int inde
   set_error(motor, static_cast<std::int8_t>(motor.error - direction));
 }
 
-// One tick of phase; true when a count is due.
+// Adds one tick of phase. Returns true if a count is due.
 bool gathers_a_count(MotorState& motor) {
   if (!is_running(motor)) return false;
   motor.phase = static_cast<std::int16_t>(motor.phase + motor.speed);
@@ -49,7 +49,7 @@ bool gathers_a_count(MotorState& motor) {
   return true;
 }
 
-// The tool's count happens unless it would squeeze a block.
+// Makes the tool's count unless it would squeeze a block.
 Turned turn_tool(const Model& model, State& state, Positions& positions, Turned turned) {
   const int tool = model.tool_index();
   turned.opened = opens_jaws(model, sign(state.motor(tool).error));
@@ -83,7 +83,7 @@ Turned turn_motors(const Model& model, State& state, Positions& positions) {
   Turned turned;
   for (int i = 0; i < model.motor_count(); ++i) {
     if (!gathers_a_count(state.motor(i))) continue;
-    if (obstacle(model, state, positions, i) != Blocked::kNo) continue;  // marked afterwards
+    if (obstacle(model, state, positions, i) != Blocked::kNo) continue;  // see update_blocked()
     turned.any = true;
     if (i == model.tool_index()) return turn_tool(model, state, positions, turned);
     make_count(model, state, positions, i);

@@ -9,7 +9,7 @@ struct Tones {
 };
 
 constexpr std::array<Tones, kColors> kPalette{{
-    {"#5a5f6a", "#000000"},  // black; on dark a grey that can be seen
+    {"#5a5f6a", "#000000"},  // black; a visible grey on dark
     {"#4a6fd0", "#1c3f94"},  // blue
     {"#3fa45b", "#1e7a3a"},  // green
     {"#2fa8a8", "#0b6e75"},  // cyan
@@ -24,7 +24,7 @@ constexpr std::array<Tones, kColors> kPalette{{
     {"#ff6b6b", "#d03030"},  // light red
     {"#e58cf0", "#b53cc4"},  // light magenta
     {"#f2d85c", "#b08a00"},  // yellow
-    {"#ffffff", "#22262e"},  // white; on light nearly black
+    {"#ffffff", "#22262e"},  // white; nearly black on light
 }};
 
 constexpr std::uint8_t nibble(char digit) {

@@ -1,5 +1,5 @@
-// The sixteen colours of a robot or workcell file (paper, Section III-A, Link Data): the order of the
-// EGA palette, in tones that are easier on the eye.
+// The sixteen colours of robot and workcell files (paper, Section III-A, Link Data): in the order
+// of the EGA palette, with softer tones.
 #pragma once
 
 #include <array>
@@ -8,15 +8,16 @@
 
 namespace xr3 {
 
-/// What a picture is drawn on. Pale colours cannot be read on white, nor dark ones on black.
+/// The background of a picture. It selects the tones: pale colours cannot be read on white, dark
+/// ones not on black.
 enum class Background : std::uint8_t { kDark, kLight };
 
 inline constexpr int kColors = 16;
 
-/// The colour of an index 0...15 as #rrggbb.
+/// The colour with index 0...15 as #rrggbb.
 std::string_view color_hex(int index, Background background);
 
-/// Its red, green and blue, 0...255 each.
+/// The same as red, green and blue, 0...255 each.
 std::array<std::uint8_t, 3> color_rgb(int index, Background background);
 
 }  // namespace xr3

@@ -1,7 +1,7 @@
-// The robot as its data file describes it: joints with their Denavit-Hartenberg rows and drives, the
-// tool, the outline for drawing, coupling, protected region and net roll (paper, Section III-A and
+// The contents of a robot file: joints with their Denavit-Hartenberg rows and drives, the tool, the
+// outline for drawing, couplings, protected region and net roll (paper, Section III-A and
 // Table II). Plain values in millimetres and degrees; the loader has already converted inches.
-// It knows nothing of files, JSON or the state.
+// Independent of files, JSON and the state.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,32 +15,33 @@
 
 namespace xr3 {
 
-/// Most joints a robot may have (the tool is not a joint); labels then run from H (base) to A (tool).
+/// Maximum number of joints; the tool is not a joint. Labels then run from H (base) to A (tool).
 inline constexpr int kMaxJoints = 7;
-/// Most motors: one a joint, and the tool's.
+/// Maximum number of motors: one per joint and one for the tool.
 inline constexpr int kMaxMotors = kMaxJoints + 1;
 
-/// Positions of the joints from the base and then the tool, in counts from the soft home.
+/// Positions of the joints, from the base, and then of the tool, in counts from the soft home.
 using Positions = std::array<Counts, kMaxMotors>;
 
 /// Which Denavit-Hartenberg parameter the motor changes (the paper's jvar 1 and 2).
 enum class JointVariable : std::uint8_t { kTheta, kD };
 
-/// How the fingers close: on a slide (variable: distance, mm) or on hinges (variable: angle, degrees).
+/// How the fingers close: on a slide (the variable is a distance in mm) or on hinges (an angle in
+/// degrees).
 enum class ToolKind : std::uint8_t { kParallel, kAngular };
 
-/// A microswitch, watching its own motor's count.
+/// A microswitch, driven by the count of its own motor.
 struct Microswitch {
   Counts position = 0;          ///< where it closes; its sign is the side on which it stays closed
-  std::uint8_t mask = 0;        ///< its bit in the reply to I or J; 0 leaves it out of both
-  std::optional<Counts> width;  ///< given: closed only while 2*|count - position| <= width
+  std::uint8_t mask = 0;        ///< its bit in the reply to I or J; 0: in neither reply
+  std::optional<Counts> width;  ///< if set, closed only while 2*|count - position| <= width
   bool operator==(const Microswitch&) const = default;
 };
 
-/// A DC motor with an incremental encoder: what every joint and the tool have.
+/// A DC motor with an incremental encoder. Every joint has one, and so does the tool.
 struct Drive {
   char label = 'A';            ///< A for the tool, then B for the last joint, and so on to the base
-  double precision = 0;        ///< degrees or mm a count, above 0
+  double precision = 0;        ///< degrees or mm per count, above 0
   double min = 0;              ///< lower limit of the variable, degrees or mm
   double max = 0;              ///< upper limit of the variable, degrees or mm
   double home = 0;             ///< the variable at the soft home, degrees or mm
@@ -50,7 +51,7 @@ struct Drive {
   bool operator==(const Drive&) const = default;
 };
 
-/// One row of the Denavit-Hartenberg table at the soft home: T(k-1,k) as the paper's equation (2).
+/// One row of the Denavit-Hartenberg table at the soft home: T(k-1,k) of the paper's equation (2).
 struct DhRow {
   double theta_deg = 0;
   double d_mm = 0;
@@ -74,15 +75,15 @@ struct OutlinePoint {
   bool operator==(const OutlinePoint&) const = default;
 };
 
-/// The drawing of one link in its own frame; link 0 is the base, link n the tool's body.
+/// The outline of one link in the link's own frame. Link 0 is the base, link n the tool's body.
 struct Outline {
   int color = 0;  ///< palette index 0...15
   std::vector<OutlinePoint> points;
   bool operator==(const Outline&) const = default;
 };
 
-/// A part of the tool that moves when the tool does, in frame n with the jaws closed: shifted by
-/// side * opening / 2 along y (parallel) or turned by side * angle / 2 about x through its pivot.
+/// A moving part of the tool, in frame n with the jaws closed. The tool's motor shifts it by
+/// side * opening / 2 along y (parallel) or turns it by side * angle / 2 about x through its pivot.
 struct ToolPart {
   int side = 1;   ///< +1 or -1
   int color = 0;  ///< palette index 0...15
@@ -99,7 +100,8 @@ struct Tool {
   bool operator==(const Tool&) const = default;
 };
 
-/// Motor `joint` turns joint `coupled` along with it (sign +1) or against it (-1), as joint variables.
+/// Motor `joint` also moves joint `coupled`. In joint variables: in the same direction (sign +1) or
+/// in the opposite one (-1).
 struct Coupling {
   int joint = 0;    ///< index from 0 at the base
   int coupled = 0;  ///< index from 0 at the base
@@ -124,9 +126,9 @@ struct RollTerm {
 struct Robot {
   std::string name;
   std::string notes;
-  std::vector<Joint> joints;  ///< from the base; 1...kMaxJoints of them
+  std::vector<Joint> joints;  ///< from the base; 1...kMaxJoints elements
   Tool tool;
-  std::vector<Outline> links;  ///< joints.size() + 1 of them, or none
+  std::vector<Outline> links;  ///< joints.size() + 1 elements, or none
   std::vector<Coupling> couplings;
   ProtectedRegion protected_region;
   std::vector<RollTerm> net_roll;

@@ -4,7 +4,7 @@ namespace xr3 {
 namespace {
 
 __extension__ using Wide = __int128;
-// A tick is this many nanoseconds times millionths of rate.
+// Length of a tick, in nanoseconds of wall time times millionths of rate.
 constexpr Wide kNsMillionthsPerTick = Wide{1'000'000'000 / kTickHz} * 1'000'000;
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Wall time to simulated time as pure arithmetic: wall time is an argument, in nanoseconds of any
-// steady clock, so that nothing here reads a clock.
+// Converts wall time to simulated time, as pure arithmetic: wall time is always an argument, in
+// nanoseconds of any steady clock.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace xr3 {
 /// Nanoseconds of a steady clock that never runs backwards.
 using WallNs = std::int64_t;
 
-/// Simulated seconds in a wall second, in millionths, so that it is exact.
+/// Simulated seconds per wall second, in millionths, so that it is exact.
 struct Rate {
   std::int64_t millionths = 1'000'000;
   bool operator==(const Rate&) const = default;
@@ -21,7 +21,8 @@ inline constexpr Rate kFastest{100'000'000'000};
 
 enum class ClockMode : std::uint8_t { kReal, kManual };
 
-/// A clock that follows wall time at a rate, or stands until it is told.
+/// A simulation clock. In real mode it follows wall time at a rate; in manual mode only set_tick()
+/// advances it.
 class SimClock {
  public:
   static SimClock real(Rate rate, WallNs now, Tick tick = 0) {
@@ -32,16 +33,16 @@ class SimClock {
   ClockMode mode() const { return mode_; }
   Rate rate() const { return rate_; }
 
-  /// The tick at a moment; in manual mode the one at which it stands.
+  /// The tick at wall time `now`; in manual mode the current tick, whatever `now` is.
   Tick at(WallNs now) const;
 
-  /// The first moment at which at() gives `tick`; only where the mode is real.
+  /// The first wall time at which at() returns `tick`. Real mode only.
   WallNs when(Tick tick) const;
 
   void pause(WallNs now);
   void resume(WallNs now);
   void set_rate(Rate rate, WallNs now);
-  /// Puts the clock at a tick: after a step in standing time, or in a new epoch.
+  /// Sets the current tick: after a step of the manual clock, or in a new epoch.
   void set_tick(Tick tick, WallNs now);
 
  private:
@@ -50,7 +51,7 @@ class SimClock {
 
   ClockMode mode_;
   Rate rate_;
-  WallNs since_;  ///< the moment at which the clock showed base_
+  WallNs since_;  ///< wall time at which the tick was base_
   Tick base_;
 };
 

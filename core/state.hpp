@@ -1,5 +1,5 @@
-// Every bit of the machine that changes, as one regular value: copy it and you have a snapshot,
-// compare it and you know whether two machines are the same. Integers only.
+// The complete mutable state of the machine as one regular value: a copy is a snapshot, and ==
+// tells whether two machines are in the same state. Integers only.
 #pragma once
 
 #include <array>
@@ -15,16 +15,17 @@ namespace xr3 {
 
 /// One motor with its 8-bit error counter (paper, Section IV, "Move Joint").
 struct MotorState {
-  Counts count = 0;        ///< its encoder; 0 at the soft home
+  Counts count = 0;        ///< encoder count; 0 at the soft home
   std::int16_t phase = 0;  ///< thousandths of the next count, 0...999
-  std::int8_t error = 0;   ///< counts still to go; adding wraps
-  std::uint8_t speed = 1;  ///< counts a second
+  std::int8_t error = 0;   ///< counts still to go; addition wraps
+  std::uint8_t speed = 1;  ///< counts per second
   Blocked blocked = Blocked::kNo;
   bool switch_closed = false;
   bool operator==(const MotorState&) const = default;
 };
 
-using Motors = std::array<MotorState, kMaxMotors>;  ///< those beyond the model's stay as they begin
+/// Elements beyond the model's motors keep their initial value.
+using Motors = std::array<MotorState, kMaxMotors>;
 
 /// The line of sight, integers -9...9, not all 0.
 struct ViewVector {
@@ -34,7 +35,7 @@ struct ViewVector {
   bool operator==(const ViewVector&) const = default;
 };
 
-/// What the display and command mode are set to (paper, Tables IV and VII).
+/// Settings of the display and of command mode (paper, Tables IV and VII).
 struct DisplaySettings {
   bool on = false;
   ViewVector view;
@@ -53,22 +54,22 @@ struct InputOutput {
   bool operator==(const InputOutput&) const = default;
 };
 
-/// The one block that the jaws hold. While it is held its entry in State::blocks stays as it was when
-/// it was grasped; where it is now follows from that and from the joints (see grasp.hpp).
+/// The block in the jaws. While it is held, its entry in State::blocks keeps the pose at which it
+/// was grasped; block_pose() in grasp.hpp computes its current pose from that and the joints.
 struct Held {
   std::uint32_t block = 0;  ///< index in State::blocks
-  int quarter_turns = 0;    ///< of the block against the jaws: yaw = net roll + 90 deg * this
-  Positions grasped_at{};   ///< of the joints when it was grasped
+  int quarter_turns = 0;    ///< of the block relative to the jaws: yaw = net roll + 90 deg * this
+  Positions grasped_at{};   ///< joint positions when it was grasped
   bool operator==(const Held&) const = default;
 };
 
-/// Where the tool tip has been since erasing was turned off: the last kMostTipPoints points.
+/// The path of the tool tip since erasing was turned off: the last kMostTipPoints points.
 struct TipPath {
   static constexpr std::size_t kMostTipPoints = 4096;
-  std::vector<PointUm> points;  ///< a ring once it is full
-  std::size_t oldest = 0;       ///< index of its first point
+  std::vector<PointUm> points;  ///< a ring buffer once it is full
+  std::size_t oldest = 0;       ///< index of the oldest point
 
-  /// Adds a point, in place of the oldest where the path is full.
+  /// Adds a point; overwrites the oldest if the path is full.
   void add(const PointUm& tip);
   bool operator==(const TipPath&) const = default;
 };
@@ -77,13 +78,13 @@ struct State {
   Tick tick = 0;
   Motors motors;
   Stall stall = Stall::kNo;
-  bool below_surface = false;  ///< the tool tip is under the work surface
+  bool below_surface = false;  ///< the tool tip is below the work surface
   bool enabled = true;
   DisplaySettings display;
   InputOutput io;
   std::vector<Block> blocks;
   std::optional<Held> held;
-  bool jaws_warned = false;  ///< jaws_too_narrow was told for the closing that goes on
+  bool jaws_warned = false;  ///< jaws_too_narrow was already reported for the current closing
   TipPath tip_path;
   bool operator==(const State&) const = default;
 

@@ -27,7 +27,7 @@ void tell_reached(const Model& model, const State& state, const Motors& before, 
   }
 }
 
-// Ticks, at most `limit`, in which running motors only gather phase.
+// Number of ticks, at most `limit`, before some motor makes a count.
 Tick quiet_ticks(const Model& model, const State& state, Tick limit) {
   for (int i = 0; i < model.motor_count(); ++i) {
     const MotorState& motor = state.motor(i);
@@ -68,7 +68,7 @@ void step(const Model& model, State& state, Events& events) {
       return stall(state, before, why, events);
     }
     update_surface(model, state, tip, events);
-    if (state.motor(model.tool_index()).error == 0) state.jaws_warned = false;  // at another place
+    if (state.motor(model.tool_index()).error == 0) state.jaws_warned = false;  // closing has ended
     if (!state.display.erase) state.tip_path.add(tip);
   }
   if (turned.any) {

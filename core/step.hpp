@@ -1,5 +1,6 @@
-// Time: one tick of the machine, and many. The order within a tick is the order of the lines of
-// step(): motors from the base to the tool, the region once, switches, what came to stand or arrived.
+// Advances the machine by one tick or many. The order within a tick is that of the lines of step():
+// motors from the base to the tool, protected region and work surface, switches, grasp, then
+// arrived and blocked motors.
 #pragma once
 
 #include "core/event.hpp"
@@ -8,17 +9,17 @@
 
 namespace xr3 {
 
-/// No motor would make a count without new input: each is done, blocked, or the robot is stalled.
+/// No motor will make a count without new input: each is done or blocked, or the robot is stalled.
 bool is_at_rest(const Model& model, const State& state);
 
 /// One tick.
 void step(const Model& model, State& state, Events& events);
 
-/// Ticks until `target` or until the machine is at rest, whichever comes first. Ticks in which no
-/// motor makes a count are taken together; the result is the same, bit for bit, as with step().
+/// Advances to `target` or until the machine is at rest, whichever comes first. Skips over ticks in
+/// which no motor makes a count; the result is bit-identical to repeated step().
 void run_to_rest(const Model& model, State& state, Tick target, Events& events);
 
-/// Ticks until `target`, in constant time from the moment the machine is at rest.
+/// Advances to `target`; takes constant time once the machine is at rest.
 void advance_to(const Model& model, State& state, Tick target, Events& events);
 
 }  // namespace xr3

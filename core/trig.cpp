@@ -8,14 +8,14 @@ namespace {
 
 constexpr int kTerms = 18;
 
-// 1 / (n (n + 1)): what a term of either series is of the one before, but for -x^2.
+// 1 / (n (n + 1)): the ratio of successive terms of either series, without the factor -x^2.
 constexpr std::array<double, kTerms> kShrink = [] {
   std::array<double, kTerms> shrink{};
   for (int n = 1; n < kTerms; ++n) shrink[static_cast<std::size_t>(n)] = 1.0 / (n * (n + 1));
   return shrink;
 }();
 
-// Taylor series by Horner's rule; |x| <= pi/4, where the first term left out is below 1e-17.
+// Taylor series by Horner's rule. Requires |x| <= pi/4; the first omitted term is then below 1e-17.
 double series(double x2, int first, int last) {
   double sum = 1.0;
   for (int n = last; n >= first; n -= 2)

@@ -1,5 +1,5 @@
-// Sines and cosines that are the same bits on every machine: plain double arithmetic on degrees,
-// no libm, and tables of them by encoder count. The build forbids contraction into fused operations.
+// Sines and cosines that are bit-identical on every machine: plain double arithmetic on degrees, no
+// libm, and tables indexed by encoder count. The build disables contraction into fused operations.
 #pragma once
 
 #include <vector>
@@ -14,12 +14,12 @@ struct SinCos {
   bool operator==(const SinCos&) const = default;
 };
 
-/// Sine and cosine of an angle in degrees, |angle| < 1e9, to about one unit in the last place; exact
-/// at multiples of 90.
+/// Sine and cosine of an angle in degrees, |angle| < 1e9. The error is about one unit in the last
+/// place; multiples of 90 are exact.
 SinCos sin_cos_deg(double angle_deg);
 
 /// Sine and cosine of home + direction * precision * position for every position in a range.
-/// Ranges beyond kLongestTable are computed at each call, with the same bits.
+/// A range longer than kLongestTable is not tabulated: each call computes the same bits.
 class SinCosTable {
  public:
   static constexpr Counts kLongestTable = 1 << 16;

@@ -1,5 +1,5 @@
-// Units and small integer types of the machine. Lengths that decide anything are whole micrometres,
-// angles that are stored are whole microdegrees, time is whole ticks: a state holds no floating point.
+// Units and small integer types of the machine: lengths in whole micrometres, angles in whole
+// microdegrees, time in ticks. Decisions compare these integers; the state has no floating point.
 #pragma once
 
 #include <compare>
@@ -7,7 +7,7 @@
 
 namespace xr3 {
 
-/// Simulated time in ticks of 1/kTickHz seconds. Within an epoch it only grows.
+/// Simulated time in ticks of 1/kTickHz seconds. It never decreases within an epoch.
 using Tick = std::int64_t;
 inline constexpr int kTickHz = 1000;
 
@@ -17,7 +17,7 @@ using Counts = std::int32_t;
 /// Whole micrometres in the base frame.
 using Micrometres = std::int64_t;
 
-/// Whole microdegrees; kept in (-180, 180] degrees where an angle is a yaw.
+/// Whole microdegrees. A yaw is kept in (-180, 180] degrees.
 using Microdegrees = std::int64_t;
 
 inline constexpr double kMicrometresPerMm = 1000.0;

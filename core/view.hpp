@@ -1,5 +1,6 @@
-// The orthographic view (paper, Section II-A): points of space to the plane across the view vector, and
-// how much of that plane is shown (Section III-B, "view volume"). For pictures only: it decides nothing.
+// The orthographic view (paper, Section II-A): projects points onto the plane perpendicular to the
+// view vector, and computes how much of it is shown (Section III-B, "view volume"). For pictures
+// only; the simulation does not use it.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,17 +10,17 @@
 
 namespace xr3 {
 
-/// The picture plane: three unit vectors of the base frame at right angles, right x up = toward.
+/// The picture plane: three orthogonal unit vectors in the base frame, right x up = toward.
 struct View {
   Eigen::Vector3d right;
-  Eigen::Vector3d up;      ///< as near to +z as the plane allows; +y where one looks along z
-  Eigen::Vector3d toward;  ///< along the view vector, to the eye
+  Eigen::Vector3d up;      ///< as near to +z as the plane allows; +y for a view along z
+  Eigen::Vector3d toward;  ///< along the view vector, towards the eye
 };
 
-/// The eye is far out on the vector's side. Not all of the vector's numbers are 0.
+/// The view from far out in the direction of `vector`, which must not be 0.
 View view_along(const ViewVector& vector);
 
-/// A point of the base frame in the picture: x to the right, y up, in mm, the base's origin at 0.
+/// Projects a point of the base frame: x to the right, y up, in mm, with the base's origin at 0.
 Eigen::Vector2d projected(const View& view, const Eigen::Vector3d& p_mm);
 
 /// A rectangle in the picture, in mm; low <= high.
@@ -29,7 +30,8 @@ struct Extents {
   bool operator==(const Extents&) const = default;
 };
 
-/// The least rectangle that holds (X,0,0), (0,Y,0), (0,-Y,0), (0,0,Z) and (-behind,0,0).
+/// The smallest rectangle with the projections of (X,0,0), (0,Y,0), (0,-Y,0), (0,0,Z) and
+/// (-behind,0,0).
 Extents view_extents(const View& view, const Workspace& workspace, double behind_mm);
 
 }  // namespace xr3

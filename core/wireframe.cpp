@@ -13,7 +13,7 @@ Eigen::Vector3d carried(const Transform& pose, const Eigen::Vector3d& p) {
   return pose.block<3, 3>(0, 0) * p + pose.block<3, 1>(0, 3);
 }
 
-/// One polyline for each stretch of pen-down lines, its points taken through `place`.
+/// Adds one polyline for each run of pen-down lines; `place` transforms the points.
 template <class Place>
 void add_outline(std::vector<Wire>& wires, const std::string& part, int color,
                  const std::vector<OutlinePoint>& points, Place place) {
@@ -34,7 +34,7 @@ std::string link_part(std::size_t link, std::size_t last) {
   return link == last ? "tool" : "link" + std::to_string(link);
 }
 
-/// Frame n with the jaws closed to frame n with the jaws as they are, for one part of the tool.
+/// Transform of one part of the tool within frame n: from closed jaws to the current opening.
 Transform jaw_shift(const Model& model, const ToolPart& part, Counts tool_position) {
   const double variable = model.variable(model.tool_index(), tool_position);
   Transform shift = Transform::Identity();
@@ -53,8 +53,8 @@ Transform jaw_shift(const Model& model, const ToolPart& part, Counts tool_positi
 
 std::string finger_part(int side) { return side > 0 ? "finger+1" : "finger-1"; }
 
-/// Bottom and top with one upright edge between them, then the other three: every corner has three
-/// edges, so fewer than four lines cannot draw a box.
+/// One polyline for bottom, top and an upright edge, and three for the other upright edges. Every
+/// corner has three edges, so fewer than four polylines cannot draw a box.
 void add_box(std::vector<Wire>& wires, const Block& block, const Transform& pose) {
   const Eigen::Vector3d half(mm(block.size_um.x) / 2, mm(block.size_um.y) / 2,
                              mm(block.size_um.z) / 2);

@@ -1,5 +1,6 @@
-// The wire frame (paper, Sections II-A and III-A): outlines of links and tool carried to the base frame
-// by the D-H chain, blocks and the tip's path, as polylines. For pictures only: it decides nothing.
+// The wire frame (paper, Sections II-A and III-A) as polylines: the outlines of links and tool,
+// transformed to the base frame, the blocks and the tip's path. For pictures only; the simulation
+// does not use it.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,9 +14,9 @@
 
 namespace xr3 {
 
-/// Lines from point to point, at least two points. Parts are "base", "link1", "link2", ..., "tool"
-/// (link n), "finger+1" and "finger-1" by the side of a moving part of the tool, "block:NAME",
-/// "path" and "surface"; one part may need several polylines.
+/// Lines from point to point; at least two points. `part` is "base", "link1", "link2", ..., "tool"
+/// (link n), "finger+1" or "finger-1" (a moving part of the tool, with its side), "block:NAME",
+/// "path" or "surface". A part may consist of several polylines.
 template <class Point>
 struct Polyline {
   std::string part;
@@ -25,31 +26,31 @@ struct Polyline {
 };
 
 using Wire = Polyline<Eigen::Vector3d>;      ///< in the base frame, mm
-using FlatWire = Polyline<Eigen::Vector2d>;  ///< in a view, mm: see projected()
+using FlatWire = Polyline<Eigen::Vector2d>;  ///< projected onto a view, mm
 
-/// The colour of the tip's path and of the work surface.
+/// Palette indices of the tip's path and of the work surface.
 inline constexpr int kPathColor = 4;
 inline constexpr int kSurfaceColor = 8;
 
 /// Links from the base to the tool's body, then the tool's moving parts.
 std::vector<Wire> robot_wires(const Model& model, const Positions& positions);
 
-/// The twelve edges of each block where it is now, tilted if it is held so: four polylines a block.
+/// The twelve edges of each block at its current pose, as four polylines per block.
 std::vector<Wire> block_wires(const Model& model, const State& state);
 
-/// The tip's path from its oldest point on; none where it has fewer than two points.
+/// The tip's path from its oldest point on; empty if it has fewer than two points.
 std::vector<Wire> path_wires(const State& state);
 
-/// Robot, blocks and path, in this order.
+/// Robot, blocks and path, in that order.
 std::vector<Wire> wireframe(const Model& model, const State& state);
 
-/// The part of the work surface that lies in the workspace, as a rectangle.
+/// The part of the work surface within the workspace, as a rectangle.
 Wire surface_wire(const Workcell& workcell);
 
 std::vector<FlatWire> projected(const View& view, const std::vector<Wire>& wires);
 
-/// How far behind the base's axis the robot's outline reaches at the soft home: its furthest -x, mm,
-/// 0 or above.
+/// How far the robot's outline extends behind the base axis (towards -x) at the soft home, in mm;
+/// at least 0.
 double behind_mm(const Model& model);
 
 }  // namespace xr3

@@ -1,5 +1,5 @@
-// The workcell as its data file describes it: workspace, work surface, blocks and camera (paper,
-// Section III-B). Plain values in whole micrometres and microdegrees, so that they can lie in a state.
+// The contents of a workcell file: workspace, work surface, blocks and camera (paper,
+// Section III-B). Plain integers in micrometres and microdegrees, so that a state can hold them.
 #pragma once
 
 #include <cstdint>
@@ -19,10 +19,10 @@ struct Workspace {
   bool operator==(const Workspace&) const = default;
 };
 
-/// So many blocks lie in a workcell at most.
+/// Maximum number of blocks in a workcell.
 inline constexpr std::size_t kMaxBlocks = 10'000;
 
-/// A rectangular box: length along its own x, width along y, height along z; upright unless held.
+/// A rectangular box: length along its own x, width along y, height along z. Upright unless held.
 struct Block {
   std::string name;  ///< unique in a workcell
   PointUm size_um;   ///< length, width, height
@@ -34,7 +34,7 @@ struct Block {
 
 enum class Projection : std::uint8_t { kOrthographic, kPerspective };
 
-/// The one fixed camera, looking straight down. Column 0 is at low x, row 0 at high y.
+/// The fixed camera, which looks straight down. Column 0 is at low x, row 0 at high y.
 struct Camera {
   PointUm location_um;
   Micrometres field_x_um = 0;  ///< length of the field of view on the work surface
@@ -50,7 +50,7 @@ struct Workcell {
   std::string notes;
   Workspace workspace;
   Micrometres work_surface_um = 0;  ///< z of the table's plane
-  bool surface_stalls = false;      ///< the tip under the surface stalls the robot, not only warns
+  bool surface_stalls = false;      ///< a tip below the surface stalls the robot instead of warning
   std::vector<Block> blocks;
   std::optional<Camera> camera;
   bool operator==(const Workcell&) const = default;
