@@ -1,5 +1,6 @@
-// Forward kinematics by the Denavit-Hartenberg convention (the paper's equations (2) and (3)), the
-// tool-configuration vector and the net roll. Decisions use the tool tip in whole micrometres.
+// Forward (direct) kinematics by the Denavit-Hartenberg convention (the paper's equations (2) and
+// (3)), the tool-configuration vector and the net roll. Decisions use the tool tip in whole
+// micrometres.
 #pragma once
 
 #include <Eigen/Core>

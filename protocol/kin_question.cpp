@@ -9,7 +9,7 @@
 namespace xr3 {
 namespace {
 
-constexpr double kMost = 1e7;  // degrees, mm or counts: far beyond any robot, far below overflow
+constexpr double kMost = 1e7;  // degrees, mm or counts: far above any robot, far below overflow
 constexpr double kLeastVector = 1e-9;
 constexpr std::size_t kMostJointsForTip = 3;
 
@@ -34,13 +34,13 @@ std::string labels_of(const Model& model) {
   return labels;
 }
 
-/// One a joint, or one more for the tool.
+/// Requires one number per joint, and optionally one for the tool.
 void check_length(const Model& model, const std::string& option, const Numbers& numbers) {
   const auto joints = static_cast<std::size_t>(model.joint_count());
   if (numbers.size() == joints || numbers.size() == joints + 1) return;
   refuse(option + " takes " + std::to_string(joints) + " numbers for the " + model.robot().name +
          ", from the base (" + labels_of(model) +
-         "), and may have the tool's (A) behind them; it got " + std::to_string(numbers.size()));
+         "), and optionally the tool's (A) as the last; it got " + std::to_string(numbers.size()));
 }
 
 DirectQuestion from_variables(const Model& model, const Numbers& numbers) {
@@ -76,7 +76,7 @@ ToolTarget configuration_of(const Model& model, const Numbers& w) {
 
 ToolTarget pointing_of(const KinOptionValues& values) {
   if (values.approach.size() != 3 || vector_of(values.approach).norm() < kLeastVector)
-    refuse("--approach takes three numbers, not all 0: the way that the hand points");
+    refuse("--approach takes three numbers, not all 0: the direction of the hand");
   if (!values.roll) refuse("--approach needs --roll Q, the variable of the last joint");
   return pointing_target(vector_of(values.pose), vector_of(values.approach), *values.roll);
 }
@@ -85,17 +85,19 @@ ToolTarget pose_of(const Model& model, const KinOptionValues& values) {
   const bool is_turned = values.down || !values.approach.empty() || values.roll;
   if (values.pose.size() == 6) {
     if (is_turned)
-      refuse("--pose x,y,z,yaw,pitch,roll turns the tool already: no --down, --approach or --roll");
+      refuse(
+          "--pose x,y,z,yaw,pitch,roll already gives the orientation: omit --down, --approach and "
+          "--roll");
     return yaw_pitch_roll_target(vector_of(values.pose), vector_of(values.pose, 3));
   }
   if (values.pose.size() != 3) refuse("--pose takes x,y,z or x,y,z,yaw,pitch,roll");
   if (values.down && (values.roll || !values.approach.empty()))
-    refuse("--down turns the tool already: no --approach or --roll");
+    refuse("--down already gives the orientation: omit --approach and --roll");
   if (values.down) return down_target(vector_of(values.pose), *values.down);
   if (is_turned) return pointing_of(values);
   if (model.robot().joints.size() > kMostJointsForTip)
     refuse(
-        "--pose x,y,z does not say how the tool is turned: add --down NET_ROLL (straight down), or "
+        "--pose x,y,z does not give an orientation: add --down NET_ROLL (straight down), or "
         "--approach ax,ay,az --roll Q, or give x,y,z,yaw,pitch,roll");
   return tip_target(vector_of(values.pose));
 }

@@ -1,5 +1,5 @@
-// What is asked of `xr3 kin`, from the numbers of its options to a checked question for the direct or
-// the inverse kinematics. It solves nothing and reads no command line.
+// The question of an `xr3 kin` command: converts the numbers of its options to a checked question
+// for the direct or the inverse kinematics. It neither solves it nor reads the command line.
 #pragma once
 
 #include <optional>
@@ -11,11 +11,11 @@
 
 namespace xr3 {
 
-/// The options as they were given; a list that was not given is empty.
+/// The options as given; a list that was not given is empty.
 struct KinOptionValues {
-  std::vector<double> joints;  ///< variables from the base, degrees and mm; then the tool's
-  std::vector<double> counts;  ///< motor counts from the base; then the tool's
-  std::vector<double> pose;    ///< x, y, z in mm, then yaw, pitch, roll in degrees, or no more
+  std::vector<double> joints;  ///< variables from the base, degrees and mm; optionally the tool's
+  std::vector<double> counts;  ///< motor counts from the base; optionally the tool's
+  std::vector<double> pose;    ///< x, y, z in mm; optionally yaw, pitch, roll in degrees
   std::vector<double> configuration;  ///< w1...w6
   std::vector<double> approach;       ///< with x, y, z: a vector of any length
   std::optional<double> down;         ///< with x, y, z: net roll in degrees, the tool straight down
@@ -24,13 +24,13 @@ struct KinOptionValues {
   InverseOptions tolerance;
 };
 
-/// Where is the tool?
+/// Direct kinematics: where is the tool?
 struct DirectQuestion {
   JointVariables variables;
   double tool = 0;  ///< degrees or mm
 };
 
-/// Which joint variables bring it there?
+/// Inverse kinematics: which joint variables bring the tool to the target?
 struct InverseQuestion {
   ToolTarget target;
   InverseOptions options;
@@ -38,7 +38,8 @@ struct InverseQuestion {
 
 using KinQuestion = std::variant<DirectQuestion, InverseQuestion>;
 
-/// The options contradict each other or the robot; the message says what to give instead.
+/// The options contradict each other or do not suit the robot. The message says what to give
+/// instead.
 class KinQuestionError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;

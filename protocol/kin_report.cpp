@@ -17,9 +17,9 @@ using Rows = std::vector<std::vector<std::string>>;
 
 constexpr int kDecimals = 4;
 constexpr int kAngleDecimals = 3;
-constexpr double kLevel = 1e-9;  // cosine of the pitch below which yaw and roll are one
+constexpr double kLevel = 1e-9;  // below this cosine of the pitch, yaw and roll cannot be separated
 
-/// With trailing zeros, so that points stand below each other; never -0.
+/// With trailing zeros, so that decimal points line up; never -0.
 std::string fixed_number(double number, int decimals = kDecimals) {
   std::ostringstream out;
   const double half_digit = 0.5 * std::pow(10.0, -decimals);
@@ -51,8 +51,7 @@ std::string motors_table(const Model& model, const KinPose& pose) {
                     std::to_string(motor.position), fixed_number(motor.rounded, kAngleDecimals),
                     limits});
   }
-  return "\nMotors: each count is the nearest, with coupling taken out\n" +
-         text_table(rows, "lrlrrrl");
+  return "\nMotors: nearest counts, coupling removed\n" + text_table(rows, "lrlrrrl");
 }
 
 std::string links_text(const Model& model, const KinPose& pose) {
@@ -123,7 +122,7 @@ std::string variables_table(const Model& model, const InverseResult& result) {
          text_table(rows, "rl" + std::string(result.solutions[0].variables.size(), 'r'));
 }
 
-/// One row of counts a solution, under the joints' labels.
+/// The joints' labels, then one row of counts per solution.
 Rows counts_rows(const Model& model, const InverseResult& result,
                  Positions NearestCounts::*counts) {
   Rows rows = {{""}};
@@ -147,15 +146,15 @@ std::string counts_table(const Model& model, const InverseResult& result) {
                                            fixed_number(solution.rounded.deg, kAngleDecimals),
                                            verdict(model, solution)});
   }
-  return "\nMotor counts, coupling taken out, and how far off whole counts put the tool\n" +
+  return "\nMotor counts, coupling removed, and the tool's error at whole counts\n" +
          text_table(rows, numbers + "l");
 }
 
-/// Only where coupling makes them differ from the motors' counts.
+/// Empty without couplings: the positions are then the motors' counts.
 std::string positions_table(const Model& model, const InverseResult& result) {
   if (model.robot().couplings.empty()) return "";
   const Rows rows = counts_rows(model, result, &NearestCounts::positions);
-  return "\nPositions of the joints in counts, with what coupling adds\n" +
+  return "\nPositions of the joints in counts, coupling included\n" +
          text_table(rows, std::string(rows[0].size(), 'r'));
 }
 

@@ -18,7 +18,6 @@ Json vector_json(const Vector& vector) {
   return list;
 }
 
-/// A list of rows.
 template <class Matrix>
 Json matrix_json(const Matrix& matrix) {
   Json rows = Json::array();
@@ -61,7 +60,7 @@ Json tool_json(const KinPose& pose) {
           {"rounded_error", error_json(pose.rounded)}};
 }
 
-/// Label to count.
+/// An object that maps labels to counts.
 Json counts_json(const Model& model, const Positions& counts) {
   Json json = Json::object();
   for (int k = 0; k < model.joint_count(); ++k)

@@ -1,4 +1,4 @@
-// The pose that joint variables make, worked out once for text and JSON. It prints nothing.
+// The pose for given joint variables, computed once for both text and JSON.
 #pragma once
 
 #include <vector>
@@ -10,15 +10,15 @@ namespace xr3 {
 
 /// One motor with the joint (or tool) it drives.
 struct KinMotor {
-  double variable = 0;    ///< as asked, degrees or mm
-  Counts count = 0;       ///< nearest motor count, coupling taken out
-  Counts position = 0;    ///< the joint's position that follows
+  double variable = 0;    ///< as given in the question, degrees or mm
+  Counts count = 0;       ///< nearest motor count, coupling removed
+  Counts position = 0;    ///< the resulting position of the joint
   double rounded = 0;     ///< the variable at that position
-  Counts past_limit = 0;  ///< counts; 0 within
+  Counts past_limit = 0;  ///< distance past a limit in counts; 0 if within
 };
 
 struct KinPose {
-  std::vector<KinMotor> motors;  ///< the joints' from the base, then the tool's
+  std::vector<KinMotor> motors;  ///< of the joints from the base, then of the tool
   std::vector<Transform> links;  ///< T(k-1,k), k = 1...n
   std::vector<Transform> bases;  ///< T(0,k), k = 0...n
   ToolConfiguration w;

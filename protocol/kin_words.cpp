@@ -69,22 +69,22 @@ std::string refusal_sentence(const InverseResult& result) {
       return "out of reach: the wrist would be " + off_mm + " beyond the stretched arm";
     case InverseRefusal::kTooNear:
       return "out of reach: the wrist would be " + off_mm +
-             " too near, inside what the folded arm reaches";
+             " too near, inside the reach of the folded arm";
     case InverseRefusal::kTooNearAxis:
       return "out of reach: the tip would be " + off_mm +
              " too near to the base axis, which the arm passes at an offset";
     case InverseRefusal::kApproachOutOfPlane:
-      return "with five axes the approach must lie in the upright plane through the tip and the "
-             "base axis; it leans " +
-             off_deg + " out of it (--tolerance lets it)";
+      return "with five axes the approach must lie in the vertical plane through the tip and the "
+             "base axis; it is " +
+             off_deg + " out of it (--tolerance allows more)";
     case InverseRefusal::kApproachNotVertical:
-      return "with four axes the hand points one way only; the approach is " + off_deg +
-             " off it (--tolerance lets it)";
+      return "with four axes the hand points in one direction only; the approach is " + off_deg +
+             " off it (--tolerance allows more)";
     case InverseRefusal::kNotFound:
-      return "no solution found by numbers; the nearest pose found is " + off_mm + " and " +
-             off_deg + " off";
+      return "the numerical method found no solution; the nearest pose found is " + off_mm +
+             " and " + off_deg + " off";
     case InverseRefusal::kNeedsOrientation:
-      return "the tip alone leaves this robot too free: say how the tool is turned";
+      return "the tip alone does not determine the joints of this robot: give an orientation";
   }
   return "";
 }
@@ -103,19 +103,19 @@ std::string freedom_code(InverseFreedom freedom) {
 std::string freedom_sentence(InverseFreedom freedom) {
   switch (freedom) {
     case InverseFreedom::kBaseAndRoll:
-      return "singular: tip and hand lie on the base axis, where base and roll do the same; the "
-             "base is taken at its soft home";
+      return "singular: tip and hand lie on the base axis, where base and roll have the same "
+             "effect; the base is set to its soft home";
     case InverseFreedom::kFolded:
       return "singular: the arm is folded with the wrist on the shoulder and may swing about it; "
-             "the first link is taken at its soft home";
+             "the first link is set to its soft home";
     case InverseFreedom::kArmPlane:
-      return "singular: the hand is in line with wrist and shoulder, about which the arm's plane "
-             "may turn while the last roll turns back; the plane is taken upright";
+      return "singular: the hand is in line with wrist and shoulder; the arm's plane may turn "
+             "about this line while the last roll turns back; the plane is set vertical";
     case InverseFreedom::kShoulderAxes:
-      return "singular: the arm's plane is level, and base and shoulder pitch are in line and do "
-             "the same; the base is taken at its soft home";
+      return "singular: the arm's plane is horizontal, where base and shoulder pitch have the same "
+             "effect; the base is set to its soft home";
     case InverseFreedom::kMoreThanNeeded:
-      return "joints can move while the tool stands still: these are a few of infinitely many "
+      return "the joints can move while the tool stays in place: these are some of infinitely many "
              "solutions";
   }
   return "";

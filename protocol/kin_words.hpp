@@ -1,5 +1,5 @@
-// Words that the reports of `xr3 kin` share: names of joints, units, methods, and the sentences for
-// what cannot be and for what is left free.
+// Texts shared by the reports of `xr3 kin`: names of joints, units and methods, and sentences for
+// refusals and freedoms.
 #pragma once
 
 #include <string>
@@ -22,15 +22,16 @@ std::string method_code(InverseMethod method);
 /// `closed form of a five-axis arm`...
 std::string method_words(InverseMethod method);
 
-/// `too_far`...; empty for kNo.
+/// Such as `too_far`; empty for kNo.
 std::string refusal_code(InverseRefusal refusal);
-/// One sentence with how far the pose is off, for a result without solutions.
+/// For a result without solutions: a sentence with the reason and the error of the pose.
 std::string refusal_sentence(const InverseResult& result);
 
 std::string freedom_code(InverseFreedom freedom);
 std::string freedom_sentence(InverseFreedom freedom);
 
-/// `allowed`, or what forbids it, counts in brackets: `past limits: D 3.41 deg (30); in the...`
+/// `allowed`, or the violations, with counts in parentheses: `past limits: D 3.41 deg (30); in
+/// the...`
 std::string verdict(const Model& model, const InverseSolution& solution);
 
 }  // namespace xr3

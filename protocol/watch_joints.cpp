@@ -1,4 +1,4 @@
-// The table of joints: a row each, with a bar that shows where between its limits a joint stands.
+// The table of joints: one row each, with a bar that shows the position between the limits.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -12,19 +12,19 @@ namespace {
 constexpr int kLongestBar = 64;
 constexpr int kEighths = 8;
 constexpr char32_t kFullBlock = U'█';
-/// A block of n eighths from the left is kFullBlock + 8 - n; n = 1...7.
+/// The code point of the block with the left n eighths filled is kFullBlock + 8 - n; n = 1...7.
 constexpr char32_t eighths_block(int eighths) {
   return kFullBlock + static_cast<char32_t>(kEighths - eighths);
 }
 
-/// An axis and where it may go; without limits nothing is known of them.
+/// An axis with its limits, if they are known.
 struct Row {
   const Axis& axis;
   std::optional<Limits> limits;
 };
 
-/// A column of the table. Where room is short the one with the greatest `rank` is left out; rank 0
-/// never is.
+/// A column of the table. If room is short, the columns with the highest `rank` are dropped first;
+/// rank 0 is never dropped.
 struct Column {
   enum class Kind : std::uint8_t { kLeft, kRight, kBar };
   std::string name;
@@ -34,7 +34,7 @@ struct Column {
   std::function<std::string(const Row&)> text;
 };
 
-/// "mm" as wide as "deg", so that the points stand below each other.
+/// Pads "mm" to the width of "deg", so that decimal points line up.
 std::string value_text(const Axis& axis) {
   return fixed_number(axis.value, 2) + " " + axis.unit + (axis.unit.size() < 3 ? " " : "");
 }
@@ -63,14 +63,14 @@ std::vector<Column> all_columns() {
       {"", 5, Kind::kLeft, 2, [](const Row& row) { return state_text(row.axis); }}};
 }
 
-/// What the columns need, with a blank between two.
+/// Total width of the columns, with one blank between neighbours.
 int width_of(const std::vector<Column>& columns) {
   int width = -1;
   for (const Column& column : columns) width += column.width + 1;
   return width;
 }
 
-/// The columns that fit, and a bar as long as the rest allows.
+/// The columns that fit into `width`; the bar takes the remaining room.
 std::vector<Column> fitting_columns(int width) {
   std::vector<Column> columns = all_columns();
   const auto by_rank = [](const Column& a, const Column& b) { return a.rank < b.rank; };
@@ -91,7 +91,7 @@ TextStyle style_of(const Axis& axis) {
   return axis.is_moving ? TextStyle::kGood : TextStyle::kPlain;
 }
 
-/// How many eighths of a column are filled.
+/// Length of the filled part of the bar, in eighths of a column.
 int filled_eighths(double value, const Limits& limits, int columns) {
   const double span = limits.max - limits.min;
   const double part = span > 0 ? (value - limits.min) / span : 0;

@@ -1,5 +1,5 @@
-// What a terminal view shows, as plain values: everything that a monitor port has told so far about
-// one cell. It knows no JSON, no socket and no screen.
+// The data that `xr3 watch` shows, as plain values: everything received so far from the monitor
+// port about one cell. Independent of JSON, sockets and the screen.
 #pragma once
 
 #include <array>
@@ -12,23 +12,23 @@
 
 namespace xr3::watch {
 
-/// A joint's or the tool's variable may go from `min` to `max`, degrees or mm.
+/// Range of a joint's or the tool's variable, degrees or mm.
 struct Limits {
   double min = 0;
   double max = 0;
 };
 
-/// A joint or the tool, as the channel `state` tells it.
+/// A joint or the tool in the channel `state`.
 struct Axis {
   std::string label;
   std::int64_t count = 0;  ///< encoder counts from the soft home
   std::int64_t error = 0;  ///< counts to go
   double value = 0;
   std::string unit;        ///< "deg" or "mm"
-  std::int64_t speed = 0;  ///< counts a second
+  std::int64_t speed = 0;  ///< counts per second
   bool is_closed = false;  ///< its microswitch
   bool is_moving = false;
-  std::string blocked;  ///< "limit", "block"; empty: nothing is in the way
+  std::string blocked;  ///< "limit", "block"; empty: not blocked
 };
 
 struct Tool {
@@ -47,13 +47,13 @@ struct Block {
 
 /// The channel `state`.
 struct State {
-  std::vector<Axis> joints;  ///< from the base on
+  std::vector<Axis> joints;  ///< from the base
   Tool tool;
   std::vector<Block> blocks;
-  std::vector<bool> inputs;  ///< index i is line i+1, as in the next two
+  std::vector<bool> inputs;  ///< index i is line i+1; the same for outputs and aux
   std::vector<bool> outputs;
   std::vector<bool> aux;
-  std::string stalled;  ///< "protected_region", "work_surface"; empty: it is not
+  std::string stalled;  ///< "protected_region", "work_surface"; empty: not stalled
   bool is_enabled = true;
 };
 
@@ -61,7 +61,7 @@ struct State {
 struct Image {
   std::size_t width = 0;
   std::size_t height = 0;
-  std::vector<bool> pixels;  ///< width * height of them
+  std::vector<bool> pixels;  ///< width * height elements
 
   bool at(std::size_t x, std::size_t y) const { return pixels[y * width + x]; }
 };
@@ -71,34 +71,34 @@ struct ImageSize {
   std::size_t height = 0;
 };
 
-/// Something that happened, from the channel `event`.
+/// An event from the channel `event`.
 struct Note {
   std::int64_t epoch = 0;
   std::int64_t tick = 0;
   std::string kind;  ///< "warning", "stalled", "homed"...
   std::string message;
-  std::optional<std::int64_t> line;  ///< the serial line that it is about
+  std::optional<std::int64_t> line;  ///< the serial line concerned
   std::int64_t times = 1;
 };
 
 enum class ClockMode : std::uint8_t { kReal, kManual };
 
-/// All that is known. Before the greeting `cell` is empty, before a state there is none.
+/// Everything received. `cell` is empty before the `hello` message, `state` before the first state.
 struct Known {
   std::string server;  ///< name and version
   std::string cell;
   std::string robot;
-  bool has_control = false;  ///< calls are carried out for us
+  bool has_control = false;  ///< the server accepts our calls
   std::int64_t epoch = 0;
   std::int64_t tick = 0;
   std::int64_t tick_hz = 1000;
   ClockMode mode = ClockMode::kReal;
   double rate = 1;
-  std::map<std::string, Limits> limits;  ///< by label; empty until the model came
+  std::map<std::string, Limits> limits;  ///< by label; empty before the model arrives
   std::optional<State> state;
-  std::optional<Image> image;          ///< none: no camera, or nothing came yet
-  std::map<std::int64_t, Note> notes;  ///< the last ones, by their seq
-  std::string said;  ///< the last word of the server to us: a refusal, its farewell
+  std::optional<Image> image;          ///< none: no camera, or no image received yet
+  std::map<std::int64_t, Note> notes;  ///< the latest ones, by seq
+  std::string said;  ///< the server's last message for the user: an error or the text of `bye`
 };
 
 }  // namespace xr3::watch

@@ -14,7 +14,7 @@ constexpr int kMostStatesPerS = 20;
 constexpr int kMostImagesPerS = 10;
 constexpr int kStepTicks = 10;
 
-/// Kinds of events that the joint table shows anyway: they would push everything else out.
+/// Kinds of events that the joint table shows anyway; they would crowd out all others.
 const std::vector<std::string> kSeenElsewhere{"move", "reached", "switch", "io"};
 
 }  // namespace
@@ -24,7 +24,7 @@ std::string WatchModel::request(Json members) const {
   return members.dump() + "\n";
 }
 
-// One byte says JSON, and no more: where it meets a serial line, nothing has moved.
+// One byte is enough to select JSON. If the peer is a serial line instead, it moves nothing.
 std::string WatchModel::opening() const { return "{"; }
 
 std::vector<std::string> WatchModel::take(std::string_view line) {
@@ -49,7 +49,7 @@ bool WatchModel::is_of_our_cell(const Json& message) const {
   return value_of<std::string>(message, "cell", known_.cell) == known_.cell;
 }
 
-// What was known of an older connection's server is forgotten: it may be another one.
+// Discards data from an earlier connection: the server may be a different one.
 std::vector<std::string> WatchModel::take_hello(const Json& message) {
   known_ = {};
   read(message, "server", known_.server);
@@ -67,7 +67,7 @@ std::vector<std::string> WatchModel::take_hello(const Json& message) {
 
 std::vector<std::string> WatchModel::first_requests(const Json& channels) const {
   const bool is_once = wish_.interest == Interest::kOnce;
-  std::vector<std::string> requests{"\"op\":\"ping\"}\n"};  // goes on behind the opening
+  std::vector<std::string> requests{"\"op\":\"ping\"}\n"};  // continues opening()
   const auto look = [&](const char* op, const char* channel, const Json& options) {
     if (std::find(channels.begin(), channels.end(), channel) == channels.end()) return;
     Json members{{"op", op}, {"channel", channel}};
@@ -86,10 +86,10 @@ std::vector<std::string> WatchModel::first_requests(const Json& channels) const 
   look(op, "model", Json{{"fields", {"robot"}}});
   look(op, "state", state_options);
   look(op, "image", image_options);
-  // First the subscription, then what was before: an event that comes by both has one seq.
+  // Subscribe first, then get earlier events: an event that arrives both ways has the same seq.
   if (!is_once) look("sub", "event", Json::object());
   look("get", "event", Json::object());
-  // (Without the cell: it is answered even where there is no such cell.)
+  // Without the cell, so that it is answered even if there is no such cell.
   requests.push_back(Json{{"op", "ping"}, {"id", kLastId}}.dump() + "\n");
   return requests;
 }
@@ -120,7 +120,7 @@ void WatchModel::take_event(const Json& message) {
   read(message, "message", note.message);
   if (member(message, "line").is_number_integer())
     note.line = value_of<std::int64_t>(message, "line");
-  // (In other events `count` is a position.)
+  // In other events `count` is a position.
   if (note.kind == "warning") note.times = value_of<std::int64_t>(message, "count", 1);
   const auto& elsewhere = kSeenElsewhere;
   if (std::find(elsewhere.begin(), elsewhere.end(), note.kind) != elsewhere.end()) return;
@@ -131,7 +131,7 @@ void WatchModel::take_event(const Json& message) {
 void WatchModel::take_result(const Json& message) {
   if (value_of<bool>(message, "ok")) {
     const Json& value = member(message, "value");
-    // A step that changes nothing but time makes no state.
+    // A step that changes only the time does not publish a state.
     read(value, "epoch", known_.epoch);
     read(value, "tick", known_.tick);
     const auto access = value_of<std::string>(value, "access");
@@ -145,14 +145,14 @@ void WatchModel::take_result(const Json& message) {
 
 std::optional<std::string> WatchModel::ask(Action action) {
   if (!known_.has_control) {
-    known_.said = "keys that act need the token: see --token-file";
+    known_.said = "control keys need a token: see --token-file";
     return {};
   }
   known_.said.clear();
   const auto call = [this](const char* fn, const Json& args = Json::object()) {
     return request({{"op", "call"}, {"id", kKeyId}, {"fn", fn}, {"args", args}});
   };
-  // Only the answer is needed: the state comes by its channel.
+  // No fields: the state arrives by its channel.
   const auto step = [&](std::int64_t ticks) {
     return call("step", {{"ticks", ticks}, {"fields", Json::array()}});
   };

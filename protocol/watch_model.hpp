@@ -1,6 +1,6 @@
-// The client's side of the monitor port for somebody who looks on: which requests to send, and what
-// is known after each message. Messages in, values out; it knows no socket and no screen, and takes
-// nothing for granted about what a server sends: members that are missing keep their defaults.
+// The client side of the monitor protocol for `xr3 watch`: which requests to send, and the data
+// after each message. Messages in, values out; independent of sockets and the screen. It does not
+// trust the server: missing members keep their defaults.
 #pragma once
 
 #include <optional>
@@ -13,44 +13,45 @@
 
 namespace xr3::watch {
 
-/// Most notes that are kept.
+/// Maximum number of notes kept.
 inline constexpr std::size_t kMostNotes = 256;
 
-/// For how long somebody wants to look.
+/// Whether to fetch the data once or to subscribe to it.
 enum class Interest : std::uint8_t { kOnce, kOn };
 
-/// What is asked for: which cell, and with which token. Both may be empty.
+/// What the user asked for. `cell` and `token` may be empty.
 struct Wish {
   std::string cell;
   std::string token;
   Interest interest = Interest::kOn;
 };
 
-/// What a key asks of the cell.
+/// An action triggered by a key.
 enum class Action : std::uint8_t { kPauseOrResume, kStep, kStepSecond, kHome };
 
 class WatchModel {
  public:
   explicit WatchModel(Wish wish) : wish_(std::move(wish)) {}
 
-  /// What opens a connection: a program that sends first is greeted at once. It is the beginning of
-  /// a line that goes on with the first answer of `take`.
+  /// The first bytes to send: the server sends `hello` at once to a client that sends first. They
+  /// are the beginning of a line, which the first result of `take` continues.
   std::string opening() const;
 
-  /// The line that asks whether the server is still there, with its line feed.
+  /// A ping request, with its line feed.
   std::string ping() const { return "{\"op\":\"ping\"}\n"; }
 
-  /// Takes one message, any bytes; returns the lines to send now, each with its line feed.
+  /// Handles one message, which may be any bytes. Returns the lines to send, each with its line
+  /// feed.
   std::vector<std::string> take(std::string_view line);
 
-  /// The line that asks for this, with its line feed; nothing, and a word in `known().said`, where
-  /// calls are not ours.
+  /// The request for this action, with its line feed. Without permission for calls: nullopt, and a
+  /// message in `known().said`.
   std::optional<std::string> ask(Action action);
 
   const Known& known() const { return known_; }
-  /// Whoever wants to look once knows all that there is to know.
+  /// For Interest::kOnce: all data has been received.
   bool is_complete() const { return is_complete_; }
-  /// The server said that this is its last message.
+  /// The server has sent `bye`.
   bool has_parted() const { return has_parted_; }
 
  private:

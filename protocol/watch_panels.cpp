@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kBlockName = 10;  ///< columns for a block's name and a blank
 
-/// Eight lines as their numbers, or a dot where one is low.
+/// One character per line: its number if it is high, a dot if it is low.
 std::string lines_text(const std::vector<bool>& lines) {
   std::string text;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -18,14 +18,14 @@ std::string lines_text(const std::vector<bool>& lines) {
   return text;
 }
 
-/// Text in so many columns: cut, or with blanks behind it.
+/// Puts text into `columns` columns, cut if it is longer. Returns the column after them.
 int put_padded(TextScreen& screen, int row, int column, const std::string& text, int columns,
                TextStyle style) {
   screen.put(row, column, text, style, columns - 1);
   return column + columns;
 }
 
-/// A number in so many columns, flush right.
+/// A number right-aligned in `columns` columns.
 std::string right(double number, std::size_t columns) {
   const std::string text = fixed_number(number, 1);
   return text.size() < columns ? std::string(columns - text.size(), ' ') + text : " " + text;
@@ -42,7 +42,7 @@ void paint_block(TextScreen& screen, int row, const TextArea& area, const Block&
   screen.put(row, at, text, style, area.column + area.columns - at);
 }
 
-/// The last row says how many more there are, where not all fit.
+/// If not all blocks fit, the last row shows the number of the others.
 void paint_blocks(TextScreen& screen, const TextArea& area, const std::vector<Block>& blocks) {
   const auto rows = static_cast<std::size_t>(std::max(area.rows, 0));
   const std::size_t shown =

@@ -48,7 +48,7 @@ std::vector<Value> read_each(const Json& object, const char* name, Value (*read_
   return values;
 }
 
-/// The pixels of a row, or none if it is not `width` long.
+/// The pixels of a row; empty if it does not have `width` pixels.
 std::vector<bool> read_text_row(const Json& row, std::size_t width) {
   std::vector<bool> pixels;
   if (!row.is_string() || row.get_ref<const std::string&>().size() != width) return pixels;
@@ -56,7 +56,7 @@ std::vector<bool> read_text_row(const Json& row, std::size_t width) {
   return pixels;
 }
 
-/// The same of run lengths, which begin with zeros.
+/// The same for a row of run lengths, which starts with a run of zeros.
 std::vector<bool> read_run_row(const Json& row, std::size_t width) {
   std::vector<bool> pixels;
   bool is_set = false;

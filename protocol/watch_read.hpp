@@ -1,5 +1,6 @@
-// Messages of the monitor port as the values of watch_known, member by member. A member that is
-// missing or of another type leaves its value as it was: a server may be older or newer than we are.
+// Reads messages of the monitor port into the values of watch_known.hpp. A member that is missing
+// or has another type leaves its value unchanged: the server may be older or newer than this
+// client.
 #pragma once
 
 #include <array>
@@ -15,10 +16,10 @@
 
 namespace xr3::watch {
 
-/// Widest and highest image that is taken, in pixels.
+/// Maximum width and height of an accepted image, in pixels.
 inline constexpr std::size_t kMostPixels = 4096;
 
-/// The member, or null where there is none or this is no object.
+/// The member, or null if there is none or `object` is not an object.
 const Json& member(const Json& object, const char* name);
 
 void read(const Json& object, const char* name, std::string& into);
@@ -35,13 +36,13 @@ Value value_of(const Json& object, const char* name, Value otherwise = {}) {
   return otherwise;
 }
 
-/// The members of a `state` message.
+/// Reads a `state` message.
 State read_state(const Json& message);
-/// A clock as `state` and `hello` have it.
+/// Reads the member `clock` of `state` and `hello`.
 void read_clock(const Json& clock, Known& known);
-/// Label and limits of a joint or tool as in a robot file.
+/// Reads label and limits of a joint or the tool, in the form of a robot file.
 void read_limits(const Json& drive, std::map<std::string, Limits>& limits);
-/// An `image` message as pixels, of either encoding; nothing if it contradicts itself.
+/// Reads an `image` message of either encoding; nullopt if it is inconsistent.
 std::optional<Image> read_image(const Json& message);
 
 }  // namespace xr3::watch

@@ -9,31 +9,31 @@
 namespace xr3::watch {
 namespace {
 
-constexpr int kLeastNotes = 4;   ///< rows, its rule counted
+constexpr int kLeastNotes = 4;   ///< rows, including its rule
 constexpr int kLeastMiddle = 3;  ///< rows for blocks and lines: a rule, one block, the lines
 constexpr int kLeastImageColumns = 24;
-constexpr int kLeastImage = 4;     ///< rows, its rule counted
-constexpr int kWideColumns = 130;  ///< from here on the camera stands beside everything
+constexpr int kLeastImage = 4;     ///< rows, including its rule
+constexpr int kWideColumns = 130;  ///< minimum width for the camera beside all tables
 constexpr int kWideRows = 16;
-constexpr int kWideLeft = 84;    ///< columns that the tables then have at least
-constexpr int kTickWidth = 78;   ///< columns from which the title has epoch and tick, too
-constexpr int kLinesWidth = 47;  ///< columns that blocks and lines need beside a camera
+constexpr int kWideLeft = 84;    ///< minimum width of the tables in that layout
+constexpr int kTickWidth = 78;   ///< minimum width for epoch and tick in the title
+constexpr int kLinesWidth = 47;  ///< width of blocks and lines beside a camera
 
 constexpr std::array kHelp{
     "q  Esc  Ctrl-C   leave",
-    "space            let time stand, or go on",
-    ".                one step of ten ticks, while time stands",
-    ">                one second, while time stands",
-    "h                home, as A$ on a line: frees a stalled robot, too",
-    "?                this page, and back",
+    "space            pause or resume the clock",
+    ".                step ten ticks, while paused",
+    ">                step one second, while paused",
+    "h                home, like A$ on a line: also clears a stall",
+    "?                show or leave this page",
     "",
-    "A bar shows where between its limits a joint stands.",
-    "error: counts still to go; speed: counts a second; switch: its microswitch.",
+    "A bar shows the position of a joint between its limits.",
+    "error: counts to go; speed: counts per second; switch: its microswitch.",
     "Digital lines show their number while they are high.",
-    "Events leave out moves and switches: the table shows them.",
+    "Events omit moves and switches, which the table shows.",
 };
 
-/// A text that begins a row, and one that ends it where both fit.
+/// Puts one text at the start of a row and another at its end if both fit.
 void paint_ends(TextScreen& screen, int row, const std::string& left, const std::string& right,
                 TextStyle style) {
   for (int i = 0; i < screen.columns(); ++i) screen.put_letter(row, i, U' ', style);
@@ -45,7 +45,7 @@ void paint_ends(TextScreen& screen, int row, const std::string& left, const std:
 
 std::string clock_text(const Known& known, int columns) {
   const std::string mode =
-      known.mode == ClockMode::kManual ? "time stands" : "real x " + plain_number(known.rate, 6);
+      known.mode == ClockMode::kManual ? "manual clock" : "real x " + plain_number(known.rate, 6);
   const std::string time = "   " + seconds_text(known.tick, known.tick_hz);
   if (columns < kTickWidth) return mode + time;
   return mode + "   epoch " + std::to_string(known.epoch) + "   tick " +
@@ -71,7 +71,7 @@ std::string keys_text(const Known& known) {
   return keys;
 }
 
-/// The keys; in their place what the server said last.
+/// The keys, or instead of them the server's last message.
 void paint_footer(TextScreen& screen, const Known& known, Page page) {
   const std::string keys = page == Page::kPrint ? "" : keys_text(known);
   const bool has_word = !known.said.empty();
@@ -85,16 +85,16 @@ std::string stall_text(const std::string& stall) {
   return stall;
 }
 
-/// The one thing that must not be overlooked; empty: there is none.
+/// The most important notice; empty if there is none.
 std::string banner_text(const State& state, const Link& link) {
   if (link.phase != Link::Phase::kLive) {
     return (link.trouble.empty() ? "no connection" : link.trouble) +
-           "; below is what was known, trying again";
+           "; retrying, the last known state is below";
   }
   if (!state.stalled.empty()) {
-    return "STALLED: " + stall_text(state.stalled) + "; h (or A$, or reset) sets it free";
+    return "STALLED: " + stall_text(state.stalled) + "; h (or A$, or reset) clears it";
   }
-  return state.is_enabled ? "" : "disabled: only A@ is obeyed";
+  return state.is_enabled ? "" : "disabled: only A@ is executed";
 }
 
 void paint_lines(TextScreen& screen, const std::vector<std::string>& lines) {
@@ -111,28 +111,28 @@ void paint_waiting(TextScreen& screen, const Link& link) {
   if (link.phase == Link::Phase::kLive)
     return paint_lines(screen, {"waiting for the robot's state"});
   if (link.trouble.empty()) return paint_lines(screen, {"connecting to " + link.address});
-  paint_lines(screen, {link.trouble + ".", "", "Start one with: xr3 serve",
-                       "This goes on trying, every second."});
+  paint_lines(screen,
+              {link.trouble + ".", "", "Start one with: xr3 serve", "Retrying every second."});
 }
 
-/// Where the camera's image stands.
+/// Where the camera's image is placed.
 enum class ImagePlace : std::uint8_t { kBesideBlocks, kBesideAll };
 
 /// The rows of the parts between title and footer, from top to bottom.
 struct Heights {
   int joints = 0;
   int tool = 0;
-  int middle = 0;  ///< blocks and lines, and the camera where it is not beside everything
+  int middle = 0;  ///< blocks and lines, and the camera unless it is beside all tables
   int notes = 0;
 };
 
-/// Rows that the image has something for, its rule counted, in so many columns.
+/// Rows that the image can use in `columns` columns, including its rule.
 int useful_image_rows(const Image& image, int columns) {
   const auto room = static_cast<std::size_t>(std::max(columns, 1));
   return static_cast<int>(shrunk_size(image, room, image.height).height + 1) / 2 + 1;
 }
 
-/// `image_rows` are those that the image could use of the middle.
+/// `image_rows`: the rows of the middle that the image can use.
 Heights heights_for(const State& state, int rows, int image_rows) {
   Heights heights;
   const int table = static_cast<int>(state.joints.size()) + 2;
@@ -161,7 +161,8 @@ void paint_middle(TextScreen& screen, TextArea area, const Known& known, const S
   paint_blocks_and_lines(screen, area, state);
 }
 
-/// Joints, tool, blocks and lines, one below the other; the image too, unless it has its own place.
+/// Joints, tool, blocks and lines from top to bottom; the image, too, if its place is beside
+/// blocks.
 void paint_tables(TextScreen& screen, TextArea area, const Known& known, const State& state,
                   const Heights& heights, ImagePlace place) {
   paint_joints(screen, {area.row, area.column, heights.joints, area.columns}, known, state);
@@ -178,7 +179,7 @@ void paint_tables(TextScreen& screen, TextArea area, const Known& known, const S
   }
 }
 
-/// Everything but title, banner and footer, on a wide screen: the camera beside all tables.
+/// The wide layout, without title, banner and footer: the camera beside all tables.
 void paint_wide(TextScreen& screen, TextArea area, const Known& known, const State& state,
                 const Image& image) {
   const int most_columns = area.columns - kWideLeft - 2;

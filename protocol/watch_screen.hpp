@@ -1,6 +1,6 @@
-// The whole screen of `xr3 watch` as a function of what is known, of the connection and of its size.
-// From the most important part to the least: title, joints, tool, events, blocks and lines, camera.
-// It knows no terminal.
+// The complete screen of `xr3 watch` as a function of the data, the connection and the screen's
+// size. The parts in order of importance: title, joints, tool, events, blocks and lines, camera.
+// Independent of the terminal.
 #pragma once
 
 #include <string>
@@ -10,18 +10,19 @@
 
 namespace xr3::watch {
 
-/// How the connection stands.
+/// The state of the connection.
 struct Link {
   enum class Phase : std::uint8_t { kTrying, kLive };
   Phase phase = Phase::kTrying;
   std::string address;  ///< as the user gave it
-  std::string trouble;  ///< why it does not stand, in words; empty: nothing is known yet
+  std::string trouble;  ///< why there is no connection; empty: not known yet
 };
 
-/// What is shown: the cell, the keys, or the cell for somebody who has no keys.
+/// What is shown: the cell, the help page, or the cell without a line of keys (for printing).
 enum class Page : std::uint8_t { kCell, kHelp, kPrint };
 
-/// A screen of this size, any size. What is known stays on it, dimmed by a word, when the server went.
+/// Any size is allowed. After the connection is lost the last data stay on the screen, with a
+/// notice.
 TextScreen watch_screen(const Known& known, const Link& link, Page page, int rows, int columns);
 
 }  // namespace xr3::watch

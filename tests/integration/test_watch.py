@@ -60,7 +60,7 @@ class Watch(unittest.TestCase):
         with Server(clock="real") as xr3, xr3.monitor() as monitor, watch(xr3.monitor_port) as terminal:
             terminal.wait_text("space pause")
             terminal.press(" ")
-            terminal.wait_text("time stands")
+            terminal.wait_text("manual clock")
             before = monitor.get("clock")
             self.assertEqual("manual", before["clock"]["mode"])
             line = xr3.line()
@@ -74,7 +74,7 @@ class Watch(unittest.TestCase):
             terminal.press("h")
             terminal.wait_text("home")
             terminal.press("?")
-            terminal.wait_text("this page, and back")
+            terminal.wait_text("show or leave this page")
             terminal.press("?")
             terminal.wait_text("deg")
             terminal.press(" ")

@@ -161,9 +161,9 @@ TEST(KinQuestion, WhatMakesNoQuestionIsRefusedWithASentence) {
       {counts({0, 1e9, 0, 0, 0}), "--counts: each number is"},
       {pose({std::numeric_limits<double>::quiet_NaN(), 0, 0}), "--pose: each number is"},
       {pose({1, 2}), "--pose takes x,y,z or x,y,z,yaw,pitch,roll"},
-      {pose({1, 2, 3}), "does not say how the tool is turned: add --down"},
-      {down({1, 2, 3, 0, 0, 180}, 0), "turns the tool already"},
-      {with_roll(down({1, 2, 3}, 0)), "--down turns the tool already"},
+      {pose({1, 2, 3}), "does not give an orientation: add --down"},
+      {down({1, 2, 3, 0, 0, 180}, 0), "already gives the orientation"},
+      {with_roll(down({1, 2, 3}, 0)), "--down already gives the orientation"},
       {with_approach(pose({1, 2, 3}), {0, 0, 1}), "--approach needs --roll"},
       {with_roll(with_approach(pose({1, 2, 3}), {0, 0, 0})), "not all 0"},
       {with_roll(with_approach(pose({1, 2, 3}), {0, 1})), "--approach takes three numbers"},
@@ -265,7 +265,7 @@ TEST(KinReport, RefusalsSayHowFarOff) {
   EXPECT_THAT(told(*test::rhino(), down({500, 0, 92.1}, 0)),
               HasSubstr("No solution: out of reach: the wrist would be 33.3 mm beyond"));
   EXPECT_THAT(told(*test::rhino(), pose({300, 0, 200, 0, 0, 170})),
-              HasSubstr("it leans 10 degrees out of it"));
+              HasSubstr("it is 10 degrees out of it"));
   EXPECT_THAT(told(*adept(), pose({560, 0, 520, 0, 5, 180})),
               HasSubstr("the approach is 5 degrees off it"));
 }

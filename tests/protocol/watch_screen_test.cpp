@@ -139,7 +139,7 @@ TEST(WatchScreen, SaysThatItIsStalledOrDisabled) {
 
 TEST(WatchScreen, WhenTheServerWentTheLastStateStaysAndItIsSaid) {
   const std::string screen = text(test::watched_model().known(), 24, 80, gone());
-  EXPECT_THAT(screen, HasSubstr("the server is stopping; below is what was known"));
+  EXPECT_THAT(screen, HasSubstr("the server is stopping; retrying, the last known state is below"));
   EXPECT_THAT(screen, HasSubstr("-50.00 deg"));
 }
 
@@ -151,7 +151,7 @@ TEST(WatchScreen, KeysThatAreOfNoUseAreNotOffered) {
   EXPECT_THAT(text(model.known(), 24, 80), Not(HasSubstr("h home")));
   const Known standing = with_state("\"real\"", "\"manual\"");
   EXPECT_THAT(text(standing, 24, 80), HasSubstr("space resume   . step   h home"));
-  EXPECT_THAT(text(standing, 24, 80), HasSubstr("time stands"));
+  EXPECT_THAT(text(standing, 24, 80), HasSubstr("manual clock"));
 }
 
 TEST(WatchScreen, ManyBlocksAreCounted) {
