@@ -1,4 +1,4 @@
-// The robot in its workcell as a picture: what `xr3 draw` writes and the monitor port shows.
+// The robot in its workcell as a picture, for `xr3 draw` and the monitor port.
 #pragma once
 
 #include "core/model.hpp"
@@ -9,8 +9,9 @@ namespace xr3 {
 
 inline constexpr int kUsualPictureWidthPx = 900;
 
-/// The wire frame as it is now, with the work surface, seen along the vector; with room for all that
-/// sticks out of the paper's view plane. width_px: kLeastPictureWidthPx...kMostPictureWidthPx.
+/// The current wire frame with the work surface, seen along the vector. The picture is large enough
+/// for the parts outside the paper's view plane. width_px:
+/// kLeastPictureWidthPx...kMostPictureWidthPx.
 Picture drawing(const Model& model, const State& state, const ViewVector& view, int width_px);
 
 }  // namespace xr3

@@ -1,4 +1,4 @@
-// A binary image as a portable bitmap (PBM, plain form): text that a shell script can read.
+// A binary image as a portable bitmap (PBM, plain format), which a shell script can read.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace xr3 {
 
-/// `P1`, width and height, then each row from the top as a line of 0 and 1.
+/// `P1`, width and height, then one line of 0 and 1 per row, from the top.
 std::string to_pbm(const Image& image);
 
 }  // namespace xr3

@@ -6,8 +6,8 @@
 namespace xr3 {
 namespace {
 
-constexpr double kMostHeights = 2;  ///< of the width
-constexpr double kLeastSpanMm = 1;  ///< a picture of nothing still has a scale
+constexpr double kMostHeights = 2;  ///< maximum height, in widths
+constexpr double kLeastSpanMm = 1;  ///< keeps the scale finite for an empty picture
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// A wire frame laid out on a sheet of pixels: what an SVG text or a raster shows, before it is either.
+// A wire frame in pixel coordinates, from which an SVG or a raster image is made.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@ inline constexpr int kPictureMarginPx = 20;
 inline constexpr int kLeastPictureWidthPx = 100;
 inline constexpr int kMostPictureWidthPx = 4000;
 
-/// A sheet; x runs to the right and y down from its left upper corner, in pixels.
+/// The origin is the upper left corner; x to the right, y down, in pixels.
 struct Picture {
   int width_px = 0;
   int height_px = 0;
@@ -24,14 +24,15 @@ struct Picture {
   std::vector<FlatWire> wires;
 };
 
-/// The least rectangle around these extents and every point of the wires.
+/// The smallest rectangle that contains these extents and every point of the wires.
 Extents around(Extents extents, const std::vector<FlatWire>& wires);
 
-/// Fits the extents into a sheet of this width, kLeast... to kMost..., with one scale for both axes. Its
-/// height follows, up to twice the width; what is higher still is drawn smaller, in the middle.
+/// Fits the extents into a picture of this width, kLeastPictureWidthPx...kMostPictureWidthPx, with
+/// the same scale for both axes. The height follows, up to twice the width; higher extents are
+/// scaled down and centred.
 Picture lay_out(const std::vector<FlatWire>& wires, const Extents& extents, int width_px);
 
-/// How thick a part is drawn.
+/// Line width of a part.
 double line_width_px(const std::string& part);
 
 }  // namespace xr3

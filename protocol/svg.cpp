@@ -6,7 +6,8 @@
 namespace xr3 {
 namespace {
 
-/// Text between tags or in quotes. XML has no control characters, not even escaped ones.
+/// Escapes text for use between tags or in quotes. XML does not allow control characters, not even
+/// escaped: they become blanks.
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -21,7 +22,7 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-/// To a hundredth, without zeros at the end.
+/// Rounded to hundredths, without trailing zeros.
 std::string number(double value) {
   const auto hundredths = static_cast<long long>(std::llround(std::abs(value) * 100));
   std::string text = value < 0 && hundredths != 0 ? "-" : "";

@@ -1,4 +1,4 @@
-// A picture as SVG text: one path for each stretch of lines of one part.
+// A picture as SVG text: one path for each run of wires of one part.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace xr3 {
 
-/// A whole document. Each path names its part in `data-part`.
+/// A complete document. Each path has its part's name in `data-part`.
 std::string to_svg(const Picture& picture);
 
 }  // namespace xr3

@@ -13,8 +13,8 @@ struct LetterRange {
   char32_t first;
   char32_t last;
 };
-/// Latin, Greek, Cyrillic, dashes and quotation marks, arrows, box drawing and blocks. Left out are
-/// combining marks, whatever has two columns in some terminals, and marks of direction.
+/// Latin, Greek, Cyrillic, dashes and quotation marks, arrows, box drawing and blocks. Excluded are
+/// combining marks, characters with two columns in some terminals, and directional marks.
 constexpr std::array<LetterRange, 9> kOneColumn{{{0x20, 0x7E},
                                                  {0xA0, 0xAC},
                                                  {0xAE, 0x2FF},
@@ -31,7 +31,7 @@ bool is_one_column(char32_t letter) {
   });
 }
 
-/// How many bytes a letter with this first byte has; 0: none begins so.
+/// Number of bytes of a UTF-8 sequence with this first byte; 0 if it is invalid.
 std::size_t length_of(unsigned char first) {
   if (first < 0x80) return 1;
   if (first >= 0xC2 && first < 0xE0) return 2;
@@ -40,7 +40,7 @@ std::size_t length_of(unsigned char first) {
   return 0;
 }
 
-/// Takes the first letter off the text.
+/// Removes the first letter from the text and returns it; '?' for invalid UTF-8.
 char32_t take_letter(std::string_view& text) {
   const auto first = static_cast<unsigned char>(text.front());
   const std::size_t length = length_of(first);
@@ -117,7 +117,7 @@ char32_t in_letters(char32_t letter, Letters letters) {
 
 std::string text_of(const TextScreen& screen, Letters letters) {
   std::string text;
-  std::size_t end = 0;  // behind the last row that is not blank
+  std::size_t end = 0;  // after the last row that is not blank
   for (int row = 0; row < screen.rows(); ++row) {
     for (int column = 0; column < screen.columns(); ++column) {
       append_utf8(in_letters(screen.at(row, column).letter, letters), text);

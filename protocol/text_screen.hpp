@@ -1,6 +1,6 @@
-// A screen of text: cells in rows and columns, each one letter in one style. What is put there is cut
-// at its edges and cleaned of all that is not surely one column wide, so that no text from elsewhere
-// can move a terminal's cursor. It knows no terminal.
+// A screen of text: cells in rows and columns, each with one letter and a style. Text is cut at the
+// edges, and every character that may not be exactly one column wide is replaced, so that no
+// foreign text can move the terminal's cursor. Independent of the terminal.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,17 @@
 
 namespace xr3 {
 
-/// What a letter means; a terminal decides how that looks.
+/// The meaning of a letter; the terminal decides how it looks.
 enum class TextStyle : std::uint8_t {
   kPlain,
   kFaint,
   kStrong,
   kTitle,  ///< rows at the upper and lower edge
-  kRule,   ///< lines between parts, and what they are called
+  kRule,   ///< lines between parts, with the parts' names
   kGood,
   kWarning,
   kBad,
-  kPicture,  ///< a camera's pixels, set ones in front
+  kPicture,  ///< a camera's pixels; set pixels in the foreground colour
 };
 
 struct TextCell {
@@ -29,7 +29,7 @@ struct TextCell {
   bool operator==(const TextCell&) const = default;
 };
 
-/// Rows and columns, counted from 0 at the left upper corner.
+/// Rows and columns count from 0 at the upper left corner.
 struct TextArea {
   int row = 0;
   int column = 0;
@@ -42,7 +42,7 @@ enum class Letters : std::uint8_t { kUnicode, kAscii };
 
 class TextScreen {
  public:
-  /// Blank. At least one row and column are there, whatever was asked for.
+  /// A blank screen with at least one row and one column.
   TextScreen(int rows, int columns);
 
   int rows() const { return rows_; }
@@ -50,10 +50,10 @@ class TextScreen {
   TextArea area() const { return {0, 0, rows_, columns_}; }
   const TextCell& at(int row, int column) const { return cells_[index(row, column)]; }
 
-  /// Puts UTF-8 from there to the right, no further than `most` columns; text that is cut ends in
-  /// an ellipsis. Returns the column behind it. What lies outside is left out.
+  /// Puts UTF-8 text into at most `most` columns; cut text ends with an ellipsis. Letters outside
+  /// the screen are dropped. Returns the column after the text.
   int put(int row, int column, std::string_view text, TextStyle style, int most);
-  /// One letter, as it is.
+  /// Puts one letter, which must be one column wide. Ignored outside the screen.
   void put_letter(int row, int column, char32_t letter, TextStyle style);
 
  private:
@@ -67,13 +67,14 @@ class TextScreen {
   std::vector<TextCell> cells_;
 };
 
-/// The letters of UTF-8, each one column wide: others, and bytes that are no UTF-8, become '?'.
+/// The letters of a UTF-8 text. Letters that are not one column wide and invalid bytes become '?'.
 std::u32string one_column_letters(std::string_view text);
 
-/// The same letter, or the ASCII one that looks most like it.
+/// The same letter, or for kAscii the most similar ASCII letter.
 char32_t in_letters(char32_t letter, Letters letters);
 
-/// The rows without blanks at their ends, each with a line feed, in UTF-8; no blank rows at the end.
+/// The rows in UTF-8, each with a line feed, without trailing blanks and without trailing blank
+/// rows.
 std::string text_of(const TextScreen& screen, Letters letters);
 
 }  // namespace xr3

@@ -7,7 +7,7 @@
 namespace xr3 {
 namespace {
 
-/// Letters, not bytes: bytes that go on with a UTF-8 sequence do not count.
+/// The number of letters: UTF-8 continuation bytes do not count.
 std::size_t width_of(const std::string& cell) {
   return static_cast<std::size_t>(
       std::count_if(cell.begin(), cell.end(), [](char c) { return (c & 0xC0) != 0x80; }));

@@ -13,10 +13,10 @@ namespace {
 constexpr int kMostColumns = 70;
 constexpr int kMostRows = 20;
 constexpr int kLegendColumns = 78;
-constexpr double kTouchMm = 1e-6;  ///< a middle on the edge of a block is in it
+constexpr double kTouchMm = 1e-6;  ///< tolerance: a centre on the edge of a block is inside
 constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQSTUVWXYZ";
 
-/// The next greater of a few round numbers.
+/// The smallest of a few round numbers that is at least `number`.
 double round_up(double number) {
   const double power = std::pow(10.0, std::floor(std::log10(number)));
   for (const double digits : {1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0}) {
@@ -25,7 +25,7 @@ double round_up(double number) {
   return 10 * power;
 }
 
-/// The picture: a character is `mm_` wide and twice as high, as on most terminals.
+/// The picture. A character is `mm_` wide and twice as high, as on most terminals.
 class Picture {
  public:
   explicit Picture(const Workspace& space)
@@ -98,7 +98,7 @@ void draw_camera(Picture& picture, const Camera& camera) {
   }
 }
 
-/// Every character whose middle lies in the block, and that of the block's middle.
+/// Every character whose centre lies in the block, and the one at the block's centre.
 void draw_block(Picture& picture, const Block& block, char letter) {
   const double x = mm(block.centroid_um.x);
   const double y = mm(block.centroid_um.y);
@@ -122,7 +122,7 @@ void draw_block(Picture& picture, const Block& block, char letter) {
   picture.put(picture.row_of(x), picture.column_of(y), letter);
 }
 
-/// From the lowest top to the highest: of blocks on each other the upper one is seen.
+/// In order of their tops, so that the upper of stacked blocks is visible.
 void draw_blocks(Picture& picture, const std::vector<Block>& blocks) {
   std::vector<std::size_t> order(blocks.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -132,7 +132,7 @@ void draw_blocks(Picture& picture, const std::vector<Block>& blocks) {
   for (const std::size_t i : order) draw_block(picture, blocks[i], block_letter(i));
 }
 
-/// `a red, b green`, over several lines; later blocks have no letter of their own.
+/// `a red, b green`, over several lines. Blocks without a letter are only counted.
 std::string block_legend(const std::vector<Block>& blocks) {
   std::string text;
   std::string line;

@@ -1,5 +1,5 @@
-// The workspace from above in characters, for a terminal: the robot's base at the bottom, x going up
-// and y to the left, as one who stands behind the robot sees it.
+// The workspace from above in characters, for a terminal: the robot's base at the bottom, x upwards
+// and y to the left, the view from behind the robot.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +10,14 @@
 
 namespace xr3 {
 
-/// Whether the robot reaches a place of the work surface; x and y in mm. May be empty: not known.
+/// Whether the robot reaches a point of the work surface; x and y in mm. Empty if not known.
 using ReachAbove = std::function<bool(double x_mm, double y_mm)>;
 
-/// Lines ended by line feeds, at most 80 columns wide, the picture at most 24 lines high; below it a
-/// legend with the blocks' letters. Places that the robot reaches are dotted, the edge of the camera's
-/// field is drawn with colons.
+/// Lines that end with line feeds: a picture of at most 80 columns and 24 lines, and a legend with
+/// the blocks' letters. Reachable points are dots; colons are the edge of the camera's field.
 std::string top_view(const Workcell& workcell, const ReachAbove& reaches);
 
-/// a...z, then A...Z, `#` for all later blocks; R, the robot, is left out.
+/// a...z, then A...Z without R (the robot), then `#` for all later blocks.
 char block_letter(std::size_t index);
 
 }  // namespace xr3

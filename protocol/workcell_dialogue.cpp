@@ -1,5 +1,5 @@
-// The engine and the menu. Questions about blocks are in workcell_dialogue_blocks.cpp, all others in
-// workcell_dialogue_room.cpp.
+// The engine and the menu. Questions about blocks are in workcell_dialogue_blocks.cpp, all others
+// in workcell_dialogue_room.cpp.
 #include "protocol/workcell_dialogue.hpp"
 
 #include <algorithm>
@@ -13,19 +13,17 @@ namespace xr3 {
 namespace {
 
 constexpr std::size_t kLongestLine = 4096;
-constexpr double kHandHeightMm = 20;  ///< over the work surface, for the reach shown in the view
+constexpr double kHandHeightMm = 20;  ///< above the work surface, for the reach shown in the view
 
 constexpr const char* kMenuHelp =
-    "  list          everything in words       view         the workspace from above\n"
-    "  add           a new block               change NAME  all of a block\n"
-    "  move NAME     where it stands           turn NAME    its orientation\n"
-    "  remove NAME   take it away              check        whatever is odd\n"
-    "  name  workspace  surface  camera        the other items\n"
+    "  list          show all items            view         the workspace from above\n"
+    "  add           add a block               change NAME  edit all items of a block\n"
+    "  move NAME     edit its position         turn NAME    edit its orientation\n"
+    "  remove NAME   remove it                 check        report problems\n"
+    "  name  workspace  surface  camera        edit the other items\n"
     "  save          write the file            quit         leave\n"
-    "The beginning of a command will do. A block is called by its name, or by its letter in the "
-    "view.\n"
-    "While items are asked: Enter takes what stands in brackets, ? explains, . goes back to "
-    "here.\n";
+    "Commands may be abbreviated. NAME is a block's name, or its letter in the view.\n"
+    "While items are asked: Enter accepts the default in brackets, ? explains, . returns here.\n";
 
 }  // namespace
 
@@ -45,7 +43,7 @@ WorkcellDialogue::WorkcellDialogue(DialogueStart start)
 DialogueTurn WorkcellDialogue::begin() {
   say("Workcell for " + file_ + ", checked against " + arm_.robot.name + ". Lengths are in mm.\n");
   if (is_new_) {
-    say("Enter takes what stands in brackets, ? explains, . leaves the rest as it is.\n");
+    say("Enter accepts the default in brackets, ? explains, . leaves the rest as it is.\n");
     ask_all();
   } else {
     say("From " + from_ + ": \"" + workcell_.name + "\", " +
@@ -70,16 +68,16 @@ void WorkcellDialogue::answer(std::string_view line) {
     then_ = nullptr;
     is_making_ = false;
     is_leaving_ = false;
-    say("Back to the menu; what was not finished is left as it was. ? shows the commands.\n");
+    say("Back to the menu; unfinished changes are discarded. ? shows the commands.\n");
     return next();
   }
-  const Question asked = question_;  // its answer may bring up another
+  const Question asked = question_;  // a copy: the answer may replace question_
   const std::string problem = asked.take(line.empty() ? asked.fallback : std::string(line));
   if (!problem.empty()) return say("  " + problem + "\n");
   next();
 }
 
-/// Goes on to the next question: of those to be asked, or the menu.
+/// Proceeds to the next question, or to the menu if there is none.
 void WorkcellDialogue::next() {
   while (steps_.empty() && then_ != nullptr) (this->*std::exchange(then_, nullptr))();
   if (is_over_ || file_text_) return;
@@ -141,7 +139,7 @@ std::string WorkcellDialogue::run_command(const std::string& line) {
   std::vector<std::string> names;
   for (const Command& command : commands()) names.push_back(command.name);
   const std::vector<std::string> like = dialogue::words_like(line.substr(0, end), names);
-  if (like.empty()) return "There is no such command; ? shows those that there are.";
+  if (like.empty()) return "Unknown command; ? shows the commands.";
   if (like.size() > 1) return "Which one: " + like[0] + " or " + like[1] + "?";
   const auto command = std::find_if(commands().begin(), commands().end(),
                                     [&](const Command& c) { return c.name == like[0]; });
@@ -155,7 +153,7 @@ std::string WorkcellDialogue::run_command(const std::string& line) {
   return "";
 }
 
-/// By name, else by the letter in the view.
+/// Finds a block by its name or else by its letter in the view.
 std::optional<std::size_t> WorkcellDialogue::block_named(const std::string& name) const {
   const std::vector<Block>& blocks = workcell_.blocks;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -168,7 +166,7 @@ std::optional<std::size_t> WorkcellDialogue::block_named(const std::string& name
   return std::nullopt;
 }
 
-/// Names come from files: a terminal gets no control characters from them.
+/// Replaces control characters: names come from files and must not control the terminal.
 void WorkcellDialogue::say(const std::string& text) {
   for (const char c : text) text_ += (c >= 0 && c < ' ' && c != '\n') || c == '\x7F' ? '?' : c;
 }
@@ -177,7 +175,7 @@ void WorkcellDialogue::help() { say(kMenuHelp); }
 
 void WorkcellDialogue::list() { say(workcell_summary(workcell_)); }
 
-/// Looking is for the hand just over the work surface.
+/// Reach of the hand just above the work surface.
 ReachAbove WorkcellDialogue::reach_above() {
   if (!arm_.reach.is_quick()) return {};
   const double z = mm(workcell_.work_surface_um) + kHandHeightMm;
@@ -188,7 +186,7 @@ void WorkcellDialogue::view() { say(top_view(workcell_, reach_above())); }
 
 void WorkcellDialogue::check() {
   const std::string notes = dialogue::notes(workcell_, dialogue::check(workcell_, arm_));
-  say(notes.empty() ? "Nothing is odd: every block can be grasped where it stands.\n" : notes);
+  say(notes.empty() ? "No problems: every block can be grasped where it is.\n" : notes);
 }
 
 // Writing and leaving.
@@ -198,7 +196,7 @@ void WorkcellDialogue::save() {
   const WorkcellReading reading = read_workcell(text, file_, &arm_.robot);
   if (reading.workcell == workcell_) return write(has_written_);
   is_leaving_ = false;
-  say("Not written, for it would not load:\n" + to_text(reading.findings));
+  say("Not written because it would not load:\n" + to_text(reading.findings));
 }
 
 void WorkcellDialogue::write(bool may_replace) {
@@ -212,8 +210,8 @@ DialogueTurn WorkcellDialogue::written(WriteOutcome outcome, const std::string& 
   if (outcome == WriteOutcome::kIsThere) {
     is_yes_ = false;
     ask({[this] {
-          return dialogue::yes_no_question(file_ + " is there already. Replace it?", is_yes_,
-                                           "yes: what it holds is lost. no: it stays as it is.");
+          return dialogue::yes_no_question(file_ + " already exists. Replace it?", is_yes_,
+                                           "yes: its contents are lost. no: it stays unchanged.");
         }},
         &WorkcellDialogue::take_replacement);
   } else if (outcome == WriteOutcome::kWritten) {
@@ -232,19 +230,19 @@ DialogueTurn WorkcellDialogue::written(WriteOutcome outcome, const std::string& 
 void WorkcellDialogue::take_replacement() {
   if (is_yes_) return write(true);
   is_leaving_ = false;
-  say("Not written. Another file name: leave, and start again with --from.\n");
+  say("Not written. To use another file name, quit and start again with --from.\n");
 }
 
 void WorkcellDialogue::quit() {
   if (!has_unsaved()) {
     is_over_ = true;
-    return say("Left; " + file_ + " is as it was saved.\n");
+    return say("Left; all changes to " + file_ + " are saved.\n");
   }
   is_yes_ = true;
   ask({[this] {
         return dialogue::yes_no_question(
             "Save before leaving?", is_yes_,
-            "yes: write " + file_ + ". no: leave, and lose the changes. .: stay here.");
+            "yes: write " + file_ + ". no: leave and lose the changes. .: stay here.");
       }},
       &WorkcellDialogue::take_leaving);
 }
@@ -263,7 +261,7 @@ DialogueTurn WorkcellDialogue::leave(std::string_view why) {
   is_over_ = true;
   file_text_.reset();
   say(std::string(why) + ": left without writing " + file_ +
-      (has_written_ ? " again; it is as it was saved last.\n" : ".\n"));
+      (has_written_ ? " again; it has what was saved last.\n" : ".\n"));
   return turn();
 }
 

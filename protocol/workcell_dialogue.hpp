@@ -1,7 +1,7 @@
-// The workcell editor as a dialogue without a terminal: it takes a line and gives the text to show
-// next, the successor of the paper's WORKCELL program (Section III-B). It asks for each item with a
-// default and a range and says what is odd as it goes. It writes nothing: it asks its caller to, and
-// only for a text that loads.
+// The workcell editor, `xr3 workcell`, as a dialogue without I/O: it takes a line and returns the
+// text to show next. It is the successor of the paper's WORKCELL program (Section III-B). It asks
+// for each item with a default and a range, and reports problems on the way. It asks its caller to
+// write the file, and only with a text that loads.
 #pragma once
 
 #include <cstdint>
@@ -20,17 +20,17 @@
 namespace xr3 {
 
 struct DialogueStart {
-  std::string file;                  ///< to be written; for messages only
-  std::optional<Workcell> workcell;  ///< to be changed; a new one is asked for item by item
-  std::string from;                  ///< the file that `workcell` comes from
-  Robot robot;                       ///< checked against
+  std::string file;                  ///< the file to write; used in messages only
+  std::optional<Workcell> workcell;  ///< to edit; nullopt: make a new one, item by item
+  std::string from;                  ///< the file that `workcell` was read from
+  Robot robot;                       ///< the robot to check against
 };
 
-/// What is to be shown and done after a line.
+/// What the caller must show and do after a line.
 struct DialogueTurn {
-  std::string text;                      ///< ends with a prompt, unless something is to be done
-  std::optional<std::string> file_text;  ///< to be written now; written() says how it went
-  bool may_replace = false;              ///< whether a file that is there may be replaced by it
+  std::string text;                      ///< ends with a prompt, unless file_text or is_over is set
+  std::optional<std::string> file_text;  ///< write this now, then call written()
+  bool may_replace = false;              ///< whether an existing file may be replaced
   bool is_over = false;
 };
 
@@ -42,16 +42,17 @@ class WorkcellDialogue {
   WorkcellDialogue(const WorkcellDialogue&) = delete;
   WorkcellDialogue& operator=(const WorkcellDialogue&) = delete;
 
-  /// The greeting and the first prompt.
+  /// Returns the greeting and the first prompt.
   DialogueTurn begin();
-  /// Takes a line without its end.
+  /// Handles a line without its line end.
   DialogueTurn take(std::string_view line);
-  /// After a turn with `file_text`; `why` is for kFailed.
+  /// To be called after a turn with `file_text`. `why` is used for kFailed only.
   DialogueTurn written(WriteOutcome outcome, const std::string& why = "");
-  /// The input has ended, or was broken off: what to say on leaving. Nothing is written.
+  /// To be called if the input has ended or was interrupted. Returns the closing text; nothing is
+  /// written.
   DialogueTurn leave(std::string_view why);
 
-  /// Whether anything would be lost by leaving now.
+  /// Whether there are unsaved changes.
   bool has_unsaved() const { return saved_ != workcell_; }
 
  private:
@@ -99,7 +100,7 @@ class WorkcellDialogue {
   void offer_block();
   void take_offer();
 
-  // Room: everything but blocks; the answers go to draft_ first.
+  // Everything except blocks; the answers go to draft_ first.
   void ask_room(std::deque<Step> steps, Action judge);
   void keep_room();
   static Step length_step(const std::string& prompt, dialogue::Lengths sensible,
@@ -136,7 +137,7 @@ class WorkcellDialogue {
   bool is_new_;
   dialogue::Arm arm_;
   Workcell workcell_;
-  std::optional<Workcell> saved_;  ///< what the file holds, as far as is known
+  std::optional<Workcell> saved_;  ///< the file's contents, if known
 
   Question question_;
   std::deque<Step> steps_;
@@ -145,16 +146,16 @@ class WorkcellDialogue {
 
   Workcell draft_;
   std::deque<Step> room_steps_;
-  Action room_judge_ = nullptr;  ///< what looks at the answers
-  Action room_then_ = nullptr;   ///< what comes when they are kept
+  Action room_judge_ = nullptr;  ///< checks the answers
+  Action room_then_ = nullptr;   ///< runs after the answers are accepted
   bool wants_camera_ = true;
   std::size_t projection_ = 0;
 
   Block block_;
-  std::size_t block_index_ = 0;  ///< the number of blocks for one that is added
+  std::size_t block_index_ = 0;  ///< for a block to be added: the number of blocks
   std::vector<std::deque<Step>> block_parts_;
   bool is_yes_ = false;
-  bool is_making_ = false;  ///< a new workcell is still asked for item by item
+  bool is_making_ = false;  ///< the items of a new workcell are being asked for
 
   std::optional<std::string> file_text_;
   bool may_replace_ = false;

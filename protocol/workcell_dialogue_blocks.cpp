@@ -1,5 +1,5 @@
-// The questions of the workcell's dialogue about blocks. Answers go to a block apart, which is judged
-// against robot, workspace and all other blocks before it takes its place.
+// The questions of the workcell dialogue about blocks. Answers go to a separate block, which is
+// checked against the robot, the workspace and all other blocks before it is stored.
 #include <algorithm>
 #include <utility>
 
@@ -24,13 +24,14 @@ constexpr const char* kColorHelp =
 std::deque<WorkcellDialogue::Step> WorkcellDialogue::name_of_block_steps() {
   const auto is_taken = [this](const std::string& name) -> std::string {
     for (std::size_t i = 0; i < workcell_.blocks.size(); ++i) {
-      if (i != block_index_ && workcell_.blocks[i].name == name) return "Another block has it.";
+      if (i != block_index_ && workcell_.blocks[i].name == name)
+        return "Another block has this name.";
     }
     return "";
   };
   return {[this, is_taken] {
     return dialogue::text_question("Block's name", 1, kLongestName, block_.name,
-                                   "What messages call it; no two alike.", is_taken);
+                                   "Its name in messages; must be unique.", is_taken);
   }};
 }
 
@@ -38,9 +39,9 @@ std::deque<WorkcellDialogue::Step> WorkcellDialogue::size_steps() {
   const Workspace& space = workcell_.workspace;
   const Micrometres jaws = micrometres(widest_opening_mm(arm_.robot));
   return {length_step("Length", {1, space.x_um}, kAnySize, block_.size_um.x,
-                      "Along its own x. One half longer than wide, and its angle can be seen."),
+                      "Along its own x. At 1.5 times the width its angle can be seen."),
           length_step("Width", {1, jaws}, kAnySize, block_.size_um.y,
-                      "Along its own y. The jaws must open further than this."),
+                      "Along its own y. The jaws must open wider than this."),
           [this] {
             say(dialogue::jaws_note(block_, arm_.robot));
             const Micrometres room = workcell_.workspace.z_um - workcell_.work_surface_um;
@@ -52,25 +53,25 @@ std::deque<WorkcellDialogue::Step> WorkcellDialogue::size_steps() {
 std::deque<WorkcellDialogue::Step> WorkcellDialogue::place_steps() {
   const Workspace& space = workcell_.workspace;
   return {length_step("x of its middle", {0, space.x_um}, kAnyPlace, block_.centroid_um.x,
-                      "To the front of the robot's base."),
+                      "Distance in front of the robot's base."),
           length_step("y of its middle", {-space.y_um, space.y_um}, kAnyPlace, block_.centroid_um.y,
-                      "To the left of the robot's base, as the robot looks.")};
+                      "Distance to the left of the robot's base, as the robot faces.")};
 }
 
 std::deque<WorkcellDialogue::Step> WorkcellDialogue::yaw_steps() {
   return {[this] {
     return dialogue::yaw_question("Orientation", block_.yaw_udeg,
-                                  "Its turn about the vertical, from x towards y.");
+                                  "Its rotation about the vertical, from x towards y.");
   }};
 }
 
-/// The default is where it comes to rest: on the table, or on the blocks under it.
+/// The default height is on the table or on the blocks below.
 std::deque<WorkcellDialogue::Step> WorkcellDialogue::height_steps() {
   return {[this] {
     block_.centroid_um.z = dialogue::resting_z(workcell_, block_index_, block_);
     const dialogue::Lengths sensible{workcell_.work_surface_um, workcell_.workspace.z_um};
     return dialogue::length_question("z of its middle", sensible, kAnyPlace, block_.centroid_um.z,
-                                     "In brackets: standing on the table or on a block.");
+                                     "The default is on the table, or on the block below it.");
   }};
 }
 
@@ -94,7 +95,8 @@ void WorkcellDialogue::ask_block_again() {
 }
 
 void WorkcellDialogue::add() {
-  if (workcell_.blocks.size() >= kMaxBlocks) return say("There is no room for more blocks.\n");
+  if (workcell_.blocks.size() >= kMaxBlocks)
+    return say("The workcell has the maximum number of blocks.\n");
   block_index_ = workcell_.blocks.size();
   block_ = dialogue::proposed_block(workcell_, arm_);
   change();
@@ -113,7 +115,7 @@ void WorkcellDialogue::remove() {
   is_yes_ = true;
   ask({[this] {
         return dialogue::yes_no_question("Remove \"" + block_.name + "\"?", is_yes_,
-                                         "yes: it is taken out. no: it stays.");
+                                         "yes: remove it. no: keep it.");
       }},
       &WorkcellDialogue::take_removal);
 }
@@ -124,7 +126,7 @@ void WorkcellDialogue::take_removal() {
   say("Removed. The letters of later blocks move up.\n");
 }
 
-/// Errors are asked again; what is only odd may stay if that is meant.
+/// After errors the items are asked again; a block with mere warnings may be kept.
 void WorkcellDialogue::judge_block() {
   Workcell candidate = workcell_;
   candidate.blocks.resize(std::max(candidate.blocks.size(), block_index_ + 1));
@@ -133,13 +135,13 @@ void WorkcellDialogue::judge_block() {
   if (findings.empty()) return keep_block();
   say(dialogue::notes(candidate, findings));
   if (has_errors(findings)) {
-    say("That cannot be. Once more:\n");
+    say("Not valid. Please enter the items again:\n");
     return ask_block_again();
   }
   is_yes_ = false;
   ask({[this] {
-        return dialogue::yes_no_question("Keep it all the same?", is_yes_,
-                                         "yes: it stays so. no: the items are asked once more.");
+        return dialogue::yes_no_question("Keep it anyway?", is_yes_,
+                                         "yes: keep it. no: the items are asked again.");
       }},
       &WorkcellDialogue::take_verdict);
 }

@@ -21,17 +21,19 @@ Findings file_findings(const Workcell& workcell, const Robot* robot) {
 
 std::string pointer_of(std::size_t block) { return kBlocks + std::to_string(block); }
 
-/// Of the blocks first...last-1; errors first make the positions sure.
+/// Adds a warning for each block from `first` on that is out of reach. Skipped if there are errors:
+/// the positions may then be invalid.
 void add_reach(const Workcell& workcell, std::size_t first, const Arm& arm, Findings& findings) {
   if (has_errors(findings)) return;
   for (std::size_t i = first; i < workcell.blocks.size(); ++i) {
     if (arm.reach.has_grasp(workcell.blocks[i])) continue;
     findings.push_back({Severity::kWarning, "", 0, 0, pointer_of(i), "a block out of reach",
-                        "a middle where " + arm.robot.name + " can hold it from straight above"});
+                        "a centre where " + arm.robot.name + " can hold it from straight above"});
   }
 }
 
-/// The workcell with the block in question at the end, where all that is wrong with it is its own.
+/// The workcell with the block moved to the end: findings about a pair of blocks name the later
+/// one.
 Workcell with_last(const Workcell& workcell, std::size_t index, const Block& block) {
   Workcell result = workcell;
   if (index < result.blocks.size()) {
@@ -46,7 +48,7 @@ bool is_about(const Finding& finding, std::size_t block) {
   return finding.pointer == pointer || finding.pointer.starts_with(pointer + "/");
 }
 
-/// What a note begins with: the block's name.
+/// The start of a note: the block's name or the member.
 std::string subject(const Workcell& workcell, const Finding& finding) {
   if (!finding.pointer.starts_with(kBlocks)) {
     return finding.pointer.empty() ? "" : finding.pointer.substr(1) + ": ";
@@ -72,7 +74,7 @@ bool is_apart(const Workcell& workcell, const Block& block) {
   });
 }
 
-/// Fields of a chessboard over the workspace, from its middle outwards.
+/// The points of a square grid over the workspace, from its centre outwards.
 std::vector<PointUm> places(const Workspace& space, Micrometres field) {
   std::vector<PointUm> result;
   const Micrometres middle = space.x_um / 2 / field;
@@ -99,7 +101,7 @@ std::string free_name(const Workcell& workcell) {
   }
 }
 
-/// Twice as long as wide, and half as wide as the jaws open.
+/// Twice as long as wide, and half as wide as the maximum opening.
 PointUm proposed_size(const Robot& robot) {
   constexpr double kEvenMm = 2;
   const double width = std::max(std::floor(widest_opening_mm(robot) / 4) * kEvenMm, kEvenMm);
@@ -167,7 +169,7 @@ Micrometres resting_z(const Workcell& workcell, std::size_t index, Block block) 
 }
 
 Workcell proposed_workcell(const Arm& arm) {
-  constexpr double kHeightMm = 20;  // about the middle of a block
+  constexpr double kHeightMm = 20;  // about the centre of a block
   constexpr double kStepMm = 100;
   constexpr double kHighestMm = 2000;
   double surface = 0;
@@ -187,7 +189,7 @@ Workcell proposed_workcell(const Arm& arm) {
 }
 
 Block proposed_block(const Workcell& workcell, const Arm& arm) {
-  constexpr int kMostTries = 150;  // so that nobody waits
+  constexpr int kMostTries = 150;  // bounds the response time
   constexpr int kFirstBrightColor = 9;
   constexpr std::size_t kBrightColors = 6;
   Block block;

@@ -18,7 +18,7 @@ std::string range_words(const std::string& min, const std::string& max, const st
   return min + " to " + max + (unit.empty() ? "" : " " + unit);
 }
 
-/// Takes a number in a range; `set` gets it.
+/// Accepts a number within the range and passes it to `set`.
 Question number_question(const std::string& prompt, double min, double max, const std::string& unit,
                          const std::function<void(double)>& set) {
   const std::string range = range_words(plain_number(min), plain_number(max), unit);
@@ -26,7 +26,7 @@ Question number_question(const std::string& prompt, double min, double max, cons
   question.prompt = prompt + " (" + range + ")";
   question.take = [=](const std::string& answer) -> std::string {
     const Json number = paper::number_or_text(answer);
-    if (!number.is_number()) return "That is no number: " + range + ".";
+    if (!number.is_number()) return "Not a number: " + range + ".";
     const auto value = number.get<double>();
     if (value < min || value > max) return "That is out of range: " + range + ".";
     set(value);
@@ -87,7 +87,7 @@ Question whole_question(const std::string& prompt, int min, int max, int& value,
     std::string problem = in_range(answer);
     if (!problem.empty()) return problem;
     const auto number = paper::number_or_text(answer).get<double>();
-    if (number != std::floor(number)) return "That is no whole number.";
+    if (number != std::floor(number)) return "Not a whole number.";
     value = static_cast<int>(number);
     return "";
   };
@@ -104,10 +104,9 @@ Question text_question(const std::string& prompt, std::size_t least, std::size_t
   question.help = help;
   question.take = [=, &value](const std::string& answer) -> std::string {
     const std::string text = least == 0 && answer == "-" ? "" : answer;
-    if (text.size() < least) return "It needs a text.";
-    if (text.size() > most)
-      return "That is too long: at most " + std::to_string(most) + " letters.";
-    if (!is_printable(text)) return "That holds signs that are no text.";
+    if (text.size() < least) return "It must not be empty.";
+    if (text.size() > most) return "That is too long: at most " + std::to_string(most) + " bytes.";
+    if (!is_printable(text)) return "That contains unprintable characters.";
     std::string problem = check ? check(text) : "";
     if (problem.empty()) value = text;
     return problem;

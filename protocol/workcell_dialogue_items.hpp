@@ -1,5 +1,6 @@
-// The questions of the workcell's dialogue, one kind of answer each: a prompt with a range and a
-// default, a word of help, and what to do with the answer. They know no dialogue and no terminal.
+// The questions of the workcell dialogue, one function per kind of answer. A question has a prompt
+// with a range and a default, a help text, and a function for the answer. Independent of the
+// dialogue and of the terminal.
 #pragma once
 
 #include <functional>
@@ -13,13 +14,13 @@ namespace xr3::dialogue {
 
 struct Question {
   std::string prompt;
-  std::string fallback;  ///< what Enter alone stands for, shown in brackets; may be empty
+  std::string fallback;  ///< the answer for Enter alone, shown in brackets; may be empty
   std::string help;
-  /// Takes an answer and returns nothing, or says in a sentence what is wrong with it.
+  /// Handles an answer. Returns an empty string, or a sentence with the reason why it is invalid.
   std::function<std::string(const std::string&)> take;
 };
 
-/// The prompt as it is shown: with the fallback, and a blank at its end.
+/// The prompt with the fallback and a trailing blank.
 std::string shown(const Question& question);
 
 struct Lengths {
@@ -27,38 +28,40 @@ struct Lengths {
   Micrometres max = 0;
 };
 
-/// What a workcell file can hold: any position, and any size.
+/// The ranges that a workcell file allows for positions and for sizes.
 inline constexpr Lengths kAnyPlace{-100'000'000, 100'000'000};
 inline constexpr Lengths kAnySize{1, 100'000'000};
 
-/// Says why a value cannot be used; nothing if it can.
+/// Returns the reason why a value cannot be used; empty if it can.
 using NameCheck = std::function<std::string(const std::string&)>;
 
-// All write the answer to `value`, which must outlive the question and is the fallback.
+// All these questions store the answer in `value`, which must outlive the question. Its current
+// value is the default.
 
-/// `sensible` is the range that is shown, `possible` the one that is taken: what lies between them is
-/// for the checks of the whole block or camera to tell of.
+/// `sensible` is the range shown, `possible` the range accepted. The checks of the complete block
+/// or camera report values between the two.
 Question length_question(const std::string& prompt, Lengths sensible, Lengths possible,
                          Micrometres& value, const std::string& help);
 Question yaw_question(const std::string& prompt, Microdegrees& value, const std::string& help);
 Question whole_question(const std::string& prompt, int min, int max, int& value,
                         const std::string& help);
-/// `least` is 0 or 1; of a text that may be empty a lone - makes it so.
+/// `least` and `most`: length in bytes. `least` is 0 or 1; if it is 0, the answer "-" is the empty
+/// text.
 Question text_question(const std::string& prompt, std::size_t least, std::size_t most,
                        std::string& value, const std::string& help, const NameCheck& check);
 Question yes_no_question(const std::string& prompt, bool& value, const std::string& help);
-/// One of a few words, or the beginning of one; `value` is its index.
+/// The answer is one of the words or an unambiguous prefix; `value` is its index.
 Question choice_question(const std::string& prompt, const std::vector<std::string>& words,
                          std::size_t& value, const std::string& help);
 
-/// The words that begin with `start`, or the one that is `start`.
+/// The words with the prefix `start`; only `start` itself if it is one of them.
 std::vector<std::string> words_like(const std::string& start,
                                     const std::vector<std::string>& words);
 
-/// Without blanks at both ends.
+/// Without leading and trailing whitespace.
 std::string_view trimmed(std::string_view text);
 
-/// Millimetres without needless digits.
+/// In millimetres, without superfluous digits.
 std::string words(Micrometres um);
 
 }  // namespace xr3::dialogue

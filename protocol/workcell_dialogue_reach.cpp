@@ -13,7 +13,7 @@ constexpr int kQuarterTurns = 4;
 constexpr double kStepMm = 10;
 constexpr std::size_t kFewJoints = 3;
 
-/// No joint takes the tip further out than by the length of its row, slide included.
+/// An upper bound of the reach: each joint adds at most the length of its row, slide included.
 double sum_of_lengths(const Robot& robot) {
   double sum = 0;
   for (const Joint& joint : robot.joints) {

@@ -1,6 +1,7 @@
-// What the robot can reach, for the workcell's dialogue: a place is within reach if the tool tip can be
-// there with the hand pointing straight down, within the limits and outside the protected region. Of a
-// robot of at most three joints, which cannot choose how the hand points, the tip alone is asked for.
+// The robot's reach, for the workcell dialogue. A point is within reach if the tool tip can be
+// there with the hand straight down, within the joint limits and outside the protected region. A
+// robot with at most three joints cannot choose the hand's orientation, so only its tip is
+// considered.
 #pragma once
 
 #include <optional>
@@ -14,17 +15,18 @@ class Reach {
  public:
   explicit Reach(const Robot& robot);
 
-  /// With the hand turned so that the jaws close across or along it, tip in its middle.
+  /// Whether the tip reaches the block's centre with the jaws across or along the block.
   bool has_grasp(const Block& block) const;
 
-  /// With the hand turned any of the four ways along the axes. mm in the base frame.
+  /// Whether the tip reaches the point with the hand in any of the four orientations along the
+  /// axes. mm in the base frame.
   bool is_within(double x_mm, double y_mm, double z_mm) const;
 
-  /// Whether the answers come at once: by a closed form, not by numbers from many starts.
+  /// Whether the inverse kinematics has a closed form. If not, each call takes long.
   bool is_quick() const { return is_quick_; }
 
-  /// The furthest place straight ahead (y = 0) at a height, in whole centimetres; nothing if there is
-  /// none. Only for quick ones.
+  /// The maximum x within reach at y = 0 and this height, in steps of 10 mm; nullopt if there is
+  /// none. Call it only if is_quick().
   std::optional<double> furthest_mm(double z_mm) const;
 
  private:

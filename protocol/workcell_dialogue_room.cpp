@@ -1,5 +1,6 @@
-// The questions of the workcell's dialogue about everything but blocks: name, workspace, work surface
-// and camera (paper, Section III-B). Answers go to a draft, which is taken over when it holds no error.
+// The questions of the workcell dialogue about everything except blocks: name, workspace, work
+// surface and camera (paper, Section III-B). Answers go to a draft, which replaces the workcell if
+// it has no errors.
 #include <utility>
 
 #include "protocol/workcell_dialogue.hpp"
@@ -17,7 +18,7 @@ constexpr int kMostPixels = 2048;
 
 }  // namespace
 
-// Making a new one: room, blocks, camera.
+// A new workcell: workspace and surface, blocks, camera.
 
 void WorkcellDialogue::ask_all() {
   is_making_ = true;
@@ -41,9 +42,9 @@ void WorkcellDialogue::offer_block() {
 
 void WorkcellDialogue::take_offer() { is_yes_ ? add() : ask_camera(); }
 
-// Room.
+// Name, workspace and surface.
 
-/// Asks about the draft, and anew if the answers do not go together; then `judge` looks at them.
+/// Asks the questions about the draft; then `judge` checks the answers and may ask again.
 void WorkcellDialogue::ask_room(std::deque<Step> steps, Action judge) {
   room_steps_ = std::move(steps);
   room_judge_ = judge;
@@ -53,7 +54,7 @@ void WorkcellDialogue::ask_room(std::deque<Step> steps, Action judge) {
 void WorkcellDialogue::keep_room() {
   const Findings findings = dialogue::check(draft_, arm_);
   if (has_errors(findings)) {
-    say(dialogue::notes(draft_, findings) + "That cannot be. Once more:\n");
+    say(dialogue::notes(draft_, findings) + "Not valid. Please enter the items again:\n");
     return ask(room_steps_, room_judge_);
   }
   const std::string before = dialogue::notes(workcell_, dialogue::check(workcell_, arm_));
@@ -72,11 +73,11 @@ WorkcellDialogue::Step WorkcellDialogue::length_step(const std::string& prompt, 
 std::deque<WorkcellDialogue::Step> WorkcellDialogue::name_steps() {
   return {[this] {
             return dialogue::text_question("Name", 1, kLongestName, draft_.name,
-                                           "What people call this workcell.", {});
+                                           "The name of this workcell.", {});
           },
           [this] {
             return dialogue::text_question("Notes", 0, kLongestNotes, draft_.notes,
-                                           "Anything worth knowing; - for nothing.", {});
+                                           "Any remarks; - for none.", {});
           }};
 }
 
@@ -107,12 +108,12 @@ std::deque<WorkcellDialogue::Step> WorkcellDialogue::surface_steps() {
             const Micrometres top = draft_.workspace.z_um;
             return dialogue::length_question("Work surface, z", {0, top}, {kAnyPlace.min, top - 1},
                                              draft_.work_surface_um,
-                                             "Height of the table over the foot of the base.");
+                                             "Height of the table above the foot of the base.");
           },
           [this] {
             return dialogue::yes_no_question(
                 "Stall under the surface?", draft_.surface_stalls,
-                "yes: the robot stalls when its tip goes under the table. no: a warning only.");
+                "yes: the robot stalls when its tip goes below the table. no: only a warning.");
           }};
 }
 
@@ -131,7 +132,7 @@ void WorkcellDialogue::ask_camera() {
   wants_camera_ = draft_.camera.has_value() || is_making_;
   ask({[this] {
         return dialogue::yes_no_question("A camera?", wants_camera_,
-                                         "One, fixed, looking straight down on the blocks.");
+                                         "A fixed camera that looks straight down.");
       }},
       &WorkcellDialogue::take_camera_answer);
 }
@@ -151,16 +152,16 @@ void WorkcellDialogue::take_camera_answer() {
   const std::string field = "Of the work surface; its middle is under the camera.";
   std::deque<Step> steps = {
       length_step("Camera x", {0, space.x_um}, kAnyPlace, camera.location_um.x,
-                  "Where it hangs; it looks straight down."),
+                  "Its position; it looks straight down."),
       length_step("Camera y", {-space.y_um, space.y_um}, kAnyPlace, camera.location_um.y,
-                  "Where it hangs; it looks straight down."),
+                  "Its position; it looks straight down."),
       length_step("Camera z", above, above, camera.location_um.z,
                   "Above the work surface; in perspective above every block."),
       length_step("Field along x", {1, space.x_um}, kAnySize, camera.field_x_um, field),
       length_step("Field along y", {1, 2 * space.y_um}, kAnySize, camera.field_y_um, field),
       [&camera] {
         return dialogue::whole_question("Pixels along x", 1, kMostPixels, camera.pixels_x,
-                                        "Columns of the image; 2 mm a pixel is fine.");
+                                        "Columns of the image; 2 mm per pixel is fine.");
       },
       [&camera] {
         return dialogue::whole_question("Pixels along y", 1, kMostPixels, camera.pixels_y,

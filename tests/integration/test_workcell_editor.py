@@ -122,7 +122,7 @@ class Editor(unittest.TestCase):
             self.assertIn("Wrote lab.json.", terminal.answer("save", "workcell> "))
             terminal.type("quit\n")
             words, code = terminal.wait_end()
-            self.assertIn("as it was saved", words)
+            self.assertIn("are saved", words)
             self.assertEqual(0, code)
 
     def test_make_check_reopen_change(self):
@@ -141,7 +141,7 @@ class Editor(unittest.TestCase):
             terminal.answer("45", "(not saved)> ")
             terminal.answer("remove b", 'Remove "green"? (yes or no) [yes]: ')
             terminal.answer("", "(not saved)> ")
-            terminal.answer("save", "lab.json is there already. Replace it? (yes or no) [no]: ")
+            terminal.answer("save", "lab.json already exists. Replace it? (yes or no) [no]: ")
             self.assertEqual(2, len(self.data()["blocks"]))
             terminal.answer("yes", "workcell> ")
             terminal.type("quit\n")
@@ -182,7 +182,7 @@ class Editor(unittest.TestCase):
                              end=end)
             self.assertEqual((0, ""), (done.returncode, done.stderr))
             self.assertIn("Name [Adept One table]: Second table\n", done.stdout)
-            self.assertIn("Nothing is odd", done.stdout)
+            self.assertIn("No problems", done.stdout)
             self.assertEqual("Second table", self.data()["name"])
             self.assertEqual([600, 0, 520], self.data()["blocks"][0]["centroid"])
         done = run_xr3("check", "--robot", "adept-one", self.file)
@@ -198,7 +198,7 @@ class Editor(unittest.TestCase):
         with Terminal(self.folder, "lab.json", "--from", "rhino-xr3") as terminal:
             terminal.wait("workcell (not saved)> ")
             self.file.write_text("mine")
-            terminal.answer("save", "lab.json is there already. Replace it? (yes or no) [no]: ")
+            terminal.answer("save", "lab.json already exists. Replace it? (yes or no) [no]: ")
             terminal.answer("", "workcell (not saved)> ")
             self.assertEqual("mine", self.file.read_text())
 

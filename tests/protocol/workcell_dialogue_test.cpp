@@ -99,7 +99,7 @@ TEST(WorkcellDialogue, ANewWorkcellItemByItem) {
   Talk talk;
   EXPECT_EQ(talk.shown(),
             "Workcell for lab.json, checked against Rhino XR-3. Lengths are in mm.\n"
-            "Enter takes what stands in brackets, ? explains, . leaves the rest as it is.\n"
+            "Enter accepts the default in brackets, ? explains, . leaves the rest as it is.\n"
             "Name [my workcell]: ");
   EXPECT_EQ(talk.type("Lab 7"), "Notes: ");
   EXPECT_EQ(talk.type("by the window"), "Workspace X, to the front (0.001 to 100000 mm) [600]: ");
@@ -126,7 +126,7 @@ TEST(WorkcellDialogue, ANewWorkcellItemByItem) {
   EXPECT_THAT(talk.type("per"), HasSubstr("R robot   . within reach   : camera's field"));
   EXPECT_THAT(talk.shown(), EndsWith("a red\nworkcell (not saved)> "));
   EXPECT_EQ(talk.type("save"), "Wrote lab.json.\nworkcell> ");
-  EXPECT_EQ(talk.type("quit"), "Left; lab.json is as it was saved.\n");
+  EXPECT_EQ(talk.type("quit"), "Left; all changes to lab.json are saved.\n");
   EXPECT_TRUE(talk.is_over());
 
   const Workcell cell = talk.saved();
@@ -153,7 +153,7 @@ TEST(WorkcellDialogue, WithEnterAloneEveryRobotGetsASoundWorkcell) {
     }
     talk.type("no");
     talk.enter(kCameraItems);
-    EXPECT_THAT(talk.type("check"), HasSubstr("Nothing is odd"));
+    EXPECT_THAT(talk.type("check"), HasSubstr("No problems"));
     EXPECT_THAT(talk.type("save"), HasSubstr("Wrote"));
     EXPECT_EQ(talk.saved().blocks.size(), 4U);
   }
@@ -162,14 +162,14 @@ TEST(WorkcellDialogue, WithEnterAloneEveryRobotGetsASoundWorkcell) {
 TEST(WorkcellDialogue, WhatCannotBeIsAskedAgain) {
   Talk talk;
   EXPECT_EQ(talk.type(std::string(81, 'n')),
-            "  That is too long: at most 80 letters.\n"
+            "  That is too long: at most 80 bytes.\n"
             "Name [my workcell]: ");
-  EXPECT_EQ(talk.type("\x1B[2J"), "  That holds signs that are no text.\nName [my workcell]: ");
-  EXPECT_EQ(talk.type("\xFF"), "  That holds signs that are no text.\nName [my workcell]: ");
+  EXPECT_EQ(talk.type("\x1B[2J"), "  That contains unprintable characters.\nName [my workcell]: ");
+  EXPECT_EQ(talk.type("\xFF"), "  That contains unprintable characters.\nName [my workcell]: ");
   talk.type("say \"\\\" \xC3\xA9", "");
   const std::string ask_x = "Workspace X, to the front (0.001 to 100000 mm) [600]: ";
-  EXPECT_EQ(talk.type("wide"), "  That is no number: 0.001 to 100000 mm.\n" + ask_x);
-  EXPECT_EQ(talk.type("nan"), "  That is no number: 0.001 to 100000 mm.\n" + ask_x);
+  EXPECT_EQ(talk.type("wide"), "  Not a number: 0.001 to 100000 mm.\n" + ask_x);
+  EXPECT_EQ(talk.type("nan"), "  Not a number: 0.001 to 100000 mm.\n" + ask_x);
   EXPECT_EQ(talk.type("0"), "  That is out of range: 0.001 to 100000 mm.\n" + ask_x);
   EXPECT_EQ(talk.type("1e9"), "  That is out of range: 0.001 to 100000 mm.\n" + ask_x);
   EXPECT_EQ(talk.type("?"), "It reaches from the base, x = 0, to x = X.\n" + ask_x);
@@ -180,13 +180,13 @@ TEST(WorkcellDialogue, WhatCannotBeIsAskedAgain) {
   talk.enter(1);
   talk.type("", "b", "60", "30", "30", "300", "0", "0", "");
   EXPECT_THAT(talk.type("16"), HasSubstr("out of range: 0 to 15"));
-  EXPECT_THAT(talk.type("1.5"), HasSubstr("no whole number"));
+  EXPECT_THAT(talk.type("1.5"), HasSubstr("Not a whole number"));
   EXPECT_THAT(talk.type("?"), HasSubstr("14 is yellow"));
 }
 
 TEST(WorkcellDialogue, OddBlocksAreToldOfAndMayStay) {
   Talk talk("rhino-xr3", "rhino-xr3");
-  EXPECT_THAT(talk.shown(), HasSubstr("Nothing is odd"));
+  EXPECT_THAT(talk.shown(), HasSubstr("No problems"));
   EXPECT_THAT(talk.type("add", "wide", "70"), HasSubstr("Width"));
   EXPECT_THAT(talk.type("65"),
               HasSubstr("! too wide to be grasped: the jaws of Rhino XR-3 open 63.5 mm"));
@@ -195,7 +195,7 @@ TEST(WorkcellDialogue, OddBlocksAreToldOfAndMayStay) {
       << "it would stand on the red block";
   EXPECT_THAT(talk.type("20", ""), HasSubstr("! \"wide\": a block that overlaps \"red\""));
   EXPECT_THAT(talk.shown(), HasSubstr("65 mm wide"));
-  EXPECT_THAT(talk.shown(), EndsWith("Keep it all the same? (yes or no) [no]: "));
+  EXPECT_THAT(talk.shown(), EndsWith("Keep it anyway? (yes or no) [no]: "));
   EXPECT_EQ(talk.type(""), "Block's name [wide]: ") << "once more";
   talk.type("", "60", "30", "", "580", "0", "0", "");
   EXPECT_THAT(talk.type(""), HasSubstr("! \"wide\": a block that is partly outside the workspace"));
@@ -204,7 +204,7 @@ TEST(WorkcellDialogue, OddBlocksAreToldOfAndMayStay) {
   EXPECT_THAT(talk.type("100", ""), HasSubstr("floats 80 mm"));
   EXPECT_EQ(talk.type("yes"), "Added: f \"wide\" at (400, 0, 100).\nworkcell (not saved)> ");
   EXPECT_THAT(talk.type("check"), HasSubstr("! \"wide\": a block that floats 80 mm"));
-  EXPECT_THAT(talk.type("save", "yes", "q"), HasSubstr("as it was saved")) << "odd, but it loads";
+  EXPECT_THAT(talk.type("save", "yes", "q"), HasSubstr("are saved")) << "odd, but it loads";
 }
 
 TEST(WorkcellDialogue, BlocksAreMovedTurnedChangedAndRemoved) {
@@ -214,7 +214,7 @@ TEST(WorkcellDialogue, BlocksAreMovedTurnedChangedAndRemoved) {
   EXPECT_EQ(talk.type("tu b"), "Orientation (-360 to 360 degrees) [25]: ");
   talk.type("-180");
   EXPECT_THAT(talk.type("change c"), HasSubstr("Block's name [blue]: "));
-  EXPECT_THAT(talk.type("red"), HasSubstr("Another block has it."));
+  EXPECT_THAT(talk.type("red"), HasSubstr("Another block has this name."));
   talk.type("azure");
   talk.enter(8);
   EXPECT_EQ(talk.type("remove yellow"), "Remove \"yellow\"? (yes or no) [yes]: ");
@@ -252,7 +252,8 @@ TEST(WorkcellDialogue, AnswersThatDoNotGoTogetherAreAskedAgain) {
   talk.type("camera", "yes", "", "", "540", "", "", "", "");
   EXPECT_THAT(talk.type("perspective"),
               HasSubstr("! \"red\": a block whose top, 540 mm, reaches the camera"));
-  EXPECT_THAT(talk.shown(), EndsWith("That cannot be. Once more:\nCamera x (0 to 900 mm) [540]: "));
+  EXPECT_THAT(talk.shown(),
+              EndsWith("Not valid. Please enter the items again:\nCamera x (0 to 900 mm) [540]: "));
   EXPECT_THAT(talk.type("."), HasSubstr("Back to the menu"));
   EXPECT_FALSE(talk.has_unsaved()) << "nothing has changed";
   EXPECT_THAT(talk.type("workspace", "", "", "400"), HasSubstr("less than the workspace's z"));
@@ -262,7 +263,7 @@ TEST(WorkcellDialogue, AnswersThatDoNotGoTogetherAreAskedAgain) {
 TEST(WorkcellDialogue, NothingIsReplacedWithoutAsking) {
   Talk talk("rhino-xr3", "rhino-xr3", "old.json");
   talk.is_there = true;
-  EXPECT_EQ(talk.type("save"), "lab.json is there already. Replace it? (yes or no) [no]: ");
+  EXPECT_EQ(talk.type("save"), "lab.json already exists. Replace it? (yes or no) [no]: ");
   EXPECT_THAT(talk.type(""), HasSubstr("Not written."));
   EXPECT_FALSE(talk.file());
   talk.type("save");
@@ -288,7 +289,7 @@ TEST(WorkcellDialogue, AFailureToWriteLosesNothing) {
 
 TEST(WorkcellDialogue, Leaving) {
   Talk unchanged("rhino-xr3", "rhino-xr3");
-  EXPECT_EQ(unchanged.type("q"), "Left; lab.json is as it was saved.\n");
+  EXPECT_EQ(unchanged.type("q"), "Left; all changes to lab.json are saved.\n");
   Talk changed("rhino-xr3", "rhino-xr3");
   changed.type("remove a", "");
   EXPECT_EQ(changed.type("quit"), "Save before leaving? (yes or no) [yes]: ");
@@ -310,7 +311,7 @@ TEST(WorkcellDialogue, CommandsMayBeShortAndAreExplained) {
   EXPECT_THAT(talk.type("l"), HasSubstr("magenta"));
   EXPECT_THAT(talk.type("v"), HasSubstr("a red, b green"));
   EXPECT_THAT(talk.type("ch"), HasSubstr("Which one: check or change?"));
-  EXPECT_THAT(talk.type("fly"), HasSubstr("There is no such command"));
+  EXPECT_THAT(talk.type("fly"), HasSubstr("Unknown command"));
   EXPECT_THAT(talk.type("move purple"), HasSubstr("move which block?"));
   EXPECT_THAT(talk.type(std::string(5000, 'x')), HasSubstr("too long"));
 }
@@ -333,7 +334,8 @@ std::string any_line(std::mt19937& random) {
   return kLines[random() % kLines.size()];
 }
 
-// Whatever is typed, nothing is written that does not load (Talk looks at that), and nothing is thrown.
+// Whatever is typed, nothing is written that does not load (Talk looks at that), and nothing is
+// thrown.
 TEST(WorkcellDialogue, WhateverIsTypedTheFileLoads) {
   int writes = 0;
   for (unsigned seed = 1; seed <= 24; ++seed) {
