@@ -1,5 +1,5 @@
-// What a cell tells the log and its monitors: the machine's events with the line that caused them,
-// problems on the lines, and what happened to lines, clock, model and epoch. Values only.
+// The events of a cell, for the log and the monitor port: the machine's events with the line that
+// caused them, problems on the lines, and changes of lines, clock, model and epoch. Values only.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,14 @@
 
 namespace xr3 {
 
-/// Counts the states that are not a continuation of one another: reset, a loaded snapshot.
+/// Incremented whenever the state does not continue the previous one: by a reset or a loaded
+/// snapshot.
 using Epoch = std::int64_t;
 
-/// Lines are numbered from 1 in the order in which they were opened.
+/// Lines are numbered from 1 in the order of opening.
 using LineId = std::uint32_t;
 
-/// What carries a line: a raw or telnet connection, or a monitor's `send`.
+/// The transport of a line: a raw or telnet connection, or the monitor's call `send`.
 enum class LineKind : std::uint8_t { kRaw, kTelnet, kMonitor };
 
 enum class CloseReason : std::uint8_t {
@@ -31,7 +32,7 @@ enum class CloseReason : std::uint8_t {
   kDisconnected,  ///< by the monitor's line_disconnect
 };
 
-/// Bytes that were not obeyed; `count` of them in a run with the same code are one note.
+/// Bytes that were not executed. `count` consecutive ones with the same code are one note.
 struct ProblemNote {
   std::string_view code;
   std::string message;
@@ -39,7 +40,7 @@ struct ProblemNote {
   RawBytes raw;
   int count = 1;
 };
-/// So many warnings of a line in this simulated second were left out.
+/// `count` warnings of a line were suppressed in this simulated second.
 struct SuppressedNote {
   int count = 0;
 };
@@ -57,7 +58,7 @@ struct ClockNote {
   ClockMode mode = ClockMode::kReal;
   Rate rate;
 };
-/// The workcell was changed by a call.
+/// A call changed the workcell.
 struct ModelNote {
   std::string_view call;  ///< block_add, block_move, block_remove, workcell, reset or snapshot_load
   std::string name;       ///< of the block or the workcell

@@ -99,11 +99,11 @@ struct Describer {
   }
   std::string operator()(const SetRefreshPeriod& period) const {
     const std::string half = period.half_seconds % 2 == 0 ? "" : ".5";
-    return "display drawn anew every " + number(period.half_seconds / 2) + half + " s";
+    return "display redrawn every " + number(period.half_seconds / 2) + half + " s";
   }
   std::string operator()(const ToggleErasing&) const {
-    return obeyed.is_on ? "earlier pictures are erased again"
-                        : "earlier pictures stay: the tool leaves its path";
+    return obeyed.is_on ? "erasing on: earlier pictures are erased"
+                        : "erasing off: the tool leaves its path";
   }
   std::string operator()(const SelectStatus& select) const {
     return "status line " + number(select.option) + ": " +

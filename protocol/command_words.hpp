@@ -1,5 +1,5 @@
-// What a command of the serial line does, in words: a stable name and one plain phrase. It speaks of
-// commands that were carried out; what is wrong with others is the diagnostics' business.
+// Commands of the serial line as text: a stable name and a short phrase. Only for executed
+// commands; diagnostic.hpp has the texts for the others.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace xr3 {
 
-/// The stable name, as in `move` or `query_error`: that of data/commands.json.
+/// The stable name used in data/commands.json, such as `move` or `query_error`.
 std::string_view code_of(const Command& command);
 
-/// What the command did or asks for, as in `move E +5, counter 5`.
+/// What the command did or asks for, such as `move E +5, counter 5`.
 std::string describe(const wire::Obeyed& obeyed);
 
 }  // namespace xr3

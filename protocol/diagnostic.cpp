@@ -10,10 +10,10 @@ std::string_view sentence(const Problem& problem) {
   switch (problem.code) {
     case ProblemCode::kUnknownByte:
       if (problem.subject == Subject::kSkippedNumber) {
-        return "skipped, as every number is behind junk, up to the next letter";
+        return "skipped: after an unknown byte, numbers are ignored up to the next letter";
       }
       if (problem.subject == Subject::kSpeed) {
-        return "S sets a speed only directly behind a number without a sign, as in E60S; skipped";
+        return "S sets a speed only directly after a number without a sign, as in E60S; skipped";
       }
       return "no command begins like this here; skipped";
     case ProblemCode::kNumberOutOfRange:
@@ -36,12 +36,12 @@ std::string_view sentence(const Problem& problem) {
           return "a camera inquiry ends with an asterisk, as in A*3*; not answered";
         case Subject::kPeriod: return "A. needs a number of half seconds, 1...255; not obeyed";
         case Subject::kStatus: return "A% needs one digit, 0...6; not obeyed";
-        default: return "a sign needs digits right behind it, as in E+5; not obeyed";
+        default: return "a sign must be followed by digits, as in E+5; not obeyed";
       }
     case ProblemCode::kBadViewVector:
       return "a view vector is three integers -9...9, not all 0, as in A!1,1,1!; not obeyed";
     case ProblemCode::kBadCameraArgument:
-      return "the camera is asked by A**, A*row* or A*column,row*; not answered";
+      return "camera inquiries are A**, A*row* and A*column,row*; not answered";
     case ProblemCode::kDisabled: return "the simulator is disabled and obeys only A@";
   }
   return "";
@@ -69,29 +69,29 @@ struct Describer {
            std::to_string(e.error);
   }
   std::string operator()(const Reached& e) const {
-    return std::string(1, e.label) + " is where it was sent";
+    return std::string(1, e.label) + " has reached its target";
   }
   std::string operator()(const MotorBlocked& e) const {
     const std::string left =
         ", " + std::to_string(e.error < 0 ? -e.error : e.error) + " counts short";
-    if (e.why == Blocked::kBlock) return "the jaws stand against a block" + left;
+    if (e.why == Blocked::kBlock) return "the jaws are closed on a block" + left;
     const std::string limit = std::string(e.upper ? "upper" : "lower") + " limit of " +
                               number(e.limit) + " " + unit_of(model, e.by);
-    if (e.by == e.label) return std::string(1, e.label) + " stands at its " + limit + left;
-    return std::string(1, e.label) + " stands, since it would take " + e.by + " past its " + limit +
-           left;
+    if (e.by == e.label) return std::string(1, e.label) + " is at its " + limit + left;
+    return std::string(1, e.label) + " is blocked because it would move " + e.by + " past its " +
+           limit + left;
   }
   std::string operator()(const Stalled& e) const {
     return std::string(e.why == Stall::kProtectedRegion
                            ? "the tool would enter the protected region"
                            : "the tool would pass under the work surface") +
-           "; A$ or reset sets the robot free";
+           "; A$ or reset clears the stall";
   }
   std::string operator()(const SwitchChanged& e) const {
     return std::string("the microswitch of ") + e.label + (e.closed ? " closed" : " opened");
   }
   std::string operator()(const Grasped& e) const { return "the jaws hold block " + e.block; }
-  std::string operator()(const Released& e) const { return "block " + e.block + " let go"; }
+  std::string operator()(const Released& e) const { return "block " + e.block + " released"; }
   std::string operator()(const Homed&) const { return "soft home"; }
   std::string operator()(const OutputChanged& e) const {
     return "output " + std::to_string(e.line) + (e.high ? " is high" : " is low");
@@ -111,7 +111,7 @@ struct Describer {
       case WarningCode::kCounterOverflow:
         return label + signed_number(e.value) + ": the 8-bit error counter wrapped to " +
                std::to_string(e.limit) + "; wait until " + label +
-               " has come nearer before sending more";
+               " is nearer to its target before sending more";
       case WarningCode::kNoSuchJoint:
         return label + ": this robot has no such joint; it has A..." +
                std::string(1, static_cast<char>('A' + model.joint_count()));

@@ -1,5 +1,5 @@
-// Silence on the line explained: a stable code and one plain sentence for every ignored or surprising
-// byte, and for every event of the machine. The words of the log and of the monitor port.
+// Diagnostics as text: a stable code and one sentence for every problem in the bytes of a line and
+// for every event of the machine. The log and the monitor port use them.
 #pragma once
 
 #include <string>
@@ -11,25 +11,25 @@
 
 namespace xr3 {
 
-/// The stable code, as in `number_out_of_range`.
+/// The stable code, such as `number_out_of_range`.
 std::string_view code_of(ProblemCode code);
 std::string_view code_of(WarningCode code);
-/// The stable code of an event, as in `reached`.
+/// The stable code of an event, such as `reached`.
 std::string_view code_of(const EventBody& event);
 
 /// A number with its sign: `+5`, `-3`, `+0`.
 std::string signed_number(int value);
 
-/// Bytes for people: printable as they are, the others as \r, \n, \0 or \x1b.
+/// Bytes in readable form: printable ASCII unchanged, the others as \r, \n, \0 or \x1b.
 std::string readable(std::string_view bytes);
 
-/// Two hexadecimal digits a byte.
+/// Two hexadecimal digits per byte.
 std::string hexadecimal(std::string_view bytes);
 
-/// What was wrong and what is allowed, opened by the bytes themselves.
+/// The bytes, what is wrong with them, and what is allowed.
 std::string describe(const Parsed& parsed, const Problem& problem);
 
-/// One sentence on an event. `model` gives units and limits.
+/// One sentence about an event. `model` gives units and limits.
 std::string describe(const EventBody& event, const Model& model);
 
 }  // namespace xr3

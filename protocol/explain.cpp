@@ -43,15 +43,15 @@ struct Explainer {
     const bool at_limit = held_back.blocked == Blocked::kLimit;
     return words(at_limit ? "limit" : "block",
                  std::string(1, held_back.label) +
-                     (at_limit ? " stands at a limit already, and is free the other way"
-                               : " stands against a block already, and is free the other way"));
+                     (at_limit ? " is already at a limit; it can move the other way"
+                               : " is already closed on a block; it can move the other way"));
   }
   Explanation operator()(const wire::Answered& answered) const {
     return words(code_of(answered), describe(answered, model));
   }
 };
 
-/// Appends [from, to), or lengthens the last one where it goes on there.
+/// Appends [from, to), or extends the last explanation if it ends at `from`.
 void add_telnet(std::vector<Explanation>& all, std::uint64_t from, std::uint64_t to,
                 const char* message) {
   const bool goes_on = !all.empty() && all.back().code == kTelnet && all.back().to == from;
@@ -62,7 +62,7 @@ void add_telnet(std::vector<Explanation>& all, std::uint64_t from, std::uint64_t
   }
 }
 
-/// Bytes that came in for the telnet filter: those that it does not pass on.
+/// The received bytes that the telnet filter does not pass on.
 std::vector<Explanation> telnet_in(const WireRecord& record) {
   std::vector<Explanation> all;
   if (!record.telnet) return all;
@@ -72,17 +72,17 @@ std::vector<Explanation> telnet_in(const WireRecord& record) {
     const std::uint64_t at = record.offset + i;
     const bool is_data =
         filter.take(static_cast<std::uint8_t>(record.shown[i]), answers).has_value();
-    if (!is_data) add_telnet(all, at, at + 1, "telnet's own bytes; the controller never sees them");
+    if (!is_data) add_telnet(all, at, at + 1, "telnet protocol; not passed to the controller");
   }
   return all;
 }
 
-/// Bytes that went out and belong to no reply.
+/// The sent bytes that are not part of a reply.
 std::vector<Explanation> telnet_out(const WireRecord& record) {
   std::vector<Explanation> all;
   std::uint64_t from = record.offset;
   const auto add_up_to = [&](std::uint64_t to) {
-    if (from < to) add_telnet(all, from, to, "answers to telnet; the controller sent nothing");
+    if (from < to) add_telnet(all, from, to, "telnet protocol; not sent by the controller");
   };
   for (const wire::Item& item : record.items) {
     add_up_to(item.from);
@@ -100,7 +100,7 @@ std::vector<Explanation> explain(const WireRecord& record, const Model& model) {
   for (const wire::Item& item : record.items) {
     all.push_back(std::visit(Explainer{item, model}, item.what));
   }
-  // Telnet's bytes may stand between the bytes of a command: it is told where it was complete.
+  // Telnet bytes may lie between the bytes of a command, which is listed where it was completed.
   std::stable_sort(all.begin(), all.end(),
                    [](const Explanation& a, const Explanation& b) { return a.to < b.to; });
   return all;

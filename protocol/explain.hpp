@@ -1,5 +1,5 @@
-// The last byte explained: what the controller made of the bytes of a serial line, and what its replies
-// mean, in plain words. A pure function of a record; nothing here is needed to drive a robot.
+// Explains the bytes of a serial line: how the controller interpreted them and what its replies
+// mean. A pure function of a record; for display only.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,8 @@
 
 namespace xr3 {
 
-/// One line of an explanation: what the bytes [from, to) of the line's stream were. `code` is stable.
+/// One line of an explanation: the meaning of the bytes [from, to) of the line's stream. `code` is
+/// stable.
 struct Explanation {
   std::uint64_t from = 0;
   std::uint64_t to = 0;
@@ -20,8 +21,8 @@ struct Explanation {
   std::string message;
 };
 
-/// Everything that was made of a record's bytes, in the order in which it was completed. `model` gives
-/// labels, units and the camera's size.
+/// The explanations of a record's bytes, in order of completion. `model` gives labels, units and
+/// the camera's size.
 std::vector<Explanation> explain(const WireRecord& record, const Model& model);
 
 }  // namespace xr3

@@ -23,7 +23,7 @@ std::string_view words(CloseReason reason) {
   switch (reason) {
     case CloseReason::kClientClosed: return "closed by its client";
     case CloseReason::kStranger:
-      return "closed: it spoke HTTP or TLS, and not one byte of it has acted";
+      return "closed: its client sent HTTP or TLS; none of its bytes were executed";
     case CloseReason::kError: return "lost";
     case CloseReason::kShutdown: return "closed: the server stops";
     case CloseReason::kDisconnected: return "closed by the monitor's line_disconnect";
@@ -74,8 +74,8 @@ struct NoteDescriber {
   std::string operator()(const ClockNote& note) const {
     const std::string by = " (" + std::string(note.call) + ")";
     if (note.mode == ClockMode::kReal) return "time runs at " + words(note.rate) + by;
-    if (note.call != "rate") return "time stands" + by;
-    return "time stands, and will run at " + words(note.rate) + by;
+    if (note.call != "rate") return "time is paused" + by;
+    return "time is paused; it will run at " + words(note.rate) + by;
   }
   std::string operator()(const ModelNote& note) const {
     return "workcell changed: " + std::string(note.call) + " " + note.name;

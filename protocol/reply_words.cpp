@@ -15,7 +15,7 @@ void list(std::string& words, const std::string& item) {
   words += (words.empty() ? "" : ", ") + item;
 }
 
-/// The joint that an inquiry is about.
+/// The joint of an inquiry; empty if it has none.
 std::string label_of(const Command& command) {
   if (const auto* query = std::get_if<QueryError>(&command)) return {query->label};
   if (const auto* query = std::get_if<QuerySignedError>(&command)) return {query->label};

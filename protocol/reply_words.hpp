@@ -1,4 +1,4 @@
-// What a reply of the controller means, in words: a stable code and one plain phrase.
+// Replies of the controller as text: a stable code and a short phrase.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace xr3 {
 
-/// The stable code, as in `reply_error`.
+/// The stable code, such as `reply_error`.
 std::string_view code_of(const wire::Answered& answered);
 
-/// What the reply says, as in `E: 4 counts to go`. `model` names the joints behind the bits and the
-/// profile in which the bytes are written.
+/// The meaning of the reply, such as `E: 4 counts to go`. `model` gives the joints of the switch
+/// bits and the profile of the reply's bytes.
 std::string describe(const wire::Answered& answered, const Model& model);
 
 }  // namespace xr3

@@ -1,5 +1,5 @@
-// The serial line's end at the controller: bytes in, replies out, and an account of what was made of
-// each byte. It holds the parser of one line; the machine is shared with the other lines.
+// The controller's end of a serial line: bytes in, replies out, and a record of how each byte was
+// interpreted. It holds the parser of one line; the machine is shared with the other lines.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 
 namespace xr3 {
 
-/// One command or problem, what the machine answered and what it had to tell at once.
+/// A command with its reply and its immediate events, or a problem.
 struct Exchange {
   Parsed parsed;
   Reply reply;
   Events events;
-  /// The reply's bytes [from, to) in the line's output; equal where there are none, or until whoever
-  /// delivers them says so.
+  /// The reply's bytes [from, to) in the line's output. Set by the caller when it sends the reply;
+  /// equal if there is no reply.
   std::uint64_t reply_from = 0;
   std::uint64_t reply_to = 0;
 };
@@ -26,13 +26,13 @@ class RhinoEndpoint {
  public:
   explicit RhinoEndpoint(Profile profile) : profile_(profile), parser_(profile) {}
 
-  /// Takes the byte at `offset` of the line's input at the simulation's tick. Replies are appended to
-  /// `replies`, one entry for each command or problem to `exchanges`. The simulation's events must
-  /// have been taken before: those of the command are taken here.
+  /// Handles the byte at `offset` of the line's input at the simulation's tick. Appends replies to
+  /// `replies` and an entry for each command or problem to `exchanges`. Precondition: the
+  /// simulation has no pending events; those of the command are moved into its entry.
   void take(std::uint8_t byte, std::uint64_t offset, Simulation& simulation, std::string& replies,
             std::vector<Exchange>& exchanges);
 
-  /// Forgets whatever has begun.
+  /// Discards an incomplete command.
   void reset() { parser_ = RhinoParser(profile_); }
 
   const RhinoParser& parser() const { return parser_; }
@@ -40,7 +40,7 @@ class RhinoEndpoint {
  private:
   Profile profile_;
   RhinoParser parser_;
-  std::vector<Parsed> parsed_;  ///< kept for its memory only
+  std::vector<Parsed> parsed_;  ///< a member only to reuse its memory
 };
 
 }  // namespace xr3

@@ -118,7 +118,7 @@ void RhinoParser::take_number_start(std::uint8_t byte, std::vector<Parsed>& out)
   if (is_digit(byte)) number_.push(byte);
 }
 
-// `A` and a sign: with another label, or none, the sign is junk.
+// `A` and a sign. With another label or none, the sign is an unknown byte.
 void RhinoParser::take_environment(std::uint8_t byte, std::vector<Parsed>& out) {
   constexpr std::string_view kSigns = "#$@|!*.%";
   const bool is_known =
@@ -150,7 +150,8 @@ bool RhinoParser::take_argument(std::uint8_t byte, std::vector<Parsed>& out) {
   }
 }
 
-// A number behind a label. A blank that ends it belongs to it; S behind one without a sign, too.
+// A number after a label. A blank that ends it belongs to it, and so does S after an unsigned
+// number.
 bool RhinoParser::take_number(std::uint8_t byte, std::vector<Parsed>& out) {
   if (is_digit(byte)) {
     number_.push(byte);
@@ -186,7 +187,7 @@ void RhinoParser::end_number(std::vector<Parsed>& out) {
   emit(Command{Move{label_, number_.value()}}, out);
 }
 
-// One digit behind P, R or A%.
+// The digit after P, R or A%.
 bool RhinoParser::take_digit(std::uint8_t byte, std::vector<Parsed>& out) {
   if (is_space(byte)) {
     consume(byte);
@@ -236,7 +237,7 @@ void RhinoParser::end_period(std::vector<Parsed>& out) {
   emit(Problem{ProblemCode::kNumberOutOfRange, Subject::kPeriod}, out);
 }
 
-// The numbers of A!x,y,z! and A*c,r*, closed by the byte that opened them.
+// The numbers of A!x,y,z! and A*c,r*. The list ends with the byte that started it.
 bool RhinoParser::take_list(std::uint8_t byte, std::vector<Parsed>& out) {
   if (byte == static_cast<std::uint8_t>(opener_)) {
     consume(byte);

@@ -1,6 +1,7 @@
-// The byte-fed parser of the serial line: bytes act as they arrive, numbers end at the first byte
-// that is not a digit, junk is skipped and reported. It follows the paper's Tables VI and VII and the
-// Rhino Mark III; it knows nothing of the machine and never throws. A value of a few dozen bytes.
+// The incremental parser of the serial line. A command is emitted at its last byte; numbers end at
+// the first byte that is not a digit; unknown bytes are skipped and reported. It follows the
+// paper's Tables VI and VII and the Rhino Mark III. Independent of the machine, never throws. A
+// value of a few dozen bytes.
 #pragma once
 
 #include <array>
@@ -14,7 +15,7 @@
 
 namespace xr3 {
 
-/// Why bytes were not obeyed.
+/// Why bytes were not executed.
 enum class ProblemCode : std::uint8_t {
   kUnknownByte,
   kNumberOutOfRange,
@@ -26,7 +27,7 @@ enum class ProblemCode : std::uint8_t {
   kDisabled,
 };
 
-/// What the bytes were meant for, as far as the parser could tell.
+/// What the bytes were meant for, if the parser can tell.
 enum class Subject : std::uint8_t {
   kNone,
   kMove,
@@ -36,7 +37,7 @@ enum class Subject : std::uint8_t {
   kCamera,
   kPeriod,
   kStatus,
-  kSkippedNumber,  ///< digits after junk, up to the next letter
+  kSkippedNumber,  ///< digits after an unknown byte, up to the next letter
 };
 
 struct Problem {
@@ -45,7 +46,7 @@ struct Problem {
   bool operator==(const Problem&) const = default;
 };
 
-/// The first bytes of a command, for people to read; longer ones are cut.
+/// The first bytes of a command, for messages; longer commands are cut.
 struct RawBytes {
   static constexpr std::size_t kMost = 22;
   std::array<std::uint8_t, kMost> bytes{};
@@ -57,7 +58,7 @@ struct RawBytes {
   bool operator==(const RawBytes&) const = default;
 };
 
-/// One command or problem, and which bytes of the line's input it came from: [from, to).
+/// A command or problem, and its bytes [from, to) in the line's input.
 struct Parsed {
   std::uint64_t from = 0;
   std::uint64_t to = 0;
@@ -70,11 +71,12 @@ class RhinoParser {
  public:
   explicit RhinoParser(Profile profile) : profile_(profile) {}
 
-  /// Takes the byte at `offset` of the line's input and appends what it completes: at most three
-  /// items, so memory stays bounded whatever is sent.
+  /// Handles the byte at `offset` of the line's input and appends the items that it completes: at
+  /// most three, so memory stays bounded for any input.
   void take(std::uint8_t byte, std::uint64_t offset, std::vector<Parsed>& out);
 
-  /// The same while the controller is disabled: only `A@` is read, everything else is a problem.
+  /// The same while the controller is disabled: only `A@` is accepted, everything else is a
+  /// problem.
   void take_disabled(std::uint8_t byte, std::uint64_t offset, std::vector<Parsed>& out);
 
   bool operator==(const RhinoParser&) const = default;
@@ -82,11 +84,11 @@ class RhinoParser {
  private:
   enum class Mode : std::uint8_t { kIdle, kNumber, kOutput, kView, kCamera, kPeriod, kStatus };
 
-  /// A decimal number while it is read: saturating, and modulo 256 for the mark3 profile.
+  /// A decimal number being read: saturating, and modulo 256 for the mark3 profile.
   struct Number {
     char sign = 0;
     std::uint8_t digits = 0;
-    bool ended = false;  ///< a blank came behind its digits
+    bool ended = false;  ///< a blank followed its digits
     std::uint8_t modulo_256 = 0;
     std::int32_t magnitude = 0;
 
@@ -101,7 +103,8 @@ class RhinoParser {
   void take_environment(std::uint8_t byte, std::vector<Parsed>& out);
   void select(std::uint8_t letter, std::uint8_t byte);
 
-  // Each takes a byte of an argument. False: the byte is not part of it and is to be read anew.
+  // Each handles a byte of an argument. Returns false if the byte is not part of it and must be
+  // handled again.
   bool take_argument(std::uint8_t byte, std::vector<Parsed>& out);
   bool take_number(std::uint8_t byte, std::vector<Parsed>& out);
   bool take_digit(std::uint8_t byte, std::vector<Parsed>& out);
@@ -125,14 +128,14 @@ class RhinoParser {
   Mode mode_ = Mode::kIdle;
   char label_ = 0;              ///< the selected joint, or 0
   char opener_ = 0;             ///< the byte that opened the argument: P R ! * . %
-  bool skips_numbers_ = false;  ///< junk came, and no letter since
+  bool skips_numbers_ = false;  ///< after an unknown byte, until the next letter
   bool list_is_bad_ = false;
   std::uint8_t list_size_ = 0;
   Number number_;
   std::array<std::int32_t, 3> list_{};
-  std::uint64_t offset_ = 0;  ///< of the byte being taken
+  std::uint64_t offset_ = 0;  ///< of the current byte
   std::uint64_t from_ = 0;    ///< of the first byte in raw_
-  std::uint64_t to_ = 0;      ///< behind the last byte in raw_
+  std::uint64_t to_ = 0;      ///< after the last byte in raw_
   RawBytes raw_;
 };
 

@@ -10,7 +10,7 @@ constexpr int kPixelsPerByte = 6;
 char byte(unsigned value) { return static_cast<char>(static_cast<unsigned char>(value)); }
 char printable(unsigned value) { return byte(value + kReplyBase); }
 
-// Six pixels a byte, the leftmost in the high bit; the last byte is filled up with 0.
+// Six pixels per byte, the leftmost in the highest bit; the last byte is padded with 0.
 void append_row(const Image& image, int row, std::string& out) {
   for (int first = 0; first < image.width(); first += kPixelsPerByte) {
     unsigned bits = 0;

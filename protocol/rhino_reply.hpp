@@ -1,4 +1,4 @@
-// Replies as bytes, in either profile (paper, Tables VI and VII; hardware for mark3).
+// Encodes replies as bytes in either profile (paper, Tables VI and VII; the hardware for mark3).
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,15 @@
 
 namespace xr3 {
 
-/// What a printable reply adds to its value.
+/// The offset added to the value of a printable reply.
 inline constexpr int kReplyBase = 32;
 
-/// The value that I, J or K answers, less 32: closed switches are 1 in the paper's profile and 0 in
-/// mark3's, where bits of I without a switch read 1; input lines are never inverted.
+/// The value of the reply to I, J or K, without kReplyBase. A closed switch is 1 in the paper's
+/// profile and 0 in mark3's, where bits of I without a switch are 1. Input lines are never
+/// inverted.
 std::uint8_t switch_code(const SwitchBits& bits, Profile profile);
 
-/// Appends the bytes of a reply; nothing for NoReply.
+/// Appends the bytes of a reply; none for NoReply.
 void append_reply(const Reply& reply, Profile profile, std::string& out);
 
 }  // namespace xr3

@@ -36,7 +36,7 @@ std::optional<std::uint8_t> TelnetFilter::take(std::uint8_t byte, std::string& a
   }
 }
 
-// Behind IAC. A byte that is no telnet command goes on alone: only the FF is lost.
+// The byte after IAC. If it is not a telnet command, it is data, and only the FF is lost.
 std::optional<std::uint8_t> TelnetFilter::take_command(std::uint8_t byte) {
   mode_ = Mode::kData;
   if (byte < kLeastCommand || byte == kIac) return byte;

@@ -1,6 +1,7 @@
-// A telnet filter before the parser (RFC 854, 855, 860): IAC sequences never reach the controller,
-// every offer is refused, and DO TIMING-MARK is answered, since a client that sent Ctrl-C stays mute
-// until it is. A raw client never sees an IAC. A copyable value without I/O.
+// A telnet filter in front of the parser (RFC 854, 855, 860). IAC sequences never reach the
+// controller, every option is refused, and DO TIMING-MARK is answered, because a telnet client that
+// sent Ctrl-C discards all output until then. A raw client never receives an IAC. A copyable value
+// without I/O.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +16,14 @@ class TelnetFilter {
   /// A subnegotiation longer than this is abandoned.
   static constexpr int kLongestSubnegotiation = 512;
 
-  /// Takes a byte from the client; returns the data byte that it completes, if any. What the client's
-  /// telnet must be answered is appended to `answers`.
+  /// Handles a byte from the client. Returns the data byte that it completes, if any. Appends the
+  /// answers of the telnet protocol to `answers`.
   std::optional<std::uint8_t> take(std::uint8_t byte, std::string& answers);
 
-  /// The client has shown that it speaks telnet: by a complete option or an interrupt (IP).
+  /// The client speaks telnet: it has sent a complete option or an interrupt (IP).
   bool is_telnet() const { return is_telnet_; }
 
-  /// Appends reply bytes as the client must see them: FF doubled for telnet.
+  /// Appends reply bytes in the client's encoding: FF is doubled for telnet.
   void encode(std::string_view replies, std::string& out) const;
 
   bool operator==(const TelnetFilter&) const = default;

@@ -1,4 +1,4 @@
-// The `line` message's members: bytes of a serial line and what was made of them, as JSON.
+// The members of a `line` message as JSON: bytes of a serial line with their explanation.
 #pragma once
 
 #include "core/model.hpp"
@@ -7,8 +7,8 @@
 
 namespace xr3 {
 
-/// Every member of a `line` message but op, cell, epoch, seq and tick. `hex` and `text` show the bytes
-/// that the record keeps, `bytes` says how many there were.
+/// All members of a `line` message except op, cell, epoch, seq and tick. `hex` and `text` have the
+/// bytes that the record keeps; `bytes` is the number of all bytes.
 Json wire_json(const WireRecord& record, const Model& model);
 
 }  // namespace xr3

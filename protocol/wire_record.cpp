@@ -15,7 +15,7 @@ using wire::Obeyed;
 using wire::PictureSize;
 using wire::Raised;
 
-// A ring of records is overwritten hundreds of thousands of times a second.
+// Records of the ring are overwritten hundreds of thousands of times per second.
 static_assert(std::is_trivially_copyable_v<Item>);
 
 void begin(WireRecord& record, Direction direction, const WirePlace& place, std::string_view bytes,
@@ -30,7 +30,7 @@ void begin(WireRecord& record, Direction direction, const WirePlace& place, std:
   record.items.clear();
 }
 
-// Problems that skip a single byte: garbage comes by the megabyte.
+// Problems that skip a single byte. They are merged, as a client may send megabytes of garbage.
 bool is_junk(const Problem& problem) {
   return problem.code == ProblemCode::kUnknownByte ||
          problem.code == ProblemCode::kNoJointSelected || problem.code == ProblemCode::kDisabled;
@@ -56,7 +56,8 @@ const MoveTaken* move_in(const Exchange& exchange) {
   return nullptr;
 }
 
-// Only time stalls a robot: stalled behind the bytes, it was so at each of them.
+// Commands never stall a robot, only ticks do: if it is stalled after the bytes, it was before
+// them.
 HeldBack held_back(const MoveTaken& move, const Simulation& machine) {
   const MotorState& motor = machine.state().motor(machine.model().index_of(move.label));
   return {move.label, machine.state().stall, motor.blocked};
@@ -84,7 +85,7 @@ void add_command(std::vector<Item>& items, const Exchange& exchange, const Comma
   if (why.stall != Stall::kNo || why.blocked != Blocked::kNo) items.push_back({from, to, why});
 }
 
-// From the state behind the bytes back to what each toggle among them came to.
+// Sets is_on of each toggle, going back from the state after the last byte.
 void settle_toggles(std::vector<Item>& items, const State& after) {
   bool display = after.display.on;
   bool erase = after.display.erase;
@@ -102,7 +103,7 @@ void settle_toggles(std::vector<Item>& items, const State& after) {
   }
 }
 
-/// A reply without its picture.
+/// Stores a reply in `item`, without its image.
 struct Answer {
   Item& item;
   const Command& command;

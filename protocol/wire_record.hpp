@@ -1,6 +1,7 @@
-// What went over a serial line at one moment, and what was made of it: a compact value for a ring, made
-// at every read of a line and put into words only where somebody looks (see explain.hpp). It keeps
-// no picture and no text of its own, and a record that is filled anew reuses its memory.
+// The bytes that a serial line received or sent at one moment, and how they were interpreted. A
+// compact value for a ring buffer: it is filled at every read of a line, and explain.hpp converts
+// it to text only for subscribers. It holds no images and no messages, and refilling a record
+// reuses its memory.
 #pragma once
 
 #include <cstdint>
@@ -23,14 +24,14 @@ enum class Direction : std::uint8_t { kIn, kOut };
 
 namespace wire {
 
-/// A command that was carried out, and what its words need besides.
+/// An executed command, and the results that its text needs.
 struct Obeyed {
   Command command;
-  std::optional<std::int8_t> counter;  ///< of a Move: the joint's error counter behind it
-  bool is_on = false;                  ///< of a toggle: what it came to
+  std::optional<std::int8_t> counter;  ///< of a Move: the joint's error counter after it
+  bool is_on = false;                  ///< of a toggle: the new value
 };
 
-/// Bytes that were not obeyed. Single bytes that met the same fate one behind the other are one item.
+/// Bytes that were not executed. Consecutive single bytes with the same problem are one item.
 struct Ignored {
   Problem problem;
   RawBytes raw;
@@ -45,26 +46,26 @@ struct Raised {
   int limit = 0;
 };
 
-/// A Move that turns nothing: the robot is stalled, or the joint was blocked before and still is.
+/// A Move without motion: the robot is stalled, or the joint was blocked before and still is.
 struct HeldBack {
   char label = 0;
   Stall stall = Stall::kNo;
   Blocked blocked = Blocked::kNo;
 };
 
-/// Rows of the camera's picture, without the picture.
+/// The size of a reply with rows of the camera's image; the image itself is not kept.
 struct PictureSize {
   int width = 0;
   int height = 0;
 };
 
-/// An inquiry and what it was answered.
+/// An inquiry and its reply.
 struct Answered {
   Command command;
   std::variant<ErrorMagnitude, SignedError, SwitchState, SwitchBits, PictureSize, PixelValue> reply;
 };
 
-/// One thing that was made of the bytes [from, to) of the line's stream in this direction.
+/// The interpretation of the bytes [from, to) of the line's stream in this direction.
 struct Item {
   std::uint64_t from = 0;
   std::uint64_t to = 0;
@@ -73,25 +74,25 @@ struct Item {
 
 }  // namespace wire
 
-/// One stretch of bytes of a line in one direction.
+/// A run of bytes of a line in one direction.
 struct WireRecord {
   Epoch epoch = 0;
   Tick tick = 0;
   LineId line = 0;
   Direction direction = Direction::kIn;
   std::uint64_t offset = 0;            ///< of the first byte in the line's stream in this direction
-  std::uint64_t bytes = 0;             ///< how many there were
-  std::string shown;                   ///< the first of them: kMostShownIn or kMostShownOut
-  std::optional<TelnetFilter> telnet;  ///< in, where there is one: as it was before the first byte
+  std::uint64_t bytes = 0;             ///< number of bytes
+  std::string shown;                   ///< the first kMostShownIn or kMostShownOut bytes
+  std::optional<TelnetFilter> telnet;  ///< kIn: the line's filter, if any, before the first byte
   std::vector<wire::Item> items;
 };
 
-/// Bytes of one record that are kept. A longer read is given as several records, so that every byte that
-/// came in is seen.
+/// Maximum number of bytes kept in a record. A longer read is split into several records, so that
+/// every received byte is kept.
 inline constexpr std::size_t kMostShownIn = 64;
 inline constexpr std::size_t kMostShownOut = 256;
 
-/// When and where bytes went.
+/// When and on which line bytes were received or sent.
 struct WirePlace {
   Epoch epoch = 0;
   Tick tick = 0;
@@ -99,15 +100,14 @@ struct WirePlace {
   std::uint64_t offset = 0;  ///< of the first byte in the line's stream in this direction
 };
 
-/// Makes `record` that of bytes that came in: as the transport brought them, at most kMostShownIn.
-/// `before` is the line's telnet filter as it was before them, or nothing on a line that has none;
-/// `exchanges` is what they completed, `machine` as it is behind them, at the same tick.
+/// Fills `record` for received bytes: at most kMostShownIn, as the transport delivered them.
+/// `before` is the line's telnet filter before these bytes, or nullopt if it has none. `exchanges`
+/// are those that the bytes completed, and `machine` is in the state after them, at the same tick.
 void fill_in(WireRecord& record, const WirePlace& place, std::string_view bytes,
              const std::optional<TelnetFilter>& before, const std::vector<Exchange>& exchanges,
              const Simulation& machine);
 
-/// Makes `record` that of bytes that went out in answer to `exchanges`: as the transport gets them,
-/// however many.
+/// Fills `record` for bytes sent as replies to `exchanges`: any number, as passed to the transport.
 void fill_out(WireRecord& record, const WirePlace& place, std::string_view bytes,
               const std::vector<Exchange>& exchanges);
 

@@ -97,13 +97,13 @@ struct EventRow {
 TEST(Diagnostic, EventsHaveACodeAndASentence) {
   const EventRow rows[] = {
       {MoveTaken{'E', 50, 62}, "move", "E +50: counter 62"},
-      {Reached{'E', 12}, "reached", "E is where it was sent"},
+      {Reached{'E', 12}, "reached", "E has reached its target"},
       {MotorBlocked{'F', Blocked::kLimit, 'F', true, 175, 771, 4}, "limit",
-       "F stands at its upper limit of 175 deg, 4 counts short"},
+       "F is at its upper limit of 175 deg, 4 counts short"},
       {MotorBlocked{'A', Blocked::kLimit, 'A', false, 0, -64, -7}, "limit",
-       "A stands at its lower limit of 0 mm, 7 counts short"},
+       "A is at its lower limit of 0 mm, 7 counts short"},
       {MotorBlocked{'E', Blocked::kLimit, 'D', false, -15, 502, 8}, "limit",
-       "E stands, since it would take D past its lower limit of -15 deg, 8 counts short"},
+       "E is blocked because it would move D past its lower limit of -15 deg, 8 counts short"},
       {SwitchChanged{'C', true, 40}, "switch", "the microswitch of C closed"},
       {SwitchChanged{'C', false, 39}, "switch", "the microswitch of C opened"},
       {Homed{}, "homed", "soft home"},

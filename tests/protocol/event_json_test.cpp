@@ -26,24 +26,24 @@ TEST(EventJson, Move) {
 TEST(EventJson, Reached) {
   EXPECT_EQ(shown(EventBody{Reached{'E', 5}}),
             R"({"event":"reached","line":null,"code":"reached",)"
-            R"("message":"E is where it was sent","joint":"E","count":5})");
+            R"("message":"E has reached its target","joint":"E","count":5})");
 }
 
 TEST(EventJson, Blocked) {
   EXPECT_EQ(shown(EventBody{MotorBlocked{'E', Blocked::kLimit, 'E', true, -15, 660, 12}}),
             R"({"event":"blocked","line":null,"code":"limit",)"
-            R"("message":"E stands at its upper limit of -15 deg, 12 counts short",)"
+            R"("message":"E is at its upper limit of -15 deg, 12 counts short",)"
             R"("joint":"E","count":660,"error":12,"by":"E"})");
   EXPECT_EQ(shown(EventBody{MotorBlocked{'A', Blocked::kBlock, 0, false, 0, -40, -9}}),
             R"({"event":"blocked","line":null,"code":"block",)"
-            R"("message":"the jaws stand against a block, 9 counts short",)"
+            R"("message":"the jaws are closed on a block, 9 counts short",)"
             R"("joint":"A","count":-40,"error":-9,"by":"A"})");
 }
 
 TEST(EventJson, Stalled) {
   EXPECT_EQ(shown(EventBody{Stalled{Stall::kProtectedRegion}}),
             R"({"event":"stalled","line":null,"code":"protected_region","message":"the tool would )"
-            R"(enter the protected region; A$ or reset sets the robot free"})");
+            R"(enter the protected region; A$ or reset clears the stall"})");
 }
 
 TEST(EventJson, Switch) {
@@ -58,7 +58,7 @@ TEST(EventJson, GraspedAndReleased) {
       R"({"event":"grasped","line":null,"code":"grasped","message":"the jaws hold block red",)"
       R"("block":"red","xyz_mm":[250.0,60.0,15.0],"yaw_deg":30.0})");
   EXPECT_EQ(shown(EventBody{Released{"red", {300'001, -40'000, 15'000}, 90'000'040}}),
-            R"({"event":"released","line":null,"code":"released","message":"block red let go",)"
+            R"({"event":"released","line":null,"code":"released","message":"block red released",)"
             R"("block":"red","xyz_mm":[300.001,-40.0,15.0],"yaw_deg":90.0})");
 }
 
@@ -105,7 +105,7 @@ TEST(EventJson, LinesComeAndGo) {
 
 TEST(EventJson, TheClock) {
   EXPECT_EQ(shown(ClockNote{"pause", ClockMode::kManual, {}}),
-            R"~({"event":"clock","line":null,"code":"pause","message":"time stands (pause)",)~"
+            R"~({"event":"clock","line":null,"code":"pause","message":"time is paused (pause)",)~"
             R"("clock":{"mode":"manual","rate":1.0}})");
   EXPECT_EQ(shown(ClockNote{"rate", ClockMode::kReal, {2'500'000}}),
             R"({"event":"clock","line":null,"code":"rate",)"
@@ -113,7 +113,7 @@ TEST(EventJson, TheClock) {
             R"("clock":{"mode":"real","rate":2.5}})");
   EXPECT_EQ(shown(ClockNote{"rate", ClockMode::kManual, {10'000'000}}),
             R"({"event":"clock","line":null,"code":"rate",)"
-            R"~("message":"time stands, and will run at 10 times real time (rate)",)~"
+            R"~("message":"time is paused; it will run at 10 times real time (rate)",)~"
             R"("clock":{"mode":"manual","rate":10.0}})");
 }
 

@@ -63,7 +63,7 @@ TEST(Explain, WhyNothingMoves) {
       "  10..16 move: move E +100, counter 100\n"
       "  16..22 move: move E +100, counter -56\n"
       "  16..22 counter_overflow: E+100: the 8-bit error counter wrapped to -56; wait until E "
-      "has come nearer before sending more\n");
+      "is nearer to its target before sending more\n");
   EXPECT_EQ(tap.send("P9P\r"),
             "> P9P\\r\n"
             "  22..24 number_out_of_range: P9: output lines are 1...8; not obeyed\n"
@@ -79,11 +79,11 @@ TEST(Explain, AMotorAtItsLimitSaysSoAtOnce) {
             "> AXA+5\\r\n"
             "  6..8 stop: stop A, counter 0\n"
             "  8..12 move: move A +5, counter 5\n"
-            "  8..12 limit: A stands at its upper limit of 63.5 mm, 5 counts short\n");
+            "  8..12 limit: A is at its upper limit of 63.5 mm, 5 counts short\n");
   EXPECT_EQ(tap.send("A+1\r"),
             "> A+1\\r\n"
             "  12..16 move: move A +1, counter 6\n"
-            "  12..16 limit: A stands at a limit already, and is free the other way\n");
+            "  12..16 limit: A is already at a limit; it can move the other way\n");
   EXPECT_EQ(tap.send("A-10\r"),
             "> A-10\\r\n"
             "  16..21 move: move A -10, counter -4\n");
@@ -98,7 +98,7 @@ TEST(Explain, AStalledRobotSaysWhatSetsItFree) {
             "> E+5\\r\n"
             "  0..4 move: move E +5, counter 5\n"
             "  0..4 protected_region: nothing moves: the tool would enter the protected region; A$ "
-            "or reset sets the robot free\n");
+            "or reset clears the stall\n");
   EXPECT_EQ(tap.send("A$E+1\r"),
             "> A$E+1\\r\n"
             "  4..6 soft_home: soft home: every joint at its home value, counters 0, no stall\n"
@@ -137,8 +137,8 @@ TEST(Explain, TogglesSayWhatTheyCameTo) {
             "  4..6 toggle_display: display on\n");
   EXPECT_EQ(tap.send("A|A|"),
             "> A|A|\n"
-            "  6..8 toggle_erasing: earlier pictures stay: the tool leaves its path\n"
-            "  8..10 toggle_erasing: earlier pictures are erased again\n");
+            "  6..8 toggle_erasing: erasing off: the tool leaves its path\n"
+            "  8..10 toggle_erasing: erasing on: earlier pictures are erased\n");
   EXPECT_EQ(tap.send("A@E?A@"),
             "> A@E?A@\n"
             "  10..12 toggle_simulator: simulator disabled: only A@ is obeyed from now on\n"
@@ -151,7 +151,7 @@ TEST(Explain, TheRestOfTheEnvironment) {
   EXPECT_EQ(tap.send("A!1,-2,3!A.5 A%3"),
             "> A!1,-2,3!A.5 A%3\n"
             "  0..9 set_view_vector: view along 1,-2,3\n"
-            "  9..13 set_refresh_period: display drawn anew every 2.5 s\n"
+            "  9..13 set_refresh_period: display redrawn every 2.5 s\n"
             "  13..16 select_status: status line 3: error counters\n");
 }
 
@@ -237,22 +237,22 @@ TEST(Explain, TelnetIsToldApart) {
   Tap tap(test::rhino());
   EXPECT_EQ(tap.send("E+5\xff\xfb\x01\r"),
             "> E+5\\xff\\xfb\\x01\\r\n"
-            "  3..6 telnet: telnet's own bytes; the controller never sees them\n"
+            "  3..6 telnet: telnet protocol; not passed to the controller\n"
             "  0..7 move: move E +5, counter 5\n"
             "< \\xff\\xfe\\x01\n"
-            "  0..3 telnet: answers to telnet; the controller sent nothing\n");
+            "  0..3 telnet: telnet protocol; not sent by the controller\n");
   EXPECT_EQ(tap.send("\xff"sv),
             "> \\xff\n"
-            "  7..8 telnet: telnet's own bytes; the controller never sees them\n");
+            "  7..8 telnet: telnet protocol; not passed to the controller\n");
   EXPECT_EQ(tap.send("\xfd\x06"
                      "EX-1\rET"sv),
             "> \\xfd\\x06EX-1\\rET\n"
-            "  8..10 telnet: telnet's own bytes; the controller never sees them\n"
+            "  8..10 telnet: telnet protocol; not passed to the controller\n"
             "  10..12 stop: stop E, counter 0\n"
             "  12..15 move: move E -1, counter -1\n"
             "  15..17 query_signed_error: asks for the error counter of E with its sign\n"
             "< \\xff\\xfb\\x06\\xff\\xff\n"
-            "  3..6 telnet: answers to telnet; the controller sent nothing\n"
+            "  3..6 telnet: telnet protocol; not sent by the controller\n"
             "  6..8 reply_signed_error: E: error counter -1\n");
 }
 
