@@ -12,7 +12,7 @@ MISTAKES = [
     ("E+60S", "unknown_byte", "S sets a speed"),
     ("+5\r", "no_joint_selected", r"letter A\.\.\.H"),
     ("?", "no_joint_selected", r"letter A\.\.\.H"),
-    ("E--5\r", "incomplete_command", "sign needs digits"),
+    ("E--5\r", "incomplete_command", "sign must be followed by digits"),
     ("z", "unknown_byte", "no command"),
     ("move 5\r", "no_joint_selected", r"letter A\.\.\.H"),
     ("G+5\r", "no_such_joint", "G"),

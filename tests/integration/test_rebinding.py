@@ -58,7 +58,7 @@ class Strangers(unittest.TestCase):
                                    (f"http://{LOCALHOST}:{robot_port}/", MOVES)]:
                     for attempt, came in robot.attack(page, base, call):
                         self.assertNotIn("read", came, f"{attempt} at {base}")
-                robot.xr3.wait_log("spoke HTTP", times=5)
+                robot.xr3.wait_log("client sent HTTP", times=5)
 
     def test_a_page_by_a_rebound_name(self):
         """Its name stands for another site until the page is loaded, then for this machine."""
