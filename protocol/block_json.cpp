@@ -17,7 +17,7 @@ Codec<Micrometres> length_um(Range range) {
     double length_mm = 0;
     const bool is_good = in_mm.read(place, length_mm);
     result = micrometres(length_mm);
-    // Less than half a micrometre is nothing, where nothing is not allowed.
+    // A length that must be above the minimum must also be so after rounding to micrometres.
     const bool is_nothing = is_good && range.open_min && result <= micrometres(range.min);
     return is_nothing ? place.refuse(in_mm.allowed) : is_good;
   };

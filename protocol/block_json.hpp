@@ -1,5 +1,5 @@
-// What a block is made of, as codecs: names, lengths in whole micrometres, a yaw in whole microdegrees.
-// Workcell files and the calls that change a workcell share them, so that their ranges are the same.
+// Codecs for the parts of a block: name, lengths in whole micrometres, yaw in whole microdegrees.
+// Shared by workcell files and the calls that change a workcell, so that their ranges are the same.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace xr3::data {
 
-/// Lengths of what has a size.
+/// The range of sizes.
 inline constexpr Range kSize{0, kMaxLengthMm, true};
 
 /// A length, kept in whole micrometres; the range is in mm.
 Codec<Micrometres> length_um(Range range);
 
-/// Three lengths, kept in whole micrometres; `names` are their names, as in "[x, y, z]".
+/// Three lengths, kept in whole micrometres; `names` are their names, such as "[x, y, z]".
 Codec<PointUm> point_um(Range range, const std::string& names);
 
-/// An angle of at most one turn either way, kept in (-180, 180] degrees.
+/// An angle of -360...360 degrees, kept in (-180, 180] degrees.
 Codec<Microdegrees> yaw();
 
 Codec<std::string> block_name();

@@ -1,4 +1,4 @@
-// The monitor's calls as values: what a client may do to a cell, and what comes of it. No JSON here.
+// The monitor's calls as values: operations on a cell, and their outcomes. Independent of JSON.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@
 
 namespace xr3 {
 
-/// A cell's state and workcell as a snapshot keeps them: neither lines nor clock. Loaded into a cell
-/// with the same robot and profile it gives the same continuation, bit for bit.
+/// A cell's state and workcell as kept in a snapshot, without lines and clock. A cell with the same
+/// robot and profile that loads it continues bit-identically.
 struct SavedCell {
   std::string robot_hash;  ///< of robot and profile, see server/model_hash
-  Workcell workcell;       ///< as the files or a `workcell` call gave it
+  Workcell workcell;       ///< from the file or from the last call `workcell`
   State state;
   bool operator==(const SavedCell&) const = default;
 };
@@ -29,28 +29,28 @@ using SavedCellPtr = std::shared_ptr<const SavedCell>;
 
 namespace xr3::call {
 
-/// Time stands until resume (clock mode manual).
+/// Switches the clock to manual mode.
 struct Pause {};
-/// Time follows the wall clock again (clock mode real).
+/// Switches the clock to real mode: it follows wall time.
 struct Resume {};
 struct SetRate {
   Rate rate;  ///< kSlowest...kFastest
 };
-/// So many ticks in standing time, 0 and up.
+/// Advances a manual clock by `ticks`, at least 0.
 struct Step {
   Tick ticks = 0;
 };
-/// Standing time runs until the cell is at rest, or until a tick, but for at most max_ticks.
+/// Advances a manual clock until the cell is at rest or until a tick, by at most max_ticks.
 struct RunUntil {
-  std::optional<Tick> tick;  ///< none: until the cell is idle
+  std::optional<Tick> tick;  ///< nullopt: until the cell is at rest
   Tick max_ticks = 0;
 };
-/// The state as the files say; a new epoch begins at tick 0. Lines stay, their parsers are emptied; a
-/// workcell that replaced the file's stays.
+/// Restores the initial state and begins a new epoch at tick 0. Lines stay open, their parsers are
+/// reset. A workcell that replaced the file's is kept.
 struct Reset {};
-/// The same as A$ on a line.
+/// Equivalent to A$ on a line.
 struct Home {};
-/// A function of command mode (paper, Table IV), which also works while the controller is disabled.
+/// A function of command mode (paper, Table IV). It works even while the controller is disabled.
 struct Key {
   Command command;  ///< display, view vector, home, status option, enable, function keys, path
 };
@@ -63,40 +63,40 @@ struct AddBlock {
 };
 struct MoveBlock {
   std::string name;
-  std::optional<PointUm> centroid_um;  ///< none: where it is
+  std::optional<PointUm> centroid_um;  ///< nullopt: unchanged, as for yaw_udeg
   std::optional<Microdegrees> yaw_udeg;
 };
 struct RemoveBlock {
   std::string name;
 };
-/// The robot stays as it is, held blocks fall away with the old workcell.
+/// The robot's state is kept; a held block disappears with the old workcell.
 struct ReplaceWorkcell {
   Workcell workcell;
 };
-/// Under a name, or, where it is empty, only into the answer.
+/// Saves under `name`; if it is empty, the snapshot is only returned in the result.
 struct SaveSnapshot {
   std::string name;
 };
-/// One that was saved under a name, or one that came with the call. A new epoch begins.
+/// Loads the snapshot saved under `name` or the one passed with the call. Begins a new epoch.
 struct LoadSnapshot {
   std::string name;
-  SavedCellPtr saved;  ///< where there is no name
+  SavedCellPtr saved;  ///< used if `name` is empty
 };
 
 using Call =
     std::variant<Pause, Resume, SetRate, Step, RunUntil, Reset, Home, Key, SetInput, AddBlock,
                  MoveBlock, RemoveBlock, ReplaceWorkcell, SaveSnapshot, LoadSnapshot>;
 
-/// A call that was carried out.
+/// A call that was executed.
 struct Done {
   std::optional<bool> reached;    ///< run_until only
   std::optional<Tick> ran_ticks;  ///< run_until only
   SavedCellPtr saved;             ///< snapshot_save and snapshot_load only
 };
 
-/// A call that was refused; nothing was changed.
+/// A call that was refused. Nothing has changed.
 struct Refused {
-  std::string code;  ///< stable, as in `clock_running`
+  std::string code;  ///< stable, such as `clock_running`
   std::string message;
   std::string hint;
 };

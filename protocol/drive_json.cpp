@@ -9,7 +9,7 @@ constexpr double kMaxVariable = 1e6;
 constexpr double kMaxPrecision = 1000;
 constexpr int kMaxSwitchCounts = 1000000;
 
-/// Degrees, or lengths in the file's unit: which of them, only the joint or the tool knows.
+/// In degrees or in the file's length unit, depending on the kind of joint or tool.
 const Range kVariable{-kMaxVariable, kMaxVariable};
 
 Codec<char> label() {
@@ -25,7 +25,7 @@ Codec<char> label() {
   return codec;
 }
 
-/// One bit of a reply's six, or none.
+/// One of the six bits of a reply, or none.
 Codec<std::uint8_t> mask() {
   Codec<std::uint8_t> codec;
   codec.allowed = "1, 2, 4, 8, 16 or 32, or 0 for none";
@@ -60,7 +60,7 @@ Codec<int> sign() {
 }
 
 Member<Drive> limits_member() {
-  const std::string allowed = "a list [min, max] of two numbers, the lesser first";
+  const std::string allowed = "a list [min, max] of two numbers, the lower first";
   Member<Drive> member;
   member.name = "limits";
   member.allowed = allowed;

@@ -13,7 +13,7 @@ namespace {
 Json label_json(char label) { return std::string(1, label); }
 Json yaw_json(Microdegrees yaw) { return rounded(degrees(yaw), kDegreeDecimals); }
 
-/// The name of each kind of event: the member `event`.
+/// The member `event`: the kind of event.
 struct Namer {
   std::string_view operator()(const MoveTaken&) const { return "move"; }
   std::string_view operator()(const Reached&) const { return "reached"; }
@@ -39,7 +39,7 @@ struct Namer {
   std::string_view operator()(const EpochNote&) const { return "epoch"; }
 };
 
-/// Appends the members that only one kind of event has.
+/// Adds the members that are specific to the kind of event.
 struct Extras {
   const CellEvent& event;
   Json& members;

@@ -1,5 +1,5 @@
-// The `event` message's members: what a cell tells, as JSON. A pure function of one CellEvent and the
-// model that it was told of; it knows no clients and no sequence numbers.
+// The members of an `event` message: an event of a cell as JSON. A pure function of the CellEvent
+// and the model.
 #pragma once
 
 #include "core/model.hpp"
@@ -8,7 +8,8 @@
 
 namespace xr3 {
 
-/// Every member of an `event` message but op, cell, epoch, seq and tick. Lengths in mm, yaw in degrees.
+/// All members of an `event` message except op, cell, epoch, seq and tick. Lengths in mm, yaw in
+/// degrees.
 Json event_json(const CellEvent& event, const Model& model);
 
 }  // namespace xr3

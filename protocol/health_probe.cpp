@@ -11,7 +11,7 @@ namespace {
 constexpr const char* kId = "health";
 constexpr std::size_t kMostQuoted = 60;
 
-/// The beginning of what somebody else said, on one line and without control characters.
+/// The beginning of a foreign server's first line, quoted, without control characters.
 std::string quoted(std::string_view text) {
   std::string words(text.substr(0, std::min(kMostQuoted, text.find_first_of("\r\n"))));
   const auto is_strange = [](char c) { return c < ' ' || c > '~'; };
@@ -19,7 +19,7 @@ std::string quoted(std::string_view text) {
   return "\"" + words + "\"";
 }
 
-std::string is_another(std::string_view line) { return "is not xr3: it says " + quoted(line); }
+std::string is_another(std::string_view line) { return "is not xr3: it sends " + quoted(line); }
 
 }  // namespace
 
@@ -60,8 +60,8 @@ void HealthProbe::refuse(std::string why) {
 
 std::string HealthProbe::trouble() const {
   if (!why_.empty()) return why_;
-  if (is_greeted_) return "greets, but does not answer a ping";
-  return line_.empty() ? "takes the connection, but says nothing" : is_another(line_);
+  if (is_greeted_) return "sends hello, but does not answer a ping";
+  return line_.empty() ? "accepts the connection, but sends nothing" : is_another(line_);
 }
 
 }  // namespace xr3

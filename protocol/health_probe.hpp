@@ -1,5 +1,5 @@
-// One look at a monitor port, to see that xr3 is there and answers: what to send, and what is known
-// after each lot of bytes. It knows no socket, and asks for nothing that needs a token.
+// A health check of a monitor port: what to send, and the verdict after each received chunk of
+// bytes. Independent of sockets; needs no token.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +11,20 @@ namespace xr3 {
 
 class HealthProbe {
  public:
-  /// A line of an xr3 is much shorter before it says how long they may be.
+  /// The `hello` message of xr3, which announces the limit for later lines, is much shorter.
   static constexpr std::size_t kMostLineBytes = 64 * 1024;
 
   enum class Verdict : std::uint8_t { kUnknown, kHealthy, kUnhealthy };
 
-  /// What opens a connection: a program that sends first is greeted at once. One byte says JSON, and
-  /// no more: where it meets a serial line, nothing moves.
+  /// The first byte to send: the server sends `hello` at once to a client that sends first. It
+  /// selects JSON; if the peer is a serial line instead, it moves nothing.
   static std::string opening() { return "{"; }
 
-  /// Takes bytes as they come, any bytes; returns what to send now, which may be nothing.
+  /// Handles received bytes, which may be anything. Returns the bytes to send now; may be empty.
   std::string take(std::string_view bytes);
 
   Verdict verdict() const { return verdict_; }
-  /// What is wrong so far, as the end of a sentence that begins with who was asked.
+  /// The problem so far, as the end of a sentence that begins with the server's address.
   std::string trouble() const;
 
  private:
@@ -33,8 +33,8 @@ class HealthProbe {
 
   Verdict verdict_ = Verdict::kUnknown;
   bool is_greeted_ = false;
-  std::string line_;  ///< the beginning of the next message
-  std::string why_;   ///< it is unhealthy
+  std::string line_;  ///< the incomplete next message
+  std::string why_;   ///< reason for kUnhealthy
 };
 
 }  // namespace xr3

@@ -21,7 +21,7 @@ bool is_port(std::string_view text) {
                           std::all_of(text.begin() + 1, text.end(), is_digit));
 }
 
-/// The host without its port; nothing where what follows it is no port.
+/// The host without its port; nullopt if the port is invalid.
 std::optional<std::string_view> without_port(std::string_view host) {
   const std::size_t colon =
       host.find(':', host.starts_with('[') ? std::min(host.find(']'), host.size()) : 0);
@@ -32,7 +32,7 @@ std::optional<std::string_view> without_port(std::string_view host) {
 
 bool is_ip4(std::string_view text) {
   int dots = 0;
-  int number = -1;  // none begun
+  int number = -1;  // no digit yet
   for (const char c : text) {
     if (c == '.') {
       if (number < 0) return false;
@@ -47,7 +47,7 @@ bool is_ip4(std::string_view text) {
   return dots == 3 && number >= 0;
 }
 
-/// Only an address can stand in brackets; which one does not matter.
+/// Text in brackets can only be an address; which one does not matter.
 bool is_ip6(std::string_view text) {
   return text.size() >= 4 && text.front() == '[' && text.back() == ']' &&
          text.find(':') != std::string_view::npos &&
@@ -62,7 +62,8 @@ bool is_localhost(std::string_view name) {
   return front.back() == '.' && is_same_name(name.substr(front.size()), kLocal);
 }
 
-/// A name without a dot. A number is none: browsers take it for an address, as in 2130706433.
+/// A name without a dot. Numbers are excluded: browsers treat 2130706433, for example, as an
+/// address.
 bool is_single_label(std::string_view name) {
   return is_host_name(name) && name.find('.') == std::string_view::npos &&
          !std::all_of(name.begin(), name.end(), is_digit) && !name.starts_with("0x") &&

@@ -1,6 +1,6 @@
-// Which web pages may talk to the monitor port, by the Host and Origin that their browser sends: a
-// name that a foreign name server can point at this machine is refused, and so is a page from
-// elsewhere. Text in, verdict out; it knows no requests.
+// Decides by the Host and Origin headers which web pages may access the monitor port. It refuses
+// host names that a foreign name server can resolve to this machine (DNS rebinding) and pages from
+// other origins. Works on header values only.
 #pragma once
 
 #include <cstdint>
@@ -10,34 +10,37 @@
 
 namespace xr3::http {
 
-/// Who can reach the address that the server is bound to.
+/// From where the server's address can be reached.
 enum class Reach : std::uint8_t { kThisMachine, kBeyond };
 
-/// What is allowed besides the server's own addresses.
+/// Hosts and origins allowed in addition to the server's own addresses.
 struct GuardRules {
   Reach reach = Reach::kThisMachine;
-  std::vector<std::string> hosts;    ///< names, compared without regard to case
-  std::vector<std::string> origins;  ///< each exactly as a browser sends it
+  std::vector<std::string> hosts;    ///< names, compared case-insensitively
+  std::vector<std::string> origins;  ///< exactly as a browser sends them
 };
 
-/// Whether a Host, whatever its port, is an IP literal, localhost, a name under it or one of the
-/// rules' hosts; beyond this machine also a name without a dot, as compose and a lab's network have.
+/// Whether a Host, ignoring its port, is an IP literal, localhost, a subdomain of it, or one of the
+/// rules' hosts. With Reach::kBeyond also a name without a dot, as used by compose and in local
+/// networks.
 bool is_host_allowed(std::string_view host, const GuardRules& rules);
 
-/// Whether an Origin is exactly `http://` and the request's Host, or one of the rules'; `null` never.
+/// Whether an Origin is exactly `http://` plus the request's Host, or one of the rules' origins.
+/// Never true for `null`.
 bool is_origin_allowed(std::string_view origin, std::string_view host, const GuardRules& rules);
 
-/// An IP literal, localhost or a name under it, whatever the port: what no foreign name server can
-/// point at this machine.
+/// Whether a Host, ignoring its port, is an IP literal, localhost or a subdomain of it. No foreign
+/// name server can resolve these to this machine.
 bool is_local_host(std::string_view host);
 
-/// Letters, digits, `-`, `_` and single dots between them: what may be a rule's host.
+/// Whether a name may be a rule's host: letters, digits, `-`, `_` and single dots between them.
 bool is_host_name(std::string_view name);
 
-/// `http://` or `https://`, a host and perhaps a port, nothing behind: what may be a rule's origin.
+/// Whether a text may be a rule's origin: `http://` or `https://`, a host, optionally a port, no
+/// path.
 bool is_origin(std::string_view text);
 
-/// Equal but for upper and lower case of ASCII.
+/// Case-insensitive comparison (ASCII).
 bool is_same_name(std::string_view a, std::string_view b);
 
 }  // namespace xr3::http

@@ -49,7 +49,7 @@ int run_end(const Image& image, int row, int begin, bool set) {
   return image.width();
 }
 
-/// Calls `take` with the length of each run of a row, beginning with zeros.
+/// Calls `take` with the length of each run of a row, starting with a run of zeros.
 template <class Take>
 void each_run(const Image& image, int row, Take take) {
   bool set = false;
@@ -86,7 +86,7 @@ void append_row(const Image& image, int row, monitor::Encoding encoding, std::st
   text += before == '[' ? "[]" : "]";
 }
 
-/// All members but the rows, which are empty.
+/// All members, with empty rows.
 Json frame_json(const Image& image, monitor::Encoding encoding) {
   return {{"width", image.width()},
           {"height", image.height()},
@@ -110,7 +110,7 @@ std::string image_text(const Image& image, monitor::Encoding encoding) {
   if (encoding == monitor::Encoding::kRows)
     text.reserve(text.size() + static_cast<std::size_t>(image.height()) * (width + 3) +
                  Image::kWordBits);
-  text.resize(text.size() - 2);  // up to the bracket in which the rows stand
+  text.resize(text.size() - 2);  // up to and including the opening bracket of the rows
   for (int row = 0; row < image.height(); ++row) {
     if (row > 0) text += ',';
     append_row(image, row, encoding, text);

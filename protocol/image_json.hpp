@@ -1,5 +1,5 @@
-// The `image` message's members: the camera's picture as JSON, a text of 0 and 1 a row or run lengths. A
-// pure function of the picture.
+// The members of an `image` message: the camera's image as JSON. A row is a text of 0 and 1, or a
+// list of run lengths. A pure function of the image.
 #pragma once
 
 #include <string>
@@ -10,11 +10,12 @@
 
 namespace xr3 {
 
-/// Every member of an `image` message but op, cell, epoch, seq and tick. Rows go from the top, each from
-/// the left; with kRle each row is its run lengths, beginning with zeros (a 0 where it begins with ones).
+/// All members of an `image` message except op, cell, epoch, seq and tick. Rows are ordered from
+/// the top, pixels from the left. With kRle each row is a list of run lengths that starts with a
+/// run of zeros, which has length 0 if the first pixel is 1.
 Json image_json(const Image& image, monitor::Encoding encoding);
 
-/// The text of image_json() without the values between: for pictures that are sent whole.
+/// The text of image_json(), built without intermediate JSON values.
 std::string image_text(const Image& image, monitor::Encoding encoding);
 
 }  // namespace xr3

@@ -1,5 +1,6 @@
-// The `model` message's members: robot and workcell in the form of their data files, the blocks where
-// they are now. A pure function of model and state; what identifies a model comes from the caller.
+// The members of a `model` message: robot and workcell in the form of their data files, with the
+// blocks at their current positions. A pure function of model and state; the caller supplies
+// revision and hash.
 #pragma once
 
 #include <string_view>
@@ -11,12 +12,13 @@
 
 namespace xr3 {
 
-/// The model's workcell with the state's blocks; a held one as it would lie if it were let go now, since a
-/// file's blocks stand upright. Kept as a file it starts a cell whose blocks are just there.
+/// The model's workcell with the state's blocks. A held block is included as if released now, since
+/// blocks in a file are upright. Saved as a file, it starts a cell with the blocks at these
+/// positions.
 Workcell workcell_now(const Model& model, const State& state);
 
-/// Every member of a `model` message but op, cell, epoch, seq and tick. `rev` counts the workcells since
-/// the start; `hash` is `sha256:` and hexadecimal digits.
+/// All members of a `model` message except op, cell, epoch, seq and tick. `rev` counts the changes
+/// of the workcell since the start; `hash` is `sha256:` and hexadecimal digits.
 Json model_json(const Model& model, const State& state, int rev, std::string_view hash);
 
 }  // namespace xr3

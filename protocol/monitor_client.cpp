@@ -10,13 +10,13 @@ RequestError too_long() {
   return {{},
           "too_long",
           "a line has at most 262144 bytes",
-          "the connection ends; nothing behind it was read",
+          "the connection is closed; the rest was not read",
           {}};
 }
 
 }  // namespace
 
-// --- In.
+// --- Input.
 
 std::optional<Request> Client::take(std::string_view message) {
   if (farewell_) return std::nullopt;
@@ -26,7 +26,7 @@ std::optional<Request> Client::take(std::string_view message) {
   return std::nullopt;
 }
 
-// --- The lane.
+// --- The reply queue.
 
 void Client::send(Message message) {
   if (farewell_) return;
@@ -70,7 +70,7 @@ Message Client::next_answer() {
   return nullptr;
 }
 
-// --- What is followed.
+// --- Subscriptions.
 
 FrameSubscription& Client::follow_frames(const std::string& cell, const Subscribe& wanted) {
   const Where where{cell, wanted.selection.channel};

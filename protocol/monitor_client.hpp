@@ -1,6 +1,6 @@
-// One client of the monitor without its connection: messages in, requests to carry out, and messages
-// out: answers in a lane that is bounded by what the client has not taken yet, then what it follows.
-// JSON lines over TCP, and others, are thin shells around it. It knows no cell.
+// A client of the monitor port, without its transport: messages in, requests to execute, and
+// messages out. The output is the reply queue, which is bounded, and then the subscriptions. The
+// transports (JSON lines over TCP, WebSocket) are thin shells around it. Independent of the cell.
 #pragma once
 
 #include <array>
@@ -26,38 +26,38 @@ class Client {
   static constexpr std::size_t kMostAnswers = 256;
   static constexpr std::size_t kMostAnswerBytes = 256 * 1024;
 
-  /// `cells` are those that a request may name, the default first.
+  /// `cells` are the cells that a request may name, the default first.
   explicit Client(std::vector<std::string> cells) : cells_(std::move(cells)) {}
   Client(const Client&) = delete;
   Client& operator=(const Client&) = delete;
 
-  /// Takes one message. A request is to be carried out, and answered by send(), before the next one
-  /// is taken; a message that is none has been answered by its error.
+  /// Handles one message. The caller must execute the returned request and answer it with send()
+  /// before the next message. For an invalid message it queues an error and returns nullopt.
   std::optional<Request> take(std::string_view message);
 
-  /// Puts a message at the end of the lane. After end() nothing is taken any more.
+  /// Appends a message to the reply queue. Ignored after end().
   void send(Message message);
-  /// Puts the messages begin <= seq < end of a ring into the lane, each with the id; those that have
-  /// gone from the ring when their turn comes are told of by one `lag`.
+  /// Queues the messages that a `get` asks for from a ring, each with the id. One `lag` reports
+  /// those that have been overwritten by the time they are sent.
   void replay(Feed& feed, const std::string& cell, const Get& get, const RequestId& id);
-  /// Puts the last message at the end of the lane; what was followed ends.
+  /// Appends `bye` to the reply queue and ends all subscriptions.
   void end(Bye why);
-  /// Ends because of what came as a line.
+  /// Ends because of an invalid line.
   void end(LineFault fault);
   bool has_ended() const { return farewell_.has_value(); }
-  /// Why it has ended; nothing where it has not.
+  /// The reason of end(); nullopt before.
   std::optional<Bye> farewell() const { return farewell_; }
 
-  /// No request may be taken until the client has taken some of its answers.
+  /// The reply queue is full: handle no request until the client has read some replies.
   bool is_full() const { return lane_.size() >= kMostAnswers || lane_bytes_ >= kMostAnswerBytes; }
 
-  /// Follows a channel of a cell, in place of what was followed there.
+  /// Subscribes to a channel of a cell; replaces an earlier subscription to it.
   FrameSubscription& follow_frames(const std::string& cell, const Subscribe& wanted);
   void follow_feed(const std::string& cell, const Subscribe& wanted, Feed& feed);
   void unfollow(const std::string& cell, Channel channel);
   bool follows_anything() const { return !followed_.empty(); }
 
-  /// Calls `visit(FrameSubscription&)` for each latest-wins channel that is followed.
+  /// Calls `visit(FrameSubscription&)` for each subscription to a latest-wins channel.
   template <class Visit>
   void for_each_frame_subscription(const Visit& visit) {
     for (auto& [where, followed] : followed_) {
@@ -65,26 +65,26 @@ class Client {
     }
   }
 
-  /// Calls `bring(object)` with what the next frame will touch first, which it may only take the address
-  /// of.
+  /// Calls `bring(object)` with the first object that the next frame will access. `bring` may use
+  /// its address only.
   template <class Bring>
   void prefetch(const Bring& bring) const {
     if (follows_anything()) bring(*followed_.begin());
   }
 
-  /// What it was given of each channel, by Channel.
+  /// Statistics per channel, indexed by Channel.
   const std::array<Tally, kChannels>& tallies() const { return tallies_; }
 
-  /// Something can go out now.
+  /// Whether next_output() has a message.
   bool has_output(FrameNumber now) const;
-  /// The message that is to go out next, or null: answers first, then each channel in turn.
+  /// The next message to send, or nullptr: replies first, then the subscriptions, round-robin.
   Message next_output(FrameNumber now);
 
  private:
   using Followed = std::variant<FrameSubscription, FeedSubscription>;
   using Where = std::pair<std::string, Channel>;
 
-  /// The rest of a `get` of a ring.
+  /// The remaining messages of a `get` from a ring.
   struct Replay {
     FeedSubscription from;
     std::int64_t end;
@@ -100,7 +100,7 @@ class Client {
   std::size_t lane_bytes_ = 0;
   std::array<Tally, kChannels> tallies_{};
   std::map<Where, Followed> followed_;
-  const Where* last_turn_ = nullptr;  ///< the key of the channel that had its turn last
+  const Where* last_turn_ = nullptr;  ///< the key of the channel that was served last
   std::optional<Bye> farewell_;
 };
 

@@ -1,5 +1,6 @@
-// Channels of which every message counts: the last of them lie in a ring, numbered over the whole life
-// of a cell. A client is a cursor into it. A message becomes text when somebody first asks for it.
+// Channels without loss (event, line): a ring buffer keeps the latest messages, numbered over the
+// cell's lifetime. A subscription is a cursor into it. A message is converted to text when first
+// requested.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +12,15 @@
 
 namespace xr3::monitor {
 
-/// What a client sees of a ring: messages by their seq, from 1.
+/// Read access to a ring: messages by their seq, from 1.
 class Feed {
  public:
   virtual ~Feed() = default;
-  /// The oldest seq that is still there, or next() where there is none.
+  /// The oldest seq in the ring; next() if it is empty.
   virtual std::int64_t first() const = 0;
-  /// The seq that the next message will have.
+  /// The seq of the next message.
   virtual std::int64_t next() const = 0;
-  /// first() <= seq < next().
+  /// Requires first() <= seq < next().
   virtual Message at(std::int64_t seq) = 0;
 };
 
@@ -28,10 +29,11 @@ class Ring : public Feed {
  public:
   using ToMessage = std::function<Message(const Value& value, std::int64_t seq)>;
 
-  /// Keeps so many values, above 0.
+  /// `most`, above 0, is the capacity.
   Ring(std::size_t most, ToMessage to_message) : slots_(most), to_message_(std::move(to_message)) {}
 
-  /// The place of a new value, in which the oldest one still stands: to be filled at once.
+  /// Adds a value and returns its slot, which still holds the overwritten value. The caller must
+  /// fill it at once.
   Value& push() {
     Slot& slot = slot_of(next_++);
     slot.text.reset();

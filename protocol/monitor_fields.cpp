@@ -13,7 +13,7 @@ std::vector<std::string> event_members() {
           "peer",   "clock", "from_epoch", "bytes_in", "from_tick", "bytes_out", "model_rev"};
 }
 
-/// By channel, in the order of the enumeration.
+/// Indexed by Channel.
 const std::array<std::vector<std::string>, 6>& members() {
   static const std::array<std::vector<std::string>, 6> lists = {{
       state_members(),
@@ -26,7 +26,7 @@ const std::array<std::vector<std::string>, 6>& members() {
   return lists;
 }
 
-/// By channel, too.
+/// Indexed by Channel.
 constexpr std::array<std::string_view, 6> kNames = {"state", "image", "display",
                                                     "model", "event", "line"};
 

@@ -1,5 +1,4 @@
-// The channels by name, and the members of their messages that a client may choose among. It knows
-// nothing of the messages' values.
+// The names of the channels and of those members of their messages that a client can select.
 #pragma once
 
 #include <optional>
@@ -11,16 +10,16 @@
 
 namespace xr3::monitor {
 
-/// `state`, `image`...
+/// Such as `state` or `image`.
 std::string_view name_of(Channel channel);
 
 std::optional<Channel> channel_named(std::string_view name);
 
-/// The last message of these counts; of the others, event and line, every message counts.
+/// A latest-wins channel skips messages for slow clients. The others, event and line, report a lag.
 bool is_latest_wins(Channel channel);
 
-/// Members of the channel's messages beside op, cell, epoch, seq and tick, which always come. Those
-/// of `event` are the members of all kinds of events.
+/// The members of the channel's messages except op, cell, epoch, seq and tick, which are always
+/// included. For `event`: the members of all kinds of events.
 const std::vector<std::string>& members_of(Channel channel);
 
 }  // namespace xr3::monitor

@@ -36,7 +36,7 @@ std::optional<std::string_view> Lines::next() {
   if (line.size() > kMostMessageBytes) return fail(LineFault::kTooLong);
   scanned_ = end;
   if (!is_whole) return std::nullopt;
-  begin_ = end;  // the line end itself is a blank
+  begin_ = end;  // skip_blanks() skips the line end
   return line;
 }
 

@@ -1,6 +1,6 @@
-// Bytes into lines, however they were cut up on their way: a line ends with LF, CR LF, or where the
-// client stops sending; blank lines are nothing. A line that does not begin with `{` is never read,
-// nor is anything behind it. It knows no JSON.
+// Splits a byte stream into lines. A line ends with LF, CR LF or the end of the stream; blank lines
+// are skipped. A line that does not begin with `{` is an error: neither it nor anything after it is
+// read.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +10,20 @@
 
 namespace xr3::monitor {
 
-/// Why no further line will come.
+/// Why there will be no further line.
 enum class LineFault : std::uint8_t { kNone, kNotJson, kTooLong };
 
 class Lines {
  public:
-  /// Takes bytes. Call next() until it gives nothing before taking more: what is kept stays bounded
-  /// by one line and one read.
+  /// Appends bytes. Call next() until it returns nullopt before adding more; the buffer is then
+  /// bounded by one line plus one read.
   void take(std::string_view bytes);
 
-  /// The client has stopped sending: what stands there is the last line.
+  /// The client has closed its side: the buffered rest is the last line.
   void end() { has_ended_ = true; }
 
-  /// The next line that is whole, without its end and without blanks in front; valid until the next
-  /// call of a member. Nothing where none is whole yet, or where fault() says that none will be.
+  /// The next complete line, without its line end and leading blanks; valid until the next call of
+  /// a member. nullopt if no line is complete yet, or if fault() is set.
   std::optional<std::string_view> next();
 
   LineFault fault() const { return fault_; }
@@ -33,7 +33,7 @@ class Lines {
   std::optional<std::string_view> fail(LineFault fault);
 
   std::string bytes_;
-  std::size_t begin_ = 0;    ///< of the line that comes next
+  std::size_t begin_ = 0;    ///< start of the next line
   std::size_t scanned_ = 0;  ///< no line end before this
   bool has_ended_ = false;
   LineFault fault_ = LineFault::kNone;

@@ -49,7 +49,7 @@ ByeWords words_of(Bye why) {
     case Bye::kTooLong: return {"too_long", "a line has at most 262144 bytes"};
     case Bye::kBadToken: return {"bad_token", "too many wrong tokens"};
     case Bye::kFull: return {"full", "too many connections; close some and try again"};
-    case Bye::kIdle: return {"idle", "nothing was heard of this client for too long"};
+    case Bye::kIdle: return {"idle", "this client has sent nothing for too long"};
     case Bye::kDisconnected: return {"disconnected", "the connection was closed by the server"};
   }
   return {"internal", ""};

@@ -1,5 +1,5 @@
-// The messages of the server, each one JSON object on one line without its line end. Text that came
-// from a client and is no UTF-8 is mended, so that whatever is sent can be parsed.
+// The server's messages, each a JSON object on one line without the line end. Invalid UTF-8, which
+// may come from a client, is replaced, so that every message can be parsed.
 #pragma once
 
 #include <memory>
@@ -13,13 +13,13 @@
 
 namespace xr3::monitor {
 
-/// A message's text, shared by everybody to whom it goes.
+/// The text of a message, shared by all clients that it is sent to.
 using Message = std::shared_ptr<const std::string>;
 
-/// JSON on one line; text that is no UTF-8 is mended.
+/// JSON on one line; invalid UTF-8 is replaced.
 std::string text_of(const Json& json);
 
-/// What the first message tells: `server` is name and version, `cells` the default one first.
+/// The contents of `hello`. `server` is name and version; `cells` has the default first.
 struct Greeting {
   std::string server;
   std::vector<std::string> cells;
@@ -29,29 +29,30 @@ struct Greeting {
 };
 Message hello(const Greeting& greeting);
 
-/// The answer to a call that was carried out.
+/// The `result` of a successful request.
 Message result(const RequestId& id, const Json& value);
-/// The answer to whatever was not.
+/// The `result` of a failed or invalid request.
 Message result(const RequestError& error);
 Message pong(const RequestId& id);
 
-/// Where a message of a channel comes from: `seq` counts per cell and channel, for all clients alike.
+/// The head of a channel's message. `seq` is the sequence number per cell and channel, shared by
+/// all clients.
 struct ChannelHead {
   std::string_view cell;
   std::int64_t epoch = 0;
   std::int64_t seq = 0;
   Tick tick = 0;
 };
-/// A message of a channel; `members` are those after the tick, as a JSON object's text.
+/// A message of a channel. `members` is the text of a JSON object with the members after `tick`.
 Message channel_message(Channel channel, const ChannelHead& head, std::string_view members);
 
-/// The same message as the answer to a `get`: with its id, where there is one.
+/// The same message as the reply to a `get`: with the id, if there is one.
 Message with_id(const Message& message, const RequestId& id);
 
-/// The same message with only these of its members, beside those that always come.
+/// The same message with only the selected members and those that are always included.
 Message with_fields(const Message& message, const Fields& fields);
 
-/// So many messages of a channel, from one seq to another, went past a client.
+/// `count` messages of a channel between two seqs were not sent to a client.
 struct Missed {
   std::int64_t count = 0;
   std::int64_t from_seq = 0;
@@ -59,7 +60,7 @@ struct Missed {
 };
 Message lag(std::string_view cell, Channel channel, const Missed& missed);
 
-/// Why a connection ends.
+/// Why the server closes a connection.
 enum class Bye : std::uint8_t {
   kShutdown,
   kNotJson,

@@ -1,5 +1,5 @@
-// What a new connection speaks, told by its first byte that is no blank, CR, LF or byte order mark.
-// What was decided stays: HTTP never becomes lines, lines never HTTP.
+// Detects the protocol of a new connection by its first byte that is not a blank, CR, LF or byte
+// order mark. The decision is final.
 #pragma once
 
 #include <cstdint>
@@ -8,28 +8,28 @@
 namespace xr3::monitor {
 
 enum class Tongue : std::uint8_t {
-  kUndecided,  ///< nothing that says anything has come yet
-  kLines,      ///< JSON, an object a line
+  kUndecided,  ///< no significant byte yet
+  kLines,      ///< one JSON object per line
   kHttp,
-  kTls,      ///< not spoken here
-  kNotJson,  ///< none of them
+  kTls,      ///< not supported
+  kNotJson,  ///< none of the above
 };
 
 class Opening {
  public:
-  /// Looks at more bytes and returns how many of them say nothing, to be skipped. When tongue() is
-  /// decided, the rest belongs to whoever speaks it.
+  /// Examines more bytes. Returns the number of insignificant bytes at their start, which the
+  /// caller must skip. Once tongue() is decided, the rest belongs to that protocol.
   std::size_t take(std::string_view bytes);
 
   Tongue tongue() const { return tongue_; }
 
-  /// There was silence, and `hello` has been sent: it can only be lines from now on.
+  /// The client was silent and has been sent `hello`: only kLines is possible from now on.
   void settle_for_lines() { only_lines_ = true; }
 
  private:
   void decide(char byte);
 
-  std::size_t mark_bytes_ = 0;  ///< of the byte order mark, so far
+  std::size_t mark_bytes_ = 0;  ///< bytes of the byte order mark seen so far
   bool only_lines_ = false;
   Tongue tongue_ = Tongue::kUndecided;
 };

@@ -11,7 +11,8 @@ bool is_equal(const std::shared_ptr<const std::string>& a,
   return a == b || (a && b && *a == *b);
 }
 
-// Frames of one slot of a rate's grid are as good as one: the first of the next slot.
+// Divides time into slots of 1/rate, with at most one frame each. Returns the first frame of the
+// next slot.
 FrameNumber next_slot(FrameNumber now, MilliHz rate) {
   constexpr std::int64_t kMilliFrames = kFramesPerSecond * 1000;
   const std::int64_t slot = now * rate / kMilliFrames;
@@ -20,7 +21,7 @@ FrameNumber next_slot(FrameNumber now, MilliHz rate) {
 
 }  // namespace
 
-// --- Latest wins.
+// --- Latest-wins channels.
 
 void FrameSubscription::offer(const Frame& frame, FrameNumber now) {
   due_ = next_slot(now, std::max(wanted_.max_millihz, kLookMilliHz));
@@ -28,7 +29,7 @@ void FrameSubscription::offer(const Frame& frame, FrameNumber now) {
   const bool is_old = wanted_.on_change && is_equal(frame.content, sent_);
   if (is_old && !waiting_.message) return;
   miss_waiting();
-  if (is_old) return;  // it has come back to what the client knows
+  if (is_old) return;  // back to the content that the client has
   waiting_ = frame;
   due_ = next_slot(now, wanted_.max_millihz);
 }
@@ -63,7 +64,7 @@ Message FrameSubscription::next_output(FrameNumber now) {
   return message;
 }
 
-// --- Every message.
+// --- Channels without loss.
 
 FeedSubscription::FeedSubscription(std::string cell, const Subscribe& wanted, Feed& feed,
                                    Tally& tally)

@@ -1,5 +1,6 @@
-// What a client follows: a channel of which the latest frame counts, in one slot, or one of which every
-// message counts, by a cursor. Both tell of what the client was too slow for. They know no cell.
+// The subscriptions of a client: to a latest-wins channel, with a slot for one frame, or to a
+// channel without loss, with a cursor into its ring. Both report messages that a slow client has
+// missed with `lag`. Independent of the cell.
 #pragma once
 
 #include <cstdint>
@@ -12,50 +13,51 @@
 
 namespace xr3::monitor {
 
-/// Wall time on the grid of all frames: 1/60 s, counted from any moment.
+/// Wall time in frames of 1/60 s, counted from an arbitrary moment.
 using FrameNumber = std::int64_t;
 inline constexpr int kFramesPerSecond = 60;
 
-/// One message of a latest-wins channel, shared by all who selected the same.
+/// A message of a latest-wins channel, shared by all subscribers with the same selection.
 struct Frame {
   Message message;
   std::int64_t seq = 0;
-  /// What is compared to find a change: the members but for time. Shared as long as it is equal.
+  /// The members without time, compared to detect changes. Shared between frames while it is equal.
   std::shared_ptr<const std::string> content;
 };
 
-/// Messages of one channel that a client was given, and those that went past it.
+/// Statistics of a channel: messages sent to a client, and messages that it missed.
 struct Tally {
   std::uint64_t sent = 0;
   std::uint64_t overwritten = 0;
 };
 
-/// How often a change is looked for, however small max_hz is: it should be seen soon.
+/// Minimum rate of checks for changes, however low max_hz is, so that a change is sent soon.
 inline constexpr MilliHz kLookMilliHz = 10'000;
 
-/// A latest-wins channel: one slot, filled by offer(), emptied when the client can take it.
+/// A subscription to a latest-wins channel: one slot, filled by offer() and emptied when the client
+/// can receive.
 class FrameSubscription {
  public:
-  /// `tally` outlives it.
+  /// `tally` must outlive it.
   FrameSubscription(std::string cell, const Subscribe& wanted, Tally& tally)
       : cell_(std::move(cell)), wanted_(wanted), tally_(&tally) {}
 
   const Subscribe& wanted() const { return wanted_; }
 
-  /// The first frame at which it is worth while to look again: the next of max_hz's grid, or, where
-  /// nothing had changed, the next of kLookMilliHz's if that comes sooner.
+  /// The frame from which offer() should be called again: the next slot of max_hz, or, if nothing
+  /// had changed, the next slot of kLookMilliHz if that is sooner.
   FrameNumber due() const { return due_; }
   bool is_due(FrameNumber now) const { return now >= due_; }
 
-  /// Puts a frame into the slot, unless on_change holds and nothing has changed.
+  /// Stores a frame in the slot, unless on_change is set and nothing has changed.
   void offer(const Frame& frame, FrameNumber now);
-  /// Something waits in the slot.
+  /// The slot holds a frame.
   bool is_waiting() const { return waiting_.message != nullptr; }
 
-  /// The client has, or will have, what the content shows, and nothing is to be told of later.
+  /// With on_change: the client has or will receive this content, and no `lag` is pending.
   bool is_settled(const Frame& current) const;
 
-  /// What goes out now, or null: first a `lag`, at most one a second, then the frame.
+  /// The next message to send, or nullptr: first a `lag` (at most one per second), then the frame.
   Message next_output(FrameNumber now);
   bool has_output(FrameNumber now) const { return waiting_.message || is_lag_due(now); }
 
@@ -66,24 +68,24 @@ class FrameSubscription {
   std::string cell_;
   Subscribe wanted_;
   Frame waiting_;
-  std::shared_ptr<const std::string> sent_;  ///< content of the last frame that went out
+  std::shared_ptr<const std::string> sent_;  ///< content of the last frame sent
   FrameNumber due_ = 0;
   FrameNumber last_lag_ = -kFramesPerSecond;
   Missed missed_;
   Tally* tally_;
 };
 
-/// A channel of which every message counts: a cursor into its ring.
+/// A subscription to a channel without loss: a cursor into its ring.
 class FeedSubscription {
  public:
-  /// `feed` and `tally` outlive it. From `since` on, or only what comes from now on.
+  /// `feed` and `tally` must outlive it. Starts at `since`, or at the next message.
   FeedSubscription(std::string cell, const Subscribe& wanted, Feed& feed, Tally& tally);
 
   const Subscribe& wanted() const { return wanted_; }
   bool has_output() const { return next_ < feed_->next(); }
-  /// The next message, or the `lag` where messages have gone from the ring, or null.
+  /// The next message, or a `lag` if messages have been overwritten in the ring, or nullptr.
   Message next_output();
-  /// The seq of the message that comes next.
+  /// The seq of the next message.
   std::int64_t position() const { return next_; }
 
  private:

@@ -28,14 +28,15 @@ void check_label(const CheckedMotor& motor, Reading& reading) {
              "\": the tool is A, the last joint B, and so on to the base");
 }
 
-/// Limits in order, the home within them, and not too many counts between.
+/// Requires limits in order, the home within them, and a range that does not exceed
+/// kMaxCountsFromHome.
 void check_limits(const CheckedMotor& motor, Reading& reading) {
   const std::string pointer = motor.pointer + "/limits";
   if (!reading.is_sound(pointer)) return;
   const Drive& drive = *motor.drive;
   const double unit = motor.is_length ? reading.mm_per_unit() : 1;
   const std::string found = "[" + words(drive.min / unit) + ", " + words(drive.max / unit) + "]";
-  if (drive.min >= drive.max) return refuse(reading, pointer, found, "the lesser limit first");
+  if (drive.min >= drive.max) return refuse(reading, pointer, found, "the lower limit first");
   if (motor.is_length && std::max(-drive.min, drive.max) > data::kMaxLengthMm) {
     return refuse(reading, pointer, found, "lengths of up to " + words(data::kMaxLengthMm) + " mm");
   }
@@ -52,7 +53,8 @@ void check_limits(const CheckedMotor& motor, Reading& reading) {
   }
 }
 
-/// A bit that no other switch has; J, which shares its reply with input lines, has two of them.
+/// Requires a bit that no other switch of the same reply has. J has only two bits for switches; the
+/// others are input lines.
 void check_mask(const CheckedMotor& motor, Reading& reading, std::set<int>& taken_i,
                 std::set<int>& taken_j) {
   const std::string pointer = motor.pointer + "/switch/mask";

@@ -1,5 +1,5 @@
-// What one field of a motor cannot say alone, the same for joints and tool: the label's place in the
-// sequence, limits about the home, a mask that no other switch has, a switch position that means something.
+// The rules for motors, of joints and tool alike, that concern more than one field: labels in
+// sequence, limits around the home, distinct masks, and a usable switch position.
 #pragma once
 
 #include <string>
@@ -10,19 +10,20 @@
 
 namespace xr3 {
 
-/// Most counts that the limits may lie from the soft home, so that sums of counts never overflow.
+/// Maximum distance of the limits from the soft home, in counts, so that sums of counts never
+/// overflow.
 inline constexpr double kMaxCountsFromHome = 1e8;
 
-/// A joint's drive or the tool's, with what the rules for both need to know.
+/// The drive of a joint or of the tool, with the data that the common rules need.
 struct CheckedMotor {
   const Drive* drive;
   std::string pointer;      ///< of the joint or the tool
   std::string home_member;  ///< `/theta_deg`, `/d` or `/home`
-  char label;               ///< the one that the sequence gives it
+  char label;               ///< the label required by the sequence
   bool is_length;           ///< the variable is a length, not an angle
 };
 
-/// The joints from the base, then the tool; they point into the robot.
+/// The joints from the base, then the tool. The elements point into `robot`.
 std::vector<CheckedMotor> motors_of(const Robot& robot);
 
 void check_motors(const Robot& robot, data::Reading& reading);

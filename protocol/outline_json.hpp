@@ -1,5 +1,5 @@
-// The parts of a robot file that are only drawn: points, outlines of links, and the parts of the tool
-// that move when it does (paper, Section III-A, Link Data and Tool Data).
+// The members of a robot file for drawing: points, outlines of links, and the moving parts of the
+// tool (paper, Section III-A, Link Data and Tool Data).
 #pragma once
 
 #include "core/robot.hpp"

@@ -41,7 +41,7 @@ bool is_json_file(std::string_view text, const std::string& file) {
          kBeginsNumber.find(first_character(text)) == std::string_view::npos;
 }
 
-/// Why a file cannot be used: what is wrong in it, or that it is of the other kind.
+/// The exception for a file with errors or of the other kind.
 DataError unusable(const CheckResult& result, const std::string& file, const std::string& found,
                    const std::string& allowed) {
   if (!result.is_good()) return DataError(result.findings);

@@ -20,13 +20,13 @@ std::string_view trimmed(std::string_view line) {
   return line.substr(begin, line.find_last_not_of(kBlanks) - begin + 1);
 }
 
-/// `*+` and a blank or a quote: a row of `+` for decoration is a comment like any other.
+/// `*+` followed by a blank, a quote or nothing. A decorative row of `+` is an ordinary comment.
 bool is_addition(std::string_view line) {
   return line.starts_with(kAddition) && (line.size() == kAddition.size() || line[2] == '"' ||
                                          kBlanks.find(line[2]) != kBlanks.npos);
 }
 
-/// For a message: a file that is no text at all is shown without its bytes.
+/// For messages: replaces bytes other than printable ASCII, for files that are not text.
 std::string printable(std::string_view text) {
   std::string result(text);
   std::replace_if(
@@ -44,14 +44,14 @@ std::vector<std::string> items_of(std::string_view line) {
   return items;
 }
 
-/// Text, a number, true or false, or a list of such: nothing that a `*+` line carries is deeper.
+/// A scalar or a list of scalars. No member of a `*+` line is nested deeper.
 bool is_shallow(const Json& value) {
   return !value.is_object() && std::none_of(value.begin(), value.end(), [](const Json& element) {
     return element.is_structured();
   });
 }
 
-/// Reads one line after another into `result`.
+/// Collects the lines.
 class Splitter {
  public:
   explicit Splitter(const std::string& file) : file_(file) {}

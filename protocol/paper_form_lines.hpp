@@ -1,6 +1,6 @@
-// A file of the paper's plain form as lines of data: comment lines, which begin with `*`, are left out
-// but for those that begin with `*+`, which carry members of the JSON file that the paper's form has
-// no place for (paper, Section III-A). It knows no robot and no workcell.
+// Splits a file in the paper's plain form (paper, Section III-A) into lines of data. Comment lines,
+// which begin with `*`, are dropped, except those that begin with `*+`: these hold members of the
+// JSON file that the paper's form lacks. Independent of robots and workcells.
 #pragma once
 
 #include <string>
@@ -12,14 +12,14 @@
 
 namespace xr3::paper {
 
-/// One member of a `*+` line, named and written as in the JSON file.
+/// A member of a `*+` line, with the name and value that it has in the JSON file.
 struct Addition {
   int line = 0;
   std::string key;
   Json value;
 };
 
-/// A line of numbers, with the additions between it and the data line before.
+/// A line of numbers, with the additions between the previous data line and this one.
 struct DataLine {
   int line = 0;
   std::vector<std::string> items;  ///< at least one
@@ -33,10 +33,10 @@ struct Lines {
   Findings findings;           ///< additions that cannot be read
 };
 
-/// Splits a text. Line ends may be LF or CR LF; a Ctrl-Z ends it, as in the files of DOS.
+/// Splits a text. Lines end with LF or CR LF; Ctrl-Z ends the text, as in DOS files.
 Lines split(std::string_view text, const std::string& file);
 
-/// A number as JSON, or, if the item is none, the item as text. Whole numbers stay whole.
+/// The item as a JSON number (an integer if possible), or as text if it is not a number.
 Json number_or_text(const std::string& item);
 
 }  // namespace xr3::paper

@@ -43,7 +43,8 @@ void Reader::open(const std::string& part, const Extras& extras) {
 
 void Reader::close() { parts_.pop_back(); }
 
-/// The line to be read now, its additions taken; null, and reported, at the end of the file.
+/// The next line, after handling its additions. At the end of the file: reports it, returns
+/// nullptr.
 const DataLine* Reader::next_line(const std::string& title, const std::string& pointer) {
   if (is_lost_) return nullptr;
   if (next_ == lines_.data.size()) {
@@ -62,7 +63,8 @@ bool Reader::fits(const Row& row, const DataLine& line) const {
   return row.cells.size() > 1 || row.cells[0].is_label == looks_like_label(line.items[0]);
 }
 
-/// A line too many or too few shifts all that follow: two misfits in a row, and reading ends.
+/// Reports an invalid line. A missing or additional line shifts all that follow: after two invalid
+/// lines in a row, reading ends.
 void Reader::misfit(const Row& row, const std::string& pointer, const DataLine& line) {
   is_lost_ = is_after_misfit_;
   is_after_misfit_ = true;
@@ -146,7 +148,7 @@ void Reader::take_additions(const std::vector<Addition>& additions) {
   for (const Addition& addition : additions) take(addition);
 }
 
-/// The innermost part that has such a member takes it.
+/// The member goes to the innermost part that has such a member.
 void Reader::take(const Addition& addition) {
   for (const Part& part : parts_ | std::views::reverse) {
     for (const Extra& extra : part.extras) {
@@ -193,7 +195,7 @@ void Reader::report(int line, const std::string& pointer, std::string found, std
       {Severity::kError, file_, line, 0, pointer, std::move(found), std::move(allowed)});
 }
 
-/// Refused itself or as a part of what is, or the row of an item that is.
+/// Whether the value, a value around it, or another item of its row has been refused.
 bool Reader::is_refused(const std::string& pointer) const {
   return std::any_of(findings_.begin(), findings_.end(), [&](const Finding& finding) {
     if (finding.pointer.empty() || pointer.empty()) return false;
@@ -215,7 +217,7 @@ int Reader::line_of(std::string pointer) const {
 Findings Reader::merged(Findings of_loader) const {
   Findings all = findings_;
   for (Finding& finding : of_loader) {
-    // What was not read is missing for that reason only.
+    // A member that is missing only because reading ended is not reported.
     const bool is_unread = is_lost_ && !line_of_.contains(finding.pointer);
     if (is_unread || is_refused(finding.pointer)) continue;
     finding.line = line_of(finding.pointer);

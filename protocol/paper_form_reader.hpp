@@ -1,6 +1,6 @@
-// Turns the lines of the paper's plain form into the JSON of the same data file, row by row as a table
-// of rows asks for them, and remembers on which line each value stands: the JSON loader then judges the
-// values, and its findings come back with the lines of the plain file.
+// Converts the lines of the paper's plain form to the JSON of the same data file, row by row
+// according to a table of rows, and records the line of each value. The JSON loader then checks the
+// values; its findings get the line numbers of the plain file.
 #pragma once
 
 #include <map>
@@ -14,12 +14,12 @@
 
 namespace xr3::paper {
 
-/// One item of a row: where it goes in the JSON, relative to its part, and, where the form has a
-/// number for a word, which.
+/// One item of a row: its place in the JSON, relative to its part, and the words that its numbers
+/// stand for.
 struct Cell {
-  std::string member;  ///< as "/limits/0"
+  std::string member;  ///< such as "/limits/0"
   std::vector<std::pair<int, Json>>
-      words{};            ///< numbers that stand for words; empty: taken as it is
+      words{};            ///< numbers and the words they stand for; empty: a plain value
   bool is_label = false;  ///< a letter
 };
 
@@ -27,10 +27,11 @@ struct Cell {
 struct Row {
   std::string title;
   std::vector<Cell> cells;
-  std::string member{};  ///< of the whole row, as "/limits"; a part itself if empty
+  std::string member{};  ///< of the row, such as "/limits"; empty: the part itself
 };
 
-/// A member of the JSON file that goes into a `*+` line: its name there, and where it goes.
+/// A member of the JSON file that is written in a `*+` line: its name there, and its place in the
+/// JSON.
 struct Extra {
   std::string key;
   std::string member;
@@ -41,20 +42,21 @@ class Reader {
  public:
   Reader(std::string_view text, std::string file);
 
-  /// From here on rows and `*+` lines belong to this part, until close().
+  /// Until close(), rows and `*+` lines belong to this part. Parts may be nested.
   void open(const std::string& part, const Extras& extras);
   void close();
 
-  /// Reads the next line into a part. False if it does not fit, or if reading has come to its end.
+  /// Reads the next line into a part. Returns false if it does not fit or reading has ended.
   bool row(const Row& row, const std::string& part);
-  /// Reads a line with a number of parts and makes a list of so many, to be filled. Without a usable
-  /// number reading comes to its end: what follows cannot be told apart. 0 then.
+  /// Reads a line with a number of parts and makes a list with that many empty elements. Returns
+  /// the number. Without a valid number it returns 0 and reading ends, as the rest cannot be
+  /// interpreted.
   std::size_t count(const std::string& title, const std::string& list, std::size_t most,
                     std::size_t least = 0);
-  /// The same, the number being what row() put at `at`; it is taken out of the JSON again.
+  /// The same with the number that row() stored at `at`, which is removed from the JSON.
   std::size_t count_at(const std::string& at, const std::string& list, std::size_t most,
                        std::size_t least = 0);
-  /// Reads a whole line of at least one item into a list.
+  /// Reads a line of any number of items into a list.
   bool list(const std::string& title, const std::string& list);
 
   /// Whether lines are left.
@@ -62,16 +64,17 @@ class Reader {
   /// The value read, or null.
   Json value(const std::string& pointer) const;
   void set(const std::string& pointer, Json value);
-  /// Sets what no line has given.
+  /// Sets a value unless the file has it.
   void set_default(const std::string& pointer, Json value);
 
-  /// Reports what is left over.
+  /// Reports remaining lines as an error.
   void finish();
 
   std::string json() const { return root_.dump(); }
   const std::string& file() const { return file_; }
-  /// The JSON loader's findings, those of places that this reader has not refused already, at the lines
-  /// of the plain file, together with its own; sorted.
+  /// This reader's findings and the JSON loader's, sorted. The loader's findings get the line
+  /// numbers of the plain file; those about places that this reader has already refused are
+  /// dropped.
   Findings merged(Findings of_loader) const;
 
  private:

@@ -1,4 +1,4 @@
-// The robot's plain file (paper, Section III-A and Table II), read and written; declared in
+// Reads and writes robot files in plain form (paper, Section III-A and Table II); declared in
 // paper_form.hpp.
 #include <algorithm>
 #include <optional>
@@ -11,7 +11,7 @@
 namespace xr3 {
 namespace {
 
-using namespace paper;  // NOLINT: the tables below read as the file does
+using namespace paper;  // NOLINT: keeps the tables below readable
 
 constexpr std::size_t kMostParts = 16;
 constexpr std::size_t kMostPoints = 4096;
@@ -37,7 +37,7 @@ const Row kMask{"microswitch mask", {{"/switch/mask"}}, "/switch/mask"};
 const Row kDirection{"direction, 1 or -1", {{"/direction"}}, "/direction"};
 const Row kLabel{"label", {{"/label", {}, true}}, "/label"};
 
-/// Table II from top to bottom.
+/// The rows of Table II, from top to bottom.
 const std::vector<Row> kJointRows = {
     {"joint angle theta, degrees", {{"/theta_deg"}}, "/theta_deg"},
     {"joint distance d, length", {{"/d"}}, "/d"},
@@ -102,7 +102,7 @@ void read_points(Reader& reader, const std::string& outline) {
   for (std::size_t i = 0; i < count; ++i) reader.row(kPointRow, element(points, i));
 }
 
-/// A table of outlines: the tool's moving parts, or the links.
+/// Reads a table of outlines: the tool's moving parts or the links.
 void read_outlines(Reader& reader, const std::string& list, std::size_t count, const Row& row,
                    const Extras& extras) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -119,7 +119,8 @@ std::optional<double> number_at(const Reader& reader, const std::string& pointer
   return value.get<double>();
 }
 
-/// The jaws stand wide open, or shut, where their switch closes; the home follows from that.
+/// The paper's form has no home of the tool. It is chosen such that the jaws are at a limit, open
+/// or shut, where their switch closes.
 void default_home(Reader& reader) {
   const auto min = number_at(reader, "/tool/limits/0");
   const auto max = number_at(reader, "/tool/limits/1");
@@ -132,7 +133,8 @@ void default_home(Reader& reader) {
   if (home >= *min && home <= *max) reader.set_default("/tool/home", home);
 }
 
-/// The fingers of angular jaws end at the tip; their hinge is where the furthest part begins.
+/// The fingers of angular jaws end at the tip. Their hinge is at the point of a moving part that is
+/// furthest from it.
 double finger_length(const Reader& reader) {
   double furthest = 0;
   const Json parts = reader.value("/tool/parts");

@@ -1,4 +1,4 @@
-// The workcell's plain file (paper, Section III-B), read and written; declared in paper_form.hpp.
+// Reads and writes workcell files in plain form (paper, Section III-B); declared in paper_form.hpp.
 #include <array>
 #include <utility>
 
@@ -8,7 +8,7 @@
 namespace xr3 {
 namespace {
 
-using namespace paper;  // NOLINT: the tables below read as the file does
+using namespace paper;  // NOLINT: keeps the tables below readable
 
 constexpr int kFirstBrightColor = 9;
 constexpr int kBrightColors = 6;
@@ -50,7 +50,7 @@ void read_blocks(Reader& reader) {
   }
 }
 
-/// The camera is what is left of the file, if anything is.
+/// The rest of the file, if any, is the camera.
 void read_camera(Reader& reader) {
   if (!reader.has_more()) return;
   reader.open("/camera", kCameraExtras);

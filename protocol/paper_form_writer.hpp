@@ -1,5 +1,5 @@
-// Writes the paper's plain form from the JSON of a data file, by the same tables of rows that the reader
-// goes by.
+// Writes the paper's plain form from the JSON of a data file, with the same tables of rows as the
+// reader.
 #pragma once
 
 #include <string>
@@ -13,13 +13,13 @@ class Writer {
  public:
   /// A comment line.
   void comment(std::string_view words);
-  /// A `*+` line with those members that the part has, or nothing.
+  /// A `*+` line with the members that the part has; nothing if it has none.
   void extras(const Extras& extras, const Json& part);
   /// The row's title as a comment, then its line.
   void row(const Row& row, const Json& part);
-  /// The line only: for all rows of a table but the first.
+  /// Only the line: for all rows of a table except the first.
   void line(const Row& row, const Json& part);
-  /// A title and a line of one number.
+  /// The title as a comment, then a line with one number.
   void number(std::string_view title, std::size_t number);
 
   std::string take() { return std::move(text_); }
@@ -28,7 +28,8 @@ class Writer {
   std::string text_;
 };
 
-/// `joint.txt` from `folder/joint.txt`, without folder and ending: what a file without a name is called.
+/// The file name without folder and extension (`joint` for `folder/joint.txt`): the name of a robot
+/// or workcell whose file gives none.
 std::string stem_of(const std::string& file);
 
 }  // namespace xr3::paper

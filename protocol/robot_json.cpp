@@ -10,7 +10,7 @@
 namespace xr3 {
 namespace {
 
-using namespace data;  // NOLINT: the tables below read as the file does
+using namespace data;  // NOLINT: keeps the tables below readable
 
 constexpr double kMaxAngleDeg = 1e6;
 constexpr std::size_t kMaxParts = 16;
@@ -44,7 +44,7 @@ Members<Joint> joint_members() {
   return members;
 }
 
-/// A joint; its home is that parameter of its row which the motor changes.
+/// A joint. Its home is the Denavit-Hartenberg parameter that its motor changes.
 Codec<Joint> joint() {
   Codec<Joint> codec = object(joint_members());
   codec.read = [members = joint_members()](const Place& place, Joint& result) {
@@ -72,7 +72,7 @@ Members<Tool> tool_members() {
   return members;
 }
 
-/// The tool; the variable of parallel jaws is a length.
+/// The tool. The variable of parallel jaws is a length, so its drive is converted, too.
 Codec<Tool> tool() {
   Codec<Tool> codec = object(tool_members());
   codec.read = [members = tool_members()](const Place& place, Tool& result) {
@@ -86,7 +86,7 @@ Codec<Tool> tool() {
   return codec;
 }
 
-/// A joint's number in the file, from 1, negative for "against" or "subtracted".
+/// A joint's number in the file: from 1, negative for "against" or "subtracted".
 int signed_number(int joint, int sign) { return sign * (joint + 1); }
 
 Codec<Coupling> coupling() {

@@ -1,5 +1,5 @@
-// The robot's data file (paper, Section III-A and Table II) as text to value and back. The text comes
-// from the caller: nothing here reads a file.
+// Converts robot files (paper, Section III-A and Table II) from text to values and back. The text
+// comes from the caller; no file is read here.
 #pragma once
 
 #include <optional>
@@ -12,19 +12,21 @@
 
 namespace xr3 {
 
-/// A robot, unless a finding is an error, and everything found in its file, sorted by line.
+/// The result of reading a robot file. `robot` is set unless a finding is an error; the findings
+/// are sorted by line.
 struct RobotReading {
   std::optional<Robot> robot;
   Findings findings;
 };
 
-/// Reads and checks a robot file. Syntax errors are findings like all others: it never throws.
+/// Reads and checks a robot file. Syntax errors are findings, too. Never throws.
 RobotReading read_robot(std::string_view text, const std::string& file);
 
-/// The robot in a file's text. Throws DataError with every finding if one of them is an error.
+/// Reads and checks a robot file. Throws DataError with all findings if one of them is an error.
 Robot load_robot(std::string_view text, const std::string& file);
 
-/// The file form in mm, its members in the documented order. Loaded again it gives an equal robot.
+/// The JSON of a robot file, in mm, with its members in the documented order. Loading it gives an
+/// equal robot.
 Json robot_to_json(const Robot& robot);
 
 }  // namespace xr3

@@ -80,7 +80,7 @@ void check_pen(const std::vector<OutlinePoint>& points, const std::string& point
   refuse(reading, pointer + "/0", "\"draw\"", "\"move\" at the first point");
 }
 
-/// As many outlines as frames, or none; each begins with the pen up.
+/// Requires one outline per frame, or none, and that each begins with a move.
 void check_outlines(const Robot& robot, Reading& reading) {
   const std::size_t frames = robot.joints.size() + 1;
   if (!robot.joints.empty() && !robot.links.empty() && robot.links.size() != frames) {
@@ -96,7 +96,7 @@ void check_outlines(const Robot& robot, Reading& reading) {
   }
 }
 
-/// Whether following couplings from `joint` leads to `target`, in at most `steps` steps.
+/// Whether couplings lead from `joint` to `target` in at most `steps` steps.
 bool leads_to(const std::vector<Coupling>& couplings, int joint, int target, std::size_t steps) {
   if (joint == target) return true;
   if (steps == 0) return false;
@@ -125,7 +125,7 @@ void check_coupling(const Robot& robot, std::size_t index, Reading& reading) {
     }
   }
   if (leads_to(before, c.coupled, c.joint, static_cast<std::size_t>(n))) {
-    refuse(reading, pointer, found + ", which leads back to it", "couplings without a circle");
+    refuse(reading, pointer, found + ", which leads back to it", "couplings without a cycle");
   }
 }
 
@@ -164,7 +164,7 @@ void check_tip(const Model& model, const Positions& at, const std::string& home,
          "a region that leaves both homes out");
 }
 
-/// The hard home: every motor at its switch, within limits and outside the protected region.
+/// Requires the hard home to be within the limits and outside the protected region.
 void check_hard_home(const Model& model, Reading& reading) {
   const Positions at = hard_home(model);
   const std::string coupled = model.robot().couplings.empty() ? "" : ", coupling included";

@@ -1,5 +1,6 @@
-// What one field of a robot file cannot say alone: labels in sequence, masks that do not clash, homes
-// and switches within limits, references to joints that exist, and the two homes outside the region.
+// The rules of robot files that concern more than one field: labels in sequence, distinct masks,
+// homes and switches within limits, references to existing joints, and both homes outside the
+// protected region.
 #pragma once
 
 #include "core/coupling.hpp"
@@ -8,10 +9,12 @@
 
 namespace xr3 {
 
-/// Checks whatever of the robot was read without error; adds a finding for each rule broken.
+/// Checks the parts of the robot that were read without errors. Adds a finding for each violated
+/// rule.
 void check_robot(const Robot& robot, data::Reading& reading);
 
-/// Positions at the hard home: every motor at its microswitch, coupling included (paper, Section III-A).
+/// Positions at the hard home: every motor at its microswitch, coupling included (paper,
+/// Section III-A).
 Positions hard_home(const Model& model);
 
 }  // namespace xr3

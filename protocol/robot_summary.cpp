@@ -55,7 +55,7 @@ std::string dh_table(const Robot& robot) {
   return "\nDenavit-Hartenberg rows at the soft home\n" + text_table(rows, "rlrrrrl");
 }
 
-/// The variable's range by whole counts: `-139.993 to 9.988 deg`.
+/// The variable's range in whole counts, such as `-139.993 to 9.988 deg`.
 std::string reached_range(const Model& model, int index) {
   const MotorModel& motor = model.motor(index);
   const double first = model.variable(index, motor.low);
@@ -76,7 +76,7 @@ std::string motor_table(const Model& model) {
   return "\nMotors: counts are 0 at the soft home\n" + text_table(rows, "llrrlrr");
 }
 
-/// When a switch is closed, in counts of its own motor.
+/// The range of counts of its own motor in which a switch is closed.
 std::string closed_when(const Microswitch& microswitch) {
   const Counts at = microswitch.position;
   if (microswitch.width) {

@@ -16,11 +16,11 @@ namespace xr3 {
 namespace {
 
 constexpr std::array<double, 10> kPowersOfTen = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
-constexpr double kWhole = 9007199254740992.0;  // 2^53: from here up a double has no decimals
+constexpr double kWhole = 9007199254740992.0;  // 2^53: doubles above are whole numbers
 constexpr int kDigitalLines = 8;
 constexpr int kAuxiliaryPorts = 2;
 
-/// A model and a snapshot of it, with what is worked out once for all members.
+/// A model and a snapshot of it, with values that several members need.
 struct Look {
   const Model& model;
   const Snapshot& snapshot;
@@ -60,7 +60,7 @@ bool is_linear(const Model& model, int index) {
   return model.robot().joints[static_cast<std::size_t>(index)].variable == JointVariable::kD;
 }
 
-/// What joints and tool begin with.
+/// The first members of both joints and tool.
 Json counters_json(const Look& look, int index) {
   const bool linear = is_linear(look.model, index);
   const double value = look.model.variable(index, look.position(index));
@@ -71,7 +71,7 @@ Json counters_json(const Look& look, int index) {
           {"unit", linear ? "mm" : "deg"}};
 }
 
-/// A motor moves while it would make counts without new input.
+/// `moving`: the motor will make counts without new input.
 void add_motion(const Look& look, int index, Json& members) {
   const MotorState& motor = look.motor(index);
   members["speed"] = motor.speed;
@@ -92,7 +92,7 @@ Json joints_json(const Look& look) {
   return joints;
 }
 
-/// Row by row; the columns are the normal, sliding and approach vectors.
+/// In row-major order; the columns are the normal, sliding and approach vectors.
 Json rotation_json(const Look& look) {
   const Transform pose = tool_transform(look.model, look.positions);
   Json rotation = Json::array();
@@ -137,7 +137,7 @@ Json lying_json(const Block& block) {
           {"held", false}};
 }
 
-/// A held block goes along with the tool; its yaw is that of its length as seen from above.
+/// A held block moves with the tool; its yaw is that of its length axis, seen from above.
 Json held_json(const Look& look, std::size_t index) {
   const Transform pose = block_pose(look.model, look.state(), index);
   const double yaw = std::atan2(pose(1, 0), pose(0, 0)) * 180.0 / kPi;
@@ -158,7 +158,7 @@ Json blocks_json(const Look& look) {
   return blocks;
 }
 
-/// What the line would answer to I and J, less 32.
+/// The values of the replies to I and J, without kReplyBase (32).
 Json switches_json(const Look& look) {
   const auto code = [&look](char inquiry) {
     return switch_code(switch_bits(look.model, look.state(), inquiry), look.model.profile());
@@ -215,8 +215,8 @@ Json chosen(const Json& members, const Fields& fields) {
   return picked;
 }
 
-// A whole number divided by a power of ten is the double nearest to that decimal number, and is
-// written with just its digits. Adding 0 turns -0 into 0.
+// A whole number divided by a power of ten is the double nearest to that decimal number, so it is
+// printed with exactly these digits. Adding 0 turns -0 into 0.
 double rounded(double value, int decimals) {
   if (std::isnan(value)) return 0.0;
   const double most = std::numeric_limits<double>::max();

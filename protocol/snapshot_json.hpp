@@ -1,6 +1,5 @@
-// The `state` message's members: one look at the machine as JSON, rounded for people and programs
-// (mm to 3 decimals, degrees to 4, matrices to 5). A pure function of model and snapshot; it knows
-// no clients and no sequence numbers.
+// The members of a `state` message: a snapshot of the machine as JSON, with rounded numbers (mm
+// with 3 decimals, degrees with 4, matrices with 5). A pure function of model and snapshot.
 #pragma once
 
 #include <cstdint>
@@ -16,40 +15,41 @@
 
 namespace xr3 {
 
-/// Everything that a `state` message shows, as a value. Equal snapshots are shown alike.
+/// The data of a `state` message. Equal snapshots give equal messages.
 struct Snapshot {
-  std::int64_t epoch = 0;  ///< counts the states that are not a continuation of one another
+  std::int64_t epoch = 0;  ///< see Epoch in cell_event.hpp
   ClockMode mode = ClockMode::kReal;
   Rate rate;
-  int model_rev = 1;  ///< counts the workcells since the start
+  int model_rev = 1;  ///< counts the changes of the workcell since the start
   State state;
   bool operator==(const Snapshot&) const = default;
 };
 
-/// Decimals of the monitor's numbers.
+/// Decimals of numbers in the monitor's messages.
 inline constexpr int kMmDecimals = 3;
 inline constexpr int kDegreeDecimals = 4;
 inline constexpr int kMatrixDecimals = 5;
 
-/// Names of top-level members that a client chose; none: all of them.
+/// Names of the top-level members that a client has selected; nullopt: all members.
 using Fields = std::optional<std::vector<std::string>>;
 
-/// The members of `state` that may be chosen, in their order.
+/// The members of `state` that can be selected, in order.
 const std::vector<std::string>& state_members();
 
-/// `{"mode":"real","rate":1.0}`; the rate is simulated seconds in a wall second.
+/// `{"mode":"real","rate":1.0}`; the rate is in simulated seconds per wall second.
 Json clock_json(ClockMode mode, Rate rate);
 
-/// Every member of a `state` message but op, id, cell, epoch, seq and tick.
+/// All members of a `state` message except op, id, cell, epoch, seq and tick.
 Json state_json(const Model& model, const Snapshot& snapshot);
 
-/// The chosen members in the order in which they were chosen; names without a member are left out.
+/// The selected members, in the order of selection; unknown names are ignored.
 Json chosen(const Json& members, const Fields& fields);
 
-/// A point as the monitor shows it: `[250.0,60.0,15.0]` in mm.
+/// A point in mm: `[250.0,60.0,15.0]`.
 Json point_json(const PointUm& point);
 
-/// To so many decimals, 0...9, and never -0. JSON has no infinity: it becomes the greatest number.
+/// Rounds to `decimals` (0...9) decimals; never -0. As JSON has neither, infinity becomes the
+/// maximum double and NaN becomes 0.
 double rounded(double value, int decimals);
 
 }  // namespace xr3

@@ -8,7 +8,7 @@
 namespace xr3 {
 namespace {
 
-using namespace data;  // NOLINT: the tables below read as the file does
+using namespace data;  // NOLINT: keeps the tables below readable
 
 constexpr int kMaxPixels = 2048;
 
@@ -18,7 +18,7 @@ Members<Workspace> workspace_members() {
           required("z", &Workspace::z_um, length_um(kSize))};
 }
 
-/// `names` are two members of a Camera that the file gives as one list.
+/// Two members of Camera that the file gives as one list.
 template <class V>
 Member<Camera> pair_of(std::string name, V Camera::*first, V Camera::*second, Codec<V> item,
                        const std::string& allowed) {

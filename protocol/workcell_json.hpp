@@ -1,5 +1,5 @@
-// The workcell's data file (paper, Section III-B) as text to value and back. The text comes from the
-// caller: nothing here reads a file.
+// Converts workcell files (paper, Section III-B) from text to values and back. The text comes from
+// the caller; no file is read here.
 #pragma once
 
 #include <optional>
@@ -13,21 +13,23 @@
 
 namespace xr3 {
 
-/// A workcell, unless a finding is an error, and everything found in its file, sorted by line.
+/// The result of reading a workcell file. `workcell` is set unless a finding is an error; the
+/// findings are sorted by line.
 struct WorkcellReading {
   std::optional<Workcell> workcell;
   Findings findings;
 };
 
-/// Reads and checks a workcell file; given a robot, also whether its tool can take the blocks. Syntax
-/// errors are findings like all others: it never throws.
+/// Reads and checks a workcell file; with a robot, also whether the blocks fit its tool. Syntax
+/// errors are findings, too. Never throws.
 WorkcellReading read_workcell(std::string_view text, const std::string& file,
                               const Robot* robot = nullptr);
 
-/// The workcell in a file's text. Throws DataError with every finding if one of them is an error.
+/// Reads and checks a workcell file. Throws DataError with all findings if one of them is an error.
 Workcell load_workcell(std::string_view text, const std::string& file);
 
-/// The file form in mm, its members in the documented order. Loaded again it gives an equal workcell.
+/// The JSON of a workcell file, in mm, with its members in the documented order. Loading it gives
+/// an equal workcell.
 Json workcell_to_json(const Workcell& workcell);
 
 }  // namespace xr3

@@ -15,14 +15,14 @@ namespace {
 
 using data::Reading;
 
-constexpr double kTouchMm = 0.05;  ///< blocks this near to each other or the surface touch
+constexpr double kTouchMm = 0.05;  ///< maximum gap at which blocks, or block and surface, touch
 constexpr double kRadiansPerDegree = kPi / 180.0;
 
 std::string block_pointer(std::size_t index) { return "/blocks/" + std::to_string(index); }
 
 std::string words(double length_mm) { return data::number_json(length_mm).dump(); }
 
-/// A block as its footprint on the table and its bottom and top, in mm.
+/// The footprint of a block on the table, and its bottom and top, in mm.
 struct Shape {
   Eigen::Vector2d centre;
   Eigen::Vector2d along;   ///< half the length, in its direction
@@ -44,7 +44,7 @@ struct Shape {
   }
 };
 
-/// Whether a line between the footprints exists in one of their four directions.
+/// Separating axis test: the footprints overlap unless a gap exists along one of their four sides.
 bool footprints_overlap(const Shape& a, const Shape& b) {
   const Eigen::Vector2d between = b.centre - a.centre;
   if (between.norm() > (a.along + a.across).norm() + (b.along + b.across).norm()) return false;
@@ -68,7 +68,7 @@ void warn(Reading& reading, std::size_t block, std::string found, std::string al
   reading.report(Severity::kWarning, block_pointer(block), std::move(found), std::move(allowed));
 }
 
-/// Extent of a footprint in x, for finding neighbours.
+/// Extent of a footprint in x, to find neighbours.
 struct Span {
   double low;
   double high;
@@ -85,7 +85,7 @@ std::vector<Span> spans_by_x(const std::vector<Shape>& shapes) {
   return spans;
 }
 
-/// For each block the first one before it in the file that it overlaps, or itself.
+/// For each block: the first earlier block in the file that it overlaps, or its own index.
 std::vector<std::size_t> first_overlaps(const std::vector<Shape>& shapes) {
   std::vector<std::size_t> first(shapes.size());
   std::iota(first.begin(), first.end(), std::size_t{0});
@@ -173,7 +173,7 @@ void check_surface(const Workcell& workcell, Reading& reading) {
                  "less than the workspace's z, " + words(mm(workcell.workspace.z_um)) + " mm");
 }
 
-/// A camera sees only what is below it; for a perspective one a block at its height is no picture.
+/// The camera must be above the work surface; in perspective, above every block, too.
 void check_camera(const Workcell& workcell, Reading& reading) {
   if (!workcell.camera || !reading.is_sound("/camera")) return;
   const double height = mm(workcell.camera->location_um.z);

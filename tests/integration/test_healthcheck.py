@@ -90,8 +90,8 @@ class Healthcheck(unittest.TestCase):
             self.unhealthy(rf"\[::1\]:{port}", "--monitor-port", port, "--listen", "::")
 
     def test_no_xr3(self):
-        for says, answer in [("is not xr3: it says \"HTTP/1.1 400 Bad", b"HTTP/1.1 400 Bad Request\r\n\r\n"),
-                             ("says nothing", b""),
+        for says, answer in [("is not xr3: it sends \"HTTP/1.1 400 Bad", b"HTTP/1.1 400 Bad Request\r\n\r\n"),
+                             ("sends nothing", b""),
                              ("is not xr3", b'{"op":"hello","server":"another"}\n'),
                              ("is not xr3", bytes(range(256)) * 400),
                              ("too many", b'{"op":"bye","why":"full","message":"too many"}\n')]:
@@ -101,13 +101,13 @@ class Healthcheck(unittest.TestCase):
     def test_a_port_of_lines_is_no_monitor(self):
         with Server() as xr3, xr3.monitor() as monitor:
             before = monitor.get("joints", "moving")
-            self.unhealthy("says nothing", "--monitor-port", xr3.robot_port, "--wait", "0.1")
+            self.unhealthy("sends nothing", "--monitor-port", xr3.robot_port, "--wait", "0.1")
             after = monitor.get("joints", "moving")
             self.assertEqual(before["joints"], after["joints"])
 
     def test_who_does_not_answer_is_not_waited_for(self):
         with stand_in() as port:  # takes connections, and says nothing
-            self.unhealthy("says nothing", "--monitor-port", port, "--wait", "0.1")
+            self.unhealthy("sends nothing", "--monitor-port", port, "--wait", "0.1")
         with socket.socket() as server:
             server.bind((LOCALHOST, 0))
             server.listen(0)

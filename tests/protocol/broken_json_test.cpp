@@ -1,5 +1,5 @@
-// Every broken file of tests/data/broken, and exactly what is found in it: line, JSON pointer, and how
-// the texts for what stands there and what may stand there begin.
+// Every broken file of tests/data/broken, and exactly what is found in it: line, JSON pointer, and
+// how the texts for what stands there and what may stand there begin.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -56,7 +56,7 @@ const std::vector<Row>& rows() {
       {"robot-coupling", 27, "/coupling/3", "joint 1 coupled to joint 2 for the second time",
        "each pair of joints once"},
       {"robot-coupling", 27, "/coupling/4", "joint 2 coupled to joint 1, which leads back to it",
-       "couplings without a circle"},
+       "couplings without a cycle"},
       {"robot-eight-joints", 4, "/joints", "a list of 8", "a list of 1 to 7"},
       {"robot-hard-home-in-region", 28, "/protected_region",
        "the tool tip at the hard home, (22.701, -74.253, 200) mm, in",
@@ -74,7 +74,7 @@ const std::vector<Row>& rows() {
       {"robot-labels", 6, "/joints/0/label", "\"B\"", "\"C\": the tool is A, the last joi"},
       {"robot-labels", 12, "/joints/1/label", "\"C\"", "\"B\": the tool is A, the last joi"},
       {"robot-labels", 19, "/tool/label", "\"a\"", "a letter \"A\" to \"H\""},
-      {"robot-limits", 8, "/joints/0/limits", "[90, -90]", "the lesser limit first"},
+      {"robot-limits", 8, "/joints/0/limits", "[90, -90]", "the lower limit first"},
       {"robot-limits", 14, "/joints/1/limits", "[-100,0,100]", "a list [min, max] of two numbers"},
       {"robot-limits", 22, "/tool/home", "40", "a home within the limits [0, 30]"},
       {"robot-masks-clash", 23, "/tool/switch/mask", "1 for the second time",

@@ -37,9 +37,9 @@ TEST(HealthProbe, TakesBytesAsTheyCome) {
 }
 
 TEST(HealthProbe, SaysHowFarItCame) {
-  EXPECT_THAT(after("").trouble(), HasSubstr("says nothing"));
+  EXPECT_THAT(after("").trouble(), HasSubstr("sends nothing"));
   EXPECT_THAT(after(kHello).trouble(), HasSubstr("does not answer"));
-  EXPECT_THAT(after("login: ").trouble(), HasSubstr("is not xr3: it says \"login: \""));
+  EXPECT_THAT(after("login: ").trouble(), HasSubstr("is not xr3: it sends \"login: \""));
 }
 
 TEST(HealthProbe, KnowsWhoIsNotXr3) {

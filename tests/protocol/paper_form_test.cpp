@@ -1,5 +1,6 @@
-// The paper's plain form: what is shipped and what rapidcheck makes up goes there and back and loses
-// nothing; files written by hand hold only what the paper names; broken ones say on which line.
+// The paper's plain form: what is shipped and what rapidcheck makes up goes there and back and
+// loses nothing; files written by hand hold only what the paper names; broken ones say on which
+// line.
 #include "protocol/paper_form.hpp"
 
 #include <gtest/gtest.h>
@@ -329,7 +330,7 @@ TEST(PaperForm, BrokenRobotsSayWhere) {
        "found 3; allowed: 1 (theta) or 2 (d)"},
       {"limits", with_line(kArm, 11, "-90"), "11 /joints/0/limits", "2 items: limits"},
       {"limits the wrong way", with_line(kArm, 11, "90 -90"), "11 /joints/0/limits",
-       "the lesser limit first"},
+       "the lower limit first"},
       {"home past a limit", with_line(kArm, 4, "95"), "4 /joints/0/theta_deg", "within the limits"},
       {"label", with_line(kArm, 16, "D"), "16 /joints/0/label", "found \"D\"; allowed: \"C\""},
       {"a number for a label", with_line(kArm, 16, "7"), "16 /joints/0/label", "one item: label"},
