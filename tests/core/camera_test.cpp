@@ -1,6 +1,6 @@
-// The overhead camera against pictures kept in tests/golden (XR3_UPDATE_GOLDEN=1 writes them anew),
-// against a slow reference that asks of every pixel whether its centre lies in a hull, and against the
-// area, centre and direction that each block's size and yaw promise.
+// Compares the overhead camera with the pictures in tests/golden (XR3_UPDATE_GOLDEN=1 rewrites
+// them), with a slow reference that tests for every pixel whether its centre lies in a hull, and
+// with the area, centre and direction that follow from each block's size and yaw.
 #include "core/camera.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ ModelPtr model_with(const Workcell& workcell, const std::string& robot = "rhino-
   return std::make_shared<const Model>(robot_named(robot), workcell, Profile::kPaper);
 }
 
-/// The Rhino holds its first block over the table, hand and block tilted.
+/// The Rhino holds its first block above the table, hand and block tilted.
 State holding_tilted(const Model& model) {
   State state = state_at(model, {{'F', 90}, {'E', 300}, {'D', -400}, {'C', 200}, {'B', 48}});
   state.held = Held{0, 0, positions_at(model, {{'E', 449}, {'D', -625}})};
@@ -94,9 +94,9 @@ TEST(Camera, GoldenPicturesOfATiltedBlock) {
   }
 }
 
-// --- The slow reference: a point lies in the hull of some corners if it lies on the inner side of every
-// line through two of them that has all corners on one side. On a line it counts if the hull lies to
-// the right of the line, or above a level one.
+// --- The slow reference: a point lies in the hull of the corners if it is on the inner side of
+// every line through two of them that has all corners on one side. A point on the line is inside if
+// the hull is to the right of the line, or above a horizontal line.
 
 struct Corner {
   double x;  ///< whole numbers throughout: exact up to 2^53
@@ -124,7 +124,7 @@ bool lies_in_hull(const Corner& p, const std::set<Corner>& corners) {
   return has_line;
 }
 
-/// Corners on the work surface in micrometres, worked out in the other order: rotation first.
+/// Corners on the work surface in micrometres, computed in a different order: rotation first.
 std::set<Corner> shadow(const Model& model, const State& state, std::size_t block) {
   const Camera& camera = *model.workcell().camera;
   const Transform pose = block_pose(model, state, block);
@@ -179,7 +179,8 @@ Image reference_image(const Model& model, const State& state) {
   return image;
 }
 
-// --- Random scenes. Small numbers and right angles make corners and edges meet pixel centres often.
+// --- Random scenes. With small numbers and right angles, corners and edges often hit pixel
+// centres.
 
 int in_range(int low, int high) { return *rc::gen::inRange(low, high + 1); }
 
@@ -252,9 +253,9 @@ RC_GTEST_PROP(Camera, RowsAndPixelsAreThoseOfTheWholePicture, ()) {
   RC_ASSERT(camera_pixel(*model, state, column, row) == whole.at(column, row));
 }
 
-// --- The rules one by one.
+// --- Individual rules.
 
-/// A camera over 80 x 60 mm, a pixel for each 10 mm, low left corner of the field at (0, 0).
+/// A camera above 80 x 60 mm, 10 mm per pixel, with the lower left corner of the field at (0, 0).
 Workcell eight_by_six() {
   Workcell workcell = test::bare_workcell();
   workcell.camera = Camera{{40'000, 30'000, 500'000}, 80'000, 60'000, 8, 6, {}};
@@ -313,9 +314,9 @@ TEST(Camera, PerspectiveMagnifiesWhatIsNear) {
   Workcell workcell = eight_by_six();
   workcell.camera->projection = Projection::kPerspective;
   Block block = box(30'000, 50'000, 20'000, 40'000);
-  block.centroid_um.z = 245'000;  // its top half way up to the camera: twice as large
+  block.centroid_um.z = 245'000;  // its top is half way up to the camera: twice as large
   EXPECT_EQ(area(picture_of(block, workcell)), 4 * 4);
-  workcell.work_surface_um = 125'000;  // and less far down to the table: one and a half times
+  workcell.work_surface_um = 125'000;  // and the table is nearer: one and a half times
   EXPECT_EQ(area(picture_of(block, workcell)), 3 * 3);
   block.size_um.z = 2;
   block.centroid_um.z = 125'000;
@@ -343,7 +344,7 @@ TEST(Camera, TheLargestPictureIsSharpToItsCorners) {
   EXPECT_FALSE(half.at(1024, 2047));
 }
 
-// --- What a vision exercise measures.
+// --- Measurements of a vision exercise.
 
 struct Blob {
   double area = 0;
@@ -370,7 +371,7 @@ Blob measure(const Image& image, const Camera& camera) {
   return {n * width * height, x, y, twice / 2 * 180 / kPi};
 }
 
-/// Between two directions without a head: 0...90.
+/// Angle between two undirected lines: 0...90.
 double angle_between_deg(double a, double b) { return std::abs(std::remainder(a - b, 180.0)); }
 
 TEST(Camera, EachDefaultBlockMeasuresAsTheFileSays) {

@@ -1,5 +1,5 @@
-// A block in the jaws: rigid in the tool's frame whatever the arm does, and what a stall, a limit,
-// a home or a reset does to it.
+// A block in the jaws: fixed in the tool's frame during all motions of the arm; the effect of a
+// stall, a limit, a home and a reset.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -79,7 +79,7 @@ TEST(Carry, AHeldBlockIsRigidInTheToolsFrameTiltIncluded) {
   }
 }
 
-// --- What never releases.
+// --- What does not release a block.
 
 Workcell table_with(PointUm centroid, PointUm size) {
   Workcell workcell = test::bare_workcell();
@@ -207,11 +207,11 @@ TEST(Carry, AFreshStartPutsEveryBlockBack) {
   EXPECT_EQ(rig.state().blocks, rig.model().workcell().blocks);
 }
 
-// --- A tick undone by the region leaves block and jaws as they were.
+// --- A tick undone by the protected region leaves block and jaws unchanged.
 
 struct UndoneCase {
   const char* what;
-  double delta;   ///< yaw of the block less the net roll
+  double delta;   ///< yaw of the block minus the net roll
   Counts jaws;    ///< their count before
   int direction;  ///< of their next count
   bool held;
@@ -223,7 +223,7 @@ const UndoneCase kUndone[] = {
     {"would release", 0, 16, +1, true},
 };
 
-// The shoulder's first count would enter the region, and the jaws' falls into the same tick.
+// The shoulder's first count would enter the region; the jaws' count is due in the same tick.
 Rig about_to_stall(const UndoneCase& c) {
   Counts e = 0;
   const ModelPtr bare = test::rhino();

@@ -1,4 +1,4 @@
-// The protected region and the work surface: where they begin, and what a stall undoes and allows.
+// The protected region and the work surface: their limits, and what a stall undoes and allows.
 #include "core/envelope.hpp"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,8 @@ Counts last_safe_shoulder() {
   return e + 1;
 }
 
-// Base, shoulder and jaws fall due in the same tick, and the shoulder would enter the region.
+// Counts of base, shoulder and jaws are due in the same tick, and the shoulder would enter the
+// region.
 Rig about_to_stall() {
   Rig rig;
   rig.stand_at({{'E', last_safe_shoulder()}});

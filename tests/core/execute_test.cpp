@@ -1,4 +1,4 @@
-// What each command does to the state, and that it does nothing else.
+// The effect of each command on the state, and that it has no other effect.
 #include "core/execute.hpp"
 
 #include <gtest/gtest.h>
@@ -14,8 +14,7 @@ using test::rhino;
 using test::Rig;
 using test::roomy_rhino;
 
-// A robot in the middle of something: three motors on their way, speeds, lines and settings
-// changed.
+// A robot in motion: three motors running; speeds, lines and settings changed.
 Rig busy_rig() {
   Rig rig(roomy_rhino());
   for (const Command& command :
@@ -38,7 +37,7 @@ struct ChangeCase {
   std::function<void(State&)> change;
 };
 
-// Every command that answers nothing: the whole state is as the change alone makes it.
+// Every command without a reply: the state differs only by the expected change.
 TEST(Execute, EachCommandChangesWhatItSaysAndNothingElse) {
   const int f = rhino()->index_of('F');
   const int e = rhino()->index_of('E');
@@ -102,7 +101,7 @@ struct AnswerCase {
   Reply reply;
 };
 
-// After 300 ticks E has 27 of its 50 counts to go, D has 12 of its -60, A 3 of its -5.
+// After 300 ticks E has 27 of its 50 counts to go, D 12 of its -60, A 3 of its -5.
 TEST(Execute, InquiriesAnswerAndChangeNothing) {
   const AnswerCase cases[] = {
       {"E?", QueryError{'E'}, ErrorMagnitude{27}},

@@ -1,5 +1,5 @@
-// A hundred thousand random motions of arm and jaws among blocks, watched count by count: whatever
-// the tool does, no block is lost, doubled, squeezed or moved without being touched.
+// A hundred thousand random motions of arm and jaws among blocks, checked count by count: no block
+// is lost, duplicated, squeezed or moved without contact.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ constexpr Tick kLongestRest = 128'000;
 
 struct Ground {
   const char* robot;
-  std::initializer_list<test::LabelledCount> centre;  ///< the counts about which the tool wanders
+  std::initializer_list<test::LabelledCount> centre;  ///< the counts around which the tool moves
   int runs;
 };
 
@@ -49,7 +49,7 @@ class Dice {
   std::mt19937 engine_;
 };
 
-/// Blocks of all shapes about a point, through and over one another.
+/// Blocks of all shapes around a point, which may overlap.
 std::vector<Block> scattered(Dice& dice, const PointUm& about) {
   std::vector<Block> blocks;
   for (int i = 0; i < kBlocks; ++i) {
@@ -62,7 +62,7 @@ std::vector<Block> scattered(Dice& dice, const PointUm& about) {
   return blocks;
 }
 
-/// In some of them the protected region comes up to where the tool wanders, or the surface stalls.
+/// In some cells the protected region extends to where the tool moves, or the surface stalls.
 ModelPtr random_cell(const Ground& ground, Dice& dice) {
   const ModelPtr bare = test::model_of(test::robot_named(ground.robot));
   const PointUm about = tool_tip(*bare, test::positions_at(*bare, ground.centre));
@@ -85,7 +85,7 @@ double distance(const PointUm& a, const PointUm& b) {
                    squared(static_cast<double>(a.z - b.z)));
 }
 
-/// The point is in the upright block, or a hair outside.
+/// The point is in the upright block, or outside by a small tolerance.
 bool is_in(const Block& block, const PointUm& point) {
   const double yaw = degrees(block.yaw_udeg) * kPi / 180;
   const auto dx = static_cast<double>(point.x - block.centroid_um.x);
@@ -98,7 +98,7 @@ bool is_in(const Block& block, const PointUm& point) {
          std::abs(up) <= static_cast<double>(block.size_um.z) / 2 + kHairUm;
 }
 
-/// How far a yaw is from being a whole number of quarters away from another.
+/// Distance of the difference of two yaws from a multiple of 90 degrees.
 double off_quarter(double yaw, double other) { return std::abs(std::remainder(yaw - other, 90.0)); }
 
 struct Tally {
@@ -110,8 +110,8 @@ struct Tally {
   int too_narrow = 0;
 };
 
-/// One machine in the hands of chance, and a twin that gets the same commands at the same ticks and
-/// lets time pass in other slices.
+/// A machine that gets random commands, and a twin that gets the same commands at the same ticks
+/// but advances in different steps.
 class Wanderer {
  public:
   Wanderer(const Ground& ground, std::uint32_t seed, Tally& tally)
@@ -153,7 +153,7 @@ class Wanderer {
     twin_.execute(command);
   }
 
-  // Some of the arm's motors or the jaws, about the centre; at times something else.
+  // Moves some of the arm's motors or the jaws around the centre; sometimes does something else.
   void motion() {
     const bool stands = state().stall != Stall::kNo;
     if (dice_.one_in(stands ? 3 : 400)) return home();
@@ -174,14 +174,14 @@ class Wanderer {
     check_changes(before, before.held ? static_cast<int>(before.held->block) : -1);
   }
 
-  // Held jaws mostly go on closing; others open wide and close again.
+  // Jaws that hold a block mostly continue to close; others open wide and close again.
   void jaws() {
     const bool opens = dice_.one_in(state().held ? 5 : 2);
     if (opens) both(Stop{'A'});
     both(Move{'A', opens ? dice_.any(1, 4) * 30 : -dice_.any(1, 100)});
   }
 
-  // Far away, as after a home, every joint goes straight back.
+  // If the arm is far away, as after a home, every joint moves straight back.
   void arm() {
     bool is_far = false;
     for (const auto& [label, count] : ground_.centre) {
@@ -202,7 +202,8 @@ class Wanderer {
     both(Move{label, std::clamp(wanted - rig_.count(label) - rig_.error(label), -25, 25)});
   }
 
-  // Between two counts of the jaws nothing happens to any block; check_count says what may at one.
+  // Between two counts of the jaws no block changes; check_count() has the changes allowed at a
+  // count.
   void watch_until(Tick until) {
     const int tool = model().tool_index();
     while (rig_.simulation.tick() < until) {
@@ -268,7 +269,7 @@ class Wanderer {
     check_changes(before, static_cast<int>(index));
   }
 
-  /// Along the jaws as they are, in micrometres.
+  /// Extent along the jaws' current direction, in micrometres.
   double extent(const Block& block) const {
     const double delta = degrees(block.yaw_udeg) - net_roll_deg(model(), where(state()));
     return static_cast<double>(block.size_um.y) * std::abs(std::cos(delta * kPi / 180)) +
@@ -297,7 +298,7 @@ class Wanderer {
     }
   }
 
-  /// No block but this one (-1: none) has changed.
+  /// No block except `allowed` (-1: none) has changed.
   void check_changes(const State& before, int allowed) const {
     for (std::size_t i = 0; i < before.blocks.size(); ++i) {
       if (static_cast<int>(i) != allowed) EXPECT_EQ(before.blocks[i], state().blocks[i]);
@@ -361,7 +362,7 @@ TEST(GraspProperty, NothingIsLostDoubledOrSqueezedInAHundredThousandMotions) {
       ASSERT_FALSE(HasFailure());
     }
   }
-  // The motions were such that something happened.
+  // The motions were effective.
   EXPECT_GT(tally.grasps, 1000);
   EXPECT_GT(tally.releases, 1000);
   EXPECT_GT(tally.turns, 1000);

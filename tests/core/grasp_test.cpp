@@ -1,5 +1,5 @@
-// Jaws and blocks, sentence by sentence: when closing jaws turn a block flat, where they stop, what
-// lets the block go and what never does.
+// Jaws and blocks: when closing jaws turn a block flat, where they stop, what releases the block
+// and what does not.
 #include "core/grasp.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using test::Rig;
 
 constexpr double kHairDeg = 1e-5;
 
-// Over the red block of the Rhino's table: the tool down, net roll 90 degrees.
+// Above the red block of the Rhino's table: tool down, net roll 90 degrees.
 constexpr std::initializer_list<test::LabelledCount> kDown = {{'E', 449}, {'D', -625}};
 constexpr Counts kFullyOpen = 16;
 
@@ -48,7 +48,7 @@ PointUm beside(const PointUm& place, Micrometres x, Micrometres y, Micrometres z
   return {place.x + x, place.y + y, place.z + z};
 }
 
-/// The jaws fully open about the blocks.
+/// The jaws are fully open around the blocks.
 Rig over(std::vector<Block> blocks, Workcell workcell = test::bare_workcell()) {
   Rig rig(rhino_with(std::move(blocks), std::move(workcell)));
   rig.stand_at({{'E', 449}, {'D', -625}, {'A', kFullyOpen}});
@@ -60,7 +60,7 @@ void close_jaws(Rig& rig, int counts = 100) {
   rig.settle();
 }
 
-/// Gripped: a block of 40 x 30 that lies flat, by its width.
+/// A block of 40 x 30 mm that lies flat, held by its width.
 Rig holding(Workcell workcell = test::bare_workcell()) {
   Rig rig = over({block_at(kPlace, 90)}, std::move(workcell));
   close_jaws(rig);
@@ -69,13 +69,13 @@ Rig holding(Workcell workcell = test::bare_workcell()) {
   return rig;
 }
 
-/// The least angle between two yaws, degrees.
+/// The smallest angle between two yaws, degrees.
 double apart(double a, double b) { return std::abs(std::remainder(a - b, 360.0)); }
 
-// --- A closing count that would not leave room first turns the block flat.
+// --- A closing count without enough room turns the block flat.
 
 struct TurnCase {
-  double delta;  ///< yaw of the block less the net roll, degrees
+  double delta;  ///< yaw of the block minus the net roll, degrees
   int quarters;
 };
 
@@ -133,14 +133,14 @@ TEST(Grasp, ASlenderBlockIsNotForcedBetweenJawsNarrowerThanItsLength) {
   EXPECT_EQ(block(narrower), block_at(kPlace, 140, slender));
 }
 
-// --- Where they stop, and what A's counter tells.
+// --- Where the jaws stop, and the value of A's error counter.
 
 struct MeasureCase {
   Micrometres width;
   Counts stop;  ///< ceil((width - home) / precision - 1e-6)
 };
 
-// Home 50.8 mm, 0.79375 mm a count.
+// Home 50.8 mm, 0.79375 mm per count.
 constexpr MeasureCase kMeasures[] = {
     {32'000, -23}, {28'000, -28}, {50'800, 0},  {50'801, 1},  {50'799, 0},  {50'006, -1},
     {50'007, 0},   {1'000, -62},  {63'500, 16}, {63'000, 16}, {62'700, 15}, {11'906, -49},
@@ -273,7 +273,7 @@ TEST(Grasp, TheExtentAsTheBlockLiesHasToFitBetweenTheJaws) {
   EXPECT_EQ(narrow_warnings(rig), 1);
 }
 
-// --- Which of several.
+// --- The choice among several blocks.
 
 TEST(Grasp, TheNearestCentroidIsTakenThenTheFirstInTheFile) {
   const PointUm wide{60'000, 30'000, 36'000};
@@ -321,12 +321,12 @@ TEST(Grasp, OfTwoStackedBlocksTheOneAroundTheTipIsTaken) {
   }
 }
 
-// --- What lets go, and how the block then lies.
+// --- What releases a block, and its pose then.
 
 TEST(Grasp, TheFirstOpeningCountReleases) {
   Rig rig = holding();
   rig.move('A', 1);
-  rig.pass(16);  // 60 counts a second
+  rig.pass(16);  // 60 counts per second
   EXPECT_TRUE(rig.state().held);
   rig.pass(1);
   EXPECT_EQ(rig.count('A'), -25);
@@ -339,7 +339,7 @@ struct LetGoCase {
   std::initializer_list<test::LabelledCount> travel;
 };
 
-// The pitch tilts the hand; the block lies upright again all the same.
+// The pitch tilts the hand; the released block is upright nevertheless.
 const LetGoCase kLetGo[] = {
     {"where it was", {}},
     {"turned by the base", {{'F', 120}}},

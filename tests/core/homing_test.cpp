@@ -1,5 +1,5 @@
-// Homing as a program does it, by switches and small steps alone: from every posture with the tool
-// down the Rhino ends at one hard home, to the count.
+// Homing as a program does it, with switches and small steps only: from every posture with the tool
+// down the Rhino ends exactly at the same hard home.
 #include <gtest/gtest.h>
 
 #include <deque>
@@ -15,13 +15,13 @@ namespace {
 using test::LabelledCount;
 using test::Rig;
 
-// Knows nothing of the robot but what a line tells: the reply to ?, and the bit of a switch.
+// Uses only what a line provides: the reply to ?, and the bit of a switch.
 class Homing {
  public:
   explicit Homing(Rig& rig) : rig_(rig) {}
 
-  /// Every joint in turn; one that stands is put off until the others have moved. False: none
-  /// could.
+  /// Homes every joint in turn; a blocked one is retried after the others have moved. Returns false
+  /// if all are blocked.
   bool home(std::deque<char> labels) {
     for (std::size_t put_off = 0; !labels.empty();) {
       if (put_off > labels.size()) return false;
@@ -55,7 +55,7 @@ class Homing {
   }
   int to_go(char label) { return std::get<ErrorMagnitude>(rig_.execute(QueryError{label})).counts; }
 
-  // A reply that stays for 100 ms means that the joint stands.
+  // If the reply is unchanged for 100 ms, the joint is blocked.
   bool step(char label, int counts) {
     rig_.move(label, counts);
     for (int before = to_go(label); before != 0;) {
@@ -79,7 +79,7 @@ struct Posture {
   std::initializer_list<LabelledCount> counts;
 };
 
-// Tool down is C = 0, since coupling keeps the hand's attitude.
+// Tool down is C = 0, because coupling keeps the hand's orientation.
 const Posture kPostures[] = {
     {{}},
     {{{'E', 449}, {'D', -625}}},
@@ -109,7 +109,7 @@ TEST(Homing, EndsAtOneHardHomeFromEveryPostureWithTheToolDown) {
   }
 }
 
-// A reachable posture of any arm on a grid: outside the region, above the table, within limits.
+// A posture is reachable if it is outside the region, above the table and within limits.
 bool is_reachable(const Model& model, const Positions& at) {
   for (int i = 0; i < model.motor_count(); ++i) {
     const Counts position = at[static_cast<std::size_t>(i)];
@@ -119,9 +119,9 @@ bool is_reachable(const Model& model, const Positions& at) {
   return !is_in_protected_region(model, tip) && !is_below_surface(model, tip);
 }
 
-// With the upper arm leaning back by more than some 32 degrees (E below -280) and the hand held
-// high, the elbow's way home leads through the protected region: then a program must move the
-// shoulder first.
+// If the upper arm leans back by more than about 32 degrees (E below -280) and the hand is high,
+// the elbow's way home leads through the protected region: a program must then move the shoulder
+// first.
 TEST(Homing, EndsThereFromAGridOfArmPosturesToo) {
   int postures = 0;
   for (Counts e = -275; e <= 850; e += 125) {

@@ -1,5 +1,5 @@
-// Inverse kinematics by numbers: robots that exist nowhere, with too few joints, as many as needed and
-// one too many; and the numerical way against the closed forms.
+// Numerical inverse kinematics: fictitious robots with too few joints, as many as needed and one
+// too many; and the numerical method compared with the closed forms.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -114,7 +114,7 @@ TEST(InverseNumerical, AConfigurationFixesTheLastJoint) {
   }
 }
 
-// The closed forms list all there is; whatever the numbers find must be among it.
+// The closed forms list all solutions, so the numerical ones must be among them.
 TEST(InverseNumerical, FindsNothingThatTheClosedFormsLack) {
   const ToolTarget targets[] = {down_target({330, 96, 60}, 25), down_target({470, 120, 100}, 35)};
   for (const char* name : {"rhino-xr3", "intelledex-660"}) {

@@ -1,5 +1,5 @@
-// Every pick of the three workcells and the published poses, solved backwards: joint angles as printed,
-// motor counts exactly.
+// Inverse kinematics of every pick of the three workcells and of the published poses: joint angles
+// as printed, motor counts exact.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -136,7 +136,8 @@ const Pick kPicks[] = {
      {{'G', -266}, {'E', 541}, {'D', -1180}, {'C', -261}, {'B', -21}}},
 };
 
-/// The block's yaw or that half a turn on, as the pick's own roll has it: the jaws do not care.
+/// The block's yaw, or plus half a turn, whichever matches the pick's roll: for the jaws both are
+/// equal.
 double net_roll_of(const Pick& pick, const Model& model) {
   const double printed = net_roll_deg_at(model.robot(), pick.variables);
   return apart_deg(printed, pick.yaw_deg) < 90 ? pick.yaw_deg : pick.yaw_deg + 180;
@@ -210,7 +211,7 @@ TEST(Inverse, ThePublishedPosesAndConfigurationsGiveTheirCountsBack) {
   }
 }
 
-// As the paper prints it, to four decimals: the approach leans 0.002 degrees out of the plane.
+// As printed in the paper, with four decimals: the approach is 0.002 degrees out of the plane.
 TEST(Inverse, APrintedConfigurationIsNearEnough) {
   ToolConfiguration w;
   w << 247.9346, 92.3095, 293.7373, 0.03669, 0.01366, -0.65808;

@@ -1,4 +1,5 @@
-// Direct after inverse over the joints' whole ranges, and what rounding to counts leaves.
+// Direct after inverse kinematics over the joints' full ranges, and the error of rounding to
+// counts.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -16,7 +17,7 @@ namespace {
 
 using namespace test;
 
-/// Joint variables anywhere in their ranges, whole turns left out, on counts or off them.
+/// Joint variables anywhere in their ranges, without full turns, on counts or between them.
 JointVariables arbitrary_variables(const Model& model) {
   JointVariables variables;
   for (int k = 0; k < model.joint_count(); ++k) {
@@ -66,7 +67,7 @@ RC_GTEST_PROP(Inverse, CountsGiveTheirPositionsBack, ()) {
   RC_ASSERT(counts.motors == motor_counts(model, positions));
 }
 
-// Each whole pose is within half a count of each motor of the exact one.
+// The rounded pose is within half a count of each motor of the exact one.
 RC_GTEST_PROP(Inverse, RoundingLeavesNoMoreThanHalfACountOfEachMotor, ()) {
   const Model& model = *model_named(kRhino);
   const JointVariables variables = arbitrary_variables(model);

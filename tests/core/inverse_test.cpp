@@ -1,5 +1,5 @@
-// Inverse kinematics in closed form: which form a robot has, names of branches, poses that cannot be
-// had, limits, and poses that leave joints free.
+// Inverse kinematics in closed form: the form of each robot, names of branches, impossible poses,
+// limits, and poses that leave joints free.
 #include "core/inverse.hpp"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST(Inverse, ElbowNamesAreWhatOneSees) {
   }
 }
 
-// ---------------------------------------------------------------- what cannot be
+// ---------------------------------------------------------------- impossible poses
 
 struct Refused {
   const char* what;
@@ -192,7 +192,7 @@ TEST(Inverse, TipAndHandOnTheBaseAxisLeaveBaseAndRollFree) {
   }
 }
 
-// Only the tip is on the axis: the approach then says where the base looks.
+// Only the tip is on the axis, so the approach determines the base angle.
 TEST(Inverse, ATipOnTheBaseAxisTakesTheBaseFromTheApproach) {
   const Model& model = *model_named(kRhino);
   const double c = std::cos(0.7);

@@ -1,5 +1,5 @@
-// Short words for the tests of inverse kinematics: the three robots by name, and how far one set of
-// joint variables is from another.
+// Helpers for the tests of inverse kinematics: the three robots by name, and the distance between
+// two sets of joint variables.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,7 @@ inline double apart_deg(double one, double other) {
   return std::abs(std::remainder(one - other, 360.0));
 }
 
-/// The greatest difference of a joint, full turns aside.
+/// The maximum difference of a joint, modulo full turns.
 inline double apart(const Model& model, const JointVariables& one, const JointVariables& other) {
   double most = 0;
   for (std::size_t k = 0; k < one.size(); ++k) {

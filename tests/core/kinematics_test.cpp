@@ -1,6 +1,6 @@
-// Equations (1) to (3) of the paper: the published figures of three robots, each link's matrix
-// against its definition as four elementary moves, and the short way to the tip against the long
-// one.
+// Equations (1) to (3) of the paper: the published figures of three robots; each link's matrix
+// compared with its definition as four elementary moves; and tool_tip() compared with the matrix
+// product.
 #include "core/kinematics.hpp"
 
 #include <gtest/gtest.h>
@@ -92,7 +92,7 @@ TEST(Kinematics, ApproachAndToolConfigurationVector) {
   }
 }
 
-// A drawing program of the eighties meant the wrist axis at (4, 12) inches from the shoulder axis.
+// A drawing program of the 1980s intended the wrist axis at (4, 12) inches from the shoulder axis.
 TEST(Kinematics, ADrawingProgramsWristIsWhereItMeantIt) {
   const ModelPtr model = test::rhino();
   const auto frames = base_transforms(*model, positions_at(*model, {{'E', -224}, {'D', 219}}));
@@ -138,7 +138,7 @@ const GraspGolden kGrasps[] = {
      {{'G', -266}, {'E', 343}, {'D', -1127}, {'C', -116}, {'B', -21}}},
 };
 
-// Within what half a count of each joint makes at full reach.
+// Within the effect of half a count of each joint at full reach.
 TEST(Kinematics, TheJawsComeDownOnEveryBlockOfTheWorkcells) {
   for (const GraspGolden& golden : kGrasps) {
     const ModelPtr model = model_of(robot_named(golden.robot));
@@ -152,7 +152,7 @@ TEST(Kinematics, TheJawsComeDownOnEveryBlockOfTheWorkcells) {
   }
 }
 
-// Half a count of tilt is all that keeps the tool from hanging straight down.
+// The tool points straight down up to half a count of tilt.
 TEST(Kinematics, NetRollIsTheYawOfTheToolsXAxisWithTheToolDown) {
   for (const GraspGolden& golden : kGrasps) {
     const ModelPtr model = model_of(robot_named(golden.robot));
@@ -176,7 +176,7 @@ TEST(Kinematics, OpeningsOfParallelAndAngularJaws) {
   EXPECT_NEAR(opening_mm(*angular, 0), 2 * 60 * std::sin(20 * kPi / 180), 1e-12);
 }
 
-// Equation (2) from its meaning: turn and shift along z, then shift and turn along x.
+// Equation (2) by definition: turn and shift along z, then shift and turn along x.
 Transform elementary_moves(const DhRow& row) {
   const auto turn = [](double deg, const Eigen::Vector3d& axis) {
     return Eigen::AngleAxisd(deg * kPi / 180.0, axis);

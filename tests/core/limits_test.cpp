@@ -1,5 +1,5 @@
-// A motor whose next count would take any joint past a limit stands still, keeps its error counter,
-// and is free the other way.
+// A motor whose next count would move any joint past a limit stops, keeps its error counter, and
+// can move the other way.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -16,7 +16,7 @@ using test::roomy_rhino;
 
 struct EndCase {
   char label;
-  Counts last;  ///< the count at which the motor stands
+  Counts last;  ///< the count at which the motor stops
   bool upper;   ///< of the joint variable
   double limit;
 };
@@ -153,7 +153,8 @@ TEST(Limits, AFreedMotorBeginsAWholeCount) {
   EXPECT_EQ(rig.count('D'), 601);
 }
 
-// E and D fall due in the same tick and there is room for one: the base's side goes first.
+// Counts of E and D are due in the same tick and there is room for one: the joint nearer to the
+// base is first.
 TEST(Limits, EachCountIsCheckedAgainstThoseAlreadyMadeInTheTick) {
   Rig rig(roomy_rhino());
   rig.stand_at({{'E', 400}, {'D', 524}});

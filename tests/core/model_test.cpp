@@ -1,5 +1,5 @@
-// What the model works out once from the files: limits in whole counts, coupling between counts,
-// labels, the profile's switches.
+// The values that the model computes from the files: limits in whole counts, coupling between
+// counts, labels, the profile's switches.
 #include "core/model.hpp"
 
 #include <gtest/gtest.h>
@@ -19,8 +19,8 @@ struct LimitCase {
   CountRange limits;
 };
 
-// By exact rational arithmetic from the figures in degrees and millimetres; most of them lie
-// exactly on a count, where a double may fall on either side.
+// Computed by exact rational arithmetic from the figures in degrees and millimetres. Most limits
+// lie exactly on a count, where a double may be on either side.
 constexpr LimitCase kLimits[] = {
     {"rhino-xr3", 'F', {-771, 771}},         {"rhino-xr3", 'E', {-440, 881}},
     {"rhino-xr3", 'D', {-660, 925}},         {"rhino-xr3", 'C', {-1101, 1101}},
@@ -65,8 +65,9 @@ TEST(Model, LabelsRunFromTheToolToTheBase) {
   for (const auto& [label, index] : labels) EXPECT_EQ(model->index_of(label), index) << label;
 }
 
-// Shoulder against elbow, elbow against pitch, as joint variables; E turns with its variable, D and
-// C against theirs, so between counts D gains what E turns, and C loses what D turns.
+// As joint variables: shoulder against elbow, elbow against pitch. E counts with its variable, D
+// and C against theirs. Between counts, D therefore gains the counts of E, and C loses the counts
+// of D.
 TEST(Model, CouplingOfTheRhinoBetweenCounts) {
   const ModelPtr model = rhino();
   const int e = model->index_of('E');

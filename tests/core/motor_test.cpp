@@ -105,7 +105,7 @@ TEST(Motor, AWrappedCounterRunsTheOtherWay) {
   EXPECT_EQ(rig.count('E'), -56);
 }
 
-// --- The phase. B at 100 counts a second has gathered half a count after five ticks.
+// --- The phase. B at 100 counts per second has half a count of phase after five ticks.
 
 Rig half_a_count_on_the_way(int counts) {
   Rig rig(roomy_rhino());
@@ -117,7 +117,7 @@ Rig half_a_count_on_the_way(int counts) {
 
 struct PhaseCase {
   const char* what;
-  int running;  ///< counts it had to go when half of one was gathered
+  int running;  ///< counts to go when the phase was half a count
   Command then;
   int phase;
 };

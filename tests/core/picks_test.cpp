@@ -1,5 +1,5 @@
-// Every pick of the three default tables, to the count: where the joints stand, that the tip is in
-// the block, where the jaws stop, and that the block comes along when it is lifted.
+// Every pick of the three default workcells, to the count: the joint positions, that the tip is in
+// the block, where the jaws stop, and that the block moves with the tool when lifted.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,7 +45,7 @@ struct Pick {
   std::initializer_list<double>
       angles_deg;  ///< of the joints from the base; mm for a prismatic one
   Counted at;
-  Counted raised;  ///< the motors that stand elsewhere 100 mm higher
+  Counted raised;  ///< the motors whose counts differ 100 mm higher
   Counts jaws;
 };
 

@@ -1,4 +1,4 @@
-// Wall time to ticks, at every rate, without ever reading a clock.
+// Conversion of wall time to ticks at every rate, without reading a clock.
 #include "core/sim_clock.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// The facade: the same files and inputs give the same state, states can be kept and restored, and
-// the events are taken in order.
+// The facade: the same files and inputs give the same state, states can be saved and restored, and
+// events come in order.
 #include "core/simulation.hpp"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST(Simulation, EventsAreTakenOnceAndInOrder) {
   EXPECT_TRUE(rig.simulation.take_events().empty());
 }
 
-// E+m with D-m, as drawing programs send it: the elbow's angle to the upper arm stays.
+// E+m with D-m, as drawing programs send it: the angle between elbow and upper arm is unchanged.
 TEST(Simulation, OldProgramsKeepTheElbowsAngle) {
   Rig rig(test::roomy_rhino());
   for (int i = 0; i < 4; ++i) {
@@ -80,8 +80,8 @@ TEST(Simulation, OldProgramsKeepTheElbowsAngle) {
   EXPECT_EQ(rig.position('E'), 200);
 }
 
-// A program of 1983 polls E? 25 to 41 ms after E-5 and must not find it done; another sends 50
-// counts each 240 ms without ever asking.
+// A program of 1983 polls E? 25 to 41 ms after E-5, when the move must not be finished yet; another
+// sends 50 counts every 240 ms without polling.
 TEST(Simulation, TheRhinosSpeedsSuitTheProgramsThatDroveIt) {
   Rig poll(test::roomy_rhino());
   poll.move('E', -5);

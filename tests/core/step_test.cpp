@@ -1,4 +1,4 @@
-// Time: however it is sliced the same state comes out, bit for bit, and rest costs nothing.
+// Time: the state is bit-identical for every division into steps, and time at rest costs nothing.
 #include "core/step.hpp"
 
 #include <gtest/gtest.h>
@@ -19,8 +19,8 @@ using test::rhino;
 using test::Rig;
 using test::roomy_rhino;
 
-// What happens at a moment, and how long nothing else does: plain numbers, which a failing property
-// shows and makes smaller. More often a move than anything else.
+// An action and the ticks until the next one: plain numbers, which a failing property can print and
+// shrink. Most actions are moves.
 using Happening = std::tuple<int, char, int, int>;
 
 rc::Gen<Happening> happening() {
@@ -48,7 +48,7 @@ std::vector<Happening> arbitrary_day() {
   return *rc::gen::container<std::vector<Happening>>(happening());
 }
 
-// Home, or a few counts from the region, from limits of its own and of a coupled joint.
+// Home, or a few counts from the region, from a limit, or from a coupled joint's limit.
 State arbitrary_start(const Model& model) {
   switch (*rc::gen::inRange(0, 4)) {
     case 0: return test::state_at(model, {{'E', -320}, {'F', 765}, {'A', 12}});
@@ -109,7 +109,8 @@ RC_GTEST_PROP(Step, WhateverIsSentTheJointsStayWithinTheirLimits, ()) {
   }
 }
 
-// A motor's mark and phase follow from counts and error counters, whatever happened before.
+// `blocked` and the phase of a blocked motor follow from counts and error counters, independent of
+// the history.
 RC_GTEST_PROP(Step, AMotorIsMarkedBlockedExactlyWhenItsNextCountIs, ()) {
   Rig rig = rig_at_an_arbitrary_start();
   for (const Happening& happening : arbitrary_day()) {
@@ -150,7 +151,7 @@ std::chrono::milliseconds duration_of(Work work) {
                                                                start);
 }
 
-// So generous that only a loop over the ticks can miss it.
+// Large enough that only a loop over the ticks exceeds it.
 constexpr std::chrono::milliseconds kAtOnce{50};
 constexpr Tick kForEver = 1'000'000'000'000;
 
@@ -192,7 +193,7 @@ TEST(Step, TheSlowestMoveTakes128Seconds) {
   EXPECT_EQ(rig.count('B'), -128);
 }
 
-// A motor that waits for another to make room trails it by one count of its own.
+// A motor that waits until another makes room follows it by one count.
 TEST(Step, TheSlowestMoveBehindAnotherTakesOneCountMore) {
   Rig rig(roomy_rhino());
   rig.stand_at({{'D', 600}, {'C', -501}});

@@ -1,5 +1,5 @@
-// Microswitches: latched beyond their position or of finite width, watching the motor and not the
-// joint; the bits of I, J and K.
+// Microswitches: closed beyond their position or with a finite width, driven by the motor and not
+// the joint; the bits of I, J and K.
 #include "core/switches.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST(Switches, WhereTheyAreClosed) {
 
 struct TravelCase {
   char label;
-  int away;  ///< a sign: the way to the switch
+  int away;  ///< sign of the direction towards the switch
   Counts closes;
 };
 

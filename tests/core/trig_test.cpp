@@ -1,4 +1,4 @@
-// Sines and cosines of our own against the C library's long double, which is finer than a double.
+// Compares our sines and cosines with the C library's in long double.
 #include "core/trig.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr long double kPiLong = 3.14159265358979323846264338327950288L;
 
-// Exact reduction to 45 degrees first, so that the reference loses nothing anywhere.
+// Exact reduction to 45 degrees first, so that the reference is accurate everywhere.
 struct Reference {
   explicit Reference(double angle_deg) {
     int quarter = 0;
@@ -33,7 +33,7 @@ double units_in_last_place(double got, long double wanted) {
   return static_cast<double>(std::fabs(static_cast<long double>(got) - wanted)) / unit;
 }
 
-// Converting to radians rounds twice and the series once more.
+// The conversion to radians rounds twice, the series once more.
 constexpr double kMostUnits = 2.5;
 
 void expect_near_reference(double angle_deg) {

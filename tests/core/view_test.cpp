@@ -1,5 +1,5 @@
-// The view plane against its definition and against figures worked out by hand, and the rectangle of it
-// that is shown.
+// The view plane compared with its definition and with figures computed by hand, and the rectangle
+// shown.
 #include "core/view.hpp"
 
 #include <gtest/gtest.h>
@@ -43,8 +43,8 @@ struct Golden {
 TEST(View, FiguresByHand) {
   const Golden goldens[] = {
       {{1, 1, 1}, {0, 0, 3}, {0, 6 / kRoot6}},
-      {{1, 1, 1}, {2, 0, 0}, {-2 / kRoot2, -2 / kRoot6}},  // x comes towards the left
-      {{1, 1, 1}, {0, 2, 0}, {2 / kRoot2, -2 / kRoot6}},   // y towards the right
+      {{1, 1, 1}, {2, 0, 0}, {-2 / kRoot2, -2 / kRoot6}},  // x to the left
+      {{1, 1, 1}, {0, 2, 0}, {2 / kRoot2, -2 / kRoot6}},   // y to the right
       {{1, 1, 1}, {5, 5, 5}, {0, 0}},
       {{1, 0, 0}, {7, 2, 3}, {2, 3}},    // from the front: y to the right
       {{-4, 0, 0}, {7, 2, 3}, {-2, 3}},  // from behind: y to the left

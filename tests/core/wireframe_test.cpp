@@ -1,5 +1,5 @@
-// The wire frame: parts in their order and colours, each carried by its own frame, jaws that open by
-// the tool's variable, blocks as boxes where they are, and the tip's path.
+// The wire frame: order and colours of the parts, each transformed by its own frame; jaws that open
+// by the tool's variable; blocks as boxes; and the tip's path.
 #include "core/wireframe.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ std::vector<Wire> of_part(const std::vector<Wire>& wires, const std::string& par
   return found;
 }
 
-/// A joint of 90 degrees a count about z, its link 10 long, then one that lifts by 1 mm a count.
+/// A joint of 90 degrees per count about z with a link 10 mm long, then a slide of 1 mm per count.
 Robot two_links() {
   Robot robot;
   Joint turning;
@@ -104,7 +104,7 @@ TEST(Wireframe, AngularJawsTurnAboutTheirPivots) {
   EXPECT_NEAR((wires[0].points[1] - wires[1].points[1]).norm(), opening_mm(*model, 60), kTinyMm);
 }
 
-/// How far apart the two fingers' insides are at the tip's height: what the drawing shows as the gap.
+/// The gap in the drawing: the distance between the fingers' inner sides at the tip's height.
 double drawn_gap_mm(const Model& model, Counts tool) {
   Positions at{};
   at[static_cast<std::size_t>(model.tool_index())] = tool;
@@ -144,7 +144,7 @@ TEST(Wireframe, EveryPartOfTheThreeRobotsIsThere) {
     for (int k = 1; k < model->joint_count(); ++k) wanted.push_back("link" + std::to_string(k));
     wanted.insert(wanted.end(), {"tool", "finger+1", "finger-1"});
     for (const Block& block : model->workcell().blocks) wanted.push_back("block:" + block.name);
-    std::erase_if(wanted, [&](const std::string& part) {  // a link may have nothing to draw
+    std::erase_if(wanted, [&](const std::string& part) {  // a link may have no outline
       return part.starts_with("link") &&
              model->robot().links[static_cast<std::size_t>(part.back() - '0')].points.empty();
     });
@@ -173,7 +173,7 @@ std::multiset<Edge> edges_of(const std::vector<Wire>& wires) {
   return edges;
 }
 
-/// Pairs of a box's corners that differ in one of three directions.
+/// The edges of a box: pairs of corners that differ in one of three directions.
 std::multiset<Edge> box_edges(const Transform& pose, const PointUm& size) {
   const auto corner = [&](int bits) {
     const Eigen::Vector4d p((bits & 1 ? 0.5 : -0.5) * mm(size.x),
