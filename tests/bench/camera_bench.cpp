@@ -1,4 +1,5 @@
-// What a camera picture costs: a hundred blocks at 640 x 480, both projections, and one row of it.
+// Cost of a camera image: a hundred blocks at 640 x 480 pixels, both projections, and one row of
+// it.
 #include <benchmark/benchmark.h>
 
 #include <memory>

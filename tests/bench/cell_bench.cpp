@@ -1,5 +1,5 @@
-// How fast a cell runs: simulated time by wall time, with every motor kept running and its jaws,
-// tip, switches and limits watched at every count. The counter x_real_time is what people ask for.
+// Speed of a cell: simulated time over wall time, with every motor running and jaws, tip, switches
+// and limits checked at every count. The main result is the counter x_real_time.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -11,10 +11,11 @@ namespace xr3 {
 namespace {
 
 constexpr Tick kSlice = 50;
-constexpr int kAlmostThere = 20;  // more than any motor does in a slice
+constexpr int kAlmostThere = 20;  // more counts than any motor makes in a slice
 constexpr int kThereAndBack = 100;
 
-// Every motor runs to and fro between about -50 and +50 counts, and is turned before it arrives.
+// Every motor moves back and forth between about -50 and +50 counts, and is reversed before it
+// arrives.
 void keep_running(Simulation& simulation) {
   for (int i = 0; i < simulation.model().motor_count(); ++i) {
     const MotorState& motor = simulation.state().motor(i);
@@ -41,7 +42,7 @@ void report(benchmark::State& state, Tick ticks) {
   state.counters["x_real_time"] = benchmark::Counter(count / kTickHz, benchmark::Counter::kIsRate);
 }
 
-// Argument: every motor's speed in counts a second; 0 stands for those of the robot file.
+// Argument: the speed of all motors in counts per second; 0: the speeds of the robot file.
 void six_motors(benchmark::State& state) {
   Simulation simulation = running_simulation(static_cast<int>(state.range(0)));
   for (auto _ : state) {
@@ -66,7 +67,7 @@ void one_motor(benchmark::State& state) {
 }
 BENCHMARK(one_motor);
 
-// The same tick by tick, as nobody runs it: what a tick costs in which nothing is skipped.
+// The same tick by tick: the cost of a tick if none is skipped.
 void six_motors_tick_by_tick(benchmark::State& state) {
   Simulation simulation = running_simulation(0);
   for (auto _ : state) {

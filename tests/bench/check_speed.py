@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Fails if one cell is slower than it has to be: with every motor running, and with one.
+"""Fails if one cell is slower than required, with all motors running and with one.
 
     check_speed.py BENCH
 
-BENCH is the benchmarks' executable, of a release build. The best of a few runs counts, so that a
-busy machine does not fail; the targets, on an idle one, are 20,000 and 100,000 times real time.
+BENCH is the benchmark executable of a release build. The best of several runs counts, so that the check
+passes on a busy machine, too. The targets on an idle one are 20,000 and 100,000 times real time.
 """
 
 import json

@@ -1,7 +1,7 @@
-// What a viewer costs: a thousand of them at 60 Hz, by JSON lines and by WebSocket, against a bare loop of
-// writes with the same bytes in the same run; and what they do to the round trip of a robot line beside
-// them. It speaks POSIX only. Usage: bench_fanout XR3 [VIEWERS [ROUNDS [LINES_BOUND WEBSOCKET_BOUND
-// LINE_BOUND]]]; exit code 1 where a ratio is above its bound.
+// Cost of monitor sessions: a thousand at 60 Hz, by JSON lines and by WebSocket, compared with a
+// bare loop of writes with the same bytes in the same run; and their effect on the round trip of a
+// robot line. POSIX only. Usage: bench_fanout XR3 [SESSIONS [ROUNDS [LINES_BOUND WEBSOCKET_BOUND
+// LINE_BOUND]]]; exit code 1 if a ratio is above its bound.
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/epoll.h>
@@ -33,7 +33,7 @@ constexpr int kHz = 60;
 const std::string kFollow =
     R"({"op":"sub","channel":"state","max_hz":60,"on_change":false,"fields":["joints","io"]})";
 
-/// Reads everything that comes on many connections, and counts bytes.
+/// Reads from many connections and counts the bytes.
 class Drain {
  public:
   explicit Drain(std::vector<int> fds) : fds_(std::move(fds)), epoll_(::epoll_create1(0)) {
@@ -77,7 +77,7 @@ class Drain {
   std::thread thread_;
 };
 
-/// CPU time of a process for each message of so many bytes, in microseconds.
+/// CPU time of a process per message of this size, in microseconds.
 double us_a_message(pid_t pid, const Drain& drain, std::size_t message_bytes, double seconds) {
   const double cpu = cpu_s(pid);
   const std::uint64_t bytes = drain.bytes();
@@ -87,7 +87,7 @@ double us_a_message(pid_t pid, const Drain& drain, std::size_t message_bytes, do
   return (cpu_s(pid) - cpu) * 1e6 / messages;
 }
 
-/// One write of the same bytes to everybody, 60 times a second.
+/// Writes the same bytes to all connections 60 times per second.
 [[noreturn]] void write_loop(int viewers, const std::string& message) {
   const int listener = listen_as("bare");
   std::vector<int> fds;
@@ -120,7 +120,7 @@ void say(int fd, Carrier carrier, const std::string& text) {
   send_all(fd, carrier == Carrier::kLines ? text + "\n" : masked_frame(text));
 }
 
-/// A viewer who follows nothing yet.
+/// A monitor session without a subscription.
 int look(int port, Carrier carrier) {
   const int fd = connect_to(port);
   if (carrier == Carrier::kWebsocket) {
@@ -137,7 +137,7 @@ std::vector<int> many(int viewers, const Connect& connect) {
   return fds;
 }
 
-/// What one viewer is sent again and again, with its line end.
+/// A message that the server sends repeatedly, with its line end.
 std::string sample(int port) {
   const int fd = look(port, Carrier::kLines);
   say(fd, Carrier::kLines, kFollow);
@@ -168,12 +168,12 @@ double line_p99_us(int port, double seconds) {
   return times[times.size() * 99 / 100];
 }
 
-// --- Three that send the same to as many viewers, by turns.
+// --- Three senders that send the same to the same number of connections, in turn.
 
-/// Somebody who sends to all of a thousand connections between start() and stop().
+/// A process that sends to all connections between start() and stop().
 class Sender {
  public:
-  /// `message_bytes` are those of each message, on the wire.
+  /// `message_bytes` is the size of a message on the wire.
   Sender(pid_t pid, std::size_t message_bytes) : pid_(pid), message_bytes_(message_bytes) {}
   Sender(const Sender&) = delete;
   Sender& operator=(const Sender&) = delete;
@@ -181,7 +181,7 @@ class Sender {
   virtual void start() = 0;
   virtual void stop() = 0;
 
-  /// CPU time a message while it sends, in microseconds.
+  /// CPU time per message while sending, in microseconds.
   double measure(double seconds) const {
     return us_a_message(pid_, *drain_, message_bytes_, seconds);
   }
@@ -222,13 +222,13 @@ class Server : public Sender {
   Carrier carrier_;
 };
 
-/// What one round found, in microseconds.
+/// Results of a round, in microseconds.
 struct Round {
   double bare = 0;
   double lines = 0;
   double websocket = 0;
   double alone = 0;   ///< p99 of the robot line
-  double beside = 0;  ///< the same beside viewers by JSON lines
+  double beside = 0;  ///< the same with monitor sessions by JSON lines
 };
 
 constexpr double kSettle_s = 0.2;
@@ -258,7 +258,7 @@ double median_of(const std::vector<Round>& rounds, const Value& value) {
   return median(std::move(all));
 }
 
-/// The line's best: neighbours on the machine can only make it wait.
+/// The minimum for the line: other processes on the machine can only add delay.
 Round best(const std::vector<Round>& rounds) {
   Round found = rounds.front();
   for (const Round& round : rounds) {
@@ -268,7 +268,7 @@ Round best(const std::vector<Round>& rounds) {
   return found;
 }
 
-/// The ratio in each round, since what is compared must have met the same neighbours.
+/// The ratio in each round, so that both values were measured under the same load.
 template <class Value, class Base>
 double ratio(const std::vector<Round>& rounds, const Value& value, const Base& base) {
   return median_of(rounds, [&](const Round& round) { return value(round) / base(round); });
@@ -285,15 +285,15 @@ bool report(const std::vector<Round>& rounds, const Bounds& bounds) {
   const auto lines = [](const Round& round) { return round.lines; };
   const auto websocket = [](const Round& round) { return round.websocket; };
   const Round line = best(rounds);
-  std::printf("medians: bare write loop %.2f us a message, JSON lines %.2f, WebSocket %.2f\n",
+  std::printf("medians: bare write loop %.2f us per message, JSON lines %.2f, WebSocket %.2f\n",
               median_of(rounds, bare), median_of(rounds, lines), median_of(rounds, websocket));
-  std::printf("robot line, p99 of a round trip: %.0f us alone, %.0f us beside the viewers\n",
+  std::printf("robot line, p99 of a round trip: %.0f us alone, %.0f us with the sessions\n",
               line.alone, line.beside);
-  const bool kept[] = {judge("JSON lines against the bare loop, CPU a message",
+  const bool kept[] = {judge("JSON lines against the bare loop, CPU per message",
                              ratio(rounds, lines, bare), bounds.lines),
-                       judge("WebSocket against the bare loop, CPU a message",
+                       judge("WebSocket against the bare loop, CPU per message",
                              ratio(rounds, websocket, bare), bounds.websocket),
-                       judge("robot line's p99 beside the viewers against alone",
+                       judge("robot line's p99 with the sessions against alone",
                              line.beside / line.alone, bounds.robot_line)};
   return std::all_of(std::begin(kept), std::end(kept), [](bool is_kept) { return is_kept; });
 }
@@ -304,13 +304,13 @@ bool run(const std::string& xr3, int viewers, int rounds, const Bounds& bounds) 
   const int monitor = port_in(greeting, "monitor");
   const int robot = port_in(greeting, "robot");
   const std::string message = sample(monitor);
-  std::printf("%d viewers at %d Hz, %zu bytes a message, %d rounds\n", viewers, kHz, message.size(),
-              rounds);
+  std::printf("%d monitor sessions at %d Hz, %zu bytes per message, %d rounds\n", viewers, kHz,
+              message.size(), rounds);
   const Child loop([&] { write_loop(viewers, message); });
   const int bare_port = port_in(loop.greeting(), "bare");
   BareLoop bare(loop.pid(), many(viewers, [=] { return connect_to(bare_port); }), message.size());
   Server lines(server.pid(), monitor, viewers, Carrier::kLines, message.size());
-  // A header of four bytes for a line end.
+  // A header of four bytes instead of a line end.
   Server websocket(server.pid(), monitor, viewers, Carrier::kWebsocket, message.size() + 3);
   pass(kSettle_s);
   bare.stop();
@@ -333,7 +333,7 @@ bool run(const std::string& xr3, int viewers, int rounds, const Bounds& bounds) 
 }  // namespace xr3::bench
 
 int main(int argc, char** argv) {
-  if (argc < 2) return std::fputs("bench_fanout XR3 [VIEWERS [ROUNDS [BOUNDS...]]]\n", stderr), 2;
+  if (argc < 2) return std::fputs("bench_fanout XR3 [SESSIONS [ROUNDS [BOUNDS...]]]\n", stderr), 2;
   const auto number = [&](int i, double otherwise) {
     return i < argc ? std::atof(argv[i]) : otherwise;
   };

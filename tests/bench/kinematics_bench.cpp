@@ -1,4 +1,4 @@
-// What a look at the arm costs: the tip for every decision, frames for every picture.
+// Cost of the kinematics: the tip for every decision, the frames for every picture.
 #include <benchmark/benchmark.h>
 
 #include "core/kinematics.hpp"

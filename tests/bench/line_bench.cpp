@@ -1,5 +1,5 @@
-// How many bytes a second a line takes: through the parser alone, and through guard, telnet filter,
-// endpoint and machine.
+// Throughput of a line in bytes per second: the parser alone, and with HTTP and TLS detector,
+// telnet filter, endpoint and machine.
 #include <benchmark/benchmark.h>
 
 #include <string>

@@ -1,4 +1,4 @@
-// What the monitor costs: a record of a line at every read, and messages made where somebody looks.
+// Cost of the monitor: a record of a line at every read, and the messages for subscribers.
 #include <benchmark/benchmark.h>
 
 #include <memory>
@@ -18,7 +18,7 @@
 namespace xr3 {
 namespace {
 
-/// A hundred blocks before a camera of 640 x 480 pixels.
+/// A hundred blocks in the field of a camera of 640 x 480 pixels.
 const Model& hundred() {
   static const Model model = [] {
     Workcell workcell = test::workcell_named("rhino-hundred");
@@ -29,7 +29,7 @@ const Model& hundred() {
   return model;
 }
 
-/// What one read completed, again and again into the same ring.
+/// The exchanges of one read, recorded repeatedly into the same ring.
 struct Read {
   Simulation simulation{test::rhino()};
   RhinoEndpoint endpoint{Profile::kPaper};

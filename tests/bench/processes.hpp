@@ -1,5 +1,5 @@
-// What the benchmarks over sockets share: processes that are measured from outside, connections, and
-// figures of several rounds. POSIX only; what it measures may be any server.
+// Helpers for the benchmarks over sockets: child processes to be measured, connections, and
+// statistics over several rounds. POSIX only; works with any server.
 #pragma once
 
 #include <sys/types.h>
@@ -10,21 +10,23 @@
 
 namespace xr3::bench {
 
-/// Keeps who measures, who is measured and who reads apart, where there are processors enough: a wake-up
-/// would otherwise put a client where the server is busy, and the scheduler's slice would be measured.
+/// Puts measuring process, server and reader on different processors if there are enough. Otherwise
+/// a wake-up could put a client on the server's processor, and the scheduler's time slice would be
+/// measured.
 enum class Place { kMeasures = 0, kServes = 1, kReads = 2 };
 void stay_at(Place place);
 
-/// As many descriptors as the system allows, no signal for a connection that is gone, lines written at once.
+/// Raises the limit of descriptors to the maximum, ignores SIGPIPE, and makes standard output line
+/// buffered.
 void prepare();
 
-/// User and system time of a process, seconds.
+/// User plus system time of a process, seconds.
 double cpu_s(pid_t pid);
 
-/// Lets so much time pass.
+/// Sleeps.
 void pass(double seconds);
 
-/// A child process, kept where servers are, that is ended with this value.
+/// A child process on the servers' processor; the destructor ends it.
 class Child {
  public:
   explicit Child(const std::function<void()>& run);
@@ -32,7 +34,7 @@ class Child {
   Child& operator=(const Child&) = delete;
   ~Child();
   pid_t pid() const { return pid_; }
-  /// Its first line.
+  /// The first line of its output.
   std::string greeting() const;
 
  private:
@@ -40,25 +42,26 @@ class Child {
   int out_ = -1;
 };
 
-/// An `xr3 serve` on free ports, without a log.
+/// Starts `xr3 serve` on free ports, without a log.
 Child serve(const std::string& xr3);
 
-/// A listening socket on a free port of this machine, which is told on standard output as `NAME=`.
+/// Opens a listening socket on a free port of this machine and prints the port as `NAME=` on
+/// standard output.
 int listen_as(const std::string& name);
 
-/// The port in `NAME=127.0.0.1:9600`. Throws std::runtime_error.
+/// The port in `NAME=127.0.0.1:9600`. Throws std::runtime_error if there is none.
 int port_in(const std::string& greeting, const std::string& name);
 
-// Connections on this machine, without delay. They throw std::runtime_error.
+// Connections on this machine, with TCP_NODELAY. These functions throw std::runtime_error.
 int connect_to(int port);
 void send_all(int fd, const std::string& bytes);
-/// What there is, at most 64 KiB; empty at the end.
+/// Reads at most 64 KiB; empty at the end of the connection.
 std::string read_some(int fd);
 void set_no_delay(int fd);
 
 double median(std::vector<double> values);
 
-/// Prints a ratio beside its bound; whether it is kept.
+/// Prints a ratio with its bound. Returns whether the bound is met.
 bool judge(const char* what, double ratio, double bound);
 
 }  // namespace xr3::bench

@@ -1,7 +1,8 @@
-// What an inquiry on the robot line costs, against a bare epoll loop that answers every two bytes by one,
-// in the same run: processor time with many lines that ask in turn, one byte asked for at a time and
-// many at once, and the median time of a round trip of one line alone. Usage: bench_round_trips XR3 [LINES
-// [ROUNDS [COST_BOUND PIPELINED_BOUND TIME_BOUND]]]; exit code 1 where a ratio is above its bound.
+// Cost of an inquiry on the robot line, compared with a bare epoll loop that answers every two
+// bytes with one, in the same run: CPU time with many lines, with one inquiry and with many
+// inquiries at once, and the median round trip time of a single line. Usage: bench_round_trips XR3
+// [LINES [ROUNDS [COST_BOUND PIPELINED_BOUND TIME_BOUND]]]; exit code 1 if a ratio is above its
+// bound.
 #include <sys/epoll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -42,7 +43,7 @@ void answer(int fd) {
   if (::write(fd, bytes.data(), static_cast<std::size_t>(got / 2)) < 0) ::close(fd);
 }
 
-/// The least that a server on sockets can do.
+/// The minimum that a socket server must do.
 [[noreturn]] void bare_loop() {
   const int listener = listen_as("bare");
   const int set = ::epoll_create1(0);
@@ -84,7 +85,7 @@ class Lines {
     for (const int fd : fds_) ::close(fd);
   }
 
-  /// Processor time of the server for each inquiry, microseconds: all lines ask, then all are read.
+  /// CPU time of the server per inquiry, microseconds: all lines send inquiries, then all are read.
   double cost_us(int at_once, double seconds) const {
     const std::string asked = repeated(kInquiry, at_once);
     const double spent = cpu_s(pid_);
@@ -98,7 +99,7 @@ class Lines {
     return (cpu_s(pid_) - spent) * 1e6 / static_cast<double>(inquiries);
   }
 
-  /// The median of one line's round trips, microseconds.
+  /// The median round trip time of one line, microseconds.
   double time_us(double seconds) const {
     std::vector<double> times;
     for (const auto end = Clock::now() + std::chrono::duration<double>(seconds);
@@ -138,15 +139,15 @@ bool run(const std::string& xr3, int lines, int rounds, const Bounds& bounds) {
   const Child loop([] { bare_loop(); });
   const Lines ours(server.pid(), port_in(server.greeting(), "robot"), lines);
   const Lines bare(loop.pid(), port_in(loop.greeting(), "bare"), lines);
-  std::printf("%d lines, each asked %d time and %d times at once; then one line alone; %d rounds\n",
-              lines, 1, kPipelined, rounds);
+  std::printf("%d lines with %d and %d inquiries at once; then a single line; %d rounds\n", lines,
+              1, kPipelined, rounds);
   std::vector<double> cost;
   std::vector<double> pipelined;
   std::vector<double> time;
   for (int i = 0; i < rounds; ++i) {
     const Figures of_bare = measured(bare);
     const Figures of_ours = measured(ours);
-    std::printf("    bare %.2f, %.3f us of processor, %.1f us; xr3 %.2f, %.3f us, %.1f us\n",
+    std::printf("    bare %.2f, %.3f us of CPU, %.1f us; xr3 %.2f, %.3f us, %.1f us\n",
                 of_bare.cost_us, of_bare.pipelined_us, of_bare.time_us, of_ours.cost_us,
                 of_ours.pipelined_us, of_ours.time_us);
     cost.push_back(of_ours.cost_us / of_bare.cost_us);

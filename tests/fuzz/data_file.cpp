@@ -1,8 +1,7 @@
-// Fuzzes the loaders of robot and workcell files: any text gives a value or findings, never
-// anything else; what was accepted makes a model that runs, and is the same when written and read
-// again.
+// Fuzzes the loaders of robot and workcell files: any text gives a value or findings; an accepted
+// file gives a model that runs, and is equal after writing and reading.
 //
-// Input: the first byte chooses the kind of file, the rest is its text.
+// Input: the first byte selects the kind of file, the rest is its text.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -23,7 +22,7 @@ void require(bool holds, const char* what) {
   std::abort();
 }
 
-// A few moves of every motor, up to where limits, region or blocks stop them.
+// A few moves of every motor, until limits, region or blocks stop them.
 void exercise(Robot robot, Workcell workcell) {
   Simulation simulation(
       std::make_shared<const Model>(std::move(robot), std::move(workcell), Profile::kPaper));

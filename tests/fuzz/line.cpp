@@ -1,9 +1,10 @@
-// Fuzzes two serial lines of one robot: any bytes, at any ticks. Checks what must hold whatever is
-// sent: joints within their limits, marks and phases that follow from the counters, rest in time,
-// and the same state and replies however bytes and time are sliced.
+// Fuzzes two serial lines of one robot with any bytes at any ticks. Invariants: joints are within
+// their limits, blocked marks and phases follow from the counters, the machine comes to rest in
+// time, and state and replies do not depend on the division of bytes and time.
 //
-// Input: the first byte chooses the profile; then chunks of a byte c and more: c < 0x40 sends the
-// next c + 1 bytes on line 1, c < 0x80 the next c - 0x3f on line 2, else (c - 0x7f)^2 ticks pass.
+// Input: the first byte selects the profile; then chunks that begin with a byte c: c < 0x40 sends
+// the next c + 1 bytes on line 1, c < 0x80 the next c - 0x3f on line 2, else (c - 0x7f)^2 ticks
+// pass.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

@@ -40,7 +40,7 @@ def passed(ticks):
 
 
 def line_input(text):
-    """A transcript as fuzz_line reads it; lines 2 and up become line 2."""
+    """Converts a transcript to the input format of fuzz_line; lines above 2 become line 2."""
     chunks = [b"\1" if "@ compat mark3" in text else b"\0"]
     for line in text.splitlines():
         match = re.match(r"([1-9]?)([>~]) (.*)", line)
@@ -68,7 +68,7 @@ def files(pattern):
 
 
 def saved_cell(workcell):
-    """A saved cell at the soft home, one motor under way, with a block in the jaws."""
+    """A saved cell at the soft home with one motor running and a block in the jaws."""
     motor = {"count": 0, "phase": 0, "error": 0, "speed": 1, "blocked": "no", "switch_closed": False}
     display = {"on": True, "view": [1, 1, 1], "period_half_s": 6, "erase": False, "status_option": 6,
                "function_keys": True}

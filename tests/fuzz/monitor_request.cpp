@@ -1,6 +1,6 @@
-// Fuzzes the reader of the monitor's requests: any bytes give a request or what is wrong with them,
-// never anything else; a saved cell that was accepted is the same when written and read again, and
-// where it fits the Rhino, a machine runs on from it, is drawn and is seen.
+// Fuzzes the reader of the monitor's requests: any bytes give a request or an error; an accepted
+// saved cell is equal after writing and reading; and if it is valid for the Rhino, a machine
+// continues from it, is drawn and is seen by the camera.
 //
 // Input: one message.
 #include "protocol/monitor_request.hpp"
@@ -23,7 +23,7 @@
 namespace xr3::monitor {
 namespace {
 
-constexpr int kMostPixels = 65536;  ///< larger pictures only take time
+constexpr int kMostPixels = 65536;  ///< larger images only take time
 
 void require(bool holds, const char* what) {
   if (holds) return;
@@ -31,7 +31,7 @@ void require(bool holds, const char* what) {
   std::abort();
 }
 
-/// Everything that is made of a state, and whatever a line or a tick does to it.
+/// Uses a state in all ways: messages, commands of a line, and ticks.
 void exercise(const SavedCell& saved) {
   Simulation simulation(std::make_shared<const Model>(test::robot_named("rhino-xr3"),
                                                       saved.workcell, Profile::kPaper));

@@ -1,5 +1,5 @@
-// Every broken file of tests/data/broken, and exactly what is found in it: line, JSON pointer, and
-// how the texts for what stands there and what may stand there begin.
+// Every broken file of tests/data/broken with its exact findings: line, JSON pointer, and the
+// beginnings of the texts `found` and `allowed`.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -23,7 +23,7 @@ struct Row {
 
 const std::string kFolder = "tests/data/broken/";
 
-/// One row a finding, in the order in which they come out.
+/// One row per finding, in order of output.
 const std::vector<Row>& rows() {
   static const std::vector<Row> table = {
       {"neither-list", 1, "", "neither a robot nor a workcell",

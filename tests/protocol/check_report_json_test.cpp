@@ -1,4 +1,4 @@
-// What `xr3 check` says of a whole file: its kind, findings and summary.
+// The report of `xr3 check` about a file: its kind, findings and summary.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,4 +1,4 @@
-// The words that explain a silent line: stable codes, and sentences that name the bytes.
+// Diagnostics: stable codes, and sentences that name the bytes.
 #include "protocol/diagnostic.hpp"
 
 #include <gtest/gtest.h>

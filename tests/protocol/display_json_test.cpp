@@ -1,4 +1,4 @@
-// The graphics display as the monitor sends it.
+// The members of `display` messages.
 #include "protocol/display_json.hpp"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ TEST(DisplayJson, EverySettingIsShown) {
   EXPECT_EQ(display["status"].dump(), R"({"option":3,"text":"F 0  E 5  D 0  C 0  B 0  A 0"})");
 }
 
-// Looking along +y, x runs to the right and z up: the workspace's own numbers.
+// In a view along +y, x is to the right and z up, so the numbers are the workspace's.
 TEST(DisplayJson, ExtentsAreLeftBottomRightTop) {
   Rig rig = rhino_at_its_table();
   rig.execute(SetViewVector{0, -1, 0});
@@ -85,7 +85,7 @@ TEST(DisplayJson, RobotBlocksAndPath) {
   for (const char* part : {"base", "link1", "tool", "finger+1", "block:red", "path"}) {
     EXPECT_EQ(parts.count(part), 1U) << part;
   }
-  // From above, the path begins where the tip was at the soft home.
+  // Seen from above, the path begins at the tip's position at the soft home.
   const Json& path = display["polylines"].back();
   EXPECT_EQ(path["part"], "path");
   EXPECT_EQ(path["points"][0].dump(), "[238.1,0.0]");

@@ -1,4 +1,4 @@
-// Every kind of event as the monitor sends it: names, order and types of the members, and words.
+// Every kind of `event` message: names, order and types of the members, and texts.
 #include "protocol/event_json.hpp"
 
 #include <gtest/gtest.h>

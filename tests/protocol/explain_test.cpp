@@ -1,4 +1,4 @@
-// What every byte did, as a student reads it: transcripts of the line with the words under each.
+// Explanations of bytes: transcripts of a line with the texts below each record.
 #include "protocol/explain.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Hosts and origins: which pages may talk to the monitor port.
+// Hosts and origins: which pages may access the monitor port.
 #include "protocol/http_guard.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The camera's picture as the monitor sends it, in both encodings.
+// The members of `image` messages, in both encodings.
 #include "protocol/image_json.hpp"
 
 #include <gtest/gtest.h>
@@ -63,7 +63,8 @@ std::string unpacked(const Json& runs) {
   return text;
 }
 
-// Widths around the words that a row is stored in; runs short and long, none empty but the first.
+// Widths around the word size of a row's storage; short and long runs, of which only the first may
+// be empty.
 TEST(ImageJson, BothEncodingsShowEveryPixel) {
   std::mt19937 random(1);
   for (const int width : {1, 7, 8, 63, 64, 65, 127, 128, 129, 300}) {

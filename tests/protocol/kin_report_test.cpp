@@ -1,4 +1,4 @@
-// What `xr3 kin` understands and answers: options to questions, tables, JSON, sentences.
+// `xr3 kin`: from options to questions; tables, JSON and sentences of the answers.
 #include "protocol/kin_report.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// The model as the monitor sends it: kept as files it starts the same cell again.
+// The members of `model` messages: saved as files they start an equal cell.
 #include "protocol/model_json.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ ModelPtr at_its_table(const std::string& robot) {
                                        Profile::kPaper);
 }
 
-/// What a client would keep as a file, read again; a finding that is an error throws.
+/// The workcell that a client would save, reloaded. Throws if a finding is an error.
 Workcell reloaded(const Rig& rig) {
   const Json json = model_json(rig.model(), rig.state(), 1, "sha256:0");
   return load_workcell(json["workcell"].dump(), "kept");
@@ -59,7 +59,7 @@ TEST(ModelJson, BlocksAreWhereTheyAreNowToTheMicrometre) {
   }
 }
 
-// A file's blocks stand upright: a held one is kept as it would be let go here and now.
+// Blocks in a file are upright: a held one is saved as if released at its current place.
 TEST(ModelJson, AHeldBlockIsKeptWhereItIsHeld) {
   Rig rig(at_its_table("rhino-xr3"));
   rig.travel('E', 449);

@@ -1,5 +1,4 @@
-// Every call with good and bad args: the values that they become, and everything that is wrong with
-// them at once.
+// Every call with valid and invalid args: the resulting values, and all errors at once.
 #include "protocol/monitor_calls.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +13,7 @@
 namespace xr3::monitor {
 namespace {
 
-/// A good call's value that is no call of the cell.
+/// The value of a valid call that is not a call of the cell.
 template <class Call>
 Call other_of(const std::string& fn, const std::string& args) {
   const Request request = good(call_text(fn, args));
@@ -368,7 +367,7 @@ TEST(MonitorCalls, OneIsDescribed) {
   EXPECT_EQ(wrong_in("describe", R"({"fn":null})"), Pointers{"/args/fn"});
 }
 
-/// Whatever a call takes is described: nothing else is taken, everything that is required is missed.
+/// Descriptions are complete: no other argument is accepted, and every required one is missed.
 TEST(MonitorCalls, DescriptionsAreTrue) {
   const Json all = description(std::nullopt);
   for (const Json& call : all["calls"]) {

@@ -1,5 +1,5 @@
-// A client of the monitor in memory: what its first byte makes of it, how its bytes become lines,
-// and what comes back, however the bytes were cut up.
+// A client of the monitor port, in memory: protocol detection by the first byte, splitting into
+// lines, and the replies, for every division of the input.
 #include "protocol/monitor_client.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace xr3::monitor {
 namespace {
 
-/// What a shell around a client does with its lines, up to the next request to carry out.
+/// What a transport does with the lines of a client, up to the next request to execute.
 std::optional<Request> next_request(Lines& lines, Client& client) {
   while (!client.has_ended() && !client.is_full()) {
     const auto line = lines.next();
@@ -260,7 +260,7 @@ TEST(MonitorClient, BytesFillTheLaneToo) {
   Client client({"main"});
   client.send(std::make_shared<const std::string>(Client::kMostAnswerBytes, 'x'));
   EXPECT_TRUE(client.is_full());
-  client.end(Bye::kShutdown);  // the last word is always taken
+  client.end(Bye::kShutdown);  // `bye` is always queued
   client.send(pong({}));
   EXPECT_NE(client.next_output(0), nullptr);
   EXPECT_EQ(*client.next_output(0), *bye(Bye::kShutdown));

@@ -1,4 +1,4 @@
-// The members that a client may choose among are those that the messages really have.
+// The members that a client can select are exactly those of the messages.
 #include "protocol/monitor_fields.hpp"
 
 #include <gtest/gtest.h>

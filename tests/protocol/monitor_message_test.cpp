@@ -1,4 +1,4 @@
-// The server's messages, letter by letter.
+// The exact text of the server's messages.
 #include "protocol/monitor_message.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What clients may say, and what they hear when it is wrong: every request, every error code.
+// Every request, and every error code for invalid ones.
 #include "protocol/monitor_request.hpp"
 
 #include <gtest/gtest.h>

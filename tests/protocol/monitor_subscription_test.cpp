@@ -1,5 +1,5 @@
-// What a client follows: the latest frame in one slot, every message of a ring by a cursor, and what
-// it is told when it was too slow.
+// Subscriptions: the latest frame in a slot, every message of a ring by a cursor, and the `lag` for
+// a slow client.
 #include "protocol/monitor_subscription.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 Message text(const std::string& words) { return std::make_shared<const std::string>(words); }
 
-/// A frame that shows `content`; its message is its seq.
+/// A frame with this content; its message is its seq.
 Frame frame(std::int64_t seq, const std::string& content) {
   return {text(std::to_string(seq)), seq, text(content)};
 }
@@ -29,7 +29,7 @@ Subscribe to(Channel channel, MilliHz max_millihz = kMostMilliHz, bool on_change
 
 std::string shown(const Message& message) { return message ? *message : "-"; }
 
-/// Everything that comes at a frame.
+/// All messages sent at a frame.
 std::vector<std::string> all(FrameSubscription& subscription, FrameNumber now) {
   std::vector<std::string> messages;
   while (const Message message = subscription.next_output(now)) messages.push_back(*message);
@@ -229,7 +229,7 @@ TEST_F(FeedTest, AGetIsAnsweredByMessagesWithItsId) {
   get.since = 2;
   client.replay(events, "main", get, std::int64_t{5});
   client.send(text("result"));
-  events.push();  // came too late for the answer
+  events.push();  // too late for the reply
   Strings messages;
   while (const Message message = client.next_output(0)) messages.push_back(*message);
   const std::string head = R"({"op":"event","id":5,"cell":"main","epoch":0,"seq":)";

@@ -1,6 +1,5 @@
-// The paper's plain form: what is shipped and what rapidcheck makes up goes there and back and
-// loses nothing; files written by hand hold only what the paper names; broken ones say on which
-// line.
+// The paper's plain form: conversion of shipped and of random files in both directions is lossless;
+// hand-written files have only what the paper names; errors have line numbers.
 #include "protocol/paper_form.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +19,7 @@ const std::vector<std::string> kRobots = {"rhino-xr3", "adept-one", "intelledex-
 const std::vector<std::string> kWorkcells = {"rhino-xr3", "rhino-hundred", "adept-one",
                                              "intelledex-660"};
 
-/// Only what the paper names, as a student would type it.
+/// Only the items that the paper names, as a student would type them.
 const std::string kArm =
     "* a planar arm\n"
     "2\n"
@@ -136,7 +135,7 @@ std::string any_text(std::size_t least) {
   return letters.size() < least ? "x" : letters;
 }
 
-/// A shipped robot with everything changed that the rules let change.
+/// A shipped robot with random changes that the rules allow.
 Robot any_robot() {
   Robot robot = test::robot_named(*rc::gen::elementOf(kRobots));
   robot.name = any_text(1);
@@ -277,7 +276,7 @@ struct Broken {
   std::string name;
   std::string text;
   std::string places;
-  std::string words;  ///< in the report
+  std::string words;  ///< part of the report
 };
 
 TEST(PaperForm, BrokenWorkcellsSayWhere) {
@@ -351,7 +350,7 @@ TEST(PaperForm, BrokenRobotsSayWhere) {
   }
 }
 
-// Whatever line is taken out, doubled or spoilt: something is reported, at or after that line, and
+// If any line is removed, duplicated or damaged, an error is reported at or after that line, and
 // nothing is thrown.
 TEST(PaperForm, EveryLineCounts) {
   const std::string whole = robot_to_paper_form(test::robot_named("adept-one"));

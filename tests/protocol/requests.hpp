@@ -1,4 +1,5 @@
-// Requests of a monitor's client for tests: read, and expected to be good or bad.
+// Helpers for tests with requests of the monitor protocol: they are parsed and expected to be valid
+// or invalid.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ inline Pointers pointers_of(const RequestError& error) {
   return pointers;
 }
 
-/// "message: pointer: found; allowed", for a test that fails.
+/// "message: pointer: found; allowed", for failure messages.
 inline std::string words_of(const RequestError& error) {
   std::string words = error.message;
   for (const Detail& detail : error.details)
@@ -48,7 +49,7 @@ inline std::string call_text(const std::string& fn, const std::string& args) {
   return R"({"op":"call","fn":")" + fn + R"(","args":)" + args + "}";
 }
 
-/// A good call's value: one of the cell's own calls.
+/// The value of a valid call of the cell.
 template <class Call>
 Call call_of(const std::string& fn, const std::string& args) {
   const Request request = good(call_text(fn, args));
@@ -57,7 +58,7 @@ Call call_of(const std::string& fn, const std::string& args) {
   return std::get<Call>(std::get<call::Call>(wanted->call));
 }
 
-/// Pointers of the details with which a call is refused.
+/// The pointers in the details of a refused call.
 inline Pointers wrong_in(const std::string& fn, const std::string& args) {
   const RequestError error = bad(call_text(fn, args));
   EXPECT_EQ(error.code, "bad_args") << args;

@@ -1,5 +1,5 @@
-// Bytes in, replies out: commands reach the machine, replies the right line, and however a stream
-// is cut into pieces the same comes out.
+// Bytes in, replies out: commands reach the machine, replies the right line, and the output does
+// not depend on the division of the input.
 #include "protocol/rhino_endpoint.hpp"
 
 #include <gtest/gtest.h>
@@ -24,8 +24,8 @@ struct ReplyRow {
   std::string_view mark3;
 };
 
-// At the soft home of a mark3 all but F's switch (30 counts away and 60 wide), B's and A's are
-// open.
+// At the soft home of a mark3 all switches are open except F's (30 counts away and 60 wide), B's
+// and A's.
 TEST(RhinoEndpoint, WhatALineAnswers) {
   constexpr ReplyRow kRows[] = {
       {"E+50\rE?", "R", "R"},
@@ -185,7 +185,7 @@ struct Outcome {
   bool operator==(const Outcome&) const = default;
 };
 
-// Cuts each moment's bytes into pieces of 1 to most_bytes, and its time into as many.
+// Divides each moment's bytes into pieces of 1 to most_bytes, and its time into as many.
 Outcome live(const std::vector<Moment>& day, Profile profile, RandomBytes& random,
              std::uint32_t most_bytes) {
   Rig rig(test::rhino(profile));
@@ -215,7 +215,7 @@ TEST(RhinoEndpoint, CutAtRandomTenThousandStreamsGiveTheSameRepliesAndState) {
   }
 }
 
-// A junk stream that never did anything would prove nothing.
+// Guards the property tests: random streams must have effects.
 TEST(RhinoEndpoint, TheRandomStreamsDoAskMoveAndErr) {
   int replies = 0;
   int moved = 0;

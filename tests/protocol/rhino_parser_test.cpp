@@ -1,4 +1,4 @@
-// The serial line's language as tables: bytes on the left, what they mean on the right, each
+// The commands of the serial line as tables: bytes on the left, their meaning on the right, each
 // command in its shortest form and each problem by its code.
 #include "protocol/rhino_parser.hpp"
 
@@ -473,7 +473,7 @@ std::vector<Parsed> parse_disabled(std::string_view before, std::string_view byt
 }
 
 struct DisabledRow {
-  std::string_view before;  ///< while it was enabled
+  std::string_view before;  ///< sent while enabled
   std::string_view bytes;
   std::string_view meaning;  ///< items with a blank between them
 };
@@ -523,7 +523,8 @@ bool is_as_new_after_a_carriage_return(RhinoParser parser, Profile profile,
   return out.size() <= 3 && parser == RhinoParser(profile);
 }
 
-// A parser that a CR makes as new obeys whatever comes next, so this is more than that E+5 moves E.
+// A parser that equals a new one after a CR accepts any input, so this proves more than that E+5
+// moves E.
 void expect_every_three_bytes_to_be_bounded_and_left_behind(Profile profile) {
   std::vector<Parsed> out;
   out.reserve(8);

@@ -1,4 +1,4 @@
-// The shipped robots as the loader reads them, and robot files written and read again.
+// The shipped robots as read by the loader, and round trips of robot files.
 #include "protocol/robot_json.hpp"
 
 #include <gtest/gtest.h>
@@ -94,8 +94,9 @@ TEST(RobotJson, AnOutlineForEveryFrameIsDrawn) {
   }
 }
 
-// Angular fingers open by a right-hand turn of side * angle / 2 about x, which takes what lies before
-// the hinge, along the approach, to -y: the finger that closes from there has the side +1.
+// Angular fingers open by a right-handed turn of side * angle / 2 about x, which moves points in
+// front of the hinge, along the approach, towards -y: the finger that closes from there has the
+// side +1.
 TEST(RobotJson, FingersMeetWithTheJawsClosed) {
   for (const std::string& name : kRobots) {
     const Tool tool = shipped(name).tool;

@@ -1,5 +1,5 @@
-// Saved cells that were changed by hand: refused where no machine with the robot comes to such a state,
-// with every reason, so that no machine runs on, and tells its line, what cannot be.
+// Saved cells that were edited by hand. They are refused, with all reasons, if a machine with this
+// robot cannot reach the state, so that no machine continues from an impossible state.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ Strings misfits_of(const SavedCell& saved) {
   return pointers;
 }
 
-/// One wrong member is told in these words.
+/// Expects one invalid member, reported with these texts.
 void expect_refused(const SavedCell& saved, const std::string& pointer, const Json& found,
                     const std::string& allowed) {
   const auto details = details_of(saved);
@@ -163,7 +163,7 @@ TEST(SavedCellFit, NoTipIsInTheProtectedRegion) {
       "base's axis, or at z 340000 um and above");
 }
 
-/// The Rhino after it has leaned back into its protected region.
+/// The Rhino, stalled after leaning back into its protected region.
 SavedCell stalled() {
   test::Rig rig;
   while (rig.state().stall == Stall::kNo) {
@@ -192,7 +192,7 @@ TEST(SavedCellFit, TheSurfaceMayBeAnotherOneSinceTheStall) {
   SavedCell saved = at_home();
   saved.state.stall = Stall::kWorkSurface;
   EXPECT_EQ(misfits_of(saved), Strings{});
-  const ModelPtr level = test::model_of(test::odd_arm(1));  // it turns about the vertical only
+  const ModelPtr level = test::model_of(test::odd_arm(1));  // turns about the vertical only
   saved = saved_of(*level, initial_state(*level));
   saved.state.stall = Stall::kWorkSurface;
   const auto details = monitor::misfits(*level, saved);
@@ -203,7 +203,7 @@ TEST(SavedCellFit, TheSurfaceMayBeAnotherOneSinceTheStall) {
 
 // --- What the jaws hold.
 
-/// The Rhino carries "thin", grasped by its length of 30 mm; "wide" lies elsewhere.
+/// The Rhino holds "thin", grasped by its length of 30 mm; "wide" is elsewhere.
 SavedCell holding() {
   Workcell workcell = test::bare_workcell();
   const PointUm tip = tool_tip(*test::rhino(), test::positions_at(*test::rhino(), kOverTheTable));

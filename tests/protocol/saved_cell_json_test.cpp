@@ -1,4 +1,4 @@
-// Saved cells there and back, bit for bit, and those that somebody made up: refused with every reason.
+// Bit-identical round trips of saved cells; invented ones are refused with all reasons.
 #include "protocol/saved_cell_json.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Machines in the hands of chance, among blocks, walls and tables that come and go: whatever state one
-// comes to can be saved and loaded again. To refuse one would be worse than to let a made-up one pass.
+// Machines with random commands and changing workcells: every state that they reach can be saved
+// and loaded. Refusing a reachable state would be worse than accepting an invented one.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -24,9 +24,9 @@ constexpr int kActions = 250;
 constexpr Counts kFar = 100;
 
 struct Ground {
-  const char* robot;  ///< empty: an arm of so many odd joints
+  const char* robot;  ///< empty: test::odd_arm() with this many joints
   int joints;
-  std::initializer_list<test::LabelledCount> centre;  ///< the counts about which the tool wanders
+  std::initializer_list<test::LabelledCount> centre;  ///< the counts around which the tool moves
 };
 
 const std::array<Ground, 6> kGrounds = {{
@@ -38,7 +38,7 @@ const std::array<Ground, 6> kGrounds = {{
     {"", 2, {}},
 }};
 
-/// What the machines have come through.
+/// Statistics of what happened to the machines.
 struct Tally {
   int region_stalls = 0;
   int surface_stalls = 0;
@@ -46,7 +46,7 @@ struct Tally {
   int limited = 0;
   int jammed = 0;
   int below = 0;
-  int stalled_and_stopped = 0;  ///< every counter was set to 0 after the stall
+  int stalled_and_stopped = 0;  ///< all counters were set to 0 after the stall
   int paths = 0;
 };
 
@@ -61,7 +61,7 @@ class Wanderer {
         rig_(any_model()),
         tally_(tally) {}
 
-  /// The first state that would be refused, or nothing.
+  /// The first state that would be refused; empty if there is none.
   std::string wander() {
     for (int i = 0; i < kActions; ++i) {
       act();
@@ -85,13 +85,13 @@ class Wanderer {
   State& edit() { return rig_.simulation.edit(); }
   PointUm tip() const { return tool_tip(model(), positions(model(), state().motors)); }
 
-  /// Where the tool is when it is at the centre of its wanderings.
+  /// The tip at the centre of the motions.
   PointUm centre(const Robot& robot) const {
     const ModelPtr model = test::model_of(robot);
     return tool_tip(*model, test::positions_at(*model, ground_.centre));
   }
 
-  /// In some of them a wall stands near the centre, if the soft home stays out of it.
+  /// Some robots have a protected region near the centre, if the soft home is outside it.
   Robot any_robot() {
     Robot robot =
         *ground_.robot != 0 ? test::robot_named(ground_.robot) : test::odd_arm(ground_.joints);
@@ -147,7 +147,8 @@ class Wanderer {
     rig_.execute(ToggleSimulator{});
   }
 
-  /// Far away, as after a home, every joint goes straight back; else some about the centre.
+  /// If the arm is far away, as after a home, every joint moves straight back; else some move
+  /// around the centre.
   void arm() {
     bool is_far = false;
     for (const auto& [label, count] : ground_.centre) {
@@ -160,14 +161,14 @@ class Wanderer {
       rig_.move(static_cast<char>('B' + any(0, model().joint_count() - 1)), any(-25, 25));
   }
 
-  /// Jaws that hold mostly go on closing; others open wide and close again.
+  /// Jaws that hold a block mostly continue to close; others open wide and close again.
   void jaws() {
     const bool opens = one_in(state().held ? 6 : 2);
     if (opens) rig_.execute(Stop{'A'});
     rig_.move('A', opens ? any(1, 4) * 30 : -any(1, 100));
   }
 
-  /// As the monitor's calls do it: a held block is left alone.
+  /// As the monitor's calls do: a held block is not changed.
   void block() {
     const std::size_t size = state().blocks.size();
     if (one_in(3) || size == 0) return edit().blocks.push_back(any_block(tip()));
@@ -194,7 +195,7 @@ class Wanderer {
     return wrong.empty() ? wrong : wrong + test::words(state());
   }
 
-  /// Goes on from what was saved and read again.
+  /// Continues from the saved and reloaded state.
   std::string load_again() {
     SavedCellReading reading = read_saved_cell(Json::parse(saved_cell_to_json(saved()).dump()));
     if (!reading.saved) return to_text(reading.findings);
@@ -231,7 +232,7 @@ class Wanderer {
   Tally& tally_;
 };
 
-// Many more of them: RC_PARAMS=max_success=100000.
+// For many more runs: RC_PARAMS=max_success=100000.
 RC_GTEST_PROP(SavedCellReach, WhateverAMachineComesToCanBeLoaded, ()) {
   Tally tally;
   const auto seed = *rc::gen::noShrink(rc::gen::resize(100, rc::gen::arbitrary<std::uint32_t>()));

@@ -1,5 +1,5 @@
-// The state as clients see it: the shapes of the monitor's messages, the goldens of the robots, and
-// numbers without noise.
+// The members of `state` messages: their structure, golden values of the robots, and rounded
+// numbers.
 #include "protocol/snapshot_json.hpp"
 
 #include <gtest/gtest.h>

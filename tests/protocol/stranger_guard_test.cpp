@@ -1,5 +1,5 @@
-// Browsers and TLS clients at the robot's door: recognised by their first bytes, before one has
-// acted.
+// Browsers and TLS clients on the robot port: detected by their first bytes, before any byte is
+// executed.
 #include "protocol/stranger_guard.hpp"
 
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ std::string without_guard(std::string_view bytes) {
   return replies;
 }
 
-// Each greeting cut after each of its bytes, and then something else: as if nobody had looked.
+// Each opening, cut after each of its bytes and followed by something else, is passed on unchanged.
 TEST(StrangerGuard, TheFirstByteThatDiffersLetsThemAllAct) {
   for (const std::string_view greeting : kGreetings) {
     for (std::size_t cut = 0; cut < greeting.size(); ++cut) {
@@ -119,7 +119,7 @@ TEST(StrangerGuard, HeldBytesKeepTheirPlaceInTheInput) {
   Simulation simulation(test::rhino());
   Wire wire(Profile::kPaper);
   wire.send("CONZ", simulation);
-  ASSERT_EQ(wire.exchanges().size(), 3U);  // O, N, and Z is junk; C is only a label
+  ASSERT_EQ(wire.exchanges().size(), 3U);  // O, N, and the unknown byte Z; C is only a label
   EXPECT_EQ(wire.exchanges()[0].parsed.to, 2U);
   EXPECT_EQ(wire.exchanges()[1].parsed.from, 2U);
   EXPECT_EQ(wire.exchanges()[2].parsed.from, 3U);

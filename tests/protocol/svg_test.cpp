@@ -1,4 +1,4 @@
-// A wire frame on a sheet: one scale, a margin, y downwards; and the sheet as SVG text.
+// Layout of a wire frame in pixels: one scale, a margin, y downwards; and its SVG text.
 #include "protocol/svg.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// The telnet filter: what reaches the controller, what the client's telnet is answered, and from
-// when on a line counts as telnet.
+// The telnet filter: the bytes that reach the controller, the answers to the client, and when a
+// line is recognised as telnet.
 #include "protocol/telnet.hpp"
 
 #include <gtest/gtest.h>

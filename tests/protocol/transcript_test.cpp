@@ -1,4 +1,4 @@
-// Plays every file of tests/transcripts, one test each, and proves that the player finds fault.
+// Plays every file of tests/transcripts as a test, and proves that the player detects differences.
 #include "tests/support/transcript.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
-// The screens of `xr3 watch` as text, against the ones kept in tests/golden (XR3_UPDATE_GOLDEN=1
-// writes them anew), and what must hold at every size.
+// Compares the screens of `xr3 watch` as text with tests/golden (XR3_UPDATE_GOLDEN=1 rewrites
+// them), and tests properties for every size.
 #include "protocol/watch_screen.hpp"
 
 #include <gmock/gmock.h>
@@ -69,7 +69,7 @@ TEST(WatchScreen, EverySizeIsPainted) {
   }
 }
 
-// Each line: the least height at which this is seen. The order is that of importance.
+// Each row: the minimum height at which a part is visible, in order of importance.
 TEST(WatchScreen, WhatDoesNotFitGoesTheLeastImportantFirst) {
   const Known known = test::watched_model().known();
   const auto least_rows = [&known](const std::string& what) {

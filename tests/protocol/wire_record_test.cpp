@@ -1,5 +1,5 @@
-// Records of a line: nothing of it is lost, however it was cut into pieces, and what is told of the
-// bytes always lies within them.
+// Records of a line: no byte is lost for any division of the input, and explanations lie within the
+// bytes that they explain.
 #include "protocol/wire_record.hpp"
 
 #include <gtest/gtest.h>
@@ -78,7 +78,7 @@ struct Hammered {
 
   Hammered(std::uint32_t seed, Profile profile) : tap(seeing_rhino(profile)) {
     test::RandomBytes random(seed);
-    sent = "\r" + random.stream(300);  // no stranger begins like this
+    sent = "\r" + random.stream(300);  // neither HTTP nor TLS begins with CR
     std::string_view rest = sent;
     while (!rest.empty()) {
       const std::size_t piece = std::min<std::size_t>(rest.size(), 1 + random.below(90));
@@ -89,8 +89,8 @@ struct Hammered {
   }
 };
 
-// A number that ended an earlier record is completed by the first byte of this one: what came in may
-// lie before the record. Replies lie within theirs.
+// A number at the end of the previous record is completed by the first byte of this one, so items
+// of input may start before their record. Replies lie within theirs.
 void expect_items_within(const WireRecord& record) {
   const bool is_in = record.direction == Direction::kIn;
   std::uint64_t last = is_in ? 0 : record.offset;
@@ -136,7 +136,7 @@ TEST(WireRecord, NothingIsLostOfRandomBytes) {
   }
 }
 
-// Every byte that went out belongs to a reply or to telnet, and is told of.
+// Every sent byte belongs to a reply or to telnet, and is explained.
 TEST(WireRecord, EveryByteOutIsExplained) {
   for (std::uint32_t seed = 100; seed < 120; ++seed) {
     const Hammered line(seed, Profile::kPaper);

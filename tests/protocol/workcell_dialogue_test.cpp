@@ -1,4 +1,4 @@
-// Dialogues with the workcell editor, in memory: what is typed, what is shown, and what is written.
+// Dialogues with the workcell editor, in memory: input, output, and the file written.
 #include "protocol/workcell_dialogue.hpp"
 
 #include <gmock/gmock.h>
@@ -27,7 +27,7 @@ class Talk {
     show(dialogue_.begin());
   }
 
-  /// Types lines, one after the other; what was shown after the last one.
+  /// Types lines one after another. Returns the text shown after the last one.
   template <class... Lines>
   std::string type(const Lines&... lines) {
     (type_line(lines), ...);
@@ -51,7 +51,7 @@ class Talk {
   const std::optional<std::string>& file() const { return file_; }
   Workcell saved() const { return load_workcell(file_.value_or(""), "lab.json"); }
 
-  bool is_there = false;  ///< a file of that name is there, and not this dialogue's own
+  bool is_there = false;  ///< the file exists and was not written by this dialogue
   std::string failure;    ///< why writing fails
   int writes = 0;
 
@@ -93,7 +93,7 @@ class Talk {
 };
 
 constexpr int kRoomItems = 7;    // name, notes, X, Y, Z, surface, stall
-constexpr int kCameraItems = 9;  // whether, x, y, z, field, pixels, projection
+constexpr int kCameraItems = 9;  // yes or no, x, y, z, field, pixels, projection
 
 TEST(WorkcellDialogue, ANewWorkcellItemByItem) {
   Talk talk;
@@ -324,7 +324,7 @@ TEST(WorkcellDialogue, NamesFromAFileDoNotReachTheTerminalRaw) {
   EXPECT_EQ(dialogue.begin().text.find('\x1B'), std::string::npos);
 }
 
-/// Words that mean something somewhere, and some that do not.
+/// Words that are valid answers to some question, and some that are not.
 std::string any_line(std::mt19937& random) {
   static const std::vector<std::string> kLines = {
       "",       "",          "",        "",         "?",        ".",    "yes",        "no",
@@ -334,8 +334,7 @@ std::string any_line(std::mt19937& random) {
   return kLines[random() % kLines.size()];
 }
 
-// Whatever is typed, nothing is written that does not load (Talk looks at that), and nothing is
-// thrown.
+// For any input: only text that loads is written (Talk checks this), and nothing is thrown.
 TEST(WorkcellDialogue, WhateverIsTypedTheFileLoads) {
   int writes = 0;
   for (unsigned seed = 1; seed <= 24; ++seed) {

@@ -1,4 +1,4 @@
-// The shipped workcells as the loader reads them, workcells written and read again, and warnings.
+// The shipped workcells as read by the loader, round trips of workcell files, and warnings.
 #include "protocol/workcell_json.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
-// The command line of xr3 for tests: words in, options out; and an environment that is as before when
-// a test ends.
+// Parses command lines of xr3 for tests, and restores the environment at the end of a test.
 #pragma once
 
 #include <initializer_list>
@@ -14,10 +13,10 @@ namespace xr3::test {
 /// `xr3 WORDS...`
 Options parse(std::initializer_list<const char*> words);
 
-/// The refusal of what must be refused.
+/// The exception for a command line that must be refused.
 Leave refused(std::initializer_list<const char*> words);
 
-/// Variables that are set while it lives.
+/// Sets environment variables during its lifetime.
 class Environment {
  public:
   explicit Environment(std::vector<std::pair<std::string, std::string>> variables);

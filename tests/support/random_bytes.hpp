@@ -1,5 +1,5 @@
-// Streams of bytes such as a line might carry: mostly what clients send, some of it junk, some
-// telnet. The same seed gives the same stream everywhere.
+// Random input for a line: mostly commands, some unknown bytes, some telnet. The same seed gives
+// the same stream on every machine.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +16,9 @@ class RandomBytes {
   std::uint32_t below(std::uint32_t bound) { return static_cast<std::uint32_t>(engine_() % bound); }
   bool one_in(std::uint32_t chances) { return below(chances) == 0; }
 
-  /// One command, fragment of telnet, or lump of junk.
+  /// A command, a fragment of telnet, or unknown bytes.
   std::string piece();
-  /// So many pieces.
+  /// A sequence of pieces.
   std::string stream(int pieces);
 
  private:

@@ -1,5 +1,4 @@
-// A robot on the bench: a simulation whose motors are reached by their labels, and short words for
-// what tests do over and over.
+// A simulation for tests, with access to motors by label and helpers for frequent operations.
 #pragma once
 
 #include <initializer_list>
@@ -17,10 +16,11 @@ namespace xr3::test {
 /// A motor, by label, and its count.
 using LabelledCount = std::pair<char, Counts>;
 
-/// The soft home, but for these motors' counts; switches and the side of the work surface agree.
+/// The soft home with other counts for these motors; switches and the side of the work surface are
+/// updated.
 State state_at(const Model& model, std::initializer_list<LabelledCount> counts);
 
-/// Positions in counts when these motors stand at these counts and all others at 0.
+/// Positions if these motors are at these counts and all others at 0.
 Positions positions_at(const Model& model, std::initializer_list<LabelledCount> counts);
 
 class Rig {
@@ -36,18 +36,18 @@ class Rig {
   int error(char label) const { return motor(label).error; }
   Counts position(char label) const;
 
-  /// Starts anew with the motors at these counts.
+  /// Restarts with the motors at these counts.
   void stand_at(std::initializer_list<LabelledCount> counts);
   Reply execute(const Command& command) { return simulation.execute(command); }
   void move(char label, int counts) { execute(Move{label, counts}); }
   void pass(Tick ticks) { simulation.advance_to(simulation.tick() + ticks); }
-  /// Moves as many counts as it takes, in pieces that the 8-bit counter holds, each waited for.
+  /// Moves by any number of counts, in pieces that fit the 8-bit counter, and waits for each.
   void travel(char label, Counts counts);
-  /// Until nothing moves any more; at most the 128 s that an 8-bit counter can keep a motor
-  /// running.
+  /// Runs until the machine is at rest; at most 128 s, the maximum that an 8-bit counter can keep a
+  /// motor running.
   void settle();
 
-  /// Bodies of one kind among the events since they were last taken, in order.
+  /// Removes the pending events and returns the bodies of one kind, in order.
   template <class Body>
   std::vector<Body> told() const {
     std::vector<Body> bodies;
@@ -58,7 +58,7 @@ class Rig {
   }
 };
 
-/// Ticks at which events of one kind happened.
+/// The ticks of the events of one kind.
 template <class Body>
 std::vector<Tick> ticks_of(const Events& events) {
   std::vector<Tick> ticks;

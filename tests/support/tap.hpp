@@ -1,5 +1,5 @@
-// A tapped line in memory: what a client sends goes through the server's own Line, and what the wire
-// records say of it, in and out, is kept and can be read as a transcript.
+// A line in memory with its wire records: input goes through the server's Line, and the records of
+// both directions are formatted as a transcript.
 #pragma once
 
 #include <string>
@@ -16,13 +16,14 @@ class Tap {
  public:
   explicit Tap(ModelPtr model);
 
-  /// Sends bytes at the simulation's tick and returns what was told of them: a line `> bytes` for each
-  /// record in, `< bytes` for each out, under each a line `from..to code: message` for each item.
+  /// Sends bytes at the simulation's tick and returns the transcript of their records: a line `>
+  /// bytes` for each input record, `< bytes` for each output record, and below it `from..to code:
+  /// message` per item.
   std::string send(std::string_view bytes);
 
   Simulation& simulation() { return simulation_; }
   const std::vector<WireRecord>& records() const { return records_; }
-  /// Everything that the client has received.
+  /// All bytes that the client has received.
   const std::string& received() const { return received_; }
 
  private:
@@ -35,7 +36,7 @@ class Tap {
   std::string received_;
 };
 
-/// A record as send() shows it.
+/// A record in the format of send().
 std::string transcript(const WireRecord& record, const Model& model);
 
 }  // namespace xr3::test

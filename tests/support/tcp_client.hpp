@@ -1,5 +1,5 @@
-// A client over a real socket in the same thread as the server: whoever waits for bytes lets the server
-// run meanwhile, to a deadline.
+// A client over a real socket in the server's thread. Waiting for bytes runs the server meanwhile,
+// up to a deadline.
 #pragma once
 
 #include <cstddef>
@@ -15,18 +15,18 @@ class Client {
  public:
   Client(asio::io_context& io, const tcp::endpoint& server);
 
-  /// All of it; the server does not run meanwhile.
+  /// Sends all bytes; the server does not run meanwhile.
   void send(std::string_view bytes);
-  /// As much as the connection takes, and how much that was.
+  /// Sends as much as the connection accepts. Returns the number of bytes sent.
   std::size_t send_some(std::string_view bytes);
   void half_close() { socket_.shutdown(tcp::socket::shutdown_send); }
 
-  /// So many bytes, or what came before the connection ended or the deadline.
+  /// Receives `count` bytes; fewer at the end of the connection or at the deadline.
   std::string bytes(std::size_t count);
-  /// The next line, or what came before the connection ended.
+  /// Receives a line; less at the end of the connection.
   std::string line();
   Json json() { return Json::parse(line()); }
-  /// Everything up to the end of the connection.
+  /// Receives everything up to the end of the connection.
   std::string rest();
 
  private:

@@ -23,7 +23,7 @@ int hex_digit(char c) {
   throw std::invalid_argument("\\x wants two hexadecimal digits in small letters");
 }
 
-// The byte behind a backslash at `at`, which is moved behind it.
+// Decodes the escape sequence whose backslash is at `at`, and moves `at` past it.
 char escaped_byte(std::string_view text, std::size_t& at) {
   const char name = at < text.size() ? text[at++] : ' ';
   if (name == 'r') return '\r';

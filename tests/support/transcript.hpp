@@ -1,5 +1,5 @@
-// Transcripts: what a client sends and what it gets, as plain text that reads as documentation and
-// is played as a test. The format is described in tests/transcripts/README.md.
+// Transcripts: what a client sends and receives, as plain text that is both documentation and a
+// test. tests/transcripts/README.md describes the format.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace xr3::test {
 
 enum class StepKind : std::uint8_t {
   kSend,    ///< `>`
-  kExpect,  ///< `<`: all that the line has received since the last of these
+  kExpect,  ///< `<`: all bytes that the line has received since the previous one
   kPass,    ///< `~`
   kClosed,  ///< `! closed`
   kHangUp,  ///< `! hang up`
@@ -35,11 +35,11 @@ struct Transcript {
   std::vector<TranscriptStep> steps;
 };
 
-/// Reads a transcript. Throws std::runtime_error with file and line where it breaks the format.
+/// Reads a transcript. Throws std::runtime_error with file and line for invalid text.
 Transcript parse_transcript(std::string_view text, const std::string& file);
 
-/// Plays it against a cell of its own. One entry for each expectation that failed, as
-/// "file:line: expected ..., got ...".
+/// Plays it against a new cell. Returns an entry "file:line: expected ..., got ..." for each failed
+/// expectation.
 std::vector<std::string> play(const Transcript& transcript);
 
 }  // namespace xr3::test

@@ -35,7 +35,7 @@ constexpr const char* kWarned = R"({"op":"event","cell":"main","epoch":2,"seq":4
   "event":"warning","line":4,"code":"number_out_of_range","message":"B+200: too far; not obeyed",
   "offset":0,"hex":"42","count":3})";
 
-/// A message is one line.
+/// Joins the lines of a text: a message is one line.
 std::string one_line(std::string text) {
   std::erase(text, '\n');
   return text;

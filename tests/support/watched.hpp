@@ -1,4 +1,4 @@
-// What a monitor port says of a small robot with a camera, for tests of `xr3 watch`.
+// Messages of a monitor port about a small robot with a camera, for tests of `xr3 watch`.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace xr3::test {
 
-/// The greeting with this access, "control" or "read".
+/// `hello` with this access, "control" or "read".
 std::string watched_hello(const std::string& access = "control");
-/// Its model, state and image, and three events: each a line without its end.
+/// Model, state and image, and three events: each a line without its line end.
 std::vector<std::string> watched_messages();
-/// The state alone, in which one text is replaced by another; the first must be there.
+/// The state with `from`, which must be present, replaced by `to`.
 std::string watched_state(const std::string& from = "", const std::string& to = "");
 
-/// Somebody who took all of these.
+/// A model that has handled all of these messages.
 watch::WatchModel watched_model(watch::Wish wish = {});
 
 }  // namespace xr3::test

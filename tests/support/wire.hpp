@@ -1,5 +1,5 @@
-// A client's end of a serial line in memory: the server's own Line (guard, telnet filter, endpoint)
-// with no socket, so that a test says what a client sends and reads what it would get.
+// The client's end of a serial line in memory: the server's Line (HTTP and TLS detector, telnet
+// filter, endpoint) without a socket, so that tests can send bytes and read replies.
 #pragma once
 
 #include <string>
@@ -15,15 +15,15 @@ class Wire {
  public:
   explicit Wire(Profile profile) : line_(profile, LineKind::kRaw, "test", 0) {}
 
-  /// What a client sends, at the simulation's tick; a closed line takes nothing.
+  /// Sends bytes at the simulation's tick. Ignored if the line is closed.
   void send(std::string_view bytes, Simulation& simulation);
-  /// What the client has received since the last call.
+  /// The bytes received since the last call.
   std::string received();
-  /// What was made of the bytes, in order.
+  /// The commands and problems of the bytes, in order.
   const std::vector<Exchange>& exchanges() const { return exchanges_; }
   /// The stable codes of all problems, in order.
   std::vector<std::string> problems() const;
-  /// The client turned out to be a stranger.
+  /// The line was closed because the client sent HTTP or TLS.
   bool is_closed() const { return line_.is_stranger(); }
 
  private:

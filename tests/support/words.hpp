@@ -1,6 +1,5 @@
-// Commands, replies and states in words, for tables of expectations and for messages of failed
-// tests. A command reads as its shortest bytes, a problem as its code: "E+5", "A*3*",
-// "unknown_byte".
+// Commands, replies and states as text, for tables of expectations and for failure messages. A
+// command is written as its shortest bytes, a problem as its code: "E+5", "A*3*", "unknown_byte".
 #pragma once
 
 #include <iosfwd>
@@ -16,7 +15,7 @@ namespace test {
 
 std::string words(const Command& command);
 std::string words(const Parsed& parsed);
-/// One after the other with a blank between them.
+/// Separated by blanks.
 std::string words(const std::vector<Parsed>& parsed);
 std::string words(const Reply& reply);
 std::string words(const State& state);
