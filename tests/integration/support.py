@@ -47,9 +47,11 @@ class Server:
     """A running `xr3 serve`, as a context: on two free ports, and ended by SIGTERM, exit code 0.
 
     `with Server("--compat", "mark3") as xr3:` stands at tick 0 (clock manual, unless told otherwise).
+    `command` is what starts it.
     """
 
-    def __init__(self, *options, clock="manual", environment=None):
+    def __init__(self, *options, clock="manual", environment=None, command=(XR3, "serve")):
+        self.command = list(map(str, command))
         self.options = ["--robot-port", "0", "--monitor-port", "0", "--clock", clock, *map(str, options)]
         self.environment = {**os.environ, **(environment or {})}
         self.lines = []
@@ -58,7 +60,7 @@ class Server:
 
     def __enter__(self):
         self.process = subprocess.Popen(
-            [XR3, "serve", *self.options], cwd=ROOT, env=self.environment, stdin=subprocess.DEVNULL,
+            [*self.command, *self.options], cwd=ROOT, env=self.environment, stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.pid = self.process.pid
         self._log_reader = threading.Thread(target=self._read_log, daemon=True)

@@ -1,0 +1,95 @@
+"""The script ./run: it passes its arguments on to `xr3 serve` and adds none of its own. It runs here in a
+folder of its own, where packages and build are done and build/release/xr3 is the executable under test."""
+
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+from support import DEADLINE_S, ROOT, XR3, Server
+
+RHINO = ("Rhino XR-3", "Rhino XR-3 table")  # robot and workcell
+ADEPT = ("Adept One", "Adept One table")
+
+
+class Run(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.stub("bin/cmake")
+        self.stub("scripts/setup")
+        self.stub("scripts/viewer")
+        shutil.copy(pathlib.Path(ROOT, "run"), self.folder)
+        (self.folder / "CMakePresets.json").touch()
+        (self.folder / "build" / "release").mkdir(parents=True)
+        (self.folder / "build" / "release" / "build.ninja").touch()
+        (self.folder / "build" / "release" / "xr3").symlink_to(XR3)
+        self.environment = {**os.environ, "PATH": f"{self.folder}/bin:{os.environ['PATH']}",
+                            "XR3_ROBOT_PORT": "0", "XR3_MONITOR_PORT": "0"}
+
+    def stub(self, name):
+        path = self.folder / name
+        path.parent.mkdir(exist_ok=True)
+        path.write_text("#!/bin/sh\n", encoding="ascii")
+        path.chmod(0o755)
+
+    def started(self, *arguments, **variables):
+        """The names of robot and workcell that `./run ARGUMENTS` starts with."""
+        server = Server(command=[self.folder / "run"], environment={**self.environment, **variables})
+        server.options = list(map(str, arguments))
+        with server as xr3, xr3.monitor() as monitor:
+            model = monitor.look("model")
+            return model["robot"]["name"], model["workcell"]["name"]
+
+    def run_to_end(self, *arguments):
+        return subprocess.run([self.folder / "run", *arguments], env=self.environment, cwd=self.folder,
+                              capture_output=True, text=True, timeout=DEADLINE_S, check=False)
+
+    def test_without_arguments_the_rhino(self):
+        self.assertEqual(RHINO, self.started())
+
+    def test_an_argument(self):
+        self.assertEqual(ADEPT, self.started("--robot", "adept-one"))
+        self.assertEqual((ADEPT[0], RHINO[1]), self.started("--robot", "adept-one", "--workcell", "rhino-xr3"))
+
+    def test_the_environment(self):
+        self.assertEqual(ADEPT, self.started(XR3_ROBOT="adept-one"))
+        self.assertEqual(RHINO, self.started("--robot", "rhino-xr3", XR3_ROBOT="adept-one"))
+
+    def test_a_config_file(self):
+        config = self.folder / "lab.toml"
+        config.write_text('robot = "adept-one"\n', encoding="ascii")
+        self.assertEqual(ADEPT, self.started("--config", config))
+        self.assertEqual(ADEPT, self.started(XR3_CONFIG=str(config)))
+
+    def test_a_robot_without_a_workcell_of_its_name(self):
+        robot = self.folder / "my-arm.json"
+        shutil.copy(pathlib.Path(ROOT, "data", "robots", "rhino-xr3.json"), robot)
+        done = self.run_to_end("--robot", robot)
+        self.assertEqual((2, ""), (done.returncode, done.stdout))
+        self.assertTrue(done.stderr.endswith(
+            "xr3: no workcell is named like the robot my-arm; name one with --workcell\n"), done.stderr)
+        self.assertEqual(RHINO, self.started("--robot", robot, "--workcell", "rhino-xr3"))
+
+    def test_the_commands_of_the_readme(self):
+        readme = pathlib.Path(ROOT, "README.md").read_text(encoding="utf-8")
+        commands = [shlex.split(found) for found in re.findall(r"`\./run ([^`]+)`", readme)]
+        starts = [arguments for arguments in commands if arguments != ["--build"]]
+        self.assertGreater(len(starts), 2)
+        for arguments in starts:
+            with self.subTest(arguments):
+                self.assertEqual(ADEPT if "adept-one" in arguments else RHINO, self.started(*arguments))
+
+    def test_build_only_builds(self):
+        done = self.run_to_end("--build")
+        self.assertEqual((0, ""), (done.returncode, done.stdout))
+        self.assertNotIn("serve", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
