@@ -1,5 +1,13 @@
 # How every file is compiled, and where the results go. What differs between builds (optimisation,
 # sanitizers, warnings as errors) is in CMakePresets.json.
+set(least_of_GNU 12)
+set(least_of_Clang 16)
+set(least "${least_of_${CMAKE_CXX_COMPILER_ID}}")
+if(least AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS least)
+  message(FATAL_ERROR "${CMAKE_CXX_COMPILER} is of version ${CMAKE_CXX_COMPILER_VERSION}; "
+    "xr3 needs g++ 12, clang 16, or a newer one.")
+endif()
+
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)

@@ -1,0 +1,9 @@
+# The toolchain file of the presets that build with clang: it takes the first of these compilers that is
+# installed. scripts/setup chooses its packages in the same order, versions that are tested first
+# (docs/decisions/0010-two-debians.md). To use another one: cmake --preset dev
+# -D CMAKE_CXX_COMPILER=clang++-18, in a build folder that is new.
+find_program(CMAKE_CXX_COMPILER NAMES
+  clang++-16 clang++-19 clang++-22 clang++-21 clang++-20 clang++-18 clang++-17 clang++)
+if(NOT CMAKE_CXX_COMPILER)
+  message(FATAL_ERROR "No clang is installed. scripts/setup installs one; xr3 needs clang 16 or newer.")
+endif()
