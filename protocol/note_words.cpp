@@ -23,7 +23,7 @@ std::string_view words(CloseReason reason) {
   switch (reason) {
     case CloseReason::kClientClosed: return "closed by its client";
     case CloseReason::kStranger:
-      return "closed: its client sent HTTP or TLS; none of its bytes were executed";
+      return "closed: its client sent HTTP, TLS or STUN; none of its bytes were executed";
     case CloseReason::kError: return "lost";
     case CloseReason::kShutdown: return "closed: the server stops";
     case CloseReason::kDisconnected: return "closed by the monitor's line_disconnect";

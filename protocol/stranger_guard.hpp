@@ -1,6 +1,8 @@
-// Keeps browsers and TLS clients off the robot: a connection's first bytes are held while they are the
-// beginning of an HTTP request line (method, blank, slash) or of a TLS hello. Completed, not one byte
-// has acted; the first byte that differs lets them all act. Never later on.
+// Keeps clients that are no robot program off the robot: browsers, TLS clients and WebRTC. The guard
+// holds a connection's first bytes while they could be the beginning of an HTTP request line (RFC
+// 9112, RFC 9113), of a TLS hello, or of STUN or TURN over TCP (RFC 8489, RFC 8656; framed by
+// RFC 4571 or not). If one completes, not one byte has acted; the first byte that differs lets them
+// all act. After that the guard never looks again.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +28,7 @@ class StrangerGuard {
   /// Gives the held bytes away, for the caller to let them act.
   std::string release();
 
-  static constexpr std::size_t kMostHeld = 8;  // "OPTIONS " or "CONNECT "
+  static constexpr std::size_t kMostHeld = 40;  // "CONNECT " and the host before its port
 
   bool operator==(const StrangerGuard&) const = default;
 

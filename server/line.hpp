@@ -34,7 +34,7 @@ class Line {
   void deliver(std::string_view replies);
 
   bool is_full() const { return outbox_.size() >= kFullOutbox; }
-  /// A browser or a TLS client: to be closed; nothing that it sent has acted.
+  /// A browser, a TLS or a WebRTC client: to be closed; nothing that it sent has acted.
   bool is_stranger() const { return is_stranger_; }
   /// Bytes that the guard still holds back.
   std::size_t held_bytes() const { return guard_.held().size(); }

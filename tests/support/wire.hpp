@@ -23,7 +23,7 @@ class Wire {
   const std::vector<Exchange>& exchanges() const { return exchanges_; }
   /// The stable codes of all problems, in order.
   std::vector<std::string> problems() const;
-  /// The line was closed because the client sent HTTP or TLS.
+  /// The line was closed because the client sent HTTP, TLS or STUN.
   bool is_closed() const { return line_.is_stranger(); }
 
  private:
