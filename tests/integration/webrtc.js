@@ -1,0 +1,21 @@
+// How a page makes WebRTC connect to a port of this machine over TCP and send first: as to a peer that its
+// site names (ICE, by the protocol of a candidate, the peer's `name` chosen by the page) or as to a relay
+// (TURN, by a URL). The connection is under way when it returns.
+async (server, name) => {
+  const isRelay = server.startsWith("turn");
+  const iceServers = isRelay ? [{urls: server, username: name, credential: name}] : [];
+  const peer = new RTCPeerConnection({iceServers});
+  (globalThis.peers ??= []).push(peer);  // a peer that nobody holds is closed
+  peer.createDataChannel("any");
+  const offer = await peer.createOffer();
+  await peer.setLocalDescription(offer);
+  if (isRelay) return;
+  const [protocol, address, port] = server.split(":");
+  const other = new RTCPeerConnection();
+  await other.setRemoteDescription(offer);
+  const {sdp} = await other.createAnswer();
+  other.close();
+  await peer.setRemoteDescription({type: "answer", sdp: sdp.replace(/(a=ice-ufrag:).*/, `$1${name}`)});
+  const candidate = `candidate:1 1 ${protocol} 2105458943 ${address} ${port} typ host tcptype passive`;
+  await peer.addIceCandidate({candidate, sdpMid: "0"});
+}
