@@ -64,4 +64,18 @@ std::string HealthProbe::trouble() const {
   return line_.empty() ? "accepts the connection, but sends nothing" : is_another(line_);
 }
 
+std::string ready_request(const std::string& host) {
+  return "GET /readyz HTTP/1.1\r\nHost: " + host + "\r\nConnection: close\r\n\r\n";
+}
+
+std::string trouble_with_readiness(std::string_view answer) {
+  constexpr std::string_view kStatus = "HTTP/1.1 ";
+  if (answer.empty()) return "does not say whether it is ready";
+  if (answer.starts_with(kStatus) && answer.substr(kStatus.size()).starts_with("200 ")) return {};
+  const std::size_t head = std::min(answer.find("\r\n\r\n"), answer.size());
+  const Json body = Json::parse(answer.substr(head), nullptr, false);
+  const auto message = watch::value_of<std::string>(watch::member(body, "error"), "message");
+  return message.empty() ? is_another(answer) : "is not ready: " + message;
+}
+
 }  // namespace xr3

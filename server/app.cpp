@@ -18,6 +18,8 @@ namespace {
 
 // Clients that do not take their last replies keep the process no longer than this.
 constexpr std::chrono::milliseconds kDrainLimit{1000};
+// What a line of the log and its stream may need.
+constexpr std::size_t kReserveBytes = std::size_t{256} * 1024;
 
 SimClock start_clock(const ClockChoice& choice) {
   return choice.mode == ClockMode::kManual ? SimClock::manual()
@@ -78,18 +80,53 @@ ModelPtr load_model(const ServeOptions& options) {
 App::App(const ServeOptions& options, ModelPtr model, std::string token)
     : options_(options),
       fresh_token_(std::holds_alternative<FreshToken>(options.token) ? token : ""),
+      reserve_(std::make_unique<char[]>(kReserveBytes)),
       cell_("main", std::move(model), start_clock(options.clock), log_event),
       policy_(access_rules(options, std::move(token))),
       robot_port_(io_, cell_, options.most_lines, [this] { acted(); }),
+      robot_probe_(io_, robot_port_),
       monitor_port_(
-          io_, cell_, robot_port_, policy_, [this] { return is_ready(); }, [this] { acted(); }),
+          io_, cell_, robot_port_, policy_, [this] { return not_ready(); }, [this] { acted(); }),
       signals_(io_, SIGINT, SIGTERM) {}
 
-void App::run() {
+// What waits is destroyed first, since it refers to the members. Sessions that end by it find a cell that
+// takes nothing: it may be half changed.
+App::~App() {
+  stage_ = Stage::kEnded;
+  cell_.freeze();
+  monitor_port_.stop();
+  io_.shutdown();
+}
+
+ExitCode App::run() {
   listen();
   await_signal();
   announce();
-  io_.run();
+  return serve();
+}
+
+ExitCode App::serve() {
+  try {
+    io_.run();
+    return ExitCode::kGood;
+  } catch (const std::exception& failure) {
+    return break_off(failure.what());
+  } catch (...) {
+    return break_off("an exception of unknown type");
+  }
+}
+
+// No further word to anybody: what the words would be made of may be what has failed.
+ExitCode App::break_off(const char* what) {
+  reserve_.reset();
+  spdlog::critical("the server has failed and ends: {}", what);
+  return ExitCode::kBroken;
+}
+
+asio::awaitable<std::string> App::not_ready() {
+  if (stage_ != Stage::kReady) co_return "the server is starting or stopping";
+  std::string trouble = co_await robot_probe_.trouble();
+  co_return trouble;
 }
 
 void App::listen() {
@@ -133,6 +170,7 @@ void App::await_signal() {
 }
 
 void App::acted() {
+  if (stage_ == Stage::kEnded) return;
   if (stage_ != Stage::kDraining) return monitor_port_.audience().acted();
   if (robot_port_.is_empty() && monitor_port_.is_empty()) drain_limit_.cancel();
 }

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <limits>
 
+#include "server/failure.hpp"
+
 namespace xr3 {
 namespace {
 
@@ -62,6 +64,10 @@ bool Audience::has_followers() const {
 // --- When.
 
 void Audience::acted() {
+  vital("the viewers", [this] { wake_soon(); });
+}
+
+void Audience::wake_soon() {
   has_acted_ = true;
   if (is_stopped_ || is_serving_) return;
   if (armed_ == Wake::kFrame && armed_frame_ <= wall_frame() + 1) return;

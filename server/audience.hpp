@@ -47,6 +47,7 @@ class Audience {
   enum class Wake : std::uint8_t { kNone, kSecond, kFrame };
 
   static monitor::FrameNumber wall_frame();
+  void wake_soon();
   void arm(Wake wake, WallNs when);
   void arm_second();
   void arm_at(monitor::FrameNumber frame);

@@ -7,6 +7,7 @@
 #include "protocol/event_json.hpp"
 #include "protocol/monitor_request.hpp"
 #include "protocol/wire_json.hpp"
+#include "server/failure.hpp"
 
 namespace xr3 {
 
@@ -29,12 +30,22 @@ Cell::Cell(std::string name, ModelPtr model, SimClock clock, CellEventSink sink)
       sink_(std::move(sink)) {}
 
 Applied Cell::apply(const Input& input, WallNs now) {
-  catch_up(now);
+  return vital("the cell", [&] { return take_in(input, now); });
+}
+
+void Cell::catch_up(WallNs now) {
+  vital("the cell", [&] { advance(now); });
+}
+
+Applied Cell::take_in(const Input& input, WallNs now) {
+  if (is_frozen_) return {};
+  advance(now);
   ++revision_;
   return std::visit([&](const auto& each) { return take(each, now); }, input);
 }
 
-void Cell::catch_up(WallNs now) {
+void Cell::advance(WallNs now) {
+  if (is_frozen_) return;
   const Tick before = state().tick;
   // Time ends with the integers of the protocol, some 285,000 years on.
   simulation_.advance_to(std::min(clock_.at(now), monitor::kMostInteger));
@@ -55,6 +66,7 @@ Snapshot Cell::snapshot() const {
 }
 
 Line* Cell::find_line(LineId line) {
+  if (line == kProbeLine) return probe_line_ ? &*probe_line_ : nullptr;
   const auto found = lines_.find(line);
   return found == lines_.end() ? nullptr : &found->second;
 }
@@ -69,6 +81,10 @@ std::optional<std::uint64_t> Cell::bytes_in(LineId line) const {
 // --- Lines.
 
 Applied Cell::take(const LineOpened& opened, WallNs) {
+  if (opened.is_probe) {
+    probe_line_.emplace(model().profile(), opened.kind, opened.peer, state().tick);
+    return {};
+  }
   const LineId id = ++last_line_;
   lines_.try_emplace(id, model().profile(), opened.kind, opened.peer, state().tick);
   ++counters_.lines_total;
@@ -85,6 +101,7 @@ Applied Cell::take(const LineOpened& opened, WallNs) {
 Applied Cell::take(const BytesIn& in, WallNs) {
   Line* line = find_line(in.line);
   if (line == nullptr) return {};
+  if (in.line == kProbeLine) return take_unseen(*line, in.bytes);
   std::size_t taken = 0;
   while (taken < in.bytes.size()) {
     const std::size_t count = take_piece(in.line, *line, in.bytes.substr(taken, kMostShownIn));
@@ -94,6 +111,14 @@ Applied Cell::take(const BytesIn& in, WallNs) {
   tell_all(in.line, warnings_.finish(in.line, state().tick));
   Applied applied;
   applied.bytes_taken = taken;
+  return applied;
+}
+
+/// Bytes of the probe act as those of any line, and leave no trace.
+Applied Cell::take_unseen(Line& line, std::string_view bytes) {
+  exchanges_.clear();
+  Applied applied;
+  applied.bytes_taken = line.receive(bytes, simulation_, exchanges_);
   return applied;
 }
 
@@ -116,6 +141,10 @@ std::size_t Cell::take_piece(LineId id, Line& line, std::string_view bytes) {
 }
 
 Applied Cell::take(const LineClosed& closed, WallNs) {
+  if (closed.line == kProbeLine) {
+    probe_line_.reset();
+    return {};
+  }
   const Line* line = find_line(closed.line);
   if (line == nullptr) return {};
   tell_all(closed.line, warnings_.forget(closed.line));

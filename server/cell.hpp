@@ -42,11 +42,14 @@ class Cell {
   std::uint64_t revision() const { return revision_; }
 
   /// The one door. Time is brought up to `now` first; a call that needs standing time is refused by
-  /// `clock_running` where time runs.
+  /// `clock_running` where time runs. Any exception is a VitalFailure: the input may be half done.
   Applied apply(const Input& input, WallNs now);
 
-  /// Brings time up to `now` and tells what happened meanwhile.
+  /// Brings time up to `now` and tells what happened meanwhile. Throws as apply() does.
   void catch_up(WallNs now);
+
+  /// Nothing changes the cell any more, and nothing is told: the process ends.
+  void freeze() { is_frozen_ = true; }
 
   /// As of the last apply() or catch_up().
   const State& state() const { return simulation_.state(); }
@@ -65,6 +68,7 @@ class Cell {
 
   /// The line, or null: nothing of it but outbox and counters concerns a transport.
   Line* find_line(LineId line);
+  /// Without kProbeLine, of which nothing is counted, told or recorded.
   const std::map<LineId, Line>& lines() const { return lines_; }
 
   /// How many bytes a line has received in all; also of one of the last kRememberedLines that closed.
@@ -77,6 +81,8 @@ class Cell {
   const CellCounters& counters() const { return counters_; }
 
  private:
+  Applied take_in(const Input& input, WallNs now);
+  void advance(WallNs now);
   Applied take(const LineOpened& opened, WallNs now);
   Applied take(const BytesIn& in, WallNs now);
   Applied take(const LineClosed& closed, WallNs now);
@@ -103,6 +109,7 @@ class Cell {
   void changed_model(std::string_view call, const std::string& name);
   ModelPtr model_with(const Workcell& workcell) const;
 
+  Applied take_unseen(Line& line, std::string_view bytes);
   std::size_t take_piece(LineId id, Line& line, std::string_view bytes);
   void tell(std::optional<LineId> line, CellNote note);
   void tell_machine(std::optional<LineId> line, Events events);
@@ -121,6 +128,7 @@ class Cell {
   std::uint64_t revision_ = 1;
   std::map<LineId, Line> lines_;
   LineId last_line_ = 0;
+  std::optional<Line> probe_line_;
   std::map<LineId, std::uint64_t> closed_bytes_in_;  ///< of lines that are gone, the oldest first
   std::map<std::string, SavedCellPtr> snapshots_;
   std::vector<Exchange> exchanges_;  ///< of the bytes being taken; kept for its memory
@@ -133,6 +141,7 @@ class Cell {
   monitor::Ring<WireRecord> wires_;
   CellCounters counters_;
   CellEventSink sink_;
+  bool is_frozen_ = false;
 };
 
 }  // namespace xr3

@@ -8,7 +8,8 @@ enum class ExitCode : int {
   kInternal = 1,   ///< a bug, or the system refused something vital
   kBadInput = 2,   ///< wrong arguments, or a wrong file
   kPortInUse = 3,  ///< somebody else listens there already
-  kNoServer = 4,   ///< nobody answers there: no monitor port of an xr3
+  kNoServer = 4,   ///< nobody answers there, or it is not ready
+  kBroken = 5,     ///< something failed while the server ran; the log names it
 };
 
 constexpr int as_int(ExitCode code) { return static_cast<int>(code); }

@@ -8,6 +8,7 @@
 #include "protocol/image_json.hpp"
 #include "protocol/model_json.hpp"
 #include "server/digest.hpp"
+#include "server/failure.hpp"
 
 namespace xr3 {
 namespace {
@@ -20,6 +21,10 @@ constexpr std::size_t kMostMade = 64;
 }  // namespace
 
 const monitor::Frame* Frames::current(const monitor::Selection& selection) {
+  return vital("the frames", [&] { return look_at(selection); });
+}
+
+const monitor::Frame* Frames::look_at(const monitor::Selection& selection) {
   Film& film = films_.at(static_cast<std::size_t>(selection.channel));
   look(selection.channel, film);
   if (selection.channel == Channel::kImage && !film.image) return nullptr;

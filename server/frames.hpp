@@ -51,6 +51,7 @@ class Frames {
     std::vector<Made> made;
   };
 
+  const monitor::Frame* look_at(const monitor::Selection& selection);
   void look(monitor::Channel channel, Film& film);
   bool has_changed(monitor::Channel channel, Film& film) const;
   bool is_only_later(Film& film) const;

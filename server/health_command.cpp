@@ -1,12 +1,11 @@
 #include "server/health_command.hpp"
 
 #include <algorithm>
-#include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <thread>
 #include <utility>
 
@@ -15,6 +14,7 @@
 #include "server/listener.hpp"
 #include "server/monitor_socket.hpp"
 #include "server/port_file.hpp"
+#include "server/spawn.hpp"
 
 namespace xr3 {
 namespace {
@@ -22,52 +22,85 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Verdict = HealthProbe::Verdict;
 
-/// One connection takes no longer than this.
+/// One try takes no longer than this.
 constexpr std::chrono::seconds kMostPatience{2};
 /// Nobody tells us when a port is opened or a file written.
 constexpr std::chrono::milliseconds kBeforeNextTry{20};
 
-/// One connection, as far as it has come.
+/// One try, as far as it has come.
 struct Visit {
   enum class Stage : std::uint8_t { kConnecting, kRefused, kTalking };
   Stage stage = Stage::kConnecting;
   std::string refusal;  ///< the system's words
   HealthProbe probe;
+  std::string readiness;  ///< what /readyz answers
 };
 
-asio::awaitable<void> visit(asio::io_context& context, tcp::endpoint place, Visit& visit) {
+/// A connection, or nothing where it is refused.
+asio::awaitable<std::unique_ptr<MonitorSocket>> connect(asio::io_context& context,
+                                                        const tcp::endpoint& place, Visit& visit) {
   tcp::socket connecting(context);
+  visit.stage = Visit::Stage::kConnecting;
   const auto [refused] = co_await connecting.async_connect(place, kAwait);
   visit.stage = refused ? Visit::Stage::kRefused : Visit::Stage::kTalking;
   visit.refusal = refused.message();
-  if (refused) co_return;
+  if (refused) co_return nullptr;
   ErrorCode ignored;
   connecting.non_blocking(true, ignored);
-  MonitorSocket socket(std::move(connecting));
+  co_return std::make_unique<MonitorSocket>(std::move(connecting));
+}
+
+/// Takes hello, and the answer to a ping.
+asio::awaitable<void> greet(MonitorSocket& socket, HealthProbe& probe) {
   std::string to_send = HealthProbe::opening();
-  while (visit.probe.verdict() == Verdict::kUnknown) {
+  while (probe.verdict() == Verdict::kUnknown) {
     const bool is_sent = co_await socket.send(to_send);
     if (!is_sent) break;
     const std::string_view bytes = co_await socket.read();
     if (bytes.empty()) break;
-    to_send = visit.probe.take(bytes);
+    to_send = probe.take(bytes);
   }
+}
+
+/// Asks whether the server takes work: it asks itself down a line.
+asio::awaitable<std::string> ask_ready(MonitorSocket& socket, const tcp::endpoint& place) {
+  std::string answer;
+  const std::string request = ready_request(to_text(place));
+  const bool is_sent = co_await socket.send(request);
+  ErrorCode ignored;
+  socket.stream().shutdown(tcp::socket::shutdown_send, ignored);
+  while (is_sent && answer.size() < HealthProbe::kMostLineBytes) {
+    const std::string_view bytes = co_await socket.read();
+    if (bytes.empty()) break;
+    answer += bytes;
+  }
+  co_return answer;
+}
+
+asio::awaitable<void> visit(asio::io_context& context, tcp::endpoint place, Visit& visit) {
+  auto socket = co_await connect(context, place, visit);
+  if (!socket) co_return;
+  co_await greet(*socket, visit.probe);
+  if (visit.probe.verdict() != Verdict::kHealthy) co_return;
+  socket = co_await connect(context, place, visit);
+  if (socket) visit.readiness = co_await ask_ready(*socket, place);
 }
 
 std::string trouble_of(const Visit& visit, const tcp::endpoint& place) {
   const std::string who = to_text(place);
-  if (visit.probe.verdict() == Verdict::kHealthy) return {};
   if (visit.stage == Visit::Stage::kConnecting) return who + " does not answer: timed out";
   if (visit.stage == Visit::Stage::kRefused)
     return "nobody listens at " + who + " (" + visit.refusal + ")";
-  return who + " " + visit.probe.trouble();
+  if (visit.probe.verdict() != Verdict::kHealthy) return who + " " + visit.probe.trouble();
+  const std::string trouble = trouble_with_readiness(visit.readiness);
+  return trouble.empty() ? trouble : who + " " + trouble;
 }
 
 /// One try. Nothing: it is healthy; otherwise what came instead.
 std::string ask(const tcp::endpoint& place, Clock::time_point deadline) {
   Visit result;
   asio::io_context context;
-  asio::co_spawn(context, visit(context, place, result), asio::detached);
+  spawn_loop(context.get_executor(), "healthcheck", visit(context, place, result));
   context.run_until(deadline);
   return trouble_of(result, place);
 }

@@ -29,7 +29,7 @@ void complete(CLI::App& health, HealthOptions& options) {
 
 void add_health(CLI::App& app, HealthOptions& options) {
   CLI::App& health = *app.add_subcommand(
-      "healthcheck", "ask the server on this machine whether it answers; exit code 0 says yes");
+      "healthcheck", "ask the server on this machine whether it serves lines; exit code 0 says yes");
   health.add_option("--listen", options.listen, "where it listens, as serve was told")
       ->type_name("ADDR")
       ->check(CLI::Validator(check_listen, ""))

@@ -26,6 +26,7 @@ using http::Answer;
 using http::Request;
 
 constexpr std::string_view kPng = "/camera.png";
+constexpr std::string_view kReady = "/readyz";
 constexpr std::string_view kAssets = "/assets/";
 constexpr std::string_view kIcon = "/assets/icon.svg";
 
@@ -133,7 +134,7 @@ struct HttpResources::Route {
 
 const HttpResources::Route HttpResources::kRoutes[] = {
     {"/healthz", Route::Kind::kServer, &HttpResources::health},
-    {"/readyz", Route::Kind::kServer, &HttpResources::readiness},
+    {kReady, Route::Kind::kServer, nullptr},
     {"/schema/v1.json", Route::Kind::kServer, &HttpResources::schema},
     {"/metrics", Route::Kind::kReading, &HttpResources::metrics},
     {"/state", Route::Kind::kCell, &HttpResources::state},
@@ -157,7 +158,8 @@ asio::awaitable<Answer> HttpResources::answer(const Request& request) {
     }
     if (route.kind == Route::Kind::kCell) cell_.catch_up(wall_now());
     if (route.show != nullptr) co_return (this->*route.show)(request);
-    co_return co_await png();
+    if (path == kPng) co_return co_await png();
+    co_return co_await readiness();
   }
   co_return page(request);
 }
@@ -174,14 +176,19 @@ Answer HttpResources::page(const Request& request) const {
   return http::not_found("the viewer has no such file");
 }
 
+void HttpResources::stop() {
+  painter_.stop();
+  painter_.join();
+}
+
 // --- The server.
 
 Answer HttpResources::health(const Request&) { return http::text("ok\n"); }
 
-Answer HttpResources::readiness(const Request&) {
-  if (is_ready_()) return http::text("ok\n");
-  return http::error(503, "not_ready", "the server is starting or stopping",
-                     "try again, or start it again");
+asio::awaitable<Answer> HttpResources::readiness() {
+  const std::string trouble = co_await not_ready_();
+  if (trouble.empty()) co_return http::text("ok\n");
+  co_return http::error(503, "not_ready", trouble, "try again, or start it again");
 }
 
 Answer HttpResources::metrics(const Request&) {

@@ -17,15 +17,21 @@ namespace xr3 {
 
 class HttpResources {
  public:
-  /// All of them outlive it. `is_ready` is what /readyz tells.
-  HttpResources(Cell& cell, MonitorService& service, const AccessPolicy& policy,
-                std::function<bool()> is_ready)
-      : cell_(cell), service_(service), policy_(policy), is_ready_(std::move(is_ready)) {}
+  /// Why the server takes no work, as a sentence; nothing where it does.
+  using NotReady = std::function<asio::awaitable<std::string>()>;
+
+  /// All of them outlive it. `not_ready` is what /readyz asks.
+  HttpResources(Cell& cell, MonitorService& service, const AccessPolicy& policy, NotReady not_ready)
+      : cell_(cell), service_(service), policy_(policy), not_ready_(std::move(not_ready)) {}
+
+  /// Nothing is painted any more: the process ends.
+  void stop();
 
   /// Why a request is not let in, whatever it asks for: Host, Origin, method.
   std::optional<http::Answer> refuse(const http::Request& request) const;
 
-  /// The answer to a request that was let in. A PNG is made beside the loop; nothing else waits.
+  /// The answer to a request that was let in. A PNG is made beside the loop, and /readyz asks down a
+  /// line; nothing else waits.
   asio::awaitable<http::Answer> answer(const http::Request& request);
 
   /// Why a request for /ws cannot become a WebSocket.
@@ -40,7 +46,6 @@ class HttpResources {
   std::optional<http::Answer> refuse_reading(const http::Request& request) const;
 
   http::Answer health(const http::Request& request);
-  http::Answer readiness(const http::Request& request);
   http::Answer metrics(const http::Request& request);
   http::Answer state(const http::Request& request);
   http::Answer robot(const http::Request& request);
@@ -48,12 +53,13 @@ class HttpResources {
   http::Answer schema(const http::Request& request);
   http::Answer bitmap(const http::Request& request);
   http::Answer view(const http::Request& request);
+  asio::awaitable<http::Answer> readiness();
   asio::awaitable<http::Answer> png();
 
   Cell& cell_;
   MonitorService& service_;
   const AccessPolicy& policy_;
-  std::function<bool()> is_ready_;
+  NotReady not_ready_;
   asio::thread_pool painter_{1};
 };
 

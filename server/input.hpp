@@ -11,9 +11,14 @@
 
 namespace xr3 {
 
+/// The server's own line, by which it asks whether lines are served (`RobotProbe`). Lines of programs are
+/// numbered from 1.
+inline constexpr LineId kProbeLine = 0;
+
 struct LineOpened {
   std::string peer;  ///< for people: address and port, or what else it is
   LineKind kind = LineKind::kRaw;
+  bool is_probe = false;  ///< it becomes kProbeLine; there is one at most
 };
 
 struct BytesIn {

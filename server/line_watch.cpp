@@ -26,7 +26,8 @@ bool LineWatch::add(int descriptor, LineId line) {
 asio::awaitable<bool> LineWatch::wait() {
   if (!set_.is_open()) co_return false;
   const auto [error] = co_await set_.async_wait(asio::posix::stream_descriptor::wait_read, kAwait);
-  co_return !error && set_.is_open();
+  if (error && set_.is_open()) throw boost::system::system_error(error, "epoll");
+  co_return set_.is_open();
 }
 
 void LineWatch::close() {

@@ -31,7 +31,7 @@ class LineWatch {
   /// False: the system has no room for it.
   bool add(int descriptor, LineId line);
 
-  /// Waits until there are news. False: it was closed.
+  /// Waits until there are news. False: it was closed. Throws boost::system::system_error.
   asio::awaitable<bool> wait();
   void close();
 

@@ -1,10 +1,11 @@
 #include "server/listener.hpp"
 
-#include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
 #include <boost/asio/ip/v6_only.hpp>
+#include <boost/system/system_error.hpp>
 #include <chrono>
 #include <utility>
+
+#include "server/spawn.hpp"
 
 namespace xr3 {
 namespace {
@@ -33,14 +34,15 @@ ErrorCode Listener::listen(const tcp::endpoint& endpoint) {
   if (error) return error;
   if (acceptors_.empty()) endpoint_ = acceptor.local_endpoint(error);
   tcp::acceptor& kept = acceptors_.emplace_back(std::move(acceptor));
-  asio::co_spawn(io_, run(kept), asio::detached);
+  spawn_loop(io_.get_executor(), name_, run(kept));
   return error;
 }
 
 asio::awaitable<void> Listener::run(tcp::acceptor& acceptor) {
   while (acceptor.is_open()) {
     const auto [error] = co_await acceptor.async_wait(tcp::acceptor::wait_read, kAwait);
-    if (error || !acceptor.is_open()) co_return;
+    if (!acceptor.is_open()) co_return;
+    if (error) throw boost::system::system_error(error);
     accept_pending(acceptor);
   }
 }

@@ -17,8 +17,9 @@ class Listener {
   using Accepted = std::function<void(tcp::socket)>;
 
   /// `accepted` is called with each new connection, non-blocking and with TCP_NODELAY set.
-  Listener(asio::io_context& io, Accepted accepted)
-      : io_(io), retry_(io), accepted_(std::move(accepted)) {}
+  /// `name` is a literal, for the log.
+  Listener(asio::io_context& io, const char* name, Accepted accepted)
+      : io_(io), name_(name), retry_(io), accepted_(std::move(accepted)) {}
 
   /// Binds and starts to accept, beside the endpoints that are open already. Returns what went wrong;
   /// that endpoint is not open then.
@@ -36,6 +37,7 @@ class Listener {
   ErrorCode accept_one(tcp::acceptor& acceptor);
 
   asio::io_context& io_;
+  const char* name_;
   std::list<tcp::acceptor> acceptors_;
   asio::steady_timer retry_;
   Accepted accepted_;

@@ -47,8 +47,7 @@ ExitCode serve(const ServeOptions& options) {
   warn_of_open_token(options.token);
   const std::string token =
       blaming(options.origins, "--token-file", [&] { return read_token(options.token); });
-  App(options, load_model(options), token).run();
-  return ExitCode::kGood;
+  return App(options, load_model(options), token).run();
 }
 
 ExitCode fail(ExitCode code, const std::string& message) {

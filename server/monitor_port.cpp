@@ -8,17 +8,17 @@
 namespace xr3 {
 
 MonitorPort::MonitorPort(asio::io_context& io, Cell& cell, RobotPort& robot_port,
-                         const AccessPolicy& policy, std::function<bool()> is_ready,
+                         const AccessPolicy& policy, HttpResources::NotReady not_ready,
                          const std::function<void()>& acted)
     : service_(io, cell, robot_port, policy, acted),
-      resources_(cell, service_, policy, std::move(is_ready)),
+      resources_(cell, service_, policy, std::move(not_ready)),
       context_{service_, resources_, [this] { tell_of_tls(); },
                [this, acted](const std::shared_ptr<MonitorSession>& session) {
                  sessions_.erase(session);
                  has_told_of_full_ = false;
                  acted();
                }},
-      listener_(io, [this](tcp::socket socket) { open(std::move(socket)); }),
+      listener_(io, "the monitor port", [this](tcp::socket socket) { open(std::move(socket)); }),
       refusals_(acted) {}
 
 ErrorCode MonitorPort::listen(const tcp::endpoint& endpoint) { return listener_.listen(endpoint); }

@@ -20,10 +20,10 @@ class MonitorPort {
   /// Connections beyond are told that it is full, and closed.
   static constexpr std::size_t kMostMonitors = 1024;
 
-  /// `is_ready` is what /readyz tells; `acted` is called after each call on the
+  /// `not_ready` is what /readyz asks; `acted` is called after each call on the
   /// cell, and when a connection has ended.
   MonitorPort(asio::io_context& io, Cell& cell, RobotPort& robot_port, const AccessPolicy& policy,
-              std::function<bool()> is_ready, const std::function<void()>& acted);
+              HttpResources::NotReady not_ready, const std::function<void()>& acted);
 
   /// Binds; afterwards endpoint() is known and connections are accepted. Returns what went wrong.
   ErrorCode listen(const tcp::endpoint& endpoint);
@@ -33,6 +33,8 @@ class MonitorPort {
   void close();
   /// Ends every connection now.
   void abort();
+  /// Nothing goes on beside the loop any more: the process ends.
+  void stop() { resources_.stop(); }
   bool is_empty() const { return sessions_.empty() && refusals_.is_empty(); }
 
   /// Everybody who watches.

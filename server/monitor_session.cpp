@@ -1,24 +1,15 @@
 #include "server/monitor_session.hpp"
 
-#include <spdlog/spdlog.h>
-
-#include <boost/asio/co_spawn.hpp>
 #include <chrono>
 #include <utility>
+
+#include "server/spawn.hpp"
 
 namespace xr3 {
 namespace {
 
 // A person with netcat waits for a greeting; a program sends first.
 constexpr std::chrono::seconds kSilence{1};
-
-void tell_failure(const std::exception_ptr& failure) {
-  try {
-    if (failure) std::rethrow_exception(failure);
-  } catch (const std::exception& error) {
-    spdlog::error("monitor: a connection has failed: {}", error.what());
-  }
-}
 
 }  // namespace
 
@@ -28,15 +19,12 @@ MonitorSession::MonitorSession(tcp::socket socket, MonitorContext& context)
       silence_(socket_->executor()) {}
 
 void MonitorSession::start() {
-  asio::co_spawn(
-      socket_->executor(), [self = shared_from_this()] { return self->run(); },
-      [self = shared_from_this()](const std::exception_ptr& failure) {
-        tell_failure(failure);
-        self->abort();
-        if (self->lines_) self->lines_->retire();
-        if (self->websocket_) self->websocket_->retire();
-        self->context_.ended(self);
-      });
+  spawn_session(socket_->executor(), "monitor", run(), [self = shared_from_this()] {
+    self->abort();
+    if (self->lines_) self->lines_->retire();
+    if (self->websocket_) self->websocket_->retire();
+    self->context_.ended(self);
+  });
 }
 
 asio::awaitable<void> MonitorSession::run() {

@@ -20,7 +20,8 @@ constexpr const char* kAbout =
 
 constexpr const char* kFooter =
     "Exit codes: 0 good; 1 something failed inside; 2 wrong arguments or a wrong file;\n"
-    "            3 a port is in use; 4 nobody answers xr3 watch or xr3 healthcheck.\n"
+    "            3 a port is in use; 4 nobody answers xr3 watch, or xr3 healthcheck finds\n"
+    "            no server that is ready; 5 the server failed while it ran, and its log says why.\n"
     "Try: xr3 serve, then in another terminal: telnet localhost 9600, and type E+50 and E?";
 
 void add_check(CLI::App& app, CheckOptions& options) {

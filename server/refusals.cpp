@@ -1,6 +1,5 @@
 #include "server/refusals.hpp"
 
-#include <boost/asio/co_spawn.hpp>
 #include <chrono>
 #include <string>
 #include <utility>
@@ -8,6 +7,7 @@
 #include "protocol/monitor_message.hpp"
 #include "protocol/monitor_opening.hpp"
 #include "server/http_answer.hpp"
+#include "server/spawn.hpp"
 
 namespace xr3 {
 namespace {
@@ -32,13 +32,11 @@ void Refusals::add(tcp::socket socket) {
   if (sockets_.size() >= kMost) return;
   const auto kept = std::make_shared<MonitorSocket>(std::move(socket));
   sockets_.insert(kept);
-  asio::co_spawn(
-      kept->executor(), [kept] { return tell(kept); },
-      [this, kept](const std::exception_ptr&) {
-        kept->close();
-        sockets_.erase(kept);
-        ended_();
-      });
+  spawn_session(kept->executor(), "monitor", tell(kept), [this, kept] {
+    kept->close();
+    sockets_.erase(kept);
+    ended_();
+  });
 }
 
 void Refusals::abort() {

@@ -2,14 +2,33 @@
 
 #include <spdlog/spdlog.h>
 
-#include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
 #include <boost/asio/post.hpp>
 #include <utility>
 
+#include "server/failure.hpp"
+#include "server/spawn.hpp"
 #include "server/wall_clock.hpp"
 
 namespace xr3 {
+namespace {
+
+constexpr const char* kName = "the robot port";
+
+/// A timer among those that are cancelled when bytes have acted, as long as this lives.
+class Waiting {
+ public:
+  Waiting(std::set<asio::steady_timer*>& all, asio::steady_timer& timer)
+      : all_(all), place_(all.insert(&timer).first) {}
+  Waiting(const Waiting&) = delete;
+  Waiting& operator=(const Waiting&) = delete;
+  ~Waiting() { all_.erase(place_); }
+
+ private:
+  std::set<asio::steady_timer*>& all_;
+  std::set<asio::steady_timer*>::iterator place_;
+};
+
+}  // namespace
 
 RobotPort::RobotPort(asio::io_context& io, Cell& cell, std::size_t most_lines,
                      std::function<void()> acted)
@@ -17,26 +36,39 @@ RobotPort::RobotPort(asio::io_context& io, Cell& cell, std::size_t most_lines,
       cell_(cell),
       most_lines_(most_lines),
       acted_(std::move(acted)),
-      context_{cell, scratch_, [this] { tell(); }, [this](LineId line) { end(line); }},
-      listener_(io, [this](tcp::socket socket) { open(std::move(socket)); }),
+      context_{cell, false, scratch_, [this] { tell(); }, [this](LineId line) { end(line); }},
+      probe_context_{
+          cell, true, scratch_,
+          [this] { probe_fate_ = cell_.state().enabled ? ProbeFate::kTaken : ProbeFate::kIgnored; },
+          [this](LineId) { end_probe(); }},
+      listener_(io, kName, [this](tcp::socket socket) { open(std::move(socket)); }),
       watch_(io) {}
 
 ErrorCode RobotPort::listen(const tcp::endpoint& endpoint) { return listener_.listen(endpoint); }
 
 void RobotPort::open(tcp::socket socket) {
-  if (sessions_.size() >= most_lines_) {
-    if (!std::exchange(has_told_of_full_, true)) {
-      spdlog::warn("lines are refused: {} are open already (--max-lines; told once until one ends)",
-                   sessions_.size());
-    }
-    return;  // closed without a byte
-  }
-  const auto session = std::make_shared<RobotSession>(std::move(socket), context_);
-  sessions_.emplace(session->line(), session);
+  const bool is_probe = this->is_probe(socket);
+  if (is_full()) return refuse(is_probe);  // closed without a byte
+  auto& context = is_probe ? probe_context_ : context_;
+  const auto session = std::make_shared<RobotSession>(std::move(socket), context);
+  sessions_.insert_or_assign(session->line(), session);
   if (!watch_.add(session->descriptor(), session->line()))
     return session->close(CloseReason::kError);
-  if (!std::exchange(is_watching_, true)) asio::co_spawn(io_, run(), asio::detached);
-  tell();
+  if (!std::exchange(is_watching_, true)) spawn_loop(io_.get_executor(), kName, run());
+  if (!is_probe) tell();
+}
+
+bool RobotPort::is_full() const {
+  return sessions_.size() - sessions_.count(kProbeLine) >= most_lines_;
+}
+
+void RobotPort::refuse(bool is_probe) {
+  if (is_probe) {
+    probe_fate_ = ProbeFate::kRefused;
+  } else if (!std::exchange(has_told_of_full_, true)) {
+    spdlog::warn("lines are refused: {} are open already (--max-lines; told once until one ends)",
+                 most_lines_);
+  }
 }
 
 void RobotPort::end(LineId line) {
@@ -53,6 +85,30 @@ bool RobotPort::disconnect(LineId line) {
   const auto session = found->second;  // it takes itself out of the map
   session->close(CloseReason::kDisconnected);
   return true;
+}
+
+// --- The probe.
+
+void RobotPort::expect_probe(const tcp::endpoint& from) {
+  probe_from_ = from;
+  probe_fate_ = ProbeFate::kUnseen;
+}
+
+bool RobotPort::is_probe(const tcp::socket& socket) {
+  if (!probe_from_) return false;
+  ErrorCode gone;
+  if (socket.remote_endpoint(gone) != *probe_from_ || gone) return false;
+  probe_from_.reset();
+  probe_fate_ = ProbeFate::kAccepted;
+  return true;
+}
+
+void RobotPort::end_probe() {
+  sessions_.erase(kProbeLine);
+  unfinished_.erase(kProbeLine);
+  if (!is_closing_) return;
+  if (sessions_.empty()) watch_.close();
+  tell();
 }
 
 // --- Turns.
@@ -92,8 +148,10 @@ void RobotPort::take_turns_again() {
 
 // A copy of the map: a session that ends takes itself out of it.
 void RobotPort::take_in() {
-  listener_.accept_pending();
-  for (const auto& [id, session] : sessions()) session->take_in();
+  vital(kName, [this] {
+    listener_.accept_pending();
+    for (const auto& [id, session] : sessions()) session->take_in();
+  });
 }
 
 asio::awaitable<bool> RobotPort::wait_for_bytes(LineId id, std::uint64_t bytes_in,
@@ -105,16 +163,17 @@ asio::awaitable<bool> RobotPort::wait_for_bytes(LineId id, std::uint64_t bytes_i
     if (cell_.bytes_in(id).value_or(0) >= bytes_in) co_return true;
     const bool may_come = cell_.find_line(id) != nullptr && !is_closing_;
     if (!may_come || asio::steady_timer::clock_type::now() >= deadline) co_return false;
-    waiting_.insert(&timer);
+    const Waiting waiting(waiting_, timer);
     co_await timer.async_wait(kAwait);
-    waiting_.erase(&timer);
   }
 }
 
 // Whoever waits for bytes looks again.
 void RobotPort::tell() {
-  for (asio::steady_timer* timer : waiting_) timer->cancel();
-  acted_();
+  vital(kName, [this] {
+    for (asio::steady_timer* timer : waiting_) timer->cancel();
+    acted_();
+  });
 }
 
 void RobotPort::close() {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include "server/asio.hpp"
@@ -16,10 +17,20 @@
 
 namespace xr3 {
 
+/// How far the server's own question down a line has come (`RobotProbe`).
+enum class ProbeFate : std::uint8_t {
+  kUnseen,    ///< its connection has not been accepted
+  kRefused,   ///< every line was taken
+  kAccepted,  ///< its line is open
+  kTaken,     ///< its byte has gone through the parser
+  kIgnored,   ///< so it has, but the controller is disabled and answers nothing
+};
+
 class RobotPort {
  public:
   /// `most_lines`: connections beyond are closed without a byte. `acted` is called after each input and each end.
   RobotPort(asio::io_context& io, Cell& cell, std::size_t most_lines, std::function<void()> acted);
+  std::size_t most_lines() const { return most_lines_; }
 
   /// Binds; afterwards endpoint() is known and connections are accepted. Returns what went wrong.
   ErrorCode listen(const tcp::endpoint& endpoint);
@@ -38,6 +49,13 @@ class RobotPort {
   asio::awaitable<bool> wait_for_bytes(LineId line, std::uint64_t bytes_in,
                                        std::chrono::milliseconds within);
 
+  /// The next connection from there is the server's own: it becomes kProbeLine, under the same limit as
+  /// other lines, but does not count as one of them.
+  void expect_probe(const tcp::endpoint& from);
+  /// None is: somebody else may have that endpoint from now on.
+  void forget_probe() { probe_from_.reset(); }
+  ProbeFate probe_fate() const { return probe_fate_; }
+
   /// Closes the connection of a line. False: none of this port's is it.
   bool disconnect(LineId line);
 
@@ -51,6 +69,10 @@ class RobotPort {
   using Sessions = std::map<LineId, std::shared_ptr<RobotSession>>;
 
   void open(tcp::socket socket);
+  bool is_probe(const tcp::socket& socket);
+  bool is_full() const;
+  void refuse(bool is_probe);
+  void end_probe();
   asio::awaitable<void> run();
   void take_turn(LineId line);
   void take_turns_again();
@@ -65,10 +87,13 @@ class RobotPort {
   std::function<void()> acted_;
   std::array<char, 64 * 1024> scratch_{};
   RobotSessionContext context_;
+  RobotSessionContext probe_context_;
   Listener listener_;
   LineWatch watch_;
   bool is_watching_ = false;
   bool has_told_of_full_ = false;
+  std::optional<tcp::endpoint> probe_from_;  ///< has not been accepted yet
+  ProbeFate probe_fate_ = ProbeFate::kUnseen;
   std::set<LineId> unfinished_;            ///< had more to take in than a fair share
   bool is_again_ = false;                  ///< their next turns are on their way
   std::set<asio::steady_timer*> waiting_;  ///< cancelled when bytes have acted

@@ -1,6 +1,9 @@
 #include "server/robot_session.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include "server/listener.hpp"
@@ -29,7 +32,7 @@ RobotSession::RobotSession(tcp::socket socket, RobotSessionContext& context)
 RobotSession::RobotSession(const std::string& peer, tcp::socket&& socket,
                            RobotSessionContext& context)
     : socket_(std::move(socket)),
-      id_(context.cell.apply(LineOpened{peer}, wall_now()).line),
+      id_(context.cell.apply(LineOpened{peer, LineKind::kRaw, context.is_probe}, wall_now()).line),
       context_(context) {}
 
 // Reading waits while replies do: a client that does not read its replies is not read either.
@@ -64,7 +67,17 @@ void RobotSession::act(std::string_view bytes) {
   context_.acted();
   if (!socket_.is_open()) return;
   if (context_.cell.find_line(id_)->is_stranger()) return close(CloseReason::kStranger);
-  if (taken < bytes.size()) pending_.append(bytes.substr(taken));
+  if (taken < bytes.size()) keep(bytes.substr(taken));
+}
+
+// Where memory is short this line ends, and no other.
+void RobotSession::keep(std::string_view bytes) {
+  try {
+    pending_.append(bytes);
+  } catch (const std::bad_alloc&) {
+    spdlog::error("line {}: no memory for its bytes; it is closed", id_);
+    close(CloseReason::kError);
+  }
 }
 
 void RobotSession::act_on_pending() {

@@ -15,6 +15,7 @@ namespace xr3 {
 /// What all sessions of a port share.
 struct RobotSessionContext {
   Cell& cell;
+  bool is_probe;                      ///< what they open is kProbeLine
   std::span<char> scratch;            ///< what one read may bring
   std::function<void()> acted;        ///< bytes have acted
   std::function<void(LineId)> ended;  ///< the connection is closed; the session may be dropped
@@ -49,6 +50,7 @@ class RobotSession {
   bool take_in(std::size_t most);
   std::size_t read(std::size_t most);
   void act(std::string_view bytes);
+  void keep(std::string_view bytes);
   void act_on_pending();
   bool has_flushed();
 

@@ -11,8 +11,8 @@ Viewer::Viewer(MonitorService& service, Carrier& carrier)
       client_(service.cells()),
       carrier_(carrier),
       access_(service.first_access()) {
-  service_.add(*this);
   client_.send(service_.hello(*this));
+  service_.add(*this);  // last: if this throws, nobody knows the viewer
 }
 
 Viewer::~Viewer() { service_.remove(*this); }

@@ -3,8 +3,6 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <boost/asio/co_spawn.hpp>
-#include <boost/asio/detached.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <chrono>
@@ -14,6 +12,7 @@
 #include <map>
 
 #include "protocol/watch_screen.hpp"
+#include "server/spawn.hpp"
 #include "server/terminal.hpp"
 #include "server/token.hpp"
 #include "server/watch_connection.hpp"
@@ -62,14 +61,14 @@ class Watcher {
   }
 
   void start(asio::io_context& context) {
-    asio::co_spawn(context, stay_connected(), asio::detached);
-    asio::co_spawn(context, await_resizes(), asio::detached);
+    spawn_loop(context.get_executor(), "watch", stay_connected());
+    spawn_loop(context.get_executor(), "watch", await_resizes());
     signals_.async_wait([this](ErrorCode cancelled, int) {
       if (!cancelled) stop();
     });
     if (::isatty(STDIN_FILENO) == 0) return;
     keyboard_.assign(::dup(STDIN_FILENO));
-    asio::co_spawn(context, await_keys(), asio::detached);
+    spawn_loop(context.get_executor(), "watch", await_keys());
   }
 
  private:
@@ -179,7 +178,7 @@ ExitCode watch_once(const WatchOptions& options) {
       if (model.is_complete()) connection.close();
     });
   };
-  asio::co_spawn(context, look(), asio::detached);
+  spawn_loop(context.get_executor(), "watch", look());
   context.run_for(kOnceAtMost);
   if (!model.is_complete()) {
     return fail(ExitCode::kNoServer,

@@ -1,10 +1,10 @@
 #include "server/watch_connection.hpp"
 
-#include <boost/asio/co_spawn.hpp>
 #include <boost/asio/connect.hpp>
-#include <boost/asio/detached.hpp>
 #include <chrono>
 #include <utility>
+
+#include "server/spawn.hpp"
 
 namespace xr3 {
 namespace {
@@ -93,7 +93,7 @@ void WatchConnection::send(const std::string& bytes) {
   unsent_ += bytes;
   if (is_sending_) return;
   is_sending_ = true;
-  asio::co_spawn(context_, send_all(socket_), asio::detached);
+  spawn_loop(context_.get_executor(), "watch", send_all(socket_));
 }
 
 asio::awaitable<void> WatchConnection::send_all(std::shared_ptr<MonitorSocket> socket) {

@@ -15,6 +15,8 @@ NO_SERVER = 4
 TOKEN = "a token of no meaning"
 HELLO = b'{"op":"hello","proto":1,"server":"xr3 9.9.9"}\n'
 PONG = b'{"op":"pong","id":"health"}\n'
+READY = b"HTTP/1.1 200 OK\r\n\r\nok\n"
+NOT_READY = b'HTTP/1.1 503 No\r\n\r\n{"error":{"code":"not_ready","message":"no line today","hint":"wait"}}'
 
 
 @contextlib.contextmanager
@@ -82,6 +84,45 @@ class Healthcheck(unittest.TestCase):
                 self.healthy("--listen", listen, "--monitor-port", port)
                 self.healthy(environment={"XR3_LISTEN": listen, "XR3_MONITOR_PORT": port})
 
+    def test_asks_down_a_line_that_no_program_sees(self):
+        with Server("--log-level", "debug") as xr3, xr3.monitor() as monitor:
+            log = xr3.log()
+            for _ in range(3):
+                self.healthy("--monitor-port", xr3.monitor_port)
+            self.assertEqual([], monitor.recall("event"))
+            self.assertEqual([], monitor.recall("line"))
+            self.assertEqual(log, xr3.log())
+            line = xr3.line()
+            line.send("E+5\r")
+            monitor.step(1, after=line)
+            self.assertEqual([1], [line["line"] for line in monitor.call("lines")["lines"]])
+
+    def test_a_disabled_controller_is_healthy(self):
+        with Server() as xr3, xr3.monitor() as monitor:
+            line = xr3.line()
+            line.send("A@")
+            monitor.step(0, after=line)
+            self.assertFalse(monitor.get("enabled")["enabled"])
+            self.healthy("--monitor-port", xr3.monitor_port)
+            self.assertFalse(monitor.get("enabled")["enabled"])
+
+    def test_where_every_line_is_taken(self):
+        with Server("--max-lines", 1) as xr3:
+            line = xr3.line()
+            line.ask("E?")
+            self.unhealthy(r"is not ready: every line is taken: 1 are open \(--max-lines\)",
+                           "--monitor-port", xr3.monitor_port)
+            line.ask("E?")
+            line.finish_sending()
+            self.assertEqual(b"", line.read_to_end())
+            self.healthy("--monitor-port", xr3.monitor_port, "--wait", DEADLINE_S)
+
+    def test_who_does_not_say_whether_it_is_ready(self):
+        for says, answer in [("is not ready: no line today", NOT_READY), ("does not say", b""),
+                             ("is not xr3: it says \"HTTP/1.1 404", b"HTTP/1.1 404 Not Found\r\n\r\n")]:
+            with self.subTest(says), stand_in(HELLO + PONG, answer) as port:
+                self.unhealthy(says, "--monitor-port", port)
+
     def test_nobody(self):
         with unused_port() as port:
             self.unhealthy(rf"nobody listens at 127\.0\.0\.1:{port} \(Connection refused\)",
@@ -120,7 +161,7 @@ class Healthcheck(unittest.TestCase):
                 self.unhealthy("timed out", "--monitor-port", address[1], "--wait", "0.1")
 
     def test_waits_until_it_is_healthy(self):
-        answers = [b"HTTP/1.1 503 Starting\r\n\r\n", b"", HELLO + PONG]
+        answers = [b"HTTP/1.1 503 Starting\r\n\r\n", b"", HELLO + PONG, NOT_READY, HELLO + PONG, READY]
         with stand_in(*answers) as port:  # which sees to it that each was asked for
             self.healthy("--monitor-port", port, "--wait", DEADLINE_S)
 
@@ -138,10 +179,13 @@ class Healthcheck(unittest.TestCase):
             port = server.getsockname()[1]
             with subprocess.Popen([XR3, "healthcheck", "--monitor-port", str(port), "--wait", str(DEADLINE_S)]) as waiting:
                 server.listen()
-                client, _ = server.accept()
-                with client:
-                    client.sendall(HELLO + PONG)
-                    self.assertEqual(0, waiting.wait(DEADLINE_S))
+                for answer in HELLO + PONG, READY:
+                    client, _ = server.accept()
+                    with client:
+                        client.sendall(answer)
+                        while client.recv(4096):
+                            pass
+                self.assertEqual(0, waiting.wait(DEADLINE_S))
 
     def test_port_files_that_are_none(self):
         with tempfile.TemporaryDirectory() as folder:

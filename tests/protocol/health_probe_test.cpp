@@ -84,5 +84,26 @@ TEST(HealthProbe, OtherAnswersAfterTheGreetingAreNoMatter) {
   EXPECT_EQ(probe.verdict(), Verdict::kHealthy);
 }
 
+TEST(HealthProbe, ReadinessIsAskedOverHttp) {
+  EXPECT_EQ(ready_request("[::1]:9601"),
+            "GET /readyz HTTP/1.1\r\nHost: [::1]:9601\r\nConnection: close\r\n\r\n");
+  EXPECT_EQ(trouble_with_readiness("HTTP/1.1 200 OK\r\n\r\nok\n"), "");
+}
+
+TEST(HealthProbe, WhyItIsNotReadyIsPassedOn) {
+  const std::string body =
+      R"({"error":{"code":"not_ready","message":"every line is taken","hint":"wait"}})";
+  EXPECT_EQ(trouble_with_readiness("HTTP/1.1 503 Service Unavailable\r\n\r\n" + body),
+            "is not ready: every line is taken");
+}
+
+TEST(HealthProbe, WhatIsNoAnswerIsNotReady) {
+  EXPECT_EQ(trouble_with_readiness(""), "does not say whether it is ready");
+  for (const char* answer : {"HTTP/1.1 503 No\r\n\r\n{}", "HTTP/1.1 503 No\r\n\r\n[1",
+                             "HTTP/1.1 20", "HTTP/1.1 404 Not Found", "200 ", "\x1b[2J"}) {
+    EXPECT_THAT(trouble_with_readiness(answer), HasSubstr("is not xr3: it says \"")) << answer;
+  }
+}
+
 }  // namespace
 }  // namespace xr3

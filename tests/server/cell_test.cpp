@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <new>
+
+#include "server/failure.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3 {
@@ -185,6 +188,32 @@ TEST(Cell, EventsComeInOrderOfTheirTicks) {
   for (std::size_t i = 1; i < lab.told.size(); ++i)
     EXPECT_LE(lab.told[i - 1].tick, lab.told[i].tick);
   EXPECT_EQ(lab.told.back().line, std::nullopt);
+}
+
+// --- Failures.
+
+TEST(Cell, AnExceptionOutOfTheDoorIsVital) {
+  Cell cell("main", test::rhino(), SimClock::manual(),
+            [](const CellEvent&, const Model&) { throw std::bad_alloc(); });
+  try {
+    cell.apply(LineOpened{"test"}, 0);
+    ADD_FAILURE() << "the sink has thrown";
+  } catch (const VitalFailure& failure) {
+    EXPECT_STREQ(failure.what(), "the cell: std::bad_alloc");
+  }
+}
+
+TEST(Cell, AFrozenCellTakesNothing) {
+  Lab lab(SimClock::real(Rate{1'000'000}, 0));
+  lab.open(1);
+  const State before = lab.cell.state();
+  const std::size_t told = lab.told.size();
+  lab.cell.freeze();
+  lab.cell.apply(BytesIn{1, "E+5\rE?"}, 5 * kMs);
+  lab.cell.apply(LineClosed{1}, 5 * kMs);
+  lab.cell.catch_up(10 * kMs);
+  EXPECT_EQ(lab.cell.state(), before);
+  EXPECT_EQ(lab.told.size(), told);
 }
 
 }  // namespace

@@ -57,10 +57,11 @@ class HttpTest : public testing::Test {
   asio::io_context io_{1};
   Cell cell_{"main", test::rhino(), SimClock::manual(), {}};
   AccessPolicy policy_;
-  bool is_ready_ = true;
+  std::string trouble_;
   RobotPort robot_port_{io_, cell_, 16, [] {}};
   MonitorService service_{io_, cell_, robot_port_, policy_, [] {}};
-  HttpResources resources_{cell_, service_, policy_, [this] { return is_ready_; }};
+  HttpResources resources_{cell_, service_, policy_,
+                           [this]() -> asio::awaitable<std::string> { co_return trouble_; }};
 };
 
 // --- Heads.
@@ -79,8 +80,9 @@ TEST_F(HttpTest, AliveAndReady) {
       "\r\n"
       "ok\n");
   EXPECT_EQ(status_of(get("/readyz")), "200");
-  is_ready_ = false;
+  trouble_ = "every line is taken";
   EXPECT_EQ(status_of(get("/readyz")), "503");
+  EXPECT_EQ(json_of(answer(get("/readyz")))["error"]["message"], trouble_);
   EXPECT_EQ(status_of(get("/healthz?verbose=1")), "200");
 }
 
@@ -282,7 +284,8 @@ TEST_F(HttpTest, Pictures) {
   const auto with_camera = std::make_shared<const Model>(
       test::robot_named("rhino-xr3"), test::workcell_named("rhino-xr3"), Profile::kPaper);
   Cell cell("main", with_camera, SimClock::manual(), {});
-  HttpResources resources(cell, service_, policy_, [] { return true; });
+  HttpResources resources(cell, service_, policy_,
+                          []() -> asio::awaitable<std::string> { co_return std::string(); });
   const auto show = [&](const std::string& target) {
     std::string body;
     const http::Request request = read_head(get(target)).request;

@@ -5,11 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "protocol/json_source.hpp"
+#include "server/failure.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/tcp_client.hpp"
 
@@ -47,13 +49,20 @@ class MonitorPortTest : public testing::Test {
   }
 
   asio::io_context io_{1};
-  Cell cell_{"main", test::rhino(), SimClock::manual(), {}};
-  bool is_ready_ = true;
+  bool fails_ = false;
+  Cell cell_{"main", test::rhino(), SimClock::manual(), [this](const CellEvent&, const Model&) {
+               if (fails_) throw std::bad_alloc();
+             }};
+  std::string trouble_;
   int acted_ = 0;
   RobotPort robot_port_{io_, cell_, 16, [] {}};
   AccessPolicy policy_;
-  MonitorPort monitor_port_{
-      io_, cell_, robot_port_, policy_, [this] { return is_ready_; }, [this] { ++acted_; }};
+  MonitorPort monitor_port_{io_,
+                            cell_,
+                            robot_port_,
+                            policy_,
+                            [this]() -> asio::awaitable<std::string> { co_return trouble_; },
+                            [this] { ++acted_; }};
 };
 
 std::string call(const std::string& fn, const std::string& args) {
@@ -188,7 +197,7 @@ TEST_F(MonitorPortTest, ResetBeginsAnEpoch) {
 TEST_F(MonitorPortTest, ReadinessByHttp) {
   const std::string request = "GET /readyz HTTP/1.1\r\nHost: localhost\r\n\r\n";
   EXPECT_TRUE(exchange(request).starts_with("HTTP/1.1 200 "));
-  is_ready_ = false;
+  trouble_ = "the server is stopping";
   EXPECT_TRUE(exchange(request).starts_with("HTTP/1.1 503 "));
   EXPECT_TRUE(exchange("GET /readyz").starts_with("HTTP/1.1 400 "));
 }
@@ -240,6 +249,20 @@ TEST_F(MonitorPortTest, ThereIsALimitToConnections) {
   Client browser = monitor();
   browser.send("GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n");
   EXPECT_TRUE(browser.rest().starts_with("HTTP/1.1 503 "));
+}
+
+TEST_F(MonitorPortTest, AFailureOfTheCellIsNoMatterOfOneConnection) {
+  Client client = monitor();
+  client.send(call("home", "{}"));
+  fails_ = true;
+  std::string what;
+  try {
+    io_.run_for(10s);
+  } catch (const VitalFailure& failure) {
+    what = failure.what();
+  }
+  fails_ = false;
+  EXPECT_EQ(what, "monitor: the cell: std::bad_alloc");
 }
 
 }  // namespace

@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <new>
 #include <string>
 
+#include "server/failure.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/tcp_client.hpp"
 
@@ -32,6 +35,19 @@ class RobotPortTest : public testing::Test {
     io_.run();  // returns: nothing of the port is left
   }
 
+  /// The failure that leaves the loop.
+  std::string failure() {
+    fails_ = true;
+    std::string what;
+    try {
+      io_.restart();
+      io_.run_for(std::chrono::seconds(10));
+    } catch (const VitalFailure& failure) {
+      what = failure.what();
+    }
+    fails_ = false;
+    return what;
+  }
   /// Bytes that a line has received so far.
   std::uint64_t received(LineId line) const { return cell_.bytes_in(line).value_or(0); }
   /// Lets everything happen that can.
@@ -42,7 +58,10 @@ class RobotPortTest : public testing::Test {
   }
 
   asio::io_context io_{1};
-  Cell cell_{"main", test::rhino(), SimClock::manual(), {}};
+  bool fails_ = false;
+  Cell cell_{"main", test::rhino(), SimClock::manual(), [this](const CellEvent&, const Model&) {
+               if (fails_) throw std::bad_alloc();
+             }};
   RobotPort port_{io_, cell_, kMostLines, [] {}};
 };
 
@@ -127,6 +146,21 @@ TEST_F(RobotPortTest, ClosingHandsOutWhatWasAnswered) {
   port_.close();
   EXPECT_EQ(client.rest(), "%");
   EXPECT_TRUE(port_.is_empty());
+}
+
+// --- Failures.
+
+TEST_F(RobotPortTest, AFailureInATurnIsNotSwallowed) {
+  Client client(io_, port_.endpoint());
+  client.send("E?");
+  EXPECT_EQ(client.bytes(1), " ");
+  client.send("junk");
+  EXPECT_EQ(failure(), "the robot port: the cell: std::bad_alloc");
+}
+
+TEST_F(RobotPortTest, AFailureInAcceptingIsNotSwallowed) {
+  Client client(io_, port_.endpoint());
+  EXPECT_EQ(failure(), "the robot port: the cell: std::bad_alloc");
 }
 
 }  // namespace

@@ -1,0 +1,101 @@
+// The whole process in a test: how it ends when something has failed while every kind of client is there.
+#include "server/app.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/read.hpp>
+#include <boost/asio/write.hpp>
+#include <csignal>
+#include <list>
+#include <new>
+#include <string>
+#include <thread>
+
+#include "server/log.hpp"
+#include "tests/support/models.hpp"
+
+namespace xr3 {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kHandshake =
+    "GET /ws HTTP/1.1\r\nHost: localhost\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
+    "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n\r\n";
+constexpr const char* kRequests =
+    R"({"op":"sub","channel":"state"})"
+    "\n"
+    R"({"op":"call","fn":"send","args":{"text":"E+50\r"}})"
+    "\n"
+    R"({"op":"call","fn":"step","args":{"ticks":1,"after":{"line":1,"bytes_in":99,"within_ms":60000}}})"
+    "\n";
+
+/// Blocking clients of every kind, from another thread than the server's.
+class Crowd {
+ public:
+  void come(std::uint16_t robot_port, std::uint16_t monitor_port) {
+    talk(robot_port, "E?");
+    talk(monitor_port, kRequests);
+    talk(monitor_port, kHandshake);
+    talk(monitor_port, "GET /camera.png HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    talk(monitor_port, "GET /readyz HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  }
+
+ private:
+  /// Sends, and waits until something is answered.
+  void talk(std::uint16_t port, const std::string& bytes) {
+    tcp::socket& socket = sockets_.emplace_back(io_);
+    socket.connect({asio::ip::address_v4::loopback(), port});
+    asio::write(socket, asio::buffer(bytes));
+    char first = 0;
+    asio::read(socket, asio::buffer(&first, 1));
+  }
+
+  asio::io_context io_;
+  std::list<tcp::socket> sockets_;
+};
+
+/// Starts the server, lets everybody come, and does this in its loop; returns how it ended and its log.
+template <class Work>
+std::pair<ExitCode, std::string> ending(const Work& work) {
+  ServeOptions options;
+  options.robot_port = options.monitor_port = 0;
+  options.clock.mode = ClockMode::kManual;
+  start_log("critical");
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  Crowd crowd;
+  std::thread clients;
+  ExitCode code = ExitCode::kGood;
+  {
+    App app(options, test::rhino(), "");
+    asio::post(app.executor(), [&] {
+      clients = std::thread([&] {
+        crowd.come(app.robot_endpoint().port(), app.monitor_endpoint().port());
+        asio::post(app.executor(), work);
+      });
+    });
+    code = app.run();
+  }
+  clients.join();
+  testing::internal::GetCapturedStdout();
+  return {code, testing::internal::GetCapturedStderr()};
+}
+
+TEST(App, AnExceptionOutOfAHandlerEndsItWithACodeOfItsOwn) {
+  const auto [code, log] = ending([] { throw std::bad_alloc(); });
+  EXPECT_EQ(code, ExitCode::kBroken);
+  EXPECT_THAT(log, HasSubstr("the server has failed and ends: std::bad_alloc"));
+}
+
+TEST(App, ASignalEndsItWell) {
+  const auto [code, log] = ending([] { std::raise(SIGTERM); });
+  EXPECT_EQ(code, ExitCode::kGood);
+  EXPECT_EQ(log, "");
+}
+
+}  // namespace
+}  // namespace xr3
