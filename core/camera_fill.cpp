@@ -1,6 +1,7 @@
 #include "core/camera_fill.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace xr3 {
 namespace {
@@ -55,6 +56,12 @@ CameraFill::CameraFill(const Camera& camera, int first_row, int rows)
       first_row_(first_row),
       image_(camera.pixels_x, rows),
       begins_(static_cast<std::size_t>(rows)) {}
+
+CameraFill::CameraFill(const Camera& camera, Image onto)
+    : camera_(camera),
+      first_row_(0),
+      image_(std::move(onto)),
+      begins_(static_cast<std::size_t>(image_.height())) {}
 
 // The centre of row r lies at y = location.y + field_y / 2 - (2 r + 1) field_y / (2 pixels_y).
 // This is the lowest row of the picture (of ours, or the one above them) whose centre is at y or above.

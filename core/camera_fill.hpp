@@ -4,6 +4,7 @@
 
 #include <array>
 #include <compare>
+#include <utility>
 #include <vector>
 
 #include "core/image.hpp"
@@ -27,11 +28,14 @@ class CameraFill {
  public:
   /// 0 <= first_row, first_row + rows <= camera.pixels_y.
   CameraFill(const Camera& camera, int first_row, int rows);
+  /// All rows, drawn onto a picture of the camera's size.
+  CameraFill(const Camera& camera, Image onto);
 
   /// Sets the pixels whose centres lie in the convex hull of the corners: low edges in, high edges out.
   void add(BoxCorners corners);
 
-  const Image& image() const { return image_; }
+  /// The picture, once nothing more is added.
+  Image take_image() { return std::move(image_); }
 
  private:
   template <class Take>

@@ -164,8 +164,8 @@ struct SwitchBits {
 };
 /// To `A**` and `A*r*`: the complete image or one row.
 struct CameraRows {
-  Image image;
-  bool operator==(const CameraRows&) const = default;
+  ImagePtr image;  ///< never null
+  bool operator==(const CameraRows& other) const { return *image == *other.image; }
 };
 /// To `A*c,r*`.
 struct PixelValue {

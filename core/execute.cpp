@@ -2,7 +2,6 @@
 
 #include <cstdlib>
 
-#include "core/camera.hpp"
 #include "core/coupling.hpp"
 #include "core/home.hpp"
 #include "core/kinematics.hpp"
@@ -23,8 +22,8 @@ bool has_bit(std::uint8_t bits, int number) {
 
 class Executor {
  public:
-  Executor(const Model& model, State& state, Events& events)
-      : model_(model), state_(state), events_(events) {}
+  Executor(const Model& model, State& state, Events& events, CameraCache& camera)
+      : model_(model), state_(state), events_(events), camera_(camera) {}
 
   Reply operator()(const Move& move) {
     MotorState* motor = find(move.label);
@@ -125,15 +124,15 @@ class Executor {
   }
   Reply operator()(const CameraImage&) {
     if (!has_pixel(0, 0)) return NoReply{};
-    return CameraRows{camera_image(model_, state_)};
+    return CameraRows{camera_.image(model_, state_)};
   }
   Reply operator()(const CameraRow& row) {
     if (!has_pixel(0, row.row)) return NoReply{};
-    return CameraRows{camera_row(model_, state_, row.row)};
+    return CameraRows{std::make_shared<const Image>(camera_.row(model_, state_, row.row))};
   }
   Reply operator()(const CameraPixel& pixel) {
     if (!has_pixel(pixel.column, pixel.row)) return NoReply{};
-    return PixelValue{camera_pixel(model_, state_, pixel.column, pixel.row)};
+    return PixelValue{camera_.pixel(model_, state_, pixel.column, pixel.row)};
   }
 
  private:
@@ -162,6 +161,7 @@ class Executor {
   const Model& model_;
   State& state_;
   Events& events_;
+  CameraCache& camera_;
 };
 
 }  // namespace
@@ -172,8 +172,14 @@ void set_input(State& state, int line, bool high, Events& events) {
   events.push_back({state.tick, InputChanged{line, high}});
 }
 
-Reply execute(const Model& model, State& state, const Command& command, Events& events) {
-  return std::visit(Executor(model, state, events), command);
+Reply execute(const Model& model, State& state, const Command& command, Events& events,
+              CameraCache& camera) {
+  return std::visit(Executor(model, state, events, camera), command);
+}
+
+bool is_camera_inquiry(const Command& command) {
+  return std::holds_alternative<CameraImage>(command) ||
+         std::holds_alternative<CameraRow>(command) || std::holds_alternative<CameraPixel>(command);
 }
 
 }  // namespace xr3

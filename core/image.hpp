@@ -2,8 +2,10 @@
 // of lengths, or of how a picture is sent or stored.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -43,6 +45,13 @@ class Image {
   }
   static constexpr int kWordBits = 64;
 
+  /// One row of the picture as a picture of its own, one pixel high.
+  Image row_image(int row) const {
+    Image cut(width_, 1);
+    std::ranges::copy(words(row), cut.words_.begin());
+    return cut;
+  }
+
   /// Sets the pixels begin <= column < end of a row, 0 <= begin, end <= width; none if end <= begin.
   void fill(int row, int begin, int end) {
     while (begin < end) {
@@ -72,5 +81,8 @@ class Image {
   std::vector<std::uint64_t>
       words_;  ///< each row begins a word; its leftmost pixel is the lowest bit
 };
+
+/// A picture that is shared and never changes.
+using ImagePtr = std::shared_ptr<const Image>;
 
 }  // namespace xr3

@@ -1,5 +1,9 @@
 #include "protocol/rhino_reply.hpp"
 
+#include <array>
+#include <cstddef>
+#include <span>
+
 namespace xr3 {
 namespace {
 
@@ -10,15 +14,43 @@ constexpr int kPixelsPerByte = 6;
 char byte(unsigned value) { return static_cast<char>(static_cast<unsigned char>(value)); }
 char printable(unsigned value) { return byte(value + kReplyBase); }
 
-// Six pixels per byte, the leftmost in the highest bit; the last byte is padded with 0.
-void append_row(const Image& image, int row, std::string& out) {
-  for (int first = 0; first < image.width(); first += kPixelsPerByte) {
+/// The byte for six pixels, whose leftmost is the lowest bit: in the reply it is the highest.
+constexpr std::array<char, 64> sixes() {
+  std::array<char, 64> table{};
+  for (unsigned pixels = 0; pixels < table.size(); ++pixels) {
     unsigned bits = 0;
-    for (int column = first; column < first + kPixelsPerByte; ++column) {
-      bits = bits << 1U | (column < image.width() && image.at(column, row) ? 1U : 0U);
-    }
-    out.push_back(printable(bits));
+    for (unsigned i = 0; i < kPixelsPerByte; ++i) bits = bits << 1U | (pixels >> i & 1U);
+    table[pixels] = static_cast<char>(bits + kReplyBase);
   }
+  return table;
+}
+constexpr std::array<char, 64> kSixes = sixes();
+
+// Six pixels a byte; the last byte is filled up with 0, as the row's last word is.
+char* write_row(std::span<const std::uint64_t> words, std::size_t bytes, char* out) {
+  constexpr unsigned kBits = Image::kWordBits;
+  unsigned shift = 0;
+  std::size_t word = 0;
+  for (std::size_t i = 0; i < bytes; ++i) {
+    std::uint64_t pixels = words[word] >> shift;
+    shift += kPixelsPerByte;
+    if (shift >= kBits) {
+      shift -= kBits;
+      ++word;
+      if (shift > 0 && word < words.size()) pixels |= words[word] << (kPixelsPerByte - shift);
+    }
+    *out++ = kSixes[pixels % kSixes.size()];
+  }
+  return out;
+}
+
+void append_rows(const Image& image, std::string& out) {
+  const auto bytes =
+      static_cast<std::size_t>((image.width() + kPixelsPerByte - 1) / kPixelsPerByte);
+  const std::size_t begin = out.size();
+  out.resize(begin + bytes * static_cast<std::size_t>(image.height()));
+  char* next = out.data() + begin;
+  for (int row = 0; row < image.height(); ++row) next = write_row(image.words(row), bytes, next);
 }
 
 struct Encoder {
@@ -39,9 +71,7 @@ struct Encoder {
   void operator()(const SwitchBits& bits) const {
     out.push_back(printable(switch_code(bits, profile)));
   }
-  void operator()(const CameraRows& rows) const {
-    for (int row = 0; row < rows.image.height(); ++row) append_row(rows.image, row, out);
-  }
+  void operator()(const CameraRows& rows) const { append_rows(*rows.image, out); }
   void operator()(const PixelValue& pixel) const { out.push_back(printable(pixel.set ? 1 : 0)); }
 };
 

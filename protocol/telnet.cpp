@@ -67,9 +67,13 @@ void TelnetFilter::take_subnegotiation(std::uint8_t byte) {
 }
 
 void TelnetFilter::encode(std::string_view replies, std::string& out) const {
+  if (!is_telnet_) {  // a picture comes by the hundred kilobytes
+    out.append(replies);
+    return;
+  }
   for (const char reply : replies) {
     out.push_back(reply);
-    if (is_telnet_ && static_cast<std::uint8_t>(reply) == kIac) out.push_back(reply);
+    if (static_cast<std::uint8_t>(reply) == kIac) out.push_back(reply);
   }
 }
 

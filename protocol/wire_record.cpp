@@ -110,7 +110,7 @@ struct Answer {
 
   void operator()(const NoReply&) const {}
   void operator()(const CameraRows& rows) const {
-    item.what = Answered{command, PictureSize{rows.image.width(), rows.image.height()}};
+    item.what = Answered{command, PictureSize{rows.image->width(), rows.image->height()}};
   }
   template <class Small>
   void operator()(const Small& reply) const {

@@ -107,6 +107,7 @@ Applied Cell::take(const BytesIn& in, WallNs) {
     const std::size_t count = take_piece(in.line, *line, in.bytes.substr(taken, kMostShownIn));
     taken += count;
     if (count == 0 || line->is_stranger()) break;
+    if (taken < in.bytes.size() && in.is_enough && in.is_enough()) break;
   }
   tell_all(in.line, warnings_.finish(in.line, state().tick));
   Applied applied;

@@ -54,6 +54,8 @@ class Cell {
   /// As of the last apply() or catch_up().
   const State& state() const { return simulation_.state(); }
   Snapshot snapshot() const;
+  /// What the camera sees, made once for a state whoever asks; null where the workcell has no camera.
+  ImagePtr camera_image() { return simulation_.camera_image(); }
   bool is_at_rest() const { return simulation_.is_at_rest(); }
   /// Time alone will tell something: a motor runs, or warnings were left out and nobody knows it yet.
   bool has_news_to_come() const {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/camera.hpp"
 #include "protocol/display_json.hpp"
 #include "protocol/image_json.hpp"
 #include "protocol/model_json.hpp"
@@ -73,11 +72,9 @@ bool Frames::is_same_model(Film& film) const {
 }
 
 bool Frames::has_new_image(Film& film) const {
-  std::optional<Image> image;
-  if (cell_.model().workcell().camera) image = camera_image(cell_.model(), cell_.state());
-  const bool is_other = image != film.image;
-  film.image = std::move(image);
-  return is_other;
+  const ImagePtr before = std::exchange(film.image, cell_.camera_image());
+  if (before == film.image) return false;
+  return !before || !film.image || *before != *film.image;
 }
 
 Json Frames::members_now(Channel channel) const {

@@ -47,7 +47,7 @@ class Frames {
     std::string text;
     std::optional<Snapshot> snapshot;  ///< state only: what the text shows, at tick 0
     std::optional<ShownModel> model;   ///< model only
-    std::optional<Image> image;
+    ImagePtr image;
     std::vector<Made> made;
   };
 

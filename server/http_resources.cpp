@@ -4,7 +4,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/camera.hpp"
 #include "protocol/drawing.hpp"
 #include "protocol/json_text.hpp"
 #include "protocol/model_json.hpp"
@@ -220,15 +219,17 @@ Answer HttpResources::workcell(const Request&) {
 
 Answer HttpResources::bitmap(const Request&) {
   if (!cell_.model().workcell().camera) return no_camera();
-  return {200, "image/x-portable-bitmap", to_pbm(camera_image(cell_.model(), cell_.state())), {}};
+  return {200, "image/x-portable-bitmap", to_pbm(*cell_.camera_image()), {}};
 }
 
 // Up to 2 ms for the largest camera: too long for the lines that wait meanwhile.
 asio::awaitable<Answer> HttpResources::png() {
   if (!cell_.model().workcell().camera) co_return no_camera();
-  const auto paint = [](Image image) -> asio::awaitable<std::string> { co_return to_png(image); };
-  std::string bytes = co_await asio::co_spawn(
-      painter_, paint(camera_image(cell_.model(), cell_.state())), asio::use_awaitable);
+  const auto paint = [](ImagePtr image) -> asio::awaitable<std::string> {
+    co_return to_png(*image);
+  };
+  std::string bytes =
+      co_await asio::co_spawn(painter_, paint(cell_.camera_image()), asio::use_awaitable);
   co_return Answer{200, "image/png", std::move(bytes), {}};
 }
 

@@ -2,6 +2,7 @@
 // the monitor. Sessions make them; Cell::apply is the one door through which they go in.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -24,6 +25,8 @@ struct LineOpened {
 struct BytesIn {
   LineId line = 0;
   std::string_view bytes;
+  /// Asked between pieces of kMostShownIn bytes: true leaves the rest for another input. Empty: never.
+  std::function<bool()> is_enough = {};
 };
 
 struct LineClosed {

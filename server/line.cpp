@@ -45,9 +45,13 @@ void Line::act_on(std::uint8_t byte, std::uint64_t offset, Simulation& simulatio
 
 void Line::deliver(std::string_view replies) { telnet_.encode(replies, outbox_); }
 
+// A picture of a megabyte goes out in many pieces: the rest moves up only when it is the smaller part.
 void Line::sent(std::size_t count) {
-  outbox_.erase(0, count);
+  sent_ += count;
   bytes_out_ += count;
+  if (sent_ < outbox_.size() - sent_) return;
+  outbox_.erase(0, sent_);
+  sent_ = 0;
 }
 
 }  // namespace xr3

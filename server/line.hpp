@@ -33,7 +33,7 @@ class Line {
   /// Puts reply bytes into the outbox, as the client's end must see them.
   void deliver(std::string_view replies);
 
-  bool is_full() const { return outbox_.size() >= kFullOutbox; }
+  bool is_full() const { return outbox().size() >= kFullOutbox; }
   /// A browser, a TLS or a WebRTC client: to be closed; nothing that it sent has acted.
   bool is_stranger() const { return is_stranger_; }
   /// Bytes that the guard still holds back.
@@ -45,7 +45,7 @@ class Line {
   LineKind kind() const { return telnet_.is_telnet() ? LineKind::kTelnet : kind_; }
 
   /// Bytes for the transport; whoever sends some removes them by sent().
-  std::string_view outbox() const { return outbox_; }
+  std::string_view outbox() const { return std::string_view(outbox_).substr(sent_); }
   void sent(std::size_t count);
 
   /// Forgets commands that have begun.
@@ -62,7 +62,7 @@ class Line {
   std::uint64_t bytes_in() const { return bytes_in_; }
   std::uint64_t bytes_out() const { return bytes_out_; }
   /// Where the next byte of output will stand, the outbox counted.
-  std::uint64_t output_end() const { return bytes_out_ + outbox_.size(); }
+  std::uint64_t output_end() const { return bytes_out_ + outbox().size(); }
 
  private:
   void act(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
@@ -74,6 +74,7 @@ class Line {
   TelnetFilter telnet_;
   RhinoEndpoint endpoint_;
   std::string outbox_;
+  std::size_t sent_ = 0;  ///< bytes at the outbox's beginning that are out already
   LineKind kind_;
   std::string peer_;
   Tick opened_;

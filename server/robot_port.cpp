@@ -121,13 +121,27 @@ asio::awaitable<void> RobotPort::run() {
 }
 
 void RobotPort::take_turns() {
-  for (const LineId line : std::exchange(unfinished_, {})) take_turn(line);
+  take_news();
+  take_unfinished_turn();
+  if (!unfinished_.empty()) take_turns_again();
+}
+
+void RobotPort::take_news() {
   for (const auto& [line, is_end] : watch_.news()) {
     const auto found = sessions_.find(line);
     if (found != sessions_.end() && is_end) found->second->note_end();
-    take_turn(line);
+    if (!unfinished_.contains(line)) take_turn(line);
   }
-  if (!unfinished_.empty()) take_turns_again();
+}
+
+// One of them at a time, in order: those who ask for little wait for one that asks for much, not for all.
+void RobotPort::take_unfinished_turn() {
+  if (unfinished_.empty()) return;
+  auto next = unfinished_.upper_bound(last_unfinished_);
+  if (next == unfinished_.end()) next = unfinished_.begin();
+  last_unfinished_ = *next;
+  unfinished_.erase(next);
+  take_turn(last_unfinished_);
 }
 
 void RobotPort::take_turn(LineId line) {
@@ -150,7 +164,10 @@ void RobotPort::take_turns_again() {
 void RobotPort::take_in() {
   vital(kName, [this] {
     listener_.accept_pending();
-    for (const auto& [id, session] : sessions()) session->take_in();
+    for (const auto& [id, session] : sessions()) {
+      if (session->take_in() && sessions_.contains(id)) unfinished_.insert(id);
+    }
+    if (!unfinished_.empty()) take_turns_again();
   });
 }
 

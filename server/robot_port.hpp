@@ -37,11 +37,13 @@ class RobotPort {
   tcp::endpoint endpoint() const { return listener_.endpoint(); }
 
   /// Every byte that has already arrived on any line, also on one that has not been accepted yet,
-  /// acts now. `step` and `run_until` call it first, so that no byte is overtaken.
+  /// acts now, as far as the line's replies go out. `step` and `run_until` call it first, so that no
+  /// byte is overtaken.
   void take_in();
 
-  /// A turn for each line at which something has happened: cheap enough to be taken between two writes
-  /// to viewers, so that a line never waits behind a thousand of them.
+  /// A turn for each line at which something has happened, and one for a line that had more to do than a
+  /// turn holds: cheap enough to be taken between two writes to viewers, so that a line never waits
+  /// behind a thousand of them, and no line behind many that flood.
   void take_turns();
 
   /// Waits until a line has received so many bytes in all. False: it did not within the time, it has
@@ -74,6 +76,8 @@ class RobotPort {
   void refuse(bool is_probe);
   void end_probe();
   asio::awaitable<void> run();
+  void take_news();
+  void take_unfinished_turn();
   void take_turn(LineId line);
   void take_turns_again();
   void end(LineId line);
@@ -94,7 +98,8 @@ class RobotPort {
   bool has_told_of_full_ = false;
   std::optional<tcp::endpoint> probe_from_;  ///< has not been accepted yet
   ProbeFate probe_fate_ = ProbeFate::kUnseen;
-  std::set<LineId> unfinished_;            ///< had more to take in than a fair share
+  std::set<LineId> unfinished_;            ///< had more to do than a turn holds
+  LineId last_unfinished_ = 0;             ///< of them, the one that had its turn last
   bool is_again_ = false;                  ///< their next turns are on their way
   std::set<asio::steady_timer*> waiting_;  ///< cancelled when bytes have acted
   Sessions sessions_;

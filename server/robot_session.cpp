@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <limits>
 #include <new>
 #include <utility>
 
@@ -15,8 +16,14 @@ namespace {
 // Bytes of one line in one turn of the loop, so that a flood leaves room for the other lines: some
 // 30 us at 50 ns a byte, what a turn takes anyway.
 constexpr std::size_t kFairShare = 512;
+// Time of one line in one turn: a picture costs a thousand times the byte that asks for it. A turn ends
+// late by one piece of 64 bytes at most, or by one full outbox. No clock enters the state: it decides
+// only which bytes act now and which in the next turn.
+constexpr WallNs kFairTime = 150'000;
 // As much as a receive buffer can hold; a drain takes no more even if the client keeps on writing.
 constexpr std::size_t kMostArrived = 16 * 1024 * 1024;
+constexpr WallNs kNoEnd = std::numeric_limits<WallNs>::max();
+constexpr std::uint64_t kAllOutput = std::numeric_limits<std::uint64_t>::max();
 
 std::string name_of(const tcp::socket& socket) {
   ErrorCode error;
@@ -35,22 +42,34 @@ RobotSession::RobotSession(const std::string& peer, tcp::socket&& socket,
       id_(context.cell.apply(LineOpened{peer, LineKind::kRaw, context.is_probe}, wall_now()).line),
       context_(context) {}
 
+bool RobotSession::take_turn() {
+  return work({kFairShare, kAllOutput, wall_now() + kFairTime}) == Left::kSome;
+}
+
+bool RobotSession::take_in() {
+  if (!socket_.is_open()) return false;
+  const std::uint64_t output = context_.cell.find_line(id_)->output_end();
+  return work({kMostArrived, output + kMostAnswered, kNoEnd}) == Left::kSome;
+}
+
 // Reading waits while replies do: a client that does not read its replies is not read either.
-bool RobotSession::take_turn() { return has_flushed() && take_in(kFairShare); }
-
-void RobotSession::take_in() { take_in(kMostArrived); }
-
-// True: so much was read that there may be more.
-bool RobotSession::take_in(std::size_t most) {
+RobotSession::Left RobotSession::work(Turn turn) {
   bool has_more = true;
-  while (socket_.is_open() && !has_ended_ && pending_.empty() && has_more && most > 0) {
-    const std::size_t wanted = std::min(most, context_.scratch.size());
+  for (;;) {
+    const Left left = flush(turn);
+    if (left != Left::kNothing) return left;
+    if (!has_more || has_ended_) return Left::kNothing;
+    if (turn.most_read == 0 || is_over(turn)) return Left::kSome;
+    const std::size_t wanted = std::min(turn.most_read, context_.scratch.size());
     const std::size_t count = read(wanted);
-    act({context_.scratch.data(), count});
+    act({context_.scratch.data(), count}, turn);
     has_more = count == wanted || (is_ending_ && count > 0);
-    most -= count;
+    turn.most_read -= count;
   }
-  return has_flushed() && has_more && !has_ended_;
+}
+
+bool RobotSession::is_over(const Turn& turn) const {
+  return context_.cell.find_line(id_)->output_end() >= turn.output_end || wall_now() >= turn.end;
 }
 
 // Bytes read into the scratch buffer; 0 where there are none now or, then has_ended_, ever.
@@ -61,9 +80,11 @@ std::size_t RobotSession::read(std::size_t most) {
   return count;
 }
 
-void RobotSession::act(std::string_view bytes) {
+void RobotSession::act(std::string_view bytes, const Turn& turn) {
   if (bytes.empty()) return;
-  const std::size_t taken = context_.cell.apply(BytesIn{id_, bytes}, wall_now()).bytes_taken;
+  const auto is_enough = [&turn] { return wall_now() >= turn.end; };
+  const std::size_t taken =
+      context_.cell.apply(BytesIn{id_, bytes, is_enough}, wall_now()).bytes_taken;
   context_.acted();
   if (!socket_.is_open()) return;
   if (context_.cell.find_line(id_)->is_stranger()) return close(CloseReason::kStranger);
@@ -80,34 +101,35 @@ void RobotSession::keep(std::string_view bytes) {
   }
 }
 
-void RobotSession::act_on_pending() {
+void RobotSession::act_on_pending(const Turn& turn) {
   const std::string bytes = std::exchange(pending_, {});
-  act(bytes);
+  act(bytes, turn);
 }
 
-// Sends what the socket takes now, and goes on with the bytes that had to wait for it. True: nothing is
-// left, and the connection goes on.
-bool RobotSession::has_flushed() {
-  if (!socket_.is_open()) return false;
+// Sends what the socket takes now, and goes on with the bytes that had to wait.
+RobotSession::Left RobotSession::flush(const Turn& turn) {
+  if (!socket_.is_open()) return Left::kWaits;
   Line& line = *context_.cell.find_line(id_);  // as long as the socket is open
   while (!line.outbox().empty() || !pending_.empty()) {
-    const std::size_t count = socket_.write(line.outbox());
+    const std::size_t count = line.outbox().empty() ? 0 : socket_.write(line.outbox());
     if (socket_.is_lost()) close(CloseReason::kError);
-    if (!socket_.is_open()) return false;
+    if (!socket_.is_open()) return Left::kWaits;
     line.sent(count);
-    if (count == 0 && !line.outbox().empty()) return false;
-    if (!line.is_full()) act_on_pending();
-    if (!socket_.is_open()) return false;
+    if (count == 0 && !line.outbox().empty()) return Left::kWaits;
+    if (!line.is_full()) act_on_pending(turn);
+    if (!socket_.is_open()) return Left::kWaits;
+    const bool is_done = line.outbox().empty() && pending_.empty();
+    if (!is_done && is_over(turn)) return Left::kSome;
   }
   if (has_ended_) close(end_);
-  return socket_.is_open();
+  return socket_.is_open() ? Left::kNothing : Left::kWaits;
 }
 
 void RobotSession::finish() {
   has_ended_ = true;
   end_ = CloseReason::kShutdown;
   pending_.clear();
-  has_flushed();
+  flush({0, kAllOutput, kNoEnd});
 }
 
 void RobotSession::close(CloseReason reason) {

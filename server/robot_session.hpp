@@ -32,11 +32,14 @@ class RobotSession {
   /// The client sends no more, or the connection is broken: the next turns read to the end.
   void note_end() { is_ending_ = true; }
 
-  /// Sends what can be sent, and then takes in a fair share. True: there may be more to take in.
+  /// Sends what can be sent, and then takes in a fair share of bytes for a fair time. True: there may
+  /// be more to do at once.
   bool take_turn();
 
-  /// Every byte that has arrived by now acts now.
-  void take_in();
+  /// Every byte that has arrived by now acts now, unless replies wait for the client or are more than
+  /// kMostAnswered in all. True: there may be more to do at once.
+  bool take_in();
+  static constexpr std::size_t kMostAnswered = 1024 * 1024;
 
   /// No byte is taken any more; the connection ends when its replies have been sent.
   void finish();
@@ -47,12 +50,21 @@ class RobotSession {
  private:
   RobotSession(const std::string& peer, tcp::socket&& socket, RobotSessionContext& context);
 
-  bool take_in(std::size_t most);
+  /// The bounds of what is done before others have their turns.
+  struct Turn {
+    std::size_t most_read;
+    std::uint64_t output_end;  ///< of the line, in all
+    WallNs end;
+  };
+  enum class Left : std::uint8_t { kNothing, kSome, kWaits };  ///< kWaits: until news come
+
+  Left work(Turn turn);
+  Left flush(const Turn& turn);
+  bool is_over(const Turn& turn) const;
   std::size_t read(std::size_t most);
-  void act(std::string_view bytes);
+  void act(std::string_view bytes, const Turn& turn);
   void keep(std::string_view bytes);
-  void act_on_pending();
-  bool has_flushed();
+  void act_on_pending(const Turn& turn);
 
   RobotSocket socket_;
   LineId id_;

@@ -78,10 +78,11 @@ RC_GTEST_PROP(Step, TimeSlicedAtRandomIsAsTickByTick, (std::uint32_t seed)) {
   Events single_events;
   State sliced = single;
   Events sliced_events;
+  CameraCache camera;
   for (const Happening& happening : arbitrary_day()) {
     const Command command = command_of(happening);
-    const Reply reply = execute(*model, single, command, single_events);
-    RC_ASSERT(execute(*model, sliced, command, sliced_events) == reply);
+    const Reply reply = execute(*model, single, command, single_events, camera);
+    RC_ASSERT(execute(*model, sliced, command, sliced_events, camera) == reply);
     tick_by_tick(*model, single, ticks_after(happening), single_events);
     in_slices(*model, sliced, ticks_after(happening), random, sliced_events);
     RC_ASSERT(single == sliced);

@@ -1,4 +1,4 @@
-"""Floods at full speed, each from a process of its own: a line of garbage, a monitor client that asks."""
+"""Floods at full speed, each from a process of its own: a line of garbage, a client that asks."""
 
 import subprocess
 import sys
@@ -35,3 +35,16 @@ while True:
 def ask_without_end(port, request):
     """A process that asks as fast as it is answered, and takes the answers."""
     return subprocess.Popen([sys.executable, "-c", ASK % (LOCALHOST, port, request)], stderr=subprocess.DEVNULL)
+
+
+def pour(port, data):
+    """A process that writes this over and over as fast as the server takes it, and reads nothing."""
+    return subprocess.Popen([sys.executable, "-c", WRITE % (LOCALHOST, port, data)], stderr=subprocess.DEVNULL)
+
+
+WRITE = """
+import socket
+sock = socket.create_connection(("%s", %d))
+while True:
+    sock.sendall(%r * 200)
+"""

@@ -83,7 +83,7 @@ TEST(RhinoReply, ARowIsSixPixelsAByteTheLeftmostInTheHighBit) {
       }
       ++row;
     }
-    return CameraRows{picture};
+    return CameraRows{std::make_shared<const Image>(picture)};
   };
   const std::pair<std::string_view, std::string_view> rows[] = {
       {"1111000001", "\\$"},  {"", ""},        {"0", " "},      {"1", "@"},
@@ -95,6 +95,25 @@ TEST(RhinoReply, ARowIsSixPixelsAByteTheLeftmostInTheHighBit) {
     EXPECT_EQ(encoded(image({pixels}), Profile::kMark3), bytes) << pixels;
   }
   EXPECT_EQ(encoded(image({"111111", "000001"}), Profile::kPaper), "_!");
+}
+
+TEST(RhinoReply, RowsOfEveryWidthAreTheirPixelsSixAByte) {
+  for (int width = 1; width < 200; ++width) {
+    Image picture(width, 2);
+    std::string pixels(static_cast<std::size_t>(width + 5) / 6 * 12, '0');
+    for (int row = 0; row < 2; ++row) {
+      for (int column = row; column < width; column += 1 + (column + width) % 5) {
+        picture.fill(row, column, column + 1);
+        pixels[static_cast<std::size_t>(column) + pixels.size() / 2 * static_cast<unsigned>(row)] =
+            '1';
+      }
+    }
+    std::string bytes;
+    for (std::size_t i = 0; i < pixels.size(); i += 6)
+      bytes += static_cast<char>(std::stoi(pixels.substr(i, 6), nullptr, 2) + kReplyBase);
+    const Reply reply = CameraRows{std::make_shared<const Image>(picture)};
+    EXPECT_EQ(encoded(reply, Profile::kPaper), bytes) << width;
+  }
 }
 
 TEST(RhinoReply, IsAppendedToWhatIsThere) {

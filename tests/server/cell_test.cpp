@@ -1,9 +1,11 @@
 #include "server/cell.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <new>
 
+#include "core/camera.hpp"
 #include "server/failure.hpp"
 #include "tests/support/models.hpp"
 
@@ -84,6 +86,19 @@ TEST(Cell, AReplyGoesOnlyToTheLineThatAsked) {
   lab.send(1, "E+7\r");
   EXPECT_EQ(lab.send(2, "E?"), "'");
   EXPECT_EQ(lab.cell.find_line(1)->outbox(), "");
+}
+
+TEST(Cell, BytesAreTakenUntilItIsEnough) {
+  Lab lab;
+  lab.open(1);
+  std::string bytes;
+  for (int i = 0; i < 100; ++i) bytes += "E?";
+  int asked = 0;
+  const auto is_enough = [&asked] { return ++asked == 2; };
+  EXPECT_EQ(lab.cell.apply(BytesIn{1, bytes, is_enough}, 0).bytes_taken, 2 * kMostShownIn);
+  EXPECT_EQ(lab.cell.find_line(1)->outbox().size(), kMostShownIn);
+  EXPECT_EQ(lab.cell.apply(BytesIn{1, "E?", [] { return true; }}, 0).bytes_taken, 2U)
+      << "there is always some progress";
 }
 
 TEST(Cell, StepAndRunUntilNeedStandingTime) {
@@ -214,6 +229,82 @@ TEST(Cell, AFrozenCellTakesNothing) {
   lab.cell.catch_up(10 * kMs);
   EXPECT_EQ(lab.cell.state(), before);
   EXPECT_EQ(lab.told.size(), told);
+}
+
+// --- The camera.
+
+ModelPtr rhino_with_camera(std::string_view workcell) {
+  return std::make_shared<const Model>(test::robot_named("rhino-xr3"),
+                                       test::workcell_named(workcell), Profile::kPaper);
+}
+
+/// A cell whose camera sees blocks, and what may happen to it.
+class Seen {
+ public:
+  bool is_fresh() {
+    return *cell_.camera_image() == xr3::camera_image(cell_.model(), cell_.state());
+  }
+  void bytes(std::string_view bytes) {
+    cell_.apply(BytesIn{1, bytes}, 0);
+    Line& line = *cell_.find_line(1);
+    line.sent(line.outbox().size());
+  }
+  void call(const call::Call& call) { cell_.apply(Input{call}, 0); }
+  void pass(Tick ticks) { call(call::Step{ticks}); }
+  /// Down to the first block, around which the jaws then stand open.
+  void go_to_a_block() {
+    bytes("A$A+16\r");
+    for (int i = 0; i < 6; ++i) {
+      bytes(i < 3 ? "E+120\rD-120\r" : i == 3 ? "E+89\rD-120\r" : i == 4 ? "D-120\r" : "D-25\r");
+      call(call::RunUntil{{}, 5000});
+    }
+  }
+  Cell& cell() { return cell_; }
+
+ private:
+  Cell cell_{"main", rhino_with_camera("rhino-xr3"), SimClock::manual(), {}};
+  bool has_line_ = cell_.apply(LineOpened{"test"}, 0).line == 1;
+};
+
+TEST(Cell, APictureIsMadeOnceForAStateWhoeverAsks) {
+  Seen seen;
+  const ImagePtr picture = seen.cell().camera_image();
+  for (int i = 0; i < 100; ++i) seen.bytes("A**A*3*A*3,4*E+1\r");
+  EXPECT_EQ(seen.cell().camera_image(), picture);
+}
+
+int any(int low, int high) { return *rc::gen::inRange(low, high + 1); }
+
+std::string some_block() { return *rc::gen::element("red", "green", "blue", "none"); }
+
+void something_happens(Seen& seen) {
+  switch (any(0, 12)) {
+    case 0: return seen.go_to_a_block();
+    case 1:
+    case 2: seen.bytes("AXA-100\r"); return seen.pass(any(1, 3000));
+    case 3: seen.bytes("AXA+30\r"); return seen.pass(any(1, 500));
+    case 4:
+    case 5: seen.bytes("E-20\rF+9\r"); return seen.pass(any(1, 99));
+    case 6: return seen.call(call::MoveBlock{some_block(), PointUm{200'000, 0, 20'000}, {}});
+    case 7: return seen.call(call::RemoveBlock{some_block()});
+    case 8:
+      return seen.call(call::AddBlock{{some_block(), {40'000, 30'000, 20'000}, {99'000, 0, 0}}});
+    case 9: return seen.call(call::SaveSnapshot{"kept"});
+    case 10: return seen.call(call::LoadSnapshot{"kept", nullptr});
+    case 11: return seen.call(call::Reset{});
+    default:
+      seen.call(call::ReplaceWorkcell{
+          test::workcell_named(*rc::gen::element("rhino-xr3", "rhino-hundred", "adept-one"))});
+  }
+}
+
+RC_GTEST_PROP(Cell, ThePictureIsThatOfTheStateWhateverHappened, ()) {
+  Seen seen;
+  for (int i = any(1, 40); i > 0; --i) {
+    something_happens(seen);
+    if (any(0, 2) == 0) seen.bytes(*rc::gen::element("A**", "A*60*", "A*82,96*"));
+    RC_ASSERT(seen.is_fresh());
+  }
 }
 
 }  // namespace

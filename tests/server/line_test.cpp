@@ -27,6 +27,22 @@ TEST(Line, AFullOutboxTakesNoFurtherByteUntilItIsEmptied) {
   EXPECT_EQ(one.receive("?"), 1U);
 }
 
+TEST(Line, AnOutboxThatIsSentInPiecesLosesNothing) {
+  OneLine one;
+  std::string expected;
+  std::string sent;
+  for (int counts = 1; counts < 120; ++counts) {
+    one.receive("E+1\rE?");
+    expected += static_cast<char>(32 + counts);
+    EXPECT_EQ(one.line.output_end(), expected.size());
+    const std::string piece(one.line.outbox().substr(0, static_cast<std::size_t>(counts % 4)));
+    sent += piece;
+    one.line.sent(piece.size());
+    EXPECT_EQ(one.line.bytes_out(), sent.size());
+  }
+  EXPECT_EQ(sent + std::string(one.line.outbox()), expected);
+}
+
 TEST(Line, CountsBytesAsTheTransportSeesThem) {
   OneLine one;
   one.receive(

@@ -26,6 +26,13 @@ std::string inquiries(std::size_t count) {
   return all;
 }
 
+std::string pictures(std::size_t count) {
+  std::string all;
+  for (std::size_t i = 0; i < count; ++i) all += "A**";
+  return all;
+}
+constexpr std::size_t kPictureReply = 192 * 192 / 6;
+
 class RobotPortTest : public testing::Test {
  protected:
   RobotPortTest() { EXPECT_FALSE(port_.listen({asio::ip::address_v4::loopback(), 0})); }
@@ -59,7 +66,10 @@ class RobotPortTest : public testing::Test {
 
   asio::io_context io_{1};
   bool fails_ = false;
-  Cell cell_{"main", test::rhino(), SimClock::manual(), [this](const CellEvent&, const Model&) {
+  Cell cell_{"main",
+             std::make_shared<const Model>(test::robot_named("rhino-xr3"),
+                                           test::workcell_named("rhino-xr3"), Profile::kPaper),
+             SimClock::manual(), [this](const CellEvent&, const Model&) {
                if (fails_) throw std::bad_alloc();
              }};
   RobotPort port_{io_, cell_, kMostLines, [] {}};
@@ -102,6 +112,49 @@ TEST_F(RobotPortTest, AFloodLeavesRoomForTheOthers) {
   EXPECT_LT(received(1), kJunk.size() / 2) << "the flood was not taken in at once";
   settle();
   EXPECT_EQ(received(1), kJunk.size()) << "but all of it in the end, though it was told of once";
+}
+
+TEST_F(RobotPortTest, AFloodOfPicturesLeavesRoomForTheOthers) {
+  Client flood(io_, port_.endpoint());
+  Client other(io_, port_.endpoint());
+  settle();
+  const std::string asked = pictures(500);  // what a socket holds in replies, or more
+  flood.send(asked);
+  other.send("E?");
+  EXPECT_EQ(other.bytes(1), " ");
+  EXPECT_LT(received(1), pictures(100).size()) << "a turn is as long as its work, not as its bytes";
+  EXPECT_EQ(flood.bytes(500 * kPictureReply).size(), 500 * kPictureReply) << "no reply is lost";
+  settle();
+  EXPECT_EQ(received(1), asked.size());
+}
+
+TEST_F(RobotPortTest, ManyFloodsLeaveRoomForTheOthers) {
+  std::vector<std::unique_ptr<Client>> floods;
+  for (std::size_t i = 1; i < kMostLines; ++i)
+    floods.push_back(std::make_unique<Client>(io_, port_.endpoint()));
+  Client other(io_, port_.endpoint());
+  settle();
+  for (const auto& flood : floods) flood->send(kJunk);
+  for (int i = 0; i < 3; ++i) io_.poll_one();
+  other.send("E?");
+  EXPECT_EQ(other.bytes(1), " ");
+  settle();
+  for (LineId line = 1; line < kMostLines; ++line) EXPECT_EQ(received(line), kJunk.size()) << line;
+}
+
+TEST_F(RobotPortTest, ABarrierTakesInNoEndlessPictures) {
+  Client client(io_, port_.endpoint());
+  settle();
+  const std::string asked = pictures(500);
+  client.send(asked);
+  port_.take_in();
+  const std::uint64_t answered = received(1) / 3 * kPictureReply;
+  EXPECT_GE(answered, Line::kFullOutbox);
+  EXPECT_LE(answered, RobotSession::kMostAnswered + 2 * Line::kFullOutbox);
+  EXPECT_EQ(client.bytes(500 * kPictureReply).size(), 500 * kPictureReply)
+      << "what is left goes on by itself";
+  settle();
+  EXPECT_EQ(received(1), asked.size());
 }
 
 TEST_F(RobotPortTest, ABarrierTakesInAllThatHasArrived) {

@@ -56,7 +56,7 @@ struct ReplyWords {
     return letter(r.inquiry) + " closed " + number(r.closed) + " of " + number(r.fitted) +
            ", inputs " + number(r.inputs);
   }
-  std::string operator()(const CameraRows& r) const { return number(r.image.height()) + " rows"; }
+  std::string operator()(const CameraRows& r) const { return number(r.image->height()) + " rows"; }
   std::string operator()(const PixelValue& r) const { return r.set ? "pixel 1" : "pixel 0"; }
 };
 
