@@ -31,7 +31,7 @@ Codec<PointUm> point_um(Range range, const std::string& names) {
   const std::string range_words = item.allowed.substr(std::string_view("a length ").size());
   codec.allowed = "a list " + names + " of three lengths, each " + range_words;
   codec.read = [item, allowed = codec.allowed](const Place& place, PointUm& p) {
-    if (!place.value.is_array() || place.value.size() != 3) return place.refuse(allowed);
+    if (!place.value.is_list() || place.value.size() != 3) return place.refuse(allowed);
     const bool has_x = item.read(place.element(0), p.x);
     const bool has_y = item.read(place.element(1), p.y);
     return item.read(place.element(2), p.z) && has_x && has_y;

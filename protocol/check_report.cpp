@@ -9,10 +9,9 @@
 namespace xr3 {
 namespace {
 
-DataKind kind_of(const Json& root) {
-  if (!root.is_object()) return DataKind::kUnknown;
-  if (root.contains("joints")) return DataKind::kRobot;
-  if (root.contains("workspace") || root.contains("blocks")) return DataKind::kWorkcell;
+DataKind kind_of(JsonValue root) {
+  if (root.find("joints")) return DataKind::kRobot;
+  if (root.find("workspace") || root.find("blocks")) return DataKind::kWorkcell;
   return DataKind::kUnknown;
 }
 

@@ -51,7 +51,7 @@ Codec<double> scaled_number(Range range, std::string_view kind, bool is_length) 
   codec.read = [range, is_length, allowed = codec.allowed](const Place& place, double& result) {
     if (!place.value.is_number()) return place.refuse(allowed);
     const double scale = is_length ? place.reading.mm_per_unit() : 1.0;
-    const double number = place.value.get<double>() * scale;
+    const double number = place.value.number() * scale;
     if (!is_within(range, number)) return place.refuse(allowed);
     return result = number, true;
   };
@@ -59,37 +59,75 @@ Codec<double> scaled_number(Range range, std::string_view kind, bool is_length) 
   return codec;
 }
 
-const JsonSource& no_source() {
-  static const JsonSource source(R"({"length_unit":"mm"})", "");
-  return source;
-}
-
 }  // namespace
 
-Reading::Reading(const JsonSource& source) : source_(source), findings_(source.duplicates()) {
-  for (const Finding& duplicate : findings_) wrong_.insert(duplicate.pointer);
-  const Json& root = source.root();
-  if (!root.is_object()) return;
-  const auto unit = root.find("length_unit");
-  if (unit == root.end()) {
-    report(Severity::kError, "/length_unit", "nothing", "\"mm\" or \"inch\"");
-  } else if (*unit == "inch") {
+Reading::Reading(const JsonSource& source)
+    : source_(&source), root_(source.root()), most_(kMostOfFile) {
+  source.document().for_each_duplicate([this](JsonValue member) {
+    if (keeps_error()) keep(member, told_twice(member), "each member once");
+  });
+  take_unit();
+}
+
+Reading::Reading(JsonValue root, Unit unit) : root_(root), most_(kMostOfValue) {
+  if (unit == Unit::kOfDocument) take_unit();
+}
+
+void Reading::take_unit() {
+  if (!root_.is_object()) return;
+  const JsonValue unit = root_.find("length_unit");
+  if (unit.is("inch")) {
     mm_per_unit_ = kMmPerInch;
-  } else if (*unit != "mm") {
-    report(Severity::kError, "/length_unit", shown(*unit), "\"mm\" or \"inch\"");
+  } else if (!unit.is("mm")) {
+    report(Severity::kError, "/length_unit", unit ? shown(unit) : "nothing", "\"mm\" or \"inch\"");
   }
 }
 
-Reading::Reading() : Reading(no_source()) {}
+bool Reading::keeps(Severity severity) {
+  if (severity == Severity::kWarning && !wants_warnings()) return false;
+  ++(severity == Severity::kError ? errors_ : warnings_);
+  return !is_full();
+}
+
+void Reading::keep(Severity severity, std::string pointer, JsonValue value, JsonValue line,
+                   std::string found, std::string allowed) {
+  pointer = cut(pointer, kLongestPointer);
+  if (severity == Severity::kError) wrong_.insert(pointer);
+  findings_.push_back(
+      {{severity, source_ ? source_->file() : "", source_ ? source_->line_of(line) : 1, 0,
+        std::move(pointer), std::move(found), std::move(allowed)},
+       value});
+}
 
 void Reading::report(Severity severity, const std::string& pointer, std::string found,
                      std::string allowed) {
-  if (severity == Severity::kError) wrong_.insert(pointer);
-  findings_.push_back({severity, source_.file(), source_.line_of(pointer), 0, pointer,
-                       std::move(found), std::move(allowed)});
+  if (!keeps(severity)) return;
+  keep(severity, pointer, root_.at(pointer), root_.nearest(pointer), std::move(found),
+       std::move(allowed));
+}
+
+void Reading::keep(JsonValue value, std::string found, std::string allowed) {
+  keep(Severity::kError, value.pointer_from(root_), value, value, std::move(found),
+       std::move(allowed));
+}
+
+void Reading::keep_missing(JsonValue object, const std::string& member, std::string allowed) {
+  keep(Severity::kError, child_pointer(object.pointer_from(root_), member), {}, object, "nothing",
+       std::move(allowed));
+}
+
+void Reading::adopt(const Reading& part) {
+  for (const Kept& each : part.findings_) {
+    if (!keeps(each.finding.severity)) continue;
+    keep(each.finding.severity, part.root_.pointer_from(root_) + each.finding.pointer, each.value,
+         part.root_, each.finding.found, each.finding.allowed);
+  }
+  errors_ += part.errors_ + part.warnings_ - part.findings_.size();
 }
 
 bool Reading::is_sound(const std::string& pointer) const {
+  if (wrong_.empty()) return true;
+  if (is_full()) return false;
   const std::string inside = pointer + "/";
   const auto first_inside = wrong_.lower_bound(inside);
   if (first_inside != wrong_.end() && first_inside->starts_with(inside)) return false;
@@ -102,20 +140,27 @@ bool Reading::is_sound(const std::string& pointer) const {
 }
 
 Findings Reading::take_findings() {
-  sort_by_line(findings_);
-  return std::move(findings_);
-}
-
-Place Place::element(std::size_t index) const {
-  return {reading, value[index], child_pointer(pointer, index)};
-}
-
-void Place::report(std::string found, std::string allowed) const {
-  reading.report(Severity::kError, pointer, std::move(found), std::move(allowed));
+  Findings findings;
+  for (Kept& each : findings_) findings.push_back(std::move(each.finding));
+  sort_by_line(findings);
+  const std::size_t more = errors_ + warnings_ - findings_.size();
+  if (more > 0) {
+    Finding rest{findings.back()};
+    rest = {errors_ > 0 ? Severity::kError : Severity::kWarning,
+            rest.file,
+            rest.line,
+            0,
+            {},
+            {},
+            {},
+            more};
+    findings.push_back(std::move(rest));
+  }
+  return findings;
 }
 
 bool Place::refuse(const std::string& allowed) const {
-  report(shown(value), allowed);
+  if (reading.keeps_error()) reading.keep(value, shown(value), allowed);
   return false;
 }
 
@@ -127,11 +172,16 @@ std::string shown(const Json& value) {
     return "a list of " + std::to_string(value.size());
   }
   if (value.is_number_float()) return number_json(value.get<double>()).dump();
-  std::string words = value.dump();
-  if (words.size() <= kLongestShown) return words;
-  std::size_t end = kLongestShown;
-  while (end > 0 && (words[end] & 0xC0) == 0x80) --end;  // not inside a letter of UTF-8
-  return words.substr(0, end) + "...";
+  const std::string words = value.dump();
+  return cut(words, kLongestShown);
+}
+
+std::string shown(JsonValue value) {
+  if (value.is_object()) return "an object";
+  if (value.is_text()) return shown(Json(value.text(kLongestShown)));
+  if (value.is_list() && value.json_size(kLongestShown) > kLongestShown)
+    return "a list of " + std::to_string(value.size());
+  return shown(value.to_json());
 }
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& allowed) {
@@ -139,6 +189,9 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   std::size_t least = std::max<std::size_t>(2, name.size() / 2);
   for (const std::string& candidate : allowed) {
     if (name.size() > 2 && candidate.starts_with(name)) return candidate;
+    const std::size_t longer = std::max(name.size(), candidate.size());
+    if (longer - std::min(name.size(), candidate.size()) > least)
+      continue;  // it is further than that
     const std::size_t distance = edit_distance(name, candidate);
     if (distance < least || (distance == least && nearest.empty())) {
       least = distance;
@@ -159,10 +212,10 @@ Codec<std::string> text(std::size_t min_length, std::size_t max_length) {
   codec.allowed = "text of " + std::to_string(min_length) + " to " + std::to_string(max_length) +
                   " bytes in UTF-8";
   codec.read = [=, allowed = codec.allowed](const Place& place, std::string& result) {
-    if (!place.value.is_string()) return place.refuse(allowed);
-    const auto& found = place.value.get_ref<const std::string&>();
-    if (found.size() < min_length || found.size() > max_length) return place.refuse(allowed);
-    return result = found, true;
+    if (!place.value.is_text()) return place.refuse(allowed);
+    const std::size_t size = place.value.text_size();
+    if (size < min_length || size > max_length) return place.refuse(allowed);
+    return result = place.value.text(), true;
   };
   codec.write = [](const std::string& words) { return Json(words); };
   return codec;
@@ -173,7 +226,7 @@ Codec<bool> boolean() {
   codec.allowed = "true or false";
   codec.read = [](const Place& place, bool& result) {
     if (!place.value.is_boolean()) return place.refuse("true or false");
-    return result = place.value.get<bool>(), true;
+    return result = place.value.is_true(), true;
   };
   codec.write = [](const bool& value) { return Json(value); };
   return codec;
@@ -203,9 +256,9 @@ std::string integer_words(std::int64_t min, std::int64_t max) {
   return "a whole number from " + std::to_string(min) + " to " + std::to_string(max);
 }
 
-std::optional<std::int64_t> integer_in(const Json& value, std::int64_t min, std::int64_t max) {
+std::optional<std::int64_t> integer_in(JsonValue value, std::int64_t min, std::int64_t max) {
   if (!value.is_number()) return std::nullopt;
-  const auto number = value.get<double>();  // exact where it is in range
+  const double number = value.number();  // exact where it is in range
   const bool is_within = static_cast<double>(min) <= number && number <= static_cast<double>(max);
   if (!is_within || number != std::floor(number)) return std::nullopt;
   return static_cast<std::int64_t>(number);
@@ -216,15 +269,12 @@ std::string list_words(std::size_t min_count, std::size_t max_count) {
   return "a list of " + std::to_string(min_count) + " to " + std::to_string(max_count);
 }
 
-void report_unknown(const Place& place, const std::vector<std::string>& names) {
-  for (const auto& [name, value] : place.value.items()) {
-    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-    const std::string nearest = nearest_name(name, names);
-    const std::string allowed =
-        nearest.empty() ? quoted_names(names) : "perhaps \"" + nearest + "\" was meant";
-    place.reading.report(Severity::kError, child_pointer(place.pointer, name),
-                         "an unknown member \"" + name + "\"", allowed);
-  }
+void keep_unknown(const Place& member, const std::vector<std::string>& names) {
+  const std::string name = member.value.name().text(Reading::kLongestName + 1);
+  const std::string nearest = nearest_name(name, names);
+  member.reading.keep(
+      member.value, "an unknown member \"" + cut(name, Reading::kLongestName) + "\"",
+      nearest.empty() ? quoted_names(names) : "perhaps \"" + nearest + "\" was meant");
 }
 
 }  // namespace detail

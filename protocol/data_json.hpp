@@ -21,44 +21,83 @@ inline constexpr double kMmPerInch = 25.4;
 /// Longest length that a file may name, so that squares of micrometres stay whole numbers.
 inline constexpr double kMaxLengthMm = 1e5;
 
-/// What goes on while one file is read: its text, its length unit, and what was found so far.
+/// Which length unit counts.
+enum class Unit : std::uint8_t { kMm, kOfDocument };
+
+/// What goes on while one document is read: its root, its length unit, and what was found so far. Of very
+/// many findings the first are kept, with pointers that are cut where they are long; the others are counted.
 class Reading {
  public:
+  static constexpr std::size_t kMostOfFile = 100;
+  static constexpr std::size_t kMostOfValue = 32;
+  static constexpr std::size_t kLongestPointer = 200;
+  static constexpr std::size_t kLongestName = 200;
+
   /// Starts with the source's duplicates and takes the length unit from the root's `length_unit`.
   explicit Reading(const JsonSource& source);
-  /// For values that stand in no file: lengths are in mm, every line is 1.
-  Reading();
+  /// For a value that stands in no file: every line is 1, pointers begin at the value, and there are no
+  /// warnings. Its duplicates are not looked for.
+  Reading(JsonValue root, Unit unit);
 
-  const JsonSource& source() const { return source_; }
+  JsonValue root() const { return root_; }
   double mm_per_unit() const { return mm_per_unit_; }
+  bool wants_warnings() const { return source_ != nullptr; }
+
   void report(Severity severity, const std::string& pointer, std::string found,
               std::string allowed);
-  /// No error so far at this pointer, inside it, or at an object around it that could not be read.
+  /// Counts an error. Whether it is to be kept: nothing needs to be put into words otherwise.
+  bool keeps_error() { return keeps(Severity::kError); }
+  /// An error that counts already: at a value, or at a member that an object has not got.
+  void keep(JsonValue value, std::string found, std::string allowed);
+  void keep_missing(JsonValue object, const std::string& member, std::string allowed);
+  /// What was found in a part of this document that was read by itself.
+  void adopt(const Reading& part);
+
+  /// Nothing more is kept: what is read from now on is of no use.
+  bool is_full() const { return findings_.size() >= most_; }
+  bool has_errors() const { return errors_ > 0; }
+  std::size_t errors() const { return errors_; }
+  /// No error so far at this pointer, inside it, or at an object around it that could not be read. Of very
+  /// many errors nobody knows.
   bool is_sound(const std::string& pointer) const;
   Findings take_findings();
-  const Findings& findings() const { return findings_; }
+
+  /// A finding with the value that it is about, or nothing where there is none.
+  struct Kept {
+    Finding finding;
+    JsonValue value;
+  };
+  const std::vector<Kept>& kept() const { return findings_; }
 
  private:
-  const JsonSource& source_;
+  void take_unit();
+  bool keeps(Severity severity);
+  void keep(Severity severity, std::string pointer, JsonValue value, JsonValue line,
+            std::string found, std::string allowed);
+
+  const JsonSource* source_ = nullptr;
+  JsonValue root_;
+  std::size_t most_;
   double mm_per_unit_ = 1;
-  Findings findings_;
-  std::set<std::string> wrong_;  ///< pointers of the errors among them
+  std::vector<Kept> findings_;
+  std::size_t errors_ = 0;         ///< those that are not kept included
+  std::size_t warnings_ = 0;       ///< the same
+  std::set<std::string> wrong_{};  ///< pointers of the errors that are kept
 };
 
-/// A value of the file together with where it stands.
+/// A value of the document that is being read.
 struct Place {
   Reading& reading;
-  const Json& value;
-  std::string pointer;
+  JsonValue value;
 
-  Place element(std::size_t index) const;
-  void report(std::string found, std::string allowed) const;
+  Place element(std::size_t index) const { return {reading, value.element(index)}; }
   /// Reports this very value as not allowed; always false.
   bool refuse(const std::string& allowed) const;
 };
 
 /// A value as a finding shows it: a number, "text", `a list of 3`...
 std::string shown(const Json& value);
+std::string shown(JsonValue value);
 
 /// The nearest of the allowed names, if one is near enough to be a slip of the pen; otherwise empty.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& allowed);

@@ -8,8 +8,8 @@
 namespace xr3::data {
 namespace detail {
 
-/// Reports members that no table names. Each gets the nearest allowed name.
-void report_unknown(const Place& place, const std::vector<std::string>& names);
+/// Tells of a member that no table names, with the nearest allowed name.
+void keep_unknown(const Place& member, const std::vector<std::string>& names);
 
 /// `one, two or three`, each in double quotes.
 std::string quoted_names(const std::vector<std::string>& names);
@@ -21,13 +21,25 @@ std::string list_words(std::size_t min_count, std::size_t max_count);
 std::string integer_words(std::int64_t min, std::int64_t max);
 
 /// The number, unless it is none or out of range; nothing is reported.
-std::optional<std::int64_t> integer_in(const Json& value, std::int64_t min, std::int64_t max);
+std::optional<std::int64_t> integer_in(JsonValue value, std::int64_t min, std::int64_t max);
 
 template <class T>
 std::vector<std::string> names_of(const Members<T>& members) {
   std::vector<std::string> names;
   for (const Member<T>& member : members) names.push_back(member.name);
   return names;
+}
+
+/// Reports the members that the table does not name.
+template <class T>
+void refuse_unknown(const Place& place, const Members<T>& members) {
+  for (const JsonValue value : place.value) {
+    const bool is_known = std::any_of(
+        members.begin(), members.end(),
+        [name = value.name()](const Member<T>& member) { return name.is(member.name); });
+    if (!is_known && place.reading.keeps_error())
+      keep_unknown({place.reading, value}, names_of(members));
+  }
 }
 
 }  // namespace detail
@@ -53,7 +65,7 @@ Codec<E> choice(std::vector<std::pair<std::string, E>> names) {
   codec.allowed = detail::quoted_names(words);
   codec.read = [names, allowed = codec.allowed](const Place& place, E& result) {
     for (const auto& [name, value] : names) {
-      if (place.value == name) return result = value, true;
+      if (place.value.is(name)) return result = value, true;
     }
     return place.refuse(allowed);
   };
@@ -70,14 +82,16 @@ Codec<std::vector<V>> list(Codec<V> item, std::size_t min_count, std::size_t max
   Codec<std::vector<V>> codec;
   codec.allowed = detail::list_words(min_count, max_count);
   codec.read = [=, allowed = codec.allowed](const Place& place, std::vector<V>& result) {
-    if (!place.value.is_array() || place.value.size() < min_count ||
-        place.value.size() > max_count) {
+    const std::size_t count = place.value.is_list() ? place.value.size() : 0;
+    if (!place.value.is_list() || count < min_count || count > max_count)
       return place.refuse(allowed);
-    }
-    result.assign(place.value.size(), V{});
+    result.clear();
+    result.reserve(std::min(count, 2 * place.value.extent() / sizeof(V)));
     bool is_good = true;
-    for (std::size_t i = 0; i < result.size(); ++i) {
-      is_good = item.read(place.element(i), result[i]) && is_good;
+    for (const JsonValue element : place.value) {
+      V each{};
+      is_good = item.read({place.reading, element}, each) && is_good;
+      if (!place.reading.is_full()) result.push_back(std::move(each));
     }
     return is_good;
   };
@@ -144,15 +158,14 @@ Member<T> length_unit_member() {
 template <class T>
 bool read_object(const Place& place, const Members<T>& members, T& object) {
   if (!place.value.is_object()) return place.refuse("an object { ... }");
-  detail::report_unknown(place, detail::names_of(members));
+  detail::refuse_unknown(place, members);
   bool is_good = true;
   for (const Member<T>& member : members) {
-    const std::string pointer = child_pointer(place.pointer, member.name);
-    const auto value = place.value.find(member.name);
-    if (value != place.value.end()) {
-      is_good = member.read(Place{place.reading, *value, pointer}, object) && is_good;
+    if (const JsonValue value = place.value.find(member.name)) {
+      is_good = member.read({place.reading, value}, object) && is_good;
     } else if (member.is_required) {
-      place.reading.report(Severity::kError, pointer, "nothing", member.allowed);
+      if (place.reading.keeps_error())
+        place.reading.keep_missing(place.value, member.name, member.allowed);
       is_good = false;
     }
   }

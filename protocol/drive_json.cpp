@@ -16,8 +16,7 @@ Codec<char> label() {
   Codec<char> codec;
   codec.allowed = "a letter \"A\" to \"H\"";
   codec.read = [allowed = codec.allowed](const Place& place, char& result) {
-    if (!place.value.is_string()) return place.refuse(allowed);
-    const auto& letters = place.value.get_ref<const std::string&>();
+    const std::string letters = place.value.is_text() ? place.value.text(2) : "";
     if (letters.size() != 1 || letters[0] < 'A' || letters[0] > 'H') return place.refuse(allowed);
     return result = letters[0], true;
   };
@@ -31,7 +30,7 @@ Codec<std::uint8_t> mask() {
   codec.allowed = "1, 2, 4, 8, 16 or 32, or 0 for none";
   codec.read = [allowed = codec.allowed](const Place& place, std::uint8_t& result) {
     for (const int bits : {0, 1, 2, 4, 8, 16, 32}) {
-      if (place.value == bits) return result = static_cast<std::uint8_t>(bits), true;
+      if (place.value.is(bits)) return result = static_cast<std::uint8_t>(bits), true;
     }
     return place.refuse(allowed);
   };
@@ -51,9 +50,9 @@ Codec<int> sign() {
   Codec<int> codec;
   codec.allowed = "1 or -1";
   codec.read = [](const Place& place, int& result) {
-    const bool is_good = place.value == 1 || place.value == -1;
+    const bool is_good = place.value.is(1) || place.value.is(-1);
     if (!is_good) return place.refuse("1 or -1");
-    return result = place.value == 1 ? 1 : -1, true;
+    return result = place.value.is(1) ? 1 : -1, true;
   };
   codec.write = [](const int& value) { return Json(value); };
   return codec;
@@ -65,7 +64,7 @@ Member<Drive> limits_member() {
   member.name = "limits";
   member.allowed = allowed;
   member.read = [allowed, bound = number(kVariable)](const Place& place, Drive& drive) {
-    if (!place.value.is_array() || place.value.size() != 2) return place.refuse(allowed);
+    if (!place.value.is_list() || place.value.size() != 2) return place.refuse(allowed);
     const bool has_min = bound.read(place.element(0), drive.min);
     return bound.read(place.element(1), drive.max) && has_min;
   };

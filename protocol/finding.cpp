@@ -9,6 +9,7 @@ std::string to_text(const Finding& finding) {
   std::string text = finding.file + ":" + std::to_string(finding.line) + ":";
   if (finding.column > 0) text += std::to_string(finding.column) + ":";
   if (finding.severity == Severity::kWarning) text += " warning:";
+  if (finding.more > 0) return text + " and " + std::to_string(finding.more) + " more like these";
   if (!finding.pointer.empty()) text += " " + finding.pointer + ":";
   return text + " found " + finding.found + "; allowed: " + finding.allowed;
 }
@@ -22,6 +23,12 @@ std::string to_text(const Findings& findings) {
 bool has_errors(const Findings& findings) {
   return std::any_of(findings.begin(), findings.end(),
                      [](const Finding& f) { return f.severity == Severity::kError; });
+}
+
+std::string cut(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return std::string(text);
+  while (most > 0 && (text[most] & 0xC0) == 0x80) --most;
+  return std::string(text.substr(0, most)) + "...";
 }
 
 void sort_by_line(Findings& findings) {

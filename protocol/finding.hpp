@@ -3,9 +3,11 @@
 // the files' meaning.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace xr3 {
@@ -22,6 +24,7 @@ struct Finding {
   std::string pointer;  ///< JSON pointer (RFC 6901); empty for the whole file
   std::string found;    ///< what the file has there
   std::string allowed;  ///< what is allowed there
+  std::size_t more = 0;  ///< if not 0: the number of further findings, which are not listed
   bool operator==(const Finding&) const = default;
 };
 
@@ -34,6 +37,9 @@ std::string to_text(const Finding& finding);
 std::string to_text(const Findings& findings);
 
 bool has_errors(const Findings& findings);
+
+/// A text of at most `most` bytes and, if something is left out, three dots. Never cuts a UTF-8 letter.
+std::string cut(std::string_view text, std::size_t most);
 
 /// Stable sort by line, errors and warnings mixed.
 void sort_by_line(Findings& findings);

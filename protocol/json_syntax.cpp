@@ -88,7 +88,7 @@ const std::array<Phrase, 8>& phrases() {
   return known;
 }
 
-Words words_for(std::string_view text, std::size_t offset, const SyntaxError& error) {
+Words words_for(std::string_view text, std::size_t offset, const JsonDocument::Complaint& error) {
   for (const Phrase& phrase : phrases()) {
     if (contains(error.message, phrase.sign)) return phrase.words;
   }
@@ -109,18 +109,19 @@ std::size_t word_start(std::string_view text, std::size_t offset) {
 }
 
 /// Offset of the first character of what the parser stumbled over.
-std::size_t offset_of(std::string_view text, const SyntaxError& error) {
+std::size_t offset_of(std::string_view text, const JsonDocument::Complaint& error) {
   std::size_t offset = error.position > 0 ? error.position - 1 : 0;
   if (contains(error.message, "invalid literal")) return word_start(text, offset);
   const bool whole_token = contains(error.message, "unexpected string literal") ||
                            contains(error.message, "unexpected number literal");
-  if (whole_token && error.token.size() <= offset + 1) offset -= error.token.size() - 1;
+  if (whole_token && error.token_size <= offset + 1) offset -= error.token_size - 1;
   return std::min(offset, text.size());
 }
 
 }  // namespace
 
-Finding syntax_finding(std::string_view text, const std::string& file, const SyntaxError& error) {
+Finding syntax_finding(std::string_view text, const std::string& file,
+                       const JsonDocument::Complaint& error) {
   const std::size_t offset = offset_of(text, error);
   const std::string_view before = text.substr(0, offset);
   const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0

@@ -10,7 +10,6 @@
 
 #include "protocol/data_json.hpp"
 #include "protocol/monitor_request.hpp"
-#include "protocol/monitor_tree.hpp"
 
 namespace xr3::monitor {
 
@@ -19,24 +18,30 @@ class Findings {
  public:
   static constexpr std::size_t kMostDetails = 32;
 
-  /// `found` may be null: nothing stands there. A long one is told by its size.
-  void add(std::string pointer, const Tree* found, std::string allowed);
-  /// The errors that a reader of files found in `value`, which stands at the pointer `at`.
-  void add_errors(const xr3::Findings& errors, const Tree& value, const std::string& at);
+  /// Counts one more. Whether it is to be kept: nothing needs to be put into words otherwise.
+  bool counts() { return count_++ < kMostDetails; }
+  /// One that counts already.
+  void keep(const std::string& pointer, Json found, std::string allowed);
+  /// `found` may be nothing. A long one is told by its size.
+  void add(const std::string& pointer, JsonValue found, std::string allowed);
+  /// The errors that a reader of files found in a value that stands at the pointer `at`.
+  void add_errors(const data::Reading& reading, const std::string& at);
 
   bool empty() const { return count_ == 0; }
   /// The error `bad_args` with everything that was found.
   RequestError error(RequestId id) const;
 
  private:
-  void keep(std::string pointer, Json found, std::string allowed);
-
   std::size_t count_ = 0;
   std::vector<Detail> details_;
 };
 
 /// A whole number within +-kMostInteger, also where it is written as 5.0 or 5e0.
-std::optional<std::int64_t> whole_number(const Tree& value);
+std::optional<std::int64_t> whole_number(JsonValue value);
+
+/// The value as it stands, or, for one that is long, what it is: a text by its own bytes, a list or an
+/// object by those of its JSON.
+Json shown(JsonValue value);
 
 /// A member that was asked for, and what it may be.
 struct Asked {
@@ -50,16 +55,16 @@ enum class Presence : std::uint8_t { kRequired, kOptional };
 /// Its readers give nothing where the member is left out, or is wrong and noted.
 class ArgsReader {
  public:
-  /// `object` may be null: an empty one. `pointer` is where it stands in the message.
-  ArgsReader(const Tree* object, std::string pointer, Findings& findings)
+  /// `object` may be nothing: an empty one. `pointer` is where it stands in the message.
+  ArgsReader(JsonValue object, std::string pointer, Findings& findings)
       : object_(object), pointer_(std::move(pointer)), findings_(findings) {}
 
-  /// The member as it stands, or null; it counts as known from now on.
-  const Tree* ask(const std::string& name, Presence presence = Presence::kOptional,
-                  std::string allowed = {});
-  /// The same, but an object; null also where it is wrong or missing, and noted.
-  const Tree* object(const std::string& name, Presence presence,
-                     const std::string& allowed = "an object");
+  /// The member as it stands, or nothing; it counts as known from now on.
+  JsonValue ask(const std::string& name, Presence presence = Presence::kOptional,
+                std::string allowed = {});
+  /// The same, but an object; nothing also where it is wrong or missing, and noted.
+  JsonValue object(const std::string& name, Presence presence,
+                   const std::string& allowed = "an object");
 
   std::optional<std::int64_t> whole(const std::string& name, std::int64_t low, std::int64_t high,
                                     Presence presence = Presence::kRequired);
@@ -84,9 +89,7 @@ class ArgsReader {
   const std::vector<Asked>& asked() const { return asked_; }
 
  private:
-  const Tree* find(const std::string& name) const;
-
-  const Tree* object_;
+  JsonValue object_;
   std::string pointer_;
   Findings& findings_;
   std::vector<Asked> asked_;
@@ -95,16 +98,15 @@ class ArgsReader {
 template <class V>
 std::optional<V> ArgsReader::coded(const std::string& name, const data::Codec<V>& codec,
                                    Presence presence) {
-  const Tree* value = ask(name, presence, codec.allowed);
-  if (value == nullptr) {
+  const JsonValue value = ask(name, presence, codec.allowed);
+  if (!value) {
     if (presence == Presence::kRequired) refuse(name, codec.allowed);
     return std::nullopt;
   }
-  const Json json(*value);
-  data::Reading reading;
+  data::Reading reading(value, data::Unit::kMm);
   V result{};
-  const bool is_good = codec.read({reading, json, pointer_to(name)}, result);
-  findings_.add_errors(reading.findings(), *value, pointer_to(name));
+  const bool is_good = codec.read({reading, value}, result);
+  if (reading.has_errors()) findings_.add_errors(reading, pointer_to(name));
   return is_good ? std::optional<V>(std::move(result)) : std::nullopt;
 }
 

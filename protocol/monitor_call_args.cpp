@@ -15,19 +15,19 @@ namespace {
 constexpr std::size_t kMostMembers = 64;
 
 /// More members in one object than any document has: their names alone would take long to look at.
-bool is_crowded(const Tree& value) {
+bool is_crowded(JsonValue value) {
   if (!value.is_structured()) return false;
   if (value.is_object() && value.size() > kMostMembers) return true;
   return std::any_of(value.begin(), value.end(), is_crowded);
 }
 
-/// An object in the form of a file, or null and noted.
-const Tree* document(ArgsReader& args, const std::string& name, Presence presence,
-                     const std::string& allowed) {
-  const Tree* value = args.object(name, presence, allowed);
-  if (value == nullptr || !is_crowded(*value)) return value;
+/// An object in the form of a file, or nothing and noted.
+JsonValue document(ArgsReader& args, const std::string& name, Presence presence,
+                   const std::string& allowed) {
+  const JsonValue value = args.object(name, presence, allowed);
+  if (!is_crowded(value)) return value;
   args.refuse(name, "objects of at most " + std::to_string(kMostMembers) + " members");
-  return nullptr;
+  return {};
 }
 
 int digit(char c) {
@@ -52,8 +52,8 @@ data::Codec<std::string> bytes_in_hexadecimal() {
   data::Codec<std::string> codec;
   codec.allowed = "two hexadecimal digits a byte, at most " + std::to_string(kMostSent) + " bytes";
   codec.read = [allowed = codec.allowed](const data::Place& place, std::string& bytes) {
-    if (!place.value.is_string()) return place.refuse(allowed);
-    const auto& digits = place.value.get_ref<const std::string&>();
+    if (!place.value.is_text()) return place.refuse(allowed);
+    const std::string digits = place.value.text(2 * kMostSent + 1);
     auto read = digits.size() <= 2 * kMostSent ? from_hexadecimal(digits) : std::nullopt;
     if (!read) return place.refuse(allowed);
     return bytes = *std::move(read), true;
@@ -65,7 +65,7 @@ data::Codec<bool> only_true() {
   data::Codec<bool> codec;
   codec.allowed = "true";
   codec.read = [](const data::Place& place, bool& result) {
-    result = place.value == true;
+    result = place.value.is_true();
     return result || place.refuse("true");
   };
   return codec;
@@ -88,20 +88,20 @@ CallValue read_step(ArgsReader& args) {
 
 CallValue read_run_until(ArgsReader& args) {
   call::RunUntil run;
-  const Tree* idle = args.ask("idle", Presence::kOptional, "true, or else a tick");
+  const JsonValue idle = args.ask("idle", Presence::kOptional, "true, or else a tick");
   run.tick = args.whole("tick", 0, kMostInteger, Presence::kOptional);
-  const bool has_tick = args.ask("tick") != nullptr;
-  if (idle != nullptr && (has_tick || *idle != true)) args.refuse("idle", "true, and then no tick");
-  if (idle == nullptr && !has_tick) args.refuse("idle", "true, or else a tick");
+  const bool has_tick = static_cast<bool>(args.ask("tick"));
+  if (idle && (has_tick || !idle.is_true())) args.refuse("idle", "true, and then no tick");
+  if (!idle && !has_tick) args.refuse("idle", "true, or else a tick");
   run.max_ticks = args.whole("max_ticks", 0, kMostInteger).value_or(0);
   return run;
 }
 
 std::optional<After> read_after(ArgsReader& args) {
-  const Tree* object = args.object("after", Presence::kOptional,
-                                   "an object of line, bytes_in and, where it is not 1000, "
-                                   "within_ms");
-  if (object == nullptr) return std::nullopt;
+  const JsonValue object = args.object("after", Presence::kOptional,
+                                       "an object of line, bytes_in and, where it is not 1000, "
+                                       "within_ms");
+  if (!object) return std::nullopt;
   ArgsReader members(object, args.pointer_to("after"), args.findings());
   After after;
   after.line = static_cast<std::uint32_t>(members.whole("line", 1, UINT32_MAX).value_or(1));
@@ -149,9 +149,8 @@ CallValue read_block_move(ArgsReader& args) {
   move.name = args.coded("name", data::block_name()).value_or("");
   move.centroid_um = args.coded("xyz_mm", data::block_centroid(), Presence::kOptional);
   move.yaw_udeg = args.coded("yaw_deg", data::yaw(), Presence::kOptional);
-  if (args.ask("xyz_mm") == nullptr && args.ask("yaw_deg") == nullptr) {
+  if (!args.ask("xyz_mm") && !args.ask("yaw_deg"))
     args.refuse("xyz_mm", "a place, or else a yaw_deg");
-  }
   return move;
 }
 
@@ -160,12 +159,13 @@ CallValue read_block_remove(ArgsReader& args) {
 }
 
 CallValue read_workcell_call(ArgsReader& args) {
-  const Tree* value =
+  const JsonValue value =
       document(args, "workcell", Presence::kRequired, "an object in the form of a workcell file");
-  if (value == nullptr) return call::ReplaceWorkcell{};
-  WorkcellReading reading = read_workcell(value->dump(), "");
-  args.findings().add_errors(reading.findings, *value, "");
-  return call::ReplaceWorkcell{std::move(reading.workcell).value_or(Workcell{})};
+  if (!value) return call::ReplaceWorkcell{};
+  data::Reading reading(value, data::Unit::kOfDocument);
+  std::optional<Workcell> workcell = read_workcell(reading);
+  args.findings().add_errors(reading, "");
+  return call::ReplaceWorkcell{std::move(workcell).value_or(Workcell{})};
 }
 
 // --- Snapshots.
@@ -179,14 +179,16 @@ CallValue read_snapshot_save(ArgsReader& args) {
 
 CallValue read_snapshot_load(ArgsReader& args) {
   auto name = args.coded("name", snapshot_name(), Presence::kOptional);
-  const Tree* value = document(args, "snapshot", Presence::kOptional, "what snapshot_save gave");
-  if (!args.has_one_of("name", "snapshot") || value == nullptr) {
+  const JsonValue value =
+      document(args, "snapshot", Presence::kOptional, "what snapshot_save gave");
+  if (!args.has_one_of("name", "snapshot") || !value) {
     return call::LoadSnapshot{std::move(name).value_or(""), nullptr};
   }
-  SavedCellReading reading = read_saved_cell(Json(*value));
-  args.findings().add_errors(reading.findings, *value, "");
-  if (!reading.saved) return call::LoadSnapshot{};
-  return call::LoadSnapshot{"", std::make_shared<const SavedCell>(*std::move(reading.saved))};
+  data::Reading reading(value, data::Unit::kMm);
+  std::optional<SavedCell> saved = read_saved_cell(reading);
+  args.findings().add_errors(reading, "");
+  if (!saved) return call::LoadSnapshot{};
+  return call::LoadSnapshot{"", std::make_shared<const SavedCell>(*std::move(saved))};
 }
 
 // --- Description.

@@ -49,7 +49,7 @@ CallRequest read_args(const CallForm& form, ArgsReader& args) {
 /// What its reader asks for where nothing is there.
 Json form_json(const CallForm& form) {
   Findings ignored;
-  ArgsReader nothing(nullptr, "", ignored);
+  ArgsReader nothing({}, "", ignored);
   read_args(form, nothing);
   Json args = Json::array();
   for (const Asked& each : nothing.asked()) {
@@ -68,7 +68,7 @@ const CallForm* find_call(std::string_view fn) {
 }
 
 CallRequest read_call(const CallForm& form, ArgsReader& members) {
-  const Tree* object = members.object("args", Presence::kOptional);
+  const JsonValue object = members.object("args", Presence::kOptional);
   ArgsReader args(object, members.pointer_to("args"), members.findings());
   CallRequest request = read_args(form, args);
   args.refuse_others();

@@ -40,7 +40,7 @@ SetViewVector read_view(ArgsReader& args) {
 }
 
 Command without_value(ArgsReader& args, const Command& command) {
-  if (args.ask("value") != nullptr) args.refuse("value", "nothing: this function takes no value");
+  if (args.ask("value")) args.refuse("value", "nothing: this function takes no value");
   return command;
 }
 

@@ -7,38 +7,33 @@
 #include "protocol/monitor_args.hpp"
 #include "protocol/monitor_calls.hpp"
 #include "protocol/monitor_fields.hpp"
-#include "protocol/monitor_tree.hpp"
+#include "protocol/monitor_text.hpp"
 
 namespace xr3::monitor {
 namespace {
 
 /// What stands there, unless it is long.
-std::string quoted(const Tree& value) {
-  std::string json = value.dump(-1, ' ', false, Tree::error_handler_t::replace);
-  if (json.size() <= kLongestId) return json;
-  if (!value.is_string()) return "of " + std::to_string(json.size()) + " bytes";
-  return "of " + std::to_string(value.get_ref<const std::string&>().size()) + " bytes";
+std::string quoted(JsonValue value) {
+  if (value.json_size(kLongestId) <= kLongestId) return shown(value).dump();
+  const std::size_t size = value.is_text() ? value.text_size() : value.json_size();
+  return "of " + std::to_string(size) + " bytes";
 }
 
-RequestError unknown(const RequestId& id, const std::string& kind, const Tree* found,
+RequestError unknown(const RequestId& id, const std::string& kind, JsonValue found,
                      const std::vector<std::string>& names) {
-  const std::string message = found == nullptr ? "the request names no " + kind
-                                               : "there is no " + kind + " " + quoted(*found);
+  const std::string message =
+      found ? "there is no " + kind + " " + quoted(found) : "the request names no " + kind;
   return {id, "unknown_" + kind, message, "there is " + one_of(names), {}};
 }
 
-bool names_one(const Tree* value, const std::vector<std::string>& names) {
-  if (value == nullptr || !value->is_string()) return false;
-  return std::find(names.begin(), names.end(), value->get_ref<const std::string&>()) != names.end();
+bool names_one(JsonValue value, const std::vector<std::string>& names) {
+  return std::any_of(names.begin(), names.end(),
+                     [value](const std::string& name) { return value.is(name); });
 }
 
 RequestId read_id(ArgsReader& members, Findings& findings) {
-  const Tree* value = members.ask("id");
-  if (value == nullptr || value->is_null()) return {};
-  if (value->is_string() && value->get_ref<const std::string&>().size() <= kLongestId) {
-    return value->get<std::string>();
-  }
-  if (const auto number = whole_number(*value)) return *number;
+  const JsonValue value = members.ask("id");
+  if (const auto id = id_of(value)) return *id;
   findings.add("/id", value, "a text of at most 64 bytes or a whole number below 2^53");
   return {};
 }
@@ -51,24 +46,32 @@ std::string in_document(const std::string& pointer) {
   return pointer;
 }
 
-/// Nobody can say which of two members was meant.
-void refuse_duplicates(std::string_view message, const Tree& tree, Findings& findings) {
-  for_each_duplicate(message, tree, [&](const std::string& pointer, const std::string& name) {
-    const Tree found = "\"" + name + "\" for the second time";
-    findings.add(in_document(pointer), &found, "each member once");
-  });
+/// As a finding shows it: a long one by its size.
+Json shown_twice(JsonValue member) {
+  constexpr std::size_t kLongest = 200;  // as JSON
+  const std::string_view words = " for the second time";
+  const std::size_t size = member.name().text_size() + 2 + words.size();
+  if (size < kLongest) {
+    Json found = "\"" + member.name().text() + "\"" + std::string(words);
+    if (found.dump().size() <= kLongest) return found;
+  }
+  return "string of " + std::to_string(size) + " bytes";
 }
 
-const std::vector<std::string>& ops() {
-  static const std::vector<std::string> names = {"auth", "sub", "unsub", "get", "call", "ping"};
-  return names;
+/// Nobody can say which of two members was meant.
+void refuse_duplicates(const JsonDocument& document, Findings& findings) {
+  document.for_each_duplicate([&](JsonValue member) {
+    if (!findings.counts()) return;
+    findings.keep(in_document(member.pointer_from(document.root())), shown_twice(member),
+                  "each member once");
+  });
 }
 
 /// The token is not shown again, whatever it is.
 Auth read_auth(ArgsReader& members) {
-  const Tree* token = members.ask("token");
-  if (token != nullptr && token->is_string()) return {token->get<std::string>()};
-  members.findings().add(members.pointer_to("token"), nullptr, "a text");
+  const JsonValue token = members.ask("token");
+  if (token.is_text()) return {token.text()};
+  members.findings().add(members.pointer_to("token"), {}, "a text");
   return {};
 }
 
@@ -102,9 +105,9 @@ Subscribe read_subscribe(Channel channel, ArgsReader& members) {
 /// Carries on from the id: reads the members that belong to the op.
 class RequestReader {
  public:
-  RequestReader(std::string_view message, const Tree& tree, const std::vector<std::string>& cells)
-      : cells_(cells), members_(&tree, "", findings_) {
-    refuse_duplicates(message, tree, findings_);
+  RequestReader(const JsonDocument& document, const std::vector<std::string>& cells)
+      : cells_(cells), members_(document.root(), "", findings_) {
+    refuse_duplicates(document, findings_);
   }
 
   RequestReading read() {
@@ -117,13 +120,12 @@ class RequestReader {
 
  private:
   std::optional<RequestError> read_names() {
-    const Tree* op = members_.ask("op");
+    const JsonValue op = members_.ask("op");
     if (!names_one(op, ops())) return unknown(request_.id, "op", op, ops());
-    const Tree* cell = members_.ask("cell");
-    if (cell != nullptr && !names_one(cell, cells_))
-      return unknown(request_.id, "cell", cell, cells_);
-    request_.cell = cell == nullptr ? cells_.front() : cell->get<std::string>();
-    return read_op(op->get_ref<const std::string&>());
+    const JsonValue cell = members_.ask("cell");
+    if (cell && !names_one(cell, cells_)) return unknown(request_.id, "cell", cell, cells_);
+    request_.cell = cell ? cell.text() : cells_.front();
+    return read_op(op.text());
   }
 
   std::optional<RequestError> read_op(const std::string& op) {
@@ -137,10 +139,8 @@ class RequestReader {
   }
 
   std::optional<RequestError> read_of_channel(const std::string& op) {
-    const Tree* name = members_.ask("channel");
-    const auto channel = names_one(name, channels())
-                             ? channel_named(name->get_ref<const std::string&>())
-                             : std::nullopt;
+    const JsonValue name = members_.ask("channel");
+    const auto channel = names_one(name, channels()) ? channel_named(name.text()) : std::nullopt;
     if (!channel) return unknown(request_.id, "channel", name, channels());
     if (op == "sub") request_.what = read_subscribe(*channel, members_);
     if (op == "unsub") request_.what = Unsubscribe{*channel};
@@ -150,9 +150,9 @@ class RequestReader {
   }
 
   std::optional<RequestError> read_call_request() {
-    const Tree* fn = members_.ask("fn");
+    const JsonValue fn = members_.ask("fn");
     if (!names_one(fn, calls())) return unknown(request_.id, "fn", fn, calls());
-    request_.what = read_call(*find_call(fn->get_ref<const std::string&>()), members_);
+    request_.what = read_call(*find_call(fn.text()), members_);
     return std::nullopt;
   }
 
@@ -164,10 +164,23 @@ class RequestReader {
 
 }  // namespace
 
+const std::vector<std::string>& ops() {
+  static const std::vector<std::string> names = {"auth", "sub", "unsub", "get", "call", "ping"};
+  return names;
+}
+
+std::optional<RequestId> id_of(JsonValue value) {
+  if (!value || value.is_null()) return RequestId();
+  if (value.is_text() && value.text_size() <= kLongestId) return value.text();
+  if (const auto number = whole_number(value)) return *number;
+  return std::nullopt;
+}
+
 RequestReading read_request(std::string_view message, const std::vector<std::string>& cells) {
-  TreeReading reading = read_tree(message);
-  if (RequestError* error = std::get_if<RequestError>(&reading)) return std::move(*error);
-  return RequestReader(message, std::get<Tree>(reading), cells).read();
+  if (auto error = refuse_text(message)) return *std::move(error);
+  const JsonDocument document(message);
+  if (auto error = refuse_document(document)) return *std::move(error);
+  return RequestReader(document, cells).read();
 }
 
 std::optional<RequestError> fit(Request& request, Tick now) {
@@ -181,9 +194,9 @@ std::optional<RequestError> fit(Request& request, Tick now) {
   const auto* step = std::get_if<call::Step>(of_cell);
   if (step == nullptr || step->ticks <= room) return std::nullopt;
   Findings findings;
-  const Tree ticks = step->ticks;
-  findings.add("/args/ticks", &ticks,
-               "a whole number 0..." + std::to_string(room) + ": no tick lies beyond 2^53-1");
+  if (findings.counts())
+    findings.keep("/args/ticks", step->ticks,
+                  "a whole number 0..." + std::to_string(room) + ": no tick lies beyond 2^53-1");
   return findings.error(request.id);
 }
 

@@ -122,8 +122,12 @@ struct RequestError {
 using RequestReading = std::variant<Request, RequestError>;
 
 /// What there is to ask for in this version, as `hello` lists it.
+const std::vector<std::string>& ops();
 const std::vector<std::string>& channels();
 const std::vector<std::string>& calls();
+
+/// The id that a member `id` is, or nothing where it cannot be one. No member, or null: no id.
+std::optional<RequestId> id_of(JsonValue value);
 
 /// Reads one message. `cells`: those that may be named, the default first. Never throws.
 RequestReading read_request(std::string_view message, const std::vector<std::string>& cells);

@@ -16,7 +16,7 @@ Codec<Eigen::Vector3d> point() {
   codec.allowed = allowed;
   codec.read = [allowed, coordinate = length(kCoordinate)](const Place& place,
                                                            Eigen::Vector3d& result) {
-    if (!place.value.is_array() || place.value.size() != 3) return place.refuse(allowed);
+    if (!place.value.is_list() || place.value.size() != 3) return place.refuse(allowed);
     bool is_good = true;
     for (std::size_t i = 0; i < 3; ++i) {
       is_good = coordinate.read(place.element(i), result[static_cast<int>(i)]) && is_good;
@@ -35,10 +35,10 @@ Codec<OutlinePoint> outline_point() {
   codec.allowed = allowed;
   codec.read = [allowed, coordinate = length(kCoordinate)](const Place& place,
                                                            OutlinePoint& result) {
-    const Json& value = place.value;
-    const bool is_point = value.is_array() && value.size() == 4;
-    if (!is_point || (value[0] != "move" && value[0] != "draw")) return place.refuse(allowed);
-    result.draw = value[0] == "draw";
+    const bool is_point = place.value.is_list() && place.value.size() == 4;
+    const JsonValue pen = is_point ? place.value.element(0) : JsonValue();
+    if (!pen.is("move") && !pen.is("draw")) return place.refuse(allowed);
+    result.draw = pen.is("draw");
     bool is_good = true;
     for (std::size_t i = 0; i < 3; ++i) {
       is_good = coordinate.read(place.element(i + 1), result.p_mm[static_cast<int>(i)]) && is_good;

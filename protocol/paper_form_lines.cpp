@@ -45,10 +45,10 @@ std::vector<std::string> items_of(std::string_view line) {
 }
 
 /// A scalar or a list of scalars. No member of a `*+` line is nested deeper.
-bool is_shallow(const Json& value) {
-  return !value.is_object() && std::none_of(value.begin(), value.end(), [](const Json& element) {
-    return element.is_structured();
-  });
+bool is_shallow(JsonValue value) {
+  if (!value.is_list()) return !value.is_object();
+  return std::none_of(value.begin(), value.end(),
+                      [](JsonValue element) { return element.is_structured(); });
 }
 
 /// Collects the lines.
@@ -81,13 +81,16 @@ class Splitter {
 
 void Splitter::add(std::string_view members, int number) try {
   const JsonSource source("{" + std::string(members) + "}", file_);
-  const Json& root = source.root();
+  const JsonValue root = source.root();
   if (!std::all_of(root.begin(), root.end(), is_shallow)) return refuse(members, number);
-  for (Finding finding : source.duplicates()) {
-    finding.line = number;
-    result_.findings.push_back(std::move(finding));
+  for (const JsonValue member : root) {
+    if (!member.is_repeated()) {
+      pending_.push_back({number, member.name().text(), member.to_json()});
+      continue;
+    }
+    result_.findings.push_back({Severity::kError, file_, number, 0, member.pointer_from(root),
+                                told_twice(member), "each member once"});
   }
-  for (const auto& [key, value] : root.items()) pending_.push_back({number, key, value});
 } catch (const DataError&) {
   refuse(members, number);
 }

@@ -96,7 +96,7 @@ Codec<Coupling> coupling() {
   codec.allowed = allowed;
   codec.read = [allowed, first = whole(1, kMaxJoints), second = whole(-kMaxJoints, kMaxJoints)](
                    const Place& place, Coupling& result) {
-    if (!place.value.is_array() || place.value.size() != 2) return place.refuse(allowed);
+    if (!place.value.is_list() || place.value.size() != 2) return place.refuse(allowed);
     int joint = 1;
     int coupled = 1;
     const bool has_joint = first.read(place.element(0), joint);
@@ -152,11 +152,11 @@ RobotReading read_robot(std::string_view text, const std::string& file) try {
   const JsonSource source(text, file);
   Reading reading(source);
   Robot robot;
-  read_object(Place{reading, source.root(), ""}, robot_members(), robot);
+  read_object(Place{reading, source.root()}, robot_members(), robot);
   check_robot(robot, reading);
   RobotReading result;
+  if (!reading.has_errors()) result.robot = std::move(robot);
   result.findings = reading.take_findings();
-  if (!has_errors(result.findings)) result.robot = std::move(robot);
   return result;
 } catch (const DataError& error) {
   return {std::nullopt, error.findings()};

@@ -200,7 +200,7 @@ void check_robot(const Robot& robot, Reading& reading) {
   check_outlines(robot, reading);
   check_couplings(robot, reading);
   check_net_roll(robot, reading);
-  if (has_errors(reading.findings())) return;
+  if (reading.has_errors()) return;
   const Model model(robot, Workcell{}, Profile::kPaper);
   check_tip(model, Positions{}, "soft", reading);
   check_hard_home(model, reading);

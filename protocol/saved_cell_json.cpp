@@ -149,13 +149,11 @@ Codec<Workcell> workcell_file() {
   Codec<Workcell> codec;
   codec.allowed = "a workcell in the form of its file";
   codec.read = [](const Place& place, Workcell& workcell) {
-    WorkcellReading reading = read_workcell(place.value.dump(), "");
-    for (Finding& finding : reading.findings) {
-      place.reading.report(finding.severity, place.pointer + finding.pointer,
-                           std::move(finding.found), std::move(finding.allowed));
-    }
-    if (!reading.workcell) return false;
-    return workcell = *std::move(reading.workcell), true;
+    Reading reading(place.value, Unit::kOfDocument);
+    std::optional<Workcell> read = read_workcell(reading);
+    place.reading.adopt(reading);
+    if (read) workcell = *std::move(read);
+    return read.has_value();
   };
   codec.write = workcell_to_json;
   return codec;
@@ -203,16 +201,21 @@ Json saved_cell_to_json(const SavedCell& saved) {
   return write_object(saved, saved_cell_members());
 }
 
-SavedCellReading read_saved_cell(const Json& json) {
-  Reading reading;
+std::optional<SavedCell> read_saved_cell(Reading& reading) {
   SavedCell saved;
-  read_object(Place{reading, json, ""}, saved_cell_members(), saved);
+  read_object(Place{reading, reading.root()}, saved_cell_members(), saved);
   check_names(saved.state.blocks, reading);
   check_held(saved.state, reading);
   check_path(saved.state.tip_path, reading);
-  SavedCellReading result{std::nullopt, reading.take_findings()};
-  if (!has_errors(result.findings)) result.saved = std::move(saved);
-  return result;
+  return reading.has_errors() ? std::nullopt : std::optional(std::move(saved));
+}
+
+SavedCellReading read_saved_cell(const Json& json) {
+  const std::string text = json.dump();
+  const JsonDocument document(text);
+  Reading reading(document.root(), Unit::kMm);
+  std::optional<SavedCell> saved = read_saved_cell(reading);
+  return {std::move(saved), reading.take_findings()};
 }
 
 bool monitor::fits_a_request(const SavedCell& saved) {

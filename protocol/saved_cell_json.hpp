@@ -8,8 +8,8 @@
 
 #include "core/model.hpp"
 #include "protocol/call.hpp"
+#include "protocol/data_json.hpp"
 #include "protocol/finding.hpp"
-#include "protocol/json_source.hpp"
 #include "protocol/monitor_request.hpp"
 
 namespace xr3 {
@@ -23,7 +23,9 @@ struct SavedCellReading {
   Findings findings;
 };
 
-/// Reads what saved_cell_to_json() made; pointers begin at `json`. Never throws.
+/// Reads what saved_cell_to_json() made, with what is wrong in the reading.
+std::optional<SavedCell> read_saved_cell(data::Reading& reading);
+/// The same, of JSON that is at hand; pointers begin at `json`. Never throws.
 SavedCellReading read_saved_cell(const Json& json);
 
 }  // namespace xr3

@@ -26,7 +26,7 @@ Member<Camera> pair_of(std::string name, V Camera::*first, V Camera::*second, Co
   member.name = std::move(name);
   member.allowed = allowed;
   member.read = [=](const Place& place, Camera& camera) {
-    if (!place.value.is_array() || place.value.size() != 2) return place.refuse(allowed);
+    if (!place.value.is_list() || place.value.size() != 2) return place.refuse(allowed);
     const bool has_first = item.read(place.element(0), camera.*first);
     return item.read(place.element(1), camera.*second) && has_first;
   };
@@ -62,17 +62,19 @@ const Members<Workcell>& workcell_members() {
 
 }  // namespace
 
+std::optional<Workcell> read_workcell(Reading& reading, const Robot* robot) {
+  Workcell workcell;
+  read_object(Place{reading, reading.root()}, workcell_members(), workcell);
+  check_workcell(workcell, robot, reading);
+  return reading.has_errors() ? std::nullopt : std::optional(std::move(workcell));
+}
+
 WorkcellReading read_workcell(std::string_view text, const std::string& file,
                               const Robot* robot) try {
   const JsonSource source(text, file);
   Reading reading(source);
-  Workcell workcell;
-  read_object(Place{reading, source.root(), ""}, workcell_members(), workcell);
-  check_workcell(workcell, robot, reading);
-  WorkcellReading result;
-  result.findings = reading.take_findings();
-  if (!has_errors(result.findings)) result.workcell = std::move(workcell);
-  return result;
+  std::optional<Workcell> workcell = read_workcell(reading, robot);
+  return {std::move(workcell), reading.take_findings()};
 } catch (const DataError& error) {
   return {std::nullopt, error.findings()};
 }

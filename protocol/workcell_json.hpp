@@ -8,8 +8,8 @@
 
 #include "core/robot.hpp"
 #include "core/workcell.hpp"
+#include "protocol/data_json.hpp"
 #include "protocol/finding.hpp"
-#include "protocol/json_source.hpp"
 
 namespace xr3 {
 
@@ -24,6 +24,9 @@ struct WorkcellReading {
 /// errors are findings, too. Never throws.
 WorkcellReading read_workcell(std::string_view text, const std::string& file,
                               const Robot* robot = nullptr);
+
+/// The same for the document being read; errors go to the reading.
+std::optional<Workcell> read_workcell(data::Reading& reading, const Robot* robot = nullptr);
 
 /// Reads and checks a workcell file. Throws DataError with all findings if one of them is an error.
 Workcell load_workcell(std::string_view text, const std::string& file);

@@ -205,7 +205,7 @@ void check_workcell(const Workcell& workcell, const Robot* robot, Reading& readi
   check_block_names(workcell, reading);
   check_surface(workcell, reading);
   check_camera(workcell, reading);
-  if (has_errors(reading.findings())) return;
+  if (reading.has_errors() || !reading.wants_warnings()) return;
   std::vector<Shape> shapes;
   for (const Block& block : workcell.blocks) shapes.emplace_back(block);
   warn_of_overlaps(workcell, shapes, reading);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/monitor_heading.hpp"
 #include "server/wall_clock.hpp"
 
 namespace xr3 {
@@ -28,6 +29,17 @@ monitor::RequestError token_required(const monitor::RequestId& id, const std::st
           what + " needs the token",
           R"(send {"op":"auth","token":"..."} first)",
           {}};
+}
+
+std::optional<monitor::RequestError> check_access(const Viewer& viewer,
+                                                  const monitor::Heading& heading) {
+  if (viewer.access() == Access::kControl) return std::nullopt;
+  if (heading.op == "call")
+    return token_required(heading.id, heading.fn.empty() ? "a call" : "the call " + heading.fn);
+  const bool reads = heading.op == "sub" || heading.op == "get";
+  if (reads && viewer.access() == Access::kNone)
+    return token_required(heading.id, "reading this server");
+  return std::nullopt;
 }
 
 /// What holds from now on, as the answer to a `sub`.
@@ -96,8 +108,13 @@ CellCounters MonitorService::counters() const {
 
 // --- Requests.
 
+MonitorService::Error MonitorService::refuse(const Viewer& viewer, std::string_view message) const {
+  if (viewer.access() == Access::kControl) return std::nullopt;
+  return check_access(viewer, monitor::heading_of(message));
+}
+
 asio::awaitable<void> MonitorService::carry_out(Viewer& viewer, monitor::Request request) {
-  if (const Error error = check_access(viewer, request)) {
+  if (const Error error = check_access(viewer, monitor::heading_of(request))) {
     viewer.client().send(monitor::result(*error));
   } else if (std::holds_alternative<monitor::Ping>(request.what)) {
     viewer.client().send(monitor::pong(request.id));
@@ -112,18 +129,6 @@ asio::awaitable<void> MonitorService::carry_out(Viewer& viewer, monitor::Request
   } else {
     co_await call(viewer, std::move(request));
   }
-}
-
-MonitorService::Error MonitorService::check_access(const Viewer& viewer,
-                                                   const monitor::Request& request) const {
-  const auto* wanted = std::get_if<monitor::CallRequest>(&request.what);
-  if (wanted != nullptr && viewer.access() != Access::kControl)
-    return token_required(request.id, "the call " + wanted->fn);
-  const bool reads = std::holds_alternative<monitor::Subscribe>(request.what) ||
-                     std::holds_alternative<monitor::Get>(request.what);
-  if (reads && viewer.access() == Access::kNone)
-    return token_required(request.id, "reading this server");
-  return std::nullopt;
 }
 
 void MonitorService::authorize(Viewer& viewer, const monitor::Request& request,

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "protocol/monitor_message.hpp"
@@ -36,6 +37,10 @@ class MonitorService {
   /// The first message of a connection.
   monitor::Message hello(const Viewer& viewer);
 
+  /// Why the viewer may not ask for this, whatever else may be wrong with it. Only the heading of the message
+  /// is looked at: what comes from who may not ask costs nothing.
+  std::optional<monitor::RequestError> refuse(const Viewer& viewer, std::string_view message) const;
+
   /// Carries out a request and answers it. A call with `after` waits; nothing else does. The viewer
   /// must still be there when it is done.
   asio::awaitable<void> carry_out(Viewer& viewer, monitor::Request request);
@@ -51,7 +56,6 @@ class MonitorService {
  private:
   using Error = std::optional<monitor::RequestError>;
 
-  Error check_access(const Viewer& viewer, const monitor::Request& request) const;
   void authorize(Viewer& viewer, const monitor::Request& request, const monitor::Auth& auth);
   void subscribe(Viewer& viewer, const monitor::Request& request);
   void unsubscribe(Viewer& viewer, const monitor::Request& request);

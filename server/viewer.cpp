@@ -18,8 +18,11 @@ Viewer::Viewer(MonitorService& service, Carrier& carrier)
 Viewer::~Viewer() { service_.remove(*this); }
 
 asio::awaitable<void> Viewer::take(std::string_view message) {
-  auto request = client_.take(message);
-  if (request) co_await service_.carry_out(*this, *std::move(request));
+  if (const auto error = service_.refuse(*this, message)) {
+    client_.send(monitor::result(*error));
+  } else if (auto request = client_.take(message)) {
+    co_await service_.carry_out(*this, *std::move(request));
+  }
   wake();
 }
 

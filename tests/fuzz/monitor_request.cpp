@@ -16,6 +16,7 @@
 #include "core/simulation.hpp"
 #include "core/status_line.hpp"
 #include "core/wireframe.hpp"
+#include "protocol/monitor_heading.hpp"
 #include "protocol/monitor_message.hpp"
 #include "protocol/saved_cell_json.hpp"
 #include "tests/support/models.hpp"
@@ -58,8 +59,13 @@ void load(const SavedCell& saved) {
   if (misfits(*test::rhino(), saved).empty()) exercise(saved);
 }
 
-void check(const Request& request) {
+/// What is said of access before the message is read holds when it is read.
+void check(const Request& request, std::string_view text) {
   require(request.cell == "main", "the only cell");
+  const Heading before = heading_of(text);
+  const Heading after = heading_of(request);
+  require(before.id == after.id && before.fn == after.fn, "the heading's id and fn");
+  require(after.op.empty() || before.op == after.op, "the heading's op");
   const auto* wanted = std::get_if<CallRequest>(&request.what);
   if (wanted == nullptr) return;
   const auto* of_cell = std::get_if<call::Call>(&wanted->call);

@@ -109,6 +109,48 @@ TEST(JsonSource, SaysSyntaxErrorsInPlainWords) {
   }
 }
 
+/// A long token is looked at before the parser sees it, and its fault is told as the parser would.
+TEST(JsonSource, SaysTheSameOfLongTokens) {
+  struct Row {
+    std::string begin, repeated, end;
+  };
+  const Row rows[] = {
+      {"{\"a\":\"", "x", "\ny\"}"},
+      {"{\"a\":\"", "x", "\\q\"}"},
+      {"{\"a\":\"", "x", "\xFF\"}"},
+      {"{\"a\":\"", "x", "\xE2\x82\"}"},
+      {"{\"a\":\"", "x", "b}"},
+      {"{\"a\":\"", "x", "\\"},
+      {"{\"a\":\"", "x", "\\ud800\"}"},
+      {"{\"a\":\"", "x", "\\udc00x"},
+      {"{\"a\":\"", "\\n", "\\u12g4\"}"},
+      {"{\"a\":\"", "x", "\\ud800\\u0041\"}"},
+      {"{\"a\":1", "0", "}"},
+      {"{\"a\":-1", "0", ",\"b\":1}"},
+      {"{\"a\":1.", "0", "e999}"},
+      {"{\"a\":1", "0", ""},
+      {"{\"a\",\"", "x", "\n"},
+      {"[1 \"", "x", "\xFF\"]"},
+      {"{\"a\":\"", "x", "\" 5"},
+      {"{\"a\" \"", "x", "\"}"},
+  };
+  constexpr std::size_t kFew = 400;
+  constexpr std::size_t kMany = 6000;
+  for (const Row& row : rows) {
+    const auto text = [&row](std::size_t count) {
+      std::string middle;
+      for (std::size_t i = 0; i < count; ++i) middle += row.repeated;
+      return row.begin + middle + row.end;
+    };
+    Finding expected = syntax_error_of(text(kFew));
+    const bool is_behind = expected.column > static_cast<int>(row.begin.size());
+    if (is_behind) expected.column += static_cast<int>((kMany - kFew) * row.repeated.size());
+    const Finding found = syntax_error_of(text(kMany));
+    SCOPED_TRACE(row.begin + "..." + row.end);
+    EXPECT_EQ(to_text(found), to_text(expected));
+  }
+}
+
 TEST(JsonSource, RefusesDeepNesting) {
   const std::string deep(100000, '[');
   EXPECT_EQ(syntax_error_of(deep).found, "lists and objects deeper than 32");

@@ -283,6 +283,28 @@ TEST_F(WithToken, ReadingIsFreeAndCallsNeedIt) {
   EXPECT_EQ(call(one_, "home")["ok"], true);
 }
 
+TEST_F(WithToken, ItIsAskedForBeforeAnythingElse) {
+  read(one_);
+  for (const std::string& text : std::vector<std::string>{
+           R"({"op":"call","id":7,"fn":"step","args":{"ticks":"x","ticks":1}})",
+           R"({"op":"call","id":7,"fn":"step","args":nonsense)",
+           R"({"op":"call","id":7,"fn":"step")",
+           R"({"args":)" + std::string(40, '[') + std::string(40, ']') +
+               R"(,"op":"call","id":7,"fn":"step"})",
+           R"({"op":"call","id":7,"fn":"step","cell":"other"})",
+           R"({"op":"call","id":7,"fn":"fly"})", R"({"\u006fp":"call","id":7})"}) {
+    const Json result = answer(one_, text);
+    EXPECT_EQ(result["error"]["code"], "token_required") << text;
+    EXPECT_EQ(result["id"], 7) << text;
+  }
+  EXPECT_EQ(answer(one_, R"({"op":"call","fn":"step"})")["error"]["message"],
+            "the call step needs the token");
+  EXPECT_EQ(answer(one_, R"({"op":"call","fn":"fly"})")["error"]["message"],
+            "a call needs the token");
+  EXPECT_EQ(answer(one_, R"({"op":"ping")")["error"]["code"], "bad_json");
+  EXPECT_EQ(answer(one_, R"({"op":"get","channel":"taste"})")["error"]["code"], "unknown_channel");
+}
+
 TEST_F(WithToken, FiveWrongOnesEndTheConnection) {
   read(one_);
   const std::string wrong = R"({"op":"auth","id":1,"token":"wrong"})";
@@ -304,6 +326,8 @@ TEST_F(Private, ReadingNeedsItAsWell) {
     const std::string request = std::string(R"({"op":")") + op + R"(","channel":"state"})";
     EXPECT_EQ(answer(one_, request)["error"]["code"], "token_required");
   }
+  EXPECT_EQ(answer(one_, R"({"op":"get","channel":"taste","fields":[)")["error"]["code"],
+            "token_required");
   answer(one_, R"({"op":"auth","token":"sixteen-letters!"})");
   EXPECT_EQ(answer(one_, R"({"op":"get","channel":"state"})")["op"], "state");
 }

@@ -1,0 +1,128 @@
+"""What a message or a file may cost, whatever its shape: memory a few times its own bytes, and milliseconds.
+Who may not call costs nothing at all."""
+# labels: release serial
+
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import time
+import unittest
+
+from support import ROOT, XR3, Server
+from test_access import TOKEN, TokenFile
+
+MIB = 1 << 20
+MOST_BYTES = 256 * 1024
+MOST_TIMES = 8
+CONSTANT = 2 * MIB  # the allocator's own, the socket's buffers, the answer
+MOST_S = 0.050
+FILE_BYTES = 1_000_000
+
+
+def long_name(member, size=MOST_BYTES):
+    """A member with a long name and a list of zeros, together of about so many bytes."""
+    return json.dumps({"n" * (size // 2 - 100): [0] * ((size // 2 - 100) // 2)}, separators=(",", ":"))[1:-1]
+
+
+def call(fn, member, content):
+    return ('{"op":"call","id":7,"fn":"%s","args":{"%s":{%s}}}\n' % (fn, member, content)).encode()
+
+
+def fill(begin, item, end, size=MOST_BYTES):
+    return begin + ",".join([item] * ((size - len(begin) - len(end)) // (len(item) + 1))) + end
+
+
+LARGE = {
+    "workcell": call("workcell", "workcell", long_name("w")),
+    "snapshot": call("snapshot_load", "snapshot", long_name("s")),
+    "blocks": call("workcell", "workcell", fill('"blocks":[', "{}", "]", MOST_BYTES - 200)),
+    "ten thousand blocks": call("workcell", "workcell", '"blocks":[' + ",".join(["{}"] * 10_000) + "]"),
+    "members": call("workcell", "workcell", ",".join('"%d":0' % i for i in range(28_000))),
+    "duplicates": call("workcell", "workcell", fill("", '"a":0', "", MOST_BYTES - 200)),
+}
+
+
+class Requests(unittest.TestCase):
+    def peak(self, xr3):
+        text = pathlib.Path(f"/proc/{xr3.pid}/status").read_text(encoding="ascii")
+        return int(text.split("VmHWM:")[1].split()[0]) * 1024
+
+    def answer(self, monitor, line):
+        self.assertLessEqual(len(line), MOST_BYTES + 1)
+        started = time.perf_counter()
+        monitor.send(line)
+        answer = monitor.read()
+        return answer, time.perf_counter() - started
+
+    def test_without_the_token_they_cost_nothing(self):
+        with TokenFile() as path, Server("--token-file", path, "--private") as xr3, xr3.monitor() as monitor:
+            monitor.send(b'{"op":"ping","more":"' + b"x" * 200_000 + b'"}\n')
+            self.assertEqual("pong", monitor.read()["op"])
+            before = self.peak(xr3)
+            for name, line in LARGE.items():
+                with self.subTest(name):
+                    answer, took_s = self.answer(monitor, line)
+                    self.assertEqual((7, "token_required"), (answer["id"], answer["error"]["code"]))
+                    self.assertLess(took_s, MOST_S)
+            self.assertLess(self.peak(xr3) - before, 4 * MIB)
+
+    def test_with_it_a_few_times_their_bytes(self):
+        for name, line in LARGE.items():
+            with self.subTest(name), TokenFile() as path, Server("--token-file", path) as xr3, xr3.monitor() as monitor:
+                monitor.request("auth", token=TOKEN)
+                monitor.send(call("workcell", "workcell", ""))
+                self.assertEqual("bad_args", monitor.read()["error"]["code"])
+                before = self.peak(xr3)
+                answer, took_s = self.answer(monitor, line)
+                self.assertEqual((7, "bad_args"), (answer["id"], answer["error"]["code"]))
+                self.assertLessEqual(len(answer["error"]["details"]), 32)
+                self.assertLess(self.peak(xr3) - before, MOST_TIMES * len(line) + CONSTANT)
+                self.assertLess(took_s, MOST_S)
+                if "XR3_SHOW" in os.environ:
+                    print(f"{name}: {len(line)} bytes, {(self.peak(xr3) - before) / MIB:.1f} MiB, {took_s * 1000:.1f} ms")
+
+
+class Files(unittest.TestCase):
+    MOST_S = 1.0
+
+    def run_and_measure(self, file):
+        """Exit code, standard error, most memory and time of `xr3 check`."""
+        started = time.perf_counter()
+        with tempfile.TemporaryFile() as told:
+            with subprocess.Popen([XR3, "check", file], stdout=subprocess.DEVNULL, stderr=told) as process:
+                _, status, usage = os.wait4(process.pid, 0)
+                process.returncode = os.waitstatus_to_exitcode(status)
+            took_s = time.perf_counter() - started
+            told.seek(0)
+            return process.returncode, told.read().decode(), usage.ru_maxrss * 1024, took_s
+
+    def test_check_of_a_large_file(self):
+        _, _, usual, _ = self.run_and_measure(pathlib.Path(ROOT, "data/workcells/rhino-xr3.json"))
+        for name, text, words in [
+            ("a long name", "{" + long_name("w", FILE_BYTES) + ',"blocks":[]}', ["unknown member", "..."]),
+            ("the same in a robot", "{" + long_name("r", FILE_BYTES) + ',"joints":[]}', ["unknown member", "..."]),
+            ("many members", '{"blocks":[],' + ",".join('"%d":0' % i for i in range(100_000)) + "}", ["100", "more like these"]),
+            ("many blocks", fill('{"blocks":[', "{}", "]}", 30_000), ["/blocks/0/name", "more like these"]),
+            ("far too many blocks", fill('{"blocks":[', "0", "]}", FILE_BYTES), ["a list of 4", "0 to 10000"]),
+            ("many of one name", fill('{"blocks":[],', '"a":0', "}", FILE_BYTES), ['"a" for the second time', "more like these"]),
+            ("deep", '{"blocks":' + "[" * FILE_BYTES, ["deeper than 32"]),
+            ("no JSON", fill('{"blocks":[', "0", ",]}", FILE_BYTES), ["allowed: a value"]),
+        ]:
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                file = pathlib.Path(folder, "large.json")
+                file.write_text(text, encoding="ascii")
+                code, told, most, took_s = self.run_and_measure(file)
+                self.assertEqual(2, code, told[:1000])
+                for word in words:
+                    self.assertIn(word, told)
+                self.assertLess(len(told), 64 * 1024)
+                self.assertLess(most - usual, 12 * len(text) + CONSTANT)
+                self.assertLess(took_s, self.MOST_S)
+                if "XR3_SHOW" in os.environ:
+                    print(f"{name}: {len(text)} bytes, {(most - usual) / MIB:.1f} MiB, {took_s * 1000:.0f} ms, {len(told)} told")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,44 @@
+#include "tests/support/allocations.hpp"
+
+#include <malloc.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace xr3::test {
+namespace {
+
+std::atomic<std::size_t> held{0};
+std::atomic<std::size_t> most{0};
+
+void note(std::size_t bytes) {
+  const std::size_t now = held += bytes;
+  std::size_t before = most;
+  while (before < now && !most.compare_exchange_weak(before, now)) {
+  }
+}
+
+}  // namespace
+
+Allocations::Allocations() : before_(held) { most = before_; }
+
+std::size_t Allocations::peak() const { return std::max(most.load(), before_) - before_; }
+
+}  // namespace xr3::test
+
+void* operator new(std::size_t size) {
+  void* memory = std::malloc(std::max<std::size_t>(size, 1));
+  if (memory == nullptr) throw std::bad_alloc();
+  xr3::test::note(malloc_usable_size(memory));
+  return memory;
+}
+
+void operator delete(void* memory) noexcept {
+  if (memory == nullptr) return;
+  xr3::test::held -= malloc_usable_size(memory);
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t) noexcept { operator delete(memory); }
