@@ -9,7 +9,7 @@
 namespace xr3 {
 namespace {
 
-/// The robot that workcells are checked against: the one asked for, or the one of the same name.
+/// The robot to check a workcell against: from --robot, else the one with the file's name, if any.
 std::optional<Robot> robot_for(const CheckOptions& options, const std::string& file) {
   const std::string name = std::filesystem::path(file).stem();
   if (options.robot.empty() && !has_data_file(name, "robots")) return std::nullopt;

@@ -1,4 +1,4 @@
-// `xr3 check FILE...`: all that is wrong in the files, or a summary of each.
+// `xr3 check FILE...`: reports the errors in each file, or a summary of it.
 #pragma once
 
 #include "server/options.hpp"

@@ -25,7 +25,7 @@ std::string text_in(Form form, const CheckResult& data) {
   if (data.robot) {
     return is_json ? json_text(robot_to_json(*data.robot)) : robot_to_paper_form(*data.robot);
   }
-  if (!data.workcell) return "";  // never: a file without errors is one of the two
+  if (!data.workcell) return "";  // unreachable: a file without errors is a robot or a workcell
   return is_json ? json_text(workcell_to_json(*data.workcell))
                  : workcell_to_paper_form(*data.workcell);
 }
@@ -35,11 +35,11 @@ std::string words_for(const CheckResult& data) {
   return data.workcell ? "workcell \"" + data.workcell->name + "\"" : "";
 }
 
-/// What was written must be what was read: a conversion that loses anything is never left behind.
+/// Reads the draft back and compares. Throws FileError if the conversion has lost anything.
 void check_draft(const DataFile& draft, const CheckResult& data) {
   const CheckResult again = check_either_form(draft.text, draft.path, Profile::kPaper);
   if (again.robot == data.robot && again.workcell == data.workcell) return;
-  throw FileError(draft.path + ": does not read back to what was converted: a bug in xr3\n" +
+  throw FileError(draft.path + ": reads back differently from the input: a bug in xr3\n" +
                   to_text(again.findings));
 }
 
@@ -59,8 +59,7 @@ ExitCode convert_file(const ConvertOptions& options) {
   const std::optional<Form> form = form_of(options.out);
   if (!form) {
     return refuse(options.out +
-                  ": what it is to be is told by its ending: "
-                  ".json, or .txt or .dat for the paper's plain form");
+                  ": the name must end in .json, or in .txt or .dat for the paper's plain form");
   }
   const DataFile in = read_file(options.in);
   const CheckResult data = check_either_form(in.text, in.path, Profile::kPaper);
@@ -70,7 +69,7 @@ ExitCode convert_file(const ConvertOptions& options) {
   const bool is_written =
       write_whole_file(options.out, text_in(*form, data), existing,
                        [&](const DataFile& draft) { check_draft(draft, data); });
-  if (!is_written) return refuse(options.out + ": is there already; --force replaces it");
+  if (!is_written) return refuse(options.out + ": already exists; --force replaces it");
   tell(options, *form, data);
   return ExitCode::kGood;
 }

@@ -15,10 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// More than any sensible data file; a wrong path (a disk image, a device) is refused at once.
+// No data file is this large. Refuses a wrong path, such as a disk image, before reading it.
 constexpr std::uintmax_t kLargestFile = 64 * 1024 * 1024;
 
-// What editors of Windows put before a text; it is no part of it.
+// Editors on Windows may write one.
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 bool is_path(const std::string& what) {
@@ -47,7 +47,7 @@ DataFile read_file(const fs::path& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) throw FileError(path.string() + ": is a folder, not a file");
   if (fs::file_size(path, error) > kLargestFile && !error) {
-    throw FileError(path.string() + ": larger than 64 MiB, which no data file is");
+    throw FileError(path.string() + ": too large; a data file has at most 64 MiB");
   }
   const std::ifstream file(path, std::ios::binary);
   if (!file) throw FileError(path.string() + ": cannot be read: " + std::strerror(errno));
@@ -63,9 +63,8 @@ DataFile find_data_file(const std::string& what, const std::string& kind) {
   if (!has_data_file(what, kind)) {
     std::error_code error;
     if (fs::is_regular_file(what, error)) return read_file(what);
-    throw FileError("no " + kind.substr(0, kind.size() - 1) + " is named " + what +
-                    "; there are: " + names_in(data_folder() / kind) +
-                    "; or give the path of a file");
+    throw FileError("there is no " + kind.substr(0, kind.size() - 1) + " named " + what +
+                    "; use one of: " + names_in(data_folder() / kind) + "; or the path of a file");
   }
   return read_file(path_of(what, kind));
 }
@@ -86,8 +85,7 @@ fs::path data_folder() {
        {program.parent_path() / "../share/xr3", program.parent_path() / "../../data"}) {
     if (fs::is_directory(folder / "robots", error)) return fs::weakly_canonical(folder, error);
   }
-  throw FileError("the data folder is not found beside " + program.string() +
-                  "; set XR3_DATA to it");
+  throw FileError("no data folder found beside " + program.string() + "; set XR3_DATA to its path");
 }
 
 }  // namespace xr3

@@ -1,4 +1,4 @@
-// Finds and reads robot and workcell files: by the name of one that comes with xr3, or by path.
+// Finds robot and workcell files, by path or by the name of one installed with xr3, and reads them.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace xr3 {
 
-/// A file that cannot be found or read; the message says which and what to do.
+/// A file that cannot be found, read or written; the message names the file and the reason.
 class FileError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -19,19 +19,19 @@ struct DataFile {
   std::string text;
 };
 
-/// The whole file, but for a byte order mark. Throws FileError.
+/// Reads a file of at most 64 MiB, without its byte order mark. Throws FileError.
 DataFile read_file(const std::filesystem::path& path);
 
-/// `what` is a path if it has a slash or ends in .json, .txt or .dat; else the name of a file in the
-/// data folder's `kind` ("robots", "workcells"); else a file of the current folder. Throws FileError,
-/// naming those that there are.
+/// `what` is a path if it contains a slash or ends in .json, .txt or .dat; else the name of a file
+/// in folder `kind` ("robots" or "workcells") of the data folder; else a file in the current
+/// folder. Throws FileError, with the names available.
 DataFile find_data_file(const std::string& what, const std::string& kind);
 
-/// Whether the data folder has such a file.
+/// Whether the data folder contains this file.
 bool has_data_file(const std::string& name, const std::string& kind);
 
-/// The folder of data files: $XR3_DATA, or share/xr3 beside the program's bin, or data in the source
-/// tree that the program was built in. Throws FileError if there is none.
+/// The data folder: $XR3_DATA if set; else share/xr3 beside the program's bin; else data in the
+/// source tree of the build. Throws FileError if it does not exist.
 std::filesystem::path data_folder();
 
 }  // namespace xr3

@@ -1,11 +1,11 @@
-// `xr3 draw OUT`: the wire frame of a robot and its workcell as a picture file.
+// `xr3 draw OUT`: writes the wire frame of a robot and its workcell to a picture file.
 #pragma once
 
 #include "server/options.hpp"
 
 namespace xr3 {
 
-/// Writes the picture, SVG or PNG as the file's name ends. Throws FileError, DataError, ArgumentError.
+/// Writes SVG if the name ends in .svg, else PNG. Throws FileError, DataError or ArgumentError.
 ExitCode draw(const DrawOptions& options);
 
 }  // namespace xr3

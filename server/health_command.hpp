@@ -1,4 +1,4 @@
-// `xr3 healthcheck`: whether a server answers on this machine, for containers and scripts.
+// `xr3 healthcheck`: checks whether a server answers on this machine, for containers and scripts.
 #pragma once
 
 #include "server/exit_code.hpp"
@@ -6,8 +6,8 @@
 
 namespace xr3 {
 
-/// Asks, as long as it is told to. kNoServer: nobody answers as xr3 does; standard error says what came
-/// instead.
+/// Repeats the check for up to `wait_s`. Returns kNoServer if no healthy xr3 server answers,
+/// kBadInput if the port file is invalid, with a sentence on standard error.
 ExitCode check_health(const HealthOptions& options);
 
 }  // namespace xr3

@@ -8,18 +8,18 @@
 namespace xr3 {
 
 struct HealthOptions {
-  std::string listen = "localhost";   ///< where serve listens, as it was told
-  std::uint16_t monitor_port = 9601;  ///< counts where there is no port file
-  std::string port_file;              ///< that serve writes; empty: none
-  double wait_s = 0;                  ///< for so long it may be unhealthy; 0: one try
-  std::string config;                 ///< a file that serve takes options from; empty: none
+  std::string listen = "localhost";   ///< the option --listen of serve
+  std::uint16_t monitor_port = 9601;  ///< used without a port file
+  std::string port_file;              ///< written by serve; empty: none
+  double wait_s = 0;                  ///< retry for this long; 0: one attempt
+  std::string config;                 ///< a config file of serve; empty: none
 };
 
 /// The subcommand `healthcheck` with its options.
 void add_health(CLI::App& app, HealthOptions& options);
 
-/// The address to ask where serve listens there: what listens everywhere is asked on this machine.
-/// Takes what `--listen` takes.
+/// The address to connect to if serve has this `--listen` address: loopback for a wildcard address.
+/// Precondition: check_listen accepts `listen`.
 std::string address_to_ask(const std::string& listen);
 
 }  // namespace xr3

@@ -1,12 +1,13 @@
-// `xr3 kin`: the arithmetic of a robot at the desk, direct and inverse.
+// `xr3 kin`: forward and inverse kinematics of a robot.
 #pragma once
 
 #include "server/options.hpp"
 
 namespace xr3 {
 
-/// The report goes to standard output. kBadInput, with a sentence on standard error, if the options
-/// make no question or the pose cannot be had; JSON is written in the latter case too.
+/// Writes the report to standard output. Returns kBadInput, with a sentence on standard error, if
+/// the options are invalid or the pose is unreachable; --json writes the report in the latter
+/// case, too.
 ExitCode show_kinematics(const KinOptions& options);
 
 }  // namespace xr3

@@ -11,7 +11,7 @@
 namespace xr3 {
 namespace {
 
-using Lines = std::map<std::string, int>;  ///< where each key stands
+using Lines = std::map<std::string, int>;  ///< line number of each key
 
 [[noreturn]] void refuse(const std::string& place, const std::string& why) {
   throw CLI::ConfigError(place + ": " + why);
@@ -21,18 +21,18 @@ std::string without_comment(const std::string& line) {
   return CLI::detail::trim_copy(line.substr(0, line.find('#')));
 }
 
-/// What is wrong with a line that is not empty; nothing if CLI11 reads it as it is meant.
+/// The error in a line that is not empty; empty if CLI11 reads the line as intended.
 std::string trouble_of(const std::string& text) {
   const std::size_t equals = text.find('=');
-  if (text.starts_with('[')) return "sections have no meaning here: each line is KEY = VALUE";
+  if (text.starts_with('[')) return "sections are not supported: each line is KEY = VALUE";
   if (equals == std::string::npos || equals == 0) return "not KEY = VALUE";
   const std::string value = CLI::detail::trim_copy(text.substr(equals + 1));
-  if (value.empty()) return "there is no value behind the =";
+  if (value.empty()) return "there is no value after the =";
   const char quote = value.front() == '\'' ? '\'' : '"';
   if (std::count(value.begin(), value.end(), quote) % 2 != 0)
-    return "a quote is not closed; a # begins a comment in quotes, too";
+    return "a quote is not closed; # begins a comment, even in quotes";
   if (value.starts_with('[') != value.ends_with(']'))
-    return "a list stands on one line, as in [\"a\", \"b\"]";
+    return "a list must be on one line, as in [\"a\", \"b\"]";
   return {};
 }
 
@@ -41,7 +41,7 @@ std::string key_of(const std::string& text) {
   return CLI::detail::remove_quotes(key);
 }
 
-/// Where the keys stand in a file that is as it should be.
+/// Checks the lines of the file; returns the line number of each key.
 Lines lines_of(const DataFile& file) {
   Lines lines;
   std::istringstream text(file.text);
@@ -55,7 +55,7 @@ Lines lines_of(const DataFile& file) {
     if (const std::string trouble = trouble_of(line); !trouble.empty()) refuse(place, trouble);
     const auto [first, is_new] = lines.emplace(key_of(line), number);
     if (!is_new)
-      refuse(place, first->first + " stands on line " + std::to_string(first->second) + " already");
+      refuse(place, first->first + " is already set on line " + std::to_string(first->second));
   }
   return lines;
 }
@@ -82,15 +82,15 @@ CLI::Option* find_option(CLI::App& command, const std::string& key) {
 [[noreturn]] void refuse_key(const CLI::App& command, const std::string& key,
                              const std::string& place) {
   if (key == "token")
-    refuse(place, "a secret has no place in this file; token-file names the file that holds it");
-  refuse(place, "there is no such key; there are: " + allowed_keys(command));
+    refuse(place, "the token must not be in this file; token-file names a file that contains it");
+  refuse(place, "unknown key; use one of: " + allowed_keys(command));
 }
 
 void set(CLI::Option& option, const CLI::ConfigItem& item, const std::string& place) {
   if (std::find(item.inputs.begin(), item.inputs.end(), "") != item.inputs.end())
-    refuse(place, "an empty value says nothing; leave the line out");
+    refuse(place, "the value is empty; remove the line instead");
   if (item.inputs.size() > 1 && option.get_items_expected_max() == 1)
-    refuse(place, "takes one value; one with blanks or commas stands in quotes");
+    refuse(place, "takes one value; put a value with blanks or commas in quotes");
   try {
     option.add_result(item.inputs);
     option.run_callback();
@@ -110,7 +110,7 @@ DataFile read(const std::string& file, const Origins& origins) {
 }  // namespace
 
 void add_config(CLI::App& command, std::string& file) {
-  command.add_option("--config", file, "options in a file: a line such as robot-port = 0 for each")
+  command.add_option("--config", file, "file with options, one per line, such as robot-port = 0")
       ->type_name("FILE")
       ->configurable(false);
 }

@@ -1,5 +1,5 @@
-// Options that may come from a file: flat TOML, a `key = value` a line, read by CLI11, which skips what
-// it does not understand; what it would skip is refused here, with file and line.
+// Options from a config file: flat TOML, one `key = value` per line. CLI11 reads it but silently
+// skips what it does not understand; such lines are errors here, reported with file and line.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -10,14 +10,15 @@
 
 namespace xr3 {
 
-/// What becomes of keys that are no options of the command.
+/// How to handle keys that are not options of the command.
 enum class OtherKeys : std::uint8_t { kRefuse, kSkip };
 
-/// The option `--config`, and XR3_CONFIG.
+/// Adds the option `--config`.
 void add_config(CLI::App& command, std::string& file);
 
-/// Gives the options that were found nowhere else the values that the file has; adds to `origins`,
-/// which name the place that names the file. Nothing where no file is named. Throws CLI::ParseError.
+/// Sets the options that are not set yet to the values in the file, if `file` is not empty, and
+/// adds their sources to `origins`. Throws CLI::ParseError, with the source of the file's name if
+/// the file cannot be read.
 void take_config(CLI::App& command, const std::string& file, OtherKeys others, Origins& origins);
 
 }  // namespace xr3

@@ -26,7 +26,7 @@ std::string check_flag(const std::string& text) {
   const std::string word = CLI::detail::to_lower(text);
   for (const char* known : {"true", "false", "1", "0", "yes", "no", "on", "off"})
     if (word == known) return {};
-  return text + ": this is true or false, 1 or 0, yes or no, on or off";
+  return text + ": a flag is true or false, 1 or 0, yes or no, on or off";
 }
 
 CLI::Validator number_between(double least, double most) {
@@ -53,7 +53,7 @@ void add_profile(CLI::App& command, Profile& profile) {
   command
       .add_option_function<std::string>(
           "--compat", [&profile](const std::string& text) { profile = parse_profile(text); },
-          "the controller that lines see: paper (default), or mark3, the hardware")
+          "controller to simulate: paper (default), or mark3 (the hardware)")
       ->type_name("paper|mark3")
       ->check(parses(parse_profile, ""));
 }

@@ -1,4 +1,4 @@
-// Parts of the command line that several of its files are made of. Only options*.cpp include this.
+// Parts of the command line shared by the files that define the options; only those include this.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,7 +9,7 @@
 
 namespace xr3 {
 
-/// A CLI11 check: the text parses, or the parser's words say why not.
+/// A CLI11 validator that calls the parser; the message of its std::invalid_argument is the error.
 template <class Parse>
 CLI::Validator parses(Parse parse, const std::string& what) {
   return CLI::Validator(
@@ -24,27 +24,28 @@ CLI::Validator parses(Parse parse, const std::string& what) {
       what);
 }
 
-/// Checks that say what is allowed: an address to listen on, a port, and a flag that is not an argument.
+/// Validators: empty if the text is a valid address to listen on, port, or value of a flag; else
+/// the error, with the allowed values.
 std::string check_listen(const std::string& text);
 std::string check_port(const std::string& text);
 std::string check_flag(const std::string& text);
 
-/// A check of a number, which says the bounds as people write them.
+/// A validator of a number in [least, most]; its error prints the bounds without trailing zeros.
 CLI::Validator number_between(double least, double most);
 
-/// Throws std::invalid_argument with what is allowed.
+/// Throws std::invalid_argument, with the allowed values.
 Profile parse_profile(const std::string& text);
 
-/// `--compat`, for whatever sees lines.
+/// Adds the option `--compat`.
 void add_profile(CLI::App& command, Profile& profile);
 
-/// A flag: there, or not there; elsewhere than on the command line it has a value.
+/// Adds a flag. In the environment and in a config file it has a value, such as true.
 void add_flag(CLI::App& command, const std::string& name, bool& value, const std::string& what);
 
 /// The subcommand `serve` with its options.
 void add_serve(CLI::App& app, ServeOptions& options);
 
-/// What `serve` was told, completed by the environment; or why it makes no sense together.
+/// The options if they are consistent; else Leave with the error.
 Options checked_serve(ServeOptions options);
 
 }  // namespace xr3

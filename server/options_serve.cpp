@@ -1,4 +1,4 @@
-// The options of `xr3 serve`, and what they may not say together.
+// The options of `xr3 serve`, and the check that they are consistent.
 #include <utility>
 
 #include "protocol/http_guard.hpp"
@@ -15,20 +15,22 @@ constexpr int kMostLines = 20000;
 
 std::string check_token_word(const std::string& word) {
   return word == "auto" ? ""
-                        : "takes only the word auto: a secret here could be read in the process "
-                          "list; put it into a file (--token-file) or into XR3_TOKEN";
+                        : "accepts only the word auto: other users could read a token in the "
+                          "process list; put it into a file (--token-file) or into XR3_TOKEN";
 }
 
 std::string check_host(const std::string& name) {
-  return http::is_host_name(name) ? "" : name + ": a host is a name such as robot.lab, no port";
+  return http::is_host_name(name) ? ""
+                                  : name + ": a host is a name such as robot.lab, without port";
 }
 
 std::string check_origin(const std::string& text) {
-  return http::is_origin(text) ? ""
-                               : text + ": an origin is like https://page.lab or http://a:8080";
+  return http::is_origin(text)
+             ? ""
+             : text + ": an origin has the form https://page.lab or http://a:8080";
 }
 
-// Each use of the option adds one; in one use, commas stand between them.
+// A list: values separated by commas, or repeated uses of the option.
 void add_names(CLI::App& serve, const std::string& name, std::vector<std::string>& names,
                const std::string& type, const std::string& what,
                std::string (*check)(const std::string&)) {
@@ -46,24 +48,24 @@ void add_access(CLI::App& serve, ServeOptions& options) {
           [&options](const std::string& path) {
             if (std::holds_alternative<NoToken>(options.token)) options.token = TokenFile{path};
           },
-          "monitor calls need the token in this file (or in XR3_TOKEN): 16 characters or more")
+          "file with the token that monitor calls need (or use XR3_TOKEN); at least 16 characters")
       ->type_name("FILE");
-  // Behind --token-file: it takes the place of a file that the environment names.
+  // Added after --token-file, so that it replaces a file named by the environment.
   serve
       .add_option_function<std::string>(
           "--token", [&options](const std::string&) { options.token = FreshToken{}; },
-          "auto: make a token for this run and print it on standard error; no --token-file then")
+          "auto: generate a token for this run, printed on standard error; excludes --token-file")
       ->type_name("auto")
       ->check(CLI::Validator(check_token_word, ""))
       ->configurable(false);
   add_flag(serve, "--private", options.is_private, "reading needs the token, too");
   add_names(serve, "--allow-host", options.allow_hosts, "NAME",
-            "also answer browsers that know this machine by that name; more with commas",
-            check_host);
+            "host name that browsers may use for this machine; several with commas", check_host);
   add_names(serve, "--allow-origin", options.allow_origins, "ORIGIN",
-            "also answer pages from there, as in https://page.lab; more with commas", check_origin);
+            "origin of pages that may connect, such as https://page.lab; several with commas",
+            check_origin);
   add_flag(serve, "--insecure", options.is_insecure,
-           "let anybody who reaches --listen drive the robot: it has no password");
+           "allow other machines without a token: anyone who can connect can control the robot");
 }
 
 Leave refuse(const std::string& why) { return {ExitCode::kBadInput, "", "xr3: " + why + "\n"}; }
@@ -71,12 +73,12 @@ Leave refuse(const std::string& why) { return {ExitCode::kBadInput, "", "xr3: " 
 Leave refuse_listen(const ServeOptions& options) {
   return refuse(
       said_as(options.origins, "--listen") + " " + options.listen +
-      " lets other machines in: give calls a token by --token-file FILE (XR3_TOKEN_FILE), "
-      "XR3_TOKEN or --token auto (the robot port has no password even so), or say "
+      " accepts other machines: set a token for calls with --token-file FILE (XR3_TOKEN_FILE), "
+      "XR3_TOKEN or --token auto (the robot port still has no password), or use "
       "--insecure (XR3_INSECURE=1)");
 }
 
-// What is nearer has had its turn: arguments, then the environment.
+// Called after CLI11 has read arguments and environment; the config file has lower precedence.
 void complete(CLI::App& serve, ServeOptions& options) {
   if (is_argument(serve, "--token") && is_argument(serve, "--token-file"))
     throw CLI::ExcludesError("--token", "--token-file");
@@ -99,7 +101,7 @@ void add_serve(CLI::App& app, ServeOptions& options) {
       ->type_name("NAME|FILE");
   serve
       .add_option("--listen", options.listen,
-                  "address to listen on; beyond this machine needs a token or --insecure")
+                  "address to listen on; any except loopback needs a token or --insecure")
       ->type_name("ADDR")
       ->check(CLI::Validator(check_listen, ""))
       ->capture_default_str();
@@ -124,13 +126,13 @@ void add_serve(CLI::App& app, ServeOptions& options) {
       ->check(parses(parse_clock, ""));
   serve
       .add_option("--max-lines", options.most_lines,
-                  "connections of the robot port open at once; more are closed without a byte")
+                  "maximum number of open robot connections; further ones are closed at once")
       ->type_name("N")
       ->check(CLI::Range(1, kMostLines).description(""))
       ->capture_default_str();
   serve
       .add_option("--port-file", options.port_file,
-                  "write the ports there as JSON once all is ready")
+                  "write the ports to this file as JSON when the server is ready")
       ->type_name("FILE");
   serve.add_option("--log-level", options.log_level, "trace, debug, info, warn, error or off")
       ->type_name("L")

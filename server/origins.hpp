@@ -1,4 +1,4 @@
-// Where the values of options were found that no argument says, so that an error can name the place.
+// The sources of option values that are not arguments, so that error messages can name them.
 #pragma once
 
 #include <map>
@@ -8,17 +8,17 @@
 
 namespace xr3 {
 
-/// From an option (`--robot`) to the place that says it (`XR3_ROBOT`); arguments are not in it.
+/// Maps an option (`--robot`) to the source of its value (`XR3_ROBOT`); without arguments.
 using Origins = std::map<std::string, std::string>;
 
-/// The place that says it, or the option itself.
+/// The source of the option's value; the option itself if it is an argument.
 inline std::string said_as(const Origins& origins, const std::string& option) {
   const auto place = origins.find(option);
   return place == origins.end() ? option : place->second;
 }
 
-/// Does something with the option's file. What is wrong with that begins with the place that says
-/// it, unless that is an argument.
+/// Calls `act`. Prefixes the message of a FileError with the source of the option's value, unless
+/// that is an argument.
 template <class Act>
 auto blaming(const Origins& origins, const std::string& option, Act act) {
   try {

@@ -182,7 +182,7 @@ class PlainFiles(Files):
         self.file("rhino-xr3", "no robot")
         self.assertDone(self.run_here("kin", "--robot", "rhino-xr3", "--joints", "0,0,0,0,0"), "")
         self.assertRefused(self.run_here("kin", "--robot", "absent.txt"), "absent.txt: cannot be read")
-        self.assertRefused(self.run_here("kin", "--robot", "absent"), "no robot is named absent; there are: adept-one")
+        self.assertRefused(self.run_here("kin", "--robot", "absent"), "there is no robot named absent; use one of: adept-one")
 
     def test_what_is_called_json_and_is_none(self):
         for text, words in [("", "x.json:1:"), ('"joints": [1]', "x.json:1:9: found"), ("]", "x.json:1:1: found")]:

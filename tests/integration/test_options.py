@@ -42,12 +42,12 @@ class Environment(Options):
 
     def test_what_is_wrong_is_said_with_the_name(self):
         self.refused("XR3_CLOCK: fast: a clock is", XR3_CLOCK="fast")
-        self.refused("XR3_ROBOT: no robot is named r2d2; there are: adept-one", XR3_ROBOT="r2d2")
+        self.refused("XR3_ROBOT: there is no robot named r2d2; use one of: adept-one", XR3_ROBOT="r2d2")
         self.refused("XR3_WORKCELL: .*absent.json", XR3_WORKCELL="/absent.json")
         self.refused("XR3_TOKEN_FILE: /absent", XR3_TOKEN_FILE="/absent")
         self.refused("XR3_PORT_FILE: /absent/ports: ", "--robot-port", 0, "--monitor-port", 0,
                      XR3_PORT_FILE="/absent/ports")
-        self.refused(r"XR3_LISTEN 0\.0\.0\.0 lets other machines in", XR3_LISTEN="0.0.0.0", XR3_TOKEN="")
+        self.refused(r"XR3_LISTEN 0\.0\.0\.0 accepts other machines", XR3_LISTEN="0.0.0.0", XR3_TOKEN="")
 
     def test_help_names_the_variables(self):
         done = serve("--help")
@@ -97,12 +97,12 @@ class Config(Options):
             self.assertEqual((0, ""), (done.returncode, done.stderr))
 
     def test_what_is_wrong_is_said_with_file_and_line(self):
-        for says, text in [("lab.toml:2: robt: there is no such key; there are: robot, workcell", "\nrobt = 1"),
-                           ("lab.toml:1: token: a secret", f'token = "{TOKEN}"'),
+        for says, text in [("lab.toml:2: robt: unknown key; use one of: robot, workcell", "\nrobt = 1"),
+                           ("lab.toml:1: token: the token must not be", f'token = "{TOKEN}"'),
                            ("lab.toml:1: max-lines: .*20000", "max-lines = 0"),
-                           ("lab.toml:3: robot: no robot is named r2d2", "# a\n\nrobot = 'r2d2'"),
+                           ("lab.toml:3: robot: there is no robot named r2d2", "# a\n\nrobot = 'r2d2'"),
                            ("lab.toml:1: token-file: /absent", "token-file = '/absent'"),
-                           ("lab.toml:1: listen 0.0.0.0 lets", "listen = '0.0.0.0'")]:
+                           ("lab.toml:1: listen 0.0.0.0 accepts", "listen = '0.0.0.0'")]:
             with self.subTest(text):
                 self.refused(".*" + says, "--config", self.file(text))
         self.refused("--config: .*absent.toml: cannot be read", "--config", self.folder / "absent.toml")

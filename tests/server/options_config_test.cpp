@@ -121,33 +121,33 @@ TEST_F(OptionsConfig, CanBeNamedByTheEnvironment) {
 
 TEST_F(OptionsConfig, ItsMistakesAreNamedWithTheirLines) {
   for (const auto& [text, says] : std::initializer_list<std::pair<const char*, const char*>>{
-           {"\n\nrobt = 1", ":3: robt: there is no such key; there are: robot, workcell, "},
-           {"monitor_port = 1", ":1: monitor_port: there is no such key"},
-           {"serve.robot = 1", ":1: serve.robot: there is no such key"},
-           {"help = true", ":1: help: there is no such key"},
-           {"config = \"a\"", ":1: config: there is no such key"},
+           {"\n\nrobt = 1", ":3: robt: unknown key; use one of: robot, workcell, "},
+           {"monitor_port = 1", ":1: monitor_port: unknown key"},
+           {"serve.robot = 1", ":1: serve.robot: unknown key"},
+           {"help = true", ":1: help: unknown key"},
+           {"config = \"a\"", ":1: config: unknown key"},
            {"# x\nrobot-port = 65536", ":2: robot-port: 65536: a port is"},
            {"robot-port = -1", ":1: robot-port: -1: a port is"},
            {"compat = mark4", ":1: compat: mark4: a controller is paper or mark3"},
            {"max-lines = 0", ":1: max-lines: Value 0 not in range"},
-           {"private = maybe", ":1: private: maybe: this is true or false"},
+           {"private = maybe", ":1: private: maybe: a flag is true or false"},
            {"allow-host = [\"a\", \"b:1\"]", ":1: allow-host: b:1: a host is"},
            {"robot = a b", ":1: robot: takes one value"},
            {"compat = [\"paper\", \"mark3\"]", ":1: compat: takes one value"},
-           {"robot = \"a\"\n\nrobot = \"b\"", ":3: robot stands on line 1 already"},
-           {"allow-host = a\nallow-host = b", ":2: allow-host stands on line 1 already"},
+           {"robot = \"a\"\n\nrobot = \"b\"", ":3: robot is already set on line 1"},
+           {"allow-host = a\nallow-host = b", ":2: allow-host is already set on line 1"},
            {"robot =", ":1: there is no value"},
            {"robot = # none", ":1: there is no value"},
-           {"robot = \"\"", ":1: robot: an empty value"},
-           {"private = ''", ":1: private: an empty value"},
+           {"robot = \"\"", ":1: robot: the value is empty"},
+           {"private = ''", ":1: private: the value is empty"},
            {"insecure", ":1: not KEY = VALUE"},
            {"x", ":1: not KEY = VALUE"},
            {"= 3", ":1: not KEY = VALUE"},
-           {"[serve]\nrobot = \"a\"", ":1: sections have no meaning"},
+           {"[serve]\nrobot = \"a\"", ":1: sections are not supported"},
            {"robot = \"my arm#2.json\"", ":1: a quote is not closed"},
            {"robot = 'my arm#2.json'", ":1: a quote is not closed"},
-           {"allow-host = [\n\"a\"]", ":1: a list stands on one line"},
-           {"listen = 0.0.0.0", ":1: listen 0.0.0.0 lets other machines in"},
+           {"allow-host = [\n\"a\"]", ":1: a list must be on one line"},
+           {"listen = 0.0.0.0", ":1: listen 0.0.0.0 accepts other machines"},
            {"private = yes", ":1: private needs a token"}}) {
     EXPECT_THAT(trouble(text), StartsWith(says)) << text;
   }
@@ -155,7 +155,7 @@ TEST_F(OptionsConfig, ItsMistakesAreNamedWithTheirLines) {
 
 TEST_F(OptionsConfig, HoldsNoSecret) {
   const std::string words = trouble("token = \"correct horse battery\"");
-  EXPECT_THAT(words, StartsWith(":1: token: a secret has no place"));
+  EXPECT_THAT(words, StartsWith(":1: token: the token must not be"));
   EXPECT_THAT(words, Not(HasSubstr("horse")));
   EXPECT_THAT(trouble("token = auto"), HasSubstr("token-file"));
 }
