@@ -31,44 +31,44 @@ Answer bad_request(const std::string& message, const std::string& hint) {
 
 Answer not_found(const std::string& message) {
   return error(404, "not_found", message,
-               "there is / /healthz /readyz /metrics /state /robot /workcell /schema/v1.json "
+               "available: / /healthz /readyz /metrics /state /robot /workcell /schema/v1.json "
                "/camera.png /camera.pbm /view.svg and /ws");
 }
 
 Answer method_not_allowed() {
   Answer answer = closing(error(405, "method_not_allowed",
-                                "only GET and HEAD are answered; nothing was changed",
-                                "calls go as JSON lines: {\"op\":\"call\",\"fn\":\"pause\"}"));
+                                "only GET and HEAD are supported; nothing was changed",
+                                "send calls as JSON lines: {\"op\":\"call\",\"fn\":\"pause\"}"));
   answer.fields.push_back({"Allow", "GET, HEAD"});
   return answer;
 }
 
 Answer token_required() {
-  return error(403, "token_required", "reading needs the token here, and HTTP carries none",
-               "connect to /ws or send JSON lines, and begin with {\"op\":\"auth\",\"token\":...}");
+  return error(403, "token_required", "reading needs the token, which HTTP requests cannot carry",
+               "connect to /ws or send JSON lines, and first send {\"op\":\"auth\",\"token\":...}");
 }
 
 Answer too_slow() {
-  return closing(error(408, "timeout", "the request's head did not come within 10 s",
-                       "send it at once, ended by an empty line"));
+  return closing(error(408, "timeout", "the head of the request did not arrive within 10 s",
+                       "send it at once, with an empty line at its end"));
 }
 
 Answer full() {
-  return closing(error(503, "full", "as many connections are open as may be",
+  return closing(error(503, "full", "the maximum number of connections is open",
                        "close some, or try again later"));
 }
 
 std::optional<Answer> refuse_head(HeadFault fault) {
   switch (fault) {
     case HeadFault::kNone: return std::nullopt;
-    case HeadFault::kIncomplete: return bad_request("the request ends within its head");
-    case HeadFault::kMalformed: return bad_request("this is no HTTP/1 request");
+    case HeadFault::kIncomplete: return bad_request("the request ends before the end of its head");
+    case HeadFault::kMalformed: return bad_request("this is not an HTTP/1 request");
     case HeadFault::kVersion:
-      return closing(error(505, "version_not_supported", "only HTTP/1.0 and HTTP/1.1 are spoken",
-                           "tell the client to use HTTP/1.1"));
+      return closing(error(505, "version_not_supported", "only HTTP/1.0 and HTTP/1.1 are supported",
+                           "configure the client to use HTTP/1.1"));
     case HeadFault::kTargetTooLong:
       return closing(error(414, "target_too_long", "a target has at most 8192 bytes",
-                           "no resource here has a long name"));
+                           "no resource has a name that long"));
     case HeadFault::kTooLarge:
       return closing(error(431, "head_too_large", "a head has at most 16384 bytes and 64 fields",
                            "send fewer and shorter fields"));

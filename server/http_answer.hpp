@@ -1,4 +1,4 @@
-// An answer to an HTTP request as a value, and the errors that are answered. It knows no bytes.
+// HTTP responses as values, and the error responses.
 #pragma once
 
 #include <optional>
@@ -11,37 +11,38 @@ namespace xr3::http {
 
 struct Answer {
   unsigned status = 200;
-  std::string type;  ///< of the body
+  std::string type;  ///< Content-Type of the body
   std::string body;
-  std::vector<Field> fields;  ///< further ones
+  std::vector<Field> fields;  ///< additional header fields
   Then then = Then::kKeep;
 };
 
 Answer text(std::string body);
 Answer json(std::string body);
 
-/// `{"error":{"code","message","hint"}}`. The code is stable, the words are for people.
+/// `{"error":{"code","message","hint"}}`. Only the code is stable; programs must not parse the
+/// texts.
 Answer error(unsigned status, const char* code, const std::string& message,
              const std::string& hint);
 
 inline constexpr const char* kRequestHint =
-    "GET /healthz HTTP/1.1 with one Host, lines ended by CR LF";
-/// 400, and the connection ends: what follows cannot be trusted.
+    "an example: GET /healthz HTTP/1.1 with one Host field; CR LF ends each line";
+/// 400. Closes the connection, since the next request cannot be located reliably.
 Answer bad_request(const std::string& message, const std::string& hint = kRequestHint);
 Answer not_found(const std::string& message);
-/// 405; the connection ends, since a body may follow.
+/// 405. Closes the connection, since a body may follow.
 Answer method_not_allowed();
-/// 403 where reading needs the token, which travels in JSON only.
+/// 403: reading requires the token, which only JSON messages can carry.
 Answer token_required();
-/// 408: the head did not come in time.
+/// 408: the head did not arrive in time.
 Answer too_slow();
-/// 503: as many connections are open as may be.
+/// 503: the maximum number of connections is open.
 Answer full();
 
-/// Why a head is refused; nothing where it is not.
+/// The error response for a fault; nullopt for kNone.
 std::optional<Answer> refuse_head(HeadFault fault);
 
-/// The whole answer; without its body where a HEAD asks.
+/// The response as bytes; without the body if the method is HEAD.
 std::string to_bytes(const Answer& answer, std::string_view method);
 
 }  // namespace xr3::http

@@ -11,12 +11,12 @@ constexpr std::chrono::seconds kMostHead{10};
 constexpr std::chrono::seconds kKeptAlive{30};
 constexpr std::string_view kWebsocketPath = "/ws";
 
-/// Empty lines between requests are nothing.
+/// RFC 9112, section 2.2: empty lines before a request line are ignored.
 void skip_line_ends(std::string& bytes) {
   bytes.erase(0, std::min(bytes.find_first_not_of("\r\n"), bytes.size()));
 }
 
-/// More of a head can only matter where it ends a line, or where it is too much.
+/// Parsing an incomplete head again is only useful if new bytes end a line or reach the limit.
 bool is_worth_a_look(std::string_view more, std::size_t bytes) {
   return more.find('\n') != std::string_view::npos || bytes >= http::kMostHeadBytes;
 }
@@ -33,13 +33,13 @@ asio::awaitable<void> HttpSession::run(std::string first_bytes) {
       co_return;
     }
     goes_on = co_await is_served(head);
-    // A client that asks without end lets others have their turn.
+    // Yields between requests, so that pipelined requests do not starve other clients.
     co_await asio::post(socket_.executor(), asio::use_awaitable);
   }
   co_await socket_.linger();
 }
 
-/// The next request. No bytes are left where nothing was asked any more.
+/// Reads the next head. `bytes_` is empty afterwards if the client sent no further request.
 asio::awaitable<http::HeadReading> HttpSession::next_head() {
   http::HeadReading head = http::read_head(bytes_);
   socket_.stop_reading_after(bytes_.empty() ? kKeptAlive : kMostHead);
@@ -61,8 +61,8 @@ asio::awaitable<http::Answer> HttpSession::answer(const http::HeadReading& head)
   if (auto refused = resources_.refuse(head.request)) co_return *std::move(refused);
   if (head.request.path() == kWebsocketPath) {
     if (auto refused = HttpResources::refuse_websocket(head.request)) co_return *std::move(refused);
-    co_return http::bad_request("a WebSocket client waits for 101 before it sends",
-                                "send the head of the handshake alone");
+    co_return http::bad_request("a WebSocket client must wait for 101 before it sends frames",
+                                "send only the head of the handshake");
   }
   co_return co_await resources_.answer(head.request);
 }
@@ -73,7 +73,7 @@ bool HttpSession::is_handshake(const http::HeadReading& head) const {
          !HttpResources::refuse_websocket(head.request);
 }
 
-/// Whether the connection is there for another request afterwards.
+/// Answers the request. Returns whether the connection stays open for another one.
 asio::awaitable<bool> HttpSession::is_served(const http::HeadReading& head) {
   http::Answer given = co_await answer(head);
   if (head.request.then == http::Then::kClose || is_finishing_) given.then = http::Then::kClose;

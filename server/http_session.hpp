@@ -1,5 +1,5 @@
-// HTTP/1 on a connection of the monitor port: one request after the other, kept alive for a while, until
-// one becomes a WebSocket. It knows no resources.
+// HTTP/1 on a connection of the monitor port: answers one request after the other (keep-alive)
+// until the connection closes or is upgraded to WebSocket. HttpResources makes the answers.
 #pragma once
 
 #include <functional>
@@ -14,17 +14,17 @@ namespace xr3 {
 
 class HttpSession {
  public:
-  /// `to_websocket` serves the connection from a handshake's head on, which was checked.
+  /// Serves the connection from a WebSocket handshake on; the head of the handshake is valid.
   using ToWebsocket = std::function<asio::awaitable<void>(std::string head)>;
 
-  /// The socket and the resources outlive it.
+  /// The socket and the resources must outlive the session.
   HttpSession(MonitorSocket& socket, HttpResources& resources, ToWebsocket to_websocket)
       : socket_(socket), resources_(resources), to_websocket_(std::move(to_websocket)) {}
 
-  /// Serves what begins with these bytes until the connection ends.
+  /// Serves the connection until it ends. `first_bytes` have been received already.
   asio::awaitable<void> run(std::string first_bytes);
 
-  /// Answers what has been asked and ends.
+  /// Answers the current request, then ends.
   void finish();
 
  private:
@@ -36,7 +36,7 @@ class HttpSession {
   MonitorSocket& socket_;
   HttpResources& resources_;
   ToWebsocket to_websocket_;
-  std::string bytes_;  ///< received, and not answered yet
+  std::string bytes_;  ///< received, not yet answered
   bool is_finishing_ = false;
 };
 

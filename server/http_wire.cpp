@@ -22,7 +22,7 @@ constexpr unsigned kHttp11 = 11;
 
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
 
-/// Beast would mend these: a field that goes on in the next line is refused here.
+/// Whether a field continues on the next line. Beast would accept it; we refuse it.
 bool has_folded_field(std::string_view head) {
   return head.find("\r\n ") != std::string_view::npos ||
          head.find("\r\n\t") != std::string_view::npos;
@@ -48,7 +48,7 @@ HeadFault fault_of(const Request& request) {
   return request.fields.size() > kMostFields ? HeadFault::kTooLarge : HeadFault::kNone;
 }
 
-/// The request line has three words, the last one some version of HTTP.
+/// Whether the request line has three words, the last one of the form HTTP/d.d.
 bool names_a_version(std::string_view head) {
   constexpr std::string_view kForm = " HTTP/0.0";
   const std::string_view line = head.substr(0, head.find(kLineEnd));
@@ -65,11 +65,11 @@ HeadFault fault_of(const boost::system::error_code& error, std::string_view head
   return is_other_version ? HeadFault::kVersion : HeadFault::kMalformed;
 }
 
-/// A head that is whole, or as much of one as has come, ended here.
+/// Parses a complete head, or a part of one to which the final empty line has been added.
 HeadReading read_whole(std::string_view head) {
   if (has_folded_field(head)) return {HeadFault::kMalformed, {}, 0};
   Parser parser;
-  parser.header_limit(2 * kMostHeadBytes);  // ours is checked before
+  parser.header_limit(2 * kMostHeadBytes);  // never reached: we check our own limit before
   parser.body_limit(boost::none);
   boost::system::error_code error;
   parser.put(boost::asio::buffer(head), error);
@@ -79,7 +79,7 @@ HeadReading read_whole(std::string_view head) {
   return reading;
 }
 
-/// What to say of a line that does not end where heads must.
+/// The fault of a head that exceeds the size limit. `is_first`: it ends within its first line.
 HeadFault unended(std::string_view line, bool is_first) {
   const std::size_t target = is_first ? line.find(' ') : std::string_view::npos;
   const bool has_long_target =
@@ -87,7 +87,7 @@ HeadFault unended(std::string_view line, bool is_first) {
   return has_long_target ? HeadFault::kTargetTooLong : HeadFault::kTooLarge;
 }
 
-/// Lines that have come whole may show already that this will not be a request.
+/// A fault in the lines that are complete; detected before the rest of the head arrives.
 HeadFault fault_so_far(std::string_view received) {
   const std::size_t last = received.rfind('\n');
   if (last == std::string_view::npos) return HeadFault::kNone;
@@ -101,7 +101,7 @@ int hexadecimal(char c) {
   return 'A' <= c && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
-/// Empty where it is broken.
+/// Percent-decodes; empty if an escape is invalid.
 std::string decoded(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {

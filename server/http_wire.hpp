@@ -1,6 +1,6 @@
-// HTTP/1 on the wire, by Boost.Beast: the head of a request from bytes, strictly (CR LF ends each
-// line, no folded fields, bounded in every direction), and the head of an answer to bytes. It knows
-// neither resources nor sockets; its .cpp is one of the two that see Beast.
+// HTTP/1 heads by Boost.Beast: parses request heads strictly (CR LF ends each line, no folded
+// fields, bounded sizes and counts) and formats response heads. No sockets. Only http_wire.cpp and
+// websocket.cpp include Beast.
 #pragma once
 
 #include <cstddef>
@@ -15,34 +15,34 @@ namespace xr3::http {
 inline constexpr std::size_t kMostHeadBytes = 16 * 1024;
 inline constexpr std::size_t kMostTargetBytes = 8 * 1024;
 inline constexpr std::size_t kMostFields = 64;
-/// The only one that /ws speaks.
+/// The only WebSocket subprotocol of /ws.
 inline constexpr std::string_view kSubprotocol = "xr3.v1";
 
-/// What becomes of the connection behind a message.
+/// Whether the connection stays open after a message.
 enum class Then : std::uint8_t { kKeep, kClose };
 
 struct Field {
-  std::string name;   ///< as sent; compared without regard to case
-  std::string value;  ///< without blanks around it
+  std::string name;   ///< as sent; compared case-insensitively
+  std::string value;  ///< without surrounding blanks
 };
 
 struct Request {
   std::string method;
   std::string target;
   std::vector<Field> fields;
-  Then then = Then::kClose;  ///< what the client asks for; with a body, which nobody reads: kClose
-  bool is_upgrade = false;   ///< it asks for WebSocket, whatever is missing for that
+  Then then = Then::kClose;  ///< as requested; kClose if there is a body, which is not read
+  bool is_upgrade = false;   ///< requests WebSocket, perhaps incompletely
 
-  /// Every value of a field, in order.
+  /// All values of a field, in order.
   std::vector<std::string_view> values(std::string_view name) const;
-  /// The target up to its question mark.
+  /// The target without the query.
   std::string_view path() const;
-  /// The first value of a parameter behind the question mark, decoded, and empty where that cannot be;
-  /// nothing where it is not given.
+  /// The first value of a query parameter, percent-decoded; empty if it cannot be decoded, nullopt
+  /// if it is absent.
   std::optional<std::string> parameter(std::string_view name) const;
 };
 
-/// Why a head is refused, or that it is not.
+/// Why a head is refused.
 enum class HeadFault : std::uint8_t {
   kNone,
   kIncomplete,
@@ -54,18 +54,18 @@ enum class HeadFault : std::uint8_t {
 
 struct HeadReading {
   HeadFault fault = HeadFault::kNone;
-  Request request;             ///< where there is no fault
-  std::size_t head_bytes = 0;  ///< of it; what follows was not looked at
+  Request request;             ///< valid if there is no fault
+  std::size_t head_bytes = 0;  ///< size of the head; the bytes after it are not parsed
 };
 
-/// Reads a head from the front of what was received. kIncomplete: more of it may still mend it.
+/// Parses the head at the start of the received bytes. kIncomplete: it may become valid with more.
 HeadReading read_head(std::string_view received);
 
-/// The head of an answer, with the fields that keep browsers careful, and the empty line behind it.
+/// The head of a response, with the safety fields and the final empty line.
 std::string head_text(unsigned status, const std::vector<Field>& fields, std::size_t body_bytes,
                       Then then);
 
-/// Those fields, for answers that are made elsewhere.
+/// The security-related fields of every response.
 const std::vector<Field>& safety_fields();
 
 }  // namespace xr3::http
