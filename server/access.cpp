@@ -21,7 +21,7 @@ Digest digest(std::string_view text) {
 
 }  // namespace
 
-// Digests are compared: they are equally long, so that the time does not tell the token's length.
+// Compares digests, which have equal lengths, so that the time does not reveal the token's length.
 bool AccessPolicy::is_right(std::string_view token) const {
   const Digest given = digest(token);
   const Digest wanted = digest(rules_.token);

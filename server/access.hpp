@@ -1,6 +1,7 @@
-// Who may do what on the monitor port: which pages are let in, whether calls and reading need the
-// token, and whether a token is the right one. Only the bind address counts, never a peer's: behind
-// a container's port forwarder every peer may be this machine. It knows no connection.
+// Access control of the monitor port: which web pages are allowed, whether calls and reading
+// require the token, and the check of a token. It depends on the bind address, never on the peer's
+// address: behind a container's port forwarder every peer can appear to be this machine.
+// Independent of connections.
 #pragma once
 
 #include <cstdint>
@@ -11,27 +12,26 @@
 
 namespace xr3 {
 
-/// Whether looking at the cell needs the token, too.
+/// Whether reading the cell requires the token, too.
 enum class Reading : std::uint8_t { kFree, kWithToken };
 
 struct AccessRules {
   http::GuardRules guard;
   Reading reading = Reading::kFree;
-  std::string token;  ///< empty: there is none, and everybody let in may call
+  std::string token;  ///< empty: calls require no token
 };
 
 class AccessPolicy {
  public:
-  /// This machine's own clients, without a token.
+  /// Clients on this machine only, without a token.
   AccessPolicy() = default;
   explicit AccessPolicy(AccessRules rules) : rules_(std::move(rules)) {}
 
-  /// Calls need the token.
+  /// Whether calls require the token.
   bool needs_token() const { return !rules_.token.empty(); }
-  /// Reading needs it as well. Never true where there is no token.
+  /// Whether reading requires it, too. Always false without a token.
   bool is_private() const { return needs_token() && rules_.reading == Reading::kWithToken; }
-  /// Whether this is the token, in a time that does not tell how much of it is right. False where
-  /// there is none.
+  /// Compares in constant time. Always false if no token is set.
   bool is_right(std::string_view token) const;
 
   bool is_host_allowed(std::string_view host) const {

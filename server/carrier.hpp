@@ -1,4 +1,4 @@
-// What carries a viewer's messages: JSON lines or a WebSocket, as the viewer and the audience see it.
+// Interface of the transports of monitor sessions: JSON lines and WebSocket.
 #pragma once
 
 #include "server/prefetch.hpp"
@@ -9,10 +9,11 @@ class Carrier {
  public:
   virtual ~Carrier() = default;
 
-  /// There is output: takes it by next_output(), now or when the connection is writable.
+  /// Called when there is output. Fetches it with next_output(), now or when the connection is
+  /// writable.
   virtual void pump() = 0;
 
-  /// pump() will come soon: brings what it will touch, the first pointer's and then the second's.
+  /// Prefetches the memory that a following pump() will access at this depth.
   virtual void prefetch(Depth depth) const = 0;
 };
 

@@ -1,4 +1,4 @@
-// What each call does to a cell.
+// The effect of each call on a cell.
 #include <algorithm>
 #include <utility>
 
@@ -10,7 +10,7 @@ namespace xr3 {
 namespace {
 
 call::Refused clock_running(std::string_view call) {
-  return {"clock_running", std::string(call) + " needs standing time; the clock is real",
+  return {"clock_running", std::string(call) + " needs the manual clock; the clock is real",
           "call pause first, or start with --clock manual"};
 }
 
@@ -29,7 +29,7 @@ call::Refused no_such_snapshot(const std::string& name) {
   return {"no_such_snapshot", "there is no snapshot " + name, "snapshot_save makes one"};
 }
 
-/// The same blocks, wherever they lie.
+/// Whether the blocks are equal except for their positions.
 bool are_same_things(const std::vector<Block>& a, const std::vector<Block>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Block& x, const Block& y) {
     return x.name == y.name && x.size_um == y.size_um && x.color == y.color;
@@ -82,7 +82,7 @@ call::Outcome Cell::carry_out(const call::RunUntil& run, WallNs now) {
   return call::Done{reached, state().tick - start, nullptr};
 }
 
-/// Standing time has been moved on from `start`.
+/// Synchronizes the clock and the counters after the manual clock advanced from `start`.
 void Cell::stood(Tick start, WallNs now) {
   clock_.set_tick(state().tick, now);
   counters_.ticks += static_cast<std::uint64_t>(state().tick - start);
@@ -96,7 +96,7 @@ call::Outcome Cell::carry_out(const call::Reset&, WallNs now) {
   return call::Done{};
 }
 
-// The note stands at the first tick of the new epoch and tells where the old one ended.
+// The note has the first tick of the new epoch and contains the last tick of the old one.
 void Cell::begin_epoch(std::string_view call, WallNs now, const std::function<void()>& change) {
   for (const auto& [id, line] : lines_) tell_all(id, warnings_.forget(id));
   const EpochNote note{call, epoch_, state().tick};
@@ -191,7 +191,7 @@ call::Outcome Cell::carry_out(const call::SaveSnapshot& save, WallNs) {
   const auto saved =
       std::make_shared<const SavedCell>(robot_hash(model()), model().workcell(), state());
   if (save.name.empty() && !monitor::fits_a_request(*saved)) {
-    return call::Refused{"limit", "the snapshot is longer than a request may be, 256 KiB",
+    return call::Refused{"limit", "the snapshot exceeds the maximum size of a request, 256 KiB",
                          "save under a name"};
   }
   if (!save.name.empty()) snapshots_[save.name] = saved;

@@ -9,10 +9,10 @@ namespace xr3 {
 namespace {
 
 constexpr auto kNever = std::chrono::steady_clock::time_point::max();
-// What is handed to the system at once: messages, and bytes after which no further one is added.
+// Limits of one write: the number of messages, and the bytes after which no message is added.
 constexpr std::size_t kMostBatch = 16;
 constexpr std::size_t kBatchBytes = 64 * 1024;
-// A message below this is copied to stand beside its line end.
+// A single message below this size is copied, together with its line end, into one buffer.
 constexpr std::size_t kMostCopied = 4096;
 constexpr std::string_view kLineEnd = "\n";
 
@@ -48,8 +48,8 @@ asio::awaitable<void> JsonLines::run(std::string first_bytes, monitor::Tongue to
   co_await socket_->linger();
 }
 
-/// Carries out what the lines ask for, one after the other, while the client takes the answers. Each
-/// has a turn of the loop for itself, so that a robot line waits for one of them at most.
+/// Handles the buffered requests one after the other, only while the client reads the answers.
+/// Yields to the event loop before each one, so that a robot line waits for at most one request.
 asio::awaitable<void> JsonLines::answer_lines() {
   for (bool is_first = true; socket_->is_open() && !viewer_->has_ended(); is_first = false) {
     co_await until_there_is_room();
@@ -67,7 +67,7 @@ asio::awaitable<void> JsonLines::until_there_is_room() {
   while (viewer_->is_full() && socket_->is_open()) co_await progress_.async_wait(kAwait);
 }
 
-// A client that has stopped sending may still follow something.
+// A client that has stopped sending may still have subscriptions.
 asio::awaitable<void> JsonLines::until_all_is_written() {
   pump();
   while (!is_done()) co_await progress_.async_wait(kAwait);
@@ -105,7 +105,7 @@ void JsonLines::prefetch(Depth depth) const {
   depth == Depth::kCarried ? xr3::prefetch(socket_.get()) : socket_->prefetch();
 }
 
-// The common case, a frame for one of a thousand viewers: one buffer is half the work of two.
+// The common case, a frame for one of a thousand clients: one buffer costs half as much as two.
 bool JsonLines::is_one_and_small() const {
   return out_.size() == 1 && written_ == 0 && out_.front()->size() < kMostCopied;
 }

@@ -1,5 +1,5 @@
-// JSON lines over TCP: a thin shell around a viewer. Lines go in one after the other while the client
-// takes its answers; messages go out as long as the connection takes them.
+// A monitor session over TCP with JSON lines. Reads requests one at a time, only while the client
+// reads its answers; writes messages as fast as the connection accepts them.
 #pragma once
 
 #include <cstddef>
@@ -18,23 +18,23 @@ namespace xr3 {
 
 class JsonLines : public std::enable_shared_from_this<JsonLines>, private Carrier {
  public:
-  /// Says hello. `service` outlives it.
+  /// Sends `hello`. `service` must outlive the session.
   static std::shared_ptr<JsonLines> greet(std::shared_ptr<MonitorSocket> socket,
                                           MonitorService& service);
 
-  /// Serves what begins with these bytes until the connection ends.
+  /// Serves the connection until it ends. `first_bytes` have been received already.
   asio::awaitable<void> run(std::string first_bytes, monitor::Tongue tongue);
 
-  /// Takes no further request, says `bye` and ends.
+  /// Accepts no further request, sends `bye` and ends.
   void finish();
 
-  /// The client has stopped sending; it may be gone altogether, which only writing can tell.
+  /// The client has shut down its sending side. It may be gone; only a write can detect that.
   bool only_listens() const { return is_answered_; }
 
-  /// Whoever waits looks again: the connection is gone.
+  /// Resumes waiting coroutines after the connection was lost.
   void wake();
 
-  /// The viewer leaves, once run() is done or has never begun.
+  /// Destroys the monitor session. Precondition: run() has finished or was never called.
   void retire() { viewer_.reset(); }
 
  private:
@@ -54,15 +54,15 @@ class JsonLines : public std::enable_shared_from_this<JsonLines>, private Carrie
   void wait_for_room();
   void written(std::size_t count);
 
-  // (What every message touches comes first.)
+  // Members used for every message come first, for cache locality.
   std::shared_ptr<MonitorSocket> socket_;
   std::vector<monitor::Message> out_;  ///< being written, each with a line end
-  std::size_t written_ = 0;            ///< bytes of the first of them
+  std::size_t written_ = 0;            ///< bytes of the first message that are written
   std::size_t out_bytes_ = 0;
-  bool is_blocked_ = false;  ///< the connection takes nothing at the moment
+  bool is_blocked_ = false;  ///< waiting until the connection is writable
   bool is_pumping_ = false;
-  bool is_answered_ = false;     ///< no further request will come
-  asio::steady_timer progress_;  ///< never expires; cancelled when something was written
+  bool is_answered_ = false;     ///< no further request will be handled
+  asio::steady_timer progress_;  ///< never expires; cancelled to resume waiting coroutines
   std::unique_ptr<Viewer> viewer_;
   monitor::Lines lines_;
 };

@@ -1,4 +1,4 @@
-// The calls of the monitor's clients: those of the cell, and those that need lines or the list of calls.
+// The monitor's calls: those of the cell, and those on serial lines and the list of calls.
 #include <chrono>
 #include <utility>
 
@@ -40,7 +40,7 @@ monitor::RequestError timeout(const monitor::After& after, std::uint64_t bytes_i
           {}};
 }
 
-/// The state in a client's snapshot could never have been on this robot.
+/// The error if a client's snapshot has a state that is impossible on this robot; else nullopt.
 std::optional<monitor::RequestError> misfit(const Model& model, const call::Call& call) {
   const auto* load = std::get_if<call::LoadSnapshot>(&call);
   if (load == nullptr || !load->saved || load->saved->robot_hash != robot_hash(model))
@@ -75,7 +75,7 @@ Json line_json(LineId id, const Line& line) {
 asio::awaitable<void> MonitorService::call(Viewer& viewer, monitor::Request request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   const bool in_standing_time = cell_.clock().mode() == ClockMode::kManual;
-  if (wanted.after && in_standing_time) {  // running time is refused without waiting
+  if (wanted.after && in_standing_time) {  // a running clock is refused below, without waiting
     Error error = co_await wait_for(*wanted.after);
     if (error) {
       viewer.client().send(refused(request.id, *std::move(error)));
@@ -98,7 +98,7 @@ asio::awaitable<void> MonitorService::call(Viewer& viewer, monitor::Request requ
   acted_();
 }
 
-// --- The cell's own.
+// --- Calls of the cell.
 
 asio::awaitable<MonitorService::Error> MonitorService::wait_for(monitor::After after) {
   robot_port_.take_in();
@@ -110,8 +110,8 @@ asio::awaitable<MonitorService::Error> MonitorService::wait_for(monitor::After a
   co_return timeout(after, cell_.bytes_in(after.line).value_or(0));
 }
 
-// Nothing suspends between taking in the bytes that have arrived and the call that must follow
-// them.
+// Not a coroutine: nothing may run between reading the bytes that have arrived and the call that
+// must see their effect.
 monitor::Message MonitorService::call_cell(monitor::Request& request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   if (moves_time(wanted)) robot_port_.take_in();
@@ -159,7 +159,8 @@ monitor::Message MonitorService::send(Viewer& viewer, const monitor::Request& re
                         ? *open_line
                         : cell_.apply(LineOpened{"monitor", LineKind::kMonitor}, wall_now()).line;
   if (!is_open) viewer.set_own_line(id);
-  // Camera images fill the outbox: what is behind them is for the next call, so that none takes long.
+  // Camera images can fill the outbox. The client sends the rest of the bytes with the next call,
+  // so that no call takes long.
   const std::size_t taken = cell_.apply(BytesIn{id, bytes}, wall_now()).bytes_taken;
   Line& line = *cell_.find_line(id);
   const std::string replies(line.outbox());

@@ -123,7 +123,7 @@ void MonitorSocket::stop_reading() {
   socket_->shutdown(tcp::socket::shutdown_receive, ignored);
 }
 
-// (Its timers end with it.)
+// (The destructors of the timers cancel them.)
 MonitorSocket::~MonitorSocket() {
   ErrorCode ignored;
   socket_->close(ignored);

@@ -1,5 +1,5 @@
-// A TCP connection of the monitor port with its patience: reading, writing to a client that may
-// take nothing, and closing so that the last words still arrive. It knows no language.
+// A TCP connection of the monitor port: reading and writing with time limits, and closing without
+// losing the last bytes sent. Independent of the protocol.
 #pragma once
 
 #include <array>
@@ -17,54 +17,55 @@ namespace xr3 {
 
 class MonitorSocket {
  public:
-  /// The socket is non-blocking. Dead peers are found by TCP keepalive.
+  /// Precondition: the socket is non-blocking. TCP keepalive detects dead peers.
   explicit MonitorSocket(tcp::socket socket);
   MonitorSocket(const MonitorSocket&) = delete;
   MonitorSocket& operator=(const MonitorSocket&) = delete;
   ~MonitorSocket();
 
   bool is_open() const { return socket_->is_open(); }
-  /// For those who bring their own way of reading and writing.
+  /// For users that do their own I/O (WebSocket).
   tcp::socket& stream() { return *socket_; }
   asio::any_io_executor executor() const { return socket_->get_executor(); }
 
-  /// Some bytes, valid until the next read. Empty: the client has stopped sending, or, if the
-  /// socket is not open any more, the connection is lost.
+  /// Received bytes, valid until the next read. Empty if the client has stopped sending, or if the
+  /// connection is lost (is_open() is then false).
   asio::awaitable<std::string_view> read();
 
-  /// Sends all of it. False: the connection is lost, or the client took no byte for 30 s.
+  /// Sends all bytes. False if the connection is lost or the client accepted no byte for 30 s.
   asio::awaitable<bool> send(std::string_view bytes);
 
-  /// Sends as much as the connection takes now, and returns how much that was; 0 and not open where it
-  /// is lost.
+  /// Sends as much as the connection accepts now; returns the number of bytes. Closes a lost
+  /// connection and returns 0.
   std::size_t send_some(std::span<const asio::const_buffer> buffers);
 
-  /// Brings what send_some() will touch.
+  /// Prefetches the memory that send_some() will access.
   void prefetch() const { xr3::prefetch(socket_.get()); }
 
-  /// Calls `ready` when more can be sent, or when the connection is lost, at the latest after 30 s.
+  /// Calls `ready` when more can be sent or the connection is lost, after at most 30 s.
   void when_writable(std::function<void()> ready);
 
-  /// Waits a moment, reading and forgetting, for the client to close, so that what was sent last is
-  /// not destroyed by what it is still sending; then closes.
+  /// Shuts down the sending side, then reads and discards for up to 500 ms until the client closes;
+  /// then closes. Otherwise bytes that the client is still sending would cause a reset, which can
+  /// destroy the last bytes sent to it.
   asio::awaitable<void> linger();
 
-  /// Closes when so much time has passed, unless it is called off.
+  /// Closes after this time, unless cancelled by call_off().
   void close_after(std::chrono::milliseconds time);
-  /// Reads no more when so much time has passed, unless it is called off: read() then finds an end.
+  /// Stops reading after this time, unless cancelled by call_off(): read() then returns nothing.
   void stop_reading_after(std::chrono::milliseconds time);
-  /// It was stopped by that.
+  /// Whether stop_reading_after() has stopped reading.
   bool has_waited_enough() const { return *has_waited_enough_; }
   void call_off() { deadline_.cancel(); }
 
-  /// No byte is read any more; what can be sent still is.
+  /// Stops reading; sending is still possible.
   void stop_reading();
   void close();
 
  private:
   asio::awaitable<bool> wait_until_writable();
 
-  std::shared_ptr<tcp::socket> socket_;  ///< shared with timers that close it
+  std::shared_ptr<tcp::socket> socket_;  ///< shared with the handlers of the timers, which close it
   std::shared_ptr<bool> has_waited_enough_ = std::make_shared<bool>(false);
   asio::steady_timer deadline_;
   asio::steady_timer stuck_;

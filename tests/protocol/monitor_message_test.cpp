@@ -46,11 +46,11 @@ TEST(MonitorMessage, Results) {
   EXPECT_EQ(*result({}, Json::object()), R"({"op":"result","id":null,"ok":true,"value":{}})");
   EXPECT_EQ(*result({std::int64_t{11},
                      "clock_running",
-                     "step needs standing time; the clock is real",
+                     "step needs the manual clock; the clock is real",
                      "call pause first, or start with --clock manual",
                      {}}),
             R"({"op":"result","id":11,"ok":false,"error":{"code":"clock_running",)"
-            R"("message":"step needs standing time; the clock is real",)"
+            R"("message":"step needs the manual clock; the clock is real",)"
             R"("hint":"call pause first, or start with --clock manual","details":[]}})");
 }
 

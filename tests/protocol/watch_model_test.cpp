@@ -171,8 +171,8 @@ TEST(WatchModel, KeysWithoutTheTokenSaySo) {
 TEST(WatchModel, RepeatsWhatTheServerRefusedUntilTheNextKey) {
   WatchModel model = test::watched_model();
   model.take(R"({"op":"result","id":"key","ok":false,"error":{"code":"clock_running",)"
-             R"("message":"step needs standing time","hint":"","details":[]}})");
-  EXPECT_EQ(model.known().said, "step needs standing time");
+             R"("message":"step needs the manual clock","hint":"","details":[]}})");
+  EXPECT_EQ(model.known().said, "step needs the manual clock");
   model.ask(Action::kPauseOrResume);
   EXPECT_EQ(model.known().said, "");
 }
