@@ -1,5 +1,5 @@
-// Asio under the names that the server uses, with its one completion token: no exception for an I/O
-// error, a coroutine resumes with (error, result).
+// The Asio headers and names that the server uses, and its completion token: coroutines resume with
+// (error, result) instead of an exception.
 #pragma once
 
 #include <boost/asio/as_tuple.hpp>

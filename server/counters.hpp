@@ -1,5 +1,5 @@
-// What a cell and its viewers have counted since the server started, for /metrics: plain numbers
-// that only grow, but for those that say "now". It knows neither the cell nor any text format.
+// Statistics of a cell and its monitor clients since the start of the server, for /metrics. All are
+// monotonic counters, except those marked "now".
 #pragma once
 
 #include <array>
@@ -16,10 +16,10 @@ namespace xr3 {
 inline constexpr std::size_t kCommandKinds = std::variant_size_v<Command>;
 using monitor::kChannels;
 
-/// Frames of one latest-wins channel, or messages of a ring, over all clients.
+/// Frames of a latest-wins channel, or messages of a ring, over all clients.
 struct ChannelCounters {
   std::uint64_t sent = 0;
-  std::uint64_t overwritten = 0;  ///< in a client's slot, before it was writable; or off the ring
+  std::uint64_t overwritten = 0;  ///< before they were sent: in a client's slot, or in the ring
 };
 
 struct CellCounters {

@@ -1,4 +1,4 @@
-// Fingerprints of what can be compared: equal texts have equal ones, on every machine. By nettle.
+// SHA-256 digests (nettle). Portable: the same on every machine.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace xr3 {
 /// `sha256:` and 64 hexadecimal digits.
 std::string sha256(std::string_view text);
 
-/// Of what must be the same for a snapshot to fit: the robot, and the profile.
+/// The digest of robot and profile. A snapshot can be loaded only if it has the same.
 std::string robot_hash(const Model& model);
 
 }  // namespace xr3

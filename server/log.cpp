@@ -14,7 +14,7 @@
 namespace xr3 {
 namespace {
 
-/// A message as one line that moves no terminal: clients choose names, and names may hold any character.
+/// Escapes control characters (C0, DEL and C1): names chosen by clients may contain any character.
 std::string one_line(std::string_view formatted) {
   std::string line;
   for (const char c : formatted.substr(0, formatted.size() - 1)) {
@@ -31,8 +31,8 @@ std::string one_line(std::string_view formatted) {
   return line + '\n';
 }
 
-// A parent that starts xr3 with a pipe and never reads it must not stop the robot. A pipe that polls
-// writable takes PIPE_BUF bytes at once; what is longer is cut to that.
+// A parent process that never reads our standard error must not block the robot. A pipe that polls
+// writable accepts PIPE_BUF bytes without blocking; longer messages are cut.
 class PatientSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
   static constexpr std::size_t kMostBytes = 4096;
 
@@ -43,13 +43,13 @@ class PatientSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex>
     pollfd ready{STDERR_FILENO, POLLOUT, 0};
     if (::poll(&ready, 1, 0) != 1 || (ready.revents & POLLOUT) == 0) return;
     const auto written = ::write(STDERR_FILENO, text.data(), std::min(text.size(), kMostBytes));
-    (void)written;  // nobody is left to be told
+    (void)written;  // an error cannot be reported anywhere
   }
   void flush_() override {}
 };
 
-// What the machine tells is for debugging, but for what a student has to know even if nothing was
-// asked: a stall, and warnings that come with time.
+// Events of the machine are debug messages, except those that a user must see: stalls, and warnings
+// that no command caused.
 spdlog::level::level_enum level_of(const CellNote& note) {
   const auto* body = std::get_if<EventBody>(&note);
   const bool matters = body == nullptr || std::holds_alternative<Stalled>(*body) ||
@@ -57,7 +57,8 @@ spdlog::level::level_enum level_of(const CellNote& note) {
   return matters ? spdlog::level::info : spdlog::level::debug;
 }
 
-/// Where and with which code. What happened to lines, clock and model is named by its own sentence.
+/// The prefix: line or cell, tick, and code. Events of lines, clock and model need no code: their
+/// sentences suffice.
 std::string before(const CellEvent& event) {
   const std::string at = " @" + std::to_string(event.tick) + ": ";
   const bool is_named = !std::holds_alternative<EventBody>(event.note) &&
@@ -68,7 +69,7 @@ std::string before(const CellEvent& event) {
   return where + at + std::string(code_of(event)) + ": ";
 }
 
-/// What the sentence leaves out.
+/// The suffix: counts and offsets that the sentence does not contain.
 std::string behind(const CellNote& note) {
   if (const auto* problem = std::get_if<ProblemNote>(&note)) {
     return fmt::format("; byte {}{}", problem->offset,

@@ -1,4 +1,4 @@
-// The log on standard error. It never makes the server wait: what a full pipe cannot take is dropped.
+// The log on standard error. It never blocks: messages are dropped while a pipe is full.
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@ namespace xr3 {
 /// Makes spdlog's default logger write to standard error from `level` up (trace, debug, ... off).
 void start_log(const std::string& level);
 
-/// Writes an event of a cell: problems and lines at info, the machine's motion at debug.
+/// Logs an event of a cell: the machine's events at debug, except stalls and warnings; all others
+/// at info.
 void log_event(const CellEvent& event, const Model& model);
 
 }  // namespace xr3

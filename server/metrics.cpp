@@ -18,7 +18,7 @@ using prometheus::ClientMetric;
 using prometheus::MetricFamily;
 using prometheus::MetricType;
 
-/// Commands with several codes are counted under what these have in common.
+/// The label of a command; one label for commands with several codes.
 std::string kind_of(const Command& command) {
   if (std::holds_alternative<SetAuxiliary>(command)) return "auxiliary";
   if (std::holds_alternative<SetOutput>(command)) return "output";
@@ -30,13 +30,13 @@ std::vector<std::string> kinds(std::index_sequence<Index...>) {
   return {kind_of(Command(std::in_place_index<Index>))...};
 }
 
-/// The names of the commands, by index in Command.
+/// The labels of the commands, by index in Command.
 const std::vector<std::string>& command_kinds() {
   static const auto names = kinds(std::make_index_sequence<kCommandKinds>());
   return names;
 }
 
-/// Families of metrics for one cell.
+/// Builds the metric families of one cell.
 class Page {
  public:
   explicit Page(const std::string& cell) : cell_(cell) {}
@@ -52,7 +52,7 @@ class Page {
   void begin(const std::string& name, const std::string& help, MetricType type) {
     families_.push_back({"xr3_" + name, help, type, {}});
   }
-  /// One more sample of the family that was begun last.
+  /// Adds a sample to the family of the last begin().
   void add(std::vector<ClientMetric::Label> labels, double value) {
     ClientMetric metric;
     metric.label = std::move(labels);
@@ -79,17 +79,17 @@ std::string channel_name(std::size_t index) {
 double number(std::uint64_t count) { return static_cast<double>(count); }
 
 void add_lines(Page& page, const CellCounters& counters) {
-  page.gauge("lines_open", "Serial lines that are open.", number(counters.lines_open));
+  page.gauge("lines_open", "Open serial lines.", number(counters.lines_open));
   page.counter("lines_total", "Serial lines opened since the start.", number(counters.lines_total));
   page.counter("bytes_in_total", "Bytes received on serial lines.", number(counters.bytes_in));
-  page.counter("bytes_out_total", "Bytes replied on serial lines.", number(counters.bytes_out));
+  page.counter("bytes_out_total", "Bytes sent on serial lines.", number(counters.bytes_out));
 }
 
 void add_commands(Page& page, const CellCounters& counters) {
-  page.begin("commands_total", "Commands carried out, by kind.", MetricType::Counter);
+  page.begin("commands_total", "Commands executed, by kind.", MetricType::Counter);
   for (std::size_t i = 0; i < kCommandKinds; ++i)
     page.add({{"kind", command_kinds()[i]}}, number(counters.commands.at(i)));
-  page.begin("warnings_total", "Bytes that were not obeyed, by code.", MetricType::Counter);
+  page.begin("warnings_total", "Problems and warnings, by code.", MetricType::Counter);
   for (const auto& [code, count] : counters.warnings)
     page.add({{"code", std::string(code)}}, number(count));
 }
@@ -101,11 +101,11 @@ void add_time(Page& page, const CellCounters& counters) {
 }
 
 void add_viewers(Page& page, const CellCounters& counters) {
-  page.gauge("viewers", "Clients of the monitor that are connected.", number(counters.viewers));
-  page.begin("frames_sent_total", "Messages of a channel given to clients.", MetricType::Counter);
+  page.gauge("viewers", "Connected monitor clients.", number(counters.viewers));
+  page.begin("frames_sent_total", "Messages sent to clients, by channel.", MetricType::Counter);
   for (std::size_t i = 0; i < kChannels; ++i)
     page.add({{"channel", channel_name(i)}}, number(counters.channels.at(i).sent));
-  page.begin("frames_overwritten_total", "Messages of a channel that clients were too slow for.",
+  page.begin("frames_overwritten_total", "Messages that slow clients missed, by channel.",
              MetricType::Counter);
   for (std::size_t i = 0; i < kChannels; ++i)
     page.add({{"channel", channel_name(i)}}, number(counters.channels.at(i).overwritten));
