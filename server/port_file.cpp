@@ -34,7 +34,7 @@ void write_port_file(const std::string& path, const PortFile& content) {
   if (file && !error) return;
   std::error_code ignored;
   std::filesystem::remove(draft, ignored);
-  throw FileError(path + ": the port file cannot be written there");
+  throw FileError(path + ": the port file cannot be written");
 }
 
 std::uint16_t read_monitor_port(const std::string& path) {
@@ -43,7 +43,7 @@ std::uint16_t read_monitor_port(const std::string& path) {
   const bool is_port = port != json.end() && port->is_number_unsigned() && *port > 0 &&
                        *port <= std::numeric_limits<std::uint16_t>::max();
   if (is_port) return port->get<std::uint16_t>();
-  throw FileError(path + ": names no monitor port; xr3 serve --port-file writes such a file");
+  throw FileError(path + ": contains no monitor port; xr3 serve --port-file writes such a file");
 }
 
 }  // namespace xr3

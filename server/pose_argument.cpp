@@ -52,7 +52,8 @@ std::vector<double> parse_numbers(const std::string& text) {
     std::istringstream in(item);
     double number = 0;
     if (!(in >> number) || !(in >> std::ws).eof() || !std::isfinite(number)) {
-      throw std::invalid_argument(text + ": numbers between commas are wanted, as in 0,-39.5,110");
+      throw std::invalid_argument(text +
+                                  ": expected numbers separated by commas, as in 0,-39.5,110");
     }
     numbers.push_back(number);
   }

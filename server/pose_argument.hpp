@@ -1,4 +1,4 @@
-// A pose as it is given on a command line: joint variables in degrees and mm, brought to whole counts.
+// A pose given on the command line: joint variables in degrees and mm, converted to counts.
 #pragma once
 
 #include <optional>
@@ -10,17 +10,18 @@
 
 namespace xr3 {
 
-/// An argument that cannot be obeyed; the message says which, and what is allowed.
+/// An invalid argument; the message names it and the allowed values.
 class ArgumentError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Numbers between commas, as in "0,-39.01,109.89". Throws std::invalid_argument.
+/// Numbers separated by commas, such as "0,-39.01,109.89". Throws std::invalid_argument.
 std::vector<double> parse_numbers(const std::string& text);
 
-/// Positions nearest to joint variables from the base on (degrees or mm; none: the soft home) and to a
-/// tool variable. Throws ArgumentError for a wrong number of them, or one beyond its limits.
+/// The counts nearest to the joint variables, from the base on (degrees or mm; none: soft home),
+/// and to the tool variable. Throws ArgumentError for a wrong number of values or one out of its
+/// limits.
 Positions pose_argument(const Model& model, const std::vector<double>& joints,
                         std::optional<double> tool);
 

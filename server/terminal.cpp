@@ -25,7 +25,7 @@ namespace {
 constexpr int kEscapeDelayMs = 25;
 
 struct Look {
-  short color;  ///< -1: the terminal's own
+  short color;  ///< -1: the terminal's default
   attr_t attributes;
 };
 
@@ -51,9 +51,8 @@ void start_colors() {
 
 [[noreturn]] void refuse_terminal() {
   const char* type = std::getenv("TERM");
-  throw std::runtime_error("a terminal of the type " +
-                           std::string(type ? type : "(TERM is not set)") +
-                           " cannot show screens; xr3 watch --once prints one as text");
+  throw std::runtime_error("a terminal of type " + std::string(type ? type : "(TERM is not set)") +
+                           " cannot draw screens; xr3 watch --once prints one as text");
 }
 
 bool can_move_its_cursor() {
@@ -61,13 +60,13 @@ bool can_move_its_cursor() {
   if (setupterm(nullptr, STDOUT_FILENO, &trouble) == ERR) return false;
   char name[] = "cup";
   const char* sequence = tigetstr(name);
-  // NOLINTNEXTLINE(performance-no-int-to-ptr): so terminfo says that this is no text
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): terminfo's value for "not a string"
   const bool can = sequence != nullptr && sequence != reinterpret_cast<char*>(-1);
   del_curterm(cur_term);
   return can;
 }
 
-/// A number of the environment, if it is one that a screen can have.
+/// The variable's value if it is in 1...1000, else `otherwise`.
 int environment_size(const char* name, int otherwise) {
   constexpr int kMost = 1000;
   const char* text = std::getenv(name);
@@ -123,7 +122,7 @@ Terminal::~Terminal() {
   delscreen(screen_->screen);
 }
 
-// Cells of one style in a row are sent together.
+// Consecutive cells of the same style are sent together.
 void Terminal::show(const TextScreen& screen) {
   erase();
   for (int row = 0; row < screen.rows(); ++row) {

@@ -1,5 +1,5 @@
-// The terminal that xr3 was started in, as a place for whole screens and a source of keys. ncurses is
-// behind it and nowhere else. It catches no signal of its own but that of Ctrl-Z.
+// Full-screen output and key input on the terminal, by ncurses, which only terminal.cpp includes.
+// Handles no signal except that of Ctrl-Z.
 #pragma once
 
 #include <memory>
@@ -11,35 +11,35 @@ namespace xr3 {
 
 enum class Colors : std::uint8_t { kYes, kNo };
 
-/// Whether standard output is a terminal at all.
+/// Whether standard output is a terminal.
 bool is_terminal();
-/// Whether the locale's letters are those of UTF-8.
+/// kUnicode if the encoding of the locale is UTF-8.
 Letters letters_of_locale();
 
-/// Rows and columns.
 struct TerminalSize {
   int rows = 24;
   int columns = 80;
 };
-/// That of the terminal behind standard output; without one LINES and COLUMNS, or 24 x 80.
+/// The size of the terminal on standard output; without one LINES and COLUMNS, or 24 x 80.
 TerminalSize terminal_size();
 
 class Terminal {
  public:
-  /// Takes the terminal over. Throws std::runtime_error where its type has no way to draw screens.
+  /// Switches to full-screen mode. Throws std::runtime_error if the type of the terminal cannot
+  /// move its cursor.
   Terminal(Letters letters, Colors colors);
-  /// Leaves it as it was.
+  /// Restores the terminal.
   ~Terminal();
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// Shows it; only what differs from the last one is sent.
+  /// Displays the screen; sends only the differences to the previous one.
   void show(const TextScreen& screen);
-  /// Tells that the terminal has another size now, and should be painted as a whole.
+  /// Call after the size of the terminal has changed. The next show() repaints everything.
   void resize();
 
-  /// A key that was pressed, as its letter; nothing where there is none left. Escape is '\x1B'; keys
-  /// that are no letters are 0.
+  /// The next key from the input queue; nullopt if it is empty. Escape is '\x1B'; keys without an
+  /// ASCII character are 0.
   std::optional<char> key();
 
  private:

@@ -14,7 +14,7 @@
 namespace xr3 {
 namespace {
 
-using RandomBytes = std::array<std::uint8_t, 24>;  // 32 letters, 192 bits
+using RandomBytes = std::array<std::uint8_t, 24>;  // 192 bits, 32 characters in base64url
 
 bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }
 
@@ -32,13 +32,14 @@ RandomBytes random_bytes() {
   RandomBytes bytes{};
   for (std::size_t done = 0; done < bytes.size();) {
     const ::ssize_t got = ::getrandom(bytes.data() + done, bytes.size() - done, 0);
-    if (got < 0 && errno != EINTR) throw TokenError("the system gives no random bytes for a token");
+    if (got < 0 && errno != EINTR)
+      throw TokenError("cannot get random bytes for a token from the system");
     if (got > 0) done += static_cast<std::size_t>(got);
   }
   return bytes;
 }
 
-/// RFC 4648, section 5; three bytes are four letters.
+/// RFC 4648, section 5: three bytes become four characters.
 std::string base64url(const RandomBytes& bytes) {
   static_assert(RandomBytes{}.size() % 3 == 0);
   constexpr const char* kLetters =

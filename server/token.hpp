@@ -1,5 +1,5 @@
-// The secret that calls on the monitor port need: where it comes from. It is read once, at the start,
-// and is never an argument of the process nor in its log.
+// The token that calls on the monitor port require, and its sources. It is read once, at the start.
+// It never appears in the arguments of the process or in the log.
 #pragma once
 
 #include <cstddef>
@@ -16,28 +16,28 @@ struct NoToken {};
 struct TokenFile {
   std::string path;
 };
-/// What XR3_TOKEN holds.
+/// The value of XR3_TOKEN.
 struct TokenInEnvironment {};
-/// Made for this run, and told to whoever started it.
+/// Generated for this run and printed on standard error.
 struct FreshToken {};
 using TokenSource = std::variant<NoToken, TokenFile, TokenInEnvironment, FreshToken>;
 
 inline constexpr const char* kTokenVariable = "XR3_TOKEN";
 
-/// No token where one was announced, or one that is none; the message says what to do, without it.
+/// A missing or invalid token; the message never contains the token.
 class TokenError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Whether XR3_TOKEN holds anything: an empty one counts as not set.
+/// Whether XR3_TOKEN is set; an empty value counts as unset.
 bool is_token_in_environment();
 
-/// The token, empty where there is none to be. A file's last line end is left out. Throws TokenError,
-/// and FileError for a file that cannot be read.
+/// The token; empty for NoToken. The last line end of a file is removed. Throws TokenError, or
+/// FileError if the file cannot be read.
 std::string read_token(const TokenSource& source);
 
-/// Whether the file's rights let others than its owner and group read it.
+/// Whether the file's permissions let users other than its owner and group read it.
 bool others_may_read(const std::string& path);
 
 }  // namespace xr3

@@ -1,4 +1,4 @@
-// `xr3 watch`: a terminal view of a monitor port, which comes back by itself when the server does.
+// `xr3 watch`: shows a robot in the terminal, through the monitor port. Reconnects automatically.
 #pragma once
 
 #include "server/exit_code.hpp"
@@ -6,9 +6,10 @@
 
 namespace xr3 {
 
-/// Until a key or a signal ends it. With --once, or where standard output is no terminal, one screen
-/// as text: kNoServer, with a sentence on standard error, if nobody answers within a few seconds;
-/// kBadInput if the server refuses what was asked for. Throws FileError or TokenError for --token-file.
+/// Runs until a key or a signal ends it. With --once, or if standard output is not a terminal,
+/// prints one screen as text: returns kNoServer, with a sentence on standard error, if no server
+/// answers within a few seconds; kBadInput if the server refuses the request. Throws FileError or
+/// TokenError for --token-file.
 ExitCode watch_cell(const WatchOptions& options);
 
 }  // namespace xr3

@@ -1,5 +1,5 @@
-// One client's connections to a monitor port, one after the other: each is found, opened and read
-// line by line into a WatchModel. It knows no terminal.
+// The monitor connection of `xr3 watch`: resolves the address, connects, and feeds the messages to
+// a WatchModel. Can be run again after a connection has ended. Independent of the terminal.
 #pragma once
 
 #include <functional>
@@ -18,13 +18,13 @@ class WatchConnection {
   /// The options and the model must outlive it.
   WatchConnection(asio::io_context& context, const WatchOptions& options, watch::WatchModel& model);
 
-  /// Connects and feeds the model until the connection ends, calling `on_news` after each lot of
-  /// messages. Returns why it ended, in words, without a stop.
+  /// Connects and feeds the model until the connection ends; calls `on_news` after each read.
+  /// Returns the reason for the end, as text without a full stop.
   asio::awaitable<std::string> run(std::function<void()> on_news);
 
-  /// Sends these bytes behind those before; they are lost where there is no connection.
+  /// Queues the bytes for sending; discards them if there is no connection.
   void send(const std::string& bytes);
-  /// Ends what `run` is doing, whatever it is.
+  /// Ends run() in any phase.
   void close();
 
  private:
@@ -40,11 +40,11 @@ class WatchConnection {
   watch::WatchModel& model_;
   tcp::resolver resolver_;
   tcp::socket connecting_;
-  asio::steady_timer deadline_;  ///< for the greeting, then for an answer to each ping
+  asio::steady_timer deadline_;  ///< for `hello`, then for the answer to each ping
   bool is_late_ = false;
-  bool has_heard_ = false;                 ///< since the last ping
-  std::shared_ptr<MonitorSocket> socket_;  ///< none while there is no connection
-  std::string line_;                       ///< the beginning of the next message
+  bool has_heard_ = false;                 ///< data received since the last ping
+  std::shared_ptr<MonitorSocket> socket_;  ///< nullptr without a connection
+  std::string line_;                       ///< the incomplete next message
   std::string unsent_;
   bool is_sending_ = false;
 };

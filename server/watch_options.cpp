@@ -26,7 +26,7 @@ std::string check_address(const std::string& text) {
 
 }  // namespace
 
-// An IPv6 address has colons of its own: with a port it stands in brackets.
+// With a port, an IPv6 address must be in brackets, since it contains colons itself.
 void set_address(WatchOptions& options, const std::string& address) {
   std::string host = address;
   std::string port = "9601";
@@ -48,22 +48,22 @@ void set_address(WatchOptions& options, const std::string& address) {
 
 void add_watch(CLI::App& app, WatchOptions& options) {
   CLI::App& watch =
-      *app.add_subcommand("watch", "look at a robot from a terminal, by its monitor port");
+      *app.add_subcommand("watch", "show a robot in the terminal, through its monitor port");
   watch
       .add_option_function<std::string>(
           "address", [&options](const std::string& text) { set_address(options, text); },
           "the monitor port (default localhost:9601)")
       ->type_name("HOST:PORT")
       ->check(CLI::Validator(check_address, ""));
-  watch.add_option("--cell", options.cell, "which cell (default: the server's first)")
+  watch.add_option("--cell", options.cell, "the cell to show (default: the server's first)")
       ->type_name("NAME");
   watch
       .add_option("--token-file", options.token_file,
-                  "file with the token, for keys that act (default: what XR3_TOKEN holds)")
+                  "file with the token, needed by keys that make calls (default: XR3_TOKEN)")
       ->type_name("FILE");
-  watch.add_flag("--once", options.is_once, "print one screen as text, and leave");
+  watch.add_flag("--once", options.is_once, "print one screen as text and exit");
   watch.add_flag("--no-color", options.is_plain, "no colours; NO_COLOR does the same");
-  watch.add_flag("--ascii", options.is_ascii, "no letters beyond ASCII");
+  watch.add_flag("--ascii", options.is_ascii, "use only ASCII characters");
 }
 
 }  // namespace xr3

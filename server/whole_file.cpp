@@ -26,7 +26,7 @@ bool write_all(int file, const std::string& text) {
   return ::fsync(file) == 0;
 }
 
-/// The draft; it is removed again unless it has taken the file's name.
+/// A draft file; the destructor removes it unless take_name() has renamed it.
 class Draft {
  public:
   explicit Draft(const fs::path& target)
@@ -50,11 +50,11 @@ class Draft {
     if (::close(file) != 0 || !is_written) fail(target_, std::strerror(why));
   }
 
-  /// False if there is a file to be kept.
+  /// Renames the draft. False if the target exists and is to be kept.
   bool take_name(Existing existing) {
     const unsigned flags = existing == Existing::kKeep ? RENAME_NOREPLACE : 0;
     int failed = ::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target_.c_str(), flags);
-    if (failed != 0 && flags != 0 && errno == EINVAL) {  // a file system that cannot promise it
+    if (failed != 0 && flags != 0 && errno == EINVAL) {  // the file system has no RENAME_NOREPLACE
       std::error_code ignored;
       if (fs::exists(target_, ignored)) return false;
       failed = ::rename(path_.c_str(), target_.c_str());

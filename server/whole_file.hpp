@@ -1,4 +1,4 @@
-// Writes data files whole or not at all: a draft beside the file takes its name when it is complete.
+// Writes files atomically: a complete draft in the same folder is renamed to the file's name.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,13 @@
 
 namespace xr3 {
 
-/// What becomes of a file that is there already.
+/// What to do with an existing file.
 enum class Existing : std::uint8_t { kKeep, kReplace };
 
-/// Writes the text to a file. `check` gets the draft as it can be read again, before it takes its name.
-/// False, and nothing is changed, if there is a file to be kept. Throws FileError, or what `check`
-/// throws; nothing is changed then, either. A link is followed; the file's rights are kept.
+/// Writes the text to a file. Before the rename it reads the draft back and passes it to `check`,
+/// which may throw. Returns false if the file exists and `existing` is kKeep. Throws FileError.
+/// After false or an exception nothing is changed. Follows symbolic links; keeps the permissions of
+/// the file.
 bool write_whole_file(const std::filesystem::path& path, const std::string& text, Existing existing,
                       const std::function<void(const DataFile&)>& check);
 

@@ -22,7 +22,8 @@ namespace {
 
 constexpr const char* kUsualRobot = "rhino-xr3";
 
-/// Standard input by lines, until its end or a signal that asks to stop. Only one may exist at a time.
+/// Reads standard input by lines, until its end or a signal to stop. At most one instance at a
+/// time.
 class Input {
  public:
   enum class End : std::uint8_t { kNone, kOfInput, kSignal };
@@ -32,13 +33,13 @@ class Input {
   Input(const Input&) = delete;
   Input& operator=(const Input&) = delete;
 
-  /// The next line without its end; nothing once there is none any more.
+  /// The next line without its line end; nullopt after the last one.
   std::optional<std::string> line();
   End end() const { return end_; }
   bool is_terminal() const { return is_terminal_; }
 
  private:
-  static constexpr std::size_t kLongest = 65536;  // more without a line end is cut into lines
+  static constexpr std::size_t kLongest = 65536;  // longer input is split
   static constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
   static void stop(int signal);
@@ -68,7 +69,8 @@ Input::~Input() {
   ::close(nothing);
 }
 
-/// Interrupts a read that waits; one that is just about to wait finds an input at its end instead.
+/// Signal handler. The signal interrupts a blocked read; a read that is just about to block gets
+/// the end of /dev/null instead.
 void Input::stop(int signal) {
   const int before = errno;
   stopped = signal;
@@ -94,7 +96,7 @@ std::string Input::take(std::size_t length, std::size_t line_end) {
   return line;
 }
 
-/// Of a pipe, what stands behind the last line end is a line, too.
+/// From a pipe, text after the last line end is a line, too.
 std::optional<std::string> Input::line() {
   while (end_ == End::kNone) {
     const std::size_t end = text_.find('\n');
@@ -108,13 +110,13 @@ std::optional<std::string> Input::line() {
 
 void show(const std::string& text) { std::cout << text << std::flush; }
 
-/// Why a file cannot be used: what is wrong in it, or that it is of the other kind.
+/// The error for an unusable file: its findings, or that it is of the other kind.
 DataError unusable(const CheckResult& data, const std::string& file, const std::string& wanted) {
   if (!data.is_good()) return DataError(data.findings);
   return DataError({{Severity::kError, file, 1, 0, "", "a file of the other kind", wanted}});
 }
 
-/// The robot asked for; else the one that the file is named after; else the Rhino.
+/// The robot of --robot; else the one with the file's name; else the Rhino.
 Robot robot_for(const WorkcellOptions& options) {
   std::string name = options.robot;
   if (name.empty()) name = std::filesystem::path(options.file).stem();
@@ -131,10 +133,10 @@ Workcell workcell_in(const DataFile& data) {
   return *std::move(result.workcell);
 }
 
-/// Better told now than when the work is done.
+/// Checked at the start, so that no work is lost when saving.
 void check_target(const std::filesystem::path& file) {
   if (file.extension() != ".json") {
-    throw FileError(file.string() + ": a workcell is written as JSON, so its name ends in .json");
+    throw FileError(file.string() + ": a workcell is written as JSON; its name must end in .json");
   }
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   if (::access(folder.c_str(), W_OK) != 0) {
@@ -143,7 +145,7 @@ void check_target(const std::filesystem::path& file) {
   }
 }
 
-/// `--from`, else the file itself if it is there, else nothing.
+/// Starts from --from, else from the file itself if it exists, else from nothing.
 DialogueStart start_of(const WorkcellOptions& options) {
   check_target(options.file);
   DialogueStart start{options.file, std::nullopt, "", robot_for(options)};
@@ -172,12 +174,12 @@ DialogueTurn write(const WorkcellOptions& options, const DialogueTurn& turn,
   }
 }
 
-/// A line at the dialogue; what is piped in is shown as if it were typed.
+/// Passes a line to the dialogue. Piped input is echoed as if it were typed.
 DialogueTurn take_line(Input& input, WorkcellDialogue& dialogue) {
   const std::optional<std::string> line = input.line();
   if (!line) {
     show("\n");
-    return dialogue.leave(input.end() == Input::End::kSignal ? "Broken off" : "End of input");
+    return dialogue.leave(input.end() == Input::End::kSignal ? "Interrupted" : "End of input");
   }
   if (!input.is_terminal()) show(*line + "\n");
   return dialogue.take(*line);

@@ -194,7 +194,7 @@ class Healthcheck(unittest.TestCase):
                 with self.subTest(text):
                     ports.write_text(text, encoding="ascii")
                     for wait in [], ["--wait", "0.1"]:
-                        self.unhealthy("ports.json: names no monitor port", "--port-file", ports, *wait, code=2)
+                        self.unhealthy("ports.json: contains no monitor port", "--port-file", ports, *wait, code=2)
             self.unhealthy("is a folder", "--port-file", folder, code=2)
 
     def test_waits_for_a_port_file_that_is_still_written(self):

@@ -151,7 +151,7 @@ class Editor(unittest.TestCase):
         self.assertEqual(["lab.json"], os.listdir(self.folder), "no drafts are left")
 
     def test_ctrl_d_and_ctrl_c_leave_without_writing(self):
-        for key, words in (CTRL_D, "End of input"), (CTRL_C, "Broken off"):
+        for key, words in (CTRL_D, "End of input"), (CTRL_C, "Interrupted"):
             with self.subTest(words), Terminal(self.folder, "lab.json") as terminal:
                 terminal.wait("Name [my workcell]: ")
                 terminal.answer("Lab 7", "Notes: ")
@@ -166,7 +166,7 @@ class Editor(unittest.TestCase):
             terminal.wait("Name [my workcell]: ")
             os.kill(terminal.pid, signal.SIGTERM)
             shown, code = terminal.wait_end()
-        self.assertIn("Broken off: left without writing", shown)
+        self.assertIn("Interrupted: left without writing", shown)
         self.assertEqual(2, code)
 
     def pipe(self, *arguments, lines, end="\n"):
