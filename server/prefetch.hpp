@@ -1,6 +1,6 @@
-// Memory that will be needed soon is asked for ahead. Each of a thousand viewers is cold when its turn
-// comes, and what it holds hangs on a chain of pointers: waiting for one after the other was half of
-// what the server itself spent on a message.
+// Prefetches memory that will be accessed soon. With a thousand monitor sessions each one is out of
+// cache when its turn comes, and its data are reached through a chain of pointers: these cache
+// misses were half of the server's own time per message.
 #pragma once
 
 #include <algorithm>
@@ -9,12 +9,12 @@
 
 namespace xr3 {
 
-/// How many pointers away from a viewer something is. Each depth is asked for a viewer later than the
-/// one before, which by then has brought the pointer.
+/// Distance from a session in pointers. The prefetch of each depth runs one session later than that
+/// of the previous depth, which by then has loaded the pointer.
 enum class Depth : std::uint8_t { kItself, kHeld, kCarried, kSocket };
 inline constexpr std::size_t kDepths = 4;
 
-/// Asks the processor to bring an object, or the first part of a great one. Never waits.
+/// Prefetches an object, or the first 512 bytes of a large one. Does not block.
 template <class Object>
 void prefetch(const Object* object) {
   constexpr std::size_t kLineBytes = 64;

@@ -16,7 +16,7 @@ int released(tcp::socket socket) {
 
 bool must_wait() { return errno == EAGAIN || errno == EWOULDBLOCK; }
 
-/// Carries out a system call that a signal may interrupt.
+/// Repeats a system call while signals interrupt it.
 template <class Call>
 ssize_t whole(const Call& call) {
   ssize_t count = call();

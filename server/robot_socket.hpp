@@ -1,5 +1,5 @@
-// A TCP connection of the robot port, read and written without waiting. It is no Asio socket: the event
-// loop would watch each one, and a thousand lines are cheaper watched together (`line_watch`).
+// A TCP connection of the robot port with non-blocking I/O. It is not an Asio socket: the event
+// loop would watch each one, and watching a thousand lines together is cheaper (`line_watch`).
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,8 @@ namespace xr3 {
 
 class RobotSocket {
  public:
-  /// Takes the connection, non-blocking, out of Asio's hands. Dead peers are found by TCP keepalive.
+  /// Takes over the descriptor of the socket, which must be non-blocking. TCP keepalive detects
+  /// dead peers.
   explicit RobotSocket(tcp::socket socket);
   RobotSocket(const RobotSocket&) = delete;
   RobotSocket& operator=(const RobotSocket&) = delete;
@@ -21,12 +22,12 @@ class RobotSocket {
   bool is_open() const { return descriptor_ >= 0; }
   int descriptor() const { return descriptor_; }
 
-  /// How many bytes there were. 0: none now, or none ever, which has_ended() and is_lost() tell.
+  /// The number of bytes read. 0: none now, or none any more if has_ended() or is_lost().
   std::size_t read(std::span<char> into);
-  /// How many bytes the connection took now. 0: none, or it is lost.
+  /// The number of bytes written. 0: none now, or is_lost().
   std::size_t write(std::string_view bytes);
 
-  /// The client sends no more.
+  /// The client has shut down its sending side.
   bool has_ended() const { return has_ended_; }
   /// The connection is broken.
   bool is_lost() const { return is_lost_; }

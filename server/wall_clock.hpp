@@ -1,4 +1,4 @@
-// The only clock of the program: nanoseconds of the steady clock.
+// Wall time: nanoseconds of the steady clock. No other clock drives the simulation.
 #pragma once
 
 #include <chrono>
@@ -12,7 +12,7 @@ inline WallNs wall_now() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(since_start).count();
 }
 
-/// The moment as Asio's steady timers take it.
+/// Converts a moment for Asio's steady timers.
 inline std::chrono::steady_clock::time_point as_time_point(WallNs moment) {
   const std::chrono::nanoseconds since_start{moment};
   return std::chrono::steady_clock::time_point{

@@ -1,6 +1,6 @@
-// Keeps a line of garbage from drowning everybody else: a run of one code on one line becomes one
-// note with a count, and a line gets at most so many notes in a simulated second, then one that says
-// how many were left out.
+// Rate limiter for warnings, so that invalid bytes on one line do not flood log and event channel.
+// It merges consecutive problems of a line with the same code into one note with a count, limits
+// the notes per line and simulated second, and then reports the number suppressed.
 #pragma once
 
 #include <map>
@@ -16,21 +16,22 @@ class WarningGate {
  public:
   static constexpr int kMostNotesPerSecond = 64;
 
-  /// Counts one more problem into the run that stands open, if it has this code: then nothing is due.
+  /// If the current run has this code, counts the problem into it and returns true: no note is due.
   bool extends_run(LineId line, Tick tick, std::string_view code);
 
-  /// Takes one problem of a line at a tick; returns the notes that are due now, in order.
+  /// Adds a problem of a line; returns the notes that are due now, in order.
   std::vector<CellNote> take(LineId line, Tick tick, ProblemNote note);
 
-  /// The run that still stands open on a line ends: at the end of a read, or before another event.
+  /// Ends the current run of a line, at the end of a read or before another event; returns the
+  /// notes that are due.
   std::vector<CellNote> finish(LineId line, Tick tick);
 
-  /// Some notes were left out, and nobody was told yet.
+  /// Whether suppressed warnings have not been reported yet.
   bool owes_words() const { return owed_ > 0; }
-  /// What is owed for seconds that are over, by line.
+  /// The reports that are due for completed seconds, by line.
   std::vector<std::pair<LineId, CellNote>> words_owed(Tick tick);
 
-  /// The line is closed, or a new epoch begins: returns what is still owed.
+  /// Removes a line that closes, or whose epoch ends; returns its pending notes.
   std::vector<CellNote> forget(LineId line);
 
  private:
@@ -46,7 +47,7 @@ class WarningGate {
   void pay(PerLine& line, std::vector<CellNote>& due);
 
   std::map<LineId, PerLine> lines_;
-  std::size_t owed_ = 0;  ///< lines of which notes were left out
+  std::size_t owed_ = 0;  ///< number of lines with unreported suppressed warnings
 };
 
 }  // namespace xr3

@@ -21,12 +21,12 @@ using Clock = std::chrono::steady_clock;
 
 constexpr auto kNever = Clock::time_point::max();
 constexpr std::chrono::seconds kMostHandshake{10};
-// For the client to answer the close frame.
+// Time for the client to answer the close frame.
 constexpr std::chrono::milliseconds kMostFarewell{500};
-// Requests answered in one turn of the loop.
+// Requests handled before yielding to the event loop.
 constexpr int kFairShare = 64;
 
-/// The connection as Beast sees it: it tells when a byte was taken last.
+/// The stream below Beast. Records when the connection last accepted bytes.
 class Wire {
  public:
   using executor_type = tcp::socket::executor_type;
@@ -38,7 +38,7 @@ class Wire {
   auto async_read_some(const Buffers& buffers, Token&& token) {
     return socket_.async_read_some(buffers, std::forward<Token>(token));
   }
-  // A write is begun where the one before has taken something.
+  // Beast starts a write after the previous one has made progress.
   template <class Buffers, class Token>
   auto async_write_some(const Buffers& buffers, Token&& token) {
     last_progress_ = Clock::now();
@@ -66,7 +66,7 @@ using Handshake = beast::http::request<beast::http::empty_body>;
 
 Handshake parsed(const std::string& head) {
   beast::http::request_parser<beast::http::empty_body> parser;
-  parser.header_limit(2 * http::kMostHeadBytes);  // ours was checked before
+  parser.header_limit(2 * http::kMostHeadBytes);  // never reached: our own limit was checked before
   ErrorCode error;
   parser.put(asio::buffer(head), error);
   return parser.release();
@@ -109,16 +109,16 @@ class BeastWebsocket final : public Websocket, private Carrier {
   MonitorService& service_;
   WebsocketPatience patience_;
   ws::stream<Wire> stream_;
-  std::unique_ptr<Viewer> viewer_;  ///< once the handshake is done
-  beast::flat_buffer received_;     ///< bounded by the greatest message
+  std::unique_ptr<Viewer> viewer_;  ///< after the handshake
+  beast::flat_buffer received_;     ///< bounded by the maximum message size
   monitor::Message message_;        ///< being written
-  asio::steady_timer progress_;     ///< never expires; cancelled when something was written
+  asio::steady_timer progress_;     ///< never expires; cancelled to resume waiting coroutines
   asio::steady_timer watch_;
-  Clock::time_point heard_;  ///< anything, from the client
+  Clock::time_point heard_;  ///< when the client last sent anything
   bool is_reading_ = false;
   bool is_closing_ = false;
   bool is_pinging_ = false;
-  bool is_pinged_ = false;  ///< since it was heard last
+  bool is_pinged_ = false;  ///< a ping was sent after `heard_`
 };
 
 BeastWebsocket::BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorService& service,
@@ -129,7 +129,7 @@ BeastWebsocket::BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorSer
       stream_(socket_->stream()),
       progress_(socket_->executor(), kNever),
       watch_(socket_->executor()) {
-  // The watch is ours: Beast's would also run while a call waits and nothing is read.
+  // We use our own idle timer: Beast's would also run while a call waits and nothing is read.
   stream_.set_option(ws::stream_base::timeout{kMostHandshake, ws::stream_base::none(), false});
   stream_.read_message_max(monitor::kMostMessageBytes);
   stream_.auto_fragment(false);
@@ -156,7 +156,7 @@ asio::awaitable<bool> BeastWebsocket::is_accepted(const std::string& head) {
   const bool has_offer = handshake.count("Sec-WebSocket-Protocol") > 0;
   stream_.set_option(ws::stream_base::decorator([has_offer](ws::response_type& answer) {
     if (has_offer) answer.set("Sec-WebSocket-Protocol", http::kSubprotocol);
-    answer.set(beast::http::field::server, "xr3");  // else Beast names itself
+    answer.set(beast::http::field::server, "xr3");  // default: Beast's name
     for (const http::Field& field : http::safety_fields()) answer.set(field.name, field.value);
   }));
   stream_.control_callback([this](ws::frame_type, beast::string_view) { heard_ = Clock::now(); });
@@ -178,9 +178,10 @@ asio::awaitable<void> BeastWebsocket::take_messages() {
   }
 }
 
-/// Reads the next message; false where there is none that can be taken: the connection is over then.
+/// Reads the next message. False if the connection has ended, or was closed because of a binary
+/// message.
 asio::awaitable<bool> BeastWebsocket::is_text_read() {
-  heard_ = Clock::now();  // whatever it said while nothing was read, it has had no chance
+  heard_ = Clock::now();  // nothing was read until now: no silence of the client
   is_reading_ = true;
   const auto [error, count] = co_await stream_.async_read(received_, kAwait);
   is_reading_ = false;
@@ -200,7 +201,8 @@ asio::awaitable<void> BeastWebsocket::until_there_is_room() {
 
 // --- Out.
 
-// One message is on its way at a time, the shared text itself; the next one is taken when it is out.
+// Writes one message at a time, directly from the shared text; written() calls this for the next
+// one.
 void BeastWebsocket::pump() {
   if (message_ || is_closing_ || !viewer_ || !socket_->is_open()) return;
   message_ = viewer_->next_output();
@@ -257,7 +259,7 @@ void BeastWebsocket::look_after(Clock::time_point now) {
 }
 
 void BeastWebsocket::ping() {
-  if (is_pinging_ || is_closing_) return;  // the last one has not gone out yet
+  if (is_pinging_ || is_closing_) return;  // is_pinging_: the last ping is not sent yet
   is_pinging_ = true;
   stream_.async_ping({}, [self = self()](ErrorCode) { self->is_pinging_ = false; });
 }

@@ -1,5 +1,5 @@
-// WebSocket on a connection of the monitor port, by Boost.Beast: a thin shell around a viewer, one object
-// a text message. Its .cpp is one of the two that see Beast.
+// A monitor session over WebSocket (Boost.Beast): each text message is one JSON object. Only
+// websocket.cpp and http_wire.cpp include Beast.
 #pragma once
 
 #include <chrono>
@@ -12,30 +12,30 @@
 
 namespace xr3 {
 
-/// How long a silent or stuck client is borne with.
+/// Time limits for silent or stuck clients.
 struct WebsocketPatience {
   std::chrono::milliseconds before_ping{15'000};   ///< of silence
-  std::chrono::milliseconds before_close{30'000};  ///< of silence, or without taking a byte
+  std::chrono::milliseconds before_close{30'000};  ///< of silence, or without accepting a byte
 };
 
 class Websocket : public std::enable_shared_from_this<Websocket> {
  public:
-  /// `service` outlives it.
+  /// `service` must outlive the session.
   static std::shared_ptr<Websocket> make(std::shared_ptr<MonitorSocket> socket,
                                          MonitorService& service, WebsocketPatience patience = {});
   virtual ~Websocket() = default;
 
-  /// Accepts the handshake, whose whole head this is and which was checked, and serves the connection
-  /// until it ends.
+  /// Accepts the handshake and serves the connection until it ends. Precondition: `head` is
+  /// complete and valid.
   virtual asio::awaitable<void> run(std::string head) = 0;
 
-  /// Takes no further request, says `bye`, closes with 1001 and ends.
+  /// Accepts no further request, sends `bye`, closes with status 1001 and ends.
   virtual void finish() = 0;
 
-  /// Whoever waits looks again: the connection is gone.
+  /// Resumes waiting coroutines after the connection was lost.
   virtual void wake() = 0;
 
-  /// The viewer leaves, once run() is done.
+  /// Destroys the monitor session. Precondition: run() has finished.
   virtual void retire() = 0;
 };
 
