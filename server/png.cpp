@@ -8,7 +8,8 @@
 namespace xr3 {
 namespace {
 
-// Two colours pack well as they are: harder work takes five times as long for a third fewer bytes.
+// Images with two colours compress well at a low level: higher levels take five times as long for a
+// third fewer bytes.
 constexpr int kCompression = 2;
 
 void append(png_structp png, png_bytep bytes, png_size_t count) {
@@ -21,7 +22,7 @@ void append(png_structp png, png_bytep bytes, png_size_t count) {
 
 void stay_silent(png_structp, png_const_charp) {}
 
-/// libpng's two handles, as long as they are needed.
+/// Owns libpng's two handles.
 struct Writer {
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, stay_silent);
   png_infop info = png_create_info_struct(png);
@@ -31,7 +32,7 @@ struct Writer {
   ~Writer() { png_destroy_write_struct(&png, &info); }
 };
 
-/// Eight pixels a byte, the leftmost one highest.
+/// Eight pixels per byte, the leftmost in the highest bit.
 std::vector<png_byte> packed_row(const Image& image, int row) {
   std::vector<png_byte> bytes((static_cast<std::size_t>(image.width()) + 7) / 8);
   for (int column = 0; column < image.width(); ++column) {

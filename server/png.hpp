@@ -1,4 +1,4 @@
-// Pixels as a PNG file, by libpng.
+// PNG encoding (libpng).
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace xr3 {
 
-/// The bytes of a file with red, green and blue of 8 bits each.
+/// The bytes of an RGB file, 8 bits per channel.
 std::string to_png(const Raster& raster);
 
-/// The bytes of a file with one bit a pixel, 1 as white.
+/// The bytes of a file with one bit per pixel; 1 is white.
 std::string to_png(const Image& image);
 
 }  // namespace xr3

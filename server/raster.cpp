@@ -16,7 +16,7 @@ double distance(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen:
   return (p - a - along * way).norm();
 }
 
-/// Whole pixels low...high - 1, cut to a sheet of `size`.
+/// The pixels low...high - 1, clipped to 0...size.
 struct Span {
   int low;
   int high;
@@ -34,8 +34,8 @@ std::uint8_t blended(std::uint8_t below, std::uint8_t above, float cover) {
       std::lround(static_cast<float>(below) * (1 - cover) + static_cast<float>(above) * cover));
 }
 
-/// Draws one polyline at a time: first how much of each pixel it covers, then its colour once, so that
-/// it does not grow darker where its lines meet.
+/// Draws one polyline at a time: first computes its coverage of each pixel, then blends its colour
+/// once, so that joints of the polyline are not darker.
 class Pen {
  public:
   explicit Pen(Raster& raster) : raster_(raster), cover_(raster.pixels.size()) {}

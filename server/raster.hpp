@@ -1,5 +1,5 @@
-// A picture as pixels: round-ended lines with soft edges on white, by the distance of each pixel's
-// centre from the line. Why our own: docs/decisions/0007-pictures.md.
+// Rasterizes a picture: anti-aliased lines with round ends, by the distance of each pixel's centre
+// from the line. Why we do not use a library: docs/decisions/0007-pictures.md.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ struct Raster {
   std::vector<Rgb> pixels;  ///< row by row from the top
 };
 
-/// Lines beyond the sheet are cut off.
+/// Lines are clipped at the edges.
 Raster rasterized(const Picture& picture);
 
 }  // namespace xr3

@@ -1,5 +1,6 @@
-# Run by the build (cmake -D DIST=... -D OUTPUT=... -P): writes a C++ file in which the assembler finds
-# every file of the viewer's DIST folder and the table of them. No DIST, or an empty one: an empty table.
+# Run by the build (cmake -D DIST=... -D OUTPUT=... -P). Writes a C++ file that embeds every file of
+# the viewer's folder DIST with .incbin, and a table of them. The table is empty if DIST is empty or
+# missing.
 file(GLOB_RECURSE files RELATIVE "${DIST}" "${DIST}/*")
 list(SORT files)
 set(externs "")
@@ -19,7 +20,7 @@ set(text "// Made by server/web_assets.cmake.\n#include \"server/web_assets_tabl
 if(count GREATER 0)
   string(APPEND text
     "asm(\".pushsection .rodata\\n\"\n${bytes}    \".popsection\\n\");\n\n"
-    "// NOLINTBEGIN(readability-identifier-naming): names of the assembler's\n"
+    "// NOLINTBEGIN(readability-identifier-naming): assembler symbols\n"
     "extern \"C\" {\n${externs}}\n"
     "// NOLINTEND(readability-identifier-naming)\n\n"
     "static const xr3::EmbeddedFile kFiles[] = {\n${rows}};\n\n"

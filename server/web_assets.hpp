@@ -1,4 +1,4 @@
-// The viewer's files as they are linked into the binary; none where it was built without the viewer.
+// The viewer's files embedded in the binary; none if it was built without the viewer.
 #pragma once
 
 #include <string_view>
@@ -6,11 +6,11 @@
 namespace xr3 {
 
 struct WebAsset {
-  std::string_view type;  ///< as Content-Type tells it
+  std::string_view type;  ///< the Content-Type
   std::string_view bytes;
 };
 
-/// The file under a path such as `/assets/main.js`, or `/index.html`. No type where there is none.
+/// The file with a path such as `/assets/main.js`. `type` is empty if it does not exist.
 WebAsset find_web_asset(std::string_view path);
 
 }  // namespace xr3
