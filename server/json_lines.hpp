@@ -57,7 +57,7 @@ class JsonLines : public std::enable_shared_from_this<JsonLines>, private Carrie
   // Members used for every message come first, for cache locality.
   std::shared_ptr<MonitorSocket> socket_;
   std::vector<monitor::Message> out_;  ///< being written, each with a line end
-  std::size_t written_ = 0;            ///< bytes of the first message that are written
+  std::size_t written_ = 0;            ///< bytes of the first message already written
   std::size_t out_bytes_ = 0;
   bool is_blocked_ = false;  ///< waiting until the connection is writable
   bool is_pumping_ = false;
