@@ -7,11 +7,11 @@
 #include <iostream>
 #include <utility>
 
-#include "protocol/paper_form.hpp"
-#include "server/data_files.hpp"
+#include "protocol/files/paper_form/paper_form.hpp"
+#include "server/files/data_files.hpp"
+#include "server/files/port_file.hpp"
 #include "server/log.hpp"
-#include "server/port_file.hpp"
-#include "server/wall_clock.hpp"
+#include "server/net/wall_clock.hpp"
 
 namespace xr3 {
 namespace {

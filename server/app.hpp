@@ -5,13 +5,13 @@
 #include <memory>
 #include <string>
 
-#include "server/access.hpp"
-#include "server/asio.hpp"
-#include "server/cell.hpp"
-#include "server/monitor_port.hpp"
-#include "server/options.hpp"
-#include "server/robot_port.hpp"
-#include "server/robot_probe.hpp"
+#include "cell/cell.hpp"
+#include "server/monitor_port/access.hpp"
+#include "server/monitor_port/port.hpp"
+#include "server/net/asio.hpp"
+#include "server/options/options.hpp"
+#include "server/robot_port/port.hpp"
+#include "server/robot_port/probe.hpp"
 
 namespace xr3 {
 

@@ -9,7 +9,7 @@
 
 #include <memory>
 
-#include "protocol/note_words.hpp"
+#include "protocol/explain/note_words.hpp"
 
 namespace xr3 {
 namespace {

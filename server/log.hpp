@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/model.hpp"
-#include "protocol/cell_event.hpp"
+#include "protocol/explain/cell_event.hpp"
 
 namespace xr3 {
 

@@ -6,20 +6,20 @@
 #include <exception>
 #include <iostream>
 
-#include "protocol/finding.hpp"
+#include "protocol/json/finding.hpp"
 #include "server/app.hpp"
-#include "server/check_command.hpp"
-#include "server/convert_command.hpp"
-#include "server/data_files.hpp"
-#include "server/draw_command.hpp"
-#include "server/health_command.hpp"
-#include "server/kin_command.hpp"
+#include "server/commands/check.hpp"
+#include "server/commands/convert.hpp"
+#include "server/commands/draw.hpp"
+#include "server/commands/healthcheck.hpp"
+#include "server/commands/kin.hpp"
+#include "server/commands/watch.hpp"
+#include "server/commands/workcell.hpp"
+#include "server/files/data_files.hpp"
 #include "server/log.hpp"
-#include "server/options.hpp"
-#include "server/pose_argument.hpp"
-#include "server/token.hpp"
-#include "server/watch_command.hpp"
-#include "server/workcell_command.hpp"
+#include "server/monitor_port/token.hpp"
+#include "server/options/options.hpp"
+#include "server/options/pose_argument.hpp"
 
 namespace xr3 {
 namespace {

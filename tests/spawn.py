@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Every coroutine that nobody awaits is started by server/spawn.hpp, which loses no exception: nothing else in
+"""Every coroutine that nobody awaits is started by server/net/spawn.hpp, which loses no exception: nothing else in
 server/ may say `detached`, nor co_spawn, unless it awaits the outcome. Prints every breach as file:line."""
 
 import pathlib
@@ -7,7 +7,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-ALLOWED = {"server/spawn.cpp"}
+ALLOWED = {"server/net/spawn.cpp"}
 LOOSE = re.compile(r"\bdetached\b|(?<!co_await )asio::co_spawn\(")
 
 

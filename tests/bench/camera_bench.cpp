@@ -6,9 +6,9 @@
 
 #include "core/camera.hpp"
 #include "core/home.hpp"
-#include "protocol/robot_json.hpp"
-#include "protocol/workcell_json.hpp"
-#include "server/data_files.hpp"
+#include "protocol/files/robot.hpp"
+#include "protocol/files/workcell.hpp"
+#include "server/files/data_files.hpp"
 
 namespace xr3 {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/rhino_parser.hpp"
+#include "protocol/line/rhino_parser.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/random_bytes.hpp"
 #include "tests/support/wire.hpp"

@@ -7,11 +7,11 @@
 
 #include "core/camera.hpp"
 #include "core/home.hpp"
-#include "protocol/display_json.hpp"
-#include "protocol/event_json.hpp"
-#include "protocol/image_json.hpp"
-#include "protocol/model_json.hpp"
-#include "protocol/wire_json.hpp"
+#include "protocol/monitor/display.hpp"
+#include "protocol/monitor/event.hpp"
+#include "protocol/monitor/image.hpp"
+#include "protocol/monitor/model.hpp"
+#include "protocol/monitor/wire.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/tap.hpp"
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "core/simulation.hpp"
-#include "protocol/robot_json.hpp"
-#include "protocol/workcell_json.hpp"
+#include "protocol/files/robot.hpp"
+#include "protocol/files/workcell.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3 {

@@ -3,8 +3,6 @@
 // continues from it, is drawn and is seen by the camera.
 //
 // Input: one message.
-#include "protocol/monitor_request.hpp"
-
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -13,12 +11,13 @@
 #include <utility>
 
 #include "core/camera.hpp"
+#include "core/drawing/status_line.hpp"
+#include "core/drawing/wireframe.hpp"
 #include "core/simulation.hpp"
-#include "core/status_line.hpp"
-#include "core/wireframe.hpp"
-#include "protocol/monitor_heading.hpp"
-#include "protocol/monitor_message.hpp"
-#include "protocol/saved_cell_json.hpp"
+#include "protocol/monitor/heading.hpp"
+#include "protocol/monitor/message.hpp"
+#include "protocol/monitor/request.hpp"
+#include "protocol/monitor/saved_cell.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3::monitor {

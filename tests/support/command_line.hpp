@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "server/options.hpp"
+#include "server/options/options.hpp"
 
 namespace xr3::test {
 

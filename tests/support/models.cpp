@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "protocol/robot_json.hpp"
-#include "protocol/workcell_json.hpp"
+#include "protocol/files/robot.hpp"
+#include "protocol/files/workcell.hpp"
 
 namespace xr3::test {
 namespace {

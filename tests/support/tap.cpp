@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "protocol/diagnostic.hpp"
-#include "protocol/explain.hpp"
+#include "protocol/explain/diagnostic.hpp"
+#include "protocol/explain/explain.hpp"
 
 namespace xr3::test {
 

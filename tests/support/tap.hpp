@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "cell/serial_line.hpp"
 #include "core/simulation.hpp"
-#include "protocol/wire_record.hpp"
-#include "server/line.hpp"
+#include "protocol/explain/wire_record.hpp"
 
 namespace xr3::test {
 

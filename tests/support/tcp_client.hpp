@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "protocol/json_source.hpp"
-#include "server/asio.hpp"
+#include "protocol/json/source.hpp"
+#include "server/net/asio.hpp"
 
 namespace xr3::test {
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "protocol/diagnostic.hpp"
+#include "protocol/explain/diagnostic.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/wire.hpp"
 

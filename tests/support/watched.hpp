@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/watch_model.hpp"
+#include "tools/watch/model.hpp"
 
 namespace xr3::test {
 

@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "protocol/diagnostic.hpp"
+#include "protocol/explain/diagnostic.hpp"
 
 namespace xr3::test {
 

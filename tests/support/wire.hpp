@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "cell/serial_line.hpp"
 #include "core/simulation.hpp"
-#include "server/line.hpp"
 
 namespace xr3::test {
 

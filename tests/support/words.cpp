@@ -3,7 +3,7 @@
 #include <ostream>
 #include <sstream>
 
-#include "protocol/diagnostic.hpp"
+#include "protocol/explain/diagnostic.hpp"
 
 namespace xr3 {
 namespace test {

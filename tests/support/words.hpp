@@ -8,7 +8,7 @@
 
 #include "core/command.hpp"
 #include "core/state.hpp"
-#include "protocol/rhino_parser.hpp"
+#include "protocol/line/rhino_parser.hpp"
 
 namespace xr3 {
 namespace test {

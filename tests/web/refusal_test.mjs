@@ -1,7 +1,7 @@
 // Texts of error responses: a line for each wrong member, bounded in number and length.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Refused, wordsOf } from "../../clients/web/src/refusal.js";
+import { Refused, wordsOf } from "../../clients/web/src/lib/refusal.js";
 
 const detail = (i) => ({ pointer: `/blocks/${i}/size`, found: [i], allowed: "three lengths" });
 const refused = (details, code = "bad_args") => new Refused({ code, message: `${details.length} wrong fields`, hint: "nothing was changed", details });

@@ -1,7 +1,7 @@
 // Parsing of the token in a URL fragment.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { tokenOf } from "../../clients/web/src/token.js";
+import { tokenOf } from "../../clients/web/src/lib/token.js";
 
 test("a plus stays a plus, only % is decoded", () => {
   assert.equal(tokenOf("#token=a+b/c=="), "a+b/c==");

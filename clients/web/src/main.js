@@ -1,26 +1,26 @@
 // Entry point of the page. Messages from the server update `known` and all panels; user actions
 // become calls. The page uses only the public monitor protocol.
-import { Access } from "./access.js";
-import { Alarm } from "./alarm.js";
-import { wireTabs, wireWireBar, wireWorkcellBar } from "./bench.js";
-import { CameraPanel } from "./camera_panel.js";
-import { CommandMenu } from "./command_menu.js";
-import { CommandMode } from "./command_mode.js";
-import { Connection } from "./connection.js";
-import { ConsolePanel } from "./console_panel.js";
-import { DigitalLines } from "./digital_lines.js";
-import { byId, setText } from "./dom.js";
-import { JointTable } from "./joints.js";
-import { tip } from "./kinematics.js";
-import { NoScene } from "./no_scene.js";
-import { PaperView } from "./paper_view.js";
-import { wordsOf } from "./refusal.js";
-import { Scene } from "./scene.js";
-import { Stage } from "./stage.js";
-import { TimeBar } from "./time_bar.js";
-import { WirePanel } from "./wire_panel.js";
-import { transcriptLine } from "./wire_words.js";
-import { WorkcellPanel } from "./workcell_panel.js";
+import { Access } from "./panels/access.js";
+import { Alarm } from "./panels/alarm.js";
+import { wireTabs, wireWireBar, wireWorkcellBar } from "./panels/bottom_tabs.js";
+import { CameraPanel } from "./panels/camera_panel.js";
+import { CommandMenu } from "./panels/command_menu.js";
+import { CommandMode } from "./lib/command_mode.js";
+import { Connection } from "./lib/connection.js";
+import { ConsolePanel } from "./panels/console_panel.js";
+import { DigitalLines } from "./panels/digital_lines.js";
+import { byId, setText } from "./lib/dom.js";
+import { JointTable } from "./panels/joints.js";
+import { tip } from "./lib/kinematics.js";
+import { NoScene } from "./scene/no_scene.js";
+import { PaperView } from "./panels/paper_view.js";
+import { wordsOf } from "./lib/refusal.js";
+import { Scene } from "./scene/scene.js";
+import { Stage } from "./panels/stage.js";
+import { TimeBar } from "./panels/time_bar.js";
+import { WirePanel } from "./panels/wire_panel.js";
+import { transcriptLine } from "./lib/wire_words.js";
+import { WorkcellPanel } from "./panels/workcell_panel.js";
 
 const known = {}; // the newest hello, model, state and display, and the arrival time of the state
 

@@ -1,0 +1,217 @@
+// The effect of each call on a cell.
+#include <algorithm>
+#include <utility>
+
+#include "cell/cell.hpp"
+#include "cell/digest.hpp"
+#include "protocol/monitor/saved_cell.hpp"
+
+namespace xr3 {
+namespace {
+
+call::Refused clock_running(std::string_view call) {
+  return {"clock_running", std::string(call) + " needs the manual clock; the clock is real",
+          "call pause first, or start with --clock manual"};
+}
+
+call::Refused no_such_block(const State& state, const std::string& name) {
+  std::string names;
+  for (const Block& block : state.blocks) names += (names.empty() ? "" : ", ") + block.name;
+  return {"no_such_block", "there is no block " + name,
+          names.empty() ? "the workcell has no blocks" : "the blocks are " + names};
+}
+
+call::Refused block_held(const std::string& name) {
+  return {"block_held", "the jaws hold block " + name, "open the jaws first"};
+}
+
+call::Refused no_such_snapshot(const std::string& name) {
+  return {"no_such_snapshot", "there is no snapshot " + name, "snapshot_save makes one"};
+}
+
+/// Whether the blocks are equal except for their positions.
+bool are_same_things(const std::vector<Block>& a, const std::vector<Block>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Block& x, const Block& y) {
+    return x.name == y.name && x.size_um == y.size_um && x.color == y.color;
+  });
+}
+
+}  // namespace
+
+// --- Time.
+
+call::Outcome Cell::carry_out(const call::Pause&, WallNs now) {
+  const bool is_new = clock_.mode() != ClockMode::kManual;
+  clock_.pause(now);
+  if (is_new) tell(std::nullopt, ClockNote{"pause", clock_.mode(), clock_.rate()});
+  return call::Done{};
+}
+
+call::Outcome Cell::carry_out(const call::Resume&, WallNs now) {
+  const bool is_new = clock_.mode() != ClockMode::kReal;
+  clock_.resume(now);
+  if (is_new) tell(std::nullopt, ClockNote{"resume", clock_.mode(), clock_.rate()});
+  return call::Done{};
+}
+
+call::Outcome Cell::carry_out(const call::SetRate& rate, WallNs now) {
+  clock_.set_rate(rate.rate, now);
+  tell(std::nullopt, ClockNote{"rate", clock_.mode(), clock_.rate()});
+  return call::Done{};
+}
+
+call::Outcome Cell::carry_out(const call::Step& step, WallNs now) {
+  if (clock_.mode() != ClockMode::kManual) return clock_running("step");
+  const Tick start = state().tick;
+  simulation_.advance_to(start + step.ticks);
+  stood(start, now);
+  return call::Done{};
+}
+
+call::Outcome Cell::carry_out(const call::RunUntil& run, WallNs now) {
+  if (clock_.mode() != ClockMode::kManual) return clock_running("run_until");
+  const Tick start = state().tick;
+  const Tick limit = start + run.max_ticks;
+  if (run.tick) {
+    simulation_.advance_to(std::min(limit, *run.tick));
+  } else {
+    simulation_.run_to_rest(limit);
+  }
+  stood(start, now);
+  const bool reached = run.tick ? state().tick >= *run.tick : is_at_rest();
+  return call::Done{reached, state().tick - start, nullptr};
+}
+
+/// Synchronizes the clock and the counters after the manual clock advanced from `start`.
+void Cell::stood(Tick start, WallNs now) {
+  clock_.set_tick(state().tick, now);
+  counters_.ticks += static_cast<std::uint64_t>(state().tick - start);
+}
+
+call::Outcome Cell::carry_out(const call::Reset&, WallNs now) {
+  begin_epoch("reset", now, [this] {
+    simulation_.reset();
+    for (auto& [id, line] : lines_) line.reset();
+  });
+  return call::Done{};
+}
+
+// The note has the first tick of the new epoch and contains the last tick of the old one.
+void Cell::begin_epoch(std::string_view call, WallNs now, const std::function<void()>& change) {
+  for (const auto& [id, line] : lines_) tell_all(id, warnings_.forget(id));
+  const EpochNote note{call, epoch_, state().tick};
+  const ModelPtr old_model = simulation_.model_ptr();
+  const std::vector<Block> old_blocks = state().blocks;
+  change();
+  ++epoch_;
+  clock_.set_tick(state().tick, now);
+  tell(std::nullopt, note);
+  const bool is_same =
+      old_model->workcell() == model().workcell() && are_same_things(old_blocks, state().blocks);
+  if (!is_same) changed_model(call, model().workcell().name);
+}
+
+// --- The machine.
+
+call::Outcome Cell::carry_out(const call::Home&, WallNs) {
+  simulation_.execute(SoftHome{});
+  return call::Done{};
+}
+
+call::Outcome Cell::carry_out(const call::Key& key, WallNs) {
+  simulation_.execute(key.command);
+  return call::Done{};
+}
+
+call::Outcome Cell::carry_out(const call::SetInput& input, WallNs) {
+  simulation_.set_input(input.input, input.value);
+  return call::Done{};
+}
+
+// --- The workcell.
+
+void Cell::changed_model(std::string_view call, const std::string& name) {
+  tell(std::nullopt, ModelNote{call, name, ++model_rev_});
+}
+
+ModelPtr Cell::model_with(const Workcell& workcell) const {
+  return std::make_shared<const Model>(model().robot(), workcell, model().profile());
+}
+
+call::Outcome Cell::carry_out(const call::AddBlock& add, WallNs) {
+  const std::string& name = add.block.name;
+  if (find_block(state(), name)) {
+    return call::Refused{"name_taken", "there is a block " + name + " already",
+                         "choose another name, or call block_move"};
+  }
+  if (state().blocks.size() >= kMaxBlocks) {
+    return call::Refused{"limit",
+                         "a workcell has at most " + std::to_string(kMaxBlocks) + " blocks",
+                         "call block_remove first"};
+  }
+  simulation_.edit().blocks.push_back(add.block);
+  changed_model("block_add", name);
+  return call::Done{};
+}
+
+call::Outcome Cell::carry_out(const call::MoveBlock& move, WallNs) {
+  const auto index = find_block(state(), move.name);
+  if (!index) return no_such_block(state(), move.name);
+  if (is_held(state(), *index)) return block_held(move.name);
+  Block& block = simulation_.edit().blocks[*index];
+  block.centroid_um = move.centroid_um.value_or(block.centroid_um);
+  block.yaw_udeg = move.yaw_udeg.value_or(block.yaw_udeg);
+  changed_model("block_move", move.name);
+  return call::Done{};
+}
+
+call::Outcome Cell::carry_out(const call::RemoveBlock& remove, WallNs) {
+  const auto index = find_block(state(), remove.name);
+  if (!index) return no_such_block(state(), remove.name);
+  if (is_held(state(), *index)) return block_held(remove.name);
+  remove_block(simulation_.edit(), *index);
+  changed_model("block_remove", remove.name);
+  return call::Done{};
+}
+
+call::Outcome Cell::carry_out(const call::ReplaceWorkcell& replace, WallNs) {
+  simulation_.replace_workcell(model_with(replace.workcell));
+  changed_model("workcell", replace.workcell.name);
+  return call::Done{};
+}
+
+// --- Snapshots.
+
+call::Outcome Cell::carry_out(const call::SaveSnapshot& save, WallNs) {
+  const bool is_new = !save.name.empty() && !snapshots_.contains(save.name);
+  if (is_new && snapshots_.size() >= kMostSnapshots) {
+    return call::Refused{"limit", "there are 16 snapshots already",
+                         "save under a name that is in use, or inline"};
+  }
+  const auto saved =
+      std::make_shared<const SavedCell>(robot_hash(model()), model().workcell(), state());
+  if (save.name.empty() && !monitor::fits_a_request(*saved)) {
+    return call::Refused{"limit", "the snapshot exceeds the maximum size of a request, 256 KiB",
+                         "save under a name"};
+  }
+  if (!save.name.empty()) snapshots_[save.name] = saved;
+  return call::Done{{}, {}, saved};
+}
+
+call::Outcome Cell::carry_out(const call::LoadSnapshot& load, WallNs now) {
+  SavedCellPtr saved = load.saved;
+  if (!saved) {
+    const auto found = snapshots_.find(load.name);
+    if (found == snapshots_.end()) return no_such_snapshot(load.name);
+    saved = found->second;
+  }
+  if (saved->robot_hash != robot_hash(model())) {
+    return call::Refused{"model_mismatch", "the snapshot is of another robot or profile",
+                         "load it into a server with the same --robot and --compat"};
+  }
+  begin_epoch("snapshot_load", now,
+              [&] { simulation_.restore(model_with(saved->workcell), saved->state); });
+  return call::Done{{}, {}, saved};
+}
+
+}  // namespace xr3

@@ -1,0 +1,42 @@
+// Statistics of a cell and its monitor clients since the start of the server, for /metrics. All are
+// monotonic counters, except those marked "now".
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string_view>
+#include <variant>
+
+#include "core/command.hpp"
+#include "protocol/monitor/request.hpp"
+
+namespace xr3 {
+
+inline constexpr std::size_t kCommandKinds = std::variant_size_v<Command>;
+using monitor::kChannels;
+
+/// Frames of a latest-wins channel, or messages of a ring, over all clients.
+struct ChannelCounters {
+  std::uint64_t sent = 0;
+  std::uint64_t overwritten = 0;  ///< before they were sent: in a client's slot, or in the ring
+};
+
+struct CellCounters {
+  std::uint64_t lines_open = 0;  ///< now
+  std::uint64_t lines_total = 0;
+  std::uint64_t bytes_in = 0;
+  std::uint64_t bytes_out = 0;
+  std::array<std::uint64_t, kCommandKinds> commands{};  ///< by index in Command
+  std::map<std::string_view, std::uint64_t> warnings;   ///< by code
+  std::uint64_t ticks = 0;                              ///< simulated, over all epochs
+  std::array<ChannelCounters, kChannels> channels{};    ///< by monitor::Channel
+  std::uint64_t viewers = 0;                            ///< monitor clients now
+
+  std::uint64_t& of(const Command& command) { return commands[command.index()]; }
+  ChannelCounters& of(monitor::Channel channel) {
+    return channels[static_cast<std::size_t>(channel)];
+  }
+};
+
+}  // namespace xr3

@@ -1,0 +1,57 @@
+#include "cell/serial_line.hpp"
+
+namespace xr3 {
+
+std::size_t Line::receive(std::string_view bytes, Simulation& simulation,
+                          std::vector<Exchange>& exchanges) {
+  std::size_t taken = 0;
+  while (taken < bytes.size() && !is_full() && !is_stranger_) {
+    const auto byte = static_cast<std::uint8_t>(bytes[taken++]);
+    const std::uint64_t offset = bytes_in_++;
+    if (kind_ == LineKind::kMonitor) {  // no stranger, no telnet: bytes as they are
+      act_on(byte, offset, simulation, exchanges);
+      continue;
+    }
+    const Verdict verdict = guard_.take(byte);
+    is_stranger_ = verdict == Verdict::kStranger;
+    if (verdict != Verdict::kPass) continue;
+    if (!guard_.held().empty()) {
+      const std::string held = guard_.release();
+      for (std::size_t i = 0; i < held.size(); ++i) {
+        act(static_cast<std::uint8_t>(held[i]), offset - held.size() + i, simulation, exchanges);
+      }
+    }
+    act(byte, offset, simulation, exchanges);
+  }
+  return taken;
+}
+
+void Line::act(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
+               std::vector<Exchange>& exchanges) {
+  const auto data = telnet_.take(byte, outbox_);
+  if (data) act_on(*data, offset, simulation, exchanges);
+}
+
+void Line::act_on(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
+                  std::vector<Exchange>& exchanges) {
+  std::string replies;
+  endpoint_.take(byte, offset, simulation, replies, exchanges);
+  if (replies.empty()) return;
+  // A byte completes one inquiry at most, and nothing behind it.
+  exchanges.back().reply_from = output_end();
+  deliver(replies);
+  exchanges.back().reply_to = output_end();
+}
+
+void Line::deliver(std::string_view replies) { telnet_.encode(replies, outbox_); }
+
+// A picture of a megabyte goes out in many pieces: the rest moves up only when it is the smaller part.
+void Line::sent(std::size_t count) {
+  sent_ += count;
+  bytes_out_ += count;
+  if (sent_ < outbox_.size() - sent_) return;
+  outbox_.erase(0, sent_);
+  sent_ = 0;
+}
+
+}  // namespace xr3

@@ -1,0 +1,96 @@
+// Access control: takes the token from the address or the dialog and locks controls that need it.
+// An element with `data-call` changes the server; all other controls are never locked.
+import { byId, setText } from "../lib/dom.js";
+import { kLooksOn } from "../lib/refusal.js";
+import { keep, kept, takeFromAddress } from "../lib/token.js";
+
+const kSeesNothing = "This server requires a token: press Unlock.";
+const kAsks = {
+  read: "You can watch without a token. To control the robot, enter the token that the server was started with.",
+  none: "This server requires its token even for reading. Enter the token that it was started with.",
+};
+
+export class Access {
+  /**
+   * `tell(text)` shows a message to the user; `onChange()` is called when the access changes, and
+   * `onUnlocked()` when the server has accepted a token.
+   */
+  constructor({ connection, tell, onError, onChange, onUnlocked }) {
+    Object.assign(this, { connection, tell, onError, onChange, onUnlocked });
+    this.access = "control"; // until `hello` arrives
+    connection.token = takeFromAddress() ?? kept();
+    addEventListener("hashchange", () => this.#fromAddress());
+    byId("unlock").onclick = () => this.#ask();
+    byId("ask-token").onclose = () => this.#answered();
+  }
+
+  /** True if the page may change the server; false if it is read-only. */
+  get mayCall() {
+    return this.access === "control";
+  }
+
+  /** Tells the user why a function is locked. */
+  explain() {
+    this.tell(this.access === "none" ? kSeesNothing : kLooksOn);
+  }
+
+  /** `access` is "control", "read", or "none" if even reading needs the token. */
+  set(access) {
+    this.access = access;
+    if (this.mayCall) keep(this.connection.token);
+    document.body.classList.toggle("read-only", !this.mayCall);
+    document.body.classList.toggle("sees-nothing", access === "none");
+    byId("unlock").hidden = this.mayCall;
+    this.apply();
+    this.onChange();
+  }
+
+  /**
+   * Locks new controls, or unlocks all controls that this class has locked. Controls that are
+   * disabled for another reason stay disabled.
+   */
+  apply() {
+    if (this.mayCall) for (const control of document.querySelectorAll("[data-locked]")) unlock(control);
+    else for (const control of document.querySelectorAll("[data-call]:not(:disabled)")) lock(control);
+  }
+
+  /** Called when the server has rejected the token that was sent on connecting. */
+  refused(error) {
+    keep("");
+    this.onError(error);
+  }
+
+  #ask() {
+    setText(byId("ask-token-words"), kAsks[this.access] ?? "");
+    byId("ask-token").showModal();
+  }
+
+  #answered() {
+    const token = byId("token").value;
+    byId("token").value = "";
+    if (byId("ask-token").returnValue === "ok" && token) this.#try(token);
+  }
+
+  #fromAddress() {
+    const token = takeFromAddress();
+    if (token) this.#try(token);
+  }
+
+  async #try(token) {
+    try {
+      this.set(await this.connection.authorize(token));
+      this.onUnlocked();
+    } catch (error) {
+      this.onError(error);
+    }
+  }
+}
+
+function lock(control) {
+  control.disabled = true;
+  control.dataset.locked = "";
+}
+function unlock(control) {
+  control.disabled = false;
+  delete control.dataset.locked;
+}

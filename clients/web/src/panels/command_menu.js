@@ -1,0 +1,62 @@
+// Executes the functions of command mode as calls (those that need a value ask for it) and shows
+// the menu of functions with their current values. command_mode.js maps keys to functions.
+import { kFunctions, kStatusWords } from "../lib/command_mode.js";
+import { byId, el, setText } from "../lib/dom.js";
+
+const kPeriodsInHalfSeconds = [1, 2, 6, 20];
+const kTicksInHalfSecond = 500;
+
+export class CommandMenu {
+  /** `call(fn, args)` calls the server; `access` is the page's Access. */
+  constructor({ known, call, access }) {
+    Object.assign(this, { known, call, access });
+    this.asks = { home: () => call("home"), view: () => this.#askView(), status: () => this.#nextStatus(), period: () => this.#nextPeriod() };
+    byId("menu-button").onclick = () => this.toggle();
+    byId("functions").replaceChildren(...kFunctions.map((each) => this.#entry(each)));
+  }
+
+  /** Runs a function, or explains why it is locked. */
+  run(name) {
+    if (!this.access.mayCall) this.access.explain();
+    else if (this.asks[name]) this.asks[name]();
+    else this.#key(name);
+  }
+
+  toggle() {
+    const menu = byId("menu");
+    if (menu.open) return menu.close();
+    this.show();
+    menu.showModal();
+  }
+
+  show() {
+    const { display, state } = this.known;
+    for (const each of kFunctions) setText(byId("functions").querySelector(`[data-now=${each.name}]`), each.now(display, state));
+  }
+
+  #entry({ name, words, key, alt }) {
+    return el("li", {}, el("button", { type: "button", "data-call": "key", onclick: () => this.run(name) },
+      el("span", {}, words), el("span.now", { "data-now": name }), el("kbd", {}, `${key}${alt ? `  Alt ${alt}` : ""}`)));
+  }
+
+  #key(name, value) {
+    return this.call("key", value === undefined ? { function: name } : { function: name, value });
+  }
+
+  #askView() {
+    const dialog = byId("ask-view");
+    const inputs = [..."xyz"].map((axis) => byId(`view-${axis}`));
+    (this.known.display?.view ?? [1, 1, 1]).forEach((v, i) => (inputs[i].value = v));
+    dialog.showModal();
+    dialog.onclose = () => dialog.returnValue === "ok" && this.#key("view", inputs.map((input) => Number(input.value)));
+  }
+
+  #nextStatus() {
+    this.#key("status", ((this.known.display?.status.option ?? 0) + 1) % kStatusWords.length);
+  }
+
+  #nextPeriod() {
+    const now = (this.known.display?.period_ticks ?? 3000) / kTicksInHalfSecond;
+    this.#key("period", kPeriodsInHalfSeconds[(kPeriodsInHalfSeconds.indexOf(now) + 1) % kPeriodsInHalfSeconds.length]);
+  }
+}

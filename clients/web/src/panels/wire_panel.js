@@ -1,0 +1,162 @@
+// The wire panel: every byte sent and received, by line, with its explanation, as in a serial
+// analyser.
+import { copyText, download, el, setText } from "../lib/dom.js";
+import { counted, isWarning, transcriptLine } from "../lib/wire_words.js";
+
+const kMostRows = 1024;
+const kMostSeen = 8 * kMostRows;
+
+const kStartedAnew = "The server was restarted: its time and line numbers start again.";
+const kThereAgain = "The connection was lost and restored.";
+
+/** Equal for two messages with the same `seq` only if they are the same message. */
+const printOf = ({ epoch, tick, line, dir, offset, hex }) => [epoch, tick, line, dir, offset, hex].join();
+
+export class WirePanel {
+  constructor({ list, filter, count, said }) {
+    Object.assign(this, { list, filter, count, said });
+    this.messages = [];
+    this.#forget();
+    this.reconnection = null; // the reconnection that has no row yet
+    this.isPaused = false;
+    this.waiting = [];
+    filter.addEventListener("input", () => this.#refresh());
+  }
+
+  take(message) {
+    if (this.seen.has(message.seq)) return;
+    this.seen.set(message.seq, printOf(message));
+    this.lastSeq = message.seq;
+    if (this.seen.size > kMostSeen) this.seen.delete(this.seen.keys().next().value);
+    this.#put(message);
+  }
+
+  #put(message) {
+    if (this.isPaused) this.#wait(message);
+    else this.#add(message);
+  }
+
+  #wait(message) {
+    this.waiting.push(message);
+    if (this.waiting.length > kMostRows) this.waiting.shift();
+    this.#tell();
+  }
+
+  lag({ channel, missed }) {
+    this.#put({ note: `${missed} messages of channel ${channel} were missed: they came too fast`, kind: "lag" });
+  }
+
+  setPaused(isPaused) {
+    this.isPaused = isPaused;
+    if (isPaused) return;
+    for (const message of this.waiting.splice(0)) this.#add(message);
+    this.#tell();
+  }
+
+  /** Notes a reconnection; `isSurelyAnew`: the server's time shows that it has been restarted. */
+  reconnected(isSurelyAnew) {
+    this.reconnection = { isSurelyAnew: isSurelyAnew || this.reconnection?.isSurelyAnew };
+  }
+
+  /**
+   * Takes the contents of the server's ring buffer; returns whether the server has been restarted.
+   */
+  recall(messages) {
+    const isAnew = this.reconnection !== null && (this.reconnection.isSurelyAnew || this.#isOfAnotherRun(messages));
+    if (isAnew) this.#forget();
+    if (this.reconnection) this.#put({ note: isAnew ? kStartedAnew : kThereAgain, kind: "mark" });
+    this.reconnection = null;
+    for (const message of messages) this.take(message);
+    return isAnew;
+  }
+
+  // A server run has no id. But within a run, `seq` in the ring buffer never falls behind the last
+  // one seen, and a message with a known `seq` never differs.
+  #isOfAnotherRun(messages) {
+    const last = messages.at(-1)?.seq ?? 0;
+    return last < this.lastSeq || messages.some((message) => this.seen.has(message.seq) && this.seen.get(message.seq) !== printOf(message));
+  }
+
+  #forget() {
+    this.seen = new Map();
+    this.lastSeq = 0;
+  }
+
+  clear() {
+    this.messages = [];
+    this.waiting = [];
+    this.list.replaceChildren();
+    this.#tell();
+  }
+
+  #add(message) {
+    this.messages.push(message);
+    if (this.messages.length > kMostRows) this.messages.shift();
+    if (this.#fits(message)) this.#append(this.#row(message));
+    this.#tell();
+  }
+
+  #append(row) {
+    const { list } = this;
+    const atEnd = list.scrollHeight - list.scrollTop - list.clientHeight < 40;
+    list.append(row);
+    while (list.children.length > kMostRows) list.firstChild.remove();
+    if (atEnd) list.scrollTop = list.scrollHeight;
+  }
+
+  #fits(message) {
+    const words = this.filter.value.trim().toLowerCase();
+    return !words || transcriptLine(message).toLowerCase().includes(words);
+  }
+
+  #row(message) {
+    if (message.note) return el(`li.${message.kind}`, {}, message.note);
+    const row = el(`li.${message.dir}`, {},
+      el("span.tick", {}, String(message.tick)),
+      el("span.line", { title: `line ${message.line}` }, String(message.line)),
+      el("span.dir", { "aria-label": message.dir === "in" ? "in" : "out" }, message.dir === "in" ? "→" : "←"),
+      el("code", { title: message.hex }, message.text + (message.bytes > message.hex.length / 2 ? ` … ${message.bytes} bytes` : "")));
+    const words = el("span.words");
+    message.parsed.forEach((item, i) => {
+      if (i > 0) words.append(" · ");
+      words.append(el(isWarning(item.code) ? "span.warning" : "span", {}, item.message));
+    });
+    row.append(words);
+    return row;
+  }
+
+  #fitting() {
+    return this.messages.filter((message) => this.#fits(message));
+  }
+
+  #refresh() {
+    this.list.replaceChildren(...this.#fitting().map((message) => this.#row(message)));
+    this.list.scrollTop = this.list.scrollHeight;
+    this.#tell();
+  }
+
+  #tell() {
+    const wait = this.waiting.length > 0 ? `, ${this.waiting.length} more wait` : "";
+    setText(this.count, this.#countWords() + wait);
+  }
+  #countWords() {
+    const all = counted(this.messages.filter((message) => !message.note).length, "message");
+    if (this.messages.length === 0) return this.isPaused ? all : "No bytes yet: connect to the robot port or use the console.";
+    return this.filter.value.trim() ? `${this.list.querySelectorAll("li:not(.lag, .mark)").length} of ${all}` : all;
+  }
+
+  transcript() {
+    return this.#fitting().map(transcriptLine).join("\n") + "\n";
+  }
+  save() {
+    download("transcript.txt", this.transcript());
+  }
+
+  /** Copies the shown messages; if the browser forbids it, selects them for the user to copy. */
+  async copy() {
+    const isCopied = await copyText(this.transcript());
+    if (!isCopied) getSelection().selectAllChildren(this.list);
+    setText(this.said, isCopied ? `Copied ${counted(this.#fitting().length, "line")}.`
+      : "This browser does not let pages copy. The bytes are selected: press Ctrl-C.");
+  }
+}

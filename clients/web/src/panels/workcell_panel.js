@@ -1,0 +1,154 @@
+// The workcell editor: plan, table and the form of the selected block show the same blocks. Every
+// change is a call to the server; a refused change is reverted.
+import { BlockTable } from "./block_table.js";
+import { ChosenBlock, placeWords } from "./chosen_block.js";
+import { el, setText } from "../lib/dom.js";
+import { freePlace } from "../lib/free_place.js";
+import { mmPerUnit } from "../lib/kinematics.js";
+import { kColorNames } from "../lib/palette.js";
+import { Plan } from "./plan.js";
+import { WorkcellFile } from "./workcell_file.js";
+
+const kUsualColor = 10;
+
+export class WorkcellPanel {
+  /**
+   * `call` and `getModel` call the server; `mayCall()` returns whether the page has control access.
+   */
+  constructor({ host, call, getModel, mayCall, onError }) {
+    Object.assign(this, { call, mayCall, onError, chosen: null });
+    const part = (id) => host.querySelector(`#${id}`);
+    this.said = part("workcell-said");
+    this.files = new Map(); // size_mm and color of each block, from the model
+    this.added = new Map(); // the same for new blocks, until model and state contain them
+    this.wanted = new Map(); // requested positions, until the server has answered
+    this.plan = new Plan(part("plan"), {
+      choose: (name) => this.choose(name), place: (name, xyz_mm) => this.place(name, { xyz_mm }),
+      turn: (degrees) => this.turn(degrees), remove: () => this.remove(), mayMove: mayCall,
+    });
+    this.table = new BlockTable(part("blocks"), { onChoose: (name) => this.choose(name) });
+    this.words = new ChosenBlock({ words: part("chosen"), form: part("place-form"), place: (name, change) => this.place(name, change) });
+    this.file = new WorkcellFile({ problems: part("workcell-problems"), call, getModel, onError });
+  }
+
+  setModel(model) {
+    const { workcell, robot } = model;
+    const unit = mmPerUnit(workcell);
+    const inMm = (values) => values.map((v) => v * unit);
+    const { camera, workspace } = workcell;
+    this.ground = {
+      workspace: { x: workspace.x * unit, y: workspace.y * unit }, region: robot.protected_region.radius * mmPerUnit(robot),
+      camera: camera ? { location: inMm(camera.location), field: inMm(camera.field) } : null,
+    };
+    this.surface = (workcell.work_surface ?? 0) * unit;
+    this.files = new Map(workcell.blocks.map(({ name, size, color }) => [name, { size_mm: inMm(size), color }]));
+    this.plan.setGround(this.ground);
+    this.#draw();
+  }
+
+  setState(state) {
+    this.state = state;
+    const isThere = (name) => state.blocks.some((block) => block.name === name);
+    if (this.chosen && !isThere(this.chosen) && !this.added.has(this.chosen)) this.choose(null);
+    for (const name of this.added.keys()) if (isThere(name) && this.files.has(name)) this.added.delete(name);
+    this.#draw();
+  }
+
+  /** The blocks as shown: state and model merged, at their requested positions. */
+  #blocks() {
+    return this.state.blocks.flatMap((block) => {
+      const file = this.files.get(block.name) ?? this.added.get(block.name);
+      if (!file) return [];
+      const shown = { ...block, ...file, ...this.wanted.get(block.name) };
+      return [{ ...shown, words: placeWords(shown) }];
+    });
+  }
+  #block() {
+    return this.#blocks().find((block) => block.name === this.chosen) ?? null;
+  }
+
+  #draw() {
+    if (!this.ground || !this.state) return;
+    const blocks = this.#blocks();
+    this.plan.setBlocks(blocks);
+    this.plan.setTip(this.state.tool.xyz_mm);
+    this.table.setBlocks(blocks);
+    this.words.show(this.#block());
+  }
+
+  choose(name) {
+    if (this.chosen === name) return;
+    this.chosen = name;
+    this.plan.setChosen(name);
+    this.table.setChosen(name);
+    if (this.state) this.words.show(this.#block());
+  }
+
+  // --- Changes.
+
+  /** Moves a block; `change` is xyz_mm or yaw_deg. Resolves to whether the server did so. */
+  async place(name, change) {
+    const wanted = { ...this.wanted.get(name), ...change };
+    this.wanted.set(name, wanted);
+    this.#draw();
+    const isDone = await this.#ask("block_move", { name, ...change });
+    if (this.wanted.get(name) === wanted) this.#settle(name, isDone ? wanted : {});
+    return isDone;
+  }
+
+  // Shows the block at the position that the server accepted until the next state arrives.
+  #settle(name, done) {
+    this.wanted.delete(name);
+    const blocks = this.state.blocks.map((block) => (block.name === name ? { ...block, ...done } : block));
+    this.state = { ...this.state, blocks };
+    this.#draw();
+    const block = blocks.find((each) => each.name === name);
+    if (block) setText(this.said, placeWords(block));
+  }
+
+  turn(degrees) {
+    const block = this.#block();
+    if (!block) return setText(this.said, "Choose a block first.");
+    const yaw = ((((block.yaw_deg + degrees + 180) % 360) + 360) % 360) - 180;
+    this.place(block.name, { yaw_deg: yaw });
+  }
+
+  async remove() {
+    const name = this.chosen;
+    if (!name) return setText(this.said, "Choose a block first.");
+    if (await this.#ask("block_remove", { name })) setText(this.said, `${name} was removed.`);
+  }
+
+  /** Adds a block at a free position on the work surface. Resolves to whether the server did so. */
+  async add({ name, size, color }) {
+    const [x, y] = freePlace({ size_mm: size, blocks: this.#blocks(), ...this.ground });
+    const xyz_mm = [x, y, this.surface + size[2] / 2];
+    const isDone = await this.#ask("block_add", { name, size_mm: size, xyz_mm, yaw_deg: 0, color });
+    if (!isDone) return false;
+    this.added.set(name, { size_mm: size, color });
+    this.choose(name);
+    setText(this.said, placeWords({ name, xyz_mm, yaw_deg: 0, held: false }));
+    return true;
+  }
+
+  save() {
+    return this.file.save();
+  }
+  load(file) {
+    return this.file.load(file);
+  }
+
+  async #ask(fn, args) {
+    try {
+      await this.call(fn, args);
+      return true;
+    } catch (error) {
+      this.onError(error);
+      return false;
+    }
+  }
+}
+
+/** <option> elements for the sixteen colours, by name. */
+export const colorOptions = () =>
+  kColorNames.map((name, i) => el("option", { value: String(i), selected: i === kUsualColor }, name));

@@ -1,0 +1,67 @@
+// The camera of the 3-D scene: orbit controls by mouse, touch and keys, and named views that keep
+// everything in the picture until the user moves the camera.
+import * as THREE from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { actOf } from "./orbit_keys.js";
+import { standBack } from "./frame_camera.js";
+
+const kFieldDegrees = 26;
+const kFill = 0.92; // of the picture's width or height, whichever is the tighter
+const kAway = {
+  corner: [1.25, -1.1, 0.75], front: [1, 0, 0.12], left: [0, 1, 0.12], right: [0, -1, 0.12], top: [0.001, 0, 1],
+};
+
+export class Eye {
+  /** @param {() => void} onChange called when the picture must be redrawn */
+  constructor(canvas, onChange) {
+    this.onChange = onChange;
+    this.camera = new THREE.PerspectiveCamera(kFieldDegrees, 1, 20, 40000);
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enableDamping = true;
+    this.controls.addEventListener("change", onChange);
+    this.controls.addEventListener("start", () => (this.view = null));
+    canvas.addEventListener("keydown", (event) => this.#key(event));
+    /** The named view in effect; null after the user has moved the camera. */
+    this.view = null;
+  }
+
+  #key(event) {
+    const act = actOf(event);
+    if (!act) return;
+    event.preventDefault();
+    this.view = null;
+    act({ camera: this.camera, target: this.controls.target });
+    this.controls.update();
+    this.onChange();
+  }
+
+  setAspect(aspect) {
+    this.camera.aspect = aspect;
+    this.camera.updateProjectionMatrix();
+  }
+
+  /** Switches to a named view that contains all the points. */
+  lookAt(points, name) {
+    const up = kFill * Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
+    const back = new THREE.Vector3(...kAway[name]).normalize();
+    const { position, distance } = standBack(points, back, { across: up * this.camera.aspect, up });
+    this.#stop();
+    this.camera.position.copy(position);
+    this.controls.target.copy(position).addScaledVector(back, -distance);
+    this.controls.update();
+    this.view = name;
+  }
+
+  // Ends a damped motion, which would otherwise continue in the new view.
+  #stop() {
+    this.controls.enableDamping = false;
+    this.controls.update();
+    this.controls.enableDamping = true;
+  }
+
+  /** Continues a damped motion; call once per frame. */
+  update() {
+    this.controls.update();
+  }
+}

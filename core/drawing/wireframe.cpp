@@ -1,0 +1,152 @@
+#include "core/drawing/wireframe.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+
+#include "core/grasp.hpp"
+
+namespace xr3 {
+namespace {
+
+Eigen::Vector3d carried(const Transform& pose, const Eigen::Vector3d& p) {
+  return pose.block<3, 3>(0, 0) * p + pose.block<3, 1>(0, 3);
+}
+
+/// Adds one polyline for each run of pen-down lines; `place` transforms the points.
+template <class Place>
+void add_outline(std::vector<Wire>& wires, const std::string& part, int color,
+                 const std::vector<OutlinePoint>& points, Place place) {
+  Wire wire{part, color, {}};
+  const auto lift_pen = [&] {
+    if (wire.points.size() >= 2) wires.push_back(wire);
+    wire.points.clear();
+  };
+  for (const OutlinePoint& point : points) {
+    if (!point.draw) lift_pen();
+    wire.points.push_back(place(point.p_mm));
+  }
+  lift_pen();
+}
+
+std::string link_part(std::size_t link, std::size_t last) {
+  if (link == 0) return "base";
+  return link == last ? "tool" : "link" + std::to_string(link);
+}
+
+/// Transform of one part of the tool within frame n: from closed jaws to the current opening.
+Transform jaw_shift(const Model& model, const ToolPart& part, Counts tool_position) {
+  const double variable = model.variable(model.tool_index(), tool_position);
+  Transform shift = Transform::Identity();
+  if (model.robot().tool.kind == ToolKind::kParallel) {
+    shift(1, 3) = part.side * variable / 2;
+    return shift;
+  }
+  const auto [sin, cos] = sin_cos_deg(part.side * variable / 2);
+  shift(1, 1) = cos;
+  shift(1, 2) = -sin;
+  shift(2, 1) = sin;
+  shift(2, 2) = cos;
+  shift.block<3, 1>(0, 3) = part.pivot_mm - shift.block<3, 3>(0, 0) * part.pivot_mm;
+  return shift;
+}
+
+std::string finger_part(int side) { return side > 0 ? "finger+1" : "finger-1"; }
+
+/// One polyline for bottom, top and an upright edge, and three for the other upright edges. Every
+/// corner has three edges, so fewer than four polylines cannot draw a box.
+void add_box(std::vector<Wire>& wires, const Block& block, const Transform& pose) {
+  const Eigen::Vector3d half(mm(block.size_um.x) / 2, mm(block.size_um.y) / 2,
+                             mm(block.size_um.z) / 2);
+  const auto corner = [&](int x, int y, int z) {
+    return carried(pose, half.cwiseProduct(Eigen::Vector3d(x, y, z)));
+  };
+  const std::array<Eigen::Vector3d, 4> bottom{corner(-1, -1, -1), corner(1, -1, -1),
+                                              corner(1, 1, -1), corner(-1, 1, -1)};
+  const std::array<Eigen::Vector3d, 4> top{corner(-1, -1, 1), corner(1, -1, 1), corner(1, 1, 1),
+                                           corner(-1, 1, 1)};
+  Wire round{"block:" + block.name, block.color, {bottom.begin(), bottom.end()}};
+  round.points.push_back(bottom[0]);
+  round.points.insert(round.points.end(), top.begin(), top.end());
+  round.points.push_back(top[0]);
+  wires.push_back(round);
+  for (std::size_t i = 1; i < bottom.size(); ++i) {
+    wires.push_back({round.part, block.color, {bottom[i], top[i]}});
+  }
+}
+
+void append(std::vector<Wire>& wires, const std::vector<Wire>& more) {
+  wires.insert(wires.end(), more.begin(), more.end());
+}
+
+Eigen::Vector3d point_mm(const PointUm& p) { return {mm(p.x), mm(p.y), mm(p.z)}; }
+
+}  // namespace
+
+std::vector<Wire> robot_wires(const Model& model, const Positions& positions) {
+  const std::vector<Transform> frames = base_transforms(model, positions);
+  const std::vector<Outline>& links = model.robot().links;
+  std::vector<Wire> wires;
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    add_outline(wires, link_part(k, links.size() - 1), links[k].color, links[k].points,
+                [&](const Eigen::Vector3d& p) { return carried(frames[k], p); });
+  }
+  const Counts tool = positions[static_cast<std::size_t>(model.tool_index())];
+  for (const ToolPart& part : model.robot().tool.parts) {
+    const Transform pose = frames.back() * jaw_shift(model, part, tool);
+    add_outline(wires, finger_part(part.side), part.color, part.points,
+                [&](const Eigen::Vector3d& p) { return carried(pose, p); });
+  }
+  return wires;
+}
+
+std::vector<Wire> block_wires(const Model& model, const State& state) {
+  std::vector<Wire> wires;
+  for (std::size_t i = 0; i < state.blocks.size(); ++i) {
+    add_box(wires, state.blocks[i], block_pose(model, state, i));
+  }
+  return wires;
+}
+
+std::vector<Wire> path_wires(const State& state) {
+  const std::vector<PointUm>& points = state.tip_path.points;
+  if (points.size() < 2) return {};
+  Wire path{"path", kPathColor, {}};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    path.points.push_back(point_mm(points[(state.tip_path.oldest + i) % points.size()]));
+  }
+  return {path};
+}
+
+std::vector<Wire> wireframe(const Model& model, const State& state) {
+  std::vector<Wire> wires = robot_wires(model, positions(model, state.motors));
+  append(wires, block_wires(model, state));
+  append(wires, path_wires(state));
+  return wires;
+}
+
+Wire surface_wire(const Workcell& workcell) {
+  const double x = mm(workcell.workspace.x_um);
+  const double y = mm(workcell.workspace.y_um);
+  const double z = mm(workcell.work_surface_um);
+  return {"surface", kSurfaceColor, {{0, -y, z}, {x, -y, z}, {x, y, z}, {0, y, z}, {0, -y, z}}};
+}
+
+std::vector<FlatWire> projected(const View& view, const std::vector<Wire>& wires) {
+  std::vector<FlatWire> flat;
+  for (const Wire& wire : wires) {
+    flat.push_back({wire.part, wire.color, {}});
+    for (const Eigen::Vector3d& p : wire.points) flat.back().points.push_back(projected(view, p));
+  }
+  return flat;
+}
+
+double behind_mm(const Model& model) {
+  double furthest = 0;
+  for (const Wire& wire : robot_wires(model, Positions{})) {
+    for (const Eigen::Vector3d& p : wire.points) furthest = std::max(furthest, -p.x());
+  }
+  return furthest;
+}
+
+}  // namespace xr3

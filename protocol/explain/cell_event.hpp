@@ -1,0 +1,83 @@
+// The events of a cell, for the log and the monitor port: the machine's events with the line that
+// caused them, problems on the lines, and changes of lines, clock, model and epoch. Values only.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "core/event.hpp"
+#include "core/sim_clock.hpp"
+#include "protocol/line/rhino_parser.hpp"
+
+namespace xr3 {
+
+/// Incremented whenever the state does not continue the previous one: by a reset or a loaded
+/// snapshot.
+using Epoch = std::int64_t;
+
+/// Lines are numbered from 1 in the order of opening.
+using LineId = std::uint32_t;
+
+/// The transport of a line: a raw or telnet connection, or the monitor's call `send`.
+enum class LineKind : std::uint8_t { kRaw, kTelnet, kMonitor };
+
+enum class CloseReason : std::uint8_t {
+  kClientClosed,
+  kStranger,
+  kError,
+  kShutdown,
+  kDisconnected,  ///< by the monitor's line_disconnect
+};
+
+/// Bytes that were not executed. `count` consecutive ones with the same code are one note.
+struct ProblemNote {
+  std::string_view code;
+  std::string message;
+  std::uint64_t offset = 0;
+  RawBytes raw;
+  int count = 1;
+};
+/// `count` warnings of a line were suppressed in this simulated second.
+struct SuppressedNote {
+  int count = 0;
+};
+struct LineOpenedNote {
+  LineKind kind = LineKind::kRaw;
+  std::string peer;
+};
+struct LineClosedNote {
+  CloseReason reason;
+  std::uint64_t bytes_in = 0;
+  std::uint64_t bytes_out = 0;
+};
+struct ClockNote {
+  std::string_view call;  ///< pause, resume or rate
+  ClockMode mode = ClockMode::kReal;
+  Rate rate;
+};
+/// A call changed the workcell.
+struct ModelNote {
+  std::string_view call;  ///< block_add, block_move, block_remove, workcell, reset or snapshot_load
+  std::string name;       ///< of the block or the workcell
+  int model_rev = 0;
+};
+struct EpochNote {
+  std::string_view call;  ///< reset or snapshot_load
+  Epoch from_epoch = 0;
+  Tick from_tick = 0;
+};
+
+using CellNote = std::variant<EventBody, ProblemNote, SuppressedNote, LineOpenedNote,
+                              LineClosedNote, ClockNote, ModelNote, EpochNote>;
+
+struct CellEvent {
+  Epoch epoch = 0;
+  Tick tick = 0;
+  std::optional<LineId> line;
+  CellNote note;
+};
+
+}  // namespace xr3

@@ -1,0 +1,109 @@
+#include "protocol/explain/explain.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "protocol/explain/command_words.hpp"
+#include "protocol/explain/diagnostic.hpp"
+#include "protocol/explain/reply_words.hpp"
+
+namespace xr3 {
+namespace {
+
+constexpr std::string_view kTelnet = "telnet";
+
+struct Explainer {
+  const wire::Item& item;
+  const Model& model;
+
+  Explanation words(std::string_view code, std::string message) const {
+    return {item.from, item.to, code, std::move(message)};
+  }
+  Explanation event(const EventBody& body, const std::string& before = "") const {
+    return words(code_of(body), before + describe(body, model));
+  }
+
+  Explanation operator()(const wire::Obeyed& obeyed) const {
+    return words(code_of(obeyed.command), describe(obeyed));
+  }
+  Explanation operator()(const wire::Ignored& ignored) const {
+    std::string message =
+        describe(Parsed{item.from, item.to, ignored.raw, ignored.problem}, ignored.problem);
+    if (ignored.count > 1) message += " (" + std::to_string(ignored.count) + " in a row)";
+    return words(code_of(ignored.problem.code), std::move(message));
+  }
+  Explanation operator()(const wire::Raised& raised) const {
+    return event(Warning{raised.code, raised.label, raised.value, raised.limit, {}});
+  }
+  Explanation operator()(const MotorBlocked& blocked) const { return event(blocked); }
+  Explanation operator()(const wire::HeldBack& held_back) const {
+    if (held_back.stall != Stall::kNo) {
+      return event(Stalled{held_back.stall}, "nothing moves: ");
+    }
+    const bool at_limit = held_back.blocked == Blocked::kLimit;
+    return words(at_limit ? "limit" : "block",
+                 std::string(1, held_back.label) +
+                     (at_limit ? " is already at a limit; it can move the other way"
+                               : " is already closed on a block; it can move the other way"));
+  }
+  Explanation operator()(const wire::Answered& answered) const {
+    return words(code_of(answered), describe(answered, model));
+  }
+};
+
+/// Appends [from, to), or extends the last explanation if it ends at `from`.
+void add_telnet(std::vector<Explanation>& all, std::uint64_t from, std::uint64_t to,
+                const char* message) {
+  const bool goes_on = !all.empty() && all.back().code == kTelnet && all.back().to == from;
+  if (goes_on) {
+    all.back().to = to;
+  } else {
+    all.push_back({from, to, kTelnet, message});
+  }
+}
+
+/// The received bytes that the telnet filter does not pass on.
+std::vector<Explanation> telnet_in(const WireRecord& record) {
+  std::vector<Explanation> all;
+  if (!record.telnet) return all;
+  TelnetFilter filter = *record.telnet;
+  std::string answers;
+  for (std::size_t i = 0; i < record.shown.size(); ++i) {
+    const std::uint64_t at = record.offset + i;
+    const bool is_data =
+        filter.take(static_cast<std::uint8_t>(record.shown[i]), answers).has_value();
+    if (!is_data) add_telnet(all, at, at + 1, "telnet protocol; not passed to the controller");
+  }
+  return all;
+}
+
+/// The sent bytes that are not part of a reply.
+std::vector<Explanation> telnet_out(const WireRecord& record) {
+  std::vector<Explanation> all;
+  std::uint64_t from = record.offset;
+  const auto add_up_to = [&](std::uint64_t to) {
+    if (from < to) add_telnet(all, from, to, "telnet protocol; not sent by the controller");
+  };
+  for (const wire::Item& item : record.items) {
+    add_up_to(item.from);
+    from = item.to;
+  }
+  add_up_to(record.offset + record.bytes);
+  return all;
+}
+
+}  // namespace
+
+std::vector<Explanation> explain(const WireRecord& record, const Model& model) {
+  std::vector<Explanation> all =
+      record.direction == Direction::kIn ? telnet_in(record) : telnet_out(record);
+  for (const wire::Item& item : record.items) {
+    all.push_back(std::visit(Explainer{item, model}, item.what));
+  }
+  // Telnet bytes may lie between the bytes of a command, which is listed where it was completed.
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Explanation& a, const Explanation& b) { return a.to < b.to; });
+  return all;
+}
+
+}  // namespace xr3

@@ -1,0 +1,149 @@
+#include "protocol/explain/wire_record.hpp"
+
+#include <ranges>
+#include <type_traits>
+#include <utility>
+
+namespace xr3 {
+namespace {
+
+using wire::Answered;
+using wire::HeldBack;
+using wire::Ignored;
+using wire::Item;
+using wire::Obeyed;
+using wire::PictureSize;
+using wire::Raised;
+
+// Records of the ring are overwritten hundreds of thousands of times per second.
+static_assert(std::is_trivially_copyable_v<Item>);
+
+void begin(WireRecord& record, Direction direction, const WirePlace& place, std::string_view bytes,
+           std::size_t most_shown) {
+  record.epoch = place.epoch;
+  record.tick = place.tick;
+  record.line = place.line;
+  record.direction = direction;
+  record.offset = place.offset;
+  record.bytes = bytes.size();
+  record.shown.assign(bytes.substr(0, most_shown));
+  record.items.clear();
+}
+
+// Problems that skip a single byte. They are merged, as a client may send megabytes of garbage.
+bool is_junk(const Problem& problem) {
+  return problem.code == ProblemCode::kUnknownByte ||
+         problem.code == ProblemCode::kNoJointSelected || problem.code == ProblemCode::kDisabled;
+}
+
+void add_problem(std::vector<Item>& items, const Parsed& parsed, const Problem& problem) {
+  if (is_junk(problem) && !items.empty() && items.back().to == parsed.from) {
+    auto* run = std::get_if<Ignored>(&items.back().what);
+    if (run != nullptr && run->problem == problem) {
+      for (const char byte : parsed.raw.view()) run->raw.push(static_cast<std::uint8_t>(byte));
+      ++run->count;
+      items.back().to = parsed.to;
+      return;
+    }
+  }
+  items.push_back({parsed.from, parsed.to, Ignored{problem, parsed.raw, 1}});
+}
+
+const MoveTaken* move_in(const Exchange& exchange) {
+  for (const Event& event : exchange.events) {
+    if (const auto* taken = std::get_if<MoveTaken>(&event.body)) return taken;
+  }
+  return nullptr;
+}
+
+// Commands never stall a robot, only ticks do: if it is stalled after the bytes, it was before
+// them.
+HeldBack held_back(const MoveTaken& move, const Simulation& machine) {
+  const MotorState& motor = machine.state().motor(machine.model().index_of(move.label));
+  return {move.label, machine.state().stall, motor.blocked};
+}
+
+void add_command(std::vector<Item>& items, const Exchange& exchange, const Command& command,
+                 const Simulation& machine) {
+  const auto [from, to] = std::pair(exchange.parsed.from, exchange.parsed.to);
+  const MoveTaken* move = move_in(exchange);
+  Obeyed obeyed{command, std::nullopt, false};
+  if (move != nullptr) obeyed.counter = static_cast<std::int8_t>(move->error);
+  items.push_back({from, to, obeyed});
+  bool is_told = false;
+  for (const Event& event : exchange.events) {
+    if (const auto* warning = std::get_if<Warning>(&event.body)) {
+      items.push_back(
+          {from, to, Raised{warning->code, warning->label, warning->value, warning->limit}});
+    } else if (const auto* blocked = std::get_if<MotorBlocked>(&event.body)) {
+      items.push_back({from, to, *blocked});
+      is_told = true;
+    }
+  }
+  if (move == nullptr || is_told) return;
+  const HeldBack why = held_back(*move, machine);
+  if (why.stall != Stall::kNo || why.blocked != Blocked::kNo) items.push_back({from, to, why});
+}
+
+// Sets is_on of each toggle, going back from the state after the last byte.
+void settle_toggles(std::vector<Item>& items, const State& after) {
+  bool display = after.display.on;
+  bool erase = after.display.erase;
+  bool enabled = after.enabled;
+  for (Item& item : std::views::reverse(items)) {
+    auto* obeyed = std::get_if<Obeyed>(&item.what);
+    if (obeyed == nullptr) continue;
+    bool* toggled = nullptr;
+    if (std::holds_alternative<ToggleDisplay>(obeyed->command)) toggled = &display;
+    if (std::holds_alternative<ToggleErasing>(obeyed->command)) toggled = &erase;
+    if (std::holds_alternative<ToggleSimulator>(obeyed->command)) toggled = &enabled;
+    if (toggled == nullptr) continue;
+    obeyed->is_on = *toggled;
+    *toggled = !*toggled;
+  }
+}
+
+/// Stores a reply in `item`, without its image.
+struct Answer {
+  Item& item;
+  const Command& command;
+
+  void operator()(const NoReply&) const {}
+  void operator()(const CameraRows& rows) const {
+    item.what = Answered{command, PictureSize{rows.image->width(), rows.image->height()}};
+  }
+  template <class Small>
+  void operator()(const Small& reply) const {
+    item.what = Answered{command, reply};
+  }
+};
+
+}  // namespace
+
+void fill_in(WireRecord& record, const WirePlace& place, std::string_view bytes,
+             const std::optional<TelnetFilter>& before, const std::vector<Exchange>& exchanges,
+             const Simulation& machine) {
+  begin(record, Direction::kIn, place, bytes, kMostShownIn);
+  record.telnet = before;
+  for (const Exchange& exchange : exchanges) {
+    if (const auto* problem = std::get_if<Problem>(&exchange.parsed.what)) {
+      add_problem(record.items, exchange.parsed, *problem);
+    } else {
+      add_command(record.items, exchange, std::get<Command>(exchange.parsed.what), machine);
+    }
+  }
+  settle_toggles(record.items, machine.state());
+}
+
+void fill_out(WireRecord& record, const WirePlace& place, std::string_view bytes,
+              const std::vector<Exchange>& exchanges) {
+  begin(record, Direction::kOut, place, bytes, kMostShownOut);
+  record.telnet.reset();
+  for (const Exchange& exchange : exchanges) {
+    if (exchange.reply_from == exchange.reply_to) continue;
+    Item& item = record.items.emplace_back(Item{exchange.reply_from, exchange.reply_to, {}});
+    std::visit(Answer{item, std::get<Command>(exchange.parsed.what)}, exchange.reply);
+  }
+}
+
+}  // namespace xr3

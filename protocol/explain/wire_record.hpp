@@ -1,0 +1,114 @@
+// The bytes that a serial line received or sent at one moment, and how they were interpreted. A
+// compact value for a ring buffer: it is filled at every read of a line, and explain.hpp converts
+// it to text only for subscribers. It holds no images and no messages, and refilling a record
+// reuses its memory.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/command.hpp"
+#include "core/event.hpp"
+#include "core/simulation.hpp"
+#include "protocol/explain/cell_event.hpp"
+#include "protocol/line/rhino_endpoint.hpp"
+#include "protocol/line/telnet.hpp"
+
+namespace xr3 {
+
+enum class Direction : std::uint8_t { kIn, kOut };
+
+namespace wire {
+
+/// An executed command, and the results that its text needs.
+struct Obeyed {
+  Command command;
+  std::optional<std::int8_t> counter;  ///< of a Move: the joint's error counter after it
+  bool is_on = false;                  ///< of a toggle: the new value
+};
+
+/// Bytes that were not executed. Consecutive single bytes with the same problem are one item.
+struct Ignored {
+  Problem problem;
+  RawBytes raw;
+  std::uint32_t count = 1;
+};
+
+/// A core Warning that a command raised.
+struct Raised {
+  WarningCode code = WarningCode::kCounterOverflow;
+  char label = 0;
+  int value = 0;
+  int limit = 0;
+};
+
+/// A Move without motion: the robot is stalled, or the joint was blocked before and still is.
+struct HeldBack {
+  char label = 0;
+  Stall stall = Stall::kNo;
+  Blocked blocked = Blocked::kNo;
+};
+
+/// The size of a reply with rows of the camera's image; the image itself is not kept.
+struct PictureSize {
+  int width = 0;
+  int height = 0;
+};
+
+/// An inquiry and its reply.
+struct Answered {
+  Command command;
+  std::variant<ErrorMagnitude, SignedError, SwitchState, SwitchBits, PictureSize, PixelValue> reply;
+};
+
+/// The interpretation of the bytes [from, to) of the line's stream in this direction.
+struct Item {
+  std::uint64_t from = 0;
+  std::uint64_t to = 0;
+  std::variant<Obeyed, Ignored, Raised, MotorBlocked, HeldBack, Answered> what;
+};
+
+}  // namespace wire
+
+/// A run of bytes of a line in one direction.
+struct WireRecord {
+  Epoch epoch = 0;
+  Tick tick = 0;
+  LineId line = 0;
+  Direction direction = Direction::kIn;
+  std::uint64_t offset = 0;            ///< of the first byte in the line's stream in this direction
+  std::uint64_t bytes = 0;             ///< number of bytes
+  std::string shown;                   ///< the first kMostShownIn or kMostShownOut bytes
+  std::optional<TelnetFilter> telnet;  ///< kIn: the line's filter, if any, before the first byte
+  std::vector<wire::Item> items;
+};
+
+/// Maximum number of bytes kept in a record. A longer read is split into several records, so that
+/// every received byte is kept.
+inline constexpr std::size_t kMostShownIn = 64;
+inline constexpr std::size_t kMostShownOut = 256;
+
+/// When and on which line bytes were received or sent.
+struct WirePlace {
+  Epoch epoch = 0;
+  Tick tick = 0;
+  LineId line = 0;
+  std::uint64_t offset = 0;  ///< of the first byte in the line's stream in this direction
+};
+
+/// Fills `record` for received bytes: at most kMostShownIn, as the transport delivered them.
+/// `before` is the line's telnet filter before these bytes, or nullopt if it has none. `exchanges`
+/// are those that the bytes completed, and `machine` is in the state after them, at the same tick.
+void fill_in(WireRecord& record, const WirePlace& place, std::string_view bytes,
+             const std::optional<TelnetFilter>& before, const std::vector<Exchange>& exchanges,
+             const Simulation& machine);
+
+/// Fills `record` for bytes sent as replies to `exchanges`: any number, as passed to the transport.
+void fill_out(WireRecord& record, const WirePlace& place, std::string_view bytes,
+              const std::vector<Exchange>& exchanges);
+
+}  // namespace xr3

@@ -1,0 +1,62 @@
+#include "protocol/files/check_report.hpp"
+
+#include <utility>
+
+#include "protocol/files/robot.hpp"
+#include "protocol/files/workcell.hpp"
+#include "protocol/json/source.hpp"
+
+namespace xr3 {
+namespace {
+
+DataKind kind_of(JsonValue root) {
+  if (root.find("joints")) return DataKind::kRobot;
+  if (root.find("workspace") || root.find("blocks")) return DataKind::kWorkcell;
+  return DataKind::kUnknown;
+}
+
+CheckResult robot_result(std::string_view text, const std::string& file, Profile profile) {
+  CheckResult result;
+  result.kind = DataKind::kRobot;
+  RobotReading reading = read_robot(text, file);
+  result.findings = std::move(reading.findings);
+  result.robot = std::move(reading.robot);
+  if (result.robot) result.summary = robot_summary(*result.robot, profile);
+  return result;
+}
+
+CheckResult workcell_result(std::string_view text, const std::string& file, const Robot* robot) {
+  CheckResult result;
+  result.kind = DataKind::kWorkcell;
+  WorkcellReading reading = read_workcell(text, file, robot);
+  result.findings = std::move(reading.findings);
+  result.workcell = std::move(reading.workcell);
+  if (result.workcell) result.summary = workcell_summary(*result.workcell);
+  return result;
+}
+
+CheckResult unknown_result(const std::string& file) {
+  CheckResult result;
+  result.findings.push_back(
+      {Severity::kError, file, 1, 0, "", "neither a robot nor a workcell",
+       "a robot, with \"joints\" and \"tool\", or a workcell, with \"workspace\" and \"blocks\""});
+  return result;
+}
+
+}  // namespace
+
+CheckResult check_text(std::string_view text, const std::string& file, Profile profile,
+                       const Robot* robot) try {
+  switch (kind_of(JsonSource(text, file).root())) {
+    case DataKind::kRobot: return robot_result(text, file, profile);
+    case DataKind::kWorkcell: return workcell_result(text, file, robot);
+    case DataKind::kUnknown: break;
+  }
+  return unknown_result(file);
+} catch (const DataError& error) {
+  CheckResult result;
+  result.findings = error.findings();
+  return result;
+}
+
+}  // namespace xr3

@@ -1,0 +1,43 @@
+// The report of `xr3 check` about a data file: its kind, all findings, and a summary. The caller
+// reads the file, prints the report and chooses the exit code.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/model.hpp"
+#include "core/robot.hpp"
+#include "core/workcell.hpp"
+#include "protocol/json/finding.hpp"
+
+namespace xr3 {
+
+enum class DataKind : std::uint8_t { kUnknown, kRobot, kWorkcell };
+
+/// The findings, and if none of them is an error, the value and its summary.
+struct CheckResult {
+  DataKind kind = DataKind::kUnknown;
+  Findings findings;    ///< sorted by line; print each with to_text
+  std::string summary;  ///< lines, each with a line feed; empty if there are errors
+  std::optional<Robot> robot;
+  std::optional<Workcell> workcell;
+
+  bool is_good() const { return !has_errors(findings); }
+};
+
+/// Checks the text of a file: with `joints` it is a robot, with `workspace` or `blocks` a workcell.
+/// The profile determines the default width of switches. If `robot` is given, a workcell is also
+/// checked against its tool. Never throws.
+CheckResult check_text(std::string_view text, const std::string& file, Profile profile,
+                       const Robot* robot = nullptr);
+
+/// Denavit-Hartenberg table, motors, coupling, protected region, net roll and both homes (paper,
+/// Table II and Section III-A).
+std::string robot_summary(const Robot& robot, Profile profile);
+
+/// Workspace, blocks and camera (paper, Section III-B).
+std::string workcell_summary(const Workcell& workcell);
+
+}  // namespace xr3

@@ -1,0 +1,109 @@
+#include "protocol/files/motor_rules.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "protocol/text/table.hpp"
+
+namespace xr3 {
+namespace {
+
+using data::Reading;
+
+constexpr char kLastLabelOfJ = 'B';
+constexpr int kHighestBitOfJ = 2;  // bits 2 to 5 of J are input lines
+
+std::string words(double number) { return plain_number(number, 4); }
+
+void refuse(Reading& reading, const std::string& pointer, std::string found, std::string allowed) {
+  reading.report(Severity::kError, pointer, std::move(found), std::move(allowed));
+}
+
+void check_label(const CheckedMotor& motor, Reading& reading) {
+  const std::string pointer = motor.pointer + "/label";
+  if (!reading.is_sound(pointer) || motor.drive->label == motor.label) return;
+  refuse(reading, pointer, "\"" + std::string(1, motor.drive->label) + "\"",
+         "\"" + std::string(1, motor.label) +
+             "\": the tool is A, the last joint B, and so on to the base");
+}
+
+/// Requires limits in order, the home within them, and a range that does not exceed
+/// kMaxCountsFromHome.
+void check_limits(const CheckedMotor& motor, Reading& reading) {
+  const std::string pointer = motor.pointer + "/limits";
+  if (!reading.is_sound(pointer)) return;
+  const Drive& drive = *motor.drive;
+  const double unit = motor.is_length ? reading.mm_per_unit() : 1;
+  const std::string found = "[" + words(drive.min / unit) + ", " + words(drive.max / unit) + "]";
+  if (drive.min >= drive.max) return refuse(reading, pointer, found, "the lower limit first");
+  if (motor.is_length && std::max(-drive.min, drive.max) > data::kMaxLengthMm) {
+    return refuse(reading, pointer, found, "lengths of up to " + words(data::kMaxLengthMm) + " mm");
+  }
+  const std::string home = motor.pointer + motor.home_member;
+  if (!reading.is_sound(home) || !reading.is_sound(motor.pointer + "/variable")) return;
+  if (drive.home < drive.min || drive.home > drive.max) {
+    return refuse(reading, home, words(drive.home / unit), "a home within the limits " + found);
+  }
+  if (!reading.is_sound(motor.pointer + "/precision")) return;
+  const double range = std::max(drive.max - drive.home, drive.home - drive.min) / drive.precision;
+  if (range > kMaxCountsFromHome) {
+    refuse(reading, pointer, words(std::floor(range)) + " counts from the home to a limit",
+           "up to " + words(kMaxCountsFromHome) + " counts");
+  }
+}
+
+/// Requires a bit that no other switch of the same reply has. J has only two bits for switches; the
+/// others are input lines.
+void check_mask(const CheckedMotor& motor, Reading& reading, std::set<int>& taken_i,
+                std::set<int>& taken_j) {
+  const std::string pointer = motor.pointer + "/switch/mask";
+  const int mask = motor.drive->microswitch.mask;
+  if (!reading.is_sound(pointer) || mask == 0) return;
+  const bool in_j = motor.label <= kLastLabelOfJ;
+  const std::string reply = in_j ? "J" : "I";
+  if (in_j && mask > kHighestBitOfJ) {
+    return refuse(reading, pointer, std::to_string(mask),
+                  "1 or 2, or 0 for none: J has room for two switches");
+  }
+  if (!(in_j ? taken_j : taken_i).insert(mask).second) {
+    refuse(reading, pointer, std::to_string(mask) + " for the second time",
+           "a bit of the reply to " + reply + " that no other switch has");
+  }
+}
+
+void check_switch_position(const CheckedMotor& motor, Reading& reading) {
+  const std::string pointer = motor.pointer + "/switch/position";
+  const Microswitch& microswitch = motor.drive->microswitch;
+  if (!reading.is_sound(pointer) || microswitch.position != 0 || microswitch.width) return;
+  refuse(reading, pointer, "0", "a count other than 0, or a width beside it");
+}
+
+}  // namespace
+
+std::vector<CheckedMotor> motors_of(const Robot& robot) {
+  std::vector<CheckedMotor> motors;
+  const std::size_t n = robot.joints.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Joint& joint = robot.joints[i];
+    const bool turns = joint.variable == JointVariable::kTheta;
+    motors.push_back({&joint.drive, "/joints/" + std::to_string(i), turns ? "/theta_deg" : "/d",
+                      static_cast<char>('A' + (n - i)), !turns});
+  }
+  const bool hinges = robot.tool.kind == ToolKind::kAngular;
+  motors.push_back({&robot.tool.drive, "/tool", "/home", 'A', !hinges});
+  return motors;
+}
+
+void check_motors(const Robot& robot, Reading& reading) {
+  std::set<int> taken_i;
+  std::set<int> taken_j;
+  for (const CheckedMotor& motor : motors_of(robot)) {
+    check_label(motor, reading);
+    check_limits(motor, reading);
+    check_mask(motor, reading, taken_i, taken_j);
+    check_switch_position(motor, reading);
+  }
+}
+
+}  // namespace xr3

@@ -1,0 +1,45 @@
+// The paper's own data files ("plain form"): numbers in the order of the paper's Section III, one
+// item or one row per line, with comment lines that begin with `*`. Members of the JSON files that
+// the paper's form lacks are in comment lines that begin with `*+`, so that conversion in both
+// directions is lossless. docs/paper-form.md describes the form. The text comes from the caller; no
+// file is read here.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/robot.hpp"
+#include "core/workcell.hpp"
+#include "protocol/files/check_report.hpp"
+#include "protocol/files/robot.hpp"
+#include "protocol/files/workcell.hpp"
+
+namespace xr3 {
+
+/// The plain form in mm, with a comment line above every item. Reading it gives an equal robot.
+std::string robot_to_paper_form(const Robot& robot);
+std::string workcell_to_paper_form(const Workcell& workcell);
+
+/// Reads and checks a file in plain form, like read_robot() for JSON. Findings have the pointers of
+/// the JSON form. Never throws.
+RobotReading read_paper_robot(std::string_view text, const std::string& file);
+/// The same for a workcell; `robot` as in read_workcell().
+WorkcellReading read_paper_workcell(std::string_view text, const std::string& file,
+                                    const Robot* robot = nullptr);
+
+/// Whether a text is meant as JSON, valid or not: its first character outside comments starts an
+/// object or a list.
+bool is_json_form(std::string_view text);
+
+/// check_text() for files of either form. A plain file whose first line has one number is a robot,
+/// with three numbers a workcell. A file named .json that does not begin with a number is read as
+/// JSON.
+CheckResult check_either_form(std::string_view text, const std::string& file, Profile profile,
+                              const Robot* robot = nullptr);
+
+/// load_robot() and load_workcell() for files of either form. Throw DataError with all findings if
+/// one is an error, or if a plain file is of the other kind.
+Robot load_robot_of_either_form(std::string_view text, const std::string& file);
+Workcell load_workcell_of_either_form(std::string_view text, const std::string& file);
+
+}  // namespace xr3

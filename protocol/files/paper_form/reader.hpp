@@ -1,0 +1,109 @@
+// Converts the lines of the paper's plain form to the JSON of the same data file, row by row
+// according to a table of rows, and records the line of each value. The JSON loader then checks the
+// values; its findings get the line numbers of the plain file.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "protocol/files/paper_form/lines.hpp"
+
+namespace xr3::paper {
+
+/// One item of a row: its place in the JSON, relative to its part, and the words that its numbers
+/// stand for.
+struct Cell {
+  std::string member;  ///< such as "/limits/0"
+  std::vector<std::pair<int, Json>>
+      words{};            ///< numbers and the words they stand for; empty: a plain value
+  bool is_label = false;  ///< a letter
+};
+
+/// One line of data and the comment above it.
+struct Row {
+  std::string title;
+  std::vector<Cell> cells;
+  std::string member{};  ///< of the row, such as "/limits"; empty: the part itself
+};
+
+/// A member of the JSON file that is written in a `*+` line: its name there, and its place in the
+/// JSON.
+struct Extra {
+  std::string key;
+  std::string member;
+};
+using Extras = std::vector<Extra>;
+
+class Reader {
+ public:
+  Reader(std::string_view text, std::string file);
+
+  /// Until close(), rows and `*+` lines belong to this part. Parts may be nested.
+  void open(const std::string& part, const Extras& extras);
+  void close();
+
+  /// Reads the next line into a part. Returns false if it does not fit or reading has ended.
+  bool row(const Row& row, const std::string& part);
+  /// Reads a line with a number of parts and makes a list with that many empty elements. Returns
+  /// the number. Without a valid number it returns 0 and reading ends, as the rest cannot be
+  /// interpreted.
+  std::size_t count(const std::string& title, const std::string& list, std::size_t most,
+                    std::size_t least = 0);
+  /// The same with the number that row() stored at `at`, which is removed from the JSON.
+  std::size_t count_at(const std::string& at, const std::string& list, std::size_t most,
+                       std::size_t least = 0);
+  /// Reads a line of any number of items into a list.
+  bool list(const std::string& title, const std::string& list);
+
+  /// Whether lines are left.
+  bool has_more() const { return !is_lost_ && next_ < lines_.data.size(); }
+  /// The value read, or null.
+  Json value(const std::string& pointer) const;
+  void set(const std::string& pointer, Json value);
+  /// Sets a value unless the file has it.
+  void set_default(const std::string& pointer, Json value);
+
+  /// Reports remaining lines as an error.
+  void finish();
+
+  std::string json() const { return root_.dump(); }
+  const std::string& file() const { return file_; }
+  /// This reader's findings and the JSON loader's, sorted. The loader's findings get the line
+  /// numbers of the plain file; those about places that this reader has already refused are
+  /// dropped.
+  Findings merged(Findings of_loader) const;
+
+ private:
+  struct Part {
+    std::string pointer;
+    Extras extras;
+  };
+
+  const DataLine* next_line(const std::string& title, const std::string& pointer);
+  bool fits(const Row& row, const DataLine& line) const;
+  void misfit(const Row& row, const std::string& pointer, const DataLine& line);
+  void put(const Cell& cell, const std::string& part, const std::string& item, int line);
+  void take_additions(const std::vector<Addition>& additions);
+  void take(const Addition& addition);
+  void put(const Addition& addition, const Extra& extra, const std::string& part);
+  void refuse_addition(const Addition& addition);
+  void report(int line, const std::string& pointer, std::string found, std::string allowed);
+  bool is_refused(const std::string& pointer) const;
+  int line_of(std::string pointer) const;
+
+  std::string file_;
+  Lines lines_;
+  std::size_t next_ = 0;
+  bool is_lost_ = false;
+  bool is_after_misfit_ = false;
+  std::vector<Part> parts_;
+  Json root_ = Json::object();
+  std::map<std::string, int> line_of_;
+  Findings findings_;
+};
+
+}  // namespace xr3::paper

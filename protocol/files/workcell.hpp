@@ -1,0 +1,38 @@
+// Converts workcell files (paper, Section III-B) from text to values and back. The text comes from
+// the caller; no file is read here.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/robot.hpp"
+#include "core/workcell.hpp"
+#include "protocol/json/codec.hpp"
+#include "protocol/json/finding.hpp"
+
+namespace xr3 {
+
+/// The result of reading a workcell file. `workcell` is set unless a finding is an error; the
+/// findings are sorted by line.
+struct WorkcellReading {
+  std::optional<Workcell> workcell;
+  Findings findings;
+};
+
+/// Reads and checks a workcell file; with a robot, also whether the blocks fit its tool. Syntax
+/// errors are findings, too. Never throws.
+WorkcellReading read_workcell(std::string_view text, const std::string& file,
+                              const Robot* robot = nullptr);
+
+/// The same for the document being read; errors go to the reading.
+std::optional<Workcell> read_workcell(data::Reading& reading, const Robot* robot = nullptr);
+
+/// Reads and checks a workcell file. Throws DataError with all findings if one of them is an error.
+Workcell load_workcell(std::string_view text, const std::string& file);
+
+/// The JSON of a workcell file, in mm, with its members in the documented order. Loading it gives
+/// an equal workcell.
+Json workcell_to_json(const Workcell& workcell);
+
+}  // namespace xr3

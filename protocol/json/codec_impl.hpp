@@ -1,0 +1,191 @@
+// The templates of data_json.hpp; include that instead.
+#pragma once
+
+#include <algorithm>
+
+#include "protocol/json/codec.hpp"
+
+namespace xr3::data {
+namespace detail {
+
+/// Tells of a member that no table names, with the nearest allowed name.
+void keep_unknown(const Place& member, const std::vector<std::string>& names);
+
+/// `one, two or three`, each in double quotes.
+std::string quoted_names(const std::vector<std::string>& names);
+
+/// `a list of 3`, `a list of 1 to 7`.
+std::string list_words(std::size_t min_count, std::size_t max_count);
+
+/// `a whole number from 1 to 255`.
+std::string integer_words(std::int64_t min, std::int64_t max);
+
+/// The number, unless it is none or out of range; nothing is reported.
+std::optional<std::int64_t> integer_in(JsonValue value, std::int64_t min, std::int64_t max);
+
+template <class T>
+std::vector<std::string> names_of(const Members<T>& members) {
+  std::vector<std::string> names;
+  for (const Member<T>& member : members) names.push_back(member.name);
+  return names;
+}
+
+/// Reports the members that the table does not name.
+template <class T>
+void refuse_unknown(const Place& place, const Members<T>& members) {
+  for (const JsonValue value : place.value) {
+    const bool is_known = std::any_of(
+        members.begin(), members.end(),
+        [name = value.name()](const Member<T>& member) { return name.is(member.name); });
+    if (!is_known && place.reading.keeps_error())
+      keep_unknown({place.reading, value}, names_of(members));
+  }
+}
+
+}  // namespace detail
+
+template <class I>
+Codec<I> integer(std::int64_t min, std::int64_t max) {
+  Codec<I> codec;
+  codec.allowed = detail::integer_words(min, max);
+  codec.read = [=, allowed = codec.allowed](const Place& place, I& result) {
+    const auto number = detail::integer_in(place.value, min, max);
+    if (!number) return place.refuse(allowed);
+    return result = static_cast<I>(*number), true;
+  };
+  codec.write = [](const I& value) { return Json(value); };
+  return codec;
+}
+
+template <class E>
+Codec<E> choice(std::vector<std::pair<std::string, E>> names) {
+  std::vector<std::string> words;
+  for (const auto& [name, value] : names) words.push_back(name);
+  Codec<E> codec;
+  codec.allowed = detail::quoted_names(words);
+  codec.read = [names, allowed = codec.allowed](const Place& place, E& result) {
+    for (const auto& [name, value] : names) {
+      if (place.value.is(name)) return result = value, true;
+    }
+    return place.refuse(allowed);
+  };
+  codec.write = [names](const E& wanted) {
+    const auto known = std::find_if(names.begin(), names.end(),
+                                    [&](const auto& entry) { return entry.second == wanted; });
+    return Json(known->first);
+  };
+  return codec;
+}
+
+template <class V>
+Codec<std::vector<V>> list(Codec<V> item, std::size_t min_count, std::size_t max_count) {
+  Codec<std::vector<V>> codec;
+  codec.allowed = detail::list_words(min_count, max_count);
+  codec.read = [=, allowed = codec.allowed](const Place& place, std::vector<V>& result) {
+    const std::size_t count = place.value.is_list() ? place.value.size() : 0;
+    if (!place.value.is_list() || count < min_count || count > max_count)
+      return place.refuse(allowed);
+    result.clear();
+    result.reserve(std::min(count, 2 * place.value.extent() / sizeof(V)));
+    bool is_good = true;
+    for (const JsonValue element : place.value) {
+      V each{};
+      is_good = item.read({place.reading, element}, each) && is_good;
+      if (!place.reading.is_full()) result.push_back(std::move(each));
+    }
+    return is_good;
+  };
+  codec.write = [write = item.write](const std::vector<V>& values) {
+    Json array = Json::array();
+    for (const V& value : values) array.push_back(write(value));
+    return array;
+  };
+  return codec;
+}
+
+template <class T, class V>
+Member<T> required(std::string name, V T::*field, Codec<V> codec) {
+  return {
+      std::move(name), true, codec.allowed,
+      [=, read = codec.read](const Place& place, T& object) { return read(place, object.*field); },
+      [=, write = codec.write](const T& object) -> std::optional<Json> {
+        return write(object.*field);
+      }};
+}
+
+template <class T, class V>
+Member<T> optional(std::string name, V T::*field, Codec<V> codec) {
+  Member<T> member = required(std::move(name), field, codec);
+  member.is_required = false;
+  member.write = [=, write = codec.write](const T& object) -> std::optional<Json> {
+    if (object.*field == T{}.*field) return std::nullopt;
+    return write(object.*field);
+  };
+  return member;
+}
+
+template <class T, class V>
+Member<T> optional(std::string name, std::optional<V> T::*field, Codec<V> codec) {
+  return {std::move(name), false, codec.allowed,
+          [=, read = codec.read](const Place& place, T& object) {
+            return read(place, (object.*field).emplace());
+          },
+          [=, write = codec.write](const T& object) -> std::optional<Json> {
+            if (!(object.*field)) return std::nullopt;
+            return write(*(object.*field));
+          }};
+}
+
+template <class T, class V>
+Members<T> spread(V T::*part, const Members<V>& members) {
+  Members<T> result;
+  for (const Member<V>& member : members) {
+    result.push_back({member.name, member.is_required, member.allowed,
+                      [=, read = member.read](const Place& place, T& object) {
+                        return read(place, object.*part);
+                      },
+                      [=, write = member.write](const T& object) { return write(object.*part); }});
+  }
+  return result;
+}
+
+template <class T>
+Member<T> length_unit_member() {
+  return {"length_unit", false, "", [](const Place&, T&) { return true; },
+          [](const T&) -> std::optional<Json> { return Json("mm"); }};
+}
+
+template <class T>
+bool read_object(const Place& place, const Members<T>& members, T& object) {
+  if (!place.value.is_object()) return place.refuse("an object { ... }");
+  detail::refuse_unknown(place, members);
+  bool is_good = true;
+  for (const Member<T>& member : members) {
+    if (const JsonValue value = place.value.find(member.name)) {
+      is_good = member.read({place.reading, value}, object) && is_good;
+    } else if (member.is_required) {
+      if (place.reading.keeps_error())
+        place.reading.keep_missing(place.value, member.name, member.allowed);
+      is_good = false;
+    }
+  }
+  return is_good;
+}
+
+template <class T>
+Json write_object(const T& object, const Members<T>& members) {
+  Json json = Json::object();
+  for (const Member<T>& member : members) {
+    if (auto value = member.write(object)) json[member.name] = *std::move(value);
+  }
+  return json;
+}
+
+template <class T>
+Codec<T> object(Members<T> members) {
+  return {"an object { ... }",
+          [members](const Place& place, T& result) { return read_object(place, members, result); },
+          [members](const T& value) { return write_object(value, members); }};
+}
+
+}  // namespace xr3::data

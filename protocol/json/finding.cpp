@@ -1,0 +1,42 @@
+#include "protocol/json/finding.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace xr3 {
+
+std::string to_text(const Finding& finding) {
+  std::string text = finding.file + ":" + std::to_string(finding.line) + ":";
+  if (finding.column > 0) text += std::to_string(finding.column) + ":";
+  if (finding.severity == Severity::kWarning) text += " warning:";
+  if (finding.more > 0) return text + " and " + std::to_string(finding.more) + " more like these";
+  if (!finding.pointer.empty()) text += " " + finding.pointer + ":";
+  return text + " found " + finding.found + "; allowed: " + finding.allowed;
+}
+
+std::string to_text(const Findings& findings) {
+  std::string text;
+  for (const Finding& finding : findings) text += to_text(finding) + "\n";
+  return text;
+}
+
+bool has_errors(const Findings& findings) {
+  return std::any_of(findings.begin(), findings.end(),
+                     [](const Finding& f) { return f.severity == Severity::kError; });
+}
+
+std::string cut(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return std::string(text);
+  while (most > 0 && (text[most] & 0xC0) == 0x80) --most;
+  return std::string(text.substr(0, most)) + "...";
+}
+
+void sort_by_line(Findings& findings) {
+  std::stable_sort(findings.begin(), findings.end(),
+                   [](const Finding& a, const Finding& b) { return a.line < b.line; });
+}
+
+DataError::DataError(Findings findings)
+    : std::runtime_error(to_text(findings)), findings_(std::move(findings)) {}
+
+}  // namespace xr3

@@ -1,0 +1,57 @@
+// Findings in a data file as values: where, what was found, what is allowed. All errors are
+// collected in one exception, so that a user can correct them together. Independent of JSON and of
+// the files' meaning.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace xr3 {
+
+/// An error makes a file unusable; a warning does not.
+enum class Severity : std::uint8_t { kError, kWarning };
+
+/// One error or warning about a data file.
+struct Finding {
+  Severity severity = Severity::kError;
+  std::string file;
+  int line = 0;          ///< from 1
+  int column = 0;        ///< from 1 for a syntax error; 0 otherwise
+  std::string pointer;   ///< JSON pointer (RFC 6901); empty for the whole file
+  std::string found;     ///< what the file has there
+  std::string allowed;   ///< what is allowed there
+  std::size_t more = 0;  ///< if not 0: the number of further findings, which are not listed
+  bool operator==(const Finding&) const = default;
+};
+
+using Findings = std::vector<Finding>;
+
+/// One line: `FILE:LINE: /pointer: found X; allowed: Y`; warnings are marked as such.
+std::string to_text(const Finding& finding);
+
+/// One line per finding, each with a line feed.
+std::string to_text(const Findings& findings);
+
+bool has_errors(const Findings& findings);
+
+/// A text of at most `most` bytes and, if something is left out, three dots. Never cuts a UTF-8 letter.
+std::string cut(std::string_view text, std::size_t most);
+
+/// Stable sort by line, errors and warnings mixed.
+void sort_by_line(Findings& findings);
+
+/// Thrown for a data file that cannot be used; carries all its findings.
+class DataError : public std::runtime_error {
+ public:
+  explicit DataError(Findings findings);
+  const Findings& findings() const { return findings_; }
+
+ private:
+  Findings findings_;
+};
+
+}  // namespace xr3

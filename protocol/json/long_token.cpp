@@ -1,0 +1,104 @@
+#include "protocol/json/long_token.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+namespace xr3 {
+namespace {
+
+constexpr std::size_t kSample = 24;  // more than the longest letter: a surrogate pair, escaped
+
+bool is_between(std::string_view text, std::size_t at, unsigned low, unsigned high) {
+  const auto byte = at < text.size() ? static_cast<unsigned char>(text[at]) : 0U;
+  return low <= byte && byte <= high;
+}
+
+/// Bytes of a letter beyond ASCII (RFC 3629), or 0 where it is none.
+std::size_t utf8_length(std::string_view text, std::size_t at) {
+  struct Form {
+    unsigned first_low, first_high, second_low, second_high;
+    std::size_t length;
+  };
+  constexpr Form kForms[] = {{0xC2, 0xDF, 0x80, 0xBF, 2}, {0xE0, 0xE0, 0xA0, 0xBF, 3},
+                             {0xE1, 0xEC, 0x80, 0xBF, 3}, {0xED, 0xED, 0x80, 0x9F, 3},
+                             {0xEE, 0xEF, 0x80, 0xBF, 3}, {0xF0, 0xF0, 0x90, 0xBF, 4},
+                             {0xF1, 0xF3, 0x80, 0xBF, 4}, {0xF4, 0xF4, 0x80, 0x8F, 4}};
+  for (const Form& form : kForms) {
+    if (!is_between(text, at, form.first_low, form.first_high)) continue;
+    bool is_good = is_between(text, at + 1, form.second_low, form.second_high);
+    for (std::size_t i = 2; i < form.length; ++i)
+      is_good = is_good && is_between(text, at + i, 0x80, 0xBF);
+    return is_good ? form.length : 0;
+  }
+  return 0;
+}
+
+std::optional<unsigned> unit_at(std::string_view text, std::size_t at) {
+  const std::string_view escape = text.substr(std::min(at, text.size()), 6);
+  if (escape.size() < 6 || !escape.starts_with("\\u")) return std::nullopt;
+  unsigned unit = 0;
+  const auto read = std::from_chars(escape.data() + 2, escape.data() + 6, unit, 16);
+  return read.ptr == escape.data() + 6 ? std::optional(unit) : std::nullopt;
+}
+
+std::size_t escape_length(std::string_view text, std::size_t at) {
+  constexpr std::string_view kLetters = "\"\\/bfnrt";
+  if (at + 1 < text.size() && kLetters.find(text[at + 1]) != std::string_view::npos) return 2;
+  const auto unit = unit_at(text, at);
+  if (!unit || (*unit >= 0xDC00 && *unit <= 0xDFFF)) return 0;
+  if (*unit < 0xD800 || *unit > 0xDBFF) return 6;
+  const auto second = unit_at(text, at + 6);
+  return second && *second >= 0xDC00 && *second <= 0xDFFF ? 12 : 0;
+}
+
+/// Bytes that one letter of a text takes, or 0 where none is allowed so.
+std::size_t letter_length(std::string_view text, std::size_t at) {
+  if (text[at] == '\\') return escape_length(text, at);
+  if (is_between(text, at, 0x20, 0x7F)) return 1;
+  return utf8_length(text, at);
+}
+
+/// A text that begins and ends with its quotes, the second of which may be missing.
+std::optional<LongToken> wrong_text(std::string_view text, std::size_t begin, std::size_t end) {
+  std::size_t at = begin + 1;
+  while (at < end) {
+    const std::size_t length = letter_length(text, at);
+    if (length == 0) break;
+    at += length;
+  }
+  if (at >= end && end < text.size()) return std::nullopt;
+  return LongToken{begin, "\"" + std::string(text.substr(at, kSample)), at - 1};
+}
+
+std::optional<LongToken> wrong_number(std::string_view text, std::size_t begin, std::size_t end) {
+  constexpr std::string_view kSameFault = "1e999";
+  const std::string digits(text.substr(begin, end - begin));
+  if (std::isfinite(std::strtod(digits.c_str(), nullptr))) return std::nullopt;
+  return LongToken{begin, std::string(kSameFault), end - kSameFault.size()};
+}
+
+}  // namespace
+
+std::size_t text_end(std::string_view text, std::size_t at) {
+  while (at < text.size() && text[at] != '"') at += text[at] == '\\' ? 2 : 1;
+  return std::min(at, text.size());
+}
+
+std::optional<LongToken> find_wrong_long_token(std::string_view text) {
+  for (std::size_t begin = 0; begin < text.size();) {
+    const bool is_text = text[begin] == '"';
+    const std::size_t last =
+        is_text ? text_end(text, begin + 1) : text.find_first_not_of("0123456789+-.eE", begin);
+    const std::size_t end = std::min(last, text.size());
+    if (end - begin > kLongToken) {
+      auto wrong = is_text ? wrong_text(text, begin, end) : wrong_number(text, begin, end);
+      if (wrong) return wrong;
+    }
+    begin = std::max(end, begin) + (is_text || end == begin ? 1 : 0);
+  }
+  return std::nullopt;
+}
+
+}  // namespace xr3

@@ -1,0 +1,138 @@
+#include "protocol/json/syntax.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace xr3 {
+namespace {
+
+constexpr std::size_t kLongestShown = 40;
+
+struct Words {
+  std::string found;
+  std::string allowed;
+};
+
+bool contains(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+bool is_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '+' ||
+         c == '-';
+}
+
+/// Text in quotes that begins at an offset, as far as its line goes.
+std::string quoted_at(std::string_view text, std::size_t offset) {
+  const std::string_view rest = text.substr(offset, kLongestShown);
+  const std::size_t end = rest.find_first_of("\"\n", 1);
+  return std::string(end == std::string_view::npos ? rest : rest.substr(0, end + 1));
+}
+
+/// The word around an offset of the text, quoted text that begins there, or the single character.
+std::string word_at(std::string_view text, std::size_t offset) {
+  if (offset >= text.size()) return "the end of the file";
+  if (text[offset] == '"') return quoted_at(text, offset);
+  std::size_t begin = offset;
+  while (begin > 0 && is_word(text[begin]) && is_word(text[begin - 1])) --begin;
+  std::size_t end = offset + 1;
+  while (end < text.size() && is_word(text[offset]) && is_word(text[end])) ++end;
+  return std::string(text.substr(begin, std::min(end - begin, kLongestShown)));
+}
+
+/// Bytes that are not printable ASCII as \xNN: what is cut out of a text may be half a letter.
+std::string printable(const std::string& bytes) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::string result;
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte < 0x7F) {
+      result += c;
+    } else {
+      result += "\\x";
+      result += kDigits[byte >> 4U];
+      result += kDigits[byte & 0x0FU];
+    }
+  }
+  return result;
+}
+
+std::string allowed_here(const std::string& message) {
+  if (contains(message, "; expected string literal")) return "a member name in double quotes";
+  if (contains(message, "; expected ':'")) return "a colon after the member name";
+  if (contains(message, "; expected '}'")) return "a comma or }";
+  if (contains(message, "; expected ']'")) return "a comma or ]";
+  if (contains(message, "; expected end of input")) return "nothing after the end of the value";
+  return "a value: a number, \"text\", true, false, null, [ or {";
+}
+
+struct Phrase {
+  std::string_view sign;
+  Words words;
+};
+
+/// Messages about a malformed token, each with what to say instead.
+const std::array<Phrase, 8>& phrases() {
+  static const std::array<Phrase, 8> known = {{
+      {"number overflow", {"a number that is too large", "numbers up to 1e308"}},
+      {"missing closing quote", {"text without its closing quote", "text in double quotes"}},
+      {"control character", {"a line end or control character inside text", "text on one line"}},
+      {"forbidden character after backslash",
+       {"an unknown escape after \\", "\\\" \\\\ \\/ \\b \\f \\n \\r \\t or \\uXXXX"}},
+      {"'\\u' must be followed", {"an unfinished \\u escape", "\\u and four hex digits"}},
+      {"surrogate", {"half of a surrogate pair", "both halves of the pair"}},
+      {"ill-formed UTF-8", {"a byte that is not UTF-8", "text in UTF-8"}},
+      {"invalid number", {"an unfinished number", "digits"}},
+  }};
+  return known;
+}
+
+Words words_for(std::string_view text, std::size_t offset, const JsonDocument::Complaint& error) {
+  for (const Phrase& phrase : phrases()) {
+    if (contains(error.message, phrase.sign)) return phrase.words;
+  }
+  Words words{printable(word_at(text, offset)), allowed_here(error.message)};
+  const bool names_expected = contains(error.message, "; expected string literal");
+  if (words.found == "}" && names_expected) words.found = "} after a comma";
+  return words;
+}
+
+/// Where the word begins that an offset is in or right behind.
+std::size_t word_start(std::string_view text, std::size_t offset) {
+  if (offset >= text.size() || !is_word(text[offset])) {
+    if (offset == 0 || !is_word(text[offset - 1])) return std::min(offset, text.size());
+    --offset;
+  }
+  while (offset > 0 && is_word(text[offset - 1])) --offset;
+  return offset;
+}
+
+/// Offset of the first character of what the parser stumbled over.
+std::size_t offset_of(std::string_view text, const JsonDocument::Complaint& error) {
+  std::size_t offset = error.position > 0 ? error.position - 1 : 0;
+  if (contains(error.message, "invalid literal")) return word_start(text, offset);
+  const bool whole_token = contains(error.message, "unexpected string literal") ||
+                           contains(error.message, "unexpected number literal");
+  if (whole_token && error.token_size <= offset + 1) offset -= error.token_size - 1;
+  return std::min(offset, text.size());
+}
+
+}  // namespace
+
+Finding syntax_finding(std::string_view text, const std::string& file,
+                       const JsonDocument::Complaint& error) {
+  const std::size_t offset = offset_of(text, error);
+  const std::string_view before = text.substr(0, offset);
+  const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
+  Finding finding;
+  finding.file = file;
+  finding.line = 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
+  finding.column = 1 + static_cast<int>(offset - line_start);
+  const Words words = words_for(text, offset, error);
+  finding.found = words.found;
+  finding.allowed = words.allowed;
+  return finding;
+}
+
+}  // namespace xr3

@@ -1,0 +1,27 @@
+#include "protocol/line/rhino_endpoint.hpp"
+
+#include <utility>
+
+#include "protocol/line/rhino_reply.hpp"
+
+namespace xr3 {
+
+void RhinoEndpoint::take(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
+                         std::string& replies, std::vector<Exchange>& exchanges) {
+  parsed_.clear();
+  if (simulation.state().enabled) {
+    parser_.take(byte, offset, parsed_);
+  } else {
+    parser_.take_disabled(byte, offset, parsed_);
+  }
+  for (Parsed& item : parsed_) {
+    Exchange& exchange = exchanges.emplace_back(Exchange{std::move(item), NoReply{}, {}, 0, 0});
+    const Command* command = std::get_if<Command>(&exchange.parsed.what);
+    if (command == nullptr) continue;
+    exchange.reply = simulation.execute(*command);
+    append_reply(exchange.reply, profile_, replies);
+    if (!simulation.events().empty()) exchange.events = simulation.take_events();
+  }
+}
+
+}  // namespace xr3

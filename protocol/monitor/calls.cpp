@@ -1,0 +1,101 @@
+#include "protocol/monitor/calls.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "protocol/monitor/call_arguments.hpp"
+
+namespace xr3::monitor {
+namespace {
+
+using Time = CallForm::Time;
+
+constexpr std::array kForms = {
+    CallForm{"pause", "Time stands until resume.", read_nothing<call::Pause>},
+    CallForm{"resume", "Time follows the wall clock again.", read_nothing<call::Resume>},
+    CallForm{"rate", "Sets how many simulated seconds pass in a second.", read_rate},
+    CallForm{"step", "Lets so many ticks pass, in standing time.", read_step, Time::kMoves},
+    CallForm{"run_until", "Lets time pass until nothing moves, or until a tick, in standing time.",
+             read_run_until, Time::kMoves},
+    CallForm{"reset", "Begins a new epoch with the state that the files say.",
+             read_nothing<call::Reset>},
+    CallForm{"home", "Puts the robot at its soft home, as A$ does.", read_nothing<call::Home>},
+    CallForm{"send", "Sends bytes on a serial line of this client's own.", read_send},
+    CallForm{"input", "Sets an input line high or low.", read_input},
+    CallForm{"block_add", "Puts a new block into the workcell.", read_block_add},
+    CallForm{"block_move", "Puts a block elsewhere.", read_block_move},
+    CallForm{"block_remove", "Takes a block away.", read_block_remove},
+    CallForm{"workcell", "Replaces the whole workcell.", read_workcell_call},
+    CallForm{"snapshot_save", "Keeps state and workcell under a name, or hands them out.",
+             read_snapshot_save},
+    CallForm{"snapshot_load", "Begins a new epoch with a state and workcell that were saved.",
+             read_snapshot_load},
+    CallForm{"lines", "Lists the serial lines that are open.", read_nothing<ListLines>},
+    CallForm{"line_disconnect", "Closes a serial line.", read_line_disconnect},
+    CallForm{"key", "Does what a function of the controller's command mode does.", read_key},
+    CallForm{"describe", "Tells what calls there are and what they take.", read_describe},
+};
+
+/// Reads everything that may stand in args.
+CallRequest read_args(const CallForm& form, ArgsReader& args) {
+  CallRequest request{std::string(form.fn), form.read(args), {}, {}};
+  if (form.time == Time::kMoves) {
+    request.after = read_after(args);
+    request.fields = args.fields("fields", Channel::kState);
+  }
+  return request;
+}
+
+/// What its reader asks for where nothing is there.
+Json form_json(const CallForm& form) {
+  Findings ignored;
+  ArgsReader nothing({}, "", ignored);
+  read_args(form, nothing);
+  Json args = Json::array();
+  for (const Asked& each : nothing.asked()) {
+    args.push_back(
+        {{"name", each.name}, {"required", each.is_required}, {"allowed", each.allowed}});
+  }
+  return {{"fn", form.fn}, {"purpose", form.purpose}, {"args", std::move(args)}};
+}
+
+}  // namespace
+
+const CallForm* find_call(std::string_view fn) {
+  const auto* form = std::find_if(kForms.begin(), kForms.end(),
+                                  [&fn](const CallForm& each) { return each.fn == fn; });
+  return form == kForms.end() ? nullptr : form;
+}
+
+CallRequest read_call(const CallForm& form, ArgsReader& members) {
+  const JsonValue object = members.object("args", Presence::kOptional);
+  ArgsReader args(object, members.pointer_to("args"), members.findings());
+  CallRequest request = read_args(form, args);
+  args.refuse_others();
+  // Not by its reader, which is itself among those that are run to describe them.
+  if (auto* described = std::get_if<Describe>(&request.call)) {
+    const Json& fn = described->description;
+    described->description =
+        description(fn.is_string() ? std::optional(fn.get<std::string>()) : std::nullopt);
+  }
+  return request;
+}
+
+Json description(const std::optional<std::string>& fn) {
+  Json calls = Json::array();
+  for (const CallForm& form : kForms) {
+    if (!fn || form.fn == *fn) calls.push_back(form_json(form));
+  }
+  return {{"calls", std::move(calls)}};
+}
+
+const std::vector<std::string>& calls() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const CallForm& form : kForms) all.emplace_back(form.fn);
+    return all;
+  }();
+  return names;
+}
+
+}  // namespace xr3::monitor

@@ -1,0 +1,126 @@
+#include "protocol/monitor/client.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace xr3::monitor {
+namespace {
+
+RequestError too_long() {
+  return {{},
+          "too_long",
+          "a line has at most 262144 bytes",
+          "the connection is closed; the rest was not read",
+          {}};
+}
+
+}  // namespace
+
+// --- Input.
+
+std::optional<Request> Client::take(std::string_view message) {
+  if (farewell_) return std::nullopt;
+  RequestReading reading = read_request(message, cells_);
+  if (Request* request = std::get_if<Request>(&reading)) return std::move(*request);
+  send(result(std::get<RequestError>(reading)));
+  return std::nullopt;
+}
+
+// --- The reply queue.
+
+void Client::send(Message message) {
+  if (farewell_) return;
+  lane_bytes_ += message->size();
+  lane_.emplace_back(std::move(message));
+}
+
+void Client::replay(Feed& feed, const std::string& cell, const Get& get, const RequestId& id) {
+  const std::int64_t wanted = get.since.value_or(feed.next() - kMostRecalled);
+  const Subscribe from{get.selection, {}, {}, std::max(wanted, feed.first())};
+  if (!farewell_)
+    lane_.emplace_back(
+        Replay{{cell, from, feed, tally_of(get.selection.channel)}, feed.next(), id});
+}
+
+void Client::end(Bye why) {
+  send(bye(why));
+  if (!farewell_) farewell_ = why;
+  followed_.clear();
+  last_turn_ = nullptr;
+}
+
+void Client::end(LineFault fault) {
+  if (fault == LineFault::kTooLong) send(result(too_long()));
+  end(fault == LineFault::kTooLong ? Bye::kTooLong : Bye::kNotJson);
+}
+
+Message Client::next_answer() {
+  while (!lane_.empty()) {
+    if (auto* replay = std::get_if<Replay>(&lane_.front())) {
+      if (replay->from.position() < replay->end)
+        return with_id(replay->from.next_output(), replay->id);
+      lane_.pop_front();
+      continue;
+    }
+    Message message = std::get<Message>(std::move(lane_.front()));
+    lane_.pop_front();
+    lane_bytes_ -= message->size();
+    return message;
+  }
+  return nullptr;
+}
+
+// --- Subscriptions.
+
+FrameSubscription& Client::follow_frames(const std::string& cell, const Subscribe& wanted) {
+  const Where where{cell, wanted.selection.channel};
+  unfollow(cell, wanted.selection.channel);
+  const auto entry =
+      followed_.emplace(where, FrameSubscription(cell, wanted, tally_of(wanted.selection.channel)))
+          .first;
+  return std::get<FrameSubscription>(entry->second);
+}
+
+void Client::follow_feed(const std::string& cell, const Subscribe& wanted, Feed& feed) {
+  followed_.insert_or_assign(
+      {cell, wanted.selection.channel},
+      FeedSubscription(cell, wanted, feed, tally_of(wanted.selection.channel)));
+}
+
+void Client::unfollow(const std::string& cell, Channel channel) {
+  const auto found = followed_.find({cell, channel});
+  if (found == followed_.end()) return;
+  if (last_turn_ == &found->first) last_turn_ = nullptr;
+  followed_.erase(found);
+}
+
+bool Client::has_output(FrameNumber now) const {
+  if (!lane_.empty()) return true;
+  return std::any_of(followed_.begin(), followed_.end(), [now](const auto& entry) {
+    if (const auto* frames = std::get_if<FrameSubscription>(&entry.second))
+      return frames->has_output(now);
+    return std::get<FeedSubscription>(entry.second).has_output();
+  });
+}
+
+Message Client::next_output(FrameNumber now) {
+  if (Message answer = next_answer()) return answer;
+  return next_followed(now);
+}
+
+Message Client::next_followed(FrameNumber now) {
+  auto turn = last_turn_ != nullptr && followed_.size() > 1 ? followed_.upper_bound(*last_turn_)
+                                                            : followed_.begin();
+  for (std::size_t i = 0; i < followed_.size(); ++i, ++turn) {
+    if (turn == followed_.end()) turn = followed_.begin();
+    auto* frames = std::get_if<FrameSubscription>(&turn->second);
+    Message message =
+        frames ? frames->next_output(now) : std::get<FeedSubscription>(turn->second).next_output();
+    if (!message) continue;
+    last_turn_ = &turn->first;
+    return message;
+  }
+  return nullptr;
+}
+
+}  // namespace xr3::monitor

@@ -1,0 +1,107 @@
+// A client of the monitor port, without its transport: messages in, requests to execute, and
+// messages out. The output is the reply queue, which is bounded, and then the subscriptions. The
+// transports (JSON lines over TCP, WebSocket) are thin shells around it. Independent of the cell.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "protocol/monitor/lines.hpp"
+#include "protocol/monitor/message.hpp"
+#include "protocol/monitor/request.hpp"
+#include "protocol/monitor/subscription.hpp"
+
+namespace xr3::monitor {
+
+class Client {
+ public:
+  static constexpr std::size_t kMostAnswers = 256;
+  static constexpr std::size_t kMostAnswerBytes = 256 * 1024;
+
+  /// `cells` are the cells that a request may name, the default first.
+  explicit Client(std::vector<std::string> cells) : cells_(std::move(cells)) {}
+  Client(const Client&) = delete;
+  Client& operator=(const Client&) = delete;
+
+  /// Handles one message. The caller must execute the returned request and answer it with send()
+  /// before the next message. For an invalid message it queues an error and returns nullopt.
+  std::optional<Request> take(std::string_view message);
+
+  /// Appends a message to the reply queue. Ignored after end().
+  void send(Message message);
+  /// Queues the messages that a `get` asks for from a ring, each with the id. One `lag` reports
+  /// those that have been overwritten by the time they are sent.
+  void replay(Feed& feed, const std::string& cell, const Get& get, const RequestId& id);
+  /// Appends `bye` to the reply queue and ends all subscriptions.
+  void end(Bye why);
+  /// Ends because of an invalid line.
+  void end(LineFault fault);
+  bool has_ended() const { return farewell_.has_value(); }
+  /// The reason of end(); nullopt before.
+  std::optional<Bye> farewell() const { return farewell_; }
+
+  /// The reply queue is full: handle no request until the client has read some replies.
+  bool is_full() const { return lane_.size() >= kMostAnswers || lane_bytes_ >= kMostAnswerBytes; }
+
+  /// Subscribes to a channel of a cell; replaces an earlier subscription to it.
+  FrameSubscription& follow_frames(const std::string& cell, const Subscribe& wanted);
+  void follow_feed(const std::string& cell, const Subscribe& wanted, Feed& feed);
+  void unfollow(const std::string& cell, Channel channel);
+  bool follows_anything() const { return !followed_.empty(); }
+
+  /// Calls `visit(FrameSubscription&)` for each subscription to a latest-wins channel.
+  template <class Visit>
+  void for_each_frame_subscription(const Visit& visit) {
+    for (auto& [where, followed] : followed_) {
+      if (auto* frames = std::get_if<FrameSubscription>(&followed)) visit(*frames);
+    }
+  }
+
+  /// Calls `bring(object)` with the first object that the next frame will access. `bring` may use
+  /// its address only.
+  template <class Bring>
+  void prefetch(const Bring& bring) const {
+    if (follows_anything()) bring(*followed_.begin());
+  }
+
+  /// Statistics per channel, indexed by Channel.
+  const std::array<Tally, kChannels>& tallies() const { return tallies_; }
+
+  /// Whether next_output() has a message.
+  bool has_output(FrameNumber now) const;
+  /// The next message to send, or nullptr: replies first, then the subscriptions, round-robin.
+  Message next_output(FrameNumber now);
+
+ private:
+  using Followed = std::variant<FrameSubscription, FeedSubscription>;
+  using Where = std::pair<std::string, Channel>;
+
+  /// The remaining messages of a `get` from a ring.
+  struct Replay {
+    FeedSubscription from;
+    std::int64_t end;
+    RequestId id;
+  };
+
+  Tally& tally_of(Channel channel) { return tallies_.at(static_cast<std::size_t>(channel)); }
+  Message next_answer();
+  Message next_followed(FrameNumber now);
+
+  std::vector<std::string> cells_;
+  std::deque<std::variant<Message, Replay>> lane_;
+  std::size_t lane_bytes_ = 0;
+  std::array<Tally, kChannels> tallies_{};
+  std::map<Where, Followed> followed_;
+  const Where* last_turn_ = nullptr;  ///< the key of the channel that was served last
+  std::optional<Bye> farewell_;
+};
+
+}  // namespace xr3::monitor

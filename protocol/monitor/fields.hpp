@@ -1,0 +1,25 @@
+// The names of the channels and of those members of their messages that a client can select.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "protocol/monitor/request.hpp"
+
+namespace xr3::monitor {
+
+/// Such as `state` or `image`.
+std::string_view name_of(Channel channel);
+
+std::optional<Channel> channel_named(std::string_view name);
+
+/// A latest-wins channel skips messages for slow clients. The others, event and line, report a lag.
+bool is_latest_wins(Channel channel);
+
+/// The members of the channel's messages except op, cell, epoch, seq and tick, which are always
+/// included. For `event`: the members of all kinds of events.
+const std::vector<std::string>& members_of(Channel channel);
+
+}  // namespace xr3::monitor

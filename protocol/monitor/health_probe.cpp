@@ -1,0 +1,81 @@
+#include "protocol/monitor/health_probe.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "tools/watch/read.hpp"
+
+namespace xr3 {
+namespace {
+
+constexpr const char* kId = "health";
+constexpr std::size_t kMostQuoted = 60;
+
+/// The beginning of a foreign server's first line, quoted, without control characters.
+std::string quoted(std::string_view text) {
+  std::string words(text.substr(0, std::min(kMostQuoted, text.find_first_of("\r\n"))));
+  const auto is_strange = [](char c) { return c < ' ' || c > '~'; };
+  std::replace_if(words.begin(), words.end(), is_strange, '?');
+  return "\"" + words + "\"";
+}
+
+std::string is_another(std::string_view line) { return "is not xr3: it sends " + quoted(line); }
+
+}  // namespace
+
+std::string HealthProbe::take(std::string_view bytes) {
+  std::string to_send;
+  for (std::size_t end = 0; (end = bytes.find('\n')) != std::string_view::npos;) {
+    line_ += bytes.substr(0, end);
+    bytes.remove_prefix(end + 1);
+    if (verdict_ == Verdict::kUnknown) to_send += take_line();
+    line_.clear();
+  }
+  line_ += bytes;
+  if (line_.size() > kMostLineBytes) refuse(is_another(line_));
+  return to_send;
+}
+
+std::string HealthProbe::take_line() {
+  const Json message = Json::parse(line_, nullptr, false);
+  const auto op = watch::value_of<std::string>(message, "op");
+  if (op == "bye") {
+    refuse("ends the connection: " + watch::value_of<std::string>(message, "message"));
+  } else if (is_greeted_) {
+    if (op == "pong" && watch::member(message, "id") == kId) verdict_ = Verdict::kHealthy;
+  } else if (op == "hello" && watch::value_of<std::string>(message, "server").starts_with("xr3 ")) {
+    is_greeted_ = true;
+    return Json({{"op", "ping"}, {"id", kId}}).dump().substr(opening().size()) + "\n";
+  } else {
+    refuse(is_another(line_));
+  }
+  return {};
+}
+
+void HealthProbe::refuse(std::string why) {
+  if (verdict_ != Verdict::kUnknown) return;
+  verdict_ = Verdict::kUnhealthy;
+  why_ = std::move(why);
+}
+
+std::string HealthProbe::trouble() const {
+  if (!why_.empty()) return why_;
+  if (is_greeted_) return "sends hello, but does not answer a ping";
+  return line_.empty() ? "accepts the connection, but sends nothing" : is_another(line_);
+}
+
+std::string ready_request(const std::string& host) {
+  return "GET /readyz HTTP/1.1\r\nHost: " + host + "\r\nConnection: close\r\n\r\n";
+}
+
+std::string trouble_with_readiness(std::string_view answer) {
+  constexpr std::string_view kStatus = "HTTP/1.1 ";
+  if (answer.empty()) return "does not say whether it is ready";
+  if (answer.starts_with(kStatus) && answer.substr(kStatus.size()).starts_with("200 ")) return {};
+  const std::size_t head = std::min(answer.find("\r\n\r\n"), answer.size());
+  const Json body = Json::parse(answer.substr(head), nullptr, false);
+  const auto message = watch::value_of<std::string>(watch::member(body, "error"), "message");
+  return message.empty() ? is_another(answer) : "is not ready: " + message;
+}
+
+}  // namespace xr3

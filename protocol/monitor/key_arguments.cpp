@@ -1,0 +1,74 @@
+// The call `key`: the functions of the controller's command mode (paper, Table IV) by name.
+#include <vector>
+
+#include "protocol/monitor/call_arguments.hpp"
+
+namespace xr3::monitor {
+namespace {
+
+constexpr int kMostView = 9;
+constexpr int kMostStatus = 6;
+constexpr int kMostPeriod = 255;
+
+enum class Function : std::uint8_t {
+  kDisplay,
+  kView,
+  kHome,
+  kStatus,
+  kEnabled,
+  kFunctionKeys,
+  kPeriod,
+  kPath,
+};
+
+data::Codec<Function> function() {
+  return data::choice<Function>({{"display", Function::kDisplay},
+                                 {"view", Function::kView},
+                                 {"home", Function::kHome},
+                                 {"status", Function::kStatus},
+                                 {"enabled", Function::kEnabled},
+                                 {"function_keys", Function::kFunctionKeys},
+                                 {"period", Function::kPeriod},
+                                 {"path", Function::kPath}});
+}
+
+SetViewVector read_view(ArgsReader& args) {
+  const auto xyz = args.coded("value", data::list(data::whole(-kMostView, kMostView), 3, 3))
+                       .value_or(std::vector<int>{1, 1, 1});
+  if (xyz == std::vector<int>{0, 0, 0}) args.refuse("value", "a view that is not 0, 0, 0");
+  return {xyz[0], xyz[1], xyz[2]};
+}
+
+Command without_value(ArgsReader& args, const Command& command) {
+  if (args.ask("value")) args.refuse("value", "nothing: this function takes no value");
+  return command;
+}
+
+Command command_of(Function function, ArgsReader& args) {
+  switch (function) {
+    case Function::kDisplay: return without_value(args, ToggleDisplay{});
+    case Function::kView: return read_view(args);
+    case Function::kHome: return without_value(args, SoftHome{});
+    case Function::kStatus:
+      return SelectStatus{static_cast<int>(args.whole("value", 0, kMostStatus).value_or(0))};
+    case Function::kEnabled: return without_value(args, ToggleSimulator{});
+    case Function::kFunctionKeys: return without_value(args, ToggleFunctionKeys{});
+    case Function::kPeriod:
+      return SetRefreshPeriod{static_cast<int>(args.whole("value", 1, kMostPeriod).value_or(1))};
+    case Function::kPath: return without_value(args, ToggleErasing{});
+  }
+  return ToggleDisplay{};
+}
+
+}  // namespace
+
+CallValue read_key(ArgsReader& args) {
+  const auto chosen = args.coded("function", function());
+  args.ask("value", Presence::kOptional,
+           "of view: [x, y, z], whole numbers -9...9, not all 0; of status: 0...6; of period: "
+           "1...255 half seconds; of the others: nothing");
+  if (!chosen) return call::Key{ToggleDisplay{}};
+  return call::Key{command_of(*chosen, args)};
+}
+
+}  // namespace xr3::monitor

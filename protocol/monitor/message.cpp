@@ -1,0 +1,142 @@
+#include "protocol/monitor/message.hpp"
+
+#include <utility>
+
+namespace xr3::monitor {
+namespace {
+
+constexpr int kProtocol = 1;
+constexpr int kMostHz = 60;
+
+Message message_of(const Json& json) { return std::make_shared<const std::string>(text_of(json)); }
+
+Json id_json(const RequestId& id) {
+  if (const auto* number = std::get_if<std::int64_t>(&id)) return *number;
+  if (const auto* text = std::get_if<std::string>(&id)) return *text;
+  return nullptr;
+}
+
+Json robot_json(const Model& model) {
+  Json joints = Json::array();
+  for (int k = 0; k < model.joint_count(); ++k) {
+    joints.push_back(std::string(1, model.motor(k).drive.label));
+  }
+  const char tool = model.motor(model.tool_index()).drive.label;
+  return {{"name", model.robot().name}, {"joints", joints}, {"tool", std::string(1, tool)}};
+}
+
+Json details_json(const std::vector<Detail>& details) {
+  Json list = Json::array();
+  for (const Detail& detail : details) {
+    list.push_back(
+        {{"pointer", detail.pointer}, {"found", detail.found}, {"allowed", detail.allowed}});
+  }
+  return list;
+}
+
+struct ByeWords {
+  const char* why;
+  const char* message;
+};
+
+ByeWords words_of(Bye why) {
+  switch (why) {
+    case Bye::kShutdown: return {"shutdown", "the server is stopping"};
+    case Bye::kNotJson:
+      return {"not_json",
+              "a line begins with {; send one JSON object a line, such as "
+              "{\"op\":\"get\",\"channel\":\"state\"}"};
+    case Bye::kTooLong: return {"too_long", "a line has at most 262144 bytes"};
+    case Bye::kBadToken: return {"bad_token", "too many wrong tokens"};
+    case Bye::kFull: return {"full", "too many connections; close some and try again"};
+    case Bye::kIdle: return {"idle", "this client has sent nothing for too long"};
+    case Bye::kDisconnected: return {"disconnected", "the connection was closed by the server"};
+  }
+  return {"internal", ""};
+}
+
+}  // namespace
+
+std::string text_of(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Message hello(const Greeting& greeting) {
+  const Snapshot& now = greeting.snapshot;
+  return message_of({
+      {"op", "hello"},
+      {"proto", kProtocol},
+      {"server", greeting.server},
+      {"cell", greeting.cells.front()},
+      {"cells", greeting.cells},
+      {"epoch", now.epoch},
+      {"tick", now.state.tick},
+      {"tick_hz", kTickHz},
+      {"clock", clock_json(now.mode, now.rate)},
+      {"compat", greeting.model.profile() == Profile::kPaper ? "paper" : "mark3"},
+      {"robot", robot_json(greeting.model)},
+      {"access", greeting.may_call ? "control" : "read"},
+      {"channels", channels()},
+      {"calls", calls()},
+      {"limits", {{"message_bytes", kMostMessageBytes}, {"depth", kDeepest}, {"max_hz", kMostHz}}},
+  });
+}
+
+Message result(const RequestId& id, const Json& value) {
+  return message_of({{"op", "result"}, {"id", id_json(id)}, {"ok", true}, {"value", value}});
+}
+
+Message result(const RequestError& error) {
+  const Json body = {{"code", error.code},
+                     {"message", error.message},
+                     {"hint", error.hint},
+                     {"details", details_json(error.details)}};
+  return message_of({{"op", "result"}, {"id", id_json(error.id)}, {"ok", false}, {"error", body}});
+}
+
+Message pong(const RequestId& id) { return message_of({{"op", "pong"}, {"id", id_json(id)}}); }
+
+Message channel_message(Channel channel, const ChannelHead& head, std::string_view members) {
+  std::string text = R"({"op":")";
+  text.append(name_of(channel)).append(R"(","cell":)").append(Json(head.cell).dump());
+  text.append(R"(,"epoch":)").append(std::to_string(head.epoch));
+  text.append(R"(,"seq":)").append(std::to_string(head.seq));
+  text.append(R"(,"tick":)").append(std::to_string(head.tick));
+  members.remove_prefix(1);  // its opening brace
+  if (members != "}") text.push_back(',');
+  text.append(members);
+  return std::make_shared<const std::string>(std::move(text));
+}
+
+Message with_id(const Message& message, const RequestId& id) {
+  if (std::holds_alternative<std::monostate>(id)) return message;
+  const std::size_t behind_op = message->find(',');
+  std::string text = message->substr(0, behind_op);
+  text.append(R"(,"id":)").append(text_of(id_json(id))).append(*message, behind_op);
+  return std::make_shared<const std::string>(std::move(text));
+}
+
+Message with_fields(const Message& message, const Fields& fields) {
+  if (!fields) return message;
+  const Json whole = Json::parse(*message);
+  Json picked = Json::object();
+  for (const char* name : {"op", "cell", "epoch", "seq", "tick"}) picked[name] = whole.at(name);
+  picked.update(chosen(whole, fields));
+  return message_of(picked);
+}
+
+Message lag(std::string_view cell, Channel channel, const Missed& missed) {
+  return message_of({{"op", "lag"},
+                     {"cell", cell},
+                     {"channel", name_of(channel)},
+                     {"missed", missed.count},
+                     {"from_seq", missed.from_seq},
+                     {"to_seq", missed.to_seq}});
+}
+
+Message bye(Bye why) {
+  const ByeWords words = words_of(why);
+  return message_of({{"op", "bye"}, {"why", words.why}, {"message", words.message}});
+}
+
+}  // namespace xr3::monitor

@@ -1,0 +1,76 @@
+// The server's messages, each a JSON object on one line without the line end. Invalid UTF-8, which
+// may come from a client, is replaced, so that every message can be parsed.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "protocol/monitor/fields.hpp"
+#include "protocol/monitor/request.hpp"
+#include "protocol/monitor/snapshot.hpp"
+
+namespace xr3::monitor {
+
+/// The text of a message, shared by all clients that it is sent to.
+using Message = std::shared_ptr<const std::string>;
+
+/// JSON on one line; invalid UTF-8 is replaced.
+std::string text_of(const Json& json);
+
+/// The contents of `hello`. `server` is name and version; `cells` has the default first.
+struct Greeting {
+  std::string server;
+  std::vector<std::string> cells;
+  const Model& model;
+  const Snapshot& snapshot;
+  bool may_call = true;  ///< `control`; otherwise `read`
+};
+Message hello(const Greeting& greeting);
+
+/// The `result` of a successful request.
+Message result(const RequestId& id, const Json& value);
+/// The `result` of a failed or invalid request.
+Message result(const RequestError& error);
+Message pong(const RequestId& id);
+
+/// The head of a channel's message. `seq` is the sequence number per cell and channel, shared by
+/// all clients.
+struct ChannelHead {
+  std::string_view cell;
+  std::int64_t epoch = 0;
+  std::int64_t seq = 0;
+  Tick tick = 0;
+};
+/// A message of a channel. `members` is the text of a JSON object with the members after `tick`.
+Message channel_message(Channel channel, const ChannelHead& head, std::string_view members);
+
+/// The same message as the reply to a `get`: with the id, if there is one.
+Message with_id(const Message& message, const RequestId& id);
+
+/// The same message with only the selected members and those that are always included.
+Message with_fields(const Message& message, const Fields& fields);
+
+/// `count` messages of a channel between two seqs were not sent to a client.
+struct Missed {
+  std::int64_t count = 0;
+  std::int64_t from_seq = 0;
+  std::int64_t to_seq = 0;
+};
+Message lag(std::string_view cell, Channel channel, const Missed& missed);
+
+/// Why the server closes a connection.
+enum class Bye : std::uint8_t {
+  kShutdown,
+  kNotJson,
+  kTooLong,
+  kBadToken,
+  kFull,
+  kIdle,
+  kDisconnected,
+};
+/// The last message of a connection.
+Message bye(Bye why);
+
+}  // namespace xr3::monitor

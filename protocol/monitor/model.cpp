@@ -1,0 +1,27 @@
+#include "protocol/monitor/model.hpp"
+
+#include "core/coupling.hpp"
+#include "core/grasp.hpp"
+#include "protocol/files/robot.hpp"
+#include "protocol/files/workcell.hpp"
+
+namespace xr3 {
+
+Workcell workcell_now(const Model& model, const State& state) {
+  Workcell workcell = model.workcell();
+  workcell.blocks = state.blocks;
+  if (state.held) {
+    workcell.blocks[state.held->block] =
+        as_released(model, state, *state.held, positions(model, state.motors));
+  }
+  return workcell;
+}
+
+Json model_json(const Model& model, const State& state, int rev, std::string_view hash) {
+  return {{"rev", rev},
+          {"robot", robot_to_json(model.robot())},
+          {"workcell", workcell_to_json(workcell_now(model, state))},
+          {"hash", hash}};
+}
+
+}  // namespace xr3

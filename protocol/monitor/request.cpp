@@ -1,0 +1,212 @@
+#include "protocol/monitor/request.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "protocol/monitor/arguments.hpp"
+#include "protocol/monitor/calls.hpp"
+#include "protocol/monitor/fields.hpp"
+#include "protocol/monitor/text.hpp"
+
+namespace xr3::monitor {
+namespace {
+
+/// What stands there, unless it is long.
+std::string quoted(JsonValue value) {
+  if (value.json_size(kLongestId) <= kLongestId) return shown(value).dump();
+  const std::size_t size = value.is_text() ? value.text_size() : value.json_size();
+  return "of " + std::to_string(size) + " bytes";
+}
+
+RequestError unknown(const RequestId& id, const std::string& kind, JsonValue found,
+                     const std::vector<std::string>& names) {
+  const std::string message =
+      found ? "there is no " + kind + " " + quoted(found) : "the request names no " + kind;
+  return {id, "unknown_" + kind, message, "there is " + one_of(names), {}};
+}
+
+bool names_one(JsonValue value, const std::vector<std::string>& names) {
+  return std::any_of(names.begin(), names.end(),
+                     [value](const std::string& name) { return value.is(name); });
+}
+
+RequestId read_id(ArgsReader& members, Findings& findings) {
+  const JsonValue value = members.ask("id");
+  if (const auto id = id_of(value)) return *id;
+  findings.add("/id", value, "a text of at most 64 bytes or a whole number below 2^53");
+  return {};
+}
+
+/// What is wrong inside a document is told as of a file.
+std::string in_document(const std::string& pointer) {
+  for (const std::string_view document : {"/args/workcell/", "/args/snapshot/"}) {
+    if (pointer.starts_with(document)) return pointer.substr(document.size() - 1);
+  }
+  return pointer;
+}
+
+/// As a finding shows it: a long one by its size.
+Json shown_twice(JsonValue member) {
+  constexpr std::size_t kLongest = 200;  // as JSON
+  const std::string_view words = " for the second time";
+  const std::size_t size = member.name().text_size() + 2 + words.size();
+  if (size < kLongest) {
+    Json found = "\"" + member.name().text() + "\"" + std::string(words);
+    if (found.dump().size() <= kLongest) return found;
+  }
+  return "string of " + std::to_string(size) + " bytes";
+}
+
+/// Nobody can say which of two members was meant.
+void refuse_duplicates(const JsonDocument& document, Findings& findings) {
+  document.for_each_duplicate([&](JsonValue member) {
+    if (!findings.counts()) return;
+    findings.keep(in_document(member.pointer_from(document.root())), shown_twice(member),
+                  "each member once");
+  });
+}
+
+/// The token is not shown again, whatever it is.
+Auth read_auth(ArgsReader& members) {
+  const JsonValue token = members.ask("token");
+  if (token.is_text()) return {token.text()};
+  members.findings().add(members.pointer_to("token"), {}, "a text");
+  return {};
+}
+
+Selection read_selection(Channel channel, ArgsReader& members) {
+  Selection selection{channel, members.fields("fields", channel), Encoding::kRows};
+  if (channel != Channel::kImage) return selection;
+  const auto encoding =
+      data::choice<Encoding>({{"rows", Encoding::kRows}, {"rle", Encoding::kRle}});
+  selection.encoding =
+      members.coded("encoding", encoding, Presence::kOptional).value_or(Encoding::kRows);
+  return selection;
+}
+
+std::optional<std::int64_t> read_since(Channel channel, ArgsReader& members) {
+  if (is_latest_wins(channel)) return std::nullopt;
+  return members.whole("since", 0, kMostInteger, Presence::kOptional);
+}
+
+Subscribe read_subscribe(Channel channel, ArgsReader& members) {
+  Subscribe wanted;
+  wanted.selection = read_selection(channel, members);
+  const auto max_hz =
+      members.number("max_hz", kLeastMilliHz / 1000.0, kMostMilliHz / 1000.0, Presence::kOptional);
+  if (max_hz) wanted.max_millihz = static_cast<MilliHz>(std::lround(*max_hz * 1000));
+  wanted.on_change =
+      members.coded("on_change", data::boolean(), Presence::kOptional).value_or(true);
+  wanted.since = read_since(channel, members);
+  return wanted;
+}
+
+/// Carries on from the id: reads the members that belong to the op.
+class RequestReader {
+ public:
+  RequestReader(const JsonDocument& document, const std::vector<std::string>& cells)
+      : cells_(cells), members_(document.root(), "", findings_) {
+    refuse_duplicates(document, findings_);
+  }
+
+  RequestReading read() {
+    request_.id = read_id(members_, findings_);
+    std::optional<RequestError> error = read_names();
+    if (error) return *std::move(error);
+    if (!findings_.empty()) return findings_.error(request_.id);
+    return std::move(request_);
+  }
+
+ private:
+  std::optional<RequestError> read_names() {
+    const JsonValue op = members_.ask("op");
+    if (!names_one(op, ops())) return unknown(request_.id, "op", op, ops());
+    const JsonValue cell = members_.ask("cell");
+    if (cell && !names_one(cell, cells_)) return unknown(request_.id, "cell", cell, cells_);
+    request_.cell = cell ? cell.text() : cells_.front();
+    return read_op(op.text());
+  }
+
+  std::optional<RequestError> read_op(const std::string& op) {
+    if (op == "call") return read_call_request();
+    if (op == "ping") return std::nullopt;
+    if (op == "auth") {
+      request_.what = read_auth(members_);
+      return std::nullopt;
+    }
+    return read_of_channel(op);
+  }
+
+  std::optional<RequestError> read_of_channel(const std::string& op) {
+    const JsonValue name = members_.ask("channel");
+    const auto channel = names_one(name, channels()) ? channel_named(name.text()) : std::nullopt;
+    if (!channel) return unknown(request_.id, "channel", name, channels());
+    if (op == "sub") request_.what = read_subscribe(*channel, members_);
+    if (op == "unsub") request_.what = Unsubscribe{*channel};
+    if (op == "get")
+      request_.what = Get{read_selection(*channel, members_), read_since(*channel, members_)};
+    return std::nullopt;
+  }
+
+  std::optional<RequestError> read_call_request() {
+    const JsonValue fn = members_.ask("fn");
+    if (!names_one(fn, calls())) return unknown(request_.id, "fn", fn, calls());
+    request_.what = read_call(*find_call(fn.text()), members_);
+    return std::nullopt;
+  }
+
+  const std::vector<std::string>& cells_;
+  Findings findings_;
+  ArgsReader members_;
+  Request request_;
+};
+
+}  // namespace
+
+const std::vector<std::string>& ops() {
+  static const std::vector<std::string> names = {"auth", "sub", "unsub", "get", "call", "ping"};
+  return names;
+}
+
+std::optional<RequestId> id_of(JsonValue value) {
+  if (!value || value.is_null()) return RequestId();
+  if (value.is_text() && value.text_size() <= kLongestId) return value.text();
+  if (const auto number = whole_number(value)) return *number;
+  return std::nullopt;
+}
+
+RequestReading read_request(std::string_view message, const std::vector<std::string>& cells) {
+  if (auto error = refuse_text(message)) return *std::move(error);
+  const JsonDocument document(message);
+  if (auto error = refuse_document(document)) return *std::move(error);
+  return RequestReader(document, cells).read();
+}
+
+std::optional<RequestError> fit(Request& request, Tick now) {
+  auto* wanted = std::get_if<CallRequest>(&request.what);
+  if (wanted == nullptr) return std::nullopt;
+  auto* of_cell = std::get_if<call::Call>(&wanted->call);
+  if (of_cell == nullptr) return std::nullopt;
+  const Tick room = kMostInteger - now;
+  if (auto* run = std::get_if<call::RunUntil>(of_cell))
+    run->max_ticks = std::min(run->max_ticks, room);
+  const auto* step = std::get_if<call::Step>(of_cell);
+  if (step == nullptr || step->ticks <= room) return std::nullopt;
+  Findings findings;
+  if (findings.counts())
+    findings.keep("/args/ticks", step->ticks,
+                  "a whole number 0..." + std::to_string(room) + ": no tick lies beyond 2^53-1");
+  return findings.error(request.id);
+}
+
+std::string one_of(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
+    text += "\"" + names[i] + "\"";
+  }
+  return text;
+}
+
+}  // namespace xr3::monitor

@@ -1,0 +1,226 @@
+#include "protocol/monitor/saved_cell.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "core/motor.hpp"
+#include "protocol/files/block.hpp"
+#include "protocol/files/workcell.hpp"
+
+namespace xr3 {
+namespace {
+
+using namespace data;  // NOLINT: the tables below read as the form does
+
+constexpr Counts kMostCounts = 1 << 30;
+/// No arm that a robot file can describe reaches further, and the camera's arithmetic has room.
+constexpr Micrometres kFarthestUm = 2'000'000'000;
+constexpr Micrometres kLargestUm = micrometres(kMaxLengthMm);
+constexpr Microdegrees kHalfTurn = 180'000'000;
+constexpr std::size_t kLongestHash = 200;
+constexpr int kMostView = 9;
+constexpr int kMostPeriod = 255;
+constexpr int kMostStatus = 6;
+
+Codec<Counts> counts() { return integer<Counts>(-kMostCounts, kMostCounts); }
+
+/// A list of exactly N values.
+template <class V, std::size_t N>
+Codec<std::array<V, N>> array_of(const Codec<V>& item) {
+  const Codec<std::vector<V>> values = list(item, N, N);
+  Codec<std::array<V, N>> codec;
+  codec.allowed = values.allowed;
+  codec.read = [values](const Place& place, std::array<V, N>& result) {
+    std::vector<V> read;
+    const bool is_good = values.read(place, read);
+    if (is_good) std::copy(read.begin(), read.end(), result.begin());
+    return is_good;
+  };
+  codec.write = [values](const std::array<V, N>& result) {
+    return values.write({result.begin(), result.end()});
+  };
+  return codec;
+}
+
+/// `[x, y, z]` in whole micrometres.
+Codec<PointUm> point(Micrometres low, Micrometres high) {
+  const auto list = array_of<Micrometres, 3>(integer<Micrometres>(low, high));
+  Codec<PointUm> codec;
+  codec.allowed = "a list of three whole numbers of micrometres";
+  codec.read = [list](const Place& place, PointUm& p) {
+    std::array<Micrometres, 3> xyz{};
+    const bool is_good = list.read(place, xyz);
+    return p = {xyz[0], xyz[1], xyz[2]}, is_good;
+  };
+  codec.write = [list](const PointUm& p) { return list.write({p.x, p.y, p.z}); };
+  return codec;
+}
+
+Codec<PointUm> place_um() { return point(-kFarthestUm, kFarthestUm); }
+
+/// `[x, y, z]` of the view vector.
+Codec<ViewVector> view() {
+  const auto list = array_of<int, 3>(whole(-kMostView, kMostView));
+  Codec<ViewVector> codec;
+  codec.allowed = "a list of three whole numbers -9 to 9, not all 0";
+  codec.read = [list, allowed = codec.allowed](const Place& place, ViewVector& vector) {
+    std::array<int, 3> xyz{};
+    if (!list.read(place, xyz)) return false;
+    if (xyz == std::array{0, 0, 0}) return place.refuse(allowed);
+    return vector = {xyz[0], xyz[1], xyz[2]}, true;
+  };
+  codec.write = [list](const ViewVector& vector) {
+    return list.write({vector.x, vector.y, vector.z});
+  };
+  return codec;
+}
+
+Members<MotorState> motor_members() {
+  return {
+      required("count", &MotorState::count, counts()),
+      required("phase", &MotorState::phase, integer<std::int16_t>(0, kPhasePerCount - 1)),
+      required("error", &MotorState::error, integer<std::int8_t>(INT8_MIN, INT8_MAX)),
+      required("speed", &MotorState::speed, integer<std::uint8_t>(1, UINT8_MAX)),
+      required("blocked", &MotorState::blocked,
+               choice<Blocked>(
+                   {{"no", Blocked::kNo}, {"limit", Blocked::kLimit}, {"block", Blocked::kBlock}})),
+      required("switch_closed", &MotorState::switch_closed, boolean())};
+}
+
+Members<DisplaySettings> display_members() {
+  return {required("on", &DisplaySettings::on, boolean()),
+          required("view", &DisplaySettings::view, view()),
+          required("period_half_s", &DisplaySettings::period_half_s, whole(1, kMostPeriod)),
+          required("erase", &DisplaySettings::erase, boolean()),
+          required("status_option", &DisplaySettings::status_option, whole(0, kMostStatus)),
+          required("function_keys", &DisplaySettings::function_keys, boolean())};
+}
+
+/// Bit i is line or port i+1.
+Members<InputOutput> io_members() {
+  return {required("inputs", &InputOutput::inputs, integer<std::uint8_t>(0, UINT8_MAX)),
+          required("outputs", &InputOutput::outputs, integer<std::uint8_t>(0, UINT8_MAX)),
+          required("auxiliary", &InputOutput::auxiliary, integer<std::uint8_t>(0, 3))};
+}
+
+Members<Block> lying_block_members() {
+  return {required("name", &Block::name, block_name()),
+          required("size_um", &Block::size_um, point(1, kLargestUm)),
+          required("centroid_um", &Block::centroid_um, place_um()),
+          required("yaw_udeg", &Block::yaw_udeg, integer<Microdegrees>(1 - kHalfTurn, kHalfTurn)),
+          required("color", &Block::color, block_color())};
+}
+
+Members<Held> held_members() {
+  return {required("block", &Held::block, integer<std::uint32_t>(0, kMaxBlocks - 1)),
+          required("quarter_turns", &Held::quarter_turns, whole(0, 3)),
+          required("grasped_at", &Held::grasped_at, array_of<Counts, kMaxMotors>(counts()))};
+}
+
+Members<TipPath> tip_path_members() {
+  constexpr std::size_t kMost = TipPath::kMostTipPoints;
+  return {required("points", &TipPath::points, list(place_um(), 0, kMost)),
+          required("oldest", &TipPath::oldest, integer<std::size_t>(0, kMost - 1))};
+}
+
+Members<State> state_members() {
+  return {
+      required("tick", &State::tick, integer<Tick>(0, monitor::kMostInteger)),
+      required("motors", &State::motors, array_of<MotorState, kMaxMotors>(object(motor_members()))),
+      required("stall", &State::stall,
+               choice<Stall>({{"no", Stall::kNo},
+                              {"protected_region", Stall::kProtectedRegion},
+                              {"work_surface", Stall::kWorkSurface}})),
+      required("below_surface", &State::below_surface, boolean()),
+      required("enabled", &State::enabled, boolean()),
+      required("display", &State::display, object(display_members())),
+      required("io", &State::io, object(io_members())),
+      required("blocks", &State::blocks, list(object(lying_block_members()), 0, kMaxBlocks)),
+      optional("held", &State::held, object(held_members())),
+      required("jaws_warned", &State::jaws_warned, boolean()),
+      required("tip_path", &State::tip_path, object(tip_path_members()))};
+}
+
+/// The workcell as its file has it; its own rules are kept, too.
+Codec<Workcell> workcell_file() {
+  Codec<Workcell> codec;
+  codec.allowed = "a workcell in the form of its file";
+  codec.read = [](const Place& place, Workcell& workcell) {
+    Reading reading(place.value, Unit::kOfDocument);
+    std::optional<Workcell> read = read_workcell(reading);
+    place.reading.adopt(reading);
+    if (read) workcell = *std::move(read);
+    return read.has_value();
+  };
+  codec.write = workcell_to_json;
+  return codec;
+}
+
+const Members<SavedCell>& saved_cell_members() {
+  static const Members<SavedCell> members = {
+      required("robot_hash", &SavedCell::robot_hash, text(0, kLongestHash)),
+      required("workcell", &SavedCell::workcell, workcell_file()),
+      required("state", &SavedCell::state, object(state_members()))};
+  return members;
+}
+
+// --- What one member cannot say alone.
+
+void check_names(const std::vector<Block>& blocks, Reading& reading) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const std::string pointer = child_pointer("/state/blocks", i) + "/name";
+    if (!reading.is_sound(pointer) || names.insert(blocks[i].name).second) continue;
+    reading.report(Severity::kError, pointer, "\"" + blocks[i].name + "\" for the second time",
+                   "a name that no other block has");
+  }
+}
+
+void check_held(const State& state, Reading& reading) {
+  if (!state.held || !reading.is_sound("/state/held/block") || !reading.is_sound("/state/blocks"))
+    return;
+  if (state.held->block < state.blocks.size()) return;
+  reading.report(Severity::kError, "/state/held/block", std::to_string(state.held->block),
+                 "the index of one of " + std::to_string(state.blocks.size()) + " blocks");
+}
+
+/// A path that is not full yet begins at its first point.
+void check_path(const TipPath& path, Reading& reading) {
+  if (path.oldest == 0 || path.points.size() == TipPath::kMostTipPoints) return;
+  if (!reading.is_sound("/state/tip_path")) return;
+  reading.report(Severity::kError, "/state/tip_path/oldest", std::to_string(path.oldest),
+                 "0 in a path of less than " + std::to_string(TipPath::kMostTipPoints) + " points");
+}
+
+}  // namespace
+
+Json saved_cell_to_json(const SavedCell& saved) {
+  return write_object(saved, saved_cell_members());
+}
+
+std::optional<SavedCell> read_saved_cell(Reading& reading) {
+  SavedCell saved;
+  read_object(Place{reading, reading.root()}, saved_cell_members(), saved);
+  check_names(saved.state.blocks, reading);
+  check_held(saved.state, reading);
+  check_path(saved.state.tip_path, reading);
+  return reading.has_errors() ? std::nullopt : std::optional(std::move(saved));
+}
+
+SavedCellReading read_saved_cell(const Json& json) {
+  const std::string text = json.dump();
+  const JsonDocument document(text);
+  Reading reading(document.root(), Unit::kMm);
+  std::optional<SavedCell> saved = read_saved_cell(reading);
+  return {std::move(saved), reading.take_findings()};
+}
+
+bool monitor::fits_a_request(const SavedCell& saved) {
+  constexpr std::size_t kCall = 1024;  // an id of 64 bytes, escaped, and the name of the cell
+  return saved_cell_to_json(saved).dump().size() <= kMostMessageBytes - kCall;
+}
+
+}  // namespace xr3

@@ -1,0 +1,88 @@
+#include "protocol/monitor/subscription.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace xr3::monitor {
+namespace {
+
+bool is_equal(const std::shared_ptr<const std::string>& a,
+              const std::shared_ptr<const std::string>& b) {
+  return a == b || (a && b && *a == *b);
+}
+
+// Divides time into slots of 1/rate, with at most one frame each. Returns the first frame of the
+// next slot.
+FrameNumber next_slot(FrameNumber now, MilliHz rate) {
+  constexpr std::int64_t kMilliFrames = kFramesPerSecond * 1000;
+  const std::int64_t slot = now * rate / kMilliFrames;
+  return ((slot + 1) * kMilliFrames + rate - 1) / rate;
+}
+
+}  // namespace
+
+// --- Latest-wins channels.
+
+void FrameSubscription::offer(const Frame& frame, FrameNumber now) {
+  due_ = next_slot(now, std::max(wanted_.max_millihz, kLookMilliHz));
+  if (wanted_.on_change && waiting_.message && is_equal(frame.content, waiting_.content)) return;
+  const bool is_old = wanted_.on_change && is_equal(frame.content, sent_);
+  if (is_old && !waiting_.message) return;
+  miss_waiting();
+  if (is_old) return;  // back to the content that the client has
+  waiting_ = frame;
+  due_ = next_slot(now, wanted_.max_millihz);
+}
+
+void FrameSubscription::miss_waiting() {
+  if (!waiting_.message) return;
+  if (missed_.count++ == 0) missed_.from_seq = waiting_.seq;
+  missed_.to_seq = waiting_.seq;
+  ++tally_->overwritten;
+  waiting_ = {};
+}
+
+bool FrameSubscription::is_settled(const Frame& current) const {
+  if (!wanted_.on_change || missed_.count > 0) return false;
+  return is_equal(current.content, waiting_.message ? waiting_.content : sent_);
+}
+
+bool FrameSubscription::is_lag_due(FrameNumber now) const {
+  return missed_.count > 0 && now >= last_lag_ + kFramesPerSecond;
+}
+
+Message FrameSubscription::next_output(FrameNumber now) {
+  if (is_lag_due(now)) {
+    last_lag_ = now;
+    return lag(cell_, wanted_.selection.channel, std::exchange(missed_, {}));
+  }
+  if (!waiting_.message) return nullptr;
+  ++tally_->sent;
+  sent_ = std::move(waiting_.content);
+  Message message = std::move(waiting_.message);
+  waiting_ = {};
+  return message;
+}
+
+// --- Channels without loss.
+
+FeedSubscription::FeedSubscription(std::string cell, const Subscribe& wanted, Feed& feed,
+                                   Tally& tally)
+    : cell_(std::move(cell)), wanted_(wanted), feed_(&feed), tally_(&tally), next_(feed.next()) {
+  if (wanted.since) next_ = std::clamp<std::int64_t>(*wanted.since, 1, feed.next());
+}
+
+Message FeedSubscription::next_output() {
+  const std::int64_t first = feed_->first();
+  if (next_ < first) {
+    const Missed missed{first - next_, next_, first - 1};
+    tally_->overwritten += static_cast<std::uint64_t>(missed.count);
+    next_ = first;
+    return lag(cell_, wanted_.selection.channel, missed);
+  }
+  if (!has_output()) return nullptr;
+  ++tally_->sent;
+  return with_fields(feed_->at(next_++), wanted_.selection.fields);
+}
+
+}  // namespace xr3::monitor

@@ -1,0 +1,99 @@
+// The subscriptions of a client: to a latest-wins channel, with a slot for one frame, or to a
+// channel without loss, with a cursor into its ring. Both report messages that a slow client has
+// missed with `lag`. Independent of the cell.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "protocol/monitor/feed.hpp"
+#include "protocol/monitor/message.hpp"
+#include "protocol/monitor/request.hpp"
+
+namespace xr3::monitor {
+
+/// Wall time in frames of 1/60 s, counted from an arbitrary moment.
+using FrameNumber = std::int64_t;
+inline constexpr int kFramesPerSecond = 60;
+
+/// A message of a latest-wins channel, shared by all subscribers with the same selection.
+struct Frame {
+  Message message;
+  std::int64_t seq = 0;
+  /// The members without time, compared to detect changes. Shared between frames while it is equal.
+  std::shared_ptr<const std::string> content;
+};
+
+/// Statistics of a channel: messages sent to a client, and messages that it missed.
+struct Tally {
+  std::uint64_t sent = 0;
+  std::uint64_t overwritten = 0;
+};
+
+/// Minimum rate of checks for changes, however low max_hz is, so that a change is sent soon.
+inline constexpr MilliHz kLookMilliHz = 10'000;
+
+/// A subscription to a latest-wins channel: one slot, filled by offer() and emptied when the client
+/// can receive.
+class FrameSubscription {
+ public:
+  /// `tally` must outlive it.
+  FrameSubscription(std::string cell, const Subscribe& wanted, Tally& tally)
+      : cell_(std::move(cell)), wanted_(wanted), tally_(&tally) {}
+
+  const Subscribe& wanted() const { return wanted_; }
+
+  /// The frame from which offer() should be called again: the next slot of max_hz, or, if nothing
+  /// had changed, the next slot of kLookMilliHz if that is sooner.
+  FrameNumber due() const { return due_; }
+  bool is_due(FrameNumber now) const { return now >= due_; }
+
+  /// Stores a frame in the slot, unless on_change is set and nothing has changed.
+  void offer(const Frame& frame, FrameNumber now);
+  /// The slot holds a frame.
+  bool is_waiting() const { return waiting_.message != nullptr; }
+
+  /// With on_change: the client has or will receive this content, and no `lag` is pending.
+  bool is_settled(const Frame& current) const;
+
+  /// The next message to send, or nullptr: first a `lag` (at most one per second), then the frame.
+  Message next_output(FrameNumber now);
+  bool has_output(FrameNumber now) const { return waiting_.message || is_lag_due(now); }
+
+ private:
+  bool is_lag_due(FrameNumber now) const;
+  void miss_waiting();
+
+  std::string cell_;
+  Subscribe wanted_;
+  Frame waiting_;
+  std::shared_ptr<const std::string> sent_;  ///< content of the last frame sent
+  FrameNumber due_ = 0;
+  FrameNumber last_lag_ = -kFramesPerSecond;
+  Missed missed_;
+  Tally* tally_;
+};
+
+/// A subscription to a channel without loss: a cursor into its ring.
+class FeedSubscription {
+ public:
+  /// `feed` and `tally` must outlive it. Starts at `since`, or at the next message.
+  FeedSubscription(std::string cell, const Subscribe& wanted, Feed& feed, Tally& tally);
+
+  const Subscribe& wanted() const { return wanted_; }
+  bool has_output() const { return next_ < feed_->next(); }
+  /// The next message, or a `lag` if messages have been overwritten in the ring, or nullptr.
+  Message next_output();
+  /// The seq of the next message.
+  std::int64_t position() const { return next_; }
+
+ private:
+  std::string cell_;
+  Subscribe wanted_;
+  Feed* feed_;
+  Tally* tally_;
+  std::int64_t next_;
+};
+
+}  // namespace xr3::monitor

@@ -1,0 +1,45 @@
+#include "server/commands/check.hpp"
+
+#include <iostream>
+#include <optional>
+
+#include "protocol/files/paper_form/paper_form.hpp"
+#include "server/files/data_files.hpp"
+
+namespace xr3 {
+namespace {
+
+/// The robot to check a workcell against: from --robot, else the one with the file's name, if any.
+std::optional<Robot> robot_for(const CheckOptions& options, const std::string& file) {
+  const std::string name = std::filesystem::path(file).stem();
+  if (options.robot.empty() && !has_data_file(name, "robots")) return std::nullopt;
+  const DataFile data = find_data_file(options.robot.empty() ? name : options.robot, "robots");
+  return load_robot_of_either_form(data.text, data.path);
+}
+
+bool check_file(const CheckOptions& options, const std::string& file) {
+  const DataFile data = read_file(file);
+  const std::optional<Robot> robot = robot_for(options, file);
+  const CheckResult result =
+      check_either_form(data.text, data.path, options.profile, robot ? &*robot : nullptr);
+  std::cerr << to_text(result.findings) << std::flush;
+  std::cout << result.summary << std::flush;
+  return result.is_good();
+}
+
+}  // namespace
+
+ExitCode check_files(const CheckOptions& options) {
+  bool all_good = true;
+  for (const std::string& file : options.files) {
+    try {
+      all_good &= check_file(options, file);
+    } catch (const FileError& error) {
+      std::cerr << "xr3: " << error.what() << "\n";
+      all_good = false;
+    }
+  }
+  return all_good ? ExitCode::kGood : ExitCode::kBadInput;
+}
+
+}  // namespace xr3

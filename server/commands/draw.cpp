@@ -1,0 +1,43 @@
+#include "server/commands/draw.hpp"
+
+#include "core/coupling.hpp"
+#include "core/home.hpp"
+#include "server/app.hpp"
+#include "server/files/atomic_write.hpp"
+#include "server/files/png.hpp"
+#include "server/options/pose_argument.hpp"
+#include "tools/drawing/drawing.hpp"
+#include "tools/drawing/svg.hpp"
+
+namespace xr3 {
+namespace {
+
+ModelPtr model_for(const DrawOptions& options) {
+  ServeOptions cell;
+  cell.robot = options.robot;
+  cell.workcell = options.workcell;
+  return load_model(cell);
+}
+
+State state_for(const Model& model, const DrawOptions& options) {
+  State state = initial_state(model);
+  const Positions counts = motor_counts(model, pose_argument(model, options.joints, options.tool));
+  for (int i = 0; i < model.motor_count(); ++i) {
+    state.motor(i).count = counts[static_cast<std::size_t>(i)];
+  }
+  return state;
+}
+
+}  // namespace
+
+ExitCode draw(const DrawOptions& options) {
+  const ModelPtr model = model_for(options);
+  const Picture picture =
+      drawing(*model, state_for(*model, options), options.view, options.width_px);
+  const bool is_svg = options.out.ends_with(".svg");
+  write_whole_file(options.out, is_svg ? to_svg(picture) : to_png(rasterized(picture)),
+                   Existing::kReplace, [](const DataFile&) {});
+  return ExitCode::kGood;
+}
+
+}  // namespace xr3

@@ -1,0 +1,150 @@
+#include "server/commands/healthcheck.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include "protocol/monitor/health_probe.hpp"
+#include "server/files/data_files.hpp"
+#include "server/files/port_file.hpp"
+#include "server/net/listener.hpp"
+#include "server/net/socket.hpp"
+#include "server/net/spawn.hpp"
+
+namespace xr3 {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Verdict = HealthProbe::Verdict;
+
+/// One try takes no longer than this.
+constexpr std::chrono::seconds kMostPatience{2};
+/// Nobody tells us when a port is opened or a file written.
+constexpr std::chrono::milliseconds kBeforeNextTry{20};
+
+/// One try, as far as it has come.
+struct Visit {
+  enum class Stage : std::uint8_t { kConnecting, kRefused, kTalking };
+  Stage stage = Stage::kConnecting;
+  std::string refusal;  ///< the system's words
+  HealthProbe probe;
+  std::string readiness;  ///< what /readyz answers
+};
+
+/// A connection, or nothing where it is refused.
+asio::awaitable<std::unique_ptr<MonitorSocket>> connect(asio::io_context& context,
+                                                        const tcp::endpoint& place, Visit& visit) {
+  tcp::socket connecting(context);
+  visit.stage = Visit::Stage::kConnecting;
+  const auto [refused] = co_await connecting.async_connect(place, kAwait);
+  visit.stage = refused ? Visit::Stage::kRefused : Visit::Stage::kTalking;
+  visit.refusal = refused.message();
+  if (refused) co_return nullptr;
+  ErrorCode ignored;
+  connecting.non_blocking(true, ignored);
+  co_return std::make_unique<MonitorSocket>(std::move(connecting));
+}
+
+/// Takes hello, and the answer to a ping.
+asio::awaitable<void> greet(MonitorSocket& socket, HealthProbe& probe) {
+  std::string to_send = HealthProbe::opening();
+  while (probe.verdict() == Verdict::kUnknown) {
+    const bool is_sent = co_await socket.send(to_send);
+    if (!is_sent) break;
+    const std::string_view bytes = co_await socket.read();
+    if (bytes.empty()) break;
+    to_send = probe.take(bytes);
+  }
+}
+
+/// Asks whether the server takes work: it asks itself down a line.
+asio::awaitable<std::string> ask_ready(MonitorSocket& socket, const tcp::endpoint& place) {
+  std::string answer;
+  const std::string request = ready_request(to_text(place));
+  const bool is_sent = co_await socket.send(request);
+  ErrorCode ignored;
+  socket.stream().shutdown(tcp::socket::shutdown_send, ignored);
+  while (is_sent && answer.size() < HealthProbe::kMostLineBytes) {
+    const std::string_view bytes = co_await socket.read();
+    if (bytes.empty()) break;
+    answer += bytes;
+  }
+  co_return answer;
+}
+
+asio::awaitable<void> visit(asio::io_context& context, tcp::endpoint place, Visit& visit) {
+  auto socket = co_await connect(context, place, visit);
+  if (!socket) co_return;
+  co_await greet(*socket, visit.probe);
+  if (visit.probe.verdict() != Verdict::kHealthy) co_return;
+  socket = co_await connect(context, place, visit);
+  if (socket) visit.readiness = co_await ask_ready(*socket, place);
+}
+
+std::string trouble_of(const Visit& visit, const tcp::endpoint& place) {
+  const std::string who = to_text(place);
+  if (visit.stage == Visit::Stage::kConnecting) return who + " does not answer: timed out";
+  if (visit.stage == Visit::Stage::kRefused)
+    return "nobody listens at " + who + " (" + visit.refusal + ")";
+  if (visit.probe.verdict() != Verdict::kHealthy) return who + " " + visit.probe.trouble();
+  const std::string trouble = trouble_with_readiness(visit.readiness);
+  return trouble.empty() ? trouble : who + " " + trouble;
+}
+
+/// One try. Nothing: it is healthy; otherwise what came instead.
+std::string ask(const tcp::endpoint& place, Clock::time_point deadline) {
+  Visit result;
+  asio::io_context context;
+  spawn_loop(context.get_executor(), "healthcheck", visit(context, place, result));
+  context.run_until(deadline);
+  return trouble_of(result, place);
+}
+
+/// What came instead of a good answer, or nothing, and what this is called.
+struct Outcome {
+  std::string trouble;
+  ExitCode code = ExitCode::kNoServer;
+};
+
+/// A port file that is not there may be to come with its server; one that names no port is wrong.
+Outcome try_once(const HealthOptions& options, Clock::time_point deadline) {
+  const auto address = asio::ip::make_address(address_to_ask(options.listen));
+  try {
+    const bool has_file = !options.port_file.empty();
+    const auto port = has_file ? read_monitor_port(options.port_file) : options.monitor_port;
+    return {ask({address, port}, deadline)};
+  } catch (const FileError& error) {
+    std::error_code ignored;
+    const bool is_there = std::filesystem::exists(options.port_file, ignored);
+    return {error.what(), is_there ? ExitCode::kBadInput : ExitCode::kNoServer};
+  }
+}
+
+ExitCode fail(const Outcome& outcome) {
+  std::cerr << "xr3: " << outcome.trouble << "\n";
+  return outcome.code;
+}
+
+}  // namespace
+
+ExitCode check_health(const HealthOptions& options) {
+  std::signal(SIGPIPE, SIG_IGN);
+  const bool is_one_try = options.wait_s == 0;
+  const auto wait =
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.wait_s));
+  const auto deadline = Clock::now() + (is_one_try ? kMostPatience : wait);
+  for (;;) {
+    const Outcome outcome = try_once(options, std::min(deadline, Clock::now() + kMostPatience));
+    if (outcome.trouble.empty()) return ExitCode::kGood;
+    // (twice, so that the last try has some time itself)
+    if (is_one_try || Clock::now() + 2 * kBeforeNextTry > deadline) return fail(outcome);
+    std::this_thread::sleep_for(kBeforeNextTry);
+  }
+}
+
+}  // namespace xr3

@@ -1,0 +1,43 @@
+#include "server/commands/kin.hpp"
+
+#include <iostream>
+
+#include "protocol/files/paper_form/paper_form.hpp"
+#include "protocol/json/text.hpp"
+#include "server/files/data_files.hpp"
+#include "tools/kin/report.hpp"
+#include "tools/kin/words.hpp"
+
+namespace xr3 {
+namespace {
+
+ExitCode refuse(const std::string& message) {
+  std::cerr << "xr3: " << message << "\n";
+  return ExitCode::kBadInput;
+}
+
+ExitCode answer(const Model& model, const DirectQuestion& question, bool as_json) {
+  std::cout << (as_json ? json_text(direct_json(model, question)) : direct_text(model, question));
+  return ExitCode::kGood;
+}
+
+ExitCode answer(const Model& model, const InverseQuestion& question, bool as_json) {
+  const InverseResult result = solve_inverse(model, question.target, question.options);
+  if (as_json) std::cout << json_text(inverse_json(model, question.target, result));
+  if (result.solutions.empty()) return refuse(refusal_sentence(result));
+  if (!as_json) std::cout << inverse_text(model, question.target, result);
+  return ExitCode::kGood;
+}
+
+}  // namespace
+
+ExitCode show_kinematics(const KinOptions& options) try {
+  const DataFile file = find_data_file(options.robot, "robots");
+  const Model model(load_robot_of_either_form(file.text, file.path), Workcell{}, Profile::kPaper);
+  return std::visit([&](const auto& question) { return answer(model, question, options.is_json); },
+                    kin_question(model, options.values));
+} catch (const KinQuestionError& error) {
+  return refuse(error.what());
+}
+
+}  // namespace xr3

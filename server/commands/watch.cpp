@@ -1,0 +1,203 @@
+#include "server/commands/watch.hpp"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <boost/asio/posix/stream_descriptor.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+
+#include "server/commands/terminal.hpp"
+#include "server/commands/watch_connection.hpp"
+#include "server/monitor_port/token.hpp"
+#include "server/net/spawn.hpp"
+#include "tools/watch/screen.hpp"
+
+namespace xr3 {
+namespace {
+
+using watch::Action;
+using watch::Link;
+using watch::Page;
+
+constexpr std::chrono::seconds kBeforeNextTry{1};
+constexpr std::chrono::seconds kOnceAtMost{15};
+
+watch::Wish wish_of(const WatchOptions& options, watch::Interest interest) {
+  TokenSource source = NoToken{};
+  if (is_token_in_environment()) source = TokenInEnvironment{};
+  if (!options.token_file.empty()) source = TokenFile{options.token_file};
+  return {options.cell, read_token(source), interest};
+}
+
+Letters letters_of(const WatchOptions& options, Letters otherwise) {
+  return options.is_ascii ? Letters::kAscii : otherwise;
+}
+
+/// NO_COLOR: https://no-color.org
+Colors colors_of(const WatchOptions& options) {
+  const char* wish = std::getenv("NO_COLOR");
+  const bool is_unwanted = options.is_plain || (wish != nullptr && *wish != '\0');
+  return is_unwanted ? Colors::kNo : Colors::kYes;
+}
+
+/// Looks on until it is told to stop: paints after every piece of news, and connects anew after every
+/// loss.
+class Watcher {
+ public:
+  Watcher(asio::io_context& context, const WatchOptions& options)
+      : model_(wish_of(options, watch::Interest::kOn)),
+        connection_(context, options, model_),
+        before_next_try_(context),
+        signals_(context, SIGINT, SIGTERM, SIGHUP),
+        resizes_(context, SIGWINCH),
+        keyboard_(context),
+        terminal_(letters_of(options, letters_of_locale()), colors_of(options)) {
+    link_.address = options.address;
+  }
+
+  void start(asio::io_context& context) {
+    spawn_loop(context.get_executor(), "watch", stay_connected());
+    spawn_loop(context.get_executor(), "watch", await_resizes());
+    signals_.async_wait([this](ErrorCode cancelled, int) {
+      if (!cancelled) stop();
+    });
+    if (::isatty(STDIN_FILENO) == 0) return;
+    keyboard_.assign(::dup(STDIN_FILENO));
+    spawn_loop(context.get_executor(), "watch", await_keys());
+  }
+
+ private:
+  asio::awaitable<void> stay_connected() {
+    while (!is_stopping_) {
+      show();
+      link_.trouble = co_await connection_.run([this] {
+        link_.phase = Link::Phase::kLive;
+        show();
+      });
+      link_.phase = Link::Phase::kTrying;
+      if (is_stopping_) break;
+      show();
+      before_next_try_.expires_after(kBeforeNextTry);
+      co_await before_next_try_.async_wait(kAwait);
+    }
+  }
+
+  asio::awaitable<void> await_resizes() {
+    while (!is_stopping_) {
+      const auto [cancelled, number] = co_await resizes_.async_wait(kAwait);
+      if (cancelled) break;
+      terminal_.resize();
+      show();
+    }
+  }
+
+  asio::awaitable<void> await_keys() {
+    while (!is_stopping_) {
+      const auto [cancelled] =
+          co_await keyboard_.async_wait(asio::posix::stream_descriptor::wait_read, kAwait);
+      if (cancelled) break;
+      int waiting = 0;
+      const bool has_gone = ::ioctl(STDIN_FILENO, FIONREAD, &waiting) != 0 || waiting == 0;
+      if (has_gone) stop();
+      // NOLINTNEXTLINE(bugprone-unchecked-optional-access): the loop's condition has checked it
+      while (const auto key = terminal_.key()) press(*key);
+    }
+  }
+
+  void press(char key) {
+    constexpr char kEscape = '\x1B';
+    static const std::map<char, Action> actions{{' ', Action::kPauseOrResume},
+                                                {'.', Action::kStep},
+                                                {'>', Action::kStepSecond},
+                                                {'h', Action::kHome}};
+    if (key == 'q' || key == kEscape) return stop();
+    if (key == '?') page_ = page_ == Page::kHelp ? Page::kCell : Page::kHelp;
+    if (const auto action = actions.find(key); action != actions.end()) act(action->second);
+    show();
+  }
+
+  void act(Action action) {
+    if (link_.phase != Link::Phase::kLive) return;
+    if (const auto request = model_.ask(action)) connection_.send(*request);
+  }
+
+  void show() {
+    if (is_stopping_) return;
+    const TerminalSize size = terminal_size();
+    terminal_.show(watch::watch_screen(model_.known(), link_, page_, size.rows, size.columns));
+  }
+
+  /// Ends all that is waited for, so that nothing is left to run.
+  void stop() {
+    is_stopping_ = true;
+    connection_.close();
+    before_next_try_.cancel();
+    signals_.cancel();
+    resizes_.cancel();
+    keyboard_.close();
+  }
+
+  watch::WatchModel model_;
+  WatchConnection connection_;
+  asio::steady_timer before_next_try_;
+  // Signals are taken before the terminal is: what is taken, ncurses leaves alone.
+  asio::signal_set signals_;
+  asio::signal_set resizes_;
+  asio::posix::stream_descriptor keyboard_;
+  Terminal terminal_;
+  Link link_;
+  Page page_ = Page::kCell;
+  bool is_stopping_ = false;
+};
+
+ExitCode watch_on(const WatchOptions& options) {
+  asio::io_context context;
+  Watcher watcher(context, options);
+  watcher.start(context);
+  context.run();
+  return ExitCode::kGood;
+}
+
+ExitCode fail(ExitCode code, const std::string& message) {
+  std::cerr << "xr3: " << message << "\n";
+  return code;
+}
+
+ExitCode watch_once(const WatchOptions& options) {
+  asio::io_context context;
+  watch::WatchModel model(wish_of(options, watch::Interest::kOnce));
+  WatchConnection connection(context, options, model);
+  std::string trouble;
+  const auto look = [&]() -> asio::awaitable<void> {
+    trouble = co_await connection.run([&] {
+      if (model.is_complete()) connection.close();
+    });
+  };
+  spawn_loop(context.get_executor(), "watch", look());
+  context.run_for(kOnceAtMost);
+  if (!model.is_complete()) {
+    return fail(ExitCode::kNoServer,
+                trouble.empty() ? options.address + " does not answer" : trouble);
+  }
+  if (!model.known().state) return fail(ExitCode::kBadInput, model.known().said);
+  const Link link{Link::Phase::kLive, options.address, ""};
+  const TerminalSize size = terminal_size();
+  std::cout << text_of(
+      watch::watch_screen(model.known(), link, Page::kPrint, size.rows, size.columns),
+      letters_of(options, Letters::kUnicode));
+  return ExitCode::kGood;
+}
+
+}  // namespace
+
+ExitCode watch_cell(const WatchOptions& options) {
+  std::signal(SIGPIPE, SIG_IGN);
+  return options.is_once || !is_terminal() ? watch_once(options) : watch_on(options);
+}
+
+}  // namespace xr3

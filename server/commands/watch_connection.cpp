@@ -1,0 +1,140 @@
+#include "server/commands/watch_connection.hpp"
+
+#include <boost/asio/connect.hpp>
+#include <chrono>
+#include <utility>
+
+#include "server/net/spawn.hpp"
+
+namespace xr3 {
+namespace {
+
+constexpr std::chrono::seconds kMostPatience{5};
+/// An image of the greatest size fits.
+constexpr std::size_t kMostLineBytes = std::size_t{32} << 20U;
+
+}  // namespace
+
+WatchConnection::WatchConnection(asio::io_context& context, const WatchOptions& options,
+                                 watch::WatchModel& model)
+    : context_(context),
+      options_(options),
+      model_(model),
+      resolver_(context),
+      connecting_(context),
+      deadline_(context) {}
+
+asio::awaitable<std::string> WatchConnection::run(std::function<void()> on_news) {
+  close_when_due();
+  if (std::string trouble = co_await connect(); !trouble.empty()) {
+    deadline_.cancel();
+    co_return trouble;
+  }
+  const std::shared_ptr<MonitorSocket> socket = socket_;
+  line_.clear();
+  bool is_greeted = false;
+  send(model_.opening());
+  while (socket->is_open()) {
+    const std::string_view bytes = co_await socket->read();
+    if (bytes.empty() || !take(bytes)) break;
+    has_heard_ = true;
+    if (!is_greeted && !model_.known().cell.empty()) {
+      is_greeted = true;
+      ask_for_life();
+    }
+    on_news();
+  }
+  deadline_.cancel();
+  socket->close();
+  socket_.reset();
+  co_return farewell(is_greeted);
+}
+
+asio::awaitable<std::string> WatchConnection::connect() {
+  const auto [unknown, places] =
+      co_await resolver_.async_resolve(options_.host, options_.port, kAwait);
+  if (is_late_) co_return options_.address + " does not answer";
+  if (unknown) co_return "no address is known for " + options_.host;
+  connecting_ = tcp::socket(context_);
+  const auto [refused, place] = co_await asio::async_connect(connecting_, places, kAwait);
+  if (is_late_) co_return options_.address + " does not answer";
+  if (refused) {
+    co_return "nobody listens at " + options_.address + " (" + refused.message() + ")";
+  }
+  ErrorCode ignored;
+  connecting_.non_blocking(true, ignored);
+  connecting_.set_option(tcp::no_delay(true), ignored);
+  socket_ = std::make_shared<MonitorSocket>(std::move(connecting_));
+  co_return std::string{};
+}
+
+/// Gives every whole line to the model. False: the line that comes is too long.
+bool WatchConnection::take(std::string_view bytes) {
+  for (std::size_t end = 0; (end = bytes.find('\n')) != std::string_view::npos;) {
+    line_ += bytes.substr(0, end);
+    bytes.remove_prefix(end + 1);
+    for (const std::string& request : model_.take(line_)) send(request);
+    line_.clear();
+  }
+  line_ += bytes;
+  return line_.size() <= kMostLineBytes;
+}
+
+std::string WatchConnection::farewell(bool is_greeted) const {
+  const std::string& word = model_.known().said;
+  if (model_.has_parted() && !word.empty()) return word;
+  if (!is_greeted) return options_.address + " is no monitor port: no greeting came";
+  if (is_late_) return options_.address + " does not answer";
+  return "the connection to " + options_.address + " is lost";
+}
+
+void WatchConnection::send(const std::string& bytes) {
+  if (!socket_) return;
+  unsent_ += bytes;
+  if (is_sending_) return;
+  is_sending_ = true;
+  spawn_loop(context_.get_executor(), "watch", send_all(socket_));
+}
+
+asio::awaitable<void> WatchConnection::send_all(std::shared_ptr<MonitorSocket> socket) {
+  while (!unsent_.empty()) {
+    const std::string bytes = std::exchange(unsent_, {});
+    const bool is_sent = co_await socket->send(bytes);
+    if (!is_sent) break;
+  }
+  unsent_.clear();
+  is_sending_ = false;
+}
+
+void WatchConnection::close_when_due() {
+  is_late_ = false;
+  deadline_.expires_after(kMostPatience);
+  deadline_.async_wait([this](ErrorCode cancelled) {
+    if (cancelled) return;
+    is_late_ = true;
+    close();
+  });
+}
+
+// Where nothing happens a server says nothing: whether it is still there, only a question tells.
+void WatchConnection::ask_for_life() {
+  has_heard_ = false;
+  send(model_.ping());
+  deadline_.expires_after(kMostPatience);
+  deadline_.async_wait([this](ErrorCode cancelled) {
+    if (cancelled) return;
+    if (has_heard_) return ask_for_life();
+    is_late_ = true;
+    close();
+  });
+}
+
+void WatchConnection::close() {
+  ErrorCode ignored;
+  deadline_.cancel();
+  resolver_.cancel();
+  connecting_.close(ignored);
+  if (socket_) socket_->close();
+}
+
+}  // namespace xr3

@@ -1,0 +1,23 @@
+// Writes files atomically: a complete draft in the same folder is renamed to the file's name.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "server/files/data_files.hpp"
+
+namespace xr3 {
+
+/// What to do with an existing file.
+enum class Existing : std::uint8_t { kKeep, kReplace };
+
+/// Writes the text to a file. Before the rename it reads the draft back and passes it to `check`,
+/// which may throw. Returns false if the file exists and `existing` is kKeep. Throws FileError.
+/// After false or an exception nothing is changed. Follows symbolic links; keeps the permissions of
+/// the file.
+bool write_whole_file(const std::filesystem::path& path, const std::string& text, Existing existing,
+                      const std::function<void(const DataFile&)>& check);
+
+}  // namespace xr3

@@ -1,0 +1,86 @@
+#include "server/http/answer.hpp"
+
+#include <utility>
+
+#include "protocol/json/source.hpp"
+
+namespace xr3::http {
+namespace {
+
+Answer closing(Answer answer) {
+  answer.then = Then::kClose;
+  return answer;
+}
+
+}  // namespace
+
+Answer text(std::string body) { return {200, "text/plain; charset=utf-8", std::move(body), {}}; }
+
+Answer json(std::string body) { return {200, "application/json", std::move(body), {}}; }
+
+Answer error(unsigned status, const char* code, const std::string& message,
+             const std::string& hint) {
+  const Json json = {{"error", {{"code", code}, {"message", message}, {"hint", hint}}}};
+  const std::string body = json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return {status, "application/json", body, {}};
+}
+
+Answer bad_request(const std::string& message, const std::string& hint) {
+  return closing(error(400, "bad_request", message, hint));
+}
+
+Answer not_found(const std::string& message) {
+  return error(404, "not_found", message,
+               "available: / /healthz /readyz /metrics /state /robot /workcell /schema/v1.json "
+               "/camera.png /camera.pbm /view.svg and /ws");
+}
+
+Answer method_not_allowed() {
+  Answer answer = closing(error(405, "method_not_allowed",
+                                "only GET and HEAD are supported; nothing was changed",
+                                "send calls as JSON lines: {\"op\":\"call\",\"fn\":\"pause\"}"));
+  answer.fields.push_back({"Allow", "GET, HEAD"});
+  return answer;
+}
+
+Answer token_required() {
+  return error(403, "token_required", "reading needs the token, which HTTP requests cannot carry",
+               "connect to /ws or send JSON lines, and first send {\"op\":\"auth\",\"token\":...}");
+}
+
+Answer too_slow() {
+  return closing(error(408, "timeout", "the head of the request did not arrive within 10 s",
+                       "send it at once, with an empty line at its end"));
+}
+
+Answer full() {
+  return closing(error(503, "full", "the maximum number of connections is open",
+                       "close some, or try again later"));
+}
+
+std::optional<Answer> refuse_head(HeadFault fault) {
+  switch (fault) {
+    case HeadFault::kNone: return std::nullopt;
+    case HeadFault::kIncomplete: return bad_request("the request ends before the end of its head");
+    case HeadFault::kMalformed: return bad_request("this is not an HTTP/1 request");
+    case HeadFault::kVersion:
+      return closing(error(505, "version_not_supported", "only HTTP/1.0 and HTTP/1.1 are supported",
+                           "configure the client to use HTTP/1.1"));
+    case HeadFault::kTargetTooLong:
+      return closing(error(414, "target_too_long", "a target has at most 8192 bytes",
+                           "no resource has a name that long"));
+    case HeadFault::kTooLarge:
+      return closing(error(431, "head_too_large", "a head has at most 16384 bytes and 64 fields",
+                           "send fewer and shorter fields"));
+  }
+  return std::nullopt;
+}
+
+std::string to_bytes(const Answer& answer, std::string_view method) {
+  std::vector<Field> fields{{"Content-Type", answer.type}};
+  fields.insert(fields.end(), answer.fields.begin(), answer.fields.end());
+  std::string bytes = head_text(answer.status, fields, answer.body.size(), answer.then);
+  return method == "HEAD" ? bytes : bytes.append(answer.body);
+}
+
+}  // namespace xr3::http

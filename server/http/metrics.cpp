@@ -1,0 +1,125 @@
+#include "server/http/metrics.hpp"
+
+#include <prometheus/metric_family.h>
+#include <prometheus/text_serializer.h>
+
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "core/units.hpp"
+#include "protocol/explain/command_words.hpp"
+#include "protocol/monitor/message.hpp"
+
+namespace xr3 {
+namespace {
+
+using prometheus::ClientMetric;
+using prometheus::MetricFamily;
+using prometheus::MetricType;
+
+/// The label of a command; one label for commands with several codes.
+std::string kind_of(const Command& command) {
+  if (std::holds_alternative<SetAuxiliary>(command)) return "auxiliary";
+  if (std::holds_alternative<SetOutput>(command)) return "output";
+  return std::string(code_of(command));
+}
+
+template <std::size_t... Index>
+std::vector<std::string> kinds(std::index_sequence<Index...>) {
+  return {kind_of(Command(std::in_place_index<Index>))...};
+}
+
+/// The labels of the commands, by index in Command.
+const std::vector<std::string>& command_kinds() {
+  static const auto names = kinds(std::make_index_sequence<kCommandKinds>());
+  return names;
+}
+
+/// Builds the metric families of one cell.
+class Page {
+ public:
+  explicit Page(const std::string& cell) : cell_(cell) {}
+
+  void counter(const std::string& name, const std::string& help, double value) {
+    begin(name, help, MetricType::Counter);
+    add({}, value);
+  }
+  void gauge(const std::string& name, const std::string& help, double value) {
+    begin(name, help, MetricType::Gauge);
+    add({}, value);
+  }
+  void begin(const std::string& name, const std::string& help, MetricType type) {
+    families_.push_back({"xr3_" + name, help, type, {}});
+  }
+  /// Adds a sample to the family of the last begin().
+  void add(std::vector<ClientMetric::Label> labels, double value) {
+    ClientMetric metric;
+    metric.label = std::move(labels);
+    metric.label.insert(metric.label.begin(), {"cell", cell_});
+    metric.counter.value = value;
+    metric.gauge.value = value;
+    families_.back().metric.push_back(std::move(metric));
+  }
+  std::string text() const {
+    std::ostringstream out;
+    prometheus::TextSerializer().Serialize(out, families_);
+    return out.str();
+  }
+
+ private:
+  std::string cell_;
+  std::vector<MetricFamily> families_;
+};
+
+std::string channel_name(std::size_t index) {
+  return std::string(monitor::name_of(static_cast<monitor::Channel>(index)));
+}
+
+double number(std::uint64_t count) { return static_cast<double>(count); }
+
+void add_lines(Page& page, const CellCounters& counters) {
+  page.gauge("lines_open", "Open serial lines.", number(counters.lines_open));
+  page.counter("lines_total", "Serial lines opened since the start.", number(counters.lines_total));
+  page.counter("bytes_in_total", "Bytes received on serial lines.", number(counters.bytes_in));
+  page.counter("bytes_out_total", "Bytes sent on serial lines.", number(counters.bytes_out));
+}
+
+void add_commands(Page& page, const CellCounters& counters) {
+  page.begin("commands_total", "Commands executed, by kind.", MetricType::Counter);
+  for (std::size_t i = 0; i < kCommandKinds; ++i)
+    page.add({{"kind", command_kinds()[i]}}, number(counters.commands.at(i)));
+  page.begin("warnings_total", "Problems and warnings, by code.", MetricType::Counter);
+  for (const auto& [code, count] : counters.warnings)
+    page.add({{"code", std::string(code)}}, number(count));
+}
+
+void add_time(Page& page, const CellCounters& counters) {
+  page.counter("ticks_total", "Ticks simulated, over all epochs.", number(counters.ticks));
+  page.counter("simulated_seconds_total", "Seconds simulated, over all epochs.",
+               number(counters.ticks) / kTickHz);
+}
+
+void add_viewers(Page& page, const CellCounters& counters) {
+  page.gauge("viewers", "Connected monitor clients.", number(counters.viewers));
+  page.begin("frames_sent_total", "Messages sent to clients, by channel.", MetricType::Counter);
+  for (std::size_t i = 0; i < kChannels; ++i)
+    page.add({{"channel", channel_name(i)}}, number(counters.channels.at(i).sent));
+  page.begin("frames_overwritten_total", "Messages that slow clients missed, by channel.",
+             MetricType::Counter);
+  for (std::size_t i = 0; i < kChannels; ++i)
+    page.add({{"channel", channel_name(i)}}, number(counters.channels.at(i).overwritten));
+}
+
+}  // namespace
+
+std::string metrics_text(const std::string& cell, const CellCounters& counters) {
+  Page page(cell);
+  add_lines(page, counters);
+  add_commands(page, counters);
+  add_time(page, counters);
+  add_viewers(page, counters);
+  return page.text();
+}
+
+}  // namespace xr3

@@ -1,0 +1,43 @@
+// HTTP/1 on a connection of the monitor port: answers one request after the other (keep-alive)
+// until the connection closes or is upgraded to WebSocket. HttpResources makes the answers.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "server/http/resources.hpp"
+#include "server/net/asio.hpp"
+#include "server/net/socket.hpp"
+
+namespace xr3 {
+
+class HttpSession {
+ public:
+  /// Serves the connection from a WebSocket handshake on; the head of the handshake is valid.
+  using ToWebsocket = std::function<asio::awaitable<void>(std::string head)>;
+
+  /// The socket and the resources must outlive the session.
+  HttpSession(MonitorSocket& socket, HttpResources& resources, ToWebsocket to_websocket)
+      : socket_(socket), resources_(resources), to_websocket_(std::move(to_websocket)) {}
+
+  /// Serves the connection until it ends. `first_bytes` have been received already.
+  asio::awaitable<void> run(std::string first_bytes);
+
+  /// Answers the current request, then ends.
+  void finish();
+
+ private:
+  asio::awaitable<http::HeadReading> next_head();
+  asio::awaitable<http::Answer> answer(const http::HeadReading& head);
+  asio::awaitable<bool> is_served(const http::HeadReading& head);
+  bool is_handshake(const http::HeadReading& head) const;
+
+  MonitorSocket& socket_;
+  HttpResources& resources_;
+  ToWebsocket to_websocket_;
+  std::string bytes_;  ///< received, not yet answered
+  bool is_finishing_ = false;
+};
+
+}  // namespace xr3

@@ -1,0 +1,180 @@
+#include "server/http/wire.hpp"
+
+#include <algorithm>
+#include <boost/asio/buffer.hpp>
+#include <boost/beast/http/parser.hpp>
+#include <boost/beast/http/string_body.hpp>
+#include <boost/beast/http/write.hpp>
+#include <boost/beast/websocket/rfc6455.hpp>
+#include <sstream>
+
+#include "protocol/monitor/http_guard.hpp"
+
+namespace xr3::http {
+namespace {
+
+namespace beast = boost::beast;
+using Parser = beast::http::request_parser<beast::http::string_body>;
+
+constexpr std::string_view kLineEnd = "\r\n";
+constexpr std::string_view kHeadEnd = "\r\n\r\n";
+constexpr unsigned kHttp11 = 11;
+
+std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
+
+/// Whether a field continues on the next line. Beast would accept it; we refuse it.
+bool has_folded_field(std::string_view head) {
+  return head.find("\r\n ") != std::string_view::npos ||
+         head.find("\r\n\t") != std::string_view::npos;
+}
+
+Request request_of(const Parser& parser) {
+  const auto& message = parser.get();
+  Request request{std::string(view(message.method_string())),
+                  std::string(view(message.target())),
+                  {},
+                  Then::kClose,
+                  beast::websocket::is_upgrade(message)};
+  for (const auto& field : message)
+    request.fields.push_back(
+        {std::string(view(field.name_string())), std::string(view(field.value()))});
+  const bool has_body = parser.chunked() || parser.content_length().value_or(0) > 0;
+  if (message.keep_alive() && !has_body) request.then = Then::kKeep;
+  return request;
+}
+
+HeadFault fault_of(const Request& request) {
+  if (request.target.size() > kMostTargetBytes) return HeadFault::kTargetTooLong;
+  return request.fields.size() > kMostFields ? HeadFault::kTooLarge : HeadFault::kNone;
+}
+
+/// Whether the request line has three words, the last one of the form HTTP/d.d.
+bool names_a_version(std::string_view head) {
+  constexpr std::string_view kForm = " HTTP/0.0";
+  const std::string_view line = head.substr(0, head.find(kLineEnd));
+  if (line.size() < kForm.size() || std::count(line.begin(), line.end(), ' ') != 2) return false;
+  const std::string_view end = line.substr(line.size() - kForm.size());
+  const auto is_alike = [](char c, char form) {
+    return form == '0' ? '0' <= c && c <= '9' : c == form;
+  };
+  return std::equal(end.begin(), end.end(), kForm.begin(), is_alike);
+}
+
+HeadFault fault_of(const boost::system::error_code& error, std::string_view head) {
+  const bool is_other_version = error == beast::http::error::bad_version && names_a_version(head);
+  return is_other_version ? HeadFault::kVersion : HeadFault::kMalformed;
+}
+
+/// Parses a complete head, or a part of one to which the final empty line has been added.
+HeadReading read_whole(std::string_view head) {
+  if (has_folded_field(head)) return {HeadFault::kMalformed, {}, 0};
+  Parser parser;
+  parser.header_limit(2 * kMostHeadBytes);  // never reached: we check our own limit before
+  parser.body_limit(boost::none);
+  boost::system::error_code error;
+  parser.put(boost::asio::buffer(head), error);
+  if (error || !parser.is_header_done()) return {fault_of(error, head), {}, 0};
+  HeadReading reading{HeadFault::kNone, request_of(parser), head.size()};
+  reading.fault = fault_of(reading.request);
+  return reading;
+}
+
+/// The fault of a head that exceeds the size limit. `is_first`: it ends within its first line.
+HeadFault unended(std::string_view line, bool is_first) {
+  const std::size_t target = is_first ? line.find(' ') : std::string_view::npos;
+  const bool has_long_target =
+      target != std::string_view::npos && line.size() - target > kMostTargetBytes;
+  return has_long_target ? HeadFault::kTargetTooLong : HeadFault::kTooLarge;
+}
+
+/// A fault in the lines that are complete; detected before the rest of the head arrives.
+HeadFault fault_so_far(std::string_view received) {
+  const std::size_t last = received.rfind('\n');
+  if (last == std::string_view::npos) return HeadFault::kNone;
+  const std::string lines = std::string(received.substr(0, last + 1)).append(kLineEnd);
+  return read_whole(lines).fault;
+}
+
+int hexadecimal(char c) {
+  if ('0' <= c && c <= '9') return c - '0';
+  if ('a' <= c && c <= 'f') return c - 'a' + 10;
+  return 'A' <= c && c <= 'F' ? c - 'A' + 10 : -1;
+}
+
+/// Percent-decodes; empty if an escape is invalid.
+std::string decoded(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      result += text[i] == '+' ? ' ' : text[i];
+      continue;
+    }
+    const int high = i + 2 < text.size() ? hexadecimal(text[i + 1]) : -1;
+    const int low = i + 2 < text.size() ? hexadecimal(text[i + 2]) : -1;
+    if (high < 0 || low < 0) return {};
+    result += static_cast<char>(high * 16 + low);
+    i += 2;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::string_view> Request::values(std::string_view name) const {
+  std::vector<std::string_view> found;
+  for (const Field& field : fields) {
+    if (is_same_name(field.name, name)) found.push_back(field.value);
+  }
+  return found;
+}
+
+std::string_view Request::path() const {
+  return std::string_view(target).substr(0, target.find('?'));
+}
+
+std::optional<std::string> Request::parameter(std::string_view name) const {
+  std::string_view rest = std::string_view(target).substr(path().size());
+  while (!rest.empty()) {
+    rest.remove_prefix(1);  // ? or &
+    const std::string_view pair = rest.substr(0, rest.find('&'));
+    rest.remove_prefix(pair.size());
+    const std::size_t equals = std::min(pair.find('='), pair.size());
+    if (pair.substr(0, equals) != name) continue;
+    return decoded(pair.substr(std::min(equals + 1, pair.size())));
+  }
+  return std::nullopt;
+}
+
+HeadReading read_head(std::string_view received) {
+  const std::string_view head = received.substr(0, kMostHeadBytes);
+  const std::size_t end = head.find(kHeadEnd);
+  if (end != std::string_view::npos) return read_whole(head.substr(0, end + kHeadEnd.size()));
+  if (const HeadFault fault = fault_so_far(head); fault != HeadFault::kNone) return {fault, {}, 0};
+  if (received.size() < kMostHeadBytes) return {HeadFault::kIncomplete, {}, 0};
+  return {unended(head, head.find('\n') == std::string_view::npos), {}, 0};
+}
+
+std::string head_text(unsigned status, const std::vector<Field>& fields, std::size_t body_bytes,
+                      Then then) {
+  beast::http::response_header<> head;
+  head.version(kHttp11);
+  head.result(status);
+  for (const Field& field : fields) head.insert(field.name, field.value);
+  head.set(beast::http::field::content_length, std::to_string(body_bytes));
+  for (const Field& field : safety_fields()) head.insert(field.name, field.value);
+  head.insert(beast::http::field::connection, then == Then::kKeep ? "keep-alive" : "close");
+  std::ostringstream text;
+  text << head;
+  return text.str();
+}
+
+const std::vector<Field>& safety_fields() {
+  static const std::vector<Field> fields{
+      {"Cache-Control", "no-store"},
+      {"X-Content-Type-Options", "nosniff"},
+      {"Cross-Origin-Resource-Policy", "same-origin"},
+      {"Content-Security-Policy", "default-src 'self'; frame-ancestors 'none'; base-uri 'none'"}};
+  return fields;
+}
+
+}  // namespace xr3::http

@@ -1,0 +1,48 @@
+// Access control of the monitor port: which web pages are allowed, whether calls and reading
+// require the token, and the check of a token. It depends on the bind address, never on the peer's
+// address: behind a container's port forwarder every peer can appear to be this machine.
+// Independent of connections.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "protocol/monitor/http_guard.hpp"
+
+namespace xr3 {
+
+/// Whether reading the cell requires the token, too.
+enum class Reading : std::uint8_t { kFree, kWithToken };
+
+struct AccessRules {
+  http::GuardRules guard;
+  Reading reading = Reading::kFree;
+  std::string token;  ///< empty: calls require no token
+};
+
+class AccessPolicy {
+ public:
+  /// Clients on this machine only, without a token.
+  AccessPolicy() = default;
+  explicit AccessPolicy(AccessRules rules) : rules_(std::move(rules)) {}
+
+  /// Whether calls require the token.
+  bool needs_token() const { return !rules_.token.empty(); }
+  /// Whether reading requires it, too. Always false without a token.
+  bool is_private() const { return needs_token() && rules_.reading == Reading::kWithToken; }
+  /// Compares in constant time. Always false if no token is set.
+  bool is_right(std::string_view token) const;
+
+  bool is_host_allowed(std::string_view host) const {
+    return http::is_host_allowed(host, rules_.guard);
+  }
+  bool is_origin_allowed(std::string_view origin, std::string_view host) const {
+    return http::is_origin_allowed(origin, host, rules_.guard);
+  }
+
+ private:
+  AccessRules rules_;
+};
+
+}  // namespace xr3

@@ -1,0 +1,70 @@
+// A monitor session over TCP with JSON lines. Reads requests one at a time, only while the client
+// reads its answers; writes messages as fast as the connection accepts them.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "protocol/monitor/lines.hpp"
+#include "protocol/monitor/opening.hpp"
+#include "server/monitor_port/service.hpp"
+#include "server/monitor_port/session.hpp"
+#include "server/net/asio.hpp"
+#include "server/net/socket.hpp"
+
+namespace xr3 {
+
+class JsonLines : public std::enable_shared_from_this<JsonLines>, private Carrier {
+ public:
+  /// Sends `hello`. `service` must outlive the session.
+  static std::shared_ptr<JsonLines> greet(std::shared_ptr<MonitorSocket> socket,
+                                          MonitorService& service);
+
+  /// Serves the connection until it ends. `first_bytes` have been received already.
+  asio::awaitable<void> run(std::string first_bytes, monitor::Tongue tongue);
+
+  /// Accepts no further request, sends `bye` and ends.
+  void finish();
+
+  /// The client has shut down its sending side. It may be gone; only a write can detect that.
+  bool only_listens() const { return is_answered_; }
+
+  /// Resumes waiting coroutines after the connection was lost.
+  void wake();
+
+  /// Destroys the monitor session. Precondition: run() has finished or was never called.
+  void retire() { viewer_.reset(); }
+
+ private:
+  JsonLines(std::shared_ptr<MonitorSocket> socket, MonitorService& service);
+
+  asio::awaitable<void> answer_lines();
+  asio::awaitable<void> until_there_is_room();
+  asio::awaitable<void> until_all_is_written();
+  bool is_done() const;
+
+  void pump() override;
+  void prefetch(Depth depth) const override;
+  bool is_one_and_small() const;
+  std::size_t send_copy();
+  std::size_t send_gathered();
+  void fill();
+  void wait_for_room();
+  void written(std::size_t count);
+
+  // Members used for every message come first, for cache locality.
+  std::shared_ptr<MonitorSocket> socket_;
+  std::vector<monitor::Message> out_;  ///< being written, each with a line end
+  std::size_t written_ = 0;            ///< bytes of the first message already written
+  std::size_t out_bytes_ = 0;
+  bool is_blocked_ = false;  ///< waiting until the connection is writable
+  bool is_pumping_ = false;
+  bool is_answered_ = false;     ///< no further request will be handled
+  asio::steady_timer progress_;  ///< never expires; cancelled to resume waiting coroutines
+  std::unique_ptr<Viewer> viewer_;
+  monitor::Lines lines_;
+};
+
+}  // namespace xr3

@@ -1,0 +1,191 @@
+#include "server/monitor_port/service.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "protocol/monitor/heading.hpp"
+#include "server/net/wall_clock.hpp"
+
+namespace xr3 {
+namespace {
+
+using monitor::Channel;
+
+constexpr int kMostWrongTokens = 5;
+
+bool is_feed(Channel channel) { return channel == Channel::kEvent || channel == Channel::kLine; }
+
+monitor::RequestError no_camera(const monitor::RequestId& id) {
+  return {id,
+          "no_camera",
+          "this workcell has no camera",
+          "give the workcell file a camera, or replace it by the call workcell",
+          {}};
+}
+
+monitor::RequestError token_required(const monitor::RequestId& id, const std::string& what) {
+  return {id,
+          "token_required",
+          what + " needs the token",
+          R"(send {"op":"auth","token":"..."} first)",
+          {}};
+}
+
+std::optional<monitor::RequestError> check_access(const Viewer& viewer,
+                                                  const monitor::Heading& heading) {
+  if (viewer.access() == Access::kControl) return std::nullopt;
+  if (heading.op == "call")
+    return token_required(heading.id, heading.fn.empty() ? "a call" : "the call " + heading.fn);
+  const bool reads = heading.op == "sub" || heading.op == "get";
+  if (reads && viewer.access() == Access::kNone)
+    return token_required(heading.id, "reading this server");
+  return std::nullopt;
+}
+
+/// What holds from now on, as the answer to a `sub`.
+Json terms(const std::string& cell, const monitor::Subscribe& wanted, std::int64_t since) {
+  const Channel channel = wanted.selection.channel;
+  Json value = {{"cell", cell}, {"channel", monitor::name_of(channel)}};
+  if (is_feed(channel)) {
+    value["since"] = since;
+  } else {
+    value["max_hz"] = wanted.max_millihz / 1000.0;
+    value["on_change"] = wanted.on_change;
+  }
+  value["fields"] = wanted.selection.fields ? Json(*wanted.selection.fields) : Json();
+  if (channel == Channel::kImage)
+    value["encoding"] = wanted.selection.encoding == monitor::Encoding::kRle ? "rle" : "rows";
+  return value;
+}
+
+}  // namespace
+
+MonitorService::MonitorService(asio::io_context& io, Cell& cell, RobotPort& robot_port,
+                               const AccessPolicy& policy, std::function<void()> acted)
+    : cell_(cell),
+      robot_port_(robot_port),
+      policy_(policy),
+      acted_(std::move(acted)),
+      frames_(cell),
+      audience_(io, cell, frames_, [this] { robot_port_.take_turns(); }) {}
+
+// --- Viewers.
+
+Access MonitorService::first_access() const {
+  if (!policy_.needs_token()) return Access::kControl;
+  return policy_.is_private() ? Access::kNone : Access::kRead;
+}
+
+void MonitorService::remove(Viewer& viewer) {
+  audience_.remove(viewer);
+  const std::optional<LineId> line = viewer.own_line();
+  if (!line) return;
+  cell_.apply(LineClosed{*line, CloseReason::kClientClosed}, wall_now());
+  acted_();
+}
+
+monitor::Message MonitorService::hello(const Viewer& viewer) {
+  cell_.catch_up(wall_now());
+  const Snapshot now = cell_.snapshot();
+  return monitor::hello(
+      {"xr3 " XR3_VERSION, cells(), cell_.model(), now, viewer.access() == Access::kControl});
+}
+
+const monitor::Frame* MonitorService::look(const monitor::Selection& selection) {
+  cell_.catch_up(wall_now());
+  return frames_.current(selection);
+}
+
+CellCounters MonitorService::counters() const {
+  CellCounters counters = cell_.counters();
+  counters.lines_open = cell_.lines().size();
+  counters.viewers = audience_.size();
+  const Audience::Tallies tallies = audience_.tallies();
+  for (std::size_t i = 0; i < tallies.size(); ++i)
+    counters.channels.at(i) = {tallies[i].sent, tallies[i].overwritten};
+  return counters;
+}
+
+// --- Requests.
+
+MonitorService::Error MonitorService::refuse(const Viewer& viewer, std::string_view message) const {
+  if (viewer.access() == Access::kControl) return std::nullopt;
+  return check_access(viewer, monitor::heading_of(message));
+}
+
+asio::awaitable<void> MonitorService::carry_out(Viewer& viewer, monitor::Request request) {
+  if (const Error error = check_access(viewer, monitor::heading_of(request))) {
+    viewer.client().send(monitor::result(*error));
+  } else if (std::holds_alternative<monitor::Ping>(request.what)) {
+    viewer.client().send(monitor::pong(request.id));
+  } else if (const auto* auth = std::get_if<monitor::Auth>(&request.what)) {
+    authorize(viewer, request, *auth);
+  } else if (std::holds_alternative<monitor::Subscribe>(request.what)) {
+    subscribe(viewer, request);
+  } else if (std::holds_alternative<monitor::Unsubscribe>(request.what)) {
+    unsubscribe(viewer, request);
+  } else if (std::holds_alternative<monitor::Get>(request.what)) {
+    show(viewer, request);
+  } else {
+    co_await call(viewer, std::move(request));
+  }
+}
+
+void MonitorService::authorize(Viewer& viewer, const monitor::Request& request,
+                               const monitor::Auth& auth) {
+  if (!policy_.needs_token() || policy_.is_right(auth.token)) {
+    viewer.grant(Access::kControl);
+    viewer.client().send(monitor::result(request.id, {{"access", "control"}}));
+    return;
+  }
+  viewer.client().send(monitor::result({request.id,
+                                        "bad_token",
+                                        "this is not the token",
+                                        "five wrong ones end the connection",
+                                        {}}));
+  if (viewer.note_wrong_token() >= kMostWrongTokens) viewer.end(monitor::Bye::kBadToken);
+}
+
+// --- Channels.
+
+monitor::Feed& MonitorService::feed(Channel channel) {
+  return channel == Channel::kEvent ? cell_.events() : cell_.wires();
+}
+
+void MonitorService::subscribe(Viewer& viewer, const monitor::Request& request) {
+  const auto& wanted = std::get<monitor::Subscribe>(request.what);
+  const Channel channel = wanted.selection.channel;
+  if (is_feed(channel)) {
+    cell_.catch_up(wall_now());
+    const std::int64_t next = feed(channel).next();
+    const std::int64_t since = std::clamp<std::int64_t>(wanted.since.value_or(next), 1, next);
+    viewer.client().send(monitor::result(request.id, terms(request.cell, wanted, since)));
+    viewer.client().follow_feed(request.cell, wanted, feed(channel));
+  } else {
+    const monitor::Frame* frame = look(wanted.selection);
+    if (frame == nullptr) return viewer.client().send(monitor::result(no_camera(request.id)));
+    viewer.client().send(monitor::result(request.id, terms(request.cell, wanted, 0)));
+    viewer.client().follow_frames(request.cell, wanted).offer(*frame, audience_.now());
+  }
+  audience_.acted();
+}
+
+void MonitorService::unsubscribe(Viewer& viewer, const monitor::Request& request) {
+  const Channel channel = std::get<monitor::Unsubscribe>(request.what).channel;
+  viewer.client().unfollow(request.cell, channel);
+  viewer.client().send(monitor::result(request.id, Json::object()));
+}
+
+void MonitorService::show(Viewer& viewer, const monitor::Request& request) {
+  const auto& get = std::get<monitor::Get>(request.what);
+  if (is_feed(get.selection.channel)) {
+    cell_.catch_up(wall_now());
+    viewer.client().replay(feed(get.selection.channel), request.cell, get, request.id);
+    return viewer.client().send(monitor::result(request.id, Json::object()));
+  }
+  const monitor::Frame* frame = look(get.selection);
+  viewer.client().send(frame ? monitor::with_id(frame->message, request.id)
+                             : monitor::result(no_camera(request.id)));
+}
+
+}  // namespace xr3

@@ -1,0 +1,83 @@
+// What the monitor's clients ask of the cell, carried out: requests in, messages into their lanes. It
+// knows no connection; all viewers, whatever carries them, share one service.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cell/cell.hpp"
+#include "cell/frames.hpp"
+#include "protocol/monitor/message.hpp"
+#include "protocol/monitor/request.hpp"
+#include "server/monitor_port/access.hpp"
+#include "server/monitor_port/session.hpp"
+#include "server/monitor_port/subscribers.hpp"
+#include "server/net/asio.hpp"
+#include "server/robot_port/port.hpp"
+
+namespace xr3 {
+
+class MonitorService {
+ public:
+  /// `acted` is called after each call. All of them outlive it.
+  MonitorService(asio::io_context& io, Cell& cell, RobotPort& robot_port,
+                 const AccessPolicy& policy, std::function<void()> acted);
+
+  std::vector<std::string> cells() const { return {cell_.name()}; }
+
+  // --- Viewers.
+
+  void add(Viewer& viewer) { audience_.add(viewer); }
+  /// Closes what the viewer had opened.
+  void remove(Viewer& viewer);
+  Access first_access() const;
+  /// The first message of a connection.
+  monitor::Message hello(const Viewer& viewer);
+
+  /// Why the viewer may not ask for this, whatever else may be wrong with it. Only the heading of the message
+  /// is looked at: what comes from who may not ask costs nothing.
+  std::optional<monitor::RequestError> refuse(const Viewer& viewer, std::string_view message) const;
+
+  /// Carries out a request and answers it. A call with `after` waits; nothing else does. The viewer
+  /// must still be there when it is done.
+  asio::awaitable<void> carry_out(Viewer& viewer, monitor::Request request);
+
+  /// A frame of the cell as it is now, or null for an image where there is no camera.
+  const monitor::Frame* look(const monitor::Selection& selection);
+
+  Audience& audience() { return audience_; }
+
+  /// What cell and viewers have counted.
+  CellCounters counters() const;
+
+ private:
+  using Error = std::optional<monitor::RequestError>;
+
+  void authorize(Viewer& viewer, const monitor::Request& request, const monitor::Auth& auth);
+  void subscribe(Viewer& viewer, const monitor::Request& request);
+  void unsubscribe(Viewer& viewer, const monitor::Request& request);
+  void show(Viewer& viewer, const monitor::Request& request);
+  monitor::Feed& feed(monitor::Channel channel);
+
+  asio::awaitable<void> call(Viewer& viewer, monitor::Request request);
+  asio::awaitable<Error> wait_for(monitor::After after);
+  monitor::Message call_cell(monitor::Request& request);
+  monitor::Message send(Viewer& viewer, const monitor::Request& request);
+  monitor::Message list_lines(const monitor::Request& request);
+  monitor::Message disconnect(const monitor::Request& request);
+  monitor::Message done(const monitor::Request& request, const call::Done& done);
+  /// Epoch and tick, which every value begins with.
+  Json value_now() const;
+
+  Cell& cell_;
+  RobotPort& robot_port_;
+  const AccessPolicy& policy_;
+  std::function<void()> acted_;
+  Frames frames_;
+  Audience audience_;
+};
+
+}  // namespace xr3

@@ -1,0 +1,85 @@
+#include "server/monitor_port/token.hpp"
+
+#include <sys/random.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+
+#include "server/files/data_files.hpp"
+
+namespace xr3 {
+namespace {
+
+using RandomBytes = std::array<std::uint8_t, 24>;  // 192 bits, 32 characters in base64url
+
+bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }
+
+std::string checked(std::string token, const std::string& where) {
+  if (token.size() < kLeastTokenBytes || token.size() > kMostTokenBytes) {
+    throw TokenError(where + ": a token has 16 to 1024 bytes; this one has " +
+                     std::to_string(token.size()));
+  }
+  if (std::any_of(token.begin(), token.end(), is_control))
+    throw TokenError(where + ": a token is one line of text without control characters");
+  return token;
+}
+
+RandomBytes random_bytes() {
+  RandomBytes bytes{};
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ::ssize_t got = ::getrandom(bytes.data() + done, bytes.size() - done, 0);
+    if (got < 0 && errno != EINTR)
+      throw TokenError("cannot get random bytes for a token from the system");
+    if (got > 0) done += static_cast<std::size_t>(got);
+  }
+  return bytes;
+}
+
+/// RFC 4648, section 5: three bytes become four characters.
+std::string base64url(const RandomBytes& bytes) {
+  static_assert(RandomBytes{}.size() % 3 == 0);
+  constexpr const char* kLetters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const unsigned three = unsigned{bytes[i]} << 16U | unsigned{bytes[i + 1]} << 8U | bytes[i + 2];
+    for (const unsigned shift : {18U, 12U, 6U, 0U}) text += kLetters[three >> shift & 63U];
+  }
+  return text;
+}
+
+struct Reader {
+  std::string operator()(const NoToken&) const { return {}; }
+  std::string operator()(const TokenFile& file) const {
+    std::string text = read_file(file.path).text;
+    if (text.ends_with('\n')) text.pop_back();
+    if (text.ends_with('\r')) text.pop_back();
+    return checked(std::move(text), file.path);
+  }
+  std::string operator()(const TokenInEnvironment&) const {
+    const char* value = std::getenv(kTokenVariable);
+    return checked(value == nullptr ? "" : value, kTokenVariable);
+  }
+  std::string operator()(const FreshToken&) const { return base64url(random_bytes()); }
+};
+
+}  // namespace
+
+bool is_token_in_environment() {
+  const char* value = std::getenv(kTokenVariable);
+  return value != nullptr && *value != '\0';
+}
+
+std::string read_token(const TokenSource& source) { return std::visit(Reader{}, source); }
+
+bool others_may_read(const std::string& path) {
+  std::error_code error;
+  const auto rights = std::filesystem::status(path, error).permissions();
+  return !error && (rights & std::filesystem::perms::others_read) != std::filesystem::perms::none;
+}
+
+}  // namespace xr3

@@ -1,0 +1,274 @@
+#include "server/monitor_port/websocket.hpp"
+
+#include <boost/asio/post.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/http/empty_body.hpp>
+#include <boost/beast/http/parser.hpp>
+#include <boost/beast/websocket/stream.hpp>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "server/http/wire.hpp"
+#include "server/monitor_port/session.hpp"
+
+namespace xr3 {
+namespace {
+
+namespace beast = boost::beast;
+namespace ws = beast::websocket;
+using Clock = std::chrono::steady_clock;
+
+constexpr auto kNever = Clock::time_point::max();
+constexpr std::chrono::seconds kMostHandshake{10};
+// Time for the client to answer the close frame.
+constexpr std::chrono::milliseconds kMostFarewell{500};
+// Requests handled before yielding to the event loop.
+constexpr int kFairShare = 64;
+
+/// The stream below Beast. Records when the connection last accepted bytes.
+class Wire {
+ public:
+  using executor_type = tcp::socket::executor_type;
+
+  explicit Wire(tcp::socket& socket) : socket_(socket) {}
+
+  executor_type get_executor() { return socket_.get_executor(); }
+  template <class Buffers, class Token>
+  auto async_read_some(const Buffers& buffers, Token&& token) {
+    return socket_.async_read_some(buffers, std::forward<Token>(token));
+  }
+  // Beast starts a write after the previous one has made progress.
+  template <class Buffers, class Token>
+  auto async_write_some(const Buffers& buffers, Token&& token) {
+    last_progress_ = Clock::now();
+    return socket_.async_write_some(buffers, std::forward<Token>(token));
+  }
+  Clock::time_point last_progress() const { return last_progress_; }
+  tcp::socket& socket() { return socket_; }
+
+ private:
+  tcp::socket& socket_;
+  Clock::time_point last_progress_;
+};
+
+// Beast finds these by argument-dependent lookup.
+void beast_close_socket(Wire& wire) {
+  ErrorCode ignored;
+  wire.socket().close(ignored);
+}
+template <class Handler>
+void async_teardown(beast::role_type role, Wire& wire, Handler&& handler) {
+  ws::async_teardown(role, wire.socket(), std::forward<Handler>(handler));
+}
+
+using Handshake = beast::http::request<beast::http::empty_body>;
+
+Handshake parsed(const std::string& head) {
+  beast::http::request_parser<beast::http::empty_body> parser;
+  parser.header_limit(2 * http::kMostHeadBytes);  // never reached: our own limit was checked before
+  ErrorCode error;
+  parser.put(asio::buffer(head), error);
+  return parser.release();
+}
+
+ws::close_code code_of(std::optional<monitor::Bye> why) {
+  if (why == monitor::Bye::kShutdown) return ws::close_code::going_away;
+  if (why == monitor::Bye::kBadToken) return ws::close_code::policy_error;
+  return ws::close_code::normal;
+}
+
+class BeastWebsocket final : public Websocket, private Carrier {
+ public:
+  BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorService& service,
+                 WebsocketPatience patience);
+
+  asio::awaitable<void> run(std::string head) override;
+  void finish() override;
+  void wake() override { progress_.cancel(); }
+  void retire() override { viewer_.reset(); }
+
+ private:
+  std::shared_ptr<BeastWebsocket> self() {
+    return std::static_pointer_cast<BeastWebsocket>(shared_from_this());
+  }
+  asio::awaitable<bool> is_accepted(const std::string& head);
+  asio::awaitable<void> take_messages();
+  asio::awaitable<bool> is_text_read();
+  asio::awaitable<void> until_there_is_room();
+
+  void pump() override;
+  void prefetch(Depth depth) const override;
+  void written(ErrorCode error);
+  void close(ws::close_code code);
+  void watch();
+  void look_after(Clock::time_point now);
+  void ping();
+
+  std::shared_ptr<MonitorSocket> socket_;
+  MonitorService& service_;
+  WebsocketPatience patience_;
+  ws::stream<Wire> stream_;
+  std::unique_ptr<Viewer> viewer_;  ///< after the handshake
+  beast::flat_buffer received_;     ///< bounded by the maximum message size
+  monitor::Message message_;        ///< being written
+  asio::steady_timer progress_;     ///< never expires; cancelled to resume waiting coroutines
+  asio::steady_timer watch_;
+  Clock::time_point heard_;  ///< when the client last sent anything
+  bool is_reading_ = false;
+  bool is_closing_ = false;
+  bool is_pinging_ = false;
+  bool is_pinged_ = false;  ///< a ping was sent after `heard_`
+};
+
+BeastWebsocket::BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorService& service,
+                               WebsocketPatience patience)
+    : socket_(std::move(socket)),
+      service_(service),
+      patience_(patience),
+      stream_(socket_->stream()),
+      progress_(socket_->executor(), kNever),
+      watch_(socket_->executor()) {
+  // We use our own idle timer: Beast's would also run while a call waits and nothing is read.
+  stream_.set_option(ws::stream_base::timeout{kMostHandshake, ws::stream_base::none(), false});
+  stream_.read_message_max(monitor::kMostMessageBytes);
+  stream_.auto_fragment(false);
+  stream_.text(true);
+}
+
+// --- The handshake.
+
+asio::awaitable<void> BeastWebsocket::run(std::string head) {
+  const bool accepted = co_await is_accepted(head);
+  if (accepted) {
+    viewer_ = std::make_unique<Viewer>(service_, static_cast<Carrier&>(*this));
+    heard_ = Clock::now();
+    watch();
+    pump();
+    co_await take_messages();
+  }
+  watch_.cancel();
+  socket_->close();
+}
+
+asio::awaitable<bool> BeastWebsocket::is_accepted(const std::string& head) {
+  const Handshake handshake = parsed(head);
+  const bool has_offer = handshake.count("Sec-WebSocket-Protocol") > 0;
+  stream_.set_option(ws::stream_base::decorator([has_offer](ws::response_type& answer) {
+    if (has_offer) answer.set("Sec-WebSocket-Protocol", http::kSubprotocol);
+    answer.set(beast::http::field::server, "xr3");  // default: Beast's name
+    for (const http::Field& field : http::safety_fields()) answer.set(field.name, field.value);
+  }));
+  stream_.control_callback([this](ws::frame_type, beast::string_view) { heard_ = Clock::now(); });
+  const auto [error] = co_await stream_.async_accept(handshake, kAwait);
+  co_return !error && socket_->is_open();
+}
+
+// --- In.
+
+asio::awaitable<void> BeastWebsocket::take_messages() {
+  for (int taken = 1;; ++taken) {
+    co_await until_there_is_room();
+    const bool is_text = co_await is_text_read();
+    if (!is_text) co_return;
+    const auto text = received_.cdata();
+    co_await viewer_->take({static_cast<const char*>(text.data()), text.size()});
+    received_.clear();
+    if (taken % kFairShare == 0) co_await asio::post(socket_->executor(), asio::use_awaitable);
+  }
+}
+
+/// Reads the next message. False if the connection has ended, or was closed because of a binary
+/// message.
+asio::awaitable<bool> BeastWebsocket::is_text_read() {
+  heard_ = Clock::now();  // nothing was read until now: no silence of the client
+  is_reading_ = true;
+  const auto [error, count] = co_await stream_.async_read(received_, kAwait);
+  is_reading_ = false;
+  heard_ = Clock::now();
+  if (error) co_return false;
+  if (stream_.got_text()) co_return true;
+  if (!std::exchange(is_closing_, true)) {
+    socket_->close_after(kMostFarewell);
+    co_await stream_.async_close(ws::close_code::unknown_data, kAwait);
+  }
+  co_return false;
+}
+
+asio::awaitable<void> BeastWebsocket::until_there_is_room() {
+  while (viewer_->is_full() && socket_->is_open()) co_await progress_.async_wait(kAwait);
+}
+
+// --- Out.
+
+// Writes one message at a time, directly from the shared text; written() calls this for the next
+// one.
+void BeastWebsocket::pump() {
+  if (message_ || is_closing_ || !viewer_ || !socket_->is_open()) return;
+  message_ = viewer_->next_output();
+  if (message_) {
+    stream_.async_write(asio::buffer(*message_),
+                        [self = self()](ErrorCode error, std::size_t) { self->written(error); });
+  } else if (viewer_->has_ended()) {
+    close(code_of(viewer_->farewell()));
+  }
+}
+
+void BeastWebsocket::prefetch(Depth depth) const {
+  depth == Depth::kCarried ? xr3::prefetch(socket_.get()) : socket_->prefetch();
+}
+
+void BeastWebsocket::written(ErrorCode error) {
+  message_.reset();
+  if (error && !is_closing_) socket_->close();
+  pump();
+  progress_.cancel();
+}
+
+void BeastWebsocket::close(ws::close_code code) {
+  is_closing_ = true;
+  socket_->close_after(kMostFarewell);
+  stream_.async_close(code, [self = self()](ErrorCode) { self->socket_->close(); });
+}
+
+void BeastWebsocket::finish() {
+  if (!viewer_) return socket_->close();
+  viewer_->end(monitor::Bye::kShutdown);
+}
+
+// --- Clients that are gone or stuck.
+
+void BeastWebsocket::watch() {
+  const auto of_silence = heard_ + (is_pinged_ ? patience_.before_close : patience_.before_ping);
+  const auto of_writing = stream_.next_layer().last_progress() + patience_.before_close;
+  watch_.expires_at(message_ ? std::min(of_silence, of_writing) : of_silence);
+  watch_.async_wait([self = self()](ErrorCode cancelled) {
+    if (!cancelled && self->socket_->is_open()) self->look_after(Clock::now());
+  });
+}
+
+void BeastWebsocket::look_after(Clock::time_point now) {
+  if (!is_reading_) heard_ = now;
+  const auto stuck = now - stream_.next_layer().last_progress();
+  const bool is_stuck = message_ && stuck >= patience_.before_close;
+  const bool is_gone = is_pinged_ && now - heard_ >= patience_.before_close;
+  if (is_stuck || is_gone) return socket_->close();
+  is_pinged_ = now - heard_ >= patience_.before_ping;
+  if (is_pinged_) ping();
+  watch();
+}
+
+void BeastWebsocket::ping() {
+  if (is_pinging_ || is_closing_) return;  // is_pinging_: the last ping is not sent yet
+  is_pinging_ = true;
+  stream_.async_ping({}, [self = self()](ErrorCode) { self->is_pinging_ = false; });
+}
+
+}  // namespace
+
+std::shared_ptr<Websocket> Websocket::make(std::shared_ptr<MonitorSocket> socket,
+                                           MonitorService& service, WebsocketPatience patience) {
+  return std::make_shared<BeastWebsocket>(std::move(socket), service, patience);
+}
+
+}  // namespace xr3

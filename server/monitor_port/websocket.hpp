@@ -1,0 +1,42 @@
+// A monitor session over WebSocket (Boost.Beast): each text message is one JSON object. Only
+// websocket.cpp and http_wire.cpp include Beast.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string>
+
+#include "server/monitor_port/service.hpp"
+#include "server/net/asio.hpp"
+#include "server/net/socket.hpp"
+
+namespace xr3 {
+
+/// Time limits for silent or stuck clients.
+struct WebsocketPatience {
+  std::chrono::milliseconds before_ping{15'000};   ///< of silence
+  std::chrono::milliseconds before_close{30'000};  ///< of silence, or without accepting a byte
+};
+
+class Websocket : public std::enable_shared_from_this<Websocket> {
+ public:
+  /// `service` must outlive the session.
+  static std::shared_ptr<Websocket> make(std::shared_ptr<MonitorSocket> socket,
+                                         MonitorService& service, WebsocketPatience patience = {});
+  virtual ~Websocket() = default;
+
+  /// Accepts the handshake and serves the connection until it ends. Precondition: `head` is
+  /// complete and valid.
+  virtual asio::awaitable<void> run(std::string head) = 0;
+
+  /// Accepts no further request, sends `bye`, closes with status 1001 and ends.
+  virtual void finish() = 0;
+
+  /// Resumes waiting coroutines after the connection was lost.
+  virtual void wake() = 0;
+
+  /// Destroys the monitor session. Precondition: run() has finished.
+  virtual void retire() = 0;
+};
+
+}  // namespace xr3

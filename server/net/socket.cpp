@@ -1,0 +1,139 @@
+#include "server/net/socket.hpp"
+
+#include <netinet/tcp.h>
+
+#include <boost/asio/buffer.hpp>
+#include <utility>
+
+namespace xr3 {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+constexpr seconds kMostStuck{30};
+constexpr milliseconds kMostLinger{500};
+constexpr std::size_t kMostLingerBytes = 16 * 1024 * 1024;
+constexpr seconds kIdleBeforeProbe{30};
+constexpr seconds kProbeEvery{10};
+
+void set_option(tcp::socket& socket, int name, int value) {
+  ::setsockopt(socket.native_handle(), IPPROTO_TCP, name, &value, sizeof value);
+}
+
+void watch_for_dead_peer(tcp::socket& socket) {
+  ErrorCode ignored;
+  socket.set_option(asio::socket_base::keep_alive(true), ignored);
+  set_option(socket, TCP_KEEPIDLE, static_cast<int>(kIdleBeforeProbe.count()));
+  set_option(socket, TCP_KEEPINTVL, static_cast<int>(kProbeEvery.count()));
+  set_option(socket, TCP_USER_TIMEOUT, static_cast<int>(milliseconds(kMostStuck).count()));
+}
+
+void close_when_due(asio::steady_timer& timer, milliseconds time,
+                    std::shared_ptr<tcp::socket> socket) {
+  timer.expires_after(time);
+  timer.async_wait([socket = std::move(socket)](ErrorCode cancelled) {
+    ErrorCode ignored;
+    if (!cancelled) socket->close(ignored);
+  });
+}
+
+}  // namespace
+
+MonitorSocket::MonitorSocket(tcp::socket socket)
+    : socket_(std::make_shared<tcp::socket>(std::move(socket))),
+      deadline_(socket_->get_executor()),
+      stuck_(socket_->get_executor()),
+      buffer_() {
+  watch_for_dead_peer(*socket_);
+}
+
+asio::awaitable<std::string_view> MonitorSocket::read() {
+  const auto [error, count] = co_await socket_->async_read_some(asio::buffer(buffer_), kAwait);
+  if (error && error != asio::error::eof) close();
+  if (!is_open()) co_return std::string_view{};
+  co_return std::string_view(buffer_.data(), count);
+}
+
+asio::awaitable<bool> MonitorSocket::send(std::string_view bytes) {
+  while (is_open() && !bytes.empty()) {
+    ErrorCode error;
+    bytes.remove_prefix(socket_->write_some(asio::buffer(bytes), error));
+    if (error == asio::error::would_block || error == asio::error::try_again) {
+      const bool writable = co_await wait_until_writable();
+      if (!writable) close();
+    } else if (error) {
+      close();
+    }
+  }
+  co_return is_open();
+}
+
+std::size_t MonitorSocket::send_some(std::span<const asio::const_buffer> buffers) {
+  ErrorCode error;
+  const std::size_t count = buffers.size() == 1 ? socket_->write_some(buffers.front(), error)
+                                                : socket_->write_some(buffers, error);
+  const bool must_wait = error == asio::error::would_block || error == asio::error::try_again;
+  if (error && !must_wait) close();
+  return count;
+}
+
+void MonitorSocket::when_writable(std::function<void()> ready) {
+  close_when_due(stuck_, kMostStuck, socket_);
+  socket_->async_wait(tcp::socket::wait_write,
+                      [this, socket = socket_, ready = std::move(ready)](ErrorCode) {
+                        if (socket->is_open()) stuck_.cancel();
+                        ready();
+                      });
+}
+
+asio::awaitable<bool> MonitorSocket::wait_until_writable() {
+  close_when_due(stuck_, kMostStuck, socket_);
+  const auto [error] = co_await socket_->async_wait(tcp::socket::wait_write, kAwait);
+  stuck_.cancel();
+  co_return !error && is_open();
+}
+
+asio::awaitable<void> MonitorSocket::linger() {
+  ErrorCode ignored;
+  socket_->shutdown(tcp::socket::shutdown_send, ignored);
+  close_after(kMostLinger);
+  for (std::size_t forgotten = 0; is_open() && forgotten < kMostLingerBytes;) {
+    const std::string_view bytes = co_await read();
+    if (bytes.empty()) break;
+    forgotten += bytes.size();
+  }
+  close();
+}
+
+void MonitorSocket::close_after(milliseconds time) { close_when_due(deadline_, time, socket_); }
+
+void MonitorSocket::stop_reading_after(milliseconds time) {
+  deadline_.expires_after(time);
+  deadline_.async_wait([socket = socket_, waited = has_waited_enough_](ErrorCode cancelled) {
+    if (cancelled || !socket->is_open()) return;
+    *waited = true;
+    ErrorCode ignored;
+    socket->shutdown(tcp::socket::shutdown_receive, ignored);
+  });
+}
+
+void MonitorSocket::stop_reading() {
+  ErrorCode ignored;
+  socket_->shutdown(tcp::socket::shutdown_receive, ignored);
+}
+
+// (The destructors of the timers cancel them.)
+MonitorSocket::~MonitorSocket() {
+  ErrorCode ignored;
+  socket_->close(ignored);
+}
+
+void MonitorSocket::close() {
+  ErrorCode ignored;
+  socket_->close(ignored);
+  deadline_.cancel();
+  stuck_.cancel();
+}
+
+}  // namespace xr3

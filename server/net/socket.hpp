@@ -1,0 +1,75 @@
+// A TCP connection of the monitor port: reading and writing with time limits, and closing without
+// losing the last bytes sent. Independent of the protocol.
+#pragma once
+
+#include <array>
+#include <boost/asio/buffer.hpp>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "server/net/asio.hpp"
+#include "server/net/prefetch.hpp"
+
+namespace xr3 {
+
+class MonitorSocket {
+ public:
+  /// Precondition: the socket is non-blocking. TCP keepalive detects dead peers.
+  explicit MonitorSocket(tcp::socket socket);
+  MonitorSocket(const MonitorSocket&) = delete;
+  MonitorSocket& operator=(const MonitorSocket&) = delete;
+  ~MonitorSocket();
+
+  bool is_open() const { return socket_->is_open(); }
+  /// For users that do their own I/O (WebSocket).
+  tcp::socket& stream() { return *socket_; }
+  asio::any_io_executor executor() const { return socket_->get_executor(); }
+
+  /// Received bytes, valid until the next read. Empty if the client has stopped sending, or if the
+  /// connection is lost (is_open() is then false).
+  asio::awaitable<std::string_view> read();
+
+  /// Sends all bytes. False if the connection is lost or the client accepted no byte for 30 s.
+  asio::awaitable<bool> send(std::string_view bytes);
+
+  /// Sends as much as the connection accepts now; returns the number of bytes. Closes a lost
+  /// connection and returns 0.
+  std::size_t send_some(std::span<const asio::const_buffer> buffers);
+
+  /// Prefetches the memory that send_some() will access.
+  void prefetch() const { xr3::prefetch(socket_.get()); }
+
+  /// Calls `ready` when more can be sent or the connection is lost, after at most 30 s.
+  void when_writable(std::function<void()> ready);
+
+  /// Shuts down the sending side, then reads and discards for up to 500 ms until the client closes;
+  /// then closes. Otherwise bytes that the client is still sending would cause a reset, which can
+  /// destroy the last bytes sent to it.
+  asio::awaitable<void> linger();
+
+  /// Closes after this time, unless cancelled by call_off().
+  void close_after(std::chrono::milliseconds time);
+  /// Stops reading after this time, unless cancelled by call_off(): read() then returns nothing.
+  void stop_reading_after(std::chrono::milliseconds time);
+  /// Whether stop_reading_after() has stopped reading.
+  bool has_waited_enough() const { return *has_waited_enough_; }
+  void call_off() { deadline_.cancel(); }
+
+  /// Stops reading; sending is still possible.
+  void stop_reading();
+  void close();
+
+ private:
+  asio::awaitable<bool> wait_until_writable();
+
+  std::shared_ptr<tcp::socket> socket_;  ///< shared with the handlers of the timers, which close it
+  std::shared_ptr<bool> has_waited_enough_ = std::make_shared<bool>(false);
+  asio::steady_timer deadline_;
+  asio::steady_timer stuck_;
+  std::array<char, 8192> buffer_;
+};
+
+}  // namespace xr3

@@ -1,0 +1,24 @@
+// Options from a config file: flat TOML, one `key = value` per line. CLI11 reads it but silently
+// skips what it does not understand; such lines are errors here, reported with file and line.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <cstdint>
+#include <string>
+
+#include "server/options/origins.hpp"
+
+namespace xr3 {
+
+/// How to handle keys that are not options of the command.
+enum class OtherKeys : std::uint8_t { kRefuse, kSkip };
+
+/// Adds the option `--config`.
+void add_config(CLI::App& command, std::string& file);
+
+/// Sets the options that are not set yet to the values in the file, if `file` is not empty, and
+/// adds their sources to `origins`. Throws CLI::ParseError, with the source of the file's name if
+/// the file cannot be read.
+void take_config(CLI::App& command, const std::string& file, OtherKeys others, Origins& origins);
+
+}  // namespace xr3

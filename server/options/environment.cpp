@@ -1,0 +1,67 @@
+#include "server/options/environment.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+
+namespace xr3 {
+namespace {
+
+std::string variable_of(const std::string& option) {
+  std::string name = "XR3_" + option.substr(2);
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return c == '-' ? '_' : std::toupper(c); });
+  return name;
+}
+
+bool is_from_environment(const CLI::App& command, const CLI::Option& option) {
+  const std::string name = option.get_envname();
+  if (name.empty() || is_argument(command, option.get_name())) return false;
+  const char* value = std::getenv(name.c_str());
+  return value != nullptr && *value != '\0';
+}
+
+}  // namespace
+
+void take_environment(CLI::App& command, const std::set<std::string>& except) {
+  for (CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (option != command.get_help_ptr() && !except.contains(name))
+      option->envname(variable_of(name));
+  }
+}
+
+bool is_argument(const CLI::App& command, const std::string& name) {
+  const std::vector<CLI::Option*>& said = command.parse_order();
+  return std::find(said.begin(), said.end(), command.get_option(name)) != said.end();
+}
+
+Origins origins_in_environment(const CLI::App& command) {
+  Origins origins;
+  for (const CLI::Option* option : command.get_options()) {
+    if (is_from_environment(command, *option))
+      origins.emplace(option->get_name(), option->get_envname());
+  }
+  return origins;
+}
+
+std::optional<std::string> trouble_in_environment(CLI::App& command) {
+  for (CLI::Option* option : command.get_options()) {
+    if (!is_from_environment(command, *option)) continue;
+    try {
+      option->run_callback();
+    } catch (const CLI::ParseError& error) {
+      return option->get_envname() + ": " + reason_of(*option, error);
+    }
+  }
+  return {};
+}
+
+std::string reason_of(const CLI::Option& option, const CLI::Error& error) {
+  const std::string words = error.what();
+  const std::string before = option.get_name() + ": ";
+  return words.starts_with(before) ? words.substr(before.size()) : words;
+}
+
+}  // namespace xr3

@@ -1,0 +1,61 @@
+#include "server/options/healthcheck.hpp"
+
+#include "server/net/asio.hpp"
+#include "server/options/config.hpp"
+#include "server/options/environment.hpp"
+#include "server/options/parts.hpp"
+
+namespace xr3 {
+namespace {
+
+constexpr double kLongestWaitS = 86'400;
+
+// A port that was said counts more than a file that the environment names.
+void choose_port(const CLI::App& health, HealthOptions& options) {
+  const bool is_port_said = is_argument(health, "--monitor-port");
+  if (is_port_said && !is_argument(health, "--port-file")) options.port_file.clear();
+  if (options.port_file.empty() && options.monitor_port == 0) {
+    throw CLI::ValidationError("port 0 is a free one: --port-file names the file that says which");
+  }
+}
+
+void complete(CLI::App& health, HealthOptions& options) {
+  Origins origins = origins_in_environment(health);
+  take_config(health, options.config, OtherKeys::kSkip, origins);
+  choose_port(health, options);
+}
+
+}  // namespace
+
+void add_health(CLI::App& app, HealthOptions& options) {
+  CLI::App& health = *app.add_subcommand(
+      "healthcheck",
+      "ask the server on this machine whether it serves lines; exit code 0 says yes");
+  health.add_option("--listen", options.listen, "where it listens, as serve was told")
+      ->type_name("ADDR")
+      ->check(CLI::Validator(check_listen, ""))
+      ->capture_default_str();
+  health.add_option("--monitor-port", options.monitor_port, "its monitor port")
+      ->type_name("PORT")
+      ->check(CLI::Validator(check_port, ""))
+      ->capture_default_str();
+  health
+      .add_option("--port-file", options.port_file,
+                  "read the port from this file, which serve wrote")
+      ->type_name("FILE");
+  health.add_option("--wait", options.wait_s, "try again for so long, until it answers")
+      ->type_name("SECONDS")
+      ->check(number_between(0, kLongestWaitS))
+      ->configurable(false);
+  add_config(health, options.config);
+  take_environment(health, {"--wait"});
+  health.parse_complete_callback([&health, &options] { complete(health, options); });
+}
+
+std::string address_to_ask(const std::string& listen) {
+  if (listen == "localhost" || listen == "0.0.0.0") return "127.0.0.1";
+  const bool is_any = asio::ip::make_address(listen).is_unspecified();
+  return is_any ? "::1" : listen;
+}
+
+}  // namespace xr3

@@ -1,0 +1,253 @@
+#include "server/options/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "server/options/environment.hpp"
+#include "server/options/parts.hpp"
+#include "server/options/pose_argument.hpp"
+#include "tools/drawing/picture.hpp"
+
+namespace xr3 {
+namespace {
+
+constexpr const char* kAbout =
+    "xr3: a robot controller behind TCP ports that stands in for a real Rhino XR-3 and its like.\n"
+    "Each connection to the robot port is a serial line; the monitor port speaks JSON lines.";
+
+constexpr const char* kFooter =
+    "Exit codes: 0 good; 1 something failed inside; 2 wrong arguments or a wrong file;\n"
+    "            3 a port is in use; 4 nobody answers xr3 watch, or xr3 healthcheck finds\n"
+    "            no server that is ready; 5 the server failed while it ran, and its log says why.\n"
+    "Try: xr3 serve, then in another terminal: telnet localhost 9600, and type E+50 and E?";
+
+void add_check(CLI::App& app, CheckOptions& options) {
+  CLI::App& check =
+      *app.add_subcommand("check", "say what is wrong in robot and workcell files, or sum them up");
+  check.add_option("files", options.files, "the files: JSON, or the paper's plain form")
+      ->type_name("FILE")
+      ->required();
+  check.add_option("--robot", options.robot, "check workcells against this robot's tool")
+      ->type_name("NAME|FILE");
+  add_profile(check, options.profile);
+}
+
+std::string check_picture_name(const std::string& name) {
+  const bool is_good = name.ends_with(".svg") || name.ends_with(".png");
+  return is_good ? "" : name + ": a picture's name ends in .svg or .png";
+}
+
+void add_draw(CLI::App& app, DrawOptions& options) {
+  CLI::App& draw = *app.add_subcommand("draw", "draw a robot and its workcell as a picture");
+  draw.add_option("out", options.out, "the picture; its name says which kind")
+      ->type_name("OUT.svg|OUT.png")
+      ->required()
+      ->check(CLI::Validator(check_picture_name, ""));
+  draw.add_option("--robot", options.robot, "robot: a name, or a file")
+      ->type_name("NAME|FILE")
+      ->capture_default_str();
+  draw.add_option("--workcell", options.workcell,
+                  "workcell: a name, or a file (default: named like the robot)")
+      ->type_name("NAME|FILE");
+  draw.add_option_function<std::string>(
+          "--joints", [&options](const std::string& text) { options.joints = parse_numbers(text); },
+          "joint variables from the base on, degrees or mm (default: soft home)")
+      ->type_name("V1,V2,...")
+      ->check(parses(parse_numbers, ""));
+  draw.add_option("--tool", options.tool, "tool variable, mm or degrees (default: soft home)")
+      ->type_name("V");
+  draw.add_option_function<std::string>(
+          "--view", [&options](const std::string& text) { options.view = parse_view(text); },
+          "seen from there: whole numbers from -9 to 9 (default 1,1,1)")
+      ->type_name("X,Y,Z")
+      ->check(parses(parse_view, ""));
+  draw.add_option("--width", options.width_px, "width in pixels")
+      ->type_name("PX")
+      ->check(CLI::Range(kLeastPictureWidthPx, kMostPictureWidthPx).description(""))
+      ->capture_default_str();
+}
+
+void add_list(CLI::App& command, const std::string& name, std::vector<double>& numbers,
+              const std::string& type, const std::string& what) {
+  command
+      .add_option_function<std::string>(
+          name, [&numbers](const std::string& text) { numbers = parse_numbers(text); }, what)
+      ->type_name(type)
+      ->check(parses(parse_numbers, ""));
+}
+
+void add_kin(CLI::App& app, KinOptions& options) {
+  CLI::App& kin = *app.add_subcommand(
+      "kin", "where the tool is for joint values or counts, or how to bring it somewhere");
+  KinOptionValues& values = options.values;
+  kin.add_option("--robot", options.robot, "robot: a name, or a file")
+      ->type_name("NAME|FILE")
+      ->capture_default_str();
+  add_list(kin, "--joints", values.joints, "V1,...",
+           "joint variables from the base, degrees or mm");
+  add_list(kin, "--counts", values.counts, "N1,...", "motor counts from the base");
+  kin.add_option("--tool", values.tool, "the tool's variable beside them, mm or degrees")
+      ->type_name("V");
+  add_list(kin, "--pose", values.pose, "X,Y,Z[,YAW,PITCH,ROLL]",
+           "tip in mm, and the tool turned by R = Rz(yaw) Ry(pitch) Rx(roll), degrees");
+  kin.add_option("--down", values.down, "with X,Y,Z: tool straight down at this net roll, degrees")
+      ->type_name("NET_ROLL");
+  add_list(kin, "--approach", values.approach, "AX,AY,AZ", "with X,Y,Z: the way the hand points");
+  kin.add_option("--roll", values.roll, "with --approach: the variable of the last joint")
+      ->type_name("Q");
+  add_list(kin, "--configuration", values.configuration, "W1,...,W6", "tool-configuration vector");
+  kin.add_option("--tolerance", values.tolerance.tolerance_deg,
+                 "degrees that the approach may be off where an arm cannot have it exactly")
+      ->type_name("DEG")
+      ->check(number_between(0, 45))
+      ->capture_default_str();
+  kin.add_option("--tolerance-mm", values.tolerance.tolerance_mm, "mm that the tip may be off")
+      ->type_name("MM")
+      ->check(number_between(0, 1000))
+      ->capture_default_str();
+  kin.add_flag("--json", options.is_json, "everything as JSON");
+}
+
+void add_convert(CLI::App& app, ConvertOptions& options) {
+  CLI::App& convert = *app.add_subcommand(
+      "convert", "turn a robot or workcell file into the paper's plain form, or back into JSON");
+  convert.add_option("in", options.in, "the file, of either form")->type_name("IN")->required();
+  convert.add_option("out", options.out, "the new file: .json, or .txt or .dat for the plain form")
+      ->type_name("OUT")
+      ->required();
+  convert.add_flag("--force", options.force, "replace OUT if it is there already");
+}
+
+void add_workcell(CLI::App& app, WorkcellOptions& options) {
+  CLI::App& workcell =
+      *app.add_subcommand("workcell", "make a workcell file, or change one, question by question");
+  workcell.add_option("file", options.file, "the file; opened if it is there already")
+      ->type_name("NEW.json")
+      ->required();
+  workcell
+      .add_option("--robot", options.robot,
+                  "robot to check against (default: named like the file, else rhino-xr3)")
+      ->type_name("NAME|FILE");
+  workcell.add_option("--from", options.from, "begin with this workcell: a name, or a file")
+      ->type_name("NAME|FILE");
+}
+
+/// The subcommand that was named, for the hint where to read on.
+std::string named_command(const CLI::App& app) {
+  for (const CLI::App* command : app.get_subcommands()) return "xr3 " + command->get_name();
+  return "xr3";
+}
+
+/// What is wrong, in words that name the place where it is said.
+std::string trouble_of(const CLI::App& app, const CLI::ParseError& error) {
+  for (CLI::App* command : app.get_subcommands()) {
+    if (const auto trouble = trouble_in_environment(*command)) return *trouble;
+  }
+  return error.what();
+}
+
+bool is_help_wanted(const CLI::App& app) {
+  const std::vector<CLI::App*> commands = app.get_subcommands();
+  return !commands.empty() && commands.front()->get_help_ptr()->count() > 0;
+}
+
+Leave unknown_command(const std::string& word) {
+  return {ExitCode::kBadInput, "",
+          "xr3: there is no command " + word + "; xr3 --help lists those that there are\n"};
+}
+
+// Help and version are printed as they are; an error becomes one sentence.
+Leave leave(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() != 0 && is_help_wanted(app)) return {ExitCode::kGood, app.help(), ""};
+  if (error.get_exit_code() != 0) {
+    const std::vector<std::string> extras = app.remaining(true);
+    const bool is_unknown = app.get_subcommands().empty() && !extras.empty();
+    if (is_unknown) return unknown_command(extras.front());
+    return {ExitCode::kBadInput, "",
+            "xr3: " + trouble_of(app, error) + "; " + named_command(app) +
+                " --help tells what is allowed\n"};
+  }
+  std::ostringstream out;
+  std::ostringstream err;
+  app.exit(error, out, err);
+  return {ExitCode::kGood, out.str(), err.str()};
+}
+
+}  // namespace
+
+Rate parse_rate(const std::string& text) {
+  const auto refuse = [&] {
+    throw std::invalid_argument(text + ": a rate is a number 0.001...100000");
+  };
+  std::size_t end = 0;
+  double factor = 0;
+  try {
+    factor = std::stod(text, &end);
+  } catch (const std::exception&) {
+    refuse();
+  }
+  const Rate rate{static_cast<std::int64_t>(factor >= 0 && factor < 1e6 ? factor * 1e6 + 0.5 : 0)};
+  const bool is_allowed =
+      rate.millionths >= kSlowest.millionths && rate.millionths <= kFastest.millionths;
+  if (end != text.size() || !is_allowed) refuse();
+  return rate;
+}
+
+ClockChoice parse_clock(const std::string& text) {
+  if (text == "manual") return {ClockMode::kManual, Rate{}};
+  if (text == "real") return {ClockMode::kReal, Rate{}};
+  if (text.starts_with("real:")) return {ClockMode::kReal, parse_rate(text.substr(5))};
+  throw std::invalid_argument(text + ": a clock is real, real:FACTOR or manual");
+}
+
+ViewVector parse_view(const std::string& text) {
+  const auto is_allowed = [](double n) { return n >= -9 && n <= 9 && n == static_cast<int>(n); };
+  const std::vector<double> v = parse_numbers(text);
+  const bool is_good = v.size() == 3 && std::all_of(v.begin(), v.end(), is_allowed);
+  if (!is_good || v == std::vector<double>{0, 0, 0}) {
+    throw std::invalid_argument(
+        text + ": a view is three whole numbers from -9 to 9, not all 0, as in 1,1,1");
+  }
+  return {static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2])};
+}
+
+Options parse_options(int argc, const char* const* argv) {
+  CLI::App app(kAbout, "xr3");
+  app.footer(kFooter);
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "xr3 " XR3_VERSION);
+  ServeOptions serve;
+  CheckOptions check;
+  DrawOptions draw;
+  add_serve(app, serve);
+  add_check(app, check);
+  add_draw(app, draw);
+  KinOptions kin;
+  add_kin(app, kin);
+  ConvertOptions convert;
+  add_convert(app, convert);
+  WorkcellOptions workcell;
+  add_workcell(app, workcell);
+  WatchOptions watch;
+  add_watch(app, watch);
+  HealthOptions health;
+  add_health(app, health);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return leave(app, error);
+  }
+  if (app.got_subcommand("check")) return check;
+  if (app.got_subcommand("draw")) return draw;
+  if (app.got_subcommand("kin")) return kin;
+  if (app.got_subcommand("convert")) return convert;
+  if (app.got_subcommand("workcell")) return workcell;
+  if (app.got_subcommand("watch")) return watch;
+  if (app.got_subcommand("healthcheck")) return health;
+  return checked_serve(std::move(serve));
+}
+
+}  // namespace xr3

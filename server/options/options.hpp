@@ -1,0 +1,110 @@
+// The parsed command line as values, or the error in it. No side effects.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/model.hpp"
+#include "core/sim_clock.hpp"
+#include "core/state.hpp"
+#include "server/exit_code.hpp"
+#include "server/monitor_port/token.hpp"
+#include "server/options/healthcheck.hpp"
+#include "server/options/origins.hpp"
+#include "server/options/watch.hpp"
+#include "tools/drawing/drawing.hpp"
+#include "tools/kin/question.hpp"
+
+namespace xr3 {
+
+/// The initial clock: real, at a rate, or manual, advanced only by the monitor.
+struct ClockChoice {
+  ClockMode mode = ClockMode::kReal;
+  Rate rate;
+};
+
+struct ServeOptions {
+  std::string robot = "rhino-xr3";    ///< name or path
+  std::string workcell;               ///< name or path; empty: the one with the robot's name
+  std::string listen = "localhost";   ///< localhost: 127.0.0.1 and, with IPv6, ::1
+  std::uint16_t robot_port = 9600;    ///< 0: any free port
+  std::uint16_t monitor_port = 9601;  ///< 0: any free port
+  Profile profile = Profile::kPaper;
+  ClockChoice clock;
+  std::size_t most_lines = 1024;
+  std::string port_file;  ///< empty: none
+  std::string log_level = "info";
+  TokenSource token;
+  bool is_private = false;
+  std::vector<std::string> allow_hosts;
+  std::vector<std::string> allow_origins;
+  bool is_insecure = false;
+  std::string config;  ///< a config file; empty: none
+  Origins origins;
+};
+
+struct CheckOptions {
+  std::vector<std::string> files;
+  std::string
+      robot;  ///< to check workcells against; empty: the one with the workcell's name, if any
+  Profile profile = Profile::kPaper;
+};
+
+struct DrawOptions {
+  std::string out;  ///< ends in .svg or .png
+  std::string robot = "rhino-xr3";
+  std::string workcell;        ///< empty: the one with the robot's name
+  std::vector<double> joints;  ///< joint variables from the base, degrees or mm; none: soft home
+  std::optional<double> tool;  ///< tool variable, degrees or mm
+  ViewVector view;
+  int width_px = kUsualPictureWidthPx;
+};
+
+struct KinOptions {
+  std::string robot = "rhino-xr3";  ///< name or path
+  KinOptionValues values;           ///< not validated: this requires the robot
+  bool is_json = false;
+};
+
+struct ConvertOptions {
+  std::string in;
+  std::string out;     ///< ends in .json, or in .txt or .dat for the paper's plain form
+  bool force = false;  ///< replace an existing file
+};
+
+struct WorkcellOptions {
+  std::string file;   ///< to create, or to change if it exists
+  std::string robot;  ///< name or path; empty: the one with the file's name, else the Rhino
+  std::string from;   ///< name or path of a workcell to start from; may be empty
+};
+
+/// Print and exit: help was requested, or the arguments are invalid.
+struct Leave {
+  ExitCode code = ExitCode::kGood;
+  std::string to_stdout;
+  std::string to_stderr;
+};
+
+using Options = std::variant<ServeOptions, CheckOptions, DrawOptions, KinOptions, ConvertOptions,
+                             WorkcellOptions, WatchOptions, HealthOptions, Leave>;
+
+/// Never throws and never prints.
+Options parse_options(int argc, const char* const* argv);
+
+/// `real`, `real:FACTOR` or `manual`. Throws std::invalid_argument, with the allowed values.
+ClockChoice parse_clock(const std::string& text);
+
+/// `x,y,z`, integers -9...9, not all 0. Throws std::invalid_argument, with the allowed values.
+ViewVector parse_view(const std::string& text);
+
+/// Rounds to millionths. Throws std::invalid_argument unless 0.001...100000.
+Rate parse_rate(const std::string& text);
+
+/// 127.0.0.0/8, ::1 or localhost: reachable from this machine only.
+bool is_loopback(const std::string& address);
+
+}  // namespace xr3

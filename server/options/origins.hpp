@@ -1,0 +1,33 @@
+// The sources of option values that are not arguments, so that error messages can name them.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "server/files/data_files.hpp"
+
+namespace xr3 {
+
+/// Maps an option (`--robot`) to the source of its value (`XR3_ROBOT`); without arguments.
+using Origins = std::map<std::string, std::string>;
+
+/// The source of the option's value; the option itself if it is an argument.
+inline std::string said_as(const Origins& origins, const std::string& option) {
+  const auto place = origins.find(option);
+  return place == origins.end() ? option : place->second;
+}
+
+/// Calls `act`. Prefixes the message of a FileError with the source of the option's value, unless
+/// that is an argument.
+template <class Act>
+auto blaming(const Origins& origins, const std::string& option, Act act) {
+  try {
+    return act();
+  } catch (const FileError& error) {
+    const auto place = origins.find(option);
+    if (place == origins.end()) throw;
+    throw FileError(place->second + ": " + error.what());
+  }
+}
+
+}  // namespace xr3

@@ -1,0 +1,51 @@
+// Parts of the command line shared by the files that define the options; only those include this.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "server/options/options.hpp"
+
+namespace xr3 {
+
+/// A CLI11 validator that calls the parser; the message of its std::invalid_argument is the error.
+template <class Parse>
+CLI::Validator parses(Parse parse, const std::string& what) {
+  return CLI::Validator(
+      [parse](const std::string& text) -> std::string {
+        try {
+          parse(text);
+          return {};
+        } catch (const std::invalid_argument& error) {
+          return error.what();
+        }
+      },
+      what);
+}
+
+/// Validators: empty if the text is a valid address to listen on, port, or value of a flag; else
+/// the error, with the allowed values.
+std::string check_listen(const std::string& text);
+std::string check_port(const std::string& text);
+std::string check_flag(const std::string& text);
+
+/// A validator of a number in [least, most]; its error prints the bounds without trailing zeros.
+CLI::Validator number_between(double least, double most);
+
+/// Throws std::invalid_argument, with the allowed values.
+Profile parse_profile(const std::string& text);
+
+/// Adds the option `--compat`.
+void add_profile(CLI::App& command, Profile& profile);
+
+/// Adds a flag. In the environment and in a config file it has a value, such as true.
+void add_flag(CLI::App& command, const std::string& name, bool& value, const std::string& what);
+
+/// The subcommand `serve` with its options.
+void add_serve(CLI::App& app, ServeOptions& options);
+
+/// The options if they are consistent; else Leave with the error.
+Options checked_serve(ServeOptions options);
+
+}  // namespace xr3

@@ -1,0 +1,86 @@
+#include "server/options/pose_argument.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "core/inverse/chain.hpp"
+#include "protocol/text/table.hpp"
+
+namespace xr3 {
+namespace {
+
+bool is_angle(const Model& model, int index) {
+  const Robot& robot = model.robot();
+  if (index == model.tool_index()) return robot.tool.kind == ToolKind::kAngular;
+  return robot.joints[static_cast<std::size_t>(index)].variable == JointVariable::kTheta;
+}
+
+std::string name(const Model& model, int index) {
+  if (index == model.tool_index()) return "the tool";
+  return "joint " + std::string(1, model.motor(index).drive.label) + " (" +
+         model.robot().joints[static_cast<std::size_t>(index)].name + ")";
+}
+
+void check_limits(const Model& model, int index, double value) {
+  const Drive& drive = model.motor(index).drive;
+  if (value >= drive.min && value <= drive.max) return;
+  throw ArgumentError(name(model, index) + " cannot be at " + plain_number(value) +
+                      "; it goes from " + plain_number(drive.min) + " to " +
+                      plain_number(drive.max) + (is_angle(model, index) ? " degrees" : " mm"));
+}
+
+Counts tool_counts(const Model& model, double value) {
+  const MotorModel& tool = model.motor(model.tool_index());
+  const double counts = (value - tool.drive.home) / tool.drive.precision * tool.drive.direction;
+  return std::clamp(static_cast<Counts>(std::lround(counts)), tool.low, tool.high);
+}
+
+std::string labels(const Model& model) {
+  std::string list;
+  for (int k = 0; k < model.joint_count(); ++k) list += " " + name(model, k) + ",";
+  list.pop_back();
+  return list;
+}
+
+}  // namespace
+
+std::vector<double> parse_numbers(const std::string& text) {
+  std::vector<double> numbers;
+  std::istringstream items(text + ",");
+  for (std::string item; std::getline(items, item, ',');) {
+    std::istringstream in(item);
+    double number = 0;
+    if (!(in >> number) || !(in >> std::ws).eof() || !std::isfinite(number)) {
+      throw std::invalid_argument(text +
+                                  ": expected numbers separated by commas, as in 0,-39.5,110");
+    }
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+Positions pose_argument(const Model& model, const std::vector<double>& joints,
+                        std::optional<double> tool) {
+  Positions positions{};
+  if (!joints.empty() && joints.size() != model.robot().joints.size()) {
+    throw ArgumentError(std::to_string(joints.size()) + " joint values are given; " +
+                        model.robot().name + " has " + std::to_string(model.joint_count()) + ":" +
+                        labels(model));
+  }
+  for (int k = 0; k < static_cast<int>(joints.size()); ++k) {
+    check_limits(model, k, joints[static_cast<std::size_t>(k)]);
+  }
+  if (!joints.empty()) positions = nearest_counts(model, joints).positions;
+  for (int k = 0; k < model.joint_count(); ++k) {
+    Counts& position = positions[static_cast<std::size_t>(k)];
+    position = std::clamp(position, model.motor(k).low, model.motor(k).high);
+  }
+  if (tool) {
+    check_limits(model, model.tool_index(), *tool);
+    positions[static_cast<std::size_t>(model.tool_index())] = tool_counts(model, *tool);
+  }
+  return positions;
+}
+
+}  // namespace xr3

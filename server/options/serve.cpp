@@ -1,0 +1,162 @@
+// The options of `xr3 serve`, and the check that they are consistent.
+#include <utility>
+
+#include "protocol/monitor/http_guard.hpp"
+#include "server/net/asio.hpp"
+#include "server/options/config.hpp"
+#include "server/options/environment.hpp"
+#include "server/options/parts.hpp"
+
+namespace xr3 {
+namespace {
+
+const std::vector<std::string> kLogLevels{"trace", "debug", "info", "warn", "error", "off"};
+constexpr int kMostLines = 20000;
+
+std::string check_token_word(const std::string& word) {
+  return word == "auto" ? ""
+                        : "accepts only the word auto: other users could read a token in the "
+                          "process list; put it into a file (--token-file) or into XR3_TOKEN";
+}
+
+std::string check_host(const std::string& name) {
+  return http::is_host_name(name) ? ""
+                                  : name + ": a host is a name such as robot.lab, without port";
+}
+
+std::string check_origin(const std::string& text) {
+  return http::is_origin(text)
+             ? ""
+             : text + ": an origin has the form https://page.lab or http://a:8080";
+}
+
+// A list: values separated by commas, or repeated uses of the option.
+void add_names(CLI::App& serve, const std::string& name, std::vector<std::string>& names,
+               const std::string& type, const std::string& what,
+               std::string (*check)(const std::string&)) {
+  serve.add_option(name, names, what)
+      ->type_name(type)
+      ->allow_extra_args(false)
+      ->delimiter(',')
+      ->check(CLI::Validator(check, ""));
+}
+
+void add_access(CLI::App& serve, ServeOptions& options) {
+  serve
+      .add_option_function<std::string>(
+          "--token-file",
+          [&options](const std::string& path) {
+            if (std::holds_alternative<NoToken>(options.token)) options.token = TokenFile{path};
+          },
+          "file with the token that monitor calls need (or use XR3_TOKEN); at least 16 characters")
+      ->type_name("FILE");
+  // Added after --token-file, so that it replaces a file named by the environment.
+  serve
+      .add_option_function<std::string>(
+          "--token", [&options](const std::string&) { options.token = FreshToken{}; },
+          "auto: generate a token for this run, printed on standard error; excludes --token-file")
+      ->type_name("auto")
+      ->check(CLI::Validator(check_token_word, ""))
+      ->configurable(false);
+  add_flag(serve, "--private", options.is_private, "reading needs the token, too");
+  add_names(serve, "--allow-host", options.allow_hosts, "NAME",
+            "host name that browsers may use for this machine; several with commas", check_host);
+  add_names(serve, "--allow-origin", options.allow_origins, "ORIGIN",
+            "origin of pages that may connect, such as https://page.lab; several with commas",
+            check_origin);
+  add_flag(serve, "--insecure", options.is_insecure,
+           "allow other machines without a token: anyone who can connect can control the robot");
+}
+
+Leave refuse(const std::string& why) { return {ExitCode::kBadInput, "", "xr3: " + why + "\n"}; }
+
+Leave refuse_listen(const ServeOptions& options) {
+  return refuse(
+      said_as(options.origins, "--listen") + " " + options.listen +
+      " accepts other machines: set a token for calls with --token-file FILE (XR3_TOKEN_FILE), "
+      "XR3_TOKEN or --token auto (the robot port still has no password), or use "
+      "--insecure (XR3_INSECURE=1)");
+}
+
+// Called after CLI11 has read arguments and environment; the config file has lower precedence.
+void complete(CLI::App& serve, ServeOptions& options) {
+  if (is_argument(serve, "--token") && is_argument(serve, "--token-file"))
+    throw CLI::ExcludesError("--token", "--token-file");
+  options.origins = origins_in_environment(serve);
+  const bool has_token = !std::holds_alternative<NoToken>(options.token);
+  if (!has_token && is_token_in_environment()) options.token = TokenInEnvironment{};
+  take_config(serve, options.config, OtherKeys::kRefuse, options.origins);
+}
+
+}  // namespace
+
+void add_serve(CLI::App& app, ServeOptions& options) {
+  CLI::App& serve = *app.add_subcommand("serve", "start a robot and its controller");
+  serve.add_option("--robot", options.robot, "robot: a name, or a file")
+      ->type_name("NAME|FILE")
+      ->capture_default_str();
+  serve
+      .add_option("--workcell", options.workcell,
+                  "workcell: a name, or a file (default: named like the robot)")
+      ->type_name("NAME|FILE");
+  serve
+      .add_option("--listen", options.listen,
+                  "address to listen on; any except loopback needs a token or --insecure")
+      ->type_name("ADDR")
+      ->check(CLI::Validator(check_listen, ""))
+      ->capture_default_str();
+  serve
+      .add_option("--robot-port", options.robot_port,
+                  "port of the serial lines; 0 takes a free one")
+      ->type_name("PORT")
+      ->check(CLI::Validator(check_port, ""))
+      ->capture_default_str();
+  serve
+      .add_option("--monitor-port", options.monitor_port,
+                  "port of the JSON monitor; 0 takes a free one")
+      ->type_name("PORT")
+      ->check(CLI::Validator(check_port, ""))
+      ->capture_default_str();
+  add_profile(serve, options.profile);
+  serve
+      .add_option_function<std::string>(
+          "--clock", [&options](const std::string& text) { options.clock = parse_clock(text); },
+          "real (default), real:FACTOR to run faster or slower, or manual: the monitor steps time")
+      ->type_name("real[:FACTOR]|manual")
+      ->check(parses(parse_clock, ""));
+  serve
+      .add_option("--max-lines", options.most_lines,
+                  "maximum number of open robot connections; further ones are closed at once")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostLines).description(""))
+      ->capture_default_str();
+  serve
+      .add_option("--port-file", options.port_file,
+                  "write the ports to this file as JSON when the server is ready")
+      ->type_name("FILE");
+  serve.add_option("--log-level", options.log_level, "trace, debug, info, warn, error or off")
+      ->type_name("L")
+      ->check(CLI::IsMember(kLogLevels).description(""))
+      ->capture_default_str();
+  add_access(serve, options);
+  add_config(serve, options.config);
+  take_environment(serve, {"--token"});
+  serve.parse_complete_callback([&serve, &options] { complete(serve, options); });
+}
+
+Options checked_serve(ServeOptions options) {
+  const bool has_token = !std::holds_alternative<NoToken>(options.token);
+  if (options.is_private && !has_token)
+    return refuse(said_as(options.origins, "--private") +
+                  " needs a token: --token-file FILE, XR3_TOKEN or --token auto");
+  const bool is_safe = is_loopback(options.listen) || has_token || options.is_insecure;
+  if (!is_safe) return refuse_listen(options);
+  return options;
+}
+
+bool is_loopback(const std::string& address) {
+  ErrorCode error;
+  return address == "localhost" || asio::ip::make_address(address, error).is_loopback();
+}
+
+}  // namespace xr3

@@ -1,0 +1,50 @@
+#include "server/robot_port/line_watch.hpp"
+
+#include <boost/system/system_error.hpp>
+#include <cerrno>
+
+namespace xr3 {
+namespace {
+
+int new_set() {
+  const int set = ::epoll_create1(EPOLL_CLOEXEC);
+  if (set < 0) throw boost::system::system_error(errno, boost::system::system_category(), "epoll");
+  return set;
+}
+
+}  // namespace
+
+LineWatch::LineWatch(asio::io_context& io) : set_(io, new_set()) {}
+
+bool LineWatch::add(int descriptor, LineId line) {
+  epoll_event event{};
+  event.events = EPOLLIN | EPOLLOUT | EPOLLRDHUP | EPOLLET;
+  event.data.u32 = line;
+  return ::epoll_ctl(set_.native_handle(), EPOLL_CTL_ADD, descriptor, &event) == 0;
+}
+
+asio::awaitable<bool> LineWatch::wait() {
+  if (!set_.is_open()) co_return false;
+  const auto [error] = co_await set_.async_wait(asio::posix::stream_descriptor::wait_read, kAwait);
+  if (error && set_.is_open()) throw boost::system::system_error(error, "epoll");
+  co_return set_.is_open();
+}
+
+void LineWatch::close() {
+  ErrorCode ignored;
+  set_.close(ignored);
+}
+
+std::span<const LineWatch::News> LineWatch::news() {
+  if (!set_.is_open()) return {};
+  const int count = ::epoll_wait(set_.native_handle(), events_.data(), kMostNews, 0);
+  std::size_t told = 0;
+  for (; static_cast<int>(told) < count; ++told) {
+    const epoll_event& event = events_[told];
+    const bool is_end = (event.events & (EPOLLRDHUP | EPOLLHUP | EPOLLERR)) != 0;
+    news_[told] = {event.data.u32, is_end};
+  }
+  return {news_.data(), told};
+}
+
+}  // namespace xr3

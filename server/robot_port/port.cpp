@@ -1,0 +1,208 @@
+#include "server/robot_port/port.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <boost/asio/post.hpp>
+#include <utility>
+
+#include "cell/failure.hpp"
+#include "server/net/spawn.hpp"
+#include "server/net/wall_clock.hpp"
+
+namespace xr3 {
+namespace {
+
+constexpr const char* kName = "the robot port";
+
+/// A timer among those that are cancelled when bytes have acted, as long as this lives.
+class Waiting {
+ public:
+  Waiting(std::set<asio::steady_timer*>& all, asio::steady_timer& timer)
+      : all_(all), place_(all.insert(&timer).first) {}
+  Waiting(const Waiting&) = delete;
+  Waiting& operator=(const Waiting&) = delete;
+  ~Waiting() { all_.erase(place_); }
+
+ private:
+  std::set<asio::steady_timer*>& all_;
+  std::set<asio::steady_timer*>::iterator place_;
+};
+
+}  // namespace
+
+RobotPort::RobotPort(asio::io_context& io, Cell& cell, std::size_t most_lines,
+                     std::function<void()> acted)
+    : io_(io),
+      cell_(cell),
+      most_lines_(most_lines),
+      acted_(std::move(acted)),
+      context_{cell, false, scratch_, [this] { tell(); }, [this](LineId line) { end(line); }},
+      probe_context_{
+          cell, true, scratch_,
+          [this] { probe_fate_ = cell_.state().enabled ? ProbeFate::kTaken : ProbeFate::kIgnored; },
+          [this](LineId) { end_probe(); }},
+      listener_(io, kName, [this](tcp::socket socket) { open(std::move(socket)); }),
+      watch_(io) {}
+
+ErrorCode RobotPort::listen(const tcp::endpoint& endpoint) { return listener_.listen(endpoint); }
+
+void RobotPort::open(tcp::socket socket) {
+  const bool is_probe = this->is_probe(socket);
+  if (is_full()) return refuse(is_probe);  // closed without a byte
+  auto& context = is_probe ? probe_context_ : context_;
+  const auto session = std::make_shared<RobotSession>(std::move(socket), context);
+  sessions_.insert_or_assign(session->line(), session);
+  if (!watch_.add(session->descriptor(), session->line()))
+    return session->close(CloseReason::kError);
+  if (!std::exchange(is_watching_, true)) spawn_loop(io_.get_executor(), kName, run());
+  if (!is_probe) tell();
+}
+
+bool RobotPort::is_full() const {
+  return sessions_.size() - sessions_.count(kProbeLine) >= most_lines_;
+}
+
+void RobotPort::refuse(bool is_probe) {
+  if (is_probe) {
+    probe_fate_ = ProbeFate::kRefused;
+  } else if (!std::exchange(has_told_of_full_, true)) {
+    spdlog::warn("lines are refused: {} are open already (--max-lines; told once until one ends)",
+                 most_lines_);
+  }
+}
+
+void RobotPort::end(LineId line) {
+  sessions_.erase(line);
+  unfinished_.erase(line);
+  has_told_of_full_ = false;
+  if (is_closing_ && sessions_.empty()) watch_.close();
+  tell();
+}
+
+bool RobotPort::disconnect(LineId line) {
+  const auto found = sessions_.find(line);
+  if (found == sessions_.end()) return false;
+  const auto session = found->second;  // it takes itself out of the map
+  session->close(CloseReason::kDisconnected);
+  return true;
+}
+
+// --- The probe.
+
+void RobotPort::expect_probe(const tcp::endpoint& from) {
+  probe_from_ = from;
+  probe_fate_ = ProbeFate::kUnseen;
+}
+
+bool RobotPort::is_probe(const tcp::socket& socket) {
+  if (!probe_from_) return false;
+  ErrorCode gone;
+  if (socket.remote_endpoint(gone) != *probe_from_ || gone) return false;
+  probe_from_.reset();
+  probe_fate_ = ProbeFate::kAccepted;
+  return true;
+}
+
+void RobotPort::end_probe() {
+  sessions_.erase(kProbeLine);
+  unfinished_.erase(kProbeLine);
+  if (!is_closing_) return;
+  if (sessions_.empty()) watch_.close();
+  tell();
+}
+
+// --- Turns.
+
+asio::awaitable<void> RobotPort::run() {
+  for (bool has_news = true; has_news;) {
+    has_news = co_await watch_.wait();
+    if (has_news) take_turns();
+  }
+}
+
+void RobotPort::take_turns() {
+  take_news();
+  take_unfinished_turn();
+  if (!unfinished_.empty()) take_turns_again();
+}
+
+void RobotPort::take_news() {
+  for (const auto& [line, is_end] : watch_.news()) {
+    const auto found = sessions_.find(line);
+    if (found != sessions_.end() && is_end) found->second->note_end();
+    if (!unfinished_.contains(line)) take_turn(line);
+  }
+}
+
+// One of them at a time, in order: those who ask for little wait for one that asks for much, not for all.
+void RobotPort::take_unfinished_turn() {
+  if (unfinished_.empty()) return;
+  auto next = unfinished_.upper_bound(last_unfinished_);
+  if (next == unfinished_.end()) next = unfinished_.begin();
+  last_unfinished_ = *next;
+  unfinished_.erase(next);
+  take_turn(last_unfinished_);
+}
+
+void RobotPort::take_turn(LineId line) {
+  const auto found = sessions_.find(line);
+  if (found == sessions_.end()) return;
+  const auto session = found->second;  // it may take itself out of the map
+  if (session->take_turn()) unfinished_.insert(line);
+}
+
+// Behind whatever else is ready now.
+void RobotPort::take_turns_again() {
+  if (std::exchange(is_again_, true)) return;
+  asio::post(io_, [this] {
+    is_again_ = false;
+    take_turns();
+  });
+}
+
+// A copy of the map: a session that ends takes itself out of it.
+void RobotPort::take_in() {
+  vital(kName, [this] {
+    listener_.accept_pending();
+    for (const auto& [id, session] : sessions()) {
+      if (session->take_in() && sessions_.contains(id)) unfinished_.insert(id);
+    }
+    if (!unfinished_.empty()) take_turns_again();
+  });
+}
+
+asio::awaitable<bool> RobotPort::wait_for_bytes(LineId id, std::uint64_t bytes_in,
+                                                std::chrono::milliseconds within) {
+  asio::steady_timer timer(io_, within);
+  const auto deadline = timer.expiry();
+  for (;;) {
+    take_in();
+    if (cell_.bytes_in(id).value_or(0) >= bytes_in) co_return true;
+    const bool may_come = cell_.find_line(id) != nullptr && !is_closing_;
+    if (!may_come || asio::steady_timer::clock_type::now() >= deadline) co_return false;
+    const Waiting waiting(waiting_, timer);
+    co_await timer.async_wait(kAwait);
+  }
+}
+
+// Whoever waits for bytes looks again.
+void RobotPort::tell() {
+  vital(kName, [this] {
+    for (asio::steady_timer* timer : waiting_) timer->cancel();
+    acted_();
+  });
+}
+
+void RobotPort::close() {
+  is_closing_ = true;
+  listener_.close();
+  for (const auto& [id, session] : sessions()) session->finish();
+  if (sessions_.empty()) watch_.close();
+  tell();
+}
+
+void RobotPort::abort() {
+  for (const auto& [id, session] : sessions()) session->close(CloseReason::kShutdown);
+}
+
+}  // namespace xr3

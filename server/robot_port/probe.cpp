@@ -1,0 +1,115 @@
+#include "server/robot_port/probe.hpp"
+
+#include <array>
+#include <boost/asio/buffer.hpp>
+#include <memory>
+#include <utility>
+
+namespace xr3 {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Input lines 1-4: one byte from an enabled controller, in every profile, and no change of any state.
+constexpr std::string_view kInquiry = "K";
+
+/// The address at which this machine reaches a port that listens on `address`.
+asio::ip::address reachable(const asio::ip::address& address) {
+  if (!address.is_unspecified()) return address;
+  if (address.is_v6()) return asio::ip::address_v6::loopback();
+  return asio::ip::address_v4::loopback();
+}
+
+/// Opens the socket at a port of its own, by which the robot port will know the connection.
+ErrorCode open(tcp::socket& socket, const asio::ip::address& address) {
+  ErrorCode error;
+  const tcp::endpoint any_port(address, 0);
+  socket.open(any_port.protocol(), error);
+  if (!error) socket.bind(any_port, error);
+  if (!error) socket.non_blocking(true, error);
+  return error;
+}
+
+}  // namespace
+
+/// A probe is under way; however it ends, those who wait for it go on.
+class RobotProbe::Asking {
+ public:
+  explicit Asking(RobotProbe& probe) : probe_(probe) { probe_.is_asking_ = true; }
+  Asking(const Asking&) = delete;
+  Asking& operator=(const Asking&) = delete;
+  ~Asking() {
+    probe_.is_asking_ = false;
+    probe_.port_.forget_probe();
+    probe_.answered_.cancel();
+  }
+
+ private:
+  RobotProbe& probe_;
+};
+
+/// What came back before the connection ended.
+struct RobotProbe::Reply {
+  ErrorCode refusal;      ///< it was not connected
+  std::size_t bytes = 0;  ///< 2: more than one
+};
+
+RobotProbe::RobotProbe(asio::io_context& io, RobotPort& port)
+    : io_(io), port_(port), answered_(io, Clock::time_point::max()) {}
+
+asio::awaitable<std::string> RobotProbe::trouble() {
+  while (is_asking_) co_await answered_.async_wait(kAwait);
+  if (Clock::now() < fresh_until_) co_return trouble_;
+  const Asking asking(*this);
+  trouble_ = co_await ask();
+  fresh_until_ = Clock::now() + kFresh;
+  co_return trouble_;
+}
+
+asio::awaitable<std::string> RobotProbe::ask() {
+  const auto socket = std::make_shared<tcp::socket>(io_);
+  if (const ErrorCode error = open(*socket, reachable(port_.endpoint().address())))
+    co_return "the robot port cannot be asked: " + error.message();
+  asio::steady_timer deadline(io_, kPatience);
+  deadline.async_wait([socket](ErrorCode cancelled) {
+    ErrorCode ignored;
+    if (!cancelled) socket->close(ignored);
+  });
+  const Reply reply = co_await exchange(*socket);
+  if (socket->is_open()) co_return verdict(reply);
+  co_return "the robot port does not answer an inquiry within " +
+      std::to_string(kPatience.count()) + " ms";
+}
+
+asio::awaitable<RobotProbe::Reply> RobotProbe::exchange(tcp::socket& socket) {
+  Reply reply;
+  const tcp::endpoint port = port_.endpoint();
+  port_.expect_probe(socket.local_endpoint(reply.refusal));
+  const auto [refusal] =
+      co_await socket.async_connect({reachable(port.address()), port.port()}, kAwait);
+  reply.refusal = refusal;
+  if (refusal) co_return reply;
+  ErrorCode lost;
+  socket.write_some(asio::buffer(kInquiry), lost);
+  socket.shutdown(tcp::socket::shutdown_send, lost);
+  std::array<char, 2> bytes{};
+  while (reply.bytes < bytes.size()) {
+    const auto [end, count] = co_await socket.async_read_some(asio::buffer(bytes), kAwait);
+    if (end) break;
+    reply.bytes += count;
+  }
+  co_return reply;
+}
+
+std::string RobotProbe::verdict(const Reply& reply) const {
+  if (reply.refusal) return "the robot port takes no connection: " + reply.refusal.message();
+  const ProbeFate fate = port_.probe_fate();
+  if (fate == ProbeFate::kRefused)
+    return "every line is taken: " + std::to_string(port_.most_lines()) + " are open (--max-lines)";
+  const std::size_t due = fate == ProbeFate::kIgnored ? 0 : 1;
+  if (reply.bytes == due) return {};
+  if (reply.bytes == 0) return "the robot port closed a line without an answer to an inquiry";
+  return "the robot port answered an inquiry by more than its one byte";
+}
+
+}  // namespace xr3

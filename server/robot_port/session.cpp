@@ -1,0 +1,142 @@
+#include "server/robot_port/session.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <limits>
+#include <new>
+#include <utility>
+
+#include "server/net/listener.hpp"
+#include "server/net/wall_clock.hpp"
+
+namespace xr3 {
+namespace {
+
+// Bytes of one line in one turn of the loop, so that a flood leaves room for the other lines: some
+// 30 us at 50 ns a byte, what a turn takes anyway.
+constexpr std::size_t kFairShare = 512;
+// Time of one line in one turn: a picture costs a thousand times the byte that asks for it. A turn ends
+// late by one piece of 64 bytes at most, or by one full outbox. No clock enters the state: it decides
+// only which bytes act now and which in the next turn.
+constexpr WallNs kFairTime = 150'000;
+// As much as a receive buffer can hold; a drain takes no more even if the client keeps on writing.
+constexpr std::size_t kMostArrived = 16 * 1024 * 1024;
+constexpr WallNs kNoEnd = std::numeric_limits<WallNs>::max();
+constexpr std::uint64_t kAllOutput = std::numeric_limits<std::uint64_t>::max();
+
+std::string name_of(const tcp::socket& socket) {
+  ErrorCode error;
+  const auto peer = socket.remote_endpoint(error);
+  return error ? "unknown" : to_text(peer);
+}
+
+}  // namespace
+
+RobotSession::RobotSession(tcp::socket socket, RobotSessionContext& context)
+    : RobotSession(name_of(socket), std::move(socket), context) {}
+
+RobotSession::RobotSession(const std::string& peer, tcp::socket&& socket,
+                           RobotSessionContext& context)
+    : socket_(std::move(socket)),
+      id_(context.cell.apply(LineOpened{peer, LineKind::kRaw, context.is_probe}, wall_now()).line),
+      context_(context) {}
+
+bool RobotSession::take_turn() {
+  return work({kFairShare, kAllOutput, wall_now() + kFairTime}) == Left::kSome;
+}
+
+bool RobotSession::take_in() {
+  if (!socket_.is_open()) return false;
+  const std::uint64_t output = context_.cell.find_line(id_)->output_end();
+  return work({kMostArrived, output + kMostAnswered, kNoEnd}) == Left::kSome;
+}
+
+// Reading waits while replies do: a client that does not read its replies is not read either.
+RobotSession::Left RobotSession::work(Turn turn) {
+  bool has_more = true;
+  for (;;) {
+    const Left left = flush(turn);
+    if (left != Left::kNothing) return left;
+    if (!has_more || has_ended_) return Left::kNothing;
+    if (turn.most_read == 0 || is_over(turn)) return Left::kSome;
+    const std::size_t wanted = std::min(turn.most_read, context_.scratch.size());
+    const std::size_t count = read(wanted);
+    act({context_.scratch.data(), count}, turn);
+    has_more = count == wanted || (is_ending_ && count > 0);
+    turn.most_read -= count;
+  }
+}
+
+bool RobotSession::is_over(const Turn& turn) const {
+  return context_.cell.find_line(id_)->output_end() >= turn.output_end || wall_now() >= turn.end;
+}
+
+// Bytes read into the scratch buffer; 0 where there are none now or, then has_ended_, ever.
+std::size_t RobotSession::read(std::size_t most) {
+  const std::size_t count = socket_.read(context_.scratch.first(most));
+  has_ended_ = socket_.has_ended();
+  if (socket_.is_lost()) close(CloseReason::kError);
+  return count;
+}
+
+void RobotSession::act(std::string_view bytes, const Turn& turn) {
+  if (bytes.empty()) return;
+  const auto is_enough = [&turn] { return wall_now() >= turn.end; };
+  const std::size_t taken =
+      context_.cell.apply(BytesIn{id_, bytes, is_enough}, wall_now()).bytes_taken;
+  context_.acted();
+  if (!socket_.is_open()) return;
+  if (context_.cell.find_line(id_)->is_stranger()) return close(CloseReason::kStranger);
+  if (taken < bytes.size()) keep(bytes.substr(taken));
+}
+
+// Where memory is short this line ends, and no other.
+void RobotSession::keep(std::string_view bytes) {
+  try {
+    pending_.append(bytes);
+  } catch (const std::bad_alloc&) {
+    spdlog::error("line {}: no memory for its bytes; it is closed", id_);
+    close(CloseReason::kError);
+  }
+}
+
+void RobotSession::act_on_pending(const Turn& turn) {
+  const std::string bytes = std::exchange(pending_, {});
+  act(bytes, turn);
+}
+
+// Sends what the socket takes now, and goes on with the bytes that had to wait.
+RobotSession::Left RobotSession::flush(const Turn& turn) {
+  if (!socket_.is_open()) return Left::kWaits;
+  Line& line = *context_.cell.find_line(id_);  // as long as the socket is open
+  while (!line.outbox().empty() || !pending_.empty()) {
+    const std::size_t count = line.outbox().empty() ? 0 : socket_.write(line.outbox());
+    if (socket_.is_lost()) close(CloseReason::kError);
+    if (!socket_.is_open()) return Left::kWaits;
+    line.sent(count);
+    if (count == 0 && !line.outbox().empty()) return Left::kWaits;
+    if (!line.is_full()) act_on_pending(turn);
+    if (!socket_.is_open()) return Left::kWaits;
+    const bool is_done = line.outbox().empty() && pending_.empty();
+    if (!is_done && is_over(turn)) return Left::kSome;
+  }
+  if (has_ended_) close(end_);
+  return socket_.is_open() ? Left::kNothing : Left::kWaits;
+}
+
+void RobotSession::finish() {
+  has_ended_ = true;
+  end_ = CloseReason::kShutdown;
+  pending_.clear();
+  flush({0, kAllOutput, kNoEnd});
+}
+
+void RobotSession::close(CloseReason reason) {
+  if (!socket_.is_open()) return;
+  socket_.close();
+  context_.cell.apply(LineClosed{id_, reason}, wall_now());
+  context_.ended(id_);
+}
+
+}  // namespace xr3

@@ -1,0 +1,54 @@
+#include "server/robot_port/socket.hpp"
+
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+namespace xr3 {
+namespace {
+
+int released(tcp::socket socket) {
+  ErrorCode ignored;
+  socket.set_option(asio::socket_base::keep_alive(true), ignored);
+  return socket.release(ignored);
+}
+
+bool must_wait() { return errno == EAGAIN || errno == EWOULDBLOCK; }
+
+/// Repeats a system call while signals interrupt it.
+template <class Call>
+ssize_t whole(const Call& call) {
+  ssize_t count = call();
+  while (count < 0 && errno == EINTR) count = call();
+  return count;
+}
+
+}  // namespace
+
+RobotSocket::RobotSocket(tcp::socket socket) : descriptor_(released(std::move(socket))) {}
+
+std::size_t RobotSocket::read(std::span<char> into) {
+  const auto count = whole([&] { return ::recv(descriptor_, into.data(), into.size(), 0); });
+  if (count > 0) return static_cast<std::size_t>(count);
+  has_ended_ = count == 0;
+  is_lost_ = count < 0 && !must_wait();
+  return 0;
+}
+
+std::size_t RobotSocket::write(std::string_view bytes) {
+  const auto count =
+      whole([&] { return ::send(descriptor_, bytes.data(), bytes.size(), MSG_NOSIGNAL); });
+  if (count >= 0) return static_cast<std::size_t>(count);
+  is_lost_ = !must_wait();
+  return 0;
+}
+
+void RobotSocket::close() {
+  if (!is_open()) return;
+  ::shutdown(descriptor_, SHUT_WR);
+  ::close(descriptor_);
+  descriptor_ = -1;
+}
+
+}  // namespace xr3

@@ -1,0 +1,311 @@
+#include "cell/cell.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <new>
+
+#include "cell/failure.hpp"
+#include "core/camera.hpp"
+#include "tests/support/models.hpp"
+
+namespace xr3 {
+namespace {
+
+constexpr WallNs kMs = 1'000'000;
+
+/// A whole cell in memory, with everything that it told.
+struct Lab {
+  explicit Lab(SimClock clock = SimClock::manual(), Profile profile = Profile::kPaper)
+      : cell("main", test::rhino(profile), clock,
+             [this](const CellEvent& e, const Model&) { told.push_back(e); }) {}
+
+  std::vector<CellEvent> told;
+  Cell cell;
+
+  void open(LineId line, WallNs now = 0) {
+    EXPECT_EQ(cell.apply(LineOpened{"test"}, now).line, line);
+  }
+  /// Sends bytes and returns the reply.
+  std::string send(LineId line, std::string_view bytes, WallNs now = 0) {
+    cell.apply(BytesIn{line, bytes}, now);
+    Line& of_cell = *cell.find_line(line);
+    const std::string reply(of_cell.outbox());
+    of_cell.sent(reply.size());
+    return reply;
+  }
+  call::Outcome call(call::Call call, WallNs now = 0) {
+    return cell.apply(Input{call}, now).outcome;
+  }
+  Counts count(char label) const { return cell.state().motor(cell.model().index_of(label)).count; }
+
+  template <class Note>
+  std::vector<Note> notes() const {
+    std::vector<Note> found;
+    for (const CellEvent& event : told) {
+      if (const Note* note = std::get_if<Note>(&event.note)) found.push_back(*note);
+    }
+    return found;
+  }
+};
+
+TEST(Cell, InStandingTimeNothingMovesUntilItIsStepped) {
+  Lab lab;
+  lab.open(1);
+  lab.send(1, "E+5\r", 1'000'000 * kMs);
+  EXPECT_EQ(lab.send(1, "E?", 2'000'000 * kMs), "%");
+  lab.call(call::Step{1000});
+  EXPECT_EQ(lab.send(1, "E?"), " ");
+  EXPECT_EQ(lab.count('E'), 5);
+}
+
+TEST(Cell, RealTimeMovesWithTheWallClockAndItsRate) {
+  Lab lab(SimClock::real(Rate{2'000'000}, 100 * kMs));
+  lab.open(1, 100 * kMs);
+  lab.send(1, "E+50\r", 100 * kMs);
+  lab.cell.catch_up(150 * kMs);
+  EXPECT_EQ(lab.cell.state().tick, 100);
+  EXPECT_EQ(lab.count('E'), 11);  // 100 ticks at 110 counts a second
+}
+
+TEST(Cell, RunningTimeEndsWhereItsTicksWouldBeTooLargeToSay) {
+  constexpr Tick kLast = (Tick{1} << 53) - 1;
+  Lab lab;
+  lab.call(call::RunUntil{kLast - 10, kLast});
+  lab.call(call::Resume{});
+  lab.cell.catch_up(7 * kMs);
+  EXPECT_EQ(lab.cell.state().tick, kLast - 3);
+  lab.cell.catch_up(1'000'000 * kMs);
+  EXPECT_EQ(lab.cell.state().tick, kLast);
+}
+
+TEST(Cell, AReplyGoesOnlyToTheLineThatAsked) {
+  Lab lab;
+  lab.open(1);
+  lab.open(2);
+  lab.send(1, "E+7\r");
+  EXPECT_EQ(lab.send(2, "E?"), "'");
+  EXPECT_EQ(lab.cell.find_line(1)->outbox(), "");
+}
+
+TEST(Cell, BytesAreTakenUntilItIsEnough) {
+  Lab lab;
+  lab.open(1);
+  std::string bytes;
+  for (int i = 0; i < 100; ++i) bytes += "E?";
+  int asked = 0;
+  const auto is_enough = [&asked] { return ++asked == 2; };
+  EXPECT_EQ(lab.cell.apply(BytesIn{1, bytes, is_enough}, 0).bytes_taken, 2 * kMostShownIn);
+  EXPECT_EQ(lab.cell.find_line(1)->outbox().size(), kMostShownIn);
+  EXPECT_EQ(lab.cell.apply(BytesIn{1, "E?", [] { return true; }}, 0).bytes_taken, 2U)
+      << "there is always some progress";
+}
+
+TEST(Cell, StepAndRunUntilNeedStandingTime) {
+  Lab lab(SimClock::real(Rate{}, 0));
+  EXPECT_EQ(std::get<call::Refused>(lab.call(call::Step{1})).code, "clock_running");
+  EXPECT_EQ(std::get<call::Refused>(lab.call(call::RunUntil{{}, 1})).code, "clock_running");
+  lab.call(call::Pause{}, 10 * kMs);
+  EXPECT_TRUE(std::holds_alternative<call::Done>(lab.call(call::Step{5}, 50 * kMs)));
+  EXPECT_EQ(lab.cell.state().tick, 15);
+  lab.call(call::Resume{}, 60 * kMs);
+  lab.cell.catch_up(70 * kMs);
+  EXPECT_EQ(lab.cell.state().tick, 25);
+}
+
+TEST(Cell, RunUntilIdleStopsAtTheTickOfTheLastCount) {
+  Lab lab;
+  lab.open(1);
+  lab.send(1, "F+10\r");
+  const auto outcome = std::get<call::Done>(lab.call(call::RunUntil{{}, 60'000}));
+  EXPECT_EQ(outcome.reached, true);
+  EXPECT_EQ(outcome.ran_ticks, 91);  // ceil(10 * 1000 / 110)
+  EXPECT_EQ(lab.count('F'), 10);
+}
+
+TEST(Cell, RunUntilSaysWhenItWasNotEnough) {
+  Lab lab;
+  lab.open(1);
+  lab.send(1, "F+10\r");
+  const auto outcome = std::get<call::Done>(lab.call(call::RunUntil{{}, 20}));
+  EXPECT_EQ(outcome.reached, false);
+  EXPECT_EQ(outcome.ran_ticks, 20);
+  EXPECT_EQ(std::get<call::Done>(lab.call(call::RunUntil{Tick{50}, 1000})).reached, true);
+  EXPECT_EQ(lab.cell.state().tick, 50);
+}
+
+TEST(Cell, ResetBeginsAnEpochAndEmptiesTheParsers) {
+  Lab lab;
+  lab.open(1);
+  lab.send(1, "E+5\rL");
+  lab.call(call::Step{1000});
+  lab.send(1, "E+9");
+  lab.call(call::Reset{});
+  EXPECT_EQ(lab.cell.epoch(), 1);
+  EXPECT_EQ(lab.cell.state(), initial_state(lab.cell.model()));
+  lab.send(1, "\r?");
+  EXPECT_EQ(lab.send(1, "E?"), " ");
+  EXPECT_EQ(lab.notes<EpochNote>().at(0).from_tick, 1000);
+}
+
+TEST(Cell, HomeFreesAStalledRobot) {
+  Lab lab;
+  lab.open(1);
+  for (const char* bytes : {"E-120\r", "D+120\r"}) {
+    for (int i = 0; i < 8; ++i) {
+      lab.send(1, bytes);
+      lab.call(call::RunUntil{{}, 100'000});
+    }
+  }
+  ASSERT_EQ(lab.cell.state().stall, Stall::kProtectedRegion);
+  lab.call(call::Home{});
+  EXPECT_EQ(lab.cell.state().stall, Stall::kNo);
+  EXPECT_EQ(lab.count('E'), 0);
+}
+
+TEST(Cell, ProblemsAreToldWithOffsetBytesAndReason) {
+  Lab lab;
+  lab.open(1);
+  lab.send(1, "E+5\rE+200\r");
+  const auto problems = lab.notes<ProblemNote>();
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].code, "number_out_of_range");
+  EXPECT_EQ(problems[0].offset, 4U);
+  EXPECT_EQ(problems[0].raw.view(), "E+200\r");
+  EXPECT_EQ(problems[0].message, "E+200: a move is -128...127 counts; not obeyed");
+}
+
+TEST(Cell, ALineOpenedWhileDisabledIsToldSo) {
+  Lab lab;
+  lab.open(1);
+  lab.send(1, "A@");
+  lab.open(2);
+  ASSERT_EQ(lab.notes<ProblemNote>().size(), 1U);
+  EXPECT_EQ(lab.notes<ProblemNote>()[0].code, "disabled");
+  EXPECT_EQ(lab.send(2, "E?"), "");
+  EXPECT_EQ(lab.send(2, "A@E?"), " ");
+}
+
+TEST(Cell, ALineThatIsGoneTakesNothing) {
+  Lab lab;
+  lab.open(1);
+  lab.cell.apply(LineClosed{1, CloseReason::kClientClosed}, 0);
+  EXPECT_EQ(lab.cell.apply(BytesIn{1, "E+5\r"}, 0).bytes_taken, 0U);
+  EXPECT_EQ(lab.cell.lines().size(), 0U);
+  EXPECT_EQ(lab.notes<LineClosedNote>().size(), 1U);
+}
+
+TEST(Cell, EventsComeInOrderOfTheirTicks) {
+  Lab lab(SimClock::real(Rate{}, 0));
+  lab.open(1);
+  lab.send(1, "E+3\rD+3\r");
+  lab.cell.catch_up(1000 * kMs);
+  for (std::size_t i = 1; i < lab.told.size(); ++i)
+    EXPECT_LE(lab.told[i - 1].tick, lab.told[i].tick);
+  EXPECT_EQ(lab.told.back().line, std::nullopt);
+}
+
+// --- Failures.
+
+TEST(Cell, AnExceptionOutOfTheDoorIsVital) {
+  Cell cell("main", test::rhino(), SimClock::manual(),
+            [](const CellEvent&, const Model&) { throw std::bad_alloc(); });
+  try {
+    cell.apply(LineOpened{"test"}, 0);
+    ADD_FAILURE() << "the sink has thrown";
+  } catch (const VitalFailure& failure) {
+    EXPECT_STREQ(failure.what(), "the cell: std::bad_alloc");
+  }
+}
+
+TEST(Cell, AFrozenCellTakesNothing) {
+  Lab lab(SimClock::real(Rate{1'000'000}, 0));
+  lab.open(1);
+  const State before = lab.cell.state();
+  const std::size_t told = lab.told.size();
+  lab.cell.freeze();
+  lab.cell.apply(BytesIn{1, "E+5\rE?"}, 5 * kMs);
+  lab.cell.apply(LineClosed{1}, 5 * kMs);
+  lab.cell.catch_up(10 * kMs);
+  EXPECT_EQ(lab.cell.state(), before);
+  EXPECT_EQ(lab.told.size(), told);
+}
+
+// --- The camera.
+
+ModelPtr rhino_with_camera(std::string_view workcell) {
+  return std::make_shared<const Model>(test::robot_named("rhino-xr3"),
+                                       test::workcell_named(workcell), Profile::kPaper);
+}
+
+/// A cell whose camera sees blocks, and what may happen to it.
+class Seen {
+ public:
+  bool is_fresh() {
+    return *cell_.camera_image() == xr3::camera_image(cell_.model(), cell_.state());
+  }
+  void bytes(std::string_view bytes) {
+    cell_.apply(BytesIn{1, bytes}, 0);
+    Line& line = *cell_.find_line(1);
+    line.sent(line.outbox().size());
+  }
+  void call(const call::Call& call) { cell_.apply(Input{call}, 0); }
+  void pass(Tick ticks) { call(call::Step{ticks}); }
+  /// Down to the first block, around which the jaws then stand open.
+  void go_to_a_block() {
+    bytes("A$A+16\r");
+    for (int i = 0; i < 6; ++i) {
+      bytes(i < 3 ? "E+120\rD-120\r" : i == 3 ? "E+89\rD-120\r" : i == 4 ? "D-120\r" : "D-25\r");
+      call(call::RunUntil{{}, 5000});
+    }
+  }
+  Cell& cell() { return cell_; }
+
+ private:
+  Cell cell_{"main", rhino_with_camera("rhino-xr3"), SimClock::manual(), {}};
+  bool has_line_ = cell_.apply(LineOpened{"test"}, 0).line == 1;
+};
+
+TEST(Cell, APictureIsMadeOnceForAStateWhoeverAsks) {
+  Seen seen;
+  const ImagePtr picture = seen.cell().camera_image();
+  for (int i = 0; i < 100; ++i) seen.bytes("A**A*3*A*3,4*E+1\r");
+  EXPECT_EQ(seen.cell().camera_image(), picture);
+}
+
+int any(int low, int high) { return *rc::gen::inRange(low, high + 1); }
+
+std::string some_block() { return *rc::gen::element("red", "green", "blue", "none"); }
+
+void something_happens(Seen& seen) {
+  switch (any(0, 12)) {
+    case 0: return seen.go_to_a_block();
+    case 1:
+    case 2: seen.bytes("AXA-100\r"); return seen.pass(any(1, 3000));
+    case 3: seen.bytes("AXA+30\r"); return seen.pass(any(1, 500));
+    case 4:
+    case 5: seen.bytes("E-20\rF+9\r"); return seen.pass(any(1, 99));
+    case 6: return seen.call(call::MoveBlock{some_block(), PointUm{200'000, 0, 20'000}, {}});
+    case 7: return seen.call(call::RemoveBlock{some_block()});
+    case 8:
+      return seen.call(call::AddBlock{{some_block(), {40'000, 30'000, 20'000}, {99'000, 0, 0}}});
+    case 9: return seen.call(call::SaveSnapshot{"kept"});
+    case 10: return seen.call(call::LoadSnapshot{"kept", nullptr});
+    case 11: return seen.call(call::Reset{});
+    default:
+      seen.call(call::ReplaceWorkcell{
+          test::workcell_named(*rc::gen::element("rhino-xr3", "rhino-hundred", "adept-one"))});
+  }
+}
+
+RC_GTEST_PROP(Cell, ThePictureIsThatOfTheStateWhateverHappened, ()) {
+  Seen seen;
+  for (int i = any(1, 40); i > 0; --i) {
+    something_happens(seen);
+    if (any(0, 2) == 0) seen.bytes(*rc::gen::element("A**", "A*60*", "A*82,96*"));
+    RC_ASSERT(seen.is_fresh());
+  }
+}
+
+}  // namespace
+}  // namespace xr3

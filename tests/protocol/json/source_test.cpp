@@ -1,0 +1,170 @@
+// Lines, comments, duplicates and syntax errors of a data file's text.
+#include "protocol/json/source.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace xr3 {
+namespace {
+
+TEST(JsonSource, KnowsTheLineOfEveryValue) {
+  const JsonSource source("{\n\"a\": [1,\n2\n,\n{\"b\":\n3}],\n\"c\": \"x\"\n}", "f");
+  EXPECT_EQ(source.line_of(""), 1);
+  EXPECT_EQ(source.line_of("/a"), 2);
+  EXPECT_EQ(source.line_of("/a/0"), 2);
+  EXPECT_EQ(source.line_of("/a/1"), 3);
+  EXPECT_EQ(source.line_of("/a/2"), 5);
+  EXPECT_EQ(source.line_of("/a/2/b"), 5) << "a member is where its name is";
+  EXPECT_EQ(source.line_of("/c"), 7);
+}
+
+TEST(JsonSource, TakesTheLineAroundWhatIsMissing) {
+  const JsonSource source("{\n\"a\": {\n}\n}", "f");
+  EXPECT_EQ(source.line_of("/a/b/c"), 2);
+  EXPECT_EQ(source.line_of("/b"), 1);
+}
+
+TEST(JsonSource, EscapesPointers) {
+  const JsonSource source("{\n\"a/b\": 1,\n\"m~n\": 2}", "f");
+  EXPECT_EQ(child_pointer("", "a/b"), "/a~1b");
+  EXPECT_EQ(source.line_of("/a~1b"), 2);
+  EXPECT_EQ(source.line_of("/m~0n"), 3);
+}
+
+TEST(JsonSource, SkipsCommentLinesButCountsThem) {
+  const JsonSource source("* one\n{\n  * two {[\"\n\"a\": 1\n\t*\n}\n* three", "f");
+  EXPECT_EQ(source.root().at("a"), 1);
+  EXPECT_EQ(source.line_of("/a"), 4);
+}
+
+TEST(JsonSource, LeavesAsterisksInsideLinesAlone) {
+  const JsonSource source("{\"a\": \"* no comment\",\n\"b\": \"**\"}", "f");
+  EXPECT_EQ(source.root().at("a"), "* no comment");
+}
+
+TEST(JsonSource, TakesWindowsLineEndsAndAByteOrderMark) {
+  const JsonSource source("\xEF\xBB\xBF{\r\n* comment\r\n\"a\": 1\r\n}\r\n", "f");
+  EXPECT_EQ(source.line_of("/a"), 3);
+}
+
+TEST(JsonSource, TellsOfMembersGivenTwice) {
+  const JsonSource source("{\"a\": 1,\n\"b\": {\"a\": 2, \"a\": 3},\n\"a\": 4}", "f");
+  ASSERT_EQ(source.duplicates().size(), 2U);
+  EXPECT_EQ(source.duplicates()[0].pointer, "/b/a");
+  EXPECT_EQ(source.duplicates()[1].pointer, "/a");
+  EXPECT_EQ(source.duplicates()[1].line, 3);
+}
+
+Finding syntax_error_of(const std::string& text) {
+  try {
+    const JsonSource source(text, "f");
+  } catch (const DataError& error) {
+    EXPECT_EQ(error.findings().size(), 1U);
+    return error.findings().front();
+  }
+  ADD_FAILURE() << "no error in " << text;
+  return {};
+}
+
+struct SyntaxCase {
+  std::string text;
+  int line;
+  int column;
+  std::string found;
+  std::string allowed;
+};
+
+TEST(JsonSource, SaysSyntaxErrorsInPlainWords) {
+  const std::string value = "a value: a number, \"text\", true, false, null, [ or {";
+  const std::string name = "a member name in double quotes";
+  const SyntaxCase cases[] = {
+      {"", 1, 1, "the end of the file", value},
+      {"{", 1, 2, "the end of the file", name},
+      {"{\"a\":1,}", 1, 8, "} after a comma", name},
+      {"{\"a\" 1}", 1, 6, "1", "a colon after the member name"},
+      {"{\"a\":1\n \"b\":2}", 2, 2, "\"b\"", "a comma or }"},
+      {"[1,2", 1, 5, "the end of the file", "a comma or ]"},
+      {"{\"a\":[1}", 1, 8, "}", "a comma or ]"},
+      {"{'a':1}", 1, 2, "'", name},
+      {"{\"a\":tru}", 1, 6, "tru", value},
+      {"{\"a\":01}", 1, 7, "01", "a comma or }"},
+      {"{\"a\":+1}", 1, 6, "+1", value},
+      {"{\xC3\xA4: 1}", 1, 2, "\\xC3", name},
+      {"{}x", 1, 3, "x", "nothing after the end of the value"},
+      {"{\"a\":1.}", 1, 8, "an unfinished number", "digits"},
+      {"{\"a\":-1e999}", 1, 11, "a number that is too large", "numbers up to 1e308"},
+      {"{\"a\":\"x\ny\"}", 1, 8, "a line end or control character inside text", "text on one line"},
+      {"{\"a\":\"\\q\"}", 1, 8, "an unknown escape after \\", "\\\" \\\\ \\/ \\b"},
+      {"{\"a\":\"\xFF\"}", 1, 7, "a byte that is not UTF-8", "text in UTF-8"},
+      {"{\"a\":\"b}", 1, 9, "text without its closing quote", "text in double quotes"},
+  };
+  for (const SyntaxCase& expected : cases) {
+    const Finding finding = syntax_error_of(expected.text);
+    SCOPED_TRACE(expected.text + " -> " + to_text(finding));
+    EXPECT_EQ(finding.line, expected.line);
+    EXPECT_EQ(finding.column, expected.column);
+    EXPECT_EQ(finding.found, expected.found);
+    EXPECT_EQ(finding.allowed.substr(0, expected.allowed.size()), expected.allowed);
+  }
+}
+
+/// A long token is looked at before the parser sees it, and its fault is told as the parser would.
+TEST(JsonSource, SaysTheSameOfLongTokens) {
+  struct Row {
+    std::string begin, repeated, end;
+  };
+  const Row rows[] = {
+      {"{\"a\":\"", "x", "\ny\"}"},
+      {"{\"a\":\"", "x", "\\q\"}"},
+      {"{\"a\":\"", "x", "\xFF\"}"},
+      {"{\"a\":\"", "x", "\xE2\x82\"}"},
+      {"{\"a\":\"", "x", "b}"},
+      {"{\"a\":\"", "x", "\\"},
+      {"{\"a\":\"", "x", "\\ud800\"}"},
+      {"{\"a\":\"", "x", "\\udc00x"},
+      {"{\"a\":\"", "\\n", "\\u12g4\"}"},
+      {"{\"a\":\"", "x", "\\ud800\\u0041\"}"},
+      {"{\"a\":1", "0", "}"},
+      {"{\"a\":-1", "0", ",\"b\":1}"},
+      {"{\"a\":1.", "0", "e999}"},
+      {"{\"a\":1", "0", ""},
+      {"{\"a\",\"", "x", "\n"},
+      {"[1 \"", "x", "\xFF\"]"},
+      {"{\"a\":\"", "x", "\" 5"},
+      {"{\"a\" \"", "x", "\"}"},
+  };
+  constexpr std::size_t kFew = 400;
+  constexpr std::size_t kMany = 6000;
+  for (const Row& row : rows) {
+    const auto text = [&row](std::size_t count) {
+      std::string middle;
+      for (std::size_t i = 0; i < count; ++i) middle += row.repeated;
+      return row.begin + middle + row.end;
+    };
+    Finding expected = syntax_error_of(text(kFew));
+    const bool is_behind = expected.column > static_cast<int>(row.begin.size());
+    if (is_behind) expected.column += static_cast<int>((kMany - kFew) * row.repeated.size());
+    const Finding found = syntax_error_of(text(kMany));
+    SCOPED_TRACE(row.begin + "..." + row.end);
+    EXPECT_EQ(to_text(found), to_text(expected));
+  }
+}
+
+TEST(JsonSource, RefusesDeepNesting) {
+  const std::string deep(100000, '[');
+  EXPECT_EQ(syntax_error_of(deep).found, "lists and objects deeper than 32");
+}
+
+TEST(Finding, IsOneLineOfText) {
+  Finding finding{Severity::kError, "arm.json", 12, 0, "/joints/3", "-5", "a number above 0"};
+  EXPECT_EQ(to_text(finding), "arm.json:12: /joints/3: found -5; allowed: a number above 0");
+  finding.severity = Severity::kWarning;
+  EXPECT_EQ(to_text(finding),
+            "arm.json:12: warning: /joints/3: found -5; allowed: a number above 0");
+  finding = {Severity::kError, "arm.json", 12, 7, "", "}", "a comma or ]"};
+  EXPECT_EQ(to_text(finding), "arm.json:12:7: found }; allowed: a comma or ]");
+}
+
+}  // namespace
+}  // namespace xr3

@@ -1,0 +1,109 @@
+#include "protocol/monitor/health_probe.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace xr3 {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using Verdict = HealthProbe::Verdict;
+
+constexpr const char* kHello = "{\"op\":\"hello\",\"proto\":1,\"server\":\"xr3 0.1.0\"}\n";
+constexpr const char* kPong = "{\"op\":\"pong\",\"id\":\"health\"}\n";
+
+HealthProbe after(std::string_view bytes) {
+  HealthProbe probe;
+  probe.take(bytes);
+  return probe;
+}
+
+TEST(HealthProbe, IsHealthyWhenItsPingIsAnswered) {
+  HealthProbe probe;
+  EXPECT_EQ(probe.opening() + probe.take(kHello), "{\"op\":\"ping\",\"id\":\"health\"}\n");
+  EXPECT_EQ(probe.verdict(), Verdict::kUnknown);
+  EXPECT_EQ(probe.take(kPong), "");
+  EXPECT_EQ(probe.verdict(), Verdict::kHealthy);
+}
+
+TEST(HealthProbe, TakesBytesAsTheyCome) {
+  HealthProbe probe;
+  std::string sent;
+  for (const char byte : std::string(kHello) + kPong) sent += probe.take({&byte, 1});
+  EXPECT_EQ(sent, after("").take(kHello)) << "one ping";
+  EXPECT_EQ(probe.verdict(), Verdict::kHealthy);
+  EXPECT_EQ(after(std::string(kHello) + kPong).verdict(), Verdict::kHealthy);
+}
+
+TEST(HealthProbe, SaysHowFarItCame) {
+  EXPECT_THAT(after("").trouble(), HasSubstr("sends nothing"));
+  EXPECT_THAT(after(kHello).trouble(), HasSubstr("does not answer"));
+  EXPECT_THAT(after("login: ").trouble(), HasSubstr("is not xr3: it sends \"login: \""));
+}
+
+TEST(HealthProbe, KnowsWhoIsNotXr3) {
+  for (const char* line :
+       {"HTTP/1.1 400 Bad Request\r\n", "{\"op\":\"hello\",\"server\":\"other\"}\n", "{}\n", "\n",
+        "[1]\n", "{\"op\":7}\n", "\xff\xfe\n", "{\"op\":\"pong\",\"id\":\"health\"}\n"}) {
+    const HealthProbe probe = after(line);
+    EXPECT_EQ(probe.verdict(), Verdict::kUnhealthy) << line;
+    EXPECT_THAT(probe.trouble(), StartsWith("is not xr3")) << line;
+  }
+  EXPECT_THAT(after("HTTP/1.1 400 Bad Request\r\n").trouble(),
+              HasSubstr("\"HTTP/1.1 400 Bad Request\""));
+}
+
+TEST(HealthProbe, RepeatsWhatItHearsShortAndWithoutControlCharacters) {
+  const std::string words = after("\x1B[2Jhi\a" + std::string(1000, 'x') + "\n").trouble();
+  EXPECT_THAT(words, HasSubstr("\"?[2Jhi?xx"));
+  EXPECT_LT(words.size(), 100U);
+}
+
+TEST(HealthProbe, ALineWithoutAnEndIsNoLine) {
+  HealthProbe probe;
+  const std::string part(1024, 'x');
+  for (std::size_t sent = 0; sent <= HealthProbe::kMostLineBytes; sent += part.size())
+    probe.take(part);
+  EXPECT_EQ(probe.verdict(), Verdict::kUnhealthy);
+}
+
+TEST(HealthProbe, WhoPartsIsNotHealthy) {
+  const std::string bye = "{\"op\":\"bye\",\"why\":\"full\",\"message\":\"too many\"}\n";
+  for (const std::string& bytes : {bye, kHello + bye}) {
+    EXPECT_EQ(after(bytes).verdict(), Verdict::kUnhealthy);
+    EXPECT_THAT(after(bytes).trouble(), HasSubstr("too many"));
+  }
+}
+
+TEST(HealthProbe, OtherAnswersAfterTheGreetingAreNoMatter) {
+  HealthProbe probe = after(kHello);
+  probe.take("{\"op\":\"new\"}\n{\"op\":\"pong\",\"id\":1}\n");
+  EXPECT_EQ(probe.verdict(), Verdict::kUnknown);
+  probe.take(kPong);
+  EXPECT_EQ(probe.verdict(), Verdict::kHealthy);
+}
+
+TEST(HealthProbe, ReadinessIsAskedOverHttp) {
+  EXPECT_EQ(ready_request("[::1]:9601"),
+            "GET /readyz HTTP/1.1\r\nHost: [::1]:9601\r\nConnection: close\r\n\r\n");
+  EXPECT_EQ(trouble_with_readiness("HTTP/1.1 200 OK\r\n\r\nok\n"), "");
+}
+
+TEST(HealthProbe, WhyItIsNotReadyIsPassedOn) {
+  const std::string body =
+      R"({"error":{"code":"not_ready","message":"every line is taken","hint":"wait"}})";
+  EXPECT_EQ(trouble_with_readiness("HTTP/1.1 503 Service Unavailable\r\n\r\n" + body),
+            "is not ready: every line is taken");
+}
+
+TEST(HealthProbe, WhatIsNoAnswerIsNotReady) {
+  EXPECT_EQ(trouble_with_readiness(""), "does not say whether it is ready");
+  for (const char* answer : {"HTTP/1.1 503 No\r\n\r\n{}", "HTTP/1.1 503 No\r\n\r\n[1",
+                             "HTTP/1.1 20", "HTTP/1.1 404 Not Found", "200 ", "\x1b[2J"}) {
+    EXPECT_THAT(trouble_with_readiness(answer), HasSubstr("is not xr3: it says \"")) << answer;
+  }
+}
+
+}  // namespace
+}  // namespace xr3

@@ -1,0 +1,291 @@
+// Bit-identical round trips of saved cells; invented ones are refused with all reasons.
+#include "protocol/monitor/saved_cell.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/home.hpp"
+#include "core/simulation.hpp"
+#include "tests/support/models.hpp"
+
+namespace xr3 {
+namespace {
+
+using Strings = std::vector<std::string>;
+
+SavedCell at_home() {
+  const ModelPtr model = test::rhino();
+  SavedCell saved{"sha256:1", test::workcell_named("rhino-xr3"), initial_state(*model)};
+  saved.state.blocks = saved.workcell.blocks;
+  return saved;
+}
+
+Json at_home_json() { return saved_cell_to_json(at_home()); }
+
+SavedCellReading read_again(const SavedCell& saved) {
+  return read_saved_cell(Json::parse(saved_cell_to_json(saved).dump()));
+}
+
+Strings wrong_in(const Json& json) {
+  const SavedCellReading reading = read_saved_cell(json);
+  EXPECT_EQ(reading.saved.has_value(), !has_errors(reading.findings));
+  Strings pointers;
+  for (const Finding& finding : reading.findings) {
+    if (finding.severity == Severity::kError) pointers.push_back(finding.pointer);
+  }
+  return pointers;
+}
+
+// --- What rapidcheck makes up.
+
+template <class I>
+I any(std::int64_t low, std::int64_t high) {
+  return static_cast<I>(*rc::gen::resize(1000, rc::gen::inRange(low, high + 1)));
+}
+
+bool any_bool() { return *rc::gen::arbitrary<bool>(); }
+
+template <class I>
+I any_of_all() {
+  return any<I>(std::numeric_limits<I>::min(), std::numeric_limits<I>::max());
+}
+
+PointUm any_point(Micrometres low, Micrometres high) {
+  return {any<Micrometres>(low, high), any<Micrometres>(low, high), any<Micrometres>(low, high)};
+}
+
+PointUm any_place() { return any_point(-2'000'000'000, 2'000'000'000); }
+
+Counts any_count() { return any<Counts>(-(1 << 30), 1 << 30); }
+
+MotorState any_motor() {
+  MotorState motor;
+  motor.count = any_count();
+  motor.phase = any<std::int16_t>(0, 999);
+  motor.error = any_of_all<std::int8_t>();
+  motor.speed = any<std::uint8_t>(1, 255);
+  motor.blocked = *rc::gen::element(Blocked::kNo, Blocked::kLimit, Blocked::kBlock);
+  motor.switch_closed = any_bool();
+  return motor;
+}
+
+std::vector<Block> any_blocks(Micrometres farthest) {
+  std::vector<Block> blocks(any<std::size_t>(0, 4));
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    blocks[i] = {"block \" \xC3\xA9 " + std::to_string(i), any_point(1, 100'000'000),
+                 any_point(-farthest, farthest), any<Microdegrees>(-179'999'999, 180'000'000),
+                 any<int>(0, 15)};
+  }
+  return blocks;
+}
+
+Held any_held(std::size_t blocks) {
+  Held held{any<std::uint32_t>(0, static_cast<std::int64_t>(blocks) - 1), any<int>(0, 3), {}};
+  for (Counts& position : held.grasped_at) position = any_count();
+  return held;
+}
+
+TipPath any_path() {
+  TipPath path;
+  const bool is_full = any_bool();
+  path.points.resize(is_full ? TipPath::kMostTipPoints : any<std::size_t>(0, 5));
+  for (PointUm& point : path.points) point.x = &point - path.points.data() - 2000;
+  if (!path.points.empty()) path.points.front() = any_place();
+  if (is_full) path.oldest = any<std::size_t>(0, TipPath::kMostTipPoints - 1);
+  return path;
+}
+
+State any_state() {
+  State state;
+  state.tick = any<Tick>(0, monitor::kMostInteger);
+  for (MotorState& motor : state.motors) motor = any_motor();
+  state.stall = *rc::gen::element(Stall::kNo, Stall::kProtectedRegion, Stall::kWorkSurface);
+  state.below_surface = any_bool();
+  state.enabled = any_bool();
+  state.display = {any_bool(),       {any<int>(-9, 9), any<int>(-9, 9), 3},
+                   any<int>(1, 255), any_bool(),
+                   any<int>(0, 6),   any_bool()};
+  state.io = {any_of_all<std::uint8_t>(), any_of_all<std::uint8_t>(), any<std::uint8_t>(0, 3)};
+  state.blocks = any_blocks(2'000'000'000);
+  if (!state.blocks.empty() && any_bool()) state.held = any_held(state.blocks.size());
+  state.jaws_warned = any_bool();
+  state.tip_path = any_path();
+  return state;
+}
+
+Workcell any_workcell() {
+  Workcell workcell = test::workcell_named("rhino-xr3");
+  workcell.notes = any_bool() ? "two\nlines" : "";
+  workcell.workspace = {any<Micrometres>(1, 100'000'000), any<Micrometres>(1, 100'000'000),
+                        100'000'000};
+  workcell.work_surface_um = any<Micrometres>(-100'000'000, 99'999'999);
+  workcell.surface_stalls = any_bool();
+  workcell.blocks = any_blocks(100'000'000);
+  workcell.camera->location_um = {any<Micrometres>(-100'000'000, 100'000'000), 0, 100'000'000};
+  if (any_bool()) workcell.camera.reset();
+  return workcell;
+}
+
+RC_GTEST_PROP(SavedCellJson, EveryBitRoundTrips, ()) {
+  const SavedCell saved{"sha256:" + std::to_string(any<int>(0, 1000)), any_workcell(), any_state()};
+  const SavedCellReading reading = read_again(saved);
+  RC_ASSERT(to_text(reading.findings).find("error") == std::string::npos);
+  RC_ASSERT(reading.saved.has_value());
+  RC_ASSERT(*reading.saved == saved);
+}
+
+// --- What a machine comes to.
+
+TEST(SavedCellJson, AMachineRunsOnFromIt) {
+  const auto model = std::make_shared<const Model>(
+      test::robot_named("rhino-xr3"), test::workcell_named("rhino-xr3"), Profile::kPaper);
+  Simulation one(model);
+  one.execute(ToggleErasing{});
+  for (const char label : {'F', 'E', 'D', 'C', 'B', 'A'}) one.execute(Move{label, -40});
+  one.advance_to(123);
+  const SavedCell saved{"sha256:1", model->workcell(), one.state()};
+  const SavedCellReading reading = read_again(saved);
+  ASSERT_TRUE(reading.saved);
+  EXPECT_TRUE(monitor::misfits(*model, *reading.saved).empty());
+  Simulation other(model);
+  other.restore(reading.saved->state);
+  one.advance_to(2000);
+  other.advance_to(2000);
+  EXPECT_EQ(one.state(), other.state());
+}
+
+TEST(SavedCellJson, AFullPathOfTheRhinoFitsAMessage) {
+  SavedCell saved = at_home();
+  saved.workcell.blocks = test::workcell_named("rhino-hundred").blocks;
+  saved.state.blocks = saved.workcell.blocks;
+  for (int i = 0; i < 4096; ++i) saved.state.tip_path.add({-238'101 + i, -400'000, -320'700});
+  EXPECT_LT(saved_cell_to_json(saved).dump().size(), monitor::kMostMessageBytes * 3 / 4);
+}
+
+TEST(SavedCellJson, WhatIsHandedOutCanBeSentBack) {
+  SavedCell saved = at_home();
+  saved.state.blocks.clear();
+  const std::string before = R"({"op":"call","id":")" + std::string(64, '7') +
+                             R"(","cell":"main","fn":"snapshot_load","args":{"snapshot":)";
+  constexpr std::size_t kMore = 100;
+  Block block = saved.workcell.blocks[0];
+  block.name = "10000000";
+  saved.state.blocks.resize(1000, block);
+  while (monitor::fits_a_request(saved))
+    saved.state.blocks.resize(saved.state.blocks.size() + kMore, block);
+  saved.state.blocks.resize(saved.state.blocks.size() - kMore);
+  for (std::size_t i = 0; i < saved.state.blocks.size(); ++i)
+    saved.state.blocks[i].name = std::to_string(10'000'000 + i);
+  ASSERT_TRUE(monitor::fits_a_request(saved));
+  const auto reading =
+      monitor::read_request(before + saved_cell_to_json(saved).dump() + "}}", {"main"});
+  EXPECT_TRUE(std::holds_alternative<monitor::Request>(reading));
+}
+
+// --- What somebody made up.
+
+TEST(SavedCellJson, EveryMemberIsWantedAndNoOther) {
+  EXPECT_EQ(wrong_in(Json::object()), (Strings{"/robot_hash", "/workcell", "/state"}));
+  EXPECT_EQ(wrong_in(5), Strings{""});
+  Json json = at_home_json();
+  for (const auto& [name, value] : json["state"].items()) {
+    Json without = at_home_json();
+    without["state"].erase(name);
+    EXPECT_EQ(wrong_in(without), Strings{"/state/" + name});
+  }
+  json["state"]["speed"] = 1;
+  EXPECT_EQ(wrong_in(json), Strings{"/state/speed"});
+}
+
+struct Broken {
+  const char* pointer;
+  Json value;
+};
+
+TEST(SavedCellJson, OneWrongValueIsToldWithItsPlace) {
+  const Broken all[] = {
+      {"/robot_hash", 5},
+      {"/workcell/blocks/0/size/1", -1},
+      {"/workcell/length_unit", "ell"},
+      {"/state/tick", -1},
+      {"/state/tick", 9007199254740992.0},
+      {"/state/tick", 1.5},
+      {"/state/tick", nullptr},
+      {"/state/motors/0/count", (1 << 30) + 1},
+      {"/state/motors/1/count", -(1 << 30) - 1},
+      {"/state/motors/1/count", 1e300},
+      {"/state/motors/2/phase", 1000},
+      {"/state/motors/2/phase", -1},
+      {"/state/motors/3/error", 128},
+      {"/state/motors/3/error", -129},
+      {"/state/motors/4/speed", 0},
+      {"/state/motors/4/speed", 256},
+      {"/state/motors/5/blocked", "yes"},
+      {"/state/motors/7/switch_closed", 0},
+      {"/state/motors", Json::array()},
+      {"/state/stall", nullptr},
+      {"/state/display/view", {0, 0, 0}},
+      {"/state/display/view/0", 10},
+      {"/state/display/period_half_s", 0},
+      {"/state/display/status_option", 7},
+      {"/state/io/inputs", 256},
+      {"/state/io/auxiliary", 4},
+      {"/state/blocks/0/size_um/0", 0},
+      {"/state/blocks/0/size_um/2", 100'000'001},
+      {"/state/blocks/0/centroid_um/1", 2'000'000'001},
+      {"/state/blocks/0/yaw_udeg", -180'000'000},
+      {"/state/blocks/1/color", 16},
+      {"/state/blocks/1/name", at_home().state.blocks[0].name},
+      {"/state/tip_path/oldest", 1},
+      {"/state/tip_path/oldest", 4096},
+      {"/state/tip_path/points", {{1, 2}}},
+      {"/state/tip_path/points", Json(4097, Json{1, 2, 3})},
+  };
+  for (const Broken& broken : all) {
+    Json json = at_home_json();
+    json[Json::json_pointer(broken.pointer)] = broken.value;
+    const Strings wrong = wrong_in(json);
+    ASSERT_FALSE(wrong.empty()) << broken.pointer << broken.value;
+    EXPECT_TRUE(wrong.front().starts_with(broken.pointer)) << wrong.front();
+  }
+}
+
+TEST(SavedCellJson, WhatIsHeldMustBeThere) {
+  Json json = at_home_json();
+  const std::size_t blocks = json["state"]["blocks"].size();
+  json["state"]["held"] = {
+      {"block", blocks}, {"quarter_turns", 0}, {"grasped_at", {0, 0, 0, 0, 0, 0, 0, 0}}};
+  EXPECT_EQ(wrong_in(json), Strings{"/state/held/block"});
+  json["state"]["held"]["block"] = blocks - 1;
+  EXPECT_EQ(wrong_in(json), Strings{});
+  json["state"]["held"]["quarter_turns"] = 4;
+  json["state"]["held"]["grasped_at"][7] = 1e10;
+  EXPECT_EQ(wrong_in(json), (Strings{"/state/held/quarter_turns", "/state/held/grasped_at/7"}));
+}
+
+TEST(SavedCellJson, TooManyBlocks) {
+  Json json = at_home_json();
+  Json block = json["state"]["blocks"][0];
+  Json blocks = Json::array();
+  for (std::size_t i = 0; i <= kMaxBlocks; ++i) {
+    block["name"] = std::to_string(i);
+    blocks.push_back(block);
+  }
+  json["state"]["blocks"] = blocks;
+  EXPECT_EQ(wrong_in(json), Strings{"/state/blocks"});
+}
+
+TEST(SavedCellJson, WarningsAreNoErrors) {
+  SavedCell saved = at_home();
+  saved.workcell.blocks[0].centroid_um = saved.workcell.blocks[1].centroid_um;
+  const SavedCellReading reading = read_again(saved);
+  EXPECT_FALSE(reading.findings.empty());
+  EXPECT_TRUE(reading.saved);
+}
+
+}  // namespace
+}  // namespace xr3

@@ -1,0 +1,95 @@
+// The metrics page, parsed line by line as Prometheus would.
+#include "server/http/metrics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace xr3 {
+namespace {
+
+CellCounters some_counters() {
+  CellCounters counters;
+  counters.lines_open = 2;
+  counters.lines_total = 7;
+  counters.bytes_in = 123;
+  counters.bytes_out = 45;
+  counters.of(Command(Move{'E', 5})) = 9;
+  counters.of(Command(CameraPixel{0, 0})) = 1;
+  counters.warnings["number_out_of_range"] = 3;
+  counters.ticks = 12'345;
+  counters.of(monitor::Channel::kState) = {100, 4};
+  counters.viewers = 6;
+  return counters;
+}
+
+/// Samples by name and labels. Every line must be a comment or a sample of the metric that the
+/// comments in front of it announced.
+std::map<std::string, double> parsed(const std::string& text) {
+  const std::regex help(R"(# HELP (xr3_[a-z_]+) \S.*\.)");
+  const std::regex type(R"(# TYPE (xr3_[a-z_]+) (counter|gauge))");
+  const std::regex sample(R"((xr3_[a-z_]+)(\{[a-z]+="[^"\\\n]*"(?:,[a-z]+="[^"\\\n]*")*\}) (\S+))");
+  std::map<std::string, double> samples;
+  std::set<std::string> names;
+  std::string helped;
+  std::string typed;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch match;
+    if (std::regex_match(line, match, help)) {
+      helped = match[1];
+      EXPECT_TRUE(names.insert(helped).second) << line;
+    } else if (std::regex_match(line, match, type)) {
+      typed = match[1];
+      EXPECT_EQ(typed, helped);
+      EXPECT_EQ(match[2] == "counter", typed.ends_with("_total")) << line;
+    } else if (std::regex_match(line, match, sample)) {
+      EXPECT_EQ(match[1], typed);
+      const bool is_new =
+          samples.emplace(match[1].str() + match[2].str(), std::stod(match[3])).second;
+      EXPECT_TRUE(is_new) << line;
+    } else {
+      ADD_FAILURE() << line;
+    }
+  }
+  return samples;
+}
+
+TEST(Metrics, EveryCounterIsASample) {
+  const std::string text = metrics_text("main", some_counters());
+  EXPECT_TRUE(text.ends_with('\n'));
+  const auto samples = parsed(text);
+  const std::map<std::string, double> expected{
+      {R"(xr3_lines_open{cell="main"})", 2},
+      {R"(xr3_lines_total{cell="main"})", 7},
+      {R"(xr3_bytes_in_total{cell="main"})", 123},
+      {R"(xr3_bytes_out_total{cell="main"})", 45},
+      {R"(xr3_commands_total{cell="main",kind="move"})", 9},
+      {R"(xr3_commands_total{cell="main",kind="camera_pixel"})", 1},
+      {R"(xr3_commands_total{cell="main",kind="stop"})", 0},
+      {R"(xr3_warnings_total{cell="main",code="number_out_of_range"})", 3},
+      {R"(xr3_ticks_total{cell="main"})", 12'345},
+      {R"(xr3_simulated_seconds_total{cell="main"})", 12.345},
+      {R"(xr3_viewers{cell="main"})", 6},
+      {R"(xr3_frames_sent_total{cell="main",channel="state"})", 100},
+      {R"(xr3_frames_overwritten_total{cell="main",channel="state"})", 4},
+      {R"(xr3_frames_sent_total{cell="main",channel="line"})", 0}};
+  for (const auto& [name, value] : expected) {
+    ASSERT_TRUE(samples.contains(name)) << name;
+    EXPECT_EQ(samples.at(name), value) << name;
+  }
+  EXPECT_EQ(samples.size(), 7 + kCommandKinds + 1 + 2 * kChannels);
+}
+
+TEST(Metrics, LargeCountsAreNotRounded) {
+  CellCounters counters;
+  counters.bytes_in = 9'007'199'254'740'991;
+  EXPECT_EQ(parsed(metrics_text("main", counters)).at(R"(xr3_bytes_in_total{cell="main"})"),
+            9'007'199'254'740'991.0);
+}
+
+}  // namespace
+}  // namespace xr3

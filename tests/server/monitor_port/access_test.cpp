@@ -1,0 +1,41 @@
+// Who may: with and without a token.
+#include "server/monitor_port/access.hpp"
+
+#include <gtest/gtest.h>
+
+namespace xr3 {
+namespace {
+
+constexpr const char* kToken = "sixteen letters!";
+
+TEST(Access, WithoutATokenEverybodyMay) {
+  const AccessPolicy policy;
+  EXPECT_FALSE(policy.needs_token());
+  EXPECT_FALSE(policy.is_private());
+  EXPECT_FALSE(policy.is_right(""));
+  EXPECT_FALSE(policy.is_right(kToken));
+}
+
+TEST(Access, OnlyTheWholeTokenIsRight) {
+  const AccessPolicy policy({{}, Reading::kFree, kToken});
+  EXPECT_TRUE(policy.needs_token());
+  EXPECT_FALSE(policy.is_private());
+  EXPECT_TRUE(policy.is_right(kToken));
+  for (const char* wrong : {"", "sixteen letters", "sixteen letters!!", "Sixteen letters!"})
+    EXPECT_FALSE(policy.is_right(wrong)) << wrong;
+}
+
+TEST(Access, PrivateOnlyWithAToken) {
+  EXPECT_TRUE(AccessPolicy({{}, Reading::kWithToken, kToken}).is_private());
+  EXPECT_FALSE(AccessPolicy({{}, Reading::kWithToken, ""}).is_private());
+}
+
+TEST(Access, GuardsByItsRules) {
+  const AccessPolicy policy({{http::Reach::kBeyond, {}, {"https://a.example"}}, {}, ""});
+  EXPECT_TRUE(policy.is_host_allowed("xr3:9601"));
+  EXPECT_TRUE(policy.is_origin_allowed("https://a.example", "xr3:9601"));
+  EXPECT_FALSE(AccessPolicy().is_host_allowed("xr3:9601"));
+}
+
+}  // namespace
+}  // namespace xr3

@@ -1,0 +1,336 @@
+// The monitor's service in memory: viewers without a connection ask, follow and call, and what comes
+// out is compared. Time stands, but where a test lets it run.
+#include "server/monitor_port/service.hpp"
+
+#include <gtest/gtest.h>
+
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "server/net/wall_clock.hpp"
+#include "tests/support/models.hpp"
+
+namespace xr3 {
+namespace {
+
+using namespace std::chrono_literals;
+
+AccessPolicy with_token(Reading reading) {
+  AccessRules rules;
+  rules.token = "sixteen-letters!";
+  rules.reading = reading;
+  return AccessPolicy(rules);
+}
+
+/// No connection: the tests take the output themselves.
+struct NoCarrier final : Carrier {
+  void pump() override {}
+  void prefetch(Depth) const override {}
+};
+
+class MonitorServiceTest : public testing::Test {
+ protected:
+  explicit MonitorServiceTest(AccessPolicy policy = {}) : policy_(std::move(policy)) {}
+
+  /// Hands one message in; returns everything that comes out.
+  std::vector<Json> ask(Viewer& viewer, const std::string& message) {
+    asio::co_spawn(
+        io_, [&viewer, message] { return viewer.take(message); }, asio::detached);
+    io_.restart();
+    io_.poll();
+    return read(viewer);
+  }
+  /// The one message that answers.
+  Json answer(Viewer& viewer, const std::string& message) {
+    const std::vector<Json> answers = ask(viewer, message);
+    EXPECT_EQ(answers.size(), 1U) << message;
+    return answers.empty() ? Json() : answers.front();
+  }
+  Json call(Viewer& viewer, const std::string& fn, const std::string& args = "{}") {
+    return answer(viewer, R"({"op":"call","id":1,"fn":")" + fn + R"(","args":)" + args + "}");
+  }
+  std::vector<Json> read(Viewer& viewer) {
+    std::vector<Json> messages;
+    while (const monitor::Message message = viewer.next_output())
+      messages.push_back(Json::parse(*message));
+    return messages;
+  }
+  /// Lets the loop run until something comes out.
+  std::vector<Json> wait(Viewer& viewer) {
+    const auto deadline = std::chrono::steady_clock::now() + 10s;
+    for (;;) {
+      std::vector<Json> messages = read(viewer);
+      if (!messages.empty() || std::chrono::steady_clock::now() > deadline) return messages;
+      io_.restart();
+      io_.run_one_for(20ms);
+    }
+  }
+  void send(const std::string& bytes) {
+    if (line_ == 0) line_ = cell_.apply(LineOpened{"test"}, wall_now()).line;
+    cell_.apply(BytesIn{line_, bytes}, wall_now());
+    service_.audience().acted();
+  }
+
+  asio::io_context io_{1};
+  Cell cell_{"main", test::rhino(), SimClock::manual(), {}};
+  RobotPort robot_port_{io_, cell_, 16, [] {}};
+  AccessPolicy policy_;
+  MonitorService service_{io_, cell_, robot_port_, policy_,
+                          [this] { service_.audience().acted(); }};
+  NoCarrier carrier_;
+  Viewer one_{service_, carrier_};
+  LineId line_ = 0;
+};
+
+TEST_F(MonitorServiceTest, SubTellsWhatHoldsThenShowsItWhole) {
+  read(one_);
+  const auto answers =
+      ask(one_, R"({"op":"sub","id":2,"channel":"state","max_hz":20,"fields":["moving"]})");
+  ASSERT_EQ(answers.size(), 2U);
+  EXPECT_EQ(
+      answers[0]["value"].dump(),
+      R"({"cell":"main","channel":"state","max_hz":20.0,"on_change":true,"fields":["moving"]})");
+  EXPECT_EQ(answers[1].dump(),
+            R"({"op":"state","cell":"main","epoch":0,"seq":1,"tick":0,"moving":false})");
+}
+
+TEST_F(MonitorServiceTest, AChangeIsSentAndNothingElse) {
+  read(one_);
+  ask(one_, R"({"op":"sub","channel":"state","fields":["moving","io"],"max_hz":60})");
+  send("E?");
+  io_.restart();
+  io_.run_for(60ms);
+  EXPECT_TRUE(read(one_).empty()) << "an inquiry changes nothing";
+  send("P3");
+  const auto changes = wait(one_);
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_EQ(changes[0]["io"]["outputs"][2], true);
+}
+
+TEST_F(MonitorServiceTest, AtRestTheLoopHasNothingToDo) {
+  ask(one_, R"({"op":"sub","channel":"state"})");
+  ask(one_, R"({"op":"sub","channel":"event"})");
+  io_.restart();
+  io_.run_for(100ms);
+  read(one_);
+  io_.restart();
+  EXPECT_EQ(io_.run_for(100ms), 0U);
+}
+
+TEST_F(MonitorServiceTest, TheSameSeqIsTheSameBytes) {
+  Viewer other(service_, carrier_);
+  read(one_);
+  read(other);
+  const std::string sub = R"({"op":"sub","channel":"model"})";
+  const auto first = ask(one_, sub);
+  send("E+5\r");
+  cell_.apply(call::Call{call::Step{100}}, wall_now());
+  const auto second = ask(other, sub);
+  EXPECT_EQ(first.at(1).dump(), second.at(1).dump());
+}
+
+TEST_F(MonitorServiceTest, EventsComeInOrderWithTheirTicks) {
+  read(one_);
+  ask(one_, R"({"op":"sub","channel":"event"})");
+  send("E+2\r");
+  const auto messages =
+      ask(one_, R"({"op":"call","id":1,"fn":"step","args":{"ticks":100,"fields":[]}})");
+  ASSERT_EQ(messages.size(), 4U) << "the answer first, then what happened";
+  EXPECT_EQ(messages[0]["op"], "result");
+  EXPECT_EQ(messages[1]["event"], "line_open");
+  EXPECT_EQ(messages[2]["event"], "move");
+  EXPECT_EQ(messages[3]["event"], "reached");
+  EXPECT_EQ(messages[3]["tick"], 19);
+  const auto again = ask(one_, R"({"op":"get","id":7,"channel":"event","since":3})");
+  ASSERT_EQ(again.size(), 2U);
+  EXPECT_EQ(again[0]["event"], "reached");
+  EXPECT_EQ(again[0]["id"], 7);
+  EXPECT_EQ(again[1]["ok"], true);
+}
+
+TEST_F(MonitorServiceTest, SendHasALineOfItsOwnThatClosesWithTheViewer) {
+  {
+    Viewer other(service_, carrier_);
+    read(other);
+    const Json value = call(other, "send", R"({"text":"E+5\rE?"})")["value"];
+    EXPECT_EQ(value["hex"], "25");
+    EXPECT_EQ(value["text"], "%");
+    EXPECT_EQ(call(other, "send", R"({"text":"I"})")["value"]["line"], value["line"]);
+    EXPECT_EQ(cell_.lines().size(), 1U);
+  }
+  EXPECT_TRUE(cell_.lines().empty());
+}
+
+TEST_F(MonitorServiceTest, SendTakesBytesAsTheyAre) {
+  read(one_);
+  const Json value = call(one_, "send", R"({"text":"GET / HTTP/1.1\r\n\r\n"})")["value"];
+  EXPECT_EQ(cell_.lines().at(value["line"]).bytes_in(), 18U) << "nobody is a stranger here";
+}
+
+TEST_F(MonitorServiceTest, SendTakesNoMoreThanAnOutboxOfReplies) {
+  cell_.apply(call::ReplaceWorkcell{test::workcell_named("rhino-xr3")}, wall_now());
+  read(one_);
+  std::string images;
+  for (int i = 0; i < 100; ++i) images += "A**";
+  const Json value = call(one_, "send", R"({"text":")" + images + R"("})")["value"];
+  const auto taken = value["taken"].get<std::size_t>();
+  const std::size_t replies = value["hex"].get_ref<const std::string&>().size() / 2;
+  EXPECT_LT(taken, images.size());
+  EXPECT_GE(replies, Line::kFullOutbox);
+  EXPECT_LT(replies, 2 * Line::kFullOutbox) << "each image is smaller than an outbox";
+  EXPECT_FALSE(call(one_, "send", R"({"text":"E?"})")["value"].contains("taken"));
+}
+
+TEST_F(MonitorServiceTest, AClockThatStandsAlreadyIsNotToldOf) {
+  read(one_);
+  ask(one_, R"({"op":"sub","channel":"event"})");
+  EXPECT_EQ(ask(one_, R"({"op":"call","id":1,"fn":"pause"})").size(), 1U);
+  EXPECT_EQ(ask(one_, R"({"op":"call","id":1,"fn":"resume"})").size(), 2U);
+  EXPECT_EQ(ask(one_, R"({"op":"call","id":1,"fn":"resume"})").size(), 1U);
+  EXPECT_EQ(ask(one_, R"({"op":"call","id":1,"fn":"pause"})").size(), 2U);
+}
+
+TEST_F(MonitorServiceTest, ASubscriptionFromTheFutureBeginsNow) {
+  read(one_);
+  const Json value = answer(one_, R"({"op":"sub","channel":"event","since":100000})")["value"];
+  EXPECT_EQ(value["since"], cell_.events().next());
+}
+
+TEST_F(MonitorServiceTest, LinesTellsAndDisconnectCloses) {
+  read(one_);
+  send("E+200\rI");
+  const Json lines = call(one_, "lines")["value"]["lines"];
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_EQ(lines[0]["bytes_in"], 7);
+  EXPECT_EQ(lines[0]["bytes_out"], 0) << "nobody has taken the reply";
+  EXPECT_EQ(lines[0]["warnings"], 1);
+  EXPECT_EQ(lines[0]["last"], "I");
+  EXPECT_EQ(call(one_, "line_disconnect", R"({"line":1})")["ok"], true);
+  EXPECT_EQ(call(one_, "line_disconnect", R"({"line":1})")["error"]["code"], "no_such_line");
+}
+
+TEST_F(MonitorServiceTest, BlocksComeAndGo) {
+  read(one_);
+  const std::string add =
+      R"({"name":"cube","size_mm":[20,20,20],"xyz_mm":[300,0,10],"yaw_deg":30,"color":2})";
+  EXPECT_EQ(call(one_, "block_add", add)["ok"], true);
+  EXPECT_EQ(call(one_, "block_add", add)["error"]["code"], "name_taken");
+  EXPECT_EQ(call(one_, "block_move", R"({"name":"cube","yaw_deg":-10})")["ok"], true);
+  EXPECT_EQ(cell_.state().blocks.back().yaw_udeg, -10'000'000);
+  EXPECT_EQ(cell_.state().blocks.back().centroid_um, (PointUm{300'000, 0, 10'000}));
+  EXPECT_EQ(call(one_, "block_remove", R"({"name":"cube"})")["ok"], true);
+  EXPECT_EQ(call(one_, "block_remove", R"({"name":"cube"})")["error"]["code"], "no_such_block");
+  EXPECT_EQ(cell_.model_rev(), 4);
+}
+
+TEST_F(MonitorServiceTest, ASnapshotContinuesAsItWas) {
+  read(one_);
+  send("E+50\rF-20\r");
+  call(one_, "step", R"({"ticks":77,"fields":[]})");
+  const Json saved = call(one_, "snapshot_save", R"({"name":"a"})")["value"];
+  const Json inlined = call(one_, "snapshot_save", R"({"inline":true})")["value"];
+  EXPECT_EQ(saved["hash"], inlined["hash"]);
+  const State before = cell_.state();
+  call(one_, "block_remove", R"({"name":"red"})");
+  call(one_, "step", R"({"ticks":1000,"fields":[]})");
+  const State after = cell_.state();
+  const Json loaded = call(one_, "snapshot_load", R"({"name":"a"})")["value"];
+  EXPECT_EQ(loaded["hash"], saved["hash"]);
+  EXPECT_EQ(loaded["epoch"], 1);
+  EXPECT_EQ(loaded["tick"], 77);
+  EXPECT_EQ(cell_.state(), before);
+  call(one_, "block_remove", R"({"name":"red"})");
+  call(one_, "step", R"({"ticks":1000,"fields":[]})");
+  EXPECT_EQ(cell_.state(), after);
+  const Json again = call(one_, "snapshot_load", Json({{"snapshot", inlined["snapshot"]}}).dump());
+  EXPECT_EQ(again["value"]["hash"], saved["hash"]) << again.dump();
+  EXPECT_EQ(cell_.state(), before);
+}
+
+TEST_F(MonitorServiceTest, SixteenSnapshotsAndNoMore) {
+  read(one_);
+  for (int i = 0; i < 16; ++i) {
+    const std::string name = R"({"name":"s)" + std::to_string(i) + R"("})";
+    EXPECT_EQ(call(one_, "snapshot_save", name)["ok"], true);
+  }
+  EXPECT_EQ(call(one_, "snapshot_save", R"({"name":"one more"})")["error"]["code"], "limit");
+  EXPECT_EQ(call(one_, "snapshot_save", R"({"name":"s3"})")["ok"], true);
+  EXPECT_EQ(call(one_, "snapshot_load", R"({"name":"?"})")["error"]["code"], "no_such_snapshot");
+}
+
+TEST_F(MonitorServiceTest, KeysWorkWhileTheControllerIsDisabled) {
+  read(one_);
+  EXPECT_EQ(call(one_, "key", R"({"function":"enabled"})")["ok"], true);
+  EXPECT_FALSE(cell_.state().enabled);
+  EXPECT_EQ(call(one_, "key", R"({"function":"display"})")["ok"], true);
+  EXPECT_TRUE(cell_.state().display.on);
+}
+
+class WithToken : public MonitorServiceTest {
+ protected:
+  WithToken() : MonitorServiceTest(with_token(Reading::kFree)) {}
+};
+
+TEST_F(WithToken, ReadingIsFreeAndCallsNeedIt) {
+  EXPECT_EQ(read(one_).at(0)["access"], "read");
+  EXPECT_EQ(answer(one_, R"({"op":"get","channel":"state"})")["op"], "state");
+  EXPECT_EQ(call(one_, "home")["error"]["code"], "token_required");
+  const Json granted = answer(one_, R"({"op":"auth","id":1,"token":"sixteen-letters!"})");
+  EXPECT_EQ(granted.dump(), R"({"op":"result","id":1,"ok":true,"value":{"access":"control"}})");
+  EXPECT_EQ(call(one_, "home")["ok"], true);
+}
+
+TEST_F(WithToken, ItIsAskedForBeforeAnythingElse) {
+  read(one_);
+  for (const std::string& text : std::vector<std::string>{
+           R"({"op":"call","id":7,"fn":"step","args":{"ticks":"x","ticks":1}})",
+           R"({"op":"call","id":7,"fn":"step","args":nonsense)",
+           R"({"op":"call","id":7,"fn":"step")",
+           R"({"args":)" + std::string(40, '[') + std::string(40, ']') +
+               R"(,"op":"call","id":7,"fn":"step"})",
+           R"({"op":"call","id":7,"fn":"step","cell":"other"})",
+           R"({"op":"call","id":7,"fn":"fly"})", R"({"\u006fp":"call","id":7})"}) {
+    const Json result = answer(one_, text);
+    EXPECT_EQ(result["error"]["code"], "token_required") << text;
+    EXPECT_EQ(result["id"], 7) << text;
+  }
+  EXPECT_EQ(answer(one_, R"({"op":"call","fn":"step"})")["error"]["message"],
+            "the call step needs the token");
+  EXPECT_EQ(answer(one_, R"({"op":"call","fn":"fly"})")["error"]["message"],
+            "a call needs the token");
+  EXPECT_EQ(answer(one_, R"({"op":"ping")")["error"]["code"], "bad_json");
+  EXPECT_EQ(answer(one_, R"({"op":"get","channel":"taste"})")["error"]["code"], "unknown_channel");
+}
+
+TEST_F(WithToken, FiveWrongOnesEndTheConnection) {
+  read(one_);
+  const std::string wrong = R"({"op":"auth","id":1,"token":"wrong"})";
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(answer(one_, wrong)["error"]["code"], "bad_token");
+  const auto last = ask(one_, wrong);
+  ASSERT_EQ(last.size(), 2U);
+  EXPECT_EQ(last[1]["why"], "bad_token");
+  EXPECT_TRUE(one_.has_ended());
+}
+
+class Private : public MonitorServiceTest {
+ protected:
+  Private() : MonitorServiceTest(with_token(Reading::kWithToken)) {}
+};
+
+TEST_F(Private, ReadingNeedsItAsWell) {
+  read(one_);
+  for (const char* op : {"get", "sub"}) {
+    const std::string request = std::string(R"({"op":")") + op + R"(","channel":"state"})";
+    EXPECT_EQ(answer(one_, request)["error"]["code"], "token_required");
+  }
+  EXPECT_EQ(answer(one_, R"({"op":"get","channel":"taste","fields":[)")["error"]["code"],
+            "token_required");
+  answer(one_, R"({"op":"auth","token":"sixteen-letters!"})");
+  EXPECT_EQ(answer(one_, R"({"op":"get","channel":"state"})")["op"], "state");
+}
+
+}  // namespace
+}  // namespace xr3

@@ -1,0 +1,93 @@
+// What becomes of an exception out of a loop and out of a session, wherever it is thrown.
+#include "server/net/spawn.hpp"
+
+#include <gtest/gtest.h>
+
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "cell/failure.hpp"
+
+namespace xr3 {
+namespace {
+
+/// What leaves run() and tells that the process is to end; nothing if nothing does.
+std::string failure_of(asio::io_context& io) {
+  try {
+    io.run();
+  } catch (const VitalFailure& failure) {
+    return failure.what();
+  }
+  return "";
+}
+
+asio::awaitable<void> turn(asio::io_context& io) {
+  asio::steady_timer timer(io, std::chrono::milliseconds(1));
+  co_await timer.async_wait(kAwait);
+}
+
+asio::awaitable<void> fail_at_once() {
+  throw std::bad_alloc();
+  co_return;
+}
+
+asio::awaitable<void> fail_later(asio::io_context& io) {
+  co_await turn(io);
+  throw std::runtime_error("no luck");
+}
+
+TEST(Vital, AnExceptionGetsTheNameOfItsPlace) {
+  const auto message_of = [](auto work) -> std::string {
+    try {
+      vital("outer", [&] { vital("inner", work); });
+    } catch (const VitalFailure& failure) {
+      return failure.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message_of([] {}), "");
+  EXPECT_EQ(message_of([] { throw std::runtime_error("no luck"); }), "inner: no luck");
+  EXPECT_EQ(message_of([] { throw 7; }), "inner: an exception of unknown type");
+  const std::string cut = message_of([] { throw std::runtime_error(std::string(1000, 'x')); });
+  EXPECT_EQ(cut.size(), VitalFailure::kMostBytes - 1);
+}
+
+TEST(Spawn, ALoopsExceptionLeavesRun) {
+  for (const bool is_later : {false, true}) {
+    asio::io_context io{1};
+    spawn_loop(io.get_executor(), "the loop", is_later ? fail_later(io) : fail_at_once());
+    const std::string failure = failure_of(io);
+    EXPECT_EQ(failure, is_later ? "the loop: no luck" : "the loop: std::bad_alloc");
+  }
+}
+
+TEST(Spawn, ALoopThatReturnsIsNoFailure) {
+  asio::io_context io{1};
+  spawn_loop(io.get_executor(), "the loop", turn(io));
+  EXPECT_EQ(failure_of(io), "");
+}
+
+TEST(Spawn, ASessionsExceptionEndsThatSession) {
+  asio::io_context io{1};
+  int ended = 0;
+  spawn_session(io.get_executor(), "monitor", fail_at_once(), [&] { ++ended; });
+  spawn_session(io.get_executor(), "monitor", fail_later(io), [&] { ++ended; });
+  spawn_session(io.get_executor(), "monitor", turn(io), [&] { ++ended; });
+  EXPECT_EQ(failure_of(io), "");
+  EXPECT_EQ(ended, 3);
+}
+
+asio::awaitable<void> fail_in_the_cell() {
+  vital("the cell", [] { throw std::bad_alloc(); });
+  co_return;
+}
+
+TEST(Spawn, WhatIsVitalPassesASession) {
+  asio::io_context io{1};
+  spawn_session(io.get_executor(), "monitor", fail_in_the_cell(), [] { ADD_FAILURE(); });
+  EXPECT_EQ(failure_of(io), "monitor: the cell: std::bad_alloc");
+}
+
+}  // namespace
+}  // namespace xr3

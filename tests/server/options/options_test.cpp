@@ -1,0 +1,137 @@
+#include "server/options/options.hpp"
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+
+#include "tests/support/command_line.hpp"
+
+namespace xr3 {
+namespace {
+
+using test::Environment;
+using test::parse;
+using test::refused;
+
+TEST(Options, ServeHasTheDocumentedDefaults) {
+  const auto options = std::get<ServeOptions>(parse({"serve"}));
+  EXPECT_EQ(options.robot, "rhino-xr3");
+  EXPECT_EQ(options.listen, "localhost");
+  EXPECT_EQ(options.robot_port, 9600);
+  EXPECT_EQ(options.monitor_port, 9601);
+  EXPECT_EQ(options.profile, Profile::kPaper);
+  EXPECT_EQ(options.clock.mode, ClockMode::kReal);
+}
+
+TEST(Options, ServeTakesEveryOption) {
+  const auto options = std::get<ServeOptions>(
+      parse({"serve",  "--robot",      "adept-one", "--workcell",     "w.json", "--listen",
+             "::1",    "--robot-port", "0",         "--monitor-port", "7",      "--compat",
+             "mark3",  "--clock",      "real:2.5",  "--max-lines",    "3",      "--port-file",
+             "p.json", "--log-level",  "debug"}));
+  EXPECT_EQ(options.workcell, "w.json");
+  EXPECT_EQ(options.profile, Profile::kMark3);
+  EXPECT_EQ(options.clock.rate.millionths, 2'500'000);
+  EXPECT_EQ(options.most_lines, 3U);
+  EXPECT_EQ(options.port_file, "p.json");
+}
+
+TEST(Options, BeyondLoopbackNeedsInsecure) {
+  EXPECT_EQ(refused({"serve", "--listen", "0.0.0.0"}).code, ExitCode::kBadInput);
+  EXPECT_NE(refused({"serve", "--listen", "0.0.0.0"}).to_stderr.find("--insecure"),
+            std::string::npos);
+  EXPECT_TRUE(
+      std::holds_alternative<ServeOptions>(parse({"serve", "--listen", "0.0.0.0", "--insecure"})));
+}
+
+TEST(Options, BeyondLoopbackOrWithAToken) {
+  const auto with_file = std::get<ServeOptions>(
+      parse({"serve", "--listen", "0.0.0.0", "--token-file", "t", "--private"}));
+  EXPECT_EQ(std::get<TokenFile>(with_file.token).path, "t");
+  EXPECT_TRUE(with_file.is_private);
+  const auto fresh = std::get<ServeOptions>(parse({"serve", "--token", "auto"}));
+  EXPECT_TRUE(std::holds_alternative<FreshToken>(fresh.token));
+  EXPECT_NE(refused({"serve", "--listen", "::"}).to_stderr.find("--token-file"), std::string::npos);
+}
+
+TEST(Options, ATokenInTheEnvironment) {
+  {
+    const Environment environment({{kTokenVariable, "of the environment"}});
+    const auto options = std::get<ServeOptions>(parse({"serve", "--listen", "::"}));
+    EXPECT_TRUE(std::holds_alternative<TokenInEnvironment>(options.token));
+    const auto named = std::get<ServeOptions>(parse({"serve", "--token-file", "t"}));
+    EXPECT_TRUE(std::holds_alternative<TokenFile>(named.token));  // what is said goes before
+  }
+  const auto without = std::get<ServeOptions>(parse({"serve"}));
+  EXPECT_TRUE(std::holds_alternative<NoToken>(without.token));
+}
+
+TEST(Options, ASecretIsNoArgument) {
+  const Leave leave = refused({"serve", "--token", "correct horse battery"});
+  EXPECT_EQ(leave.code, ExitCode::kBadInput);
+  EXPECT_NE(leave.to_stderr.find("--token-file"), std::string::npos);
+  EXPECT_EQ(leave.to_stderr.find("horse"), std::string::npos) << leave.to_stderr;
+}
+
+TEST(Options, HostsAndOriginsAddUp) {
+  const auto options =
+      std::get<ServeOptions>(parse({"serve", "--allow-host", "a.lab", "--allow-host", "b",
+                                    "--allow-origin", "https://page.lab"}));
+  EXPECT_EQ(options.allow_hosts, (std::vector<std::string>{"a.lab", "b"}));
+  EXPECT_EQ(options.allow_origins, (std::vector<std::string>{"https://page.lab"}));
+}
+
+TEST(Options, LoopbackIsWhatOnlyThisMachineReaches) {
+  for (const char* address : {"127.0.0.1", "127.9.9.9", "::1", "localhost"})
+    EXPECT_TRUE(is_loopback(address)) << address;
+  for (const char* address : {"0.0.0.0", "::", "192.168.1.1", "example", ""})
+    EXPECT_FALSE(is_loopback(address)) << address;
+}
+
+TEST(Options, WrongArgumentsAreRefusedWithASentence) {
+  const std::initializer_list<std::initializer_list<const char*>> wrong = {
+      {},
+      {"fly"},
+      {"serve", "--robot-port", "65536"},
+      {"serve", "--robot-port", "x"},
+      {"serve", "--compat", "mark4"},
+      {"serve", "--clock", "fast"},
+      {"serve", "--clock", "real:0"},
+      {"serve", "--clock", "real:1e9"},
+      {"serve", "--max-lines", "0"},
+      {"serve", "--log-level", "loud"},
+      {"serve", "extra"},
+      {"check"},
+      {"serve", "--listen", "nowhere"},
+      {"serve", "--private"},
+      {"serve", "--token-file", "t", "--token", "auto"},
+      {"serve", "--allow-host", "a:80"},
+      {"serve", "--allow-host", "*"},
+      {"serve", "--allow-origin", "null"},
+      {"serve", "--allow-origin", "page.lab"}};
+  for (const auto& words : wrong) {
+    const Leave leave = refused(words);
+    EXPECT_EQ(leave.code, ExitCode::kBadInput);
+    EXPECT_FALSE(leave.to_stderr.empty());
+    EXPECT_TRUE(leave.to_stdout.empty()) << leave.to_stdout;
+  }
+}
+
+TEST(Options, HelpIsForPeople) {
+  const Leave leave = refused({"serve", "--help"});
+  EXPECT_EQ(leave.code, ExitCode::kGood);
+  for (const char* word : {"--robot-port", "--clock", "--insecure", "mark3"}) {
+    EXPECT_NE(leave.to_stdout.find(word), std::string::npos) << word;
+  }
+}
+
+TEST(Rate, IsExactInMillionths) {
+  EXPECT_EQ(parse_rate("0.001").millionths, 1'000);
+  EXPECT_EQ(parse_rate("100000").millionths, 100'000'000'000);
+  for (const char* text : {"", "0", "0.0009", "100001", "-1", "nan", "inf", "1x", "x"}) {
+    EXPECT_THROW(parse_rate(text), std::invalid_argument) << text;
+  }
+}
+
+}  // namespace
+}  // namespace xr3

@@ -1,0 +1,220 @@
+// The robot port over real sockets, with time standing: when lines have their turns, and that none is
+// forgotten although each is told of once.
+#include "server/robot_port/port.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <new>
+#include <string>
+
+#include "cell/failure.hpp"
+#include "tests/support/models.hpp"
+#include "tests/support/tcp_client.hpp"
+
+namespace xr3 {
+namespace {
+
+using test::Client;
+
+constexpr std::size_t kMostLines = 4;
+const std::string kJunk(std::size_t{100} * 1024, 'z');
+
+std::string inquiries(std::size_t count) {
+  std::string all;
+  for (std::size_t i = 0; i < count; ++i) all += "E?";
+  return all;
+}
+
+std::string pictures(std::size_t count) {
+  std::string all;
+  for (std::size_t i = 0; i < count; ++i) all += "A**";
+  return all;
+}
+constexpr std::size_t kPictureReply = 192 * 192 / 6;
+
+class RobotPortTest : public testing::Test {
+ protected:
+  RobotPortTest() { EXPECT_FALSE(port_.listen({asio::ip::address_v4::loopback(), 0})); }
+  ~RobotPortTest() override {
+    port_.close();
+    port_.abort();
+    io_.run();  // returns: nothing of the port is left
+  }
+
+  /// The failure that leaves the loop.
+  std::string failure() {
+    fails_ = true;
+    std::string what;
+    try {
+      io_.restart();
+      io_.run_for(std::chrono::seconds(10));
+    } catch (const VitalFailure& failure) {
+      what = failure.what();
+    }
+    fails_ = false;
+    return what;
+  }
+  /// Bytes that a line has received so far.
+  std::uint64_t received(LineId line) const { return cell_.bytes_in(line).value_or(0); }
+  /// Lets everything happen that can.
+  void settle() {
+    io_.restart();
+    while (io_.poll() > 0) {
+    }
+  }
+
+  asio::io_context io_{1};
+  bool fails_ = false;
+  Cell cell_{"main",
+             std::make_shared<const Model>(test::robot_named("rhino-xr3"),
+                                           test::workcell_named("rhino-xr3"), Profile::kPaper),
+             SimClock::manual(), [this](const CellEvent&, const Model&) {
+               if (fails_) throw std::bad_alloc();
+             }};
+  RobotPort port_{io_, cell_, kMostLines, [] {}};
+};
+
+TEST_F(RobotPortTest, ARequestAndTheEndInOneGo) {
+  Client client(io_, port_.endpoint());
+  client.send("E+5\rE?");
+  client.half_close();
+  EXPECT_EQ(client.rest(), "%");
+  settle();
+  EXPECT_TRUE(cell_.lines().empty());
+}
+
+TEST_F(RobotPortTest, TheEndAloneIsFound) {
+  Client client(io_, port_.endpoint());
+  client.send("E?");
+  EXPECT_EQ(client.bytes(1), " ");
+  client.half_close();
+  EXPECT_EQ(client.rest(), "");
+  settle();
+  EXPECT_TRUE(cell_.lines().empty());
+}
+
+TEST_F(RobotPortTest, BytesOfBeforeTheLineWasOpenedAct) {
+  Client client(io_, port_.endpoint());
+  client.send("E+5\rE?");
+  port_.take_in();
+  EXPECT_EQ(received(1), 6U) << "accepted and read, without a turn of the loop";
+  EXPECT_EQ(client.bytes(1), "%");
+}
+
+TEST_F(RobotPortTest, AFloodLeavesRoomForTheOthers) {
+  Client flood(io_, port_.endpoint());
+  Client other(io_, port_.endpoint());
+  settle();
+  flood.send(kJunk);
+  other.send("E?");
+  EXPECT_EQ(other.bytes(1), " ");
+  EXPECT_LT(received(1), kJunk.size() / 2) << "the flood was not taken in at once";
+  settle();
+  EXPECT_EQ(received(1), kJunk.size()) << "but all of it in the end, though it was told of once";
+}
+
+TEST_F(RobotPortTest, AFloodOfPicturesLeavesRoomForTheOthers) {
+  Client flood(io_, port_.endpoint());
+  Client other(io_, port_.endpoint());
+  settle();
+  const std::string asked = pictures(500);  // what a socket holds in replies, or more
+  flood.send(asked);
+  other.send("E?");
+  EXPECT_EQ(other.bytes(1), " ");
+  EXPECT_LT(received(1), pictures(100).size()) << "a turn is as long as its work, not as its bytes";
+  EXPECT_EQ(flood.bytes(500 * kPictureReply).size(), 500 * kPictureReply) << "no reply is lost";
+  settle();
+  EXPECT_EQ(received(1), asked.size());
+}
+
+TEST_F(RobotPortTest, ManyFloodsLeaveRoomForTheOthers) {
+  std::vector<std::unique_ptr<Client>> floods;
+  for (std::size_t i = 1; i < kMostLines; ++i)
+    floods.push_back(std::make_unique<Client>(io_, port_.endpoint()));
+  Client other(io_, port_.endpoint());
+  settle();
+  for (const auto& flood : floods) flood->send(kJunk);
+  for (int i = 0; i < 3; ++i) io_.poll_one();
+  other.send("E?");
+  EXPECT_EQ(other.bytes(1), " ");
+  settle();
+  for (LineId line = 1; line < kMostLines; ++line) EXPECT_EQ(received(line), kJunk.size()) << line;
+}
+
+TEST_F(RobotPortTest, ABarrierTakesInNoEndlessPictures) {
+  Client client(io_, port_.endpoint());
+  settle();
+  const std::string asked = pictures(500);
+  client.send(asked);
+  port_.take_in();
+  const std::uint64_t answered = received(1) / 3 * kPictureReply;
+  EXPECT_GE(answered, Line::kFullOutbox);
+  EXPECT_LE(answered, RobotSession::kMostAnswered + 2 * Line::kFullOutbox);
+  EXPECT_EQ(client.bytes(500 * kPictureReply).size(), 500 * kPictureReply)
+      << "what is left goes on by itself";
+  settle();
+  EXPECT_EQ(received(1), asked.size());
+}
+
+TEST_F(RobotPortTest, ABarrierTakesInAllThatHasArrived) {
+  Client flood(io_, port_.endpoint());
+  Client other(io_, port_.endpoint());
+  settle();
+  flood.send(kJunk);
+  other.send("E+5\r");
+  port_.take_in();
+  EXPECT_EQ(received(1), kJunk.size());
+  EXPECT_EQ(received(2), 4U);
+}
+
+TEST_F(RobotPortTest, WhoDoesNotReadItsRepliesIsNotRead) {
+  Client client(io_, port_.endpoint());
+  const std::string asked = inquiries(1024);
+  std::size_t sent = 0;
+  for (bool is_taken = true; is_taken; settle()) {
+    const std::size_t count = client.send_some(std::string_view(asked).substr(sent % asked.size()));
+    sent += count;
+    is_taken = count > 0;
+  }
+  EXPECT_LT(received(1), sent);
+  EXPECT_EQ(client.bytes(sent / 2), std::string(sent / 2, ' ')) << "and no reply is lost";
+  settle();
+  EXPECT_EQ(received(1), sent);
+}
+
+TEST_F(RobotPortTest, LinesBeyondTheMostAreClosedWithoutAByte) {
+  std::vector<std::unique_ptr<Client>> lines;
+  for (std::size_t i = 0; i < kMostLines; ++i)
+    lines.push_back(std::make_unique<Client>(io_, port_.endpoint()));
+  Client beyond(io_, port_.endpoint());
+  EXPECT_EQ(beyond.rest(), "");
+  EXPECT_EQ(cell_.lines().size(), kMostLines);
+}
+
+TEST_F(RobotPortTest, ClosingHandsOutWhatWasAnswered) {
+  Client client(io_, port_.endpoint());
+  client.send("E+5\rE?");
+  port_.take_in();
+  port_.close();
+  EXPECT_EQ(client.rest(), "%");
+  EXPECT_TRUE(port_.is_empty());
+}
+
+// --- Failures.
+
+TEST_F(RobotPortTest, AFailureInATurnIsNotSwallowed) {
+  Client client(io_, port_.endpoint());
+  client.send("E?");
+  EXPECT_EQ(client.bytes(1), " ");
+  client.send("junk");
+  EXPECT_EQ(failure(), "the robot port: the cell: std::bad_alloc");
+}
+
+TEST_F(RobotPortTest, AFailureInAcceptingIsNotSwallowed) {
+  Client client(io_, port_.endpoint());
+  EXPECT_EQ(failure(), "the robot port: the cell: std::bad_alloc");
+}
+
+}  // namespace
+}  // namespace xr3

@@ -1,0 +1,153 @@
+// The server's question to itself, over real sockets: what it finds, and that it leaves no trace.
+#include "server/robot_port/probe.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "server/net/spawn.hpp"
+#include "tests/support/models.hpp"
+#include "tests/support/tcp_client.hpp"
+
+namespace xr3 {
+namespace {
+
+using namespace std::chrono_literals;
+using test::Client;
+
+constexpr std::size_t kMostLines = 2;
+
+class RobotProbeTest : public testing::Test {
+ protected:
+  RobotProbeTest() { EXPECT_FALSE(port_.listen({asio::ip::make_address("127.0.0.1"), 0})); }
+  ~RobotProbeTest() override {
+    port_.close();
+    port_.abort();
+    io_.restart();
+    io_.run_for(5s);
+  }
+
+  /// Asks, and lets the server run until it is told.
+  std::string trouble(RobotProbe& probe) {
+    std::optional<std::string> told;
+    ask(probe, told);
+    run_until([&] { return told.has_value(); });
+    return told.value_or("nothing came");
+  }
+  std::string trouble() {
+    RobotProbe probe(io_, port_);  // knows no outcome yet
+    return trouble(probe);
+  }
+  void ask(RobotProbe& probe, std::optional<std::string>& told) {
+    const auto take = [](RobotProbe& asked,
+                         std::optional<std::string>& into) -> asio::awaitable<void> {
+      into = co_await asked.trouble();
+    };
+    spawn_loop(io_.get_executor(), "test", take(probe, told));
+  }
+  template <class Condition>
+  void run_until(Condition is_done) {
+    const auto deadline = std::chrono::steady_clock::now() + 10s;
+    while (!is_done() && std::chrono::steady_clock::now() < deadline) {
+      io_.restart();
+      io_.run_one_for(20ms);
+    }
+    EXPECT_TRUE(is_done());
+  }
+
+  asio::io_context io_{1};
+  std::vector<CellEvent> told_;
+  int acted_ = 0;
+  Cell cell_{"main", test::rhino(), SimClock::manual(),
+             [this](const CellEvent& event, const Model&) { told_.push_back(event); }};
+  RobotPort port_{io_, cell_, kMostLines, [this] { ++acted_; }};
+};
+
+TEST_F(RobotProbeTest, ALineThatIsServedIsNoTrouble) { EXPECT_EQ(trouble(), ""); }
+
+TEST_F(RobotProbeTest, LeavesNoTrace) {
+  Client before(io_, port_.endpoint());
+  before.send("E?");
+  EXPECT_EQ(before.bytes(1), " ");
+  const State state = cell_.state();
+  const int acted = acted_;
+  EXPECT_EQ(trouble(), "");
+  EXPECT_EQ(cell_.state(), state);
+  EXPECT_EQ(acted_, acted);
+  EXPECT_EQ(told_.size(), 1U) << "that a line was opened, which is no probe's";
+  EXPECT_EQ(cell_.wires().next(), 3) << "E? and its answer";
+  EXPECT_EQ(cell_.lines().size(), 1U);
+  EXPECT_EQ(cell_.counters().lines_total, 1U);
+  EXPECT_EQ(cell_.counters().bytes_in, 2U);
+  EXPECT_EQ(cell_.find_line(kProbeLine), nullptr) << "it has ended";
+  Client after(io_, port_.endpoint());
+  after.send("E?");
+  EXPECT_EQ(after.bytes(1), " ");
+  EXPECT_NE(cell_.find_line(2), nullptr) << "the next line has the next number";
+}
+
+TEST_F(RobotProbeTest, ADisabledControllerIsSilentAndWell) {
+  Client client(io_, port_.endpoint());
+  client.send("E?A@");
+  EXPECT_EQ(client.bytes(1), " ");
+  ASSERT_FALSE(cell_.state().enabled);
+  EXPECT_EQ(trouble(), "");
+  EXPECT_FALSE(cell_.state().enabled);
+}
+
+TEST_F(RobotProbeTest, EveryLineTaken) {
+  {
+    Client one(io_, port_.endpoint());
+    Client two(io_, port_.endpoint());
+    EXPECT_EQ(trouble(), "every line is taken: 2 are open (--max-lines)");
+    two.send("E?");
+    EXPECT_EQ(two.bytes(1), " ");
+  }
+  run_until([&] { return cell_.lines().empty(); });
+  EXPECT_EQ(trouble(), "");
+}
+
+TEST_F(RobotProbeTest, TakesNoLineFromAProgram) {
+  Client one(io_, port_.endpoint());
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(trouble(), "");
+  Client two(io_, port_.endpoint());
+  two.send("E?");
+  EXPECT_EQ(two.bytes(1), " ");
+}
+
+TEST_F(RobotProbeTest, APortThatIsClosed) {
+  port_.close();
+  EXPECT_EQ(trouble(), "the robot port takes no connection: Connection refused");
+}
+
+TEST_F(RobotProbeTest, APortThatServesNobodyIsFoundInTime) {
+  asio::io_context stuck{1};  // never runs: connections wait in the kernel
+  Cell cell("main", test::rhino(), SimClock::manual(), {});
+  RobotPort port(stuck, cell, kMostLines, [] {});
+  EXPECT_FALSE(port.listen({asio::ip::make_address("127.0.0.1"), 0}));
+  RobotProbe probe(io_, port);
+  const auto started = std::chrono::steady_clock::now();
+  EXPECT_EQ(trouble(probe), "the robot port does not answer an inquiry within 500 ms");
+  EXPECT_GE(std::chrono::steady_clock::now() - started, RobotProbe::kPatience);
+  port.close();
+  stuck.run();
+}
+
+TEST_F(RobotProbeTest, AllWhoAskMeanwhileShareOneProbe) {
+  RobotProbe probe(io_, port_);
+  std::vector<std::optional<std::string>> told(100);
+  for (auto& each : told) ask(probe, each);
+  run_until([&] {
+    return std::all_of(told.begin(), told.end(), [](const auto& each) { return each == ""; });
+  });
+  port_.close();
+  EXPECT_EQ(trouble(probe), "") << "the last outcome holds for a while";
+  EXPECT_NE(trouble(), "");
+}
+
+}  // namespace
+}  // namespace xr3

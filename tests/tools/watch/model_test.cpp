@@ -1,0 +1,210 @@
+#include "tools/watch/model.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/watched.hpp"
+#include "tools/watch/read.hpp"
+
+namespace xr3::watch {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line;
+  return text;
+}
+
+TEST(WatchModel, SendsFirstSoThatItIsGreetedAtOnceButNothingThatASerialLineObeys) {
+  WatchModel model({});
+  EXPECT_EQ(model.opening(), "{");
+  EXPECT_EQ(model.opening() + model.take(test::watched_hello()).front(), "{\"op\":\"ping\"}\n");
+}
+
+TEST(WatchModel, SubscribesToWhatTheServerHas) {
+  WatchModel model({});
+  EXPECT_EQ(joined(model.take(test::watched_hello())),
+            "\"op\":\"ping\"}\n"
+            "{\"op\":\"sub\",\"channel\":\"model\",\"fields\":[\"robot\"]}\n"
+            "{\"op\":\"sub\",\"channel\":\"state\",\"max_hz\":20}\n"
+            "{\"op\":\"sub\",\"channel\":\"image\",\"encoding\":\"rle\",\"max_hz\":10}\n"
+            "{\"op\":\"sub\",\"channel\":\"event\"}\n"
+            "{\"op\":\"get\",\"channel\":\"event\"}\n"
+            "{\"op\":\"ping\",\"id\":\"last\"}\n");
+  EXPECT_THAT(model.take(R"({"op":"hello","channels":["state"]})"),
+              ElementsAre(HasSubstr("ping"), HasSubstr("\"state\""), HasSubstr("\"last\"")));
+}
+
+TEST(WatchModel, WhoLooksOnceGetsEveryChannelAndKnowsWhenThatIsAll) {
+  WatchModel model({"", "", Interest::kOnce});
+  const std::string requests = joined(model.take(test::watched_hello()));
+  EXPECT_THAT(requests, Not(HasSubstr("\"sub\"")));
+  EXPECT_THAT(requests, HasSubstr("{\"op\":\"get\",\"channel\":\"state\"}\n"));
+  model.take(R"({"op":"pong","id":null})");
+  EXPECT_FALSE(model.is_complete()) << "the answer to the opening";
+  model.take(R"({"op":"pong","id":"last"})");
+  EXPECT_TRUE(model.is_complete());
+}
+
+TEST(WatchModel, TheTokenGoesFirstAndTheCellEverywhere) {
+  WatchModel model({"second", "sixteen letters!", Interest::kOn});
+  const auto requests = model.take(test::watched_hello("read"));
+  EXPECT_EQ(
+      requests.at(1),
+      "{\"op\":\"auth\",\"id\":\"auth\",\"token\":\"sixteen letters!\",\"cell\":\"second\"}\n");
+  for (std::size_t i = 1; i + 1 < requests.size(); ++i) {
+    EXPECT_THAT(requests[i], HasSubstr("\"second\""));
+  }
+  EXPECT_EQ(requests.back(), "{\"op\":\"ping\",\"id\":\"last\"}\n");
+  EXPECT_FALSE(model.known().has_control);
+  model.take(R"({"op":"result","id":"auth","ok":true,"value":{"access":"control"}})");
+  EXPECT_TRUE(model.known().has_control);
+}
+
+TEST(WatchModel, KnowsTheStateWhole) {
+  const Known known = test::watched_model().known();
+  EXPECT_EQ(known.robot, "Teaching arm");
+  EXPECT_EQ(known.epoch, 2);
+  EXPECT_EQ(known.tick, 12345);
+  EXPECT_EQ(known.mode, ClockMode::kReal);
+  ASSERT_EQ(known.state->joints.size(), 2U);
+  const Axis& second = known.state->joints[1];
+  EXPECT_EQ(second.label, "B");
+  EXPECT_EQ(second.count, 33);
+  EXPECT_EQ(second.unit, "mm");
+  EXPECT_TRUE(second.is_closed);
+  EXPECT_EQ(second.blocked, "limit");
+  EXPECT_EQ(known.state->joints[0].blocked, "");
+  EXPECT_TRUE(known.state->joints[0].is_moving);
+  EXPECT_EQ(known.state->tool.holding, "red");
+  EXPECT_EQ(known.state->tool.xyz_mm[1], -7.5);
+  EXPECT_TRUE(known.state->blocks[0].is_held);
+  EXPECT_THAT(known.state->aux, ElementsAre(false, true));
+  EXPECT_EQ(known.limits.at("B").max, 400);
+  EXPECT_EQ(known.limits.at("A").max, 60);
+}
+
+TEST(WatchModel, KeepsTheEventsThatTheTableDoesNotShow) {
+  const Known known = test::watched_model().known();
+  ASSERT_EQ(known.notes.size(), 2U);
+  EXPECT_EQ(known.notes.at(40).message, "soft home by A$");
+  EXPECT_EQ(known.notes.at(40).times, 1);
+  EXPECT_EQ(known.notes.at(42).times, 3);
+  EXPECT_EQ(known.notes.at(42).line, 4);
+}
+
+TEST(WatchModel, AnEventThatComesTwiceIsOneAndTheOldestGo) {
+  WatchModel model = test::watched_model();
+  for (std::size_t seq = 40; seq < 45 + kMostNotes; ++seq) {
+    model.take(R"({"op":"event","cell":"main","event":"stalled","message":"s","seq":)" +
+               std::to_string(seq) + "}");
+  }
+  EXPECT_EQ(model.known().notes.size(), kMostNotes);
+  EXPECT_EQ(model.known().notes.begin()->first, 45);
+}
+
+TEST(WatchModel, TakesNoWordFromOtherCells) {
+  WatchModel model = test::watched_model();
+  model.take(R"({"op":"state","cell":"second","tick":99})");
+  EXPECT_EQ(model.known().tick, 12345);
+}
+
+TEST(WatchModel, ANewGreetingForgetsTheOldServer) {
+  WatchModel model = test::watched_model();
+  model.take(test::watched_hello());
+  EXPECT_FALSE(model.known().state);
+  EXPECT_TRUE(model.known().notes.empty());
+}
+
+TEST(WatchModel, ReadsImagesOfBothEncodings) {
+  const Json runs =
+      Json::parse(R"({"width":3,"height":2,"encoding":"rle","rows":[[1,2],[0,1,2]]})");
+  const Json text = Json::parse(R"({"width":3,"height":2,"encoding":"rows","rows":["011","100"]})");
+  EXPECT_THAT(read_image(runs)->pixels, ElementsAre(false, true, true, true, false, false));
+  EXPECT_EQ(read_image(text)->pixels, read_image(runs)->pixels);
+}
+
+TEST(WatchModel, AnImageThatContradictsItselfIsNone) {
+  for (const char* image : {
+           R"({"width":3,"height":1,"encoding":"rle","rows":[[1,1]]})",
+           R"({"width":3,"height":1,"encoding":"rle","rows":[[1,3]]})",
+           R"({"width":3,"height":1,"encoding":"rle","rows":[[-1,4]]})",
+           R"({"width":3,"height":1,"encoding":"rle","rows":[["3"]]})",
+           R"({"width":3,"height":2,"encoding":"rle","rows":[[3]]})",
+           R"({"width":3,"height":1,"encoding":"rows","rows":["01"]})",
+           R"({"width":0,"height":0,"encoding":"rows","rows":[]})",
+           R"({"width":3,"height":100000,"encoding":"rle","rows":[]})",
+           R"({"width":-1,"height":1,"encoding":"rle","rows":[[]]})",
+           R"({"width":3,"height":1,"encoding":"rle","rows":"000"})",
+       }) {
+    EXPECT_FALSE(read_image(Json::parse(image))) << image;
+  }
+}
+
+TEST(WatchModel, KeysBecomeCalls) {
+  WatchModel model = test::watched_model();
+  EXPECT_THAT(*model.ask(Action::kPauseOrResume), HasSubstr("\"pause\""));
+  EXPECT_THAT(*model.ask(Action::kHome), HasSubstr("\"home\""));
+  EXPECT_THAT(*model.ask(Action::kStep), HasSubstr("\"ticks\":10"));
+  EXPECT_THAT(*model.ask(Action::kStepSecond), HasSubstr("\"ticks\":1000"));
+  model.take(test::watched_state("\"real\"", "\"manual\""));
+  EXPECT_THAT(*model.ask(Action::kPauseOrResume), HasSubstr("\"resume\""));
+}
+
+TEST(WatchModel, AStepThatMovesNothingIsSeenByItsTick) {
+  WatchModel model = test::watched_model();
+  model.take(R"({"op":"result","id":"key","ok":true,"value":{"epoch":3,"tick":12355,"state":{}}})");
+  EXPECT_EQ(model.known().epoch, 3);
+  EXPECT_EQ(model.known().tick, 12355);
+}
+
+TEST(WatchModel, KeysWithoutTheTokenSaySo) {
+  WatchModel model({});
+  model.take(test::watched_hello("read"));
+  EXPECT_FALSE(model.ask(Action::kHome));
+  EXPECT_THAT(model.known().said, HasSubstr("--token-file"));
+}
+
+TEST(WatchModel, RepeatsWhatTheServerRefusedUntilTheNextKey) {
+  WatchModel model = test::watched_model();
+  model.take(R"({"op":"result","id":"key","ok":false,"error":{"code":"clock_running",)"
+             R"("message":"step needs the manual clock","hint":"","details":[]}})");
+  EXPECT_EQ(model.known().said, "step needs the manual clock");
+  model.ask(Action::kPauseOrResume);
+  EXPECT_EQ(model.known().said, "");
+}
+
+TEST(WatchModel, ACellWithoutACameraIsNothingToComplainAbout) {
+  WatchModel model = test::watched_model();
+  model.take(R"({"op":"result","id":null,"ok":false,"error":{"code":"no_camera","message":"no"}})");
+  EXPECT_EQ(model.known().said, "");
+}
+
+TEST(WatchModel, HearsTheFarewell) {
+  WatchModel model = test::watched_model();
+  EXPECT_FALSE(model.has_parted());
+  model.take(R"({"op":"bye","why":"shutdown","message":"the server is stopping"})");
+  EXPECT_TRUE(model.has_parted());
+  EXPECT_EQ(model.known().said, "the server is stopping");
+}
+
+TEST(WatchModel, WhateverAServerSendsIsSurvived) {
+  for (const char* line :
+       {"", "{", "[]", "3", "null", "\"text\"", "{\"op\":7}", "{\"op\":\"state\"}",
+        "{\"op\":\"state\",\"joints\":7,\"tool\":[],\"blocks\":{},\"io\":3,\"clock\":1}",
+        "{\"op\":\"state\",\"joints\":[7,null,{\"label\":3,\"count\":1.5}],\"tool\":null}",
+        "{\"op\":\"model\",\"robot\":{\"joints\":[{\"limits\":[1]},{\"limits\":[\"a\",2]},7]}}",
+        "{\"op\":\"event\",\"seq\":\"x\",\"line\":{}}", "{\"op\":\"result\"}",
+        "{\"op\":\"result\",\"ok\":true,\"value\":[]}", "{\"op\":\"image\",\"rows\":{}}",
+        "{\"op\":\"hello\",\"channels\":\"state\",\"tick_hz\":0,\"robot\":[]}"}) {
+    WatchModel model = test::watched_model();
+    EXPECT_NO_THROW(model.take(line)) << line;
+    EXPECT_GE(model.known().tick_hz, 1);
+  }
+}
+
+}  // namespace
+}  // namespace xr3::watch

@@ -1,0 +1,190 @@
+// Compares the screens of `xr3 watch` as text with tests/golden (XR3_UPDATE_GOLDEN=1 rewrites
+// them), and tests properties for every size.
+#include "tools/watch/screen.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "tests/support/models.hpp"
+#include "tests/support/watched.hpp"
+#include "tools/watch/panels.hpp"
+
+namespace xr3::watch {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+Link live() { return {Link::Phase::kLive, "localhost:9601", ""}; }
+Link gone() { return {Link::Phase::kTrying, "localhost:9601", "the server is stopping"}; }
+
+std::string text(const Known& known, int rows, int columns, const Link& link = live()) {
+  return text_of(watch_screen(known, link, Page::kCell, rows, columns), Letters::kUnicode);
+}
+
+Known with_state(const std::string& from, const std::string& to) {
+  WatchModel model = test::watched_model();
+  model.take(test::watched_state(from, to));
+  return model.known();
+}
+
+void expect_golden(const std::string& screen, const std::string& name) {
+  const std::string path = "tests/golden/" + name + ".txt";
+  if (std::getenv("XR3_UPDATE_GOLDEN") != nullptr) {
+    std::ofstream(std::string(XR3_SOURCE_DIR) + "/" + path) << screen;
+  }
+  EXPECT_EQ(screen, test::project_file(path)) << path;
+}
+
+TEST(WatchScreen, LooksAsKept) {
+  const Known known = test::watched_model().known();
+  expect_golden(text(known, 24, 80), "watch-80x24");
+  expect_golden(text(known, 60, 200), "watch-200x60");
+  expect_golden(text(known, 12, 44), "watch-44x12");
+}
+
+TEST(WatchScreen, ThePagesBesideTheCellLookAsKept) {
+  const Link refused{Link::Phase::kTrying, "localhost:9601",
+                     "nobody listens at localhost:9601 (Connection refused)"};
+  expect_golden(text({}, 24, 80, refused), "watch-no-server");
+  expect_golden(text_of(watch_screen({}, live(), Page::kHelp, 24, 80), Letters::kUnicode),
+                "watch-help");
+}
+
+TEST(WatchScreen, EverySizeIsPainted) {
+  Known known = test::watched_model().known();
+  for (int rows = 1; rows < 40; ++rows) {
+    for (int columns = 1; columns < 210; columns += 7) {
+      const TextScreen screen = watch_screen(known, live(), Page::kCell, rows, columns);
+      ASSERT_EQ(screen.rows(), rows);
+      ASSERT_EQ(screen.columns(), columns);
+      watch_screen(known, gone(), Page::kCell, rows, columns);
+      watch_screen(known, live(), Page::kHelp, rows, columns);
+      watch_screen({}, gone(), Page::kCell, rows, columns);
+    }
+  }
+}
+
+// Each row: the minimum height at which a part is visible, in order of importance.
+TEST(WatchScreen, WhatDoesNotFitGoesTheLeastImportantFirst) {
+  const Known known = test::watched_model().known();
+  const auto least_rows = [&known](const std::string& what) {
+    int rows = 1;
+    while (text(known, rows, 100).find(what) == std::string::npos && rows < 99) ++rows;
+    return rows;
+  };
+  const int joint = least_rows("-50.00 deg");
+  const int tool = least_rows("holds red");
+  const int warning = least_rows("B+200");
+  const int block = least_rows("green");
+  const int camera = least_rows("camera");
+  EXPECT_LT(joint, tool);
+  EXPECT_LT(tool, warning);
+  EXPECT_LT(warning, block);
+  EXPECT_LE(block, camera);
+  EXPECT_LT(camera, 24);
+}
+
+TEST(WatchScreen, NarrowTablesKeepTheValueLongest) {
+  const Known known = test::watched_model().known();
+  const auto least_columns = [&known](const std::string& what) {
+    int columns = 1;
+    while (text(known, 24, columns).find(what) == std::string::npos && columns < 300) ++columns;
+    return columns;
+  };
+  EXPECT_LT(least_columns("-50.00 deg"), least_columns("count"));
+  EXPECT_LT(least_columns(" count"), least_columns(" error"));
+  EXPECT_LT(least_columns(" error"), least_columns(" switch"));
+  EXPECT_LT(least_columns(" switch"), least_columns(" speed"));
+  EXPECT_LT(least_columns(" speed"), least_columns(" from"));
+  EXPECT_LE(least_columns(" from"), 80);
+}
+
+TEST(WatchScreen, TheBarFollowsTheValue) {
+  const auto bar = [](const std::string& value) {
+    std::string row = text(with_state("\"value\":-50.0", "\"value\":" + value), 24, 50);
+    row = row.substr(row.find(" C "));
+    return row.substr(3, row.find(' ', 3) - 3);
+  };
+  EXPECT_EQ(bar("-100.0").find("█"), std::string::npos);
+  EXPECT_EQ(bar("100.0").find("·"), std::string::npos);
+  EXPECT_EQ(bar("0.0"), "██████······");
+  EXPECT_EQ(bar("-10.0"), "█████▍······");
+  EXPECT_EQ(bar("1e300"), bar("100.0")) << "beyond a limit is at it";
+  EXPECT_EQ(bar("-1e300"), bar("-100.0"));
+}
+
+TEST(WatchScreen, AJointThatIsBlockedIsRed) {
+  const TextScreen screen =
+      watch_screen(test::watched_model().known(), live(), Page::kCell, 24, 80);
+  EXPECT_EQ(screen.at(2, 1).letter, U'C');
+  EXPECT_EQ(screen.at(2, 1).style, TextStyle::kGood);
+  EXPECT_EQ(screen.at(3, 1).letter, U'B');
+  EXPECT_EQ(screen.at(3, 1).style, TextStyle::kBad);
+  EXPECT_EQ(screen.at(4, 1).style, TextStyle::kPlain);
+}
+
+TEST(WatchScreen, SaysThatItIsStalledOrDisabled) {
+  EXPECT_THAT(text(with_state("\"stalled\":null", "\"stalled\":\"protected_region\""), 24, 80),
+              HasSubstr("STALLED: the tool would enter the protected region"));
+  EXPECT_THAT(text(with_state("\"stalled\":null", "\"stalled\":\"work_surface\""), 24, 80),
+              HasSubstr("STALLED: the tool would enter the work surface"));
+  EXPECT_THAT(text(with_state("\"enabled\":true", "\"enabled\":false"), 24, 80),
+              HasSubstr("disabled"));
+}
+
+TEST(WatchScreen, WhenTheServerWentTheLastStateStaysAndItIsSaid) {
+  const std::string screen = text(test::watched_model().known(), 24, 80, gone());
+  EXPECT_THAT(screen, HasSubstr("the server is stopping; retrying, the last known state is below"));
+  EXPECT_THAT(screen, HasSubstr("-50.00 deg"));
+}
+
+TEST(WatchScreen, KeysThatAreOfNoUseAreNotOffered) {
+  WatchModel model({});
+  model.take(test::watched_hello("read"));
+  model.take(test::watched_state());
+  EXPECT_THAT(text(model.known(), 24, 80), HasSubstr("read only"));
+  EXPECT_THAT(text(model.known(), 24, 80), Not(HasSubstr("h home")));
+  const Known standing = with_state("\"real\"", "\"manual\"");
+  EXPECT_THAT(text(standing, 24, 80), HasSubstr("space resume   . step   h home"));
+  EXPECT_THAT(text(standing, 24, 80), HasSubstr("manual clock"));
+}
+
+TEST(WatchScreen, ManyBlocksAreCounted) {
+  Known known = test::watched_model().known();
+  known.state->blocks.resize(100, {"twin", {}, 0, false});
+  EXPECT_THAT(text(known, 24, 80), HasSubstr("and 9"));
+  EXPECT_THAT(text(known, 24, 80), HasSubstr("inputs 1"));
+}
+
+TEST(WatchScreen, TextOfABlockCannotLeaveItsPlace) {
+  const Known known =
+      with_state("\"name\":\"green\"", R"("name":"\u001b[2Jvery long \u202e name")");
+  EXPECT_THAT(text(known, 24, 80), HasSubstr("?[2Jvery… "));
+}
+
+TEST(WatchScreen, AnImageIsMadeSmallerUntilItFits) {
+  Image image{6, 4, std::vector<bool>(24, false)};
+  image.pixels[0] = image.pixels[1] = true;  // two of the four left upper pixels
+  const Image small = shrunk(image, 3, 99);
+  EXPECT_EQ(small.width, 3U);
+  EXPECT_EQ(small.height, 2U);
+  EXPECT_THAT(small.pixels, ElementsAre(true, false, false, false, false, false));
+  EXPECT_EQ(shrunk(image, 99, 2).width, 3U) << "by its height";
+  EXPECT_EQ(shrunk(image, 99, 99).pixels, image.pixels) << "never larger";
+  EXPECT_EQ(shrunk(image, 1, 1).pixels.size(), 1U);
+  EXPECT_EQ(shrunk({4096, 1, std::vector<bool>(4096, true)}, 5, 5).pixels.size(), 5U);
+}
+
+TEST(WatchScreen, TwoPixelsLieInACell) {
+  Known known = test::watched_model().known();
+  known.image = Image{4, 2, {true, true, false, false, true, false, true, false}};
+  EXPECT_THAT(text(known, 30, 80), HasSubstr("█▀▄"));
+}
+
+}  // namespace
+}  // namespace xr3::watch

@@ -1,0 +1,111 @@
+// The workspace from above in characters.
+#include "tools/watch/top_view.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "tests/support/models.hpp"
+
+namespace xr3 {
+namespace {
+
+Workcell small_cell() {
+  Workcell cell;
+  cell.name = "small";
+  cell.workspace = {80'000, 100'000, 100'000};
+  return cell;
+}
+
+Block block(const std::string& name, PointUm size, PointUm centroid, int yaw_deg) {
+  return {name, size, centroid, yaw_deg * Microdegrees{1'000'000}, 9};
+}
+
+TEST(TopView, BlocksLieAsOneBehindTheRobotSeesThem) {
+  Workcell cell = small_cell();
+  cell.blocks = {block("left", {12'000, 30'000, 10'000}, {70'000, 60'000, 5'000}, 0),
+                 block("front", {12'000, 30'000, 10'000}, {40'000, 0, 5'000}, 90)};
+  EXPECT_EQ(top_view(cell, {}),
+            " x = 80 mm\n"
+            "+-------------------------------------------------------------------+\n"
+            "|                                                                   |\n"
+            "|        aaaaaaaaaaa                                                |\n"
+            "|        aaaaaaaaaaa                                                |\n"
+            "|                                                                   |\n"
+            "|                                                                   |\n"
+            "|                               bbbbb                               |\n"
+            "|                               bbbbb                               |\n"
+            "|                               bbbbb                               |\n"
+            "|                               bbbbb                               |\n"
+            "|                               bbbbb                               |\n"
+            "|                                                                   |\n"
+            "|                                                                   |\n"
+            "|                                                                   |\n"
+            "|                                                                   |\n"
+            "+---------------------------------R---------------------------------+\n"
+            " y = 100                                                        -100\n"
+            " R robot   a character is 3 x 6 mm\n"
+            " a left, b front\n");
+}
+
+TEST(TopView, TheUpperOfTwoBlocksIsSeen) {
+  Workcell cell = small_cell();
+  cell.blocks = {block("upper", {10'000, 10'000, 10'000}, {40'000, 0, 15'000}, 0),
+                 block("lower", {30'000, 30'000, 10'000}, {40'000, 0, 5'000}, 0)};
+  const std::string view = top_view(cell, {});
+  EXPECT_NE(view.find("bbaaabb"), std::string::npos) << view;
+}
+
+TEST(TopView, ReachIsDottedAndTheCamerasEdgeDrawn) {
+  Workcell cell = small_cell();
+  cell.camera = Camera{{40'000, 0, 90'000}, 30'000, 60'000, 10, 10, Projection::kOrthographic};
+  const std::string view =
+      top_view(cell, [](double x_mm, double y_mm) { return x_mm < 10 && y_mm > 0; });
+  EXPECT_NE(view.find("|.................................                                  |\n"
+                      "+---"),
+            std::string::npos)
+      << view;
+  EXPECT_NE(view.find("|                       :::::::::::::::::::::                       |\n"
+                      "|                       :                   :                       |\n"),
+            std::string::npos)
+      << view;
+}
+
+TEST(TopView, WhateverLiesOutsideIsNotDrawn) {
+  Workcell cell = small_cell();
+  cell.blocks = {block("far", {10'000, 10'000, 10'000}, {90'000'000, -90'000'000, 0}, 45),
+                 block("behind", {10'000, 10'000, 10'000}, {-20'000, 0, 0}, 0),
+                 block("vast", {100'000'000, 100'000'000, 10'000}, {0, 0, 0}, 0)};
+  cell.camera = Camera{{0, 0, 1'000'000}, 90'000'000, 90'000'000, 1, 1, Projection::kOrthographic};
+  const std::string view = top_view(cell, {});
+  EXPECT_EQ(view.find_first_of(":"), view.find(": camera's")) << view;
+  EXPECT_EQ(std::count(view.begin(), view.end(), 'b'), 3)
+      << "its name and letter, and robot: " << view;
+}
+
+TEST(TopView, FitsATerminal) {
+  for (const Workspace space : {Workspace{1, 100'000'000, 1}, Workspace{100'000'000, 1, 1},
+                                Workspace{1, 1, 1}, Workspace{123'456, 654'321, 1}}) {
+    Workcell cell = test::workcell_named("rhino-hundred");
+    cell.workspace = space;
+    const std::string view = top_view(cell, {});
+    EXPECT_LE(std::count(view.begin(), view.end(), '\n'), 34);
+    for (std::size_t begin = 0; begin < view.size(); begin = view.find('\n', begin) + 1) {
+      EXPECT_LE(view.find('\n', begin) - begin, 80U) << view;
+    }
+  }
+}
+
+TEST(TopView, LettersDifferUntilThereAreNoMore) {
+  std::set<char> letters;
+  for (std::size_t i = 0; i < 51; ++i) letters.insert(block_letter(i));
+  EXPECT_EQ(letters.size(), 51U);
+  EXPECT_FALSE(letters.contains('R'));
+  EXPECT_EQ(block_letter(0), 'a');
+  EXPECT_EQ(block_letter(51), '#');
+}
+
+}  // namespace
+}  // namespace xr3

@@ -1,0 +1,38 @@
+// A wire frame in pixel coordinates, from which an SVG or a raster image is made.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "core/drawing/palette.hpp"
+#include "core/drawing/view.hpp"
+#include "core/drawing/wireframe.hpp"
+
+namespace xr3 {
+
+inline constexpr int kPictureMarginPx = 20;
+inline constexpr int kLeastPictureWidthPx = 100;
+inline constexpr int kMostPictureWidthPx = 4000;
+
+/// The origin is the upper left corner; x to the right, y down, in pixels.
+struct Picture {
+  int width_px = 0;
+  int height_px = 0;
+  Background background = Background::kLight;
+  std::string title;
+  std::vector<FlatWire> wires;
+};
+
+/// The smallest rectangle that contains these extents and every point of the wires.
+Extents around(Extents extents, const std::vector<FlatWire>& wires);
+
+/// Fits the extents into a picture of this width, kLeastPictureWidthPx...kMostPictureWidthPx, with
+/// the same scale for both axes. The height follows, up to twice the width; higher extents are
+/// scaled down and centred.
+Picture lay_out(const std::vector<FlatWire>& wires, const Extents& extents, int width_px);
+
+/// Line width of a part.
+double line_width_px(const std::string& part);
+
+}  // namespace xr3

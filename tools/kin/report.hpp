@@ -1,0 +1,27 @@
+// The output of `xr3 kin`, as text or as JSON: link matrices and the tool's pose for given joint
+// variables (paper, equations (1) to (3)), or all solutions of the inverse kinematics with their
+// motor counts. The question must be checked already; the caller prints.
+#pragma once
+
+#include <string>
+
+#include "core/inverse/inverse.hpp"
+#include "protocol/json/source.hpp"
+#include "tools/kin/question.hpp"
+
+namespace xr3 {
+
+/// Tables that end with a line feed: motors and limits, T(k-1,k) and T(0,k) of every link, the
+/// tool.
+std::string direct_text(const Model& model, const DirectQuestion& question);
+/// The same in mm and degrees, with nine decimals. docs/kinematics.md describes the members.
+Json direct_json(const Model& model, const DirectQuestion& question);
+
+/// Tables of joint variables and motor counts, one row per solution; or why there is no solution.
+std::string inverse_text(const Model& model, const ToolTarget& target, const InverseResult& result);
+Json inverse_json(const Model& model, const ToolTarget& target, const InverseResult& result);
+
+/// Yaw, pitch and roll in degrees, R = Rz(yaw) Ry(pitch) Rx(roll). If pitch is +-90, yaw is 0.
+Eigen::Vector3d yaw_pitch_roll_deg(const Eigen::Matrix3d& rotation);
+
+}  // namespace xr3

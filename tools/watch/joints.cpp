@@ -1,0 +1,163 @@
+// The table of joints: one row each, with a bar that shows the position between the limits.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "protocol/text/table.hpp"
+#include "tools/watch/panels.hpp"
+
+namespace xr3::watch {
+namespace {
+
+constexpr int kLongestBar = 64;
+constexpr int kEighths = 8;
+constexpr char32_t kFullBlock = U'█';
+/// The code point of the block with the left n eighths filled is kFullBlock + 8 - n; n = 1...7.
+constexpr char32_t eighths_block(int eighths) {
+  return kFullBlock + static_cast<char32_t>(kEighths - eighths);
+}
+
+/// An axis with its limits, if they are known.
+struct Row {
+  const Axis& axis;
+  std::optional<Limits> limits;
+};
+
+/// A column of the table. If room is short, the columns with the highest `rank` are dropped first;
+/// rank 0 is never dropped.
+struct Column {
+  enum class Kind : std::uint8_t { kLeft, kRight, kBar };
+  std::string name;
+  int width;
+  Kind kind;
+  int rank;
+  std::function<std::string(const Row&)> text;
+};
+
+/// Pads "mm" to the width of "deg", so that decimal points line up.
+std::string value_text(const Axis& axis) {
+  return fixed_number(axis.value, 2) + " " + axis.unit + (axis.unit.size() < 3 ? " " : "");
+}
+
+std::string state_text(const Axis& axis) {
+  if (!axis.blocked.empty()) return axis.blocked;
+  return axis.is_moving ? "moves" : "rests";
+}
+
+std::vector<Column> all_columns() {
+  using Kind = Column::Kind;
+  const auto limit = [](double Limits::*end) {
+    return [end](const Row& row) { return row.limits ? plain_number((*row.limits).*end, 1) : ""; };
+  };
+  return {
+      {"", 1, Kind::kLeft, 0, [](const Row& row) { return row.axis.label; }},
+      {"from", 7, Kind::kRight, 8, limit(&Limits::min)},
+      {"", kLeastBar, Kind::kBar, 4, {}},
+      {"to", 7, Kind::kLeft, 8, limit(&Limits::max)},
+      {"value", 13, Kind::kRight, 0, [](const Row& row) { return value_text(row.axis); }},
+      {"count", 7, Kind::kRight, 1, [](const Row& row) { return std::to_string(row.axis.count); }},
+      {"error", 5, Kind::kRight, 3, [](const Row& row) { return std::to_string(row.axis.error); }},
+      {"speed", 5, Kind::kRight, 6, [](const Row& row) { return std::to_string(row.axis.speed); }},
+      {"switch", 6, Kind::kLeft, 5,
+       [](const Row& row) { return row.axis.is_closed ? "closed" : "open"; }},
+      {"", 5, Kind::kLeft, 2, [](const Row& row) { return state_text(row.axis); }}};
+}
+
+/// Total width of the columns, with one blank between neighbours.
+int width_of(const std::vector<Column>& columns) {
+  int width = -1;
+  for (const Column& column : columns) width += column.width + 1;
+  return width;
+}
+
+/// The columns that fit into `width`; the bar takes the remaining room.
+std::vector<Column> fitting_columns(int width) {
+  std::vector<Column> columns = all_columns();
+  const auto by_rank = [](const Column& a, const Column& b) { return a.rank < b.rank; };
+  while (width_of(columns) > width) {
+    const int rank = std::max_element(columns.begin(), columns.end(), by_rank)->rank;
+    if (rank == 0) break;
+    std::erase_if(columns, [rank](const Column& column) { return column.rank == rank; });
+  }
+  for (Column& column : columns) {
+    if (column.kind != Column::Kind::kBar) continue;
+    column.width = std::clamp(kLeastBar + width - width_of(columns), kLeastBar, kLongestBar);
+  }
+  return columns;
+}
+
+TextStyle style_of(const Axis& axis) {
+  if (!axis.blocked.empty()) return TextStyle::kBad;
+  return axis.is_moving ? TextStyle::kGood : TextStyle::kPlain;
+}
+
+/// Length of the filled part of the bar, in eighths of a column.
+int filled_eighths(double value, const Limits& limits, int columns) {
+  const double span = limits.max - limits.min;
+  const double part = span > 0 ? (value - limits.min) / span : 0;
+  return static_cast<int>(std::lround(std::clamp(part, 0.0, 1.0) * columns * kEighths));
+}
+
+void paint_bar(TextScreen& screen, int at, int from, int columns, const Row& row) {
+  const int eighths = row.limits ? filled_eighths(row.axis.value, *row.limits, columns) : 0;
+  for (int i = 0; i < columns; ++i) {
+    const int here = std::clamp(eighths - i * kEighths, 0, kEighths);
+    if (here == 0) {
+      screen.put_letter(at, from + i, U'·', TextStyle::kFaint);
+    } else {
+      screen.put_letter(at, from + i, eighths_block(here), style_of(row.axis));
+    }
+  }
+}
+
+std::string aligned(const std::string& text, const Column& column) {
+  const std::size_t letters = one_column_letters(text).size();
+  const auto width = static_cast<std::size_t>(column.width);
+  if (column.kind != Column::Kind::kRight || letters >= width) return text;
+  return std::string(width - letters, ' ') + text;
+}
+
+void paint_row(TextScreen& screen, int at, int from, const std::vector<Column>& columns,
+               const Row& row) {
+  for (const Column& column : columns) {
+    if (column.kind == Column::Kind::kBar) {
+      paint_bar(screen, at, from, column.width, row);
+    } else {
+      screen.put(at, from, aligned(column.text(row), column), style_of(row.axis), column.width);
+    }
+    from += column.width + 1;
+  }
+}
+
+void paint_heading(TextScreen& screen, int at, int from, const std::vector<Column>& columns) {
+  for (const Column& column : columns) {
+    screen.put(at, from, aligned(column.name, column), TextStyle::kFaint, column.width);
+    from += column.width + 1;
+  }
+}
+
+}  // namespace
+
+void paint_joints(TextScreen& screen, const TextArea& area, const Known& known,
+                  const State& state) {
+  std::vector<Row> rows;
+  const auto add = [&](const Axis& axis) {
+    const auto found = known.limits.find(axis.label);
+    rows.push_back(
+        {axis, found == known.limits.end() ? std::nullopt : std::optional<Limits>(found->second)});
+  };
+  for (const Axis& joint : state.joints) add(joint);
+  add(state.tool.axis);
+
+  const std::vector<Column> columns = fitting_columns(area.columns);
+  const int end = area.row + area.rows;
+  int at = area.row;
+  if (area.rows > static_cast<int>(rows.size())) {
+    paint_heading(screen, at++, area.column, columns);
+  }
+  for (std::size_t i = 0; i < rows.size() && at < end; ++i, ++at) {
+    paint_row(screen, at, area.column, columns, rows[i]);
+  }
+}
+
+}  // namespace xr3::watch

@@ -1,0 +1,168 @@
+#include "tools/watch/model.hpp"
+
+#include <algorithm>
+
+#include "tools/watch/read.hpp"
+
+namespace xr3::watch {
+namespace {
+
+constexpr const char* kAuthId = "auth";
+constexpr const char* kKeyId = "key";
+constexpr const char* kLastId = "last";
+constexpr int kMostStatesPerS = 20;
+constexpr int kMostImagesPerS = 10;
+constexpr int kStepTicks = 10;
+
+/// Kinds of events that the joint table shows anyway; they would crowd out all others.
+const std::vector<std::string> kSeenElsewhere{"move", "reached", "switch", "io"};
+
+}  // namespace
+
+std::string WatchModel::request(Json members) const {
+  if (!wish_.cell.empty()) members["cell"] = wish_.cell;
+  return members.dump() + "\n";
+}
+
+// One byte is enough to select JSON. If the peer is a serial line instead, it moves nothing.
+std::string WatchModel::opening() const { return "{"; }
+
+std::vector<std::string> WatchModel::take(std::string_view line) {
+  const Json message = Json::parse(line, nullptr, false);
+  const auto op = value_of<std::string>(message, "op");
+  if (op == "hello") return take_hello(message);
+  if (op == "result") take_result(message);
+  if (op == "pong" && member(message, "id") == kLastId) is_complete_ = true;
+  if (op == "bye") {
+    has_parted_ = true;
+    read(message, "message", known_.said);
+  }
+  if (!is_of_our_cell(message)) return {};
+  if (op == "state") take_state(message);
+  if (op == "model") take_model(message);
+  if (op == "event") take_event(message);
+  if (op == "image") known_.image = read_image(message);
+  return {};
+}
+
+bool WatchModel::is_of_our_cell(const Json& message) const {
+  return value_of<std::string>(message, "cell", known_.cell) == known_.cell;
+}
+
+// Discards data from an earlier connection: the server may be a different one.
+std::vector<std::string> WatchModel::take_hello(const Json& message) {
+  known_ = {};
+  read(message, "server", known_.server);
+  read(message, "cell", known_.cell);
+  if (!wish_.cell.empty()) known_.cell = wish_.cell;
+  read(member(message, "robot"), "name", known_.robot);
+  read(message, "epoch", known_.epoch);
+  read(message, "tick", known_.tick);
+  read(message, "tick_hz", known_.tick_hz);
+  known_.tick_hz = std::max<std::int64_t>(known_.tick_hz, 1);
+  read_clock(member(message, "clock"), known_);
+  known_.has_control = value_of<std::string>(message, "access") == "control";
+  return first_requests(member(message, "channels"));
+}
+
+std::vector<std::string> WatchModel::first_requests(const Json& channels) const {
+  const bool is_once = wish_.interest == Interest::kOnce;
+  std::vector<std::string> requests{"\"op\":\"ping\"}\n"};  // continues opening()
+  const auto look = [&](const char* op, const char* channel, const Json& options) {
+    if (std::find(channels.begin(), channels.end(), channel) == channels.end()) return;
+    Json members{{"op", op}, {"channel", channel}};
+    members.update(options);
+    requests.push_back(request(members));
+  };
+  const char* op = is_once ? "get" : "sub";
+  Json state_options = Json::object();
+  Json image_options{{"encoding", "rle"}};
+  if (!is_once) state_options["max_hz"] = kMostStatesPerS;
+  if (!is_once) image_options["max_hz"] = kMostImagesPerS;
+
+  if (!wish_.token.empty()) {
+    requests.push_back(request({{"op", "auth"}, {"id", kAuthId}, {"token", wish_.token}}));
+  }
+  look(op, "model", Json{{"fields", {"robot"}}});
+  look(op, "state", state_options);
+  look(op, "image", image_options);
+  // Subscribe first, then get earlier events: an event that arrives both ways has the same seq.
+  if (!is_once) look("sub", "event", Json::object());
+  look("get", "event", Json::object());
+  // Without the cell, so that it is answered even if there is no such cell.
+  requests.push_back(Json{{"op", "ping"}, {"id", kLastId}}.dump() + "\n");
+  return requests;
+}
+
+void WatchModel::take_state(const Json& message) {
+  read(message, "epoch", known_.epoch);
+  read(message, "tick", known_.tick);
+  read_clock(member(message, "clock"), known_);
+  known_.state = read_state(message);
+}
+
+void WatchModel::take_model(const Json& message) {
+  const Json& robot = member(message, "robot");
+  read(robot, "name", known_.robot);
+  known_.limits.clear();
+  const Json& joints = member(robot, "joints");
+  if (joints.is_array()) {
+    for (const Json& joint : joints) read_limits(joint, known_.limits);
+  }
+  read_limits(member(robot, "tool"), known_.limits);
+}
+
+void WatchModel::take_event(const Json& message) {
+  Note note;
+  read(message, "epoch", note.epoch);
+  read(message, "tick", note.tick);
+  read(message, "event", note.kind);
+  read(message, "message", note.message);
+  if (member(message, "line").is_number_integer())
+    note.line = value_of<std::int64_t>(message, "line");
+  // In other events `count` is a position.
+  if (note.kind == "warning") note.times = value_of<std::int64_t>(message, "count", 1);
+  const auto& elsewhere = kSeenElsewhere;
+  if (std::find(elsewhere.begin(), elsewhere.end(), note.kind) != elsewhere.end()) return;
+  known_.notes[value_of<std::int64_t>(message, "seq")] = note;
+  if (known_.notes.size() > kMostNotes) known_.notes.erase(known_.notes.begin());
+}
+
+void WatchModel::take_result(const Json& message) {
+  if (value_of<bool>(message, "ok")) {
+    const Json& value = member(message, "value");
+    // A step that changes only the time does not publish a state.
+    read(value, "epoch", known_.epoch);
+    read(value, "tick", known_.tick);
+    const auto access = value_of<std::string>(value, "access");
+    if (!access.empty()) known_.has_control = access == "control";
+    return;
+  }
+  const Json& error = member(message, "error");
+  if (value_of<std::string>(error, "code") == "no_camera") return;
+  known_.said = value_of<std::string>(error, "message", "the server refused a request");
+}
+
+std::optional<std::string> WatchModel::ask(Action action) {
+  if (!known_.has_control) {
+    known_.said = "control keys need a token: see --token-file";
+    return {};
+  }
+  known_.said.clear();
+  const auto call = [this](const char* fn, const Json& args = Json::object()) {
+    return request({{"op", "call"}, {"id", kKeyId}, {"fn", fn}, {"args", args}});
+  };
+  // No fields: the state arrives by its channel.
+  const auto step = [&](std::int64_t ticks) {
+    return call("step", {{"ticks", ticks}, {"fields", Json::array()}});
+  };
+  switch (action) {
+    case Action::kPauseOrResume: return call(known_.mode == ClockMode::kReal ? "pause" : "resume");
+    case Action::kStep: return step(kStepTicks);
+    case Action::kStepSecond: return step(known_.tick_hz);
+    case Action::kHome: return call("home");
+  }
+  return {};
+}
+
+}  // namespace xr3::watch

@@ -1,0 +1,73 @@
+// The client side of the monitor protocol for `xr3 watch`: which requests to send, and the data
+// after each message. Messages in, values out; independent of sockets and the screen. It does not
+// trust the server: missing members keep their defaults.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "protocol/json/source.hpp"
+#include "tools/watch/known.hpp"
+
+namespace xr3::watch {
+
+/// Maximum number of notes kept.
+inline constexpr std::size_t kMostNotes = 256;
+
+/// Whether to fetch the data once or to subscribe to it.
+enum class Interest : std::uint8_t { kOnce, kOn };
+
+/// What the user asked for. `cell` and `token` may be empty.
+struct Wish {
+  std::string cell;
+  std::string token;
+  Interest interest = Interest::kOn;
+};
+
+/// An action triggered by a key.
+enum class Action : std::uint8_t { kPauseOrResume, kStep, kStepSecond, kHome };
+
+class WatchModel {
+ public:
+  explicit WatchModel(Wish wish) : wish_(std::move(wish)) {}
+
+  /// The first bytes to send: the server sends `hello` at once to a client that sends first. They
+  /// are the beginning of a line, which the first result of `take` continues.
+  std::string opening() const;
+
+  /// A ping request, with its line feed.
+  std::string ping() const { return "{\"op\":\"ping\"}\n"; }
+
+  /// Handles one message, which may be any bytes. Returns the lines to send, each with its line
+  /// feed.
+  std::vector<std::string> take(std::string_view line);
+
+  /// The request for this action, with its line feed. Without permission for calls: nullopt, and a
+  /// message in `known().said`.
+  std::optional<std::string> ask(Action action);
+
+  const Known& known() const { return known_; }
+  /// For Interest::kOnce: all data has been received.
+  bool is_complete() const { return is_complete_; }
+  /// The server has sent `bye`.
+  bool has_parted() const { return has_parted_; }
+
+ private:
+  std::vector<std::string> take_hello(const Json& message);
+  std::vector<std::string> first_requests(const Json& channels) const;
+  void take_state(const Json& message);
+  void take_model(const Json& message);
+  void take_event(const Json& message);
+  void take_result(const Json& message);
+  std::string request(Json members) const;
+  bool is_of_our_cell(const Json& message) const;
+
+  Wish wish_;
+  Known known_;
+  bool is_complete_ = false;
+  bool has_parted_ = false;
+};
+
+}  // namespace xr3::watch

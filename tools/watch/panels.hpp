@@ -1,0 +1,42 @@
+// The panels of the `xr3 watch` screen. Each is painted into a given area; what does not fit is
+// left out, the least important parts first. Independent of each other and of the terminal.
+#pragma once
+
+#include <string>
+
+#include "tools/text/screen.hpp"
+#include "tools/watch/known.hpp"
+
+namespace xr3::watch {
+
+/// Minimum length of a useful bar.
+inline constexpr int kLeastBar = 10;
+
+/// A heading, the joints, then the tool as the last row. The heading is left out if room is short.
+void paint_joints(TextScreen& screen, const TextArea& area, const Known& known, const State& state);
+
+/// One row: opening, tip and the held block.
+void paint_tool(TextScreen& screen, const TextArea& area, const State& state);
+
+/// A rule, the blocks, and the digital lines in the last row.
+void paint_blocks_and_lines(TextScreen& screen, const TextArea& area, const State& state);
+
+/// A rule, then the latest notes, the newest at the bottom.
+void paint_notes(TextScreen& screen, const TextArea& area, const Known& known);
+
+/// A rule, then the image in half blocks, two pixels per cell, shrunk to fit.
+void paint_image(TextScreen& screen, const TextArea& area, const Image& image);
+
+/// A line across the area's first row that contains a name.
+void paint_rule(TextScreen& screen, const TextArea& area, const std::string& name);
+
+/// A tick in simulated seconds, such as "12.345 s".
+std::string seconds_text(std::int64_t tick, std::int64_t tick_hz);
+
+/// The largest size with the image's proportions that exceeds neither the image nor these limits.
+ImageSize shrunk_size(const Image& image, std::size_t most_columns, std::size_t most_rows);
+
+/// The image shrunk to shrunk_size(). A pixel is set if a third of the pixels that it replaces are.
+Image shrunk(const Image& image, std::size_t most_columns, std::size_t most_rows);
+
+}  // namespace xr3::watch

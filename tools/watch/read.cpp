@@ -1,0 +1,157 @@
+#include "tools/watch/read.hpp"
+
+#include <algorithm>
+
+namespace xr3::watch {
+namespace {
+
+constexpr std::size_t kLongestLabel = 8;
+
+Axis read_axis(const Json& object) {
+  Axis axis;
+  axis.label = value_of<std::string>(object, "label").substr(0, kLongestLabel);
+  read(object, "count", axis.count);
+  read(object, "error", axis.error);
+  read(object, "value", axis.value);
+  read(object, "unit", axis.unit);
+  read(object, "speed", axis.speed);
+  read(object, "switch", axis.is_closed);
+  read(object, "moving", axis.is_moving);
+  read(object, "blocked", axis.blocked);
+  return axis;
+}
+
+Tool read_tool(const Json& object) {
+  Tool tool;
+  tool.axis = read_axis(object);
+  read(object, "opening_mm", tool.opening_mm);
+  read(object, "xyz_mm", tool.xyz_mm);
+  read(object, "holding", tool.holding);
+  return tool;
+}
+
+Block read_block(const Json& object) {
+  Block block;
+  read(object, "name", block.name);
+  read(object, "xyz_mm", block.xyz_mm);
+  read(object, "yaw_deg", block.yaw_deg);
+  read(object, "held", block.is_held);
+  return block;
+}
+
+template <class Value>
+std::vector<Value> read_each(const Json& object, const char* name, Value (*read_one)(const Json&)) {
+  std::vector<Value> values;
+  const Json& list = member(object, name);
+  if (!list.is_array()) return values;
+  std::transform(list.begin(), list.end(), std::back_inserter(values), read_one);
+  return values;
+}
+
+/// The pixels of a row; empty if it does not have `width` pixels.
+std::vector<bool> read_text_row(const Json& row, std::size_t width) {
+  std::vector<bool> pixels;
+  if (!row.is_string() || row.get_ref<const std::string&>().size() != width) return pixels;
+  for (const char c : row.get_ref<const std::string&>()) pixels.push_back(c == '1');
+  return pixels;
+}
+
+/// The same for a row of run lengths, which starts with a run of zeros.
+std::vector<bool> read_run_row(const Json& row, std::size_t width) {
+  std::vector<bool> pixels;
+  bool is_set = false;
+  for (const Json& run : row) {
+    if (!run.is_number_unsigned() || run.get<std::size_t>() > width - pixels.size()) return {};
+    pixels.insert(pixels.end(), run.get<std::size_t>(), is_set);
+    is_set = !is_set;
+  }
+  return pixels.size() == width ? pixels : std::vector<bool>{};
+}
+
+bool is_size(std::int64_t pixels) {
+  return pixels > 0 && pixels <= static_cast<std::int64_t>(kMostPixels);
+}
+
+}  // namespace
+
+const Json& member(const Json& object, const char* name) {
+  static const Json none;
+  const auto found = object.find(name);
+  return object.is_object() && found != object.end() ? *found : none;
+}
+
+void read(const Json& object, const char* name, std::string& into) {
+  const Json& value = member(object, name);
+  if (value.is_string()) into = value.get<std::string>();
+}
+void read(const Json& object, const char* name, std::int64_t& into) {
+  const Json& value = member(object, name);
+  if (value.is_number_integer()) into = value.get<std::int64_t>();
+}
+void read(const Json& object, const char* name, double& into) {
+  const Json& value = member(object, name);
+  if (value.is_number()) into = value.get<double>();
+}
+void read(const Json& object, const char* name, bool& into) {
+  const Json& value = member(object, name);
+  if (value.is_boolean()) into = value.get<bool>();
+}
+void read(const Json& object, const char* name, std::array<double, 3>& into) {
+  const Json& value = member(object, name);
+  if (!value.is_array() || value.size() != into.size()) return;
+  for (std::size_t i = 0; i < into.size(); ++i) {
+    if (value[i].is_number()) into[i] = value[i].get<double>();
+  }
+}
+void read(const Json& object, const char* name, std::vector<bool>& into) {
+  const Json& value = member(object, name);
+  if (!value.is_array()) return;
+  for (const Json& bit : value) into.push_back(bit.is_boolean() && bit.get<bool>());
+}
+
+State read_state(const Json& message) {
+  State state;
+  state.joints = read_each<Axis>(message, "joints", read_axis);
+  state.tool = read_tool(member(message, "tool"));
+  state.blocks = read_each<Block>(message, "blocks", read_block);
+  const Json& io = member(message, "io");
+  read(io, "inputs", state.inputs);
+  read(io, "outputs", state.outputs);
+  read(io, "aux", state.aux);
+  read(message, "stalled", state.stalled);
+  read(message, "enabled", state.is_enabled);
+  return state;
+}
+
+void read_clock(const Json& clock, Known& known) {
+  if (!clock.is_object()) return;
+  const bool is_manual = value_of<std::string>(clock, "mode") == "manual";
+  known.mode = is_manual ? ClockMode::kManual : ClockMode::kReal;
+  read(clock, "rate", known.rate);
+}
+
+void read_limits(const Json& drive, std::map<std::string, Limits>& limits) {
+  const Json& range = member(drive, "limits");
+  if (!range.is_array() || range.size() != 2) return;
+  if (!range[0].is_number() || !range[1].is_number()) return;
+  limits[value_of<std::string>(drive, "label").substr(0, kLongestLabel)] = {range[0].get<double>(),
+                                                                            range[1].get<double>()};
+}
+
+std::optional<Image> read_image(const Json& message) {
+  const auto width = value_of<std::int64_t>(message, "width");
+  const auto height = value_of<std::int64_t>(message, "height");
+  if (!is_size(width) || !is_size(height)) return {};
+  Image image{static_cast<std::size_t>(width), static_cast<std::size_t>(height), {}};
+  const bool is_text = value_of<std::string>(message, "encoding") == "rows";
+  const Json& rows = member(message, "rows");
+  if (!rows.is_array() || rows.size() != image.height) return {};
+  for (const Json& row : rows) {
+    const auto pixels = is_text ? read_text_row(row, image.width) : read_run_row(row, image.width);
+    if (pixels.empty()) return {};
+    image.pixels.insert(image.pixels.end(), pixels.begin(), pixels.end());
+  }
+  return image;
+}
+
+}  // namespace xr3::watch

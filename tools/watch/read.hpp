@@ -1,0 +1,48 @@
+// Reads messages of the monitor port into the values of watch_known.hpp. A member that is missing
+// or has another type leaves its value unchanged: the server may be older or newer than this
+// client.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocol/json/source.hpp"
+#include "tools/watch/known.hpp"
+
+namespace xr3::watch {
+
+/// Maximum width and height of an accepted image, in pixels.
+inline constexpr std::size_t kMostPixels = 4096;
+
+/// The member, or null if there is none or `object` is not an object.
+const Json& member(const Json& object, const char* name);
+
+void read(const Json& object, const char* name, std::string& into);
+void read(const Json& object, const char* name, std::int64_t& into);
+void read(const Json& object, const char* name, double& into);
+void read(const Json& object, const char* name, bool& into);
+void read(const Json& object, const char* name, std::array<double, 3>& into);
+void read(const Json& object, const char* name, std::vector<bool>& into);
+
+/// The member, or `otherwise`.
+template <class Value>
+Value value_of(const Json& object, const char* name, Value otherwise = {}) {
+  read(object, name, otherwise);
+  return otherwise;
+}
+
+/// Reads a `state` message.
+State read_state(const Json& message);
+/// Reads the member `clock` of `state` and `hello`.
+void read_clock(const Json& clock, Known& known);
+/// Reads label and limits of a joint or the tool, in the form of a robot file.
+void read_limits(const Json& drive, std::map<std::string, Limits>& limits);
+/// Reads an `image` message of either encoding; nullopt if it is inconsistent.
+std::optional<Image> read_image(const Json& message);
+
+}  // namespace xr3::watch

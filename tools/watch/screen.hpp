@@ -1,0 +1,28 @@
+// The complete screen of `xr3 watch` as a function of the data, the connection and the screen's
+// size. The parts in order of importance: title, joints, tool, events, blocks and lines, camera.
+// Independent of the terminal.
+#pragma once
+
+#include <string>
+
+#include "tools/text/screen.hpp"
+#include "tools/watch/known.hpp"
+
+namespace xr3::watch {
+
+/// The state of the connection.
+struct Link {
+  enum class Phase : std::uint8_t { kTrying, kLive };
+  Phase phase = Phase::kTrying;
+  std::string address;  ///< as the user gave it
+  std::string trouble;  ///< why there is no connection; empty: not known yet
+};
+
+/// What is shown: the cell, the help page, or the cell without a line of keys (for printing).
+enum class Page : std::uint8_t { kCell, kHelp, kPrint };
+
+/// Any size is allowed. After the connection is lost the last data stay on the screen, with a
+/// notice.
+TextScreen watch_screen(const Known& known, const Link& link, Page page, int rows, int columns);
+
+}  // namespace xr3::watch

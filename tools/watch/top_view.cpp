@@ -1,0 +1,170 @@
+#include "tools/watch/top_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "protocol/text/table.hpp"
+
+namespace xr3 {
+namespace {
+
+constexpr int kMostColumns = 70;
+constexpr int kMostRows = 20;
+constexpr int kLegendColumns = 78;
+constexpr double kTouchMm = 1e-6;  ///< tolerance: a centre on the edge of a block is inside
+constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQSTUVWXYZ";
+
+/// The smallest of a few round numbers that is at least `number`.
+double round_up(double number) {
+  const double power = std::pow(10.0, std::floor(std::log10(number)));
+  for (const double digits : {1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0}) {
+    if (digits * power >= number) return digits * power;
+  }
+  return 10 * power;
+}
+
+/// The picture. A character is `mm_` wide and twice as high, as on most terminals.
+class Picture {
+ public:
+  explicit Picture(const Workspace& space)
+      : mm_(round_up(std::max(2 * mm(space.y_um) / kMostColumns, mm(space.x_um) / kMostRows / 2))),
+        half_(static_cast<int>(std::ceil(mm(space.y_um) / mm_ - 0.5))),
+        rows_(static_cast<int>(std::ceil(mm(space.x_um) / mm_ / 2))),
+        lines_(static_cast<std::size_t>(rows_),
+               std::string(static_cast<std::size_t>(columns()), ' ')) {}
+
+  int rows() const { return rows_; }
+  int columns() const { return 2 * half_ + 1; }
+  double mm_per_column() const { return mm_; }
+  double x_at(int row) const { return (rows_ - row - 0.5) * 2 * mm_; }
+  double y_at(int column) const { return (half_ - column) * mm_; }
+  int row_of(double x_mm) const { return rows_ - 1 - static_cast<int>(std::floor(x_mm / mm_ / 2)); }
+  int column_of(double y_mm) const { return half_ - static_cast<int>(std::lround(y_mm / mm_)); }
+
+  bool has(int row, int column) const {
+    return row >= 0 && row < rows_ && column >= 0 && column < columns();
+  }
+  void put(int row, int column, char sign) {
+    if (!has(row, column)) return;
+    lines_[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = sign;
+  }
+
+  std::string framed(const Workspace& space) const;
+
+ private:
+  double mm_;
+  int half_;  ///< columns on either side of the one through the base
+  int rows_;
+  std::vector<std::string> lines_;
+};
+
+std::string Picture::framed(const Workspace& space) const {
+  const auto width = static_cast<std::size_t>(columns());
+  const auto half = static_cast<std::size_t>(half_);
+  const std::string edge(half, '-');
+  std::string text = " x = " + plain_number(mm(space.x_um)) + " mm\n+" + edge + "-" + edge + "+\n";
+  for (const std::string& line : lines_) text += "|" + line + "|\n";
+  text += "+" + edge + "R" + edge + "+\n";
+  const std::string left = " y = " + plain_number(mm(space.y_um));
+  const std::string right = "-" + plain_number(mm(space.y_um));
+  const std::size_t used = left.size() + right.size();
+  return text + left + std::string(width > used ? width + 1 - used : 1, ' ') + right + "\n";
+}
+
+void draw_reach(Picture& picture, const ReachAbove& reaches) {
+  for (int row = 0; row < picture.rows(); ++row) {
+    for (int column = 0; column < picture.columns(); ++column) {
+      if (reaches(picture.x_at(row), picture.y_at(column))) picture.put(row, column, '.');
+    }
+  }
+}
+
+void draw_camera(Picture& picture, const Camera& camera) {
+  const double x = mm(camera.location_um.x);
+  const double y = mm(camera.location_um.y);
+  const int top = std::max(picture.row_of(x + mm(camera.field_x_um) / 2), -1);
+  const int bottom = std::min(picture.row_of(x - mm(camera.field_x_um) / 2), picture.rows());
+  const int left = std::max(picture.column_of(y + mm(camera.field_y_um) / 2), -1);
+  const int right = std::min(picture.column_of(y - mm(camera.field_y_um) / 2), picture.columns());
+  for (int row = top; row <= bottom; ++row) {
+    picture.put(row, left, ':');
+    picture.put(row, right, ':');
+  }
+  for (int column = left; column <= right; ++column) {
+    picture.put(top, column, ':');
+    picture.put(bottom, column, ':');
+  }
+}
+
+/// Every character whose centre lies in the block, and the one at the block's centre.
+void draw_block(Picture& picture, const Block& block, char letter) {
+  const double x = mm(block.centroid_um.x);
+  const double y = mm(block.centroid_um.y);
+  const double yaw = degrees(block.yaw_udeg) * kPi / 180;
+  const double along = mm(block.size_um.x) / 2;
+  const double across = mm(block.size_um.y) / 2;
+  const double around = std::hypot(along, across);
+  const int first_row = std::max(picture.row_of(x + around), 0);
+  const int last_row = std::min(picture.row_of(x - around), picture.rows() - 1);
+  const int first_column = std::max(picture.column_of(y + around), 0);
+  const int last_column = std::min(picture.column_of(y - around), picture.columns() - 1);
+  for (int row = first_row; row <= last_row; ++row) {
+    for (int column = first_column; column <= last_column; ++column) {
+      const double dx = picture.x_at(row) - x;
+      const double dy = picture.y_at(column) - y;
+      const bool is_in = std::abs(dx * std::cos(yaw) + dy * std::sin(yaw)) <= along + kTouchMm &&
+                         std::abs(dy * std::cos(yaw) - dx * std::sin(yaw)) <= across + kTouchMm;
+      if (is_in) picture.put(row, column, letter);
+    }
+  }
+  picture.put(picture.row_of(x), picture.column_of(y), letter);
+}
+
+/// In order of their tops, so that the upper of stacked blocks is visible.
+void draw_blocks(Picture& picture, const std::vector<Block>& blocks) {
+  std::vector<std::size_t> order(blocks.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  const auto top = [&](std::size_t i) { return blocks[i].centroid_um.z * 2 + blocks[i].size_um.z; };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return top(a) < top(b); });
+  for (const std::size_t i : order) draw_block(picture, blocks[i], block_letter(i));
+}
+
+/// `a red, b green`, over several lines. Blocks without a letter are only counted.
+std::string block_legend(const std::vector<Block>& blocks) {
+  std::string text;
+  std::string line;
+  for (std::size_t i = 0; i < std::min(blocks.size(), kLetters.size()); ++i) {
+    const std::string entry = std::string(1, block_letter(i)) + " " + blocks[i].name;
+    if (!line.empty() && line.size() + entry.size() + 2 > kLegendColumns) {
+      text += " " + line + ",\n";
+      line.clear();
+    }
+    line += (line.empty() ? "" : ", ") + entry;
+  }
+  if (blocks.size() > kLetters.size()) {
+    line += ", # " + std::to_string(blocks.size() - kLetters.size()) + " more";
+  }
+  return line.empty() ? text : text + " " + line + "\n";
+}
+
+}  // namespace
+
+std::string top_view(const Workcell& workcell, const ReachAbove& reaches) {
+  Picture picture(workcell.workspace);
+  if (reaches) draw_reach(picture, reaches);
+  if (workcell.camera) draw_camera(picture, *workcell.camera);
+  draw_blocks(picture, workcell.blocks);
+  const double column = picture.mm_per_column();
+  std::string legend = " R robot";
+  if (reaches) legend += "   . within reach";
+  if (workcell.camera) legend += "   : camera's field";
+  legend += "   a character is " + plain_number(column) + " x " + plain_number(2 * column) + " mm";
+  return picture.framed(workcell.workspace) + legend + "\n" + block_legend(workcell.blocks);
+}
+
+char block_letter(std::size_t index) { return index < kLetters.size() ? kLetters[index] : '#'; }
+
+}  // namespace xr3

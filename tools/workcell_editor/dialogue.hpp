@@ -1,0 +1,167 @@
+// The workcell editor, `xr3 workcell`, as a dialogue without I/O: it takes a line and returns the
+// text to show next. It is the successor of the paper's WORKCELL program (Section III-B). It asks
+// for each item with a default and a range, and reports problems on the way. It asks its caller to
+// write the file, and only with a text that loads.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/robot.hpp"
+#include "core/workcell.hpp"
+#include "tools/watch/top_view.hpp"
+#include "tools/workcell_editor/checks.hpp"
+#include "tools/workcell_editor/items.hpp"
+
+namespace xr3 {
+
+struct DialogueStart {
+  std::string file;                  ///< the file to write; used in messages only
+  std::optional<Workcell> workcell;  ///< to edit; nullopt: make a new one, item by item
+  std::string from;                  ///< the file that `workcell` was read from
+  Robot robot;                       ///< the robot to check against
+};
+
+/// What the caller must show and do after a line.
+struct DialogueTurn {
+  std::string text;                      ///< ends with a prompt, unless file_text or is_over is set
+  std::optional<std::string> file_text;  ///< write this now, then call written()
+  bool may_replace = false;              ///< whether an existing file may be replaced
+  bool is_over = false;
+};
+
+enum class WriteOutcome : std::uint8_t { kWritten, kIsThere, kFailed };
+
+class WorkcellDialogue {
+ public:
+  explicit WorkcellDialogue(DialogueStart start);
+  WorkcellDialogue(const WorkcellDialogue&) = delete;
+  WorkcellDialogue& operator=(const WorkcellDialogue&) = delete;
+
+  /// Returns the greeting and the first prompt.
+  DialogueTurn begin();
+  /// Handles a line without its line end.
+  DialogueTurn take(std::string_view line);
+  /// To be called after a turn with `file_text`. `why` is used for kFailed only.
+  DialogueTurn written(WriteOutcome outcome, const std::string& why = "");
+  /// To be called if the input has ended or was interrupted. Returns the closing text; nothing is
+  /// written.
+  DialogueTurn leave(std::string_view why);
+
+  /// Whether there are unsaved changes.
+  bool has_unsaved() const { return saved_ != workcell_; }
+
+ private:
+  using Question = dialogue::Question;
+  using Step = std::function<Question()>;
+  using Action = void (WorkcellDialogue::*)();
+
+  struct Command {
+    std::string name;
+    Action action;
+    bool needs_block = false;
+  };
+  static const std::vector<Command>& commands();
+
+  void say(const std::string& text);
+  void answer(std::string_view line);
+  void next();
+  DialogueTurn turn();
+
+  /// Asks the steps one after another, then does `then`.
+  void ask(std::deque<Step> steps, Action then);
+  Question menu();
+  std::string run_command(const std::string& line);
+  std::optional<std::size_t> block_named(const std::string& name) const;
+
+  // Commands of the menu.
+  void help();
+  void list();
+  void view();
+  void check();
+  void add();
+  void change();
+  void move();
+  void turn_block();
+  void remove();
+  void name();
+  void workspace();
+  void surface();
+  void camera();
+  void save();
+  void quit();
+
+  // A new workcell, item by item.
+  void ask_all();
+  void offer_block();
+  void take_offer();
+
+  // Everything except blocks; the answers go to draft_ first.
+  void ask_room(std::deque<Step> steps, Action judge);
+  void keep_room();
+  static Step length_step(const std::string& prompt, dialogue::Lengths sensible,
+                          dialogue::Lengths possible, Micrometres& value, const std::string& help);
+  std::deque<Step> name_steps();
+  std::deque<Step> workspace_steps();
+  std::deque<Step> surface_steps();
+  void ask_camera();
+  void take_camera_answer();
+  void finish_camera();
+
+  // Blocks: the answers go to block_ first.
+  std::deque<Step> name_of_block_steps();
+  std::deque<Step> size_steps();
+  std::deque<Step> place_steps();
+  std::deque<Step> yaw_steps();
+  std::deque<Step> height_steps();
+  std::deque<Step> color_steps();
+  void block_steps(std::vector<std::deque<Step>> parts);
+  void ask_block_again();
+  void judge_block();
+  void take_verdict();
+  void keep_block();
+  void take_removal();
+
+  // Writing and leaving.
+  void take_replacement();
+  void take_leaving();
+  void write(bool may_replace);
+  ReachAbove reach_above();
+
+  std::string file_;
+  std::string from_;
+  bool is_new_;
+  dialogue::Arm arm_;
+  Workcell workcell_;
+  std::optional<Workcell> saved_;  ///< the file's contents, if known
+
+  Question question_;
+  std::deque<Step> steps_;
+  Action then_ = nullptr;
+  std::string text_;
+
+  Workcell draft_;
+  std::deque<Step> room_steps_;
+  Action room_judge_ = nullptr;  ///< checks the answers
+  Action room_then_ = nullptr;   ///< runs after the answers are accepted
+  bool wants_camera_ = true;
+  std::size_t projection_ = 0;
+
+  Block block_;
+  std::size_t block_index_ = 0;  ///< for a block to be added: the number of blocks
+  std::vector<std::deque<Step>> block_parts_;
+  bool is_yes_ = false;
+  bool is_making_ = false;  ///< the items of a new workcell are being asked for
+
+  std::optional<std::string> file_text_;
+  bool may_replace_ = false;
+  bool has_written_ = false;
+  bool is_leaving_ = false;
+  bool is_over_ = false;
+};
+
+}  // namespace xr3

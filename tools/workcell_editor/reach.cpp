@@ -1,0 +1,67 @@
+#include "tools/workcell_editor/reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/inverse/inverse.hpp"
+
+namespace xr3 {
+namespace {
+
+constexpr double kQuarterTurnDeg = 90;
+constexpr int kQuarterTurns = 4;
+constexpr double kStepMm = 10;
+constexpr std::size_t kFewJoints = 3;
+
+/// An upper bound of the reach: each joint adds at most the length of its row, slide included.
+double sum_of_lengths(const Robot& robot) {
+  double sum = 0;
+  for (const Joint& joint : robot.joints) {
+    const bool slides = joint.variable == JointVariable::kD;
+    const double d = slides ? std::max(std::abs(joint.drive.min), std::abs(joint.drive.max))
+                            : std::abs(joint.dh.d_mm);
+    sum += std::hypot(d, joint.dh.a_mm);
+  }
+  return sum;
+}
+
+}  // namespace
+
+Reach::Reach(const Robot& robot)
+    : model_(robot, Workcell{}, Profile::kPaper),
+      is_quick_(inverse_method(robot) != InverseMethod::kNumerical) {}
+
+bool Reach::is_within(double x_mm, double y_mm, double z_mm, double yaw_deg) const {
+  const Eigen::Vector3d p_mm(x_mm, y_mm, z_mm);
+  const bool is_free = model_.robot().joints.size() <= kFewJoints;
+  const InverseResult result =
+      solve_inverse(model_, is_free ? tip_target(p_mm) : down_target(p_mm, yaw_deg));
+  return std::any_of(result.solutions.begin(), result.solutions.end(),
+                     [](const InverseSolution& solution) { return solution.is_allowed(); });
+}
+
+bool Reach::has_grasp(const Block& block) const {
+  const PointUm& at = block.centroid_um;
+  for (int turn = 0; turn < kQuarterTurns; ++turn) {
+    const double yaw = degrees(block.yaw_udeg) + turn * kQuarterTurnDeg;
+    if (is_within(mm(at.x), mm(at.y), mm(at.z), yaw)) return true;
+  }
+  return false;
+}
+
+bool Reach::is_within(double x_mm, double y_mm, double z_mm) const {
+  for (int turn = 0; turn < kQuarterTurns; ++turn) {
+    if (is_within(x_mm, y_mm, z_mm, turn * kQuarterTurnDeg)) return true;
+  }
+  return false;
+}
+
+std::optional<double> Reach::furthest_mm(double z_mm) const {
+  const double most = sum_of_lengths(model_.robot());
+  for (double x = std::ceil(most / kStepMm) * kStepMm; x > 0; x -= kStepMm) {
+    if (is_within(x, 0, z_mm)) return x;
+  }
+  return std::nullopt;
+}
+
+}  // namespace xr3
