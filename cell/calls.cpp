@@ -43,20 +43,20 @@ bool are_same_things(const std::vector<Block>& a, const std::vector<Block>& b) {
 call::Outcome Cell::carry_out(const call::Pause&, WallNs now) {
   const bool is_new = clock_.mode() != ClockMode::kManual;
   clock_.pause(now);
-  if (is_new) tell(std::nullopt, ClockNote{"pause", clock_.mode(), clock_.rate()});
+  if (is_new) emit(std::nullopt, ClockNote{"pause", clock_.mode(), clock_.rate()});
   return call::Done{};
 }
 
 call::Outcome Cell::carry_out(const call::Resume&, WallNs now) {
   const bool is_new = clock_.mode() != ClockMode::kReal;
   clock_.resume(now);
-  if (is_new) tell(std::nullopt, ClockNote{"resume", clock_.mode(), clock_.rate()});
+  if (is_new) emit(std::nullopt, ClockNote{"resume", clock_.mode(), clock_.rate()});
   return call::Done{};
 }
 
 call::Outcome Cell::carry_out(const call::SetRate& rate, WallNs now) {
   clock_.set_rate(rate.rate, now);
-  tell(std::nullopt, ClockNote{"rate", clock_.mode(), clock_.rate()});
+  emit(std::nullopt, ClockNote{"rate", clock_.mode(), clock_.rate()});
   return call::Done{};
 }
 
@@ -64,7 +64,7 @@ call::Outcome Cell::carry_out(const call::Step& step, WallNs now) {
   if (clock_.mode() != ClockMode::kManual) return clock_running("step");
   const Tick start = state().tick;
   simulation_.advance_to(start + step.ticks);
-  stood(start, now);
+  after_manual_advance(start, now);
   return call::Done{};
 }
 
@@ -77,13 +77,13 @@ call::Outcome Cell::carry_out(const call::RunUntil& run, WallNs now) {
   } else {
     simulation_.run_to_rest(limit);
   }
-  stood(start, now);
+  after_manual_advance(start, now);
   const bool reached = run.tick ? state().tick >= *run.tick : is_at_rest();
   return call::Done{reached, state().tick - start, nullptr};
 }
 
 /// Synchronizes the clock and the counters after the manual clock advanced from `start`.
-void Cell::stood(Tick start, WallNs now) {
+void Cell::after_manual_advance(Tick start, WallNs now) {
   clock_.set_tick(state().tick, now);
   counters_.ticks += static_cast<std::uint64_t>(state().tick - start);
 }
@@ -98,14 +98,14 @@ call::Outcome Cell::carry_out(const call::Reset&, WallNs now) {
 
 // The note has the first tick of the new epoch and contains the last tick of the old one.
 void Cell::begin_epoch(std::string_view call, WallNs now, const std::function<void()>& change) {
-  for (const auto& [id, line] : lines_) tell_all(id, warnings_.forget(id));
+  for (const auto& [id, line] : lines_) emit_all(id, warnings_.forget(id));
   const EpochNote note{call, epoch_, state().tick};
   const ModelPtr old_model = simulation_.model_ptr();
   const std::vector<Block> old_blocks = state().blocks;
   change();
   ++epoch_;
   clock_.set_tick(state().tick, now);
-  tell(std::nullopt, note);
+  emit(std::nullopt, note);
   const bool is_same =
       old_model->workcell() == model().workcell() && are_same_things(old_blocks, state().blocks);
   if (!is_same) changed_model(call, model().workcell().name);
@@ -131,7 +131,7 @@ call::Outcome Cell::carry_out(const call::SetInput& input, WallNs) {
 // --- The workcell.
 
 void Cell::changed_model(std::string_view call, const std::string& name) {
-  tell(std::nullopt, ModelNote{call, name, ++model_rev_});
+  emit(std::nullopt, ModelNote{call, name, ++model_rev_});
 }
 
 ModelPtr Cell::model_with(const Workcell& workcell) const {
@@ -184,7 +184,7 @@ call::Outcome Cell::carry_out(const call::ReplaceWorkcell& replace, WallNs) {
 
 call::Outcome Cell::carry_out(const call::SaveSnapshot& save, WallNs) {
   const bool is_new = !save.name.empty() && !snapshots_.contains(save.name);
-  if (is_new && snapshots_.size() >= kMostSnapshots) {
+  if (is_new && snapshots_.size() >= kMaxSnapshots) {
     return call::Refused{"limit", "there are 16 snapshots already",
                          "save under a name that is in use, or inline"};
   }

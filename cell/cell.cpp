@@ -15,13 +15,13 @@ Cell::Cell(std::string name, ModelPtr model, SimClock clock, CellEventSink sink)
     : name_(std::move(name)),
       simulation_(std::move(model)),
       clock_(clock),
-      events_(kMostEvents,
-              [this](const ToldEvent& told, std::int64_t seq) {
+      events_(kMaxEvents,
+              [this](const StampedEvent& told, std::int64_t seq) {
                 return monitor::channel_message(
                     monitor::Channel::kEvent, {name_, told.event.epoch, seq, told.event.tick},
                     monitor::text_of(event_json(told.event, *told.model)));
               }),
-      wires_(kMostWires,
+      wires_(kMaxWires,
              [this](const WireRecord& record, std::int64_t seq) {
                return monitor::channel_message(monitor::Channel::kLine,
                                                {name_, record.epoch, seq, record.tick},
@@ -41,31 +41,31 @@ Applied Cell::take_in(const Input& input, WallNs now) {
   if (is_frozen_) return {};
   advance(now);
   ++revision_;
-  return std::visit([&](const auto& each) { return take(each, now); }, input);
+  return std::visit([&](const auto& each) { return handle(each, now); }, input);
 }
 
 void Cell::advance(WallNs now) {
   if (is_frozen_) return;
   const Tick before = state().tick;
   // Time ends with the integers of the protocol, some 285,000 years on.
-  simulation_.advance_to(std::min(clock_.at(now), monitor::kMostInteger));
+  simulation_.advance_to(std::min(clock_.at(now), monitor::kMaxInteger));
   if (state().tick == before) return;
   counters_.ticks += static_cast<std::uint64_t>(state().tick - before);
   ++revision_;
-  tell_of_time();
+  emit_time_events();
 }
 
 // What time has brought.
-void Cell::tell_of_time() {
-  if (!simulation_.events().empty()) tell_machine(std::nullopt, simulation_.take_events());
-  for (auto& [line, note] : warnings_.words_owed(state().tick)) tell(line, std::move(note));
+void Cell::emit_time_events() {
+  if (!simulation_.events().empty()) emit_machine_events(std::nullopt, simulation_.take_events());
+  for (auto& [line, note] : warnings_.take_pending(state().tick)) emit(line, std::move(note));
 }
 
 Snapshot Cell::snapshot() const {
   return {epoch_, clock_.mode(), clock_.rate(), model_rev_, state()};
 }
 
-Line* Cell::find_line(LineId line) {
+SerialLine* Cell::find_line(LineId line) {
   if (line == kProbeLine) return probe_line_ ? &*probe_line_ : nullptr;
   const auto found = lines_.find(line);
   return found == lines_.end() ? nullptr : &found->second;
@@ -80,7 +80,7 @@ std::optional<std::uint64_t> Cell::bytes_in(LineId line) const {
 
 // --- Lines.
 
-Applied Cell::take(const LineOpened& opened, WallNs) {
+Applied Cell::handle(const LineOpened& opened, WallNs) {
   if (opened.is_probe) {
     probe_line_.emplace(model().profile(), opened.kind, opened.peer, state().tick);
     return {};
@@ -88,35 +88,35 @@ Applied Cell::take(const LineOpened& opened, WallNs) {
   const LineId id = ++last_line_;
   lines_.try_emplace(id, model().profile(), opened.kind, opened.peer, state().tick);
   ++counters_.lines_total;
-  tell(id, LineOpenedNote{opened.kind, opened.peer});
+  emit(id, LineOpenedNote{opened.kind, opened.peer});
   if (!state().enabled) {
     const Problem problem{ProblemCode::kDisabled, Subject::kNone};
-    tell(id, ProblemNote{code_of(problem.code), describe(Parsed{}, problem), 0, {}, 1});
+    emit(id, ProblemNote{code_of(problem.code), describe(Parsed{}, problem), 0, {}, 1});
   }
   Applied applied;
   applied.line = id;
   return applied;
 }
 
-Applied Cell::take(const BytesIn& in, WallNs) {
-  Line* line = find_line(in.line);
+Applied Cell::handle(const BytesIn& in, WallNs) {
+  SerialLine* line = find_line(in.line);
   if (line == nullptr) return {};
   if (in.line == kProbeLine) return take_unseen(*line, in.bytes);
   std::size_t taken = 0;
   while (taken < in.bytes.size()) {
-    const std::size_t count = take_piece(in.line, *line, in.bytes.substr(taken, kMostShownIn));
+    const std::size_t count = receive_piece(in.line, *line, in.bytes.substr(taken, kMaxShownIn));
     taken += count;
-    if (count == 0 || line->is_stranger()) break;
+    if (count == 0 || line->is_not_a_robot_program()) break;
     if (taken < in.bytes.size() && in.is_enough && in.is_enough()) break;
   }
-  tell_all(in.line, warnings_.finish(in.line, state().tick));
+  emit_all(in.line, warnings_.finish(in.line, state().tick));
   Applied applied;
   applied.bytes_taken = taken;
   return applied;
 }
 
 /// Bytes of the probe act as those of any line, and leave no trace.
-Applied Cell::take_unseen(Line& line, std::string_view bytes) {
+Applied Cell::take_unseen(SerialLine& line, std::string_view bytes) {
   exchanges_.clear();
   Applied applied;
   applied.bytes_taken = line.receive(bytes, simulation_, exchanges_);
@@ -124,7 +124,7 @@ Applied Cell::take_unseen(Line& line, std::string_view bytes) {
 }
 
 /// As many bytes as one record shows, with what they did and what was answered.
-std::size_t Cell::take_piece(LineId id, Line& line, std::string_view bytes) {
+std::size_t Cell::receive_piece(LineId id, SerialLine& line, std::string_view bytes) {
   const WirePlace in{epoch_, state().tick, id, line.bytes_in()};
   const WirePlace out{epoch_, state().tick, id, line.output_end()};
   const std::optional<TelnetFilter> telnet = line.telnet();
@@ -137,54 +137,54 @@ std::size_t Cell::take_piece(LineId id, Line& line, std::string_view bytes) {
   counters_.bytes_out += replies.size();
   fill_in(wires_.push(), in, bytes.substr(0, taken), telnet, exchanges_, simulation_);
   if (!replies.empty()) fill_out(wires_.push(), out, replies, exchanges_);
-  tell_exchanges(id, line);
+  emit_exchanges(id, line);
   return taken;
 }
 
-Applied Cell::take(const LineClosed& closed, WallNs) {
+Applied Cell::handle(const LineClosed& closed, WallNs) {
   if (closed.line == kProbeLine) {
     probe_line_.reset();
     return {};
   }
   const Line* line = find_line(closed.line);
   if (line == nullptr) return {};
-  tell_all(closed.line, warnings_.forget(closed.line));
-  tell(closed.line, LineClosedNote{closed.reason, line->bytes_in(), line->bytes_out()});
+  emit_all(closed.line, warnings_.forget(closed.line));
+  emit(closed.line, LineClosedNote{closed.reason, line->bytes_in(), line->bytes_out()});
   closed_bytes_in_[closed.line] = line->bytes_in();
   if (closed_bytes_in_.size() > kRememberedLines) closed_bytes_in_.erase(closed_bytes_in_.begin());
   lines_.erase(closed.line);
   return {};
 }
 
-Applied Cell::take(const call::Call& call, WallNs now) {
+Applied Cell::handle(const call::Call& call, WallNs now) {
   Applied applied;
   applied.outcome = std::visit([&](const auto& each) { return carry_out(each, now); }, call);
-  tell_of_time();
+  emit_time_events();
   return applied;
 }
 
 // --- What is told.
 
-void Cell::tell(std::optional<LineId> line, CellNote note) {
-  tell_at(state().tick, line, std::move(note));
+void Cell::emit(std::optional<LineId> line, CellNote note) {
+  emit_at(state().tick, line, std::move(note));
 }
 
-void Cell::tell_at(Tick tick, std::optional<LineId> line, CellNote note) {
-  ToldEvent& told = events_.push();
+void Cell::emit_at(Tick tick, std::optional<LineId> line, CellNote note) {
+  StampedEvent& told = events_.push();
   told.event = {epoch_, tick, line, std::move(note)};
   told.model = simulation_.model_ptr();
   if (sink_) sink_(told.event, *told.model);
 }
 
-void Cell::tell_machine(std::optional<LineId> line, Events events) {
+void Cell::emit_machine_events(std::optional<LineId> line, Events events) {
   for (Event& event : events) {
     if (const Warning* warning = std::get_if<Warning>(&event.body))
       ++counters_.warnings[code_of(warning->code)];
-    tell_at(event.tick, line, std::move(event.body));
+    emit_at(event.tick, line, std::move(event.body));
   }
 }
 
-void Cell::tell_exchanges(LineId id, Line& line) {
+void Cell::emit_exchanges(LineId id, SerialLine& line) {
   for (Exchange& exchange : exchanges_) {
     line.note(exchange.parsed.raw);
     if (const Problem* problem = std::get_if<Problem>(&exchange.parsed.what)) {
@@ -201,8 +201,8 @@ void Cell::tell_exchanges(LineId id, Line& line) {
              [&] { return describe(event.body, model()); });
         continue;
       }
-      tell_all(id, warnings_.finish(id, event.tick));
-      tell(id, std::move(event.body));
+      emit_all(id, warnings_.finish(id, event.tick));
+      emit(id, std::move(event.body));
     }
   }
 }
@@ -213,11 +213,11 @@ void Cell::warn(LineId line, const Parsed& parsed, std::string_view code,
   const Tick tick = state().tick;
   ++counters_.warnings[code];
   if (warnings_.extends_run(line, tick, code)) return;
-  tell_all(line, warnings_.take(line, tick, {code, message(), parsed.from, parsed.raw, 1}));
+  emit_all(line, warnings_.add(line, tick, {code, message(), parsed.from, parsed.raw, 1}));
 }
 
-void Cell::tell_all(LineId line, std::vector<CellNote> notes) {
-  for (CellNote& note : notes) tell(line, std::move(note));
+void Cell::emit_all(LineId line, std::vector<CellNote> notes) {
+  for (CellNote& note : notes) emit(line, std::move(note));
 }
 
 }  // namespace xr3

@@ -59,36 +59,36 @@ class Cell {
   bool is_at_rest() const { return simulation_.is_at_rest(); }
   /// Time alone will tell something: a motor runs, or warnings were left out and nobody knows it yet.
   bool has_news_to_come() const {
-    return clock_.mode() == ClockMode::kReal && (!is_at_rest() || warnings_.owes_words());
+    return clock_.mode() == ClockMode::kReal && (!is_at_rest() || warnings_.has_pending());
   }
 
   /// The last events, and the last bytes of the lines with what was made of them.
   monitor::Feed& events() { return events_; }
   monitor::Feed& wires() { return wires_; }
-  static constexpr std::size_t kMostEvents = 4096;
-  static constexpr std::size_t kMostWires = 1024;
+  static constexpr std::size_t kMaxEvents = 4096;
+  static constexpr std::size_t kMaxWires = 1024;
 
   /// The line, or null: nothing of it but outbox and counters concerns a transport.
-  Line* find_line(LineId line);
+  SerialLine* find_line(LineId line);
   /// Without kProbeLine, of which nothing is counted, told or recorded.
-  const std::map<LineId, Line>& lines() const { return lines_; }
+  const std::map<LineId, SerialLine>& lines() const { return lines_; }
 
   /// How many bytes a line has received in all; also of one of the last kRememberedLines that closed.
   std::optional<std::uint64_t> bytes_in(LineId line) const;
   static constexpr std::size_t kRememberedLines = 1024;
 
   /// Named snapshots that can be kept.
-  static constexpr std::size_t kMostSnapshots = 16;
+  static constexpr std::size_t kMaxSnapshots = 16;
 
   const CellCounters& counters() const { return counters_; }
 
  private:
   Applied take_in(const Input& input, WallNs now);
   void advance(WallNs now);
-  Applied take(const LineOpened& opened, WallNs now);
-  Applied take(const BytesIn& in, WallNs now);
-  Applied take(const LineClosed& closed, WallNs now);
-  Applied take(const call::Call& call, WallNs now);
+  Applied handle(const LineOpened& opened, WallNs now);
+  Applied handle(const BytesIn& in, WallNs now);
+  Applied handle(const LineClosed& closed, WallNs now);
+  Applied handle(const call::Call& call, WallNs now);
 
   call::Outcome carry_out(const call::Pause&, WallNs now);
   call::Outcome carry_out(const call::Resume&, WallNs now);
@@ -107,18 +107,18 @@ class Cell {
   call::Outcome carry_out(const call::LoadSnapshot& load, WallNs now);
 
   void begin_epoch(std::string_view call, WallNs now, const std::function<void()>& change);
-  void stood(Tick start, WallNs now);
+  void after_manual_advance(Tick start, WallNs now);
   void changed_model(std::string_view call, const std::string& name);
   ModelPtr model_with(const Workcell& workcell) const;
 
-  Applied take_unseen(Line& line, std::string_view bytes);
-  std::size_t take_piece(LineId id, Line& line, std::string_view bytes);
-  void tell(std::optional<LineId> line, CellNote note);
-  void tell_machine(std::optional<LineId> line, Events events);
-  void tell_of_time();
-  void tell_at(Tick tick, std::optional<LineId> line, CellNote note);
-  void tell_exchanges(LineId id, Line& line);
-  void tell_all(LineId line, std::vector<CellNote> notes);
+  Applied take_unseen(SerialLine& line, std::string_view bytes);
+  std::size_t receive_piece(LineId id, SerialLine& line, std::string_view bytes);
+  void emit(std::optional<LineId> line, CellNote note);
+  void emit_machine_events(std::optional<LineId> line, Events events);
+  void emit_time_events();
+  void emit_at(Tick tick, std::optional<LineId> line, CellNote note);
+  void emit_exchanges(LineId id, SerialLine& line);
+  void emit_all(LineId line, std::vector<CellNote> notes);
   void warn(LineId line, const Parsed& parsed, std::string_view code,
             const std::function<std::string()>& message);
 
@@ -128,18 +128,18 @@ class Cell {
   Epoch epoch_ = 0;
   int model_rev_ = 1;
   std::uint64_t revision_ = 1;
-  std::map<LineId, Line> lines_;
+  std::map<LineId, SerialLine> lines_;
   LineId last_line_ = 0;
-  std::optional<Line> probe_line_;
+  std::optional<SerialLine> probe_line_;
   std::map<LineId, std::uint64_t> closed_bytes_in_;  ///< of lines that are gone, the oldest first
   std::map<std::string, SavedCellPtr> snapshots_;
   std::vector<Exchange> exchanges_;  ///< of the bytes being taken; kept for its memory
-  WarningGate warnings_;
-  struct ToldEvent {
+  WarningLimiter warnings_;
+  struct StampedEvent {
     CellEvent event;
     ModelPtr model;  ///< as it was then
   };
-  monitor::Ring<ToldEvent> events_;
+  monitor::Ring<StampedEvent> events_;
   monitor::Ring<WireRecord> wires_;
   CellCounters counters_;
   CellEventSink sink_;

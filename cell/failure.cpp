@@ -5,7 +5,7 @@
 namespace xr3 {
 
 VitalFailure::VitalFailure(std::string_view where, std::string_view what) noexcept {
-  char* const last = text_.data() + kMostBytes - 1;  // stays 0
+  char* const last = text_.data() + kMaxBytes - 1;  // stays 0
   char* end = text_.data();
   for (const std::string_view part : {where, std::string_view(": "), what}) {
     const auto room = static_cast<std::size_t>(last - end);

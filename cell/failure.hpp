@@ -11,13 +11,13 @@ namespace xr3 {
 /// An exception that no connection may swallow. It allocates nothing, since memory may be what is missing.
 class VitalFailure : public std::exception {
  public:
-  /// `what` is cut to kMostBytes.
+  /// `what` is cut to kMaxBytes.
   VitalFailure(std::string_view where, std::string_view what) noexcept;
   const char* what() const noexcept override { return text_.data(); }
-  static constexpr std::size_t kMostBytes = 256;
+  static constexpr std::size_t kMaxBytes = 256;
 
  private:
-  std::array<char, kMostBytes> text_{};
+  std::array<char, kMaxBytes> text_{};
 };
 
 /// Throws `failure` again, as a VitalFailure whose text begins with `where`.

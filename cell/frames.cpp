@@ -15,69 +15,69 @@ namespace {
 using monitor::Channel;
 
 // Selections that are remembered for a channel; of more, those of old frames are forgotten.
-constexpr std::size_t kMostMade = 64;
+constexpr std::size_t kMaxEncoded = 64;
 
 }  // namespace
 
-const monitor::Frame* Frames::current(const monitor::Selection& selection) {
+const monitor::Frame* FrameCache::current(const monitor::Selection& selection) {
   return vital("the frames", [&] { return look_at(selection); });
 }
 
-const monitor::Frame* Frames::look_at(const monitor::Selection& selection) {
-  Film& film = films_.at(static_cast<std::size_t>(selection.channel));
-  look(selection.channel, film);
-  if (selection.channel == Channel::kImage && !film.image) return nullptr;
-  Made& made = made_for(film, selection);
-  if (made.seq != film.seq) make(film, made);
-  return &made.frame;
+const monitor::Frame* FrameCache::look_at(const monitor::Selection& selection) {
+  ChannelCache& cache = caches_.at(static_cast<std::size_t>(selection.channel));
+  look(selection.channel, cache);
+  if (selection.channel == Channel::kImage && !cache.image) return nullptr;
+  EncodedFrame& encoded = encoded_for(cache, selection);
+  if (encoded.seq != cache.seq) make(cache, encoded);
+  return &encoded.frame;
 }
 
-void Frames::look(Channel channel, Film& film) {
-  if (film.revision == cell_.revision()) return;
-  film.revision = cell_.revision();
-  const bool is_new = film.seq == 0 || film.epoch != cell_.epoch();
-  if (!has_changed(channel, film) && !is_new) return;
-  ++film.seq;
-  film.epoch = cell_.epoch();
-  film.tick = cell_.state().tick;
+void FrameCache::look(Channel channel, ChannelCache& cache) {
+  if (cache.revision == cell_.revision()) return;
+  cache.revision = cell_.revision();
+  const bool is_new = cache.seq == 0 || cache.epoch != cell_.epoch();
+  if (!has_changed(channel, cache) && !is_new) return;
+  ++cache.seq;
+  cache.epoch = cell_.epoch();
+  cache.tick = cell_.state().tick;
 }
 
-bool Frames::has_changed(Channel channel, Film& film) const {
-  if (channel == Channel::kImage) return has_new_image(film);
-  if (channel == Channel::kState && is_only_later(film)) return film.tick != cell_.state().tick;
-  if (channel == Channel::kModel && is_same_model(film)) return false;
-  film.members = members_now(channel);
-  std::string text = monitor::text_of(film.members);
-  const bool is_other = text != film.text;
-  film.text = std::move(text);
-  const bool is_later = channel == Channel::kState && film.tick != cell_.state().tick;
+bool FrameCache::has_changed(Channel channel, ChannelCache& cache) const {
+  if (channel == Channel::kImage) return has_new_image(cache);
+  if (channel == Channel::kState && is_only_later(cache)) return cache.tick != cell_.state().tick;
+  if (channel == Channel::kModel && is_same_model(cache)) return false;
+  cache.members = members_now(channel);
+  std::string text = monitor::text_of(cache.members);
+  const bool is_other = text != cache.text;
+  cache.text = std::move(text);
+  const bool is_later = channel == Channel::kState && cache.tick != cell_.state().tick;
   return is_other || is_later;
 }
 
 /// Nothing but time has passed since the last look: no text need be made anew.
-bool Frames::is_only_later(Film& film) const {
+bool FrameCache::is_only_later(ChannelCache& cache) const {
   Snapshot now = cell_.snapshot();
   now.state.tick = 0;
-  const bool is_same = film.snapshot == now;
-  film.snapshot = std::move(now);
+  const bool is_same = cache.snapshot == now;
+  cache.snapshot = std::move(now);
   return is_same;
 }
 
 /// The workcell is as it was at the last look; the robot never changes.
-bool Frames::is_same_model(Film& film) const {
+bool FrameCache::is_same_model(ChannelCache& cache) const {
   ShownModel now{cell_.model_rev(), workcell_now(cell_.model(), cell_.state())};
-  const bool is_same = film.model == now;
-  film.model = std::move(now);
+  const bool is_same = cache.model == now;
+  cache.model = std::move(now);
   return is_same;
 }
 
-bool Frames::has_new_image(Film& film) const {
-  const ImagePtr before = std::exchange(film.image, cell_.camera_image());
-  if (before == film.image) return false;
-  return !before || !film.image || *before != *film.image;
+bool FrameCache::has_new_image(ChannelCache& cache) const {
+  const ImagePtr before = std::exchange(cache.image, cell_.camera_image());
+  if (before == cache.image) return false;
+  return !before || !cache.image || *before != *cache.image;
 }
 
-Json Frames::members_now(Channel channel) const {
+Json FrameCache::members_now(Channel channel) const {
   const Model& model = cell_.model();
   if (channel == Channel::kDisplay) return display_json(model, cell_.state());
   if (channel == Channel::kState) return state_json(model, cell_.snapshot());
@@ -86,30 +86,32 @@ Json Frames::members_now(Channel channel) const {
   return members;
 }
 
-Frames::Made& Frames::made_for(Film& film, const monitor::Selection& selection) const {
-  const auto found =
-      std::find_if(film.made.begin(), film.made.end(),
-                   [&selection](const Made& made) { return made.selection == selection; });
-  if (found != film.made.end()) return *found;
-  if (film.made.size() >= kMostMade) film.made.clear();
-  return film.made.emplace_back(Made{selection, 0, {}});
+FrameCache::EncodedFrame& FrameCache::encoded_for(ChannelCache& cache,
+                                                  const monitor::Selection& selection) const {
+  const auto found = std::find_if(
+      cache.encoded.begin(), cache.encoded.end(),
+      [&selection](const EncodedFrame& encoded) { return encoded.selection == selection; });
+  if (found != cache.encoded.end()) return *found;
+  if (cache.encoded.size() >= kMaxEncoded) cache.encoded.clear();
+  return cache.encoded.emplace_back(EncodedFrame{selection, 0, {}});
 }
 
-std::string Frames::content_of(const Film& film, const monitor::Selection& selection) {
-  if (!film.image && !selection.fields) return film.text;
-  if (film.image && !selection.fields) return image_text(*film.image, selection.encoding);
-  const Json members = film.image ? image_json(*film.image, selection.encoding) : film.members;
+std::string FrameCache::content_of(const ChannelCache& cache, const monitor::Selection& selection) {
+  if (!cache.image && !selection.fields) return cache.text;
+  if (cache.image && !selection.fields) return image_text(*cache.image, selection.encoding);
+  const Json members = cache.image ? image_json(*cache.image, selection.encoding) : cache.members;
   return monitor::text_of(chosen(members, selection.fields));
 }
 
-void Frames::make(const Film& film, Made& made) const {
-  const monitor::Selection& selection = made.selection;
-  std::string content = content_of(film, selection);
-  if (!made.frame.content || *made.frame.content != content)
-    made.frame.content = std::make_shared<const std::string>(std::move(content));
-  made.seq = made.frame.seq = film.seq;
-  made.frame.message = monitor::channel_message(
-      selection.channel, {cell_.name(), film.epoch, film.seq, film.tick}, *made.frame.content);
+void FrameCache::make(const ChannelCache& cache, EncodedFrame& encoded) const {
+  const monitor::Selection& selection = encoded.selection;
+  std::string content = content_of(cache, selection);
+  if (!encoded.frame.content || *encoded.frame.content != content)
+    encoded.frame.content = std::make_shared<const std::string>(std::move(content));
+  encoded.seq = encoded.frame.seq = cache.seq;
+  encoded.frame.message = monitor::channel_message(
+      selection.channel, {cell_.name(), cache.epoch, cache.seq, cache.tick},
+      *encoded.frame.content);
 }
 
 }  // namespace xr3

@@ -14,10 +14,10 @@
 
 namespace xr3 {
 
-class Frames {
+class FrameCache {
  public:
   /// `cell` outlives it.
-  explicit Frames(Cell& cell) : cell_(cell) {}
+  explicit FrameCache(Cell& cell) : cell_(cell) {}
 
   /// The frame of the selection's channel (state, image, display or model) as the cell is now, valid
   /// until the next call; null for an image where there is no camera. Equal seqs are equal bytes for
@@ -26,7 +26,7 @@ class Frames {
 
  private:
   /// What one selection made of a frame.
-  struct Made {
+  struct EncodedFrame {
     monitor::Selection selection;
     std::int64_t seq = 0;
     monitor::Frame frame;
@@ -38,7 +38,7 @@ class Frames {
     bool operator==(const ShownModel&) const = default;
   };
   /// One channel's latest frame. `text` and `image` are compared to find out whether it is another.
-  struct Film {
+  struct ChannelCache {
     std::uint64_t revision = 0;  ///< of the cell when it was looked at last
     std::int64_t seq = 0;
     Epoch epoch = 0;
@@ -48,22 +48,22 @@ class Frames {
     std::optional<Snapshot> snapshot;  ///< state only: what the text shows, at tick 0
     std::optional<ShownModel> model;   ///< model only
     ImagePtr image;
-    std::vector<Made> made;
+    std::vector<EncodedFrame> encoded;
   };
 
   const monitor::Frame* look_at(const monitor::Selection& selection);
-  void look(monitor::Channel channel, Film& film);
-  bool has_changed(monitor::Channel channel, Film& film) const;
-  bool is_only_later(Film& film) const;
-  bool is_same_model(Film& film) const;
-  bool has_new_image(Film& film) const;
+  void look(monitor::Channel channel, ChannelCache& cache);
+  bool has_changed(monitor::Channel channel, ChannelCache& cache) const;
+  bool is_only_later(ChannelCache& cache) const;
+  bool is_same_model(ChannelCache& cache) const;
+  bool has_new_image(ChannelCache& cache) const;
   Json members_now(monitor::Channel channel) const;
-  Made& made_for(Film& film, const monitor::Selection& selection) const;
-  static std::string content_of(const Film& film, const monitor::Selection& selection);
-  void make(const Film& film, Made& made) const;
+  EncodedFrame& encoded_for(ChannelCache& cache, const monitor::Selection& selection) const;
+  static std::string content_of(const ChannelCache& cache, const monitor::Selection& selection);
+  void make(const ChannelCache& cache, EncodedFrame& encoded) const;
 
   Cell& cell_;
-  std::array<Film, 4> films_;  ///< state, image, display, model
+  std::array<ChannelCache, 4> caches_;  ///< state, image, display, model
 };
 
 }  // namespace xr3

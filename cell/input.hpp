@@ -25,13 +25,13 @@ struct LineOpened {
 struct BytesIn {
   LineId line = 0;
   std::string_view bytes;
-  /// Asked between pieces of kMostShownIn bytes: true leaves the rest for another input. Empty: never.
+  /// Asked between pieces of kMaxShownIn bytes: true leaves the rest for another input. Empty: never.
   std::function<bool()> is_enough = {};
 };
 
 struct LineClosed {
   LineId line = 0;
-  CloseReason reason = CloseReason::kClientClosed;
+  LineCloseReason reason = LineCloseReason::kClientClosed;
 };
 
 using Input = std::variant<LineOpened, BytesIn, LineClosed, call::Call>;

@@ -5,18 +5,18 @@ namespace xr3 {
 std::size_t Line::receive(std::string_view bytes, Simulation& simulation,
                           std::vector<Exchange>& exchanges) {
   std::size_t taken = 0;
-  while (taken < bytes.size() && !is_full() && !is_stranger_) {
+  while (taken < bytes.size() && !is_full() && !is_not_a_robot_program_) {
     const auto byte = static_cast<std::uint8_t>(bytes[taken++]);
     const std::uint64_t offset = bytes_in_++;
     if (kind_ == LineKind::kMonitor) {  // no stranger, no telnet: bytes as they are
       act_on(byte, offset, simulation, exchanges);
       continue;
     }
-    const Verdict verdict = guard_.take(byte);
-    is_stranger_ = verdict == Verdict::kStranger;
-    if (verdict != Verdict::kPass) continue;
-    if (!guard_.held().empty()) {
-      const std::string held = guard_.release();
+    const Detection detection = detector_.feed(byte);
+    is_not_a_robot_program_ = detection == Detection::kNotARobotProgram;
+    if (detection != Detection::kPass) continue;
+    if (!detector_.held().empty()) {
+      const std::string held = detector_.release();
       for (std::size_t i = 0; i < held.size(); ++i) {
         act(static_cast<std::uint8_t>(held[i]), offset - held.size() + i, simulation, exchanges);
       }
@@ -28,14 +28,14 @@ std::size_t Line::receive(std::string_view bytes, Simulation& simulation,
 
 void Line::act(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
                std::vector<Exchange>& exchanges) {
-  const auto data = telnet_.take(byte, outbox_);
+  const auto data = telnet_.feed(byte, outbox_);
   if (data) act_on(*data, offset, simulation, exchanges);
 }
 
 void Line::act_on(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
                   std::vector<Exchange>& exchanges) {
   std::string replies;
-  endpoint_.take(byte, offset, simulation, replies, exchanges);
+  endpoint_.feed(byte, offset, simulation, replies, exchanges);
   if (replies.empty()) return;
   // A byte completes one inquiry at most, and nothing behind it.
   exchanges.back().reply_from = output_end();

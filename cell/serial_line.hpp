@@ -17,12 +17,12 @@
 
 namespace xr3 {
 
-class Line {
+class SerialLine {
  public:
   /// Above this the line takes no further byte until its transport has taken replies.
   static constexpr std::size_t kFullOutbox = 64 * 1024;
 
-  Line(Profile profile, LineKind kind, std::string peer, Tick opened)
+  SerialLine(Profile profile, LineKind kind, std::string peer, Tick opened)
       : endpoint_(profile), kind_(kind), peer_(std::move(peer)), opened_(opened) {}
 
   /// Takes bytes at the simulation's tick and returns how many: all, unless the outbox is full or the
@@ -35,9 +35,9 @@ class Line {
 
   bool is_full() const { return outbox().size() >= kFullOutbox; }
   /// A browser, a TLS or a WebRTC client: to be closed; nothing that it sent has acted.
-  bool is_stranger() const { return is_stranger_; }
+  bool is_not_a_robot_program() const { return is_not_a_robot_program_; }
   /// Bytes that the guard still holds back.
-  std::size_t held_bytes() const { return guard_.held().size(); }
+  std::size_t held_bytes() const { return detector_.held().size(); }
   /// The filter as it is before the next byte; a monitor's line has none.
   std::optional<TelnetFilter> telnet() const {
     return kind_ == LineKind::kMonitor ? std::nullopt : std::optional(telnet_);
@@ -70,7 +70,7 @@ class Line {
   void act_on(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
               std::vector<Exchange>& exchanges);
 
-  StrangerGuard guard_;
+  HttpTlsDetector detector_;
   TelnetFilter telnet_;
   RhinoEndpoint endpoint_;
   std::string outbox_;
@@ -82,7 +82,7 @@ class Line {
   std::uint64_t bytes_out_ = 0;  ///< as the transport took them
   std::uint64_t warnings_ = 0;
   RawBytes last_;
-  bool is_stranger_ = false;
+  bool is_not_a_robot_program_ = false;
 };
 
 }  // namespace xr3

@@ -4,7 +4,7 @@
 
 namespace xr3 {
 
-bool WarningGate::extends_run(LineId line, Tick tick, std::string_view code) {
+bool WarningLimiter::extends_run(LineId line, Tick tick, std::string_view code) {
   const auto found = lines_.find(line);
   if (found == lines_.end()) return false;
   PerLine& of_line = found->second;
@@ -14,7 +14,7 @@ bool WarningGate::extends_run(LineId line, Tick tick, std::string_view code) {
   return extends;
 }
 
-std::vector<CellNote> WarningGate::take(LineId line, Tick tick, ProblemNote note) {
+std::vector<CellNote> WarningLimiter::add(LineId line, Tick tick, ProblemNote note) {
   if (extends_run(line, tick, note.code)) return {};
   PerLine& of_line = lines_[line];
   std::vector<CellNote> due = begin_second(of_line, tick);
@@ -23,7 +23,7 @@ std::vector<CellNote> WarningGate::take(LineId line, Tick tick, ProblemNote note
   return due;
 }
 
-std::vector<CellNote> WarningGate::finish(LineId line, Tick tick) {
+std::vector<CellNote> WarningLimiter::finish(LineId line, Tick tick) {
   const auto found = lines_.find(line);
   if (found == lines_.end()) return {};
   std::vector<CellNote> due = begin_second(found->second, tick);
@@ -31,25 +31,25 @@ std::vector<CellNote> WarningGate::finish(LineId line, Tick tick) {
   return due;
 }
 
-std::vector<CellNote> WarningGate::begin_second(PerLine& line, Tick tick) {
+std::vector<CellNote> WarningLimiter::begin_second(PerLine& line, Tick tick) {
   const Tick second = tick / kTickHz;
   if (second == line.second) return {};
   std::vector<CellNote> due;
   end_run(line, due);
-  pay(line, due);
+  flush(line, due);
   line.second = second;
   line.notes = 0;
   return due;
 }
 
-void WarningGate::pay(PerLine& line, std::vector<CellNote>& due) {
+void WarningLimiter::flush(PerLine& line, std::vector<CellNote>& due) {
   if (line.left_out == 0) return;
   due.emplace_back(SuppressedNote{line.left_out});
   line.left_out = 0;
   --owed_;
 }
 
-std::vector<std::pair<LineId, CellNote>> WarningGate::words_owed(Tick tick) {
+std::vector<std::pair<LineId, CellNote>> WarningLimiter::take_pending(Tick tick) {
   std::vector<std::pair<LineId, CellNote>> words;
   if (owed_ == 0) return words;
   for (auto& [id, line] : lines_) {
@@ -59,19 +59,19 @@ std::vector<std::pair<LineId, CellNote>> WarningGate::words_owed(Tick tick) {
   return words;
 }
 
-std::vector<CellNote> WarningGate::forget(LineId line) {
+std::vector<CellNote> WarningLimiter::forget(LineId line) {
   const auto found = lines_.find(line);
   if (found == lines_.end()) return {};
   std::vector<CellNote> due;
   end_run(found->second, due);
-  pay(found->second, due);
+  flush(found->second, due);
   lines_.erase(found);
   return due;
 }
 
-void WarningGate::end_run(PerLine& line, std::vector<CellNote>& due) {
+void WarningLimiter::end_run(PerLine& line, std::vector<CellNote>& due) {
   if (!line.run) return;
-  if (line.notes < kMostNotesPerSecond) {
+  if (line.notes < kMaxNotesPerSecond) {
     ++line.notes;
     due.emplace_back(std::move(*line.run));
   } else {

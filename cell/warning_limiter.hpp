@@ -12,24 +12,24 @@
 
 namespace xr3 {
 
-class WarningGate {
+class WarningLimiter {
  public:
-  static constexpr int kMostNotesPerSecond = 64;
+  static constexpr int kMaxNotesPerSecond = 64;
 
   /// If the current run has this code, counts the problem into it and returns true: no note is due.
   bool extends_run(LineId line, Tick tick, std::string_view code);
 
   /// Adds a problem of a line; returns the notes that are due now, in order.
-  std::vector<CellNote> take(LineId line, Tick tick, ProblemNote note);
+  std::vector<CellNote> add(LineId line, Tick tick, ProblemNote note);
 
   /// Ends the current run of a line, at the end of a read or before another event; returns the
   /// notes that are due.
   std::vector<CellNote> finish(LineId line, Tick tick);
 
   /// Whether suppressed warnings have not been reported yet.
-  bool owes_words() const { return owed_ > 0; }
+  bool has_pending() const { return owed_ > 0; }
   /// The reports that are due for completed seconds, by line.
-  std::vector<std::pair<LineId, CellNote>> words_owed(Tick tick);
+  std::vector<std::pair<LineId, CellNote>> take_pending(Tick tick);
 
   /// Removes a line that closes, or whose epoch ends; returns its pending notes.
   std::vector<CellNote> forget(LineId line);
@@ -44,7 +44,7 @@ class WarningGate {
 
   std::vector<CellNote> begin_second(PerLine& line, Tick tick);
   void end_run(PerLine& line, std::vector<CellNote>& due);
-  void pay(PerLine& line, std::vector<CellNote>& due);
+  void flush(PerLine& line, std::vector<CellNote>& due);
 
   std::map<LineId, PerLine> lines_;
   std::size_t owed_ = 0;  ///< number of lines with unreported suppressed warnings

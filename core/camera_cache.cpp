@@ -10,7 +10,7 @@ namespace {
 
 // Rows that are drawn by themselves before the whole picture is. A row costs each block's corners, as
 // the whole picture does: after so many the whole one has paid.
-constexpr int kMostParts = 2;
+constexpr int kMaxParts = 2;
 
 }  // namespace
 
@@ -40,7 +40,7 @@ bool CameraCache::pixel(const Model& model, const State& state, int column, int 
 }
 
 bool CameraCache::needs_only_a_part() {
-  if (resting_ || parts_ >= kMostParts) return false;
+  if (resting_ || parts_ >= kMaxParts) return false;
   ++parts_;
   ++renders_;
   return true;

@@ -19,7 +19,7 @@ Positions positions(const Model& model, const Motors& motors) {
 }
 
 void turn(const Model& model, Positions& positions, int motor, Counts counts) {
-  for (const Driven& driven : model.driven_by(motor))
+  for (const CoupledJoint& driven : model.driven_by(motor))
     positions[driven.joint] += driven.gain * counts;
 }
 

@@ -29,9 +29,9 @@ class Executor {
     MotorState* motor = find(move.label);
     if (motor == nullptr) return NoReply{};
     const bool wrapped = add_to_error(*motor, move.counts);
-    tell(MoveTaken{move.label, move.counts, motor->error});
+    emit(MoveTaken{move.label, move.counts, motor->error});
     if (wrapped)
-      tell(Warning{WarningCode::kCounterOverflow, move.label, move.counts, motor->error, {}});
+      emit(Warning{WarningCode::kCounterOverflow, move.label, move.counts, motor->error, {}});
     counters_changed();
     return NoReply{};
   }
@@ -65,12 +65,12 @@ class Executor {
   Reply operator()(const QueryInputs&) { return switch_bits(model_, state_, 'K'); }
 
   Reply operator()(const SetAuxiliary& set) {
-    if (has_bit(state_.io.auxiliary, set.port) != set.on) tell(AuxiliaryChanged{set.port, set.on});
+    if (has_bit(state_.io.auxiliary, set.port) != set.on) emit(AuxiliaryChanged{set.port, set.on});
     state_.io.auxiliary = with_bit(state_.io.auxiliary, set.port, set.on);
     return NoReply{};
   }
   Reply operator()(const SetOutput& set) {
-    if (has_bit(state_.io.outputs, set.line) != set.high) tell(OutputChanged{set.line, set.high});
+    if (has_bit(state_.io.outputs, set.line) != set.high) emit(OutputChanged{set.line, set.high});
     state_.io.outputs = with_bit(state_.io.outputs, set.line, set.high);
     return NoReply{};
   }
@@ -99,7 +99,7 @@ class Executor {
   }
   Reply operator()(const ToggleSimulator&) {
     state_.enabled = !state_.enabled;
-    tell(EnabledChanged{state_.enabled});
+    emit(EnabledChanged{state_.enabled});
     return NoReply{};
   }
   Reply operator()(const SetRefreshPeriod& period) {
@@ -139,7 +139,7 @@ class Executor {
   MotorState* find(char label) {
     const int index = model_.index_of(label);
     if (index >= 0) return &state_.motor(index);
-    tell(Warning{WarningCode::kNoSuchJoint, label, 0, 0, {}});
+    emit(Warning{WarningCode::kNoSuchJoint, label, 0, 0, {}});
     return nullptr;
   }
 
@@ -152,11 +152,11 @@ class Executor {
     const auto& camera = model_.workcell().camera;
     const bool has =
         camera && column >= 0 && column < camera->pixels_x && row >= 0 && row < camera->pixels_y;
-    if (!has) tell(Warning{WarningCode::kBadCameraArgument, 'A', 0, 0, {}});
+    if (!has) emit(Warning{WarningCode::kBadCameraArgument, 'A', 0, 0, {}});
     return has;
   }
 
-  void tell(EventBody body) { events_.push_back({state_.tick, std::move(body)}); }
+  void emit(EventBody body) { events_.push_back({state_.tick, std::move(body)}); }
 
   const Model& model_;
   State& state_;

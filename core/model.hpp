@@ -30,10 +30,10 @@ struct MotorModel {
 };
 
 /// A joint that a motor moves, and by how many counts per count of the motor.
-struct Driven {
+struct CoupledJoint {
   std::uint8_t joint = 0;
   std::int8_t gain = 0;
-  bool operator==(const Driven&) const = default;
+  bool operator==(const CoupledJoint&) const = default;
 };
 
 class Model {
@@ -56,7 +56,7 @@ class Model {
   int index_of(char label) const;
 
   /// The joints that motor `index` moves: its own first, then those coupled to it.
-  const std::vector<Driven>& driven_by(int index) const {
+  const std::vector<CoupledJoint>& driven_by(int index) const {
     return driven_[static_cast<std::size_t>(index)];
   }
   /// Counts by which joint `joint` moves per count of motor `motor`; 1 on the diagonal.
@@ -89,7 +89,7 @@ class Model {
   Workcell workcell_;
   Profile profile_;
   std::vector<MotorModel> motors_;
-  std::array<std::vector<Driven>, kMaxMotors> driven_;
+  std::array<std::vector<CoupledJoint>, kMaxMotors> driven_;
   std::array<std::array<std::int8_t, kMaxMotors>, kMaxMotors> gain_{};
   std::vector<SinCosTable> thetas_;
   std::vector<SinCos> twists_;

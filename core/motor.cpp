@@ -7,7 +7,7 @@ int sign(int value) { return (value > 0) - (value < 0); }
 
 // The first joint moved by motor `index` that its next count would take past a limit, or -1.
 int limited_joint(const Model& model, const Positions& positions, int index, int direction) {
-  for (const Driven& driven : model.driven_by(index)) {
+  for (const CoupledJoint& driven : model.driven_by(index)) {
     const int change = driven.gain * direction;
     const Counts next = positions[driven.joint] + change;
     const MotorModel& joint = model.motor(driven.joint);
@@ -50,7 +50,8 @@ bool gathers_a_count(MotorState& motor) {
 }
 
 // Makes the tool's count unless it would squeeze a block.
-Turned turn_tool(const Model& model, State& state, Positions& positions, Turned turned) {
+MotorTickResult turn_tool(const Model& model, State& state, Positions& positions,
+                          MotorTickResult turned) {
   const int tool = model.tool_index();
   turned.opened = opens_jaws(model, sign(state.motor(tool).error));
   if (!turned.opened) turned.jaws = next_closing(model, state, positions);
@@ -79,8 +80,8 @@ Blocked obstacle(const Model& model, const State& state, const Positions& positi
   return limited ? Blocked::kLimit : Blocked::kNo;
 }
 
-Turned turn_motors(const Model& model, State& state, Positions& positions) {
-  Turned turned;
+MotorTickResult turn_motors(const Model& model, State& state, Positions& positions) {
+  MotorTickResult turned;
   for (int i = 0; i < model.motor_count(); ++i) {
     if (!gathers_a_count(state.motor(i))) continue;
     if (obstacle(model, state, positions, i) != Blocked::kNo) continue;  // see update_blocked()

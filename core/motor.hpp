@@ -34,7 +34,7 @@ inline Tick ticks_to_count(const MotorState& motor) {
 Blocked obstacle(const Model& model, const State& state, const Positions& positions, int index);
 
 /// The result of one tick of all motors.
-struct Turned {
+struct MotorTickResult {
   bool any = false;     ///< a count was made, or the jaws met a block
   bool joint = false;   ///< a joint moved, not only the tool
   bool opened = false;  ///< the tool's motor made an opening count
@@ -43,7 +43,7 @@ struct Turned {
 
 /// One tick of every motor: joints from the base, then the tool. The check of each count sees the
 /// counts already made in this tick. Updates `positions`.
-Turned turn_motors(const Model& model, State& state, Positions& positions);
+MotorTickResult turn_motors(const Model& model, State& state, Positions& positions);
 
 /// Recomputes which motors are blocked and appends an event for each newly blocked one. To be
 /// called after counts were made or error counters changed.

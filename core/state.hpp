@@ -63,9 +63,9 @@ struct Held {
   bool operator==(const Held&) const = default;
 };
 
-/// The path of the tool tip since erasing was turned off: the last kMostTipPoints points.
+/// The path of the tool tip since erasing was turned off: the last kMaxTipPoints points.
 struct TipPath {
-  static constexpr std::size_t kMostTipPoints = 4096;
+  static constexpr std::size_t kMaxTipPoints = 4096;
   std::vector<PointUm> points;  ///< a ring buffer once it is full
   std::size_t oldest = 0;       ///< index of the oldest point
 

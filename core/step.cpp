@@ -18,7 +18,7 @@ void stall(State& state, const Motors& before, Stall why, Events& events) {
   events.push_back({state.tick, Stalled{why}});
 }
 
-void tell_reached(const Model& model, const State& state, const Motors& before, Events& events) {
+void emit_reached(const Model& model, const State& state, const Motors& before, Events& events) {
   for (int i = 0; i < model.motor_count(); ++i) {
     const bool arrived =
         state.motor(i).error == 0 && before[static_cast<std::size_t>(i)].error != 0;
@@ -61,7 +61,7 @@ void step(const Model& model, State& state, Events& events) {
   if (state.stall != Stall::kNo) return;
   const Motors before = state.motors;
   Positions positions = xr3::positions(model, state.motors);
-  const Turned turned = turn_motors(model, state, positions);
+  const MotorTickResult turned = turn_motors(model, state, positions);
   if (turned.joint) {
     const PointUm tip = tool_tip(model, positions);
     if (const Stall why = stall_at(model, state, tip); why != Stall::kNo) {
@@ -75,7 +75,7 @@ void step(const Model& model, State& state, Events& events) {
     update_switches(model, state, events);
     update_grasp(model, state, positions, turned.jaws, turned.opened, events);
   }
-  tell_reached(model, state, before, events);
+  emit_reached(model, state, before, events);
   update_blocked(model, state, positions, events);
 }
 

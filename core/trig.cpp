@@ -44,7 +44,7 @@ SinCos sin_cos_deg(double angle_deg) {
 
 SinCosTable::SinCosTable(double home_deg, double step_deg, Counts low, Counts high)
     : home_deg_(home_deg), step_deg_(step_deg), low_(low) {
-  if (high - low >= kLongestTable) return;
+  if (high - low >= kMaxTableBytes) return;
   const Counts positions = high - low + 1;
   table_.reserve(static_cast<std::size_t>(positions));
   for (Counts position = low; position <= high; ++position) table_.push_back(computed(position));

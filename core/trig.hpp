@@ -19,10 +19,10 @@ struct SinCos {
 SinCos sin_cos_deg(double angle_deg);
 
 /// Sine and cosine of home + direction * precision * position for every position in a range.
-/// A range longer than kLongestTable is not tabulated: each call computes the same bits.
+/// A range longer than kMaxTableBytes is not tabulated: each call computes the same bits.
 class SinCosTable {
  public:
-  static constexpr Counts kLongestTable = 1 << 16;
+  static constexpr Counts kMaxTableBytes = 1 << 16;
 
   /// angle_deg(position) = home_deg + step_deg * position.
   SinCosTable(double home_deg, double step_deg, Counts low, Counts high);

@@ -67,10 +67,10 @@ AccessRules access_rules(const ServeOptions& options, std::string token) {
 }  // namespace
 
 ModelPtr load_model(const ServeOptions& options) {
-  const DataFile robot_file =
-      blaming(options.origins, "--robot", [&] { return find_data_file(options.robot, "robots"); });
+  const DataFile robot_file = with_option_source(
+      options.option_sources, "--robot", [&] { return find_data_file(options.robot, "robots"); });
   const Robot robot = load_robot_of_either_form(robot_file.text, robot_file.path);
-  const DataFile workcell_file = blaming(options.origins, "--workcell", [&] {
+  const DataFile workcell_file = with_option_source(options.option_sources, "--workcell", [&] {
     return find_data_file(workcell_name(options), "workcells");
   });
   const Workcell workcell = load_workcell_of_either_form(workcell_file.text, workcell_file.path);
@@ -83,7 +83,7 @@ App::App(const ServeOptions& options, ModelPtr model, std::string token)
       reserve_(std::make_unique<char[]>(kReserveBytes)),
       cell_("main", std::move(model), start_clock(options.clock), log_event),
       policy_(access_rules(options, std::move(token))),
-      robot_port_(io_, cell_, options.most_lines, [this] { acted(); }),
+      robot_port_(io_, cell_, options.max_lines, [this] { acted(); }),
       robot_probe_(io_, robot_port_),
       monitor_port_(
           io_, cell_, robot_port_, policy_, [this] { return not_ready(); }, [this] { acted(); }),
@@ -145,7 +145,7 @@ void App::announce() {
   const tcp::endpoint robot = robot_port_.endpoint();
   const tcp::endpoint monitor = monitor_port_.endpoint();
   if (!options_.port_file.empty()) {
-    blaming(options_.origins, "--port-file", [&] {
+    with_option_source(options_.option_sources, "--port-file", [&] {
       write_port_file(options_.port_file, {robot.port(), monitor.port(), fresh_token_});
     });
   }
@@ -171,14 +171,14 @@ void App::await_signal() {
 
 void App::acted() {
   if (stage_ == Stage::kEnded) return;
-  if (stage_ != Stage::kDraining) return monitor_port_.audience().acted();
+  if (stage_ != Stage::kDraining) return monitor_port_.subscribers().acted();
   if (robot_port_.is_empty() && monitor_port_.is_empty()) drain_limit_.cancel();
 }
 
 // Everything that keeps the loop alive is closed, so that run() returns by itself.
 void App::stop() {
   stage_ = Stage::kDraining;
-  monitor_port_.audience().stop();
+  monitor_port_.subscribers().stop();
   robot_port_.close();
   monitor_port_.close();
   if (robot_port_.is_empty() && monitor_port_.is_empty()) return;

@@ -34,7 +34,7 @@ std::string one_line(std::string_view formatted) {
 // A parent process that never reads our standard error must not block the robot. A pipe that polls
 // writable accepts PIPE_BUF bytes without blocking; longer messages are cut.
 class PatientSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
-  static constexpr std::size_t kMostBytes = 4096;
+  static constexpr std::size_t kMaxBytes = 4096;
 
   void sink_it_(const spdlog::details::log_msg& message) override {
     spdlog::memory_buf_t formatted;
@@ -42,7 +42,7 @@ class PatientSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex>
     const std::string text = one_line({formatted.data(), formatted.size()});
     pollfd ready{STDERR_FILENO, POLLOUT, 0};
     if (::poll(&ready, 1, 0) != 1 || (ready.revents & POLLOUT) == 0) return;
-    const auto written = ::write(STDERR_FILENO, text.data(), std::min(text.size(), kMostBytes));
+    const auto written = ::write(STDERR_FILENO, text.data(), std::min(text.size(), kMaxBytes));
     (void)written;  // an error cannot be reported anywhere
   }
   void flush_() override {}

@@ -45,8 +45,8 @@ ExitCode serve(const ServeOptions& options) {
   raise_descriptor_limit();
   start_log(options.log_level);
   warn_of_open_token(options.token);
-  const std::string token =
-      blaming(options.origins, "--token-file", [&] { return read_token(options.token); });
+  const std::string token = with_option_source(options.option_sources, "--token-file",
+                                               [&] { return read_token(options.token); });
   return App(options, load_model(options), token).run();
 }
 

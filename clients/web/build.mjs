@@ -3,7 +3,7 @@
 import { build } from "esbuild";
 import { copyFile, mkdir, readFile, rm, stat } from "node:fs/promises";
 
-const kMostBundleBytes = 800_000;
+const kMaxBundleBytes = 800_000;
 const here = new URL(".", import.meta.url);
 const path = (name) => new URL(name, here).pathname;
 
@@ -26,4 +26,4 @@ await copyFile(path("node_modules/three/LICENSE"), path("dist/assets/three-licen
 const { size } = await stat(path("dist/assets/main.js"));
 await readFile(path("dist/index.html"));
 console.log(`viewer: ${Math.round(size / 1000)} kB of script`);
-if (size > kMostBundleBytes) throw new Error(`the script has ${size} bytes, the limit is ${kMostBundleBytes}`);
+if (size > kMaxBundleBytes) throw new Error(`the script has ${size} bytes, the limit is ${kMaxBundleBytes}`);

@@ -10,12 +10,12 @@
 namespace xr3 {
 namespace {
 
-constexpr double kMostCounts = 2e8;  // sums of coupled counts still fit into Counts
+constexpr double kMaxCounts = 2e8;  // sums of coupled counts still fit into Counts
 
 bool turns(const Joint& joint) { return joint.variable == JointVariable::kTheta; }
 
 Counts nearest(double counts) {
-  return static_cast<Counts>(std::llround(std::clamp(counts, -kMostCounts, kMostCounts)));
+  return static_cast<Counts>(std::llround(std::clamp(counts, -kMaxCounts, kMaxCounts)));
 }
 
 double exact_position(const Drive& drive, double variable) {

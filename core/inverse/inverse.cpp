@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kTurnDeg = 360.0;
 constexpr double kSameSolution = 1e-6;  // degrees or mm, of every joint
-constexpr int kMostJointsForTip = 3;
+constexpr int kMaxJointsForTip = 3;
 
 using inverse::Candidate;
 using inverse::Candidates;
@@ -116,7 +116,7 @@ void sort_solutions(std::vector<InverseSolution>& solutions) {
 Candidates find_candidates(const Robot& robot, InverseMethod method, const ToolTarget& target,
                            const InverseOptions& options) {
   Candidates found;
-  if (target.kind == TargetKind::kTip && robot.joints.size() > kMostJointsForTip) {
+  if (target.kind == TargetKind::kTip && robot.joints.size() > kMaxJointsForTip) {
     found.refuse(InverseRefusal::kNeedsOrientation, 0, 0);
     return found;
   }

@@ -13,9 +13,9 @@ namespace xr3::inverse {
 namespace {
 
 constexpr int kStarts = 96;
-constexpr int kMostSteps = 80;
-constexpr std::size_t kMostOfFamily = 8;  ///< solutions listed if there are infinitely many
-constexpr double kDone = 1e-13;           ///< residual at which the descent ends, in arm lengths
+constexpr int kMaxSteps = 80;
+constexpr std::size_t kMaxOfFamily = 8;  ///< solutions listed if there are infinitely many
+constexpr double kDone = 1e-13;          ///< residual at which the descent ends, in arm lengths
 constexpr double kRankThreshold = 1e-7;
 constexpr double kSameDegOrMm = 1e-4;
 constexpr std::array<int, kMaxJoints> kBases{2, 3, 5, 7, 11, 13, 17};
@@ -99,7 +99,7 @@ class Problem {
 JointVariables descend(const Problem& problem, JointVariables at) {
   double damping = 1e-3;
   Vector rest = problem.residual(at);
-  for (int step = 0; step < kMostSteps && rest.norm() > kDone && damping < 1e9; ++step) {
+  for (int step = 0; step < kMaxSteps && rest.norm() > kDone && damping < 1e9; ++step) {
     const Matrix slopes = problem.slopes(at);
     Matrix normal = slopes.transpose() * slopes;
     normal.diagonal().array() += damping;
@@ -164,7 +164,7 @@ Candidates solve_numerically(const Robot& robot, const ToolTarget& target,
   const Problem problem(robot, target);
   double least = std::numeric_limits<double>::infinity();
   for (int index = 0; index < kStarts; ++index) {
-    if (!found.freedoms.empty() && found.list.size() == kMostOfFamily) break;
+    if (!found.freedoms.empty() && found.list.size() == kMaxOfFamily) break;
     const JointVariables end = descend(problem, start(robot, target, index));
     const PoseError error = pose_error(robot, target, end);
     const double rest = problem.residual(end).norm();

@@ -24,9 +24,9 @@ using LineId = std::uint32_t;
 /// The transport of a line: a raw or telnet connection, or the monitor's call `send`.
 enum class LineKind : std::uint8_t { kRaw, kTelnet, kMonitor };
 
-enum class CloseReason : std::uint8_t {
+enum class LineCloseReason : std::uint8_t {
   kClientClosed,
-  kStranger,
+  kNotARobotProgram,
   kError,
   kShutdown,
   kDisconnected,  ///< by the monitor's line_disconnect
@@ -49,7 +49,7 @@ struct LineOpenedNote {
   std::string peer;
 };
 struct LineClosedNote {
-  CloseReason reason;
+  LineCloseReason reason;
   std::uint64_t bytes_in = 0;
   std::uint64_t bytes_out = 0;
 };

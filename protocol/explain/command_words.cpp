@@ -46,7 +46,7 @@ constexpr std::array<std::string_view, 7> kStatusLines = {
 std::string number(int value) { return std::to_string(value); }
 
 struct Describer {
-  const wire::Obeyed& obeyed;
+  const wire::Executed& obeyed;
 
   std::string on_or_off() const { return obeyed.is_on ? "on" : "off"; }
 
@@ -123,7 +123,7 @@ struct Describer {
 
 std::string_view code_of(const Command& command) { return std::visit(Namer{}, command); }
 
-std::string describe(const wire::Obeyed& obeyed) {
+std::string describe(const wire::Executed& obeyed) {
   return std::visit(Describer{obeyed}, obeyed.command);
 }
 

@@ -13,6 +13,6 @@ namespace xr3 {
 std::string_view code_of(const Command& command);
 
 /// What the command did or asks for, such as `move E +5, counter 5`.
-std::string describe(const wire::Obeyed& obeyed);
+std::string describe(const wire::Executed& obeyed);
 
 }  // namespace xr3

@@ -23,7 +23,7 @@ struct Explainer {
     return words(code_of(body), before + describe(body, model));
   }
 
-  Explanation operator()(const wire::Obeyed& obeyed) const {
+  Explanation operator()(const wire::Executed& obeyed) const {
     return words(code_of(obeyed.command), describe(obeyed));
   }
   Explanation operator()(const wire::Ignored& ignored) const {
@@ -32,11 +32,11 @@ struct Explainer {
     if (ignored.count > 1) message += " (" + std::to_string(ignored.count) + " in a row)";
     return words(code_of(ignored.problem.code), std::move(message));
   }
-  Explanation operator()(const wire::Raised& raised) const {
+  Explanation operator()(const wire::WarningRaised& raised) const {
     return event(Warning{raised.code, raised.label, raised.value, raised.limit, {}});
   }
   Explanation operator()(const MotorBlocked& blocked) const { return event(blocked); }
-  Explanation operator()(const wire::HeldBack& held_back) const {
+  Explanation operator()(const wire::NoMotion& held_back) const {
     if (held_back.stall != Stall::kNo) {
       return event(Stalled{held_back.stall}, "nothing moves: ");
     }
@@ -71,7 +71,7 @@ std::vector<Explanation> telnet_in(const WireRecord& record) {
   for (std::size_t i = 0; i < record.shown.size(); ++i) {
     const std::uint64_t at = record.offset + i;
     const bool is_data =
-        filter.take(static_cast<std::uint8_t>(record.shown[i]), answers).has_value();
+        filter.feed(static_cast<std::uint8_t>(record.shown[i]), answers).has_value();
     if (!is_data) add_telnet(all, at, at + 1, "telnet protocol; not passed to the controller");
   }
   return all;

@@ -8,25 +8,25 @@
 namespace xr3 {
 namespace {
 
-std::string_view code_of_reason(CloseReason reason) {
+std::string_view code_of_reason(LineCloseReason reason) {
   switch (reason) {
-    case CloseReason::kClientClosed: return "client_closed";
-    case CloseReason::kStranger: return "stranger";
-    case CloseReason::kError: return "error";
-    case CloseReason::kShutdown: return "shutdown";
-    case CloseReason::kDisconnected: return "disconnected";
+    case LineCloseReason::kClientClosed: return "client_closed";
+    case LineCloseReason::kNotARobotProgram: return "stranger";
+    case LineCloseReason::kError: return "error";
+    case LineCloseReason::kShutdown: return "shutdown";
+    case LineCloseReason::kDisconnected: return "disconnected";
   }
   return "";
 }
 
-std::string_view words(CloseReason reason) {
+std::string_view words(LineCloseReason reason) {
   switch (reason) {
-    case CloseReason::kClientClosed: return "closed by its client";
-    case CloseReason::kStranger:
+    case LineCloseReason::kClientClosed: return "closed by its client";
+    case LineCloseReason::kNotARobotProgram:
       return "closed: its client sent HTTP, TLS or STUN; none of its bytes were executed";
-    case CloseReason::kError: return "lost";
-    case CloseReason::kShutdown: return "closed: the server stops";
-    case CloseReason::kDisconnected: return "closed by the monitor's line_disconnect";
+    case LineCloseReason::kError: return "lost";
+    case LineCloseReason::kShutdown: return "closed: the server stops";
+    case LineCloseReason::kDisconnected: return "closed by the monitor's line_disconnect";
   }
   return "";
 }

@@ -7,7 +7,7 @@
 namespace xr3 {
 namespace {
 
-constexpr int kMostSevenBits = 127;
+constexpr int kMaxSevenBits = 127;
 
 std::string number(int value) { return std::to_string(value); }
 
@@ -67,7 +67,7 @@ struct Describer {
     const std::string words = label_of(command) + ": " + number(error.counts) +
                               (error.counts == 1 ? " count to go" : " counts to go");
     const bool is_cut =
-        model.profile() == Profile::kMark3 && error.counts + kReplyBase > kMostSevenBits;
+        model.profile() == Profile::kMark3 && error.counts + kReplyBase > kMaxSevenBits;
     return is_cut ? words + ", sent without its top bit" : words;
   }
   std::string operator()(const SignedError& error) const {

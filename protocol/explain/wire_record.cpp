@@ -8,12 +8,12 @@ namespace xr3 {
 namespace {
 
 using wire::Answered;
-using wire::HeldBack;
+using wire::Executed;
 using wire::Ignored;
 using wire::Item;
-using wire::Obeyed;
+using wire::NoMotion;
 using wire::PictureSize;
-using wire::Raised;
+using wire::WarningRaised;
 
 // Records of the ring are overwritten hundreds of thousands of times per second.
 static_assert(std::is_trivially_copyable_v<Item>);
@@ -58,7 +58,7 @@ const MoveTaken* move_in(const Exchange& exchange) {
 
 // Commands never stall a robot, only ticks do: if it is stalled after the bytes, it was before
 // them.
-HeldBack held_back(const MoveTaken& move, const Simulation& machine) {
+NoMotion held_back(const MoveTaken& move, const Simulation& machine) {
   const MotorState& motor = machine.state().motor(machine.model().index_of(move.label));
   return {move.label, machine.state().stall, motor.blocked};
 }
@@ -67,21 +67,21 @@ void add_command(std::vector<Item>& items, const Exchange& exchange, const Comma
                  const Simulation& machine) {
   const auto [from, to] = std::pair(exchange.parsed.from, exchange.parsed.to);
   const MoveTaken* move = move_in(exchange);
-  Obeyed obeyed{command, std::nullopt, false};
+  Executed obeyed{command, std::nullopt, false};
   if (move != nullptr) obeyed.counter = static_cast<std::int8_t>(move->error);
   items.push_back({from, to, obeyed});
   bool is_told = false;
   for (const Event& event : exchange.events) {
     if (const auto* warning = std::get_if<Warning>(&event.body)) {
       items.push_back(
-          {from, to, Raised{warning->code, warning->label, warning->value, warning->limit}});
+          {from, to, WarningRaised{warning->code, warning->label, warning->value, warning->limit}});
     } else if (const auto* blocked = std::get_if<MotorBlocked>(&event.body)) {
       items.push_back({from, to, *blocked});
       is_told = true;
     }
   }
   if (move == nullptr || is_told) return;
-  const HeldBack why = held_back(*move, machine);
+  const NoMotion why = held_back(*move, machine);
   if (why.stall != Stall::kNo || why.blocked != Blocked::kNo) items.push_back({from, to, why});
 }
 
@@ -91,7 +91,7 @@ void settle_toggles(std::vector<Item>& items, const State& after) {
   bool erase = after.display.erase;
   bool enabled = after.enabled;
   for (Item& item : std::views::reverse(items)) {
-    auto* obeyed = std::get_if<Obeyed>(&item.what);
+    auto* obeyed = std::get_if<Executed>(&item.what);
     if (obeyed == nullptr) continue;
     bool* toggled = nullptr;
     if (std::holds_alternative<ToggleDisplay>(obeyed->command)) toggled = &display;
@@ -123,7 +123,7 @@ struct Answer {
 void fill_in(WireRecord& record, const WirePlace& place, std::string_view bytes,
              const std::optional<TelnetFilter>& before, const std::vector<Exchange>& exchanges,
              const Simulation& machine) {
-  begin(record, Direction::kIn, place, bytes, kMostShownIn);
+  begin(record, Direction::kIn, place, bytes, kMaxShownIn);
   record.telnet = before;
   for (const Exchange& exchange : exchanges) {
     if (const auto* problem = std::get_if<Problem>(&exchange.parsed.what)) {
@@ -137,7 +137,7 @@ void fill_in(WireRecord& record, const WirePlace& place, std::string_view bytes,
 
 void fill_out(WireRecord& record, const WirePlace& place, std::string_view bytes,
               const std::vector<Exchange>& exchanges) {
-  begin(record, Direction::kOut, place, bytes, kMostShownOut);
+  begin(record, Direction::kOut, place, bytes, kMaxShownOut);
   record.telnet.reset();
   for (const Exchange& exchange : exchanges) {
     if (exchange.reply_from == exchange.reply_to) continue;

@@ -25,7 +25,7 @@ enum class Direction : std::uint8_t { kIn, kOut };
 namespace wire {
 
 /// An executed command, and the results that its text needs.
-struct Obeyed {
+struct Executed {
   Command command;
   std::optional<std::int8_t> counter;  ///< of a Move: the joint's error counter after it
   bool is_on = false;                  ///< of a toggle: the new value
@@ -39,7 +39,7 @@ struct Ignored {
 };
 
 /// A core Warning that a command raised.
-struct Raised {
+struct WarningRaised {
   WarningCode code = WarningCode::kCounterOverflow;
   char label = 0;
   int value = 0;
@@ -47,7 +47,7 @@ struct Raised {
 };
 
 /// A Move without motion: the robot is stalled, or the joint was blocked before and still is.
-struct HeldBack {
+struct NoMotion {
   char label = 0;
   Stall stall = Stall::kNo;
   Blocked blocked = Blocked::kNo;
@@ -69,7 +69,7 @@ struct Answered {
 struct Item {
   std::uint64_t from = 0;
   std::uint64_t to = 0;
-  std::variant<Obeyed, Ignored, Raised, MotorBlocked, HeldBack, Answered> what;
+  std::variant<Executed, Ignored, WarningRaised, MotorBlocked, NoMotion, Answered> what;
 };
 
 }  // namespace wire
@@ -82,15 +82,15 @@ struct WireRecord {
   Direction direction = Direction::kIn;
   std::uint64_t offset = 0;            ///< of the first byte in the line's stream in this direction
   std::uint64_t bytes = 0;             ///< number of bytes
-  std::string shown;                   ///< the first kMostShownIn or kMostShownOut bytes
+  std::string shown;                   ///< the first kMaxShownIn or kMaxShownOut bytes
   std::optional<TelnetFilter> telnet;  ///< kIn: the line's filter, if any, before the first byte
   std::vector<wire::Item> items;
 };
 
 /// Maximum number of bytes kept in a record. A longer read is split into several records, so that
 /// every received byte is kept.
-inline constexpr std::size_t kMostShownIn = 64;
-inline constexpr std::size_t kMostShownOut = 256;
+inline constexpr std::size_t kMaxShownIn = 64;
+inline constexpr std::size_t kMaxShownOut = 256;
 
 /// When and on which line bytes were received or sent.
 struct WirePlace {
@@ -100,7 +100,7 @@ struct WirePlace {
   std::uint64_t offset = 0;  ///< of the first byte in the line's stream in this direction
 };
 
-/// Fills `record` for received bytes: at most kMostShownIn, as the transport delivered them.
+/// Fills `record` for received bytes: at most kMaxShownIn, as the transport delivered them.
 /// `before` is the line's telnet filter before these bytes, or nullopt if it has none. `exchanges`
 /// are those that the bytes completed, and `machine` is in the state after them, at the same tick.
 void fill_in(WireRecord& record, const WirePlace& place, std::string_view bytes,

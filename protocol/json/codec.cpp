@@ -7,7 +7,7 @@
 namespace xr3::data {
 namespace {
 
-constexpr std::size_t kLongestShown = 40;
+constexpr std::size_t kMaxShownLength = 40;
 constexpr double kLargestWholeDouble = 9007199254740992.0;
 
 std::string plain(double number) {
@@ -62,14 +62,14 @@ Codec<double> scaled_number(Range range, std::string_view kind, bool is_length) 
 }  // namespace
 
 Reading::Reading(const JsonSource& source)
-    : source_(&source), root_(source.root()), most_(kMostOfFile) {
+    : source_(&source), root_(source.root()), most_(kMaxOfFile) {
   source.document().for_each_duplicate([this](JsonValue member) {
     if (keeps_error()) keep(member, told_twice(member), "each member once");
   });
   take_unit();
 }
 
-Reading::Reading(JsonValue root, Unit unit) : root_(root), most_(kMostOfValue) {
+Reading::Reading(JsonValue root, Unit unit) : root_(root), most_(kMaxOfValue) {
   if (unit == Unit::kOfDocument) take_unit();
 }
 
@@ -91,7 +91,7 @@ bool Reading::keeps(Severity severity) {
 
 void Reading::keep(Severity severity, std::string pointer, JsonValue value, JsonValue line,
                    std::string found, std::string allowed) {
-  pointer = cut(pointer, kLongestPointer);
+  pointer = cut(pointer, kMaxPointerLength);
   if (severity == Severity::kError) wrong_.insert(pointer);
   findings_.push_back(
       {{severity, source_ ? source_->file() : "", source_ ? source_->line_of(line) : 1, 0,
@@ -168,18 +168,18 @@ std::string shown(const Json& value) {
   if (value.is_object()) return "an object";
   if (value.is_array()) {
     std::string whole = value.dump();
-    if (whole.size() <= kLongestShown) return whole;
+    if (whole.size() <= kMaxShownLength) return whole;
     return "a list of " + std::to_string(value.size());
   }
   if (value.is_number_float()) return number_json(value.get<double>()).dump();
   const std::string words = value.dump();
-  return cut(words, kLongestShown);
+  return cut(words, kMaxShownLength);
 }
 
 std::string shown(JsonValue value) {
   if (value.is_object()) return "an object";
-  if (value.is_text()) return shown(Json(value.text(kLongestShown)));
-  if (value.is_list() && value.json_size(kLongestShown) > kLongestShown)
+  if (value.is_text()) return shown(Json(value.text(kMaxShownLength)));
+  if (value.is_list() && value.json_size(kMaxShownLength) > kMaxShownLength)
     return "a list of " + std::to_string(value.size());
   return shown(value.to_json());
 }
@@ -270,10 +270,10 @@ std::string list_words(std::size_t min_count, std::size_t max_count) {
 }
 
 void keep_unknown(const Place& member, const std::vector<std::string>& names) {
-  const std::string name = member.value.name().text(Reading::kLongestName + 1);
+  const std::string name = member.value.name().text(Reading::kMaxNameLength + 1);
   const std::string nearest = nearest_name(name, names);
   member.reading.keep(
-      member.value, "an unknown member \"" + cut(name, Reading::kLongestName) + "\"",
+      member.value, "an unknown member \"" + cut(name, Reading::kMaxNameLength) + "\"",
       nearest.empty() ? quoted_names(names) : "perhaps \"" + nearest + "\" was meant");
 }
 

@@ -28,10 +28,10 @@ enum class Unit : std::uint8_t { kMm, kOfDocument };
 /// many findings the first are kept, with pointers that are cut where they are long; the others are counted.
 class Reading {
  public:
-  static constexpr std::size_t kMostOfFile = 100;
-  static constexpr std::size_t kMostOfValue = 32;
-  static constexpr std::size_t kLongestPointer = 200;
-  static constexpr std::size_t kLongestName = 200;
+  static constexpr std::size_t kMaxOfFile = 100;
+  static constexpr std::size_t kMaxOfValue = 32;
+  static constexpr std::size_t kMaxPointerLength = 200;
+  static constexpr std::size_t kMaxNameLength = 200;
 
   /// Starts with the source's duplicates and takes the length unit from the root's `length_unit`.
   explicit Reading(const JsonSource& source);

@@ -116,7 +116,7 @@ std::string unescaped(std::string_view part) {
 // --- The document.
 
 JsonDocument::JsonDocument(std::string_view text) : text_(text) {
-  if (text.size() > kLongest) {
+  if (text.size() > kMaxLength) {
     fault_ = Fault::kTooLong;
     return;
   }
@@ -285,7 +285,7 @@ bool JsonValue::is_repeated() const {
 
 std::string JsonValue::pointer_from(JsonValue around) const {
   std::string pointer;
-  while (around.index_ < index_ && pointer.size() < kLongestPointer) {
+  while (around.index_ < index_ && pointer.size() < kMaxPointerLength) {
     std::size_t place = 0;
     JsonValue inner;
     for (const JsonValue each : around) {
@@ -295,7 +295,7 @@ std::string JsonValue::pointer_from(JsonValue around) const {
     }
     pointer += '/';
     if (const JsonValue name = inner.name())
-      append_escaped(pointer, name.text(kLongestPointer));
+      append_escaped(pointer, name.text(kMaxPointerLength));
     else
       pointer += std::to_string(place);
     around = inner;

@@ -21,8 +21,8 @@ class JsonValue;
 class JsonDocument {
  public:
   /// Lists and objects inside one another, in a file as in a message.
-  static constexpr std::size_t kDeepest = 32;
-  static constexpr std::size_t kLongest = std::size_t{1} << 28U;
+  static constexpr std::size_t kMaxDepth = 32;
+  static constexpr std::size_t kMaxLength = std::size_t{1} << 28U;
 
   enum class Fault : std::uint8_t { kNone, kSyntax, kTooDeep, kTooLong };
 
@@ -143,9 +143,9 @@ class JsonValue {
 
   // --- Where it stands.
 
-  /// Its JSON pointer (RFC 6901) from a value around it. A very long one is cut behind kLongestPointer.
+  /// Its JSON pointer (RFC 6901) from a value around it. A very long one is cut behind kMaxPointerLength.
   std::string pointer_from(JsonValue around) const;
-  static constexpr std::size_t kLongestPointer = 256;
+  static constexpr std::size_t kMaxPointerLength = 256;
   /// The value at a pointer from here, or nothing.
   JsonValue at(std::string_view pointer) const;
   /// The same, or the nearest one around it.

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::string_view kBetween = " \t\r\n,:";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr std::size_t kMostOfMessage = 256;
+constexpr std::size_t kMaxOfMessage = 256;
 
 /// How many values and names a text has, if it is JSON; otherwise some number up to its size.
 std::size_t count_tokens(std::string_view text) {
@@ -26,9 +26,9 @@ std::size_t count_tokens(std::string_view text) {
 
 /// What the parser says, without the token in its midst, which may be very long.
 std::string shortened(std::string_view message) {
-  if (message.size() <= 2 * kMostOfMessage) return std::string(message);
-  return std::string(message.substr(0, kMostOfMessage))
-      .append(message.substr(message.size() - kMostOfMessage));
+  if (message.size() <= 2 * kMaxOfMessage) return std::string(message);
+  return std::string(message.substr(0, kMaxOfMessage))
+      .append(message.substr(message.size() - kMaxOfMessage));
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ std::string shortened(std::string_view message) {
 void JsonIndexer::run() {
   const std::string_view text = document_.text_;
   document_.tokens_.reserve(count_tokens(text));
-  open_.reserve(JsonDocument::kDeepest);
+  open_.reserve(JsonDocument::kMaxDepth);
   if (text.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
   const auto wrong = find_wrong_long_token(text);
   if (!wrong) {
@@ -90,7 +90,7 @@ bool JsonIndexer::text(std::uint32_t flags) {
 
 bool JsonIndexer::open() {
   find_next();
-  if (open_.size() == JsonDocument::kDeepest) {
+  if (open_.size() == JsonDocument::kMaxDepth) {
     document_.fault_ = JsonDocument::Fault::kTooDeep;
     document_.complaint_.position = at_ + 1;
     document_.complaint_.pointer =

@@ -24,12 +24,12 @@ Finding fault_finding(const JsonDocument& document, const std::string& file) {
   switch (document.fault()) {
     case JsonDocument::Fault::kTooDeep:
       finding.line = line_at(document.text(), complaint.position - 1);
-      finding.found = "lists and objects deeper than " + std::to_string(JsonDocument::kDeepest);
+      finding.found = "lists and objects deeper than " + std::to_string(JsonDocument::kMaxDepth);
       finding.allowed = "fewer";
       return finding;
     case JsonDocument::Fault::kTooLong:
       finding.found = std::to_string(document.text().size()) + " bytes";
-      finding.allowed = "up to " + std::to_string(JsonDocument::kLongest) + " bytes";
+      finding.allowed = "up to " + std::to_string(JsonDocument::kMaxLength) + " bytes";
       return finding;
     default: return syntax_finding(document.text(), file, complaint);
   }
@@ -67,8 +67,8 @@ std::string child_pointer(const std::string& parent, std::size_t element) {
 }
 
 std::string told_twice(JsonValue member) {
-  constexpr std::size_t kLongest = 200;
-  return "\"" + cut(member.name().text(kLongest + 1), kLongest) + "\" for the second time";
+  constexpr std::size_t kMaxLength = 200;
+  return "\"" + cut(member.name().text(kMaxLength + 1), kMaxLength) + "\" for the second time";
 }
 
 JsonSource::JsonSource(std::string_view text, std::string file)

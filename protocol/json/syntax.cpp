@@ -7,7 +7,7 @@
 namespace xr3 {
 namespace {
 
-constexpr std::size_t kLongestShown = 40;
+constexpr std::size_t kMaxShownLength = 40;
 
 struct Words {
   std::string found;
@@ -25,7 +25,7 @@ bool is_word(char c) {
 
 /// Text in quotes that begins at an offset, as far as its line goes.
 std::string quoted_at(std::string_view text, std::size_t offset) {
-  const std::string_view rest = text.substr(offset, kLongestShown);
+  const std::string_view rest = text.substr(offset, kMaxShownLength);
   const std::size_t end = rest.find_first_of("\"\n", 1);
   return std::string(end == std::string_view::npos ? rest : rest.substr(0, end + 1));
 }
@@ -38,7 +38,7 @@ std::string word_at(std::string_view text, std::size_t offset) {
   while (begin > 0 && is_word(text[begin]) && is_word(text[begin - 1])) --begin;
   std::size_t end = offset + 1;
   while (end < text.size() && is_word(text[offset]) && is_word(text[end])) ++end;
-  return std::string(text.substr(begin, std::min(end - begin, kLongestShown)));
+  return std::string(text.substr(begin, std::min(end - begin, kMaxShownLength)));
 }
 
 /// Bytes that are not printable ASCII as \xNN: what is cut out of a text may be half a letter.

@@ -32,19 +32,19 @@ constexpr std::array kMethods = {"GET "sv,    "HEAD "sv,  "POST "sv,    "PUT "sv
 // What a target begins with: a path, a whole address for a proxy, or the server itself.
 constexpr std::array kTargets = {"/"sv, "http:"sv, "https:"sv, "ftp:"sv, "ws:"sv, "wss:"sv, "*"sv};
 constexpr std::string_view kConnect = "CONNECT ";
-constexpr std::size_t kMostHost = StrangerGuard::kMostHeld - kConnect.size();
+constexpr std::size_t kMaxHost = HttpTlsDetector::kMaxHeld - kConnect.size();
 
 // A browser lets a page choose many signs of a host's name, but not these.
 bool may_be_in_host(char byte) {
   return byte > ' ' && byte < '\x7f' && "#%/<>?@[\\]^|:"sv.find(byte) == std::string_view::npos;
 }
 
-// `host:port` up to the first digit of the port. A host longer than kMostHost needs no port: no
+// `host:port` up to the first digit of the port. A host longer than kMaxHost needs no port: no
 // robot program begins with CONNECT and so long a word.
 Match match_host_and_port(std::string_view target) {
   const std::string_view host = target.substr(0, target.find(':'));
   if (host.empty() || !std::all_of(host.begin(), host.end(), may_be_in_host)) return Match::kNone;
-  if (host.size() > kMostHost) return Match::kWhole;
+  if (host.size() > kMaxHost) return Match::kWhole;
   const std::string_view port = target.substr(host.size());
   if (port.size() < 2) return Match::kBeginning;
   return port[1] >= '0' && port[1] <= '9' ? Match::kWhole : Match::kNone;
@@ -88,7 +88,7 @@ constexpr std::size_t kHeader = 20;
 // The types that may come first: Binding, Allocate and ConnectionBind, and Binding's indication.
 constexpr std::string_view kTypes = "\x01\x03\x0b\x11";
 // A length's high byte: no message of a browser has 2048 bytes.
-constexpr std::uint8_t kMostLengthHigh = 7;
+constexpr std::uint8_t kMaxLengthHigh = 7;
 
 std::uint8_t byte_at(std::string_view bytes, std::size_t at) {
   return static_cast<std::uint8_t>(bytes[at]);
@@ -96,7 +96,7 @@ std::uint8_t byte_at(std::string_view bytes, std::size_t at) {
 
 // Two bytes, or the first of them: a length below 2048, and a multiple of 4.
 bool may_be_length(std::string_view bytes) {
-  return byte_at(bytes, 0) <= kMostLengthHigh && (bytes.size() < 2 || byte_at(bytes, 1) % 4 == 0);
+  return byte_at(bytes, 0) <= kMaxLengthHigh && (bytes.size() < 2 || byte_at(bytes, 1) % 4 == 0);
 }
 
 Match match_message(std::string_view bytes) {
@@ -128,16 +128,16 @@ Match match_stranger(std::string_view bytes) {
 
 }  // namespace
 
-Verdict StrangerGuard::take(std::uint8_t byte) {
-  if (verdict_ != Verdict::kHold) return verdict_;
+Detection HttpTlsDetector::feed(std::uint8_t byte) {
+  if (detection_ != Detection::kUndecided) return detection_;
   held_.push_back(static_cast<char>(byte));
   const Match found = match_stranger(held_);
-  if (found == Match::kBeginning) return verdict_;
+  if (found == Match::kBeginning) return detection_;
   held_.pop_back();
-  verdict_ = found == Match::kWhole ? Verdict::kStranger : Verdict::kPass;
-  return verdict_;
+  detection_ = found == Match::kWhole ? Detection::kNotARobotProgram : Detection::kPass;
+  return detection_;
 }
 
-std::string StrangerGuard::release() { return std::exchange(held_, {}); }
+std::string HttpTlsDetector::release() { return std::exchange(held_, {}); }
 
 }  // namespace xr3

@@ -11,30 +11,30 @@
 
 namespace xr3 {
 
-enum class Verdict : std::uint8_t {
-  kHold,      ///< still the beginning of a stranger's greeting
-  kPass,      ///< a client: the held bytes act, and this one after them
-  kStranger,  ///< close the connection
+enum class Detection : std::uint8_t {
+  kUndecided,         ///< still the beginning of a stranger's greeting
+  kPass,              ///< a client: the held bytes act, and this one after them
+  kNotARobotProgram,  ///< close the connection
 };
 
-class StrangerGuard {
+class HttpTlsDetector {
  public:
-  /// Judges the next byte. After kPass every byte passes; after kStranger none does. A byte that is
+  /// Judges the next byte. After kPass every byte passes; after kNotARobotProgram none does. A byte that is
   /// held is appended to held(); the one that passes or completes is not.
-  Verdict take(std::uint8_t byte);
+  Detection feed(std::uint8_t byte);
 
-  /// The bytes held back so far, at most kMostHeld.
+  /// The bytes held back so far, at most kMaxHeld.
   std::string_view held() const { return held_; }
   /// Gives the held bytes away, for the caller to let them act.
   std::string release();
 
-  static constexpr std::size_t kMostHeld = 40;  // "CONNECT " and the host before its port
+  static constexpr std::size_t kMaxHeld = 40;  // "CONNECT " and the host before its port
 
-  bool operator==(const StrangerGuard&) const = default;
+  bool operator==(const HttpTlsDetector&) const = default;
 
  private:
   std::string held_;
-  Verdict verdict_ = Verdict::kHold;
+  Detection detection_ = Detection::kUndecided;
 };
 
 }  // namespace xr3

@@ -6,13 +6,13 @@
 
 namespace xr3 {
 
-void RhinoEndpoint::take(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
+void RhinoEndpoint::feed(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
                          std::string& replies, std::vector<Exchange>& exchanges) {
   parsed_.clear();
   if (simulation.state().enabled) {
-    parser_.take(byte, offset, parsed_);
+    parser_.feed(byte, offset, parsed_);
   } else {
-    parser_.take_disabled(byte, offset, parsed_);
+    parser_.feed_disabled(byte, offset, parsed_);
   }
   for (Parsed& item : parsed_) {
     Exchange& exchange = exchanges.emplace_back(Exchange{std::move(item), NoReply{}, {}, 0, 0});

@@ -29,7 +29,7 @@ class RhinoEndpoint {
   /// Handles the byte at `offset` of the line's input at the simulation's tick. Appends replies to
   /// `replies` and an entry for each command or problem to `exchanges`. Precondition: the
   /// simulation has no pending events; those of the command are moved into its entry.
-  void take(std::uint8_t byte, std::uint64_t offset, Simulation& simulation, std::string& replies,
+  void feed(std::uint8_t byte, std::uint64_t offset, Simulation& simulation, std::string& replies,
             std::vector<Exchange>& exchanges);
 
   /// Discards an incomplete command.

@@ -6,7 +6,7 @@ namespace xr3 {
 namespace {
 
 constexpr std::int32_t kSaturated = 1'000'000;
-constexpr int kLeastMove = -128;
+constexpr int kMinMove = -128;
 constexpr int kGreatestMove = 127;
 
 bool is_digit(std::uint8_t byte) { return byte >= '0' && byte <= '9'; }
@@ -25,7 +25,7 @@ std::uint8_t letter_of(std::uint8_t byte) {
 }  // namespace
 
 void RawBytes::push(std::uint8_t byte) {
-  if (size == kMost) {
+  if (size == kMax) {
     was_cut = true;
     return;
   }
@@ -39,27 +39,27 @@ void RhinoParser::Number::push(std::uint8_t digit) {
   digits = static_cast<std::uint8_t>(std::min(digits + 1, 255));
 }
 
-void RhinoParser::take(std::uint8_t byte, std::uint64_t offset, std::vector<Parsed>& out) {
+void RhinoParser::feed(std::uint8_t byte, std::uint64_t offset, std::vector<Parsed>& out) {
   offset_ = offset;
-  if (mode_ != Mode::kIdle && take_argument(byte, out)) return;
-  take_idle(byte, out);
+  if (mode_ != Mode::kIdle && feed_argument(byte, out)) return;
+  feed_idle(byte, out);
 }
 
-void RhinoParser::take_disabled(std::uint8_t byte, std::uint64_t offset, std::vector<Parsed>& out) {
+void RhinoParser::feed_disabled(std::uint8_t byte, std::uint64_t offset, std::vector<Parsed>& out) {
   const bool completes = byte == '@' && mode_ == Mode::kIdle && label_ == 'A';
   const bool keeps = is_space(byte) && label_ == 'A';
   if (!completes && !keeps) *this = RhinoParser(profile_);
   offset_ = offset;
-  if (completes) return take_environment(byte, out);
+  if (completes) return feed_environment(byte, out);
   if (letter_of(byte) == 'A') return select('A', byte);
   if (!is_blank(byte)) emit_byte(byte, Problem{ProblemCode::kDisabled, Subject::kNone}, out);
 }
 
 // --- Between arguments.
 
-void RhinoParser::take_idle(std::uint8_t byte, std::vector<Parsed>& out) {
-  if (const std::uint8_t letter = letter_of(byte)) return take_letter(letter, byte, out);
-  if (is_digit(byte) || is_sign(byte)) return take_number_start(byte, out);
+void RhinoParser::feed_idle(std::uint8_t byte, std::vector<Parsed>& out) {
+  if (const std::uint8_t letter = letter_of(byte)) return feed_letter(letter, byte, out);
+  if (is_digit(byte) || is_sign(byte)) return feed_number_start(byte, out);
   if (is_space(byte)) {
     if (raw_.size > 0) consume(byte);
     return;
@@ -71,10 +71,10 @@ void RhinoParser::take_idle(std::uint8_t byte, std::vector<Parsed>& out) {
   if (byte == '?' && label_ != 0) return emit_byte(byte, Command{QueryError{label_}}, out);
   if (byte == '?')
     return emit_byte(byte, Problem{ProblemCode::kNoJointSelected, Subject::kNone}, out);
-  take_environment(byte, out);
+  feed_environment(byte, out);
 }
 
-void RhinoParser::take_letter(std::uint8_t letter, std::uint8_t byte, std::vector<Parsed>& out) {
+void RhinoParser::feed_letter(std::uint8_t letter, std::uint8_t byte, std::vector<Parsed>& out) {
   skips_numbers_ = false;
   if (letter <= 'H') return select(letter, byte);
   const auto for_joint = [&](auto command) {
@@ -110,7 +110,7 @@ void RhinoParser::select(std::uint8_t letter, std::uint8_t byte) {
   consume(byte);
 }
 
-void RhinoParser::take_number_start(std::uint8_t byte, std::vector<Parsed>& out) {
+void RhinoParser::feed_number_start(std::uint8_t byte, std::vector<Parsed>& out) {
   if (skips_numbers_) return junk(byte, {ProblemCode::kUnknownByte, Subject::kSkippedNumber}, out);
   if (label_ == 0) return junk(byte, {ProblemCode::kNoJointSelected, Subject::kMove}, out);
   open(Mode::kNumber, byte);
@@ -119,7 +119,7 @@ void RhinoParser::take_number_start(std::uint8_t byte, std::vector<Parsed>& out)
 }
 
 // `A` and a sign. With another label or none, the sign is an unknown byte.
-void RhinoParser::take_environment(std::uint8_t byte, std::vector<Parsed>& out) {
+void RhinoParser::feed_environment(std::uint8_t byte, std::vector<Parsed>& out) {
   constexpr std::string_view kSigns = "#$@|!*.%";
   const bool is_known =
       label_ == 'A' && kSigns.find(static_cast<char>(byte)) != std::string_view::npos;
@@ -140,19 +140,19 @@ void RhinoParser::take_environment(std::uint8_t byte, std::vector<Parsed>& out) 
 
 // --- Arguments.
 
-bool RhinoParser::take_argument(std::uint8_t byte, std::vector<Parsed>& out) {
+bool RhinoParser::feed_argument(std::uint8_t byte, std::vector<Parsed>& out) {
   switch (mode_) {
-    case Mode::kNumber: return take_number(byte, out);
-    case Mode::kPeriod: return take_period(byte, out);
+    case Mode::kNumber: return feed_number(byte, out);
+    case Mode::kPeriod: return feed_period(byte, out);
     case Mode::kView:
-    case Mode::kCamera: return take_list(byte, out);
-    default: return take_digit(byte, out);
+    case Mode::kCamera: return feed_list(byte, out);
+    default: return feed_digit(byte, out);
   }
 }
 
 // A number after a label. A blank that ends it belongs to it, and so does S after an unsigned
 // number.
-bool RhinoParser::take_number(std::uint8_t byte, std::vector<Parsed>& out) {
+bool RhinoParser::feed_number(std::uint8_t byte, std::vector<Parsed>& out) {
   if (is_digit(byte)) {
     number_.push(byte);
     consume(byte);
@@ -181,14 +181,14 @@ void RhinoParser::end_number(std::vector<Parsed>& out) {
     const int counts = number_.sign == '-' ? -number_.modulo_256 : number_.modulo_256;
     return emit(Command{Move{label_, static_cast<std::int8_t>(counts)}}, out);
   }
-  if (!is_within(number_.value(), kLeastMove, kGreatestMove)) {
+  if (!is_within(number_.value(), kMinMove, kGreatestMove)) {
     return emit(Problem{ProblemCode::kNumberOutOfRange, Subject::kMove}, out);
   }
   emit(Command{Move{label_, number_.value()}}, out);
 }
 
 // The digit after P, R or A%.
-bool RhinoParser::take_digit(std::uint8_t byte, std::vector<Parsed>& out) {
+bool RhinoParser::feed_digit(std::uint8_t byte, std::vector<Parsed>& out) {
   if (is_space(byte)) {
     consume(byte);
     return true;
@@ -213,7 +213,7 @@ void RhinoParser::end_digit(int digit, std::vector<Parsed>& out) {
   emit(Command{SetOutput{digit, opener_ == 'P'}}, out);
 }
 
-bool RhinoParser::take_period(std::uint8_t byte, std::vector<Parsed>& out) {
+bool RhinoParser::feed_period(std::uint8_t byte, std::vector<Parsed>& out) {
   const bool leads = is_space(byte) && number_.digits == 0;
   if (leads || is_digit(byte)) {
     if (is_digit(byte)) number_.push(byte);
@@ -238,7 +238,7 @@ void RhinoParser::end_period(std::vector<Parsed>& out) {
 }
 
 // The numbers of A!x,y,z! and A*c,r*. The list ends with the byte that started it.
-bool RhinoParser::take_list(std::uint8_t byte, std::vector<Parsed>& out) {
+bool RhinoParser::feed_list(std::uint8_t byte, std::vector<Parsed>& out) {
   if (byte == static_cast<std::uint8_t>(opener_)) {
     consume(byte);
     emit(list_result(), out);

@@ -48,8 +48,8 @@ struct Problem {
 
 /// The first bytes of a command, for messages; longer commands are cut.
 struct RawBytes {
-  static constexpr std::size_t kMost = 22;
-  std::array<std::uint8_t, kMost> bytes{};
+  static constexpr std::size_t kMax = 22;
+  std::array<std::uint8_t, kMax> bytes{};
   std::uint8_t size = 0;
   bool was_cut = false;
 
@@ -73,11 +73,11 @@ class RhinoParser {
 
   /// Handles the byte at `offset` of the line's input and appends the items that it completes: at
   /// most three, so memory stays bounded for any input.
-  void take(std::uint8_t byte, std::uint64_t offset, std::vector<Parsed>& out);
+  void feed(std::uint8_t byte, std::uint64_t offset, std::vector<Parsed>& out);
 
   /// The same while the controller is disabled: only `A@` is accepted, everything else is a
   /// problem.
-  void take_disabled(std::uint8_t byte, std::uint64_t offset, std::vector<Parsed>& out);
+  void feed_disabled(std::uint8_t byte, std::uint64_t offset, std::vector<Parsed>& out);
 
   bool operator==(const RhinoParser&) const = default;
 
@@ -97,19 +97,19 @@ class RhinoParser {
     bool operator==(const Number&) const = default;
   };
 
-  void take_idle(std::uint8_t byte, std::vector<Parsed>& out);
-  void take_letter(std::uint8_t letter, std::uint8_t byte, std::vector<Parsed>& out);
-  void take_number_start(std::uint8_t byte, std::vector<Parsed>& out);
-  void take_environment(std::uint8_t byte, std::vector<Parsed>& out);
+  void feed_idle(std::uint8_t byte, std::vector<Parsed>& out);
+  void feed_letter(std::uint8_t letter, std::uint8_t byte, std::vector<Parsed>& out);
+  void feed_number_start(std::uint8_t byte, std::vector<Parsed>& out);
+  void feed_environment(std::uint8_t byte, std::vector<Parsed>& out);
   void select(std::uint8_t letter, std::uint8_t byte);
 
   // Each handles a byte of an argument. Returns false if the byte is not part of it and must be
   // handled again.
-  bool take_argument(std::uint8_t byte, std::vector<Parsed>& out);
-  bool take_number(std::uint8_t byte, std::vector<Parsed>& out);
-  bool take_digit(std::uint8_t byte, std::vector<Parsed>& out);
-  bool take_period(std::uint8_t byte, std::vector<Parsed>& out);
-  bool take_list(std::uint8_t byte, std::vector<Parsed>& out);
+  bool feed_argument(std::uint8_t byte, std::vector<Parsed>& out);
+  bool feed_number(std::uint8_t byte, std::vector<Parsed>& out);
+  bool feed_digit(std::uint8_t byte, std::vector<Parsed>& out);
+  bool feed_period(std::uint8_t byte, std::vector<Parsed>& out);
+  bool feed_list(std::uint8_t byte, std::vector<Parsed>& out);
 
   void end_number(std::vector<Parsed>& out);
   void end_period(std::vector<Parsed>& out);

@@ -13,7 +13,7 @@ enum Telnet : std::uint8_t {
   kDont = 0xfe,
   kIac = 0xff,
 };
-constexpr std::uint8_t kLeastCommand = kSe;
+constexpr std::uint8_t kMinCommand = kSe;
 constexpr std::uint8_t kTimingMark = 6;
 
 void append(std::string& out, std::uint8_t verb, std::uint8_t option) {
@@ -24,22 +24,22 @@ void append(std::string& out, std::uint8_t verb, std::uint8_t option) {
 
 }  // namespace
 
-std::optional<std::uint8_t> TelnetFilter::take(std::uint8_t byte, std::string& answers) {
+std::optional<std::uint8_t> TelnetFilter::feed(std::uint8_t byte, std::string& answers) {
   switch (mode_) {
     case Mode::kData:
       if (byte != kIac) return byte;
       mode_ = Mode::kCommand;
       return std::nullopt;
-    case Mode::kCommand: return take_command(byte);
-    case Mode::kOption: take_option(byte, answers); return std::nullopt;
-    default: take_subnegotiation(byte); return std::nullopt;
+    case Mode::kCommand: return feed_command(byte);
+    case Mode::kOption: feed_option(byte, answers); return std::nullopt;
+    default: feed_subnegotiation(byte); return std::nullopt;
   }
 }
 
 // The byte after IAC. If it is not a telnet command, it is data, and only the FF is lost.
-std::optional<std::uint8_t> TelnetFilter::take_command(std::uint8_t byte) {
+std::optional<std::uint8_t> TelnetFilter::feed_command(std::uint8_t byte) {
   mode_ = Mode::kData;
-  if (byte < kLeastCommand || byte == kIac) return byte;
+  if (byte < kMinCommand || byte == kIac) return byte;
   if (byte == kInterrupt) is_telnet_ = true;
   if (byte == kSb) {
     mode_ = Mode::kSubnegotiation;
@@ -51,19 +51,19 @@ std::optional<std::uint8_t> TelnetFilter::take_command(std::uint8_t byte) {
   return std::nullopt;
 }
 
-void TelnetFilter::take_option(std::uint8_t option, std::string& answers) {
+void TelnetFilter::feed_option(std::uint8_t option, std::string& answers) {
   mode_ = Mode::kData;
   is_telnet_ = true;
   if (verb_ == kWill) append(answers, kDont, option);
   if (verb_ == kDo) append(answers, option == kTimingMark ? kWill : kWont, option);
 }
 
-void TelnetFilter::take_subnegotiation(std::uint8_t byte) {
+void TelnetFilter::feed_subnegotiation(std::uint8_t byte) {
   const bool is_end = mode_ == Mode::kSubnegotiationCommand && byte == kSe;
   const bool begins_command = mode_ == Mode::kSubnegotiation && byte == kIac;
   mode_ = begins_command ? Mode::kSubnegotiationCommand : Mode::kSubnegotiation;
   is_telnet_ |= is_end;
-  if (is_end || (!begins_command && ++length_ > kLongestSubnegotiation)) mode_ = Mode::kData;
+  if (is_end || (!begins_command && ++length_ > kMaxSubnegotiationBytes)) mode_ = Mode::kData;
 }
 
 void TelnetFilter::encode(std::string_view replies, std::string& out) const {

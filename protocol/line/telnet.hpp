@@ -14,11 +14,11 @@ namespace xr3 {
 class TelnetFilter {
  public:
   /// A subnegotiation longer than this is abandoned.
-  static constexpr int kLongestSubnegotiation = 512;
+  static constexpr int kMaxSubnegotiationBytes = 512;
 
   /// Handles a byte from the client. Returns the data byte that it completes, if any. Appends the
   /// answers of the telnet protocol to `answers`.
-  std::optional<std::uint8_t> take(std::uint8_t byte, std::string& answers);
+  std::optional<std::uint8_t> feed(std::uint8_t byte, std::string& answers);
 
   /// The client speaks telnet: it has sent a complete option or an interrupt (IP).
   bool is_telnet() const { return is_telnet_; }
@@ -37,9 +37,9 @@ class TelnetFilter {
     kSubnegotiationCommand
   };
 
-  std::optional<std::uint8_t> take_command(std::uint8_t byte);
-  void take_option(std::uint8_t option, std::string& answers);
-  void take_subnegotiation(std::uint8_t byte);
+  std::optional<std::uint8_t> feed_command(std::uint8_t byte);
+  void feed_option(std::uint8_t option, std::string& answers);
+  void feed_subnegotiation(std::uint8_t byte);
 
   Mode mode_ = Mode::kData;
   std::uint8_t verb_ = 0;  ///< WILL, WONT, DO or DONT before an option

@@ -11,7 +11,7 @@
 namespace xr3::monitor {
 namespace {
 
-constexpr std::size_t kLongestFound = 200;
+constexpr std::size_t kMaxFoundLength = 200;
 constexpr std::array<std::string_view, 5> kAlwaysSent = {"op", "cell", "epoch", "seq", "tick"};
 
 /// What was found, as JSON where it is just the value that stands there.
@@ -34,7 +34,7 @@ bool is_member(JsonValue value, const std::vector<std::string>& members) {
 }  // namespace
 
 Json shown(JsonValue value) {
-  if (value.json_size(kLongestFound) <= kLongestFound)
+  if (value.json_size(kMaxFoundLength) <= kMaxFoundLength)
     return Json(nlohmann::json(value.to_json()));  // sorted
   const char* kind = value.is_text() ? "string" : value.is_list() ? "array" : "object";
   const std::size_t size = value.is_text() ? value.text_size() : value.json_size();
@@ -42,7 +42,7 @@ Json shown(JsonValue value) {
 }
 
 void Findings::keep(const std::string& pointer, Json found, std::string allowed) {
-  details_.push_back({cut(pointer, kLongestFound), std::move(found), std::move(allowed)});
+  details_.push_back({cut(pointer, kMaxFoundLength), std::move(found), std::move(allowed)});
 }
 
 void Findings::add(const std::string& pointer, JsonValue found, std::string allowed) {
@@ -65,7 +65,7 @@ RequestError Findings::error(RequestId id) const {
 std::optional<std::int64_t> whole_number(JsonValue value) {
   if (!value.is_number()) return std::nullopt;
   const double number = value.number();  // those that matter are exact in a double
-  if (std::trunc(number) != number || std::abs(number) > static_cast<double>(kMostInteger))
+  if (std::trunc(number) != number || std::abs(number) > static_cast<double>(kMaxInteger))
     return std::nullopt;
   return static_cast<std::int64_t>(number);
 }

@@ -16,10 +16,10 @@ namespace xr3::monitor {
 /// Wrong values found so far; of very many only the first are kept.
 class Findings {
  public:
-  static constexpr std::size_t kMostDetails = 32;
+  static constexpr std::size_t kMaxDetails = 32;
 
   /// Counts one more. Whether it is to be kept: nothing needs to be put into words otherwise.
-  bool counts() { return count_++ < kMostDetails; }
+  bool counts() { return count_++ < kMaxDetails; }
   /// One that counts already.
   void keep(const std::string& pointer, Json found, std::string allowed);
   /// `found` may be nothing. A long one is told by its size.
@@ -36,7 +36,7 @@ class Findings {
   std::vector<Detail> details_;
 };
 
-/// A whole number within +-kMostInteger, also where it is written as 5.0 or 5e0.
+/// A whole number within +-kMaxInteger, also where it is written as 5.0 or 5e0.
 std::optional<std::int64_t> whole_number(JsonValue value);
 
 /// The value as it stands, or, for one that is long, what it is: a text by its own bytes, a list or an

@@ -12,12 +12,12 @@
 namespace xr3::monitor {
 namespace {
 
-constexpr std::size_t kMostMembers = 64;
+constexpr std::size_t kMaxMembers = 64;
 
 /// More members in one object than any document has: their names alone would take long to look at.
 bool is_crowded(JsonValue value) {
   if (!value.is_structured()) return false;
-  if (value.is_object() && value.size() > kMostMembers) return true;
+  if (value.is_object() && value.size() > kMaxMembers) return true;
   return std::any_of(value.begin(), value.end(), is_crowded);
 }
 
@@ -26,7 +26,7 @@ JsonValue document(ArgsReader& args, const std::string& name, Presence presence,
                    const std::string& allowed) {
   const JsonValue value = args.object(name, presence, allowed);
   if (!is_crowded(value)) return value;
-  args.refuse(name, "objects of at most " + std::to_string(kMostMembers) + " members");
+  args.refuse(name, "objects of at most " + std::to_string(kMaxMembers) + " members");
   return {};
 }
 
@@ -50,11 +50,11 @@ std::optional<std::string> from_hexadecimal(const std::string& digits) {
 
 data::Codec<std::string> bytes_in_hexadecimal() {
   data::Codec<std::string> codec;
-  codec.allowed = "two hexadecimal digits a byte, at most " + std::to_string(kMostSent) + " bytes";
+  codec.allowed = "two hexadecimal digits a byte, at most " + std::to_string(kMaxSent) + " bytes";
   codec.read = [allowed = codec.allowed](const data::Place& place, std::string& bytes) {
     if (!place.value.is_text()) return place.refuse(allowed);
-    const std::string digits = place.value.text(2 * kMostSent + 1);
-    auto read = digits.size() <= 2 * kMostSent ? from_hexadecimal(digits) : std::nullopt;
+    const std::string digits = place.value.text(2 * kMaxSent + 1);
+    auto read = digits.size() <= 2 * kMaxSent ? from_hexadecimal(digits) : std::nullopt;
     if (!read) return place.refuse(allowed);
     return bytes = *std::move(read), true;
   };
@@ -71,7 +71,7 @@ data::Codec<bool> only_true() {
   return codec;
 }
 
-data::Codec<std::string> snapshot_name() { return data::text(1, kLongestSnapshotName); }
+data::Codec<std::string> snapshot_name() { return data::text(1, kMaxSnapshotNameLength); }
 
 }  // namespace
 
@@ -83,17 +83,17 @@ CallValue read_rate(ArgsReader& args) {
 }
 
 CallValue read_step(ArgsReader& args) {
-  return call::Step{args.whole("ticks", 0, kMostInteger).value_or(0)};
+  return call::Step{args.whole("ticks", 0, kMaxInteger).value_or(0)};
 }
 
 CallValue read_run_until(ArgsReader& args) {
   call::RunUntil run;
   const JsonValue idle = args.ask("idle", Presence::kOptional, "true, or else a tick");
-  run.tick = args.whole("tick", 0, kMostInteger, Presence::kOptional);
+  run.tick = args.whole("tick", 0, kMaxInteger, Presence::kOptional);
   const bool has_tick = static_cast<bool>(args.ask("tick"));
   if (idle && (has_tick || !idle.is_true())) args.refuse("idle", "true, and then no tick");
   if (!idle && !has_tick) args.refuse("idle", "true, or else a tick");
-  run.max_ticks = args.whole("max_ticks", 0, kMostInteger).value_or(0);
+  run.max_ticks = args.whole("max_ticks", 0, kMaxInteger).value_or(0);
   return run;
 }
 
@@ -106,9 +106,9 @@ std::optional<After> read_after(ArgsReader& args) {
   After after;
   after.line = static_cast<std::uint32_t>(members.whole("line", 1, UINT32_MAX).value_or(1));
   after.bytes_in =
-      static_cast<std::uint64_t>(members.whole("bytes_in", 0, kMostInteger).value_or(0));
+      static_cast<std::uint64_t>(members.whole("bytes_in", 0, kMaxInteger).value_or(0));
   after.within_ms = static_cast<int>(
-      members.whole("within_ms", 0, kMostWithinMs, Presence::kOptional).value_or(after.within_ms));
+      members.whole("within_ms", 0, kMaxWithinMs, Presence::kOptional).value_or(after.within_ms));
   members.refuse_others();
   return after;
 }
@@ -116,7 +116,7 @@ std::optional<After> read_after(ArgsReader& args) {
 // --- Lines and inputs.
 
 CallValue read_send(ArgsReader& args) {
-  auto text = args.coded("text", data::text(0, kMostSent), Presence::kOptional);
+  auto text = args.coded("text", data::text(0, kMaxSent), Presence::kOptional);
   auto bytes = args.coded("hex", bytes_in_hexadecimal(), Presence::kOptional);
   args.has_one_of("text", "hex");
   return Send{text ? *std::move(text) : std::move(bytes).value_or("")};

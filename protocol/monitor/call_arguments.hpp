@@ -9,9 +9,9 @@
 namespace xr3::monitor {
 
 /// Most bytes of a `send`.
-inline constexpr std::size_t kMostSent = 4096;
+inline constexpr std::size_t kMaxSent = 4096;
 /// Longest name of a snapshot, bytes.
-inline constexpr std::size_t kLongestSnapshotName = 64;
+inline constexpr std::size_t kMaxSnapshotNameLength = 64;
 
 template <class Call>
 CallValue read_nothing(ArgsReader&) {

@@ -18,8 +18,8 @@ RequestError too_long() {
 
 // --- Input.
 
-std::optional<Request> Client::take(std::string_view message) {
-  if (farewell_) return std::nullopt;
+std::optional<Request> Client::handle(std::string_view message) {
+  if (close_reason_) return std::nullopt;
   RequestReading reading = read_request(message, cells_);
   if (Request* request = std::get_if<Request>(&reading)) return std::move(*request);
   send(result(std::get<RequestError>(reading)));
@@ -29,42 +29,42 @@ std::optional<Request> Client::take(std::string_view message) {
 // --- The reply queue.
 
 void Client::send(Message message) {
-  if (farewell_) return;
-  lane_bytes_ += message->size();
-  lane_.emplace_back(std::move(message));
+  if (close_reason_) return;
+  reply_queue_bytes_ += message->size();
+  reply_queue_.emplace_back(std::move(message));
 }
 
 void Client::replay(Feed& feed, const std::string& cell, const Get& get, const RequestId& id) {
-  const std::int64_t wanted = get.since.value_or(feed.next() - kMostRecalled);
+  const std::int64_t wanted = get.since.value_or(feed.next() - kMaxRecalled);
   const Subscribe from{get.selection, {}, {}, std::max(wanted, feed.first())};
-  if (!farewell_)
-    lane_.emplace_back(
-        Replay{{cell, from, feed, tally_of(get.selection.channel)}, feed.next(), id});
+  if (!close_reason_)
+    reply_queue_.emplace_back(
+        Replay{{cell, from, feed, stats_of(get.selection.channel)}, feed.next(), id});
 }
 
-void Client::end(Bye why) {
+void Client::end(CloseReason why) {
   send(bye(why));
-  if (!farewell_) farewell_ = why;
+  if (!close_reason_) close_reason_ = why;
   followed_.clear();
   last_turn_ = nullptr;
 }
 
 void Client::end(LineFault fault) {
   if (fault == LineFault::kTooLong) send(result(too_long()));
-  end(fault == LineFault::kTooLong ? Bye::kTooLong : Bye::kNotJson);
+  end(fault == LineFault::kTooLong ? CloseReason::kTooLong : CloseReason::kNotJson);
 }
 
 Message Client::next_answer() {
-  while (!lane_.empty()) {
-    if (auto* replay = std::get_if<Replay>(&lane_.front())) {
+  while (!reply_queue_.empty()) {
+    if (auto* replay = std::get_if<Replay>(&reply_queue_.front())) {
       if (replay->from.position() < replay->end)
         return with_id(replay->from.next_output(), replay->id);
-      lane_.pop_front();
+      reply_queue_.pop_front();
       continue;
     }
-    Message message = std::get<Message>(std::move(lane_.front()));
-    lane_.pop_front();
-    lane_bytes_ -= message->size();
+    Message message = std::get<Message>(std::move(reply_queue_.front()));
+    reply_queue_.pop_front();
+    reply_queue_bytes_ -= message->size();
     return message;
   }
   return nullptr;
@@ -76,7 +76,7 @@ FrameSubscription& Client::follow_frames(const std::string& cell, const Subscrib
   const Where where{cell, wanted.selection.channel};
   unfollow(cell, wanted.selection.channel);
   const auto entry =
-      followed_.emplace(where, FrameSubscription(cell, wanted, tally_of(wanted.selection.channel)))
+      followed_.emplace(where, FrameSubscription(cell, wanted, stats_of(wanted.selection.channel)))
           .first;
   return std::get<FrameSubscription>(entry->second);
 }
@@ -84,7 +84,7 @@ FrameSubscription& Client::follow_frames(const std::string& cell, const Subscrib
 void Client::follow_feed(const std::string& cell, const Subscribe& wanted, Feed& feed) {
   followed_.insert_or_assign(
       {cell, wanted.selection.channel},
-      FeedSubscription(cell, wanted, feed, tally_of(wanted.selection.channel)));
+      FeedSubscription(cell, wanted, feed, stats_of(wanted.selection.channel)));
 }
 
 void Client::unfollow(const std::string& cell, Channel channel) {
@@ -95,7 +95,7 @@ void Client::unfollow(const std::string& cell, Channel channel) {
 }
 
 bool Client::has_output(FrameNumber now) const {
-  if (!lane_.empty()) return true;
+  if (!reply_queue_.empty()) return true;
   return std::any_of(followed_.begin(), followed_.end(), [now](const auto& entry) {
     if (const auto* frames = std::get_if<FrameSubscription>(&entry.second))
       return frames->has_output(now);

@@ -23,8 +23,8 @@ namespace xr3::monitor {
 
 class Client {
  public:
-  static constexpr std::size_t kMostAnswers = 256;
-  static constexpr std::size_t kMostAnswerBytes = 256 * 1024;
+  static constexpr std::size_t kMaxAnswers = 256;
+  static constexpr std::size_t kMaxAnswerBytes = 256 * 1024;
 
   /// `cells` are the cells that a request may name, the default first.
   explicit Client(std::vector<std::string> cells) : cells_(std::move(cells)) {}
@@ -33,7 +33,7 @@ class Client {
 
   /// Handles one message. The caller must execute the returned request and answer it with send()
   /// before the next message. For an invalid message it queues an error and returns nullopt.
-  std::optional<Request> take(std::string_view message);
+  std::optional<Request> handle(std::string_view message);
 
   /// Appends a message to the reply queue. Ignored after end().
   void send(Message message);
@@ -41,15 +41,17 @@ class Client {
   /// those that have been overwritten by the time they are sent.
   void replay(Feed& feed, const std::string& cell, const Get& get, const RequestId& id);
   /// Appends `bye` to the reply queue and ends all subscriptions.
-  void end(Bye why);
+  void end(CloseReason why);
   /// Ends because of an invalid line.
   void end(LineFault fault);
-  bool has_ended() const { return farewell_.has_value(); }
+  bool has_ended() const { return close_reason_.has_value(); }
   /// The reason of end(); nullopt before.
-  std::optional<Bye> farewell() const { return farewell_; }
+  std::optional<CloseReason> close_reason() const { return close_reason_; }
 
   /// The reply queue is full: handle no request until the client has read some replies.
-  bool is_full() const { return lane_.size() >= kMostAnswers || lane_bytes_ >= kMostAnswerBytes; }
+  bool is_full() const {
+    return reply_queue_.size() >= kMaxAnswers || reply_queue_bytes_ >= kMaxAnswerBytes;
+  }
 
   /// Subscribes to a channel of a cell; replaces an earlier subscription to it.
   FrameSubscription& follow_frames(const std::string& cell, const Subscribe& wanted);
@@ -73,7 +75,7 @@ class Client {
   }
 
   /// Statistics per channel, indexed by Channel.
-  const std::array<Tally, kChannels>& tallies() const { return tallies_; }
+  const std::array<ChannelStats, kChannels>& channel_stats() const { return channel_stats_; }
 
   /// Whether next_output() has a message.
   bool has_output(FrameNumber now) const;
@@ -91,17 +93,19 @@ class Client {
     RequestId id;
   };
 
-  Tally& tally_of(Channel channel) { return tallies_.at(static_cast<std::size_t>(channel)); }
+  ChannelStats& stats_of(Channel channel) {
+    return channel_stats_.at(static_cast<std::size_t>(channel));
+  }
   Message next_answer();
   Message next_followed(FrameNumber now);
 
   std::vector<std::string> cells_;
-  std::deque<std::variant<Message, Replay>> lane_;
-  std::size_t lane_bytes_ = 0;
-  std::array<Tally, kChannels> tallies_{};
+  std::deque<std::variant<Message, Replay>> reply_queue_;
+  std::size_t reply_queue_bytes_ = 0;
+  std::array<ChannelStats, kChannels> channel_stats_{};
   std::map<Where, Followed> followed_;
   const Where* last_turn_ = nullptr;  ///< the key of the channel that was served last
-  std::optional<Bye> farewell_;
+  std::optional<CloseReason> close_reason_;
 };
 
 }  // namespace xr3::monitor

@@ -9,8 +9,8 @@ namespace xr3::monitor {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n";
-constexpr std::size_t kLongestName = 16;                   // "op", every letter escaped
-constexpr std::size_t kLongestValue = 6 * kLongestId + 2;  // the same of an id
+constexpr std::size_t kMaxNameLength = 16;              // "op", every letter escaped
+constexpr std::size_t kMaxValue = 6 * kMaxIdBytes + 2;  // the same of an id
 
 /// Goes through the outermost members of a text that may be JSON.
 class Skimmer {
@@ -60,7 +60,7 @@ class Skimmer {
 };
 
 bool is_name(std::string_view written, std::string_view name) {
-  if (written.size() > kLongestName) return false;
+  if (written.size() > kMaxNameLength) return false;
   if (written.find('\\') == std::string_view::npos)
     return written.size() == name.size() + 2 && written.substr(1, name.size()) == name;
   const JsonDocument document(written);
@@ -87,7 +87,7 @@ Heading heading_of(std::string_view message) {
   Heading heading;
   Skimmer members(message);
   while (members.next()) {
-    if (members.value().size() > kLongestValue) continue;
+    if (members.value().size() > kMaxValue) continue;
     const bool is_op = is_name(members.name(), "op");
     const bool is_fn = is_name(members.name(), "fn");
     if (!is_op && !is_fn && !is_name(members.name(), "id")) continue;

@@ -9,11 +9,11 @@ namespace xr3 {
 namespace {
 
 constexpr const char* kId = "health";
-constexpr std::size_t kMostQuoted = 60;
+constexpr std::size_t kMaxQuotedLength = 60;
 
 /// The beginning of a foreign server's first line, quoted, without control characters.
 std::string quoted(std::string_view text) {
-  std::string words(text.substr(0, std::min(kMostQuoted, text.find_first_of("\r\n"))));
+  std::string words(text.substr(0, std::min(kMaxQuotedLength, text.find_first_of("\r\n"))));
   const auto is_strange = [](char c) { return c < ' ' || c > '~'; };
   std::replace_if(words.begin(), words.end(), is_strange, '?');
   return "\"" + words + "\"";
@@ -23,26 +23,26 @@ std::string is_another(std::string_view line) { return "is not xr3: it sends " +
 
 }  // namespace
 
-std::string HealthProbe::take(std::string_view bytes) {
+std::string HealthProbe::feed(std::string_view bytes) {
   std::string to_send;
   for (std::size_t end = 0; (end = bytes.find('\n')) != std::string_view::npos;) {
     line_ += bytes.substr(0, end);
     bytes.remove_prefix(end + 1);
-    if (verdict_ == Verdict::kUnknown) to_send += take_line();
+    if (health_ == Health::kUnknown) to_send += handle_line();
     line_.clear();
   }
   line_ += bytes;
-  if (line_.size() > kMostLineBytes) refuse(is_another(line_));
+  if (line_.size() > kMaxLineBytes) refuse(is_another(line_));
   return to_send;
 }
 
-std::string HealthProbe::take_line() {
+std::string HealthProbe::handle_line() {
   const Json message = Json::parse(line_, nullptr, false);
   const auto op = watch::value_of<std::string>(message, "op");
   if (op == "bye") {
     refuse("ends the connection: " + watch::value_of<std::string>(message, "message"));
   } else if (is_greeted_) {
-    if (op == "pong" && watch::member(message, "id") == kId) verdict_ = Verdict::kHealthy;
+    if (op == "pong" && watch::member(message, "id") == kId) health_ = Health::kHealthy;
   } else if (op == "hello" && watch::value_of<std::string>(message, "server").starts_with("xr3 ")) {
     is_greeted_ = true;
     return Json({{"op", "ping"}, {"id", kId}}).dump().substr(opening().size()) + "\n";
@@ -53,8 +53,8 @@ std::string HealthProbe::take_line() {
 }
 
 void HealthProbe::refuse(std::string why) {
-  if (verdict_ != Verdict::kUnknown) return;
-  verdict_ = Verdict::kUnhealthy;
+  if (health_ != Health::kUnknown) return;
+  health_ = Health::kUnhealthy;
   why_ = std::move(why);
 }
 

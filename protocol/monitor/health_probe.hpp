@@ -1,4 +1,4 @@
-// A health check of a monitor port: what to send, and the verdict after each received chunk of
+// A health check of a monitor port: what to send, and the health after each received chunk of
 // bytes. Independent of sockets; needs no token.
 #pragma once
 
@@ -12,26 +12,26 @@ namespace xr3 {
 class HealthProbe {
  public:
   /// The `hello` message of xr3, which announces the limit for later lines, is much shorter.
-  static constexpr std::size_t kMostLineBytes = 64 * 1024;
+  static constexpr std::size_t kMaxLineBytes = 64 * 1024;
 
-  enum class Verdict : std::uint8_t { kUnknown, kHealthy, kUnhealthy };
+  enum class Health : std::uint8_t { kUnknown, kHealthy, kUnhealthy };
 
   /// The first byte to send: the server sends `hello` at once to a client that sends first. It
   /// selects JSON; if the peer is a serial line instead, it moves nothing.
   static std::string opening() { return "{"; }
 
   /// Handles received bytes, which may be anything. Returns the bytes to send now; may be empty.
-  std::string take(std::string_view bytes);
+  std::string feed(std::string_view bytes);
 
-  Verdict verdict() const { return verdict_; }
+  Health health() const { return health_; }
   /// The problem so far, as the end of a sentence that begins with the server's address.
   std::string trouble() const;
 
  private:
-  std::string take_line();
+  std::string handle_line();
   void refuse(std::string why);
 
-  Verdict verdict_ = Verdict::kUnknown;
+  Health health_ = Health::kUnknown;
   bool is_greeted_ = false;
   std::string line_;  ///< the incomplete next message
   std::string why_;   ///< reason for kUnhealthy

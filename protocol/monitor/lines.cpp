@@ -16,7 +16,7 @@ std::string_view without_cr(std::string_view line) {
 
 }  // namespace
 
-void Lines::take(std::string_view bytes) {
+void LineSplitter::feed(std::string_view bytes) {
   if (fault_ != LineFault::kNone) return;
   bytes_.erase(0, begin_);
   scanned_ -= begin_;
@@ -24,7 +24,7 @@ void Lines::take(std::string_view bytes) {
   bytes_.append(bytes);
 }
 
-std::optional<std::string_view> Lines::next() {
+std::optional<std::string_view> LineSplitter::next() {
   if (fault_ != LineFault::kNone) return std::nullopt;
   skip_blanks();
   if (begin_ == bytes_.size()) return std::nullopt;
@@ -33,19 +33,19 @@ std::optional<std::string_view> Lines::next() {
   const bool is_whole = found != std::string::npos || has_ended_;
   const std::size_t end = std::min(found, bytes_.size());
   const std::string_view line = without_cr(std::string_view(bytes_).substr(begin_, end - begin_));
-  if (line.size() > kMostMessageBytes) return fail(LineFault::kTooLong);
+  if (line.size() > kMaxMessageBytes) return fail(LineFault::kTooLong);
   scanned_ = end;
   if (!is_whole) return std::nullopt;
   begin_ = end;  // skip_blanks() skips the line end
   return line;
 }
 
-void Lines::skip_blanks() {
+void LineSplitter::skip_blanks() {
   begin_ = std::min(bytes_.find_first_not_of(kBlanks, begin_), bytes_.size());
   scanned_ = std::max(scanned_, begin_);
 }
 
-std::optional<std::string_view> Lines::fail(LineFault fault) {
+std::optional<std::string_view> LineSplitter::fail(LineFault fault) {
   fault_ = fault;
   bytes_.clear();
   bytes_.shrink_to_fit();

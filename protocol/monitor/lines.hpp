@@ -13,11 +13,11 @@ namespace xr3::monitor {
 /// Why there will be no further line.
 enum class LineFault : std::uint8_t { kNone, kNotJson, kTooLong };
 
-class Lines {
+class LineSplitter {
  public:
   /// Appends bytes. Call next() until it returns nullopt before adding more; the buffer is then
   /// bounded by one line plus one read.
-  void take(std::string_view bytes);
+  void feed(std::string_view bytes);
 
   /// The client has closed its side: the buffered rest is the last line.
   void end() { has_ended_ = true; }

@@ -6,7 +6,7 @@ namespace xr3::monitor {
 namespace {
 
 constexpr int kProtocol = 1;
-constexpr int kMostHz = 60;
+constexpr int kMaxHz = 60;
 
 Message message_of(const Json& json) { return std::make_shared<const std::string>(text_of(json)); }
 
@@ -39,18 +39,19 @@ struct ByeWords {
   const char* message;
 };
 
-ByeWords words_of(Bye why) {
+ByeWords words_of(CloseReason why) {
   switch (why) {
-    case Bye::kShutdown: return {"shutdown", "the server is stopping"};
-    case Bye::kNotJson:
+    case CloseReason::kShutdown: return {"shutdown", "the server is stopping"};
+    case CloseReason::kNotJson:
       return {"not_json",
               "a line begins with {; send one JSON object a line, such as "
               "{\"op\":\"get\",\"channel\":\"state\"}"};
-    case Bye::kTooLong: return {"too_long", "a line has at most 262144 bytes"};
-    case Bye::kBadToken: return {"bad_token", "too many wrong tokens"};
-    case Bye::kFull: return {"full", "too many connections; close some and try again"};
-    case Bye::kIdle: return {"idle", "this client has sent nothing for too long"};
-    case Bye::kDisconnected: return {"disconnected", "the connection was closed by the server"};
+    case CloseReason::kTooLong: return {"too_long", "a line has at most 262144 bytes"};
+    case CloseReason::kBadToken: return {"bad_token", "too many wrong tokens"};
+    case CloseReason::kFull: return {"full", "too many connections; close some and try again"};
+    case CloseReason::kIdle: return {"idle", "this client has sent nothing for too long"};
+    case CloseReason::kDisconnected:
+      return {"disconnected", "the connection was closed by the server"};
   }
   return {"internal", ""};
 }
@@ -78,7 +79,7 @@ Message hello(const Greeting& greeting) {
       {"access", greeting.may_call ? "control" : "read"},
       {"channels", channels()},
       {"calls", calls()},
-      {"limits", {{"message_bytes", kMostMessageBytes}, {"depth", kDeepest}, {"max_hz", kMostHz}}},
+      {"limits", {{"message_bytes", kMaxMessageBytes}, {"depth", kMaxDepth}, {"max_hz", kMaxHz}}},
   });
 }
 
@@ -134,7 +135,7 @@ Message lag(std::string_view cell, Channel channel, const Missed& missed) {
                      {"to_seq", missed.to_seq}});
 }
 
-Message bye(Bye why) {
+Message bye(CloseReason why) {
   const ByeWords words = words_of(why);
   return message_of({{"op", "bye"}, {"why", words.why}, {"message", words.message}});
 }

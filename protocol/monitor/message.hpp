@@ -61,7 +61,7 @@ struct Missed {
 Message lag(std::string_view cell, Channel channel, const Missed& missed);
 
 /// Why the server closes a connection.
-enum class Bye : std::uint8_t {
+enum class CloseReason : std::uint8_t {
   kShutdown,
   kNotJson,
   kTooLong,
@@ -71,6 +71,6 @@ enum class Bye : std::uint8_t {
   kDisconnected,
 };
 /// The last message of a connection.
-Message bye(Bye why);
+Message bye(CloseReason why);
 
 }  // namespace xr3::monitor

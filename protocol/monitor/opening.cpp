@@ -13,9 +13,9 @@ bool is_blank(char byte) { return kBlanks.find(byte) != std::string_view::npos; 
 
 }  // namespace
 
-std::size_t Opening::take(std::string_view bytes) {
+std::size_t ProtocolDetector::feed(std::string_view bytes) {
   std::size_t skipped = 0;
-  while (skipped < bytes.size() && tongue_ == Tongue::kUndecided) {
+  while (skipped < bytes.size() && protocol_ == Protocol::kUndecided) {
     const char byte = bytes[skipped];
     const bool inside_mark = mark_bytes_ % kByteOrderMark.size() != 0;
     if (mark_bytes_ < kByteOrderMark.size() && byte == kByteOrderMark[mark_bytes_]) {
@@ -29,15 +29,15 @@ std::size_t Opening::take(std::string_view bytes) {
   return skipped;
 }
 
-void Opening::decide(char byte) {
+void ProtocolDetector::decide(char byte) {
   if (byte == '{') {
-    tongue_ = Tongue::kLines;
+    protocol_ = Protocol::kLines;
   } else if (only_lines_) {
-    tongue_ = Tongue::kNotJson;
+    protocol_ = Protocol::kNotJson;
   } else if ('A' <= byte && byte <= 'Z') {
-    tongue_ = Tongue::kHttp;
+    protocol_ = Protocol::kHttp;
   } else {
-    tongue_ = byte == kTlsHandshake ? Tongue::kTls : Tongue::kNotJson;
+    protocol_ = byte == kTlsHandshake ? Protocol::kTls : Protocol::kNotJson;
   }
 }
 

@@ -7,7 +7,7 @@
 
 namespace xr3::monitor {
 
-enum class Tongue : std::uint8_t {
+enum class Protocol : std::uint8_t {
   kUndecided,  ///< no significant byte yet
   kLines,      ///< one JSON object per line
   kHttp,
@@ -15,13 +15,13 @@ enum class Tongue : std::uint8_t {
   kNotJson,  ///< none of the above
 };
 
-class Opening {
+class ProtocolDetector {
  public:
   /// Examines more bytes. Returns the number of insignificant bytes at their start, which the
-  /// caller must skip. Once tongue() is decided, the rest belongs to that protocol.
-  std::size_t take(std::string_view bytes);
+  /// caller must skip. Once protocol() is decided, the rest belongs to that protocol.
+  std::size_t feed(std::string_view bytes);
 
-  Tongue tongue() const { return tongue_; }
+  Protocol protocol() const { return protocol_; }
 
   /// The client was silent and has been sent `hello`: only kLines is possible from now on.
   void settle_for_lines() { only_lines_ = true; }
@@ -31,7 +31,7 @@ class Opening {
 
   std::size_t mark_bytes_ = 0;  ///< bytes of the byte order mark seen so far
   bool only_lines_ = false;
-  Tongue tongue_ = Tongue::kUndecided;
+  Protocol protocol_ = Protocol::kUndecided;
 };
 
 }  // namespace xr3::monitor

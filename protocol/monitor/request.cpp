@@ -14,7 +14,7 @@ namespace {
 
 /// What stands there, unless it is long.
 std::string quoted(JsonValue value) {
-  if (value.json_size(kLongestId) <= kLongestId) return shown(value).dump();
+  if (value.json_size(kMaxIdBytes) <= kMaxIdBytes) return shown(value).dump();
   const std::size_t size = value.is_text() ? value.text_size() : value.json_size();
   return "of " + std::to_string(size) + " bytes";
 }
@@ -48,12 +48,12 @@ std::string in_document(const std::string& pointer) {
 
 /// As a finding shows it: a long one by its size.
 Json shown_twice(JsonValue member) {
-  constexpr std::size_t kLongest = 200;  // as JSON
+  constexpr std::size_t kMaxLength = 200;  // as JSON
   const std::string_view words = " for the second time";
   const std::size_t size = member.name().text_size() + 2 + words.size();
-  if (size < kLongest) {
+  if (size < kMaxLength) {
     Json found = "\"" + member.name().text() + "\"" + std::string(words);
-    if (found.dump().size() <= kLongest) return found;
+    if (found.dump().size() <= kMaxLength) return found;
   }
   return "string of " + std::to_string(size) + " bytes";
 }
@@ -87,14 +87,14 @@ Selection read_selection(Channel channel, ArgsReader& members) {
 
 std::optional<std::int64_t> read_since(Channel channel, ArgsReader& members) {
   if (is_latest_wins(channel)) return std::nullopt;
-  return members.whole("since", 0, kMostInteger, Presence::kOptional);
+  return members.whole("since", 0, kMaxInteger, Presence::kOptional);
 }
 
 Subscribe read_subscribe(Channel channel, ArgsReader& members) {
   Subscribe wanted;
   wanted.selection = read_selection(channel, members);
   const auto max_hz =
-      members.number("max_hz", kLeastMilliHz / 1000.0, kMostMilliHz / 1000.0, Presence::kOptional);
+      members.number("max_hz", kMinMilliHz / 1000.0, kMaxMilliHz / 1000.0, Presence::kOptional);
   if (max_hz) wanted.max_millihz = static_cast<MilliHz>(std::lround(*max_hz * 1000));
   wanted.on_change =
       members.coded("on_change", data::boolean(), Presence::kOptional).value_or(true);
@@ -171,7 +171,7 @@ const std::vector<std::string>& ops() {
 
 std::optional<RequestId> id_of(JsonValue value) {
   if (!value || value.is_null()) return RequestId();
-  if (value.is_text() && value.text_size() <= kLongestId) return value.text();
+  if (value.is_text() && value.text_size() <= kMaxIdBytes) return value.text();
   if (const auto number = whole_number(value)) return *number;
   return std::nullopt;
 }
@@ -188,7 +188,7 @@ std::optional<RequestError> fit(Request& request, Tick now) {
   if (wanted == nullptr) return std::nullopt;
   auto* of_cell = std::get_if<call::Call>(&wanted->call);
   if (of_cell == nullptr) return std::nullopt;
-  const Tick room = kMostInteger - now;
+  const Tick room = kMaxInteger - now;
   if (auto* run = std::get_if<call::RunUntil>(of_cell))
     run->max_ticks = std::min(run->max_ticks, room);
   const auto* step = std::get_if<call::Step>(of_cell);

@@ -16,13 +16,13 @@
 
 namespace xr3::monitor {
 
-inline constexpr std::size_t kMostMessageBytes = 256 * 1024;
+inline constexpr std::size_t kMaxMessageBytes = 256 * 1024;
 /// Lists and objects inside one another, the message itself counted.
-inline constexpr int kDeepest = 32;
-inline constexpr std::size_t kLongestId = 64;
+inline constexpr int kMaxDepth = 32;
+inline constexpr std::size_t kMaxIdBytes = 64;
 /// Every integer of the protocol is a number that JavaScript has, too.
-inline constexpr std::int64_t kMostInteger = (std::int64_t{1} << 53) - 1;
-inline constexpr int kMostWithinMs = 60'000;
+inline constexpr std::int64_t kMaxInteger = (std::int64_t{1} << 53) - 1;
+inline constexpr int kMaxWithinMs = 60'000;
 
 /// Nothing where a request carries no id, or none that could be read.
 using RequestId = std::variant<std::monostate, std::int64_t, std::string>;
@@ -48,10 +48,10 @@ struct Auth {
   std::string token;
 };
 
-/// Frames a second of 1/1000, 100...60,000.
+/// FrameCache a second of 1/1000, 100...60,000.
 using MilliHz = int;
-inline constexpr MilliHz kMostMilliHz = 60'000;
-inline constexpr MilliHz kLeastMilliHz = 100;
+inline constexpr MilliHz kMaxMilliHz = 60'000;
+inline constexpr MilliHz kMinMilliHz = 100;
 
 struct Subscribe {
   Selection selection;
@@ -66,15 +66,15 @@ struct Unsubscribe {
 
 struct Get {
   Selection selection;
-  std::optional<std::int64_t> since;  ///< event and line only; none: the last kMostRecalled
+  std::optional<std::int64_t> since;  ///< event and line only; none: the last kMaxRecalled
 };
-inline constexpr std::int64_t kMostRecalled = 256;
+inline constexpr std::int64_t kMaxRecalled = 256;
 
 /// A barrier: the call waits until the line has received so many bytes in all.
 struct After {
   std::uint32_t line = 0;
   std::uint64_t bytes_in = 0;
-  int within_ms = 1000;  ///< 0...kMostWithinMs
+  int within_ms = 1000;  ///< 0...kMaxWithinMs
 };
 
 /// Calls that are not the cell's own.

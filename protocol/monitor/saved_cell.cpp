@@ -15,17 +15,17 @@ namespace {
 
 using namespace data;  // NOLINT: the tables below read as the form does
 
-constexpr Counts kMostCounts = 1 << 30;
+constexpr Counts kMaxCounts = 1 << 30;
 /// No arm that a robot file can describe reaches further, and the camera's arithmetic has room.
 constexpr Micrometres kFarthestUm = 2'000'000'000;
 constexpr Micrometres kLargestUm = micrometres(kMaxLengthMm);
 constexpr Microdegrees kHalfTurn = 180'000'000;
-constexpr std::size_t kLongestHash = 200;
-constexpr int kMostView = 9;
-constexpr int kMostPeriod = 255;
-constexpr int kMostStatus = 6;
+constexpr std::size_t kMaxHashLength = 200;
+constexpr int kMaxView = 9;
+constexpr int kMaxPeriod = 255;
+constexpr int kMaxStatus = 6;
 
-Codec<Counts> counts() { return integer<Counts>(-kMostCounts, kMostCounts); }
+Codec<Counts> counts() { return integer<Counts>(-kMaxCounts, kMaxCounts); }
 
 /// A list of exactly N values.
 template <class V, std::size_t N>
@@ -63,7 +63,7 @@ Codec<PointUm> place_um() { return point(-kFarthestUm, kFarthestUm); }
 
 /// `[x, y, z]` of the view vector.
 Codec<ViewVector> view() {
-  const auto list = array_of<int, 3>(whole(-kMostView, kMostView));
+  const auto list = array_of<int, 3>(whole(-kMaxView, kMaxView));
   Codec<ViewVector> codec;
   codec.allowed = "a list of three whole numbers -9 to 9, not all 0";
   codec.read = [list, allowed = codec.allowed](const Place& place, ViewVector& vector) {
@@ -93,9 +93,9 @@ Members<MotorState> motor_members() {
 Members<DisplaySettings> display_members() {
   return {required("on", &DisplaySettings::on, boolean()),
           required("view", &DisplaySettings::view, view()),
-          required("period_half_s", &DisplaySettings::period_half_s, whole(1, kMostPeriod)),
+          required("period_half_s", &DisplaySettings::period_half_s, whole(1, kMaxPeriod)),
           required("erase", &DisplaySettings::erase, boolean()),
-          required("status_option", &DisplaySettings::status_option, whole(0, kMostStatus)),
+          required("status_option", &DisplaySettings::status_option, whole(0, kMaxStatus)),
           required("function_keys", &DisplaySettings::function_keys, boolean())};
 }
 
@@ -121,14 +121,14 @@ Members<Held> held_members() {
 }
 
 Members<TipPath> tip_path_members() {
-  constexpr std::size_t kMost = TipPath::kMostTipPoints;
-  return {required("points", &TipPath::points, list(place_um(), 0, kMost)),
-          required("oldest", &TipPath::oldest, integer<std::size_t>(0, kMost - 1))};
+  constexpr std::size_t kMax = TipPath::kMaxTipPoints;
+  return {required("points", &TipPath::points, list(place_um(), 0, kMax)),
+          required("oldest", &TipPath::oldest, integer<std::size_t>(0, kMax - 1))};
 }
 
 Members<State> state_members() {
   return {
-      required("tick", &State::tick, integer<Tick>(0, monitor::kMostInteger)),
+      required("tick", &State::tick, integer<Tick>(0, monitor::kMaxInteger)),
       required("motors", &State::motors, array_of<MotorState, kMaxMotors>(object(motor_members()))),
       required("stall", &State::stall,
                choice<Stall>({{"no", Stall::kNo},
@@ -161,7 +161,7 @@ Codec<Workcell> workcell_file() {
 
 const Members<SavedCell>& saved_cell_members() {
   static const Members<SavedCell> members = {
-      required("robot_hash", &SavedCell::robot_hash, text(0, kLongestHash)),
+      required("robot_hash", &SavedCell::robot_hash, text(0, kMaxHashLength)),
       required("workcell", &SavedCell::workcell, workcell_file()),
       required("state", &SavedCell::state, object(state_members()))};
   return members;
@@ -189,10 +189,10 @@ void check_held(const State& state, Reading& reading) {
 
 /// A path that is not full yet begins at its first point.
 void check_path(const TipPath& path, Reading& reading) {
-  if (path.oldest == 0 || path.points.size() == TipPath::kMostTipPoints) return;
+  if (path.oldest == 0 || path.points.size() == TipPath::kMaxTipPoints) return;
   if (!reading.is_sound("/state/tip_path")) return;
   reading.report(Severity::kError, "/state/tip_path/oldest", std::to_string(path.oldest),
-                 "0 in a path of less than " + std::to_string(TipPath::kMostTipPoints) + " points");
+                 "0 in a path of less than " + std::to_string(TipPath::kMaxTipPoints) + " points");
 }
 
 }  // namespace
@@ -220,7 +220,7 @@ SavedCellReading read_saved_cell(const Json& json) {
 
 bool monitor::fits_a_request(const SavedCell& saved) {
   constexpr std::size_t kCall = 1024;  // an id of 64 bytes, escaped, and the name of the cell
-  return saved_cell_to_json(saved).dump().size() <= kMostMessageBytes - kCall;
+  return saved_cell_to_json(saved).dump().size() <= kMaxMessageBytes - kCall;
 }
 
 }  // namespace xr3

@@ -21,7 +21,7 @@ constexpr int kDigitalLines = 8;
 constexpr int kAuxiliaryPorts = 2;
 
 /// A model and a snapshot of it, with values that several members need.
-struct Look {
+struct StateView {
   const Model& model;
   const Snapshot& snapshot;
   Positions positions;
@@ -61,7 +61,7 @@ bool is_linear(const Model& model, int index) {
 }
 
 /// The first members of both joints and tool.
-Json counters_json(const Look& look, int index) {
+Json counters_json(const StateView& look, int index) {
   const bool linear = is_linear(look.model, index);
   const double value = look.model.variable(index, look.position(index));
   return {{"label", std::string(1, look.model.motor(index).drive.label)},
@@ -72,7 +72,7 @@ Json counters_json(const Look& look, int index) {
 }
 
 /// `moving`: the motor will make counts without new input.
-void add_motion(const Look& look, int index, Json& members) {
+void add_motion(const StateView& look, int index, Json& members) {
   const MotorState& motor = look.motor(index);
   members["speed"] = motor.speed;
   members["switch"] = motor.switch_closed;
@@ -80,20 +80,20 @@ void add_motion(const Look& look, int index, Json& members) {
   members["blocked"] = blocked_json(motor.blocked);
 }
 
-Json joint_json(const Look& look, int index) {
+Json joint_json(const StateView& look, int index) {
   Json joint = counters_json(look, index);
   add_motion(look, index, joint);
   return joint;
 }
 
-Json joints_json(const Look& look) {
+Json joints_json(const StateView& look) {
   Json joints = Json::array();
   for (int k = 0; k < look.model.joint_count(); ++k) joints.push_back(joint_json(look, k));
   return joints;
 }
 
 /// In row-major order; the columns are the normal, sliding and approach vectors.
-Json rotation_json(const Look& look) {
+Json rotation_json(const StateView& look) {
   const Transform pose = tool_transform(look.model, look.positions);
   Json rotation = Json::array();
   for (int row = 0; row < 3; ++row) {
@@ -105,7 +105,7 @@ Json rotation_json(const Look& look) {
 }
 
 /// The tip in mm, then the approach vector scaled by the roll.
-Json configuration_json(const Look& look) {
+Json configuration_json(const StateView& look) {
   const ToolConfiguration w = tool_configuration(look.model, look.positions);
   Json configuration = point_json(tool_tip(look.model, look.positions));
   for (int i = 3; i < 6; ++i) configuration.push_back(rounded(w(i), kMatrixDecimals));
@@ -117,7 +117,7 @@ Json holding_json(const State& state) {
   return state.blocks[state.held->block].name;
 }
 
-Json tool_json(const Look& look) {
+Json tool_json(const StateView& look) {
   const int index = look.model.tool_index();
   Json tool = counters_json(look, index);
   tool["opening_mm"] = rounded(opening_mm(look.model, look.position(index)), kMmDecimals);
@@ -138,7 +138,7 @@ Json lying_json(const Block& block) {
 }
 
 /// A held block moves with the tool; its yaw is that of its length axis, seen from above.
-Json held_json(const Look& look, std::size_t index) {
+Json held_json(const StateView& look, std::size_t index) {
   const Transform pose = block_pose(look.model, look.state(), index);
   const double yaw = std::atan2(pose(1, 0), pose(0, 0)) * 180.0 / kPi;
   const PointUm centroid{micrometres(pose(0, 3)), micrometres(pose(1, 3)), micrometres(pose(2, 3))};
@@ -148,7 +148,7 @@ Json held_json(const Look& look, std::size_t index) {
           {"held", true}};
 }
 
-Json blocks_json(const Look& look) {
+Json blocks_json(const StateView& look) {
   const State& state = look.state();
   Json blocks = Json::array();
   for (std::size_t i = 0; i < state.blocks.size(); ++i) {
@@ -159,7 +159,7 @@ Json blocks_json(const Look& look) {
 }
 
 /// The values of the replies to I and J, without kReplyBase (32).
-Json switches_json(const Look& look) {
+Json switches_json(const StateView& look) {
   const auto code = [&look](char inquiry) {
     return switch_code(switch_bits(look.model, look.state(), inquiry), look.model.profile());
   };
@@ -193,7 +193,7 @@ Json point_json(const PointUm& point) {
 
 Json state_json(const Model& model, const Snapshot& snapshot) {
   const State& state = snapshot.state;
-  const Look look{model, snapshot, positions(model, state.motors)};
+  const StateView look{model, snapshot, positions(model, state.motors)};
   return {{"clock", clock_json(snapshot.mode, snapshot.rate)},
           {"joints", joints_json(look)},
           {"tool", tool_json(look)},

@@ -67,8 +67,8 @@ Message FrameSubscription::next_output(FrameNumber now) {
 // --- Channels without loss.
 
 FeedSubscription::FeedSubscription(std::string cell, const Subscribe& wanted, Feed& feed,
-                                   Tally& tally)
-    : cell_(std::move(cell)), wanted_(wanted), feed_(&feed), tally_(&tally), next_(feed.next()) {
+                                   ChannelStats& stats)
+    : cell_(std::move(cell)), wanted_(wanted), feed_(&feed), tally_(&stats), next_(feed.next()) {
   if (wanted.since) next_ = std::clamp<std::int64_t>(*wanted.since, 1, feed.next());
 }
 

@@ -26,7 +26,7 @@ struct Frame {
 };
 
 /// Statistics of a channel: messages sent to a client, and messages that it missed.
-struct Tally {
+struct ChannelStats {
   std::uint64_t sent = 0;
   std::uint64_t overwritten = 0;
 };
@@ -38,9 +38,9 @@ inline constexpr MilliHz kLookMilliHz = 10'000;
 /// can receive.
 class FrameSubscription {
  public:
-  /// `tally` must outlive it.
-  FrameSubscription(std::string cell, const Subscribe& wanted, Tally& tally)
-      : cell_(std::move(cell)), wanted_(wanted), tally_(&tally) {}
+  /// `stats` must outlive it.
+  FrameSubscription(std::string cell, const Subscribe& wanted, ChannelStats& stats)
+      : cell_(std::move(cell)), wanted_(wanted), tally_(&stats) {}
 
   const Subscribe& wanted() const { return wanted_; }
 
@@ -72,14 +72,14 @@ class FrameSubscription {
   FrameNumber due_ = 0;
   FrameNumber last_lag_ = -kFramesPerSecond;
   Missed missed_;
-  Tally* tally_;
+  ChannelStats* tally_;
 };
 
 /// A subscription to a channel without loss: a cursor into its ring.
 class FeedSubscription {
  public:
-  /// `feed` and `tally` must outlive it. Starts at `since`, or at the next message.
-  FeedSubscription(std::string cell, const Subscribe& wanted, Feed& feed, Tally& tally);
+  /// `feed` and `stats` must outlive it. Starts at `since`, or at the next message.
+  FeedSubscription(std::string cell, const Subscribe& wanted, Feed& feed, ChannelStats& stats);
 
   const Subscribe& wanted() const { return wanted_; }
   bool has_output() const { return next_ < feed_->next(); }
@@ -92,7 +92,7 @@ class FeedSubscription {
   std::string cell_;
   Subscribe wanted_;
   Feed* feed_;
-  Tally* tally_;
+  ChannelStats* tally_;
   std::int64_t next_;
 };
 

@@ -51,11 +51,11 @@ RequestError syntax_error(const JsonDocument& document) {
 }  // namespace
 
 std::optional<RequestError> refuse_text(std::string_view message) {
-  if (message.size() > kMostMessageBytes) {
+  if (message.size() > kMaxMessageBytes) {
     return RequestError{
         {}, "too_long", "a message has at most 262144 bytes", "send less at once", {}};
   }
-  if (depth_of(message) > kDeepest) return too_deep();
+  if (depth_of(message) > kMaxDepth) return too_deep();
   const std::size_t nul = message.find('\0');  // the parser would take it for the end
   if (nul != std::string_view::npos) return bad_json(nul + 1, "a NUL byte; allowed: JSON in UTF-8");
   return std::nullopt;

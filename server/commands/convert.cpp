@@ -67,8 +67,8 @@ ExitCode convert_file(const ConvertOptions& options) {
   if (!data.is_good()) return ExitCode::kBadInput;
   const Existing existing = options.force ? Existing::kReplace : Existing::kKeep;
   const bool is_written =
-      write_whole_file(options.out, text_in(*form, data), existing,
-                       [&](const DataFile& draft) { check_draft(draft, data); });
+      write_file_atomically(options.out, text_in(*form, data), existing,
+                            [&](const DataFile& draft) { check_draft(draft, data); });
   if (!is_written) return refuse(options.out + ": already exists; --force replaces it");
   tell(options, *form, data);
   return ExitCode::kGood;

@@ -20,10 +20,10 @@ namespace xr3 {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Verdict = HealthProbe::Verdict;
+using Health = HealthProbe::Health;
 
 /// One try takes no longer than this.
-constexpr std::chrono::seconds kMostPatience{2};
+constexpr std::chrono::seconds kMaxWait{2};
 /// Nobody tells us when a port is opened or a file written.
 constexpr std::chrono::milliseconds kBeforeNextTry{20};
 
@@ -53,12 +53,12 @@ asio::awaitable<std::unique_ptr<MonitorSocket>> connect(asio::io_context& contex
 /// Takes hello, and the answer to a ping.
 asio::awaitable<void> greet(MonitorSocket& socket, HealthProbe& probe) {
   std::string to_send = HealthProbe::opening();
-  while (probe.verdict() == Verdict::kUnknown) {
+  while (probe.health() == Health::kUnknown) {
     const bool is_sent = co_await socket.send(to_send);
     if (!is_sent) break;
     const std::string_view bytes = co_await socket.read();
     if (bytes.empty()) break;
-    to_send = probe.take(bytes);
+    to_send = probe.feed(bytes);
   }
 }
 
@@ -69,7 +69,7 @@ asio::awaitable<std::string> ask_ready(MonitorSocket& socket, const tcp::endpoin
   const bool is_sent = co_await socket.send(request);
   ErrorCode ignored;
   socket.stream().shutdown(tcp::socket::shutdown_send, ignored);
-  while (is_sent && answer.size() < HealthProbe::kMostLineBytes) {
+  while (is_sent && answer.size() < HealthProbe::kMaxLineBytes) {
     const std::string_view bytes = co_await socket.read();
     if (bytes.empty()) break;
     answer += bytes;
@@ -81,7 +81,7 @@ asio::awaitable<void> visit(asio::io_context& context, tcp::endpoint place, Visi
   auto socket = co_await connect(context, place, visit);
   if (!socket) co_return;
   co_await greet(*socket, visit.probe);
-  if (visit.probe.verdict() != Verdict::kHealthy) co_return;
+  if (visit.probe.health() != Health::kHealthy) co_return;
   socket = co_await connect(context, place, visit);
   if (socket) visit.readiness = co_await ask_ready(*socket, place);
 }
@@ -91,7 +91,7 @@ std::string trouble_of(const Visit& visit, const tcp::endpoint& place) {
   if (visit.stage == Visit::Stage::kConnecting) return who + " does not answer: timed out";
   if (visit.stage == Visit::Stage::kRefused)
     return "nobody listens at " + who + " (" + visit.refusal + ")";
-  if (visit.probe.verdict() != Verdict::kHealthy) return who + " " + visit.probe.trouble();
+  if (visit.probe.health() != Health::kHealthy) return who + " " + visit.probe.trouble();
   const std::string trouble = trouble_with_readiness(visit.readiness);
   return trouble.empty() ? trouble : who + " " + trouble;
 }
@@ -137,9 +137,9 @@ ExitCode check_health(const HealthOptions& options) {
   const bool is_one_try = options.wait_s == 0;
   const auto wait =
       std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.wait_s));
-  const auto deadline = Clock::now() + (is_one_try ? kMostPatience : wait);
+  const auto deadline = Clock::now() + (is_one_try ? kMaxWait : wait);
   for (;;) {
-    const Outcome outcome = try_once(options, std::min(deadline, Clock::now() + kMostPatience));
+    const Outcome outcome = try_once(options, std::min(deadline, Clock::now() + kMaxWait));
     if (outcome.trouble.empty()) return ExitCode::kGood;
     // (twice, so that the last try has some time itself)
     if (is_one_try || Clock::now() + 2 * kBeforeNextTry > deadline) return fail(outcome);

@@ -24,21 +24,21 @@ namespace {
 
 constexpr int kEscapeDelayMs = 25;
 
-struct Look {
+struct TextStyle {
   short color;  ///< -1: the terminal's default
   attr_t attributes;
 };
 
-const std::map<TextStyle, Look>& looks() {
-  static const std::map<TextStyle, Look> all{{TextStyle::kPlain, {-1, A_NORMAL}},
-                                             {TextStyle::kFaint, {-1, A_DIM}},
-                                             {TextStyle::kStrong, {-1, A_BOLD}},
-                                             {TextStyle::kTitle, {-1, A_REVERSE}},
-                                             {TextStyle::kRule, {COLOR_CYAN, A_NORMAL}},
-                                             {TextStyle::kGood, {COLOR_GREEN, A_NORMAL}},
-                                             {TextStyle::kWarning, {COLOR_YELLOW, A_NORMAL}},
-                                             {TextStyle::kBad, {COLOR_RED, A_BOLD}},
-                                             {TextStyle::kPicture, {COLOR_WHITE, A_BOLD}}};
+const std::map<TextStyle, TextStyle>& looks() {
+  static const std::map<TextStyle, TextStyle> all{{TextStyle::kPlain, {-1, A_NORMAL}},
+                                                  {TextStyle::kFaint, {-1, A_DIM}},
+                                                  {TextStyle::kStrong, {-1, A_BOLD}},
+                                                  {TextStyle::kTitle, {-1, A_REVERSE}},
+                                                  {TextStyle::kRule, {COLOR_CYAN, A_NORMAL}},
+                                                  {TextStyle::kGood, {COLOR_GREEN, A_NORMAL}},
+                                                  {TextStyle::kWarning, {COLOR_YELLOW, A_NORMAL}},
+                                                  {TextStyle::kBad, {COLOR_RED, A_BOLD}},
+                                                  {TextStyle::kPicture, {COLOR_WHITE, A_BOLD}}};
   return all;
 }
 
@@ -68,14 +68,14 @@ bool can_move_its_cursor() {
 
 /// The variable's value if it is in 1...1000, else `otherwise`.
 int environment_size(const char* name, int otherwise) {
-  constexpr int kMost = 1000;
+  constexpr int kMax = 1000;
   const char* text = std::getenv(name);
   if (text == nullptr) return otherwise;
   const std::string_view digits = text;
   int number = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   const bool is_good = error == std::errc{} && end == digits.data() + digits.size();
-  return is_good && number > 0 && number <= kMost ? number : otherwise;
+  return is_good && number > 0 && number <= kMax ? number : otherwise;
 }
 
 }  // namespace

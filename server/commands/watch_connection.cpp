@@ -9,9 +9,9 @@
 namespace xr3 {
 namespace {
 
-constexpr std::chrono::seconds kMostPatience{5};
+constexpr std::chrono::seconds kMaxWait{5};
 /// An image of the greatest size fits.
-constexpr std::size_t kMostLineBytes = std::size_t{32} << 20U;
+constexpr std::size_t kMaxLineBytes = std::size_t{32} << 20U;
 
 }  // namespace
 
@@ -36,7 +36,7 @@ asio::awaitable<std::string> WatchConnection::run(std::function<void()> on_news)
   send(model_.opening());
   while (socket->is_open()) {
     const std::string_view bytes = co_await socket->read();
-    if (bytes.empty() || !take(bytes)) break;
+    if (bytes.empty() || !feed(bytes)) break;
     has_heard_ = true;
     if (!is_greeted && !model_.known().cell.empty()) {
       is_greeted = true;
@@ -47,7 +47,7 @@ asio::awaitable<std::string> WatchConnection::run(std::function<void()> on_news)
   deadline_.cancel();
   socket->close();
   socket_.reset();
-  co_return farewell(is_greeted);
+  co_return close_reason(is_greeted);
 }
 
 asio::awaitable<std::string> WatchConnection::connect() {
@@ -69,18 +69,18 @@ asio::awaitable<std::string> WatchConnection::connect() {
 }
 
 /// Gives every whole line to the model. False: the line that comes is too long.
-bool WatchConnection::take(std::string_view bytes) {
+bool WatchConnection::feed(std::string_view bytes) {
   for (std::size_t end = 0; (end = bytes.find('\n')) != std::string_view::npos;) {
     line_ += bytes.substr(0, end);
     bytes.remove_prefix(end + 1);
-    for (const std::string& request : model_.take(line_)) send(request);
+    for (const std::string& request : model_.handle(line_)) send(request);
     line_.clear();
   }
   line_ += bytes;
-  return line_.size() <= kMostLineBytes;
+  return line_.size() <= kMaxLineBytes;
 }
 
-std::string WatchConnection::farewell(bool is_greeted) const {
+std::string WatchConnection::close_reason(bool is_greeted) const {
   const std::string& word = model_.known().said;
   if (model_.has_parted() && !word.empty()) return word;
   if (!is_greeted) return options_.address + " is no monitor port: no greeting came";
@@ -108,7 +108,7 @@ asio::awaitable<void> WatchConnection::send_all(std::shared_ptr<MonitorSocket> s
 
 void WatchConnection::close_when_due() {
   is_late_ = false;
-  deadline_.expires_after(kMostPatience);
+  deadline_.expires_after(kMaxWait);
   deadline_.async_wait([this](ErrorCode cancelled) {
     if (cancelled) return;
     is_late_ = true;
@@ -120,7 +120,7 @@ void WatchConnection::close_when_due() {
 void WatchConnection::ask_for_life() {
   has_heard_ = false;
   send(model_.ping());
-  deadline_.expires_after(kMostPatience);
+  deadline_.expires_after(kMaxWait);
   deadline_.async_wait([this](ErrorCode cancelled) {
     if (cancelled) return;
     if (has_heard_) return ask_for_life();

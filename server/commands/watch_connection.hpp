@@ -30,8 +30,8 @@ class WatchConnection {
  private:
   asio::awaitable<std::string> connect();
   asio::awaitable<void> send_all(std::shared_ptr<MonitorSocket> socket);
-  bool take(std::string_view bytes);
-  std::string farewell(bool is_greeted) const;
+  bool feed(std::string_view bytes);
+  std::string close_reason(bool is_greeted) const;
   void close_when_due();
   void ask_for_life();
 

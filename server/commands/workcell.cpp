@@ -39,7 +39,7 @@ class Input {
   bool is_terminal() const { return is_terminal_; }
 
  private:
-  static constexpr std::size_t kLongest = 65536;  // longer input is split
+  static constexpr std::size_t kMaxLength = 65536;  // longer input is split
   static constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
   static void stop(int signal);
@@ -101,7 +101,7 @@ std::optional<std::string> Input::line() {
   while (end_ == End::kNone) {
     const std::size_t end = text_.find('\n');
     if (end != std::string::npos) return take(end, 1);
-    if (text_.size() >= kLongest) return take(kLongest, 0);
+    if (text_.size() >= kMaxLength) return take(kMaxLength, 0);
     read_more();
   }
   if (end_ == End::kSignal || text_.empty() || is_terminal()) return std::nullopt;
@@ -166,8 +166,8 @@ DialogueTurn write(const WorkcellOptions& options, const DialogueTurn& turn,
   const Existing existing = turn.may_replace ? Existing::kReplace : Existing::kKeep;
   try {
     const bool is_written =
-        write_whole_file(options.file, text, existing,
-                         [](const DataFile& draft) { load_workcell(draft.text, draft.path); });
+        write_file_atomically(options.file, text, existing,
+                              [](const DataFile& draft) { load_workcell(draft.text, draft.path); });
     return dialogue.written(is_written ? WriteOutcome::kWritten : WriteOutcome::kIsThere);
   } catch (const std::runtime_error& error) {  // FileError, DataError
     return dialogue.written(WriteOutcome::kFailed, error.what());
@@ -175,14 +175,14 @@ DialogueTurn write(const WorkcellOptions& options, const DialogueTurn& turn,
 }
 
 /// Passes a line to the dialogue. Piped input is echoed as if it were typed.
-DialogueTurn take_line(Input& input, WorkcellDialogue& dialogue) {
+DialogueTurn handle_line(Input& input, WorkcellDialogue& dialogue) {
   const std::optional<std::string> line = input.line();
   if (!line) {
     show("\n");
     return dialogue.leave(input.end() == Input::End::kSignal ? "Interrupted" : "End of input");
   }
   if (!input.is_terminal()) show(*line + "\n");
-  return dialogue.take(*line);
+  return dialogue.handle(*line);
 }
 
 }  // namespace
@@ -193,7 +193,7 @@ ExitCode edit_workcell(const WorkcellOptions& options) {
   DialogueTurn turn = dialogue.begin();
   show(turn.text);
   while (!turn.is_over) {
-    turn = turn.file_text ? write(options, turn, dialogue) : take_line(input, dialogue);
+    turn = turn.file_text ? write(options, turn, dialogue) : handle_line(input, dialogue);
     show(turn.text);
   }
   const bool is_lost = input.end() != Input::End::kNone && dialogue.has_unsaved();

@@ -73,8 +73,8 @@ class Draft {
 
 }  // namespace
 
-bool write_whole_file(const fs::path& path, const std::string& text, Existing existing,
-                      const std::function<void(const DataFile&)>& check) {
+bool write_file_atomically(const fs::path& path, const std::string& text, Existing existing,
+                           const std::function<void(const DataFile&)>& check) {
   std::error_code error;
   const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path) : path;
   const fs::file_status before = fs::status(target, error);

@@ -17,7 +17,7 @@ enum class Existing : std::uint8_t { kKeep, kReplace };
 /// which may throw. Returns false if the file exists and `existing` is kKeep. Throws FileError.
 /// After false or an exception nothing is changed. Follows symbolic links; keeps the permissions of
 /// the file.
-bool write_whole_file(const std::filesystem::path& path, const std::string& text, Existing existing,
-                      const std::function<void(const DataFile&)>& check);
+bool write_file_atomically(const std::filesystem::path& path, const std::string& text,
+                           Existing existing, const std::function<void(const DataFile&)>& check);
 
 }  // namespace xr3

@@ -7,7 +7,7 @@
 namespace xr3 {
 namespace {
 
-constexpr std::chrono::seconds kMostHead{10};
+constexpr std::chrono::seconds kMaxHeadBytes{10};
 constexpr std::chrono::seconds kKeptAlive{30};
 constexpr std::string_view kWebsocketPath = "/ws";
 
@@ -18,7 +18,7 @@ void skip_line_ends(std::string& bytes) {
 
 /// Parsing an incomplete head again is only useful if new bytes end a line or reach the limit.
 bool is_worth_a_look(std::string_view more, std::size_t bytes) {
-  return more.find('\n') != std::string_view::npos || bytes >= http::kMostHeadBytes;
+  return more.find('\n') != std::string_view::npos || bytes >= http::kMaxHeadBytes;
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ asio::awaitable<void> HttpSession::run(std::string first_bytes) {
       co_await to_websocket_(std::exchange(bytes_, {}));
       co_return;
     }
-    goes_on = co_await is_served(head);
+    goes_on = co_await serve(head);
     // Yields between requests, so that pipelined requests do not starve other clients.
     co_await asio::post(socket_.executor(), asio::use_awaitable);
   }
@@ -42,11 +42,11 @@ asio::awaitable<void> HttpSession::run(std::string first_bytes) {
 /// Reads the next head. `bytes_` is empty afterwards if the client sent no further request.
 asio::awaitable<http::HeadReading> HttpSession::next_head() {
   http::HeadReading head = http::read_head(bytes_);
-  socket_.stop_reading_after(bytes_.empty() ? kKeptAlive : kMostHead);
+  socket_.stop_reading_after(bytes_.empty() ? kKeptAlive : kMaxHeadBytes);
   while (head.fault == http::HeadFault::kIncomplete) {
     const std::string_view more = co_await socket_.read();
     if (more.empty()) break;
-    if (bytes_.empty()) socket_.stop_reading_after(kMostHead);
+    if (bytes_.empty()) socket_.stop_reading_after(kMaxHeadBytes);
     bytes_.append(more);
     if (is_worth_a_look(more, bytes_.size())) head = http::read_head(bytes_);
   }
@@ -74,7 +74,7 @@ bool HttpSession::is_handshake(const http::HeadReading& head) const {
 }
 
 /// Answers the request. Returns whether the connection stays open for another one.
-asio::awaitable<bool> HttpSession::is_served(const http::HeadReading& head) {
+asio::awaitable<bool> HttpSession::serve(const http::HeadReading& head) {
   http::Answer given = co_await answer(head);
   if (head.request.then == http::Then::kClose || is_finishing_) given.then = http::Then::kClose;
   bytes_.erase(0, head.head_bytes);

@@ -30,7 +30,7 @@ class HttpSession {
  private:
   asio::awaitable<http::HeadReading> next_head();
   asio::awaitable<http::Answer> answer(const http::HeadReading& head);
-  asio::awaitable<bool> is_served(const http::HeadReading& head);
+  asio::awaitable<bool> serve(const http::HeadReading& head);
   bool is_handshake(const http::HeadReading& head) const;
 
   MonitorSocket& socket_;

@@ -44,8 +44,8 @@ Request request_of(const Parser& parser) {
 }
 
 HeadFault fault_of(const Request& request) {
-  if (request.target.size() > kMostTargetBytes) return HeadFault::kTargetTooLong;
-  return request.fields.size() > kMostFields ? HeadFault::kTooLarge : HeadFault::kNone;
+  if (request.target.size() > kMaxTargetBytes) return HeadFault::kTargetTooLong;
+  return request.fields.size() > kMaxFields ? HeadFault::kTooLarge : HeadFault::kNone;
 }
 
 /// Whether the request line has three words, the last one of the form HTTP/d.d.
@@ -69,7 +69,7 @@ HeadFault fault_of(const boost::system::error_code& error, std::string_view head
 HeadReading read_whole(std::string_view head) {
   if (has_folded_field(head)) return {HeadFault::kMalformed, {}, 0};
   Parser parser;
-  parser.header_limit(2 * kMostHeadBytes);  // never reached: we check our own limit before
+  parser.header_limit(2 * kMaxHeadBytes);  // never reached: we check our own limit before
   parser.body_limit(boost::none);
   boost::system::error_code error;
   parser.put(boost::asio::buffer(head), error);
@@ -83,7 +83,7 @@ HeadReading read_whole(std::string_view head) {
 HeadFault unended(std::string_view line, bool is_first) {
   const std::size_t target = is_first ? line.find(' ') : std::string_view::npos;
   const bool has_long_target =
-      target != std::string_view::npos && line.size() - target > kMostTargetBytes;
+      target != std::string_view::npos && line.size() - target > kMaxTargetBytes;
   return has_long_target ? HeadFault::kTargetTooLong : HeadFault::kTooLarge;
 }
 
@@ -146,11 +146,11 @@ std::optional<std::string> Request::parameter(std::string_view name) const {
 }
 
 HeadReading read_head(std::string_view received) {
-  const std::string_view head = received.substr(0, kMostHeadBytes);
+  const std::string_view head = received.substr(0, kMaxHeadBytes);
   const std::size_t end = head.find(kHeadEnd);
   if (end != std::string_view::npos) return read_whole(head.substr(0, end + kHeadEnd.size()));
   if (const HeadFault fault = fault_so_far(head); fault != HeadFault::kNone) return {fault, {}, 0};
-  if (received.size() < kMostHeadBytes) return {HeadFault::kIncomplete, {}, 0};
+  if (received.size() < kMaxHeadBytes) return {HeadFault::kIncomplete, {}, 0};
   return {unended(head, head.find('\n') == std::string_view::npos), {}, 0};
 }
 

@@ -12,9 +12,9 @@
 
 namespace xr3::http {
 
-inline constexpr std::size_t kMostHeadBytes = 16 * 1024;
-inline constexpr std::size_t kMostTargetBytes = 8 * 1024;
-inline constexpr std::size_t kMostFields = 64;
+inline constexpr std::size_t kMaxHeadBytes = 16 * 1024;
+inline constexpr std::size_t kMaxTargetBytes = 8 * 1024;
+inline constexpr std::size_t kMaxFields = 64;
 /// The only WebSocket subprotocol of /ws.
 inline constexpr std::string_view kSubprotocol = "xr3.v1";
 

@@ -72,28 +72,28 @@ Json line_json(LineId id, const Line& line) {
 
 }  // namespace
 
-asio::awaitable<void> MonitorService::call(Viewer& viewer, monitor::Request request) {
+asio::awaitable<void> MonitorService::call(MonitorSession& session, monitor::Request request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   const bool in_standing_time = cell_.clock().mode() == ClockMode::kManual;
   if (wanted.after && in_standing_time) {  // a running clock is refused below, without waiting
     Error error = co_await wait_for(*wanted.after);
     if (error) {
-      viewer.client().send(refused(request.id, *std::move(error)));
+      session.client().send(refused(request.id, *std::move(error)));
       co_return;
     }
   }
   if (std::holds_alternative<call::Call>(wanted.call)) {
-    viewer.client().send(call_cell(request));
+    session.client().send(call_cell(request));
   } else if (std::holds_alternative<monitor::Send>(wanted.call)) {
-    viewer.client().send(send(viewer, request));
+    session.client().send(send(session, request));
   } else if (std::holds_alternative<monitor::ListLines>(wanted.call)) {
-    viewer.client().send(list_lines(request));
+    session.client().send(list_lines(request));
   } else if (std::holds_alternative<monitor::DisconnectLine>(wanted.call)) {
-    viewer.client().send(disconnect(request));
+    session.client().send(disconnect(request));
   } else {
     Json value = value_now();
     value.update(std::get<monitor::Describe>(wanted.call).description);
-    viewer.client().send(monitor::result(request.id, value));
+    session.client().send(monitor::result(request.id, value));
   }
   acted_();
 }
@@ -101,7 +101,7 @@ asio::awaitable<void> MonitorService::call(Viewer& viewer, monitor::Request requ
 // --- Calls of the cell.
 
 asio::awaitable<MonitorService::Error> MonitorService::wait_for(monitor::After after) {
-  robot_port_.take_in();
+  robot_port_.read_arrived();
   if (!cell_.bytes_in(after.line)) co_return no_such_line(after.line);
   const bool arrived = co_await robot_port_.wait_for_bytes(after.line, after.bytes_in,
                                                            milliseconds(after.within_ms));
@@ -114,7 +114,7 @@ asio::awaitable<MonitorService::Error> MonitorService::wait_for(monitor::After a
 // must see their effect.
 monitor::Message MonitorService::call_cell(monitor::Request& request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  if (moves_time(wanted)) robot_port_.take_in();
+  if (moves_time(wanted)) robot_port_.read_arrived();
   if (const auto error = monitor::fit(request, cell_.state().tick)) return monitor::result(*error);
   const auto& call = std::get<call::Call>(wanted.call);
   if (auto error = misfit(cell_.model(), call)) return refused(request.id, *std::move(error));
@@ -148,21 +148,21 @@ Json MonitorService::value_now() const {
   return {{"epoch", cell_.epoch()}, {"tick", cell_.state().tick}};
 }
 
-// --- Lines.
+// --- LineSplitter.
 
-monitor::Message MonitorService::send(Viewer& viewer, const monitor::Request& request) {
+monitor::Message MonitorService::send(MonitorSession& session, const monitor::Request& request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   const std::string& bytes = std::get<monitor::Send>(wanted.call).bytes;
-  const std::optional<LineId> open_line = viewer.own_line();
+  const std::optional<LineId> open_line = session.own_line();
   const bool is_open = open_line && cell_.find_line(*open_line) != nullptr;
   const LineId id = is_open
                         ? *open_line
                         : cell_.apply(LineOpened{"monitor", LineKind::kMonitor}, wall_now()).line;
-  if (!is_open) viewer.set_own_line(id);
+  if (!is_open) session.set_own_line(id);
   // Camera images can fill the outbox. The client sends the rest of the bytes with the next call,
   // so that no call takes long.
   const std::size_t taken = cell_.apply(BytesIn{id, bytes}, wall_now()).bytes_taken;
-  Line& line = *cell_.find_line(id);
+  SerialLine& line = *cell_.find_line(id);
   const std::string replies(line.outbox());
   line.sent(replies.size());
   Json value = value_now();
@@ -187,7 +187,7 @@ monitor::Message MonitorService::disconnect(const monitor::Request& request) {
   const LineId id = std::get<monitor::DisconnectLine>(wanted.call).line;
   if (cell_.find_line(id) == nullptr) return refused(request.id, no_such_line(id));
   if (!robot_port_.disconnect(id))
-    cell_.apply(LineClosed{id, CloseReason::kDisconnected}, wall_now());
+    cell_.apply(LineClosed{id, LineCloseReason::kDisconnected}, wall_now());
   return monitor::result(request.id, value_now());
 }
 

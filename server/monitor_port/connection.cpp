@@ -13,12 +13,12 @@ constexpr std::chrono::seconds kSilence{1};
 
 }  // namespace
 
-MonitorSession::MonitorSession(tcp::socket socket, MonitorContext& context)
+MonitorConnection::MonitorConnection(tcp::socket socket, MonitorConnectionContext& context)
     : context_(context),
       socket_(std::make_shared<MonitorSocket>(std::move(socket))),
       silence_(socket_->executor()) {}
 
-void MonitorSession::start() {
+void MonitorConnection::start() {
   spawn_session(socket_->executor(), "monitor", run(), [self = shared_from_this()] {
     self->abort();
     if (self->lines_) self->lines_->retire();
@@ -27,21 +27,21 @@ void MonitorSession::start() {
   });
 }
 
-asio::awaitable<void> MonitorSession::run() {
+asio::awaitable<void> MonitorConnection::run() {
   std::string first_bytes = co_await open();
   co_await speak(std::move(first_bytes));
 }
 
-// --- The opening.
+// --- The detector.
 
 /// Reads until it is clear what the client speaks, and returns what it has said of that.
-asio::awaitable<std::string> MonitorSession::open() {
+asio::awaitable<std::string> MonitorConnection::open() {
   greet_after_silence();
-  while (opening_.tongue() == monitor::Tongue::kUndecided && socket_->is_open()) {
+  while (detector_.protocol() == monitor::Protocol::kUndecided && socket_->is_open()) {
     std::string_view bytes = co_await socket_->read();
     if (bytes.empty()) break;
-    bytes.remove_prefix(opening_.take(bytes));
-    if (opening_.tongue() == monitor::Tongue::kUndecided) continue;
+    bytes.remove_prefix(detector_.feed(bytes));
+    if (detector_.protocol() == monitor::Protocol::kUndecided) continue;
     silence_.cancel();
     co_return std::string(bytes);
   }
@@ -49,56 +49,56 @@ asio::awaitable<std::string> MonitorSession::open() {
   co_return std::string();
 }
 
-void MonitorSession::greet_after_silence() {
+void MonitorConnection::greet_after_silence() {
   silence_.expires_after(kSilence);
   silence_.async_wait([self = shared_from_this()](ErrorCode cancelled) {
-    if (cancelled || self->opening_.tongue() != monitor::Tongue::kUndecided) return;
-    self->opening_.settle_for_lines();
+    if (cancelled || self->detector_.protocol() != monitor::Protocol::kUndecided) return;
+    self->detector_.settle_for_lines();
     self->greet();
   });
 }
 
 /// Says hello, once.
-void MonitorSession::greet() {
+void MonitorConnection::greet() {
   if (!lines_) lines_ = JsonLines::greet(socket_, context_.service);
 }
 
-asio::awaitable<void> MonitorSession::speak(std::string first_bytes) {
+asio::awaitable<void> MonitorConnection::speak(std::string first_bytes) {
   if (!socket_->is_open()) co_return;
-  const monitor::Tongue tongue = opening_.tongue();
-  if (tongue == monitor::Tongue::kTls) {
+  const monitor::Protocol protocol = detector_.protocol();
+  if (protocol == monitor::Protocol::kTls) {
     context_.tls_refused();
-  } else if (tongue == monitor::Tongue::kHttp) {
+  } else if (protocol == monitor::Protocol::kHttp) {
     co_await speak_http(std::move(first_bytes));
   } else {
     greet();
-    co_await lines_->run(std::move(first_bytes), tongue);
+    co_await lines_->run(std::move(first_bytes), protocol);
   }
 }
 
 // --- HTTP.
 
-asio::awaitable<void> MonitorSession::speak_http(std::string first_bytes) {
+asio::awaitable<void> MonitorConnection::speak_http(std::string first_bytes) {
   http_.emplace(*socket_, context_.resources,
                 [this](std::string head) { return speak_websocket(std::move(head)); });
   co_await http_->run(std::move(first_bytes));
 }
 
-asio::awaitable<void> MonitorSession::speak_websocket(std::string head) {
+asio::awaitable<void> MonitorConnection::speak_websocket(std::string head) {
   websocket_ = Websocket::make(socket_, context_.service);
   co_await websocket_->run(std::move(head));
 }
 
 // --- The end.
 
-void MonitorSession::finish() {
+void MonitorConnection::finish() {
   if (lines_) return lines_->finish();
   if (websocket_) return websocket_->finish();
   if (http_) return http_->finish();
   abort();
 }
 
-void MonitorSession::abort() {
+void MonitorConnection::abort() {
   silence_.cancel();
   socket_->close();
   if (lines_) lines_->wake();

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "protocol/monitor/opening.hpp"
+#include "protocol/monitor/detector.hpp"
 #include "server/http/session.hpp"
 #include "server/monitor_port/json_lines.hpp"
 #include "server/monitor_port/service.hpp"
@@ -18,20 +18,20 @@
 
 namespace xr3 {
 
-class MonitorSession;
+class MonitorConnection;
 
 /// What all sessions of the port share. It outlives them while they run.
-struct MonitorContext {
+struct MonitorConnectionContext {
   MonitorService& service;
   HttpResources& resources;
   std::function<void()> tls_refused;  ///< a client spoke TLS
-  std::function<void(const std::shared_ptr<MonitorSession>&)>
+  std::function<void(const std::shared_ptr<MonitorConnection>&)>
       ended;  ///< the session may be dropped
 };
 
-class MonitorSession : public std::enable_shared_from_this<MonitorSession> {
+class MonitorConnection : public std::enable_shared_from_this<MonitorConnection> {
  public:
-  MonitorSession(tcp::socket socket, MonitorContext& context);
+  MonitorConnection(tcp::socket socket, MonitorConnectionContext& context);
 
   /// Runs until the connection ends.
   void start();
@@ -54,9 +54,9 @@ class MonitorSession : public std::enable_shared_from_this<MonitorSession> {
   asio::awaitable<void> speak_http(std::string first_bytes);
   asio::awaitable<void> speak_websocket(std::string head);
 
-  MonitorContext& context_;
+  MonitorConnectionContext& context_;
   std::shared_ptr<MonitorSocket> socket_;
-  monitor::Opening opening_;
+  monitor::ProtocolDetector detector_;
   asio::steady_timer silence_;
   std::shared_ptr<JsonLines> lines_;      ///< once it has been greeted
   std::optional<HttpSession> http_;       ///< once it has spoken HTTP

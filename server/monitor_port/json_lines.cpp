@@ -10,10 +10,10 @@ namespace {
 
 constexpr auto kNever = std::chrono::steady_clock::time_point::max();
 // Limits of one write: the number of messages, and the bytes after which no message is added.
-constexpr std::size_t kMostBatch = 16;
+constexpr std::size_t kMaxBatch = 16;
 constexpr std::size_t kBatchBytes = 64 * 1024;
 // A single message below this size is copied, together with its line end, into one buffer.
-constexpr std::size_t kMostCopied = 4096;
+constexpr std::size_t kMaxCopiedBytes = 4096;
 constexpr std::string_view kLineEnd = "\n";
 
 }  // namespace
@@ -21,7 +21,7 @@ constexpr std::string_view kLineEnd = "\n";
 std::shared_ptr<JsonLines> JsonLines::greet(std::shared_ptr<MonitorSocket> socket,
                                             MonitorService& service) {
   std::shared_ptr<JsonLines> lines(new JsonLines(std::move(socket), service));
-  lines->viewer_ = std::make_unique<Viewer>(service, static_cast<Carrier&>(*lines));
+  lines->session_ = std::make_unique<MonitorSession>(service, static_cast<MessageSink&>(*lines));
   lines->pump();
   return lines;
 }
@@ -31,16 +31,16 @@ JsonLines::JsonLines(std::shared_ptr<MonitorSocket> socket, MonitorService&)
 
 // --- In.
 
-asio::awaitable<void> JsonLines::run(std::string first_bytes, monitor::Tongue tongue) {
-  if (tongue == monitor::Tongue::kNotJson) viewer_->end(monitor::Bye::kNotJson);
-  lines_.take(first_bytes);
+asio::awaitable<void> JsonLines::run(std::string first_bytes, monitor::Protocol protocol) {
+  if (protocol == monitor::Protocol::kNotJson) session_->end(monitor::CloseReason::kNotJson);
+  lines_.feed(first_bytes);
   bool has_more = !first_bytes.empty();
   while (socket_->is_open()) {
     co_await answer_lines();
-    if (viewer_->has_ended() || !has_more) break;
+    if (session_->has_ended() || !has_more) break;
     const std::string_view bytes = co_await socket_->read();
     has_more = !bytes.empty();
-    lines_.take(bytes);
+    lines_.feed(bytes);
     if (!has_more) lines_.end();
   }
   is_answered_ = true;
@@ -51,20 +51,20 @@ asio::awaitable<void> JsonLines::run(std::string first_bytes, monitor::Tongue to
 /// Handles the buffered requests one after the other, only while the client reads the answers.
 /// Yields to the event loop before each one, so that a robot line waits for at most one request.
 asio::awaitable<void> JsonLines::answer_lines() {
-  for (bool is_first = true; socket_->is_open() && !viewer_->has_ended(); is_first = false) {
+  for (bool is_first = true; socket_->is_open() && !session_->has_ended(); is_first = false) {
     co_await until_there_is_room();
-    if (!socket_->is_open() || viewer_->has_ended()) co_return;
+    if (!socket_->is_open() || session_->has_ended()) co_return;
     const auto line = lines_.next();
     if (!line) break;
     if (!is_first) co_await asio::post(socket_->executor(), asio::use_awaitable);
-    co_await viewer_->take(*line);
+    co_await session_->handle(*line);
   }
   const bool is_over = lines_.fault() != monitor::LineFault::kNone;
-  if (is_over && !viewer_->has_ended()) viewer_->end(lines_.fault());
+  if (is_over && !session_->has_ended()) session_->end(lines_.fault());
 }
 
 asio::awaitable<void> JsonLines::until_there_is_room() {
-  while (viewer_->is_full() && socket_->is_open()) co_await progress_.async_wait(kAwait);
+  while (session_->is_full() && socket_->is_open()) co_await progress_.async_wait(kAwait);
 }
 
 // A client that has stopped sending may still have subscriptions.
@@ -75,11 +75,11 @@ asio::awaitable<void> JsonLines::until_all_is_written() {
 
 bool JsonLines::is_done() const {
   if (!socket_->is_open()) return true;
-  return out_.empty() && !is_blocked_ && !viewer_->follows_anything();
+  return out_.empty() && !is_blocked_ && !session_->follows_anything();
 }
 
 void JsonLines::finish() {
-  viewer_->end(monitor::Bye::kShutdown);
+  session_->end(monitor::CloseReason::kShutdown);
   socket_->stop_reading();
   wake();
 }
@@ -89,7 +89,7 @@ void JsonLines::wake() { progress_.cancel(); }
 // --- Out.
 
 void JsonLines::pump() {
-  if (is_pumping_ || is_blocked_ || !viewer_) return;
+  if (is_pumping_ || is_blocked_ || !session_) return;
   is_pumping_ = true;
   for (fill(); !out_.empty() && socket_->is_open(); fill()) {
     const std::size_t sent = is_one_and_small() ? send_copy() : send_gathered();
@@ -107,19 +107,19 @@ void JsonLines::prefetch(Depth depth) const {
 
 // The common case, a frame for one of a thousand clients: one buffer costs half as much as two.
 bool JsonLines::is_one_and_small() const {
-  return out_.size() == 1 && written_ == 0 && out_.front()->size() < kMostCopied;
+  return out_.size() == 1 && written_ == 0 && out_.front()->size() < kMaxCopiedBytes;
 }
 
 std::size_t JsonLines::send_copy() {
-  std::array<char, kMostCopied> bytes;
-  const std::size_t size = out_.front()->copy(bytes.data(), kMostCopied);
+  std::array<char, kMaxCopiedBytes> bytes;
+  const std::size_t size = out_.front()->copy(bytes.data(), kMaxCopiedBytes);
   bytes[size] = kLineEnd.front();
   const asio::const_buffer buffer(bytes.data(), size + 1);
   return socket_->send_some({&buffer, 1});
 }
 
 std::size_t JsonLines::send_gathered() {
-  std::array<asio::const_buffer, 2 * kMostBatch> buffers;
+  std::array<asio::const_buffer, 2 * kMaxBatch> buffers;
   std::size_t count = 0;
   std::size_t skipped = written_;
   for (const monitor::Message& message : out_) {
@@ -132,8 +132,8 @@ std::size_t JsonLines::send_gathered() {
 }
 
 void JsonLines::fill() {
-  while (out_.size() < kMostBatch && out_bytes_ < kBatchBytes) {
-    monitor::Message message = viewer_->next_output();
+  while (out_.size() < kMaxBatch && out_bytes_ < kBatchBytes) {
+    monitor::Message message = session_->next_output();
     if (!message) return;
     out_bytes_ += message->size() + kLineEnd.size();
     out_.push_back(std::move(message));

@@ -16,14 +16,14 @@
 
 namespace xr3 {
 
-class JsonLines : public std::enable_shared_from_this<JsonLines>, private Carrier {
+class JsonLines : public std::enable_shared_from_this<JsonLines>, private MessageSink {
  public:
   /// Sends `hello`. `service` must outlive the session.
   static std::shared_ptr<JsonLines> greet(std::shared_ptr<MonitorSocket> socket,
                                           MonitorService& service);
 
   /// Serves the connection until it ends. `first_bytes` have been received already.
-  asio::awaitable<void> run(std::string first_bytes, monitor::Tongue tongue);
+  asio::awaitable<void> run(std::string first_bytes, monitor::Protocol protocol);
 
   /// Accepts no further request, sends `bye` and ends.
   void finish();
@@ -35,7 +35,7 @@ class JsonLines : public std::enable_shared_from_this<JsonLines>, private Carrie
   void wake();
 
   /// Destroys the monitor session. Precondition: run() has finished or was never called.
-  void retire() { viewer_.reset(); }
+  void retire() { session_.reset(); }
 
  private:
   JsonLines(std::shared_ptr<MonitorSocket> socket, MonitorService& service);
@@ -63,8 +63,8 @@ class JsonLines : public std::enable_shared_from_this<JsonLines>, private Carrie
   bool is_pumping_ = false;
   bool is_answered_ = false;     ///< no further request will be handled
   asio::steady_timer progress_;  ///< never expires; cancelled to resume waiting coroutines
-  std::unique_ptr<Viewer> viewer_;
-  monitor::Lines lines_;
+  std::unique_ptr<MonitorSession> session_;
+  monitor::LineSplitter lines_;
 };
 
 }  // namespace xr3

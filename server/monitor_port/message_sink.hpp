@@ -5,9 +5,9 @@
 
 namespace xr3 {
 
-class Carrier {
+class MessageSink {
  public:
-  virtual ~Carrier() = default;
+  virtual ~MessageSink() = default;
 
   /// Called when there is output. Fetches it with next_output(), now or when the connection is
   /// writable.

@@ -12,10 +12,10 @@ MonitorPort::MonitorPort(asio::io_context& io, Cell& cell, RobotPort& robot_port
                          const std::function<void()>& acted)
     : service_(io, cell, robot_port, policy, acted),
       resources_(cell, service_, policy, std::move(not_ready)),
-      context_{service_, resources_, [this] { tell_of_tls(); },
-               [this, acted](const std::shared_ptr<MonitorSession>& session) {
-                 sessions_.erase(session);
-                 has_told_of_full_ = false;
+      context_{service_, resources_, [this] { report_tls(); },
+               [this, acted](const std::shared_ptr<MonitorConnection>& connection) {
+                 connections_.erase(connection);
+                 has_logged_full_ = false;
                  acted();
                }},
       listener_(io, "the monitor port", [this](tcp::socket socket) { open(std::move(socket)); }),
@@ -24,46 +24,46 @@ MonitorPort::MonitorPort(asio::io_context& io, Cell& cell, RobotPort& robot_port
 ErrorCode MonitorPort::listen(const tcp::endpoint& endpoint) { return listener_.listen(endpoint); }
 
 void MonitorPort::open(tcp::socket socket) {
-  if (sessions_.size() >= kMostMonitors) make_room();
-  if (sessions_.size() >= kMostMonitors) return refuse(std::move(socket));
-  const auto session = std::make_shared<MonitorSession>(std::move(socket), context_);
-  sessions_.insert(session);
-  session->start();
+  if (connections_.size() >= kMaxConnections) make_room();
+  if (connections_.size() >= kMaxConnections) return refuse(std::move(socket));
+  const auto connection = std::make_shared<MonitorConnection>(std::move(socket), context_);
+  connections_.insert(connection);
+  connection->start();
 }
 
 // Who has closed without a word looks like one who only listens, until something is sent.
 void MonitorPort::make_room() {
-  const auto idle = std::find_if(sessions_.begin(), sessions_.end(),
-                                 [](const auto& session) { return session->only_listens(); });
-  if (idle == sessions_.end()) return;
-  const auto taken = sessions_.extract(idle);
+  const auto idle = std::find_if(connections_.begin(), connections_.end(),
+                                 [](const auto& connection) { return connection->only_listens(); });
+  if (idle == connections_.end()) return;
+  const auto taken = connections_.extract(idle);
   taken.value()->abort();
 }
 
 void MonitorPort::refuse(tcp::socket socket) {
-  if (!std::exchange(has_told_of_full_, true)) {
+  if (!std::exchange(has_logged_full_, true)) {
     spdlog::warn("monitor: connections are refused: {} are open already (told once until one ends)",
-                 sessions_.size());
+                 connections_.size());
   }
   refusals_.add(std::move(socket));
 }
 
-void MonitorPort::tell_of_tls() {
-  if (std::exchange(has_told_of_tls_, true)) return;
+void MonitorPort::report_tls() {
+  if (std::exchange(has_logged_tls_, true)) return;
   spdlog::warn(
       "monitor: a client spoke TLS and was closed; this port speaks plain JSON lines and HTTP "
       "(told once)");
 }
 
-// Copies of the set: a session that ends takes itself out of it.
+// Copies of the set: a connection that ends takes itself out of it.
 void MonitorPort::close() {
   listener_.close();
-  for (const auto& session : Sessions(sessions_)) session->finish();
+  for (const auto& connection : Connections(connections_)) connection->finish();
   refusals_.abort();
 }
 
 void MonitorPort::abort() {
-  for (const auto& session : Sessions(sessions_)) session->abort();
+  for (const auto& connection : Connections(connections_)) connection->abort();
   refusals_.abort();
 }
 

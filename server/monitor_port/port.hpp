@@ -18,7 +18,7 @@ namespace xr3 {
 class MonitorPort {
  public:
   /// Connections beyond are told that it is full, and closed.
-  static constexpr std::size_t kMostMonitors = 1024;
+  static constexpr std::size_t kMaxConnections = 1024;
 
   /// `not_ready` is what /readyz asks; `acted` is called after each call on the
   /// cell, and when a connection has ended.
@@ -35,27 +35,27 @@ class MonitorPort {
   void abort();
   /// Nothing goes on beside the loop any more: the process ends.
   void stop() { resources_.stop(); }
-  bool is_empty() const { return sessions_.empty() && refusals_.is_empty(); }
+  bool is_empty() const { return connections_.empty() && refusals_.is_empty(); }
 
   /// Everybody who watches.
-  Audience& audience() { return service_.audience(); }
+  SubscriberHub& subscribers() { return service_.subscribers(); }
 
  private:
-  using Sessions = std::set<std::shared_ptr<MonitorSession>>;
+  using Connections = std::set<std::shared_ptr<MonitorConnection>>;
 
   void open(tcp::socket socket);
   void refuse(tcp::socket socket);
   void make_room();
-  void tell_of_tls();
+  void report_tls();
 
   MonitorService service_;
   HttpResources resources_;
-  MonitorContext context_;
+  MonitorConnectionContext context_;
   Listener listener_;
-  Sessions sessions_;
+  Connections connections_;
   Refusals refusals_;
-  bool has_told_of_tls_ = false;
-  bool has_told_of_full_ = false;
+  bool has_logged_tls_ = false;
+  bool has_logged_full_ = false;
 };
 
 }  // namespace xr3

@@ -15,7 +15,7 @@ namespace xr3 {
 class Refusals {
  public:
   /// That many are listened to at once; those beyond are closed without a word.
-  static constexpr std::size_t kMost = 64;
+  static constexpr std::size_t kMax = 64;
 
   /// `ended` is called when one has been told.
   explicit Refusals(std::function<void()> ended) : ended_(std::move(ended)) {}

@@ -11,7 +11,7 @@ namespace {
 
 using monitor::Channel;
 
-constexpr int kMostWrongTokens = 5;
+constexpr int kMaxWrongTokens = 5;
 
 bool is_feed(Channel channel) { return channel == Channel::kEvent || channel == Channel::kLine; }
 
@@ -31,13 +31,13 @@ monitor::RequestError token_required(const monitor::RequestId& id, const std::st
           {}};
 }
 
-std::optional<monitor::RequestError> check_access(const Viewer& viewer,
+std::optional<monitor::RequestError> check_access(const MonitorSession& session,
                                                   const monitor::Heading& heading) {
-  if (viewer.access() == Access::kControl) return std::nullopt;
+  if (session.access() == Access::kControl) return std::nullopt;
   if (heading.op == "call")
     return token_required(heading.id, heading.fn.empty() ? "a call" : "the call " + heading.fn);
   const bool reads = heading.op == "sub" || heading.op == "get";
-  if (reads && viewer.access() == Access::kNone)
+  if (reads && session.access() == Access::kNone)
     return token_required(heading.id, "reading this server");
   return std::nullopt;
 }
@@ -67,28 +67,28 @@ MonitorService::MonitorService(asio::io_context& io, Cell& cell, RobotPort& robo
       policy_(policy),
       acted_(std::move(acted)),
       frames_(cell),
-      audience_(io, cell, frames_, [this] { robot_port_.take_turns(); }) {}
+      subscribers_(io, cell, frames_, [this] { robot_port_.run_turns(); }) {}
 
-// --- Viewers.
+// --- Sessions.
 
 Access MonitorService::first_access() const {
   if (!policy_.needs_token()) return Access::kControl;
   return policy_.is_private() ? Access::kNone : Access::kRead;
 }
 
-void MonitorService::remove(Viewer& viewer) {
-  audience_.remove(viewer);
-  const std::optional<LineId> line = viewer.own_line();
+void MonitorService::remove(MonitorSession& session) {
+  subscribers_.remove(session);
+  const std::optional<LineId> line = session.own_line();
   if (!line) return;
-  cell_.apply(LineClosed{*line, CloseReason::kClientClosed}, wall_now());
+  cell_.apply(LineClosed{*line, LineCloseReason::kClientClosed}, wall_now());
   acted_();
 }
 
-monitor::Message MonitorService::hello(const Viewer& viewer) {
+monitor::Message MonitorService::hello(const MonitorSession& session) {
   cell_.catch_up(wall_now());
   const Snapshot now = cell_.snapshot();
   return monitor::hello(
-      {"xr3 " XR3_VERSION, cells(), cell_.model(), now, viewer.access() == Access::kControl});
+      {"xr3 " XR3_VERSION, cells(), cell_.model(), now, session.access() == Access::kControl});
 }
 
 const monitor::Frame* MonitorService::look(const monitor::Selection& selection) {
@@ -99,51 +99,52 @@ const monitor::Frame* MonitorService::look(const monitor::Selection& selection) 
 CellCounters MonitorService::counters() const {
   CellCounters counters = cell_.counters();
   counters.lines_open = cell_.lines().size();
-  counters.viewers = audience_.size();
-  const Audience::Tallies tallies = audience_.tallies();
-  for (std::size_t i = 0; i < tallies.size(); ++i)
-    counters.channels.at(i) = {tallies[i].sent, tallies[i].overwritten};
+  counters.sessions = subscribers_.size();
+  const SubscriberHub::AllChannelStats channel_stats = subscribers_.channel_stats();
+  for (std::size_t i = 0; i < channel_stats.size(); ++i)
+    counters.channels.at(i) = {channel_stats[i].sent, channel_stats[i].overwritten};
   return counters;
 }
 
 // --- Requests.
 
-MonitorService::Error MonitorService::refuse(const Viewer& viewer, std::string_view message) const {
-  if (viewer.access() == Access::kControl) return std::nullopt;
-  return check_access(viewer, monitor::heading_of(message));
+MonitorService::Error MonitorService::refuse(const MonitorSession& session,
+                                             std::string_view message) const {
+  if (session.access() == Access::kControl) return std::nullopt;
+  return check_access(session, monitor::heading_of(message));
 }
 
-asio::awaitable<void> MonitorService::carry_out(Viewer& viewer, monitor::Request request) {
-  if (const Error error = check_access(viewer, monitor::heading_of(request))) {
-    viewer.client().send(monitor::result(*error));
+asio::awaitable<void> MonitorService::carry_out(MonitorSession& session, monitor::Request request) {
+  if (const Error error = check_access(session, monitor::heading_of(request))) {
+    session.client().send(monitor::result(*error));
   } else if (std::holds_alternative<monitor::Ping>(request.what)) {
-    viewer.client().send(monitor::pong(request.id));
+    session.client().send(monitor::pong(request.id));
   } else if (const auto* auth = std::get_if<monitor::Auth>(&request.what)) {
-    authorize(viewer, request, *auth);
+    authorize(session, request, *auth);
   } else if (std::holds_alternative<monitor::Subscribe>(request.what)) {
-    subscribe(viewer, request);
+    subscribe(session, request);
   } else if (std::holds_alternative<monitor::Unsubscribe>(request.what)) {
-    unsubscribe(viewer, request);
+    unsubscribe(session, request);
   } else if (std::holds_alternative<monitor::Get>(request.what)) {
-    show(viewer, request);
+    show(session, request);
   } else {
-    co_await call(viewer, std::move(request));
+    co_await call(session, std::move(request));
   }
 }
 
-void MonitorService::authorize(Viewer& viewer, const monitor::Request& request,
+void MonitorService::authorize(MonitorSession& session, const monitor::Request& request,
                                const monitor::Auth& auth) {
   if (!policy_.needs_token() || policy_.is_right(auth.token)) {
-    viewer.grant(Access::kControl);
-    viewer.client().send(monitor::result(request.id, {{"access", "control"}}));
+    session.grant(Access::kControl);
+    session.client().send(monitor::result(request.id, {{"access", "control"}}));
     return;
   }
-  viewer.client().send(monitor::result({request.id,
-                                        "bad_token",
-                                        "this is not the token",
-                                        "five wrong ones end the connection",
-                                        {}}));
-  if (viewer.note_wrong_token() >= kMostWrongTokens) viewer.end(monitor::Bye::kBadToken);
+  session.client().send(monitor::result({request.id,
+                                         "bad_token",
+                                         "this is not the token",
+                                         "five wrong ones end the connection",
+                                         {}}));
+  if (session.note_wrong_token() >= kMaxWrongTokens) session.end(monitor::CloseReason::kBadToken);
 }
 
 // --- Channels.
@@ -152,40 +153,40 @@ monitor::Feed& MonitorService::feed(Channel channel) {
   return channel == Channel::kEvent ? cell_.events() : cell_.wires();
 }
 
-void MonitorService::subscribe(Viewer& viewer, const monitor::Request& request) {
+void MonitorService::subscribe(MonitorSession& session, const monitor::Request& request) {
   const auto& wanted = std::get<monitor::Subscribe>(request.what);
   const Channel channel = wanted.selection.channel;
   if (is_feed(channel)) {
     cell_.catch_up(wall_now());
     const std::int64_t next = feed(channel).next();
     const std::int64_t since = std::clamp<std::int64_t>(wanted.since.value_or(next), 1, next);
-    viewer.client().send(monitor::result(request.id, terms(request.cell, wanted, since)));
-    viewer.client().follow_feed(request.cell, wanted, feed(channel));
+    session.client().send(monitor::result(request.id, terms(request.cell, wanted, since)));
+    session.client().follow_feed(request.cell, wanted, feed(channel));
   } else {
     const monitor::Frame* frame = look(wanted.selection);
-    if (frame == nullptr) return viewer.client().send(monitor::result(no_camera(request.id)));
-    viewer.client().send(monitor::result(request.id, terms(request.cell, wanted, 0)));
-    viewer.client().follow_frames(request.cell, wanted).offer(*frame, audience_.now());
+    if (frame == nullptr) return session.client().send(monitor::result(no_camera(request.id)));
+    session.client().send(monitor::result(request.id, terms(request.cell, wanted, 0)));
+    session.client().follow_frames(request.cell, wanted).offer(*frame, subscribers_.now());
   }
-  audience_.acted();
+  subscribers_.acted();
 }
 
-void MonitorService::unsubscribe(Viewer& viewer, const monitor::Request& request) {
+void MonitorService::unsubscribe(MonitorSession& session, const monitor::Request& request) {
   const Channel channel = std::get<monitor::Unsubscribe>(request.what).channel;
-  viewer.client().unfollow(request.cell, channel);
-  viewer.client().send(monitor::result(request.id, Json::object()));
+  session.client().unfollow(request.cell, channel);
+  session.client().send(monitor::result(request.id, Json::object()));
 }
 
-void MonitorService::show(Viewer& viewer, const monitor::Request& request) {
+void MonitorService::show(MonitorSession& session, const monitor::Request& request) {
   const auto& get = std::get<monitor::Get>(request.what);
   if (is_feed(get.selection.channel)) {
     cell_.catch_up(wall_now());
-    viewer.client().replay(feed(get.selection.channel), request.cell, get, request.id);
-    return viewer.client().send(monitor::result(request.id, Json::object()));
+    session.client().replay(feed(get.selection.channel), request.cell, get, request.id);
+    return session.client().send(monitor::result(request.id, Json::object()));
   }
   const monitor::Frame* frame = look(get.selection);
-  viewer.client().send(frame ? monitor::with_id(frame->message, request.id)
-                             : monitor::result(no_camera(request.id)));
+  session.client().send(frame ? monitor::with_id(frame->message, request.id)
+                              : monitor::result(no_camera(request.id)));
 }
 
 }  // namespace xr3

@@ -1,5 +1,5 @@
 // What the monitor's clients ask of the cell, carried out: requests in, messages into their lanes. It
-// knows no connection; all viewers, whatever carries them, share one service.
+// knows no connection; all sessions, whatever carries them, share one service.
 #pragma once
 
 #include <functional>
@@ -28,44 +28,46 @@ class MonitorService {
 
   std::vector<std::string> cells() const { return {cell_.name()}; }
 
-  // --- Viewers.
+  // --- Sessions.
 
-  void add(Viewer& viewer) { audience_.add(viewer); }
-  /// Closes what the viewer had opened.
-  void remove(Viewer& viewer);
+  void add(MonitorSession& session) { subscribers_.add(session); }
+  /// Closes what the session had opened.
+  void remove(MonitorSession& session);
   Access first_access() const;
   /// The first message of a connection.
-  monitor::Message hello(const Viewer& viewer);
+  monitor::Message hello(const MonitorSession& session);
 
-  /// Why the viewer may not ask for this, whatever else may be wrong with it. Only the heading of the message
+  /// Why the session may not ask for this, whatever else may be wrong with it. Only the heading of the message
   /// is looked at: what comes from who may not ask costs nothing.
-  std::optional<monitor::RequestError> refuse(const Viewer& viewer, std::string_view message) const;
+  std::optional<monitor::RequestError> refuse(const MonitorSession& session,
+                                              std::string_view message) const;
 
-  /// Carries out a request and answers it. A call with `after` waits; nothing else does. The viewer
+  /// Carries out a request and answers it. A call with `after` waits; nothing else does. The session
   /// must still be there when it is done.
-  asio::awaitable<void> carry_out(Viewer& viewer, monitor::Request request);
+  asio::awaitable<void> carry_out(MonitorSession& session, monitor::Request request);
 
   /// A frame of the cell as it is now, or null for an image where there is no camera.
   const monitor::Frame* look(const monitor::Selection& selection);
 
-  Audience& audience() { return audience_; }
+  SubscriberHub& subscribers() { return subscribers_; }
 
-  /// What cell and viewers have counted.
+  /// What cell and sessions have counted.
   CellCounters counters() const;
 
  private:
   using Error = std::optional<monitor::RequestError>;
 
-  void authorize(Viewer& viewer, const monitor::Request& request, const monitor::Auth& auth);
-  void subscribe(Viewer& viewer, const monitor::Request& request);
-  void unsubscribe(Viewer& viewer, const monitor::Request& request);
-  void show(Viewer& viewer, const monitor::Request& request);
+  void authorize(MonitorSession& session, const monitor::Request& request,
+                 const monitor::Auth& auth);
+  void subscribe(MonitorSession& session, const monitor::Request& request);
+  void unsubscribe(MonitorSession& session, const monitor::Request& request);
+  void show(MonitorSession& session, const monitor::Request& request);
   monitor::Feed& feed(monitor::Channel channel);
 
-  asio::awaitable<void> call(Viewer& viewer, monitor::Request request);
+  asio::awaitable<void> call(MonitorSession& session, monitor::Request request);
   asio::awaitable<Error> wait_for(monitor::After after);
   monitor::Message call_cell(monitor::Request& request);
-  monitor::Message send(Viewer& viewer, const monitor::Request& request);
+  monitor::Message send(MonitorSession& session, const monitor::Request& request);
   monitor::Message list_lines(const monitor::Request& request);
   monitor::Message disconnect(const monitor::Request& request);
   monitor::Message done(const monitor::Request& request, const call::Done& done);
@@ -76,8 +78,8 @@ class MonitorService {
   RobotPort& robot_port_;
   const AccessPolicy& policy_;
   std::function<void()> acted_;
-  Frames frames_;
-  Audience audience_;
+  FrameCache frames_;
+  SubscriberHub subscribers_;
 };
 
 }  // namespace xr3

@@ -6,41 +6,40 @@
 
 namespace xr3 {
 
-Viewer::Viewer(MonitorService& service, Carrier& carrier)
-    : service_(service),
-      client_(service.cells()),
-      carrier_(carrier),
-      access_(service.first_access()) {
+MonitorSession::MonitorSession(MonitorService& service, MessageSink& sink)
+    : service_(service), client_(service.cells()), sink_(sink), access_(service.first_access()) {
   client_.send(service_.hello(*this));
-  service_.add(*this);  // last: if this throws, nobody knows the viewer
+  service_.add(*this);  // last: if this throws, nobody knows the session
 }
 
-Viewer::~Viewer() { service_.remove(*this); }
+MonitorSession::~MonitorSession() { service_.remove(*this); }
 
-asio::awaitable<void> Viewer::take(std::string_view message) {
+asio::awaitable<void> MonitorSession::handle(std::string_view message) {
   if (const auto error = service_.refuse(*this, message)) {
     client_.send(monitor::result(*error));
-  } else if (auto request = client_.take(message)) {
+  } else if (auto request = client_.handle(message)) {
     co_await service_.carry_out(*this, *std::move(request));
   }
   wake();
 }
 
-monitor::Message Viewer::next_output() { return client_.next_output(service_.audience().now()); }
+monitor::Message MonitorSession::next_output() {
+  return client_.next_output(service_.subscribers().now());
+}
 
-void Viewer::prefetch(Depth depth) const {
+void MonitorSession::prefetch(Depth depth) const {
   if (depth == Depth::kItself) return xr3::prefetch(this);
-  if (depth != Depth::kHeld) return carrier_.prefetch(depth);
-  xr3::prefetch(&carrier_);
+  if (depth != Depth::kHeld) return sink_.prefetch(depth);
+  xr3::prefetch(&sink_);
   client_.prefetch([](const auto& followed) { xr3::prefetch(&followed); });
 }
 
-void Viewer::end(monitor::Bye why) {
+void MonitorSession::end(monitor::CloseReason why) {
   client_.end(why);
   wake();
 }
 
-void Viewer::end(monitor::LineFault fault) {
+void MonitorSession::end(monitor::LineFault fault) {
   client_.end(fault);
   wake();
 }

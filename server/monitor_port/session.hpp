@@ -18,39 +18,39 @@ class MonitorService;
 /// What a client may do: look, and with the token, or where none is needed, call.
 enum class Access : std::uint8_t { kNone, kRead, kControl };
 
-class Viewer {
+class MonitorSession {
  public:
-  /// Says hello. Both outlive the viewer; the carrier is told when there is output.
-  Viewer(MonitorService& service, Carrier& carrier);
-  Viewer(const Viewer&) = delete;
-  Viewer& operator=(const Viewer&) = delete;
-  ~Viewer();
+  /// Says hello. Both outlive the session; the sink is told when there is output.
+  MonitorSession(MonitorService& service, MessageSink& sink);
+  MonitorSession(const MonitorSession&) = delete;
+  MonitorSession& operator=(const MonitorSession&) = delete;
+  ~MonitorSession();
 
-  /// Carries out one message and puts what it is answered into the lane; the next one may be taken when
+  /// Carries out one message and puts what it is answered into the queue; the next one may be taken when
   /// that is done, and is_full() does not hold.
-  asio::awaitable<void> take(std::string_view message);
+  asio::awaitable<void> handle(std::string_view message);
 
   /// The message that is to go out next, or null.
   monitor::Message next_output();
 
   /// No request may be taken until the client has taken some of its answers.
   bool is_full() const { return client_.is_full(); }
-  /// The last message has been put into the lane: when it is out, the connection ends.
+  /// The last message has been put into the queue: when it is out, the connection ends.
   bool has_ended() const { return client_.has_ended(); }
   /// Why; nothing where it has not.
-  std::optional<monitor::Bye> farewell() const { return client_.farewell(); }
+  std::optional<monitor::CloseReason> close_reason() const { return client_.close_reason(); }
   /// It still follows a channel: messages may come although nothing is asked any more.
   bool follows_anything() const { return client_.follows_anything(); }
 
   /// Says bye.
-  void end(monitor::Bye why);
+  void end(monitor::CloseReason why);
   void end(monitor::LineFault fault);
 
-  // --- For the service and the audience.
+  // --- For the service and the subscribers.
 
   monitor::Client& client() { return client_; }
   /// There is output.
-  void wake() { carrier_.pump(); }
+  void wake() { sink_.pump(); }
   /// It will be served soon: brings what that will touch, at one depth.
   void prefetch(Depth depth) const;
 
@@ -66,7 +66,7 @@ class Viewer {
  private:
   MonitorService& service_;
   monitor::Client client_;
-  Carrier& carrier_;
+  MessageSink& sink_;
   Access access_;
   int wrong_tokens_ = 0;
   std::optional<LineId> own_line_;

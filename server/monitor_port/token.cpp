@@ -19,7 +19,7 @@ using RandomBytes = std::array<std::uint8_t, 24>;  // 192 bits, 32 characters in
 bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }
 
 std::string checked(std::string token, const std::string& where) {
-  if (token.size() < kLeastTokenBytes || token.size() > kMostTokenBytes) {
+  if (token.size() < kMinTokenBytes || token.size() > kMaxTokenBytes) {
     throw TokenError(where + ": a token has 16 to 1024 bytes; this one has " +
                      std::to_string(token.size()));
   }

@@ -9,8 +9,8 @@
 
 namespace xr3 {
 
-inline constexpr std::size_t kLeastTokenBytes = 16;
-inline constexpr std::size_t kMostTokenBytes = 1024;
+inline constexpr std::size_t kMinTokenBytes = 16;
+inline constexpr std::size_t kMaxTokenBytes = 1024;
 
 struct NoToken {};
 struct TokenFile {

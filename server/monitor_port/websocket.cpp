@@ -20,9 +20,9 @@ namespace ws = beast::websocket;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto kNever = Clock::time_point::max();
-constexpr std::chrono::seconds kMostHandshake{10};
+constexpr std::chrono::seconds kMaxHandshake{10};
 // Time for the client to answer the close frame.
-constexpr std::chrono::milliseconds kMostFarewell{500};
+constexpr std::chrono::milliseconds kMaxCloseText{500};
 // Requests handled before yielding to the event loop.
 constexpr int kFairShare = 64;
 
@@ -66,19 +66,19 @@ using Handshake = beast::http::request<beast::http::empty_body>;
 
 Handshake parsed(const std::string& head) {
   beast::http::request_parser<beast::http::empty_body> parser;
-  parser.header_limit(2 * http::kMostHeadBytes);  // never reached: our own limit was checked before
+  parser.header_limit(2 * http::kMaxHeadBytes);  // never reached: our own limit was checked before
   ErrorCode error;
   parser.put(asio::buffer(head), error);
   return parser.release();
 }
 
-ws::close_code code_of(std::optional<monitor::Bye> why) {
-  if (why == monitor::Bye::kShutdown) return ws::close_code::going_away;
-  if (why == monitor::Bye::kBadToken) return ws::close_code::policy_error;
+ws::close_code code_of(std::optional<monitor::CloseReason> why) {
+  if (why == monitor::CloseReason::kShutdown) return ws::close_code::going_away;
+  if (why == monitor::CloseReason::kBadToken) return ws::close_code::policy_error;
   return ws::close_code::normal;
 }
 
-class BeastWebsocket final : public Websocket, private Carrier {
+class BeastWebsocket final : public Websocket, private MessageSink {
  public:
   BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorService& service,
                  WebsocketPatience patience);
@@ -86,15 +86,15 @@ class BeastWebsocket final : public Websocket, private Carrier {
   asio::awaitable<void> run(std::string head) override;
   void finish() override;
   void wake() override { progress_.cancel(); }
-  void retire() override { viewer_.reset(); }
+  void retire() override { session_.reset(); }
 
  private:
   std::shared_ptr<BeastWebsocket> self() {
     return std::static_pointer_cast<BeastWebsocket>(shared_from_this());
   }
-  asio::awaitable<bool> is_accepted(const std::string& head);
-  asio::awaitable<void> take_messages();
-  asio::awaitable<bool> is_text_read();
+  asio::awaitable<bool> accept(const std::string& head);
+  asio::awaitable<void> read_messages();
+  asio::awaitable<bool> read_text();
   asio::awaitable<void> until_there_is_room();
 
   void pump() override;
@@ -109,10 +109,10 @@ class BeastWebsocket final : public Websocket, private Carrier {
   MonitorService& service_;
   WebsocketPatience patience_;
   ws::stream<Wire> stream_;
-  std::unique_ptr<Viewer> viewer_;  ///< after the handshake
-  beast::flat_buffer received_;     ///< bounded by the maximum message size
-  monitor::Message message_;        ///< being written
-  asio::steady_timer progress_;     ///< never expires; cancelled to resume waiting coroutines
+  std::unique_ptr<MonitorSession> session_;  ///< after the handshake
+  beast::flat_buffer received_;              ///< bounded by the maximum message size
+  monitor::Message message_;                 ///< being written
+  asio::steady_timer progress_;  ///< never expires; cancelled to resume waiting coroutines
   asio::steady_timer watch_;
   Clock::time_point heard_;  ///< when the client last sent anything
   bool is_reading_ = false;
@@ -130,8 +130,8 @@ BeastWebsocket::BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorSer
       progress_(socket_->executor(), kNever),
       watch_(socket_->executor()) {
   // We use our own idle timer: Beast's would also run while a call waits and nothing is read.
-  stream_.set_option(ws::stream_base::timeout{kMostHandshake, ws::stream_base::none(), false});
-  stream_.read_message_max(monitor::kMostMessageBytes);
+  stream_.set_option(ws::stream_base::timeout{kMaxHandshake, ws::stream_base::none(), false});
+  stream_.read_message_max(monitor::kMaxMessageBytes);
   stream_.auto_fragment(false);
   stream_.text(true);
 }
@@ -139,19 +139,19 @@ BeastWebsocket::BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorSer
 // --- The handshake.
 
 asio::awaitable<void> BeastWebsocket::run(std::string head) {
-  const bool accepted = co_await is_accepted(head);
+  const bool accepted = co_await accept(head);
   if (accepted) {
-    viewer_ = std::make_unique<Viewer>(service_, static_cast<Carrier&>(*this));
+    session_ = std::make_unique<MonitorSession>(service_, static_cast<MessageSink&>(*this));
     heard_ = Clock::now();
     watch();
     pump();
-    co_await take_messages();
+    co_await read_messages();
   }
   watch_.cancel();
   socket_->close();
 }
 
-asio::awaitable<bool> BeastWebsocket::is_accepted(const std::string& head) {
+asio::awaitable<bool> BeastWebsocket::accept(const std::string& head) {
   const Handshake handshake = parsed(head);
   const bool has_offer = handshake.count("Sec-WebSocket-Protocol") > 0;
   stream_.set_option(ws::stream_base::decorator([has_offer](ws::response_type& answer) {
@@ -166,13 +166,13 @@ asio::awaitable<bool> BeastWebsocket::is_accepted(const std::string& head) {
 
 // --- In.
 
-asio::awaitable<void> BeastWebsocket::take_messages() {
+asio::awaitable<void> BeastWebsocket::read_messages() {
   for (int taken = 1;; ++taken) {
     co_await until_there_is_room();
-    const bool is_text = co_await is_text_read();
+    const bool is_text = co_await read_text();
     if (!is_text) co_return;
     const auto text = received_.cdata();
-    co_await viewer_->take({static_cast<const char*>(text.data()), text.size()});
+    co_await session_->handle({static_cast<const char*>(text.data()), text.size()});
     received_.clear();
     if (taken % kFairShare == 0) co_await asio::post(socket_->executor(), asio::use_awaitable);
   }
@@ -180,7 +180,7 @@ asio::awaitable<void> BeastWebsocket::take_messages() {
 
 /// Reads the next message. False if the connection has ended, or was closed because of a binary
 /// message.
-asio::awaitable<bool> BeastWebsocket::is_text_read() {
+asio::awaitable<bool> BeastWebsocket::read_text() {
   heard_ = Clock::now();  // nothing was read until now: no silence of the client
   is_reading_ = true;
   const auto [error, count] = co_await stream_.async_read(received_, kAwait);
@@ -189,14 +189,14 @@ asio::awaitable<bool> BeastWebsocket::is_text_read() {
   if (error) co_return false;
   if (stream_.got_text()) co_return true;
   if (!std::exchange(is_closing_, true)) {
-    socket_->close_after(kMostFarewell);
+    socket_->close_after(kMaxCloseText);
     co_await stream_.async_close(ws::close_code::unknown_data, kAwait);
   }
   co_return false;
 }
 
 asio::awaitable<void> BeastWebsocket::until_there_is_room() {
-  while (viewer_->is_full() && socket_->is_open()) co_await progress_.async_wait(kAwait);
+  while (session_->is_full() && socket_->is_open()) co_await progress_.async_wait(kAwait);
 }
 
 // --- Out.
@@ -204,13 +204,13 @@ asio::awaitable<void> BeastWebsocket::until_there_is_room() {
 // Writes one message at a time, directly from the shared text; written() calls this for the next
 // one.
 void BeastWebsocket::pump() {
-  if (message_ || is_closing_ || !viewer_ || !socket_->is_open()) return;
-  message_ = viewer_->next_output();
+  if (message_ || is_closing_ || !session_ || !socket_->is_open()) return;
+  message_ = session_->next_output();
   if (message_) {
     stream_.async_write(asio::buffer(*message_),
                         [self = self()](ErrorCode error, std::size_t) { self->written(error); });
-  } else if (viewer_->has_ended()) {
-    close(code_of(viewer_->farewell()));
+  } else if (session_->has_ended()) {
+    close(code_of(session_->close_reason()));
   }
 }
 
@@ -227,13 +227,13 @@ void BeastWebsocket::written(ErrorCode error) {
 
 void BeastWebsocket::close(ws::close_code code) {
   is_closing_ = true;
-  socket_->close_after(kMostFarewell);
+  socket_->close_after(kMaxCloseText);
   stream_.async_close(code, [self = self()](ErrorCode) { self->socket_->close(); });
 }
 
 void BeastWebsocket::finish() {
-  if (!viewer_) return socket_->close();
-  viewer_->end(monitor::Bye::kShutdown);
+  if (!session_) return socket_->close();
+  session_->end(monitor::CloseReason::kShutdown);
 }
 
 // --- Clients that are gone or stuck.

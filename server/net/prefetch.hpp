@@ -18,9 +18,9 @@ inline constexpr std::size_t kDepths = 4;
 template <class Object>
 void prefetch(const Object* object) {
   constexpr std::size_t kLineBytes = 64;
-  constexpr std::size_t kMostBytes = 512;
+  constexpr std::size_t kMaxBytes = 512;
   const char* bytes = reinterpret_cast<const char*>(object);
-  for (std::size_t i = 0; i < std::min(sizeof(Object), kMostBytes); i += kLineBytes)
+  for (std::size_t i = 0; i < std::min(sizeof(Object), kMaxBytes); i += kLineBytes)
     __builtin_prefetch(bytes + i);
 }
 

@@ -11,9 +11,9 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-constexpr seconds kMostStuck{30};
-constexpr milliseconds kMostLinger{500};
-constexpr std::size_t kMostLingerBytes = 16 * 1024 * 1024;
+constexpr seconds kMaxStuck{30};
+constexpr milliseconds kMaxLinger{500};
+constexpr std::size_t kMaxLingerBytes = 16 * 1024 * 1024;
 constexpr seconds kIdleBeforeProbe{30};
 constexpr seconds kProbeEvery{10};
 
@@ -26,7 +26,7 @@ void watch_for_dead_peer(tcp::socket& socket) {
   socket.set_option(asio::socket_base::keep_alive(true), ignored);
   set_option(socket, TCP_KEEPIDLE, static_cast<int>(kIdleBeforeProbe.count()));
   set_option(socket, TCP_KEEPINTVL, static_cast<int>(kProbeEvery.count()));
-  set_option(socket, TCP_USER_TIMEOUT, static_cast<int>(milliseconds(kMostStuck).count()));
+  set_option(socket, TCP_USER_TIMEOUT, static_cast<int>(milliseconds(kMaxStuck).count()));
 }
 
 void close_when_due(asio::steady_timer& timer, milliseconds time,
@@ -79,7 +79,7 @@ std::size_t MonitorSocket::send_some(std::span<const asio::const_buffer> buffers
 }
 
 void MonitorSocket::when_writable(std::function<void()> ready) {
-  close_when_due(stuck_, kMostStuck, socket_);
+  close_when_due(stuck_, kMaxStuck, socket_);
   socket_->async_wait(tcp::socket::wait_write,
                       [this, socket = socket_, ready = std::move(ready)](ErrorCode) {
                         if (socket->is_open()) stuck_.cancel();
@@ -88,7 +88,7 @@ void MonitorSocket::when_writable(std::function<void()> ready) {
 }
 
 asio::awaitable<bool> MonitorSocket::wait_until_writable() {
-  close_when_due(stuck_, kMostStuck, socket_);
+  close_when_due(stuck_, kMaxStuck, socket_);
   const auto [error] = co_await socket_->async_wait(tcp::socket::wait_write, kAwait);
   stuck_.cancel();
   co_return !error && is_open();
@@ -97,8 +97,8 @@ asio::awaitable<bool> MonitorSocket::wait_until_writable() {
 asio::awaitable<void> MonitorSocket::linger() {
   ErrorCode ignored;
   socket_->shutdown(tcp::socket::shutdown_send, ignored);
-  close_after(kMostLinger);
-  for (std::size_t forgotten = 0; is_open() && forgotten < kMostLingerBytes;) {
+  close_after(kMaxLinger);
+  for (std::size_t forgotten = 0; is_open() && forgotten < kMaxLingerBytes;) {
     const std::string_view bytes = co_await read();
     if (bytes.empty()) break;
     forgotten += bytes.size();

@@ -99,11 +99,11 @@ void set(CLI::Option& option, const CLI::ConfigItem& item, const std::string& pl
   }
 }
 
-DataFile read(const std::string& file, const Origins& origins) {
+DataFile read(const std::string& file, const OptionSources& option_sources) {
   try {
     return read_file(file);
   } catch (const FileError& error) {
-    refuse(said_as(origins, "--config"), error.what());
+    refuse(source_of(option_sources, "--config"), error.what());
   }
 }
 
@@ -115,9 +115,10 @@ void add_config(CLI::App& command, std::string& file) {
       ->configurable(false);
 }
 
-void take_config(CLI::App& command, const std::string& file, OtherKeys others, Origins& origins) {
+void read_config(CLI::App& command, const std::string& file, OtherKeys others,
+                 OptionSources& option_sources) {
   if (file.empty()) return;
-  const DataFile config = read(file, origins);
+  const DataFile config = read(file, option_sources);
   const Lines lines = lines_of(config);
   std::istringstream text(config.text);
   for (const CLI::ConfigItem& item : command.get_config_formatter()->from_config(text)) {
@@ -128,7 +129,7 @@ void take_config(CLI::App& command, const std::string& file, OtherKeys others, O
     if (option == nullptr) refuse_key(command, key, place);
     if (option->count() > 0) continue;
     set(*option, item, place);
-    origins.emplace(option->get_name(), place);
+    option_sources.emplace(option->get_name(), place);
   }
 }
 

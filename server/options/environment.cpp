@@ -24,7 +24,7 @@ bool is_from_environment(const CLI::App& command, const CLI::Option& option) {
 
 }  // namespace
 
-void take_environment(CLI::App& command, const std::set<std::string>& except) {
+void read_environment(CLI::App& command, const std::set<std::string>& except) {
   for (CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name();
     if (option != command.get_help_ptr() && !except.contains(name))
@@ -37,16 +37,16 @@ bool is_argument(const CLI::App& command, const std::string& name) {
   return std::find(said.begin(), said.end(), command.get_option(name)) != said.end();
 }
 
-Origins origins_in_environment(const CLI::App& command) {
-  Origins origins;
+OptionSources option_sources_in_environment(const CLI::App& command) {
+  OptionSources option_sources;
   for (const CLI::Option* option : command.get_options()) {
     if (is_from_environment(command, *option))
-      origins.emplace(option->get_name(), option->get_envname());
+      option_sources.emplace(option->get_name(), option->get_envname());
   }
-  return origins;
+  return option_sources;
 }
 
-std::optional<std::string> trouble_in_environment(CLI::App& command) {
+std::optional<std::string> problem_in_environment(CLI::App& command) {
   for (CLI::Option* option : command.get_options()) {
     if (!is_from_environment(command, *option)) continue;
     try {

@@ -7,22 +7,22 @@
 #include <set>
 #include <string>
 
-#include "server/options/origins.hpp"
+#include "server/options/option_sources.hpp"
 
 namespace xr3 {
 
 /// Each option of the command except --help and `except` takes its value from a variable unless it
 /// is an argument: `--robot-port` from XR3_ROBOT_PORT.
-void take_environment(CLI::App& command, const std::set<std::string>& except);
+void read_environment(CLI::App& command, const std::set<std::string>& except);
 
 /// Whether the option was given on the command line.
 bool is_argument(const CLI::App& command, const std::string& name);
 
 /// The variables that set options of the command.
-Origins origins_in_environment(const CLI::App& command);
+OptionSources option_sources_in_environment(const CLI::App& command);
 
 /// The error in a variable's value, prefixed with its name; nullopt if all are valid.
-std::optional<std::string> trouble_in_environment(CLI::App& command);
+std::optional<std::string> problem_in_environment(CLI::App& command);
 
 /// The error in an option's value, without the option's name.
 std::string reason_of(const CLI::Option& option, const CLI::Error& error);

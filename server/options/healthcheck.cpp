@@ -8,7 +8,7 @@
 namespace xr3 {
 namespace {
 
-constexpr double kLongestWaitS = 86'400;
+constexpr double kMaxWaitS = 86'400;
 
 // A port that was said counts more than a file that the environment names.
 void choose_port(const CLI::App& health, HealthOptions& options) {
@@ -20,8 +20,8 @@ void choose_port(const CLI::App& health, HealthOptions& options) {
 }
 
 void complete(CLI::App& health, HealthOptions& options) {
-  Origins origins = origins_in_environment(health);
-  take_config(health, options.config, OtherKeys::kSkip, origins);
+  OptionSources option_sources = option_sources_in_environment(health);
+  read_config(health, options.config, OtherKeys::kSkip, option_sources);
   choose_port(health, options);
 }
 
@@ -45,10 +45,10 @@ void add_health(CLI::App& app, HealthOptions& options) {
       ->type_name("FILE");
   health.add_option("--wait", options.wait_s, "try again for so long, until it answers")
       ->type_name("SECONDS")
-      ->check(number_between(0, kLongestWaitS))
+      ->check(number_between(0, kMaxWaitS))
       ->configurable(false);
   add_config(health, options.config);
-  take_environment(health, {"--wait"});
+  read_environment(health, {"--wait"});
   health.parse_complete_callback([&health, &options] { complete(health, options); });
 }
 

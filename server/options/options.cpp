@@ -66,7 +66,7 @@ void add_draw(CLI::App& app, DrawOptions& options) {
       ->check(parses(parse_view, ""));
   draw.add_option("--width", options.width_px, "width in pixels")
       ->type_name("PX")
-      ->check(CLI::Range(kLeastPictureWidthPx, kMostPictureWidthPx).description(""))
+      ->check(CLI::Range(kMinPictureWidthPx, kMaxPictureWidthPx).description(""))
       ->capture_default_str();
 }
 
@@ -144,7 +144,7 @@ std::string named_command(const CLI::App& app) {
 /// What is wrong, in words that name the place where it is said.
 std::string trouble_of(const CLI::App& app, const CLI::ParseError& error) {
   for (CLI::App* command : app.get_subcommands()) {
-    if (const auto trouble = trouble_in_environment(*command)) return *trouble;
+    if (const auto trouble = problem_in_environment(*command)) return *trouble;
   }
   return error.what();
 }

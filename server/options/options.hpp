@@ -14,7 +14,7 @@
 #include "server/exit_code.hpp"
 #include "server/monitor_port/token.hpp"
 #include "server/options/healthcheck.hpp"
-#include "server/options/origins.hpp"
+#include "server/options/option_sources.hpp"
 #include "server/options/watch.hpp"
 #include "tools/drawing/drawing.hpp"
 #include "tools/kin/question.hpp"
@@ -35,7 +35,7 @@ struct ServeOptions {
   std::uint16_t monitor_port = 9601;  ///< 0: any free port
   Profile profile = Profile::kPaper;
   ClockChoice clock;
-  std::size_t most_lines = 1024;
+  std::size_t max_lines = 1024;
   std::string port_file;  ///< empty: none
   std::string log_level = "info";
   TokenSource token;
@@ -44,7 +44,7 @@ struct ServeOptions {
   std::vector<std::string> allow_origins;
   bool is_insecure = false;
   std::string config;  ///< a config file; empty: none
-  Origins origins;
+  OptionSources option_sources;
 };
 
 struct CheckOptions {

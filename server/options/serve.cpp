@@ -11,7 +11,7 @@ namespace xr3 {
 namespace {
 
 const std::vector<std::string> kLogLevels{"trace", "debug", "info", "warn", "error", "off"};
-constexpr int kMostLines = 20000;
+constexpr int kMaxLines = 20000;
 
 std::string check_token_word(const std::string& word) {
   return word == "auto" ? ""
@@ -72,7 +72,7 @@ Leave refuse(const std::string& why) { return {ExitCode::kBadInput, "", "xr3: " 
 
 Leave refuse_listen(const ServeOptions& options) {
   return refuse(
-      said_as(options.origins, "--listen") + " " + options.listen +
+      source_of(options.option_sources, "--listen") + " " + options.listen +
       " accepts other machines: set a token for calls with --token-file FILE (XR3_TOKEN_FILE), "
       "XR3_TOKEN or --token auto (the robot port still has no password), or use "
       "--insecure (XR3_INSECURE=1)");
@@ -82,10 +82,10 @@ Leave refuse_listen(const ServeOptions& options) {
 void complete(CLI::App& serve, ServeOptions& options) {
   if (is_argument(serve, "--token") && is_argument(serve, "--token-file"))
     throw CLI::ExcludesError("--token", "--token-file");
-  options.origins = origins_in_environment(serve);
+  options.option_sources = option_sources_in_environment(serve);
   const bool has_token = !std::holds_alternative<NoToken>(options.token);
   if (!has_token && is_token_in_environment()) options.token = TokenInEnvironment{};
-  take_config(serve, options.config, OtherKeys::kRefuse, options.origins);
+  read_config(serve, options.config, OtherKeys::kRefuse, options.option_sources);
 }
 
 }  // namespace
@@ -125,10 +125,10 @@ void add_serve(CLI::App& app, ServeOptions& options) {
       ->type_name("real[:FACTOR]|manual")
       ->check(parses(parse_clock, ""));
   serve
-      .add_option("--max-lines", options.most_lines,
+      .add_option("--max-lines", options.max_lines,
                   "maximum number of open robot connections; further ones are closed at once")
       ->type_name("N")
-      ->check(CLI::Range(1, kMostLines).description(""))
+      ->check(CLI::Range(1, kMaxLines).description(""))
       ->capture_default_str();
   serve
       .add_option("--port-file", options.port_file,
@@ -140,14 +140,14 @@ void add_serve(CLI::App& app, ServeOptions& options) {
       ->capture_default_str();
   add_access(serve, options);
   add_config(serve, options.config);
-  take_environment(serve, {"--token"});
+  read_environment(serve, {"--token"});
   serve.parse_complete_callback([&serve, &options] { complete(serve, options); });
 }
 
 Options checked_serve(ServeOptions options) {
   const bool has_token = !std::holds_alternative<NoToken>(options.token);
   if (options.is_private && !has_token)
-    return refuse(said_as(options.origins, "--private") +
+    return refuse(source_of(options.option_sources, "--private") +
                   " needs a token: --token-file FILE, XR3_TOKEN or --token auto");
   const bool is_safe = is_loopback(options.listen) || has_token || options.is_insecure;
   if (!is_safe) return refuse_listen(options);

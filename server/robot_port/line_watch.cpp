@@ -37,7 +37,7 @@ void LineWatch::close() {
 
 std::span<const LineWatch::News> LineWatch::news() {
   if (!set_.is_open()) return {};
-  const int count = ::epoll_wait(set_.native_handle(), events_.data(), kMostNews, 0);
+  const int count = ::epoll_wait(set_.native_handle(), events_.data(), kMaxNews, 0);
   std::size_t told = 0;
   for (; static_cast<int>(told) < count; ++told) {
     const epoll_event& event = events_[told];

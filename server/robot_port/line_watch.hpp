@@ -35,14 +35,14 @@ class LineWatch {
   asio::awaitable<bool> wait();
   void close();
 
-  /// At most kMostNews; empty: there are none. Valid until the next call.
+  /// At most kMaxNews; empty: there are none. Valid until the next call.
   std::span<const News> news();
-  static constexpr std::size_t kMostNews = 128;
+  static constexpr std::size_t kMaxNews = 128;
 
  private:
   asio::posix::stream_descriptor set_;
-  std::array<epoll_event, kMostNews> events_{};
-  std::array<News, kMostNews> news_{};
+  std::array<epoll_event, kMaxNews> events_{};
+  std::array<News, kMaxNews> news_{};
 };
 
 }  // namespace xr3

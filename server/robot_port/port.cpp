@@ -30,13 +30,13 @@ class Waiting {
 
 }  // namespace
 
-RobotPort::RobotPort(asio::io_context& io, Cell& cell, std::size_t most_lines,
+RobotPort::RobotPort(asio::io_context& io, Cell& cell, std::size_t max_lines,
                      std::function<void()> acted)
     : io_(io),
       cell_(cell),
-      most_lines_(most_lines),
+      max_lines_(max_lines),
       acted_(std::move(acted)),
-      context_{cell, false, scratch_, [this] { tell(); }, [this](LineId line) { end(line); }},
+      context_{cell, false, scratch_, [this] { notify(); }, [this](LineId line) { end(line); }},
       probe_context_{
           cell, true, scratch_,
           [this] { probe_fate_ = cell_.state().enabled ? ProbeFate::kTaken : ProbeFate::kIgnored; },
@@ -53,37 +53,37 @@ void RobotPort::open(tcp::socket socket) {
   const auto session = std::make_shared<RobotSession>(std::move(socket), context);
   sessions_.insert_or_assign(session->line(), session);
   if (!watch_.add(session->descriptor(), session->line()))
-    return session->close(CloseReason::kError);
+    return session->close(LineCloseReason::kError);
   if (!std::exchange(is_watching_, true)) spawn_loop(io_.get_executor(), kName, run());
-  if (!is_probe) tell();
+  if (!is_probe) notify();
 }
 
 bool RobotPort::is_full() const {
-  return sessions_.size() - sessions_.count(kProbeLine) >= most_lines_;
+  return sessions_.size() - sessions_.count(kProbeLine) >= max_lines_;
 }
 
 void RobotPort::refuse(bool is_probe) {
   if (is_probe) {
     probe_fate_ = ProbeFate::kRefused;
-  } else if (!std::exchange(has_told_of_full_, true)) {
+  } else if (!std::exchange(has_logged_full_, true)) {
     spdlog::warn("lines are refused: {} are open already (--max-lines; told once until one ends)",
-                 most_lines_);
+                 max_lines_);
   }
 }
 
 void RobotPort::end(LineId line) {
   sessions_.erase(line);
   unfinished_.erase(line);
-  has_told_of_full_ = false;
+  has_logged_full_ = false;
   if (is_closing_ && sessions_.empty()) watch_.close();
-  tell();
+  notify();
 }
 
 bool RobotPort::disconnect(LineId line) {
   const auto found = sessions_.find(line);
   if (found == sessions_.end()) return false;
   const auto session = found->second;  // it takes itself out of the map
-  session->close(CloseReason::kDisconnected);
+  session->close(LineCloseReason::kDisconnected);
   return true;
 }
 
@@ -108,7 +108,7 @@ void RobotPort::end_probe() {
   unfinished_.erase(kProbeLine);
   if (!is_closing_) return;
   if (sessions_.empty()) watch_.close();
-  tell();
+  notify();
 }
 
 // --- Turns.
@@ -116,21 +116,21 @@ void RobotPort::end_probe() {
 asio::awaitable<void> RobotPort::run() {
   for (bool has_news = true; has_news;) {
     has_news = co_await watch_.wait();
-    if (has_news) take_turns();
+    if (has_news) run_turns();
   }
 }
 
-void RobotPort::take_turns() {
+void RobotPort::run_turns() {
   take_news();
   take_unfinished_turn();
-  if (!unfinished_.empty()) take_turns_again();
+  if (!unfinished_.empty()) schedule_turns();
 }
 
 void RobotPort::take_news() {
   for (const auto& [line, is_end] : watch_.news()) {
     const auto found = sessions_.find(line);
     if (found != sessions_.end() && is_end) found->second->note_end();
-    if (!unfinished_.contains(line)) take_turn(line);
+    if (!unfinished_.contains(line)) run_turn(line);
   }
 }
 
@@ -141,33 +141,33 @@ void RobotPort::take_unfinished_turn() {
   if (next == unfinished_.end()) next = unfinished_.begin();
   last_unfinished_ = *next;
   unfinished_.erase(next);
-  take_turn(last_unfinished_);
+  run_turn(last_unfinished_);
 }
 
-void RobotPort::take_turn(LineId line) {
+void RobotPort::run_turn(LineId line) {
   const auto found = sessions_.find(line);
   if (found == sessions_.end()) return;
   const auto session = found->second;  // it may take itself out of the map
-  if (session->take_turn()) unfinished_.insert(line);
+  if (session->run_turn()) unfinished_.insert(line);
 }
 
 // Behind whatever else is ready now.
-void RobotPort::take_turns_again() {
+void RobotPort::schedule_turns() {
   if (std::exchange(is_again_, true)) return;
   asio::post(io_, [this] {
     is_again_ = false;
-    take_turns();
+    run_turns();
   });
 }
 
 // A copy of the map: a session that ends takes itself out of it.
-void RobotPort::take_in() {
+void RobotPort::read_arrived() {
   vital(kName, [this] {
     listener_.accept_pending();
     for (const auto& [id, session] : sessions()) {
-      if (session->take_in() && sessions_.contains(id)) unfinished_.insert(id);
+      if (session->read_arrived() && sessions_.contains(id)) unfinished_.insert(id);
     }
-    if (!unfinished_.empty()) take_turns_again();
+    if (!unfinished_.empty()) schedule_turns();
   });
 }
 
@@ -176,7 +176,7 @@ asio::awaitable<bool> RobotPort::wait_for_bytes(LineId id, std::uint64_t bytes_i
   asio::steady_timer timer(io_, within);
   const auto deadline = timer.expiry();
   for (;;) {
-    take_in();
+    read_arrived();
     if (cell_.bytes_in(id).value_or(0) >= bytes_in) co_return true;
     const bool may_come = cell_.find_line(id) != nullptr && !is_closing_;
     if (!may_come || asio::steady_timer::clock_type::now() >= deadline) co_return false;
@@ -186,7 +186,7 @@ asio::awaitable<bool> RobotPort::wait_for_bytes(LineId id, std::uint64_t bytes_i
 }
 
 // Whoever waits for bytes looks again.
-void RobotPort::tell() {
+void RobotPort::notify() {
   vital(kName, [this] {
     for (asio::steady_timer* timer : waiting_) timer->cancel();
     acted_();
@@ -198,11 +198,11 @@ void RobotPort::close() {
   listener_.close();
   for (const auto& [id, session] : sessions()) session->finish();
   if (sessions_.empty()) watch_.close();
-  tell();
+  notify();
 }
 
 void RobotPort::abort() {
-  for (const auto& [id, session] : sessions()) session->close(CloseReason::kShutdown);
+  for (const auto& [id, session] : sessions()) session->close(LineCloseReason::kShutdown);
 }
 
 }  // namespace xr3

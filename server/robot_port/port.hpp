@@ -28,9 +28,9 @@ enum class ProbeFate : std::uint8_t {
 
 class RobotPort {
  public:
-  /// `most_lines`: connections beyond are closed without a byte. `acted` is called after each input and each end.
-  RobotPort(asio::io_context& io, Cell& cell, std::size_t most_lines, std::function<void()> acted);
-  std::size_t most_lines() const { return most_lines_; }
+  /// `max_lines`: connections beyond are closed without a byte. `acted` is called after each input and each end.
+  RobotPort(asio::io_context& io, Cell& cell, std::size_t max_lines, std::function<void()> acted);
+  std::size_t max_lines() const { return max_lines_; }
 
   /// Binds; afterwards endpoint() is known and connections are accepted. Returns what went wrong.
   ErrorCode listen(const tcp::endpoint& endpoint);
@@ -39,12 +39,12 @@ class RobotPort {
   /// Every byte that has already arrived on any line, also on one that has not been accepted yet,
   /// acts now, as far as the line's replies go out. `step` and `run_until` call it first, so that no
   /// byte is overtaken.
-  void take_in();
+  void read_arrived();
 
   /// A turn for each line at which something has happened, and one for a line that had more to do than a
   /// turn holds: cheap enough to be taken between two writes to viewers, so that a line never waits
   /// behind a thousand of them, and no line behind many that flood.
-  void take_turns();
+  void run_turns();
 
   /// Waits until a line has received so many bytes in all. False: it did not within the time, it has
   /// closed without them, or the port is closing.
@@ -78,16 +78,16 @@ class RobotPort {
   asio::awaitable<void> run();
   void take_news();
   void take_unfinished_turn();
-  void take_turn(LineId line);
-  void take_turns_again();
+  void run_turn(LineId line);
+  void schedule_turns();
   void end(LineId line);
   Sessions sessions() const { return sessions_; }
 
-  void tell();
+  void notify();
 
   asio::io_context& io_;
   Cell& cell_;
-  std::size_t most_lines_;
+  std::size_t max_lines_;
   std::function<void()> acted_;
   std::array<char, 64 * 1024> scratch_{};
   RobotSessionContext context_;
@@ -95,7 +95,7 @@ class RobotPort {
   Listener listener_;
   LineWatch watch_;
   bool is_watching_ = false;
-  bool has_told_of_full_ = false;
+  bool has_logged_full_ = false;
   std::optional<tcp::endpoint> probe_from_;  ///< has not been accepted yet
   ProbeFate probe_fate_ = ProbeFate::kUnseen;
   std::set<LineId> unfinished_;            ///< had more to do than a turn holds

@@ -105,7 +105,7 @@ std::string RobotProbe::verdict(const Reply& reply) const {
   if (reply.refusal) return "the robot port takes no connection: " + reply.refusal.message();
   const ProbeFate fate = port_.probe_fate();
   if (fate == ProbeFate::kRefused)
-    return "every line is taken: " + std::to_string(port_.most_lines()) + " are open (--max-lines)";
+    return "every line is taken: " + std::to_string(port_.max_lines()) + " are open (--max-lines)";
   const std::size_t due = fate == ProbeFate::kIgnored ? 0 : 1;
   if (reply.bytes == due) return {};
   if (reply.bytes == 0) return "the robot port closed a line without an answer to an inquiry";

@@ -21,7 +21,7 @@ constexpr std::size_t kFairShare = 512;
 // only which bytes act now and which in the next turn.
 constexpr WallNs kFairTime = 150'000;
 // As much as a receive buffer can hold; a drain takes no more even if the client keeps on writing.
-constexpr std::size_t kMostArrived = 16 * 1024 * 1024;
+constexpr std::size_t kMaxArrivedBytes = 16 * 1024 * 1024;
 constexpr WallNs kNoEnd = std::numeric_limits<WallNs>::max();
 constexpr std::uint64_t kAllOutput = std::numeric_limits<std::uint64_t>::max();
 
@@ -42,14 +42,14 @@ RobotSession::RobotSession(const std::string& peer, tcp::socket&& socket,
       id_(context.cell.apply(LineOpened{peer, LineKind::kRaw, context.is_probe}, wall_now()).line),
       context_(context) {}
 
-bool RobotSession::take_turn() {
+bool RobotSession::run_turn() {
   return work({kFairShare, kAllOutput, wall_now() + kFairTime}) == Left::kSome;
 }
 
-bool RobotSession::take_in() {
+bool RobotSession::read_arrived() {
   if (!socket_.is_open()) return false;
   const std::uint64_t output = context_.cell.find_line(id_)->output_end();
-  return work({kMostArrived, output + kMostAnswered, kNoEnd}) == Left::kSome;
+  return work({kMaxArrivedBytes, output + kMaxAnswered, kNoEnd}) == Left::kSome;
 }
 
 // Reading waits while replies do: a client that does not read its replies is not read either.
@@ -76,7 +76,7 @@ bool RobotSession::is_over(const Turn& turn) const {
 std::size_t RobotSession::read(std::size_t most) {
   const std::size_t count = socket_.read(context_.scratch.first(most));
   has_ended_ = socket_.has_ended();
-  if (socket_.is_lost()) close(CloseReason::kError);
+  if (socket_.is_lost()) close(LineCloseReason::kError);
   return count;
 }
 
@@ -87,7 +87,8 @@ void RobotSession::act(std::string_view bytes, const Turn& turn) {
       context_.cell.apply(BytesIn{id_, bytes, is_enough}, wall_now()).bytes_taken;
   context_.acted();
   if (!socket_.is_open()) return;
-  if (context_.cell.find_line(id_)->is_stranger()) return close(CloseReason::kStranger);
+  if (context_.cell.find_line(id_)->is_not_a_robot_program())
+    return close(LineCloseReason::kNotARobotProgram);
   if (taken < bytes.size()) keep(bytes.substr(taken));
 }
 
@@ -97,7 +98,7 @@ void RobotSession::keep(std::string_view bytes) {
     pending_.append(bytes);
   } catch (const std::bad_alloc&) {
     spdlog::error("line {}: no memory for its bytes; it is closed", id_);
-    close(CloseReason::kError);
+    close(LineCloseReason::kError);
   }
 }
 
@@ -109,10 +110,10 @@ void RobotSession::act_on_pending(const Turn& turn) {
 // Sends what the socket takes now, and goes on with the bytes that had to wait.
 RobotSession::Left RobotSession::flush(const Turn& turn) {
   if (!socket_.is_open()) return Left::kWaits;
-  Line& line = *context_.cell.find_line(id_);  // as long as the socket is open
+  SerialLine& line = *context_.cell.find_line(id_);  // as long as the socket is open
   while (!line.outbox().empty() || !pending_.empty()) {
     const std::size_t count = line.outbox().empty() ? 0 : socket_.write(line.outbox());
-    if (socket_.is_lost()) close(CloseReason::kError);
+    if (socket_.is_lost()) close(LineCloseReason::kError);
     if (!socket_.is_open()) return Left::kWaits;
     line.sent(count);
     if (count == 0 && !line.outbox().empty()) return Left::kWaits;
@@ -127,12 +128,12 @@ RobotSession::Left RobotSession::flush(const Turn& turn) {
 
 void RobotSession::finish() {
   has_ended_ = true;
-  end_ = CloseReason::kShutdown;
+  end_ = LineCloseReason::kShutdown;
   pending_.clear();
   flush({0, kAllOutput, kNoEnd});
 }
 
-void RobotSession::close(CloseReason reason) {
+void RobotSession::close(LineCloseReason reason) {
   if (!socket_.is_open()) return;
   socket_.close();
   context_.cell.apply(LineClosed{id_, reason}, wall_now());

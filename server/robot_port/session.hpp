@@ -34,18 +34,18 @@ class RobotSession {
 
   /// Sends what can be sent, and then takes in a fair share of bytes for a fair time. True: there may
   /// be more to do at once.
-  bool take_turn();
+  bool run_turn();
 
   /// Every byte that has arrived by now acts now, unless replies wait for the client or are more than
-  /// kMostAnswered in all. True: there may be more to do at once.
-  bool take_in();
-  static constexpr std::size_t kMostAnswered = 1024 * 1024;
+  /// kMaxAnswered in all. True: there may be more to do at once.
+  bool read_arrived();
+  static constexpr std::size_t kMaxAnswered = 1024 * 1024;
 
   /// No byte is taken any more; the connection ends when its replies have been sent.
   void finish();
 
   /// Ends the connection now.
-  void close(CloseReason reason);
+  void close(LineCloseReason reason);
 
  private:
   RobotSession(const std::string& peer, tcp::socket&& socket, RobotSessionContext& context);
@@ -72,7 +72,7 @@ class RobotSession {
   std::string pending_;     ///< read, but not taken yet since the outbox was full
   bool is_ending_ = false;  ///< an end is behind the bytes that are there
   bool has_ended_ = false;  ///< no more bytes will be read
-  CloseReason end_ = CloseReason::kClientClosed;  ///< why, once has_ended_
+  LineCloseReason end_ = LineCloseReason::kClientClosed;  ///< why, once has_ended_
 };
 
 }  // namespace xr3

@@ -34,7 +34,7 @@ void parse(benchmark::State& state, const std::string& bytes) {
     std::uint64_t offset = 0;
     for (const char byte : bytes) {
       parsed.clear();
-      parser.take(static_cast<std::uint8_t>(byte), offset++, parsed);
+      parser.feed(static_cast<std::uint8_t>(byte), offset++, parsed);
       benchmark::DoNotOptimize(parsed.data());
     }
   }

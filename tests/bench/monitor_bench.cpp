@@ -39,7 +39,7 @@ struct Read {
 
   explicit Read(std::string_view bytes) {
     for (std::size_t i = 0; i < bytes.size(); ++i) {
-      endpoint.take(static_cast<std::uint8_t>(bytes[i]), i, simulation, replies, exchanges);
+      endpoint.feed(static_cast<std::uint8_t>(bytes[i]), i, simulation, replies, exchanges);
     }
     if (!replies.empty()) exchanges.back().reply_to = replies.size();
   }

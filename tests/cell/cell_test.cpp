@@ -29,7 +29,7 @@ struct Lab {
   /// Sends bytes and returns the reply.
   std::string send(LineId line, std::string_view bytes, WallNs now = 0) {
     cell.apply(BytesIn{line, bytes}, now);
-    Line& of_cell = *cell.find_line(line);
+    SerialLine& of_cell = *cell.find_line(line);
     const std::string reply(of_cell.outbox());
     of_cell.sent(reply.size());
     return reply;
@@ -95,8 +95,8 @@ TEST(Cell, BytesAreTakenUntilItIsEnough) {
   for (int i = 0; i < 100; ++i) bytes += "E?";
   int asked = 0;
   const auto is_enough = [&asked] { return ++asked == 2; };
-  EXPECT_EQ(lab.cell.apply(BytesIn{1, bytes, is_enough}, 0).bytes_taken, 2 * kMostShownIn);
-  EXPECT_EQ(lab.cell.find_line(1)->outbox().size(), kMostShownIn);
+  EXPECT_EQ(lab.cell.apply(BytesIn{1, bytes, is_enough}, 0).bytes_taken, 2 * kMaxShownIn);
+  EXPECT_EQ(lab.cell.find_line(1)->outbox().size(), kMaxShownIn);
   EXPECT_EQ(lab.cell.apply(BytesIn{1, "E?", [] { return true; }}, 0).bytes_taken, 2U)
       << "there is always some progress";
 }
@@ -189,7 +189,7 @@ TEST(Cell, ALineOpenedWhileDisabledIsToldSo) {
 TEST(Cell, ALineThatIsGoneTakesNothing) {
   Lab lab;
   lab.open(1);
-  lab.cell.apply(LineClosed{1, CloseReason::kClientClosed}, 0);
+  lab.cell.apply(LineClosed{1, LineCloseReason::kClientClosed}, 0);
   EXPECT_EQ(lab.cell.apply(BytesIn{1, "E+5\r"}, 0).bytes_taken, 0U);
   EXPECT_EQ(lab.cell.lines().size(), 0U);
   EXPECT_EQ(lab.notes<LineClosedNote>().size(), 1U);
@@ -246,7 +246,7 @@ class Seen {
   }
   void bytes(std::string_view bytes) {
     cell_.apply(BytesIn{1, bytes}, 0);
-    Line& line = *cell_.find_line(1);
+    SerialLine& line = *cell_.find_line(1);
     line.sent(line.outbox().size());
   }
   void call(const call::Call& call) { cell_.apply(Input{call}, 0); }

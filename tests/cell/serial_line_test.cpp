@@ -9,7 +9,7 @@ namespace {
 
 struct OneLine {
   Simulation simulation{test::rhino()};
-  Line line{Profile::kPaper, LineKind::kRaw, "test", 0};
+  SerialLine line{Profile::kPaper, LineKind::kRaw, "test", 0};
   std::vector<Exchange> exchanges;
 
   std::size_t receive(std::string_view bytes) { return line.receive(bytes, simulation, exchanges); }
@@ -18,9 +18,9 @@ struct OneLine {
 TEST(Line, AFullOutboxTakesNoFurtherByteUntilItIsEmptied) {
   OneLine one;
   one.receive("E?");
-  const std::string flood(2 * Line::kFullOutbox, '?');
+  const std::string flood(2 * SerialLine::kFullOutbox, '?');
   const std::size_t taken = one.receive(flood);
-  EXPECT_EQ(taken, Line::kFullOutbox - 1);
+  EXPECT_EQ(taken, SerialLine::kFullOutbox - 1);
   EXPECT_TRUE(one.line.is_full());
   EXPECT_EQ(one.receive("?"), 0U);
   one.line.sent(10);
@@ -70,7 +70,7 @@ TEST(Line, AStrangerHasActedWithNotOneByte) {
   OneLine one;
   const std::string request = "DELETE / HTTP/1.1\r\n\r\nF+100\r";
   EXPECT_EQ(one.receive(request), 8U);
-  EXPECT_TRUE(one.line.is_stranger());
+  EXPECT_TRUE(one.line.is_not_a_robot_program());
   EXPECT_EQ(one.receive("F+100\r"), 0U);
   EXPECT_EQ(one.simulation.state(), initial_state(one.simulation.model()));
 }

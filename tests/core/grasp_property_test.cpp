@@ -22,7 +22,7 @@ constexpr Counts kWindow = 35;
 constexpr Counts kFar = 100;
 constexpr double kHairUm = 2;
 constexpr double kHairDeg = 2e-6;
-constexpr Tick kLongestRest = 128'000;
+constexpr Tick kMaxRestLength = 128'000;
 
 struct Ground {
   const char* robot;
@@ -101,7 +101,7 @@ bool is_in(const Block& block, const PointUm& point) {
 /// Distance of the difference of two yaws from a multiple of 90 degrees.
 double off_quarter(double yaw, double other) { return std::abs(std::remainder(yaw - other, 90.0)); }
 
-struct Tally {
+struct ChannelStats {
   int grasps = 0;
   int releases = 0;
   int turns = 0;
@@ -114,12 +114,12 @@ struct Tally {
 /// but advances in different steps.
 class Wanderer {
  public:
-  Wanderer(const Ground& ground, std::uint32_t seed, Tally& tally)
+  Wanderer(const Ground& ground, std::uint32_t seed, ChannelStats& stats)
       : dice_(seed),
         ground_(ground),
         rig_(random_cell(ground, dice_)),
         twin_(rig_.simulation),
-        tally_(tally) {
+        tally_(stats) {
     if (!dice_.one_in(4)) rig_.stand_at(ground.centre);
     twin_ = rig_.simulation;
   }
@@ -323,7 +323,7 @@ class Wanderer {
   }
 
   void comes_to_rest() {
-    watch_until(rig_.simulation.tick() + kLongestRest);
+    watch_until(rig_.simulation.tick() + kMaxRestLength);
     EXPECT_TRUE(rig_.simulation.is_at_rest());
     State rest = state();
     rig_.pass(1'000'000);
@@ -349,26 +349,26 @@ class Wanderer {
   const Ground& ground_;
   test::Rig rig_;
   Simulation twin_;
-  Tally& tally_;
+  ChannelStats& tally_;
 };
 
 TEST(GraspProperty, NothingIsLostDoubledOrSqueezedInAHundredThousandMotions) {
-  Tally tally;
+  ChannelStats stats;
   std::uint32_t seed = 1989;
   for (const Ground& ground : kGrounds) {
     for (int run = 0; run < ground.runs; ++run, ++seed) {
       SCOPED_TRACE(std::string(ground.robot) + ", seed " + std::to_string(seed));
-      Wanderer(ground, seed, tally).wander();
+      Wanderer(ground, seed, stats).wander();
       ASSERT_FALSE(HasFailure());
     }
   }
   // The motions were effective.
-  EXPECT_GT(tally.grasps, 1000);
-  EXPECT_GT(tally.releases, 1000);
-  EXPECT_GT(tally.turns, 1000);
-  EXPECT_GT(tally.stalls, 100);
-  EXPECT_GT(tally.homes, 200);
-  EXPECT_GT(tally.too_narrow, 500);
+  EXPECT_GT(stats.grasps, 1000);
+  EXPECT_GT(stats.releases, 1000);
+  EXPECT_GT(stats.turns, 1000);
+  EXPECT_GT(stats.stalls, 100);
+  EXPECT_GT(stats.homes, 200);
+  EXPECT_GT(stats.too_narrow, 500);
 }
 
 }  // namespace

@@ -81,9 +81,9 @@ TEST(Model, CouplingOfTheRhinoBetweenCounts) {
       EXPECT_EQ(model->gain(joint, motor), wanted) << "joint " << joint << ", motor " << motor;
     }
   }
-  EXPECT_EQ(model->driven_by(e), (std::vector<Driven>{{1, 1}, {2, 1}}));
-  EXPECT_EQ(model->driven_by(d), (std::vector<Driven>{{2, 1}, {3, -1}}));
-  EXPECT_EQ(model->driven_by(c), (std::vector<Driven>{{3, 1}}));
+  EXPECT_EQ(model->driven_by(e), (std::vector<CoupledJoint>{{1, 1}, {2, 1}}));
+  EXPECT_EQ(model->driven_by(d), (std::vector<CoupledJoint>{{2, 1}, {3, -1}}));
+  EXPECT_EQ(model->driven_by(c), (std::vector<CoupledJoint>{{3, 1}}));
 }
 
 TEST(Model, ACouplingGainsFromBothDirectionsAndItsSign) {

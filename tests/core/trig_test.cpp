@@ -34,13 +34,13 @@ double units_in_last_place(double got, long double wanted) {
 }
 
 // The conversion to radians rounds twice, the series once more.
-constexpr double kMostUnits = 2.5;
+constexpr double kMaxUnits = 2.5;
 
 void expect_near_reference(double angle_deg) {
   const SinCos got = sin_cos_deg(angle_deg);
   const Reference wanted(angle_deg);
-  EXPECT_LE(units_in_last_place(got.sin, wanted.sin), kMostUnits) << "sin " << angle_deg;
-  EXPECT_LE(units_in_last_place(got.cos, wanted.cos), kMostUnits) << "cos " << angle_deg;
+  EXPECT_LE(units_in_last_place(got.sin, wanted.sin), kMaxUnits) << "sin " << angle_deg;
+  EXPECT_LE(units_in_last_place(got.cos, wanted.cos), kMaxUnits) << "cos " << angle_deg;
 }
 
 TEST(Trig, IsExactAtMultiplesOf90) {

@@ -23,7 +23,7 @@
 namespace xr3::monitor {
 namespace {
 
-constexpr int kMostPixels = 65536;  ///< larger images only take time
+constexpr int kMaxPixels = 65536;  ///< larger images only take time
 
 void require(bool holds, const char* what) {
   if (holds) return;
@@ -37,7 +37,7 @@ void exercise(const SavedCell& saved) {
                                                       saved.workcell, Profile::kPaper));
   simulation.restore(saved.state);
   const auto& camera = saved.workcell.camera;
-  if (camera && camera->pixels_x * camera->pixels_y <= kMostPixels)
+  if (camera && camera->pixels_x * camera->pixels_y <= kMaxPixels)
     camera_image(simulation.model(), simulation.state());
   wireframe(simulation.model(), simulation.state());
   view_along(simulation.state().display.view);

@@ -9,7 +9,7 @@
 namespace xr3::test {
 namespace {
 
-constexpr Tick kLongestRun = 128'000;
+constexpr Tick kMaxRunTicks = 128'000;
 constexpr Counts kPiece = 100;
 
 }  // namespace
@@ -45,6 +45,6 @@ void Rig::travel(char label, Counts counts) {
   }
 }
 
-void Rig::settle() { simulation.run_to_rest(simulation.tick() + kLongestRun); }
+void Rig::settle() { simulation.run_to_rest(simulation.tick() + kMaxRunTicks); }
 
 }  // namespace xr3::test

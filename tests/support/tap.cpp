@@ -13,8 +13,8 @@ Tap::Tap(ModelPtr model)
 
 std::string Tap::send(std::string_view bytes) {
   const std::size_t first = records_.size();
-  for (; !bytes.empty(); bytes.remove_prefix(std::min(bytes.size(), kMostShownIn))) {
-    receive(bytes.substr(0, kMostShownIn));
+  for (; !bytes.empty(); bytes.remove_prefix(std::min(bytes.size(), kMaxShownIn))) {
+    receive(bytes.substr(0, kMaxShownIn));
   }
   std::string text;
   for (std::size_t i = first; i < records_.size(); ++i) {

@@ -64,8 +64,8 @@ std::vector<std::string> watched_messages() {
 
 watch::WatchModel watched_model(watch::Wish wish) {
   watch::WatchModel model(std::move(wish));
-  model.take(watched_hello());
-  for (const std::string& message : watched_messages()) model.take(message);
+  model.handle(watched_hello());
+  for (const std::string& message : watched_messages()) model.handle(message);
   return model;
 }
 

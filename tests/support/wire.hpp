@@ -24,7 +24,7 @@ class Wire {
   /// The stable codes of all problems, in order.
   std::vector<std::string> problems() const;
   /// The line was closed because the client sent HTTP, TLS or STUN.
-  bool is_closed() const { return line_.is_stranger(); }
+  bool is_closed() const { return line_.is_not_a_robot_program(); }
 
  private:
   Line line_;

@@ -30,7 +30,7 @@ await still("intelledex-660", "light", move("G-120\rF+100\rE-90\rF?"));
 // The film: with the manual clock, one step per frame. Counts are from
 // `xr3 kin --pose 262,0,20 --down 90`.
 const kStepTicks = 320;
-const kMostCounts = 110;
+const kMaxCounts = 110;
 const kWay = [{ E: 449, D: -625 }, { A: -24 }, { E: -300, D: 420 }, { F: 190 }, { E: 260, D: -380 }, { A: 24 }, { E: -409, D: 585, F: -190 }];
 const server = await serve("--clock", "manual");
 const page = await open(server.url, { viewport: kSize });
@@ -50,7 +50,7 @@ async function go(left) {
     let bytes = "";
     for (const [label, counts] of Object.entries(left)) {
       const { error } = [...joints, tool].find((joint) => joint.label === label);
-      const piece = Math.sign(counts) * Math.min(Math.abs(counts), kMostCounts - Math.abs(error));
+      const piece = Math.sign(counts) * Math.min(Math.abs(counts), kMaxCounts - Math.abs(error));
       if (piece !== 0) bytes += `${label}${piece > 0 ? "+" : ""}${piece}\r`;
       left[label] -= piece;
     }

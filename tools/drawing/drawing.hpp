@@ -11,7 +11,7 @@ inline constexpr int kUsualPictureWidthPx = 900;
 
 /// The current wire frame with the work surface, seen along the vector. The picture is large enough
 /// for the parts outside the paper's view plane. width_px:
-/// kLeastPictureWidthPx...kMostPictureWidthPx.
+/// kMinPictureWidthPx...kMaxPictureWidthPx.
 Picture drawing(const Model& model, const State& state, const ViewVector& view, int width_px);
 
 }  // namespace xr3

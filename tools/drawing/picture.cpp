@@ -6,8 +6,8 @@
 namespace xr3 {
 namespace {
 
-constexpr double kMostHeights = 2;  ///< maximum height, in widths
-constexpr double kLeastSpanMm = 1;  ///< keeps the scale finite for an empty picture
+constexpr double kMaxHeights = 2;  ///< maximum height, in widths
+constexpr double kMinSpanMm = 1;   ///< keeps the scale finite for an empty picture
 
 }  // namespace
 
@@ -23,9 +23,9 @@ Extents around(Extents extents, const std::vector<FlatWire>& wires) {
 
 Picture lay_out(const std::vector<FlatWire>& wires, const Extents& extents, int width_px) {
   const double room = width_px - 2 * kPictureMarginPx;
-  const double most_height = kMostHeights * width_px - 2 * kPictureMarginPx;
+  const double most_height = kMaxHeights * width_px - 2 * kPictureMarginPx;
   const Eigen::Vector2d span =
-      (extents.high - extents.low).cwiseMax(Eigen::Vector2d::Constant(kLeastSpanMm));
+      (extents.high - extents.low).cwiseMax(Eigen::Vector2d::Constant(kMinSpanMm));
   const double scale = std::min(room / span.x(), most_height / span.y());
   Picture picture;
   picture.width_px = width_px;

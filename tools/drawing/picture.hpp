@@ -12,8 +12,8 @@
 namespace xr3 {
 
 inline constexpr int kPictureMarginPx = 20;
-inline constexpr int kLeastPictureWidthPx = 100;
-inline constexpr int kMostPictureWidthPx = 4000;
+inline constexpr int kMinPictureWidthPx = 100;
+inline constexpr int kMaxPictureWidthPx = 4000;
 
 /// The origin is the upper left corner; x to the right, y down, in pixels.
 struct Picture {
@@ -27,7 +27,7 @@ struct Picture {
 /// The smallest rectangle that contains these extents and every point of the wires.
 Extents around(Extents extents, const std::vector<FlatWire>& wires);
 
-/// Fits the extents into a picture of this width, kLeastPictureWidthPx...kMostPictureWidthPx, with
+/// Fits the extents into a picture of this width, kMinPictureWidthPx...kMaxPictureWidthPx, with
 /// the same scale for both axes. The height follows, up to twice the width; higher extents are
 /// scaled down and centred.
 Picture lay_out(const std::vector<FlatWire>& wires, const Extents& extents, int width_px);

@@ -9,9 +9,9 @@
 namespace xr3 {
 namespace {
 
-constexpr double kMost = 1e7;  // degrees, mm or counts: far above any robot, far below overflow
-constexpr double kLeastVector = 1e-9;
-constexpr std::size_t kMostJointsForTip = 3;
+constexpr double kMax = 1e7;  // degrees, mm or counts: far above any robot, far below overflow
+constexpr double kMinVector = 1e-9;
+constexpr std::size_t kMaxJointsForTip = 3;
 
 using Numbers = std::vector<double>;
 
@@ -19,7 +19,7 @@ using Numbers = std::vector<double>;
 
 void check_numbers(const std::string& option, const Numbers& numbers) {
   for (const double number : numbers) {
-    if (!(std::abs(number) <= kMost)) refuse(option + ": each number is -10000000...10000000");
+    if (!(std::abs(number) <= kMax)) refuse(option + ": each number is -10000000...10000000");
   }
 }
 
@@ -69,13 +69,13 @@ Eigen::Vector3d vector_of(const Numbers& numbers, std::size_t first = 0) {
 
 ToolTarget configuration_of(const Model& model, const Numbers& w) {
   if (w.size() != 6) refuse("--configuration takes six numbers, w1...w6");
-  if (vector_of(w, 3).norm() < kLeastVector)
+  if (vector_of(w, 3).norm() < kMinVector)
     refuse("--configuration: w4...w6 are the approach vector times exp(q/pi) and cannot all be 0");
   return configuration_target(model.robot(), ToolConfiguration(w.data()));
 }
 
 ToolTarget pointing_of(const KinOptionValues& values) {
-  if (values.approach.size() != 3 || vector_of(values.approach).norm() < kLeastVector)
+  if (values.approach.size() != 3 || vector_of(values.approach).norm() < kMinVector)
     refuse("--approach takes three numbers, not all 0: the direction of the hand");
   if (!values.roll) refuse("--approach needs --roll Q, the variable of the last joint");
   return pointing_target(vector_of(values.pose), vector_of(values.approach), *values.roll);
@@ -95,7 +95,7 @@ ToolTarget pose_of(const Model& model, const KinOptionValues& values) {
     refuse("--down already gives the orientation: omit --approach and --roll");
   if (values.down) return down_target(vector_of(values.pose), *values.down);
   if (is_turned) return pointing_of(values);
-  if (model.robot().joints.size() > kMostJointsForTip)
+  if (model.robot().joints.size() > kMaxJointsForTip)
     refuse(
         "--pose x,y,z does not give an orientation: add --down NET_ROLL (straight down), or "
         "--approach ax,ay,az --roll Q, or give x,y,z,yaw,pitch,roll");

@@ -8,11 +8,11 @@
 namespace xr3 {
 namespace {
 
-constexpr double kMostCounts = 2e8;
+constexpr double kMaxCounts = 2e8;
 
 Counts tool_count(const Drive& drive, double variable) {
   const double exact = (variable - drive.home) / (drive.precision * drive.direction);
-  return static_cast<Counts>(std::llround(std::clamp(exact, -kMostCounts, kMostCounts)));
+  return static_cast<Counts>(std::llround(std::clamp(exact, -kMaxCounts, kMaxCounts)));
 }
 
 KinMotor motor_of(const Model& model, int index, double variable, const NearestCounts& counts) {

@@ -9,7 +9,7 @@
 namespace xr3::watch {
 namespace {
 
-constexpr int kLongestBar = 64;
+constexpr int kMaxBarLength = 64;
 constexpr int kEighths = 8;
 constexpr char32_t kFullBlock = U'█';
 /// The code point of the block with the left n eighths filled is kFullBlock + 8 - n; n = 1...7.
@@ -52,7 +52,7 @@ std::vector<Column> all_columns() {
   return {
       {"", 1, Kind::kLeft, 0, [](const Row& row) { return row.axis.label; }},
       {"from", 7, Kind::kRight, 8, limit(&Limits::min)},
-      {"", kLeastBar, Kind::kBar, 4, {}},
+      {"", kMinBarLength, Kind::kBar, 4, {}},
       {"to", 7, Kind::kLeft, 8, limit(&Limits::max)},
       {"value", 13, Kind::kRight, 0, [](const Row& row) { return value_text(row.axis); }},
       {"count", 7, Kind::kRight, 1, [](const Row& row) { return std::to_string(row.axis.count); }},
@@ -81,7 +81,8 @@ std::vector<Column> fitting_columns(int width) {
   }
   for (Column& column : columns) {
     if (column.kind != Column::Kind::kBar) continue;
-    column.width = std::clamp(kLeastBar + width - width_of(columns), kLeastBar, kLongestBar);
+    column.width =
+        std::clamp(kMinBarLength + width - width_of(columns), kMinBarLength, kMaxBarLength);
   }
   return columns;
 }

@@ -10,8 +10,8 @@ namespace {
 constexpr const char* kAuthId = "auth";
 constexpr const char* kKeyId = "key";
 constexpr const char* kLastId = "last";
-constexpr int kMostStatesPerS = 20;
-constexpr int kMostImagesPerS = 10;
+constexpr int kMaxStatesPerS = 20;
+constexpr int kMaxImagesPerS = 10;
 constexpr int kStepTicks = 10;
 
 /// Kinds of events that the joint table shows anyway; they would crowd out all others.
@@ -27,20 +27,20 @@ std::string WatchModel::request(Json members) const {
 // One byte is enough to select JSON. If the peer is a serial line instead, it moves nothing.
 std::string WatchModel::opening() const { return "{"; }
 
-std::vector<std::string> WatchModel::take(std::string_view line) {
+std::vector<std::string> WatchModel::handle(std::string_view line) {
   const Json message = Json::parse(line, nullptr, false);
   const auto op = value_of<std::string>(message, "op");
-  if (op == "hello") return take_hello(message);
-  if (op == "result") take_result(message);
+  if (op == "hello") return handle_hello(message);
+  if (op == "result") handle_result(message);
   if (op == "pong" && member(message, "id") == kLastId) is_complete_ = true;
   if (op == "bye") {
     has_parted_ = true;
     read(message, "message", known_.said);
   }
   if (!is_of_our_cell(message)) return {};
-  if (op == "state") take_state(message);
-  if (op == "model") take_model(message);
-  if (op == "event") take_event(message);
+  if (op == "state") handle_state(message);
+  if (op == "model") handle_model(message);
+  if (op == "event") handle_event(message);
   if (op == "image") known_.image = read_image(message);
   return {};
 }
@@ -50,7 +50,7 @@ bool WatchModel::is_of_our_cell(const Json& message) const {
 }
 
 // Discards data from an earlier connection: the server may be a different one.
-std::vector<std::string> WatchModel::take_hello(const Json& message) {
+std::vector<std::string> WatchModel::handle_hello(const Json& message) {
   known_ = {};
   read(message, "server", known_.server);
   read(message, "cell", known_.cell);
@@ -77,8 +77,8 @@ std::vector<std::string> WatchModel::first_requests(const Json& channels) const 
   const char* op = is_once ? "get" : "sub";
   Json state_options = Json::object();
   Json image_options{{"encoding", "rle"}};
-  if (!is_once) state_options["max_hz"] = kMostStatesPerS;
-  if (!is_once) image_options["max_hz"] = kMostImagesPerS;
+  if (!is_once) state_options["max_hz"] = kMaxStatesPerS;
+  if (!is_once) image_options["max_hz"] = kMaxImagesPerS;
 
   if (!wish_.token.empty()) {
     requests.push_back(request({{"op", "auth"}, {"id", kAuthId}, {"token", wish_.token}}));
@@ -94,14 +94,14 @@ std::vector<std::string> WatchModel::first_requests(const Json& channels) const 
   return requests;
 }
 
-void WatchModel::take_state(const Json& message) {
+void WatchModel::handle_state(const Json& message) {
   read(message, "epoch", known_.epoch);
   read(message, "tick", known_.tick);
   read_clock(member(message, "clock"), known_);
   known_.state = read_state(message);
 }
 
-void WatchModel::take_model(const Json& message) {
+void WatchModel::handle_model(const Json& message) {
   const Json& robot = member(message, "robot");
   read(robot, "name", known_.robot);
   known_.limits.clear();
@@ -112,7 +112,7 @@ void WatchModel::take_model(const Json& message) {
   read_limits(member(robot, "tool"), known_.limits);
 }
 
-void WatchModel::take_event(const Json& message) {
+void WatchModel::handle_event(const Json& message) {
   Note note;
   read(message, "epoch", note.epoch);
   read(message, "tick", note.tick);
@@ -125,10 +125,10 @@ void WatchModel::take_event(const Json& message) {
   const auto& elsewhere = kSeenElsewhere;
   if (std::find(elsewhere.begin(), elsewhere.end(), note.kind) != elsewhere.end()) return;
   known_.notes[value_of<std::int64_t>(message, "seq")] = note;
-  if (known_.notes.size() > kMostNotes) known_.notes.erase(known_.notes.begin());
+  if (known_.notes.size() > kMaxNotes) known_.notes.erase(known_.notes.begin());
 }
 
-void WatchModel::take_result(const Json& message) {
+void WatchModel::handle_result(const Json& message) {
   if (value_of<bool>(message, "ok")) {
     const Json& value = member(message, "value");
     // A step that changes only the time does not publish a state.

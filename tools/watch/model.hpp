@@ -14,7 +14,7 @@
 namespace xr3::watch {
 
 /// Maximum number of notes kept.
-inline constexpr std::size_t kMostNotes = 256;
+inline constexpr std::size_t kMaxNotes = 256;
 
 /// Whether to fetch the data once or to subscribe to it.
 enum class Interest : std::uint8_t { kOnce, kOn };
@@ -42,7 +42,7 @@ class WatchModel {
 
   /// Handles one message, which may be any bytes. Returns the lines to send, each with its line
   /// feed.
-  std::vector<std::string> take(std::string_view line);
+  std::vector<std::string> handle(std::string_view line);
 
   /// The request for this action, with its line feed. Without permission for calls: nullopt, and a
   /// message in `known().said`.
@@ -55,12 +55,12 @@ class WatchModel {
   bool has_parted() const { return has_parted_; }
 
  private:
-  std::vector<std::string> take_hello(const Json& message);
+  std::vector<std::string> handle_hello(const Json& message);
   std::vector<std::string> first_requests(const Json& channels) const;
-  void take_state(const Json& message);
-  void take_model(const Json& message);
-  void take_event(const Json& message);
-  void take_result(const Json& message);
+  void handle_state(const Json& message);
+  void handle_model(const Json& message);
+  void handle_event(const Json& message);
+  void handle_result(const Json& message);
   std::string request(Json members) const;
   bool is_of_our_cell(const Json& message) const;
 

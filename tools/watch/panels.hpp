@@ -10,7 +10,7 @@
 namespace xr3::watch {
 
 /// Minimum length of a useful bar.
-inline constexpr int kLeastBar = 10;
+inline constexpr int kMinBarLength = 10;
 
 /// A heading, the joints, then the tool as the last row. The heading is left out if room is short.
 void paint_joints(TextScreen& screen, const TextArea& area, const Known& known, const State& state);

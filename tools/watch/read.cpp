@@ -5,11 +5,11 @@
 namespace xr3::watch {
 namespace {
 
-constexpr std::size_t kLongestLabel = 8;
+constexpr std::size_t kMaxLabelLength = 8;
 
 Axis read_axis(const Json& object) {
   Axis axis;
-  axis.label = value_of<std::string>(object, "label").substr(0, kLongestLabel);
+  axis.label = value_of<std::string>(object, "label").substr(0, kMaxLabelLength);
   read(object, "count", axis.count);
   read(object, "error", axis.error);
   read(object, "value", axis.value);
@@ -69,7 +69,7 @@ std::vector<bool> read_run_row(const Json& row, std::size_t width) {
 }
 
 bool is_size(std::int64_t pixels) {
-  return pixels > 0 && pixels <= static_cast<std::int64_t>(kMostPixels);
+  return pixels > 0 && pixels <= static_cast<std::int64_t>(kMaxPixels);
 }
 
 }  // namespace
@@ -134,8 +134,8 @@ void read_limits(const Json& drive, std::map<std::string, Limits>& limits) {
   const Json& range = member(drive, "limits");
   if (!range.is_array() || range.size() != 2) return;
   if (!range[0].is_number() || !range[1].is_number()) return;
-  limits[value_of<std::string>(drive, "label").substr(0, kLongestLabel)] = {range[0].get<double>(),
-                                                                            range[1].get<double>()};
+  limits[value_of<std::string>(drive, "label").substr(0, kMaxLabelLength)] = {
+      range[0].get<double>(), range[1].get<double>()};
 }
 
 std::optional<Image> read_image(const Json& message) {

@@ -17,7 +17,7 @@
 namespace xr3::watch {
 
 /// Maximum width and height of an accepted image, in pixels.
-inline constexpr std::size_t kMostPixels = 4096;
+inline constexpr std::size_t kMaxPixels = 4096;
 
 /// The member, or null if there is none or `object` is not an object.
 const Json& member(const Json& object, const char* name);

@@ -9,10 +9,10 @@
 namespace xr3::watch {
 namespace {
 
-constexpr int kLeastNotes = 4;   ///< rows, including its rule
-constexpr int kLeastMiddle = 3;  ///< rows for blocks and lines: a rule, one block, the lines
-constexpr int kLeastImageColumns = 24;
-constexpr int kLeastImage = 4;     ///< rows, including its rule
+constexpr int kMinNotes = 4;   ///< rows, including its rule
+constexpr int kMinMiddle = 3;  ///< rows for blocks and lines: a rule, one block, the lines
+constexpr int kMinImageColumns = 24;
+constexpr int kMinImage = 4;       ///< rows, including its rule
 constexpr int kWideColumns = 130;  ///< minimum width for the camera beside all tables
 constexpr int kWideRows = 16;
 constexpr int kWideLeft = 84;    ///< minimum width of the tables in that layout
@@ -139,9 +139,9 @@ Heights heights_for(const State& state, int rows, int image_rows) {
   heights.joints = std::min(rows, table);
   heights.tool = std::min(1, rows - heights.joints);
   const int rest = rows - heights.joints - heights.tool;
-  heights.notes = std::min(rest, std::max(kLeastNotes, rest / 3 + 1));
+  heights.notes = std::min(rest, std::max(kMinNotes, rest / 3 + 1));
   heights.middle = rest - heights.notes;
-  if (heights.middle < kLeastMiddle) heights.middle = 0;
+  if (heights.middle < kMinMiddle) heights.middle = 0;
   const int useful = static_cast<int>(std::min<std::size_t>(state.blocks.size(), 1000)) + 2;
   heights.middle = std::min(heights.middle, std::max(useful, image_rows));
   heights.notes = rest - heights.middle;
@@ -149,7 +149,7 @@ Heights heights_for(const State& state, int rows, int image_rows) {
 }
 
 void paint_middle(TextScreen& screen, TextArea area, const Known& known, const State& state) {
-  const bool has_room = area.columns > kLinesWidth + kLeastBar && area.rows >= kLeastImage;
+  const bool has_room = area.columns > kLinesWidth + kMinBarLength && area.rows >= kMinImage;
   if (known.image && has_room) {
     const int width = std::min(area.columns - kLinesWidth - 1, 2 * (area.rows - 1) + 12);
     TextArea right = area;
@@ -187,7 +187,7 @@ void paint_wide(TextScreen& screen, TextArea area, const Known& known, const Sta
   const int table = static_cast<int>(state.joints.size()) + 3;
   const Heights heights = heights_for(state, area.rows, image_rows - table);
   const int upper = area.rows - heights.notes;
-  const int width = std::min(most_columns, std::max(kLeastImageColumns, 4 * upper));
+  const int width = std::min(most_columns, std::max(kMinImageColumns, 4 * upper));
   paint_image(screen, {area.row, area.column + area.columns - width, upper, width}, image);
   paint_notes(screen, {area.row + upper, area.column, heights.notes, area.columns}, known);
   area.columns -= width + 2;

@@ -10,8 +10,8 @@
 namespace xr3 {
 namespace {
 
-constexpr int kMostColumns = 70;
-constexpr int kMostRows = 20;
+constexpr int kMaxColumns = 70;
+constexpr int kMaxRows = 20;
 constexpr int kLegendColumns = 78;
 constexpr double kTouchMm = 1e-6;  ///< tolerance: a centre on the edge of a block is inside
 constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQSTUVWXYZ";
@@ -29,7 +29,7 @@ double round_up(double number) {
 class Picture {
  public:
   explicit Picture(const Workspace& space)
-      : mm_(round_up(std::max(2 * mm(space.y_um) / kMostColumns, mm(space.x_um) / kMostRows / 2))),
+      : mm_(round_up(std::max(2 * mm(space.y_um) / kMaxColumns, mm(space.x_um) / kMaxRows / 2))),
         half_(static_cast<int>(std::ceil(mm(space.y_um) / mm_ - 0.5))),
         rows_(static_cast<int>(std::ceil(mm(space.x_um) / mm_ / 2))),
         lines_(static_cast<std::size_t>(rows_),

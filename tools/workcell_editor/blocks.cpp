@@ -12,7 +12,7 @@ namespace {
 using dialogue::kAnyPlace;
 using dialogue::kAnySize;
 
-constexpr std::size_t kLongestName = 40;
+constexpr std::size_t kMaxNameLength = 40;
 constexpr int kLastColor = 15;
 
 constexpr const char* kColorHelp =
@@ -30,7 +30,7 @@ std::deque<WorkcellDialogue::Step> WorkcellDialogue::name_of_block_steps() {
     return "";
   };
   return {[this, is_taken] {
-    return dialogue::text_question("Block's name", 1, kLongestName, block_.name,
+    return dialogue::text_question("Block's name", 1, kMaxNameLength, block_.name,
                                    "Its name in messages; must be unique.", is_taken);
   }};
 }
@@ -120,7 +120,7 @@ void WorkcellDialogue::remove() {
       &WorkcellDialogue::take_removal);
 }
 
-void WorkcellDialogue::take_removal() {
+void WorkcellDialogue::handle_removal() {
   if (!is_yes_) return;
   workcell_.blocks.erase(workcell_.blocks.begin() + static_cast<std::ptrdiff_t>(block_index_));
   say("Removed. The letters of later blocks move up.\n");
@@ -146,7 +146,7 @@ void WorkcellDialogue::judge_block() {
       &WorkcellDialogue::take_verdict);
 }
 
-void WorkcellDialogue::take_verdict() { is_yes_ ? keep_block() : ask_block_again(); }
+void WorkcellDialogue::handle_verdict() { is_yes_ ? keep_block() : ask_block_again(); }
 
 void WorkcellDialogue::keep_block() {
   const bool is_added = block_index_ == workcell_.blocks.size();

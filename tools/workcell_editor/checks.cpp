@@ -189,7 +189,7 @@ Workcell proposed_workcell(const Arm& arm) {
 }
 
 Block proposed_block(const Workcell& workcell, const Arm& arm) {
-  constexpr int kMostTries = 150;  // bounds the response time
+  constexpr int kMaxTries = 150;  // bounds the response time
   constexpr int kFirstBrightColor = 9;
   constexpr std::size_t kBrightColors = 6;
   Block block;
@@ -201,7 +201,7 @@ Block proposed_block(const Workcell& workcell, const Arm& arm) {
   constexpr Micrometres kRound = 10'000;
   const Micrometres field =
       (std::max({2 * kRound, least, half_diagonal(block)}) + kRound - 1) / kRound * kRound;
-  int tries = arm.reach.is_quick() ? kMostTries : 1;
+  int tries = arm.reach.is_quick() ? kMaxTries : 1;
   for (const PointUm& place : places(space, field)) {
     block.centroid_um = {place.x, place.y, workcell.work_surface_um + block.size_um.z / 2};
     if (!is_apart(workcell, block)) continue;

@@ -12,7 +12,7 @@
 namespace xr3 {
 namespace {
 
-constexpr std::size_t kLongestLine = 4096;
+constexpr std::size_t kMaxLineLength = 4096;
 constexpr double kHandHeightMm = 20;  ///< above the work surface, for the reach shown in the view
 
 constexpr const char* kMenuHelp =
@@ -54,14 +54,14 @@ DialogueTurn WorkcellDialogue::begin() {
   return turn();
 }
 
-DialogueTurn WorkcellDialogue::take(std::string_view line) {
+DialogueTurn WorkcellDialogue::handle(std::string_view line) {
   text_.clear();
   answer(dialogue::trimmed(line));
   return turn();
 }
 
 void WorkcellDialogue::answer(std::string_view line) {
-  if (line.size() > kLongestLine) return say("That line is too long.\n");
+  if (line.size() > kMaxLineLength) return say("That line is too long.\n");
   if (line == "?") return say(question_.help.empty() ? "" : question_.help + "\n");
   if (line == "." && !question_.prompt.ends_with('>')) {
     steps_.clear();
@@ -72,7 +72,7 @@ void WorkcellDialogue::answer(std::string_view line) {
     return next();
   }
   const Question asked = question_;  // a copy: the answer may replace question_
-  const std::string problem = asked.take(line.empty() ? asked.fallback : std::string(line));
+  const std::string problem = asked.handle(line.empty() ? asked.fallback : std::string(line));
   if (!problem.empty()) return say("  " + problem + "\n");
   next();
 }
@@ -227,7 +227,7 @@ DialogueTurn WorkcellDialogue::written(WriteOutcome outcome, const std::string& 
   return turn();
 }
 
-void WorkcellDialogue::take_replacement() {
+void WorkcellDialogue::handle_replacement() {
   if (is_yes_) return write(true);
   is_leaving_ = false;
   say("Not written. To use another file name, quit and start again with --from.\n");
@@ -247,7 +247,7 @@ void WorkcellDialogue::quit() {
       &WorkcellDialogue::take_leaving);
 }
 
-void WorkcellDialogue::take_leaving() {
+void WorkcellDialogue::handle_leaving() {
   if (is_yes_) {
     is_leaving_ = true;
     return save();

@@ -45,7 +45,7 @@ class WorkcellDialogue {
   /// Returns the greeting and the first prompt.
   DialogueTurn begin();
   /// Handles a line without its line end.
-  DialogueTurn take(std::string_view line);
+  DialogueTurn handle(std::string_view line);
   /// To be called after a turn with `file_text`. `why` is used for kFailed only.
   DialogueTurn written(WriteOutcome outcome, const std::string& why = "");
   /// To be called if the input has ended or was interrupted. Returns the closing text; nothing is
@@ -98,7 +98,7 @@ class WorkcellDialogue {
   // A new workcell, item by item.
   void ask_all();
   void offer_block();
-  void take_offer();
+  void handle_offer();
 
   // Everything except blocks; the answers go to draft_ first.
   void ask_room(std::deque<Step> steps, Action judge);
@@ -109,7 +109,7 @@ class WorkcellDialogue {
   std::deque<Step> workspace_steps();
   std::deque<Step> surface_steps();
   void ask_camera();
-  void take_camera_answer();
+  void handle_camera_answer();
   void finish_camera();
 
   // Blocks: the answers go to block_ first.
@@ -122,13 +122,13 @@ class WorkcellDialogue {
   void block_steps(std::vector<std::deque<Step>> parts);
   void ask_block_again();
   void judge_block();
-  void take_verdict();
+  void handle_verdict();
   void keep_block();
-  void take_removal();
+  void handle_removal();
 
   // Writing and leaving.
-  void take_replacement();
-  void take_leaving();
+  void handle_replacement();
+  void handle_leaving();
   void write(bool may_replace);
   ReachAbove reach_above();
 

@@ -12,9 +12,9 @@ using dialogue::kAnyPlace;
 using dialogue::kAnySize;
 using dialogue::Lengths;
 
-constexpr std::size_t kLongestName = 80;
-constexpr std::size_t kLongestNotes = 4000;
-constexpr int kMostPixels = 2048;
+constexpr std::size_t kMaxNameLength = 80;
+constexpr std::size_t kMaxNotesHeight = 4000;
+constexpr int kMaxPixels = 2048;
 
 }  // namespace
 
@@ -40,7 +40,7 @@ void WorkcellDialogue::offer_block() {
       &WorkcellDialogue::take_offer);
 }
 
-void WorkcellDialogue::take_offer() { is_yes_ ? add() : ask_camera(); }
+void WorkcellDialogue::handle_offer() { is_yes_ ? add() : ask_camera(); }
 
 // Name, workspace and surface.
 
@@ -72,11 +72,11 @@ WorkcellDialogue::Step WorkcellDialogue::length_step(const std::string& prompt, 
 
 std::deque<WorkcellDialogue::Step> WorkcellDialogue::name_steps() {
   return {[this] {
-            return dialogue::text_question("Name", 1, kLongestName, draft_.name,
+            return dialogue::text_question("Name", 1, kMaxNameLength, draft_.name,
                                            "The name of this workcell.", {});
           },
           [this] {
-            return dialogue::text_question("Notes", 0, kLongestNotes, draft_.notes,
+            return dialogue::text_question("Notes", 0, kMaxNotesHeight, draft_.notes,
                                            "Any remarks; - for none.", {});
           }};
 }
@@ -137,7 +137,7 @@ void WorkcellDialogue::ask_camera() {
       &WorkcellDialogue::take_camera_answer);
 }
 
-void WorkcellDialogue::take_camera_answer() {
+void WorkcellDialogue::handle_camera_answer() {
   room_then_ = is_making_ ? &WorkcellDialogue::view : nullptr;
   is_making_ = false;
   if (!wants_camera_) {
@@ -160,11 +160,11 @@ void WorkcellDialogue::take_camera_answer() {
       length_step("Field along x", {1, space.x_um}, kAnySize, camera.field_x_um, field),
       length_step("Field along y", {1, 2 * space.y_um}, kAnySize, camera.field_y_um, field),
       [&camera] {
-        return dialogue::whole_question("Pixels along x", 1, kMostPixels, camera.pixels_x,
+        return dialogue::whole_question("Pixels along x", 1, kMaxPixels, camera.pixels_x,
                                         "Columns of the image; 2 mm per pixel is fine.");
       },
       [&camera] {
-        return dialogue::whole_question("Pixels along y", 1, kMostPixels, camera.pixels_y,
+        return dialogue::whole_question("Pixels along y", 1, kMaxPixels, camera.pixels_y,
                                         "Rows of the image.");
       },
       [this] {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\r\v\f";
 constexpr std::string_view kAddition = "*+";
-constexpr std::size_t kLongestShown = 40;
+constexpr std::size_t kMaxShownLength = 40;
 constexpr char kDosEnd = '\x1A';
 
 std::string_view trimmed(std::string_view line) {
@@ -56,7 +56,7 @@ class Splitter {
  public:
   explicit Splitter(const std::string& file) : file_(file) {}
 
-  void take(std::string_view line, int number) {
+  void add_line(std::string_view line, int number) {
     result_.end = number;
     if (line.empty()) return;
     if (is_addition(line)) return add(line.substr(kAddition.size()), number);
@@ -65,7 +65,7 @@ class Splitter {
     pending_.clear();
   }
 
-  Lines finish() {
+  DataLines finish() {
     result_.last = std::move(pending_);
     return std::move(result_);
   }
@@ -75,7 +75,7 @@ class Splitter {
   void refuse(std::string_view members, int number);
 
   const std::string& file_;
-  Lines result_;
+  DataLines result_;
   std::vector<Addition> pending_;
 };
 
@@ -96,21 +96,21 @@ void Splitter::add(std::string_view members, int number) try {
 }
 
 void Splitter::refuse(std::string_view members, int number) {
-  const bool is_long = members.size() > kLongestShown;
+  const bool is_long = members.size() > kMaxShownLength;
   result_.findings.push_back(
       {Severity::kError, file_, number, 0, "",
-       "*+" + printable(members.substr(0, kLongestShown)) + (is_long ? "..." : ""),
+       "*+" + printable(members.substr(0, kMaxShownLength)) + (is_long ? "..." : ""),
        "members as in the JSON file, as in *+ \"name\": \"red\", \"color\": 12"});
 }
 
 }  // namespace
 
-Lines split(std::string_view text, const std::string& file) {
+DataLines split(std::string_view text, const std::string& file) {
   text = text.substr(0, text.find(kDosEnd));
   Splitter splitter(file);
   for (int number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    splitter.take(trimmed(text.substr(0, end)), number);
+    splitter.add_line(trimmed(text.substr(0, end)), number);
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return splitter.finish();

@@ -26,15 +26,15 @@ struct DataLine {
   std::vector<Addition> additions;
 };
 
-struct Lines {
+struct DataLines {
   std::vector<DataLine> data;
   std::vector<Addition> last;  ///< additions after the last data line
   int end = 1;                 ///< number of the last line
   Findings findings;           ///< additions that cannot be read
 };
 
-/// Splits a text. Lines end with LF or CR LF; Ctrl-Z ends the text, as in DOS files.
-Lines split(std::string_view text, const std::string& file);
+/// Splits a text. DataLines end with LF or CR LF; Ctrl-Z ends the text, as in DOS files.
+DataLines split(std::string_view text, const std::string& file);
 
 /// The item as a JSON number (an integer if possible), or as text if it is not a number.
 Json number_or_text(const std::string& item);

@@ -11,13 +11,13 @@ namespace {
 constexpr std::size_t kItemsOfAxes = 1;
 constexpr std::size_t kItemsOfWorkspace = 3;
 
-DataKind kind_of(const paper::Lines& lines) {
+DataKind kind_of(const paper::DataLines& lines) {
   const std::size_t items = lines.data.empty() ? 0 : lines.data.front().items.size();
   if (items == kItemsOfAxes) return DataKind::kRobot;
   return items == kItemsOfWorkspace ? DataKind::kWorkcell : DataKind::kUnknown;
 }
 
-CheckResult unknown_result(const std::string& file, const paper::Lines& lines) {
+CheckResult unknown_result(const std::string& file, const paper::DataLines& lines) {
   CheckResult result;
   result.findings.push_back({Severity::kError, file,
                              lines.data.empty() ? lines.end : lines.data.front().line, 0, "",
@@ -66,7 +66,7 @@ bool is_json_form(std::string_view text) {
 CheckResult check_either_form(std::string_view text, const std::string& file, Profile profile,
                               const Robot* robot) {
   if (is_json_file(text, file)) return check_text(text, file, profile, robot);
-  const paper::Lines lines = paper::split(text, file);
+  const paper::DataLines lines = paper::split(text, file);
   if (kind_of(lines) == DataKind::kRobot) {
     RobotReading reading = read_paper_robot(text, file);
     CheckResult result = result_of(DataKind::kRobot, reading);

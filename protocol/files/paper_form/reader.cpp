@@ -53,7 +53,7 @@ const DataLine* Reader::next_line(const std::string& title, const std::string& p
     return nullptr;
   }
   const DataLine& line = lines_.data[next_++];
-  take_additions(line.additions);
+  apply_additions(line.additions);
   line_of_[pointer] = line.line;
   return &line;
 }
@@ -144,12 +144,12 @@ void Reader::set_default(const std::string& pointer, Json value) {
   if (!root_.contains(at(pointer))) set(pointer, std::move(value));
 }
 
-void Reader::take_additions(const std::vector<Addition>& additions) {
-  for (const Addition& addition : additions) take(addition);
+void Reader::apply_additions(const std::vector<Addition>& additions) {
+  for (const Addition& addition : additions) apply(addition);
 }
 
 /// The member goes to the innermost part that has such a member.
-void Reader::take(const Addition& addition) {
+void Reader::apply(const Addition& addition) {
   for (const Part& part : parts_ | std::views::reverse) {
     for (const Extra& extra : part.extras) {
       if (extra.key == addition.key) return put(addition, extra, part.pointer);
@@ -182,7 +182,7 @@ void Reader::refuse_addition(const Addition& addition) {
 
 void Reader::finish() {
   if (is_lost_) return;
-  take_additions(lines_.last);
+  apply_additions(lines_.last);
   if (next_ == lines_.data.size()) return;
   const DataLine& line = lines_.data[next_];
   const std::size_t left = lines_.data.size() - next_;

@@ -87,8 +87,8 @@ class Reader {
   bool fits(const Row& row, const DataLine& line) const;
   void misfit(const Row& row, const std::string& pointer, const DataLine& line);
   void put(const Cell& cell, const std::string& part, const std::string& item, int line);
-  void take_additions(const std::vector<Addition>& additions);
-  void take(const Addition& addition);
+  void apply_additions(const std::vector<Addition>& additions);
+  void apply(const Addition& addition);
   void put(const Addition& addition, const Extra& extra, const std::string& part);
   void refuse_addition(const Addition& addition);
   void report(int line, const std::string& pointer, std::string found, std::string allowed);
@@ -96,7 +96,7 @@ class Reader {
   int line_of(std::string pointer) const;
 
   std::string file_;
-  Lines lines_;
+  DataLines lines_;
   std::size_t next_ = 0;
   bool is_lost_ = false;
   bool is_after_misfit_ = false;

@@ -13,9 +13,9 @@ namespace {
 
 using namespace paper;  // NOLINT: keeps the tables below readable
 
-constexpr std::size_t kMostParts = 16;
-constexpr std::size_t kMostPoints = 4096;
-constexpr std::size_t kMostPairs = 16;
+constexpr std::size_t kMaxParts = 16;
+constexpr std::size_t kMaxPoints = 4096;
+constexpr std::size_t kMaxPairs = 16;
 constexpr double kUsualFingerInches = 2;
 
 const Extras kFileExtras = {{"name", "/name"},
@@ -98,7 +98,7 @@ void read_joints(Reader& reader) {
 
 void read_points(Reader& reader, const std::string& outline) {
   const std::string points = outline + "/points";
-  const std::size_t count = reader.count_at(points, points, kMostPoints);
+  const std::size_t count = reader.count_at(points, points, kMaxPoints);
   for (std::size_t i = 0; i < count; ++i) reader.row(kPointRow, element(points, i));
 }
 
@@ -160,13 +160,13 @@ void default_hinges(Reader& reader) {
 void read_tool(Reader& reader) {
   reader.open("/tool", kToolExtras);
   read_rows(reader, kToolRows, "/tool");
-  const std::size_t parts = reader.count(kPartsTitle, "/tool/parts", kMostParts);
+  const std::size_t parts = reader.count(kPartsTitle, "/tool/parts", kMaxParts);
   reader.close();
   read_outlines(reader, "/tool/parts", parts, kPartRow, kPartExtras);
 }
 
 void read_general(Reader& reader) {
-  const std::size_t pairs = reader.count(kPairsTitle, "/coupling", kMostPairs);
+  const std::size_t pairs = reader.count(kPairsTitle, "/coupling", kMaxPairs);
   for (std::size_t i = 0; i < pairs; ++i) reader.row(kPairRow, element("/coupling", i));
   reader.row(kRegionRow, "/protected_region");
   reader.list(kRollTitle, "/net_roll");

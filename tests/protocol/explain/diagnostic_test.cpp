@@ -76,7 +76,7 @@ TEST(Diagnostic, ASentenceBeginsWithTheBytes) {
             "E300S: a speed is 1...255 counts a second; not obeyed");
   const std::string cut =
       described(std::string(40, '9'), ProblemCode::kUnknownByte, Subject::kNone);
-  EXPECT_EQ(cut.substr(0, 26), std::string(RawBytes::kMost, '9') + "...:");
+  EXPECT_EQ(cut.substr(0, 26), std::string(RawBytes::kMax, '9') + "...:");
 }
 
 TEST(Diagnostic, EveryProblemHasASentenceWhateverItIsAbout) {

@@ -261,7 +261,7 @@ TEST(Explain, WithoutATelnetFilterEveryByteIsTheControllers) {
   RhinoEndpoint endpoint(Profile::kPaper);
   std::vector<Exchange> exchanges;
   std::string replies;
-  endpoint.take(0xff, 0, simulation, replies, exchanges);
+  endpoint.feed(0xff, 0, simulation, replies, exchanges);
   WireRecord record;
   fill_in(record, {}, "\xff", std::nullopt, exchanges, simulation);
   EXPECT_EQ(test::transcript(record, simulation.model()),
@@ -281,7 +281,7 @@ TEST(Explain, EveryCommandOfTheDocumentedSetIsNamed) {
       Tap tap(seeing_rhino());
       tap.send(command["example"].get<std::string>() + "\r");
       for (const wire::Item& item : tap.records().front().items) {
-        const auto* done = std::get_if<wire::Obeyed>(&item.what);
+        const auto* done = std::get_if<wire::Executed>(&item.what);
         if (done == nullptr) continue;
         obeyed.emplace(code_of(done->command));
         EXPECT_FALSE(describe(*done).empty());

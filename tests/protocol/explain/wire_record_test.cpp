@@ -46,7 +46,7 @@ TEST(WireRecord, ALongReplyIsShownInPartAndCountedWhole) {
   tap.send("A**");
   const WireRecord& out = tap.records().back();
   EXPECT_EQ(out.bytes, 192U * 192U / 6U);
-  EXPECT_EQ(out.shown, tap.received().substr(0, kMostShownOut));
+  EXPECT_EQ(out.shown, tap.received().substr(0, kMaxShownOut));
   EXPECT_EQ(out.items.at(0).to, out.bytes);
 }
 
@@ -59,7 +59,7 @@ TEST(WireRecord, AnOldRecordsMemoryIsUsedAgain) {
   RhinoEndpoint endpoint(Profile::kPaper);
   std::vector<Exchange> exchanges;
   std::string replies;
-  endpoint.take('I', 7, tap.simulation(), replies, exchanges);
+  endpoint.feed('I', 7, tap.simulation(), replies, exchanges);
   fill_in(record, {2, 3, 4, 7}, "I", std::nullopt, exchanges, tap.simulation());
   EXPECT_EQ(record.items.data(), items);
   EXPECT_EQ(record.shown.data(), shown);

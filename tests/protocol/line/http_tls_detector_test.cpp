@@ -50,23 +50,25 @@ constexpr std::string_view kGreetings[] = {
     "\x00\x03\x00\x08\x21\x12\xa4\x42"sv,
 };
 
-TEST(StrangerGuard, AGreetingIsHeldUntilItsLastByteGivesItAway) {
+TEST(HttpTlsDetector, AGreetingIsHeldUntilItsLastByteGivesItAway) {
   for (const std::string_view greeting : kGreetings) {
-    StrangerGuard guard;
+    HttpTlsDetector detector;
     for (std::size_t i = 0; i + 1 < greeting.size(); ++i) {
-      EXPECT_EQ(guard.take(static_cast<std::uint8_t>(greeting[i])), Verdict::kHold) << greeting;
-      EXPECT_EQ(guard.held(), greeting.substr(0, i + 1));
+      EXPECT_EQ(detector.feed(static_cast<std::uint8_t>(greeting[i])), Detection::kUndecided)
+          << greeting;
+      EXPECT_EQ(detector.held(), greeting.substr(0, i + 1));
     }
-    EXPECT_LE(guard.held().size(), StrangerGuard::kMostHeld);
-    EXPECT_EQ(guard.take(static_cast<std::uint8_t>(greeting.back())), Verdict::kStranger)
+    EXPECT_LE(detector.held().size(), HttpTlsDetector::kMaxHeld);
+    EXPECT_EQ(detector.feed(static_cast<std::uint8_t>(greeting.back())),
+              Detection::kNotARobotProgram)
         << greeting;
     for (const char later : "E+5\r"sv) {
-      EXPECT_EQ(guard.take(static_cast<std::uint8_t>(later)), Verdict::kStranger);
+      EXPECT_EQ(detector.feed(static_cast<std::uint8_t>(later)), Detection::kNotARobotProgram);
     }
   }
 }
 
-TEST(StrangerGuard, AWholeRequestLeavesTheMachineAsItWas) {
+TEST(HttpTlsDetector, AWholeRequestLeavesTheMachineAsItWas) {
   for (const std::string_view greeting : kGreetings) {
     Simulation simulation(test::rhino());
     const State before = simulation.state();
@@ -86,13 +88,13 @@ std::string without_guard(std::string_view bytes, Simulation& simulation) {
   std::vector<Exchange> exchanges;
   for (const char byte : bytes) {
     simulation.take_events();
-    endpoint.take(static_cast<std::uint8_t>(byte), 0, simulation, replies, exchanges);
+    endpoint.feed(static_cast<std::uint8_t>(byte), 0, simulation, replies, exchanges);
   }
   return replies;
 }
 
 // Each opening, cut after each of its bytes and followed by something else, is passed on unchanged.
-TEST(StrangerGuard, TheFirstByteThatDiffersLetsThemAllAct) {
+TEST(HttpTlsDetector, TheFirstByteThatDiffersLetsThemAllAct) {
   for (const std::string_view greeting : kGreetings) {
     for (std::size_t cut = 0; cut < greeting.size(); ++cut) {
       for (const std::string_view rest : {"?"sv, "X?"sv, "\rE+5?"sv, "1\rI"sv, "\x16?"sv}) {
@@ -111,24 +113,26 @@ TEST(StrangerGuard, TheFirstByteThatDiffersLetsThemAllAct) {
   }
 }
 
-/// How many of the bytes the guard holds, and its verdict on the next; kHold if it holds them all.
-std::pair<std::size_t, Verdict> judge(std::string_view bytes) {
-  StrangerGuard guard;
+/// How many of the bytes the detector holds, and its detection on the next; kUndecided if it holds them all.
+std::pair<std::size_t, Detection> judge(std::string_view bytes) {
+  HttpTlsDetector detector;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
-    const Verdict verdict = guard.take(static_cast<std::uint8_t>(bytes[i]));
-    if (verdict != Verdict::kHold) return {i, verdict};
+    const Detection detection = detector.feed(static_cast<std::uint8_t>(bytes[i]));
+    if (detection != Detection::kUndecided) return {i, detection};
   }
-  return {bytes.size(), Verdict::kHold};
+  return {bytes.size(), Detection::kUndecided};
 }
 
-std::pair<std::size_t, Verdict> passes_after(std::size_t held) { return {held, Verdict::kPass}; }
+std::pair<std::size_t, Detection> passes_after(std::size_t held) {
+  return {held, Detection::kPass};
+}
 
 struct PassRow {
   std::string_view bytes;
   std::size_t held;  ///< of them, before one differs
 };
 
-TEST(StrangerGuard, WhatIsNoGreeting) {
+TEST(HttpTlsDetector, WhatIsNoGreeting) {
   constexpr PassRow kRows[] = {
       {"E", 0},          {"get /", 0},    {"D?", 1},       {"C+5", 1},       {"P3", 1},
       {"PX", 1},         {"PO3", 2},      {"G?", 1},       {"GET\r", 3},     {"GET  /", 4},
@@ -139,17 +143,18 @@ TEST(StrangerGuard, WhatIsNoGreeting) {
       {"GET E?", 4},     {"GET HC", 4},   {"GET hC", 5},   {"PUT fC", 5},    {"POST w5", 6},
   };
   for (const PassRow& row : kRows) {
-    StrangerGuard guard;
+    HttpTlsDetector detector;
     for (std::size_t i = 0; i < row.bytes.size(); ++i) {
-      const Verdict verdict = guard.take(static_cast<std::uint8_t>(row.bytes[i]));
-      EXPECT_EQ(verdict, i < row.held ? Verdict::kHold : Verdict::kPass) << readable(row.bytes);
+      const Detection detection = detector.feed(static_cast<std::uint8_t>(row.bytes[i]));
+      EXPECT_EQ(detection, i < row.held ? Detection::kUndecided : Detection::kPass)
+          << readable(row.bytes);
     }
-    EXPECT_EQ(guard.release(), row.bytes.substr(0, row.held)) << readable(row.bytes);
-    EXPECT_EQ(guard.held(), "");
+    EXPECT_EQ(detector.release(), row.bytes.substr(0, row.held)) << readable(row.bytes);
+    EXPECT_EQ(detector.held(), "");
   }
 }
 
-TEST(StrangerGuard, AConnectWithoutAPort) {
+TEST(HttpTlsDetector, AConnectWithoutAPort) {
   constexpr PassRow kRows[] = {
       {"CONNECT \r", 8},       {"CONNECT :", 8},     {"CONNECT E?", 9}, {"CONNECT 9600\r", 12},
       {"CONNECT 96 00:1", 10}, {"CONNECT E:\r", 10}, {"CONNECT [x", 9}, {"CONNECT a/b:1", 9},
@@ -159,13 +164,13 @@ TEST(StrangerGuard, AConnectWithoutAPort) {
   }
 }
 
-TEST(StrangerGuard, ALongHostIsNoWayRound) {
+TEST(HttpTlsDetector, ALongHostIsNoWayRound) {
   EXPECT_EQ(judge("CONNECT " + std::string(300, 'l')),
-            std::pair(StrangerGuard::kMostHeld, Verdict::kStranger));
+            std::pair(HttpTlsDetector::kMaxHeld, Detection::kNotARobotProgram));
 }
 
 // STUN begins with a NUL and so may a robot program, or one on an 8-bit line with any byte.
-TEST(StrangerGuard, BinaryBytesThatAreNoStun) {
+TEST(HttpTlsDetector, BinaryBytesThatAreNoStun) {
   constexpr PassRow kRows[] = {
       {"\0\0"sv, 1},
       {"\0E?"sv, 1},
@@ -200,7 +205,7 @@ TEST(StrangerGuard, BinaryBytesThatAreNoStun) {
 
 // A frame's length is a multiple of four, so a letter that is a whole command acts at once behind a
 // NUL, too. Only L (0x4c, 0x6c) waits for the next byte.
-TEST(StrangerGuard, ALetterBehindANulActsAtOnce) {
+TEST(HttpTlsDetector, ALetterBehindANulActsAtOnce) {
   for (const char first : {'\0', '\1', '\7'}) {
     for (const char letter : "IJKMNOQijkmnoq"sv) {
       EXPECT_EQ(judge(std::string{first, letter}), passes_after(1)) << letter;
@@ -211,20 +216,21 @@ TEST(StrangerGuard, ALetterBehindANulActsAtOnce) {
   }
 }
 
-TEST(StrangerGuard, EveryStunThatMayComeFirst) {
+TEST(HttpTlsDetector, EveryStunThatMayComeFirst) {
   for (const char type : {'\x01', '\x03', '\x0b', '\x11'}) {
     for (int length = 0; length < 0x700; length += 52) {
       const auto u16 = [](int value) {
         return std::string{static_cast<char>(value >> 8), static_cast<char>(value & 0xff)};
       };
       const std::string message = std::string{'\0', type} + u16(length) + "\x21\x12\xa4\x42";
-      EXPECT_EQ(judge(message), std::pair(std::size_t{7}, Verdict::kStranger));
-      EXPECT_EQ(judge(u16(length + 20) + message), std::pair(std::size_t{9}, Verdict::kStranger));
+      EXPECT_EQ(judge(message), std::pair(std::size_t{7}, Detection::kNotARobotProgram));
+      EXPECT_EQ(judge(u16(length + 20) + message),
+                std::pair(std::size_t{9}, Detection::kNotARobotProgram));
     }
   }
 }
 
-TEST(StrangerGuard, NeverLooksAgainLaterOn) {
+TEST(HttpTlsDetector, NeverLooksAgainLaterOn) {
   Simulation simulation(test::rhino());
   Wire wire(Profile::kPaper);
   wire.send("\r", simulation);
@@ -235,7 +241,7 @@ TEST(StrangerGuard, NeverLooksAgainLaterOn) {
   EXPECT_EQ(wire.received().back(), ' ');
 }
 
-TEST(StrangerGuard, HeldBytesKeepTheirPlaceInTheInput) {
+TEST(HttpTlsDetector, HeldBytesKeepTheirPlaceInTheInput) {
   Simulation simulation(test::rhino());
   Wire wire(Profile::kPaper);
   wire.send("CONZ", simulation);

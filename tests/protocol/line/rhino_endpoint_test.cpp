@@ -136,10 +136,10 @@ TEST(RhinoEndpoint, ResetForgetsWhatHasBegun) {
   std::string replies;
   std::vector<Exchange> exchanges;
   for (const char byte : "E+5"sv) {
-    endpoint.take(static_cast<std::uint8_t>(byte), 0, rig.simulation, replies, exchanges);
+    endpoint.feed(static_cast<std::uint8_t>(byte), 0, rig.simulation, replies, exchanges);
   }
   endpoint.reset();
-  endpoint.take('\r', 3, rig.simulation, replies, exchanges);
+  endpoint.feed('\r', 3, rig.simulation, replies, exchanges);
   EXPECT_EQ(rig.error('E'), 0);
   EXPECT_EQ(endpoint.parser(), RhinoParser(Profile::kPaper));
 }

@@ -19,7 +19,7 @@ std::vector<Parsed> parse(std::string_view bytes, Profile profile = Profile::kPa
   RhinoParser parser(profile);
   std::vector<Parsed> parsed;
   std::uint64_t offset = 0;
-  for (const char byte : bytes) parser.take(static_cast<std::uint8_t>(byte), offset++, parsed);
+  for (const char byte : bytes) parser.feed(static_cast<std::uint8_t>(byte), offset++, parsed);
   return parsed;
 }
 
@@ -418,7 +418,7 @@ TEST(RhinoParser, OfALongNumberTheFirstBytesAreKept) {
   const std::string bytes = "E" + std::string(1'000'000, '9') + "\r";
   const auto parsed = parse(bytes);
   ASSERT_EQ(parsed.size(), 1U);
-  EXPECT_EQ(parsed[0].raw.view(), std::string_view(bytes).substr(0, RawBytes::kMost));
+  EXPECT_EQ(parsed[0].raw.view(), std::string_view(bytes).substr(0, RawBytes::kMax));
   EXPECT_TRUE(parsed[0].raw.was_cut);
   EXPECT_EQ(parsed[0].from, 0U);
   EXPECT_EQ(parsed[0].to, bytes.size());
@@ -465,10 +465,10 @@ std::vector<Parsed> parse_disabled(std::string_view before, std::string_view byt
   RhinoParser parser(Profile::kPaper);
   std::vector<Parsed> parsed;
   std::uint64_t offset = 0;
-  for (const char byte : before) parser.take(static_cast<std::uint8_t>(byte), offset++, parsed);
+  for (const char byte : before) parser.feed(static_cast<std::uint8_t>(byte), offset++, parsed);
   parsed.clear();
   for (const char byte : bytes)
-    parser.take_disabled(static_cast<std::uint8_t>(byte), offset++, parsed);
+    parser.feed_disabled(static_cast<std::uint8_t>(byte), offset++, parsed);
   return parsed;
 }
 
@@ -508,9 +508,9 @@ TEST(RhinoParser, DisabledItTakesNothingButTheWayBack) {
 TEST(RhinoParser, WhatHadBegunBeforeItWasDisabledIsForgotten) {
   RhinoParser parser(Profile::kPaper);
   std::vector<Parsed> parsed;
-  for (const char byte : "E+5"sv) parser.take(static_cast<std::uint8_t>(byte), 0, parsed);
-  parser.take_disabled('I', 3, parsed);
-  for (const char byte : "9\r"sv) parser.take(static_cast<std::uint8_t>(byte), 4, parsed);
+  for (const char byte : "E+5"sv) parser.feed(static_cast<std::uint8_t>(byte), 0, parsed);
+  parser.feed_disabled('I', 3, parsed);
+  for (const char byte : "9\r"sv) parser.feed(static_cast<std::uint8_t>(byte), 4, parsed);
   EXPECT_EQ(words(parsed), "disabled no_joint_selected");
 }
 
@@ -519,7 +519,7 @@ TEST(RhinoParser, WhatHadBegunBeforeItWasDisabledIsForgotten) {
 bool is_as_new_after_a_carriage_return(RhinoParser parser, Profile profile,
                                        std::vector<Parsed>& out) {
   out.clear();
-  parser.take('\r', 3, out);
+  parser.feed('\r', 3, out);
   return out.size() <= 3 && parser == RhinoParser(profile);
 }
 
@@ -531,19 +531,19 @@ void expect_every_three_bytes_to_be_bounded_and_left_behind(Profile profile) {
   for (unsigned first = 0; first < 256; ++first) {
     RhinoParser one(profile);
     out.clear();
-    one.take(static_cast<std::uint8_t>(first), 0, out);
+    one.feed(static_cast<std::uint8_t>(first), 0, out);
     ASSERT_LE(out.size(), 3U);
     ASSERT_TRUE(is_as_new_after_a_carriage_return(one, profile, out)) << first;
     for (unsigned second = 0; second < 256; ++second) {
       RhinoParser two = one;
       out.clear();
-      two.take(static_cast<std::uint8_t>(second), 1, out);
+      two.feed(static_cast<std::uint8_t>(second), 1, out);
       ASSERT_LE(out.size(), 3U);
       ASSERT_TRUE(is_as_new_after_a_carriage_return(two, profile, out)) << first << " " << second;
       for (unsigned third = 0; third < 256; ++third) {
         RhinoParser three = two;
         out.clear();
-        three.take(static_cast<std::uint8_t>(third), 2, out);
+        three.feed(static_cast<std::uint8_t>(third), 2, out);
         const bool is_bounded = out.size() <= 3;
         if (!is_bounded || !is_as_new_after_a_carriage_return(three, profile, out)) {
           FAIL() << first << " " << second << " " << third;

@@ -19,7 +19,7 @@ struct Heard {
 Heard hear(TelnetFilter& filter, std::string_view bytes) {
   Heard heard;
   for (const char byte : bytes) {
-    const auto data = filter.take(static_cast<std::uint8_t>(byte), heard.answers);
+    const auto data = filter.feed(static_cast<std::uint8_t>(byte), heard.answers);
     if (data) heard.data.push_back(static_cast<char>(*data));
   }
   return heard;

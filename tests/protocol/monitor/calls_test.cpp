@@ -56,7 +56,7 @@ TEST(MonitorCalls, StepTicks) {
   EXPECT_EQ(call_of<call::Step>("step", R"({"ticks":200})").ticks, 200);
   EXPECT_EQ(call_of<call::Step>("step", R"({"ticks":0})").ticks, 0);
   EXPECT_EQ(call_of<call::Step>("step", R"({"ticks":2e2})").ticks, 200);
-  EXPECT_EQ(call_of<call::Step>("step", R"({"ticks":9007199254740991})").ticks, kMostInteger);
+  EXPECT_EQ(call_of<call::Step>("step", R"({"ticks":9007199254740991})").ticks, kMaxInteger);
   for (const char* ticks :
        {"-1", "1.5", "9007199254740992", "18446744073709551615", "1e19", "\"5\"", "null", "[5]"}) {
     EXPECT_EQ(wrong_in("step", std::string(R"({"ticks":)") + ticks + "}"), Pointers{"/args/ticks"})
@@ -166,7 +166,7 @@ TEST(MonitorCalls, Input) {
             (Pointers{"/args/input", "/args/line"}));
 }
 
-TEST(MonitorCalls, Lines) {
+TEST(MonitorCalls, LineSplitter) {
   other_of<ListLines>("lines", "{}");
   EXPECT_EQ(other_of<DisconnectLine>("line_disconnect", R"({"line":3})").line, 3U);
   for (const char* line : {"0", "-1", "4294967296", "\"3\"", "null"}) {

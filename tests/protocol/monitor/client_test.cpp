@@ -6,18 +6,18 @@
 
 #include <string>
 
+#include "protocol/monitor/detector.hpp"
 #include "protocol/monitor/lines.hpp"
-#include "protocol/monitor/opening.hpp"
 
 namespace xr3::monitor {
 namespace {
 
 /// What a transport does with the lines of a client, up to the next request to execute.
-std::optional<Request> next_request(Lines& lines, Client& client) {
+std::optional<Request> next_request(LineSplitter& lines, Client& client) {
   while (!client.has_ended() && !client.is_full()) {
     const auto line = lines.next();
     if (!line) break;
-    if (auto request = client.take(*line)) return request;
+    if (auto request = client.handle(*line)) return request;
   }
   if (!client.is_full() && lines.fault() != LineFault::kNone && !client.has_ended())
     client.end(lines.fault());
@@ -28,17 +28,17 @@ std::optional<Request> next_request(Lines& lines, Client& client) {
 class Pipe {
  public:
   void send(std::string_view bytes) {
-    if (opening_.tongue() == Tongue::kUndecided) bytes.remove_prefix(opening_.take(bytes));
-    if (opening_.tongue() == Tongue::kNotJson) client_.end(Bye::kNotJson);
-    if (opening_.tongue() != Tongue::kLines) return;
-    lines_.take(bytes);
+    if (detector_.protocol() == Protocol::kUndecided) bytes.remove_prefix(detector_.feed(bytes));
+    if (detector_.protocol() == Protocol::kNotJson) client_.end(CloseReason::kNotJson);
+    if (detector_.protocol() != Protocol::kLines) return;
+    lines_.feed(bytes);
     serve();
   }
   void end() {
     lines_.end();
     serve();
   }
-  Tongue tongue() const { return opening_.tongue(); }
+  Protocol protocol() const { return detector_.protocol(); }
   int calls() const { return calls_; }
   bool has_ended() const { return client_.has_ended(); }
   std::string received() {
@@ -55,21 +55,21 @@ class Pipe {
     }
   }
 
-  Opening opening_;
-  Lines lines_;
+  ProtocolDetector detector_;
+  LineSplitter lines_;
   Client client_{{"main"}};
   int calls_ = 0;
 };
 
 std::string ping(int id) { return R"({"op":"ping","id":)" + std::to_string(id) + "}"; }
 std::string pong_line(int id) { return R"({"op":"pong","id":)" + std::to_string(id) + "}\n"; }
-std::string not_json() { return *bye(Bye::kNotJson) + "\n"; }
+std::string not_json() { return *bye(CloseReason::kNotJson) + "\n"; }
 
-Tongue tongue_of(std::string_view bytes, bool after_silence = false) {
-  Opening opening;
-  if (after_silence) opening.settle_for_lines();
-  for (const char byte : bytes) opening.take({&byte, 1});
-  return opening.tongue();
+Protocol tongue_of(std::string_view bytes, bool after_silence = false) {
+  ProtocolDetector detector;
+  if (after_silence) detector.settle_for_lines();
+  for (const char byte : bytes) detector.feed({&byte, 1});
+  return detector.protocol();
 }
 
 const std::string kMark = "\xEF\xBB\xBF";
@@ -77,46 +77,46 @@ const std::string kMark = "\xEF\xBB\xBF";
 TEST(MonitorOpening, TheFirstByteDecides) {
   for (int byte = 0; byte < 256; ++byte) {
     const std::string bytes(1, static_cast<char>(byte));
-    Tongue expected = Tongue::kNotJson;
-    if (bytes == "{") expected = Tongue::kLines;
-    if (byte >= 'A' && byte <= 'Z') expected = Tongue::kHttp;
-    if (byte == 0x16) expected = Tongue::kTls;
+    Protocol expected = Protocol::kNotJson;
+    if (bytes == "{") expected = Protocol::kLines;
+    if (byte >= 'A' && byte <= 'Z') expected = Protocol::kHttp;
+    if (byte == 0x16) expected = Protocol::kTls;
     if (bytes == " " || bytes == "\t" || bytes == "\r" || bytes == "\n" || byte == 0xEF)
-      expected = Tongue::kUndecided;
+      expected = Protocol::kUndecided;
     EXPECT_EQ(tongue_of(bytes), expected) << byte;
-    if (expected == Tongue::kHttp || expected == Tongue::kTls) expected = Tongue::kNotJson;
+    if (expected == Protocol::kHttp || expected == Protocol::kTls) expected = Protocol::kNotJson;
     EXPECT_EQ(tongue_of(bytes, true), expected) << byte;
   }
 }
 
 TEST(MonitorOpening, BlanksAndOneMarkAreSkipped) {
-  EXPECT_EQ(tongue_of("\r\n \t{"), Tongue::kLines);
-  EXPECT_EQ(tongue_of("\r\nGET /"), Tongue::kHttp);
-  EXPECT_EQ(tongue_of(kMark), Tongue::kUndecided);
-  EXPECT_EQ(tongue_of(kMark + "{"), Tongue::kLines);
-  EXPECT_EQ(tongue_of(kMark + "GET /"), Tongue::kHttp);
-  EXPECT_EQ(tongue_of(" \n" + kMark + "\n {"), Tongue::kLines);
-  EXPECT_EQ(tongue_of(kMark + kMark + "{"), Tongue::kNotJson);
-  EXPECT_EQ(tongue_of("\xEF{"), Tongue::kNotJson);
-  EXPECT_EQ(tongue_of("\xEF\xBB {"), Tongue::kNotJson);
-  EXPECT_EQ(tongue_of("\xBB\xBF{"), Tongue::kNotJson);
+  EXPECT_EQ(tongue_of("\r\n \t{"), Protocol::kLines);
+  EXPECT_EQ(tongue_of("\r\nGET /"), Protocol::kHttp);
+  EXPECT_EQ(tongue_of(kMark), Protocol::kUndecided);
+  EXPECT_EQ(tongue_of(kMark + "{"), Protocol::kLines);
+  EXPECT_EQ(tongue_of(kMark + "GET /"), Protocol::kHttp);
+  EXPECT_EQ(tongue_of(" \n" + kMark + "\n {"), Protocol::kLines);
+  EXPECT_EQ(tongue_of(kMark + kMark + "{"), Protocol::kNotJson);
+  EXPECT_EQ(tongue_of("\xEF{"), Protocol::kNotJson);
+  EXPECT_EQ(tongue_of("\xEF\xBB {"), Protocol::kNotJson);
+  EXPECT_EQ(tongue_of("\xBB\xBF{"), Protocol::kNotJson);
 }
 
 TEST(MonitorOpening, SkipsNoMoreThanItMust) {
-  Opening opening;
-  EXPECT_EQ(opening.take(" \r\n"), 3U);
-  EXPECT_EQ(opening.take(kMark + "  {  }"), 5U);
-  EXPECT_EQ(opening.take("   "), 0U);
+  ProtocolDetector detector;
+  EXPECT_EQ(detector.feed(" \r\n"), 3U);
+  EXPECT_EQ(detector.feed(kMark + "  {  }"), 5U);
+  EXPECT_EQ(detector.feed("   "), 0U);
 }
 
 TEST(MonitorLines, EndsOfLines) {
-  Lines lines;
-  lines.take("{1}\n{2}\r\n\n \r\n\t\n  {3}\n{4");
+  LineSplitter lines;
+  lines.feed("{1}\n{2}\r\n\n \r\n\t\n  {3}\n{4");
   EXPECT_EQ(lines.next(), "{1}");
   EXPECT_EQ(lines.next(), "{2}");
   EXPECT_EQ(lines.next(), "{3}");
   EXPECT_EQ(lines.next(), std::nullopt);
-  lines.take("}");
+  lines.feed("}");
   EXPECT_EQ(lines.next(), std::nullopt);
   lines.end();
   EXPECT_EQ(lines.next(), "{4}");
@@ -125,25 +125,25 @@ TEST(MonitorLines, EndsOfLines) {
 }
 
 TEST(MonitorLines, WhatIsNoObjectEndsThemAtItsFirstByte) {
-  Lines lines;
-  lines.take("{1}\nG");
+  LineSplitter lines;
+  lines.feed("{1}\nG");
   EXPECT_EQ(lines.next(), "{1}");
   EXPECT_EQ(lines.next(), std::nullopt);
   EXPECT_EQ(lines.fault(), LineFault::kNotJson);
-  lines.take("\n{2}\n");
+  lines.feed("\n{2}\n");
   EXPECT_EQ(lines.next(), std::nullopt);
 }
 
 TEST(MonitorLines, LengthIsBoundedByTheByte) {
-  const std::string longest = "{" + std::string(kMostMessageBytes - 1, 'x');
+  const std::string longest = "{" + std::string(kMaxMessageBytes - 1, 'x');
   for (const std::string end : {"\n", "\r\n", ""}) {
     for (const bool is_too_long : {false, true}) {
       for (const std::size_t chunk : {std::size_t{1} << 20, std::size_t{8192}, std::size_t{1}}) {
         const std::string text = longest + (is_too_long ? "y" : "") + end;
-        Lines lines;
+        LineSplitter lines;
         std::optional<std::string_view> line;
         for (std::size_t i = 0; i < text.size() && !line; i += chunk) {
-          lines.take(std::string_view(text).substr(i, chunk));
+          lines.feed(std::string_view(text).substr(i, chunk));
           line = lines.next();
         }
         if (end.empty()) lines.end();
@@ -188,12 +188,12 @@ TEST(MonitorClient, AStrangersFirstByteIsEnough) {
 
 TEST(MonitorClient, ALineTooLongIsToldAndEndsIt) {
   Pipe pipe;
-  pipe.send(ping(1) + "\n{" + std::string(kMostMessageBytes, 'x'));
+  pipe.send(ping(1) + "\n{" + std::string(kMaxMessageBytes, 'x'));
   const std::string told = pipe.received();
   EXPECT_EQ(
       told.find(pong_line(1) + R"({"op":"result","id":null,"ok":false,"error":{"code":"too_long")"),
       0U);
-  EXPECT_TRUE(told.ends_with(*bye(Bye::kTooLong) + "\n"));
+  EXPECT_TRUE(told.ends_with(*bye(CloseReason::kTooLong) + "\n"));
   pipe.send("\n" + ping(2) + "\n");
   EXPECT_TRUE(pipe.has_ended());
   EXPECT_EQ(pipe.received(), "");
@@ -219,9 +219,9 @@ TEST(MonitorClient, CutAnywhereItIsTheSame) {
 }
 
 TEST(MonitorClient, AFullLaneStopsRequests) {
-  Lines lines;
+  LineSplitter lines;
   Client client({"main"});
-  for (int i = 0; i < 300; ++i) lines.take(ping(i) + "\n");
+  for (int i = 0; i < 300; ++i) lines.feed(ping(i) + "\n");
   int answered = 0;
   const auto serve = [&] {
     while (const auto request = next_request(lines, client)) {
@@ -242,10 +242,10 @@ TEST(MonitorClient, AFullLaneStopsRequests) {
 }
 
 TEST(MonitorClient, ErrorsFillTheLaneToo) {
-  Lines lines;
+  LineSplitter lines;
   Client client({"main"});
-  for (int i = 0; i < 300; ++i) lines.take("{]\n");
-  lines.take("help\n");
+  for (int i = 0; i < 300; ++i) lines.feed("{]\n");
+  lines.feed("help\n");
   EXPECT_FALSE(next_request(lines, client));
   EXPECT_TRUE(client.is_full());
   EXPECT_FALSE(client.has_ended());
@@ -258,12 +258,12 @@ TEST(MonitorClient, ErrorsFillTheLaneToo) {
 
 TEST(MonitorClient, BytesFillTheLaneToo) {
   Client client({"main"});
-  client.send(std::make_shared<const std::string>(Client::kMostAnswerBytes, 'x'));
+  client.send(std::make_shared<const std::string>(Client::kMaxAnswerBytes, 'x'));
   EXPECT_TRUE(client.is_full());
-  client.end(Bye::kShutdown);  // `bye` is always queued
+  client.end(CloseReason::kShutdown);  // `bye` is always queued
   client.send(pong({}));
   EXPECT_NE(client.next_output(0), nullptr);
-  EXPECT_EQ(*client.next_output(0), *bye(Bye::kShutdown));
+  EXPECT_EQ(*client.next_output(0), *bye(CloseReason::kShutdown));
   EXPECT_EQ(client.next_output(0), nullptr);
 }
 

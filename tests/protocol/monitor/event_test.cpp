@@ -98,7 +98,7 @@ TEST(EventJson, LinesComeAndGo) {
             R"({"event":"line_open","line":4,"code":"line_open",)"
             R"("message":"line 4 opened by 127.0.0.1:51022","kind":"raw",)"
             R"("peer":"127.0.0.1:51022"})");
-  EXPECT_EQ(shown(LineClosedNote{CloseReason::kClientClosed, 12, 3}, 4),
+  EXPECT_EQ(shown(LineClosedNote{LineCloseReason::kClientClosed, 12, 3}, 4),
             R"({"event":"line_close","line":4,"code":"client_closed",)"
             R"("message":"line 4 closed by its client","bytes_in":12,"bytes_out":3})");
 }
@@ -146,12 +146,12 @@ TEST(EventJson, Enabled) {
 }
 
 TEST(NoteWords, EveryReasonHasACodeAndWords) {
-  const std::pair<CloseReason, std::string> rows[] = {
-      {CloseReason::kClientClosed, "client_closed"},
-      {CloseReason::kStranger, "stranger"},
-      {CloseReason::kError, "error"},
-      {CloseReason::kShutdown, "shutdown"},
-      {CloseReason::kDisconnected, "disconnected"},
+  const std::pair<LineCloseReason, std::string> rows[] = {
+      {LineCloseReason::kClientClosed, "client_closed"},
+      {LineCloseReason::kNotARobotProgram, "stranger"},
+      {LineCloseReason::kError, "error"},
+      {LineCloseReason::kShutdown, "shutdown"},
+      {LineCloseReason::kDisconnected, "disconnected"},
   };
   for (const auto& [reason, code] : rows) {
     const CellEvent event{0, 0, LineId{4}, LineClosedNote{reason, 0, 0}};

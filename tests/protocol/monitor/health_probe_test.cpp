@@ -8,32 +8,32 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-using Verdict = HealthProbe::Verdict;
+using Health = HealthProbe::Health;
 
 constexpr const char* kHello = "{\"op\":\"hello\",\"proto\":1,\"server\":\"xr3 0.1.0\"}\n";
 constexpr const char* kPong = "{\"op\":\"pong\",\"id\":\"health\"}\n";
 
 HealthProbe after(std::string_view bytes) {
   HealthProbe probe;
-  probe.take(bytes);
+  probe.feed(bytes);
   return probe;
 }
 
 TEST(HealthProbe, IsHealthyWhenItsPingIsAnswered) {
   HealthProbe probe;
-  EXPECT_EQ(probe.opening() + probe.take(kHello), "{\"op\":\"ping\",\"id\":\"health\"}\n");
-  EXPECT_EQ(probe.verdict(), Verdict::kUnknown);
-  EXPECT_EQ(probe.take(kPong), "");
-  EXPECT_EQ(probe.verdict(), Verdict::kHealthy);
+  EXPECT_EQ(probe.opening() + probe.feed(kHello), "{\"op\":\"ping\",\"id\":\"health\"}\n");
+  EXPECT_EQ(probe.health(), Health::kUnknown);
+  EXPECT_EQ(probe.feed(kPong), "");
+  EXPECT_EQ(probe.health(), Health::kHealthy);
 }
 
 TEST(HealthProbe, TakesBytesAsTheyCome) {
   HealthProbe probe;
   std::string sent;
-  for (const char byte : std::string(kHello) + kPong) sent += probe.take({&byte, 1});
+  for (const char byte : std::string(kHello) + kPong) sent += probe.feed({&byte, 1});
   EXPECT_EQ(sent, after("").take(kHello)) << "one ping";
-  EXPECT_EQ(probe.verdict(), Verdict::kHealthy);
-  EXPECT_EQ(after(std::string(kHello) + kPong).verdict(), Verdict::kHealthy);
+  EXPECT_EQ(probe.health(), Health::kHealthy);
+  EXPECT_EQ(after(std::string(kHello) + kPong).health(), Health::kHealthy);
 }
 
 TEST(HealthProbe, SaysHowFarItCame) {
@@ -47,7 +47,7 @@ TEST(HealthProbe, KnowsWhoIsNotXr3) {
        {"HTTP/1.1 400 Bad Request\r\n", "{\"op\":\"hello\",\"server\":\"other\"}\n", "{}\n", "\n",
         "[1]\n", "{\"op\":7}\n", "\xff\xfe\n", "{\"op\":\"pong\",\"id\":\"health\"}\n"}) {
     const HealthProbe probe = after(line);
-    EXPECT_EQ(probe.verdict(), Verdict::kUnhealthy) << line;
+    EXPECT_EQ(probe.health(), Health::kUnhealthy) << line;
     EXPECT_THAT(probe.trouble(), StartsWith("is not xr3")) << line;
   }
   EXPECT_THAT(after("HTTP/1.1 400 Bad Request\r\n").trouble(),
@@ -63,25 +63,25 @@ TEST(HealthProbe, RepeatsWhatItHearsShortAndWithoutControlCharacters) {
 TEST(HealthProbe, ALineWithoutAnEndIsNoLine) {
   HealthProbe probe;
   const std::string part(1024, 'x');
-  for (std::size_t sent = 0; sent <= HealthProbe::kMostLineBytes; sent += part.size())
-    probe.take(part);
-  EXPECT_EQ(probe.verdict(), Verdict::kUnhealthy);
+  for (std::size_t sent = 0; sent <= HealthProbe::kMaxLineBytes; sent += part.size())
+    probe.feed(part);
+  EXPECT_EQ(probe.health(), Health::kUnhealthy);
 }
 
 TEST(HealthProbe, WhoPartsIsNotHealthy) {
   const std::string bye = "{\"op\":\"bye\",\"why\":\"full\",\"message\":\"too many\"}\n";
   for (const std::string& bytes : {bye, kHello + bye}) {
-    EXPECT_EQ(after(bytes).verdict(), Verdict::kUnhealthy);
+    EXPECT_EQ(after(bytes).health(), Health::kUnhealthy);
     EXPECT_THAT(after(bytes).trouble(), HasSubstr("too many"));
   }
 }
 
 TEST(HealthProbe, OtherAnswersAfterTheGreetingAreNoMatter) {
   HealthProbe probe = after(kHello);
-  probe.take("{\"op\":\"new\"}\n{\"op\":\"pong\",\"id\":1}\n");
-  EXPECT_EQ(probe.verdict(), Verdict::kUnknown);
-  probe.take(kPong);
-  EXPECT_EQ(probe.verdict(), Verdict::kHealthy);
+  probe.feed("{\"op\":\"new\"}\n{\"op\":\"pong\",\"id\":1}\n");
+  EXPECT_EQ(probe.health(), Health::kUnknown);
+  probe.feed(kPong);
+  EXPECT_EQ(probe.health(), Health::kHealthy);
 }
 
 TEST(HealthProbe, ReadinessIsAskedOverHttp) {

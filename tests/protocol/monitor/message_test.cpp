@@ -84,12 +84,12 @@ TEST(MonitorMessage, StateWithAndWithoutId) {
             R"({"op":"state","cell":"main","epoch":1,"seq":91,"tick":0})");
 }
 
-TEST(MonitorMessage, Bye) {
-  EXPECT_EQ(*bye(Bye::kShutdown),
+TEST(MonitorMessage, CloseReason) {
+  EXPECT_EQ(*bye(CloseReason::kShutdown),
             R"({"op":"bye","why":"shutdown","message":"the server is stopping"})");
-  EXPECT_EQ(Json::parse(*bye(Bye::kNotJson))["why"], "not_json");
-  EXPECT_EQ(Json::parse(*bye(Bye::kTooLong))["why"], "too_long");
-  EXPECT_EQ(Json::parse(*bye(Bye::kFull))["why"], "full");
+  EXPECT_EQ(Json::parse(*bye(CloseReason::kNotJson))["why"], "not_json");
+  EXPECT_EQ(Json::parse(*bye(CloseReason::kTooLong))["why"], "too_long");
+  EXPECT_EQ(Json::parse(*bye(CloseReason::kFull))["why"], "full");
 }
 
 TEST(MonitorMessage, TextThatIsNoUtf8IsMended) {

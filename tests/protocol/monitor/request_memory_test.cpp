@@ -15,13 +15,13 @@
 namespace xr3::monitor {
 namespace {
 
-constexpr std::size_t kMostTimes = 8;
+constexpr std::size_t kMaxTimes = 8;
 constexpr std::size_t kConstant =
     96 * 1024;  // what is told of 32 wrong members, tables, a stack or two
 
 /// `begin`, then `item` again and again, then `end`, as long as a message may be.
 std::string filled(const std::string& begin, const std::string& item, const std::string& end,
-                   std::size_t size = kMostMessageBytes) {
+                   std::size_t size = kMaxMessageBytes) {
   std::string text = begin;
   text.reserve(size);
   const std::string last = item.ends_with(',') ? item.substr(0, item.size() - 1) : item;
@@ -31,7 +31,7 @@ std::string filled(const std::string& begin, const std::string& item, const std:
 
 /// The same with a number in each item, in place of `#`.
 std::string numbered(const std::string& begin, const std::string& item, const std::string& end,
-                     std::size_t size = kMostMessageBytes) {
+                     std::size_t size = kMaxMessageBytes) {
   std::string text = begin;
   text.reserve(size);
   const std::size_t place = item.find('#');
@@ -142,7 +142,7 @@ TEST(RequestMemory, IsAtMostEightTimesTheMessage) {
   read_request(R"({"op":"call","fn":"workcell","args":{"workcell":{}}})", {"main"});
   read_request(R"({"op":"call","fn":"snapshot_load","args":{"snapshot":{}}})", {"main"});
   for (const Shape& shape : shapes()) {
-    ASSERT_LE(shape.text.size(), kMostMessageBytes) << shape.name;
+    ASSERT_LE(shape.text.size(), kMaxMessageBytes) << shape.name;
     const auto started = std::chrono::steady_clock::now();
     const test::Allocations allocations;
     RequestReading reading = read_request(shape.text, {"main"});
@@ -150,7 +150,7 @@ TEST(RequestMemory, IsAtMostEightTimesTheMessage) {
     if (const auto* error = std::get_if<RequestError>(&reading)) answer = result(*error)->size();
     const std::size_t peak = allocations.peak();
     const Milliseconds took = std::chrono::steady_clock::now() - started;
-    EXPECT_LE(peak, kMostTimes * shape.text.size() + kConstant) << shape.name;
+    EXPECT_LE(peak, kMaxTimes * shape.text.size() + kConstant) << shape.name;
     EXPECT_LE(answer, 48U * 1024) << shape.name;
     if (std::getenv("XR3_SHOW") != nullptr)
       printf("%-36s %7zu bytes %6.2f x %8.1f ms  answer %zu\n", shape.name.c_str(),

@@ -14,7 +14,7 @@ TEST(MonitorRequest, PingWithEveryKindOfId) {
   EXPECT_EQ(good(R"({"op":"ping"})").id, RequestId{});
   EXPECT_EQ(good(R"({"op":"ping","id":null})").id, RequestId{});
   EXPECT_EQ(good(R"({"op":"ping","id":16})").id, RequestId{std::int64_t{16}});
-  EXPECT_EQ(good(R"({"op":"ping","id":-9007199254740991})").id, RequestId{-kMostInteger});
+  EXPECT_EQ(good(R"({"op":"ping","id":-9007199254740991})").id, RequestId{-kMaxInteger});
   EXPECT_EQ(good(R"({"op":"ping","id":"a"})").id, RequestId{std::string("a")});
   EXPECT_EQ(good(R"({"op":"ping","id":")" + std::string(64, 'x') + R"("})").id,
             RequestId{std::string(64, 'x')});
@@ -241,15 +241,15 @@ TEST(MonitorRequest, DepthIsBounded) {
 
 TEST(MonitorRequest, LengthIsBounded) {
   const std::string start = R"({"op":"ping","x":")";
-  good(start + std::string(kMostMessageBytes - start.size() - 2, 'x') + "\"}");
-  EXPECT_EQ(bad(start + std::string(kMostMessageBytes - start.size() - 1, 'x') + "\"}").code,
+  good(start + std::string(kMaxMessageBytes - start.size() - 2, 'x') + "\"}");
+  EXPECT_EQ(bad(start + std::string(kMaxMessageBytes - start.size() - 1, 'x') + "\"}").code,
             "too_long");
 }
 
 TEST(MonitorRequest, NoTickBeyondWhatCanBeSaid) {
   Request step = good(R"({"op":"call","id":3,"fn":"step","args":{"ticks":10}})");
-  EXPECT_FALSE(fit(step, kMostInteger - 10));
-  const auto error = fit(step, kMostInteger - 9);
+  EXPECT_FALSE(fit(step, kMaxInteger - 10));
+  const auto error = fit(step, kMaxInteger - 9);
   ASSERT_TRUE(error);
   EXPECT_EQ(error->code, "bad_args");
   EXPECT_EQ(error->id, RequestId{std::int64_t{3}});
@@ -259,7 +259,7 @@ TEST(MonitorRequest, NoTickBeyondWhatCanBeSaid) {
   EXPECT_FALSE(fit(run, 1000));
   EXPECT_EQ(std::get<call::RunUntil>(std::get<call::Call>(std::get<CallRequest>(run.what).call))
                 .max_ticks,
-            kMostInteger - 1000);
+            kMaxInteger - 1000);
 }
 
 // --- Members that are given twice.

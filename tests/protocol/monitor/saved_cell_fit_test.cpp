@@ -67,7 +67,7 @@ TEST(SavedCellFit, NoJointIsBeyondItsLimits) {
 
 TEST(SavedCellFit, CouplingCounts) {
   const ModelPtr model = test::roomy_rhino();
-  const Driven coupled = model->driven_by(1).at(1);
+  const CoupledJoint coupled = model->driven_by(1).at(1);
   const MotorModel& joint = model->motor(coupled.joint);
   const std::int64_t moved = std::int64_t{coupled.gain} * model->motor(1).high;
   const auto farthest = static_cast<Counts>((moved > 0 ? joint.high : joint.low) - moved);

@@ -92,16 +92,16 @@ Held any_held(std::size_t blocks) {
 TipPath any_path() {
   TipPath path;
   const bool is_full = any_bool();
-  path.points.resize(is_full ? TipPath::kMostTipPoints : any<std::size_t>(0, 5));
+  path.points.resize(is_full ? TipPath::kMaxTipPoints : any<std::size_t>(0, 5));
   for (PointUm& point : path.points) point.x = &point - path.points.data() - 2000;
   if (!path.points.empty()) path.points.front() = any_place();
-  if (is_full) path.oldest = any<std::size_t>(0, TipPath::kMostTipPoints - 1);
+  if (is_full) path.oldest = any<std::size_t>(0, TipPath::kMaxTipPoints - 1);
   return path;
 }
 
 State any_state() {
   State state;
-  state.tick = any<Tick>(0, monitor::kMostInteger);
+  state.tick = any<Tick>(0, monitor::kMaxInteger);
   for (MotorState& motor : state.motors) motor = any_motor();
   state.stall = *rc::gen::element(Stall::kNo, Stall::kProtectedRegion, Stall::kWorkSurface);
   state.below_surface = any_bool();
@@ -163,7 +163,7 @@ TEST(SavedCellJson, AFullPathOfTheRhinoFitsAMessage) {
   saved.workcell.blocks = test::workcell_named("rhino-hundred").blocks;
   saved.state.blocks = saved.workcell.blocks;
   for (int i = 0; i < 4096; ++i) saved.state.tip_path.add({-238'101 + i, -400'000, -320'700});
-  EXPECT_LT(saved_cell_to_json(saved).dump().size(), monitor::kMostMessageBytes * 3 / 4);
+  EXPECT_LT(saved_cell_to_json(saved).dump().size(), monitor::kMaxMessageBytes * 3 / 4);
 }
 
 TEST(SavedCellJson, WhatIsHandedOutCanBeSentBack) {

@@ -19,7 +19,7 @@ Frame frame(std::int64_t seq, const std::string& content) {
   return {text(std::to_string(seq)), seq, text(content)};
 }
 
-Subscribe to(Channel channel, MilliHz max_millihz = kMostMilliHz, bool on_change = true) {
+Subscribe to(Channel channel, MilliHz max_millihz = kMaxMilliHz, bool on_change = true) {
   Subscribe wanted;
   wanted.selection.channel = channel;
   wanted.max_millihz = max_millihz;
@@ -39,8 +39,8 @@ std::vector<std::string> all(FrameSubscription& subscription, FrameNumber now) {
 using Strings = std::vector<std::string>;
 
 TEST(FrameSubscription, OnlyWhatChangedIsSent) {
-  Tally tally;
-  FrameSubscription sub("main", to(Channel::kState), tally);
+  ChannelStats stats;
+  FrameSubscription sub("main", to(Channel::kState), stats);
   sub.offer(frame(1, "a"), 0);
   EXPECT_EQ(all(sub, 0), Strings{"1"});
   sub.offer(frame(2, "a"), 1);
@@ -52,8 +52,8 @@ TEST(FrameSubscription, OnlyWhatChangedIsSent) {
 }
 
 TEST(FrameSubscription, WithoutOnChangeEveryFrameIsSent) {
-  Tally tally;
-  FrameSubscription sub("main", to(Channel::kState, kMostMilliHz, false), tally);
+  ChannelStats stats;
+  FrameSubscription sub("main", to(Channel::kState, kMaxMilliHz, false), stats);
   for (const FrameNumber now : {0, 1, 2}) {
     ASSERT_TRUE(sub.is_due(now));
     sub.offer(frame(1, "a"), now);
@@ -64,8 +64,8 @@ TEST(FrameSubscription, WithoutOnChangeEveryFrameIsSent) {
 
 TEST(FrameSubscription, MaxHzPicksFramesOfOneGrid) {
   const auto due_in_a_second = [](MilliHz max_millihz) {
-    Tally tally;
-    FrameSubscription sub("main", to(Channel::kState, max_millihz), tally);
+    ChannelStats stats;
+    FrameSubscription sub("main", to(Channel::kState, max_millihz), stats);
     int due = 0;
     for (FrameNumber now = 600; now < 660; ++now) {
       if (!sub.is_due(now)) continue;
@@ -82,8 +82,8 @@ TEST(FrameSubscription, MaxHzPicksFramesOfOneGrid) {
 }
 
 TEST(FrameSubscription, WhereNothingChangesItIsLookedAtAtMostTenTimesASecond) {
-  Tally tally;
-  FrameSubscription sub("main", to(Channel::kState, 1'000), tally);
+  ChannelStats stats;
+  FrameSubscription sub("main", to(Channel::kState, 1'000), stats);
   sub.offer(frame(1, "a"), 600);
   all(sub, 600);
   EXPECT_EQ(sub.due(), 660) << "a message a second";
@@ -94,8 +94,8 @@ TEST(FrameSubscription, WhereNothingChangesItIsLookedAtAtMostTenTimesASecond) {
 }
 
 TEST(FrameSubscription, ItIsNotLookedAtMoreOftenThanItMayBeSent) {
-  Tally tally;
-  FrameSubscription sub("main", to(Channel::kState, 30'000), tally);
+  ChannelStats stats;
+  FrameSubscription sub("main", to(Channel::kState, 30'000), stats);
   sub.offer(frame(1, "a"), 600);
   all(sub, 600);
   sub.offer(frame(1, "a"), 602);
@@ -104,19 +104,19 @@ TEST(FrameSubscription, ItIsNotLookedAtMoreOftenThanItMayBeSent) {
 }
 
 TEST(FrameSubscription, TheLatestWinsAndALagTellsOfTheRest) {
-  Tally tally;
-  FrameSubscription sub("main", to(Channel::kImage), tally);
+  ChannelStats stats;
+  FrameSubscription sub("main", to(Channel::kImage), stats);
   for (std::int64_t seq = 7; seq <= 12; ++seq) sub.offer(frame(seq, std::to_string(seq)), seq);
   EXPECT_EQ(all(sub, 12), (Strings{R"({"op":"lag","cell":"main","channel":"image","missed":5,)"
                                    R"("from_seq":7,"to_seq":11})",
                                    "12"}));
-  EXPECT_EQ(tally.sent, 1U);
-  EXPECT_EQ(tally.overwritten, 5U);
+  EXPECT_EQ(stats.sent, 1U);
+  EXPECT_EQ(stats.overwritten, 5U);
 }
 
 TEST(FrameSubscription, OneLagASecond) {
-  Tally tally;
-  FrameSubscription sub("main", to(Channel::kImage), tally);
+  ChannelStats stats;
+  FrameSubscription sub("main", to(Channel::kImage), stats);
   sub.offer(frame(1, "1"), 0);
   sub.offer(frame(2, "2"), 1);
   EXPECT_EQ(all(sub, 1).size(), 2U);
@@ -132,8 +132,8 @@ TEST(FrameSubscription, OneLagASecond) {
 }
 
 TEST(FrameSubscription, BackToWhatTheClientKnowsNothingIsSent) {
-  Tally tally;
-  FrameSubscription sub("main", to(Channel::kState), tally);
+  ChannelStats stats;
+  FrameSubscription sub("main", to(Channel::kState), stats);
   sub.offer(frame(1, "a"), 0);
   all(sub, 0);
   sub.offer(frame(2, "b"), 1);
@@ -151,7 +151,7 @@ class FeedTest : public testing::Test {
   FeedSubscription follow(std::optional<std::int64_t> since = {}) {
     Subscribe wanted = to(Channel::kEvent);
     wanted.since = since;
-    return {"main", wanted, ring, tally};
+    return {"main", wanted, ring, stats};
   }
   static Strings all(FeedSubscription& sub) {
     Strings messages;
@@ -159,7 +159,7 @@ class FeedTest : public testing::Test {
     return messages;
   }
 
-  Tally tally;
+  ChannelStats stats;
   int made = 0;
   Ring<int> ring{4, [this](const int& value, std::int64_t seq) {
                    ++made;

@@ -18,9 +18,9 @@ namespace xr3 {
 namespace {
 
 using http::HeadFault;
-using http::kMostFields;
-using http::kMostHeadBytes;
-using http::kMostTargetBytes;
+using http::kMaxFields;
+using http::kMaxHeadBytes;
+using http::kMaxTargetBytes;
 using http::read_head;
 
 const std::string kHost = "Host: localhost:9601\r\n";
@@ -100,7 +100,7 @@ TEST_F(HttpTest, EveryAnswerIsGuarded) {
                                              "POST / HTTP/1.1\r\n" + kHost + "\r\n",
                                              get("/healthz", "Host: evil.example\r\n"),
                                              "HELP\r\n",
-                                             std::string(kMostHeadBytes, 'A'),
+                                             std::string(kMaxHeadBytes, 'A'),
                                              "PRI * HTTP/2.0\r\n"};
   for (const std::string& request : requests) {
     const std::string text = answer(request);
@@ -163,25 +163,25 @@ TEST_F(HttpTest, WhatIsNoRequest) {
 
 TEST_F(HttpTest, TooMuch) {
   std::string fields = kHost;
-  for (std::size_t i = 1; i < kMostFields; ++i) fields += "X: y\r\n";
+  for (std::size_t i = 1; i < kMaxFields; ++i) fields += "X: y\r\n";
   EXPECT_EQ(status_of(get("/healthz", fields)), "200");
   EXPECT_EQ(status_of(get("/healthz", fields + "X: y\r\n")), "431");
-  EXPECT_EQ(status_of(get("/healthz", kHost + "X: " + std::string(kMostHeadBytes, 'y') + "\r\n")),
+  EXPECT_EQ(status_of(get("/healthz", kHost + "X: " + std::string(kMaxHeadBytes, 'y') + "\r\n")),
             "431");
-  const std::string longest = "/healthz?" + std::string(kMostTargetBytes - 9, 'x');
+  const std::string longest = "/healthz?" + std::string(kMaxTargetBytes - 9, 'x');
   EXPECT_EQ(status_of(get(longest)), "200");
   EXPECT_EQ(status_of(get(longest + "x")), "414");
-  EXPECT_EQ(status_of("GET /" + std::string(kMostHeadBytes, 'x')), "414");
-  EXPECT_EQ(status_of(std::string(kMostHeadBytes, 'X')), "431");
+  EXPECT_EQ(status_of("GET /" + std::string(kMaxHeadBytes, 'x')), "414");
+  EXPECT_EQ(status_of(std::string(kMaxHeadBytes, 'X')), "431");
 }
 
 TEST_F(HttpTest, HeadsToTheByte) {
   const std::string start = "GET /healthz HTTP/1.1\r\n" + kHost + "X: ";
-  const std::string fits = start + std::string(kMostHeadBytes - start.size() - 4, 'y') + "\r\n\r\n";
-  ASSERT_EQ(fits.size(), kMostHeadBytes);
+  const std::string fits = start + std::string(kMaxHeadBytes - start.size() - 4, 'y') + "\r\n\r\n";
+  ASSERT_EQ(fits.size(), kMaxHeadBytes);
   EXPECT_EQ(status_of(fits), "200");
   EXPECT_EQ(status_of(fits + "a body that nobody reads"), "200");
-  const std::string over = start + std::string(kMostHeadBytes - start.size() - 3, 'y') + "\r\n\r\n";
+  const std::string over = start + std::string(kMaxHeadBytes - start.size() - 3, 'y') + "\r\n\r\n";
   EXPECT_EQ(status_of(over), "431");
 }
 
@@ -196,8 +196,8 @@ TEST_F(HttpTest, DecidedAtTheLastByteAndNotBefore) {
   EXPECT_FALSE(is_open(request));
   EXPECT_FALSE(is_open("HELP\r\n"));
   EXPECT_FALSE(is_open("HELP\n"));
-  EXPECT_TRUE(is_open(std::string(kMostHeadBytes - 1, 'X')));
-  EXPECT_FALSE(is_open(std::string(kMostHeadBytes, 'X')));
+  EXPECT_TRUE(is_open(std::string(kMaxHeadBytes - 1, 'X')));
+  EXPECT_FALSE(is_open(std::string(kMaxHeadBytes, 'X')));
 }
 
 TEST_F(HttpTest, HostsThatMayBeAnybodysAreRefused) {

@@ -243,7 +243,7 @@ TEST_F(MonitorPortTest, EverybodyHearsOfTheEnd) {
 
 TEST_F(MonitorPortTest, ThereIsALimitToConnections) {
   std::vector<Client> clients;
-  for (std::size_t i = 0; i < MonitorPort::kMostMonitors; ++i) clients.push_back(monitor());
+  for (std::size_t i = 0; i < MonitorPort::kMaxConnections; ++i) clients.push_back(monitor());
   io_.run_for(50ms);
   EXPECT_EQ(monitor().json()["why"], "full");
   Client browser = monitor();

@@ -1,4 +1,4 @@
-// The monitor's service in memory: viewers without a connection ask, follow and call, and what comes
+// The monitor's service in memory: sessions without a connection ask, follow and call, and what comes
 // out is compared. Time stands, but where a test lets it run.
 #include "server/monitor_port/service.hpp"
 
@@ -26,7 +26,7 @@ AccessPolicy with_token(Reading reading) {
 }
 
 /// No connection: the tests take the output themselves.
-struct NoCarrier final : Carrier {
+struct NoCarrier final : MessageSink {
   void pump() override {}
   void prefetch(Depth) const override {}
 };
@@ -36,33 +36,33 @@ class MonitorServiceTest : public testing::Test {
   explicit MonitorServiceTest(AccessPolicy policy = {}) : policy_(std::move(policy)) {}
 
   /// Hands one message in; returns everything that comes out.
-  std::vector<Json> ask(Viewer& viewer, const std::string& message) {
+  std::vector<Json> ask(MonitorSession& session, const std::string& message) {
     asio::co_spawn(
-        io_, [&viewer, message] { return viewer.take(message); }, asio::detached);
+        io_, [&session, message] { return session.handle(message); }, asio::detached);
     io_.restart();
     io_.poll();
-    return read(viewer);
+    return read(session);
   }
   /// The one message that answers.
-  Json answer(Viewer& viewer, const std::string& message) {
-    const std::vector<Json> answers = ask(viewer, message);
+  Json answer(MonitorSession& session, const std::string& message) {
+    const std::vector<Json> answers = ask(session, message);
     EXPECT_EQ(answers.size(), 1U) << message;
     return answers.empty() ? Json() : answers.front();
   }
-  Json call(Viewer& viewer, const std::string& fn, const std::string& args = "{}") {
-    return answer(viewer, R"({"op":"call","id":1,"fn":")" + fn + R"(","args":)" + args + "}");
+  Json call(MonitorSession& session, const std::string& fn, const std::string& args = "{}") {
+    return answer(session, R"({"op":"call","id":1,"fn":")" + fn + R"(","args":)" + args + "}");
   }
-  std::vector<Json> read(Viewer& viewer) {
+  std::vector<Json> read(MonitorSession& session) {
     std::vector<Json> messages;
-    while (const monitor::Message message = viewer.next_output())
+    while (const monitor::Message message = session.next_output())
       messages.push_back(Json::parse(*message));
     return messages;
   }
   /// Lets the loop run until something comes out.
-  std::vector<Json> wait(Viewer& viewer) {
+  std::vector<Json> wait(MonitorSession& session) {
     const auto deadline = std::chrono::steady_clock::now() + 10s;
     for (;;) {
-      std::vector<Json> messages = read(viewer);
+      std::vector<Json> messages = read(session);
       if (!messages.empty() || std::chrono::steady_clock::now() > deadline) return messages;
       io_.restart();
       io_.run_one_for(20ms);
@@ -71,7 +71,7 @@ class MonitorServiceTest : public testing::Test {
   void send(const std::string& bytes) {
     if (line_ == 0) line_ = cell_.apply(LineOpened{"test"}, wall_now()).line;
     cell_.apply(BytesIn{line_, bytes}, wall_now());
-    service_.audience().acted();
+    service_.subscribers().acted();
   }
 
   asio::io_context io_{1};
@@ -79,9 +79,9 @@ class MonitorServiceTest : public testing::Test {
   RobotPort robot_port_{io_, cell_, 16, [] {}};
   AccessPolicy policy_;
   MonitorService service_{io_, cell_, robot_port_, policy_,
-                          [this] { service_.audience().acted(); }};
-  NoCarrier carrier_;
-  Viewer one_{service_, carrier_};
+                          [this] { service_.subscribers().acted(); }};
+  NoCarrier sink_;
+  MonitorSession one_{service_, sink_};
   LineId line_ = 0;
 };
 
@@ -121,7 +121,7 @@ TEST_F(MonitorServiceTest, AtRestTheLoopHasNothingToDo) {
 }
 
 TEST_F(MonitorServiceTest, TheSameSeqIsTheSameBytes) {
-  Viewer other(service_, carrier_);
+  MonitorSession other(service_, sink_);
   read(one_);
   read(other);
   const std::string sub = R"({"op":"sub","channel":"model"})";
@@ -153,7 +153,7 @@ TEST_F(MonitorServiceTest, EventsComeInOrderWithTheirTicks) {
 
 TEST_F(MonitorServiceTest, SendHasALineOfItsOwnThatClosesWithTheViewer) {
   {
-    Viewer other(service_, carrier_);
+    MonitorSession other(service_, sink_);
     read(other);
     const Json value = call(other, "send", R"({"text":"E+5\rE?"})")["value"];
     EXPECT_EQ(value["hex"], "25");
@@ -179,8 +179,8 @@ TEST_F(MonitorServiceTest, SendTakesNoMoreThanAnOutboxOfReplies) {
   const auto taken = value["taken"].get<std::size_t>();
   const std::size_t replies = value["hex"].get_ref<const std::string&>().size() / 2;
   EXPECT_LT(taken, images.size());
-  EXPECT_GE(replies, Line::kFullOutbox);
-  EXPECT_LT(replies, 2 * Line::kFullOutbox) << "each image is smaller than an outbox";
+  EXPECT_GE(replies, SerialLine::kFullOutbox);
+  EXPECT_LT(replies, 2 * SerialLine::kFullOutbox) << "each image is smaller than an outbox";
   EXPECT_FALSE(call(one_, "send", R"({"text":"E?"})")["value"].contains("taken"));
 }
 

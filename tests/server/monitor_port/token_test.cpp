@@ -40,7 +40,7 @@ TEST_F(TokenTest, AFileWithoutItsLastLineEnd) {
 TEST_F(TokenTest, WhatIsNoTokenIsRefusedWithoutBeingShown) {
   for (const std::string& wrong :
        {std::string(), std::string("\n"), std::string("fifteen letters"),
-        std::string("two lines of\ntext, both long"), std::string(kMostTokenBytes + 1, 'x')}) {
+        std::string("two lines of\ntext, both long"), std::string(kMaxTokenBytes + 1, 'x')}) {
     try {
       read(wrong);
       ADD_FAILURE() << wrong;

@@ -50,7 +50,7 @@ TEST(Vital, AnExceptionGetsTheNameOfItsPlace) {
   EXPECT_EQ(message_of([] { throw std::runtime_error("no luck"); }), "inner: no luck");
   EXPECT_EQ(message_of([] { throw 7; }), "inner: an exception of unknown type");
   const std::string cut = message_of([] { throw std::runtime_error(std::string(1000, 'x')); });
-  EXPECT_EQ(cut.size(), VitalFailure::kMostBytes - 1);
+  EXPECT_EQ(cut.size(), VitalFailure::kMaxBytes - 1);
 }
 
 TEST(Spawn, ALoopsExceptionLeavesRun) {

@@ -68,7 +68,7 @@ allow-origin = "https://page.lab")");
   EXPECT_EQ(options.monitor_port, 7);
   EXPECT_EQ(options.profile, Profile::kMark3);
   EXPECT_EQ(options.clock.rate.millionths, 2'500'000);
-  EXPECT_EQ(options.most_lines, 3U);
+  EXPECT_EQ(options.max_lines, 3U);
   EXPECT_EQ(options.port_file, "p.json");
   EXPECT_EQ(options.log_level, "debug");
   EXPECT_EQ(std::get<TokenFile>(options.token).path, "t");
@@ -76,7 +76,7 @@ allow-origin = "https://page.lab")");
   EXPECT_FALSE(options.is_insecure);
   EXPECT_EQ(options.allow_hosts, (std::vector<std::string>{"a.lab", "b"}));
   EXPECT_EQ(options.allow_origins, (std::vector<std::string>{"https://page.lab"}));
-  EXPECT_EQ(said_as(options.origins, "--robot"), path_ + ":2: robot");
+  EXPECT_EQ(source_of(options.option_sources, "--robot"), path_ + ":2: robot");
 }
 
 TEST_F(OptionsConfig, AByteOrderMarkIsNoPartOfIt) {
@@ -92,7 +92,7 @@ TEST_F(OptionsConfig, WhatIsNearerGoesBeforeIt) {
       std::get<ServeOptions>(parse({"serve", "--config", path_.c_str(), "--robot", "adept-one"}));
   EXPECT_EQ(options.robot, "adept-one");
   EXPECT_EQ(options.clock.mode, ClockMode::kReal);
-  EXPECT_EQ(options.most_lines, 5U);
+  EXPECT_EQ(options.max_lines, 5U);
   EXPECT_EQ(options.allow_hosts, (std::vector<std::string>{"a", "b"}));
   EXPECT_FALSE(options.is_insecure);
 }

@@ -42,7 +42,7 @@ TEST(OptionsEnvironment, GivesEveryOptionOfServe) {
   EXPECT_EQ(options.monitor_port, 7);
   EXPECT_EQ(options.profile, Profile::kMark3);
   EXPECT_EQ(options.clock.rate.millionths, 2'500'000);
-  EXPECT_EQ(options.most_lines, 3U);
+  EXPECT_EQ(options.max_lines, 3U);
   EXPECT_EQ(options.port_file, "p.json");
   EXPECT_EQ(options.log_level, "debug");
   EXPECT_EQ(std::get<TokenFile>(options.token).path, "t");
@@ -50,8 +50,8 @@ TEST(OptionsEnvironment, GivesEveryOptionOfServe) {
   EXPECT_EQ(options.allow_hosts, (std::vector<std::string>{"a.lab", "b"}));
   EXPECT_EQ(options.allow_origins, (std::vector<std::string>{"https://page.lab"}));
   EXPECT_TRUE(options.is_insecure);
-  EXPECT_EQ(options.origins.size(), 15U);
-  EXPECT_EQ(said_as(options.origins, "--max-lines"), "XR3_MAX_LINES");
+  EXPECT_EQ(options.option_sources.size(), 15U);
+  EXPECT_EQ(source_of(options.option_sources, "--max-lines"), "XR3_MAX_LINES");
 }
 
 TEST(OptionsEnvironment, ArgumentsGoBeforeIt) {
@@ -65,7 +65,7 @@ TEST(OptionsEnvironment, ArgumentsGoBeforeIt) {
   EXPECT_EQ(options.clock.mode, ClockMode::kManual);
   EXPECT_EQ(options.allow_hosts, std::vector<std::string>{"b"});
   EXPECT_FALSE(options.is_insecure);
-  EXPECT_TRUE(options.origins.empty());
+  EXPECT_TRUE(options.option_sources.empty());
 }
 
 TEST(OptionsEnvironment, AnEmptyVariableIsNotSet) {

@@ -32,7 +32,7 @@ TEST(Options, ServeTakesEveryOption) {
   EXPECT_EQ(options.workcell, "w.json");
   EXPECT_EQ(options.profile, Profile::kMark3);
   EXPECT_EQ(options.clock.rate.millionths, 2'500'000);
-  EXPECT_EQ(options.most_lines, 3U);
+  EXPECT_EQ(options.max_lines, 3U);
   EXPECT_EQ(options.port_file, "p.json");
 }
 

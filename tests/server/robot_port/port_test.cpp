@@ -17,7 +17,7 @@ namespace {
 
 using test::Client;
 
-constexpr std::size_t kMostLines = 4;
+constexpr std::size_t kMaxLines = 4;
 const std::string kJunk(std::size_t{100} * 1024, 'z');
 
 std::string inquiries(std::size_t count) {
@@ -72,7 +72,7 @@ class RobotPortTest : public testing::Test {
              SimClock::manual(), [this](const CellEvent&, const Model&) {
                if (fails_) throw std::bad_alloc();
              }};
-  RobotPort port_{io_, cell_, kMostLines, [] {}};
+  RobotPort port_{io_, cell_, kMaxLines, [] {}};
 };
 
 TEST_F(RobotPortTest, ARequestAndTheEndInOneGo) {
@@ -97,7 +97,7 @@ TEST_F(RobotPortTest, TheEndAloneIsFound) {
 TEST_F(RobotPortTest, BytesOfBeforeTheLineWasOpenedAct) {
   Client client(io_, port_.endpoint());
   client.send("E+5\rE?");
-  port_.take_in();
+  port_.read_arrived();
   EXPECT_EQ(received(1), 6U) << "accepted and read, without a turn of the loop";
   EXPECT_EQ(client.bytes(1), "%");
 }
@@ -130,7 +130,7 @@ TEST_F(RobotPortTest, AFloodOfPicturesLeavesRoomForTheOthers) {
 
 TEST_F(RobotPortTest, ManyFloodsLeaveRoomForTheOthers) {
   std::vector<std::unique_ptr<Client>> floods;
-  for (std::size_t i = 1; i < kMostLines; ++i)
+  for (std::size_t i = 1; i < kMaxLines; ++i)
     floods.push_back(std::make_unique<Client>(io_, port_.endpoint()));
   Client other(io_, port_.endpoint());
   settle();
@@ -139,7 +139,7 @@ TEST_F(RobotPortTest, ManyFloodsLeaveRoomForTheOthers) {
   other.send("E?");
   EXPECT_EQ(other.bytes(1), " ");
   settle();
-  for (LineId line = 1; line < kMostLines; ++line) EXPECT_EQ(received(line), kJunk.size()) << line;
+  for (LineId line = 1; line < kMaxLines; ++line) EXPECT_EQ(received(line), kJunk.size()) << line;
 }
 
 TEST_F(RobotPortTest, ABarrierTakesInNoEndlessPictures) {
@@ -147,10 +147,10 @@ TEST_F(RobotPortTest, ABarrierTakesInNoEndlessPictures) {
   settle();
   const std::string asked = pictures(500);
   client.send(asked);
-  port_.take_in();
+  port_.read_arrived();
   const std::uint64_t answered = received(1) / 3 * kPictureReply;
-  EXPECT_GE(answered, Line::kFullOutbox);
-  EXPECT_LE(answered, RobotSession::kMostAnswered + 2 * Line::kFullOutbox);
+  EXPECT_GE(answered, SerialLine::kFullOutbox);
+  EXPECT_LE(answered, RobotSession::kMaxAnswered + 2 * SerialLine::kFullOutbox);
   EXPECT_EQ(client.bytes(500 * kPictureReply).size(), 500 * kPictureReply)
       << "what is left goes on by itself";
   settle();
@@ -163,7 +163,7 @@ TEST_F(RobotPortTest, ABarrierTakesInAllThatHasArrived) {
   settle();
   flood.send(kJunk);
   other.send("E+5\r");
-  port_.take_in();
+  port_.read_arrived();
   EXPECT_EQ(received(1), kJunk.size());
   EXPECT_EQ(received(2), 4U);
 }
@@ -185,17 +185,17 @@ TEST_F(RobotPortTest, WhoDoesNotReadItsRepliesIsNotRead) {
 
 TEST_F(RobotPortTest, LinesBeyondTheMostAreClosedWithoutAByte) {
   std::vector<std::unique_ptr<Client>> lines;
-  for (std::size_t i = 0; i < kMostLines; ++i)
+  for (std::size_t i = 0; i < kMaxLines; ++i)
     lines.push_back(std::make_unique<Client>(io_, port_.endpoint()));
   Client beyond(io_, port_.endpoint());
   EXPECT_EQ(beyond.rest(), "");
-  EXPECT_EQ(cell_.lines().size(), kMostLines);
+  EXPECT_EQ(cell_.lines().size(), kMaxLines);
 }
 
 TEST_F(RobotPortTest, ClosingHandsOutWhatWasAnswered) {
   Client client(io_, port_.endpoint());
   client.send("E+5\rE?");
-  port_.take_in();
+  port_.read_arrived();
   port_.close();
   EXPECT_EQ(client.rest(), "%");
   EXPECT_TRUE(port_.is_empty());

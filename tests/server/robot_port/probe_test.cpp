@@ -19,7 +19,7 @@ namespace {
 using namespace std::chrono_literals;
 using test::Client;
 
-constexpr std::size_t kMostLines = 2;
+constexpr std::size_t kMaxLines = 2;
 
 class RobotProbeTest : public testing::Test {
  protected:
@@ -64,7 +64,7 @@ class RobotProbeTest : public testing::Test {
   int acted_ = 0;
   Cell cell_{"main", test::rhino(), SimClock::manual(),
              [this](const CellEvent& event, const Model&) { told_.push_back(event); }};
-  RobotPort port_{io_, cell_, kMostLines, [this] { ++acted_; }};
+  RobotPort port_{io_, cell_, kMaxLines, [this] { ++acted_; }};
 };
 
 TEST_F(RobotProbeTest, ALineThatIsServedIsNoTrouble) { EXPECT_EQ(trouble(), ""); }
@@ -127,7 +127,7 @@ TEST_F(RobotProbeTest, APortThatIsClosed) {
 TEST_F(RobotProbeTest, APortThatServesNobodyIsFoundInTime) {
   asio::io_context stuck{1};  // never runs: connections wait in the kernel
   Cell cell("main", test::rhino(), SimClock::manual(), {});
-  RobotPort port(stuck, cell, kMostLines, [] {});
+  RobotPort port(stuck, cell, kMaxLines, [] {});
   EXPECT_FALSE(port.listen({asio::ip::make_address("127.0.0.1"), 0}));
   RobotProbe probe(io_, port);
   const auto started = std::chrono::steady_clock::now();

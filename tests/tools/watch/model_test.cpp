@@ -21,12 +21,12 @@ std::string joined(const std::vector<std::string>& lines) {
 TEST(WatchModel, SendsFirstSoThatItIsGreetedAtOnceButNothingThatASerialLineObeys) {
   WatchModel model({});
   EXPECT_EQ(model.opening(), "{");
-  EXPECT_EQ(model.opening() + model.take(test::watched_hello()).front(), "{\"op\":\"ping\"}\n");
+  EXPECT_EQ(model.opening() + model.handle(test::watched_hello()).front(), "{\"op\":\"ping\"}\n");
 }
 
 TEST(WatchModel, SubscribesToWhatTheServerHas) {
   WatchModel model({});
-  EXPECT_EQ(joined(model.take(test::watched_hello())),
+  EXPECT_EQ(joined(model.handle(test::watched_hello())),
             "\"op\":\"ping\"}\n"
             "{\"op\":\"sub\",\"channel\":\"model\",\"fields\":[\"robot\"]}\n"
             "{\"op\":\"sub\",\"channel\":\"state\",\"max_hz\":20}\n"
@@ -34,24 +34,24 @@ TEST(WatchModel, SubscribesToWhatTheServerHas) {
             "{\"op\":\"sub\",\"channel\":\"event\"}\n"
             "{\"op\":\"get\",\"channel\":\"event\"}\n"
             "{\"op\":\"ping\",\"id\":\"last\"}\n");
-  EXPECT_THAT(model.take(R"({"op":"hello","channels":["state"]})"),
+  EXPECT_THAT(model.handle(R"({"op":"hello","channels":["state"]})"),
               ElementsAre(HasSubstr("ping"), HasSubstr("\"state\""), HasSubstr("\"last\"")));
 }
 
 TEST(WatchModel, WhoLooksOnceGetsEveryChannelAndKnowsWhenThatIsAll) {
   WatchModel model({"", "", Interest::kOnce});
-  const std::string requests = joined(model.take(test::watched_hello()));
+  const std::string requests = joined(model.handle(test::watched_hello()));
   EXPECT_THAT(requests, Not(HasSubstr("\"sub\"")));
   EXPECT_THAT(requests, HasSubstr("{\"op\":\"get\",\"channel\":\"state\"}\n"));
-  model.take(R"({"op":"pong","id":null})");
+  model.handle(R"({"op":"pong","id":null})");
   EXPECT_FALSE(model.is_complete()) << "the answer to the opening";
-  model.take(R"({"op":"pong","id":"last"})");
+  model.handle(R"({"op":"pong","id":"last"})");
   EXPECT_TRUE(model.is_complete());
 }
 
 TEST(WatchModel, TheTokenGoesFirstAndTheCellEverywhere) {
   WatchModel model({"second", "sixteen letters!", Interest::kOn});
-  const auto requests = model.take(test::watched_hello("read"));
+  const auto requests = model.handle(test::watched_hello("read"));
   EXPECT_EQ(
       requests.at(1),
       "{\"op\":\"auth\",\"id\":\"auth\",\"token\":\"sixteen letters!\",\"cell\":\"second\"}\n");
@@ -60,7 +60,7 @@ TEST(WatchModel, TheTokenGoesFirstAndTheCellEverywhere) {
   }
   EXPECT_EQ(requests.back(), "{\"op\":\"ping\",\"id\":\"last\"}\n");
   EXPECT_FALSE(model.known().has_control);
-  model.take(R"({"op":"result","id":"auth","ok":true,"value":{"access":"control"}})");
+  model.handle(R"({"op":"result","id":"auth","ok":true,"value":{"access":"control"}})");
   EXPECT_TRUE(model.known().has_control);
 }
 
@@ -98,23 +98,23 @@ TEST(WatchModel, KeepsTheEventsThatTheTableDoesNotShow) {
 
 TEST(WatchModel, AnEventThatComesTwiceIsOneAndTheOldestGo) {
   WatchModel model = test::watched_model();
-  for (std::size_t seq = 40; seq < 45 + kMostNotes; ++seq) {
-    model.take(R"({"op":"event","cell":"main","event":"stalled","message":"s","seq":)" +
-               std::to_string(seq) + "}");
+  for (std::size_t seq = 40; seq < 45 + kMaxNotes; ++seq) {
+    model.handle(R"({"op":"event","cell":"main","event":"stalled","message":"s","seq":)" +
+                 std::to_string(seq) + "}");
   }
-  EXPECT_EQ(model.known().notes.size(), kMostNotes);
+  EXPECT_EQ(model.known().notes.size(), kMaxNotes);
   EXPECT_EQ(model.known().notes.begin()->first, 45);
 }
 
 TEST(WatchModel, TakesNoWordFromOtherCells) {
   WatchModel model = test::watched_model();
-  model.take(R"({"op":"state","cell":"second","tick":99})");
+  model.handle(R"({"op":"state","cell":"second","tick":99})");
   EXPECT_EQ(model.known().tick, 12345);
 }
 
 TEST(WatchModel, ANewGreetingForgetsTheOldServer) {
   WatchModel model = test::watched_model();
-  model.take(test::watched_hello());
+  model.handle(test::watched_hello());
   EXPECT_FALSE(model.known().state);
   EXPECT_TRUE(model.known().notes.empty());
 }
@@ -150,28 +150,29 @@ TEST(WatchModel, KeysBecomeCalls) {
   EXPECT_THAT(*model.ask(Action::kHome), HasSubstr("\"home\""));
   EXPECT_THAT(*model.ask(Action::kStep), HasSubstr("\"ticks\":10"));
   EXPECT_THAT(*model.ask(Action::kStepSecond), HasSubstr("\"ticks\":1000"));
-  model.take(test::watched_state("\"real\"", "\"manual\""));
+  model.handle(test::watched_state("\"real\"", "\"manual\""));
   EXPECT_THAT(*model.ask(Action::kPauseOrResume), HasSubstr("\"resume\""));
 }
 
 TEST(WatchModel, AStepThatMovesNothingIsSeenByItsTick) {
   WatchModel model = test::watched_model();
-  model.take(R"({"op":"result","id":"key","ok":true,"value":{"epoch":3,"tick":12355,"state":{}}})");
+  model.handle(
+      R"({"op":"result","id":"key","ok":true,"value":{"epoch":3,"tick":12355,"state":{}}})");
   EXPECT_EQ(model.known().epoch, 3);
   EXPECT_EQ(model.known().tick, 12355);
 }
 
 TEST(WatchModel, KeysWithoutTheTokenSaySo) {
   WatchModel model({});
-  model.take(test::watched_hello("read"));
+  model.handle(test::watched_hello("read"));
   EXPECT_FALSE(model.ask(Action::kHome));
   EXPECT_THAT(model.known().said, HasSubstr("--token-file"));
 }
 
 TEST(WatchModel, RepeatsWhatTheServerRefusedUntilTheNextKey) {
   WatchModel model = test::watched_model();
-  model.take(R"({"op":"result","id":"key","ok":false,"error":{"code":"clock_running",)"
-             R"("message":"step needs the manual clock","hint":"","details":[]}})");
+  model.handle(R"({"op":"result","id":"key","ok":false,"error":{"code":"clock_running",)"
+               R"("message":"step needs the manual clock","hint":"","details":[]}})");
   EXPECT_EQ(model.known().said, "step needs the manual clock");
   model.ask(Action::kPauseOrResume);
   EXPECT_EQ(model.known().said, "");
@@ -179,14 +180,15 @@ TEST(WatchModel, RepeatsWhatTheServerRefusedUntilTheNextKey) {
 
 TEST(WatchModel, ACellWithoutACameraIsNothingToComplainAbout) {
   WatchModel model = test::watched_model();
-  model.take(R"({"op":"result","id":null,"ok":false,"error":{"code":"no_camera","message":"no"}})");
+  model.handle(
+      R"({"op":"result","id":null,"ok":false,"error":{"code":"no_camera","message":"no"}})");
   EXPECT_EQ(model.known().said, "");
 }
 
 TEST(WatchModel, HearsTheFarewell) {
   WatchModel model = test::watched_model();
   EXPECT_FALSE(model.has_parted());
-  model.take(R"({"op":"bye","why":"shutdown","message":"the server is stopping"})");
+  model.handle(R"({"op":"bye","why":"shutdown","message":"the server is stopping"})");
   EXPECT_TRUE(model.has_parted());
   EXPECT_EQ(model.known().said, "the server is stopping");
 }
@@ -201,7 +203,7 @@ TEST(WatchModel, WhateverAServerSendsIsSurvived) {
         "{\"op\":\"result\",\"ok\":true,\"value\":[]}", "{\"op\":\"image\",\"rows\":{}}",
         "{\"op\":\"hello\",\"channels\":\"state\",\"tick_hz\":0,\"robot\":[]}"}) {
     WatchModel model = test::watched_model();
-    EXPECT_NO_THROW(model.take(line)) << line;
+    EXPECT_NO_THROW(model.handle(line)) << line;
     EXPECT_GE(model.known().tick_hz, 1);
   }
 }

@@ -28,7 +28,7 @@ std::string text(const Known& known, int rows, int columns, const Link& link = l
 
 Known with_state(const std::string& from, const std::string& to) {
   WatchModel model = test::watched_model();
-  model.take(test::watched_state(from, to));
+  model.handle(test::watched_state(from, to));
   return model.known();
 }
 
@@ -145,8 +145,8 @@ TEST(WatchScreen, WhenTheServerWentTheLastStateStaysAndItIsSaid) {
 
 TEST(WatchScreen, KeysThatAreOfNoUseAreNotOffered) {
   WatchModel model({});
-  model.take(test::watched_hello("read"));
-  model.take(test::watched_state());
+  model.handle(test::watched_hello("read"));
+  model.handle(test::watched_state());
   EXPECT_THAT(text(model.known(), 24, 80), HasSubstr("read only"));
   EXPECT_THAT(text(model.known(), 24, 80), Not(HasSubstr("h home")));
   const Known standing = with_state("\"real\"", "\"manual\"");

@@ -68,7 +68,7 @@ class Talk {
   void type_line(const std::string& line) {
     EXPECT_FALSE(turn_.is_over) << "nobody asked for \"" << line << "\"";
     shown_.clear();
-    show(dialogue_.take(line));
+    show(dialogue_.handle(line));
   }
 
   void show(const DialogueTurn& turn) {

@@ -3,7 +3,7 @@
 import { Refused } from "./refusal.js";
 
 const kFirstRetryMs = 300;
-const kLongestRetryMs = 3000;
+const kMaxRetryMs = 3000;
 const kAnswerWithinMs = 15000;
 const kQuietMs = 5000; // of silence before a ping
 const kPongWithinMs = 5000;
@@ -46,7 +46,7 @@ export class Connection {
     this.pending.clear();
     this.handlers.onStatus(status);
     setTimeout(() => this.open(), this.retryMs);
-    this.retryMs = Math.min(this.retryMs * 1.6, kLongestRetryMs);
+    this.retryMs = Math.min(this.retryMs * 1.6, kMaxRetryMs);
   }
 
   // --- Keep-alive: a cut network or a hanging server does not close the socket.

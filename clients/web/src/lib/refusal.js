@@ -1,15 +1,15 @@
 // Error responses of the server as text for the user: which member was wrong and what is expected
 // there.
 
-const kMostDetails = 8;
-const kMostLetters = 40;
+const kMaxDetails = 8;
+const kMaxLetters = 40;
 export const kLooksOn = "This page is read-only: press Unlock and enter the token.";
 const kOfThePage = {
   token_required: kLooksOn,
   bad_token: "Wrong token. After five wrong tokens the server closes the connection.",
 };
 
-const short = (text) => (text.length > kMostLetters ? `${text.slice(0, kMostLetters)}…` : text);
+const short = (text) => (text.length > kMaxLetters ? `${text.slice(0, kMaxLetters)}…` : text);
 
 /** Omits the protocol's `args` from a JSON pointer: `/args/size_mm/0` becomes `size_mm/0`. */
 const placeOf = (pointer) => pointer.replace(/^\/(args\/)?/, "") || "value";
@@ -27,6 +27,6 @@ export class Refused extends Error {
 
 /** The text of an error: the message, then one line for each of the first details. */
 export function wordsOf({ message, details = [] }) {
-  const more = details.length > kMostDetails ? [`and ${details.length - kMostDetails} more`] : [];
-  return [message, ...details.slice(0, kMostDetails).map(lineOf), ...more].join("\n");
+  const more = details.length > kMaxDetails ? [`and ${details.length - kMaxDetails} more`] : [];
+  return [message, ...details.slice(0, kMaxDetails).map(lineOf), ...more].join("\n");
 }

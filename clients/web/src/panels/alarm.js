@@ -4,7 +4,7 @@ import { el, setText } from "../lib/dom.js";
 
 const kShortestMs = 6000;
 const kMsPerLetter = 60;
-const kLongestMs = 20_000;
+const kMaxMs = 20_000;
 const kStalls = {
   protected_region: "Stalled: the tool would enter the protected region. Press Home.",
   work_surface: "Stalled: the tool would pass under the work surface. Press Home.",
@@ -15,7 +15,7 @@ const alarmOf = (state) =>
   kStalls[state.stalled] ?? (state.enabled ? "" : "The simulator is disabled: it accepts only A@ or, on this page, the key e.");
 
 /** How long a message is shown: proportional to its length, within bounds. */
-const readingMs = (text) => Math.min(Math.max(kShortestMs, text.length * kMsPerLetter), kLongestMs);
+const readingMs = (text) => Math.min(Math.max(kShortestMs, text.length * kMsPerLetter), kMaxMs);
 
 export class Alarm {
   /**

@@ -5,9 +5,9 @@ import { el, isSame } from "../lib/dom.js";
 import { JogPanel } from "./jog.js";
 import { isWarning } from "../lib/wire_words.js";
 
-const kMostRows = 200;
-const kMostEarly = 256;
-const kMostHexShown = 16;
+const kMaxRows = 200;
+const kMaxEarly = 256;
+const kMaxHexShown = 16;
 const bytesOf = (text) => new TextEncoder().encode(text).length;
 
 export class ConsolePanel {
@@ -51,12 +51,12 @@ export class ConsolePanel {
   #show(sent, { line, text: reply, hex }) {
     if (line !== this.line) Object.assign(this, { line, passed: { in: 0, out: 0 }, rows: [] });
     const row = el("li", {}, el("code", {}, sent.replaceAll("\r", "↵")));
-    const shown = hex.length > kMostHexShown ? `${hex.slice(0, kMostHexShown)}…` : hex;
+    const shown = hex.length > kMaxHexShown ? `${hex.slice(0, kMaxHexShown)}…` : hex;
     if (hex) row.append(" → ", el("span.reply", {}, `'${reply}' 0x${shown}`));
     this.rows.push({ row, in: this.#pass("in", bytesOf(sent)), out: this.#pass("out", hex.length / 2) });
-    if (this.rows.length > kMostRows) this.rows.shift();
+    if (this.rows.length > kMaxRows) this.rows.shift();
     this.log.append(row);
-    while (this.log.children.length > kMostRows) this.log.firstChild.remove();
+    while (this.log.children.length > kMaxRows) this.log.firstChild.remove();
     for (const words of this.early.splice(0)) this.#explain(words);
     this.#toEnd();
   }
@@ -81,7 +81,7 @@ export class ConsolePanel {
     const found = line === this.line && this.rows.find((each) => each[dir].from <= last && last < each[dir].to);
     const classes = `${dir === "in" ? "made" : "means"}${isWarning(code) ? ".warning" : ""}`;
     if (found) found.row.append(" ", el(`span.${classes}`, {}, `· ${message}`));
-    else if (this.awaited > 0 && this.early.length < kMostEarly) this.early.push(words);
+    else if (this.awaited > 0 && this.early.length < kMaxEarly) this.early.push(words);
   }
 
   #toEnd() {

@@ -4,10 +4,10 @@ import { el, whileHeld } from "../lib/dom.js";
 
 const kSteps = [1, 5, 20];
 const kUsualStep = 5;
-const kMostError = 127; // beyond it the counter wraps and the joint moves in the opposite direction
+const kMaxError = 127; // beyond it the counter wraps and the joint moves in the opposite direction
 
 /** Whether the error counter can take `counts` more without wrapping. */
-export const hasRoom = (error, counts) => Math.abs(error + counts) <= kMostError;
+export const hasRoom = (error, counts) => Math.abs(error + counts) <= kMaxError;
 
 /** Whether less than one step remains in the direction of `counts`. */
 export const isNearlyThere = (error, counts) => error * Math.sign(counts) < Math.abs(counts);

@@ -9,7 +9,7 @@ const kInk = {
 };
 
 /** Wire frames kept for redrawing after a change of size or ink. */
-const kMostFrames = 500;
+const kMaxFrames = 500;
 
 export class PaperView {
   constructor(canvas) {
@@ -53,7 +53,7 @@ export class PaperView {
 
   #keep(frame) {
     if (this.frames.at(-1) !== frame) this.frames.push(frame);
-    if (this.frames.length > kMostFrames) this.frames.shift();
+    if (this.frames.length > kMaxFrames) this.frames.shift();
   }
 
   #redrawAll() {

@@ -3,8 +3,8 @@
 import { copyText, download, el, setText } from "../lib/dom.js";
 import { counted, isWarning, transcriptLine } from "../lib/wire_words.js";
 
-const kMostRows = 1024;
-const kMostSeen = 8 * kMostRows;
+const kMaxRows = 1024;
+const kMaxSeen = 8 * kMaxRows;
 
 const kStartedAnew = "The server was restarted: its time and line numbers start again.";
 const kThereAgain = "The connection was lost and restored.";
@@ -27,7 +27,7 @@ export class WirePanel {
     if (this.seen.has(message.seq)) return;
     this.seen.set(message.seq, printOf(message));
     this.lastSeq = message.seq;
-    if (this.seen.size > kMostSeen) this.seen.delete(this.seen.keys().next().value);
+    if (this.seen.size > kMaxSeen) this.seen.delete(this.seen.keys().next().value);
     this.#put(message);
   }
 
@@ -38,7 +38,7 @@ export class WirePanel {
 
   #wait(message) {
     this.waiting.push(message);
-    if (this.waiting.length > kMostRows) this.waiting.shift();
+    if (this.waiting.length > kMaxRows) this.waiting.shift();
     this.#tell();
   }
 
@@ -91,7 +91,7 @@ export class WirePanel {
 
   #add(message) {
     this.messages.push(message);
-    if (this.messages.length > kMostRows) this.messages.shift();
+    if (this.messages.length > kMaxRows) this.messages.shift();
     if (this.#fits(message)) this.#append(this.#row(message));
     this.#tell();
   }
@@ -100,7 +100,7 @@ export class WirePanel {
     const { list } = this;
     const atEnd = list.scrollHeight - list.scrollTop - list.clientHeight < 40;
     list.append(row);
-    while (list.children.length > kMostRows) list.firstChild.remove();
+    while (list.children.length > kMaxRows) list.firstChild.remove();
     if (atEnd) list.scrollTop = list.scrollHeight;
   }
 

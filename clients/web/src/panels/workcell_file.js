@@ -2,12 +2,12 @@
 // errors that the server reports for a file.
 import { download, el } from "../lib/dom.js";
 
-const kMostRead = 8 * 1024 * 1024; // far beyond the message limit, even with much white space
-const kMostShown = 12;
+const kMaxRead = 8 * 1024 * 1024; // far beyond the message limit, even with much white space
+const kMaxShown = 12;
 
 /** Parses a workcell file; throws an Error with a message for the user. */
 async function read(file) {
-  if (file.size > kMostRead) throw new Error(`it is too large: ${Math.ceil(file.size / 1024)} KiB; the server accepts at most 256 KiB`);
+  if (file.size > kMaxRead) throw new Error(`it is too large: ${Math.ceil(file.size / 1024)} KiB; the server accepts at most 256 KiB`);
   const text = await file.text();
   try {
     return JSON.parse(text);
@@ -42,8 +42,8 @@ export class WorkcellFile {
 
   #list(name, { message, details = [] }) {
     const close = el("button", { type: "button", onclick: () => (this.problems.hidden = true) }, "Close");
-    const items = details.slice(0, kMostShown).map(({ pointer, allowed }) => el("li", {}, el("code", {}, pointer), `: expected ${allowed}`));
-    const more = details.length > kMostShown ? [el("li", {}, `and ${details.length - kMostShown} more`)] : [];
+    const items = details.slice(0, kMaxShown).map(({ pointer, allowed }) => el("li", {}, el("code", {}, pointer), `: expected ${allowed}`));
+    const more = details.length > kMaxShown ? [el("li", {}, `and ${details.length - kMaxShown} more`)] : [];
     this.problems.replaceChildren(el("p", {}, `${name} was not loaded: ${message}`), el("ul", {}, ...items, ...more), close);
     this.problems.hidden = false;
   }

@@ -2,7 +2,7 @@
 // new state. If no motor could have moved that far, or a jump is announced (home, lost connection),
 // the new values are drawn at once.
 
-const kLongestGlideMs = 120;
+const kMaxGlideMs = 120;
 const kSpareCounts = 2; // a motor may be in the middle of a count
 
 const mix = (a, b, t) => a + (b - a) * t;
@@ -40,7 +40,7 @@ export class Motion {
     const now = performance.now();
     const how = this.#howTo(state);
     const to = motorsOf(state).map(({ value }) => value);
-    const duration = how === "move" ? Math.min(now - this.arrival, kLongestGlideMs) : 0;
+    const duration = how === "move" ? Math.min(now - this.arrival, kMaxGlideMs) : 0;
     this.glide = { from: [...this.values], to, since: now, duration };
     Object.assign(this, { state, arrival: now, mustJump: false });
     return how;

@@ -11,7 +11,7 @@ import { RobotBody } from "./robot_body.js";
 import { lamps, themes } from "./scene_theme.js";
 import { ToolPath } from "./tool_path.js";
 
-const kMostPixelRatio = 2;
+const kMaxPixelRatio = 2;
 
 // Requests the context itself, to throw before the page is changed if there is no WebGL 2.
 function makeRenderer() {
@@ -19,7 +19,7 @@ function makeRenderer() {
   const context = canvas.getContext("webgl2", { antialias: true });
   if (!context) throw new Error("this browser has no WebGL 2, which the 3-D view requires");
   const renderer = new THREE.WebGLRenderer({ canvas, context });
-  renderer.setPixelRatio(Math.min(window.devicePixelRatio, kMostPixelRatio));
+  renderer.setPixelRatio(Math.min(window.devicePixelRatio, kMaxPixelRatio));
   return renderer;
 }
 

@@ -3,7 +3,7 @@
 // frustum, which gets faces. All other strokes stay lines. Independent of the renderer.
 
 const kTolerance = 0.6; // mm: coordinates in files are rounded
-const kLeastScale = 0.3; // minimum ratio of the two ends of a frustum
+const kMinScale = 0.3; // minimum ratio of the two ends of a frustum
 
 const distance = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -32,7 +32,7 @@ function isShifted(a, b) {
   if (a.length !== b.length) return false;
   const [from, to] = [middle(a), middle(b)];
   const scale = distance(b[0], to) / distance(a[0], from);
-  if (distance(from, to) < kTolerance || !(scale > kLeastScale && scale < 1 / kLeastScale)) return false;
+  if (distance(from, to) < kTolerance || !(scale > kMinScale && scale < 1 / kMinScale)) return false;
   const [e, f] = plane(a);
   const shift = minus(to, from);
   const inPlane = [e, f].map((axis) => axis[0] * shift[0] + axis[1] * shift[1] + axis[2] * shift[2]);

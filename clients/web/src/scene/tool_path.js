@@ -3,13 +3,13 @@
 import * as THREE from "three";
 import { themes } from "./scene_theme.js";
 
-const kMostPieces = 4096;
-const kLeastStepMm = 0.5;
+const kMaxPieces = 4096;
+const kMinStepMm = 0.5;
 const kNumbersOfPiece = 6; // two points
 
 export class ToolPath {
   constructor() {
-    this.ends = new THREE.BufferAttribute(new Float32Array(kMostPieces * kNumbersOfPiece), 3);
+    this.ends = new THREE.BufferAttribute(new Float32Array(kMaxPieces * kNumbersOfPiece), 3);
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", this.ends);
     this.line = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial());
@@ -30,18 +30,18 @@ export class ToolPath {
   /** The tip has moved to this point. */
   extend(tip) {
     const { last } = this;
-    if (last && last.distanceTo(tip) < kLeastStepMm) return;
+    if (last && last.distanceTo(tip) < kMinStepMm) return;
     this.last = tip;
     if (last) this.#addPiece(last, tip);
   }
 
   // Ring buffer: the newest piece replaces the oldest. The drawing order is irrelevant.
   #addPiece(from, to) {
-    const i = (this.pieces++ % kMostPieces) * 2;
+    const i = (this.pieces++ % kMaxPieces) * 2;
     this.ends.setXYZ(i, ...from.toArray());
     this.ends.setXYZ(i + 1, ...to.toArray());
     this.ends.needsUpdate = true;
-    this.line.geometry.setDrawRange(0, 2 * Math.min(this.pieces, kMostPieces));
+    this.line.geometry.setDrawRange(0, 2 * Math.min(this.pieces, kMaxPieces));
   }
 
   /** The next point starts a new stroke. */
@@ -58,6 +58,6 @@ export class ToolPath {
   /** The lengths of the drawn pieces, mm. */
   lengths() {
     const end = (i) => new THREE.Vector3().fromBufferAttribute(this.ends, i);
-    return Array.from({ length: Math.min(this.pieces, kMostPieces) }, (_, i) => end(2 * i).distanceTo(end(2 * i + 1)));
+    return Array.from({ length: Math.min(this.pieces, kMaxPieces) }, (_, i) => end(2 * i).distanceTo(end(2 * i + 1)));
   }
 }
