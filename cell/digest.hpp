@@ -1,15 +1,15 @@
-// SHA-256 digests (nettle). Portable: the same on every machine.
+// SHA-256 digests. Portable: the same on every machine.
 #pragma once
 
 #include <string>
 #include <string_view>
 
 #include "core/model.hpp"
-#include "core/robot.hpp"
 
 namespace xr3 {
 
-/// `sha256:` and 64 hexadecimal digits.
+/// `sha256:` and 64 hexadecimal digits. The program that links cell defines it (server/files/sha256.cpp),
+/// so that cell needs no crypto library.
 std::string sha256(std::string_view text);
 
 /// The digest of robot and profile. A snapshot can be loaded only if it has the same.

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
-"""The house rules that a compiler does not check: which folder may include what, how long a file may
-be, and that no file names a path of one developer's machine. Prints every breach as file:line."""
+"""The house rules that a compiler does not check: which library may include what, how long a file may
+be, how many rooms a folder may have, and that no file names a path outside the project. Prints every
+breach as file:line."""
 
 import os
 import re
@@ -9,16 +10,22 @@ import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 MAX_LINES = 400
+MAX_ROOMS = 32  # a room is a subfolder, or a header with its source
 
-# For each folder: the start of every path in quotes that it may include, the start of every <path/>
-# with a folder in it, and standard headers it may not have. core <- protocol <- server.
+# For each library: the libraries it may include, the start of every <path/> with a folder in it (None:
+# any), and standard headers it may not have. core <- protocol <- cell <- server, protocol <- tools <- server.
 NO_IO = {"thread", "mutex", "shared_mutex", "condition_variable", "future", "iostream", "fstream",
          "chrono", "ctime", "filesystem"}
 RULES = {
     "core": (("core/",), ("Eigen/",), NO_IO),
     "protocol": (("core/", "protocol/"), ("Eigen/", "nlohmann/"), NO_IO),
-    "server": (("core/", "protocol/", "server/"), None, set()),
+    "cell": (("core/", "protocol/", "cell/"), ("Eigen/", "nlohmann/"), NO_IO),
+    "tools": (("core/", "protocol/", "tools/"), ("Eigen/", "nlohmann/"), NO_IO),
+    "server": (("core/", "protocol/", "cell/", "tools/", "server/"), None, set()),
 }
+HOUSED = tuple(RULES) + ("tests", "clients/web/src")
+# One case per file: lists, not rooms.
+LISTS = {"tests/transcripts", "tests/integration", "tests/data/broken"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 PRIVATE_PATH = re.compile(
     r"(?:^|[^\w.])/(?:work|farm)/|\.\./shared"
@@ -64,9 +71,23 @@ def breaches(path, text):
         yield f"{path}:{len(lines)}: longer than {MAX_LINES} lines"
 
 
+def crowded_folders(files):
+    """Folders of the libraries, the tests and the page with more rooms than a reader takes in at a glance."""
+    rooms = {}
+    for path in files:
+        parts = path.split("/")
+        for depth in range(1, len(parts)):
+            folder, room = "/".join(parts[:depth]), parts[depth].split(".")[0]
+            if (folder + "/").startswith(tuple(name + "/" for name in HOUSED)):
+                rooms.setdefault(folder, set()).add(room)
+    for folder, names in sorted(rooms.items()):
+        if len(names) > MAX_ROOMS and folder not in LISTS:
+            yield f"{folder}: {len(names)} rooms, at most {MAX_ROOMS}"
+
+
 def main():
     files = project_files()
-    found = []
+    found = list(crowded_folders(files))
     for path in files:
         with open(os.path.join(ROOT, path), encoding="utf-8", errors="replace") as file:
             found.extend(breaches(path, file.read()))

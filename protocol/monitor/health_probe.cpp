@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "tools/watch/read.hpp"
+#include "protocol/monitor/member.hpp"
 
 namespace xr3 {
 namespace {
@@ -38,12 +38,12 @@ std::string HealthProbe::feed(std::string_view bytes) {
 
 std::string HealthProbe::handle_line() {
   const Json message = Json::parse(line_, nullptr, false);
-  const auto op = watch::value_of<std::string>(message, "op");
+  const auto op = monitor::value_of<std::string>(message, "op");
   if (op == "bye") {
-    refuse("ends the connection: " + watch::value_of<std::string>(message, "message"));
+    refuse("ends the connection: " + monitor::value_of<std::string>(message, "message"));
   } else if (is_greeted_) {
-    if (op == "pong" && watch::member(message, "id") == kId) health_ = Health::kHealthy;
-  } else if (op == "hello" && watch::value_of<std::string>(message, "server").starts_with("xr3 ")) {
+    if (op == "pong" && monitor::member(message, "id") == kId) health_ = Health::kHealthy;
+  } else if (op == "hello" && monitor::value_of<std::string>(message, "server").starts_with("xr3 ")) {
     is_greeted_ = true;
     return Json({{"op", "ping"}, {"id", kId}}).dump().substr(opening().size()) + "\n";
   } else {
@@ -74,7 +74,7 @@ std::string trouble_with_readiness(std::string_view answer) {
   if (answer.starts_with(kStatus) && answer.substr(kStatus.size()).starts_with("200 ")) return {};
   const std::size_t head = std::min(answer.find("\r\n\r\n"), answer.size());
   const Json body = Json::parse(answer.substr(head), nullptr, false);
-  const auto message = watch::value_of<std::string>(watch::member(body, "error"), "message");
+  const auto message = monitor::value_of<std::string>(monitor::member(body, "error"), "message");
   return message.empty() ? is_another(answer) : "is not ready: " + message;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 namespace xr3::watch {
+
 namespace {
 
 constexpr std::size_t kMaxLabelLength = 8;
@@ -73,41 +74,6 @@ bool is_size(std::int64_t pixels) {
 }
 
 }  // namespace
-
-const Json& member(const Json& object, const char* name) {
-  static const Json none;
-  const auto found = object.find(name);
-  return object.is_object() && found != object.end() ? *found : none;
-}
-
-void read(const Json& object, const char* name, std::string& into) {
-  const Json& value = member(object, name);
-  if (value.is_string()) into = value.get<std::string>();
-}
-void read(const Json& object, const char* name, std::int64_t& into) {
-  const Json& value = member(object, name);
-  if (value.is_number_integer()) into = value.get<std::int64_t>();
-}
-void read(const Json& object, const char* name, double& into) {
-  const Json& value = member(object, name);
-  if (value.is_number()) into = value.get<double>();
-}
-void read(const Json& object, const char* name, bool& into) {
-  const Json& value = member(object, name);
-  if (value.is_boolean()) into = value.get<bool>();
-}
-void read(const Json& object, const char* name, std::array<double, 3>& into) {
-  const Json& value = member(object, name);
-  if (!value.is_array() || value.size() != into.size()) return;
-  for (std::size_t i = 0; i < into.size(); ++i) {
-    if (value[i].is_number()) into[i] = value[i].get<double>();
-  }
-}
-void read(const Json& object, const char* name, std::vector<bool>& into) {
-  const Json& value = member(object, name);
-  if (!value.is_array()) return;
-  for (const Json& bit : value) into.push_back(bit.is_boolean() && bit.get<bool>());
-}
 
 State read_state(const Json& message) {
   State state;

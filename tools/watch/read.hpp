@@ -3,7 +3,6 @@
 // client.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -11,30 +10,17 @@
 #include <string>
 #include <vector>
 
-#include "protocol/json/source.hpp"
+#include "protocol/monitor/member.hpp"
 #include "tools/watch/known.hpp"
 
 namespace xr3::watch {
 
+using monitor::member;
+using monitor::read;
+using monitor::value_of;
+
 /// Maximum width and height of an accepted image, in pixels.
 inline constexpr std::size_t kMaxPixels = 4096;
-
-/// The member, or null if there is none or `object` is not an object.
-const Json& member(const Json& object, const char* name);
-
-void read(const Json& object, const char* name, std::string& into);
-void read(const Json& object, const char* name, std::int64_t& into);
-void read(const Json& object, const char* name, double& into);
-void read(const Json& object, const char* name, bool& into);
-void read(const Json& object, const char* name, std::array<double, 3>& into);
-void read(const Json& object, const char* name, std::vector<bool>& into);
-
-/// The member, or `otherwise`.
-template <class Value>
-Value value_of(const Json& object, const char* name, Value otherwise = {}) {
-  read(object, name, otherwise);
-  return otherwise;
-}
 
 /// Reads a `state` message.
 State read_state(const Json& message);
