@@ -15,7 +15,7 @@ void choose_port(const CLI::App& health, HealthOptions& options) {
   const bool is_port_said = is_argument(health, "--monitor-port");
   if (is_port_said && !is_argument(health, "--port-file")) options.port_file.clear();
   if (options.port_file.empty() && options.monitor_port == 0) {
-    throw CLI::ValidationError("port 0 is a free one: --port-file names the file that says which");
+    throw CLI::ValidationError("port 0 selects a free port: use --port-file with the file that serve wrote");
   }
 }
 
@@ -29,9 +29,8 @@ void complete(CLI::App& health, HealthOptions& options) {
 
 void add_health(CLI::App& app, HealthOptions& options) {
   CLI::App& health = *app.add_subcommand(
-      "healthcheck",
-      "ask the server on this machine whether it serves lines; exit code 0 says yes");
-  health.add_option("--listen", options.listen, "where it listens, as serve was told")
+      "healthcheck", "check that the server on this machine serves lines; exit code 0 if it does");
+  health.add_option("--listen", options.listen, "address of the server, as for serve")
       ->type_name("ADDR")
       ->check(CLI::Validator(check_listen, ""))
       ->capture_default_str();
@@ -43,7 +42,7 @@ void add_health(CLI::App& app, HealthOptions& options) {
       .add_option("--port-file", options.port_file,
                   "read the port from this file, which serve wrote")
       ->type_name("FILE");
-  health.add_option("--wait", options.wait_s, "try again for so long, until it answers")
+  health.add_option("--wait", options.wait_s, "retry for this many seconds until the server is ready")
       ->type_name("SECONDS")
       ->check(number_between(0, kMaxWaitS))
       ->configurable(false);

@@ -42,7 +42,7 @@ std::string check_picture_name(const std::string& name) {
 
 void add_draw(CLI::App& app, DrawOptions& options) {
   CLI::App& draw = *app.add_subcommand("draw", "draw a robot and its workcell as a picture");
-  draw.add_option("out", options.out, "the picture; its name says which kind")
+  draw.add_option("out", options.out, "the picture file; its name determines the format")
       ->type_name("OUT.svg|OUT.png")
       ->required()
       ->check(CLI::Validator(check_picture_name, ""));
@@ -50,7 +50,7 @@ void add_draw(CLI::App& app, DrawOptions& options) {
       ->type_name("NAME|FILE")
       ->capture_default_str();
   draw.add_option("--workcell", options.workcell,
-                  "workcell: a name, or a file (default: named like the robot)")
+                  "workcell: a name, or a file (default: the one named after the robot)")
       ->type_name("NAME|FILE");
   draw.add_option_function<std::string>(
           "--joints", [&options](const std::string& text) { options.joints = parse_numbers(text); },
@@ -61,7 +61,7 @@ void add_draw(CLI::App& app, DrawOptions& options) {
       ->type_name("V");
   draw.add_option_function<std::string>(
           "--view", [&options](const std::string& text) { options.view = parse_view(text); },
-          "seen from there: whole numbers from -9 to 9 (default 1,1,1)")
+          "view vector: whole numbers from -9 to 9 (default 1,1,1)")
       ->type_name("X,Y,Z")
       ->check(parses(parse_view, ""));
   draw.add_option("--width", options.width_px, "width in pixels")
@@ -81,7 +81,7 @@ void add_list(CLI::App& command, const std::string& name, std::vector<double>& n
 
 void add_kin(CLI::App& app, KinOptions& options) {
   CLI::App& kin = *app.add_subcommand(
-      "kin", "where the tool is for joint values or counts, or how to bring it somewhere");
+      "kin", "forward and inverse kinematics: the pose for joint values, or joint values for a pose");
   KinOptionValues& values = options.values;
   kin.add_option("--robot", options.robot, "robot: a name, or a file")
       ->type_name("NAME|FILE")
@@ -89,22 +89,22 @@ void add_kin(CLI::App& app, KinOptions& options) {
   add_list(kin, "--joints", values.joints, "V1,...",
            "joint variables from the base, degrees or mm");
   add_list(kin, "--counts", values.counts, "N1,...", "motor counts from the base");
-  kin.add_option("--tool", values.tool, "the tool's variable beside them, mm or degrees")
+  kin.add_option("--tool", values.tool, "with --joints or --counts: the tool variable, mm or degrees")
       ->type_name("V");
   add_list(kin, "--pose", values.pose, "X,Y,Z[,YAW,PITCH,ROLL]",
-           "tip in mm, and the tool turned by R = Rz(yaw) Ry(pitch) Rx(roll), degrees");
+           "tip in mm; orientation R = Rz(yaw) Ry(pitch) Rx(roll) in degrees");
   kin.add_option("--down", values.down, "with X,Y,Z: tool straight down at this net roll, degrees")
       ->type_name("NET_ROLL");
-  add_list(kin, "--approach", values.approach, "AX,AY,AZ", "with X,Y,Z: the way the hand points");
+  add_list(kin, "--approach", values.approach, "AX,AY,AZ", "with X,Y,Z: the approach vector");
   kin.add_option("--roll", values.roll, "with --approach: the variable of the last joint")
       ->type_name("Q");
   add_list(kin, "--configuration", values.configuration, "W1,...,W6", "tool-configuration vector");
   kin.add_option("--tolerance", values.tolerance.tolerance_deg,
-                 "degrees that the approach may be off where an arm cannot have it exactly")
+                 "maximum error of the approach vector, if the arm cannot reach it exactly")
       ->type_name("DEG")
       ->check(number_between(0, 45))
       ->capture_default_str();
-  kin.add_option("--tolerance-mm", values.tolerance.tolerance_mm, "mm that the tip may be off")
+  kin.add_option("--tolerance-mm", values.tolerance.tolerance_mm, "maximum error of the tip, mm")
       ->type_name("MM")
       ->check(number_between(0, 1000))
       ->capture_default_str();

@@ -97,7 +97,7 @@ void add_serve(CLI::App& app, ServeOptions& options) {
       ->capture_default_str();
   serve
       .add_option("--workcell", options.workcell,
-                  "workcell: a name, or a file (default: named like the robot)")
+                  "workcell: a name, or a file (default: the one named after the robot)")
       ->type_name("NAME|FILE");
   serve
       .add_option("--listen", options.listen,

@@ -334,7 +334,7 @@ class Monitor:
         return self.request("get", channel=channel, **options)
 
     def step(self, ticks, after=None, fields=None):
-        """Lets standing time pass; `after` a line has received what was sent on it (a Line, or its
+        """Advances the manual clock; `after` a line has received what was sent on it (a Line, or its
         number and a count of bytes). Returns the state."""
         arguments = {"ticks": ticks}
         if after is not None:

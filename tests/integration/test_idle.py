@@ -80,7 +80,7 @@ class Idle(unittest.TestCase):
             cases = {
                 "at the soft home": case(),
                 "in fast time": case(clock="real:1000"),
-                "in standing time": case(clock="manual"),
+                "with the manual clock": case(clock="manual"),
                 "with fifty viewers": case(viewers=50),
                 "with fifty viewers after a move": case(clock="real:100", viewers=50).move_while_time_runs("E+20\rD-9\r"),
                 "as mark3": case("--compat", "mark3"),

@@ -73,7 +73,7 @@ class Run(unittest.TestCase):
         done = self.run_to_end("--robot", robot)
         self.assertEqual((2, ""), (done.returncode, done.stdout))
         self.assertTrue(done.stderr.endswith(
-            "xr3: no workcell is named like the robot my-arm; name one with --workcell\n"), done.stderr)
+            "xr3: there is no workcell named after the robot my-arm; name one with --workcell\n"), done.stderr)
         self.assertEqual(RHINO, self.started("--robot", robot, "--workcell", "rhino-xr3"))
 
     def test_the_commands_of_the_readme(self):
