@@ -146,7 +146,7 @@ Applied Cell::handle(const LineClosed& closed, WallNs) {
     probe_line_.reset();
     return {};
   }
-  const Line* line = find_line(closed.line);
+  const SerialLine* line = find_line(closed.line);
   if (line == nullptr) return {};
   emit_all(closed.line, warnings_.forget(closed.line));
   emit(closed.line, LineClosedNote{closed.reason, line->bytes_in(), line->bytes_out()});

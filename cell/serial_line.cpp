@@ -2,7 +2,7 @@
 
 namespace xr3 {
 
-std::size_t Line::receive(std::string_view bytes, Simulation& simulation,
+std::size_t SerialLine::receive(std::string_view bytes, Simulation& simulation,
                           std::vector<Exchange>& exchanges) {
   std::size_t taken = 0;
   while (taken < bytes.size() && !is_full() && !is_not_a_robot_program_) {
@@ -26,13 +26,13 @@ std::size_t Line::receive(std::string_view bytes, Simulation& simulation,
   return taken;
 }
 
-void Line::act(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
+void SerialLine::act(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
                std::vector<Exchange>& exchanges) {
   const auto data = telnet_.feed(byte, outbox_);
   if (data) act_on(*data, offset, simulation, exchanges);
 }
 
-void Line::act_on(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
+void SerialLine::act_on(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
                   std::vector<Exchange>& exchanges) {
   std::string replies;
   endpoint_.feed(byte, offset, simulation, replies, exchanges);
@@ -43,10 +43,10 @@ void Line::act_on(std::uint8_t byte, std::uint64_t offset, Simulation& simulatio
   exchanges.back().reply_to = output_end();
 }
 
-void Line::deliver(std::string_view replies) { telnet_.encode(replies, outbox_); }
+void SerialLine::deliver(std::string_view replies) { telnet_.encode(replies, outbox_); }
 
 // A picture of a megabyte goes out in many pieces: the rest moves up only when it is the smaller part.
-void Line::sent(std::size_t count) {
+void SerialLine::sent(std::size_t count) {
   sent_ += count;
   bytes_out_ += count;
   if (sent_ < outbox_.size() - sent_) return;

@@ -1,9 +1,11 @@
 #include "core/execute.hpp"
 
+#include <cassert>
 #include <cstdlib>
 
 #include "core/coupling.hpp"
 #include "core/home.hpp"
+#include "core/invariants.hpp"
 #include "core/kinematics.hpp"
 #include "core/motor.hpp"
 #include "core/switches.hpp"
@@ -167,6 +169,7 @@ class Executor {
 }  // namespace
 
 void set_input(State& state, int line, bool high, Events& events) {
+  assert(line >= 1 && line <= 8);
   if (has_bit(state.io.inputs, line) == high) return;
   state.io.inputs = with_bit(state.io.inputs, line, high);
   events.push_back({state.tick, InputChanged{line, high}});
@@ -174,7 +177,9 @@ void set_input(State& state, int line, bool high, Events& events) {
 
 Reply execute(const Model& model, State& state, const Command& command, Events& events,
               CameraCache& camera) {
-  return std::visit(Executor(model, state, events, camera), command);
+  Reply reply = std::visit(Executor(model, state, events, camera), command);
+  assert(broken_invariant(model, state) == nullptr);
+  return reply;
 }
 
 bool is_camera_inquiry(const Command& command) {

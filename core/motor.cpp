@@ -1,5 +1,7 @@
 #include "core/motor.hpp"
 
+#include <cassert>
+
 namespace xr3 {
 namespace {
 
@@ -67,6 +69,7 @@ void set_error(MotorState& motor, std::int8_t error) {
 }
 
 bool add_to_error(MotorState& motor, int counts) {
+  assert(counts >= -128 && counts <= 127);
   const int sum = motor.error + counts;
   set_error(motor, static_cast<std::int8_t>(sum));
   return sum != motor.error;

@@ -1,10 +1,12 @@
 #include "core/step.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "core/coupling.hpp"
 #include "core/envelope.hpp"
 #include "core/grasp.hpp"
+#include "core/invariants.hpp"
 #include "core/kinematics.hpp"
 #include "core/motor.hpp"
 #include "core/switches.hpp"
@@ -46,17 +48,7 @@ void coast(const Model& model, State& state, Tick ticks) {
   }
 }
 
-}  // namespace
-
-bool is_at_rest(const Model& model, const State& state) {
-  if (state.stall != Stall::kNo) return true;
-  for (int i = 0; i < model.motor_count(); ++i) {
-    if (is_running(state.motor(i))) return false;
-  }
-  return true;
-}
-
-void step(const Model& model, State& state, Events& events) {
+void tick(const Model& model, State& state, Events& events) {
   ++state.tick;
   if (state.stall != Stall::kNo) return;
   const Motors before = state.motors;
@@ -77,6 +69,21 @@ void step(const Model& model, State& state, Events& events) {
   }
   emit_reached(model, state, before, events);
   update_blocked(model, state, positions, events);
+}
+
+}  // namespace
+
+bool is_at_rest(const Model& model, const State& state) {
+  if (state.stall != Stall::kNo) return true;
+  for (int i = 0; i < model.motor_count(); ++i) {
+    if (is_running(state.motor(i))) return false;
+  }
+  return true;
+}
+
+void step(const Model& model, State& state, Events& events) {
+  tick(model, state, events);
+  assert(broken_invariant(model, state) == nullptr);
 }
 
 void run_to_rest(const Model& model, State& state, Tick target, Events& events) {

@@ -24,21 +24,21 @@ namespace {
 
 constexpr int kEscapeDelayMs = 25;
 
-struct TextStyle {
+struct CursesStyle {
   short color;  ///< -1: the terminal's default
   attr_t attributes;
 };
 
-const std::map<TextStyle, TextStyle>& looks() {
-  static const std::map<TextStyle, TextStyle> all{{TextStyle::kPlain, {-1, A_NORMAL}},
-                                                  {TextStyle::kFaint, {-1, A_DIM}},
-                                                  {TextStyle::kStrong, {-1, A_BOLD}},
-                                                  {TextStyle::kTitle, {-1, A_REVERSE}},
-                                                  {TextStyle::kRule, {COLOR_CYAN, A_NORMAL}},
-                                                  {TextStyle::kGood, {COLOR_GREEN, A_NORMAL}},
-                                                  {TextStyle::kWarning, {COLOR_YELLOW, A_NORMAL}},
-                                                  {TextStyle::kBad, {COLOR_RED, A_BOLD}},
-                                                  {TextStyle::kPicture, {COLOR_WHITE, A_BOLD}}};
+const std::map<TextStyle, CursesStyle>& looks() {
+  static const std::map<TextStyle, CursesStyle> all{{TextStyle::kPlain, {-1, A_NORMAL}},
+                                                    {TextStyle::kFaint, {-1, A_DIM}},
+                                                    {TextStyle::kStrong, {-1, A_BOLD}},
+                                                    {TextStyle::kTitle, {-1, A_REVERSE}},
+                                                    {TextStyle::kRule, {COLOR_CYAN, A_NORMAL}},
+                                                    {TextStyle::kGood, {COLOR_GREEN, A_NORMAL}},
+                                                    {TextStyle::kWarning, {COLOR_YELLOW, A_NORMAL}},
+                                                    {TextStyle::kBad, {COLOR_RED, A_BOLD}},
+                                                    {TextStyle::kPicture, {COLOR_WHITE, A_BOLD}}};
   return all;
 }
 

@@ -59,7 +59,7 @@ monitor::Message refused(const monitor::RequestId& id, monitor::RequestError err
   return monitor::result(error);
 }
 
-Json line_json(LineId id, const Line& line) {
+Json line_json(LineId id, const SerialLine& line) {
   return {{"line", id},
           {"kind", name_of(line.kind())},
           {"peer", line.peer()},

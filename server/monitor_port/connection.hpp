@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "protocol/monitor/detector.hpp"
+#include "protocol/monitor/protocol_detector.hpp"
 #include "server/http/session.hpp"
 #include "server/monitor_port/json_lines.hpp"
 #include "server/monitor_port/service.hpp"

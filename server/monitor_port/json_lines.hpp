@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "protocol/monitor/lines.hpp"
-#include "protocol/monitor/opening.hpp"
+#include "protocol/monitor/protocol_detector.hpp"
 #include "server/monitor_port/service.hpp"
 #include "server/monitor_port/session.hpp"
 #include "server/net/asio.hpp"

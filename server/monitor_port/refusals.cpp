@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "protocol/monitor/detector.hpp"
 #include "protocol/monitor/message.hpp"
+#include "protocol/monitor/protocol_detector.hpp"
 #include "server/http/answer.hpp"
 #include "server/net/spawn.hpp"
 

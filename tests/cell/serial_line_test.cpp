@@ -15,7 +15,7 @@ struct OneLine {
   std::size_t receive(std::string_view bytes) { return line.receive(bytes, simulation, exchanges); }
 };
 
-TEST(Line, AFullOutboxTakesNoFurtherByteUntilItIsEmptied) {
+TEST(SerialLine, AFullOutboxTakesNoFurtherByteUntilItIsEmptied) {
   OneLine one;
   one.receive("E?");
   const std::string flood(2 * SerialLine::kFullOutbox, '?');
@@ -27,7 +27,7 @@ TEST(Line, AFullOutboxTakesNoFurtherByteUntilItIsEmptied) {
   EXPECT_EQ(one.receive("?"), 1U);
 }
 
-TEST(Line, AnOutboxThatIsSentInPiecesLosesNothing) {
+TEST(SerialLine, AnOutboxThatIsSentInPiecesLosesNothing) {
   OneLine one;
   std::string expected;
   std::string sent;
@@ -43,7 +43,7 @@ TEST(Line, AnOutboxThatIsSentInPiecesLosesNothing) {
   EXPECT_EQ(sent + std::string(one.line.outbox()), expected);
 }
 
-TEST(Line, CountsBytesAsTheTransportSeesThem) {
+TEST(SerialLine, CountsBytesAsTheTransportSeesThem) {
   OneLine one;
   one.receive(
       "E+5\r\xff\xfd\x06"
@@ -54,7 +54,7 @@ TEST(Line, CountsBytesAsTheTransportSeesThem) {
   EXPECT_EQ(one.line.bytes_out(), 4U);
 }
 
-TEST(Line, HeldBytesActWithTheirOwnOffsets) {
+TEST(SerialLine, HeldBytesActWithTheirOwnOffsets) {
   OneLine one;
   one.receive("P");
   EXPECT_EQ(one.line.held_bytes(), 1U);
@@ -66,7 +66,7 @@ TEST(Line, HeldBytesActWithTheirOwnOffsets) {
   EXPECT_EQ(one.simulation.state().io.outputs, 4);
 }
 
-TEST(Line, AStrangerHasActedWithNotOneByte) {
+TEST(SerialLine, AStrangerHasActedWithNotOneByte) {
   OneLine one;
   const std::string request = "DELETE / HTTP/1.1\r\n\r\nF+100\r";
   EXPECT_EQ(one.receive(request), 8U);

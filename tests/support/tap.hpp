@@ -30,7 +30,7 @@ class Tap {
   void receive(std::string_view bytes);
 
   Simulation simulation_;
-  Line line_;
+  SerialLine line_;
   std::vector<Exchange> exchanges_;
   std::vector<WireRecord> records_;
   std::string received_;

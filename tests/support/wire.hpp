@@ -27,7 +27,7 @@ class Wire {
   bool is_closed() const { return line_.is_not_a_robot_program(); }
 
  private:
-  Line line_;
+  SerialLine line_;
   std::vector<Exchange> exchanges_;
 };
 

@@ -117,7 +117,7 @@ void WorkcellDialogue::remove() {
         return dialogue::yes_no_question("Remove \"" + block_.name + "\"?", is_yes_,
                                          "yes: remove it. no: keep it.");
       }},
-      &WorkcellDialogue::take_removal);
+      &WorkcellDialogue::handle_removal);
 }
 
 void WorkcellDialogue::handle_removal() {
@@ -143,7 +143,7 @@ void WorkcellDialogue::judge_block() {
         return dialogue::yes_no_question("Keep it anyway?", is_yes_,
                                          "yes: keep it. no: the items are asked again.");
       }},
-      &WorkcellDialogue::take_verdict);
+      &WorkcellDialogue::handle_verdict);
 }
 
 void WorkcellDialogue::handle_verdict() { is_yes_ ? keep_block() : ask_block_again(); }

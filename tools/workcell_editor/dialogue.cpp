@@ -128,7 +128,7 @@ WorkcellDialogue::Question WorkcellDialogue::menu() {
   Question question;
   question.prompt = has_unsaved() ? "workcell (not saved)>" : "workcell>";
   question.help = std::string(kMenuHelp).substr(0, std::string(kMenuHelp).size() - 1);
-  question.take = [this](const std::string& line) { return run_command(line); };
+  question.handle = [this](const std::string& line) { return run_command(line); };
   return question;
 }
 
@@ -213,7 +213,7 @@ DialogueTurn WorkcellDialogue::written(WriteOutcome outcome, const std::string& 
           return dialogue::yes_no_question(file_ + " already exists. Replace it?", is_yes_,
                                            "yes: its contents are lost. no: it stays unchanged.");
         }},
-        &WorkcellDialogue::take_replacement);
+        &WorkcellDialogue::handle_replacement);
   } else if (outcome == WriteOutcome::kWritten) {
     saved_ = workcell_;
     has_written_ = true;
@@ -244,7 +244,7 @@ void WorkcellDialogue::quit() {
             "Save before leaving?", is_yes_,
             "yes: write " + file_ + ". no: leave and lose the changes. .: stay here.");
       }},
-      &WorkcellDialogue::take_leaving);
+      &WorkcellDialogue::handle_leaving);
 }
 
 void WorkcellDialogue::handle_leaving() {

@@ -24,7 +24,7 @@ Question number_question(const std::string& prompt, double min, double max, cons
   const std::string range = range_words(plain_number(min), plain_number(max), unit);
   Question question;
   question.prompt = prompt + " (" + range + ")";
-  question.take = [=](const std::string& answer) -> std::string {
+  question.handle = [=](const std::string& answer) -> std::string {
     const Json number = paper::number_or_text(answer);
     if (!number.is_number()) return "Not a number: " + range + ".";
     const auto value = number.get<double>();
@@ -83,7 +83,7 @@ Question yaw_question(const std::string& prompt, Microdegrees& value, const std:
 Question whole_question(const std::string& prompt, int min, int max, int& value,
                         const std::string& help) {
   Question question = number_question(prompt, min, max, "", [](double) {});
-  question.take = [in_range = question.take, &value](const std::string& answer) -> std::string {
+  question.handle = [in_range = question.handle, &value](const std::string& answer) -> std::string {
     std::string problem = in_range(answer);
     if (!problem.empty()) return problem;
     const auto number = paper::number_or_text(answer).get<double>();
@@ -102,7 +102,7 @@ Question text_question(const std::string& prompt, std::size_t least, std::size_t
   question.prompt = prompt;
   question.fallback = value;
   question.help = help;
-  question.take = [=, &value](const std::string& answer) -> std::string {
+  question.handle = [=, &value](const std::string& answer) -> std::string {
     const std::string text = least == 0 && answer == "-" ? "" : answer;
     if (text.size() < least) return "It must not be empty.";
     if (text.size() > most) return "That is too long: at most " + std::to_string(most) + " bytes.";
@@ -132,7 +132,7 @@ Question choice_question(const std::string& prompt, const std::vector<std::strin
   question.prompt = prompt + " (" + list + ")";
   question.fallback = words[value];
   question.help = help;
-  question.take = [=, &value](const std::string& answer) -> std::string {
+  question.handle = [=, &value](const std::string& answer) -> std::string {
     const std::vector<std::string> like = words_like(answer, words);
     if (like.size() != 1) return "Please answer " + list + ".";
     value =
@@ -148,7 +148,7 @@ Question yes_no_question(const std::string& prompt, bool& value, const std::stri
   question.prompt = prompt + " (yes or no)";
   question.fallback = no_and_yes[value ? 1 : 0];
   question.help = help;
-  question.take = [&value](const std::string& answer) -> std::string {
+  question.handle = [&value](const std::string& answer) -> std::string {
     const std::vector<std::string> like = words_like(answer, no_and_yes);
     if (like.size() != 1) return "Please answer yes or no.";
     value = like[0] == "yes";

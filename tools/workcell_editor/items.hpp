@@ -17,7 +17,7 @@ struct Question {
   std::string fallback;  ///< the answer for Enter alone, shown in brackets; may be empty
   std::string help;
   /// Handles an answer. Returns an empty string, or a sentence with the reason why it is invalid.
-  std::function<std::string(const std::string&)> take;
+  std::function<std::string(const std::string&)> handle;
 };
 
 /// The prompt with the fallback and a trailing blank.

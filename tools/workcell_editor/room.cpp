@@ -37,7 +37,7 @@ void WorkcellDialogue::offer_block() {
                                          is_yes_,
                                          "Blocks can be added, changed and removed later as well.");
       }},
-      &WorkcellDialogue::take_offer);
+      &WorkcellDialogue::handle_offer);
 }
 
 void WorkcellDialogue::handle_offer() { is_yes_ ? add() : ask_camera(); }
@@ -134,7 +134,7 @@ void WorkcellDialogue::ask_camera() {
         return dialogue::yes_no_question("A camera?", wants_camera_,
                                          "A fixed camera that looks straight down.");
       }},
-      &WorkcellDialogue::take_camera_answer);
+      &WorkcellDialogue::handle_camera_answer);
 }
 
 void WorkcellDialogue::handle_camera_answer() {

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "protocol/monitor/detector.hpp"
+#include "protocol/monitor/protocol_detector.hpp"
 #include "protocol/monitor/lines.hpp"
 
 namespace xr3::monitor {

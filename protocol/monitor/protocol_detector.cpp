@@ -1,4 +1,4 @@
-#include "protocol/monitor/opening.hpp"
+#include "protocol/monitor/protocol_detector.hpp"
 
 namespace xr3::monitor {
 namespace {
