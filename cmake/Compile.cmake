@@ -1,11 +1,11 @@
-# How every file is compiled, and where the results go. What differs between builds (optimisation,
-# sanitizers, warnings as errors) is in CMakePresets.json.
+# Compiler settings and output folders that all builds share. Settings that differ between builds
+# (optimisation, sanitizers, warnings as errors) are in CMakePresets.json.
 set(least_of_GNU 12)
 set(least_of_Clang 16)
 set(least "${least_of_${CMAKE_CXX_COMPILER_ID}}")
 if(least AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS least)
-  message(FATAL_ERROR "${CMAKE_CXX_COMPILER} is of version ${CMAKE_CXX_COMPILER_VERSION}; "
-    "xr3 needs g++ 12, clang 16, or a newer one.")
+  message(FATAL_ERROR "${CMAKE_CXX_COMPILER} is version ${CMAKE_CXX_COMPILER_VERSION}; "
+    "xr3 needs g++ 12 or clang 16, or newer.")
 endif()
 
 set(CMAKE_CXX_STANDARD 20)
@@ -14,11 +14,11 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}")
 
-include_directories("${PROJECT_SOURCE_DIR}")  # the include path is the folder path
+include_directories("${PROJECT_SOURCE_DIR}")  # includes name the folder, as in "core/step.hpp"
 add_compile_options(-Wall -Wextra -Wpedantic -Wconversion -Wshadow)
 
-# The same arithmetic on every machine (docs/decisions/0004-integers-decide.md). The linker hears it
-# too, because with link-time optimisation it is the linker that generates code.
+# The same arithmetic on every machine (docs/decisions/0004-integers-decide.md). The linker needs the
+# option too, because with link-time optimisation the linker generates the code.
 add_compile_options(-ffp-contract=off)
 add_link_options(-ffp-contract=off)
 

@@ -1,5 +1,5 @@
-# The libraries xr3 itself stands on; scripts/setup installs them, and
-# docs/decisions/0002-dependencies.md says why each is here. Test libraries are found in tests/.
+# The libraries that xr3 links. scripts/setup installs them, and docs/decisions/0002-dependencies.md
+# gives the reason for each. tests/CMakeLists.txt finds the test libraries.
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
@@ -10,5 +10,6 @@ find_package(PNG 1.6 REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(NETTLE REQUIRED IMPORTED_TARGET nettle)
 pkg_check_modules(NCURSES REQUIRED IMPORTED_TARGET ncursesw)
-# (its own CMake package also asks for the web server and client of parts that we leave alone)
+# (pkg-config, because prometheus-cpp's CMake package also requires the libraries of components that
+# xr3 does not use.)
 pkg_check_modules(PROMETHEUS REQUIRED IMPORTED_TARGET prometheus-cpp-core)
