@@ -33,7 +33,7 @@ PRIVATE_PATH = re.compile(
 
 
 def project_files():
-    """Every file that is tracked or would be, relative to the root; without git, every file."""
+    """All files that git tracks or does not ignore, relative to the root; without git, all files."""
     git = ["git", "-c", "safe.directory=*", "-C", ROOT, "ls-files", "-z", "--cached", "--others",
            "--exclude-standard"]
     try:
@@ -46,12 +46,12 @@ def project_files():
 
 
 def forbidden(folder, quoted, angled):
-    """Why the folder may not have this include, or None."""
+    """The reason why the folder may not have this include, or None."""
     own, libraries, banned = RULES[folder]
     if quoted is not None:
         return None if quoted.startswith(own) else f'{folder} may not include "{quoted}"'
     if angled in banned:
-        return f"{folder} knows no I/O, clock or thread: <{angled}>"
+        return f"{folder} may not use I/O, clocks or threads: <{angled}>"
     if libraries is not None and "/" in angled and not angled.startswith(libraries):
         return f"{folder} may not include <{angled}>"
     return None
@@ -62,7 +62,7 @@ def breaches(path, text):
     lines = text.splitlines()
     for number, line in enumerate(lines, 1):
         if PRIVATE_PATH.search(line):
-            yield f"{path}:{number}: names a path or host outside the project: {line.strip()[:80]}"
+            yield f"{path}:{number}: contains a path or host outside the project: {line.strip()[:80]}"
         include = INCLUDE.match(line) if folder in RULES and path.endswith((".cpp", ".hpp")) else None
         reason = forbidden(folder, *include.groups()) if include else None
         if reason:
@@ -93,7 +93,7 @@ def main():
             found.extend(breaches(path, file.read()))
     for breach in found:
         print(breach)
-    print(f"{len(files)} files read, {len(found)} breaches")
+    print(f"{len(files)} files read, {len(found)} violations")
     return 1 if found or not files else 0
 
 

@@ -17,7 +17,7 @@ def cells(line):
 
 
 def wrong(row):
-    """What is wrong with one row, sentence by sentence."""
+    """The faults of one row, one message each."""
     if len(row) != COLUMNS:
         yield f"{len(row)} cells, not {COLUMNS}"
         return
@@ -26,7 +26,7 @@ def wrong(row):
     _, code, tests, status = row
     word, _, detail = status.partition(":")
     if word not in STATUSES:
-        yield f"status '{word}' is none of {', '.join(STATUSES)}"
+        yield f"status '{word}' is not one of {', '.join(STATUSES)}"
     if word in ("planned", "replaced") and not detail.strip():
         yield f"'{word}' needs a reason after a colon"
     for cell in (code, tests):
