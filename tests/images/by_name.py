@@ -1,5 +1,5 @@
-"""Runs in a second container: reaches the server by the name of its service, HOST, as a browser does
-(page and WebSocket) and as a program does (calls). Usage: by_name.py HOST TOKEN"""
+"""Runs in a second container and connects to the server by the name of its service, HOST: as a browser
+(page and WebSocket) and as a program (calls, serial line). Usage: by_name.py HOST TOKEN"""
 
 import json
 import socket
@@ -15,7 +15,7 @@ HANDSHAKE = (f"GET /ws HTTP/1.1\r\nHost: {HOST}:9601\r\nOrigin: http://{HOST}:96
 
 
 class WebSocket:
-    """As much of RFC 6455 as short texts need; the mask is zeros."""
+    """The part of RFC 6455 that short text messages need; the mask is zero."""
 
     def __init__(self):
         self.socket = socket.create_connection((HOST, 9601), 20)
@@ -51,7 +51,7 @@ def call_by_lines():
     with Monitor(HOST) as monitor:
         try:
             monitor.call("pause")
-            raise AssertionError("a call without a token was carried out")
+            raise AssertionError("a call without a token was executed")
         except MonitorError as refused:
             assert refused.code == "token_required"
     with Monitor(HOST, token=TOKEN) as monitor:

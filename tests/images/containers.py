@@ -1,5 +1,6 @@
-"""What the tests of the images share: `docker` as a function, and containers as contexts. All that they
-start has a label, by which it is removed; nothing waits for a time, only for events with a deadline."""
+"""Helpers for the tests of the images: `docker` as a function, and containers as context managers. All
+containers and networks have a label, by which remove_all() finds them. Every wait is for an event, with a
+deadline."""
 
 import json
 import os
@@ -22,11 +23,12 @@ DEADLINE_S = 60
 HARDENED = ("--read-only", "--cap-drop=ALL", "--security-opt=no-new-privileges")
 USER = "10001"
 TRIES = 3
-START = threading.Lock()  # by turns, so that no two get the same port
+START = threading.Lock()  # one container starts at a time, so that no two get the same port
 
 
 def docker(*arguments, fails=False, deadline_s=DEADLINE_S, **options):
-    """Runs `docker` to its end; its result has text. It must succeed, or, if told so, fail."""
+    """Runs `docker` until it exits; returns the result, with text output. Raises AssertionError if it
+    fails, or, with fails=True, if it succeeds."""
     done = subprocess.run(["docker", *map(str, arguments)], capture_output=True, text=True,
                           stdin=subprocess.DEVNULL, timeout=deadline_s, check=False, **options)
     if (done.returncode != 0) != fails:
@@ -36,17 +38,17 @@ def docker(*arguments, fails=False, deadline_s=DEADLINE_S, **options):
 
 
 def told(*arguments):
-    """What a `docker` command prints, without its line end."""
+    """The output of a `docker` command, without the line end."""
     return docker(*arguments).stdout.strip()
 
 
 def inspect(what, template):
-    """A member of what the engine knows about a container or an image, from its JSON."""
+    """A member of the JSON that `docker inspect` prints about a container or an image."""
     return json.loads(told("inspect", "--format", f"{{{{json {template}}}}}", what))
 
 
 def remove_all():
-    """What an earlier run may have left, or this one."""
+    """Removes the containers and networks of this run and of earlier ones."""
     for kind in ("container", "network"):
         every = ("--all",) if kind == "container" else ()
         left = told(kind, "ls", "--quiet", *every, "--filter", f"label={LABEL}").split()
@@ -55,7 +57,7 @@ def remove_all():
 
 
 class Network:
-    """A network whose containers know each other by name."""
+    """A network whose containers can resolve each other's names."""
 
     def __enter__(self):
         self.name = f"{LABEL}-{uuid.uuid4().hex[:8]}"
@@ -66,14 +68,15 @@ class Network:
         docker("network", "rm", "--force", self.name)
 
     def student(self, *command, options=()):
-        """Runs a command in a second container; its result."""
+        """Runs a command in a second container; returns the result."""
         return docker("run", "--rm", "--label", LABEL, "--network", self.name, *HARDENED, *options,
                       STUDENT, *command, deadline_s=180)
 
 
 class Robot:
-    """A container of the run image as docker/README.md starts it, LISTENING, on free ports of this
-    machine. Options are `docker run`'s; words behind -- are for xr3."""
+    """A container of the run image, started as in docker/README.md, on free ports of this machine. The
+    context begins when the server is LISTENING. `options` are those of `docker run`; `command` replaces
+    the image's command; `environment` sets variables."""
 
     def __init__(self, *options, command=(), **environment):
         self.name = f"{LABEL}-{uuid.uuid4().hex[:8]}"
@@ -97,7 +100,8 @@ class Robot:
         docker("rm", "--force", self.name)
 
     def start(self):
-        """An engine chooses the free ports first and takes them later; perhaps they are no longer."""
+        """Retries: the engine chooses free ports first and binds them later, when another process may
+        have bound them."""
         for tries_left in reversed(range(TRIES)):
             docker("create", *self.arguments)
             self.asked_to_start = time.time()
@@ -110,7 +114,7 @@ class Robot:
                     raise
 
     def port(self, inside):
-        """The port of this machine that is mapped to that of the container."""
+        """The port of this machine that is mapped to the container's port."""
         return int(told("port", self.name, f"{inside}/tcp").splitlines()[0].rpartition(":")[2])
 
     def log(self, *options):
@@ -118,7 +122,7 @@ class Robot:
         return done.stdout + done.stderr
 
     def wait_log(self, pattern):
-        """Follows the log until a line fits; returns that line."""
+        """Follows the log until a line matches; returns that line."""
         command = ["docker", "logs", "--follow", self.name]
         with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               stdin=subprocess.DEVNULL, text=True) as follower:
@@ -136,7 +140,7 @@ class Robot:
         return line
 
     def execute(self, *command, options=(), fails=False):
-        """Runs a program of the image inside."""
+        """Runs a program of the image in the container."""
         return docker("exec", *options, self.name, *command, fails=fails)
 
     def monitor(self, token=None):

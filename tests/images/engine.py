@@ -1,6 +1,6 @@
-"""Finds or makes a container engine: docker where one answers, else podman and buildah with storage
-of their own in build/images. Either is then the command `docker`. Where no registry can be reached, the
-base image is made with Debian's own tools, and knows where this machine gets its packages from.
+"""Provides a container engine as the command `docker`: docker if it is available, else podman and buildah
+with separate storage in build/images. If no registry can be reached, the base image is made with
+mmdebstrap and uses the package sources of this machine.
 """
 
 import contextlib
@@ -18,14 +18,14 @@ BASE = "debian:bookworm-slim"
 PULL_DEADLINE_S = 120
 SOCKET_DEADLINE_S = 20
 HEALTH_INTERVAL_S = 0.2
-UNHEALTHY = 1  # the exit code that says so, and not that there is nothing to check
+UNHEALTHY = 1  # exit code of a failed check; other codes mean that there is nothing to check
 MOST_HEALTH_CHECKS = 3  # more failures make a container unhealthy
 NETWORK_SETTINGS = ("http_proxy", "https_proxy", "no_proxy", "NODE_EXTRA_CA_CERTS",
                     "npm_config_registry")
 
 
 def quiet(*command, **options):
-    """Runs a command whose output nobody wants; returns whether it succeeded."""
+    """Runs a command and discards its output; returns whether it succeeded."""
     try:
         return subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                               stderr=subprocess.DEVNULL, check=False, **options).returncode == 0
@@ -34,7 +34,7 @@ def quiet(*command, **options):
 
 
 def docker_answers():
-    """Whether there is a docker engine, not podman by docker's name."""
+    """Whether a docker engine is available, and not podman under the name docker."""
     if quiet("sh", "-c", "docker --version | grep -qi podman"):
         return False
     return quiet("docker", "version", "--format", "{{.Server.Version}}", timeout=20)
@@ -42,10 +42,10 @@ def docker_answers():
 
 @contextlib.contextmanager
 def engine():
-    """Makes `docker` work in this process's environment; yields what stands behind it."""
+    """Makes the command `docker` work in this process's environment; yields the engine's name."""
     if docker_answers():
         if not quiet("docker", "compose", "version"):
-            raise SystemExit("`docker compose` does not work here: docker's plugin compose is missing")
+            raise SystemExit("`docker compose` does not work: docker's compose plugin is missing")
         yield "docker"
         return
     configure_podman()
@@ -66,7 +66,7 @@ def engine():
 
 
 def unmount():
-    """Podman leaves its storage mounted; `rm -rf build` would stumble over that."""
+    """Unmounts podman's storage, which podman leaves mounted: `rm -rf build` would fail."""
     mounts = pathlib.Path("/proc/self/mounts").read_text(encoding="utf-8").splitlines()
     places = [mount.split()[1] for mount in mounts if mount.split()[1].startswith(f"{FOLDER}/")]
     for place in sorted(places, reverse=True):
@@ -77,15 +77,15 @@ def wait_for_file(path, process):
     deadline = time.monotonic() + SOCKET_DEADLINE_S
     while not path.exists():
         if process.poll() is not None or time.monotonic() > deadline:
-            raise SystemExit(f"podman's service did not start; see {FOLDER / 'service.log'}")
+            raise SystemExit(f"the service of podman did not start; see {FOLDER / 'service.log'}")
         with contextlib.suppress(subprocess.TimeoutExpired):
             process.wait(0.01)
 
 
 @contextlib.contextmanager
 def health_checks():
-    """Looks after the health of every container that starts. Podman leaves that to systemd; where that
-    does not run, this is the engine's part."""
+    """Runs the health checks of every container that starts. Podman leaves them to systemd, so this is
+    needed only where systemd does not run."""
     if pathlib.Path("/run/systemd/system").exists():
         yield
         return
@@ -112,7 +112,8 @@ def check_all(names, over):
 
 
 def configure_podman():
-    """Storage, networks and limits of our own, and `docker` first in the PATH."""
+    """Configures podman with separate storage, networks and limits, and puts tests/images/bin/docker first
+    in PATH."""
     for name in ("storage", "run", "networks", "tmp", "volumes", "ccache"):
         (FOLDER / name).mkdir(parents=True, exist_ok=True)
     os.environ["PATH"] = f"{pathlib.Path(__file__).parent / 'bin'}:{os.environ['PATH']}"
@@ -130,11 +131,11 @@ events_logger = "file"
 tmp_dir = "{FOLDER / "tmp"}"
 volume_path = "{FOLDER / "volumes"}"
 """, encoding="utf-8")
-    for driver in ("overlay", "vfs"):  # overlay cannot lie on every file system
+    for driver in ("overlay", "vfs"):  # overlay does not work on every file system
         write_storage(driver)
         if quiet("docker", "info"):
             return
-    raise SystemExit("neither docker nor podman works here: try `podman info`")
+    raise SystemExit("neither docker nor podman works; `podman info` may show the reason")
 
 
 def write_storage(driver):
@@ -147,7 +148,8 @@ graphroot = "{FOLDER / "storage" / driver}"
 
 
 def hard_limits():
-    """No container may have more than this machine allows; engines ask for more than some do."""
+    """(name, limit) of the resource limits of containers: the defaults of the engine, reduced to the hard
+    limits of this machine, because the engine fails on a higher limit."""
     pid_max = int(pathlib.Path("/proc/sys/kernel/pid_max").read_text(encoding="ascii"))
     for name, which, most in (("nofile", resource.RLIMIT_NOFILE, 1 << 20),
                               ("nproc", resource.RLIMIT_NPROC, pid_max)):
@@ -158,9 +160,9 @@ def hard_limits():
 # --- The base image.
 
 def ensure_base():
-    """Pulls the base image, or makes it where no registry can be reached. Returns what was done."""
+    """Pulls the base image, or makes it if no registry can be reached. Returns what was done."""
     if quiet("docker", "image", "inspect", BASE):
-        return f"{BASE} is there"
+        return f"{BASE} is already available"
     if quiet("docker", "pull", BASE, timeout=PULL_DEADLINE_S):
         return f"{BASE} was pulled"
     make_base()
@@ -168,7 +170,7 @@ def ensure_base():
 
 
 def make_base():
-    """What debootstrap calls minbase, from where this machine gets its packages."""
+    """Makes the base image (debootstrap's variant minbase) from the package sources of this machine."""
     archive, extra = FOLDER / "base.tar", FOLDER / "base"
     write_host_settings(extra)
     subprocess.run(["mmdebstrap", "--quiet", "--variant=minbase", "--mode=auto",
@@ -183,7 +185,7 @@ def make_base():
 
 
 def host_sources():
-    """The files that say where apt gets packages from, where this machine is of the same release."""
+    """The files with apt's package sources, if this machine has the same release; else none."""
     release = pathlib.Path("/etc/os-release").read_text(encoding="utf-8")
     if "VERSION_CODENAME=bookworm" not in release:
         return []
@@ -193,7 +195,7 @@ def host_sources():
 
 
 def write_host_settings(folder):
-    """How this machine reaches its mirror: apt's settings about that, and certificates."""
+    """Writes the settings that this machine needs to reach its mirror: those of apt, and certificates."""
     shutil.rmtree(folder, ignore_errors=True)
     certificates = folder / "usr/local/share/ca-certificates"
     certificates.mkdir(parents=True)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Builds the images as docker/README.md says and tries them: `./test --images`. Arguments are unittest's,
-such as `-k healthcheck`."""
+"""`./test --images`: builds the images with the commands of docker/README.md and runs their tests.
+Arguments are those of unittest, such as `-k healthcheck`."""
 
 import os
 import sys
@@ -19,7 +19,7 @@ def say(started, what):
 
 def build(started):
     from containers import ROOT, docker  # pylint: disable=import-outside-toplevel
-    say(started, "building: the first time takes minutes")
+    say(started, "building (the first time takes minutes)")
     for image, file in BUILDS.items():
         docker("build", "-f", file, "-t", image, ".", cwd=ROOT, deadline_s=BUILD_DEADLINE_S)
         say(started, f"{image} is built from {file}")

@@ -1,4 +1,5 @@
-"""The compose files: valid; a lab that comes up and goes; a student's container whose exit code tells."""
+"""Tests of the compose files: they are valid, the lab starts and stops, and the test project has the exit
+code of the student's container."""
 
 import pathlib
 import shutil
@@ -18,7 +19,7 @@ RECIPE = ROOT / "docs" / "ci"
 
 
 def free_ports(count):
-    """Ports that nobody listens on: a compose file cannot ask for any."""
+    """Free ports of this machine, because a compose file cannot ask for a free port."""
     sockets = [socket.create_server(("127.0.0.1", 0)) for _ in range(count)]
     ports = [sock.getsockname()[1] for sock in sockets]
     for sock in sockets:

@@ -1,4 +1,4 @@
-"""The run image: how large it is, what it may, how fast it starts and says that it is well, how it ends."""
+"""Tests of the run image: size, permissions, start time, health check, options and shutdown."""
 
 import datetime
 import os
@@ -24,8 +24,8 @@ TOKEN = "a token of the tests"
 STARTS = 5
 CHECKS = 21
 
-# Programs for a container beside the server's, with the server's files at /image: they time the process
-# alone, to which an engine adds its own work. (XR3_DATA: there is no /proc to find the data by.)
+# Programs that run in a student's container with the run image's files at /image. They time the process
+# alone, without the work of the engine. (XR3_DATA: without /proc, xr3 cannot find its data.)
 INSIDE_IMAGE = """
 import os, subprocess, time
 os.environ["XR3_DATA"] = "/usr/share/xr3"
@@ -48,7 +48,7 @@ with subprocess.Popen(["/usr/bin/xr3", "serve"], stdout=subprocess.PIPE, text=Tr
 
 
 def instant(text):
-    """Seconds since 1970 of a time as engines write it, with nanoseconds."""
+    """Converts the engine's time format, with nanoseconds, to seconds since 1970."""
     date, clock, fraction = re.match(r"(\S{10}).(\d\d:\d\d:\d\d)\.(\d+)", text).groups()
     seconds = datetime.datetime.fromisoformat(f"{date}T{clock}+00:00").timestamp()
     return seconds + float(f"0.{fraction}")
@@ -57,7 +57,7 @@ def instant(text):
 class Image(unittest.TestCase):
     def test_is_small(self):
         size = inspect(IMAGE, ".Size")
-        print(f"\nthe run image has {size / 1e6:.1f} MB; allowed are {MOST_BYTES / 1e6:.0f}")
+        print(f"\nthe run image has {size / 1e6:.1f} MB (maximum {MOST_BYTES / 1e6:.0f})")
         self.assertLess(size, MOST_BYTES)
 
     def test_says_how_it_is_run(self):
@@ -89,8 +89,8 @@ class Image(unittest.TestCase):
 
 class Start(unittest.TestCase):
     def test_listens_at_once(self):
-        """From the engine's own note of the start to its note of the line LISTENING; and, as the
-        most that it can be, from the request to the engine."""
+        """Measures from the start that the engine recorded to the log's time of the line LISTENING; and
+        also, as an upper bound, from the request to the engine."""
         started, asked = [], []
         for _ in range(STARTS):
             with Robot(XR3_INSECURE=1) as robot:
@@ -98,20 +98,20 @@ class Start(unittest.TestCase):
                 listening = instant(next(line for line in lines if "LISTENING" in line))
                 started.append((listening - instant(robot.state("StartedAt"))) * 1e3)
                 asked.append((listening - robot.asked_to_start) * 1e3)
-        print(f"\nLISTENING {statistics.median(started):.0f} ms after the container's start (at most"
-              f" {max(started):.0f}); {statistics.median(asked):.0f} ms after the engine was asked")
+        print(f"\nLISTENING {statistics.median(started):.0f} ms after the container's start (maximum"
+              f" {max(started):.0f}); {statistics.median(asked):.0f} ms after the request to the engine")
         self.assertLess(max(started), MOST_START_MS)
 
     def test_of_the_program_alone(self):
         with tempfile.TemporaryDirectory() as folder:
             took, _, line = in_image(folder, TIME_START, "--network=none").partition(" ")
         self.assertIn("LISTENING", line)
-        print(f"\nthe program alone is LISTENING {float(took):.0f} ms after its start")
+        print(f"\nthe program alone, without the engine, is LISTENING {float(took):.0f} ms after its start")
         self.assertLess(float(took), MOST_START_MS)
 
 
 def extract(folder):
-    """The files of the run image, in a folder."""
+    """Extracts the files of the run image into a folder; returns their root."""
     name = f"{LABEL}-files"
     docker("create", "--name", name, "--label", LABEL, IMAGE)
     try:
@@ -139,7 +139,7 @@ class Running(unittest.TestCase):
         cls.addClassCleanup(cls.robot.__exit__)
 
     def beside(self, *command):
-        """What a program prints that sees the processes of the server's container."""
+        """The output of a program that can see the processes of the server's container."""
         return docker("run", "--rm", "--label", LABEL, "--network=none", "--user", USER,
                       f"--pid=container:{self.robot.name}", STUDENT, *command).stdout
 
@@ -175,7 +175,7 @@ class Running(unittest.TestCase):
 
     def test_the_engine_finds_it_healthy(self):
         if "XR3_ENGINE" in os.environ:
-            docker("healthcheck", "run", self.robot.name)  # podman has systemd do that, if any
+            docker("healthcheck", "run", self.robot.name)  # podman leaves this to systemd
         else:
             wait_healthy(self.robot.name)
         self.assertEqual("healthy", inspect(self.robot.name, ".State")["Health"]["Status"])
@@ -184,7 +184,7 @@ class Running(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             printed = in_image(folder, TIME_HEALTHCHECK, f"--network=container:{self.robot.name}")
         took = sorted(map(float, printed.split()))
-        print(f"\nhealthcheck takes {statistics.median(took):.1f} ms (at most {took[-1]:.1f})")
+        print(f"\nhealthcheck takes {statistics.median(took):.1f} ms (maximum {took[-1]:.1f})")
         self.assertLess(statistics.median(took), MOST_HEALTHCHECK_MS)
 
     def test_watch(self):
@@ -208,13 +208,13 @@ class Running(unittest.TestCase):
 
 
 def wait_healthy(name):
-    """Docker tells when a container's health changes."""
+    """Waits for docker's event that the container's health has changed."""
     command = ["docker", "events", "--since", "10m", "--filter", f"container={name}",
                "--filter", "event=health_status", "--format", "{{.Action}}"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as events:
         try:
             ready, _, _ = select.select([events.stdout], [], [], DEADLINE_S)
-            assert ready, "docker did not look after the container's health"
+            assert ready, "docker did not check the container's health"
         finally:
             events.kill()
 
@@ -245,7 +245,7 @@ class Options(unittest.TestCase):
             self.assertEqual("", robot.execute("xr3", "healthcheck").stdout)
 
     def test_a_token_file_of_ones_own(self):
-        """Only its owner may read it, and the container runs as that user."""
+        """Only the owner may read the file, and the container runs as that user."""
         mounted = self.file("token", TOKEN + "\n")
         (self.folder / "token").chmod(0o400)
         with Robot(mounted, f"--user={os.getuid()}", XR3_TOKEN_FILE="/lab/token") as robot:

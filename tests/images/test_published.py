@@ -1,5 +1,5 @@
-"""What docker/ publishes: every command that its README shows, as it stands there but for names and
-ports, which a machine has only once; and its Dockerfiles, by a linter where that can be had."""
+"""Runs every command of docker/README.md, with the names and ports replaced by unique ones, and checks the
+Dockerfiles with a linter if npm can fetch it."""
 
 import re
 import subprocess

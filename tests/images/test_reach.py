@@ -1,5 +1,5 @@
-"""Who reaches a server in a container: a second container by the service's name, this machine by mapped
-ports; and who may not make calls."""
+"""Access to a server in a container: from this machine by mapped ports, from a second container by the
+service's name, and calls without a token."""
 
 import asyncio
 import concurrent.futures
@@ -27,7 +27,7 @@ AT_ONCE = 3
 
 
 def get(url, host=None):
-    """(code, text) of a GET, perhaps as a browser that calls the server by another name."""
+    """(code, text) of a GET; `host` replaces the Host header."""
     request = urllib.request.Request(url, headers={"Host": host} if host else {})
     try:
         with urllib.request.urlopen(request, timeout=20) as answer:
@@ -92,7 +92,8 @@ class MappedPort(unittest.TestCase):
 
 
 class SecondContainer(unittest.TestCase):
-    """One that finds the server by its name; so do every Python and C example, each a server of its own."""
+    """A second container finds the server by its name. Every Python and C example does so, with a new
+    server each."""
 
     @classmethod
     def setUpClass(cls):
