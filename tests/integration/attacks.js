@@ -1,5 +1,5 @@
-// What a page may try against a port, all at once: every way in which a browser sends or reads something.
-// Gives a list of [attempt, what came of it]; "read: ..." is a text that the page has got hold of.
+// Tries all the ways in which a page can make a browser send requests to a port or read the answers, in parallel.
+// Returns a list of [attempt, outcome]; "read: ..." is text of an answer that the page could read.
 async (base, call) => {
   const tried = [];
   const patience_ms = 3000;

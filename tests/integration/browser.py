@@ -1,5 +1,4 @@
-"""A real Chromium without a window, in which a script runs in the page of any address; and a web site
-that is not ours, for pages that come from elsewhere."""
+"""Headless Chromium that runs scripts in the page of a URL, and a web site of another origin."""
 
 import asyncio
 import http.server
@@ -20,11 +19,11 @@ MISSING = "chromium is not installed (Debian package chromium)"
 FLAGS = ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
          "--disable-background-networking", "--disable-component-update", "--disable-sync",
          "--disable-dev-shm-usage", "--remote-debugging-port=0"]
-PATIENCE_S = 3 * DEADLINE_S  # it starts slowly on a busy machine
+PATIENCE_S = 3 * DEADLINE_S  # Chromium starts slowly on a busy machine
 
 
 class Chromium:
-    """A browser, as a context. `hosts`: what names stand for, as {"name:port": "address:port"}."""
+    """A context manager for a browser. `hosts` maps names: {"name:port": "address:port"}."""
 
     def __init__(self, hosts=None):
         rules = ", ".join(f"MAP {name} {address}" for name, address in (hosts or {}).items())
@@ -64,14 +63,14 @@ class Chromium:
         self._profile.cleanup()
 
     def open(self, url):
-        """A page of its own, loaded; `run` runs scripts in it."""
+        """Opens a new page and waits until it is loaded; returns a Page."""
         request = urllib.request.Request(f"http://{LOCALHOST}:{self._port}/json/new?{url}", method="PUT")
         with urllib.request.urlopen(request) as answer:
             page = Page(json.load(answer)["webSocketDebuggerUrl"])
         ends = time.monotonic() + PATIENCE_S
         while not page.run(f"document.readyState == 'complete' && location.href.startsWith({json.dumps(url)})"):
             if time.monotonic() > ends:
-                raise AssertionError(f"{url} does not load")
+                raise AssertionError(f"{url} did not load")
         return page
 
 
@@ -80,7 +79,7 @@ class Page:
         self._url = debugger_url
 
     def run(self, script):
-        """The value of an expression, a promise awaited."""
+        """The value of an expression; a promise is awaited."""
         return asyncio.run(self._evaluate(script))
 
     async def _evaluate(self, script):
@@ -94,7 +93,7 @@ class Page:
 
 
 class Site:
-    """A web server of somebody else on a port of its own, with one empty page."""
+    """A web server of another origin (its own port), with one empty page."""
 
     def __init__(self):
         class Handler(http.server.BaseHTTPRequestHandler):

@@ -1,24 +1,23 @@
-"""The classic exercise: home the arm by its microswitches, look at the table through the camera, work
-out where each block lies, pick it up, put it elsewhere, and look again.
+"""The classic exercise: home the arm with its microswitches, take a picture of the table, compute the
+position of each block, pick the block up, place it elsewhere, and take another picture.
 
-A program for the robot's serial line and nothing else: what it knows are the arm's data sheet
-(exercise_arms.py), what a picture is (exercise_sight.py), and the bytes that come back. `wait(ms)` lets
-simulated time pass.
+The program uses only the serial line, the arm's data sheet (exercise_arms.py) and image processing
+(exercise_sight.py). `wait(ms)` advances simulated time.
 """
 
 from collections import deque
 
 from exercise_sight import Picture
 
-SPACE = 32  # what every reply of one byte is counted from
-STRIDE = 60  # most counts of one move of an arm that goes somewhere in a straight line of counts
-STANDS_MS = 100  # a counter that stays for so long is that of a motor that stands
-CLOSING = 100  # counts that close the jaws on anything
+SPACE = 32  # offset of every one-byte reply
+STRIDE = 60  # maximum counts of one command of a coordinated move
+STANDS_MS = 100  # a motor whose error counter stays equal for this time is blocked
+CLOSING = 100  # counts that close the jaws on a block of any width
 LIFT_MM = 100
 
 
 class Robot:
-    """The arm at the other end of a serial line. After home() it knows its own counts: `at`."""
+    """A robot at the other end of a serial line. `at` has the encoder counts, known after home()."""
 
     def __init__(self, arm, line, wait):
         self.arm = arm
@@ -38,7 +37,7 @@ class Robot:
         return self.line.ask(f"{label}V") == 1
 
     def finish(self, label):
-        """Waits until the joint is there, or stands and is stopped; returns the counts that were left."""
+        """Waits until the move is done, or stops the joint if it is blocked; returns the counts left."""
         left = self.to_go(label)
         while left:
             self.wait(STANDS_MS)
@@ -51,8 +50,8 @@ class Robot:
     # --- Home.
 
     def home(self):
-        """Every joint to its microswitch; one that stands is put off until others have moved. Then the
-        jaws, fully open."""
+        """Moves every joint to its microswitch; retries a blocked joint after others have moved. Then
+        opens the jaws fully."""
         waiting = deque(self.arm.homing)
         for _ in range(4 * len(waiting)):
             if not waiting:
@@ -65,13 +64,13 @@ class Robot:
         self.at = dict(self.arm.hard_home)
 
     def find_switch(self, label):
-        """The edge at which the switch closes, coming from the open side. False: the joint stands."""
+        """Finds the count at which the switch closes, from the open side. False: the joint is blocked."""
         way = 1 if self.arm.hard_home[label] > 0 else -1
         return (self.creep(label, -5 * way, closed=False) and self.creep(label, 5 * way, closed=True)
                 and self.creep(label, -way, closed=False) and self.creep(label, way, closed=True))
 
     def creep(self, label, counts, closed):
-        """Small moves until the switch is as wanted. False: the joint stands and it is not."""
+        """Moves in small steps until the switch has the wanted state. False: the joint is blocked before."""
         while self.is_closed(label) != closed:
             self.send(label, counts)
             if self.finish(label):
@@ -88,7 +87,7 @@ class Robot:
     # --- Move.
 
     def move(self, counts):
-        """All motors together to these counts, in equal parts."""
+        """Moves all motors at the same time to these counts, in equal parts."""
         way = {label: wanted - self.at[label] for label, wanted in counts.items()}
         parts = -(-max(map(abs, way.values())) // STRIDE) or 1
         for part in range(1, parts + 1):
@@ -101,7 +100,7 @@ class Robot:
                 self.send(label, counts)
         for label, counts in way.items():
             left = self.finish(label)
-            assert not left, f"{label} stands {left} counts short of where it was sent"
+            assert not left, f"{label} stopped {left} counts short of its target"
             self.at[label] += counts
 
     def move_to(self, x, y, z, yaw):
@@ -113,15 +112,15 @@ class Robot:
         self.move({"A": self.arm.hard_home["A"]})
 
     def close_jaws(self):
-        """Closes until something is in the way; returns the opening in mm, or None if nothing was. What
-        is left in the counter measures the block; it has to go before the jaws can open again."""
+        """Closes the jaws; returns the opening in mm, or None if they closed on nothing. The counts that
+        remain in the error counter measure the block; finish() clears them so that the jaws can open."""
         self.send("A", -CLOSING)
         left = self.finish("A")
         self.at["A"] -= CLOSING - left
         return self.arm.opening(self.at["A"]) if left else None
 
     def pick(self, x, y, z, yaw):
-        """Takes the block whose centroid is there; returns how wide the jaws found it."""
+        """Picks up the block with this centroid; returns its width as measured by the jaws."""
         self.open_jaws()
         self.move_to(x, y, z + LIFT_MM, yaw)
         self.move_to(x, y, z, yaw)
@@ -130,7 +129,7 @@ class Robot:
         return width
 
     def place(self, x, y, z, yaw):
-        """Puts what it holds down there."""
+        """Places the held block with its centroid there."""
         self.move_to(x, y, z + LIFT_MM, yaw)
         self.move_to(x, y, z, yaw)
         self.open_jaws()
@@ -138,9 +137,9 @@ class Robot:
 
 
 def exercise(robot, looked=lambda *_: None):
-    """Moves every block of the table to its new place. The first look tells blocks by their sizes, the
-    next ones by what has moved; `looked(name, width, patches)` is told what the jaws measured and
-    which patch of the picture is which block now."""
+    """Moves every block of the table to its new place. The first picture identifies blocks by their sizes,
+    the later ones by which block has moved. After each block `looked(name, width, patches)` receives the
+    width that the jaws measured and the patch of each block in the new picture."""
     robot.home()
     patches = robot.see().find(robot.arm.sizes)
     for name, (x, y, yaw) in robot.arm.places.items():

@@ -1,5 +1,5 @@
-"""Data sheets of the three arms, as the exercise's program has them: what a count is, where the switches
-are, where the camera looks, and the inverse kinematics with the tool down, in closed form."""
+"""Data sheets of the three arms for exercise.py: the resolution of the encoders, the positions of the
+switches, the camera, and the inverse kinematics in closed form, with the tool pointing down."""
 
 import math
 
@@ -7,7 +7,7 @@ from exercise_sight import Camera
 
 
 def two_links(out, up, first, second):
-    """Elevations in degrees of two links from a joint to a point, with the elbow above the line."""
+    """Elevations in degrees of two links that reach the point (out, up), with the elbow up."""
     reach = math.hypot(out, up)
     to_point = math.atan2(up, out)
     inside = math.acos((reach ** 2 + first ** 2 - second ** 2) / (2 * reach * first))
@@ -16,7 +16,7 @@ def two_links(out, up, first, second):
 
 
 def least(roll):
-    """A block looks the same after half a turn, so of all rolls the least will do."""
+    """The equivalent roll of minimum magnitude: a block looks the same after half a turn."""
     return roll - 180 * round(roll / 180)
 
 
@@ -38,8 +38,8 @@ class RhinoXr3:
 
     @staticmethod
     def solve(x, y, z, yaw):
-        """The shoulder's motor turns the forearm along and the elbow's the hand, against themselves: each
-        motor sets the attitude of one link, and with C at 0 the hand points down."""
+        """The couplings of shoulder, elbow and wrist cancel, so that each motor sets the attitude of one
+        link against the horizontal. With C at 0 the hand points down."""
         base = math.degrees(math.atan2(y, x))
         upper, forearm = two_links(math.hypot(x, y) - 9.5, z + 168.3 - 260.4, 228.6, 228.6)
         roll = base - yaw
@@ -65,7 +65,7 @@ class AdeptOne:
 
     @staticmethod
     def solve(x, y, z, yaw):
-        """Seen from above, two links; the second joint and the roll turn the other way round."""
+        """Two links in the horizontal plane; the second joint and the roll turn in the opposite sense."""
         first, second = two_links(x, y, 425, 375)
         elbow = first - second
         roll = first - elbow - yaw
@@ -91,7 +91,7 @@ class Intelledex660:
 
     @staticmethod
     def solve(x, y, z, yaw):
-        """The shoulder's roll stays at home, so that the arm works in the upright plane of the base."""
+        """The shoulder roll stays at 0, so that the arm moves in the vertical plane of the base."""
         azimuth = math.degrees(math.atan2(y, x))
         upper, forearm = two_links(math.hypot(x, y), z + 228.6 - 373.4, 304.8, 304.8)
         shoulder, elbow = 90 + upper, forearm - upper

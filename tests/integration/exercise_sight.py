@@ -1,5 +1,5 @@
-"""What the exercise's program makes of a picture: which pixels belong together, and of each such patch
-its area, centroid, principal angle, and length and width of the rectangle with the same moments."""
+"""Image processing for exercise.py: the connected patches of pixels, and for each patch its area, centroid,
+principal angle, and the length and width of the rectangle with the same second moments."""
 
 import dataclasses
 import itertools
@@ -8,7 +8,7 @@ import math
 
 @dataclasses.dataclass(frozen=True)
 class Camera:
-    """Looks straight down on a field of field x field mm about (x, y), in pixels x pixels."""
+    """A camera that looks straight down at a square of `field` mm around (x, y), with pixels x pixels."""
 
     x: float
     y: float
@@ -35,7 +35,7 @@ class Camera:
 
 @dataclasses.dataclass(frozen=True)
 class Patch:
-    """Pixels that hang together; lengths in mm, the angle in degrees, 0 up to 180."""
+    """Connected pixels. Lengths in mm, the angle in degrees, at least 0 and less than 180."""
 
     pixels: frozenset
     area: float
@@ -60,7 +60,7 @@ class Patch:
 
 
 class Picture:
-    """A binary image: the set of (column, row) that are 1."""
+    """A binary image: the set of the pixels (column, row) that are 1."""
 
     def __init__(self, ones, camera):
         self.ones = ones
@@ -68,14 +68,15 @@ class Picture:
 
     @classmethod
     def decode(cls, data, camera):
-        """Rows from the top, six pixels a byte from the left, the leftmost in the high bit, plus 32."""
+        """Decodes the camera's reply: rows from the top, six pixels per byte, the leftmost pixel in the
+        highest bit, plus 32."""
         ones = {(6 * (i % camera.row_bytes) + bit, i // camera.row_bytes)
                 for i, byte in enumerate(data) for bit in range(6) if (byte - 32) >> (5 - bit) & 1}
         assert all(column < camera.pixels for column, _ in ones), "padding is not 0"
         return cls(ones, camera)
 
     def patches(self):
-        """Connected through the four sides of a pixel."""
+        """The patches of pixels that are connected by their sides (4-connected)."""
         unseen = set(self.ones)
         while unseen:
             patch = set()
@@ -89,7 +90,7 @@ class Picture:
             yield Patch.of(patch, self.camera)
 
     def find(self, sizes):
-        """Which patch is which block: the assignment in which lengths and widths fit best."""
+        """The patch of each block: the assignment in which lengths and widths fit best."""
         patches = list(self.patches())
         assert len(patches) == len(sizes), f"{len(patches)} patches, {len(sizes)} blocks"
 
@@ -100,8 +101,8 @@ class Picture:
         return dict(zip(sizes, min(itertools.permutations(patches), key=misfit)))
 
     def follow(self, known, moved):
-        """Which patch is which block after one was moved: the others have kept every pixel. A block that
-        is not where it should be is left out."""
+        """The patch of each block after one block was moved; the other patches have the same pixels as
+        before. Blocks without such a patch are omitted."""
         patches = {patch.pixels: patch for patch in self.patches()}
         found = {name: patches.pop(patch.pixels) for name, patch in known.items()
                  if name != moved and patch.pixels in patches}

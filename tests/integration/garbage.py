@@ -16,7 +16,7 @@ while time.monotonic() < until:
 
 
 def pour_garbage(port, seconds):
-    """A process of its own that writes as fast as the server takes it."""
+    """Starts a process that writes garbage for `seconds`, as fast as the server reads it."""
     return subprocess.Popen([sys.executable, "-c", POUR % (LOCALHOST, port, seconds)], stderr=subprocess.DEVNULL)
 
 
@@ -33,7 +33,7 @@ while True:
 
 
 def ask_without_end(port, request):
-    """A process that asks as fast as it is answered, and takes the answers."""
+    """Starts a process that repeats a request as fast as the server answers, and reads the answers."""
     return subprocess.Popen([sys.executable, "-c", ASK % (LOCALHOST, port, request)], stderr=subprocess.DEVNULL)
 
 

@@ -1,8 +1,8 @@
-"""Lockstep: bytes that were written on one socket before a `step` on another act before that step.
+"""Lockstep: bytes that were written to one socket before a `step` on another are executed before that step.
 
-Each try writes moves on robot sockets, then at once a step on the monitor's socket, without a barrier,
-and checks in the step's answer that exactly those bytes have acted, at the tick before the step.
-Nothing is pipelined: the next try begins when the answer has been checked.
+Each try writes moves to robot sockets, then at once a step to the monitor's socket, without a barrier.
+The answer to the step must show that exactly those bytes were executed, at the tick before the step.
+Nothing is pipelined: the next try begins after the check of the answer.
 """
 
 import itertools
@@ -11,7 +11,7 @@ import signal
 
 from support import Server, connect
 
-TICKS = 10  # at 110 counts a second E and F make their first count in the tenth tick
+TICKS = 10  # at 110 counts/s, E and F make their first count in the tenth tick
 STEP = b'{"op":"call","id":1,"fn":"step","args":{"ticks":%d,"fields":["joints"]}}\n'
 
 
@@ -31,7 +31,7 @@ class Lockstep:
         self.server.__exit__(*problem)
 
     def step(self, ticks=TICKS):
-        """One step; returns count and error of each joint by its label."""
+        """Makes one step; returns (count, error) of each joint, by label."""
         self.monitor.socket.sendall(STEP % ticks)
         return self.answer()
 
@@ -41,14 +41,15 @@ class Lockstep:
                 for label, place in self.joints.items()}
 
     def one_line(self, tries):
-        """E goes up one count and down one count: at the end of each step it stands there, done."""
+        """E moves up one count and down one count; at the end of each step the move is done."""
         sock = self.server.line().socket
         for move in itertools.islice(itertools.cycle((b"E+1\r", b"E-1\r")), tries):
             sock.sendall(move)
             self.test.assertEqual((1 if move == b"E+1\r" else 0, 0), self.step()["E"])
 
     def several_lines(self, tries, lines=4):
-        """Each of several lines adds a count to one counter, which makes one count in each step."""
+        """Each of several lines adds one count to the same error counter; the joint moves by one count in
+        each step."""
         socks = [self.server.line().socket for _ in range(lines)]
         label, error = b"F", 0
         for number in range(tries):
@@ -62,7 +63,7 @@ class Lockstep:
             self.test.assertEqual(error, self.step()["F"][1], f"try {number}: {before} before it")
 
     def split_moves(self, tries):
-        """The last byte of a move decides: written by itself, and right before the step."""
+        """A move begins with its last byte, which is written separately, right before the step."""
         sock = self.server.line().socket
         for number in range(tries):
             count = 1 - number % 2
@@ -73,7 +74,7 @@ class Lockstep:
             self.test.assertEqual((count, 0), self.step()["E"])
 
     def fresh_connections(self, tries):
-        """The line itself is opened right before the step: it has not even been accepted."""
+        """The connection is opened right before the step, so the server has not accepted it yet."""
         for number in range(tries):
             count = 1 - number % 2
             with connect(self.server.robot_port) as sock:
@@ -81,9 +82,9 @@ class Lockstep:
                 self.test.assertEqual((count, 0), self.step()["E"])
 
     def frozen(self, tries, fresh):
-        """The worst order: the monitor's socket becomes ready first, by the beginning of a request, then
-        the move arrives, on an old line or a fresh connection, then the rest of the request. The
-        server is stopped meanwhile, so that it finds all of it at once."""
+        """The worst order: the beginning of a request makes the monitor's socket ready first; then the
+        move arrives, on an open line or on a new connection; then the rest of the request. The server is
+        stopped meanwhile, so that it finds everything at once."""
         old = self.server.line().socket
         for number in range(tries):
             count = 1 - number % 2
@@ -102,7 +103,7 @@ class Lockstep:
         os.waitid(os.P_PID, self.server.pid, os.WSTOPPED)
 
     def bursts(self, tries, size=100_000):
-        """More than one read takes: a burst of moves of nothing, and behind it the one that counts."""
+        """A burst of moves by 0 that needs several reads, followed by the move that is checked."""
         sock = self.server.line().socket
         for number in range(tries):
             count = 1 - number % 2

@@ -1,6 +1,6 @@
-"""A program on the robot port and a tester on the monitor port in lockstep: the same hundred steps give
-the same states, on a machine that is busy with other things, also where the bytes of the program take
-their time on the way. Used by test_lockstep_runs.py and, at length, by soak_lockstep.py."""
+"""A robot program and a monitor client in lockstep: the same hundred steps give the same states on a busy
+machine, even if the network delays the program's bytes. Used by test_lockstep_runs.py and, with more runs,
+by soak_lockstep.py."""
 
 import contextlib
 import hashlib
@@ -19,7 +19,7 @@ DELAY_S = 0.050
 
 @contextlib.contextmanager
 def full_load():
-    """As many processes that do nothing but run as there are processors."""
+    """One busy process per processor."""
     busy = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(os.cpu_count())]
     try:
         yield
@@ -30,7 +30,7 @@ def full_load():
 
 
 def commands(seed=1989):
-    """What the program writes before each step; and how many ticks the step takes."""
+    """(data, ticks) of each step: the bytes that the program writes before it, and its length."""
     chance = random.Random(seed)
     for _ in range(STEPS):
         moves = [f"{chance.choice('FEDCBA')}{chance.randint(-20, 20):+d}\r" for _ in range(chance.randint(1, 3))]
@@ -38,7 +38,7 @@ def commands(seed=1989):
 
 
 def run(line, monitor, with_after):
-    """One run from the start on; returns its hash."""
+    """One run after a reset; returns the hash of its states."""
     digest = hashlib.sha256()
     for data, ticks in commands():
         line.send(data)
@@ -48,13 +48,13 @@ def run(line, monitor, with_after):
 
 
 def runs(count):
-    """Hashes of so many runs on one server, each from a reset on."""
+    """The hashes of `count` runs on one server, each after a reset."""
     with Server("--log-level", "warn") as xr3, xr3.monitor() as monitor:
         return [fresh_run(xr3.robot_port, monitor, number, with_after=False) for number in range(1, count + 1)]
 
 
 def delayed_runs(count):
-    """The same, the robot's bytes being late, and the steps waiting for them."""
+    """The same with delayed bytes; each step waits for them (`after`)."""
     with Server("--log-level", "warn") as xr3, xr3.monitor() as monitor, Proxy(xr3.robot_port, DELAY_S) as proxy:
         return [fresh_run(proxy.port, monitor, number, with_after=True) for number in range(1, count + 1)]
 
@@ -62,6 +62,6 @@ def delayed_runs(count):
 def fresh_run(port, monitor, number, with_after):
     monitor.call("reset")
     with Line(connect(port), number) as line:
-        if with_after:  # a line that is still on its way has no number yet
+        if with_after:  # the server numbers a line when it accepts the connection
             line.ask("E?")
         return run(line, monitor, with_after)

@@ -1,7 +1,7 @@
-"""Every message that a test receives, against a strict copy of data/schema/monitor-v1.schema.json: there
-every object is closed, robot and workcell are those of their files' schemas, and where a client has
-not chosen `fields`, every member is there. A validator is compiled at its first use; with its
-definition it is cheap enough for the hundred thousand messages of the lockstep tests."""
+"""Validates messages of the server against a strict copy of data/schema/monitor-v1.schema.json: objects have
+no additional properties, robot and workcell conform to the schemas of their files, and all members are
+required unless the client has selected `fields`. Validators are compiled at first use, one per definition;
+they are fast enough for the hundred thousand messages of the lockstep tests."""
 
 import copy
 import functools
@@ -13,8 +13,8 @@ import fastjsonschema
 
 ROOT = pathlib.Path(os.environ.get("XR3_ROOT", pathlib.Path(__file__).parents[2]))
 FOLDER = ROOT / "data/schema"
-ALWAYS = ["op", "cell", "epoch", "seq", "tick"]  # come whatever a client chooses
-CHOOSABLE = "state_members"  # of a state inside a result; there nothing comes always
+ALWAYS = ["op", "cell", "epoch", "seq", "tick"]  # present for every selection of `fields`
+CHOOSABLE = "state_members"  # the state inside a result, where `fields` selects all members
 
 
 def load(name):
@@ -22,7 +22,7 @@ def load(name):
 
 
 def closed(schema):
-    """A copy in which no object takes a member that the schema does not name."""
+    """A copy in which no object may have a member that the schema does not name."""
     if isinstance(schema, list):
         return [closed(each) for each in schema]
     if not isinstance(schema, dict):
@@ -34,7 +34,7 @@ def closed(schema):
 
 
 def file_schema(kind):
-    """The schema of a data file, as a definition of its own."""
+    """The schema of a data file, as one definition."""
     text = json.dumps(load(kind)).replace("#/definitions/", f"#/$defs/{kind}_file/definitions/")
     schema = json.loads(text)
     del schema["$schema"]
@@ -43,7 +43,7 @@ def file_schema(kind):
 
 @functools.cache
 def definitions(is_whole):
-    """The strict definitions; whole: with every member required that may be left out by `fields`."""
+    """The strict definitions. is_whole: members that `fields` may omit are required."""
     found = closed(load("monitor-v1")["$defs"])
     for kind in "robot", "workcell":
         found[f"{kind}_file"] = file_schema(kind)
@@ -56,12 +56,12 @@ def definitions(is_whole):
 
 @functools.cache
 def validator(name, is_whole):
-    """A function that raises JsonSchemaValueException, of one definition."""
+    """A function that raises JsonSchemaValueException if its argument does not match the definition."""
     return fastjsonschema.compile({"$ref": f"#/$defs/{name}", "$defs": copy.deepcopy(definitions(is_whole))})
 
 
 def definition_of(message):
-    """The narrowest definition that a message must fit: what is wrong is then said in its words."""
+    """The name of the most specific definition for a message, because it gives the most precise error."""
     op = message.get("op") if isinstance(message, dict) else None
     if op == "event" and f"event_{message.get('event')}" in definitions(True):
         return f"event_{message['event']}"
@@ -74,28 +74,28 @@ MESSAGES = [choice["$ref"].rpartition("/")[2] for choice in load("monitor-v1")["
 
 
 def check_as(name, value, is_whole=True):
-    """Fails unless the value fits the definition."""
+    """Fails unless the value matches the definition."""
     try:
         validator(name, is_whole)(value)
     except fastjsonschema.JsonSchemaValueException as error:
         text = json.dumps(value)
-        raise AssertionError(f"no {name} of monitor-v1.schema.json: {error.message}\n{text[:2000]}") from error
+        raise AssertionError(f"not a valid {name} (monitor-v1.schema.json): {error.message}\n{text[:2000]}") from error
 
 
 def check(message, is_whole=True):
-    """Fails unless the message of the server is as the schema says, and nothing more. Not whole: the
-    client has chosen `fields`."""
+    """Fails unless the server's message matches the strict schema; returns it. is_whole=False: the client
+    has selected `fields`."""
     check_as(definition_of(message), message, is_whole)
     return message
 
 
 def check_value(fn, value, is_whole=True):
-    """Fails unless this is what a call gives back."""
+    """Fails unless the value is a valid result of the call; returns it."""
     name = f"value_{fn}"
     check_as(name if name in definitions(True) else "value_call", value, is_whole)
     return value
 
 
 def messages(lines):
-    """The messages of JSON lines as they came over the wire; each is checked."""
+    """The messages in JSON lines, each of them checked."""
     return [check(json.loads(line)) for line in lines.splitlines()]

@@ -1,17 +1,16 @@
-"""Three programs that drove the real arm, as the bytes they send and what they make of the replies.
+"""Three programs for the real arm, reduced to the bytes that they send and their reactions to the replies.
 
-They know a serial line and a way to let milliseconds pass, nothing else: `wait(ms)` steps the monitor's
-clock, or does nothing where the clock runs. The first two want --compat mark3, where a switch bit of
-`I` reads 1 for open.
+They use only a serial line and `wait(ms)`, which steps the manual clock, or does nothing if the clock
+runs. The first two need --compat mark3, where a switch bit of `I` is 1 for open.
 """
 
-SPACE = 32  # what every reply of one byte is counted from
+SPACE = 32  # offset of every one-byte reply
 BIT = {"F": 8, "E": 4, "D": 2, "C": 1}
 
 
 class Trs80:
-    """The driver of 1983: blocks on single reply bytes, sends no CR behind an inquiry, and never lets
-    95 counts wait in an error counter. Two equal replies 22 ms apart mean a motor that is stuck."""
+    """The driver of 1983: it blocks on single reply bytes, sends no CR after an inquiry, and keeps error
+    counters below 95 counts. Two equal replies 22 ms apart mean that the motor is stuck."""
 
     LARGEST_MOVE = 85
     ROOM = 95
@@ -31,7 +30,7 @@ class Trs80:
         return bool(self.line.ask("I") - SPACE & BIT[label])
 
     def until(self, label, is_enough):
-        """Asks until the counts to go are few enough. False: the motor is stuck and was stopped."""
+        """Polls until is_enough(counts to go). False: the motor is stuck and was stopped."""
         left = self.to_go(label)
         while not is_enough(left):
             self.wait(self.PAUSE_MS)
@@ -43,14 +42,14 @@ class Trs80:
         return True
 
     def step(self, label, count):
-        """One move, as soon as there is room for it."""
+        """Sends one move when the error counter has room for it. False: the motor is stuck."""
         if not self.until(label, lambda left: left + abs(count) < self.ROOM):
             return False
         self.line.send(f"{label}{count:+d}\r")
         return True
 
     def move(self, label, count):
-        """A move of any size in chunks, waiting for its end."""
+        """Moves by any number of counts in chunks and waits for the end. False: the motor is stuck."""
         while count:
             chunk = max(-self.LARGEST_MOVE, min(self.LARGEST_MOVE, count))
             if not self.step(label, chunk):
@@ -59,7 +58,8 @@ class Trs80:
         return self.until(label, lambda left: left == 0)
 
     def search(self, label, stride, follower):
-        """Strides until the switch closes; the follower turns against it. False: stuck, or not found."""
+        """Moves in strides until the switch closes; the follower moves in the opposite direction. False:
+        stuck, or not found."""
         for _ in range(self.MOST_TRIES):
             self.is_open(label)
             if not self.step(label, stride):
@@ -72,7 +72,7 @@ class Trs80:
         return False
 
     def creep(self, label, count):
-        """Single counts until the switch opens; returns how many it took."""
+        """Moves by single counts until the switch opens; returns the number of counts."""
         steps = 0
         while not self.is_open(label):
             assert self.move(label, count), f"{label} is stuck while it creeps"
@@ -80,7 +80,7 @@ class Trs80:
         return steps
 
     def home(self, label, follower=None):
-        """Finds the middle of the range in which the switch is closed. False: not found."""
+        """Moves to the middle of the range in which the switch is closed. False: not found, or stuck."""
         if not (self.search(label, -self.STRIDE, follower) or self.search(label, self.STRIDE, follower)):
             return False
         self.creep(label, -1)
@@ -90,7 +90,7 @@ class Trs80:
 
 
 class LabProgram:
-    """Steps of two counts, each polled every 10 ms until it is done; homes with a bare `I`."""
+    """Moves in steps of two counts and polls each every 10 ms until it is done; homes with `I`."""
 
     POLL_MS = 10
 
@@ -105,7 +105,7 @@ class LabProgram:
             self.wait(self.POLL_MS)
 
     def move(self, label, count):
-        """An even number of counts; ends with a move of none, which the hardware never minded."""
+        """Moves by an even number of counts; ends with a move by 0, which the hardware accepted."""
         sign = 1 if count > 0 else -1
         for _ in range(abs(count) // 2):
             self.line.send(f"{label}{2 * sign:+d}\r\n")
@@ -113,14 +113,14 @@ class LabProgram:
         self.line.send(f"{label}+0\r\n")
 
     def home(self, label):
-        """Single counts up until the bit of the switch clears."""
+        """Moves up by single counts until the bit of the switch is 0."""
         while self.line.ask("I") - SPACE & BIT[label]:
             self.line.send(f"{label}+1\r\n")
             self.finish(label)
 
 
 def write_only(line, wait):
-    """Never reads: trusts that 240 ms are enough for most of a move. E ends at -224, D at +219."""
+    """Never reads; assumes that most of a move is done after 240 ms. E ends at -224, D at +219."""
     for write in [*["E-50\r\n"] * 4, "E-24\r\n", *["D+50\r\n"] * 4, "D+19\r\n", "D-0\r\n"]:
         line.send(write)
         wait(240)

@@ -1,5 +1,5 @@
-"""A TCP forwarder on a port of its own, as a container's or a tunnel's port mapping is one: bytes to the
-server may be held back for a while, as a network holds them; those from it are not."""
+"""A TCP proxy, like the port mapping of a container or a tunnel. It can delay the bytes to the server, as a
+network does; bytes from the server are not delayed."""
 
 import collections
 import selectors
@@ -11,11 +11,12 @@ from support import LOCALHOST
 
 
 class Proxy:
-    """Forwards every connection to a port; as a context. `delay_s` is that of bytes to the server."""
+    """A context manager that forwards all connections to `port`, on its own `self.port`. `delay_s` is the
+    delay of bytes to the server."""
 
     def __init__(self, port, delay_s=0.0):
         self.target, self.delay_s = port, delay_s
-        self._late = collections.deque()  # (when, socket, bytes) to be sent, in order; b"" ends it
+        self._late = collections.deque()  # (time, socket, bytes) to send, in order; b"" closes for writing
         self._selector = selectors.DefaultSelector()
         self._listener = socket.create_server((LOCALHOST, 0))
         self.port = self._listener.getsockname()[1]
@@ -75,4 +76,4 @@ class Proxy:
             else:
                 sock.shutdown(socket.SHUT_WR)
         except OSError:
-            pass  # the other side has gone
+            pass  # the other side has closed

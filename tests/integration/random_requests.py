@@ -1,6 +1,6 @@
-"""Clients that ask for everything in every wrong and right way, at random and again by their seed: each
-request has one answer, as the schema says it, and the server and its robot live on. Used by
-test_random_requests.py and, at length, by soak_requests.py."""
+"""Random valid and invalid requests, reproducible by their seed: each request has exactly one answer, which
+matches the schema, and the server and its cell keep working. Used by test_random_requests.py and, with more
+requests, by soak_requests.py."""
 
 import json
 import random
@@ -41,7 +41,7 @@ class Asker:
         return self.chance.sample(MEMBERS, self.chance.randint(0, 3))
 
     def args(self, fn):
-        """Mostly what the call takes."""
+        """Arguments of a call, mostly valid."""
         count = self.chance.randint
         makers = {
             "rate": lambda: {"factor": self.one_of(1, 0.001, 100, 100000, 0)},
@@ -84,7 +84,7 @@ class Asker:
         return self.spoiled(workcell) if self.chance.random() < 0.3 else workcell
 
     def spoiled(self, members):
-        """The same with something odd in it, at any depth, or something missing."""
+        """A copy with an odd, an additional or a missing member, at any depth."""
         members = dict(members)
         if not members or self.chance.random() < 0.2:
             return {**members, self.one_of("more", "", "fields", "tick"): self.odd()}
@@ -115,7 +115,7 @@ class Asker:
 
 
 def is_answer(message, number):
-    """To the request of this number, or to one that could not be read (half a surrogate is no JSON)."""
+    """Whether the message answers the request of this number, or one that is no JSON (a lone surrogate)."""
     assert message is not None, f"closed after request {number}"
     if message["op"] == "result" and message["id"] is None:
         return message["error"]["code"] == "bad_json"
@@ -123,7 +123,7 @@ def is_answer(message, number):
 
 
 def ask(test, seed, requests, *options, clock="manual"):
-    """So many requests of one client, which follows all that it subscribes to meanwhile."""
+    """Sends random requests from one client and checks the answers and the subscribed messages."""
     asker = Asker(seed)
     with Server("--log-level", "error", *options, clock=clock) as xr3, xr3.monitor() as monitor:
         calls = monitor.hello["calls"]
@@ -142,7 +142,7 @@ def ask(test, seed, requests, *options, clock="manual"):
 
 
 def lives_on(test, seed, monitor):
-    """A state that can be saved and loaded, and time that passes."""
+    """Checks that the state can be saved and loaded, that time advances, and that a reset works."""
     if monitor.get("clock")["clock"]["mode"] == "real":
         monitor.call("pause")
     saved = monitor.call("snapshot_save", inline=True)

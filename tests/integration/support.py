@@ -1,7 +1,7 @@
-"""What the integration tests share: a running xr3, a serial line over TCP, and the monitor's JSON lines.
+"""Helpers of the integration tests: a running xr3, a serial line over TCP, and a monitor client (JSON lines).
 
-Nothing here sleeps. A test moves time by Monitor.step, or waits for an event (a byte, an end of file,
-the exit of a process, a line of the log) with a deadline, which is only how long a failure takes.
+Nothing here sleeps. A test advances time with Monitor.step, or waits for an event (a byte, an end of file,
+the exit of a process, a line of the log) with a deadline. Only a failing test waits until the deadline.
 """
 
 import collections
@@ -20,13 +20,13 @@ import monitor_schema
 XR3 = os.environ["XR3"]
 ROOT = os.environ["XR3_ROOT"]
 DEADLINE_S = 20.0
-SHUTDOWN_S = 2.0  # promised by xr3
+SHUTDOWN_S = 2.0  # guaranteed by xr3
 LOCALHOST = "127.0.0.1"
 MOST_COUNTS_A_MOVE = 100
 
 
 def run_xr3(*arguments, **options):
-    """Runs xr3 to its end, for runs that are expected to end by themselves."""
+    """Runs xr3 until it exits by itself; returns the result, with text output."""
     return subprocess.run([XR3, *map(str, arguments)], capture_output=True, text=True,
                           timeout=DEADLINE_S, check=False, **options)
 
@@ -44,10 +44,11 @@ def connect(port, buffer_bytes=None):
 
 
 class Server:
-    """A running `xr3 serve`, as a context: on two free ports, and ended by SIGTERM, exit code 0.
+    """A context manager for a running `xr3 serve` on two free ports. At the end SIGTERM must stop it with
+    exit code 0.
 
-    `with Server("--compat", "mark3") as xr3:` stands at tick 0 (clock manual, unless told otherwise).
-    `command` is what starts it.
+    `with Server("--compat", "mark3") as xr3:` is at tick 0, with the manual clock by default. `command` is
+    the command line to which the options are added.
     """
 
     def __init__(self, *options, clock="manual", environment=None, command=(XR3, "serve")):
@@ -98,7 +99,7 @@ class Server:
             self._log_reader.join()
             print(f"--- log of xr3 {' '.join(self.options)}\n{self._log}---")
         elif self.process.poll() is None:
-            code = self.stop(within_s=DEADLINE_S)  # leak checks take their time on a busy machine
+            code = self.stop(within_s=DEADLINE_S)  # the leak check is slow on a busy machine
             assert code == 0, f"xr3 ended with {code}\n{self._log}"
         self.process.stdout.close()
         self.process.stderr.close()
@@ -106,7 +107,7 @@ class Server:
             line.close()
 
     def stop(self, how=signal.SIGTERM, within_s=SHUTDOWN_S, meanwhile=lambda: None):
-        """Ends the server by a signal; returns its exit code. Fails if it takes longer than promised."""
+        """Stops the server with a signal; returns its exit code. Fails if it takes longer than `within_s`."""
         started = time.monotonic()
         self.process.send_signal(how)
         meanwhile()
@@ -127,7 +128,7 @@ class Server:
             return self._log
 
     def wait_log(self, pattern, times=1):
-        """Waits until the log has so many matches of the pattern; returns the log."""
+        """Waits until the log has `times` matches of the pattern; returns the log."""
         with self._log_grew:
             found = self._log_grew.wait_for(
                 lambda: len(re.findall(pattern, self._log)) >= times, DEADLINE_S)
@@ -135,7 +136,7 @@ class Server:
             return self._log
 
     def line(self, **options):
-        """Opens a serial line. Its number is its order of opening: open none past this method."""
+        """Opens a serial line. Its number counts the calls of this method, so open all lines with it."""
         self.lines.append(Line(connect(self.robot_port, **options), len(self.lines) + 1))
         return self.lines[-1]
 
@@ -143,7 +144,7 @@ class Server:
         return Monitor(self.monitor_port)
 
     def status(self, name):
-        """A number of /proc/PID/status, such as VmRSS (KiB) or voluntary_ctxt_switches."""
+        """A number from /proc/PID/status, such as VmRSS (KiB) or voluntary_ctxt_switches."""
         with open(f"/proc/{self.pid}/status", encoding="ascii") as file:
             return int(re.search(rf"^{name}:\s+(\d+)", file.read(), re.MULTILINE).group(1))
 
@@ -168,7 +169,7 @@ class Line:
         self.sent += len(data)
 
     def read(self, count):
-        """Exactly so many reply bytes; EOFError if the server closes before."""
+        """Reads exactly `count` reply bytes; EOFError if the server closes before."""
         data = b""
         while len(data) < count:
             part = self.socket.recv(count - len(data))
@@ -178,12 +179,12 @@ class Line:
         return data
 
     def ask(self, inquiry):
-        """Sends an inquiry; returns the one byte that answers it, as a number."""
+        """Sends an inquiry; returns its reply, one byte, as a number."""
         self.send(inquiry)
         return self.read(1)[0]
 
     def read_to_end(self):
-        """Every byte until the server closes; a reset counts as a close."""
+        """Reads until the server closes the connection; a reset counts as a close."""
         data = b""
         try:
             while part := self.socket.recv(65536):
@@ -193,7 +194,7 @@ class Line:
         return data
 
     def unread(self):
-        """What has arrived and was not read, without waiting: b"" if nothing, None if closed."""
+        """Reads the bytes that have arrived, without waiting: b"" if there are none, None if closed."""
         self.socket.setblocking(False)
         try:
             return self.socket.recv(65536) or None
@@ -226,16 +227,16 @@ class MonitorError(Exception):
 
 
 class Monitor:
-    """The monitor port as JSON lines. A program that sends first is greeted at once. Each message that
-    it reads must be as data/schema/monitor-v1.schema.json says, and nothing more."""
+    """A client of the monitor port (JSON lines). It sends first, so that it receives `hello` at once.
+    Each received message must conform to a strict copy of data/schema/monitor-v1.schema.json."""
 
     def __init__(self, port, buffer_bytes=None):
         self.socket = connect(port, buffer_bytes)
         self._file = self.socket.makefile("rb")
         self._last_id = 0
-        self._kept = collections.deque()  # messages that came while an answer was awaited
+        self._kept = collections.deque()  # messages that arrived before the answer to a request
         self._subscribed = False
-        self._partial = set()  # channels of which not every member was asked for
+        self._partial = set()  # channels requested with `fields`
         self.send({"op": "ping", "id": 0})
         self.hello = self.read()
         assert self.hello["op"] == "hello", self.hello
@@ -252,13 +253,13 @@ class Monitor:
         self.socket.close()
 
     def send(self, message):
-        """Sends an object, or bytes as they are."""
+        """Sends an object as a JSON line, or bytes unchanged."""
         data = message if isinstance(message, bytes) else json.dumps(message).encode() + b"\n"
         self.socket.sendall(data)
 
     def read(self, is_whole=None):
-        """The next message, or None at the end of the stream. Not whole: some of its members were
-        chosen."""
+        """The next message, or None at the end of the stream. With is_whole=False members may be missing,
+        because `fields` selected some of them."""
         if self._kept:
             return self._kept.popleft()
         line = self.read_line()
@@ -273,7 +274,7 @@ class Monitor:
         return self._file.readline()
 
     def read_until(self, is_last):
-        """The messages up to the one for which is_last(message) holds, that one included."""
+        """The messages up to and including the first for which is_last(message) is true."""
         messages = []
         while not messages or not is_last(messages[-1]):
             messages.append(self.read())
@@ -281,8 +282,8 @@ class Monitor:
         return messages
 
     def request(self, op, **members):
-        """Sends a request with a fresh id; returns its answer, or raises MonitorError. What else comes
-        meanwhile is kept for `read`, and may come only where there are subscriptions."""
+        """Sends a request with a new id; returns its answer, or raises MonitorError. Other messages that
+        arrive before the answer are kept for `read`; they require a subscription."""
         self._last_id += 1
         self.send({"op": op, "id": self._last_id, **members})
         is_whole = False if '"fields"' in json.dumps(members) else None
@@ -300,12 +301,12 @@ class Monitor:
         return answer
 
     def call(self, fn, /, **arguments):
-        """Carries out a call; returns the value of its result."""
+        """Makes a call; returns the value of its result."""
         value = self.request("call", fn=fn, args=arguments)["value"]
         return monitor_schema.check_value(fn, value, "fields" not in arguments)
 
     def subscribe(self, channel, **options):
-        """Returns what holds from now on."""
+        """Subscribes; returns the parameters in effect."""
         self._subscribed = True
         if "fields" in options:
             self._partial.add(channel)
@@ -316,7 +317,7 @@ class Monitor:
         return monitor_schema.check_value("unsub", self.request("unsub", channel=channel)["value"])
 
     def recall(self, channel, **options):
-        """What the ring of `event` or `line` holds, oldest first."""
+        """The recorded messages of channel `event` or `line`, oldest first."""
         self._subscribed = True
         if "fields" in options:
             self._partial.add(channel)
@@ -326,11 +327,11 @@ class Monitor:
         return recalled
 
     def get(self, *fields):
-        """The state: whole, or with these members only."""
+        """The state, with all members or with these members only."""
         return self.look("state", **({"fields": list(fields)} if fields else {}))
 
     def look(self, channel, **options):
-        """The last message of a channel of which the last counts."""
+        """The current message of a latest-wins channel."""
         return self.request("get", channel=channel, **options)
 
     def step(self, ticks, after=None, fields=None):
@@ -346,31 +347,31 @@ class Monitor:
         return self.call("step", **arguments)["state"]
 
     def settle(self, after=None):
-        """Lets time pass until nothing moves; returns the state."""
+        """Advances time until nothing moves; returns the state."""
         self.step(0, after, fields=[])
         return self.call("run_until", idle=True, max_ticks=10**6)["state"]
 
 
 def motors(state):
-    """The joints and the tool of a state by their labels."""
+    """The joints and the tool of a state, by label."""
     return {motor["label"]: motor for motor in [*state["joints"], state["tool"]]}
 
 
 def counts(state, labels="FEDCBA"):
-    """Encoder counts, as a string such as "E-40 D40" that reads well in a failure; zeros left out."""
+    """Encoder counts without zeros, as a string such as "E-40 D40", which is readable in a failure."""
     by_label = motors(state)
     return " ".join(f"{label}{by_label[label]['count']}" for label in labels
                     if label in by_label and by_label[label]["count"])
 
 
 def machine(state):
-    """What of a state is the machine's own: without envelope and clock."""
+    """The members of a state that describe the machine: all but the envelope and the clock."""
     return {name: value for name, value in state.items()
             if name not in ("op", "id", "cell", "epoch", "seq", "tick", "clock")}
 
 
 def drive(line, monitor, **targets):
-    """Moves motors by counts, all together, in moves that the error counter can hold."""
+    """Moves motors by counts, at the same time, in moves that fit into the error counter."""
     while any(targets.values()):
         for label, left in targets.items():
             move = max(-MOST_COUNTS_A_MOVE, min(MOST_COUNTS_A_MOVE, left))
