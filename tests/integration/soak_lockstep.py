@@ -1,5 +1,5 @@
-"""A thousand runs in lockstep under full load, and a thousand with late bytes: one hash, see
-lockstep_runs.py. Many servers at once, since most of the time they wait."""
+"""A thousand lockstep runs under full load, and a thousand with delayed bytes, must all have the same hash
+(lockstep_runs.py). Many servers run in parallel, because they mostly wait."""
 
 import collections
 import concurrent.futures

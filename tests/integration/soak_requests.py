@@ -1,5 +1,5 @@
-"""Random requests for two minutes, with seeds that nobody has tried; the one that fails is told. See
-random_requests.py; `soak_requests.py SEED` asks one of them again."""
+"""Random requests (random_requests.py) for two minutes, with new seeds; prints the seeds that fail.
+`soak_requests.py SEED` repeats one of them."""
 
 import concurrent.futures
 import os
@@ -15,11 +15,11 @@ ROBOTS = ["rhino-xr3", "adept-one", "intelledex-660"]
 
 
 def one(seed):
-    """What went wrong, or nothing."""
+    """Runs one seed; returns an error message, or "" on success."""
     try:
         ask(unittest.TestCase(), seed, REQUESTS, "--robot", ROBOTS[seed % 3],
             "--compat", ["paper", "mark3"][seed // 3 % 2], clock="manual" if seed % 4 else "real:20")
-    except Exception as error:  # whatever it is, its seed is wanted
+    except Exception as error:  # of any kind: the message must contain the seed
         return f"seed {seed}: {error!r}"[:2000]
     return ""
 

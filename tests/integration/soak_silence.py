@@ -1,5 +1,5 @@
-"""What silence means, in real time: a person at a terminal may be silent for as long as they like; a
-WebSocket that no longer answers pings is gone in half a minute, and so is who takes no byte."""
+"""Idle monitor clients, in real time: an idle JSON line stays open; a WebSocket that does not answer pings is
+closed after half a minute, and so is a client that does not read."""
 
 import asyncio
 import os
@@ -14,11 +14,11 @@ from terminal import Terminal
 from web_viewer import UPGRADE, Viewer
 
 GONE_S = 30.0
-SOON_S = 10.0  # how much later it may be
+SOON_S = 10.0  # tolerance
 
 
 def connections(xr3):
-    """Monitor clients, as /metrics counts them."""
+    """The number of monitor clients, from /metrics."""
     with urllib.request.urlopen(f"http://{LOCALHOST}:{xr3.monitor_port}/metrics") as answer:
         return int(re.search(r"^xr3_viewers\S* (\d+)", answer.read().decode(), re.MULTILINE)[1])
 
@@ -42,7 +42,7 @@ class Silence(unittest.IsolatedAsyncioTestCase):
             terminal.wait_for(lambda text: "trying again" not in text)
 
     def mute_websocket(self, xr3):
-        """It reads, but no ping of the server is ever answered."""
+        """Reads, but does not answer the pings of the server."""
         with connect(xr3.monitor_port) as sock:
             started = time.monotonic()
             sock.settimeout(GONE_S + SOON_S)
@@ -58,7 +58,7 @@ class Silence(unittest.IsolatedAsyncioTestCase):
             self.assertGreater(pings, 0)
 
     def stuck(self, xr3):
-        """It asks and takes no answer."""
+        """Sends requests and does not read the answers."""
         stuck = Monitor(xr3.monitor_port, buffer_bytes=4096)
         stuck.socket.setblocking(False)
         try:
@@ -69,7 +69,7 @@ class Silence(unittest.IsolatedAsyncioTestCase):
         before, started = connections(xr3), time.monotonic()
         while connections(xr3) >= before:
             self.assertLess(time.monotonic() - started, 2 * GONE_S + SOON_S)
-            time.sleep(0.5)  # what it waits for is time itself
+            time.sleep(0.5)  # the timeout under test is real time
         self.assertGreater(time.monotonic() - started, GONE_S / 2)
         stuck.close()
 

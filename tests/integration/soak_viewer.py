@@ -1,4 +1,4 @@
-"""Every part of the browser page in real Chromium, by Playwright: tests/web/*_test.mjs against this xr3."""
+"""Tests of the browser page in real Chromium with Playwright: runs tests/web/*_test.mjs against this xr3."""
 
 import glob
 import os

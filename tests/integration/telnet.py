@@ -1,4 +1,4 @@
-"""A person at a terminal with inetutils telnet."""
+"""A user of inetutils telnet at a terminal."""
 
 import os
 import pty
@@ -18,7 +18,7 @@ def needs(program, package):
 
 
 class Telnet:
-    """A person at a terminal with `telnet`: what they type, and what the screen shows."""
+    """`telnet` in a pseudo-terminal: type() enters keys, read_until() reads the screen."""
 
     def __init__(self, port):
         self.terminal, inner = pty.openpty()
@@ -41,7 +41,7 @@ class Telnet:
         os.write(self.terminal, keys)
 
     def read_until(self, pattern):
-        """Waits until the screen, from where the last wait ended, matches; returns the match."""
+        """Waits until the screen, from the end of the last match on, matches; returns the match."""
         ends = time.monotonic() + DEADLINE_S
         while not (match := re.search(pattern, self.screen, re.DOTALL)):
             left = ends - time.monotonic()
@@ -52,6 +52,6 @@ class Telnet:
         return match
 
     def inquire(self, inquiry):
-        """Types an inquiry and Enter; returns the byte that appears behind the echo of both."""
+        """Types an inquiry and Enter; returns the byte that appears after their echo."""
         self.type(inquiry + b"\n")
         return self.read_until(re.escape(inquiry) + rb"\r\n(.)").group(1)

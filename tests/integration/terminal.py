@@ -1,4 +1,4 @@
-"""A program in a pseudo-terminal, and the screen that a person would see: pyte is the terminal."""
+"""A program in a pseudo-terminal and the screen that a user would see. pyte emulates the terminal."""
 
 import fcntl
 import os
@@ -16,7 +16,7 @@ from support import DEADLINE_S
 
 
 class Terminal:
-    """Starts a program; as a context, ends it if it has not ended by itself."""
+    """A context manager for a program; kills it at the end if it is still running."""
 
     def __init__(self, arguments, rows=24, columns=80, environment=None):
         self.screen = pyte.Screen(columns, rows)
@@ -45,7 +45,7 @@ class Terminal:
         fcntl.ioctl(self._slave, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 0, 0))
 
     def resize(self, rows, columns):
-        """What a window does: the new size, and the signal that says so."""
+        """Changes the size of the terminal, which sends SIGWINCH to the program."""
         self.screen.resize(rows, columns)
         self._set_size(rows, columns)
 
@@ -56,7 +56,7 @@ class Terminal:
         return "\n".join(line.rstrip() for line in self.screen.display)
 
     def _read(self, within_s):
-        """Takes what the program writes; False if nothing came in time."""
+        """Reads output of the program; False if there was none in time."""
         if not select.select([self._master], [], [], max(0, within_s))[0]:
             return False
         data = os.read(self._master, 65536)
@@ -65,7 +65,7 @@ class Terminal:
         return True
 
     def wait_for(self, holds, what="the screen"):
-        """Reads until holds(text of the screen); returns that text."""
+        """Reads until holds(text of the screen) is true; returns that text."""
         end = time.monotonic() + DEADLINE_S
         while not holds(self.text()):
             left = end - time.monotonic()
@@ -76,18 +76,18 @@ class Terminal:
         return self.wait_for(lambda screen: text in screen, repr(text))
 
     def wait_end(self):
-        """The exit code; the program's last bytes are on the screen."""
+        """Waits for the exit of the program and reads its remaining output; returns the exit code."""
         code = self.process.wait(DEADLINE_S)
         while self._read(0):
             pass
         return code
 
     def colors(self):
-        """Every colour on the screen."""
+        """The set of colours on the screen."""
         return {cell.fg for row in self.screen.buffer.values() for cell in row.values()}
 
     def is_as_before(self):
-        """Whether lines are edited and echoed again as at the start."""
+        """Whether the terminal has the same settings (line editing, echo) as at the start."""
         return termios.tcgetattr(self._slave) == self.settings
 
     def signal(self, number=signal.SIGTERM):

@@ -1,4 +1,5 @@
-"""The channels of the monitor port: what a subscription brings, when, and that it is the same for all."""
+"""The channels of the monitor port: the messages of a subscription, their timing, and that all subscribers
+receive the same messages."""
 
 import json
 import time
@@ -12,7 +13,7 @@ RINGS = ["event", "line"]
 ALWAYS = {"op", "cell", "epoch", "seq", "tick"}
 SOME_FIELDS = {"state": ["stalled", "moving"], "image": ["height", "rows"], "display": ["on"], "model": ["rev", "hash"],
                "event": ["message"], "line": ["hex", "line"]}
-# At a quarter of real time this takes two seconds, with more than a count in each frame.
+# At a quarter of real time this move takes two seconds, with more than one count per frame.
 SLOW_MOVE = "E255SE+127\r"
 
 
@@ -22,8 +23,8 @@ def get_json(xr3, path):
 
 
 def rest(monitor):
-    """All that the server had put out before: the messages up to two pings, since answers may overtake
-    what was waiting, but not twice."""
+    """All messages that the server had queued: those before the answers to two pings, because an answer
+    may overtake queued messages, but a second one cannot overtake the same messages."""
     messages = []
     for _ in range(2):
         monitor.send({"op": "ping", "id": "rest"})
@@ -32,7 +33,7 @@ def rest(monitor):
 
 
 def expanded(row):
-    """The pixels of run lengths, which begin with zeros."""
+    """Converts run lengths, of which the first counts zeros, to a string of pixels."""
     return "".join("01"[place % 2] * length for place, length in enumerate(row))
 
 
@@ -214,7 +215,7 @@ class Subscriptions(unittest.TestCase):
 
 
 def on_the_line(rows):
-    """The bytes of A**: six pixels a byte, the leftmost in the high bit, each byte + 32."""
+    """The reply to A**: six pixels per byte, the leftmost in the highest bit, each byte + 32."""
     data = b""
     for row in rows:
         row = row.ljust(-len(row) // 6 * -6, "0")
@@ -234,7 +235,7 @@ class InRealTime(unittest.TestCase):
 
     @staticmethod
     def until_rest(viewer):
-        """The states up to the one in which a move has come to its end."""
+        """The states up to the one at which a move is done."""
         has_moved = []
 
         def is_over(message):
@@ -254,7 +255,7 @@ class InRealTime(unittest.TestCase):
         self.assertGreater(came[10], 2 * came[1], came)
 
     def test_on_change(self):
-        """What is compared is what was chosen."""
+        """on_change compares only the selected fields."""
         still = self.viewer("state", fields=["io"])
         always = self.viewer("state", fields=["io"], on_change=False)
         self.line.send(SLOW_MOVE)

@@ -1,5 +1,5 @@
-"""`xr3 check`: every shipped file is summed up and exits 0; of every broken one everything that is
-wrong is told, each on a line with file, line, JSON pointer, what stands there and what may, and exits 2."""
+"""`xr3 check`: for every shipped file it prints a summary and exits with 0; for every broken file it prints
+all findings, one per line, with file, line, JSON pointer, the found and the allowed value, and exits with 2."""
 
 import pathlib
 import unittest

@@ -1,5 +1,5 @@
-"""The recipes of docs/ci: the shell one is run as it stands there, for a program that does its
-work, one that fails and one that does something else; the others must have the same commands."""
+"""The recipes of docs/ci: the shell recipe is run unchanged, with a program that works, one that fails and
+one that moves to the wrong place; the other recipes must contain the same commands."""
 
 import os
 import pathlib
@@ -17,7 +17,7 @@ FILES = ("README.md", "github-actions.yml", "gitlab-ci.yml")
 
 
 def shown(name):
-    """The commands of a file that belong to xr3, in their order."""
+    """The commands of a recipe that start with xr3/, in order."""
     text = (RECIPES / name).read_text(encoding="utf-8")
     return re.findall(r"^(?: *- (?:run: )?)?(xr3/\S.*)$", text, re.MULTILINE)
 
@@ -34,14 +34,14 @@ class Recipes(unittest.TestCase):
             shutil.copy(RECIPES / name, self.folder)
 
     def run_recipe(self, command=None, **environment):
-        """Runs a command line in a repository with xr3 beside its own files."""
+        """Runs a command line in a folder with xr3 beside the files of a user."""
         return subprocess.run(
             command or shown("README.md")[-1], shell=True, cwd=self.folder, text=True,
             env={**os.environ, "XR3": XR3, "TMPDIR": str(self.temporary), **environment},
             stdin=subprocess.DEVNULL, capture_output=True, timeout=DEADLINE_S, check=False)
 
     def start_recipe(self, script, *commands):
-        """Starts it with these commands, and waits until the first has said that it runs."""
+        """Starts the script with these commands and waits until the first one prints "runs"."""
         process = subprocess.Popen([script, *commands], cwd=self.folder, text=True, stdin=subprocess.PIPE,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                    env={**os.environ, "XR3": XR3, "TMPDIR": str(self.temporary)})
@@ -65,7 +65,7 @@ class Recipes(unittest.TestCase):
                 self.assertEqual(commands, shown(name))
 
     def test_what_a_cache_brings_back_is_not_in_the_way(self):
-        """It is ccache's folder in the job's own, and the checkout that follows has room for itself."""
+        """The cache is a folder of ccache in the job's folder, and git can still clone xr3 beside it."""
         text = (RECIPES / "gitlab-ci.yml").read_text(encoding="utf-8")
         path = re.search(r"^ +paths: \[(\S+)\]$", text, re.MULTILINE)[1]
         self.assertIn(f"CCACHE_DIR: $CI_PROJECT_DIR/{path}\n", text)
@@ -113,7 +113,7 @@ class Recipes(unittest.TestCase):
         self.assertEqual([], list(self.temporary.iterdir()))
 
     def test_a_signal_ends_it_and_all_that_it_started(self):
-        pipe = self.folder / "held"  # whoever of the command is alive holds it open
+        pipe = self.folder / "held"  # every process of the command keeps it open until it exits
         os.mkfifo(pipe)
         for number, code in (signal.SIGTERM, 143), (signal.SIGINT, 130):
             with self.subTest(number.name):

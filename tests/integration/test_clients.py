@@ -1,5 +1,5 @@
-"""Programs that people have: inetutils telnet under a terminal, and netcat. What they add of their own
-must not reach the robot, and what the robot says must reach them."""
+"""Common programs: inetutils telnet in a terminal, and netcat. The bytes that they add must not reach the
+robot, and they must receive the replies of the robot."""
 
 import subprocess
 import unittest
@@ -20,7 +20,7 @@ class TelnetSession(unittest.TestCase):
             self.assertEqual(b" ", telnet.inquire(b"I"))
 
     def test_interrupt_in_the_middle(self):
-        """Ctrl-C makes telnet throw away what it reads until the server has answered its mark."""
+        """After Ctrl-C telnet discards what it reads until the server answers its timing mark."""
         with Server() as xr3, xr3.monitor() as monitor, Telnet(xr3.robot_port) as telnet:
             telnet.type(b"E+50\n")
             monitor.step(100, after=(1, 6))
@@ -38,7 +38,7 @@ class TelnetSession(unittest.TestCase):
                 self.assertEqual(b" ", telnet.inquire(b"E?"))
 
     def test_a_reply_of_ff_is_seen_once(self):
-        """After an interrupt the line is known for telnet, and FF is doubled on the wire."""
+        """After an interrupt the server knows that the line uses telnet and doubles FF on the wire."""
         with Server() as xr3, xr3.monitor() as monitor, Telnet(xr3.robot_port) as telnet:
             telnet.type(b"\x03")
             telnet.type(b"F-1\n")
@@ -48,7 +48,7 @@ class TelnetSession(unittest.TestCase):
             self.assertEqual(b"!", telnet.inquire(b"F?"))
 
     def test_two_at_once(self):
-        """Two people share the robot; a reply goes only to the one who asked."""
+        """Two users share the robot; a reply goes only to the line of the inquiry."""
         with Server() as xr3, xr3.monitor() as monitor, Telnet(xr3.robot_port) as first:
             monitor.step(0)
             with Telnet(xr3.robot_port) as second:
@@ -73,7 +73,7 @@ class Netcat(unittest.TestCase):
         return done.stdout
 
     def test_half_close(self):
-        """It sends, shuts down its side, and still gets the one byte that it asked for."""
+        """netcat sends, closes its side for writing, and still receives the reply."""
         with Server() as xr3:
             self.assertEqual(b"%", self.netcat(xr3, b"E+5\rE?"))
 

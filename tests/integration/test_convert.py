@@ -1,5 +1,5 @@
-"""`xr3 convert`: every shipped file goes to the paper's plain form and back and loses nothing; broken
-files of either form are refused with every finding; nothing is replaced without --force."""
+"""`xr3 convert`: every shipped file converts to the paper's plain form and back without loss; broken files
+are rejected with all findings; no file is replaced without --force."""
 
 import json
 import os
@@ -13,7 +13,7 @@ DATA = pathlib.Path(ROOT, "data")
 SHIPPED = sorted([*(DATA / "robots").glob("*.json"), *(DATA / "workcells").glob("*.json")])
 
 TABLE = """\
-* A workcell with nothing but what the paper names.
+* A workcell with only the members that the paper has.
 * X Y Z
 600 500 700
 * blocks
@@ -27,7 +27,7 @@ TABLE = """\
 
 
 def data_of(file):
-    """A JSON file's content; members that may be left out are there in any case."""
+    """The contents of a JSON file, with the defaults of optional members."""
     data = json.loads(file.read_text())
     for member, default in [("notes", ""), ("work_surface", 0), ("surface_stalls", False)]:
         data.setdefault(member, default)
@@ -72,7 +72,7 @@ class Convert(Files):
                 kind = run_xr3("check", file).stdout, run_xr3("check", back).stdout
                 self.assertEqual(*kind)
                 self.assertEqual([], [p.name for p in self.folder.iterdir() if p.name.count(".") > 1],
-                                 "no drafts are left")
+                                 "no temporary files are left")
 
     def test_a_file_written_by_hand(self):
         out = self.file("lab.json")
@@ -134,7 +134,7 @@ class Convert(Files):
 
 
 class PlainFiles(Files):
-    """What reads robots and workcells reads the plain form, too."""
+    """All commands that read robots and workcells also read the plain form."""
 
     def setUp(self):
         super().setUp()

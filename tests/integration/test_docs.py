@@ -13,11 +13,11 @@ import unittest
 from support import DEADLINE_S, ROOT, XR3, Server, run_xr3
 
 FENCE = re.compile(r"^ *```.*?\n(.*?)^ *```", re.DOTALL | re.MULTILINE)
-BEHIND = re.compile(r"(\s+#.*|\s{2,}\S.*)$")  # what is said about a command on its line
+BEHIND = re.compile(r"(\s+#.*|\s{2,}\S.*)$")  # a comment after a command
 
 
 def shown_lines():
-    """(file, line) of everything that stands in a fence."""
+    """(file, line) of every line in a code fence."""
     for path in [pathlib.Path(ROOT, "README.md"), *sorted(pathlib.Path(ROOT, "docs").rglob("*.md"))]:
         for block in FENCE.findall(path.read_text(encoding="utf-8")):
             for line in block.splitlines():
@@ -25,7 +25,7 @@ def shown_lines():
 
 
 def shown_file(name, language):
-    """The file of that language that a page shows."""
+    """The contents of the first fence of that language on a page."""
     text = pathlib.Path(ROOT, "docs", name).read_text(encoding="utf-8")
     return re.search(rf"^```{language}\n(.*?)^```", text, re.DOTALL | re.MULTILINE)[1]
 
@@ -97,7 +97,7 @@ class Docs(unittest.TestCase):
                 self.assertEqual(0, done.returncode, done.stderr)
 
     def ask_for_health(self, arguments):
-        """A server on a port of its own, with the port file that is asked for."""
+        """Runs `healthcheck` with a server on a free port that writes the port file of the command."""
         with Server("--port-file", self.folder / "ports.json") as xr3:
             arguments = [str(xr3.monitor_port) if word == "9701" else word for word in arguments]
             environment = {**os.environ, "XR3_MONITOR_PORT": str(xr3.monitor_port)}
@@ -105,7 +105,7 @@ class Docs(unittest.TestCase):
         self.assertEqual((0, "", ""), (done.returncode, done.stdout, done.stderr))
 
     def leave_the_editor(self, arguments):
-        """It asks, and at the end of its input it leaves the file as it was."""
+        """Runs `workcell` without input: it prints its first question and does not change the file."""
         before = (self.folder / "lab.json").read_text(encoding="utf-8")
         done = run_xr3("workcell", *arguments, cwd=self.folder, stdin=subprocess.DEVNULL)
         self.assertIn(done.returncode, (0, 2), done.stderr)

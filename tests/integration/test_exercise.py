@@ -1,5 +1,5 @@
-"""The exercise with each of the three robots, over TCP alone: the program sees every block, takes it,
-puts it elsewhere, and sees it there. The monitor only checks what the program believes."""
+"""The exercise (exercise.py) with each of the three robots, over the robot port alone: the program sees every
+block, picks it up, places it elsewhere, and sees it there. The monitor port only serves to check the result."""
 
 import math
 import time
@@ -10,9 +10,9 @@ from exercise_arms import ARMS, AdeptOne, Intelledex660, RhinoXr3
 from support import Server, motors
 
 FASTER = 1000
-MOST_DEGREES = 2.5  # a principal angle from pixels of this size
+MOST_DEGREES = 2.5  # tolerance of a principal angle that is computed from pixels of this size
 
-# The tables' picks: block, where its centroid is, its yaw, and the motor counts that take it.
+# For each robot: block, its centroid (x, y), its yaw, and the motor counts of the pick.
 PICKS = {
     RhinoXr3: [("red", 262, 0, 90, "E449 D-625"), ("green", 330, 96, 25, "F71 E543 D-479 B260"),
                ("blue", 344, -92, 140, "F-66 E559 D-455 B-208"),
@@ -35,7 +35,7 @@ def read_counts(text):
 
 
 def running(line):
-    """Waiting where the clock runs by itself: ask until so much time must have passed."""
+    """A wait() for a running clock: it sends inquiries until the time must have passed."""
     def wait(milliseconds):
         until = time.monotonic() + milliseconds / 1000 / FASTER
         while time.monotonic() < until:
@@ -59,7 +59,7 @@ class InverseKinematics(unittest.TestCase):
 
 class Exercise(unittest.TestCase):
     def check_move(self, arm, name, width, patches):
-        """One block has moved to its place, within a pixel; no pixel of another one has changed."""
+        """Checks that a block is at its new place within a pixel, and that no other block has moved."""
         self.assertEqual(set(arm.sizes), set(patches), f"after {name} was moved")
         x, y, yaw = arm.places[name]
         length, breadth, _ = arm.sizes[name]
@@ -73,7 +73,7 @@ class Exercise(unittest.TestCase):
         self.assertLess(width, breadth + 1, name)
 
     def check_end(self, robot, monitor):
-        """What the program believes is so, and nothing went wrong on the way."""
+        """Compares the counts and positions that the program assumes with the state of the server."""
         arm, state = robot.arm, monitor.get()
         self.assertEqual(robot.at, {label: motor["count"] for label, motor in motors(state).items()})
         self.assertFalse(state["moving"] or state["stalled"])

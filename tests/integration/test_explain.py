@@ -1,11 +1,11 @@
-"""Why nothing moves: what the controller makes of each byte, in plain words, within one message. The
-`line` channel says it of every byte, a `warning` event of those that were not obeyed."""
+"""Explanations of bytes: the `line` channel explains every byte, and a `warning` event explains the bytes that
+had no effect, in one message."""
 
 import unittest
 
 from support import MonitorError, Server, motors
 
-# What a student types, what is wrong with it, and what the sentence must name.
+# (input of a student, code of the warning, regular expression for its message)
 MISTAKES = [
     ("E+200\r", "number_out_of_range", r"E\+200: .*-128\.\.\.127.*not obeyed"),
     ("E500S", "speed_out_of_range", r"1\.\.\.255.*not obeyed"),
@@ -49,7 +49,7 @@ class Warnings(unittest.TestCase):
                 viewer.subscribe("event")
                 self.type(data, line)
                 event = viewer.read()
-                while event["event"] == "move":  # of a part that was obeyed
+                while event["event"] == "move":  # a part that was executed
                     event = viewer.read()
                 self.assertEqual(("warning", code, line.number), (event["event"], event["code"], event["line"]))
                 self.assertRegex(event["message"], sentence)
@@ -72,18 +72,18 @@ class Warnings(unittest.TestCase):
 
     def test_at_most_64_a_second_then_one_that_says_so(self):
         for number in range(100):
-            self.type("z+")  # two codes in turn, so that no run grows
+            self.type("z+")  # two alternating codes, which are not combined into one warning
         events = self.told()
         self.assertEqual(64, len(events))
         with self.xr3.monitor() as other:
             other.step(1000)
-        suppressed = self.viewer.read()  # as soon as the second is over, and not with the next byte
+        suppressed = self.viewer.read()  # at the end of the second, without another byte
         self.assertEqual("suppressed", suppressed["code"])
         counted = sum(event["count"] for event in [*events, suppressed])
         self.assertEqual(200, counted)
 
     def told(self):
-        """What has come since the last time."""
+        """The events that have arrived since the last call."""
         newest = self.viewer.recall("event")[-1]["seq"]
         return self.viewer.read_until(lambda message: message["seq"] == newest)
 
@@ -104,7 +104,7 @@ class EveryByte(unittest.TestCase):
         self.line = self.enterContext(self.xr3.line())
 
     def told(self, *pieces):
-        """The records of these bytes, each sent when the one before had acted."""
+        """The records of these bytes; each piece is sent after the one before has been executed."""
         known = self.monitor.recall("line", since=0)
         for piece in pieces:
             self.line.send(piece)
@@ -135,7 +135,7 @@ class EveryByte(unittest.TestCase):
         self.assertRegex(record["parsed"][0]["message"], r"-128\.\.\.127")
 
     def test_in_pieces(self):
-        """The piece that completes a command explains it, from where it began."""
+        """The record of the piece that completes a command explains it, from the command's first byte on."""
         records = self.told("E", "+", "5", "\r", "z")
         self.assertEqual(["E", "+", "5", "\\r", "z"], [record["text"] for record in records])
         self.assertEqual([0, 1, 2, 3, 4], [record["offset"] for record in records])
@@ -170,7 +170,7 @@ class EveryByte(unittest.TestCase):
                          [(record["line"], record["dir"]) for record in self.monitor.recall("line", since=0)])
 
     def test_calls_are_told_of_too(self):
-        """`send` is a line like others."""
+        """`send` uses a line like those of the robot port."""
         self.monitor.step(0, after=self.line)
         value = self.monitor.call("send", text="E?")
         self.assertEqual(("20", " "), (value["hex"], value["text"]))
@@ -182,7 +182,7 @@ class EveryByte(unittest.TestCase):
 
 
 class Calls(unittest.TestCase):
-    """The calls beside time: lines, send, inputs, keys, description."""
+    """Calls that do not advance time: lines, line_disconnect, send, input, describe."""
 
     def setUp(self):
         self.xr3 = self.enterContext(Server())

@@ -16,7 +16,7 @@ ROUNDS = 5
 
 
 def waits_s(line):
-    """The times in which replies come, the shortest first (seconds)."""
+    """The times until the replies arrive, in seconds, sorted."""
     waits = []
     for _ in range(ASKED):
         started = time.perf_counter()
@@ -53,7 +53,7 @@ def taken(monitor, line):
 def requests(xr3, request):
     with ask_without_end(xr3.monitor_port, request) as asking, xr3.monitor() as monitor:
         first = monitor.look("state")["seq"]
-        while monitor.look("state")["seq"] < first + 20:  # time runs: a state that is looked at is a new one
+        while monitor.look("state")["seq"] < first + 20:  # while time runs, each `get` returns a new state
             pass
         yield
         asking.kill()
@@ -61,7 +61,7 @@ def requests(xr3, request):
 
 class Fairness(unittest.TestCase):
     def compare(self, rank, most, disturbance, *options):
-        """The wait of this rank (0 the shortest, 1 the longest) grows so many times at most."""
+        """Checks that the wait at this quantile (0 minimum, 1 maximum) grows at most by a factor."""
         ratios = []
         with Server("--log-level", "error", clock="real") as xr3, xr3.line() as line:
             waits_s(line)
@@ -105,7 +105,7 @@ class Fairness(unittest.TestCase):
                 self.hold(0.003, flood, ask_without_end, commands, server=("--workcell", "rhino-hundred"))
 
     def test_beside_monitor_clients(self):
-        """One request of theirs at a time, whatever it costs, and as much writing."""
+        """A reply waits for at most one monitor request and the writing of its answer."""
         for request in b'{"op":"ping"}\n', b'{"op":"get","channel":"state"}\n', b'{"op":"get","channel":"line"}\n':
             with self.subTest(request):
                 self.compare(0.5, 8.0, requests, request)

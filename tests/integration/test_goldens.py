@@ -1,17 +1,17 @@
-"""Known poses, reached by bytes over TCP and read from the monitor's state. Lengths come with three
-decimals there; the tests of core hold the same figures to 1e-4 mm."""
+"""Known poses, reached with commands on a serial line and read from the monitor's state. The state has
+lengths with three decimals; the tests of core check the same values to 1e-4 mm."""
 
 import unittest
 
 from support import Server, counts, drive, motors
 
-MM = 0.0006  # half of the last decimal, and what binary fractions add
-UNIT = 0.00006  # direction cosines and w4...6 are given with four or five decimals
+MM = 0.0006  # half of the last decimal, and the rounding of binary fractions
+UNIT = 0.00006  # the expected direction cosines and w4...6 have four or five decimals
 DEGREES = 0.00051
 
 
 class Goldens(unittest.TestCase):
-    # robot, motor counts, tip, then whatever else is known of the pose.
+    # (robot, motor counts, tip, other known values)
     POSES = [
         ("rhino-xr3", {}, (238.1, 0, 320.7),
          {"approach": (0, 0, -1), "w": (0, 0, -0.60653), "net_roll": 90, "opening": 50.8}),
@@ -59,7 +59,8 @@ class Goldens(unittest.TestCase):
                                      counts(state, "GFEDCBA"))
 
     def test_a_drawing_program_meets_its_paper(self):
-        """From the soft home E-224 D+219 puts the wrist 4 inches out and 12 up, within its precision."""
+        """A drawing program of the 1980s moves the wrist with E-224 D+219 from the soft home to about 4 inches
+        out and 12 inches up from the shoulder."""
         with Server() as xr3, xr3.line() as line, xr3.monitor() as monitor:
             x, _, z = drive(line, monitor, E=-224, D=219)["tool"]["xyz_mm"]
             wrist_out, wrist_up = x - 9.5, z + 168.3 - 260.4

@@ -1,4 +1,4 @@
-"""`xr3 healthcheck` beside real servers, beside none, and beside others that are no xr3."""
+"""`xr3 healthcheck` with a real server, without a server, and with servers other than xr3."""
 
 import contextlib
 import os
@@ -21,8 +21,9 @@ NOT_READY = b'HTTP/1.1 503 No\r\n\r\n{"error":{"code":"not_ready","message":"no 
 
 @contextlib.contextmanager
 def stand_in(*answers):
-    """Somebody else's server: gives each connection the next answer, as soon as a byte came, and ends
-    it; without an answer it only takes the connections. Yields the port."""
+    """A server other than xr3: after the first byte of each connection it sends the next answer. It closes
+    the connection at once if the answer is empty, else when the client closes. Without answers, connections
+    stay in the accept queue. Yields the port."""
     with socket.create_server((LOCALHOST, 0)) as server:
         def serve():
             for answer in answers:
@@ -30,18 +31,18 @@ def stand_in(*answers):
                 with client:
                     client.recv(1)
                     client.sendall(answer)
-                    while answer and client.recv(4096):  # what else it says, until it leaves
+                    while answer and client.recv(4096):  # discards other requests until the client closes
                         pass
         thread = threading.Thread(target=serve, daemon=True)
         thread.start()
         yield server.getsockname()[1]
         thread.join(DEADLINE_S)
-        assert not thread.is_alive(), "not every answer was asked for"
+        assert not thread.is_alive(), "not every answer was used"
 
 
 @contextlib.contextmanager
 def unused_port(family=socket.AF_INET, host=LOCALHOST):
-    """A port where nobody listens, and nobody else will."""
+    """A port on which no process listens; it is reserved until the end of the context."""
     with socket.socket(family) as taken:
         taken.bind((host, 0))
         yield taken.getsockname()[1]
@@ -147,13 +148,13 @@ class Healthcheck(unittest.TestCase):
             self.assertEqual(before["joints"], after["joints"])
 
     def test_who_does_not_answer_is_not_waited_for(self):
-        with stand_in() as port:  # takes connections, and says nothing
+        with stand_in() as port:  # connections succeed, but receive nothing
             self.unhealthy("sends nothing", "--monitor-port", port, "--wait", "0.1")
         with socket.socket() as server:
             server.bind((LOCALHOST, 0))
             server.listen(0)
             address = server.getsockname()
-            with contextlib.ExitStack() as waiting:  # until its queue is full: then nobody gets in
+            with contextlib.ExitStack() as waiting:  # fills the accept queue, so that no connection succeeds
                 for _ in range(3):
                     client = waiting.enter_context(socket.socket())
                     client.setblocking(False)

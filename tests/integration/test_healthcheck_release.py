@@ -1,5 +1,5 @@
-"""How long `xr3 healthcheck` takes as a whole process: a container starts one again and again. Of ten the
-best counts, since a busy machine only adds."""
+"""The run time of the process `xr3 healthcheck`, which a container engine starts every few seconds. The best
+of ten runs counts, because other load on the machine only increases the time."""
 # labels: release serial
 
 import time
@@ -7,7 +7,7 @@ import unittest
 
 from support import Server, run_xr3
 
-MOST_S = 0.010  # promised
+MOST_S = 0.010  # guaranteed maximum
 RUNS = 10
 
 

@@ -1,5 +1,5 @@
-"""Whatever is sent to the monitor port ends in a clear error or a close, and a good client beside it
-hardly waits."""
+"""Hostile clients of the monitor port: any input ends with a clear error or a close, and it hardly delays the
+answers to another client."""
 # labels: serial
 
 import socket
@@ -10,7 +10,7 @@ from monitor_schema import messages
 from support import DEADLINE_S, Server, connect
 
 MIB = 1 << 20
-HEAD_S = 10.0  # in which a request's head must be whole
+HEAD_S = 10.0  # the server's timeout for the head of an HTTP request
 WAIT_MORE_S = 0.010
 UPGRADE = (b"GET /ws HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
            b"Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n")
@@ -36,7 +36,7 @@ class Case(unittest.TestCase):
         self.good = self.enterContext(self.xr3.monitor())
 
     def waits_s(self, tries=200):
-        """How long a good client waits for its answer at most, but for one in twenty (seconds)."""
+        """The 95th percentile of the time until the good client receives an answer, in seconds."""
         waited = []
         for _ in range(tries):
             started = time.monotonic()
@@ -47,7 +47,7 @@ class Case(unittest.TestCase):
 
 class Malformed(Case):
     def answers(self, data):
-        """What came of these bytes, up to the close or the half-close."""
+        """Sends the bytes and closes for writing; returns all messages until the server closes."""
         with connect(self.xr3.monitor_port) as sock:
             try:
                 sock.sendall(data)
@@ -70,7 +70,7 @@ class Malformed(Case):
             with self.subTest(data[:50]):
                 hello, result = self.answers(data)
                 self.assertEqual(code, result["error"]["code"])
-                self.assertLess(len(str(result)), 4096, "no echo of all that was sent")
+                self.assertLess(len(str(result)), 4096, "the error does not repeat the request")
 
     def test_ids_that_are_none(self):
         for wrong in b"{}", b"[1]", b"1.5", b"true", b"1e300", b'"' + b"x" * 65 + b'"', b"123456789012345678901234567890":
@@ -160,7 +160,7 @@ class Handshakes(Case):
     MANY = 1000
 
     def test_a_thousand_that_never_end(self):
-        """Half heads are closed within ten seconds; what has begun a JSON line may take all its time."""
+        """Incomplete HTTP heads are closed after ten seconds; an incomplete JSON line has no timeout."""
         starts = [b"G", b"GET / HT", UPGRADE, UPGRADE[:-20], b"GET / HTTP/1.1\r\nHost: localhost\r\n", b'{"op":', b""]
         before_s = self.waits_s()
         started = time.monotonic()
@@ -186,7 +186,7 @@ class Handshakes(Case):
             return b"".join(file.readline() for _ in range(count))
 
     def test_one_too_many(self):
-        """Over the limit of connections each hears why."""
+        """A client above the maximum number of connections is sent the reason."""
         kept = [self.enterContext(connect(self.xr3.monitor_port)) for _ in range(1024)]
         with connect(self.xr3.monitor_port) as sock:
             sock.sendall(b'{"op":"ping"}\n')

@@ -1,5 +1,5 @@
-"""A client of the monitor port by WebSocket, of another library (Debian package python3-websockets). Every
-message that it reads is checked against the schema."""
+"""A WebSocket client of the monitor port, implemented with python3-websockets. It checks every message that
+it reads against the schema."""
 
 import asyncio
 import json
@@ -15,7 +15,7 @@ UPGRADE = (b"GET /ws HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnec
 
 
 class Viewer:
-    """As an asynchronous context. `hello` is the greeting."""
+    """An asynchronous context manager. `hello` is the first message of the server."""
 
     def __init__(self, xr3, **options):
         options = {"subprotocols": [SUBPROTOCOL], "max_size": None, **options}
@@ -40,6 +40,6 @@ class Viewer:
         return await self.read()
 
     async def closed(self):
-        """The code that the server closes with."""
+        """Waits for the close; returns the server's close code."""
         await asyncio.wait_for(self.socket.wait_closed(), DEADLINE_S)
         return self.socket.close_code
