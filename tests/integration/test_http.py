@@ -1,4 +1,5 @@
-"""What there is to GET, with curl: every resource, HEAD, connections that are kept, and what ends them."""
+"""HTTP resources of the monitor port, with curl: GET and HEAD of every resource, errors, and persistent
+connections."""
 
 import json
 import pathlib
@@ -20,7 +21,7 @@ GET = b"GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n"
 
 
 def curl(xr3, path, *options):
-    """Status, fields (names in small letters) and body."""
+    """Returns status, fields (names in lower case) and body."""
     url = f"http://{LOCALHOST}:{xr3.monitor_port}{path}"
     done = subprocess.run(["curl", "--silent", "--show-error", "--include", *options, url], capture_output=True,
                           timeout=DEADLINE_S, check=True)
@@ -134,7 +135,7 @@ class Connections(unittest.TestCase):
                     self.assertEqual(b"", file.read())
 
     def test_shutdown_ends_those_that_are_kept(self):
-        """Server.stop() fails when it takes longer than two seconds."""
+        """Server.stop() fails if it takes longer than two seconds."""
         with Server() as xr3, connect(xr3.monitor_port) as sock, sock.makefile("rb") as file:
             sock.sendall(GET)
             self.read_answer(file)

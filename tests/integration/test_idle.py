@@ -1,5 +1,5 @@
-"""A robot at rest costs nothing: with clients connected and the clock running, the process is never
-scheduled. All cases are watched at once, each in a process of its own."""
+"""A robot at rest uses no processor time: even with connected clients and a running clock, the kernel never
+schedules the process. All cases are observed at the same time, each with its own server."""
 # labels: release serial
 
 import contextlib
@@ -11,12 +11,12 @@ import unittest
 from support import DEADLINE_S, Server
 
 WATCHED_S = 10.0
-# A timer that was armed while something moved goes off once more, within this.
+# A timer that was started while something moved expires once more, within this time.
 LAST_TIMER_S = 1.2
 
 
 def scheduling(pid):
-    """(nanoseconds on a processor, switches away from it) of all threads, as the kernel counts them."""
+    """(processor time in nanoseconds, context switches) of all threads of a process."""
     ran = switches = 0
     for thread in os.listdir(f"/proc/{pid}/task"):
         with open(f"/proc/{pid}/task/{thread}/schedstat", encoding="ascii") as file:
@@ -27,7 +27,7 @@ def scheduling(pid):
 
 
 class Case:
-    """A server with a monitor and three lines: one that has asked, one with half a command, one mute."""
+    """A server with a monitor client and three lines: after an inquiry, with half a command, and silent."""
 
     CHANNELS = ("state", "image", "display", "model", "event", "line")
 
@@ -57,14 +57,14 @@ class Case:
         return [client.socket for client in clients]
 
     def move_while_time_runs(self, moves):
-        """Moves to their end, in running time."""
+        """Sends moves with the clock running and waits until they are done."""
         self.asked.send(moves)
         while self.monitor.get("moving")["moving"]:
             pass
         return self
 
     def move_in_standing_time(self, *moves):
-        """Moves, each to where it ends or is stopped; then time runs."""
+        """Sends moves with the manual clock, each until it is done or blocked; then starts the clock."""
         self.monitor.call("pause")
         for move in moves:
             self.asked.send(move)
@@ -100,15 +100,15 @@ class Idle(unittest.TestCase):
                 case.asked.ask("F?")
 
     def take_all(self, sockets):
-        """Reads what viewers are still sent, until nobody has been sent anything for a while."""
+        """Reads from all sockets until none has received anything for LAST_TIMER_S."""
         ends = time.monotonic() + DEADLINE_S
         while ready := select.select(sockets, [], [], LAST_TIMER_S)[0]:
-            self.assertLess(time.monotonic(), ends, "they are sent more and more")
+            self.assertLess(time.monotonic(), ends, "the server does not stop sending")
             for sock in ready:
                 sock.recv(1 << 20)
 
     def watch(self, sockets, seconds):
-        """Measures idleness: this waits for nothing, since nothing may come."""
+        """Checks that no socket receives anything for this time."""
         self.assertEqual(([], [], []), select.select(sockets, [], [], seconds))
 
 

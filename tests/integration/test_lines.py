@@ -1,12 +1,12 @@
-"""What may happen to lines: too many, half closed, reset, cut in the middle of a number, flooding, and
-two hundred at once. Whatever one does, another goes on."""
+"""Serial lines: too many, half closed, reset, closed in the middle of a number, flooding, and two hundred at
+the same time. No line disturbs another one."""
 
 import os
 import unittest
 
 from support import DEADLINE_S, MonitorError, Server, counts, motors
 
-MIB = 1024  # KiB, in which /proc counts
+MIB = 1024  # in KiB, the unit of /proc
 
 
 class Lines(unittest.TestCase):
@@ -20,7 +20,7 @@ class Lines(unittest.TestCase):
             self.assertEqual((32, 32), (first.ask("E?"), second.ask("E?")))
             first.close()
             xr3.wait_log(r"line 1 .*closed by its client")
-            self.assertEqual(1, xr3.log().count("refused"), "it is told once, until a line ends")
+            self.assertEqual(1, xr3.log().count("refused"), "logged once, until a line ends")
             with xr3.line() as third, xr3.line() as refused:
                 self.assertEqual(32, third.ask("E?"))
                 self.assertEqual(b"", refused.read_to_end())
@@ -82,7 +82,7 @@ class Lines(unittest.TestCase):
             self.assertEqual("E12 D-2", counts(monitor.settle()))
 
     def test_raw_bytes(self):
-        """A line that is no telnet carries every reply byte as it is, FF once."""
+        """A line without telnet transmits every reply byte unchanged, and FF once."""
         with Server() as xr3, xr3.monitor(), xr3.line() as line:
             line.send("F-1\rFT")
             self.assertEqual(b"\xff", line.read(1))
@@ -93,15 +93,15 @@ class Lines(unittest.TestCase):
 
 
 class Flood(unittest.TestCase):
-    """A client that sends inquiries without end and never reads: the server stops reading it."""
+    """A client sends inquiries without end and never reads: the server stops reading from it."""
 
     ENVIRONMENT = {"ASAN_OPTIONS": os.environ.get("ASAN_OPTIONS", "") + ":quarantine_size_mb=4"}
-    INQUIRIES = b"I" * 65536  # every byte is one, so that replies are as many as bytes
-    KERNEL_BYTES = 16 << 20  # more than the kernel keeps for both directions of a connection
+    INQUIRIES = b"I" * 65536  # every byte is an inquiry with a one-byte reply
+    KERNEL_BYTES = 16 << 20  # more than the kernel buffers for both directions of a connection
     STUCK_TURNS = 100
 
     def flood(self, line, good):
-        """Sends until the server has had many turns and takes no more; returns how many bytes went."""
+        """Sends until the server reads no more, although it has had many turns; returns the bytes sent."""
         poured = turns = 0
         line.socket.setblocking(False)
         while turns < self.STUCK_TURNS:
@@ -111,12 +111,12 @@ class Flood(unittest.TestCase):
             except BlockingIOError:
                 turns += 1
                 self.assertEqual(32, good.ask("E?"))
-            self.assertLess(poured, self.KERNEL_BYTES, "the server takes more and more")
+            self.assertLess(poured, self.KERNEL_BYTES, "the server does not stop reading")
         line.socket.settimeout(DEADLINE_S)
         return poured
 
     def test_inquiries_that_are_never_read(self):
-        """Memory grows by what one read can bring, once, and by an outbox for each such line."""
+        """Memory grows once by the size of a read buffer, and by one outbox for each such line."""
         with Server(environment=self.ENVIRONMENT) as xr3, xr3.line() as good:
             self.flood(xr3.line(buffer_bytes=16384), good)
             before = xr3.status("VmRSS")
@@ -134,9 +134,9 @@ class Flood(unittest.TestCase):
             self.assertEqual(b" " * poured, line.read_to_end())
 
     def test_replies_in_hand_when_the_server_ends(self):
-        """A line whose outbox is full, of a client that begins to read when the server ends."""
+        """The outbox of a line is full, and the client begins to read when the server shuts down."""
         with Server() as xr3, xr3.monitor() as monitor, xr3.line(buffer_bytes=16384) as line:
-            with self.assertRaises(MonitorError):  # the line takes no more
+            with self.assertRaises(MonitorError):  # the server stops reading the line
                 while line.sent < self.KERNEL_BYTES:
                     line.send(self.INQUIRIES[:32768])
                     monitor.call("step", ticks=0, fields=["moving"],

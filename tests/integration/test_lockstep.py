@@ -1,4 +1,4 @@
-"""Bytes written before a step act before it: see lockstep.py; some thousand tries, with sanitizers."""
+"""Bytes written before a step are executed before it (lockstep.py): some thousand tries, with sanitizers."""
 
 import unittest
 

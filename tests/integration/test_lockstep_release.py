@@ -1,4 +1,4 @@
-"""Bytes written before a step act before it, in a hundred thousand tries: see lockstep.py."""
+"""Bytes written before a step are executed before it (lockstep.py): a hundred thousand tries."""
 # labels: release
 
 import unittest

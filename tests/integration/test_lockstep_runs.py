@@ -1,4 +1,5 @@
-"""Some runs in lockstep under full load: one hash, see lockstep_runs.py. `./test --soak` does a thousand."""
+"""Some lockstep runs under full load, which must all have the same hash (lockstep_runs.py). `./test --soak`
+makes a thousand."""
 # labels: serial
 
 import concurrent.futures

@@ -1,4 +1,4 @@
-"""What the log says of things that come with time and not with a byte."""
+"""Log messages of events that are caused by simulated time, and escapes in the log."""
 
 import unittest
 

@@ -1,4 +1,4 @@
-"""The monitor port as JSON lines: greeting, state, time, calls and errors, in the documented shapes."""
+"""The monitor port with JSON lines: `hello`, the state, time and calls, in the documented form."""
 
 import select
 import time
@@ -128,7 +128,7 @@ class State(unittest.TestCase):
             self.assertEqual(({"I": 4, "J": 0}, True), (state["switches"], state["moving"]))
 
     def test_switches_in_mark3_are_told_as_they_are(self):
-        """`switch` is true for closed in every profile; `switches` is what the line would say."""
+        """`switch` is true for closed in every profile; `switches` has the values of the line's replies."""
         with Server("--compat", "mark3") as xr3, xr3.monitor() as monitor, xr3.line() as line:
             state = monitor.get()
             self.assertEqual((True, False), tuple(motors(state)[label]["switch"] for label in "FE"))
@@ -186,7 +186,7 @@ class Time(unittest.TestCase):
             monitor.step(30, after=line)
             value = monitor.call("reset")
             self.assertEqual((1, 0), (value["epoch"], value["tick"]))
-            line.send("\r")  # the D+5 that was open is forgotten
+            line.send("\r")  # the reset has discarded the incomplete D+5
             monitor.step(0, after=line)
             state = monitor.get()
             self.assertEqual((before, 1, 0), (machine(state), state["epoch"], state["tick"]))

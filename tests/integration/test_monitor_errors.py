@@ -1,5 +1,5 @@
-"""What the monitor port refuses: broken JSON, unknown names, wrong arguments, HTTP that carries calls.
-An error leaves the robot as it was and the connection open, unless it says `bye`."""
+"""Requests that the monitor port refuses: broken JSON, unknown names, wrong arguments, HTTP requests that
+contain calls. An error does not change the robot, and the connection stays open unless `bye` follows."""
 
 import shutil
 import subprocess
@@ -126,7 +126,7 @@ class Requests(unittest.TestCase):
             self.assertEqual("pong", monitor.read()["op"])
 
     def test_a_line_that_is_no_object_ends_the_connection(self):
-        """So that an HTTP request never gets past its first line."""
+        """So the server reads at most the first line of an HTTP request."""
         with Server() as xr3:
             for intruder in b"POST / HTTP/1.1\r\n", b"[]\n", b"5\n", b"\x00\n":
                 with self.subTest(intruder), xr3.monitor() as monitor:
@@ -161,7 +161,7 @@ class Http(unittest.TestCase):
                 self.assertEqual((0, status, ""), (done.returncode, done.stdout[-3:], done.stderr), path)
 
     def test_a_request_carries_no_call(self):
-        """A page may put lines of JSON behind, or into, a request that it makes a browser send."""
+        """A web page can make a browser send an HTTP request with lines of JSON in it."""
         host = b"Host: localhost\r\n"
         with Server() as xr3:
             for request in [

@@ -1,5 +1,5 @@
-"""Plays docs/monitor-messages.md against the server: every message there is what it says. With --write the
-document is brought up to date instead; `< ?` in it is one message that is not there yet."""
+"""Plays docs/monitor-messages.md against the server and compares every message. With --write it updates the
+document instead; `< ?` in the document is the place for a new message."""
 
 import json
 import os
@@ -19,7 +19,7 @@ PEER = re.compile(r"127\.0\.0\.1:\d+")  # differs from run to run
 
 
 class Player:
-    """One block of the document: a server, a client of its monitor port, a serial line."""
+    """One block of the document: a server, a client of its monitor port, and a serial line."""
 
     def __init__(self, command):
         environment = dict(pair.split("=") for pair in COMMAND.fullmatch(command)[1].split())
@@ -55,14 +55,14 @@ class Player:
 
 
 def played():
-    """The document's lines, with what the server says in place of the messages."""
+    """(number, line, the same line with the message of the server) of each line of the document."""
     player = None
     lines = DOCUMENT.read_text(encoding="utf-8").splitlines()
     for number, line in enumerate(lines, 1):
         if COMMAND.fullmatch(line):
             player = Player(line).__enter__()
             if not lines[number].startswith("<"):
-                player.read()  # a greeting that is not shown
+                player.read()  # a `hello` that is not in the document
         elif line.startswith("```") and player:
             player.__exit__(None, None, None)
             player = None

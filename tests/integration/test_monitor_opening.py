@@ -1,5 +1,5 @@
-"""How a connection to the monitor port is told apart by its first bytes, whatever pieces they come in:
-what is JSON, what is HTTP, and what is neither. Only what is JSON from its first byte on acts."""
+"""Detection of the protocol of a monitor connection by its first bytes, however they are split: JSON lines,
+HTTP, or neither. Only connections that are JSON from the first byte on have an effect."""
 
 import select
 import time
@@ -13,10 +13,10 @@ CALL = b'{"op":"call","id":9,"fn":"step","args":{"ticks":100}}\n'
 PING = b'{"op":"ping","id":1}\n'
 BOM = b"\xef\xbb\xbf"
 TLS_HELLO = bytes.fromhex("1603010200010001fc0303") + bytes(range(32))
-SILENCE_S = 1.0  # then a person is greeted
+SILENCE_S = 1.0  # the server sends `hello` after this time without input
 
-# What is sent, piece by piece, and what it is.
-JSON, NOT_JSON, HTTP, CLOSED = "JSON", "not JSON", "HTTP", "closed without a word"
+# (detected protocol, pieces that are sent)
+JSON, NOT_JSON, HTTP, CLOSED = "JSON", "not JSON", "HTTP", "closed without a message"
 CASES = [
     (JSON, [PING]),
     (JSON, [b"{", PING[1:]]),
@@ -58,8 +58,8 @@ CASES = [
 
 
 class Stream:
-    """A connection whose pieces reach the server one by one; `watcher` is another, which shows that the
-    server has had a turn."""
+    """A connection whose pieces arrive separately: after each one, an answer to another client, `watcher`,
+    shows that the server has had a turn."""
 
     def __init__(self, xr3, watcher):
         self.socket = connect(xr3.monitor_port)
@@ -89,7 +89,7 @@ class Stream:
         return data
 
     def ends(self):
-        """What came until the server closed, or until it had answered all of a half-closed stream."""
+        """Closes for writing; returns all bytes that the server sends until it closes."""
         try:
             self.socket.shutdown(1)
         except OSError:
@@ -149,7 +149,7 @@ class Opening(unittest.TestCase):
         self.assert_nothing_acted()
 
     def test_methods_cut_after_each_byte_and_a_pause(self):
-        """One byte of HTTP ends the waiting for a person: none of these is ever greeted."""
+        """After one byte of HTTP the server no longer sends `hello`, however long the client pauses."""
         streams = []
         for request, method in self.requests():
             for length in range(1, len(method) + 2):
@@ -165,7 +165,7 @@ class Opening(unittest.TestCase):
         self.assert_nothing_acted()
 
     def greeted(self, befores):
-        """For each of these pieces a stream that was silent but for it, until it was greeted."""
+        """For each of these pieces a stream that sends only it and has received `hello`."""
         started = time.monotonic()
         streams = [self.enterContext(self.stream()) for _ in befores]
         for stream, before in zip(streams, befores):
@@ -177,7 +177,7 @@ class Opening(unittest.TestCase):
         return streams
 
     def test_silence_then_anything(self):
-        """Once greeted, JSON only."""
+        """After `hello` the server accepts only JSON."""
         cases = [(JSON, [PING]), (JSON, [b"{", PING[1:]]), (JSON, [b"\r\n", PING]),
                  (NOT_JSON, [b"GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n" + CALL]),
                  (NOT_JSON, [b"G", b"ET / HTTP/1.1\r\n\r\n" + CALL]),

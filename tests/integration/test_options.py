@@ -1,4 +1,4 @@
-"""Options of `xr3 serve` that are no arguments: what a real process makes of its environment."""
+"""Options of `xr3 serve` from the environment and from a configuration file, with a real process."""
 
 import os
 import pathlib
@@ -27,7 +27,7 @@ class Environment(Options):
         environment = {"XR3_ROBOT": "adept-one", "XR3_COMPAT": "mark3", "XR3_CLOCK": "real", "XR3_WORKCELL": ""}
         with Server(environment=environment) as xr3, xr3.monitor() as monitor:
             self.assertEqual(("Adept One", "mark3"), (monitor.hello["robot"]["name"], monitor.hello["compat"]))
-            self.assertEqual("manual", monitor.hello["clock"]["mode"], "an argument counts more")
+            self.assertEqual("manual", monitor.hello["clock"]["mode"], "an argument takes precedence")
 
     def test_a_token_file_and_privacy(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -73,8 +73,8 @@ class Config(Options):
             environment["XR3_COMPAT"] = "paper"
             with Server(*arguments, environment=environment) as xr3, xr3.monitor() as monitor:
                 self.assertEqual("Adept One", monitor.hello["robot"]["name"])
-                self.assertEqual("paper", monitor.hello["compat"], "the environment counts more")
-                self.assertEqual("manual", monitor.hello["clock"]["mode"], "an argument counts more")
+                self.assertEqual("paper", monitor.hello["compat"], "the environment takes precedence")
+                self.assertEqual("manual", monitor.hello["clock"]["mode"], "an argument takes precedence")
 
     def test_a_token_file(self):
         token = self.folder / "token"

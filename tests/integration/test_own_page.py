@@ -1,5 +1,5 @@
-"""A page that the server itself serves, in a real Chromium: it may read and call, from every address that
-the server goes by, also through a port mapping."""
+"""The server's own page in real Chromium: it may read and make calls under every address of the server, also
+through a port mapping."""
 
 import json
 import unittest

@@ -1,4 +1,4 @@
-"""How the process begins and ends: the line LISTENING, the port file, exit codes, signals."""
+"""Start and end of the process: the line LISTENING, the port file, exit codes, signals."""
 # labels: serial
 
 import json
@@ -23,7 +23,7 @@ class Start(unittest.TestCase):
             self.assertRegex(xr3.greeting, r"^LISTENING robot=127\.0\.0\.1:\d+ monitor=127\.0\.0\.1:\d+\n$")
             self.assertNotIn(0, (xr3.robot_port, xr3.monitor_port))
             self.assertNotEqual(xr3.robot_port, xr3.monitor_port)
-        # The context has checked that nothing came behind that line.
+        # At its end the context has checked that there is no other output.
 
     def test_both_ports_answer_as_soon_as_it_listens(self):
         for _ in range(5):
@@ -42,7 +42,7 @@ class Start(unittest.TestCase):
             command = [XR3, "serve", "--robot-port", "0", "--monitor-port", "0", "--port-file", path]
             with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
                 text, ends = None, time.monotonic() + DEADLINE_S
-                while text is None and time.monotonic() < ends:  # the very first sight of it counts
+                while text is None and time.monotonic() < ends:  # reads the file as soon as it exists
                     try:
                         text = path.read_text(encoding="ascii")
                     except FileNotFoundError:
@@ -54,7 +54,7 @@ class Start(unittest.TestCase):
             self.assertEqual(process.pid, ports["pid"])
             self.assertIn(b"robot=127.0.0.1:%d monitor=127.0.0.1:%d\n" % (ports["robot"], ports["monitor"]),
                           greeting)
-            self.assertLessEqual(set(os.listdir(folder)), {"ports.json"}, "no draft is left behind")
+            self.assertLessEqual(set(os.listdir(folder)), {"ports.json"}, "no temporary file is left")
 
     def test_ipv6(self):
         with Server("--listen", "::1") as xr3:
@@ -66,7 +66,7 @@ class Start(unittest.TestCase):
 
 class ExitCodes(unittest.TestCase):
     def refused(self, code, says, *arguments):
-        """It ends with the code, one sentence on standard error, and nothing on standard output."""
+        """Checks the exit code, one sentence on standard error, and no standard output."""
         done = run_xr3(*arguments)
         self.assertEqual((code, ""), (done.returncode, done.stdout), done.stderr)
         self.assertRegex(done.stderr, says)
@@ -155,7 +155,7 @@ class Shutdown(unittest.TestCase):
                 self.assertEqual(0, xr3.stop(how))
 
     def test_with_clients_of_every_kind(self):
-        """Server.stop() fails when it takes longer than two seconds."""
+        """Server.stop() fails if it takes longer than two seconds."""
         for how in self.SIGNALS:
             with self.subTest(how), Server(clock="real") as xr3, xr3.monitor() as monitor:
                 silent, undecided = xr3.line(), connect(xr3.monitor_port)

@@ -1,5 +1,5 @@
-"""Programs written for the hardware end where they ended there: to the count, over TCP, against the
-real binary; in standing time that the test steps, and some with the clock running fast."""
+"""Programs written for the hardware end at the same counts as there: over TCP, with the real binary, with the
+manual clock, and some with a fast clock."""
 
 import unittest
 
@@ -8,7 +8,7 @@ from support import Server, counts, motors
 
 
 class Bench:
-    """A server with one line and a way to wait, in simulated milliseconds, on it."""
+    """A server with one line and a wait() in simulated milliseconds."""
 
     def __init__(self, *options, clock="manual"):
         self.server = Server(*options, clock=clock)
@@ -70,7 +70,7 @@ class DriverOf1983(unittest.TestCase):
         self.assertEqual([], driver.stuck)
 
     def test_homes_from_the_far_side_of_the_switch(self):
-        """E runs down to its limit, is found stuck there, and turns back."""
+        """E moves down to its limit, is stuck there, and then moves up."""
         def work(driver):
             driver.move("E", -120)
             driver.move("D", 120)
@@ -81,7 +81,7 @@ class DriverOf1983(unittest.TestCase):
         self.assertEqual(["E"], driver.stuck)
 
     def test_stops_jaws_that_are_stuck(self):
-        """The jaws stand at their limit, 16 counts up from the soft home, and their counter with them."""
+        """The jaws are blocked at their limit, 16 counts above the soft home, so the error counter stays."""
         driver, state = self.run_it(lambda driver: self.assertFalse(driver.move("A", 85)))
         self.assertEqual(["A"], driver.stuck)
         jaws = motors(state)["A"]
@@ -106,7 +106,7 @@ class LabProgramOfEveryWeek(unittest.TestCase):
                 self.assertEqual(b"", bench.line.unread())
 
     def test_homes_by_the_switches(self):
-        """Each joint runs up to the low edge of the 60 counts about its switch."""
+        """Each joint moves up to the lower edge of the 60 counts in which its switch is closed."""
         with Bench("--compat", "mark3") as bench:
             program = LabProgram(bench.line, bench.wait)
             for label in "DC":
@@ -137,7 +137,7 @@ class WriteOnlyProgram(unittest.TestCase):
             self.assertNotIn("counter_overflow", bench.server.log())
 
     def test_without_the_pauses_the_counter_wraps(self):
-        """Why it pauses: four times 50 do not fit into eight bits."""
+        """Without the pauses, four moves by 50 counts overflow the 8-bit error counter."""
         with Bench() as bench:
             write_only(bench.line, lambda _: None)
             state = bench.settle()

@@ -1,5 +1,5 @@
-"""How soon the monitor port tells: what happens is there within 50 ms, in order, on a machine that does
-little else. Medians count, since a machine that tests now and then does something else."""
+"""Latency of the monitor port: on an idle machine, messages arrive within 50 ms, in order. The median counts,
+because the machine is not always idle."""
 # labels: release serial
 
 import statistics
@@ -10,7 +10,7 @@ from support import Server
 
 SOON_S = 0.050
 TRIES = 40
-# At these speeds the first counts come 8 and 9 ticks after the move.
+# At these speeds E makes its first count 8 ticks after the move, F 9 ticks.
 SPEEDS = "E125SF112S"
 
 
@@ -31,7 +31,7 @@ class Promptness(unittest.TestCase):
             self.assertLess(statistics.median(late_s), SOON_S, sorted(late_s))
 
     def test_what_a_byte_does(self):
-        """An event comes with the byte, a state with the next frame of sixty a second."""
+        """A state follows with the next frame, at 60 frames a second."""
         with Server(clock="real") as xr3, xr3.monitor() as viewer, xr3.line() as line:
             viewer.subscribe("state", max_hz=60, fields=["io"])
             viewer.read()

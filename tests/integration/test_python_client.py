@@ -1,5 +1,5 @@
-"""The unit tests of the Python client in clients/python, against the built xr3. The release build
-runs them too, for `xr3 kin` and the client work out the same kinematics on their own."""
+"""The unit tests of the Python client in clients/python, against the built xr3. They also run against the
+release build, because they compare the client's kinematics with those of `xr3 kin`."""
 
 # labels: release
 

@@ -1,4 +1,4 @@
-"""Random requests, right and wrong, some thousand: see random_requests.py. `./test --soak` asks more."""
+"""Some thousand random valid and invalid requests (random_requests.py). `./test --soak` sends more."""
 
 import unittest
 

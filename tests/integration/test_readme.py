@@ -1,5 +1,5 @@
-"""The thirty seconds of telnet in the README, typed as they stand there. Time stands, but for the two
-seconds that a person takes to ask."""
+"""The telnet session of the README ("Thirty seconds of telnet"), typed unchanged. The clock is manual; two
+seconds pass before the inquiry."""
 
 import pathlib
 import re
@@ -13,7 +13,7 @@ TICKS_BEFORE_ASKING = 2000
 
 
 def session():
-    """(what is typed, the reply that is shown below it or None) of each line."""
+    """(input, the reply shown below it or None) of each line that is typed."""
     readme = pathlib.Path(ROOT, "README.md").read_text(encoding="utf-8")
     lines = [line.split()[:2] for line in SESSION.search(readme)[1].splitlines()]
     shown = [(first, second.startswith("(")) for first, second in lines]
@@ -40,7 +40,7 @@ class ThirtySeconds(unittest.TestCase):
                 received += len(typed) + 2  # telnet sends CR LF
                 state = monitor.step(0, after=(1, received))
             self.assertEqual("", counts(state), "home")
-            self.assertEqual(before["joints"], state["joints"], "with the speeds it had")
+            self.assertEqual(before["joints"], state["joints"], "with the original speeds")
 
 
 if __name__ == "__main__":

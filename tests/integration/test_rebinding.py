@@ -1,5 +1,5 @@
-"""Pages of other sites in a real Chromium: one from another port, and one whose name has come to stand
-for this machine. Whatever they try on both ports, nothing moves and nothing is read."""
+"""Web pages of other origins in real Chromium: one from another port, and one whose host name is rebound to
+this machine (DNS rebinding). On both ports their requests move nothing and read nothing."""
 
 import json
 import pathlib
@@ -12,15 +12,16 @@ from support import LOCALHOST, ROOT, Server, machine
 ATTACKS = pathlib.Path(ROOT, "tests/integration/attacks.js").read_text(encoding="utf-8")
 STEP = '{"op":"call","id":"page","fn":"step","args":{"ticks":100}}\n'
 MOVES = "F+100\rA$\rLM"
-# Bytes of the names of HTTP's methods move output lines and ports: each way is tried.
+# The bytes of HTTP method names are commands that switch output lines and ports: both initial states are
+# tried.
 EVERYTHING_HIGH = "LNP1P2P3P4P5P6P7P8E+30\r"
 EVERYTHING_LOW = "MOR1R2R3R4R5R6R7R8E+30\r"
-# What a page must never get hold of: part of what a state, a robot file, a greeting or metrics say.
+# Words that a page must never read: parts of a state, a robot file, a `hello` and the metrics.
 SECRETS = ["joints", "hello", "tick", "xr3_", "polylines", "rows"]
 
 
 class Robot:
-    """A robot in the middle of a move, all its outputs high or low, and what pages try against it."""
+    """A robot in the middle of a move, with all outputs high or low, and the attacks of pages on it."""
 
     def __init__(self, test, setup):
         self.test = test
@@ -32,7 +33,7 @@ class Robot:
         self.before = machine(self.monitor.get())
 
     def attack(self, page, base, call):
-        """Everything is tried; nothing may come of it."""
+        """Runs all attacks of attacks.js; none may read anything or change the robot."""
         tried = page.run(f"({ATTACKS})({json.dumps(base)}, {json.dumps(call)})")
         self.test.assertGreater(len(tried), 50)
         for attempt, came in tried:
@@ -61,7 +62,7 @@ class Strangers(unittest.TestCase):
                 robot.xr3.wait_log("client sent HTTP", times=5)
 
     def test_a_page_by_a_rebound_name(self):
-        """Its name stands for another site until the page is loaded, then for this machine."""
+        """The host name resolves to another site until the page is loaded, then to this machine."""
         robot = Robot(self, EVERYTHING_LOW)
         for port, call in (robot.xr3.monitor_port, STEP), (robot.xr3.robot_port, MOVES):
             with Site() as site, Proxy(site.port) as resolver, \
@@ -70,7 +71,7 @@ class Strangers(unittest.TestCase):
                 resolver.target = port
                 tried = dict(robot.attack(page, f"http://evil.test:{port}/", call))
                 if port == robot.xr3.monitor_port:
-                    self.assertRegex(tried["fetch same-origin /state"], "^read: 403 ", "an error is no secret")
+                    self.assertRegex(tried["fetch same-origin /state"], "^read: 403 ", "it may read the error")
 
 
 if __name__ == "__main__":

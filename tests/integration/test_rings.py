@@ -1,5 +1,5 @@
-"""Viewers that are slow or stuck, and lines that pour garbage: nobody is closed for it, what is lost is
-told with right counts, and it costs the server next to nothing."""
+"""Subscribers that are slow or do not read, and lines that send garbage: the server closes none of them, it
+reports lost messages with exact counts (`lag`), and it uses little memory and time for them."""
 # labels: release serial
 
 import os
@@ -10,18 +10,19 @@ from garbage import pour_garbage
 from support import Monitor, Server, counts
 
 RING = {"event": 4096, "line": 1024}
-MIB = 1024  # KiB, in which /proc counts
+MIB = 1024  # in KiB, the unit of /proc
 SMALL_BUFFER = 4096
 
 
 def check_gaps(test, messages, channel):
-    """Every message of the channel, or a lag that says exactly which are missing; returns how many."""
+    """Checks that each message of the channel is present or reported by a `lag`, and that there is one `lag`
+    per gap; returns the number of missing messages."""
     missing = 0
     expected = None
     lag = None
     for message in messages:
         if message["op"] == "lag" and message["channel"] == channel:
-            test.assertIsNone(lag, "one for a gap")
+            test.assertIsNone(lag, "one `lag` per gap")
             lag = message
             missing += lag["missed"]
             test.assertEqual(lag["missed"], lag["to_seq"] - lag["from_seq"] + 1)
@@ -84,7 +85,7 @@ class Overflow(unittest.TestCase):
             self.assertEqual(held[0]["seq"], monitor.read()["seq"])
 
     def test_frames_that_were_overwritten(self):
-        """Of the state a stuck viewer gets the last when it reads at last, and is told what it missed."""
+        """A subscriber that reads late receives the last state, and a `lag` for the ones that it missed."""
         with Server("--log-level", "warn", clock="real") as xr3, xr3.monitor() as monitor, xr3.line() as line:
             viewer = self.stuck(xr3, "state")
             viewer.subscribe("state", max_hz=60, on_change=False)
@@ -131,8 +132,9 @@ class Stuck(unittest.TestCase):
     STUCK_TURNS = 100
 
     def ask_for_images(self, viewer, good):
-        """Asks without reading, until all is asked for or the server has had many turns and takes no
-        more; returns the bytes that went, and how long `good` waited at most (seconds)."""
+        """Sends requests without reading the answers, until all are sent or the server reads no more,
+        although it has had many turns. Returns the number of bytes sent and the sorted times that `good`
+        waited for answers meanwhile, in seconds."""
         request = b'{"op":"get","channel":"image"}\n'
         pending = memoryview(request * self.WANTED)
         viewer.socket.setblocking(False)

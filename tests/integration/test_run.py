@@ -1,5 +1,5 @@
-"""The script ./run: it passes its arguments on to `xr3 serve` and adds none of its own. It runs here in a
-folder of its own, where packages and build are done and build/release/xr3 is the executable under test."""
+"""The script ./run: it passes its arguments to `xr3 serve` and adds none. The tests run it in a temporary
+folder with stubs for packages and build, where build/release/xr3 is the executable under test."""
 
 import os
 import pathlib
@@ -39,7 +39,7 @@ class Run(unittest.TestCase):
         path.chmod(0o755)
 
     def started(self, *arguments, **variables):
-        """The names of robot and workcell that `./run ARGUMENTS` starts with."""
+        """Starts `./run ARGUMENTS`; returns the names of the robot and the workcell."""
         server = Server(command=[self.folder / "run"], environment={**self.environment, **variables})
         server.options = list(map(str, arguments))
         with server as xr3, xr3.monitor() as monitor:

@@ -1,6 +1,6 @@
-"""The schemas of data/schema against the shipped files, which conform, and the broken ones of
-tests/data/broken, which do not wherever a schema can tell. The monitor's schema against the messages
-that docs/ shows; each of them, changed anywhere, conforms to its strict copy no more."""
+"""The schemas of data/schema: the shipped files conform, and the broken files of tests/data/broken do not,
+unless their fault cannot be expressed in a schema. The monitor's schema: the messages in docs/ conform, and
+no mutation of such a message conforms to the strict copy (monitor_schema.py)."""
 
 import copy
 import json
@@ -15,7 +15,7 @@ import monitor_schema
 
 ROOT = pathlib.Path(os.environ.get("XR3_ROOT", pathlib.Path(__file__).parents[2]))
 
-# Broken in ways that only the loader can see: how two values fit together.
+# The faults of these files are contradictions between values, which only the loader can find.
 BEYOND_A_SCHEMA = {
     "robot-coupled-switch", "robot-hard-home-in-region", "robot-home-in-region", "robot-home-inch",
     "robot-masks-clash", "robot-names", "robot-switch-beyond", "robot-too-long",
@@ -40,7 +40,7 @@ def refuse(word):
 
 
 def read(path):
-    """The JSON of a data file, its comment lines taken out."""
+    """The JSON of a data file without its comment lines."""
     lines = path.read_text(encoding="utf-8").splitlines()
     text = "\n".join("" if line.lstrip().startswith("*") else line for line in lines)
     try:
@@ -59,7 +59,7 @@ VALIDATORS = {kind: validator(kind) for kind in ("robot", "workcell")}
 
 
 def errors_of(path, kind):
-    """What the schema finds in a file, a line each."""
+    """The findings of the schema in a file, one line each."""
     try:
         found = VALIDATORS[kind].iter_errors(read(path))
         return [f"/{'/'.join(map(str, error.absolute_path))}: {error.message}" for error in found]
@@ -108,10 +108,10 @@ MESSAGE = re.compile(r'\{"(?:op|error)"')
 
 
 def shown_messages():
-    """(file, object) of every message in a fence of docs/ from which nothing is left out."""
+    """(file, object) of every complete message in a code fence of docs/."""
     for path in sorted((ROOT / "docs").glob("*.md")):
         for block in re.findall(r"```.*?\n(.*?)```", path.read_text(encoding="utf-8"), re.DOTALL):
-            if "\n> " in block:  # a conversation: what is asked there may be wrong on purpose
+            if "\n> " in block:  # in a dialogue, requests may be invalid on purpose
                 block = "\n".join(line for line in block.splitlines() if line.startswith("< "))
             for match in MESSAGE.finditer(block):
                 text = block[match.start():]
@@ -129,7 +129,7 @@ def check_monitor_examples():
     answers = 0
     for name, message in shown_messages():
         if "error" in message and "op" not in message:
-            continue  # of HTTP
+            continue  # an error of HTTP
         if message["op"] in monitor_schema.MESSAGES:
             monitor_schema.check(message, is_whole=False)
             served.validate(message)
@@ -142,7 +142,8 @@ def check_monitor_examples():
 
 
 def check_mutations(name, message):
-    """A member more, an envelope's member less, or a value of another type, is found out."""
+    """Checks that the strict schema rejects the message with an additional member, without a member of the
+    envelope, and with a member of another type."""
     wrong = [{**message, "added_later": 1}]
     needed = set(message) - {"id"} if message["op"] in ("hello", "result", "lag", "bye") else set(monitor_schema.ALWAYS)
     for member in message:

@@ -1,5 +1,5 @@
-"""The script scripts/setup: which packages it chooses on which system. dpkg-query, apt-cache and apt-get are
-stand-ins that know what is installed and what is offered."""
+"""The script scripts/setup: the packages that it chooses on each system. dpkg-query, apt-cache and apt-get are
+stubs with lists of the installed and the offered packages."""
 
 import os
 import pathlib
@@ -22,7 +22,7 @@ APT_GET = 'while [ "$1" != update ] && [ "$1" != install ]; do shift; done; echo
 
 
 def versioned(packages):
-    """The names of the packages, with those of each clang for its number."""
+    """The names of the packages; a number stands for the packages of that version of clang."""
     names = {package for package in packages if isinstance(package, str)}
     return names | {name.replace("%", str(version)) for version in packages if isinstance(version, int)
                     for name in OF_CLANG}
@@ -43,7 +43,7 @@ class Setup(unittest.TestCase):
         self.stub("id", "echo 0")
         for name in "npm", "node", "docker":
             self.stub(name, "")
-        # What every system has by the same name: all that is asked for where nothing is installed.
+        # The packages that have the same name on every system.
         self.usual = set(self.names_in_setup()) - {name for name in self.names_in_setup() if is_of_choice(name)}
 
     def stub(self, name, text):
@@ -56,7 +56,7 @@ class Setup(unittest.TestCase):
         return re.findall(r"[a-z][a-z0-9.+-]+", SETUP.read_text(encoding="utf-8"))
 
     def setup_with(self, installed, offered, *groups):
-        """Runs it; returns its exit code, what it said, and the packages that it installed."""
+        """Runs the script; returns its exit code, its messages, and the packages that it installed."""
         for name, packages in ("installed", installed), ("offered", offered):
             (self.folder / name).write_text("\n".join(sorted(packages)) + "\n", encoding="ascii")
         (self.folder / "done").write_text("", encoding="ascii")
@@ -69,7 +69,7 @@ class Setup(unittest.TestCase):
         return done.returncode, done.stderr, [name for name in packages if not name.startswith("-")]
 
     def chosen(self, installed, system, *groups):
-        """What it installs of the packages whose names differ between systems."""
+        """The installed packages whose names differ between systems."""
         code, said, packages = self.setup_with(installed, self.usual | versioned(system), *groups)
         self.assertEqual(0, code, said)
         return {name for name in packages if is_of_choice(name)}

@@ -1,5 +1,5 @@
-"""Snapshots: what was saved goes on as it did, bit for bit, whatever happened in between, under a name or
-from the client's own copy, in this server or in another."""
+"""Snapshots: after loading one, the simulation continues exactly as it did after saving it, whatever happened
+in between; by name or from the client's copy, in the same server or in another one."""
 
 import functools
 import json
@@ -15,7 +15,7 @@ COMMANDS = ["E+7\r", "E-9\r", "D+20\r", "D-17\r", "F+3\r", "C-5\r", "B+9\r", "A-
 
 
 def happen(monitor, seed, ticks=TICKS):
-    """Random commands and calls while so many ticks pass; returns what was seen of it, in order."""
+    """Random commands and calls during `ticks`; returns the observed states as JSON, in order."""
     chance = random.Random(seed)
     seen = []
     added = 0
@@ -53,7 +53,8 @@ class Snapshots(unittest.TestCase):
         self.assertEqual(code, caught.exception.code)
 
     def without_revision(self, seen):
-        """model_rev counts the changes since the start of this server, whatever was loaded."""
+        """The states without model_rev, which counts changes since the start of the server, not since a
+        snapshot."""
         return [json.dumps([tick, {name: value for name, value in state.items() if name != "model_rev"}])
                 for tick, state in map(json.loads, seen)]
 
@@ -164,7 +165,7 @@ class Snapshots(unittest.TestCase):
         self.assertEqual(0, self.monitor.get("moving")["epoch"])
 
     def leaves(self, value, path=()):
-        """The paths of up to two members of each list, and of every member of each object."""
+        """The paths of all values; of each list, only of its first two elements."""
         if isinstance(value, dict):
             for name, each in value.items():
                 yield from self.leaves(each, (*path, name))

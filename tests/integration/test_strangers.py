@@ -1,5 +1,5 @@
-"""HTTP, TLS and STUN at the robot port: whatever a stranger sends, in whatever pieces, not one bit of the
-state changes, and a good line beside it goes on."""
+"""HTTP, TLS and STUN clients of the robot port: no bytes that they send, however split, change the state of the
+robot, and another line is not disturbed."""
 
 import shutil
 import subprocess
@@ -13,7 +13,8 @@ STUN_BINDING = bytes.fromhex("0001001c2112a442") + b"LPNOLRMNPLNO" + b"\x00\x06\
 STUN = [len(STUN_BINDING).to_bytes(2, "big") + STUN_BINDING, STUN_BINDING,  # ICE over TCP, and without a frame
         bytes.fromhex("000300082112a442") + b"LPNOLRMNPLNO" + bytes.fromhex("0019000411000000")]  # TURN
 BODY = "F+100\r"
-# Bytes of the method names move aux ports (L M N O) and output lines (P R): each is tried both ways.
+# The bytes of HTTP method names are commands that switch aux ports (L M N O) and output lines (P R): both
+# initial states are tried.
 EVERYTHING_HIGH = "LNP1P2P3P4P5P6P7P8E+30\r"
 EVERYTHING_LOW = "MOR1R2R3R4R5R6R7R8E+30\r"
 
@@ -29,7 +30,7 @@ BEGINNINGS = [data[:24] for data in OTHERS]
 
 
 class Robot:
-    """A robot in the middle of a move, all its outputs high or low, and a good line that asks it."""
+    """A robot in the middle of a move, with all outputs high or low, and a line that sends inquiries."""
 
     def __init__(self, setup, clock="manual"):
         self.server = Server("--max-lines", 5000, "--log-level", "warn", clock=clock)
@@ -53,7 +54,7 @@ class Robot:
         return self.server.line()
 
     def arrived(self, line):
-        """All that was sent on the line has been taken in by the server, on its own, or the line was closed."""
+        """Waits until the server has read all bytes sent on the line, or has closed it."""
         try:
             self.monitor.step(0, after=line, fields=["moving"])
         except MonitorError as error:
@@ -107,7 +108,7 @@ class Strangers(unittest.TestCase):
             pass  # the server has closed the line already
 
     def test_byte_by_byte(self):
-        """Each byte arrives by itself, up to the one that shows what it is."""
+        """Each byte arrives separately, up to the one that identifies the request as HTTP."""
         for robot in self.each_way():
             for method in METHODS:
                 with robot.stranger() as line:
@@ -120,7 +121,7 @@ class Strangers(unittest.TestCase):
                 robot.assert_untouched(self, method)
 
     def test_what_only_begins_like_a_request_acts_whole(self):
-        """The first byte that differs lets all of them act, in order."""
+        """At the first byte that differs from a request, all held bytes are executed in order."""
         for data, replies in [(b"D?", b" "), (b"DE?", b" "), (b"DELE?", b" "), (b"PUT?", b""), (b"P1E?", b" "),
                               (b"POST E?", b" "), (b"GET E?", b"\0 "), (b"H?", b" "), (b"C?", b" "), (b"\x16E?", b" "),
                               (b"T?A?", b" "), (b"CONNE?", b" "), (b"O/E?", b" "),
@@ -137,7 +138,7 @@ class Strangers(unittest.TestCase):
         with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
             self.assertEqual(32, line.ask("E?"))
             line.send("\rPOST / HTTP/1.1\r\n\r\nF+9\r")
-            self.assertEqual(b"\0\0", line.read(2), "H has no motor and is asked twice for its T")
+            self.assertEqual(b"\0\0", line.read(2), "two T inquiries for H, which has no motor")
             self.assertEqual(9, monitor.settle(after=line)["joints"][0]["count"])
             self.assertEqual(32, line.ask("E?"))
 

@@ -1,4 +1,4 @@
-"""Plays every conversation of tests/transcripts over TCP; tests/transcripts/README.md has their form."""
+"""Plays every transcript of tests/transcripts over TCP; tests/transcripts/README.md describes the format."""
 
 import contextlib
 import pathlib
@@ -18,7 +18,8 @@ def unescaped(text):
 
 
 class Player:
-    """One file against one server: lines by their digit, opened at their first use."""
+    """Plays one transcript on one server. Lines have the digits of the transcript and are opened at their
+    first use."""
 
     def __init__(self, xr3, monitor, case):
         self.xr3, self.monitor, self.case = xr3, monitor, case
@@ -50,7 +51,7 @@ class Player:
         try:
             self.monitor.step(0, after=line, fields=[])
         except MonitorError as error:
-            self.case.assertEqual("no_such_line", error.code)  # a stranger, closed in the middle
+            self.case.assertEqual("no_such_line", error.code)  # closed because it sent HTTP or TLS
 
     def hang_up(self, digit):
         line = self.lines.pop(digit)
@@ -66,7 +67,7 @@ class Player:
 
 
 def steps_of(path):
-    """(line number, digit, sign, rest) of each line that says something."""
+    """(line number, digit, sign, rest) of each line that is not empty or a comment."""
     for number, text in enumerate(path.read_text(encoding="ascii").splitlines(), 1):
         match = re.fullmatch(r"(\d?)([@><~!])(?: (.*))?", text)
         if match:
@@ -107,7 +108,7 @@ class Transcripts(unittest.TestCase):
                 self.play(path)
 
     def test_every_file_with_fifty_viewers(self):
-        """They see it all and change nothing."""
+        """Subscribers of all channels do not change the replies."""
         for path in sorted(pathlib.Path(ROOT, "tests", "transcripts").glob("*.txt")):
             with self.subTest(path.stem):
                 self.play(path, viewers=50)

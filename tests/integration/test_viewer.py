@@ -1,5 +1,5 @@
-"""The browser page in real Chromium, by Playwright: tests/web/viewer_test.mjs against this xr3. The tests of each part are
-in soak_viewer.py: they take minutes."""
+"""The browser page in real Chromium with Playwright: runs tests/web/viewer_test.mjs against this xr3. The tests
+of the page's parts take minutes and are run by soak_viewer.py."""
 # labels: serial
 
 import os

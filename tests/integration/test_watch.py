@@ -1,4 +1,4 @@
-"""`xr3 watch` in a real terminal, beside a real server: what is seen, keys, sizes, and how it leaves."""
+"""`xr3 watch` in a pseudo-terminal with a real server: the screen, keys, sizes, and its exit."""
 
 import os
 import pathlib
@@ -22,7 +22,7 @@ def watch(port, *options, **how):
 
 
 def row_of(label, screen):
-    """The row of a joint in the table; nothing where it is not painted yet."""
+    """The row of a joint in the table; "" if it is not displayed yet."""
     row = re.search(rf"^ {label} .*$", screen, re.MULTILINE)
     return row[0] if row else ""
 
@@ -30,7 +30,7 @@ def row_of(label, screen):
 class Watch(unittest.TestCase):
     def leave(self, terminal, code=0):
         self.assertEqual(code, terminal.wait_end(), terminal.process.stderr.read())
-        self.assertTrue(terminal.is_as_before(), "the terminal is left in another mode")
+        self.assertTrue(terminal.is_as_before(), "the terminal's settings are restored")
 
     def test_shows_what_happens(self):
         with Server(clock="real:20") as xr3, watch(xr3.monitor_port) as terminal:
@@ -94,7 +94,7 @@ class Watch(unittest.TestCase):
             terminal.wait_for(lambda text: "STALLED" in text or "limit" in text)
 
     def test_waits_for_a_server_and_comes_back_to_it(self):
-        with socket.socket() as taken:  # a port where nobody listens, and nobody else will
+        with socket.socket() as taken:  # reserves a port on which no process listens
             taken.bind((LOCALHOST, 0))
             port = taken.getsockname()[1]
             with watch(port) as terminal:
@@ -179,7 +179,7 @@ class Watch(unittest.TestCase):
             answer.join()
 
     def say_full(self, listener):
-        """As xr3 does it beyond its last connection."""
+        """Answers one connection as xr3 does above its maximum number of connections."""
         sock, _ = listener.accept()
         with sock:
             sock.sendall(b'{"op":"bye","code":"full","message":"too many connections; close some and try again"}\n')

@@ -1,5 +1,5 @@
-"""/ws with a client that is not ours (python3-websockets), and with bytes by hand where that one is too polite:
-the handshake, what messages may be, how connections end."""
+"""WebSocket (/ws) with an independent client, python3-websockets, and with hand-made bytes that this client
+cannot send: the handshake, valid and invalid messages, and the close."""
 
 import asyncio
 import base64
@@ -20,7 +20,7 @@ LONGEST = 256 * 1024
 
 
 def frame(opcode, data=b"", last=True):
-    """A masked frame; the mask is zeros."""
+    """A masked frame; the mask is zero."""
     first = (0x80 if last else 0) | opcode
     if len(data) < 126:
         return struct.pack("!BB", first, 0x80 | len(data)) + bytes(4) + data
@@ -30,12 +30,12 @@ def frame(opcode, data=b"", last=True):
 
 
 def checked(text):
-    """A message of the server, as the schema says."""
+    """A message of the server, checked against the schema."""
     return monitor_schema.check(json.loads(text), is_whole=False)
 
 
 class Raw:
-    """A WebSocket by hand; no frame of the server is fragmented."""
+    """A minimal WebSocket client. It relies on the server not to fragment messages."""
 
     def __init__(self, port, fields=""):
         self.socket = connect(port)
@@ -54,7 +54,7 @@ class Raw:
         self.socket.sendall(frame(*arguments, **options))
 
     def read(self):
-        """(opcode, data) of the next frame; None at the end."""
+        """(opcode, data) of the next frame; None at the end of the stream."""
         start = self.file.read(2)
         if len(start) < 2:
             return None
@@ -71,7 +71,7 @@ class Raw:
         return checked(data)
 
     def close_code(self):
-        """The code of the close frame that comes, texts before it passed over."""
+        """The code of the next close frame; skips messages before it. None without a close frame."""
         while (got := self.read()) is not None:
             if got[0] == CLOSE:
                 return struct.unpack("!H", got[1][:2])[0]
@@ -217,7 +217,7 @@ class Bytes(unittest.TestCase):
                 self.assertNotIn("Extensions", client.head)
             with Raw(xr3.monitor_port, "Host: localhost\r\n") as client:
                 self.assertTrue(client.head.startswith("HTTP/1.1 400 "), client.head)
-            with connect(xr3.monitor_port) as early:  # a client waits for 101
+            with connect(xr3.monitor_port) as early:  # a frame before 101 is an error
                 early.sendall((HANDSHAKE + "\r\n").encode() + frame(TEXT, b'{"op":"call","fn":"reset"}'))
                 self.assertTrue(early.recv(100).startswith(b"HTTP/1.1 400 "))
             with xr3.monitor() as monitor:

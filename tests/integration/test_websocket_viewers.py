@@ -1,5 +1,5 @@
-"""The monitor port by WebSocket beside JSON lines: the same objects, bit for bit, under the same rules; and
-frames that no library would send, of which none acts."""
+"""The monitor port with WebSocket and JSON lines at the same time: the same messages, byte for byte, under the
+same rules; and invalid frames, none of which has an effect."""
 
 import asyncio
 import contextlib
@@ -80,7 +80,7 @@ class Conversation(unittest.IsolatedAsyncioTestCase):
                 self.assertEqual(shown, machine(state))
 
     async def until_rest(self, viewer):
-        """The state in which a move has come to its end."""
+        """The state at which a move is done."""
         has_moved = False
         while True:
             message = await viewer.read()
@@ -101,7 +101,7 @@ class Conversation(unittest.IsolatedAsyncioTestCase):
 
 
 def frame(opcode, payload, is_last=True, is_masked=True):
-    """A client's frame, byte for byte."""
+    """The bytes of a client's frame."""
     head = bytes([(0x80 if is_last else 0) | opcode])
     length = len(payload)
     mark = 0x80 if is_masked else 0
@@ -118,18 +118,18 @@ def frame(opcode, payload, is_last=True, is_masked=True):
 
 
 class Frames(unittest.TestCase):
-    """By a socket: what no library would send."""
+    """Frames that no library would send, written to a raw socket."""
 
     def setUp(self):
         self.xr3 = self.enterContext(Server())
         self.monitor = self.enterContext(self.xr3.monitor())
 
     def after(self, *frames):
-        """Everything that the server sends behind its greeting, up to its close."""
+        """All bytes that the server sends after `hello`, up to its close."""
         with connect(self.xr3.monitor_port) as sock:
             sock.sendall(UPGRADE)
             data = b""
-            while b"}}" not in data:  # the greeting's end
+            while b"}}" not in data:  # the end of `hello`
                 data += sock.recv(65536)
             self.assertTrue(data.startswith(b"HTTP/1.1 101 "))
             rest = b""

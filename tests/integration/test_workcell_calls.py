@@ -1,5 +1,5 @@
-"""Calls that change the workcell: blocks one by one, or the whole; refused whole with every reason; and
-what `model` shows is a file."""
+"""Calls that change the workcell: single blocks or the whole workcell. Invalid workcells are rejected as a whole
+with all findings, and the workcell in a `model` message is a valid data file."""
 
 import json
 import pathlib
@@ -26,7 +26,7 @@ class Case(unittest.TestCase):
         return found
 
     def refused(self, code, fn, **arguments):
-        """Refused with this code, and nothing has changed."""
+        """Checks that the call fails with this code and changes nothing; returns the error."""
         before = machine(self.monitor.get())
         with self.assertRaises(MonitorError) as caught:
             self.monitor.call(fn, **arguments)
@@ -35,7 +35,7 @@ class Case(unittest.TestCase):
         return caught.exception
 
     def hold(self, name):
-        """Puts a block between the open jaws and closes them."""
+        """Adds a block between the open jaws and closes them."""
         tool = self.monitor.get("tool")["tool"]
         self.monitor.call("block_add", name=name, **SMALL | {"xyz_mm": tool["xyz_mm"], "yaw_deg": tool["net_roll_deg"]})
         while not (state := self.monitor.settle())["tool"]["blocked"]:
@@ -143,7 +143,7 @@ class Whole(Case):
 
 
 class AsAFile(Case):
-    """What `model` shows, written to files, passes `xr3 check` and gives the same cell."""
+    """Robot and workcell of a `model` message, written to files, pass `xr3 check` and start the same cell."""
 
     def check_files(self):
         model, state = self.monitor.look("model"), machine(self.monitor.get())

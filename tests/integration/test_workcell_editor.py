@@ -1,5 +1,5 @@
-"""`xr3 workcell` as a student uses it: in a terminal (a pty) or with its input from a pipe. A workcell
-is made, checked with `xr3 check`, opened again and changed; leaving early writes nothing."""
+"""`xr3 workcell` in a pseudo-terminal and with input from a pipe: it creates a workcell, which `xr3 check`
+accepts, opens it again and changes it; leaving early writes nothing."""
 
 import json
 import os
@@ -19,7 +19,7 @@ CTRL_D = "\x04"
 
 
 class Terminal:
-    """`xr3 workcell` in a terminal of its own."""
+    """`xr3 workcell` in a pseudo-terminal."""
 
     def __init__(self, folder, *arguments):
         self.seen = ""
@@ -40,23 +40,23 @@ class Terminal:
             print(f"--- screen\n{self.seen}\n---")
 
     def _read(self, deadline):
-        """What the screen shows next; nothing at its end."""
+        """Reads the next output; b"" at its end."""
         ready, _, _ = select.select([self.screen], [], [], max(0.0, deadline - time.monotonic()))
         if not ready:
-            raise AssertionError("the editor is silent")
+            raise AssertionError("the editor printed nothing")
         try:
             data = os.read(self.screen, 65536)
-        except OSError:  # the other side has closed
+        except OSError:  # the editor has exited
             data = b""
         self.seen += data.decode().replace("\r\n", "\n")
         return data
 
     def wait(self, prompt):
-        """Waits until the screen ends with this prompt; returns all that came since the last one."""
+        """Waits until the output ends with this prompt; returns the output since the last prompt."""
         deadline = time.monotonic() + DEADLINE_S
         while not self.seen.endswith(prompt):
             if not self._read(deadline):
-                raise AssertionError(f"the editor left instead of asking {prompt!r}:\n{self.seen}")
+                raise AssertionError(f"the editor exited instead of printing {prompt!r}:\n{self.seen}")
         shown, self.seen = self.seen, ""
         return shown
 
@@ -68,7 +68,7 @@ class Terminal:
         return self.wait(prompt)
 
     def wait_end(self):
-        """Reads to the end; returns the last words and the exit code."""
+        """Reads to the end; returns the remaining output and the exit code."""
         deadline = time.monotonic() + DEADLINE_S
         while self._read(deadline):
             pass
@@ -88,7 +88,7 @@ class Editor(unittest.TestCase):
         return json.loads(self.file.read_text())
 
     def make(self, name="Lab 7"):
-        """Makes lab.json with two blocks and a camera, mostly by Enter."""
+        """Creates lab.json with two blocks and a camera, mostly with the default answers."""
         with Terminal(self.folder, "lab.json") as terminal:
             self.assertIn("checked against Rhino XR-3", terminal.wait("Name [my workcell]: "))
             terminal.answer(name, "Notes: ")
@@ -148,7 +148,7 @@ class Editor(unittest.TestCase):
             self.assertEqual(0, terminal.wait_end()[1])
         self.assertEqual([("red", [350, 60, 15], 45)],
                          [(b["name"], b["centroid"], b["yaw_deg"]) for b in self.data()["blocks"]])
-        self.assertEqual(["lab.json"], os.listdir(self.folder), "no drafts are left")
+        self.assertEqual(["lab.json"], os.listdir(self.folder), "no temporary files are left")
 
     def test_ctrl_d_and_ctrl_c_leave_without_writing(self):
         for key, words in (CTRL_D, "End of input"), (CTRL_C, "Interrupted"):
