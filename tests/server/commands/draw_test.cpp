@@ -48,7 +48,7 @@ void expect_refused(const std::vector<double>& joints, std::optional<double> too
                     const std::string& words) {
   try {
     pose_argument(*rhino(), joints, tool);
-    ADD_FAILURE() << "not refused; wanted: " << words;
+    ADD_FAILURE() << "not refused; expected: " << words;
   } catch (const ArgumentError& error) {
     EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
   }
@@ -83,10 +83,10 @@ constexpr Rgb kWhite{255, 255, 255};
 
 TEST(Raster, ALineCoversThePixelsUnderIt) {
   const Raster raster =
-      rasterized(sheet({{"base", 0, {{2, 4.5}, {12, 4.5}}}}));  // 1.4 thick, black
+      rasterized(sheet({{"base", 0, {{2, 4.5}, {12, 4.5}}}}));  // 1.4 px wide, black
   EXPECT_EQ(raster.pixels.size(), 200u);
   EXPECT_EQ(at(raster, 5, 4), (Rgb{0, 0, 0}));
-  EXPECT_EQ(at(raster, 5, 3), (Rgb{204, 204, 204})) << "a fifth of it";
+  EXPECT_EQ(at(raster, 5, 3), (Rgb{204, 204, 204})) << "a fifth is covered";
   EXPECT_EQ(at(raster, 5, 5), at(raster, 5, 3));
   EXPECT_EQ(at(raster, 5, 2), kWhite);
   EXPECT_EQ(at(raster, 0, 4), kWhite);

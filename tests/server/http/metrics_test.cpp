@@ -26,8 +26,8 @@ CellCounters some_counters() {
   return counters;
 }
 
-/// Samples by name and labels. Every line must be a comment or a sample of the metric that the
-/// comments in front of it announced.
+/// Samples by name and labels. Every line must be a comment, or a sample of the metric that the
+/// preceding comments name.
 std::map<std::string, double> parsed(const std::string& text) {
   const std::regex help(R"(# HELP (xr3_[a-z_]+) \S.*\.)");
   const std::regex type(R"(# TYPE (xr3_[a-z_]+) (counter|gauge))");

@@ -138,7 +138,7 @@ TEST_F(MonitorServiceTest, EventsComeInOrderWithTheirTicks) {
   send("E+2\r");
   const auto messages =
       ask(one_, R"({"op":"call","id":1,"fn":"step","args":{"ticks":100,"fields":[]}})");
-  ASSERT_EQ(messages.size(), 4U) << "the answer first, then what happened";
+  ASSERT_EQ(messages.size(), 4U) << "the answer, then the events";
   EXPECT_EQ(messages[0]["op"], "result");
   EXPECT_EQ(messages[1]["event"], "line_open");
   EXPECT_EQ(messages[2]["event"], "move");
@@ -167,7 +167,7 @@ TEST_F(MonitorServiceTest, SendHasALineOfItsOwnThatClosesWithTheViewer) {
 TEST_F(MonitorServiceTest, SendTakesBytesAsTheyAre) {
   read(one_);
   const Json value = call(one_, "send", R"({"text":"GET / HTTP/1.1\r\n\r\n"})")["value"];
-  EXPECT_EQ(cell_.lines().at(value["line"]).bytes_in(), 18U) << "nobody is a stranger here";
+  EXPECT_EQ(cell_.lines().at(value["line"]).bytes_in(), 18U) << "HTTP is not detected here";
 }
 
 TEST_F(MonitorServiceTest, SendTakesNoMoreThanAnOutboxOfReplies) {
@@ -205,7 +205,7 @@ TEST_F(MonitorServiceTest, LinesTellsAndDisconnectCloses) {
   const Json lines = call(one_, "lines")["value"]["lines"];
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0]["bytes_in"], 7);
-  EXPECT_EQ(lines[0]["bytes_out"], 0) << "nobody has taken the reply";
+  EXPECT_EQ(lines[0]["bytes_out"], 0) << "the reply has not been sent";
   EXPECT_EQ(lines[0]["warnings"], 1);
   EXPECT_EQ(lines[0]["last"], "I");
   EXPECT_EQ(call(one_, "line_disconnect", R"({"line":1})")["ok"], true);

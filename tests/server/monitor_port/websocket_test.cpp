@@ -52,12 +52,12 @@ class WebsocketTest : public testing::Test {
     EXPECT_EQ(service_.counters().viewers, 0U);
   }
 
-  /// Lets the server run until this has come from it, or the connection is over; returns all of it.
+  /// Runs the server until it has sent `wanted` or the connection is closed; returns all bytes sent.
   std::string until(std::string_view wanted) {
     const auto deadline = std::chrono::steady_clock::now() + 10s;
     std::string received;
     while (!is_over_ && received.find(wanted) == std::string::npos) {
-      EXPECT_LT(std::chrono::steady_clock::now(), deadline) << "nothing came";
+      EXPECT_LT(std::chrono::steady_clock::now(), deadline) << "nothing was received";
       if (HasFailure()) break;
       io_.restart();
       io_.run_one_for(20ms);

@@ -29,7 +29,7 @@ class OptionsConfig : public ::testing::Test {
     return std::get<ServeOptions>(parse({"serve", "--config", path_.c_str()}));
   }
 
-  /// What is said of the file, behind its name.
+  /// The error message about the file, without the file's name.
   std::string trouble(const std::string& text) const {
     write(text);
     const Leave leave = refused({"serve", "--config", path_.c_str()});

@@ -82,7 +82,7 @@ TEST(OptionsEnvironment, AnEmptyVariableIsNotSet) {
   EXPECT_TRUE(options.allow_hosts.empty());
   EXPECT_TRUE(std::holds_alternative<NoToken>(options.token));
   EXPECT_THAT(refused({"serve", "--listen", "::"}).to_stderr, HasSubstr("--token-file"))
-      << "an empty token opens no door";
+      << "an empty token is no token";
   EXPECT_THAT(refused({"serve", "--private"}).to_stderr, HasSubstr("needs a token"));
 }
 

@@ -60,7 +60,7 @@ TEST(Options, ATokenInTheEnvironment) {
     const auto options = std::get<ServeOptions>(parse({"serve", "--listen", "::"}));
     EXPECT_TRUE(std::holds_alternative<TokenInEnvironment>(options.token));
     const auto named = std::get<ServeOptions>(parse({"serve", "--token-file", "t"}));
-    EXPECT_TRUE(std::holds_alternative<TokenFile>(named.token));  // what is said goes before
+    EXPECT_TRUE(std::holds_alternative<TokenFile>(named.token));  // an argument takes precedence
   }
   const auto without = std::get<ServeOptions>(parse({"serve"}));
   EXPECT_TRUE(std::holds_alternative<NoToken>(without.token));
