@@ -6,8 +6,8 @@ in every language: expected/*.txt. Then it checks their error messages: wrong_us
 
     XR3=build/release/xr3 tests/clients/examples.py [LANGUAGE...]
 
-The last lines list the languages: ok, FAILED, or left out with the reason. A language that is left
-out is not a failure.
+The last lines list the languages: ok, FAILED, or skipped with the reason. A skipped language is not a
+failure.
 """
 
 import argparse
@@ -214,7 +214,7 @@ def check_language(language):
     started = time.monotonic()
     lack = missing(language)
     if lack:
-        return f"left out  {language:10} {lack}", True
+        return f"skipped   {language:10} {lack}", True
     faults = []
     try:
         prepare(language)

@@ -59,7 +59,7 @@ class Overflow(unittest.TestCase):
             self.assertEqual(newest - first, missing + [message["op"] for message in told].count("event"))
             line.send("E+1\r")
             monitor.step(0, after=line, fields=[])
-            self.assertEqual(newest + 1, viewer.read()["seq"], "it goes on")
+            self.assertEqual(newest + 1, viewer.read()["seq"], "no further gap")
 
     def test_lines(self):
         with Server("--log-level", "warn") as xr3, xr3.monitor() as monitor, xr3.line() as line:
