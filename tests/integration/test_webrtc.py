@@ -1,5 +1,5 @@
-"""A page of another site makes a real Chromium connect to the robot port by WebRTC, which asks no port for
-leave: ICE over TCP, where the page chooses the name that is sent, TURN over TCP and over TLS. Nothing moves."""
+"""A page of another site makes real Chromium connect to the robot port with WebRTC, which needs no permission of
+the port: ICE over TCP, where the page chooses the name that is sent, TURN over TCP and over TLS. Nothing moves."""
 
 import json
 import pathlib
@@ -9,7 +9,7 @@ from browser import CHROMIUM, MISSING, Chromium, Site
 from support import LOCALHOST, ROOT, Server, machine
 
 CONNECT = pathlib.Path(ROOT, "tests/integration/webrtc.js").read_text(encoding="utf-8")
-# ICE's names are made of letters, digits, + and /, which is enough to move joints and to set outputs.
+# The names of ICE consist of letters, digits, + and /, which suffice for moves and outputs.
 NAMES = ["////E+50/C+33/E+40/", "A+9/P1/L/N/" * 23]
 SERVERS = [*((f"{protocol}:{LOCALHOST}:%d", name) for protocol in ("tcp", "ssltcp") for name in NAMES),
            (f"turn:{LOCALHOST}:%d?transport=tcp", NAMES[0]), (f"turns:{LOCALHOST}:%d?transport=tcp", NAMES[0])]

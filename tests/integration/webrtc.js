@@ -1,11 +1,11 @@
-// How a page makes WebRTC connect to a port of this machine over TCP and send first: as to a peer that its
-// site names (ICE, by the protocol of a candidate, the peer's `name` chosen by the page) or as to a relay
-// (TURN, by a URL). The connection is under way when it returns.
+// Makes WebRTC connect to a port of this machine over TCP and send first: to a peer (ICE; `server` is
+// "PROTOCOL:ADDRESS:PORT" of a candidate, `name` the peer's name, chosen by the page) or to a relay (TURN;
+// `server` is a URL). It returns before the connection is established.
 async (server, name) => {
   const isRelay = server.startsWith("turn");
   const iceServers = isRelay ? [{urls: server, username: name, credential: name}] : [];
   const peer = new RTCPeerConnection({iceServers});
-  (globalThis.peers ??= []).push(peer);  // a peer that nobody holds is closed
+  (globalThis.peers ??= []).push(peer);  // a peer without a reference is closed
   peer.createDataChannel("any");
   const offer = await peer.createOffer();
   await peer.setLocalDescription(offer);
