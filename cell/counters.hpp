@@ -31,7 +31,7 @@ struct CellCounters {
   std::map<std::string_view, std::uint64_t> warnings;   ///< by code
   std::uint64_t ticks = 0;                              ///< simulated, over all epochs
   std::array<ChannelCounters, kChannels> channels{};    ///< by monitor::Channel
-  std::uint64_t viewers = 0;                            ///< monitor clients now
+  std::uint64_t monitor_sessions = 0;                   ///< monitor clients now
 
   std::uint64_t& of(const Command& command) { return commands[command.index()]; }
   ChannelCounters& of(monitor::Channel channel) {

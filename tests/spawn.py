@@ -19,7 +19,7 @@ def breaches(path):
 
 
 def main():
-    files = [path for path in sorted(ROOT.glob("server/*.?pp")) if str(path.relative_to(ROOT)) not in ALLOWED]
+    files = [path for path in sorted(ROOT.glob("server/**/*.?pp")) if str(path.relative_to(ROOT)) not in ALLOWED]
     found = [breach for path in files for breach in breaches(path)]
     for breach in found:
         print(breach)

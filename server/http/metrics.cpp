@@ -100,8 +100,8 @@ void add_time(Page& page, const CellCounters& counters) {
                number(counters.ticks) / kTickHz);
 }
 
-void add_viewers(Page& page, const CellCounters& counters) {
-  page.gauge("viewers", "Connected monitor clients.", number(counters.viewers));
+void add_sessions(Page& page, const CellCounters& counters) {
+  page.gauge("viewers", "Connected monitor clients.", number(counters.monitor_sessions));
   page.begin("frames_sent_total", "Messages sent to clients, by channel.", MetricType::Counter);
   for (std::size_t i = 0; i < kChannels; ++i)
     page.add({{"channel", channel_name(i)}}, number(counters.channels.at(i).sent));
@@ -118,7 +118,7 @@ std::string metrics_text(const std::string& cell, const CellCounters& counters) 
   add_lines(page, counters);
   add_commands(page, counters);
   add_time(page, counters);
-  add_viewers(page, counters);
+  add_sessions(page, counters);
   return page.text();
 }
 

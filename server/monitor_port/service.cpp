@@ -99,7 +99,7 @@ const monitor::Frame* MonitorService::look(const monitor::Selection& selection) 
 CellCounters MonitorService::counters() const {
   CellCounters counters = cell_.counters();
   counters.lines_open = cell_.lines().size();
-  counters.sessions = subscribers_.size();
+  counters.monitor_sessions = subscribers_.size();
   const SubscriberHub::AllChannelStats channel_stats = subscribers_.channel_stats();
   for (std::size_t i = 0; i < channel_stats.size(); ++i)
     counters.channels.at(i) = {channel_stats[i].sent, channel_stats[i].overwritten};

@@ -22,7 +22,7 @@ CellCounters some_counters() {
   counters.warnings["number_out_of_range"] = 3;
   counters.ticks = 12'345;
   counters.of(monitor::Channel::kState) = {100, 4};
-  counters.viewers = 6;
+  counters.monitor_sessions = 6;
   return counters;
 }
 

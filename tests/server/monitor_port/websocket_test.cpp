@@ -49,7 +49,7 @@ class WebsocketTest : public testing::Test {
     if (server_) server_->close();
     if (websocket_) websocket_->wake();
     io_.run_for(1s);
-    EXPECT_EQ(service_.counters().viewers, 0U);
+    EXPECT_EQ(service_.counters().monitor_sessions, 0U);
   }
 
   /// Runs the server until it has sent `wanted` or the connection is closed; returns all bytes sent.
