@@ -62,7 +62,7 @@ Codec<double> scaled_number(Range range, std::string_view kind, bool is_length) 
 }  // namespace
 
 Reading::Reading(const JsonSource& source)
-    : source_(&source), root_(source.root()), most_(kMaxOfFile) {
+    : source_(&source), root_(source.root()), most_(kMaxFindings) {
   source.document().for_each_duplicate([this](JsonValue member) {
     if (keeps_error()) keep(member, told_twice(member), "each member once");
   });
@@ -145,15 +145,11 @@ Findings Reading::take_findings() {
   sort_by_line(findings);
   const std::size_t more = errors_ + warnings_ - findings_.size();
   if (more > 0) {
-    Finding rest{findings.back()};
-    rest = {errors_ > 0 ? Severity::kError : Severity::kWarning,
-            rest.file,
-            rest.line,
-            0,
-            {},
-            {},
-            {},
-            more};
+    Finding rest;
+    rest.severity = errors_ > 0 ? Severity::kError : Severity::kWarning;
+    rest.file = findings.back().file;
+    rest.line = findings.back().line;
+    rest.more = more;
     findings.push_back(std::move(rest));
   }
   return findings;

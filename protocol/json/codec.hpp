@@ -28,7 +28,6 @@ enum class Unit : std::uint8_t { kMm, kOfDocument };
 /// many findings the first are kept, with pointers that are cut where they are long; the others are counted.
 class Reading {
  public:
-  static constexpr std::size_t kMaxOfFile = 100;
   static constexpr std::size_t kMaxOfValue = 32;
   static constexpr std::size_t kMaxPointerLength = 200;
   static constexpr std::size_t kMaxNameLength = 200;

@@ -25,6 +25,20 @@ bool has_errors(const Findings& findings) {
                      [](const Finding& f) { return f.severity == Severity::kError; });
 }
 
+void add_bounded(Findings& findings, Finding finding) {
+  if (findings.size() < kMaxFindings) return findings.push_back(std::move(finding));
+  if (findings.size() == kMaxFindings) {
+    Finding rest;
+    rest.severity = finding.severity;
+    rest.file = finding.file;
+    rest.line = finding.line;
+    findings.push_back(std::move(rest));
+  }
+  Finding& rest = findings.back();
+  rest.more += std::max<std::size_t>(finding.more, 1);
+  if (finding.severity == Severity::kError) rest.severity = Severity::kError;
+}
+
 std::string cut(std::string_view text, std::size_t most) {
   if (text.size() <= most) return std::string(text);
   while (most > 0 && (text[most] & 0xC0) == 0x80) --most;
@@ -32,8 +46,12 @@ std::string cut(std::string_view text, std::size_t most) {
 }
 
 void sort_by_line(Findings& findings) {
-  std::stable_sort(findings.begin(), findings.end(),
-                   [](const Finding& a, const Finding& b) { return a.line < b.line; });
+  const auto is_before = [](const Finding& a, const Finding& b) {
+    const bool a_is_rest = a.more > 0;
+    const bool b_is_rest = b.more > 0;
+    return a_is_rest == b_is_rest ? a.line < b.line : b_is_rest;
+  };
+  std::stable_sort(findings.begin(), findings.end(), is_before);
 }
 
 DataError::DataError(Findings findings)

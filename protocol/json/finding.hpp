@@ -30,6 +30,9 @@ struct Finding {
 
 using Findings = std::vector<Finding>;
 
+/// The maximum number of findings of one file that are listed. Of further ones only the number is.
+inline constexpr std::size_t kMaxFindings = 100;
+
 /// One line: `FILE:LINE: /pointer: found X; allowed: Y`; warnings are marked as such.
 std::string to_text(const Finding& finding);
 
@@ -38,10 +41,13 @@ std::string to_text(const Findings& findings);
 
 bool has_errors(const Findings& findings);
 
+/// Adds a finding, or counts it in a last one if there are kMaxFindings already.
+void add_bounded(Findings& findings, Finding finding);
+
 /// A text of at most `most` bytes and, if something is left out, three dots. Never cuts a UTF-8 letter.
 std::string cut(std::string_view text, std::size_t most);
 
-/// Stable sort by line, errors and warnings mixed.
+/// Stable sort by line, errors and warnings mixed. The finding that counts others is last.
 void sort_by_line(Findings& findings);
 
 /// Thrown for a data file that cannot be used; carries all its findings.

@@ -44,14 +44,16 @@ void JsonIndexer::run() {
     return;
   }
   Json::sax_parse(text.substr(0, wrong->begin), this);
-  const bool is_before = document_.fault_ != JsonDocument::Fault::kSyntax ||
-                         document_.complaint_.position <= wrong->begin;
-  if (!is_before) complain_of(*wrong);
+  const bool is_deep = document_.fault_ == JsonDocument::Fault::kTooDeep;
+  const bool is_wrong = document_.fault_ == JsonDocument::Fault::kSyntax &&
+                        document_.complaint_.position <= wrong->begin;
+  if (!is_deep && !is_wrong) complain_of(*wrong);
 }
 
 /// As the parser would, of a short text in its place.
 void JsonIndexer::complain_of(const LongToken& wrong) {
   const JsonDocument sample(wrong.sample);
+  document_.fault_ = JsonDocument::Fault::kSyntax;
   document_.complaint_ = sample.complaint();
   document_.complaint_.position += wrong.offset;
 }

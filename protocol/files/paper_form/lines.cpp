@@ -88,8 +88,8 @@ void Splitter::add(std::string_view members, int number) try {
       pending_.push_back({number, member.name().text(), member.to_json()});
       continue;
     }
-    result_.findings.push_back({Severity::kError, file_, number, 0, member.pointer_from(root),
-                                told_twice(member), "each member once"});
+    add_bounded(result_.findings, {Severity::kError, file_, number, 0, member.pointer_from(root),
+                                   told_twice(member), "each member once"});
   }
 } catch (const DataError&) {
   refuse(members, number);
@@ -97,10 +97,10 @@ void Splitter::add(std::string_view members, int number) try {
 
 void Splitter::refuse(std::string_view members, int number) {
   const bool is_long = members.size() > kMaxShownLength;
-  result_.findings.push_back(
-      {Severity::kError, file_, number, 0, "",
-       "*+" + printable(members.substr(0, kMaxShownLength)) + (is_long ? "..." : ""),
-       "members as in the JSON file, as in *+ \"name\": \"red\", \"color\": 12"});
+  add_bounded(result_.findings,
+              {Severity::kError, file_, number, 0, "",
+               "*+" + printable(members.substr(0, kMaxShownLength)) + (is_long ? "..." : ""),
+               "members as in the JSON file, as in *+ \"name\": \"red\", \"color\": 12"});
 }
 
 }  // namespace

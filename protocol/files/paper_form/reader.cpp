@@ -9,6 +9,7 @@
 namespace xr3::paper {
 namespace {
 
+constexpr std::size_t kLongest = 250;  // of what a finding shows
 constexpr const char* kRestUnread = " (the rest of the file was not read)";
 
 Json::json_pointer at(const std::string& pointer) { return Json::json_pointer(pointer); }
@@ -191,8 +192,8 @@ void Reader::finish() {
 }
 
 void Reader::report(int line, const std::string& pointer, std::string found, std::string allowed) {
-  findings_.push_back(
-      {Severity::kError, file_, line, 0, pointer, std::move(found), std::move(allowed)});
+  add_bounded(findings_, {Severity::kError, file_, line, 0, cut(pointer, kLongest),
+                          cut(found, kLongest), std::move(allowed)});
 }
 
 /// Whether the value, a value around it, or another item of its row has been refused.
@@ -220,8 +221,8 @@ Findings Reader::merged(Findings of_loader) const {
     // A member that is missing only because reading ended is not reported.
     const bool is_unread = is_lost_ && !line_of_.contains(finding.pointer);
     if (is_unread || is_refused(finding.pointer)) continue;
-    finding.line = line_of(finding.pointer);
-    all.push_back(std::move(finding));
+    if (finding.more == 0) finding.line = line_of(finding.pointer);
+    add_bounded(all, std::move(finding));
   }
   sort_by_line(all);
   return all;

@@ -133,6 +133,7 @@ TEST(JsonSource, SaysTheSameOfLongTokens) {
       {"[1 \"", "x", "\xFF\"]"},
       {"{\"a\":\"", "x", "\" 5"},
       {"{\"a\" \"", "x", "\"}"},
+      {"{} \"", "x", ""},
   };
   constexpr std::size_t kFew = 400;
   constexpr std::size_t kMany = 6000;
