@@ -12,10 +12,13 @@ using Time = CallForm::Time;
 
 constexpr std::array kForms = {
     CallForm{"pause", "Stops simulated time; the clock is then manual.", read_nothing<call::Pause>},
-    CallForm{"resume", "Makes simulated time follow the wall clock again.", read_nothing<call::Resume>},
+    CallForm{"resume", "Makes simulated time follow the wall clock again.",
+             read_nothing<call::Resume>},
     CallForm{"rate", "Sets the number of simulated seconds per second.", read_rate},
-    CallForm{"step", "Advances simulated time by a number of ticks; needs the manual clock.", read_step, Time::kMoves},
-    CallForm{"run_until", "Advances simulated time until nothing moves or to a tick; needs the manual clock.",
+    CallForm{"step", "Advances simulated time by a number of ticks; needs the manual clock.",
+             read_step, Time::kMoves},
+    CallForm{"run_until",
+             "Advances simulated time until nothing moves or to a tick; needs the manual clock.",
              read_run_until, Time::kMoves},
     CallForm{"reset", "Begins a new epoch with the initial state of the files.",
              read_nothing<call::Reset>},

@@ -43,7 +43,8 @@ std::string HealthProbe::handle_line() {
     refuse("ends the connection: " + monitor::value_of<std::string>(message, "message"));
   } else if (is_greeted_) {
     if (op == "pong" && monitor::member(message, "id") == kId) health_ = Health::kHealthy;
-  } else if (op == "hello" && monitor::value_of<std::string>(message, "server").starts_with("xr3 ")) {
+  } else if (op == "hello" &&
+             monitor::value_of<std::string>(message, "server").starts_with("xr3 ")) {
     is_greeted_ = true;
     return Json({{"op", "ping"}, {"id", kId}}).dump().substr(opening().size()) + "\n";
   } else {

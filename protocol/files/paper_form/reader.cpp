@@ -9,7 +9,7 @@
 namespace xr3::paper {
 namespace {
 
-constexpr std::size_t kLongest = 250;  // of what a finding shows
+constexpr std::size_t kMaxLength = 250;  // of what a finding shows
 constexpr const char* kRestUnread = " (the rest of the file was not read)";
 
 Json::json_pointer at(const std::string& pointer) { return Json::json_pointer(pointer); }
@@ -192,8 +192,8 @@ void Reader::finish() {
 }
 
 void Reader::report(int line, const std::string& pointer, std::string found, std::string allowed) {
-  add_bounded(findings_, {Severity::kError, file_, line, 0, cut(pointer, kLongest),
-                          cut(found, kLongest), std::move(allowed)});
+  add_bounded(findings_, {Severity::kError, file_, line, 0, cut(pointer, kMaxLength),
+                          cut(found, kMaxLength), std::move(allowed)});
 }
 
 /// Whether the value, a value around it, or another item of its row has been refused.

@@ -31,7 +31,7 @@ TEST(HealthProbe, TakesBytesAsTheyCome) {
   HealthProbe probe;
   std::string sent;
   for (const char byte : std::string(kHello) + kPong) sent += probe.feed({&byte, 1});
-  EXPECT_EQ(sent, after("").take(kHello)) << "one ping";
+  EXPECT_EQ(sent, after("").feed(kHello)) << "one ping";
   EXPECT_EQ(probe.health(), Health::kHealthy);
   EXPECT_EQ(after(std::string(kHello) + kPong).health(), Health::kHealthy);
 }
