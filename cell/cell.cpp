@@ -47,7 +47,7 @@ Applied Cell::take_in(const Input& input, WallNs now) {
 void Cell::advance(WallNs now) {
   if (is_frozen_) return;
   const Tick before = state().tick;
-  // Time ends with the integers of the protocol, some 285,000 years on.
+  // Simulated time stops at the maximum integer of the protocol, after some 285,000 years.
   simulation_.advance_to(std::min(clock_.at(now), monitor::kMaxInteger));
   if (state().tick == before) return;
   counters_.ticks += static_cast<std::uint64_t>(state().tick - before);
@@ -55,7 +55,7 @@ void Cell::advance(WallNs now) {
   emit_time_events();
 }
 
-// What time has brought.
+// Emits the machine's events, and the reports of suppressed warnings that are due.
 void Cell::emit_time_events() {
   if (!simulation_.events().empty()) emit_machine_events(std::nullopt, simulation_.take_events());
   for (auto& [line, note] : warnings_.take_pending(state().tick)) emit(line, std::move(note));
@@ -115,7 +115,7 @@ Applied Cell::handle(const BytesIn& in, WallNs) {
   return applied;
 }
 
-/// Bytes of the probe act as those of any line, and leave no trace.
+/// Receives bytes of the probe's line. They act normally, but are not counted, recorded or reported.
 Applied Cell::take_unseen(SerialLine& line, std::string_view bytes) {
   exchanges_.clear();
   Applied applied;
@@ -123,7 +123,8 @@ Applied Cell::take_unseen(SerialLine& line, std::string_view bytes) {
   return applied;
 }
 
-/// As many bytes as one record shows, with what they did and what was answered.
+/// Receives the bytes of one record, and records them with their effects and replies. Returns the
+/// number of bytes taken.
 std::size_t Cell::receive_piece(LineId id, SerialLine& line, std::string_view bytes) {
   const WirePlace in{epoch_, state().tick, id, line.bytes_in()};
   const WirePlace out{epoch_, state().tick, id, line.output_end()};
@@ -163,7 +164,7 @@ Applied Cell::handle(const call::Call& call, WallNs now) {
   return applied;
 }
 
-// --- What is told.
+// --- Events.
 
 void Cell::emit(std::optional<LineId> line, CellNote note) {
   emit_at(state().tick, line, std::move(note));
@@ -207,7 +208,7 @@ void Cell::emit_exchanges(LineId id, SerialLine& line) {
   }
 }
 
-// The sentence is made only where it will be told: garbage comes by the megabyte.
+// Calls `message` only for the first problem of a run: invalid bytes can arrive by the megabyte.
 void Cell::warn(LineId line, const Parsed& parsed, std::string_view code,
                 const std::function<std::string()>& message) {
   const Tick tick = state().tick;

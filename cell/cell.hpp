@@ -1,7 +1,6 @@
-// Everything of one robot: model, state, clock, lines, epoch, and what its monitors can look back on.
-// Inputs come in by apply() and nothing else changes a cell; it is brought up to date lazily, when an
-// input or a look at it needs that. It knows no socket, so that a whole server can run in a test's
-// memory. Wall time is an argument.
+// One robot: model, state, clock, epoch, serial lines, and the rings of events and line records.
+// Only apply() and the passing of time change a cell. Time advances lazily, in apply() and
+// catch_up(). No sockets, so that a test can run a whole server in memory. Wall time is an argument.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +26,7 @@ using CellEventSink = std::function<void(const CellEvent&, const Model&)>;
 
 class Cell {
  public:
-  /// Every event goes into the ring, and to `sink`, which may be empty.
+  /// Adds every event to the ring and passes it to `sink`, which may be empty.
   Cell(std::string name, ModelPtr model, SimClock clock, CellEventSink sink);
   Cell(const Cell&) = delete;
   Cell& operator=(const Cell&) = delete;
@@ -36,48 +35,52 @@ class Cell {
   const Model& model() const { return simulation_.model(); }
   const SimClock& clock() const { return clock_; }
   Epoch epoch() const { return epoch_; }
-  /// Counts the workcells, and their changes from outside, from 1.
+  /// The revision of the workcell, from 1. Editing or replacing the workcell increments it.
   int model_rev() const { return model_rev_; }
-  /// Counts whatever can be seen of the cell: as long as it stays, every look shows the same.
+  /// Every input and every advance of time increments it. If it is equal, nothing visible has
+  /// changed.
   std::uint64_t revision() const { return revision_; }
 
-  /// The one door. Time is brought up to `now` first; a call that needs standing time is refused by
-  /// `clock_running` where time runs. Any exception is a VitalFailure: the input may be half done.
+  /// Advances time to `now`, then applies the input. A call that needs the manual clock is refused
+  /// with `clock_running` if the clock is real. Throws only VitalFailure; the input may then be half
+  /// applied.
   Applied apply(const Input& input, WallNs now);
 
-  /// Brings time up to `now` and tells what happened meanwhile. Throws as apply() does.
+  /// Advances time to `now` and emits the events of that time. Throws as apply() does.
   void catch_up(WallNs now);
 
-  /// Nothing changes the cell any more, and nothing is told: the process ends.
+  /// From now on apply() and catch_up() do nothing. For the end of the process.
   void freeze() { is_frozen_ = true; }
 
   /// As of the last apply() or catch_up().
   const State& state() const { return simulation_.state(); }
   Snapshot snapshot() const;
-  /// What the camera sees, made once for a state whoever asks; null where the workcell has no camera.
+  /// The camera image, rendered at most once per state; nullptr if the workcell has no camera.
   ImagePtr camera_image() { return simulation_.camera_image(); }
   bool is_at_rest() const { return simulation_.is_at_rest(); }
-  /// Time alone will tell something: a motor runs, or warnings were left out and nobody knows it yet.
+  /// Whether time alone can produce events: the clock is real, and a motor runs or suppressed
+  /// warnings have not been reported yet.
   bool has_news_to_come() const {
     return clock_.mode() == ClockMode::kReal && (!is_at_rest() || warnings_.has_pending());
   }
 
-  /// The last events, and the last bytes of the lines with what was made of them.
+  /// The latest events, and the latest bytes of the lines with their interpretation.
   monitor::Feed& events() { return events_; }
   monitor::Feed& wires() { return wires_; }
   static constexpr std::size_t kMaxEvents = 4096;
   static constexpr std::size_t kMaxWires = 1024;
 
-  /// The line, or null: nothing of it but outbox and counters concerns a transport.
+  /// nullptr if closed. Transports may use only the outbox and the counters.
   SerialLine* find_line(LineId line);
-  /// Without kProbeLine, of which nothing is counted, told or recorded.
+  /// The open lines without kProbeLine, which is not counted, recorded or reported.
   const std::map<LineId, SerialLine>& lines() const { return lines_; }
 
-  /// How many bytes a line has received in all; also of one of the last kRememberedLines that closed.
+  /// The number of bytes that a line has received; nullopt for an unknown line. Closed lines are
+  /// known until more than kRememberedLines have closed.
   std::optional<std::uint64_t> bytes_in(LineId line) const;
   static constexpr std::size_t kRememberedLines = 1024;
 
-  /// Named snapshots that can be kept.
+  /// Maximum number of named snapshots.
   static constexpr std::size_t kMaxSnapshots = 16;
 
   const CellCounters& counters() const { return counters_; }
@@ -131,13 +134,13 @@ class Cell {
   std::map<LineId, SerialLine> lines_;
   LineId last_line_ = 0;
   std::optional<SerialLine> probe_line_;
-  std::map<LineId, std::uint64_t> closed_bytes_in_;  ///< of lines that are gone, the oldest first
+  std::map<LineId, std::uint64_t> closed_bytes_in_;  ///< of closed lines; the lowest goes first
   std::map<std::string, SavedCellPtr> snapshots_;
-  std::vector<Exchange> exchanges_;  ///< of the bytes being taken; kept for its memory
+  std::vector<Exchange> exchanges_;  ///< of the bytes being received; reuses its memory
   WarningLimiter warnings_;
   struct StampedEvent {
     CellEvent event;
-    ModelPtr model;  ///< as it was then
+    ModelPtr model;  ///< at the time of the event
   };
   monitor::Ring<StampedEvent> events_;
   monitor::Ring<WireRecord> wires_;

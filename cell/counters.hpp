@@ -16,7 +16,7 @@ namespace xr3 {
 inline constexpr std::size_t kCommandKinds = std::variant_size_v<Command>;
 using monitor::kChannels;
 
-/// FrameCache of a latest-wins channel, or messages of a ring, over all clients.
+/// Frames of a latest-wins channel, or messages of a ring, over all clients.
 struct ChannelCounters {
   std::uint64_t sent = 0;
   std::uint64_t overwritten = 0;  ///< before they were sent: in a client's slot, or in the ring

@@ -1,5 +1,5 @@
-// Failures that end the process. An exception in something that all connections share (the cell, its
-// frames, the robot port) may leave it half changed, so no connection may go on with it.
+// Failures that end the process. An exception in an object that all connections share (the cell, its
+// frames, the robot port) may leave the object half changed, so no connection may continue to use it.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace xr3 {
 
-/// An exception that no connection may swallow. It allocates nothing, since memory may be what is missing.
+/// An exception that no connection may ignore. It does not allocate, since memory may be exhausted.
 class VitalFailure : public std::exception {
  public:
   /// `what` is cut to kMaxBytes.
@@ -20,10 +20,10 @@ class VitalFailure : public std::exception {
   std::array<char, kMaxBytes> text_{};
 };
 
-/// Throws `failure` again, as a VitalFailure whose text begins with `where`.
+/// Rethrows `failure` as a VitalFailure whose text begins with `where`.
 [[noreturn]] void fail_vitally(const char* where, const std::exception_ptr& failure);
 
-/// Does work on what connections share: an exception leaves it as a VitalFailure.
+/// Runs work on shared objects. Any exception from it becomes a VitalFailure.
 template <class Work>
 decltype(auto) vital(const char* where, const Work& work) {
   try {

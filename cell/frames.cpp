@@ -14,7 +14,7 @@ namespace {
 
 using monitor::Channel;
 
-// Selections that are remembered for a channel; of more, those of old frames are forgotten.
+// Maximum number of selections encoded per channel. One more discards all encoded frames.
 constexpr std::size_t kMaxEncoded = 64;
 
 }  // namespace
@@ -54,7 +54,7 @@ bool FrameCache::has_changed(Channel channel, ChannelCache& cache) const {
   return is_other || is_later;
 }
 
-/// Nothing but time has passed since the last look: no text need be made anew.
+/// Whether only the tick has changed since the last check; the text is then still valid.
 bool FrameCache::is_only_later(ChannelCache& cache) const {
   Snapshot now = cell_.snapshot();
   now.state.tick = 0;
@@ -63,7 +63,7 @@ bool FrameCache::is_only_later(ChannelCache& cache) const {
   return is_same;
 }
 
-/// The workcell is as it was at the last look; the robot never changes.
+/// Whether the workcell is unchanged since the last check. The robot never changes.
 bool FrameCache::is_same_model(ChannelCache& cache) const {
   ShownModel now{cell_.model_rev(), workcell_now(cell_.model(), cell_.state())};
   const bool is_same = cache.model == now;

@@ -1,5 +1,5 @@
-// What a cell looks like now, for everybody who watches: a frame of each latest-wins channel is made
-// once for all who selected the same, and kept until the cell changes. It knows no clients.
+// Caches the current frame of each latest-wins channel. A frame is encoded once for all clients with
+// the same selection, and kept until the cell changes. Independent of clients.
 #pragma once
 
 #include <array>
@@ -16,36 +16,36 @@ namespace xr3 {
 
 class FrameCache {
  public:
-  /// `cell` outlives it.
+  /// `cell` must outlive the cache.
   explicit FrameCache(Cell& cell) : cell_(cell) {}
 
-  /// The frame of the selection's channel (state, image, display or model) as the cell is now, valid
-  /// until the next call; null for an image where there is no camera. Equal seqs are equal bytes for
-  /// equal selections.
+  /// The current frame of the selection's channel (state, image, display or model), valid until the
+  /// next call; nullptr for an image if there is no camera. Frames with equal seq and selection have
+  /// equal bytes.
   const monitor::Frame* current(const monitor::Selection& selection);
 
  private:
-  /// What one selection made of a frame.
+  /// The latest frame, encoded for one selection.
   struct EncodedFrame {
     monitor::Selection selection;
     std::int64_t seq = 0;
     monitor::Frame frame;
   };
-  /// What a `model` message is made of, beside the robot.
+  /// The content of a `model` message except the robot.
   struct ShownModel {
     int rev = 0;
     Workcell workcell;
     bool operator==(const ShownModel&) const = default;
   };
-  /// One channel's latest frame. `text` and `image` are compared to find out whether it is another.
+  /// The latest frame of one channel. `text` and `image` are compared to detect a change.
   struct ChannelCache {
-    std::uint64_t revision = 0;  ///< of the cell when it was looked at last
+    std::uint64_t revision = 0;  ///< of the cell at the last check
     std::int64_t seq = 0;
     Epoch epoch = 0;
     Tick tick = 0;
     Json members = Json::object();
     std::string text;
-    std::optional<Snapshot> snapshot;  ///< state only: what the text shows, at tick 0
+    std::optional<Snapshot> snapshot;  ///< state only: the content of `text`, with tick 0
     std::optional<ShownModel> model;   ///< model only
     ImagePtr image;
     std::vector<EncodedFrame> encoded;

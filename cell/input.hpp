@@ -1,5 +1,5 @@
-// Everything that can change a cell, as values: lines that open and close, their bytes, and calls of
-// the monitor. Sessions make them; Cell::apply is the one door through which they go in.
+// The inputs of a cell, as values: lines that open and close, their bytes, and calls of the monitor.
+// Sessions create them; only Cell::apply accepts them.
 #pragma once
 
 #include <functional>
@@ -12,20 +12,20 @@
 
 namespace xr3 {
 
-/// The server's own line, by which it asks whether lines are served (`RobotProbe`). Lines of programs are
-/// numbered from 1.
+/// The line of the server's own readiness probe (`RobotProbe`). All other lines are numbered from 1.
 inline constexpr LineId kProbeLine = 0;
 
 struct LineOpened {
-  std::string peer;  ///< for people: address and port, or what else it is
+  std::string peer;  ///< for display: address and port, or `monitor`
   LineKind kind = LineKind::kRaw;
-  bool is_probe = false;  ///< it becomes kProbeLine; there is one at most
+  bool is_probe = false;  ///< opens kProbeLine, of which there is at most one
 };
 
 struct BytesIn {
   LineId line = 0;
   std::string_view bytes;
-  /// Asked between pieces of kMaxShownIn bytes: true leaves the rest for another input. Empty: never.
+  /// Called between pieces of kMaxShownIn bytes; if true, the remaining bytes are not taken. May be
+  /// empty.
   std::function<bool()> is_enough = {};
 };
 
@@ -36,8 +36,8 @@ struct LineClosed {
 
 using Input = std::variant<LineOpened, BytesIn, LineClosed, call::Call>;
 
-/// What came of an input: the number of a line that was opened, how many of the bytes were taken, or
-/// the outcome of a call.
+/// The result of an input: the number of the opened line, the number of bytes taken, or the outcome
+/// of the call.
 struct Applied {
   LineId line = 0;
   std::size_t bytes_taken = 0;

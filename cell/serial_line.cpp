@@ -8,7 +8,7 @@ std::size_t SerialLine::receive(std::string_view bytes, Simulation& simulation,
   while (taken < bytes.size() && !is_full() && !is_not_a_robot_program_) {
     const auto byte = static_cast<std::uint8_t>(bytes[taken++]);
     const std::uint64_t offset = bytes_in_++;
-    if (kind_ == LineKind::kMonitor) {  // no stranger, no telnet: bytes as they are
+    if (kind_ == LineKind::kMonitor) {  // no detection, no telnet
       act_on(byte, offset, simulation, exchanges);
       continue;
     }
@@ -37,7 +37,7 @@ void SerialLine::act_on(std::uint8_t byte, std::uint64_t offset, Simulation& sim
   std::string replies;
   endpoint_.feed(byte, offset, simulation, replies, exchanges);
   if (replies.empty()) return;
-  // A byte completes one inquiry at most, and nothing behind it.
+  // A byte completes at most one inquiry, and that is the last exchange.
   exchanges.back().reply_from = output_end();
   deliver(replies);
   exchanges.back().reply_to = output_end();
@@ -45,7 +45,8 @@ void SerialLine::act_on(std::uint8_t byte, std::uint64_t offset, Simulation& sim
 
 void SerialLine::deliver(std::string_view replies) { telnet_.encode(replies, outbox_); }
 
-// A picture of a megabyte goes out in many pieces: the rest moves up only when it is the smaller part.
+// A large image is sent in many pieces. To keep the cost linear, the unsent bytes move to the front
+// only when they are no more than the sent ones.
 void SerialLine::sent(std::size_t count) {
   sent_ += count;
   bytes_out_ += count;

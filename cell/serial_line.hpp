@@ -1,6 +1,6 @@
-// A virtual serial line: what stands between a transport and the controller. A chain of filters
-// (guard against strangers, telnet), the endpoint with its parser, and an outbox. It knows no socket:
-// TCP, a console or a test's memory are its transports.
+// A virtual serial line between a transport and the controller: the detector of HTTP and TLS clients,
+// the telnet filter, the endpoint with its parser, and an outbox. No sockets: the transport is TCP, a
+// monitor session or a test.
 #pragma once
 
 #include <cstdint>
@@ -19,39 +19,40 @@ namespace xr3 {
 
 class SerialLine {
  public:
-  /// Above this the line takes no further byte until its transport has taken replies.
+  /// With this many bytes in the outbox, the line accepts no byte until its transport has sent some.
   static constexpr std::size_t kFullOutbox = 64 * 1024;
 
   SerialLine(Profile profile, LineKind kind, std::string peer, Tick opened)
       : endpoint_(profile), kind_(kind), peer_(std::move(peer)), opened_(opened) {}
 
-  /// Takes bytes at the simulation's tick and returns how many: all, unless the outbox is full or the
-  /// client turned out to be a stranger.
+  /// Processes bytes at the simulation's tick. Returns the number of bytes taken: all, unless the
+  /// outbox is full or the client is detected not to be a robot program.
   std::size_t receive(std::string_view bytes, Simulation& simulation,
                       std::vector<Exchange>& exchanges);
 
-  /// Puts reply bytes into the outbox, as the client's end must see them.
+  /// Appends reply bytes to the outbox, encoded for telnet if the client uses it.
   void deliver(std::string_view replies);
 
   bool is_full() const { return outbox().size() >= kFullOutbox; }
-  /// A browser, a TLS or a WebRTC client: to be closed; nothing that it sent has acted.
+  /// Whether an HTTP, TLS or STUN client was detected. The transport must close the line; no byte of
+  /// the client has acted.
   bool is_not_a_robot_program() const { return is_not_a_robot_program_; }
-  /// Bytes that the guard still holds back.
+  /// The number of bytes that the detector holds back.
   std::size_t held_bytes() const { return detector_.held().size(); }
-  /// The filter as it is before the next byte; a monitor's line has none.
+  /// A copy of the telnet filter before the next byte; nullopt for a line of a monitor session.
   std::optional<TelnetFilter> telnet() const {
     return kind_ == LineKind::kMonitor ? std::nullopt : std::optional(telnet_);
   }
   LineKind kind() const { return telnet_.is_telnet() ? LineKind::kTelnet : kind_; }
 
-  /// Bytes for the transport; whoever sends some removes them by sent().
+  /// Bytes for the transport to send. It then calls sent(), which removes them.
   std::string_view outbox() const { return std::string_view(outbox_).substr(sent_); }
   void sent(std::size_t count);
 
-  /// Forgets commands that have begun.
+  /// Discards an incomplete command.
   void reset() { endpoint_.reset(); }
 
-  /// What was made of the last bytes, and how much of it was not obeyed or surprising.
+  /// The bytes of the last command or problem, and the number of problems and warnings.
   const RawBytes& last() const { return last_; }
   std::uint64_t warnings() const { return warnings_; }
   void note(const RawBytes& last) { last_ = last; }
@@ -61,7 +62,7 @@ class SerialLine {
   Tick opened_tick() const { return opened_; }
   std::uint64_t bytes_in() const { return bytes_in_; }
   std::uint64_t bytes_out() const { return bytes_out_; }
-  /// Where the next byte of output will stand, the outbox counted.
+  /// The offset of the next output byte, after all bytes of the outbox.
   std::uint64_t output_end() const { return bytes_out_ + outbox().size(); }
 
  private:
@@ -74,12 +75,12 @@ class SerialLine {
   TelnetFilter telnet_;
   RhinoEndpoint endpoint_;
   std::string outbox_;
-  std::size_t sent_ = 0;  ///< bytes at the outbox's beginning that are out already
+  std::size_t sent_ = 0;  ///< bytes at the start of the outbox that are already sent
   LineKind kind_;
   std::string peer_;
   Tick opened_;
-  std::uint64_t bytes_in_ = 0;  ///< as the transport delivered them, telnet and held bytes included
-  std::uint64_t bytes_out_ = 0;  ///< as the transport took them
+  std::uint64_t bytes_in_ = 0;   ///< as received, including telnet commands and held bytes
+  std::uint64_t bytes_out_ = 0;  ///< as sent
   std::uint64_t warnings_ = 0;
   RawBytes last_;
   bool is_not_a_robot_program_ = false;
