@@ -115,7 +115,8 @@ Applied Cell::handle(const BytesIn& in, WallNs) {
   return applied;
 }
 
-/// Receives bytes of the probe's line. They act normally, but are not counted, recorded or reported.
+/// Receives bytes of the probe's line. They act normally, but are not counted, recorded or
+/// reported.
 Applied Cell::take_unseen(SerialLine& line, std::string_view bytes) {
   exchanges_.clear();
   Applied applied;

@@ -1,6 +1,7 @@
 // One robot: model, state, clock, epoch, serial lines, and the rings of events and line records.
 // Only apply() and the passing of time change a cell. Time advances lazily, in apply() and
-// catch_up(). No sockets, so that a test can run a whole server in memory. Wall time is an argument.
+// catch_up(). No sockets, so that a test can run a whole server in memory. Wall time is an
+// argument.
 #pragma once
 
 #include <cstdint>
@@ -42,8 +43,8 @@ class Cell {
   std::uint64_t revision() const { return revision_; }
 
   /// Advances time to `now`, then applies the input. A call that needs the manual clock is refused
-  /// with `clock_running` if the clock is real. Throws only VitalFailure; the input may then be half
-  /// applied.
+  /// with `clock_running` if the clock is real. Throws only VitalFailure; the input may then be
+  /// half applied.
   Applied apply(const Input& input, WallNs now);
 
   /// Advances time to `now` and emits the events of that time. Throws as apply() does.

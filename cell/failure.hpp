@@ -1,5 +1,6 @@
-// Failures that end the process. An exception in an object that all connections share (the cell, its
-// frames, the robot port) may leave the object half changed, so no connection may continue to use it.
+// Failures that end the process. An exception in an object that all connections share (the cell,
+// its frames, the robot port) may leave the object half changed, so no connection may continue to
+// use it.
 #pragma once
 
 #include <array>

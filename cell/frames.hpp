@@ -1,5 +1,5 @@
-// Caches the current frame of each latest-wins channel. A frame is encoded once for all clients with
-// the same selection, and kept until the cell changes. Independent of clients.
+// Caches the current frame of each latest-wins channel. A frame is encoded once for all clients
+// with the same selection, and kept until the cell changes. Independent of clients.
 #pragma once
 
 #include <array>
@@ -20,8 +20,8 @@ class FrameCache {
   explicit FrameCache(Cell& cell) : cell_(cell) {}
 
   /// The current frame of the selection's channel (state, image, display or model), valid until the
-  /// next call; nullptr for an image if there is no camera. Frames with equal seq and selection have
-  /// equal bytes.
+  /// next call; nullptr for an image if there is no camera. Frames with equal seq and selection
+  /// have equal bytes.
   const monitor::Frame* current(const monitor::Selection& selection);
 
  private:

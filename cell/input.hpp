@@ -1,5 +1,5 @@
-// The inputs of a cell, as values: lines that open and close, their bytes, and calls of the monitor.
-// Sessions create them; only Cell::apply accepts them.
+// The inputs of a cell, as values: lines that open and close, their bytes, and calls of the
+// monitor. Sessions create them; only Cell::apply accepts them.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,8 @@
 
 namespace xr3 {
 
-/// The line of the server's own readiness probe (`RobotProbe`). All other lines are numbered from 1.
+/// The line of the server's own readiness probe (`RobotProbe`). All other lines are numbered from
+/// 1.
 inline constexpr LineId kProbeLine = 0;
 
 struct LineOpened {

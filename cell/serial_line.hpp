@@ -1,6 +1,6 @@
-// A virtual serial line between a transport and the controller: the detector of HTTP and TLS clients,
-// the telnet filter, the endpoint with its parser, and an outbox. No sockets: the transport is TCP, a
-// monitor session or a test.
+// A virtual serial line between a transport and the controller: the detector of HTTP and TLS
+// clients, the telnet filter, the endpoint with its parser, and an outbox. No sockets: the
+// transport is TCP, a monitor session or a test.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,8 @@ namespace xr3 {
 
 class SerialLine {
  public:
-  /// With this many bytes in the outbox, the line accepts no byte until its transport has sent some.
+  /// With this many bytes in the outbox, the line accepts no byte until its transport has sent
+  /// some.
   static constexpr std::size_t kFullOutbox = 64 * 1024;
 
   SerialLine(Profile profile, LineKind kind, std::string peer, Tick opened)
@@ -34,8 +35,8 @@ class SerialLine {
   void deliver(std::string_view replies);
 
   bool is_full() const { return outbox().size() >= kFullOutbox; }
-  /// Whether an HTTP, TLS or STUN client was detected. The transport must close the line; no byte of
-  /// the client has acted.
+  /// Whether an HTTP, TLS or STUN client was detected. The transport must close the line; no byte
+  /// of the client has acted.
   bool is_not_a_robot_program() const { return is_not_a_robot_program_; }
   /// The number of bytes that the detector holds back.
   std::size_t held_bytes() const { return detector_.held().size(); }

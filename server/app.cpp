@@ -16,9 +16,9 @@
 namespace xr3 {
 namespace {
 
-// Clients that do not take their last replies keep the process no longer than this.
+// Maximum time for clients to read their last replies before the process ends.
 constexpr std::chrono::milliseconds kDrainLimit{1000};
-// What a line of the log and its stream may need.
+// Enough memory to log one message.
 constexpr std::size_t kReserveBytes = std::size_t{256} * 1024;
 
 SimClock start_clock(const ClockChoice& choice) {
@@ -41,8 +41,9 @@ void listen_on(Port& port, const std::string& what, const tcp::endpoint& endpoin
   if (const ErrorCode error = port.listen(endpoint)) throw listen_error(what, endpoint, error);
 }
 
-// On ::1 as well, at the same port. Without IPv6 nobody misses it; but whoever asks for localhost must
-// not get to another program where the port was chosen.
+// Listens on ::1, too, at the same port. Failure is ignored, since there may be no IPv6. But if the
+// user chose the port and another program has it on ::1, clients of localhost would reach that
+// program.
 template <class Port>
 void listen_too(Port& port, const std::string& what, bool was_chosen) {
   const tcp::endpoint endpoint{asio::ip::address_v6::loopback(), port.endpoint().port()};
@@ -89,8 +90,8 @@ App::App(const ServeOptions& options, ModelPtr model, std::string token)
           io_, cell_, robot_port_, policy_, [this] { return not_ready(); }, [this] { acted(); }),
       signals_(io_, SIGINT, SIGTERM) {}
 
-// What waits is destroyed first, since it refers to the members. Sessions that end by it find a cell that
-// takes nothing: it may be half changed.
+// Destroys waiting handlers and coroutines before the members that they refer to. The cell may be
+// half changed, so it is frozen first and ignores the inputs of the sessions that end here.
 App::~App() {
   stage_ = Stage::kEnded;
   cell_.freeze();
@@ -116,7 +117,7 @@ ExitCode App::serve() {
   }
 }
 
-// No further word to anybody: what the words would be made of may be what has failed.
+// Sends nothing to clients: the objects needed for that may be the ones that failed.
 ExitCode App::break_off(const char* what) {
   reserve_.reset();
   spdlog::critical("the server has failed and ends: {}", what);
@@ -139,7 +140,7 @@ void App::listen() {
   listen_too(monitor_port_, "monitor", options_.monitor_port != 0);
 }
 
-// Only when everything is ready: whoever waits for this line or this file may connect at once.
+// Called when everything is ready: programs may connect as soon as they see this line or the file.
 void App::announce() {
   stage_ = Stage::kReady;
   const tcp::endpoint robot = robot_port_.endpoint();
@@ -153,8 +154,7 @@ void App::announce() {
   std::cout << "LISTENING robot=" << to_text(robot) << " monitor=" << to_text(monitor) << std::endl;
 }
 
-// Past the log, which may be kept: this is for whoever started the process. It never goes to standard
-// output, which has one line only.
+// Bypasses the log, which may be stored. Standard output contains only the LISTENING line.
 void App::announce_token(std::uint16_t monitor_port) const {
   if (fresh_token_.empty()) return;
   std::cerr << "xr3: calls need this run's token; open http://localhost:" << monitor_port
@@ -175,7 +175,7 @@ void App::acted() {
   if (robot_port_.is_empty() && monitor_port_.is_empty()) drain_limit_.cancel();
 }
 
-// Everything that keeps the loop alive is closed, so that run() returns by itself.
+// Closes everything that keeps the event loop running, so that run() returns.
 void App::stop() {
   stage_ = Stage::kDraining;
   monitor_port_.subscribers().stop();
@@ -184,7 +184,7 @@ void App::stop() {
   if (robot_port_.is_empty() && monitor_port_.is_empty()) return;
   drain_limit_.expires_after(kDrainLimit);
   drain_limit_.async_wait([this](ErrorCode) {
-    robot_port_.abort();  // none are left if the wait was cancelled
+    robot_port_.abort();  // no effect if the wait was cancelled: all have ended
     monitor_port_.abort();
   });
 }

@@ -1,4 +1,4 @@
-// The process: one io_context, one cell, two ports, signals, and an orderly end.
+// The process: one io_context, one cell, two ports, signals, and an orderly shutdown.
 #pragma once
 
 #include <boost/asio/signal_set.hpp>
@@ -15,7 +15,7 @@
 
 namespace xr3 {
 
-/// A port that cannot be listened on.
+/// The server cannot listen on a port.
 class ListenError : public std::runtime_error {
  public:
   ListenError(ExitCode code, const std::string& what) : std::runtime_error(what), code_(code) {}
@@ -27,25 +27,27 @@ class ListenError : public std::runtime_error {
 
 class App {
  public:
-  /// `token`: what the options' source gave; empty: there is none.
+  /// `token`: as read from the source in the options; empty: none.
   App(const ServeOptions& options, ModelPtr model, std::string token);
 
   App(const App&) = delete;
   App& operator=(const App&) = delete;
   ~App();
 
-  /// Serves until SIGTERM or SIGINT, then hands out what is due and returns kGood. An exception out of
-  /// any loop or handler ends it at once: it is logged, and the code is kBroken. Throws ListenError.
+  /// Serves until SIGTERM or SIGINT, then sends pending replies and returns kGood. An exception
+  /// from any loop or handler ends it at once: it is logged, and the result is kBroken. Throws
+  /// ListenError.
   ExitCode run();
 
-  /// Where it listens, once run() has begun to serve.
+  /// Valid once run() has begun to serve.
   tcp::endpoint robot_endpoint() const { return robot_port_.endpoint(); }
   tcp::endpoint monitor_endpoint() const { return monitor_port_.endpoint(); }
-  /// Work of others can be posted there.
+  /// For posting work to the event loop.
   asio::io_context::executor_type executor() { return io_.get_executor(); }
 
  private:
-  /// Handlers and coroutines that wait can be destroyed while what they refer to is still there.
+  /// Makes shutdown() public. It destroys waiting handlers and coroutines; the objects that they
+  /// refer to must still exist.
   class Loop : public asio::io_context {
    public:
     Loop() : asio::io_context(1) {}
@@ -65,8 +67,8 @@ class App {
   enum class Stage : std::uint8_t { kStarting, kReady, kDraining, kEnded };
 
   ServeOptions options_;
-  std::string fresh_token_;  ///< to be told to whoever started this; empty: they know it, or none
-  /// Given back before a failure is told, since memory may be what is missing.
+  std::string fresh_token_;  ///< generated for this run, to be printed; else empty
+  /// Freed before a failure is logged, since memory may be exhausted.
   std::unique_ptr<char[]> reserve_;
   Loop io_;
   Stage stage_ = Stage::kStarting;
@@ -79,7 +81,7 @@ class App {
   asio::steady_timer drain_limit_{io_};
 };
 
-/// Model from the files that the options name. Throws FileError and DataError.
+/// Loads the model from the files in the options. Throws FileError and DataError.
 ModelPtr load_model(const ServeOptions& options);
 
 }  // namespace xr3

@@ -5,11 +5,11 @@ namespace xr3 {
 
 enum class ExitCode : int {
   kGood = 0,
-  kInternal = 1,   ///< a bug, or the system refused something vital
-  kBadInput = 2,   ///< wrong arguments, or a wrong file
-  kPortInUse = 3,  ///< somebody else listens there already
-  kNoServer = 4,   ///< nobody answers there, or it is not ready
-  kBroken = 5,     ///< something failed while the server ran; the log names it
+  kInternal = 1,   ///< a bug, or a required system call failed
+  kBadInput = 2,   ///< invalid arguments, or an invalid file
+  kPortInUse = 3,  ///< another program listens on the port
+  kNoServer = 4,   ///< no server answers, or it is not ready
+  kBroken = 5,     ///< the server failed while it ran; the log has the reason
 };
 
 constexpr int as_int(ExitCode code) { return static_cast<int>(code); }

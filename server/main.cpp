@@ -1,4 +1,5 @@
-// xr3: reads the command line, does what it says, and turns every failure into a sentence and a code.
+// xr3: parses the command line, runs the command, and turns every failure into a message and an
+// exit code.
 #include <spdlog/spdlog.h>
 #include <sys/resource.h>
 
@@ -24,7 +25,7 @@
 namespace xr3 {
 namespace {
 
-// Lines are descriptors: as many as the system allows.
+// Each line needs a descriptor: raises the limit as far as the system allows.
 void raise_descriptor_limit() {
   rlimit limit{};
   if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return;

@@ -1,6 +1,6 @@
-// Tells at which robot lines something has happened: one edge-triggered epoll set for all of them, which
-// the event loop watches as one. A line is told once for each arrival and each time that it can be
-// written to again, so whoever is told reads all that there is, or remembers that there is more.
+// Reports the robot lines with new events: one edge-triggered epoll set for all lines, which the
+// event loop watches as one descriptor. A line is reported once for each arrival and each time it
+// becomes writable again, so the caller must read everything, or remember that there is more.
 #pragma once
 
 #include <sys/epoll.h>
@@ -16,26 +16,26 @@ namespace xr3 {
 
 class LineWatch {
  public:
-  /// Something has happened at a line.
+  /// A line has received bytes, has become writable, or has ended.
   struct News {
     LineId line = 0;
-    bool is_end = false;  ///< its client sends no more, or it is broken: read to the end
+    bool is_end = false;  ///< end of stream or broken connection: read to the end
   };
 
-  /// Throws boost::system::system_error where no descriptor is left.
+  /// Throws boost::system::system_error if no descriptor is left.
   explicit LineWatch(asio::io_context& io);
   LineWatch(const LineWatch&) = delete;
   LineWatch& operator=(const LineWatch&) = delete;
 
-  /// What has happened by now is news. The descriptor leaves the set by itself when it is closed.
-  /// False: the system has no room for it.
+  /// Adds a descriptor. Events before this call are reported, too. Closing the descriptor removes
+  /// it. Returns false if the system refuses.
   bool add(int descriptor, LineId line);
 
-  /// Waits until there are news. False: it was closed. Throws boost::system::system_error.
+  /// Waits for news. Returns false if closed. Throws boost::system::system_error.
   asio::awaitable<bool> wait();
   void close();
 
-  /// At most kMaxNews; empty: there are none. Valid until the next call.
+  /// The news now, at most kMaxNews; may be empty. Valid until the next call.
   std::span<const News> news();
   static constexpr std::size_t kMaxNews = 128;
 

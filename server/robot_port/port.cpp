@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kName = "the robot port";
 
-/// A timer among those that are cancelled when bytes have acted, as long as this lives.
+/// While it exists, the timer is cancelled when bytes have acted.
 class Waiting {
  public:
   Waiting(std::set<asio::steady_timer*>& all, asio::steady_timer& timer)
@@ -82,7 +82,7 @@ void RobotPort::end(LineId line) {
 bool RobotPort::disconnect(LineId line) {
   const auto found = sessions_.find(line);
   if (found == sessions_.end()) return false;
-  const auto session = found->second;  // it takes itself out of the map
+  const auto session = found->second;  // it removes itself from the map
   session->close(LineCloseReason::kDisconnected);
   return true;
 }
@@ -134,7 +134,7 @@ void RobotPort::take_news() {
   }
 }
 
-// One of them at a time, in order: those who ask for little wait for one that asks for much, not for all.
+// One of them at a time, in order: other lines wait for one flooding line, not for all.
 void RobotPort::take_unfinished_turn() {
   if (unfinished_.empty()) return;
   auto next = unfinished_.upper_bound(last_unfinished_);
@@ -147,11 +147,11 @@ void RobotPort::take_unfinished_turn() {
 void RobotPort::run_turn(LineId line) {
   const auto found = sessions_.find(line);
   if (found == sessions_.end()) return;
-  const auto session = found->second;  // it may take itself out of the map
+  const auto session = found->second;  // it may remove itself from the map
   if (session->run_turn()) unfinished_.insert(line);
 }
 
-// Behind whatever else is ready now.
+// The turns run after all handlers that are ready now.
 void RobotPort::schedule_turns() {
   if (std::exchange(is_again_, true)) return;
   asio::post(io_, [this] {
@@ -160,7 +160,7 @@ void RobotPort::schedule_turns() {
   });
 }
 
-// A copy of the map: a session that ends takes itself out of it.
+// sessions() copies the map: a session that ends removes itself from it.
 void RobotPort::read_arrived() {
   vital(kName, [this] {
     listener_.accept_pending();
@@ -185,7 +185,7 @@ asio::awaitable<bool> RobotPort::wait_for_bytes(LineId id, std::uint64_t bytes_i
   }
 }
 
-// Whoever waits for bytes looks again.
+// Resumes the coroutines in wait_for_bytes(), which check again.
 void RobotPort::notify() {
   vital(kName, [this] {
     for (asio::steady_timer* timer : waiting_) timer->cancel();

@@ -1,4 +1,4 @@
-// The TCP port of the serial lines: accepts connections up to the limit and keeps their sessions.
+// The TCP port of the serial lines: accepts connections up to the limit and owns their sessions.
 #pragma once
 
 #include <array>
@@ -17,54 +17,55 @@
 
 namespace xr3 {
 
-/// How far the server's own question down a line has come (`RobotProbe`).
+/// The progress of the server's own probe of a line (`RobotProbe`).
 enum class ProbeFate : std::uint8_t {
-  kUnseen,    ///< its connection has not been accepted
-  kRefused,   ///< every line was taken
+  kUnseen,    ///< its connection is not accepted yet
+  kRefused,   ///< all lines were in use
   kAccepted,  ///< its line is open
-  kTaken,     ///< its byte has gone through the parser
-  kIgnored,   ///< so it has, but the controller is disabled and answers nothing
+  kTaken,     ///< its byte has been parsed
+  kIgnored,   ///< as kTaken, but the controller is disabled and does not reply
 };
 
 class RobotPort {
  public:
-  /// `max_lines`: connections beyond are closed without a byte. `acted` is called after each input and each end.
+  /// Connections beyond `max_lines` are closed without a byte. `acted` is called after each input,
+  /// and when a line has opened or closed.
   RobotPort(asio::io_context& io, Cell& cell, std::size_t max_lines, std::function<void()> acted);
   std::size_t max_lines() const { return max_lines_; }
 
-  /// Binds; afterwards endpoint() is known and connections are accepted. Returns what went wrong.
+  /// Binds and starts to accept; endpoint() is then valid. Returns the error.
   ErrorCode listen(const tcp::endpoint& endpoint);
   tcp::endpoint endpoint() const { return listener_.endpoint(); }
 
-  /// Every byte that has already arrived on any line, also on one that has not been accepted yet,
-  /// acts now, as far as the line's replies go out. `step` and `run_until` call it first, so that no
-  /// byte is overtaken.
+  /// Applies every byte that has already arrived, including those of connections that are not
+  /// accepted yet, as long as the line's replies can be sent. `step` and `run_until` call it first,
+  /// so that bytes sent before them act before them.
   void read_arrived();
 
-  /// A turn for each line at which something has happened, and one for a line that had more to do than a
-  /// turn holds: cheap enough to be taken between two writes to viewers, so that a line never waits
-  /// behind a thousand of them, and no line behind many that flood.
+  /// Runs a turn for each line with news, and one turn for one of the lines with unfinished work.
+  /// It is cheap enough to be called between writes to monitor sessions, so that a line never waits
+  /// for a thousand sessions, nor for many flooding lines.
   void run_turns();
 
-  /// Waits until a line has received so many bytes in all. False: it did not within the time, it has
-  /// closed without them, or the port is closing.
+  /// Waits until a line has received `bytes_in` bytes in total. Returns false if the time is over,
+  /// the line has closed before, or the port is closing.
   asio::awaitable<bool> wait_for_bytes(LineId line, std::uint64_t bytes_in,
                                        std::chrono::milliseconds within);
 
-  /// The next connection from there is the server's own: it becomes kProbeLine, under the same limit as
-  /// other lines, but does not count as one of them.
+  /// The next connection from this endpoint is the server's own probe and becomes kProbeLine. It is
+  /// refused if the limit of lines is reached, but does not count as a line.
   void expect_probe(const tcp::endpoint& from);
-  /// None is: somebody else may have that endpoint from now on.
+  /// Cancels expect_probe(): another process may get the endpoint from now on.
   void forget_probe() { probe_from_.reset(); }
   ProbeFate probe_fate() const { return probe_fate_; }
 
-  /// Closes the connection of a line. False: none of this port's is it.
+  /// Closes the connection of a line. Returns false if the line does not belong to this port.
   bool disconnect(LineId line);
 
-  /// Takes no further connection; sessions hand out what is in their outboxes and end.
+  /// Accepts no further connection; sessions send their outboxes and end.
   void close();
   bool is_empty() const { return sessions_.empty(); }
-  /// Ends what close() left over.
+  /// Closes the remaining sessions at once.
   void abort();
 
  private:
@@ -96,11 +97,11 @@ class RobotPort {
   LineWatch watch_;
   bool is_watching_ = false;
   bool has_logged_full_ = false;
-  std::optional<tcp::endpoint> probe_from_;  ///< has not been accepted yet
+  std::optional<tcp::endpoint> probe_from_;  ///< of the expected probe, until it is accepted
   ProbeFate probe_fate_ = ProbeFate::kUnseen;
-  std::set<LineId> unfinished_;            ///< had more to do than a turn holds
-  LineId last_unfinished_ = 0;             ///< of them, the one that had its turn last
-  bool is_again_ = false;                  ///< their next turns are on their way
+  std::set<LineId> unfinished_;            ///< lines with more work than one turn
+  LineId last_unfinished_ = 0;             ///< the one of them that had the last turn
+  bool is_again_ = false;                  ///< their next turns are scheduled
   std::set<asio::steady_timer*> waiting_;  ///< cancelled when bytes have acted
   Sessions sessions_;
   bool is_closing_ = false;

@@ -10,7 +10,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Input lines 1-4: one byte from an enabled controller, in every profile, and no change of any state.
+// Inquiry of input lines 1-4: an enabled controller replies with one byte in every profile, and no
+// state changes.
 constexpr std::string_view kInquiry = "K";
 
 /// The address at which this machine reaches a port that listens on `address`.
@@ -20,7 +21,7 @@ asio::ip::address reachable(const asio::ip::address& address) {
   return asio::ip::address_v4::loopback();
 }
 
-/// Opens the socket at a port of its own, by which the robot port will know the connection.
+/// Opens and binds the socket, so that the robot port can recognize the connection by its endpoint.
 ErrorCode open(tcp::socket& socket, const asio::ip::address& address) {
   ErrorCode error;
   const tcp::endpoint any_port(address, 0);
@@ -32,7 +33,7 @@ ErrorCode open(tcp::socket& socket, const asio::ip::address& address) {
 
 }  // namespace
 
-/// A probe is under way; however it ends, those who wait for it go on.
+/// Marks the probe as running. The destructor resumes the coroutines that wait for the result.
 class RobotProbe::Asking {
  public:
   explicit Asking(RobotProbe& probe) : probe_(probe) { probe_.is_asking_ = true; }

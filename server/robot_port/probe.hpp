@@ -1,6 +1,6 @@
-// Asks whether the robot port serves lines, down a real one: a TCP connection from this process to its own
-// robot port, an inquiry, and the one byte that answers it. Accepting, waiting, reading, the cell and
-// writing all have their part in the answer; nothing of it is counted, told or recorded.
+// Checks whether the robot port serves lines, with a real TCP connection from this process to its
+// own robot port: an inquiry, and the reply of one byte. This covers accepting, waiting, reading,
+// the cell and writing. The probe is not counted, recorded or reported.
 #pragma once
 
 #include <chrono>
@@ -13,16 +13,17 @@ namespace xr3 {
 
 class RobotProbe {
  public:
-  /// For so long an answer is waited for.
+  /// Maximum time for the reply.
   static constexpr std::chrono::milliseconds kPatience{500};
-  /// For so long an outcome holds: a flood of questions costs ten probes a second.
+  /// A result is reused for this time, so that a flood of requests costs at most ten probes a
+  /// second.
   static constexpr std::chrono::milliseconds kFresh{100};
 
-  /// The port outlives it. It listens where it is asked.
+  /// `port` must outlive the probe. Precondition of trouble(): the port is listening.
   RobotProbe(asio::io_context& io, RobotPort& port);
 
-  /// Nothing where lines are served; otherwise why not, as a sentence. One probe is under way at a time,
-  /// and all who ask meanwhile get its outcome.
+  /// Empty if lines are served; otherwise the reason, as a sentence. Only one probe runs at a time;
+  /// all callers in that time get its result.
   asio::awaitable<std::string> trouble();
 
  private:

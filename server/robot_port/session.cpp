@@ -13,14 +13,14 @@
 namespace xr3 {
 namespace {
 
-// Bytes of one line in one turn of the loop, so that a flood leaves room for the other lines: some
-// 30 us at 50 ns a byte, what a turn takes anyway.
+// Maximum number of bytes of one line per turn, so that a flood leaves time for the other lines:
+// some 30 us at 50 ns a byte, about the fixed cost of a turn.
 constexpr std::size_t kFairShare = 512;
-// Time of one line in one turn: a picture costs a thousand times the byte that asks for it. A turn ends
-// late by one piece of 64 bytes at most, or by one full outbox. No clock enters the state: it decides
-// only which bytes act now and which in the next turn.
+// Maximum time of one line per turn: an image costs a thousand times as much as the byte that
+// requests it. A turn can exceed it by one piece of 64 bytes, or by one full outbox. The clock does
+// not affect the state: it only decides which bytes act now and which in the next turn.
 constexpr WallNs kFairTime = 150'000;
-// As much as a receive buffer can hold; a drain takes no more even if the client keeps on writing.
+// The capacity of a receive buffer. read_arrived() reads no more, even if the client keeps writing.
 constexpr std::size_t kMaxArrivedBytes = 16 * 1024 * 1024;
 constexpr WallNs kNoEnd = std::numeric_limits<WallNs>::max();
 constexpr std::uint64_t kAllOutput = std::numeric_limits<std::uint64_t>::max();
@@ -52,7 +52,7 @@ bool RobotSession::read_arrived() {
   return work({kMaxArrivedBytes, output + kMaxAnswered, kNoEnd}) == Left::kSome;
 }
 
-// Reading waits while replies do: a client that does not read its replies is not read either.
+// Does not read while replies are unsent, so that a client must read its replies.
 RobotSession::Left RobotSession::work(Turn turn) {
   bool has_more = true;
   for (;;) {
@@ -72,7 +72,7 @@ bool RobotSession::is_over(const Turn& turn) const {
   return context_.cell.find_line(id_)->output_end() >= turn.output_end || wall_now() >= turn.end;
 }
 
-// Bytes read into the scratch buffer; 0 where there are none now or, then has_ended_, ever.
+// Reads into the scratch buffer. 0: no bytes now, or, if has_ended_, no more at all.
 std::size_t RobotSession::read(std::size_t most) {
   const std::size_t count = socket_.read(context_.scratch.first(most));
   has_ended_ = socket_.has_ended();
@@ -92,7 +92,7 @@ void RobotSession::act(std::string_view bytes, const Turn& turn) {
   if (taken < bytes.size()) keep(bytes.substr(taken));
 }
 
-// Where memory is short this line ends, and no other.
+// If memory is exhausted, only this line ends.
 void RobotSession::keep(std::string_view bytes) {
   try {
     pending_.append(bytes);
@@ -107,10 +107,10 @@ void RobotSession::act_on_pending(const Turn& turn) {
   act(bytes, turn);
 }
 
-// Sends what the socket takes now, and goes on with the bytes that had to wait.
+// Sends what the socket accepts now, and applies the bytes that waited for room in the outbox.
 RobotSession::Left RobotSession::flush(const Turn& turn) {
   if (!socket_.is_open()) return Left::kWaits;
-  SerialLine& line = *context_.cell.find_line(id_);  // as long as the socket is open
+  SerialLine& line = *context_.cell.find_line(id_);  // exists while the socket is open
   while (!line.outbox().empty() || !pending_.empty()) {
     const std::size_t count = line.outbox().empty() ? 0 : socket_.write(line.outbox());
     if (socket_.is_lost()) close(LineCloseReason::kError);

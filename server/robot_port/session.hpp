@@ -1,6 +1,6 @@
-// One TCP connection as the transport of one serial line: bytes from the socket into the cell at the
-// tick of their arrival, the line's outbox back to the socket. It is told when something has happened
-// at its socket, and ends with its connection.
+// One TCP connection as the transport of one serial line: passes bytes from the socket to the cell
+// at the tick of their arrival, and the line's outbox to the socket. The port calls it when the
+// socket has news. It ends with its connection.
 #pragma once
 
 #include <functional>
@@ -12,51 +12,52 @@
 
 namespace xr3 {
 
-/// What all sessions of a port share.
+/// Shared by all sessions of a port.
 struct RobotSessionContext {
   Cell& cell;
-  bool is_probe;                      ///< what they open is kProbeLine
-  std::span<char> scratch;            ///< what one read may bring
-  std::function<void()> acted;        ///< bytes have acted
-  std::function<void(LineId)> ended;  ///< the connection is closed; the session may be dropped
+  bool is_probe;                ///< whether the session opens kProbeLine
+  std::span<char> scratch;      ///< buffer for one read
+  std::function<void()> acted;  ///< called after bytes have acted
+  std::function<void(LineId)>
+      ended;  ///< called when the connection is closed; may release the session
 };
 
 class RobotSession {
  public:
-  /// Opens a line of the cell. `context` outlives the session.
+  /// Opens a line of the cell. `context` must outlive the session.
   RobotSession(tcp::socket socket, RobotSessionContext& context);
 
   LineId line() const { return id_; }
   int descriptor() const { return socket_.descriptor(); }
 
-  /// The client sends no more, or the connection is broken: the next turns read to the end.
+  /// End of stream or broken connection: the next turns read to the end.
   void note_end() { is_ending_ = true; }
 
-  /// Sends what can be sent, and then takes in a fair share of bytes for a fair time. True: there may
-  /// be more to do at once.
+  /// Sends what can be sent, then reads and applies bytes up to the limits of a turn. Returns
+  /// whether there may be more to do now.
   bool run_turn();
 
-  /// Every byte that has arrived by now acts now, unless replies wait for the client or are more than
-  /// kMaxAnswered in all. True: there may be more to do at once.
+  /// Applies every byte that has arrived, until replies wait for the client or exceed kMaxAnswered
+  /// bytes. Returns whether there may be more to do now.
   bool read_arrived();
   static constexpr std::size_t kMaxAnswered = 1024 * 1024;
 
-  /// No byte is taken any more; the connection ends when its replies have been sent.
+  /// Reads no more; closes the connection when its replies have been sent.
   void finish();
 
-  /// Ends the connection now.
+  /// Closes the connection now.
   void close(LineCloseReason reason);
 
  private:
   RobotSession(const std::string& peer, tcp::socket&& socket, RobotSessionContext& context);
 
-  /// The bounds of what is done before others have their turns.
+  /// The limits of one turn.
   struct Turn {
     std::size_t most_read;
-    std::uint64_t output_end;  ///< of the line, in all
+    std::uint64_t output_end;  ///< of the line
     WallNs end;
   };
-  enum class Left : std::uint8_t { kNothing, kSome, kWaits };  ///< kWaits: until news come
+  enum class Left : std::uint8_t { kNothing, kSome, kWaits };  ///< kWaits: for news
 
   Left work(Turn turn);
   Left flush(const Turn& turn);
@@ -69,10 +70,10 @@ class RobotSession {
   RobotSocket socket_;
   LineId id_;
   RobotSessionContext& context_;
-  std::string pending_;     ///< read, but not taken yet since the outbox was full
-  bool is_ending_ = false;  ///< an end is behind the bytes that are there
+  std::string pending_;     ///< read, but not applied because the outbox was full
+  bool is_ending_ = false;  ///< the stream ends after the bytes that have arrived
   bool has_ended_ = false;  ///< no more bytes will be read
-  LineCloseReason end_ = LineCloseReason::kClientClosed;  ///< why, once has_ended_
+  LineCloseReason end_ = LineCloseReason::kClientClosed;  ///< the reason, once has_ended_
 };
 
 }  // namespace xr3
