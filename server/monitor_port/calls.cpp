@@ -1,4 +1,4 @@
-// The monitor's calls: those of the cell, and those on serial lines and the list of calls.
+// The monitor's calls: on the cell, on serial lines, and `describe`.
 #include <chrono>
 #include <utility>
 
@@ -75,7 +75,7 @@ Json line_json(LineId id, const SerialLine& line) {
 asio::awaitable<void> MonitorService::call(MonitorSession& session, monitor::Request request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   const bool in_standing_time = cell_.clock().mode() == ClockMode::kManual;
-  if (wanted.after && in_standing_time) {  // a running clock is refused below, without waiting
+  if (wanted.after && in_standing_time) {  // the real clock is refused below, without waiting
     Error error = co_await wait_for(*wanted.after);
     if (error) {
       session.client().send(refused(request.id, *std::move(error)));
@@ -148,7 +148,7 @@ Json MonitorService::value_now() const {
   return {{"epoch", cell_.epoch()}, {"tick", cell_.state().tick}};
 }
 
-// --- LineSplitter.
+// --- Serial lines.
 
 monitor::Message MonitorService::send(MonitorSession& session, const monitor::Request& request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);

@@ -34,7 +34,7 @@ asio::awaitable<void> MonitorConnection::run() {
 
 // --- The detector.
 
-/// Reads until it is clear what the client speaks, and returns what it has said of that.
+/// Reads until the protocol is known. Returns the bytes that belong to that protocol.
 asio::awaitable<std::string> MonitorConnection::open() {
   greet_after_silence();
   while (detector_.protocol() == monitor::Protocol::kUndecided && socket_->is_open()) {
@@ -58,7 +58,7 @@ void MonitorConnection::greet_after_silence() {
   });
 }
 
-/// Says hello, once.
+/// Sends `hello`, once.
 void MonitorConnection::greet() {
   if (!lines_) lines_ = JsonLines::greet(socket_, context_.service);
 }

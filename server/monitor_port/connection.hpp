@@ -1,5 +1,5 @@
-// One connection of the monitor port: finds out what it speaks, then hands it to JSON lines or HTTP.
-// Ends with its connection; a failure in it ends nothing else.
+// One connection of the monitor port: detects its protocol, then passes it to JSON lines or HTTP. A
+// failure in it ends only this connection.
 #pragma once
 
 #include <functional>
@@ -20,13 +20,13 @@ namespace xr3 {
 
 class MonitorConnection;
 
-/// What all sessions of the port share. It outlives them while they run.
+/// Shared by all connections of the port; must outlive them.
 struct MonitorConnectionContext {
   MonitorService& service;
   HttpResources& resources;
-  std::function<void()> tls_refused;  ///< a client spoke TLS
+  std::function<void()> tls_refused;  ///< called when a client speaks TLS
   std::function<void(const std::shared_ptr<MonitorConnection>&)>
-      ended;  ///< the session may be dropped
+      ended;  ///< called at the end; may release the connection
 };
 
 class MonitorConnection : public std::enable_shared_from_this<MonitorConnection> {
@@ -36,10 +36,10 @@ class MonitorConnection : public std::enable_shared_from_this<MonitorConnection>
   /// Runs until the connection ends.
   void start();
 
-  /// Takes no further request, says `bye` and ends.
+  /// Accepts no further request, sends `bye` and ends.
   void finish();
 
-  /// The client has stopped sending, and is not waited for where others want in.
+  /// The client has shut down its sending side; the port may close it to make room.
   bool only_listens() const { return lines_ && lines_->only_listens(); }
 
   /// Ends the connection now.
@@ -58,9 +58,9 @@ class MonitorConnection : public std::enable_shared_from_this<MonitorConnection>
   std::shared_ptr<MonitorSocket> socket_;
   monitor::ProtocolDetector detector_;
   asio::steady_timer silence_;
-  std::shared_ptr<JsonLines> lines_;      ///< once it has been greeted
-  std::optional<HttpSession> http_;       ///< once it has spoken HTTP
-  std::shared_ptr<Websocket> websocket_;  ///< once it has asked for that
+  std::shared_ptr<JsonLines> lines_;      ///< once `hello` is sent
+  std::optional<HttpSession> http_;       ///< if the client speaks HTTP
+  std::shared_ptr<Websocket> websocket_;  ///< if the client requests WebSocket
 };
 
 }  // namespace xr3

@@ -31,7 +31,7 @@ void MonitorPort::open(tcp::socket socket) {
   connection->start();
 }
 
-// Who has closed without a word looks like one who only listens, until something is sent.
+// A client that has closed its connection looks like one that only listens, until a write fails.
 void MonitorPort::make_room() {
   const auto idle = std::find_if(connections_.begin(), connections_.end(),
                                  [](const auto& connection) { return connection->only_listens(); });
@@ -55,7 +55,7 @@ void MonitorPort::report_tls() {
       "(told once)");
 }
 
-// Copies of the set: a connection that ends takes itself out of it.
+// Copies of the set: a connection that ends removes itself from it.
 void MonitorPort::close() {
   listener_.close();
   for (const auto& connection : Connections(connections_)) connection->finish();

@@ -1,4 +1,4 @@
-// The TCP port of the monitor: accepts connections up to a limit and keeps their sessions.
+// The TCP port of the monitor: accepts connections up to a limit and owns them.
 #pragma once
 
 #include <functional>
@@ -17,27 +17,26 @@ namespace xr3 {
 
 class MonitorPort {
  public:
-  /// Connections beyond are told that it is full, and closed.
+  /// Further connections receive an error and are closed.
   static constexpr std::size_t kMaxConnections = 1024;
 
-  /// `not_ready` is what /readyz asks; `acted` is called after each call on the
-  /// cell, and when a connection has ended.
+  /// `not_ready` is called for /readyz; `acted` after each call on the cell, and when a connection
+  /// has ended.
   MonitorPort(asio::io_context& io, Cell& cell, RobotPort& robot_port, const AccessPolicy& policy,
               HttpResources::NotReady not_ready, const std::function<void()>& acted);
 
-  /// Binds; afterwards endpoint() is known and connections are accepted. Returns what went wrong.
+  /// Binds and starts to accept; endpoint() is then valid. Returns the error.
   ErrorCode listen(const tcp::endpoint& endpoint);
   tcp::endpoint endpoint() const { return listener_.endpoint(); }
 
-  /// Takes no further connection; sessions finish their request, say `bye` and end.
+  /// Accepts no further connection; sessions finish their request, send `bye` and end.
   void close();
-  /// Ends every connection now.
+  /// Closes every connection now.
   void abort();
-  /// Nothing goes on beside the loop any more: the process ends.
+  /// Stops the thread that encodes images, for the end of the process.
   void stop() { resources_.stop(); }
   bool is_empty() const { return connections_.empty() && refusals_.is_empty(); }
 
-  /// Everybody who watches.
   SubscriberHub& subscribers() { return service_.subscribers(); }
 
  private:

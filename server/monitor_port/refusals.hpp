@@ -1,5 +1,5 @@
-// Connections beyond the limit of the monitor port: each is told that it is full in the language that it
-// speaks, and closed. It knows no cell.
+// Connections beyond the limit of the monitor port: each receives an error in its protocol and is
+// closed. Independent of the cell.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +14,14 @@ namespace xr3 {
 
 class Refusals {
  public:
-  /// That many are listened to at once; those beyond are closed without a word.
+  /// Maximum number at once; further connections are closed without an error.
   static constexpr std::size_t kMax = 64;
 
-  /// `ended` is called when one has been told.
+  /// `ended` is called when a refused connection has ended.
   explicit Refusals(std::function<void()> ended) : ended_(std::move(ended)) {}
 
-  /// Waits up to a second for its first bytes: HTTP gets a 503, all else `bye`.
+  /// Waits up to 1 s for the first bytes, then sends status 503 to HTTP, nothing to TLS, and `bye`
+  /// otherwise.
   void add(tcp::socket socket);
   /// Closes them all.
   void abort();

@@ -42,7 +42,7 @@ std::optional<monitor::RequestError> check_access(const MonitorSession& session,
   return std::nullopt;
 }
 
-/// What holds from now on, as the answer to a `sub`.
+/// The `result` of a `sub`: the parameters in effect.
 Json terms(const std::string& cell, const monitor::Subscribe& wanted, std::int64_t since) {
   const Channel channel = wanted.selection.channel;
   Json value = {{"cell", cell}, {"channel", monitor::name_of(channel)}};

@@ -1,5 +1,5 @@
-// What the monitor's clients ask of the cell, carried out: requests in, messages into their lanes. It
-// knows no connection; all sessions, whatever carries them, share one service.
+// Carries out the requests of monitor sessions on the cell, and queues the answers. All sessions
+// share one service, which is independent of their transport (JSON lines or WebSocket).
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@ namespace xr3 {
 
 class MonitorService {
  public:
-  /// `acted` is called after each call. All of them outlive it.
+  /// `acted` is called after each call. The references must outlive the service.
   MonitorService(asio::io_context& io, Cell& cell, RobotPort& robot_port,
                  const AccessPolicy& policy, std::function<void()> acted);
 
@@ -31,27 +31,27 @@ class MonitorService {
   // --- Sessions.
 
   void add(MonitorSession& session) { subscribers_.add(session); }
-  /// Closes what the session had opened.
+  /// Also closes the session's own line.
   void remove(MonitorSession& session);
   Access first_access() const;
-  /// The first message of a connection.
+  /// The first message of a session.
   monitor::Message hello(const MonitorSession& session);
 
-  /// Why the session may not ask for this, whatever else may be wrong with it. Only the heading of the message
-  /// is looked at: what comes from who may not ask costs nothing.
+  /// The error if the session lacks the access for this request; else nullopt, even if the request
+  /// is invalid. Parses only the heading, so that requests without access are cheap.
   std::optional<monitor::RequestError> refuse(const MonitorSession& session,
                                               std::string_view message) const;
 
-  /// Carries out a request and answers it. A call with `after` waits; nothing else does. The session
-  /// must still be there when it is done.
+  /// Carries out a request and answers it. Only a call with `after` waits. The session must outlive
+  /// the coroutine.
   asio::awaitable<void> carry_out(MonitorSession& session, monitor::Request request);
 
-  /// A frame of the cell as it is now, or null for an image where there is no camera.
+  /// The current frame of the cell; nullptr for an image if there is no camera.
   const monitor::Frame* look(const monitor::Selection& selection);
 
   SubscriberHub& subscribers() { return subscribers_; }
 
-  /// What cell and sessions have counted.
+  /// The statistics of the cell and of the sessions.
   CellCounters counters() const;
 
  private:
@@ -71,7 +71,7 @@ class MonitorService {
   monitor::Message list_lines(const monitor::Request& request);
   monitor::Message disconnect(const monitor::Request& request);
   monitor::Message done(const monitor::Request& request, const call::Done& done);
-  /// Epoch and tick, which every value begins with.
+  /// Epoch and tick, the first members of the value of each call.
   Json value_now() const;
 
   Cell& cell_;

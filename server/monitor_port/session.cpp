@@ -9,7 +9,7 @@ namespace xr3 {
 MonitorSession::MonitorSession(MonitorService& service, MessageSink& sink)
     : service_(service), client_(service.cells()), sink_(sink), access_(service.first_access()) {
   client_.send(service_.hello(*this));
-  service_.add(*this);  // last: if this throws, nobody knows the session
+  service_.add(*this);  // last: if anything throws, the session is not registered
 }
 
 MonitorSession::~MonitorSession() { service_.remove(*this); }

@@ -1,5 +1,5 @@
-// One client of the monitor, whatever carries it: JSON lines and WebSocket are thin shells around this.
-// Messages go in, messages come out; what it had opened is closed when it is destroyed.
+// One client of the monitor, independent of its transport (JSON lines or WebSocket): requests in,
+// messages out. The destructor closes the line that the session has opened.
 #pragma once
 
 #include <optional>
@@ -15,43 +15,43 @@ namespace xr3 {
 
 class MonitorService;
 
-/// What a client may do: look, and with the token, or where none is needed, call.
+/// What a session may do: nothing, read, or read and call. It depends on the token.
 enum class Access : std::uint8_t { kNone, kRead, kControl };
 
 class MonitorSession {
  public:
-  /// Says hello. Both outlive the session; the sink is told when there is output.
+  /// Sends `hello`. Service and sink must outlive the session; the sink is notified of output.
   MonitorSession(MonitorService& service, MessageSink& sink);
   MonitorSession(const MonitorSession&) = delete;
   MonitorSession& operator=(const MonitorSession&) = delete;
   ~MonitorSession();
 
-  /// Carries out one message and puts what it is answered into the queue; the next one may be taken when
-  /// that is done, and is_full() does not hold.
+  /// Carries out one message and queues the answer. Preconditions: the previous call has finished,
+  /// and is_full() is false.
   asio::awaitable<void> handle(std::string_view message);
 
-  /// The message that is to go out next, or null.
+  /// The next message to send, or nullptr.
   monitor::Message next_output();
 
-  /// No request may be taken until the client has taken some of its answers.
+  /// The queue is full: no request may be handled until the client has read some answers.
   bool is_full() const { return client_.is_full(); }
-  /// The last message has been put into the queue: when it is out, the connection ends.
+  /// The last message is queued; once it is sent, the transport closes the connection.
   bool has_ended() const { return client_.has_ended(); }
-  /// Why; nothing where it has not.
+  /// nullopt unless has_ended().
   std::optional<monitor::CloseReason> close_reason() const { return client_.close_reason(); }
-  /// It still follows a channel: messages may come although nothing is asked any more.
+  /// The session has a subscription, so messages can follow without further requests.
   bool follows_anything() const { return client_.follows_anything(); }
 
-  /// Says bye.
+  /// Queues `bye`.
   void end(monitor::CloseReason why);
   void end(monitor::LineFault fault);
 
   // --- For the service and the subscribers.
 
   monitor::Client& client() { return client_; }
-  /// There is output.
+  /// Notifies the transport of output.
   void wake() { sink_.pump(); }
-  /// It will be served soon: brings what that will touch, at one depth.
+  /// Prefetches the memory, at one depth, that serving this session will access.
   void prefetch(Depth depth) const;
 
   Access access() const { return access_; }
@@ -59,7 +59,7 @@ class MonitorSession {
   /// Counts a wrong token; returns how many there were.
   int note_wrong_token() { return ++wrong_tokens_; }
 
-  /// The line that its first `send` opened.
+  /// The line opened by its first `send`.
   std::optional<LineId> own_line() const { return own_line_; }
   void set_own_line(LineId line) { own_line_ = line; }
 

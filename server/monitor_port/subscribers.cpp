@@ -12,15 +12,15 @@ namespace {
 
 constexpr WallNs kSecond = 1'000'000'000;
 
-// Sessions that a robot line may have to wait for: some 25 us. More would be felt, fewer cost a system
-// call each.
+// Number of sessions served, in some 25 us, before robot lines get a turn. More would be
+// noticeable; each turn costs a system call.
 constexpr std::size_t kSessionsBetween = 4;
 
-// While time runs everybody is looked after at least so often: what time brings (a stall, a line that
-// is told of) comes within a few hundredths of a second.
+// Maximum distance of two rounds while time runs, so that events caused by time (such as a stall)
+// arrive within a few hundredths of a second.
 constexpr monitor::FrameNumber kMaxFramesApart = 2;
 
-/// The first moment of a frame.
+/// The wall time at which a frame begins.
 WallNs start_of(monitor::FrameNumber frame) {
   return (frame * kSecond + monitor::kFramesPerSecond - 1) / monitor::kFramesPerSecond;
 }
@@ -40,7 +40,8 @@ SubscriberHub::AllChannelStats SubscriberHub::channel_stats() const {
   return sum;
 }
 
-// Seconds and the rest of one apart: a product of all nanoseconds would not fit.
+// Converts seconds and the fraction separately, since the product of all nanoseconds would
+// overflow.
 monitor::FrameNumber SubscriberHub::wall_frame() {
   const WallNs wall = wall_now();
   return wall / kSecond * monitor::kFramesPerSecond +
@@ -61,7 +62,7 @@ bool SubscriberHub::has_followers() const {
                      [](const MonitorSession* session) { return session->follows_anything(); });
 }
 
-// --- When.
+// --- Timing.
 
 void SubscriberHub::acted() {
   vital("the sessions", [this] { wake_soon(); });
@@ -76,7 +77,7 @@ void SubscriberHub::wake_soon() {
   if (runs && armed_ == Wake::kNone) arm_second();
 }
 
-// At once where this frame has not been served yet, so that who waits for an answer need not wait.
+// Serves at once if the current frame has not been served yet, so that messages are not delayed.
 void SubscriberHub::arm_frame() {
   const monitor::FrameNumber now = wall_frame();
   if (now == frame_) return arm_at(now + 1);
@@ -106,7 +107,7 @@ void SubscriberHub::stop() {
   timer_.cancel();
 }
 
-// --- What.
+// --- Serving.
 
 void SubscriberHub::beat() {
   armed_ = Wake::kNone;
@@ -136,7 +137,7 @@ void SubscriberHub::serve_some() {
   end_round();
 }
 
-/// The sessions whose turns come next: the farthest itself, each nearer one a depth more.
+/// Prefetches for the next sessions: the farthest one at depth 0, each nearer one a depth more.
 void SubscriberHub::prefetch() const {
   for (std::size_t depth = 0; depth < kDepths; ++depth) {
     const std::size_t ahead = next_ + kDepths - depth;
@@ -155,7 +156,8 @@ void SubscriberHub::serve(MonitorSession& session) {
   if (has_frame || session.client().has_output(frame_)) session.wake();
 }
 
-/// Whether the client has, or will have, all that there is. Until it is due no text is made for it.
+/// Offers the current frame. Returns whether the subscription is settled. Called only when it is
+/// due, so that no frame is encoded in vain.
 bool SubscriberHub::look(monitor::FrameSubscription& subscription) {
   const monitor::Frame* frame = frames_.current(subscription.wanted().selection);
   if (frame == nullptr) return true;

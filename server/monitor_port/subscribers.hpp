@@ -1,7 +1,8 @@
-// Everybody who watches a cell, and when they are served: on a grid of 1/60 s, at the points where
-// somebody is due, only while something that somebody follows may have changed, and a few of them at a time, so that a robot line never waits
-// behind a thousand sessions. Without followers a moving cell is brought up to date once a second, for
-// the log and the rings. At rest nothing wakes.
+// The monitor sessions of a cell, and the schedule for serving them: on a grid of 1/60 s, at the
+// points where a subscription is due, only while a subscribed channel may have changed. A few
+// sessions are served at a time, so that a robot line never waits for a thousand of them. Without
+// subscriptions, a moving cell is advanced once a second, for the log and the rings. At rest no
+// timer runs.
 #pragma once
 
 #include <cstddef>
@@ -22,24 +23,24 @@ class SubscriberHub {
   /// Sessions served in one turn of the loop.
   static constexpr std::size_t kFairShare = 64;
 
-  /// All of them outlive it. `between` is called between two sessions: what must not wait for all.
+  /// The references must outlive it. `between` is called after every few sessions, for work that
+  /// must not wait for all of them.
   SubscriberHub(asio::io_context& io, Cell& cell, FrameCache& frames, std::function<void()> between)
       : io_(io), timer_(io), cell_(cell), frames_(frames), between_(std::move(between)) {}
 
   void add(MonitorSession& session) { sessions_.push_back(&session); }
   void remove(MonitorSession& session);
 
-  /// Something has acted on the cell, or a session follows something else than before: everybody is
-  /// served at the next point of the grid.
+  /// The cell or a subscription has changed: serves all sessions at the next point of the grid.
   void acted();
   void stop();
 
-  /// The point of the grid at which we are; that of the round while one is under way.
+  /// The current point of the grid; during a round, the point of the round.
   monitor::FrameNumber now() const { return is_serving_ ? frame_ : wall_frame(); }
 
   std::size_t size() const { return sessions_.size(); }
 
-  /// What sessions were given since the server started, by monitor::Channel.
+  /// The statistics of all sessions since the server started, by monitor::Channel.
   using AllChannelStats = std::array<monitor::ChannelStats, monitor::kChannels>;
   AllChannelStats channel_stats() const;
 
@@ -68,15 +69,15 @@ class SubscriberHub {
   std::function<void()> between_;
   std::vector<MonitorSession*> sessions_;
   Wake armed_ = Wake::kNone;
-  monitor::FrameNumber armed_frame_ = 0;  ///< where it is kFrame
+  monitor::FrameNumber armed_frame_ = 0;  ///< if armed_ is kFrame
   bool is_stopped_ = false;
-  bool is_serving_ = false;          ///< a round is under way
-  bool has_acted_ = false;           ///< meanwhile something has acted
-  bool is_settled_ = true;           ///< nobody of this round waits for a later frame
-  monitor::FrameNumber due_ = 0;     ///< when the first of this round wants to look again
-  std::size_t next_ = 0;             ///< session of the round that comes next
+  bool is_serving_ = false;          ///< during a round
+  bool has_acted_ = false;           ///< acted() was called during the round
+  bool is_settled_ = true;           ///< no session of this round waits for a later frame
+  monitor::FrameNumber due_ = 0;     ///< the earliest due frame of this round's sessions
+  std::size_t next_ = 0;             ///< index of the round's next session
   monitor::FrameNumber frame_ = -1;  ///< of the last round
-  AllChannelStats gone_{};           ///< of sessions that have left
+  AllChannelStats gone_{};           ///< of removed sessions
 };
 
 }  // namespace xr3

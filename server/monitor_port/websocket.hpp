@@ -1,5 +1,5 @@
 // A monitor session over WebSocket (Boost.Beast): each text message is one JSON object. Only
-// websocket.cpp and http_wire.cpp include Beast.
+// websocket.cpp and server/http/wire.cpp include Beast.
 #pragma once
 
 #include <chrono>

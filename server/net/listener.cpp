@@ -10,7 +10,7 @@
 namespace xr3 {
 namespace {
 
-// When the process has run out of descriptors: long enough for some to be closed.
+// Delay after the process has run out of descriptors: some may be closed by then.
 constexpr std::chrono::milliseconds kRetryAfter{100};
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Accepts TCP connections: by itself as they come, or all pending ones at once when asked.
+// Accepts TCP connections: as they arrive, or all pending ones on request.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace xr3 {
 
-/// Address and port for people: `127.0.0.1:9600`, `[::1]:9600`.
+/// Address and port as text: `127.0.0.1:9600`, `[::1]:9600`.
 std::string to_text(const tcp::endpoint& endpoint);
 
 class Listener {
@@ -21,13 +21,13 @@ class Listener {
   Listener(asio::io_context& io, const char* name, Accepted accepted)
       : io_(io), name_(name), retry_(io), accepted_(std::move(accepted)) {}
 
-  /// Binds and starts to accept, beside the endpoints that are open already. Returns what went wrong;
-  /// that endpoint is not open then.
+  /// Binds and starts to accept, in addition to the endpoints that are already open. Returns the
+  /// error; the endpoint is then not open.
   ErrorCode listen(const tcp::endpoint& endpoint);
-  /// The first one.
+  /// The first endpoint that was opened.
   tcp::endpoint endpoint() const { return endpoint_; }
 
-  /// Takes every connection that waits in the kernel.
+  /// Accepts every connection that is pending in the kernel.
   void accept_pending();
   void close();
 

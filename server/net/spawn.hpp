@@ -1,5 +1,5 @@
-// Starts every coroutine that nobody awaits, so that no exception is lost: a loop's exception ends the
-// process, a session's exception ends its connection. (co_spawn with `detached` swallows both.)
+// Starts coroutines that are not awaited, without losing exceptions: an exception of a loop ends
+// the process, one of a session ends its connection. (co_spawn with `detached` discards both.)
 #pragma once
 
 #include <functional>
@@ -8,13 +8,14 @@
 
 namespace xr3 {
 
-/// Starts a loop that the process needs. An exception out of it leaves the run() of its context as a
-/// VitalFailure that begins with `name`. The name is a literal.
+/// Starts a loop that the process needs. An exception from it leaves io_context::run() as a
+/// VitalFailure whose text begins with `name`, a string literal.
 void spawn_loop(const asio::any_io_executor& executor, const char* name,
                 asio::awaitable<void> loop);
 
-/// Starts what serves one connection; calls `ended` when it has returned or failed. A failure is logged
-/// with the name, and ends nothing else; a VitalFailure leaves run() as that of a loop does.
+/// Starts a coroutine that serves one connection; calls `ended` when it has returned or failed. A
+/// failure is logged with the name and ends nothing else, except that a VitalFailure leaves
+/// io_context::run().
 void spawn_session(const asio::any_io_executor& executor, const char* name,
                    asio::awaitable<void> session, std::function<void()> ended);
 
