@@ -8,8 +8,8 @@
 namespace xr3 {
 namespace {
 
-// Rows that are drawn by themselves before the whole picture is. A row costs each block's corners, as
-// the whole picture does: after so many the whole one has paid.
+// Number of rows drawn separately before the whole image is drawn. A row projects the corners of
+// each block, as the whole image does, so after this many rows the whole image is cheaper.
 constexpr int kMaxParts = 2;
 
 }  // namespace
@@ -46,7 +46,7 @@ bool CameraCache::needs_only_a_part() {
   return true;
 }
 
-// --- What is kept, and whether it is still true.
+// --- Validation.
 
 void CameraCache::compare(const Model& model, const State& state) {
   if (std::exchange(is_compared_, true)) return;

@@ -1,6 +1,6 @@
-// The camera's last picture, kept so that it is made once for a state however often it is asked for.
-// A picture is a pure function of camera, work surface and blocks, so a cache never changes an
-// answer; it is no part of the state.
+// Caches the camera's last image, so that it is rendered once per state, however often it is
+// requested. An image is a pure function of camera, work surface and blocks, so the cache never
+// changes a result; it is not part of the state.
 #pragma once
 
 #include <cstdint>
@@ -16,28 +16,29 @@ namespace xr3 {
 
 class CameraCache {
  public:
-  /// What is kept is compared with the model and the state at the next question. Without this call it
-  /// counts as true, so that a question costs no look at ten thousand blocks.
+  /// Call after any change of model or state: the next request then compares the cache with both.
+  /// Otherwise the cache is assumed to be valid, so that a request does not examine ten thousand
+  /// blocks.
   void touch() { is_compared_ = false; }
 
-  /// camera_image(). Valid as long as somebody holds it.
+  /// camera_image(), shared.
   ImagePtr image(const Model& model, const State& state);
-  /// camera_row(); cut out of the whole picture where there is one.
+  /// camera_row(); copied from the whole image if it is cached.
   Image row(const Model& model, const State& state, int row);
-  /// camera_pixel(); read in the whole picture where there is one.
+  /// camera_pixel(); read from the whole image if it is cached.
   bool pixel(const Model& model, const State& state, int column, int row);
 
-  /// How often blocks were drawn: whole pictures, rows, and a held block onto the others.
+  /// The number of renderings: whole images, rows, and a held block drawn onto the others.
   std::uint64_t renders() const { return renders_; }
 
  private:
-  /// Where a block rests.
+  /// Size and placement of a block.
   struct Place {
     PointUm size_um;
     PointUm centroid_um;
     Microdegrees yaw_udeg = 0;
   };
-  /// All that the blocks at rest look like.
+  /// Everything that determines the image of the blocks at rest.
   struct Scene {
     Camera camera;
     Micrometres work_surface_um = 0;
@@ -54,10 +55,10 @@ class CameraCache {
 
   std::optional<Scene> scene_;
   std::optional<BlockCorners> held_corners_;
-  ImagePtr resting_;          ///< the blocks of the scene without the held one, or null
-  ImagePtr whole_;            ///< the whole picture, or null
-  bool is_compared_ = false;  ///< with the model and the state as they are now
-  int parts_ = 0;             ///< rows that were drawn by themselves in this scene
+  ImagePtr resting_;          ///< the blocks of the scene without the held one, or nullptr
+  ImagePtr whole_;            ///< the whole image, or nullptr
+  bool is_compared_ = false;  ///< with the current model and state
+  int parts_ = 0;             ///< rows drawn separately in this scene
   std::uint64_t renders_ = 0;
 };
 

@@ -6,7 +6,7 @@
 namespace xr3 {
 namespace {
 
-/// Products of three lengths, or of two lengths and two numbers of pixels, fit with room to spare.
+/// Holds products of three lengths, or of two lengths and two numbers of pixels, with a margin.
 __extension__ using Wide = __int128;
 
 struct Quotient {
@@ -14,14 +14,14 @@ struct Quotient {
   Wide rest;  ///< 0 <= rest < divisor
 };
 
-/// divisor > 0.
+/// Precondition: divisor > 0.
 Quotient divide(Wide number, Wide divisor) {
   const Wide quotient = number / divisor;
   const Wide rest = number % divisor;
   return rest < 0 ? Quotient{quotient - 1, rest + divisor} : Quotient{quotient, rest};
 }
 
-/// > 0: c lies to the left of the way from a to b, as seen along it with x right and y up.
+/// > 0 if c lies to the left of the directed line from a to b, with x right and y up.
 Wide turn(const SurfacePoint& a, const SurfacePoint& b, const SurfacePoint& c) {
   return static_cast<Wide>(b.x - a.x) * (c.y - a.y) - static_cast<Wide>(b.y - a.y) * (c.x - a.x);
 }
@@ -64,7 +64,7 @@ CameraFill::CameraFill(const Camera& camera, Image onto)
       begins_(static_cast<std::size_t>(image_.height())) {}
 
 // The centre of row r lies at y = location.y + field_y / 2 - (2 r + 1) field_y / (2 pixels_y).
-// This is the lowest row of the picture (of ours, or the one above them) whose centre is at y or above.
+// Returns the lowest row whose centre is at y or above, clamped to our rows and the row above them.
 int CameraFill::last_row_above(Micrometres y) const {
   const Wide pixels = camera_.pixels_y;
   const Wide number = 2 * pixels * (camera_.location_um.y - y) + (pixels - 1) * camera_.field_y_um;
@@ -72,10 +72,10 @@ int CameraFill::last_row_above(Micrometres y) const {
                  first_row_ + image_.height() - 1);
 }
 
-// Calls take(row, column) for each row whose centre has low.y <= y < high.y: the column is the first
-// whose centre has at least the x of the edge from low to high there, cut to the picture's width. The
-// column is a quotient linear in the row: one division gives its start, one its step, and then
-// quotient and rest are carried along from row to row.
+// Calls take(row, column) for each row whose centre has low.y <= y < high.y. The column is the
+// first one whose centre is not left of the edge from low to high, clamped to the image's width. It
+// is a quotient that is linear in the row: one division gives the first quotient, one the step, and
+// then quotient and rest are updated from row to row.
 template <class Take>
 void CameraFill::walk(const SurfacePoint& low, const SurfacePoint& high, Take take) const {
   const int begin = last_row_above(high.y) + 1;
@@ -89,7 +89,7 @@ void CameraFill::walk(const SurfacePoint& low, const SurfacePoint& high, Take ta
                      (height - 1 - 2 * static_cast<Wide>(begin)) * camera_.field_y_um;
   const Wide right = 2 * width * (low.x - camera_.location_um.x) + (width - 1) * camera_.field_x_um;
   const Wide divisor = 2 * camera_.field_x_um * height * rise;
-  // The least whole column is a quotient rounded up: adding divisor - 1 lets it be rounded down.
+  // The column is a quotient rounded up: adding divisor - 1 allows rounding down.
   Quotient column = divide(right * height * rise + width * drift * below + divisor - 1, divisor);
   const Quotient step = divide(-2 * width * drift * camera_.field_y_um, divisor);
   for (int row = begin; row < end; ++row) {

@@ -1,5 +1,5 @@
-// Convex shapes on the work surface into pixels by exact integer arithmetic: no rounding after the
-// corners' own. It knows nothing of blocks or of how their corners came to lie there.
+// Rasterizes convex shapes on the work surface with exact integer arithmetic: only their corners
+// are rounded. Independent of blocks and projections.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace xr3 {
 
-/// A point of the work surface in base coordinates; within 10^15 micrometres of the camera's.
-/// The order is upwards, and to the right among equally high ones.
+/// A point of the work surface in base coordinates, at most 10^15 micrometres from the camera's
+/// location. Ordered by y, then by x.
 struct SurfacePoint {
   Micrometres y = 0;
   Micrometres x = 0;
@@ -23,18 +23,19 @@ struct SurfacePoint {
 inline constexpr std::size_t kBoxCorners = 8;
 using BoxCorners = std::array<SurfacePoint, kBoxCorners>;
 
-/// Rows first_row, first_row + 1, ... of what a camera sees.
+/// Rows first_row, first_row + 1, ... of a camera's image.
 class CameraFill {
  public:
-  /// 0 <= first_row, first_row + rows <= camera.pixels_y.
+  /// Precondition: 0 <= first_row and first_row + rows <= camera.pixels_y.
   CameraFill(const Camera& camera, int first_row, int rows);
-  /// All rows, drawn onto a picture of the camera's size.
+  /// All rows, drawn onto an image of the camera's size.
   CameraFill(const Camera& camera, Image onto);
 
-  /// Sets the pixels whose centres lie in the convex hull of the corners: low edges in, high edges out.
+  /// Sets the pixels whose centres lie in the convex hull of the corners. Edges at low x and y
+  /// belong to it, those at high x and y do not.
   void add(BoxCorners corners);
 
-  /// The picture, once nothing more is added.
+  /// Moves the image out; no add() may follow.
   Image take_image() { return std::move(image_); }
 
  private:
@@ -45,7 +46,7 @@ class CameraFill {
   Camera camera_;
   int first_row_;
   Image image_;
-  std::vector<int> begins_;  ///< of each row: its first column in the shape that is being added
+  std::vector<int> begins_;  ///< per row: the first column of the shape being added
 };
 
 }  // namespace xr3

@@ -8,13 +8,13 @@
 namespace xr3 {
 namespace {
 
-/// The nearest whole number, halves away from zero. divisor > 0.
+/// The quotient rounded to nearest, halves away from zero. Precondition: divisor > 0.
 Micrometres rounded(Micrometres number, Micrometres divisor) {
   const Micrometres half = divisor / 2;
   return (number < 0 ? number - half : number + half) / divisor;
 }
 
-/// Along the line of sight from the camera through the corner, onto the work surface.
+/// Projects a corner onto the work surface, `height_um` below the camera.
 SurfacePoint seen_from(const PointUm& eye, Micrometres height_um, const PointUm& corner) {
   const Micrometres depth = std::max(eye.z - corner.z, kNearestSightUm);
   return {eye.y + rounded((corner.y - eye.y) * height_um, depth),

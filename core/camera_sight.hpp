@@ -1,5 +1,5 @@
-// How the camera sees one block: its corners in the base frame, and these onto the work surface. It
-// decides what is drawn, not when; whole pictures are camera.hpp's, kept ones camera_cache.hpp's.
+// The camera's view of one block: its corners in the base frame, and their projection onto the work
+// surface. camera.hpp renders whole images, camera_cache.hpp caches them.
 #pragma once
 
 #include <array>
@@ -13,10 +13,10 @@ namespace xr3 {
 /// The corners of a block in the base frame, in whole micrometres.
 using BlockCorners = std::array<PointUm, kBoxCorners>;
 
-/// As the block lies, or hangs in the jaws, now.
+/// The corners of a block at its current pose, also if it is held.
 BlockCorners corners_of(const Model& model, const State& state, std::size_t block);
 
-/// Draws a block as the workcell's camera sees it. The workcell has a camera.
+/// Draws a block as the workcell's camera sees it. Precondition: the workcell has a camera.
 void draw(const Workcell& workcell, const BlockCorners& corners, CameraFill& fill);
 
 }  // namespace xr3

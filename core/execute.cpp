@@ -149,7 +149,7 @@ class Executor {
     update_blocked(model_, state_, positions(model_, state_.motors), events_);
   }
 
-  // There is a camera and it has such a pixel; a warning says so otherwise.
+  // Whether there is a camera with such a pixel. If not, emits a warning.
   bool has_pixel(int column, int row) {
     const auto& camera = model_.workcell().camera;
     const bool has =

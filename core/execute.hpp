@@ -1,5 +1,5 @@
-// What each command does to the machine (paper, Tables VI and VII; hardware for K...R). The only
-// way in which a serial line changes a state.
+// The effect of each command on the machine (paper, Tables VI and VII; hardware for K...R). Serial
+// lines change the state only through execute().
 #pragma once
 
 #include "core/camera_cache.hpp"
@@ -10,13 +10,13 @@
 
 namespace xr3 {
 
-/// Carries out a command at the state's tick. Labels without a joint behind them take every command,
-/// do nothing, answer like a joint at rest and raise a warning. `camera` has been told of every change
-/// since it was asked last.
+/// Executes a command at the state's tick. A label without a joint accepts every command, does
+/// nothing, replies like a joint at rest and emits a warning. Precondition: camera.touch() was
+/// called after any change since the cache was used.
 Reply execute(const Model& model, State& state, const Command& command, Events& events,
               CameraCache& camera);
 
-/// It asks only what the camera sees, and so changes nothing that it sees.
+/// Whether the command only reads the camera, and so changes nothing that the camera sees.
 bool is_camera_inquiry(const Command& command);
 
 /// Sets input line 1...8 from outside.

@@ -1,5 +1,5 @@
-// A binary picture, as the camera takes it: a plain value of packed bits. It knows nothing of blocks,
-// of lengths, or of how a picture is sent or stored.
+// A binary image, as the camera takes it: a plain value of packed bits. Independent of blocks,
+// units and formats.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +11,10 @@
 
 namespace xr3 {
 
-/// Columns count from the left, rows from the top, both from 0.
+/// Columns are numbered from the left, rows from the top, both from 0.
 class Image {
  public:
-  /// All pixels 0. width and height: 0 or above.
+  /// All pixels are 0. Precondition: width and height are not negative.
   Image(int width, int height)
       : width_(width),
         height_(height),
@@ -24,7 +24,7 @@ class Image {
   int width() const { return width_; }
   int height() const { return height_; }
 
-  /// A pixel within the picture.
+  /// Precondition: the pixel is within the image.
   bool at(int column, int row) const {
     return (word(column, row) >> (static_cast<unsigned>(column) % kBits) & 1U) != 0;
   }
@@ -38,21 +38,22 @@ class Image {
     return pixels;
   }
 
-  /// The pixels of a row, kWordBits a word, the leftmost of them in the lowest bit; bits behind the last
+  /// The pixels of a row, kWordBits per word, the leftmost in the lowest bit; bits after the last
   /// pixel are 0.
   std::span<const std::uint64_t> words(int row) const {
     return {words_.data() + static_cast<std::size_t>(row) * words_a_row_, words_a_row_};
   }
   static constexpr int kWordBits = 64;
 
-  /// One row of the picture as a picture of its own, one pixel high.
+  /// One row as an image one pixel high.
   Image row_image(int row) const {
     Image cut(width_, 1);
     std::ranges::copy(words(row), cut.words_.begin());
     return cut;
   }
 
-  /// Sets the pixels begin <= column < end of a row, 0 <= begin, end <= width; none if end <= begin.
+  /// Sets the pixels begin <= column < end of a row; none if end <= begin. Precondition: 0 <= begin
+  /// and end <= width.
   void fill(int row, int begin, int end) {
     while (begin < end) {
       const unsigned first = static_cast<unsigned>(begin) % kBits;
@@ -78,11 +79,10 @@ class Image {
   int width_;
   int height_;
   std::size_t words_a_row_;
-  std::vector<std::uint64_t>
-      words_;  ///< each row begins a word; its leftmost pixel is the lowest bit
+  std::vector<std::uint64_t> words_;  ///< each row starts a new word; see words()
 };
 
-/// A picture that is shared and never changes.
+/// A shared, immutable image.
 using ImagePtr = std::shared_ptr<const Image>;
 
 }  // namespace xr3

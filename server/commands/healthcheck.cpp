@@ -22,21 +22,21 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Health = HealthProbe::Health;
 
-/// One try takes no longer than this.
+/// Maximum time of one attempt.
 constexpr std::chrono::seconds kMaxWait{2};
-/// Nobody tells us when a port is opened or a file written.
+/// Polling interval: there is no notification of an opened port or a written file.
 constexpr std::chrono::milliseconds kBeforeNextTry{20};
 
-/// One try, as far as it has come.
+/// The progress of one attempt.
 struct Visit {
   enum class Stage : std::uint8_t { kConnecting, kRefused, kTalking };
   Stage stage = Stage::kConnecting;
-  std::string refusal;  ///< the system's words
+  std::string refusal;  ///< the system's error message
   HealthProbe probe;
-  std::string readiness;  ///< what /readyz answers
+  std::string readiness;  ///< the response of /readyz
 };
 
-/// A connection, or nothing where it is refused.
+/// Connects; nullptr if refused.
 asio::awaitable<std::unique_ptr<MonitorSocket>> connect(asio::io_context& context,
                                                         const tcp::endpoint& place, Visit& visit) {
   tcp::socket connecting(context);
@@ -50,7 +50,7 @@ asio::awaitable<std::unique_ptr<MonitorSocket>> connect(asio::io_context& contex
   co_return std::make_unique<MonitorSocket>(std::move(connecting));
 }
 
-/// Takes hello, and the answer to a ping.
+/// Receives `hello` and the answer to a ping.
 asio::awaitable<void> greet(MonitorSocket& socket, HealthProbe& probe) {
   std::string to_send = HealthProbe::opening();
   while (probe.health() == Health::kUnknown) {
@@ -62,7 +62,7 @@ asio::awaitable<void> greet(MonitorSocket& socket, HealthProbe& probe) {
   }
 }
 
-/// Asks whether the server takes work: it asks itself down a line.
+/// Requests /readyz, for which the server probes its own robot port. Returns the response.
 asio::awaitable<std::string> ask_ready(MonitorSocket& socket, const tcp::endpoint& place) {
   std::string answer;
   const std::string request = ready_request(to_text(place));
@@ -96,7 +96,7 @@ std::string trouble_of(const Visit& visit, const tcp::endpoint& place) {
   return trouble.empty() ? trouble : who + " " + trouble;
 }
 
-/// One try. Nothing: it is healthy; otherwise what came instead.
+/// One attempt. Returns the problem, or empty if the server is healthy.
 std::string ask(const tcp::endpoint& place, Clock::time_point deadline) {
   Visit result;
   asio::io_context context;
@@ -105,13 +105,13 @@ std::string ask(const tcp::endpoint& place, Clock::time_point deadline) {
   return trouble_of(result, place);
 }
 
-/// What came instead of a good answer, or nothing, and what this is called.
+/// The result of an attempt: the problem, empty if there is none, and its exit code.
 struct Outcome {
   std::string trouble;
   ExitCode code = ExitCode::kNoServer;
 };
 
-/// A port file that is not there may be to come with its server; one that names no port is wrong.
+/// A missing port file may still be written by its server; one without a port is invalid.
 Outcome try_once(const HealthOptions& options, Clock::time_point deadline) {
   const auto address = asio::ip::make_address(address_to_ask(options.listen));
   try {
@@ -141,7 +141,7 @@ ExitCode check_health(const HealthOptions& options) {
   for (;;) {
     const Outcome outcome = try_once(options, std::min(deadline, Clock::now() + kMaxWait));
     if (outcome.trouble.empty()) return ExitCode::kGood;
-    // (twice, so that the last try has some time itself)
+    // (twice, to leave some time for the last attempt)
     if (is_one_try || Clock::now() + 2 * kBeforeNextTry > deadline) return fail(outcome);
     std::this_thread::sleep_for(kBeforeNextTry);
   }

@@ -45,8 +45,7 @@ Colors colors_of(const WatchOptions& options) {
   return is_unwanted ? Colors::kNo : Colors::kYes;
 }
 
-/// Looks on until it is told to stop: paints after every piece of news, and connects anew after every
-/// loss.
+/// Runs until stopped: repaints after each message, and reconnects after each lost connection.
 class Watcher {
  public:
   Watcher(asio::io_context& context, const WatchOptions& options)
@@ -132,7 +131,7 @@ class Watcher {
     terminal_.show(watch::watch_screen(model_.known(), link_, page_, size.rows, size.columns));
   }
 
-  /// Ends all that is waited for, so that nothing is left to run.
+  /// Cancels everything pending, so that the event loop ends.
   void stop() {
     is_stopping_ = true;
     connection_.close();
@@ -145,7 +144,7 @@ class Watcher {
   watch::WatchModel model_;
   WatchConnection connection_;
   asio::steady_timer before_next_try_;
-  // Signals are taken before the terminal is: what is taken, ncurses leaves alone.
+  // Before the terminal: ncurses does not replace signal handlers that exist already.
   asio::signal_set signals_;
   asio::signal_set resizes_;
   asio::posix::stream_descriptor keyboard_;

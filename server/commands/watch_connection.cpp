@@ -10,7 +10,7 @@ namespace xr3 {
 namespace {
 
 constexpr std::chrono::seconds kMaxWait{5};
-/// An image of the greatest size fits.
+/// Enough for an image of the maximum size.
 constexpr std::size_t kMaxLineBytes = std::size_t{32} << 20U;
 
 }  // namespace
@@ -68,7 +68,7 @@ asio::awaitable<std::string> WatchConnection::connect() {
   co_return std::string{};
 }
 
-/// Gives every whole line to the model. False: the line that comes is too long.
+/// Passes every complete line to the model. Returns false if the incomplete line is too long.
 bool WatchConnection::feed(std::string_view bytes) {
   for (std::size_t end = 0; (end = bytes.find('\n')) != std::string_view::npos;) {
     line_ += bytes.substr(0, end);
@@ -116,7 +116,7 @@ void WatchConnection::close_when_due() {
   });
 }
 
-// Where nothing happens a server says nothing: whether it is still there, only a question tells.
+// A server sends nothing while nothing happens, so only a ping shows whether it is still there.
 void WatchConnection::ask_for_life() {
   has_heard_ = false;
   send(model_.ping());

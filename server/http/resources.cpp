@@ -29,7 +29,8 @@ constexpr std::string_view kReady = "/readyz";
 constexpr std::string_view kAssets = "/assets/";
 constexpr std::string_view kIcon = "/assets/icon.svg";
 
-// In place of a viewer that was not built. No style: the page may not have any in line.
+// The page if the viewer was not built. Without styles: the Content-Security-Policy forbids inline
+// ones.
 constexpr const char* kNoViewer = R"(<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>xr3</title></head><body>
 <h1>xr3 runs, but without its viewer</h1>
@@ -65,7 +66,7 @@ bool has_token(std::string_view list, std::string_view wanted) {
   return false;
 }
 
-/// 16 bytes in base64.
+/// Whether the key is 16 bytes in base64.
 bool is_websocket_key(std::string_view key) {
   constexpr std::string_view kLetters =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -83,7 +84,7 @@ Answer upgrade_required() {
 
 }  // namespace
 
-// --- Who is let in.
+// --- Access.
 
 std::optional<Answer> HttpResources::refuse(const Request& request) const {
   const auto hosts = request.values("Host");
@@ -121,10 +122,14 @@ std::optional<Answer> HttpResources::refuse_websocket(const Request& request) {
                            "offer xr3.v1, or none");
 }
 
-// --- What there is.
+// --- Routes.
 
 struct HttpResources::Route {
-  enum class Kind : std::uint8_t { kServer, kReading, kCell };  ///< whose; kCell takes ?cell=
+  enum class Kind : std::uint8_t {
+    kServer,
+    kReading,
+    kCell
+  };  ///< kServer needs no token; kCell accepts ?cell=
 
   std::string_view path;
   Kind kind;
@@ -166,7 +171,7 @@ asio::awaitable<Answer> HttpResources::answer(const Request& request) {
 Answer HttpResources::page(const Request& request) const {
   const std::string_view path = request.path();
   const bool is_root = path == "/";
-  const bool is_icon = path == "/favicon.ico";  // asked for by whatever shows a tab
+  const bool is_icon = path == "/favicon.ico";  // requested by browsers for the tab
   const bool is_page = is_root || is_icon || path.starts_with(kAssets);
   if (!is_page) return http::not_found("there is nothing here");
   const WebAsset asset = find_web_asset(is_root ? "/index.html" : is_icon ? kIcon : path);
@@ -222,7 +227,7 @@ Answer HttpResources::bitmap(const Request&) {
   return {200, "image/x-portable-bitmap", to_pbm(*cell_.camera_image()), {}};
 }
 
-// Up to 2 ms for the largest camera: too long for the lines that wait meanwhile.
+// Encoded in a thread: it takes up to 2 ms for the largest camera, too long for the event loop.
 asio::awaitable<Answer> HttpResources::png() {
   if (!cell_.model().workcell().camera) co_return no_camera();
   const auto paint = [](ImagePtr image) -> asio::awaitable<std::string> {

@@ -1,5 +1,5 @@
-// What there is to GET on the monitor port: the cell as it is now, pictures of it, the server's
-// health and counters, and the viewer's files. Nothing here changes anything. It knows no connection.
+// The HTTP resources of the monitor port: the current cell, pictures of it, health and metrics of
+// the server, and the viewer's files. Read-only. Independent of connections.
 #pragma once
 
 #include <boost/asio/thread_pool.hpp>
@@ -17,24 +17,24 @@ namespace xr3 {
 
 class HttpResources {
  public:
-  /// Why the server takes no work, as a sentence; nothing where it does.
+  /// Returns why the server is not ready, as a sentence; empty if it is ready.
   using NotReady = std::function<asio::awaitable<std::string>()>;
 
-  /// All of them outlive it. `not_ready` is what /readyz asks.
+  /// The references must outlive it. `not_ready` is called for /readyz.
   HttpResources(Cell& cell, MonitorService& service, const AccessPolicy& policy, NotReady not_ready)
       : cell_(cell), service_(service), policy_(policy), not_ready_(std::move(not_ready)) {}
 
-  /// Nothing is painted any more: the process ends.
+  /// Stops the thread that encodes images, for the end of the process.
   void stop();
 
-  /// Why a request is not let in, whatever it asks for: Host, Origin, method.
+  /// The error response for a forbidden Host, Origin or method, or an invalid target; else nullopt.
   std::optional<http::Answer> refuse(const http::Request& request) const;
 
-  /// The answer to a request that was let in. A PNG is made beside the loop, and /readyz asks down a
-  /// line; nothing else waits.
+  /// The answer to a request that refuse() accepts. Waits only for a PNG, which a thread encodes,
+  /// and for /readyz, which probes the robot port.
   asio::awaitable<http::Answer> answer(const http::Request& request);
 
-  /// Why a request for /ws cannot become a WebSocket.
+  /// The error response for an invalid WebSocket handshake; else nullopt.
   static std::optional<http::Answer> refuse_websocket(const http::Request& request);
 
  private:

@@ -1,6 +1,6 @@
 // HTTP/1 heads by Boost.Beast: parses request heads strictly (CR LF ends each line, no folded
-// fields, bounded sizes and counts) and formats response heads. No sockets. Only http_wire.cpp and
-// websocket.cpp include Beast.
+// fields, bounded sizes and counts) and formats response heads. No sockets. Only wire.cpp and
+// server/monitor_port/websocket.cpp include Beast.
 #pragma once
 
 #include <cstddef>

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMaxWaitS = 86'400;
 
-// A port that was said counts more than a file that the environment names.
+// --monitor-port as an argument overrides a port file from the environment or the config file.
 void choose_port(const CLI::App& health, HealthOptions& options) {
   const bool is_port_said = is_argument(health, "--monitor-port");
   if (is_port_said && !is_argument(health, "--port-file")) options.port_file.clear();

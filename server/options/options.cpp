@@ -135,13 +135,13 @@ void add_workcell(CLI::App& app, WorkcellOptions& options) {
       ->type_name("NAME|FILE");
 }
 
-/// The subcommand that was named, for the hint where to read on.
+/// The program with the given subcommand, for the hint to --help.
 std::string named_command(const CLI::App& app) {
   for (const CLI::App* command : app.get_subcommands()) return "xr3 " + command->get_name();
   return "xr3";
 }
 
-/// What is wrong, in words that name the place where it is said.
+/// The error message. It names the source of the invalid value, if that is the environment.
 std::string trouble_of(const CLI::App& app, const CLI::ParseError& error) {
   for (CLI::App* command : app.get_subcommands()) {
     if (const auto trouble = problem_in_environment(*command)) return *trouble;
