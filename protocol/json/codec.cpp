@@ -30,7 +30,7 @@ bool is_within(const Range& range, double number) {
          (range.open_min ? number > range.min : number >= range.min);
 }
 
-/// Levenshtein distance: how many letters to add, take away or change.
+/// Levenshtein distance: the number of insertions, deletions and substitutions.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -187,7 +187,7 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
     if (name.size() > 2 && candidate.starts_with(name)) return candidate;
     const std::size_t longer = std::max(name.size(), candidate.size());
     if (longer - std::min(name.size(), candidate.size()) > least)
-      continue;  // it is further than that
+      continue;  // the distance is at least this difference
     const std::size_t distance = edit_distance(name, candidate);
     if (distance < least || (distance == least && nearest.empty())) {
       least = distance;
@@ -254,7 +254,7 @@ std::string integer_words(std::int64_t min, std::int64_t max) {
 
 std::optional<std::int64_t> integer_in(JsonValue value, std::int64_t min, std::int64_t max) {
   if (!value.is_number()) return std::nullopt;
-  const double number = value.number();  // exact where it is in range
+  const double number = value.number();  // exact if in range
   const bool is_within = static_cast<double>(min) <= number && number <= static_cast<double>(max);
   if (!is_within || number != std::floor(number)) return std::nullopt;
   return static_cast<std::int64_t>(number);

@@ -1,6 +1,6 @@
-// Data files as tables: each kind of object is a list of members, each member a name and a codec that
-// reads it strictly, writes it again, and says in words what it takes. Every wrong value becomes a
-// finding; reading goes on. It knows no robot and no workcell.
+// Data files as tables: an object is a list of members, each with a name and a codec that reads the
+// value strictly, writes it, and describes the allowed values. Each invalid value becomes a
+// finding; reading continues after it. Independent of robots and workcells.
 #pragma once
 
 #include <cstdint>
@@ -18,24 +18,24 @@
 namespace xr3::data {
 
 inline constexpr double kMmPerInch = 25.4;
-/// Longest length that a file may name, so that squares of micrometres stay whole numbers.
+/// Maximum length in a file, so that squares of micrometres remain exact integers.
 inline constexpr double kMaxLengthMm = 1e5;
 
-/// Which length unit counts.
+/// The length unit of a value: mm, or the `length_unit` of its root.
 enum class Unit : std::uint8_t { kMm, kOfDocument };
 
-/// What goes on while one document is read: its root, its length unit, and what was found so far. Of very
-/// many findings the first are kept, with pointers that are cut where they are long; the others are counted.
+/// The context for reading one document: its root, its length unit, and the findings so far. Stores
+/// a limited number of findings, with long pointers shortened; further findings are only counted.
 class Reading {
  public:
   static constexpr std::size_t kMaxOfValue = 32;
   static constexpr std::size_t kMaxPointerLength = 200;
   static constexpr std::size_t kMaxNameLength = 200;
 
-  /// Starts with the source's duplicates and takes the length unit from the root's `length_unit`.
+  /// Reports the source's duplicate members. The root's `length_unit` is the length unit.
   explicit Reading(const JsonSource& source);
-  /// For a value that stands in no file: every line is 1, pointers begin at the value, and there are no
-  /// warnings. Its duplicates are not looked for.
+  /// For a value that is not from a file: every line is 1, pointers begin at the value, warnings
+  /// are dropped, and duplicates are not reported.
   Reading(JsonValue root, Unit unit);
 
   JsonValue root() const { return root_; }
@@ -44,24 +44,26 @@ class Reading {
 
   void report(Severity severity, const std::string& pointer, std::string found,
               std::string allowed);
-  /// Counts an error. Whether it is to be kept: nothing needs to be put into words otherwise.
+  /// Counts an error. Returns whether the caller should store it with keep(); if not, its texts
+  /// need not be built.
   bool keeps_error() { return keeps(Severity::kError); }
-  /// An error that counts already: at a value, or at a member that an object has not got.
+  /// Store an error that keeps_error() has counted: at a value, or for a missing member of an
+  /// object.
   void keep(JsonValue value, std::string found, std::string allowed);
   void keep_missing(JsonValue object, const std::string& member, std::string allowed);
-  /// What was found in a part of this document that was read by itself.
+  /// Adds the findings of a part of this document that was read with its own Reading.
   void adopt(const Reading& part);
 
-  /// Nothing more is kept: what is read from now on is of no use.
+  /// No further finding is stored. Values read from now on are not used.
   bool is_full() const { return findings_.size() >= most_; }
   bool has_errors() const { return errors_ > 0; }
   std::size_t errors() const { return errors_; }
-  /// No error so far at this pointer, inside it, or at an object around it that could not be read. Of very
-  /// many errors nobody knows.
+  /// Whether there is no error at this pointer, inside it, or at a value around it. False if
+  /// is_full() and there are errors, since some were not stored.
   bool is_sound(const std::string& pointer) const;
   Findings take_findings();
 
-  /// A finding with the value that it is about, or nothing where there is none.
+  /// A finding and its value; the handle is empty if the value is missing.
   struct Kept {
     Finding finding;
     JsonValue value;
@@ -79,32 +81,32 @@ class Reading {
   std::size_t most_;
   double mm_per_unit_ = 1;
   std::vector<Kept> findings_;
-  std::size_t errors_ = 0;         ///< those that are not kept included
-  std::size_t warnings_ = 0;       ///< the same
-  std::set<std::string> wrong_{};  ///< pointers of the errors that are kept
+  std::size_t errors_ = 0;         ///< including those not stored
+  std::size_t warnings_ = 0;       ///< including those not stored
+  std::set<std::string> wrong_{};  ///< pointers of the stored errors
 };
 
-/// A value of the document that is being read.
+/// A value of the document being read.
 struct Place {
   Reading& reading;
   JsonValue value;
 
   Place element(std::size_t index) const { return {reading, value.element(index)}; }
-  /// Reports this very value as not allowed; always false.
+  /// Reports the value as not allowed. Always returns false.
   bool refuse(const std::string& allowed) const;
 };
 
-/// A value as a finding shows it: a number, "text", `a list of 3`...
+/// A value as text for a finding: a number, "text", `a list of 3`...
 std::string shown(const Json& value);
 std::string shown(JsonValue value);
 
-/// The nearest of the allowed names, if one is near enough to be a slip of the pen; otherwise empty.
+/// The most similar allowed name if `name` may be a misspelling of it; otherwise empty.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& allowed);
 
-/// A number as JSON: whole ones without a decimal point.
+/// A number as JSON; integers have no decimal point.
 Json number_json(double number);
 
-/// How one value is read, written and described. `read` reports what is wrong and returns false.
+/// Reads, writes and describes a value. `read` reports an invalid value and returns false.
 template <class V>
 struct Codec {
   std::string allowed;
@@ -112,7 +114,7 @@ struct Codec {
   std::function<Json(const V&)> write;
 };
 
-/// Numbers from min to max; min itself only if it is not open.
+/// Numbers from min to max; min itself is excluded if open_min is set.
 struct Range {
   double min;
   double max;
@@ -120,21 +122,21 @@ struct Range {
   std::string_view unit = "";
 };
 
-/// Where anything may lie, mm.
+/// The range of coordinates, in mm.
 inline constexpr Range kCoordinate{-kMaxLengthMm, kMaxLengthMm};
 
 /// Lengths in bytes of UTF-8.
 Codec<std::string> text(std::size_t min_length, std::size_t max_length);
 Codec<bool> boolean();
 Codec<int> whole(int min, int max);
-/// The same for any type of integer; both within +-2^53.
+/// The same for any integer type; min and max must be within +-2^53.
 template <class I>
 Codec<I> integer(std::int64_t min, std::int64_t max);
 Codec<double> number(Range range);
-/// A length in the file's unit, read into mm and written in mm; the range is in mm.
+/// A length, converted from the file's unit to mm when read and written in mm; the range is in mm.
 Codec<double> length(Range range);
 
-/// One of a few names, each standing for a value.
+/// One of several names, each with its value.
 template <class E>
 Codec<E> choice(std::vector<std::pair<std::string, E>> names);
 
@@ -142,7 +144,7 @@ Codec<E> choice(std::vector<std::pair<std::string, E>> names);
 template <class V>
 Codec<std::vector<V>> list(Codec<V> item, std::size_t min_count, std::size_t max_count);
 
-/// A member of an object T; `read` puts it into the T, `write` gives nothing where it is left out.
+/// A member of an object T. `read` stores it in the T; `write` returns nullopt if it is omitted.
 template <class T>
 struct Member {
   std::string name;
@@ -155,27 +157,28 @@ struct Member {
 template <class T>
 using Members = std::vector<Member<T>>;
 
-/// A member that must be there.
+/// A member that must be present.
 template <class T, class V>
 Member<T> required(std::string name, V T::*field, Codec<V> codec);
 
-/// A member that may be left out, and is when written, where it has the value of a default T.
+/// A member that may be omitted. It is not written if its value is that of a default T.
 template <class T, class V>
 Member<T> optional(std::string name, V T::*field, Codec<V> codec);
 
-/// A member that may be left out, leaving the field empty.
+/// A member that may be omitted, which leaves the field empty.
 template <class T, class V>
 Member<T> optional(std::string name, std::optional<V> T::*field, Codec<V> codec);
 
-/// The members of a part of T that has no object of its own in the file.
+/// The members of a part of T that are members of T's own object in the file.
 template <class T, class V>
 Members<T> spread(V T::*part, const Members<V>& members);
 
-/// `length_unit`, which every file carries: checked by Reading, written as "mm".
+/// `length_unit`, present in every file: checked by Reading, written as "mm".
 template <class T>
 Member<T> length_unit_member();
 
-/// Reads an object: every member by its table, unknown ones reported with the nearest name.
+/// Reads the object's members. Reports missing members, and unknown ones with the most similar
+/// name.
 template <class T>
 bool read_object(const Place& place, const Members<T>& members, T& object);
 

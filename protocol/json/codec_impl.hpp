@@ -1,4 +1,4 @@
-// The templates of data_json.hpp; include that instead.
+// Template definitions for codec.hpp; include codec.hpp instead.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace xr3::data {
 namespace detail {
 
-/// Tells of a member that no table names, with the nearest allowed name.
+/// Stores the error for an unknown member, with the most similar allowed name.
 void keep_unknown(const Place& member, const std::vector<std::string>& names);
 
 /// `one, two or three`, each in double quotes.
@@ -20,7 +20,7 @@ std::string list_words(std::size_t min_count, std::size_t max_count);
 /// `a whole number from 1 to 255`.
 std::string integer_words(std::int64_t min, std::int64_t max);
 
-/// The number, unless it is none or out of range; nothing is reported.
+/// The integer; nullopt if the value is not an integer in the range. Reports nothing.
 std::optional<std::int64_t> integer_in(JsonValue value, std::int64_t min, std::int64_t max);
 
 template <class T>
@@ -30,7 +30,7 @@ std::vector<std::string> names_of(const Members<T>& members) {
   return names;
 }
 
-/// Reports the members that the table does not name.
+/// Reports members that are not in the table.
 template <class T>
 void refuse_unknown(const Place& place, const Members<T>& members) {
   for (const JsonValue value : place.value) {

@@ -10,7 +10,7 @@
 namespace xr3 {
 namespace {
 
-/// The byte behind the first `most` bytes of a text, not inside a letter of UTF-8.
+/// The first UTF-8 character boundary at or after `most` bytes, or the end of the text.
 std::size_t letter_end(std::string_view text, std::size_t most) {
   std::size_t end = std::min(most, text.size());
   while (end < text.size() && (text[end] & 0xC0) == 0x80) ++end;
@@ -23,14 +23,14 @@ unsigned hex_digits(std::string_view digits) {
   return number;
 }
 
-/// Reads a text that is written between quotes, letter by letter.
+/// Decodes the contents of a quoted text piece by piece.
 class Letters {
  public:
   explicit Letters(std::string_view written) : rest_(written) {}
 
   bool is_over() const { return rest_.empty(); }
 
-  /// The bytes of the next letter, or of the next part that is written as it is.
+  /// The bytes of the next escape sequence, or of the next part without escape sequences.
   std::string_view next() {
     if (rest_.front() == '\\') return escape();
     const std::size_t end = std::min(rest_.find('\\'), rest_.size());
@@ -84,7 +84,7 @@ class Letters {
   char bytes_[4] = {};
 };
 
-/// Bytes of a letter in a JSON text that is dumped.
+/// Size of a byte in dumped JSON.
 std::size_t dumped_size(char c) {
   if (std::string_view("\"\\\b\f\n\r\t").find(c) != std::string_view::npos) return 2;
   return static_cast<unsigned char>(c) < 0x20 ? 6 : 1;
@@ -101,7 +101,7 @@ void append_escaped(std::string& pointer, std::string_view name) {
   }
 }
 
-/// The name that a part of a pointer stands for.
+/// The member name of one part of a JSON pointer.
 std::string unescaped(std::string_view part) {
   std::string name;
   for (std::size_t i = 0; i < part.size(); ++i) {
@@ -173,7 +173,7 @@ double JsonValue::number() const {
   double number = 0;
   const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (read.ec == std::errc()) return number;
-  return std::strtod(std::string(digits).c_str(), nullptr);  // too near to 0
+  return std::strtod(std::string(digits).c_str(), nullptr);  // underflow
 }
 
 std::string JsonValue::text(std::size_t most) const {
@@ -207,7 +207,7 @@ bool JsonValue::is(std::string_view text) const {
   return text.empty();
 }
 
-/// Orders two texts by their bytes.
+/// Compares two decoded texts by bytes: negative, 0 or positive.
 int JsonValue::compare_text(JsonValue other) const {
   if (!has_escapes() && !other.has_escapes()) return written().compare(other.written());
   Letters mine(written());
@@ -281,7 +281,7 @@ bool JsonValue::is_repeated() const {
   return name && (name.token().rest & JsonDocument::kIsDuplicate) != 0;
 }
 
-// --- Where it stands.
+// --- Position.
 
 std::string JsonValue::pointer_from(JsonValue around) const {
   std::string pointer;
@@ -303,7 +303,7 @@ std::string JsonValue::pointer_from(JsonValue around) const {
   return pointer;
 }
 
-/// The member or element that one part of a pointer names, or nothing.
+/// The member or element at one part of a pointer, or empty.
 JsonValue JsonValue::child(std::string_view part) const {
   if (is_object()) return find(unescaped(part));
   std::size_t place = 0;
@@ -340,7 +340,7 @@ std::size_t JsonValue::extent() const {
   return end - token().begin;
 }
 
-// --- As it is written.
+// --- Text form.
 
 std::size_t JsonValue::json_size(std::size_t most) const {
   if (is_number()) {

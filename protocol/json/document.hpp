@@ -1,6 +1,6 @@
-// JSON text with an index: eight bytes for each value and name, in the order of the text, which says where
-// it stands. Values are read from the text when they are asked for, so that a document costs at most four
-// times its text, whatever its shape. It knows nothing of what the members mean.
+// JSON text with an index: eight bytes for each value and name, in text order, with its position.
+// Values are read from the text on access, so that a document needs at most four times the memory
+// of its text, whatever its structure. Independent of the meaning of members.
 #pragma once
 
 #include <cstddef>
@@ -13,39 +13,39 @@
 
 namespace xr3 {
 
-/// JSON that is made, not read: its members keep their order.
+/// JSON for output; members keep their order.
 using Json = nlohmann::ordered_json;
 
 class JsonValue;
 
 class JsonDocument {
  public:
-  /// Lists and objects inside one another, in a file as in a message.
+  /// Maximum nesting of lists and objects, in files and in messages.
   static constexpr std::size_t kMaxDepth = 32;
   static constexpr std::size_t kMaxLength = std::size_t{1} << 28U;
 
   enum class Fault : std::uint8_t { kNone, kSyntax, kTooDeep, kTooLong };
 
-  /// Reads a text, which must outlive the document. After a fault the root is nothing.
+  /// Indexes a text, which must outlive the document. After a fault, root() is empty.
   explicit JsonDocument(std::string_view text);
   JsonDocument(const JsonDocument&) = delete;
   JsonDocument& operator=(const JsonDocument&) = delete;
   ~JsonDocument() = default;
 
   Fault fault() const { return fault_; }
-  /// Of a fault in the text: where and what.
+  /// Position and description of a fault in the text.
   struct Complaint {
-    std::size_t position = 0;    ///< characters read, the offending one included
-    std::size_t token_size = 0;  ///< of the token read last, possibly with what came before it
-    std::string message;         ///< the parser's own, cut in its midst where it is long
-    std::string pointer;         ///< of what is too deep: what it is in
+    std::size_t position = 0;    ///< bytes read, including the offending one
+    std::size_t token_size = 0;  ///< of the last token, possibly including preceding bytes
+    std::string message;         ///< of the parser; a long one without its middle
+    std::string pointer;         ///< kTooDeep: of the enclosing value
   };
   const Complaint& complaint() const { return complaint_; }
 
   JsonValue root() const;
   std::string_view text() const { return text_; }
 
-  /// The names that their object has already, in the order of the text.
+  /// Calls `tell` with each member whose name the object already has, in text order.
   template <class Tell>
   void for_each_duplicate(Tell tell) const;
 
@@ -53,8 +53,8 @@ class JsonDocument {
   friend class JsonValue;
   friend class JsonIndexer;
 
-  /// A name or a value. `rest` is, of a list or object, the index behind all that is in it; of a text or a
-  /// name its length and flags; of a number its length.
+  /// A name or a value. `rest` is: for a list or object, the index after its last content; for a
+  /// text or name, its length and flags; for a number, its length.
   struct Token {
     std::uint32_t begin;
     std::uint32_t rest;
@@ -73,7 +73,7 @@ class JsonDocument {
   Complaint complaint_;
 };
 
-/// A value of a document, or nothing: a handle, valid as long as the document.
+/// A handle to a value of a document, or empty. Valid as long as the document.
 class JsonValue {
  public:
   JsonValue() = default;
@@ -81,7 +81,7 @@ class JsonValue {
   explicit operator bool() const { return document_ != nullptr; }
   bool operator==(const JsonValue&) const = default;
 
-  // --- What it is. Nothing is of no kind.
+  // --- Kind. All are false for an empty handle.
 
   bool is_object() const { return starts_with('{'); }
   bool is_list() const { return starts_with('['); }
@@ -92,35 +92,35 @@ class JsonValue {
   bool is_true() const { return starts_with('t'); }
   bool is_number() const;
 
-  // --- Scalars; the kind must be right.
+  // --- Scalars. Except for is(), the value must be of the kind.
 
   double number() const;
-  /// The text, or as much of it as makes `most` bytes and a whole letter.
+  /// The text. A longer one is cut at the first character boundary at or after `most` bytes.
   std::string text(std::size_t most = std::string::npos) const;
-  /// Bytes of the text.
+  /// The size of the text in bytes.
   std::size_t text_size() const;
 
-  /// Whether it is this very text, or number; false where it is of another kind.
+  /// Whether the value equals this text or number; false if it is of another kind.
   bool is(std::string_view text) const;
   bool is(double number) const { return is_number() && this->number() == number; }
 
   // --- Lists and objects.
 
-  /// Elements or members; it counts them.
+  /// The number of elements or members. Takes linear time.
   std::size_t size() const;
-  /// An element; it walks there. Nothing behind the end.
+  /// An element; empty if out of range. Takes linear time.
   JsonValue element(std::size_t index) const;
-  /// The member of this name, the last of them, or nothing.
+  /// The last member with this name, or empty.
   JsonValue find(std::string_view name) const;
-  /// The name of a member: a text. Nothing of an element, or the root.
+  /// The name of a member, as a text value. Empty for an element and for the root.
   JsonValue name() const;
-  /// A member whose object has one of its name before it.
+  /// Whether an earlier member of the same object has the same name.
   bool is_repeated() const;
 
-  /// Goes through the elements, or the values of the members.
+  /// Iterates over the elements, or over the values of the members.
   class Iterator {
    public:
-    // NOLINTBEGIN(readability-identifier-naming): std::iterator_traits asks for these
+    // NOLINTBEGIN(readability-identifier-naming): required by std::iterator_traits
     using iterator_category = std::input_iterator_tag;
     using value_type = JsonValue;
     using difference_type = std::ptrdiff_t;
@@ -141,26 +141,27 @@ class JsonValue {
   Iterator begin() const;
   Iterator end() const;
 
-  // --- Where it stands.
+  // --- Position.
 
-  /// Its JSON pointer (RFC 6901) from a value around it. A very long one is cut behind kMaxPointerLength.
+  /// The JSON pointer (RFC 6901) relative to an enclosing value. Ends early once it has
+  /// kMaxPointerLength bytes.
   std::string pointer_from(JsonValue around) const;
   static constexpr std::size_t kMaxPointerLength = 256;
-  /// The value at a pointer from here, or nothing.
+  /// The value at a pointer relative to this value, or empty.
   JsonValue at(std::string_view pointer) const;
-  /// The same, or the nearest one around it.
+  /// The same, or the innermost existing value around it.
   JsonValue nearest(std::string_view pointer) const;
-  /// Where it begins in the text, a member with its name.
+  /// Offset in the text; for a member, that of its name.
   std::size_t offset() const;
 
-  // --- As it is written.
+  // --- Text form.
 
-  /// Bytes of it as compact JSON; it stops counting above `most`.
+  /// Size as compact JSON in bytes. Counting stops above `most`.
   std::size_t json_size(std::size_t most = std::string::npos) const;
-  /// A copy: for small ones.
+  /// A copy. Intended for small values.
   Json to_json() const;
 
-  /// Characters of the text that it takes, with what stands behind it up to the next value.
+  /// Number of bytes in the text from its beginning to the next value.
   std::size_t extent() const;
 
  private:

@@ -44,7 +44,8 @@ bool has_errors(const Findings& findings);
 /// Adds a finding, or counts it in a last one if there are kMaxFindings already.
 void add_bounded(Findings& findings, Finding finding);
 
-/// A text of at most `most` bytes and, if something is left out, three dots. Never cuts a UTF-8 letter.
+/// The first `most` bytes of a text, followed by three dots if it is longer. Never splits a UTF-8
+/// character.
 std::string cut(std::string_view text, std::size_t most);
 
 /// Stable sort by line, errors and warnings mixed. The finding that counts others is last.

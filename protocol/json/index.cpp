@@ -9,7 +9,7 @@ constexpr std::string_view kBetween = " \t\r\n,:";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kMaxOfMessage = 256;
 
-/// How many values and names a text has, if it is JSON; otherwise some number up to its size.
+/// The number of values and names of a JSON text; for other text, at most its size plus 1.
 std::size_t count_tokens(std::string_view text) {
   std::size_t count = 1;
   bool was_open = false;
@@ -24,7 +24,7 @@ std::size_t count_tokens(std::string_view text) {
   return count;
 }
 
-/// What the parser says, without the token in its midst, which may be very long.
+/// The parser's message. A long one loses its middle, which quotes the token.
 std::string shortened(std::string_view message) {
   if (message.size() <= 2 * kMaxOfMessage) return std::string(message);
   return std::string(message.substr(0, kMaxOfMessage))
@@ -50,7 +50,7 @@ void JsonIndexer::run() {
   if (!is_deep && !is_wrong) complain_of(*wrong);
 }
 
-/// As the parser would, of a short text in its place.
+/// Reports the parser's error for a short sample instead of the long token.
 void JsonIndexer::complain_of(const LongToken& wrong) {
   const JsonDocument sample(wrong.sample);
   document_.fault_ = JsonDocument::Fault::kSyntax;

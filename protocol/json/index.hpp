@@ -1,5 +1,5 @@
-// Makes the index of a JSON text: follows the parser's events and finds where in the text each value and
-// name begins.
+// Builds the index of a JSON text: follows the parser's events and finds the position of each value
+// and name.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ class JsonIndexer : public nlohmann::json_sax<Json> {
  public:
   explicit JsonIndexer(JsonDocument& document) : document_(document) {}
 
-  /// Fills the document, or says why it cannot.
+  /// Fills the document's index, or sets its fault.
   void run();
 
   bool null() override { return word(); }
@@ -43,7 +43,7 @@ class JsonIndexer : public nlohmann::json_sax<Json> {
   std::uint32_t next_index() const { return static_cast<std::uint32_t>(document_.tokens_.size()); }
 
   JsonDocument& document_;
-  std::size_t at_ = 0;  ///< behind what was found last
+  std::size_t at_ = 0;  ///< end of the last token
   std::vector<std::uint32_t> open_;
 };
 

@@ -8,14 +8,14 @@
 namespace xr3 {
 namespace {
 
-constexpr std::size_t kSample = 24;  // more than the longest letter: a surrogate pair, escaped
+constexpr std::size_t kSample = 24;  // more than an escaped surrogate pair, the longest character
 
 bool is_between(std::string_view text, std::size_t at, unsigned low, unsigned high) {
   const auto byte = at < text.size() ? static_cast<unsigned char>(text[at]) : 0U;
   return low <= byte && byte <= high;
 }
 
-/// Bytes of a letter beyond ASCII (RFC 3629), or 0 where it is none.
+/// Size of a UTF-8 character outside ASCII (RFC 3629), or 0 if it is invalid.
 std::size_t utf8_length(std::string_view text, std::size_t at) {
   struct Form {
     unsigned first_low, first_high, second_low, second_high;
@@ -53,14 +53,14 @@ std::size_t escape_length(std::string_view text, std::size_t at) {
   return second && *second >= 0xDC00 && *second <= 0xDFFF ? 12 : 0;
 }
 
-/// Bytes that one letter of a text takes, or 0 where none is allowed so.
+/// Size of a character or escape sequence in a text, or 0 if it is invalid.
 std::size_t letter_length(std::string_view text, std::size_t at) {
   if (text[at] == '\\') return escape_length(text, at);
   if (is_between(text, at, 0x20, 0x7F)) return 1;
   return utf8_length(text, at);
 }
 
-/// A text that begins and ends with its quotes, the second of which may be missing.
+/// Checks the text from its opening quote to its closing quote, which may be missing.
 std::optional<LongToken> wrong_text(std::string_view text, std::size_t begin, std::size_t end) {
   std::size_t at = begin + 1;
   while (at < end) {

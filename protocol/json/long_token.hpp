@@ -1,5 +1,5 @@
-// Finds a text or number in JSON that is wrong and very long, before the parser does: it would copy all of it
-// into its message, several times. What is shorter is left to the parser.
+// Finds invalid long texts and numbers in JSON before the parser does, since the parser copies the
+// token into its message several times. Shorter tokens are left to the parser.
 #pragma once
 
 #include <cstddef>
@@ -9,19 +9,19 @@
 
 namespace xr3 {
 
-/// Longer ones are looked at, in bytes.
+/// Only tokens longer than this are checked, in bytes.
 inline constexpr std::size_t kLongToken = 4096;
 
 struct LongToken {
-  std::size_t begin;   ///< where it begins in the text
+  std::size_t begin;   ///< offset in the text
   std::string sample;  ///< a short JSON text with the same fault
-  std::size_t offset;  ///< what to add to a position in the sample for the one in the text
+  std::size_t offset;  ///< position in the text minus position in the sample
 };
 
 /// The first long token that the parser would refuse.
 std::optional<LongToken> find_wrong_long_token(std::string_view text);
 
-/// The quote that ends a text, whose first letter would be at an offset; or the end of all.
+/// Offset of the quote that ends a text whose contents begin at `at`; text.size() if there is none.
 std::size_t text_end(std::string_view text, std::size_t at);
 
 }  // namespace xr3

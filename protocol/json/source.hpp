@@ -1,6 +1,6 @@
-// A data file's text as JSON that knows on which line every value stands and which members are given
-// twice. Lines that begin with `*` are comments, as in the paper's data files (Section III-A).
-// It knows nothing of what the members mean.
+// A data file's text as JSON, with the line of each value and the duplicate members. Lines that
+// begin with `*` are comments, as in the paper's data files (Section III-A). Independent of the
+// meaning of members.
 #pragma once
 
 #include <string>
@@ -11,28 +11,28 @@
 
 namespace xr3 {
 
-/// JSON text with comment lines blanked out, so that every offset and line stays what it was.
+/// JSON text with comment lines replaced by blanks, so that offsets and lines do not change.
 std::string without_comment_lines(std::string_view text);
 
-/// `parent` followed by one more member name, escaped as RFC 6901 asks.
+/// `parent` followed by a member name, escaped according to RFC 6901, or by an index.
 std::string child_pointer(const std::string& parent, std::string_view member);
 std::string child_pointer(const std::string& parent, std::size_t element);
 
-/// `"name" for the second time`, of a member that its object has already.
+/// `"name" for the second time`, for a duplicate member.
 std::string told_twice(JsonValue member);
 
 class JsonSource {
  public:
-  /// Parses a whole file. Throws DataError with one finding (line, column) on a syntax error.
+  /// Parses a file. On a syntax error throws DataError with one finding (line, column).
   JsonSource(std::string_view text, std::string file);
 
   JsonValue root() const { return document_.root(); }
   const JsonDocument& document() const { return document_; }
   const std::string& file() const { return file_; }
 
-  /// Line of the value, of a member that of its name. It counts from the beginning of the text.
+  /// Line of the value, from 1; for a member, that of its name. Takes time linear in the offset.
   int line_of(JsonValue value) const;
-  /// The same for the value at a JSON pointer, or the nearest one around it.
+  /// The same for the value at a JSON pointer, or for the innermost existing value around it.
   int line_of(std::string_view pointer) const { return line_of(root().nearest(pointer)); }
 
  private:

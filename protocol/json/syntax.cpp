@@ -23,14 +23,14 @@ bool is_word(char c) {
          c == '-';
 }
 
-/// Text in quotes that begins at an offset, as far as its line goes.
+/// The quoted text that begins at an offset, up to the end of its line and kMaxShownLength bytes.
 std::string quoted_at(std::string_view text, std::size_t offset) {
   const std::string_view rest = text.substr(offset, kMaxShownLength);
   const std::size_t end = rest.find_first_of("\"\n", 1);
   return std::string(end == std::string_view::npos ? rest : rest.substr(0, end + 1));
 }
 
-/// The word around an offset of the text, quoted text that begins there, or the single character.
+/// The word around an offset, the quoted text that begins there, or the single character.
 std::string word_at(std::string_view text, std::size_t offset) {
   if (offset >= text.size()) return "the end of the file";
   if (text[offset] == '"') return quoted_at(text, offset);
@@ -41,7 +41,7 @@ std::string word_at(std::string_view text, std::size_t offset) {
   return std::string(text.substr(begin, std::min(end - begin, kMaxShownLength)));
 }
 
-/// Bytes that are not printable ASCII as \xNN: what is cut out of a text may be half a letter.
+/// Replaces bytes other than printable ASCII by \xNN, since an excerpt may split a character.
 std::string printable(const std::string& bytes) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
   std::string result;
@@ -72,7 +72,7 @@ struct Phrase {
   Words words;
 };
 
-/// Messages about a malformed token, each with what to say instead.
+/// The parser's messages about malformed tokens, with their replacements.
 const std::array<Phrase, 8>& phrases() {
   static const std::array<Phrase, 8> known = {{
       {"number overflow", {"a number that is too large", "numbers up to 1e308"}},
@@ -98,7 +98,7 @@ Words words_for(std::string_view text, std::size_t offset, const JsonDocument::C
   return words;
 }
 
-/// Where the word begins that an offset is in or right behind.
+/// The start of the word that contains an offset or ends there.
 std::size_t word_start(std::string_view text, std::size_t offset) {
   if (offset >= text.size() || !is_word(text[offset])) {
     if (offset == 0 || !is_word(text[offset - 1])) return std::min(offset, text.size());
@@ -108,7 +108,7 @@ std::size_t word_start(std::string_view text, std::size_t offset) {
   return offset;
 }
 
-/// Offset of the first character of what the parser stumbled over.
+/// Offset of the first character of the token that the parser refused.
 std::size_t offset_of(std::string_view text, const JsonDocument::Complaint& error) {
   std::size_t offset = error.position > 0 ? error.position - 1 : 0;
   if (contains(error.message, "invalid literal")) return word_start(text, offset);

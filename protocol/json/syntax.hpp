@@ -1,5 +1,5 @@
-// Plain words for a JSON syntax error: line, column, what stands there and what may stand there,
-// made from the parser's message. It knows nothing of what the file describes.
+// Describes a JSON syntax error, derived from the parser's message: line, column, what was found
+// and what is allowed there. Independent of the file's meaning.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace xr3 {
 
-/// The finding for a syntax error in `text`; its pointer is empty, its column from 1.
+/// The finding for a syntax error in `text`. Its pointer is empty; its column counts from 1.
 Finding syntax_finding(std::string_view text, const std::string& file,
                        const JsonDocument::Complaint& error);
 

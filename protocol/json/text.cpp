@@ -19,7 +19,7 @@ std::string on_one_line(const Json& value) {
   return value.is_object() ? "{" + line + "}" : "[" + line + "]";
 }
 
-/// A list of short lists, such as points: several of them share a line.
+/// A list of lists of scalars, such as points: several share a line.
 bool is_list_of_rows(const Json& value) {
   const auto is_row = [](const Json& row) {
     return row.is_array() &&
@@ -46,7 +46,7 @@ std::string filled(const Json& rows, std::size_t indent) {
   return text;
 }
 
-/// `used` is how much of the line stands before the value, `indent` the depth of what is inside it.
+/// `used`: columns before the value on its line. `indent`: indentation of the value's contents.
 std::string shown(const Json& value, std::size_t indent, std::size_t used) {
   std::string line = on_one_line(value);
   const bool is_root = indent == kIndent;

@@ -1,5 +1,5 @@
-// JSON as a data file shows it: what fits on a line stands on one, lists of points fill their lines.
-// It knows nothing of what the members mean.
+// Formats JSON for data files: a value that fits on a line is on one line, and lists of points fill
+// their lines. Independent of the meaning of members.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace xr3 {
 
-/// The value over as many lines as it needs, none longer than 100 columns but for long texts; ended by
-/// a line feed. Numbers read back to the same double.
+/// The formatted value, with a line feed at the end. Lines have at most 100 columns unless they
+/// contain long texts. Numbers are exact: they read back as the same double.
 std::string json_text(const Json& value);
 
 }  // namespace xr3
