@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kMaxFoundLength = 200;
 constexpr std::array<std::string_view, 5> kAlwaysSent = {"op", "cell", "epoch", "seq", "tick"};
 
-/// What was found, as JSON where it is just the value that stands there.
+/// The value itself if the finding describes it as such; otherwise the finding's description.
 Json found_by(const data::Reading::Kept& kept) {
   if (!kept.value) return nullptr;
   return data::shown(kept.value) == kept.finding.found ? shown(kept.value)
@@ -35,7 +35,7 @@ bool is_member(JsonValue value, const std::vector<std::string>& members) {
 
 Json shown(JsonValue value) {
   if (value.json_size(kMaxFoundLength) <= kMaxFoundLength)
-    return Json(nlohmann::json(value.to_json()));  // sorted
+    return Json(nlohmann::json(value.to_json()));  // sorts members
   const char* kind = value.is_text() ? "string" : value.is_list() ? "array" : "object";
   const std::size_t size = value.is_text() ? value.text_size() : value.json_size();
   return std::string(kind) + " of " + std::to_string(size) + " bytes";
@@ -64,7 +64,7 @@ RequestError Findings::error(RequestId id) const {
 
 std::optional<std::int64_t> whole_number(JsonValue value) {
   if (!value.is_number()) return std::nullopt;
-  const double number = value.number();  // those that matter are exact in a double
+  const double number = value.number();  // exact for integers in the range
   if (std::trunc(number) != number || std::abs(number) > static_cast<double>(kMaxInteger))
     return std::nullopt;
   return static_cast<std::int64_t>(number);

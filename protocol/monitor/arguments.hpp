@@ -1,6 +1,7 @@
-// Members of a request read one by one: each that is missing, of the wrong kind or out of range is
-// noted with its pointer, and reading goes on, so that a client hears of all of them at once. What
-// was asked for is kept, so that a reader describes itself by reading nothing.
+// Reads the members of a request. A missing member, or one of the wrong kind or out of range, is
+// recorded with its pointer, and reading continues, so that a client receives all errors at once.
+// The requested members are recorded, too: run on an empty object, a reader describes its
+// arguments.
 #pragma once
 
 #include <optional>
@@ -13,22 +14,23 @@
 
 namespace xr3::monitor {
 
-/// Wrong values found so far; of very many only the first are kept.
+/// The invalid values of a request. Stores the first kMaxDetails of them and counts the others.
 class Findings {
  public:
   static constexpr std::size_t kMaxDetails = 32;
 
-  /// Counts one more. Whether it is to be kept: nothing needs to be put into words otherwise.
+  /// Counts an invalid value. Returns whether the caller should store it with keep(); if not, its
+  /// texts need not be built.
   bool counts() { return count_++ < kMaxDetails; }
-  /// One that counts already.
+  /// Stores an invalid value that counts() has counted.
   void keep(const std::string& pointer, Json found, std::string allowed);
-  /// `found` may be nothing. A long one is told by its size.
+  /// Counts and stores an invalid value. `found` may be empty; a long one is described by its size.
   void add(const std::string& pointer, JsonValue found, std::string allowed);
-  /// The errors that a reader of files found in a value that stands at the pointer `at`.
+  /// Adds the errors of a reading of the value at the pointer `at`.
   void add_errors(const data::Reading& reading, const std::string& at);
 
   bool empty() const { return count_ == 0; }
-  /// The error `bad_args` with everything that was found.
+  /// The error `bad_args` with all stored details.
   RequestError error(RequestId id) const;
 
  private:
@@ -36,14 +38,14 @@ class Findings {
   std::vector<Detail> details_;
 };
 
-/// A whole number within +-kMaxInteger, also where it is written as 5.0 or 5e0.
+/// An integer within +-kMaxInteger, also if it is written as 5.0 or 5e0.
 std::optional<std::int64_t> whole_number(JsonValue value);
 
-/// The value as it stands, or, for one that is long, what it is: a text by its own bytes, a list or an
-/// object by those of its JSON.
+/// The value, or a description if it is long: its kind and its size, which for a list or object is
+/// the size of its JSON.
 Json shown(JsonValue value);
 
-/// A member that was asked for, and what it may be.
+/// A member that a reader has requested, and its allowed values.
 struct Asked {
   std::string name;
   bool is_required;
@@ -52,17 +54,19 @@ struct Asked {
 
 enum class Presence : std::uint8_t { kRequired, kOptional };
 
-/// Its readers give nothing where the member is left out, or is wrong and noted.
+/// Reads members of an object. The read functions return an empty value if the member is omitted or
+/// invalid; an invalid member is recorded.
 class ArgsReader {
  public:
-  /// `object` may be nothing: an empty one. `pointer` is where it stands in the message.
+  /// An empty `object` has no members. `pointer` is its position in the message.
   ArgsReader(JsonValue object, std::string pointer, Findings& findings)
       : object_(object), pointer_(std::move(pointer)), findings_(findings) {}
 
-  /// The member as it stands, or nothing; it counts as known from now on.
+  /// The member, unchecked, or empty. From now on refuse_others() regards it as known.
   JsonValue ask(const std::string& name, Presence presence = Presence::kOptional,
                 std::string allowed = {});
-  /// The same, but an object; nothing also where it is wrong or missing, and noted.
+  /// The same for an object. If it is invalid, or required and missing, records that and returns
+  /// empty.
   JsonValue object(const std::string& name, Presence presence,
                    const std::string& allowed = "an object");
 
@@ -70,19 +74,19 @@ class ArgsReader {
                                     Presence presence = Presence::kRequired);
   std::optional<double> number(const std::string& name, double low, double high,
                                Presence presence = Presence::kRequired);
-  /// A value as the data files have it, lengths in mm.
+  /// A value in the form of the data files, with lengths in mm.
   template <class V>
   std::optional<V> coded(const std::string& name, const data::Codec<V>& codec,
                          Presence presence = Presence::kRequired);
-  /// A list of names of members of the channel, or nothing where it is left out.
+  /// A list of names of the channel's members; nullopt if it is omitted.
   Fields fields(const std::string& name, Channel channel);
 
-  /// Exactly one of the two is there; noted at the first otherwise.
+  /// Whether exactly one of the two is present. If not, records an error at `first`.
   bool has_one_of(const std::string& first, const std::string& second);
 
   std::string pointer_to(const std::string& name) const;
   void refuse(const std::string& name, std::string allowed);
-  /// Notes every member that was not asked for.
+  /// Records an error for every member that was not requested.
   void refuse_others();
 
   Findings& findings() const { return findings_; }

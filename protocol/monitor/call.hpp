@@ -18,7 +18,7 @@ namespace xr3 {
 /// A cell's state and workcell as kept in a snapshot, without lines and clock. A cell with the same
 /// robot and profile that loads it continues bit-identically.
 struct SavedCell {
-  std::string robot_hash;  ///< of robot and profile, see server/model_hash
+  std::string robot_hash;  ///< of robot and profile, see cell/digest.hpp
   Workcell workcell;       ///< from the file or from the last call `workcell`
   State state;
   bool operator==(const SavedCell&) const = default;

@@ -14,14 +14,15 @@ namespace {
 
 constexpr std::size_t kMaxMembers = 64;
 
-/// More members in one object than any document has: their names alone would take long to look at.
+/// Whether an object has more members than any valid document. Comparing their names would take
+/// long.
 bool is_crowded(JsonValue value) {
   if (!value.is_structured()) return false;
   if (value.is_object() && value.size() > kMaxMembers) return true;
   return std::any_of(value.begin(), value.end(), is_crowded);
 }
 
-/// An object in the form of a file, or nothing and noted.
+/// An object in the form of a file; empty if it is omitted or invalid. Records the error.
 JsonValue document(ArgsReader& args, const std::string& name, Presence presence,
                    const std::string& allowed) {
   const JsonValue value = args.object(name, presence, allowed);

@@ -1,6 +1,6 @@
-// How the args of each call are read into its value. A reader asks for every argument that there is,
-// whatever it finds, so that reading nothing tells what the call takes; the value of a reading with
-// findings means nothing.
+// Reads the args of each call into its value. A reader requests every argument regardless of what
+// it finds, so that reading an empty object yields the description of the call. If there are
+// findings, the returned value is meaningless.
 #pragma once
 
 #include "protocol/monitor/arguments.hpp"
@@ -8,9 +8,9 @@
 
 namespace xr3::monitor {
 
-/// Most bytes of a `send`.
+/// Maximum size of a `send` in bytes.
 inline constexpr std::size_t kMaxSent = 4096;
-/// Longest name of a snapshot, bytes.
+/// Maximum length of a snapshot's name in bytes.
 inline constexpr std::size_t kMaxSnapshotNameLength = 64;
 
 template <class Call>
@@ -31,10 +31,10 @@ CallValue read_workcell_call(ArgsReader& args);
 CallValue read_snapshot_save(ArgsReader& args);
 CallValue read_snapshot_load(ArgsReader& args);
 CallValue read_line_disconnect(ArgsReader& args);
-/// The description is of nothing yet: it is the name of the call to be described, or null.
+/// The description is not built yet: it holds the name of the call to describe, or null for all.
 CallValue read_describe(ArgsReader& args);
 
-/// The barrier in `after`, which may be left out.
+/// The barrier in `after`, which may be omitted.
 std::optional<After> read_after(ArgsReader& args);
 
 }  // namespace xr3::monitor

@@ -39,7 +39,7 @@ constexpr std::array kForms = {
     CallForm{"describe", "Lists the calls and their arguments.", read_describe},
 };
 
-/// Reads everything that may stand in args.
+/// Reads all members of args.
 CallRequest read_args(const CallForm& form, ArgsReader& args) {
   CallRequest request{std::string(form.fn), form.read(args), {}, {}};
   if (form.time == Time::kMoves) {
@@ -49,7 +49,7 @@ CallRequest read_args(const CallForm& form, ArgsReader& args) {
   return request;
 }
 
-/// What its reader asks for where nothing is there.
+/// The arguments that the call's reader requests from an empty object.
 Json form_json(const CallForm& form) {
   Findings ignored;
   ArgsReader nothing({}, "", ignored);
@@ -75,7 +75,7 @@ CallRequest read_call(const CallForm& form, ArgsReader& members) {
   ArgsReader args(object, members.pointer_to("args"), members.findings());
   CallRequest request = read_args(form, args);
   args.refuse_others();
-  // Not by its reader, which is itself among those that are run to describe them.
+  // read_describe() cannot build the description, since that runs every reader, including itself.
   if (auto* described = std::get_if<Describe>(&request.call)) {
     const Json& fn = described->description;
     described->description =

@@ -1,5 +1,5 @@
-// The table of calls: each name with what it is for and how its args are read into a value. What it
-// takes is told by the very code that reads it. It knows no cell.
+// The table of calls: name, purpose, and the function that reads the args into a value. The same
+// function yields the description of the args. Independent of the cell.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,6 @@ namespace xr3::monitor {
 
 using CallValue = decltype(CallRequest::call);
 
-/// One call.
 struct CallForm {
   std::string_view fn;
   std::string_view purpose;  ///< one sentence
@@ -21,13 +20,13 @@ struct CallForm {
   enum class Time : std::uint8_t { kStays, kMoves } time = Time::kStays;  ///< kMoves: after, fields
 };
 
-/// Null where there is no such call.
+/// nullptr if there is no such call.
 const CallForm* find_call(std::string_view fn);
 
-/// Reads the args of a request to carry out a call; `members` are those of the request.
+/// Reads the args of a `call` request; `members` reads the members of the request.
 CallRequest read_call(const CallForm& form, ArgsReader& members);
 
-/// `{"calls":[{"fn","purpose","args":[{"name","required","allowed"}]}]}`: one call, or every one.
+/// `{"calls":[{"fn","purpose","args":[{"name","required","allowed"}]}]}` of one call, or of all.
 Json description(const std::optional<std::string>& fn);
 
 }  // namespace xr3::monitor

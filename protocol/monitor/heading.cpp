@@ -9,15 +9,15 @@ namespace xr3::monitor {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n";
-constexpr std::size_t kMaxNameLength = 16;              // "op", every letter escaped
-constexpr std::size_t kMaxValue = 6 * kMaxIdBytes + 2;  // the same of an id
+constexpr std::size_t kMaxNameLength = 16;              // "op" with every character escaped
+constexpr std::size_t kMaxValue = 6 * kMaxIdBytes + 2;  // likewise an id
 
-/// Goes through the outermost members of a text that may be JSON.
+/// Iterates over the outermost members of a text that may be invalid JSON.
 class Skimmer {
  public:
   explicit Skimmer(std::string_view text) : text_(text), at_(text.find('{')) { pass(1); }
 
-  /// The next member, if there is one.
+  /// Advances to the next member. Returns false if there is none.
   bool next() {
     at_ = text_.find_first_not_of(kBlanks, at_);
     if (at_ >= text_.size() || text_[at_] != '"') return false;
@@ -67,7 +67,7 @@ bool is_name(std::string_view written, std::string_view name) {
   return document.root().is(name);
 }
 
-/// One of the names, or nothing.
+/// The value if it is one of the names, otherwise empty.
 std::string known(JsonValue value, const std::vector<std::string>& names) {
   const auto found = std::find_if(names.begin(), names.end(),
                                   [value](const std::string& name) { return value.is(name); });

@@ -1,5 +1,5 @@
-// What a message asks for, as far as it matters for access, without reading the message: only the names of
-// its outermost members are looked at, and of these `op`, `fn` and `id` are read. The rest may be anything.
+// The parts of a message that determine access, without parsing the message: examines only the
+// names of the outermost members and reads `op`, `fn` and `id`. The rest may be invalid.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@ namespace xr3::monitor {
 
 struct Heading {
   RequestId id;
-  std::string op;  ///< empty: there is none, or none of this version
-  std::string fn;  ///< the same
+  std::string op;  ///< empty if missing or not known to this version
+  std::string fn;  ///< likewise
 };
 
-/// Never throws, and takes no memory to speak of.
+/// Never throws. Needs only a small, bounded amount of memory.
 Heading heading_of(std::string_view message);
 
-/// The heading of a request that was read.
+/// The heading of a parsed request.
 Heading heading_of(const Request& request);
 
 }  // namespace xr3::monitor

@@ -37,9 +37,10 @@ class HealthProbe {
   std::string why_;   ///< reason for kUnhealthy
 };
 
-/// What asks the same port over HTTP whether the server takes work; `host` is its address and port.
+/// The HTTP request for /readyz on the same port; `host` is the server's address and port.
 std::string ready_request(const std::string& host);
-/// What is wrong with the whole answer, as the end of such a sentence; nothing where it is ready.
+/// The problem shown by the complete response, as the end of such a sentence; empty if the server
+/// is ready.
 std::string trouble_with_readiness(std::string_view answer);
 
 }  // namespace xr3

@@ -1,5 +1,5 @@
-// Reads members of a monitor message on a client's side. A member that is missing or has another type
-// leaves its value unchanged: the server may be older or newer than this client.
+// Reads members of a monitor message on a client's side. A member that is missing or has another
+// type leaves its value unchanged: the server may be older or newer than this client.
 #pragma once
 
 #include <array>

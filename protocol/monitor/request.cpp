@@ -12,7 +12,7 @@
 namespace xr3::monitor {
 namespace {
 
-/// What stands there, unless it is long.
+/// The value, or its size if it is long.
 std::string quoted(JsonValue value) {
   if (value.json_size(kMaxIdBytes) <= kMaxIdBytes) return shown(value).dump();
   const std::size_t size = value.is_text() ? value.text_size() : value.json_size();
@@ -38,7 +38,7 @@ RequestId read_id(ArgsReader& members, Findings& findings) {
   return {};
 }
 
-/// What is wrong inside a document is told as of a file.
+/// Inside a document, pointers begin at the document, as in the findings about a file.
 std::string in_document(const std::string& pointer) {
   for (const std::string_view document : {"/args/workcell/", "/args/snapshot/"}) {
     if (pointer.starts_with(document)) return pointer.substr(document.size() - 1);
@@ -46,7 +46,7 @@ std::string in_document(const std::string& pointer) {
   return pointer;
 }
 
-/// As a finding shows it: a long one by its size.
+/// `found` of a duplicate member: its name, or its size if it is long.
 Json shown_twice(JsonValue member) {
   constexpr std::size_t kMaxLength = 200;  // as JSON
   const std::string_view words = " for the second time";
@@ -58,7 +58,7 @@ Json shown_twice(JsonValue member) {
   return "string of " + std::to_string(size) + " bytes";
 }
 
-/// Nobody can say which of two members was meant.
+/// Duplicates are errors, since it is unclear which of the members is meant.
 void refuse_duplicates(const JsonDocument& document, Findings& findings) {
   document.for_each_duplicate([&](JsonValue member) {
     if (!findings.counts()) return;
@@ -67,7 +67,7 @@ void refuse_duplicates(const JsonDocument& document, Findings& findings) {
   });
 }
 
-/// The token is not shown again, whatever it is.
+/// An error never quotes the token.
 Auth read_auth(ArgsReader& members) {
   const JsonValue token = members.ask("token");
   if (token.is_text()) return {token.text()};
@@ -102,7 +102,7 @@ Subscribe read_subscribe(Channel channel, ArgsReader& members) {
   return wanted;
 }
 
-/// Carries on from the id: reads the members that belong to the op.
+/// Reads the id, then the members that belong to the op.
 class RequestReader {
  public:
   RequestReader(const JsonDocument& document, const std::vector<std::string>& cells)

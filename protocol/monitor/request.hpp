@@ -1,6 +1,6 @@
-// One message of a monitor's client, read into a value: what is asked for, with the id to answer
-// to, or what is wrong with it, all of it. Unknown members are ignored, but inside `args` they are
-// refused. It knows neither the cell nor the connection.
+// Parses a message of a client of the monitor port into a request with its id, or into an error
+// with all details. Unknown members are ignored, except in `args`, where they are errors.
+// Independent of the cell and the connection.
 #pragma once
 
 #include <cstdint>
@@ -17,27 +17,27 @@
 namespace xr3::monitor {
 
 inline constexpr std::size_t kMaxMessageBytes = 256 * 1024;
-/// Lists and objects inside one another, the message itself counted.
+/// Maximum nesting of lists and objects, including the message itself.
 inline constexpr int kMaxDepth = 32;
 inline constexpr std::size_t kMaxIdBytes = 64;
-/// Every integer of the protocol is a number that JavaScript has, too.
+/// Maximum integer of the protocol, so that JavaScript can represent all of them exactly.
 inline constexpr std::int64_t kMaxInteger = (std::int64_t{1} << 53) - 1;
 inline constexpr int kMaxWithinMs = 60'000;
 
-/// Nothing where a request carries no id, or none that could be read.
+/// monostate if a request has no id or an invalid one.
 using RequestId = std::variant<std::monostate, std::int64_t, std::string>;
 
-/// What a client can look at: the last of each of the first four, every message of the others.
+/// The channels. The first four are latest-wins; `event` and `line` deliver every message.
 enum class Channel : std::uint8_t { kState, kImage, kDisplay, kModel, kEvent, kLine };
 inline constexpr std::size_t kChannels = 6;
 
-/// How an image is written: a text of 0 and 1 a row, or run lengths that begin with zeros.
+/// Encoding of an image: per row a text of 0 and 1, or run lengths that begin with zeros.
 enum class Encoding : std::uint8_t { kRows, kRle };
 
-/// What of a channel is shown, and how: what is selected alike is the same bytes for everybody.
+/// What to send of a channel. Clients with equal selections share the bytes of a message.
 struct Selection {
   Channel channel = Channel::kState;
-  Fields fields;                        ///< top-level members; none: all
+  Fields fields;                        ///< top-level members; nullopt: all
   Encoding encoding = Encoding::kRows;  ///< image only
   bool operator==(const Selection&) const = default;
 };
@@ -48,7 +48,7 @@ struct Auth {
   std::string token;
 };
 
-/// FrameCache a second of 1/1000, 100...60,000.
+/// Frame rate in thousandths of a frame per second, kMinMilliHz...kMaxMilliHz.
 using MilliHz = int;
 inline constexpr MilliHz kMaxMilliHz = 60'000;
 inline constexpr MilliHz kMinMilliHz = 100;
@@ -57,7 +57,7 @@ struct Subscribe {
   Selection selection;
   MilliHz max_millihz = 30'000;
   bool on_change = true;
-  std::optional<std::int64_t> since;  ///< event and line only: the first seq that is wanted
+  std::optional<std::int64_t> since;  ///< event and line only: the first seq to send
 };
 
 struct Unsubscribe {
@@ -66,18 +66,18 @@ struct Unsubscribe {
 
 struct Get {
   Selection selection;
-  std::optional<std::int64_t> since;  ///< event and line only; none: the last kMaxRecalled
+  std::optional<std::int64_t> since;  ///< event and line only; nullopt: the last kMaxRecalled
 };
 inline constexpr std::int64_t kMaxRecalled = 256;
 
-/// A barrier: the call waits until the line has received so many bytes in all.
+/// A barrier: the call waits until the line has received this number of bytes since it was opened.
 struct After {
   std::uint32_t line = 0;
   std::uint64_t bytes_in = 0;
   int within_ms = 1000;  ///< 0...kMaxWithinMs
 };
 
-/// Calls that are not the cell's own.
+// Calls that the cell does not execute itself.
 struct Send {
   std::string bytes;
 };
@@ -85,7 +85,7 @@ struct ListLines {};
 struct DisconnectLine {
   std::uint32_t line = 0;
 };
-/// What calls there are and what they take, as JSON; made when the request is read.
+/// The description of calls and their args as JSON, built when the request is read.
 struct Describe {
   Json description;
 };
@@ -94,7 +94,7 @@ struct CallRequest {
   std::string fn;
   std::variant<call::Call, Send, ListLines, DisconnectLine, Describe> call;
   std::optional<After> after;  ///< step and run_until only
-  Fields fields;               ///< step and run_until only: members of the state in the answer
+  Fields fields;               ///< step and run_until only: members of the state in the result
 };
 
 struct Request {
@@ -103,14 +103,14 @@ struct Request {
   std::variant<Ping, Auth, Subscribe, Unsubscribe, Get, CallRequest> what;
 };
 
-/// One wrong value: where it stands in the message (JSON pointer), null where nothing stands there.
+/// An invalid value at a JSON pointer in the message; `found` is null if it is missing.
 struct Detail {
   std::string pointer;
   Json found;
   std::string allowed;
 };
 
-/// Why a request is not carried out. `code` is stable.
+/// Why a request is refused. `code` is stable.
 struct RequestError {
   RequestId id;
   std::string code;
@@ -121,19 +121,19 @@ struct RequestError {
 
 using RequestReading = std::variant<Request, RequestError>;
 
-/// What there is to ask for in this version, as `hello` lists it.
+/// The names that this version knows, as listed in `hello`.
 const std::vector<std::string>& ops();
 const std::vector<std::string>& channels();
 const std::vector<std::string>& calls();
 
-/// The id that a member `id` is, or nothing where it cannot be one. No member, or null: no id.
+/// The id in a member `id`; nullopt if it is invalid. A missing member or null means no id.
 std::optional<RequestId> id_of(JsonValue value);
 
-/// Reads one message. `cells`: those that may be named, the default first. Never throws.
+/// Parses a message. `cells` are the cells that it may name, the default first. Never throws.
 RequestReading read_request(std::string_view message, const std::vector<std::string>& cells);
 
-/// Keeps time inside what the protocol can say: a run is cut short at the last tick, a step that
-/// would pass it is an error.
+/// Keeps time within kMaxInteger ticks: shortens a run_until to end at the last tick, and returns
+/// an error for a step past it.
 std::optional<RequestError> fit(Request& request, Tick now);
 
 /// `"a", "b" or "c"`.

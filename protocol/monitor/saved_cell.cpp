@@ -13,10 +13,11 @@
 namespace xr3 {
 namespace {
 
-using namespace data;  // NOLINT: the tables below read as the form does
+using namespace data;  // NOLINT: keeps the tables below readable
 
 constexpr Counts kMaxCounts = 1 << 30;
-/// No arm that a robot file can describe reaches further, and the camera's arithmetic has room.
+/// More than the reach of any arm that a robot file can describe; the camera's arithmetic does not
+/// overflow.
 constexpr Micrometres kFarthestUm = 2'000'000'000;
 constexpr Micrometres kLargestUm = micrometres(kMaxLengthMm);
 constexpr Microdegrees kHalfTurn = 180'000'000;
@@ -99,7 +100,7 @@ Members<DisplaySettings> display_members() {
           required("function_keys", &DisplaySettings::function_keys, boolean())};
 }
 
-/// Bit i is line or port i+1.
+/// Bit i stands for line or port i+1.
 Members<InputOutput> io_members() {
   return {required("inputs", &InputOutput::inputs, integer<std::uint8_t>(0, UINT8_MAX)),
           required("outputs", &InputOutput::outputs, integer<std::uint8_t>(0, UINT8_MAX)),
@@ -144,7 +145,7 @@ Members<State> state_members() {
       required("tip_path", &State::tip_path, object(tip_path_members()))};
 }
 
-/// The workcell as its file has it; its own rules are kept, too.
+/// A workcell in the form of its file; the rules of workcell files apply.
 Codec<Workcell> workcell_file() {
   Codec<Workcell> codec;
   codec.allowed = "a workcell in the form of its file";
@@ -167,7 +168,7 @@ const Members<SavedCell>& saved_cell_members() {
   return members;
 }
 
-// --- What one member cannot say alone.
+// --- Rules that concern several members.
 
 void check_names(const std::vector<Block>& blocks, Reading& reading) {
   std::set<std::string> names;
@@ -187,7 +188,7 @@ void check_held(const State& state, Reading& reading) {
                  "the index of one of " + std::to_string(state.blocks.size()) + " blocks");
 }
 
-/// A path that is not full yet begins at its first point.
+/// Until a path is full, its oldest point is the first.
 void check_path(const TipPath& path, Reading& reading) {
   if (path.oldest == 0 || path.points.size() == TipPath::kMaxTipPoints) return;
   if (!reading.is_sound("/state/tip_path")) return;
@@ -219,7 +220,7 @@ SavedCellReading read_saved_cell(const Json& json) {
 }
 
 bool monitor::fits_a_request(const SavedCell& saved) {
-  constexpr std::size_t kCall = 1024;  // an id of 64 bytes, escaped, and the name of the cell
+  constexpr std::size_t kCall = 1024;  // includes an escaped id of 64 bytes and the cell's name
   return saved_cell_to_json(saved).dump().size() <= kMaxMessageBytes - kCall;
 }
 

@@ -1,4 +1,4 @@
-// Whether a saved cell fits a robot: see misfits() in saved_cell_json.hpp.
+// Whether a machine with a robot can reach a saved cell; declared in saved_cell.hpp.
 #include <string>
 #include <utility>
 
@@ -14,7 +14,7 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// The position of a joint or the tool; wide, since these counts may be anybody's.
+/// The position of a joint or the tool; 64 bits, since these counts are unchecked.
 std::int64_t wide_position(const Model& model, const Motors& motors, int index) {
   std::int64_t sum = 0;
   for (int motor = 0; motor < model.motor_count(); ++motor) {
@@ -31,7 +31,7 @@ std::string limits_of(const MotorModel& motor) {
   return std::to_string(motor.low) + "..." + std::to_string(motor.high);
 }
 
-/// Every count of a machine is checked against the limits before it is made.
+/// A machine makes a count only if the limits allow it, so every position is within its limits.
 void check_positions(const Model& model, const Motors& motors, std::vector<Detail>& details) {
   for (int i = 0; i < model.motor_count(); ++i) {
     const std::int64_t position = wide_position(model, motors, i);
@@ -63,7 +63,7 @@ void check_grasp(const Model& model, const Held& held, std::vector<Detail>& deta
   }
 }
 
-// --- What follows from the rest: told as it must be, with the reason.
+// --- Derived values: errors give the required value and the reason.
 
 Json blocked_json(Blocked blocked) {
   if (blocked == Blocked::kNo) return "no";
@@ -108,7 +108,7 @@ void check_surface(const Model& model, const State& found, const State& derived,
 
 Json point_um(const PointUm& p) { return {p.x, p.y, p.z}; }
 
-/// While a block is held its entry stays as the jaws closed on it.
+/// While a block is held, its entry keeps its pose at the grasp.
 void check_held_block(const Block& found, const Block& derived, const std::string& pointer,
                       std::vector<Detail>& details) {
   if (found.centroid_um != derived.centroid_um) {
@@ -133,7 +133,7 @@ void check_derived(const Model& model, const State& found, std::vector<Detail>& 
                    child_pointer("/state/blocks", block), details);
 }
 
-// --- Where no machine stands.
+// --- The protected region and stalls.
 
 void check_region(const Model& model, const Positions& where, const std::string& pointer,
                   std::vector<Detail>& details) {
@@ -154,7 +154,7 @@ void check_stall(const Model& model, const State& state, std::vector<Detail>& de
                          (by_region ? "into the protected region" : "the tip downwards")});
 }
 
-// --- What the jaws hold: the tool cannot have moved since, one way is shut and the other lets go.
+// --- Held blocks. The tool has not moved since the grasp, since opening it releases the block.
 
 void check_jaws(const Model& model, const State& state, const Held& held,
                 std::vector<Detail>& details) {
@@ -174,7 +174,7 @@ void check_jaws(const Model& model, const State& state, const Held& held,
                          Json(block.name).dump() + " is " + std::to_string(extent) + " um"});
 }
 
-// --- The path.
+// --- The tip's path.
 
 void check_path(const State& state, std::vector<Detail>& details) {
   const std::size_t points = state.tip_path.points.size();
@@ -193,7 +193,7 @@ std::vector<Detail> misfits(const Model& model, const SavedCell& saved) {
   check_positions(model, state.motors, details);
   check_others(model, state.motors, details);
   if (state.held) check_grasp(model, *state.held, details);
-  if (!details.empty()) return details;  // what follows is worked out from positions
+  if (!details.empty()) return details;  // the checks below need valid positions
   // The cell may be in another workcell than the saved one.
   const Model there(model.robot(), saved.workcell, model.profile());
   check_path(state, details);

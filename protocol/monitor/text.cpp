@@ -8,7 +8,7 @@
 namespace xr3::monitor {
 namespace {
 
-/// How deep lists and objects lie inside one another.
+/// Nesting depth of lists and objects.
 int depth_of(std::string_view text) {
   int depth = 0;
   int deepest = 0;
@@ -56,7 +56,7 @@ std::optional<RequestError> refuse_text(std::string_view message) {
         {}, "too_long", "a message has at most 262144 bytes", "send less at once", {}};
   }
   if (depth_of(message) > kMaxDepth) return too_deep();
-  const std::size_t nul = message.find('\0');  // the parser would take it for the end
+  const std::size_t nul = message.find('\0');  // the parser would treat it as the end
   if (nul != std::string_view::npos) return bad_json(nul + 1, "a NUL byte; allowed: JSON in UTF-8");
   return std::nullopt;
 }

@@ -1,5 +1,5 @@
-// Whether the text of a monitor's message is an object of JSON, or what is wrong with it, in plain words
-// with the column. It knows nothing of what requests mean.
+// Checks whether the text of a message is a JSON object; if not, describes the error with its
+// column. Independent of the meaning of requests.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,12 @@
 
 namespace xr3::monitor {
 
-/// What can be told before it is read: `too_long`, `too_deep`, or `bad_json` of a NUL byte; without an id.
+/// Errors found before parsing: `too_long`, `too_deep`, or `bad_json` for a NUL byte; without an
+/// id.
 std::optional<RequestError> refuse_text(std::string_view message);
 
-/// What reading it has found: `bad_json`, also of what is no object.
+/// Errors found by parsing: `too_deep`, or `bad_json` for invalid JSON or a value other than an
+/// object.
 std::optional<RequestError> refuse_document(const JsonDocument& document);
 
 }  // namespace xr3::monitor
