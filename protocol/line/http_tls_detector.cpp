@@ -9,7 +9,7 @@ namespace {
 
 using std::string_view_literals::operator""sv;
 
-/// How far some first bytes match a greeting.
+/// How far the first bytes match an opening.
 enum class Match : std::uint8_t { kNone, kBeginning, kWhole };
 
 Match match(std::string_view bytes, std::string_view greeting) {
@@ -26,21 +26,22 @@ Match match_any(std::string_view bytes, const Greetings& greetings) {
 
 // --- HTTP.
 
-// The methods that a browser sends without asking first, and the others of RFC 9110 and RFC 5789.
+// The methods that a browser sends without a preflight request, and the others of RFC 9110 and
+// 5789.
 constexpr std::array kMethods = {"GET "sv,    "HEAD "sv,  "POST "sv,    "PUT "sv,    "PATCH "sv,
                                  "DELETE "sv, "TRACE "sv, "OPTIONS "sv, "CONNECT "sv};
-// What a target begins with: a path, a whole address for a proxy, or the server itself.
+// Beginnings of a target: a path, an absolute URL for a proxy, or `*` for the server itself.
 constexpr std::array kTargets = {"/"sv, "http:"sv, "https:"sv, "ftp:"sv, "ws:"sv, "wss:"sv, "*"sv};
 constexpr std::string_view kConnect = "CONNECT ";
 constexpr std::size_t kMaxHost = HttpTlsDetector::kMaxHeld - kConnect.size();
 
-// A browser lets a page choose many signs of a host's name, but not these.
+// A page can choose most characters of a host name; browsers exclude these.
 bool may_be_in_host(char byte) {
   return byte > ' ' && byte < '\x7f' && "#%/<>?@[\\]^|:"sv.find(byte) == std::string_view::npos;
 }
 
-// `host:port` up to the first digit of the port. A host longer than kMaxHost needs no port: no
-// robot program begins with CONNECT and so long a word.
+// `host:port` up to the first digit of the port. For a host longer than kMaxHost the port is not
+// required: no robot program begins with CONNECT and such a long word.
 Match match_host_and_port(std::string_view target) {
   const std::string_view host = target.substr(0, target.find(':'));
   if (host.empty() || !std::all_of(host.begin(), host.end(), may_be_in_host)) return Match::kNone;
@@ -50,7 +51,7 @@ Match match_host_and_port(std::string_view target) {
   return port[1] >= '0' && port[1] <= '9' ? Match::kWhole : Match::kNone;
 }
 
-// `[address]:port`, given away by the address's first digit or colon.
+// `[address]:port`, recognised by the first digit or colon of the address.
 Match match_address_v6(std::string_view target) {
   constexpr std::string_view kBegins = "0123456789abcdefABCDEF:";
   if (!target.starts_with('[')) return Match::kNone;
@@ -72,29 +73,29 @@ Match match_request(std::string_view bytes) {
   return match_any(bytes, kMethods);
 }
 
-// --- What is always the same.
+// --- Fixed openings.
 
 constexpr std::array kFixed = {
     "PRI *"sv,                 // HTTP/2's preface
-    "\x16\x03"sv,              // a TLS record with a handshake
-    "\x80\x46\x01\x03\x01"sv,  // the hello of SSL 2 that libwebrtc sends before ICE by "ssltcp"
+    "\x16\x03"sv,              // a TLS handshake record
+    "\x80\x46\x01\x03\x01"sv,  // the SSL 2 hello that libwebrtc sends before ICE over "ssltcp"
 };
 
-// --- STUN and TURN: a type, the length of what follows the header, the magic cookie.
+// --- STUN and TURN: a type, the length after the header, the magic cookie.
 
 constexpr std::string_view kCookie = "\x21\x12\xa4\x42";
 constexpr std::size_t kCookieAt = 4;
 constexpr std::size_t kHeader = 20;
-// The types that may come first: Binding, Allocate and ConnectionBind, and Binding's indication.
+// Low bytes of the possible first types: Binding, Allocate, ConnectionBind, Binding indication.
 constexpr std::string_view kTypes = "\x01\x03\x0b\x11";
-// A length's high byte: no message of a browser has 2048 bytes.
+// Maximum high byte of a length: no message of a browser has 2048 bytes.
 constexpr std::uint8_t kMaxLengthHigh = 7;
 
 std::uint8_t byte_at(std::string_view bytes, std::size_t at) {
   return static_cast<std::uint8_t>(bytes[at]);
 }
 
-// Two bytes, or the first of them: a length below 2048, and a multiple of 4.
+// Whether one or two bytes may begin a length: below 2048 and a multiple of 4.
 bool may_be_length(std::string_view bytes) {
   return byte_at(bytes, 0) <= kMaxLengthHigh && (bytes.size() < 2 || byte_at(bytes, 1) % 4 == 0);
 }
@@ -107,7 +108,7 @@ Match match_message(std::string_view bytes) {
   return bytes.size() > kCookieAt ? match(bytes.substr(kCookieAt), kCookie) : Match::kBeginning;
 }
 
-// A frame is its length in two bytes and one message.
+// A frame consists of a length in two bytes and a message.
 Match match_frame(std::string_view bytes) {
   if (!may_be_length(bytes)) return Match::kNone;
   if (bytes.size() < 2) return Match::kBeginning;

@@ -1,8 +1,9 @@
-// Keeps clients that are no robot program off the robot: browsers, TLS clients and WebRTC. The guard
-// holds a connection's first bytes while they could be the beginning of an HTTP request line (RFC
-// 9112, RFC 9113), of a TLS hello, or of STUN or TURN over TCP (RFC 8489, RFC 8656; framed by
-// RFC 4571 or not). If one completes, not one byte has acted; the first byte that differs lets them
-// all act. After that the guard never looks again.
+// Detects clients that do not speak the robot protocol: browsers, TLS clients and WebRTC. The
+// detector holds back the first bytes of a connection while they may begin an HTTP request line
+// (RFC 9112, RFC 9113), a TLS hello, or STUN or TURN over TCP (RFC 8489, RFC 8656; with or without
+// the frames of RFC 4571). If such an opening is complete, none of its bytes has been executed. At
+// the first byte that differs, the held bytes are released for execution and detection ends for
+// good.
 #pragma once
 
 #include <cstdint>
@@ -12,23 +13,23 @@
 namespace xr3 {
 
 enum class Detection : std::uint8_t {
-  kUndecided,         ///< still the beginning of a stranger's greeting
-  kPass,              ///< a client: the held bytes act, and this one after them
+  kUndecided,         ///< the bytes may still begin such an opening
+  kPass,              ///< a robot program: execute the held bytes, then this one
   kNotARobotProgram,  ///< close the connection
 };
 
 class HttpTlsDetector {
  public:
-  /// Judges the next byte. After kPass every byte passes; after kNotARobotProgram none does. A byte that is
-  /// held is appended to held(); the one that passes or completes is not.
+  /// Examines the next byte. kPass and kNotARobotProgram are final. With kUndecided the byte is
+  /// appended to held(); the byte that decides is not.
   Detection feed(std::uint8_t byte);
 
-  /// The bytes held back so far, at most kMaxHeld.
+  /// The held bytes, at most kMaxHeld.
   std::string_view held() const { return held_; }
-  /// Gives the held bytes away, for the caller to let them act.
+  /// Removes and returns the held bytes; the caller must execute them.
   std::string release();
 
-  static constexpr std::size_t kMaxHeld = 40;  // "CONNECT " and the host before its port
+  static constexpr std::size_t kMaxHeld = 40;  // "CONNECT " and the host without port
 
   bool operator==(const HttpTlsDetector&) const = default;
 

@@ -154,7 +154,7 @@ void check_stall(const Model& model, const State& state, std::vector<Detail>& de
                          (by_region ? "into the protected region" : "the tip downwards")});
 }
 
-// --- Held blocks. The tool has not moved since the grasp, since opening it releases the block.
+// --- Held blocks. The tool has not moved since the grasp: closing is blocked, opening releases.
 
 void check_jaws(const Model& model, const State& state, const Held& held,
                 std::vector<Detail>& details) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr WallNs kMs = 1'000'000;
 
-/// A whole cell in memory, with everything that it told.
+/// A cell in memory that collects its events.
 struct Lab {
   explicit Lab(SimClock clock = SimClock::manual(), Profile profile = Profile::kPaper)
       : cell("main", test::rhino(profile), clock,
@@ -238,7 +238,7 @@ ModelPtr rhino_with_camera(std::string_view workcell) {
                                        test::workcell_named(workcell), Profile::kPaper);
 }
 
-/// A cell whose camera sees blocks, and what may happen to it.
+/// A cell with a camera and blocks, and actions on it.
 class Seen {
  public:
   bool is_fresh() {
@@ -251,7 +251,7 @@ class Seen {
   }
   void call(const call::Call& call) { cell_.apply(Input{call}, 0); }
   void pass(Tick ticks) { call(call::Step{ticks}); }
-  /// Down to the first block, around which the jaws then stand open.
+  /// Moves the open jaws down around the first block.
   void go_to_a_block() {
     bytes("A$A+16\r");
     for (int i = 0; i < 6; ++i) {

@@ -1,4 +1,4 @@
-// The whole process in a test: how it ends when something has failed while every kind of client is there.
+// The complete server: how it ends after a failure while clients of every kind are connected.
 #include "server/app.hpp"
 
 #include <gmock/gmock.h>
@@ -33,7 +33,7 @@ constexpr const char* kRequests =
     R"({"op":"call","fn":"step","args":{"ticks":1,"after":{"line":1,"bytes_in":99,"within_ms":60000}}})"
     "\n";
 
-/// Blocking clients of every kind, from another thread than the server's.
+/// Blocking clients of every kind, for use in another thread than the server's.
 class Crowd {
  public:
   void come(std::uint16_t robot_port, std::uint16_t monitor_port) {
@@ -45,7 +45,7 @@ class Crowd {
   }
 
  private:
-  /// Sends, and waits until something is answered.
+  /// Connects, sends, and waits for the first byte of the answer.
   void talk(std::uint16_t port, const std::string& bytes) {
     tcp::socket& socket = sockets_.emplace_back(io_);
     socket.connect({asio::ip::address_v4::loopback(), port});
@@ -58,7 +58,8 @@ class Crowd {
   std::list<tcp::socket> sockets_;
 };
 
-/// Starts the server, lets everybody come, and does this in its loop; returns how it ended and its log.
+/// Starts the server, connects all clients, then runs `work` in its loop. Returns exit code and
+/// log.
 template <class Work>
 std::pair<ExitCode, std::string> ending(const Work& work) {
   ServeOptions options;

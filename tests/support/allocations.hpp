@@ -1,17 +1,17 @@
-// Counts what operator new gives out, in whatever program links this: the most that was held at once while
-// something ran. It counts all threads together.
+// Measures the peak of memory allocated with operator new, which it replaces in a program that
+// links it. All threads are counted together.
 #pragma once
 
 #include <cstddef>
 
 namespace xr3::test {
 
-/// Watches from its construction on.
+/// Measures from its construction. At most one instance may exist at a time.
 class Allocations {
  public:
   Allocations();
 
-  /// Most bytes held at once beyond those that were held at the beginning.
+  /// Maximum number of allocated bytes since construction, minus those allocated at construction.
   std::size_t peak() const;
 
  private:

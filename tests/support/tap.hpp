@@ -1,5 +1,5 @@
-// A line in memory with its wire records: input goes through the server's Line, and the records of
-// both directions are formatted as a transcript.
+// A serial line in memory with its wire records: input goes through the cell's SerialLine, and the
+// records of both directions are formatted as a transcript.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The client's end of a serial line in memory: the server's Line (HTTP and TLS detector, telnet
+// The client's end of a serial line in memory: the cell's SerialLine (HTTP and TLS detector, telnet
 // filter, endpoint) without a socket, so that tests can send bytes and read replies.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Values of a JSON text by its index: against nlohmann-json, which knows nothing of it.
+// JsonDocument and JsonValue, compared with nlohmann-json; and Reading.
 #include "protocol/json/document.hpp"
 
 #include <gtest/gtest.h>
@@ -108,7 +108,7 @@ TEST(JsonDocument, CutsLongPointers) {
   EXPECT_EQ(inner.pointer_from(document.root()), "/" + std::string(256, 'n'));
 }
 
-/// One to three bytes of a text put in, taken out or changed.
+/// The text with one to three random insertions, deletions or replacements.
 std::string mutated(std::string text, std::minstd_rand& random) {
   constexpr std::string_view kBytes = "{}[]\",:\\ue0129-+.tfn \n\x01\x7F\xC3\xA9\xED\xA0\xF0\xFF";
   for (std::size_t i = random() % 3 + 1; i > 0; --i) {
@@ -188,7 +188,7 @@ TEST(JsonDocument, SaysWhatIsWrong) {
   EXPECT_EQ(deep.fault(), JsonDocument::Fault::kTooDeep);
 }
 
-// --- Readings.
+// --- Reading.
 
 TEST(Reading, KeepsTheFirstAndCountsTheOthers) {
   std::string text = R"({"length_unit":"mm")";

@@ -111,7 +111,7 @@ TEST(JsonSource, SaysSyntaxErrorsInPlainWords) {
   }
 }
 
-/// A long token is looked at before the parser sees it, and its fault is told as the parser would.
+/// Long tokens are checked before the parser reads them; the error must equal the parser's.
 TEST(JsonSource, SaysTheSameOfLongTokens) {
   struct Row {
     std::string begin, repeated, end;

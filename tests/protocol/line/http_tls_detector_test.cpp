@@ -1,5 +1,5 @@
-// Browsers, TLS and WebRTC clients at the robot port: recognised by their first bytes, before one
-// has acted.
+// Browsers, TLS and WebRTC clients at the robot port: recognised by their first bytes, before any
+// of these is executed.
 #include "protocol/line/http_tls_detector.hpp"
 
 #include <gtest/gtest.h>
@@ -19,8 +19,8 @@ using std::string_view_literals::operator""sv;
 using test::Wire;
 
 // Each is cut below after each of its bytes. The binary ones: TLS, the hello that Chromium sends
-// before ICE over "ssltcp", a Binding request of ICE over TCP as Chromium sends it (short and long),
-// a framed Allocate, a Binding request without a frame, and Chromium's Allocate for TURN.
+// before ICE over "ssltcp", a Binding request of Chromium's ICE over TCP (short and long), a framed
+// Allocate, a Binding request without a frame, and Chromium's Allocate for TURN.
 constexpr std::string_view kGreetings[] = {
     "GET /"sv,
     "HEAD /"sv,
@@ -113,7 +113,7 @@ TEST(HttpTlsDetector, TheFirstByteThatDiffersLetsThemAllAct) {
   }
 }
 
-/// How many of the bytes the detector holds, and its detection on the next; kUndecided if it holds them all.
+/// The number of held bytes and the detection at the next byte; kUndecided if all bytes are held.
 std::pair<std::size_t, Detection> judge(std::string_view bytes) {
   HttpTlsDetector detector;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -129,7 +129,7 @@ std::pair<std::size_t, Detection> passes_after(std::size_t held) {
 
 struct PassRow {
   std::string_view bytes;
-  std::size_t held;  ///< of them, before one differs
+  std::size_t held;  ///< number of held bytes before one differs
 };
 
 TEST(HttpTlsDetector, WhatIsNoGreeting) {
@@ -169,12 +169,12 @@ TEST(HttpTlsDetector, ALongHostIsNoWayRound) {
             std::pair(HttpTlsDetector::kMaxHeld, Detection::kNotARobotProgram));
 }
 
-// STUN begins with a NUL and so may a robot program, or one on an 8-bit line with any byte.
+// STUN begins with a NUL. A robot program may do so, too, and on an 8-bit line with any byte.
 TEST(HttpTlsDetector, BinaryBytesThatAreNoStun) {
   constexpr PassRow kRows[] = {
       {"\0\0"sv, 1},
       {"\0E?"sv, 1},
-      {"\0D?"sv, 2},  // 0x44 might be a length
+      {"\0D?"sv, 2},  // 0x44 may be a length
       {"\0\0E?"sv, 1},
       {"\0\rI"sv, 1},
       {"\0\nI"sv, 1},
@@ -203,8 +203,8 @@ TEST(HttpTlsDetector, BinaryBytesThatAreNoStun) {
   }
 }
 
-// A frame's length is a multiple of four, so a letter that is a whole command acts at once behind a
-// NUL, too. Only L (0x4c, 0x6c) waits for the next byte.
+// A frame's length is a multiple of four, so a one-letter command is executed at once after a NUL,
+// too. Only L (0x4c, 0x6c) waits for the next byte.
 TEST(HttpTlsDetector, ALetterBehindANulActsAtOnce) {
   for (const char first : {'\0', '\1', '\7'}) {
     for (const char letter : "IJKMNOQijkmnoq"sv) {

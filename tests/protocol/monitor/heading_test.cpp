@@ -1,4 +1,4 @@
-// What a message says of itself to who may not ask: op, fn and id, however the rest is written.
+// op, fn and id of a message, however the rest is written.
 #include "protocol/monitor/heading.hpp"
 
 #include <gtest/gtest.h>

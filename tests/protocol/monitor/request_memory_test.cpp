@@ -1,4 +1,5 @@
-// What reading a request or a file may cost in memory, whatever its shape: a few times its own bytes.
+// Memory needed for reading a request or a file: a small multiple of its size, whatever its
+// structure.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,9 +18,9 @@ namespace {
 
 constexpr std::size_t kMaxTimes = 8;
 constexpr std::size_t kConstant =
-    96 * 1024;  // what is told of 32 wrong members, tables, a stack or two
+    96 * 1024;  // details of 32 invalid members, tables, parser stacks
 
-/// `begin`, then `item` again and again, then `end`, as long as a message may be.
+/// `begin`, then `item` repeated, then `end`, with at most `size` bytes.
 std::string filled(const std::string& begin, const std::string& item, const std::string& end,
                    std::size_t size = kMaxMessageBytes) {
   std::string text = begin;
@@ -29,7 +30,7 @@ std::string filled(const std::string& begin, const std::string& item, const std:
   return text + last + end;
 }
 
-/// The same with a number in each item, in place of `#`.
+/// The same with a running number instead of `#` in each item.
 std::string numbered(const std::string& begin, const std::string& item, const std::string& end,
                      std::size_t size = kMaxMessageBytes) {
   std::string text = begin;
@@ -138,7 +139,7 @@ std::vector<Shape> shapes() {
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
 TEST(RequestMemory, IsAtMostEightTimesTheMessage) {
-  read_request(R"({"op":"call","fn":"describe"})", {"main"});  // what is made once
+  read_request(R"({"op":"call","fn":"describe"})", {"main"});  // creates static tables
   read_request(R"({"op":"call","fn":"workcell","args":{"workcell":{}}})", {"main"});
   read_request(R"({"op":"call","fn":"snapshot_load","args":{"snapshot":{}}})", {"main"});
   for (const Shape& shape : shapes()) {

@@ -262,7 +262,7 @@ TEST(MonitorRequest, NoTickBeyondWhatCanBeSaid) {
             kMaxInteger - 1000);
 }
 
-// --- Members that are given twice.
+// --- Duplicate members.
 
 TEST(MonitorRequest, AMemberIsGivenOnce) {
   const RequestError error =

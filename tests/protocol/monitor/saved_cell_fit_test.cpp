@@ -92,7 +92,7 @@ TEST(SavedCellFit, MotorsThatTheRobotDoesNotHave) {
   EXPECT_EQ(misfits_of(saved), (Strings{"/state/motors/6", "/state/motors/7"}));
 }
 
-// --- What follows from counts and counters.
+// --- Values derived from counts and error counters.
 
 TEST(SavedCellFit, ASwitchFollowsItsCount) {
   SavedCell saved = at_home();
@@ -201,7 +201,7 @@ TEST(SavedCellFit, TheSurfaceMayBeAnotherOneSinceTheStall) {
   EXPECT_EQ(details[0].allowed, "\"no\": no tick from here leads the tip downwards");
 }
 
-// --- What the jaws hold.
+// --- Held blocks.
 
 /// The Rhino holds "thin", grasped by its length of 30 mm; "wide" is elsewhere.
 SavedCell holding() {

@@ -40,7 +40,7 @@ Strings wrong_in(const Json& json) {
   return pointers;
 }
 
-// --- What rapidcheck makes up.
+// --- Generators.
 
 template <class I>
 I any(std::int64_t low, std::int64_t high) {
@@ -138,7 +138,7 @@ RC_GTEST_PROP(SavedCellJson, EveryBitRoundTrips, ()) {
   RC_ASSERT(*reading.saved == saved);
 }
 
-// --- What a machine comes to.
+// --- Reachable states.
 
 TEST(SavedCellJson, AMachineRunsOnFromIt) {
   const auto model = std::make_shared<const Model>(
@@ -186,7 +186,7 @@ TEST(SavedCellJson, WhatIsHandedOutCanBeSentBack) {
   EXPECT_TRUE(std::holds_alternative<monitor::Request>(reading));
 }
 
-// --- What somebody made up.
+// --- Invalid saved cells.
 
 TEST(SavedCellJson, EveryMemberIsWantedAndNoOther) {
   EXPECT_EQ(wrong_in(Json::object()), (Strings{"/robot_hash", "/workcell", "/state"}));

@@ -1,4 +1,4 @@
-// `xr3 draw`: poses as they are typed, lines as pixels, and files that others can read.
+// `xr3 draw`: parsing of poses, rasterization of lines, and files that other programs can read.
 #include "server/commands/draw.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// HTTP without its connection: who is answered, who is refused, and what with.
+// HTTP requests without a connection: which are answered or refused, and the responses.
 #include <gtest/gtest.h>
 
 #include <boost/asio/co_spawn.hpp>
@@ -36,7 +36,7 @@ Json json_of(const std::string& text) { return Json::parse(body_of(text)); }
 
 class HttpTest : public testing::Test {
  protected:
-  /// The whole answer to a head, or to as much of one as came.
+  /// The complete response to a request head, which may be truncated.
   std::string answer(const std::string& received) {
     const http::HeadReading head = read_head(received);
     auto refused = http::refuse_head(head.fault);
@@ -237,7 +237,7 @@ TEST_F(HttpTest, WhatTheClientAsksForAfterwards) {
   EXPECT_EQ(then(get("/", kHost)), http::Then::kKeep);
   EXPECT_EQ(then(get("/", kHost + "Connection: close\r\n")), http::Then::kClose);
   EXPECT_EQ(then("GET / HTTP/1.0\r\n\r\n"), http::Then::kClose);
-  // A body that nobody reads would be taken for the next request.
+  // The server does not read bodies, so a body would be parsed as the next request.
   EXPECT_EQ(then(get("/", kHost + "Content-Length: 5\r\n")), http::Then::kClose);
   EXPECT_EQ(then(get("/", kHost + "Transfer-Encoding: chunked\r\n")), http::Then::kClose);
   EXPECT_EQ(status_of(get("/", kHost + "Content-Length: 5\r\nContent-Length: 6\r\n")), "400");
@@ -333,7 +333,7 @@ TEST_F(HttpTest, NamesThatAreAllowed) {
   EXPECT_EQ(status_of(get("/healthz", "Host: leg.lab\r\n")), "403");
 }
 
-// --- WebSocket's handshake.
+// --- The WebSocket handshake.
 
 TEST_F(HttpTest, Handshakes) {
   const std::string upgrade = kHost + "Connection: keep-alive, Upgrade\r\nUpgrade: WebSocket\r\n";

@@ -1,4 +1,4 @@
-// Who may: with and without a token.
+// Access rules with and without a token.
 #include "server/monitor_port/access.hpp"
 
 #include <gtest/gtest.h>

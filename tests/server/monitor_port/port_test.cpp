@@ -1,5 +1,5 @@
-// The monitor port over real sockets, with time standing: one thread is server and client, and
-// waits for what it expects.
+// The monitor port over real sockets, with a manual clock. Server and clients share one thread,
+// which waits for the expected bytes.
 #include "server/monitor_port/port.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ class MonitorPortTest : public testing::Test {
 
   Client monitor() { return {io_, monitor_port_.endpoint()}; }
   Client robot() { return {io_, robot_port_.endpoint()}; }
-  /// Sends, closes that side, and returns all that comes back.
+  /// Sends bytes, closes the sending side, and returns everything received.
   std::string exchange(std::string_view bytes) {
     Client client = monitor();
     client.send(bytes);
@@ -210,7 +210,7 @@ TEST_F(MonitorPortTest, AClientThatTakesNothingIsNotReadForEver) {
   socket.connect(monitor_port_.endpoint());
   socket.non_blocking(true);
   std::size_t sent = 0;
-  for (int turns = 0; turns < 20;) {  // until nothing more is taken for a while
+  for (int turns = 0; turns < 20;) {  // until nothing is accepted for a while
     ErrorCode error;
     const std::size_t count = socket.write_some(asio::buffer(flood), error);
     sent += count;

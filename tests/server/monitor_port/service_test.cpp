@@ -1,5 +1,5 @@
-// The monitor's service in memory: sessions without a connection ask, follow and call, and what comes
-// out is compared. Time stands, but where a test lets it run.
+// The monitor service in memory: requests, subscriptions and calls of sessions without a
+// connection, and their output. The clock is manual except where a test says otherwise.
 #include "server/monitor_port/service.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ AccessPolicy with_token(Reading reading) {
   return AccessPolicy(rules);
 }
 
-/// No connection: the tests take the output themselves.
+/// A sink without a connection: the tests read the output of the session themselves.
 struct NoCarrier final : MessageSink {
   void pump() override {}
   void prefetch(Depth) const override {}
@@ -35,7 +35,7 @@ class MonitorServiceTest : public testing::Test {
  protected:
   explicit MonitorServiceTest(AccessPolicy policy = {}) : policy_(std::move(policy)) {}
 
-  /// Hands one message in; returns everything that comes out.
+  /// Passes a message to the session; returns all output.
   std::vector<Json> ask(MonitorSession& session, const std::string& message) {
     asio::co_spawn(
         io_, [&session, message] { return session.handle(message); }, asio::detached);
@@ -43,7 +43,7 @@ class MonitorServiceTest : public testing::Test {
     io_.poll();
     return read(session);
   }
-  /// The one message that answers.
+  /// Expects exactly one message as the answer and returns it.
   Json answer(MonitorSession& session, const std::string& message) {
     const std::vector<Json> answers = ask(session, message);
     EXPECT_EQ(answers.size(), 1U) << message;
@@ -58,7 +58,7 @@ class MonitorServiceTest : public testing::Test {
       messages.push_back(Json::parse(*message));
     return messages;
   }
-  /// Lets the loop run until something comes out.
+  /// Runs the loop until there is output.
   std::vector<Json> wait(MonitorSession& session) {
     const auto deadline = std::chrono::steady_clock::now() + 10s;
     for (;;) {

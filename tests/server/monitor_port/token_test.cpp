@@ -1,4 +1,4 @@
-// The token: from a file, from the environment, made afresh; and what is none.
+// Tokens from a file, from the environment and generated; invalid tokens.
 #include "server/monitor_port/token.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// WebSocket clients that fall silent or take nothing: over real sockets, with little patience.
+// WebSocket clients that are silent or do not read, over real sockets with short timeouts.
 #include "server/monitor_port/websocket.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What becomes of an exception out of a loop and out of a session, wherever it is thrown.
+// Exceptions that leave a loop or a session, wherever they are thrown.
 #include "server/net/spawn.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace xr3 {
 namespace {
 
-/// What leaves run() and tells that the process is to end; nothing if nothing does.
+/// The message of the VitalFailure that leaves run(); empty if there is none.
 std::string failure_of(asio::io_context& io) {
   try {
     io.run();

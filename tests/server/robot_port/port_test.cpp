@@ -1,5 +1,5 @@
-// The robot port over real sockets, with time standing: when lines have their turns, and that none is
-// forgotten although each is told of once.
+// The robot port over real sockets, with a manual clock: lines take turns, and none is forgotten
+// although its socket reports readiness only once.
 #include "server/robot_port/port.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ class RobotPortTest : public testing::Test {
     io_.run();  // returns: nothing of the port is left
   }
 
-  /// The failure that leaves the loop.
+  /// Runs the loop and returns the message of the failure that leaves it.
   std::string failure() {
     fails_ = true;
     std::string what;
@@ -55,9 +55,9 @@ class RobotPortTest : public testing::Test {
     fails_ = false;
     return what;
   }
-  /// Bytes that a line has received so far.
+  /// The number of bytes that a line has received so far.
   std::uint64_t received(LineId line) const { return cell_.bytes_in(line).value_or(0); }
-  /// Lets everything happen that can.
+  /// Runs all pending work.
   void settle() {
     io_.restart();
     while (io_.poll() > 0) {
@@ -118,7 +118,7 @@ TEST_F(RobotPortTest, AFloodOfPicturesLeavesRoomForTheOthers) {
   Client flood(io_, port_.endpoint());
   Client other(io_, port_.endpoint());
   settle();
-  const std::string asked = pictures(500);  // what a socket holds in replies, or more
+  const std::string asked = pictures(500);  // replies that fill a socket's buffer, or more
   flood.send(asked);
   other.send("E?");
   EXPECT_EQ(other.bytes(1), " ");

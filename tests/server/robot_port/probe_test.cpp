@@ -1,4 +1,5 @@
-// The server's question to itself, over real sockets: what it finds, and that it leaves no trace.
+// The server's probe of its own robot port, over real sockets: its results, and that it has no side
+// effects.
 #include "server/robot_port/probe.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,7 @@ class RobotProbeTest : public testing::Test {
     io_.run_for(5s);
   }
 
-  /// Asks, and lets the server run until it is told.
+  /// Runs the probe and the server until there is a result.
   std::string trouble(RobotProbe& probe) {
     std::optional<std::string> told;
     ask(probe, told);
@@ -39,7 +40,7 @@ class RobotProbeTest : public testing::Test {
     return told.value_or("nothing came");
   }
   std::string trouble() {
-    RobotProbe probe(io_, port_);  // knows no outcome yet
+    RobotProbe probe(io_, port_);  // without a previous result
     return trouble(probe);
   }
   void ask(RobotProbe& probe, std::optional<std::string>& told) {
