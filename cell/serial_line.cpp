@@ -3,7 +3,7 @@
 namespace xr3 {
 
 std::size_t SerialLine::receive(std::string_view bytes, Simulation& simulation,
-                          std::vector<Exchange>& exchanges) {
+                                std::vector<Exchange>& exchanges) {
   std::size_t taken = 0;
   while (taken < bytes.size() && !is_full() && !is_not_a_robot_program_) {
     const auto byte = static_cast<std::uint8_t>(bytes[taken++]);
@@ -27,13 +27,13 @@ std::size_t SerialLine::receive(std::string_view bytes, Simulation& simulation,
 }
 
 void SerialLine::act(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
-               std::vector<Exchange>& exchanges) {
+                     std::vector<Exchange>& exchanges) {
   const auto data = telnet_.feed(byte, outbox_);
   if (data) act_on(*data, offset, simulation, exchanges);
 }
 
 void SerialLine::act_on(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
-                  std::vector<Exchange>& exchanges) {
+                        std::vector<Exchange>& exchanges) {
   std::string replies;
   endpoint_.feed(byte, offset, simulation, replies, exchanges);
   if (replies.empty()) return;

@@ -55,7 +55,8 @@ std::string workcell_name(const ServeOptions& options) {
   if (!options.workcell.empty()) return options.workcell;
   std::string name = std::filesystem::path(options.robot).stem();
   if (has_data_file(name, "workcells")) return name;
-  throw FileError("there is no workcell named after the robot " + name + "; name one with --workcell");
+  throw FileError("there is no workcell named after the robot " + name +
+                  "; name one with --workcell");
 }
 
 AccessRules access_rules(const ServeOptions& options, std::string token) {

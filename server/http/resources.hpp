@@ -43,7 +43,6 @@ class HttpResources {
   static const Route kRoutes[];
 
   http::Answer page(const http::Request& request) const;
-  std::optional<http::Answer> refuse_reading(const http::Request& request) const;
 
   http::Answer health(const http::Request& request);
   http::Answer metrics(const http::Request& request);

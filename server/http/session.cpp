@@ -7,7 +7,7 @@
 namespace xr3 {
 namespace {
 
-constexpr std::chrono::seconds kMaxHeadBytes{10};
+constexpr std::chrono::seconds kMaxHeadTime{10};
 constexpr std::chrono::seconds kKeptAlive{30};
 constexpr std::string_view kWebsocketPath = "/ws";
 
@@ -42,11 +42,11 @@ asio::awaitable<void> HttpSession::run(std::string first_bytes) {
 /// Reads the next head. `bytes_` is empty afterwards if the client sent no further request.
 asio::awaitable<http::HeadReading> HttpSession::next_head() {
   http::HeadReading head = http::read_head(bytes_);
-  socket_.stop_reading_after(bytes_.empty() ? kKeptAlive : kMaxHeadBytes);
+  socket_.stop_reading_after(bytes_.empty() ? kKeptAlive : kMaxHeadTime);
   while (head.fault == http::HeadFault::kIncomplete) {
     const std::string_view more = co_await socket_.read();
     if (more.empty()) break;
-    if (bytes_.empty()) socket_.stop_reading_after(kMaxHeadBytes);
+    if (bytes_.empty()) socket_.stop_reading_after(kMaxHeadTime);
     bytes_.append(more);
     if (is_worth_a_look(more, bytes_.size())) head = http::read_head(bytes_);
   }

@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 constexpr auto kNever = Clock::time_point::max();
 constexpr std::chrono::seconds kMaxHandshake{10};
 // Time for the client to answer the close frame.
-constexpr std::chrono::milliseconds kMaxCloseText{500};
+constexpr std::chrono::milliseconds kMaxCloseTime{500};
 // Requests handled before yielding to the event loop.
 constexpr int kFairShare = 64;
 
@@ -189,7 +189,7 @@ asio::awaitable<bool> BeastWebsocket::read_text() {
   if (error) co_return false;
   if (stream_.got_text()) co_return true;
   if (!std::exchange(is_closing_, true)) {
-    socket_->close_after(kMaxCloseText);
+    socket_->close_after(kMaxCloseTime);
     co_await stream_.async_close(ws::close_code::unknown_data, kAwait);
   }
   co_return false;
@@ -227,7 +227,7 @@ void BeastWebsocket::written(ErrorCode error) {
 
 void BeastWebsocket::close(ws::close_code code) {
   is_closing_ = true;
-  socket_->close_after(kMaxCloseText);
+  socket_->close_after(kMaxCloseTime);
   stream_.async_close(code, [self = self()](ErrorCode) { self->socket_->close(); });
 }
 

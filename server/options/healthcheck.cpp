@@ -15,7 +15,8 @@ void choose_port(const CLI::App& health, HealthOptions& options) {
   const bool is_port_said = is_argument(health, "--monitor-port");
   if (is_port_said && !is_argument(health, "--port-file")) options.port_file.clear();
   if (options.port_file.empty() && options.monitor_port == 0) {
-    throw CLI::ValidationError("port 0 selects a free port: use --port-file with the file that serve wrote");
+    throw CLI::ValidationError(
+        "port 0 selects a free port: use --port-file with the file that serve wrote");
   }
 }
 
@@ -42,7 +43,8 @@ void add_health(CLI::App& app, HealthOptions& options) {
       .add_option("--port-file", options.port_file,
                   "read the port from this file, which serve wrote")
       ->type_name("FILE");
-  health.add_option("--wait", options.wait_s, "retry for this many seconds until the server is ready")
+  health
+      .add_option("--wait", options.wait_s, "retry for this many seconds until the server is ready")
       ->type_name("SECONDS")
       ->check(number_between(0, kMaxWaitS))
       ->configurable(false);

@@ -81,7 +81,8 @@ void add_list(CLI::App& command, const std::string& name, std::vector<double>& n
 
 void add_kin(CLI::App& app, KinOptions& options) {
   CLI::App& kin = *app.add_subcommand(
-      "kin", "forward and inverse kinematics: the pose for joint values, or joint values for a pose");
+      "kin",
+      "forward and inverse kinematics: the pose for joint values, or joint values for a pose");
   KinOptionValues& values = options.values;
   kin.add_option("--robot", options.robot, "robot: a name, or a file")
       ->type_name("NAME|FILE")
@@ -89,7 +90,8 @@ void add_kin(CLI::App& app, KinOptions& options) {
   add_list(kin, "--joints", values.joints, "V1,...",
            "joint variables from the base, degrees or mm");
   add_list(kin, "--counts", values.counts, "N1,...", "motor counts from the base");
-  kin.add_option("--tool", values.tool, "with --joints or --counts: the tool variable, mm or degrees")
+  kin.add_option("--tool", values.tool,
+                 "with --joints or --counts: the tool variable, mm or degrees")
       ->type_name("V");
   add_list(kin, "--pose", values.pose, "X,Y,Z[,YAW,PITCH,ROLL]",
            "tip in mm; orientation R = Rz(yaw) Ry(pitch) Rx(roll) in degrees");

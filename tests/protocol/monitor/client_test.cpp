@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "protocol/monitor/protocol_detector.hpp"
 #include "protocol/monitor/lines.hpp"
+#include "protocol/monitor/protocol_detector.hpp"
 
 namespace xr3::monitor {
 namespace {

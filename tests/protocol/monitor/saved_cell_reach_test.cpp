@@ -39,7 +39,7 @@ const std::array<Ground, 6> kGrounds = {{
 }};
 
 /// Statistics of what happened to the machines.
-struct ChannelStats {
+struct Tally {
   int region_stalls = 0;
   int surface_stalls = 0;
   int held_tilted = 0;
@@ -52,14 +52,14 @@ struct ChannelStats {
 
 class Wanderer {
  public:
-  Wanderer(std::uint32_t seed, ChannelStats& stats)
+  Wanderer(std::uint32_t seed, Tally& tally)
       : engine_(seed),
         ground_(
             kGrounds.at(static_cast<std::size_t>(any(0, static_cast<int>(kGrounds.size()) - 1)))),
         profile_(one_in(3) ? Profile::kMark3 : Profile::kPaper),
         robot_(any_robot()),
         rig_(any_model()),
-        tally_(stats) {}
+        tally_(tally) {}
 
   /// The first state that would be refused; empty if there is none.
   std::string wander() {
@@ -229,29 +229,29 @@ class Wanderer {
   Profile profile_;
   Robot robot_;
   test::Rig rig_;
-  ChannelStats& tally_;
+  Tally& tally_;
 };
 
 // For many more runs: RC_PARAMS=max_success=100000.
 RC_GTEST_PROP(SavedCellReach, WhateverAMachineComesToCanBeLoaded, ()) {
-  ChannelStats stats;
+  Tally tally;
   const auto seed = *rc::gen::noShrink(rc::gen::resize(100, rc::gen::arbitrary<std::uint32_t>()));
-  const std::string wrong = Wanderer(seed, stats).wander();
+  const std::string wrong = Wanderer(seed, tally).wander();
   RC_ASSERT(wrong == "");
 }
 
 TEST(SavedCellReach, TheMachinesComeThroughEverything) {
-  ChannelStats stats;
+  Tally tally;
   for (std::uint32_t seed = 1; seed <= 40; ++seed)
-    ASSERT_EQ(Wanderer(seed, stats).wander(), "") << "seed " << seed;
-  EXPECT_GT(stats.region_stalls, 200);
-  EXPECT_GT(stats.surface_stalls, 200);
-  EXPECT_GT(stats.held_tilted, 200);
-  EXPECT_GT(stats.limited, 200);
-  EXPECT_GT(stats.jammed, 200);
-  EXPECT_GT(stats.below, 200);
-  EXPECT_GT(stats.stalled_and_stopped, 5);
-  EXPECT_GT(stats.paths, 200);
+    ASSERT_EQ(Wanderer(seed, tally).wander(), "") << "seed " << seed;
+  EXPECT_GT(tally.region_stalls, 200);
+  EXPECT_GT(tally.surface_stalls, 200);
+  EXPECT_GT(tally.held_tilted, 200);
+  EXPECT_GT(tally.limited, 200);
+  EXPECT_GT(tally.jammed, 200);
+  EXPECT_GT(tally.below, 200);
+  EXPECT_GT(tally.stalled_and_stopped, 5);
+  EXPECT_GT(tally.paths, 200);
 }
 
 }  // namespace
