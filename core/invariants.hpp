@@ -1,4 +1,4 @@
-// The invariants of a machine's state: what holds after every tick and every command. Builds without
+// The invariants of a machine's state. They hold after every tick and every command; builds without
 // NDEBUG assert them at the end of step() and execute().
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace xr3 {
 
-/// Names the first invariant that the state breaks, as a sentence; nullptr if all of them hold. Linear in
-/// the number of motors; a held block costs one pose.
+/// The first invariant that the state violates, as a sentence; nullptr if all of them hold. The cost
+/// is linear in the number of motors.
 const char* broken_invariant(const Model& model, const State& state);
 
 }  // namespace xr3

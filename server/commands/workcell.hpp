@@ -1,5 +1,5 @@
-// `xr3 workcell NEW.json`: the workcell editor in a terminal. Connects tools/workcell_editor/dialogue
-// with standard input and output and writes the file.
+// `xr3 workcell NEW.json`: the workcell editor in a terminal. Connects the dialogue of
+// tools/workcell_editor with standard input and output and writes the file.
 #pragma once
 
 #include "server/options/options.hpp"

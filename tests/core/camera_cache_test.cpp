@@ -1,4 +1,4 @@
-// The camera's kept picture: always the one that would be made anew, and made only when it has to be.
+// The cached camera image equals a new one, and is rendered only when it must be.
 #include "core/camera_cache.hpp"
 
 #include <gtest/gtest.h>

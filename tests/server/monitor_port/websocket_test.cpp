@@ -52,7 +52,7 @@ class WebsocketTest : public testing::Test {
     EXPECT_EQ(service_.counters().monitor_sessions, 0U);
   }
 
-  /// Runs the server until it has sent `wanted` or the connection is closed; returns all bytes sent.
+  /// Runs the server until it has sent `wanted` or the connection is closed. Returns all bytes.
   std::string until(std::string_view wanted) {
     const auto deadline = std::chrono::steady_clock::now() + 10s;
     std::string received;
