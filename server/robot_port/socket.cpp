@@ -3,6 +3,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 
 namespace xr3 {
@@ -22,6 +23,16 @@ ssize_t whole(const Call& call) {
   ssize_t count = call();
   while (count < 0 && errno == EINTR) count = call();
   return count;
+}
+
+// If unread input were left, close() would reset the connection, and replies that are still on their
+// way would be lost.
+void discard_input(int descriptor) {
+  constexpr int kMaxReads = 64;
+  std::array<char, 16 * 1024> discarded;
+  for (int i = 0; i < kMaxReads; ++i) {
+    if (::recv(descriptor, discarded.data(), discarded.size(), MSG_DONTWAIT) <= 0) return;
+  }
 }
 
 }  // namespace
@@ -47,6 +58,7 @@ std::size_t RobotSocket::write(std::string_view bytes) {
 void RobotSocket::close() {
   if (!is_open()) return;
   ::shutdown(descriptor_, SHUT_WR);
+  discard_input(descriptor_);
   ::close(descriptor_);
   descriptor_ = -1;
 }

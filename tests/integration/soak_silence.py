@@ -39,7 +39,7 @@ class Silence(unittest.IsolatedAsyncioTestCase):
                 terminal.wait_text("does not answer")
             finally:
                 os.kill(xr3.pid, signal.SIGCONT)
-            terminal.wait_for(lambda text: "trying again" not in text)
+            terminal.wait_for(lambda text: "retrying" not in text)
 
     def mute_websocket(self, xr3):
         """Reads, but does not answer the pings of the server."""

@@ -120,7 +120,7 @@ class Healthcheck(unittest.TestCase):
 
     def test_who_does_not_say_whether_it_is_ready(self):
         for says, answer in [("is not ready: no line today", NOT_READY), ("does not say", b""),
-                             ("is not xr3: it says \"HTTP/1.1 404", b"HTTP/1.1 404 Not Found\r\n\r\n")]:
+                             ("is not xr3: it sends \"HTTP/1.1 404", b"HTTP/1.1 404 Not Found\r\n\r\n")]:
             with self.subTest(says), stand_in(HELLO + PONG, answer) as port:
                 self.unhealthy(says, "--monitor-port", port)
 

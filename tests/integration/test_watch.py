@@ -104,13 +104,13 @@ class Watch(unittest.TestCase):
         with Server() as first, watch(first.monitor_port) as terminal:
             terminal.wait_text("-90.00 deg")
             first.stop()
-            terminal.wait_for(lambda text: re.search("the server is stopping.*trying again", text))
+            terminal.wait_for(lambda text: re.search("the server is stopping.*retrying", text))
             terminal.wait_text("-90.00 deg")
             second = Server("--robot", "adept-one")
             second.options[second.options.index("--monitor-port") + 1] = str(first.monitor_port)
             with second:
-                terminal.wait_for(lambda text: "Adept" in text and "trying again" not in text)
-            terminal.wait_text("trying again")
+                terminal.wait_for(lambda text: "Adept" in text and "retrying" not in text)
+            terminal.wait_text("retrying")
             terminal.press("q")
             self.leave(terminal)
 
@@ -118,7 +118,7 @@ class Watch(unittest.TestCase):
         with Server() as xr3, watch(xr3.monitor_port) as terminal:
             terminal.wait_text("-90.00 deg")
             xr3.stop(signal.SIGINT)
-            terminal.wait_text("trying again")
+            terminal.wait_text("retrying")
             terminal.signal(signal.SIGTERM)
             self.leave(terminal)
 
