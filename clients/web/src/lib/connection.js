@@ -14,8 +14,9 @@ const kib = (bytes) => `${Math.ceil(bytes / 1024)} KiB`;
 export class Connection {
   /**
    * @param {string} url of the WebSocket
-   * @param {{onMessage: (message: object) => void, onStatus: (status: string) => void, onTokenRefused: (error: Error) => void}} handlers
-   *   status is "open", "silent" (the server does not answer) or "lost"; `hello` is passed to onMessage.
+   * @param {object} handlers
+   *   onMessage(message) receives `hello` and channel messages; onStatus(status) "open", "silent"
+   *   (the server does not answer) or "lost"; onTokenRefused(error) reports a rejected token.
    */
   constructor(url, handlers) {
     this.url = url;

@@ -33,7 +33,8 @@ function span(points, tangent) {
 /**
  * The nearest position of a camera looking along -`back` that sees all `points`.
  * @param {{across: number, up: number}} tangents of half the horizontal and vertical fields of view
- * @returns {{position: THREE.Vector3, distance: number}} `distance` to the middle of the points' depths
+ * @returns {{position: THREE.Vector3, distance: number}}
+ *   `distance` from the position to the middle of the points' depths
  */
 export function standBack(points, back, tangents) {
   const z = back.clone().normalize();
