@@ -80,14 +80,13 @@ TEST(Limits, AStopFreesTheMotor) {
 }
 
 TEST(Limits, AMotorPastALimitMayComeBackAndGoNoFurther) {
-  Rig rig(roomy_rhino());
-  rig.stand_at({{'F', 800}});
-  rig.move('F', 1);
-  rig.settle();
-  EXPECT_EQ(rig.count('F'), 800);
-  rig.move('F', -11);
-  rig.settle();
-  EXPECT_EQ(rig.count('F'), 790);
+  const ModelPtr model = roomy_rhino();
+  State state = test::state_at(*model, {{'F', 800}});
+  MotorState& base = state.motor(model->index_of('F'));
+  base.error = 1;
+  EXPECT_EQ(obstacle(*model, state, positions(*model, state.motors), 0), Blocked::kLimit);
+  base.error = -11;
+  EXPECT_EQ(obstacle(*model, state, positions(*model, state.motors), 0), Blocked::kNo);
 }
 
 struct CoupledCase {

@@ -28,11 +28,15 @@ std::size_t Allocations::peak() const { return std::max(most.load(), before_) - 
 
 }  // namespace xr3::test
 
-void* operator new(std::size_t size) {
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   void* memory = std::malloc(std::max<std::size_t>(size, 1));
-  if (memory == nullptr) throw std::bad_alloc();
-  xr3::test::note(malloc_usable_size(memory));
+  if (memory != nullptr) xr3::test::note(malloc_usable_size(memory));
   return memory;
+}
+
+void* operator new(std::size_t size) {
+  if (void* memory = operator new(size, std::nothrow)) return memory;
+  throw std::bad_alloc();
 }
 
 void operator delete(void* memory) noexcept {
@@ -42,3 +46,4 @@ void operator delete(void* memory) noexcept {
 }
 
 void operator delete(void* memory, std::size_t) noexcept { operator delete(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { operator delete(memory); }

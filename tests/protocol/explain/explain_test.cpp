@@ -11,6 +11,7 @@
 #include "protocol/explain/reply_words.hpp"
 #include "protocol/json/source.hpp"
 #include "tests/support/models.hpp"
+#include "tests/support/rig.hpp"
 #include "tests/support/tap.hpp"
 
 namespace xr3 {
@@ -177,10 +178,9 @@ TEST(Explain, DigitalLinesAndTheirAnswers) {
 
 TEST(Explain, Switches) {
   Tap tap(test::rhino());
-  State state = tap.simulation().state();
-  state.motor(1).switch_closed = true;  // E
-  state.motor(3).switch_closed = true;  // C
-  tap.simulation().restore(state);
+  const Model& model = tap.simulation().model();
+  const auto at_switch = [&model](int index) { return model.motor(index).microswitch.position; };
+  tap.simulation().restore(test::state_at(model, {{'E', at_switch(1)}, {'C', at_switch(3)}}));
   EXPECT_EQ(tap.send("IEVDV"),
             "> IEVDV\n"
             "  0..1 query_switches_i: asks for the microswitches of C...H\n"

@@ -101,7 +101,7 @@ TEST(HealthProbe, WhatIsNoAnswerIsNotReady) {
   EXPECT_EQ(trouble_with_readiness(""), "does not say whether it is ready");
   for (const char* answer : {"HTTP/1.1 503 No\r\n\r\n{}", "HTTP/1.1 503 No\r\n\r\n[1",
                              "HTTP/1.1 20", "HTTP/1.1 404 Not Found", "200 ", "\x1b[2J"}) {
-    EXPECT_THAT(trouble_with_readiness(answer), HasSubstr("is not xr3: it says \"")) << answer;
+    EXPECT_THAT(trouble_with_readiness(answer), HasSubstr("is not xr3: it sends \"")) << answer;
   }
 }
 
