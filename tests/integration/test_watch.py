@@ -60,7 +60,7 @@ class Watch(unittest.TestCase):
         with Server(clock="real") as xr3, xr3.monitor() as monitor, watch(xr3.monitor_port) as terminal:
             terminal.wait_text("space pause")
             terminal.press(" ")
-            terminal.wait_text("manual clock")
+            terminal.wait_text("manual   epoch")
             before = monitor.get("clock")
             self.assertEqual("manual", before["clock"]["mode"])
             line = xr3.line()

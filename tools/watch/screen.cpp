@@ -45,7 +45,7 @@ void paint_ends(TextScreen& screen, int row, const std::string& left, const std:
 
 std::string clock_text(const Known& known, int columns) {
   const std::string mode =
-      known.mode == ClockMode::kManual ? "manual clock" : "real x " + plain_number(known.rate, 6);
+      known.mode == ClockMode::kManual ? "manual" : "real x " + plain_number(known.rate, 6);
   const std::string time = "   " + seconds_text(known.tick, known.tick_hz);
   if (columns < kTickWidth) return mode + time;
   return mode + "   epoch " + std::to_string(known.epoch) + "   tick " +

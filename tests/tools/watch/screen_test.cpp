@@ -151,7 +151,7 @@ TEST(WatchScreen, KeysThatAreOfNoUseAreNotOffered) {
   EXPECT_THAT(text(model.known(), 24, 80), Not(HasSubstr("h home")));
   const Known standing = with_state("\"real\"", "\"manual\"");
   EXPECT_THAT(text(standing, 24, 80), HasSubstr("space resume   . step   h home"));
-  EXPECT_THAT(text(standing, 24, 80), HasSubstr("manual clock"));
+  EXPECT_THAT(text(standing, 24, 80), HasSubstr("manual   epoch"));
 }
 
 TEST(WatchScreen, ManyBlocksAreCounted) {
