@@ -39,7 +39,7 @@ LARGE = {
     "snapshot": call("snapshot_load", "snapshot", long_name("s")),
     "blocks": call("workcell", "workcell", fill('"blocks":[', "{}", "]", MOST_BYTES - 200)),
     "ten thousand blocks": call("workcell", "workcell", '"blocks":[' + ",".join(["{}"] * 10_000) + "]"),
-    "members": call("workcell", "workcell", ",".join('"%d":0' % i for i in range(28_000))),
+    "members": call("workcell", "workcell", ",".join('"%d":0' % i for i in range(27_000))),
     "duplicates": call("workcell", "workcell", fill("", '"a":0', "", MOST_BYTES - 200)),
 }
 
