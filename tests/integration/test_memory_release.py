@@ -99,11 +99,10 @@ class Files(unittest.TestCase):
             return process.returncode, told.read().decode(), usage.ru_maxrss * 1024, took_s
 
     def test_check_of_a_large_file(self):
-        _, _, usual, _ = self.run_and_measure(pathlib.Path(ROOT, "data/workcells/rhino-xr3.json"))
         for name, text, words in [
             ("a long name", "{" + long_name("w", FILE_BYTES) + ',"blocks":[]}', ["unknown member", "..."]),
             ("the same in a robot", "{" + long_name("r", FILE_BYTES) + ',"joints":[]}', ["unknown member", "..."]),
-            ("many members", '{"blocks":[],' + ",".join('"%d":0' % i for i in range(100_000)) + "}", ["100", "more like these"]),
+            ("many members", '{"blocks":[],' + ",".join('"%d":0' % i for i in range(100_000)) + "}", ["unknown member", "more like these"]),
             ("many blocks", fill('{"blocks":[', "{}", "]}", 30_000), ["/blocks/0/name", "more like these"]),
             ("far too many blocks", fill('{"blocks":[', "0", "]}", FILE_BYTES), ["a list of 4", "0 to 10000"]),
             ("many of one name", fill('{"blocks":[],', '"a":0', "}", FILE_BYTES), ['"a" for the second time', "more like these"]),
@@ -113,6 +112,8 @@ class Files(unittest.TestCase):
             with self.subTest(name), tempfile.TemporaryDirectory() as folder:
                 file = pathlib.Path(folder, "large.json")
                 file.write_text(text, encoding="ascii")
+                # Directly before: the maximum of a child includes the memory of the parent that started it.
+                _, _, usual, _ = self.run_and_measure(pathlib.Path(ROOT, "data/workcells/rhino-xr3.json"))
                 code, told, most, took_s = self.run_and_measure(file)
                 self.assertEqual(2, code, told[:1000])
                 for word in words:
