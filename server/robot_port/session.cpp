@@ -13,9 +13,9 @@
 namespace xr3 {
 namespace {
 
-// Maximum number of bytes of one line per turn, so that a flood leaves time for the other lines:
-// some 30 us at 50 ns a byte, about the fixed cost of a turn.
-constexpr std::size_t kFairShare = 512;
+// Maximum number of bytes of one line per turn, so that a flood leaves time for the other lines.
+// Garbage costs more than 100 ns a byte, since every piece of it is reported.
+constexpr std::size_t kFairShare = 256;
 // Maximum time of one line per turn: an image costs a thousand times as much as the byte that
 // requests it. A turn can exceed it by one piece of 64 bytes, or by one full outbox. The clock does
 // not affect the state: it only decides which bytes act now and which in the next turn.
