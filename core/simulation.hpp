@@ -34,13 +34,11 @@ class Simulation {
 
   /// Advances time; a tick in the past has no effect.
   void advance_to(Tick tick) {
-    if (tick > state_.tick && !is_at_rest()) camera_.touch();
-    xr3::advance_to(*model_, state_, tick, events_);
+    if (xr3::advance_to(*model_, state_, tick, events_)) camera_.touch();
   }
   /// Advances time until nothing moves, but not beyond `limit`.
   void run_to_rest(Tick limit) {
-    camera_.touch();
-    xr3::run_to_rest(*model_, state_, limit, events_);
+    if (xr3::run_to_rest(*model_, state_, limit, events_)) camera_.touch();
   }
 
   Reply execute(const Command& command) {

@@ -86,16 +86,20 @@ void step(const Model& model, State& state, Events& events) {
   assert(broken_invariant(model, state) == nullptr);
 }
 
-void run_to_rest(const Model& model, State& state, Tick target, Events& events) {
+bool run_to_rest(const Model& model, State& state, Tick target, Events& events) {
+  bool changed = false;
   while (state.tick < target && !is_at_rest(model, state)) {
+    changed = true;
     coast(model, state, quiet_ticks(model, state, target - state.tick));
     if (state.tick < target) step(model, state, events);
   }
+  return changed;
 }
 
-void advance_to(const Model& model, State& state, Tick target, Events& events) {
-  run_to_rest(model, state, target, events);
+bool advance_to(const Model& model, State& state, Tick target, Events& events) {
+  const bool changed = run_to_rest(model, state, target, events);
   state.tick = std::max(state.tick, target);
+  return changed;
 }
 
 }  // namespace xr3

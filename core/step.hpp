@@ -16,10 +16,11 @@ bool is_at_rest(const Model& model, const State& state);
 void step(const Model& model, State& state, Events& events);
 
 /// Advances to `target` or until the machine is at rest, whichever comes first. Skips over ticks in
-/// which no motor makes a count; the result is bit-identical to repeated step().
-void run_to_rest(const Model& model, State& state, Tick target, Events& events);
+/// which no motor makes a count; the result is bit-identical to repeated step(). Returns false
+/// if nothing but the tick has changed.
+bool run_to_rest(const Model& model, State& state, Tick target, Events& events);
 
-/// Advances to `target`; takes constant time once the machine is at rest.
-void advance_to(const Model& model, State& state, Tick target, Events& events);
+/// Advances to `target`; takes constant time once the machine is at rest. Returns as run_to_rest().
+bool advance_to(const Model& model, State& state, Tick target, Events& events);
 
 }  // namespace xr3
