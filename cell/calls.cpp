@@ -188,8 +188,8 @@ call::Outcome Cell::carry_out(const call::SaveSnapshot& save, WallNs) {
     return call::Refused{"limit", "there are 16 snapshots already",
                          "save under a name that is in use, or inline"};
   }
-  const auto saved =
-      std::make_shared<const SavedCell>(robot_hash(model()), model().workcell(), state());
+  const auto saved = std::make_shared<const SavedCell>(
+      SavedCell{robot_hash(model()), model().workcell(), state()});
   if (save.name.empty() && !monitor::fits_a_request(*saved)) {
     return call::Refused{"limit", "the snapshot exceeds the maximum size of a request, 256 KiB",
                          "save under a name"};

@@ -5,9 +5,10 @@
 
 #include "cell/failure.hpp"
 #include "protocol/explain/diagnostic.hpp"
+#include "protocol/explain/event_report.hpp"
 #include "protocol/monitor/event.hpp"
+#include "protocol/monitor/line_record.hpp"
 #include "protocol/monitor/request.hpp"
-#include "protocol/monitor/wire.hpp"
 
 namespace xr3 {
 
@@ -16,10 +17,10 @@ Cell::Cell(std::string name, ModelPtr model, SimClock clock, CellEventSink sink)
       simulation_(std::move(model)),
       clock_(clock),
       events_(kMaxEvents,
-              [this](const StampedEvent& told, std::int64_t seq) {
-                return monitor::channel_message(
-                    monitor::Channel::kEvent, {name_, told.event.epoch, seq, told.event.tick},
-                    monitor::text_of(event_json(told.event, *told.model)));
+              [this](const CellEvent& event, std::int64_t seq) {
+                return monitor::channel_message(monitor::Channel::kEvent,
+                                                {name_, event.epoch, seq, event.tick},
+                                                monitor::text_of(event_json(event, this->model())));
               }),
       wires_(kMaxWires,
              [this](const WireRecord& record, std::int64_t seq) {
@@ -38,6 +39,7 @@ void Cell::catch_up(WallNs now) {
 }
 
 Applied Cell::take_in(const Input& input, WallNs now) {
+  if (const auto* out = std::get_if<BytesOut>(&input)) return handle(*out, now);
   if (is_frozen_) return {};
   advance(now);
   ++revision_;
@@ -65,11 +67,13 @@ Snapshot Cell::snapshot() const {
   return {epoch_, clock_.mode(), clock_.rate(), model_rev_, state()};
 }
 
-SerialLine* Cell::find_line(LineId line) {
+const SerialLine* Cell::find_line(LineId line) const {
   if (line == kProbeLine) return probe_line_ ? &*probe_line_ : nullptr;
   const auto found = lines_.find(line);
   return found == lines_.end() ? nullptr : &found->second;
 }
+
+SerialLine* Cell::open_line(LineId line) { return const_cast<SerialLine*>(find_line(line)); }
 
 std::optional<std::uint64_t> Cell::bytes_in(LineId line) const {
   if (const auto open = lines_.find(line); open != lines_.end()) return open->second.bytes_in();
@@ -99,7 +103,7 @@ Applied Cell::handle(const LineOpened& opened, WallNs) {
 }
 
 Applied Cell::handle(const BytesIn& in, WallNs) {
-  SerialLine* line = find_line(in.line);
+  SerialLine* line = open_line(in.line);
   if (line == nullptr) return {};
   if (in.line == kProbeLine) return take_unseen(*line, in.bytes);
   std::size_t taken = 0;
@@ -143,6 +147,11 @@ std::size_t Cell::receive_piece(LineId id, SerialLine& line, std::string_view by
   return taken;
 }
 
+Applied Cell::handle(const BytesOut& out, WallNs) {
+  if (SerialLine* line = open_line(out.line)) line->sent(out.count);
+  return {};
+}
+
 Applied Cell::handle(const LineClosed& closed, WallNs) {
   if (closed.line == kProbeLine) {
     probe_line_.reset();
@@ -172,10 +181,9 @@ void Cell::emit(std::optional<LineId> line, CellNote note) {
 }
 
 void Cell::emit_at(Tick tick, std::optional<LineId> line, CellNote note) {
-  StampedEvent& told = events_.push();
-  told.event = {epoch_, tick, line, std::move(note)};
-  told.model = simulation_.model_ptr();
-  if (sink_) sink_(told.event, *told.model);
+  CellEvent& event = events_.push();
+  event = {epoch_, tick, line, std::move(note)};
+  if (sink_) sink_(event, model());
 }
 
 void Cell::emit_machine_events(std::optional<LineId> line, Events events) {
@@ -200,7 +208,7 @@ void Cell::emit_exchanges(LineId id, SerialLine& line) {
       if (const Warning* warning = std::get_if<Warning>(&event.body)) {
         line.note_warning();
         warn(id, exchange.parsed, code_of(warning->code),
-             [&] { return describe(event.body, model()); });
+             [&] { return report(event.body, model()).message; });
         continue;
       }
       emit_all(id, warnings_.finish(id, event.tick));

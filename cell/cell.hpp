@@ -38,7 +38,7 @@ class Cell {
   Epoch epoch() const { return epoch_; }
   /// The revision of the workcell, from 1. Editing or replacing the workcell increments it.
   int model_rev() const { return model_rev_; }
-  /// Every input and every advance of time increments it. If it is equal, nothing visible has
+  /// Every input but BytesOut and every advance of time increments it. If it is equal, nothing visible has
   /// changed.
   std::uint64_t revision() const { return revision_; }
 
@@ -71,8 +71,8 @@ class Cell {
   static constexpr std::size_t kMaxEvents = 4096;
   static constexpr std::size_t kMaxWires = 1024;
 
-  /// nullptr if closed. Transports may use only the outbox and the counters.
-  SerialLine* find_line(LineId line);
+  /// nullptr if closed.
+  const SerialLine* find_line(LineId line) const;
   /// The open lines without kProbeLine, which is not counted, recorded or reported.
   const std::map<LineId, SerialLine>& lines() const { return lines_; }
 
@@ -87,10 +87,12 @@ class Cell {
   const CellCounters& counters() const { return counters_; }
 
  private:
+  SerialLine* open_line(LineId line);
   Applied take_in(const Input& input, WallNs now);
   void advance(WallNs now);
   Applied handle(const LineOpened& opened, WallNs now);
   Applied handle(const BytesIn& in, WallNs now);
+  Applied handle(const BytesOut& out, WallNs now);
   Applied handle(const LineClosed& closed, WallNs now);
   Applied handle(const call::Call& call, WallNs now);
 
@@ -139,11 +141,9 @@ class Cell {
   std::map<std::string, SavedCellPtr> snapshots_;
   std::vector<Exchange> exchanges_;  ///< of the bytes being received; reuses its memory
   WarningLimiter warnings_;
-  struct StampedEvent {
-    CellEvent event;
-    ModelPtr model;  ///< at the time of the event
-  };
-  monitor::Ring<StampedEvent> events_;
+  /// Converted to text when a client wants it, with the model of then: an event's text depends only
+  /// on the robot, which never changes. Keeping models would cost memory for each changed workcell.
+  monitor::Ring<CellEvent> events_;
   monitor::Ring<WireRecord> wires_;
   CellCounters counters_;
   CellEventSink sink_;

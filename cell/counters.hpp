@@ -32,6 +32,7 @@ struct CellCounters {
   std::uint64_t ticks = 0;                              ///< simulated, over all epochs
   std::array<ChannelCounters, kChannels> channels{};    ///< by monitor::Channel
   std::uint64_t monitor_sessions = 0;                   ///< monitor clients now
+  std::uint64_t wrong_tokens = 0;                       ///< of monitor clients
 
   std::uint64_t& of(const Command& command) { return commands[command.index()]; }
   ChannelCounters& of(monitor::Channel channel) {

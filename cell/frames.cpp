@@ -20,19 +20,19 @@ constexpr std::size_t kMaxEncoded = 64;
 }  // namespace
 
 const monitor::Frame* FrameCache::current(const monitor::Selection& selection) {
-  return vital("the frames", [&] { return look_at(selection); });
+  return vital("the frames", [&] { return current_frame(selection); });
 }
 
-const monitor::Frame* FrameCache::look_at(const monitor::Selection& selection) {
+const monitor::Frame* FrameCache::current_frame(const monitor::Selection& selection) {
   ChannelCache& cache = caches_.at(static_cast<std::size_t>(selection.channel));
-  look(selection.channel, cache);
+  update(selection.channel, cache);
   if (selection.channel == Channel::kImage && !cache.image) return nullptr;
   EncodedFrame& encoded = encoded_for(cache, selection);
   if (encoded.seq != cache.seq) make(cache, encoded);
   return &encoded.frame;
 }
 
-void FrameCache::look(Channel channel, ChannelCache& cache) {
+void FrameCache::update(Channel channel, ChannelCache& cache) {
   if (cache.revision == cell_.revision()) return;
   cache.revision = cell_.revision();
   const bool is_new = cache.seq == 0 || cache.epoch != cell_.epoch();

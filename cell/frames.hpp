@@ -51,8 +51,8 @@ class FrameCache {
     std::vector<EncodedFrame> encoded;
   };
 
-  const monitor::Frame* look_at(const monitor::Selection& selection);
-  void look(monitor::Channel channel, ChannelCache& cache);
+  const monitor::Frame* current_frame(const monitor::Selection& selection);
+  void update(monitor::Channel channel, ChannelCache& cache);
   bool has_changed(monitor::Channel channel, ChannelCache& cache) const;
   bool is_only_later(ChannelCache& cache) const;
   bool is_same_model(ChannelCache& cache) const;

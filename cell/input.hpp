@@ -30,12 +30,19 @@ struct BytesIn {
   std::function<bool()> is_enough = {};
 };
 
+/// The transport has sent bytes of the line's outbox, which are removed. It needs no time and
+/// concerns nothing else, so it also works on a frozen cell.
+struct BytesOut {
+  LineId line = 0;
+  std::size_t count = 0;
+};
+
 struct LineClosed {
   LineId line = 0;
   LineCloseReason reason = LineCloseReason::kClientClosed;
 };
 
-using Input = std::variant<LineOpened, BytesIn, LineClosed, call::Call>;
+using Input = std::variant<LineOpened, BytesIn, BytesOut, LineClosed, call::Call>;
 
 /// The result of an input: the number of the opened line, the number of bytes taken, or the outcome
 /// of the call.

@@ -1,5 +1,7 @@
 #include "cell/serial_line.hpp"
 
+#include <cassert>
+
 namespace xr3 {
 
 std::size_t SerialLine::receive(std::string_view bytes, Simulation& simulation,
@@ -48,6 +50,7 @@ void SerialLine::deliver(std::string_view replies) { telnet_.encode(replies, out
 // A large image is sent in many pieces. To keep the cost linear, the unsent bytes move to the front
 // only when they are no more than the sent ones.
 void SerialLine::sent(std::size_t count) {
+  assert(count <= outbox().size());
   sent_ += count;
   bytes_out_ += count;
   if (sent_ < outbox_.size() - sent_) return;

@@ -38,16 +38,15 @@ class SerialLine {
   /// Whether an HTTP, TLS or STUN client was detected. The transport must close the line; no byte
   /// of the client has acted.
   bool is_not_a_robot_program() const { return is_not_a_robot_program_; }
-  /// The number of bytes that the detector holds back.
-  std::size_t held_bytes() const { return detector_.held().size(); }
   /// A copy of the telnet filter before the next byte; nullopt for a line of a monitor session.
   std::optional<TelnetFilter> telnet() const {
     return kind_ == LineKind::kMonitor ? std::nullopt : std::optional(telnet_);
   }
   LineKind kind() const { return telnet_.is_telnet() ? LineKind::kTelnet : kind_; }
 
-  /// Bytes for the transport to send. It then calls sent(), which removes them.
+  /// Bytes for the transport to send. Valid until the next receive() or sent().
   std::string_view outbox() const { return std::string_view(outbox_).substr(sent_); }
+  /// Removes the first `count` bytes of the outbox. Precondition: count <= outbox().size().
   void sent(std::size_t count);
 
   /// Discards an incomplete command.

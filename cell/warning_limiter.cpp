@@ -46,17 +46,17 @@ void WarningLimiter::flush(PerLine& line, std::vector<CellNote>& due) {
   if (line.left_out == 0) return;
   due.emplace_back(SuppressedNote{line.left_out});
   line.left_out = 0;
-  --owed_;
+  --pending_lines_;
 }
 
 std::vector<std::pair<LineId, CellNote>> WarningLimiter::take_pending(Tick tick) {
-  std::vector<std::pair<LineId, CellNote>> words;
-  if (owed_ == 0) return words;
+  std::vector<std::pair<LineId, CellNote>> reports;
+  if (pending_lines_ == 0) return reports;
   for (auto& [id, line] : lines_) {
     if (line.left_out == 0) continue;
-    for (CellNote& note : begin_second(line, tick)) words.emplace_back(id, std::move(note));
+    for (CellNote& note : begin_second(line, tick)) reports.emplace_back(id, std::move(note));
   }
-  return words;
+  return reports;
 }
 
 std::vector<CellNote> WarningLimiter::forget(LineId line) {
@@ -75,7 +75,7 @@ void WarningLimiter::end_run(PerLine& line, std::vector<CellNote>& due) {
     ++line.notes;
     due.emplace_back(std::move(*line.run));
   } else {
-    if (line.left_out == 0) ++owed_;
+    if (line.left_out == 0) ++pending_lines_;
     line.left_out += line.run->count;
   }
   line.run.reset();

@@ -27,7 +27,7 @@ class WarningLimiter {
   std::vector<CellNote> finish(LineId line, Tick tick);
 
   /// Whether suppressed warnings have not been reported yet.
-  bool has_pending() const { return owed_ > 0; }
+  bool has_pending() const { return pending_lines_ > 0; }
   /// The reports that are due for completed seconds, by line.
   std::vector<std::pair<LineId, CellNote>> take_pending(Tick tick);
 
@@ -47,7 +47,7 @@ class WarningLimiter {
   void flush(PerLine& line, std::vector<CellNote>& due);
 
   std::map<LineId, PerLine> lines_;
-  std::size_t owed_ = 0;  ///< number of lines with unreported suppressed warnings
+  std::size_t pending_lines_ = 0;  ///< number of lines with unreported suppressed warnings
 };
 
 }  // namespace xr3

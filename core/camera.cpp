@@ -1,11 +1,14 @@
 #include "core/camera.hpp"
 
+#include <cassert>
+
 #include "core/camera_sight.hpp"
 
 namespace xr3 {
 namespace {
 
 Image rows(const Model& model, const State& state, int first_row, int count) {
+  assert(model.workcell().camera);
   CameraFill fill(*model.workcell().camera, first_row, count);
   for (std::size_t i = 0; i < state.blocks.size(); ++i) {
     draw(model.workcell(), corners_of(model, state, i), fill);
@@ -16,6 +19,7 @@ Image rows(const Model& model, const State& state, int first_row, int count) {
 }  // namespace
 
 Image camera_image(const Model& model, const State& state) {
+  assert(model.workcell().camera);
   return rows(model, state, 0, model.workcell().camera->pixels_y);
 }
 

@@ -72,7 +72,8 @@ bool CameraCache::is_same_scene(const Model& model, const State& state) const {
   const auto held = state.held ? std::optional(state.held->block) : std::nullopt;
   return scene_ && scene_->held == held && scene_->camera == *workcell.camera &&
          scene_->work_surface_um == workcell.work_surface_um &&
-         std::ranges::equal(state.blocks, scene_->places, is_at);
+         std::equal(state.blocks.begin(), state.blocks.end(), scene_->places.begin(),
+                    scene_->places.end(), is_at);
 }
 
 void CameraCache::keep_scene(const Model& model, const State& state) {

@@ -1,6 +1,7 @@
 #include "core/camera_fill.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace xr3 {
@@ -16,6 +17,7 @@ struct Quotient {
 
 /// Precondition: divisor > 0.
 Quotient divide(Wide number, Wide divisor) {
+  assert(divisor > 0);
   const Wide quotient = number / divisor;
   const Wide rest = number % divisor;
   return rest < 0 ? Quotient{quotient - 1, rest + divisor} : Quotient{quotient, rest};
@@ -55,7 +57,9 @@ CameraFill::CameraFill(const Camera& camera, int first_row, int rows)
     : camera_(camera),
       first_row_(first_row),
       image_(camera.pixels_x, rows),
-      begins_(static_cast<std::size_t>(rows)) {}
+      begins_(static_cast<std::size_t>(rows)) {
+  assert(first_row >= 0 && first_row + rows <= camera.pixels_y);
+}
 
 CameraFill::CameraFill(const Camera& camera, Image onto)
     : camera_(camera),

@@ -1,6 +1,7 @@
 #include "core/camera_sight.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "core/camera.hpp"
 #include "core/grasp.hpp"
@@ -10,6 +11,7 @@ namespace {
 
 /// The quotient rounded to nearest, halves away from zero. Precondition: divisor > 0.
 Micrometres rounded(Micrometres number, Micrometres divisor) {
+  assert(divisor > 0);
   const Micrometres half = divisor / 2;
   return (number < 0 ? number - half : number + half) / divisor;
 }
@@ -58,6 +60,7 @@ BlockCorners corners_of(const Model& model, const State& state, std::size_t bloc
 }
 
 void draw(const Workcell& workcell, const BlockCorners& corners, CameraFill& fill) {
+  assert(workcell.camera);
   if (is_seen(*workcell.camera, corners)) fill.add(on_surface(workcell, corners));
 }
 

@@ -11,14 +11,17 @@ namespace xr3 {
 
 // --- Motion and inquiry (paper, Table VI). Labels are 'A'...'H'.
 
-/// Add counts to the joint's error counter. counts: -128...127.
+/// Add counts to the joint's error counter.
 struct Move {
+  static constexpr int kMin = -128;
+  static constexpr int kMax = 127;
   char label;
   int counts;
   bool operator==(const Move&) const = default;
 };
-/// counts_per_s: 1...255.
 struct SetSpeed {
+  static constexpr int kMin = 1;
+  static constexpr int kMax = 255;
   char label;
   int counts_per_s;
   bool operator==(const SetSpeed&) const = default;
@@ -63,6 +66,7 @@ struct SetAuxiliary {
 };
 /// `Pn`, `Rn`: output line 1...8 high or low.
 struct SetOutput {
+  static constexpr int kLines = 8;
   int line;
   bool high;
   bool operator==(const SetOutput&) const = default;
@@ -78,8 +82,9 @@ struct ControllerReset {
 struct ToggleDisplay {
   bool operator==(const ToggleDisplay&) const = default;
 };
-/// Integers -9...9, not all 0.
+/// Integers -kMax...kMax, not all 0.
 struct SetViewVector {
+  static constexpr int kMax = 9;
   int x;
   int y;
   int z;
@@ -93,8 +98,10 @@ struct SoftHome {
 struct ToggleSimulator {
   bool operator==(const ToggleSimulator&) const = default;
 };
-/// `A.x`: half_seconds 1...255.
+/// `A.x`: in half seconds.
 struct SetRefreshPeriod {
+  static constexpr int kMin = 1;
+  static constexpr int kMax = 255;
   int half_seconds;
   bool operator==(const SetRefreshPeriod&) const = default;
 };
@@ -102,8 +109,9 @@ struct SetRefreshPeriod {
 struct ToggleErasing {
   bool operator==(const ToggleErasing&) const = default;
 };
-/// `A%n`: status line option 0...6.
+/// `A%n`: status line option 0...kMax.
 struct SelectStatus {
+  static constexpr int kMax = 6;
   int option;
   bool operator==(const SelectStatus&) const = default;
 };
@@ -173,7 +181,10 @@ struct PixelValue {
   bool operator==(const PixelValue&) const = default;
 };
 
-using Reply = std::variant<NoReply, ErrorMagnitude, SignedError, SwitchState, SwitchBits,
-                           CameraRows, PixelValue>;
+/// The replies, with `Rows` for rows of the camera's image.
+template <class Rows>
+using ReplyWith =
+    std::variant<NoReply, ErrorMagnitude, SignedError, SwitchState, SwitchBits, Rows, PixelValue>;
+using Reply = ReplyWith<CameraRows>;
 
 }  // namespace xr3

@@ -10,6 +10,7 @@ namespace xr3 {
 /// Position of a joint or the tool in counts.
 Counts position(const Model& model, const Motors& motors, int index);
 
+/// The positions of all joints and the tool, in counts.
 Positions positions(const Model& model, const Motors& motors);
 
 /// Updates `positions` for `counts` counts of motor `motor`, coupled joints included.

@@ -56,14 +56,14 @@ std::optional<std::uint32_t> block_at(const State& state, const PointUm& tip) {
   return nearest;
 }
 
-/// How a block lies between the jaws.
-struct Fit {
+/// The extents of a block between the jaws.
+struct JawExtents {
   Micrometres extent_um;  ///< opening that it needs as it lies, and while it turns flat
   Micrometres flat_um;    ///< opening that it needs once its sides lie flat against the fingers
   int quarter_turns;
 };
 
-Fit fit(const Block& block, double net_roll) {
+JawExtents extents_of(const Block& block, double net_roll) {
   const double delta = degrees(block.yaw_udeg) - net_roll;
   const auto [sin, cos] = sin_cos_deg(delta);
   const double extent = mm(block.size_um.y) * std::abs(cos) + mm(block.size_um.x) * std::abs(sin);
@@ -106,13 +106,13 @@ JawContact next_closing(const Model& model, const State& state, const Positions&
   const Counts next = now - model.motor(model.tool_index()).drive.direction;
   const auto index = block_at(state, tool_tip(model, positions));
   if (!index) return {};
-  const Fit lies = fit(state.blocks[*index], net_roll_deg(model, positions));
+  const JawExtents extents = extents_of(state.blocks[*index], net_roll_deg(model, positions));
   const Micrometres next_opening = opening_um(model, next);
-  const JawContact contact{Kind::kFree, *index, lies.quarter_turns};
-  if (opening_um(model, now) < lies.extent_um)
+  const JawContact contact{Kind::kFree, *index, extents.quarter_turns};
+  if (opening_um(model, now) < extents.extent_um)
     return {Kind::kTooNarrow, contact.block, contact.quarter_turns};
-  if (next_opening < lies.flat_um) return {Kind::kHolds, contact.block, contact.quarter_turns};
-  if (next_opening < lies.extent_um) return {Kind::kTurns, contact.block, contact.quarter_turns};
+  if (next_opening < extents.flat_um) return {Kind::kHolds, contact.block, contact.quarter_turns};
+  if (next_opening < extents.extent_um) return {Kind::kTurns, contact.block, contact.quarter_turns};
   return contact;
 }
 
@@ -128,7 +128,7 @@ Micrometres flat_extent_um(const Block& block, int quarter_turns) {
   return quarter_turns % 2 == 0 ? block.size_um.y : block.size_um.x;
 }
 
-bool stand_against(const Model& model, const Block& block, const Held& held) {
+bool can_hold(const Model& model, const Block& block, const Held& held) {
   const MotorModel& tool = model.motor(model.tool_index());
   const Counts now = held.grasped_at[static_cast<std::size_t>(model.tool_index())];
   const Counts next = now - tool.drive.direction;

@@ -49,7 +49,7 @@ Micrometres flat_extent_um(const Block& block, int quarter_turns);
 
 /// Whether jaws at the grasp's tool position can hold this block: they are wide enough for it, and
 /// the next closing count, which must be within the limits, would be too narrow.
-bool stand_against(const Model& model, const Block& block, const Held& held);
+bool can_hold(const Model& model, const Block& block, const Held& held);
 
 /// Releases the held block, see as_released(). Does nothing if none is held.
 void release(const Model& model, State& state, const Positions& positions, Events& events);

@@ -1,10 +1,10 @@
 #include "core/home.hpp"
 
 #include "core/coupling.hpp"
-#include "core/envelope.hpp"
 #include "core/grasp.hpp"
 #include "core/kinematics.hpp"
 #include "core/motor.hpp"
+#include "core/stall.hpp"
 #include "core/switches.hpp"
 
 namespace xr3 {

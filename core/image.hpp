@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -19,13 +20,16 @@ class Image {
       : width_(width),
         height_(height),
         words_a_row_((static_cast<std::size_t>(width) + kBits - 1) / kBits),
-        words_(words_a_row_ * static_cast<std::size_t>(height)) {}
+        words_(words_a_row_ * static_cast<std::size_t>(height)) {
+    assert(width >= 0 && height >= 0);
+  }
 
   int width() const { return width_; }
   int height() const { return height_; }
 
   /// Precondition: the pixel is within the image.
   bool at(int column, int row) const {
+    assert(column >= 0 && column < width_ && row >= 0 && row < height_);
     return (word(column, row) >> (static_cast<unsigned>(column) % kBits) & 1U) != 0;
   }
 
@@ -48,13 +52,14 @@ class Image {
   /// One row as an image one pixel high.
   Image row_image(int row) const {
     Image cut(width_, 1);
-    std::ranges::copy(words(row), cut.words_.begin());
+    std::copy(words(row).begin(), words(row).end(), cut.words_.begin());
     return cut;
   }
 
   /// Sets the pixels begin <= column < end of a row; none if end <= begin. Precondition: 0 <= begin
   /// and end <= width.
   void fill(int row, int begin, int end) {
+    assert(row >= 0 && row < height_ && begin >= 0 && end <= width_);
     while (begin < end) {
       const unsigned first = static_cast<unsigned>(begin) % kBits;
       const unsigned rest = kBits - first;

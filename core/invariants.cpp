@@ -3,10 +3,10 @@
 #include <cstdlib>
 
 #include "core/coupling.hpp"
-#include "core/envelope.hpp"
 #include "core/grasp.hpp"
 #include "core/kinematics.hpp"
 #include "core/motor.hpp"
+#include "core/stall.hpp"
 #include "core/switches.hpp"
 
 namespace xr3 {

@@ -1,5 +1,7 @@
 #include "core/sim_clock.hpp"
 
+#include <cassert>
+
 namespace xr3 {
 namespace {
 
@@ -15,6 +17,7 @@ Tick SimClock::at(WallNs now) const {
 }
 
 WallNs SimClock::when(Tick tick) const {
+  assert(mode_ == ClockMode::kReal);
   if (tick <= base_) return since_;
   const Wide needed = Wide{tick - base_} * kNsMillionthsPerTick;
   return since_ + static_cast<WallNs>((needed + rate_.millionths - 1) / rate_.millionths);

@@ -39,8 +39,11 @@ class SimClock {
   /// The first wall time at which at() returns `tick`. Real mode only.
   WallNs when(Tick tick) const;
 
+  /// Switches to manual mode at the current tick.
   void pause(WallNs now);
+  /// Switches to real mode, continuing from the current tick.
   void resume(WallNs now);
+  /// Changes the rate from the current tick on; the mode stays.
   void set_rate(Rate rate, WallNs now);
   /// Sets the current tick: after a step of the manual clock, or in a new epoch.
   void set_tick(Tick tick, WallNs now);

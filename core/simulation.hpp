@@ -2,17 +2,18 @@
 // cached camera image. (files, commands with their ticks) -> state is a pure function.
 #pragma once
 
+#include <cassert>
 #include <utility>
 
 #include "core/camera_cache.hpp"
 #include "core/command.hpp"
-#include "core/edit.hpp"
 #include "core/event.hpp"
 #include "core/execute.hpp"
 #include "core/home.hpp"
 #include "core/model.hpp"
 #include "core/state.hpp"
 #include "core/step.hpp"
+#include "core/workcell_edit.hpp"
 
 namespace xr3 {
 
@@ -54,16 +55,18 @@ class Simulation {
   void restore(State state) { edit() = std::move(state); }
   /// Continues from a state with its own workcell. Precondition: same robot and profile.
   void restore(ModelPtr model, State state) {
+    assert(is_same_machine(*model));
     model_ = std::move(model);
     restore(std::move(state));
   }
-  /// The state, for changing its blocks before the next call; see edit.hpp.
+  /// The state, for changing its blocks before the next call; see workcell_edit.hpp.
   State& edit() {
     camera_.touch();
     return state_;
   }
   /// Continues in another workcell. Precondition: same robot and profile.
   void replace_workcell(ModelPtr model) {
+    assert(is_same_machine(*model));
     model_ = std::move(model);
     take_over_workcell(*model_, edit(), events_);
   }
@@ -73,6 +76,11 @@ class Simulation {
   const Events& events() const { return events_; }
 
  private:
+  /// Whether a model differs at most in its workcell.
+  bool is_same_machine(const Model& model) const {
+    return model.robot() == model_->robot() && model.profile() == model_->profile();
+  }
+
   ModelPtr model_;
   State state_;
   Events events_;

@@ -4,11 +4,11 @@
 #include <cassert>
 
 #include "core/coupling.hpp"
-#include "core/envelope.hpp"
 #include "core/grasp.hpp"
 #include "core/invariants.hpp"
 #include "core/kinematics.hpp"
 #include "core/motor.hpp"
+#include "core/stall.hpp"
 #include "core/switches.hpp"
 
 namespace xr3 {

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""The house rules that a compiler does not check: which library may include what, how long a file may
-be, how many rooms a folder may have, and that no file names a path outside the project. Prints every
+"""Project rules that a compiler does not check: the includes that each library may have, the maximum length
+of a file, the maximum size of a folder, and that no file names a path outside the project. Prints every
 breach as file:line."""
 
 import os
@@ -23,6 +23,8 @@ RULES = {
     "tools": (("core/", "protocol/", "tools/"), ("Eigen/", "nlohmann/"), NO_IO),
     "server": (("core/", "protocol/", "cell/", "tools/", "server/"), None, set()),
 }
+# Folders that know nothing of each other; app.cpp connects them.
+SEPARATE = (("server/robot_port/", "server/monitor_port/"), ("server/robot_port/", "server/http/"))
 HOUSED = tuple(RULES) + ("tests", "clients/web/src")
 # One case per file: lists, not rooms.
 LISTS = {"tests/transcripts", "tests/integration", "tests/data/broken"}
@@ -57,6 +59,15 @@ def forbidden(folder, quoted, angled):
     return None
 
 
+def joins_separate(path, quoted):
+    """The reason why a file in one of two separate folders may not include this, or None."""
+    for pair in SEPARATE:
+        for mine, other in (pair, pair[::-1]):
+            if path.startswith(mine) and (quoted or "").startswith(other):
+                return f'{mine[:-1]} may not include "{quoted}"'
+    return None
+
+
 def breaches(path, text):
     folder = path.split("/")[0]
     lines = text.splitlines()
@@ -64,7 +75,7 @@ def breaches(path, text):
         if PRIVATE_PATH.search(line):
             yield f"{path}:{number}: contains a path or host outside the project: {line.strip()[:80]}"
         include = INCLUDE.match(line) if folder in RULES and path.endswith((".cpp", ".hpp")) else None
-        reason = forbidden(folder, *include.groups()) if include else None
+        reason = include and (forbidden(folder, *include.groups()) or joins_separate(path, include[1]))
         if reason:
             yield f"{path}:{number}: {reason}"
     if folder in RULES and len(lines) > MAX_LINES:

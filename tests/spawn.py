@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Every coroutine that nobody awaits is started by server/net/spawn.hpp, which loses no exception: nothing else in
-server/ may say `detached`, nor co_spawn, unless it awaits the outcome. Prints every breach as file:line."""
+"""Only server/net/spawn.hpp, which loses no exception, starts coroutines that are not awaited: no other file of
+server/ may contain `detached`, or co_spawn without an await. Prints every breach as file:line."""
 
 import pathlib
 import re

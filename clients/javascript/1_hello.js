@@ -25,16 +25,16 @@ let question = "E?";
 
 robot.on("connect", () => {
   robot.write(question);
-  robot.setTimeout(5000, strange); // a robot answers at once
+  robot.setTimeout(5000, wrongReply); // a robot answers at once
 });
 
-function strange() {
+function wrongReply() {
   giveUp("no robot answers like this; is it the monitor port? The robot port is 9600");
 }
 
 // Node calls this when bytes have arrived.
 robot.on("data", (bytes) => {
-  if (bytes.length !== 1) strange();
+  if (bytes.length !== 1) wrongReply();
   const reply = bytes[0];
   if (question === "E?") {
     // How many counts does the shoulder, joint E, still have to go? 32, the code of a blank, is

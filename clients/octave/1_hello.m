@@ -27,20 +27,20 @@ try
 catch
   error('no robot answers at %s port %s: is the server running? ./run\n', host, port);
 end
-strange = 'no robot answers like this; is it the monitor port? The robot port is 9600';
+wrong_reply = 'no robot answers like this; is it the monitor port? The robot port is 9600';
 
 % How many counts does the shoulder, joint E, still have to go? 32, the code of a blank, is added to
 % the answer to make it printable: a blank means 0 counts to go, "!" means 1, and so on. (Bytes are
 % converted to doubles, since uint8 arithmetic saturates at 0.)
 write(robot, uint8('E?'));
 reply = double(read(robot, 1));
-if isempty(reply), error('%s\n', strange); end
+if isempty(reply), error('%s\n', wrong_reply); end
 fprintf('E? is answered by %d: %d counts to go\n', reply, reply - 32);
 
 % Which microswitches are closed? Again 32 is added; each switch has one bit.
 write(robot, uint8('I'));
 reply = double(read(robot, 1));
-if isempty(reply), error('%s\n', strange); end
+if isempty(reply), error('%s\n', wrong_reply); end
 fprintf('I is answered by %d: switches %d\n', reply, reply - 32);
 
 clear robot  % closes the line

@@ -47,6 +47,7 @@ std::vector<Wire> wireframe(const Model& model, const State& state);
 /// The part of the work surface within the workspace, as a rectangle.
 Wire surface_wire(const Workcell& workcell);
 
+/// The wires in the plane of the view, in mm.
 std::vector<FlatWire> projected(const View& view, const std::vector<Wire>& wires);
 
 /// How far the robot's outline extends behind the base axis (towards -x) at the soft home, in mm;

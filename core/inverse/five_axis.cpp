@@ -3,7 +3,7 @@
 // approach vector out of that plane is impossible. The rest is a two-link problem in the plane.
 #include <cmath>
 
-#include "core/inverse/closed.hpp"
+#include "core/inverse/solvers.hpp"
 
 namespace xr3::inverse {
 namespace {

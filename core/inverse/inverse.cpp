@@ -5,8 +5,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "core/envelope.hpp"
-#include "core/inverse/closed.hpp"
+#include "core/inverse/solvers.hpp"
+#include "core/stall.hpp"
 
 namespace xr3 {
 namespace {

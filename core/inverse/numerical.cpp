@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/inverse/closed.hpp"
+#include "core/inverse/solvers.hpp"
 
 namespace xr3::inverse {
 namespace {

@@ -3,7 +3,7 @@
 // point in one direction only.
 #include <cmath>
 
-#include "core/inverse/closed.hpp"
+#include "core/inverse/solvers.hpp"
 
 namespace xr3::inverse {
 namespace {

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "core/inverse/closed.hpp"
+#include "core/inverse/solvers.hpp"
 
 namespace xr3::inverse {
 namespace {

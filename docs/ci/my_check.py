@@ -1,4 +1,4 @@
-"""Stands for a test of what a robot program did: the monitor port knows the truth."""
+"""An example of a check: reads the positions of the joints from the monitor port."""
 
 import json
 import os

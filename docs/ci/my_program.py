@@ -1,4 +1,4 @@
-"""Stands for a robot program that is to be tested: it turns the shoulder by 50 counts."""
+"""An example of a program under test: turns the shoulder by 50 counts."""
 
 import os
 import socket

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs commands against a robot of their own, and tells by its exit code whether all succeeded.
+# Runs commands against a fresh robot. Its exit code is 0 if all of them succeeded.
 #
 #     with-xr3.sh 'python3 my_program.py' 'python3 my_check.py'
 #
@@ -14,12 +14,12 @@ set -eu
 
 xr3=${XR3:-$(dirname "$0")/../../build/release/xr3}
 folder=$(mktemp -d)
-mkfifo "$folder/said"
+mkfifo "$folder/output"
 
-# (on this machine, wherever another server is told to listen)
+# XR3_LISTEN is cleared: this server listens only on this machine.
 # shellcheck disable=SC2086  # options are words
 XR3_LISTEN='' "$xr3" serve --robot-port 0 --monitor-port 0 ${XR3_OPTIONS---clock real:50} \
-  >"$folder/said" 2>"$folder/log" &
+  >"$folder/output" 2>"$folder/log" &
 server=$!
 
 running=
@@ -54,7 +54,7 @@ run() {
 # The server says one line, when both of its ports take connections: LISTENING robot=HOST:PORT
 # monitor=HOST:PORT. No sleeping, no asking again: read waits for it, and fails if the server ends
 # instead.
-exec 3<"$folder/said"
+exec 3<"$folder/output"
 read -r listening <&3
 XR3_HOST=localhost
 robot=${listening#*robot=}

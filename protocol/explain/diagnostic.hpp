@@ -1,12 +1,11 @@
-// Diagnostics as text: a stable code and one sentence for every problem in the bytes of a line and
-// for every event of the machine. The log and the monitor port use them.
+// Diagnostics as text: a stable code and one sentence for every problem in the bytes of a line. The
+// log and the monitor port use them.
 #pragma once
 
 #include <string>
 #include <string_view>
 
 #include "core/event.hpp"
-#include "core/model.hpp"
 #include "protocol/line/rhino_endpoint.hpp"
 
 namespace xr3 {
@@ -14,8 +13,6 @@ namespace xr3 {
 /// The stable code, such as `number_out_of_range`.
 std::string_view code_of(ProblemCode code);
 std::string_view code_of(WarningCode code);
-/// The stable code of an event, such as `reached`.
-std::string_view code_of(const EventBody& event);
 
 /// A number with its sign: `+5`, `-3`, `+0`.
 std::string signed_number(int value);
@@ -28,8 +25,5 @@ std::string hexadecimal(std::string_view bytes);
 
 /// The bytes, what is wrong with them, and what is allowed.
 std::string describe(const Parsed& parsed, const Problem& problem);
-
-/// One sentence about an event. `model` gives units and limits.
-std::string describe(const EventBody& event, const Model& model);
 
 }  // namespace xr3

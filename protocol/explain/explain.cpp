@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "protocol/explain/command_words.hpp"
+#include "protocol/explain/command_text.hpp"
 #include "protocol/explain/diagnostic.hpp"
-#include "protocol/explain/reply_words.hpp"
+#include "protocol/explain/event_report.hpp"
 
 namespace xr3 {
 namespace {
@@ -16,21 +16,23 @@ struct Explainer {
   const wire::Item& item;
   const Model& model;
 
-  Explanation words(std::string_view code, std::string message) const {
+  Explanation explanation(std::string_view code, std::string message) const {
     return {item.from, item.to, code, std::move(message)};
   }
   Explanation event(const EventBody& body, const std::string& before = "") const {
-    return words(code_of(body), before + describe(body, model));
+    const EventReport about = report(body, model);
+    return explanation(about.code, before + about.message);
   }
 
-  Explanation operator()(const wire::Executed& obeyed) const {
-    return words(code_of(obeyed.command), describe(obeyed));
+  Explanation operator()(const wire::Executed& executed) const {
+    CommandText about = command_text(executed);
+    return explanation(about.code, std::move(about.phrase));
   }
   Explanation operator()(const wire::Ignored& ignored) const {
     std::string message =
         describe(Parsed{item.from, item.to, ignored.raw, ignored.problem}, ignored.problem);
     if (ignored.count > 1) message += " (" + std::to_string(ignored.count) + " in a row)";
-    return words(code_of(ignored.problem.code), std::move(message));
+    return explanation(code_of(ignored.problem.code), std::move(message));
   }
   Explanation operator()(const wire::WarningRaised& raised) const {
     return event(Warning{raised.code, raised.label, raised.value, raised.limit, {}});
@@ -41,13 +43,14 @@ struct Explainer {
       return event(Stalled{held_back.stall}, "nothing moves: ");
     }
     const bool at_limit = held_back.blocked == Blocked::kLimit;
-    return words(at_limit ? "limit" : "block",
-                 std::string(1, held_back.label) +
-                     (at_limit ? " is already at a limit; it can move the other way"
-                               : " is already closed on a block; it can move the other way"));
+    return explanation(at_limit ? "limit" : "block",
+                       std::string(1, held_back.label) +
+                           (at_limit ? " is already at a limit; it can move the other way"
+                                     : " is already closed on a block; it can move the other way"));
   }
   Explanation operator()(const wire::Answered& answered) const {
-    return words(code_of(answered), describe(answered, model));
+    ReplyText about = reply_text(answered, model);
+    return explanation(about.code, std::move(about.phrase));
   }
 };
 

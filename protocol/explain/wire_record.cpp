@@ -1,6 +1,5 @@
 #include "protocol/explain/wire_record.hpp"
 
-#include <ranges>
 #include <type_traits>
 #include <utility>
 
@@ -67,20 +66,20 @@ void add_command(std::vector<Item>& items, const Exchange& exchange, const Comma
                  const Simulation& machine) {
   const auto [from, to] = std::pair(exchange.parsed.from, exchange.parsed.to);
   const MoveTaken* move = move_in(exchange);
-  Executed obeyed{command, std::nullopt, false};
-  if (move != nullptr) obeyed.counter = static_cast<std::int8_t>(move->error);
-  items.push_back({from, to, obeyed});
-  bool is_told = false;
+  Executed executed{command, std::nullopt, false};
+  if (move != nullptr) executed.counter = static_cast<std::int8_t>(move->error);
+  items.push_back({from, to, executed});
+  bool is_reported = false;
   for (const Event& event : exchange.events) {
     if (const auto* warning = std::get_if<Warning>(&event.body)) {
       items.push_back(
           {from, to, WarningRaised{warning->code, warning->label, warning->value, warning->limit}});
     } else if (const auto* blocked = std::get_if<MotorBlocked>(&event.body)) {
       items.push_back({from, to, *blocked});
-      is_told = true;
+      is_reported = true;
     }
   }
-  if (move == nullptr || is_told) return;
+  if (move == nullptr || is_reported) return;
   const NoMotion why = held_back(*move, machine);
   if (why.stall != Stall::kNo || why.blocked != Blocked::kNo) items.push_back({from, to, why});
 }
@@ -90,15 +89,15 @@ void settle_toggles(std::vector<Item>& items, const State& after) {
   bool display = after.display.on;
   bool erase = after.display.erase;
   bool enabled = after.enabled;
-  for (Item& item : std::views::reverse(items)) {
-    auto* obeyed = std::get_if<Executed>(&item.what);
-    if (obeyed == nullptr) continue;
+  for (auto item = items.rbegin(); item != items.rend(); ++item) {
+    auto* executed = std::get_if<Executed>(&item->what);
+    if (executed == nullptr) continue;
     bool* toggled = nullptr;
-    if (std::holds_alternative<ToggleDisplay>(obeyed->command)) toggled = &display;
-    if (std::holds_alternative<ToggleErasing>(obeyed->command)) toggled = &erase;
-    if (std::holds_alternative<ToggleSimulator>(obeyed->command)) toggled = &enabled;
+    if (std::holds_alternative<ToggleDisplay>(executed->command)) toggled = &display;
+    if (std::holds_alternative<ToggleErasing>(executed->command)) toggled = &erase;
+    if (std::holds_alternative<ToggleSimulator>(executed->command)) toggled = &enabled;
     if (toggled == nullptr) continue;
-    obeyed->is_on = *toggled;
+    executed->is_on = *toggled;
     *toggled = !*toggled;
   }
 }

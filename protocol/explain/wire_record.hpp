@@ -62,7 +62,7 @@ struct PictureSize {
 /// An inquiry and its reply.
 struct Answered {
   Command command;
-  std::variant<ErrorMagnitude, SignedError, SwitchState, SwitchBits, PictureSize, PixelValue> reply;
+  ReplyWith<PictureSize> reply;
 };
 
 /// The interpretation of the bytes [from, to) of the line's stream in this direction.

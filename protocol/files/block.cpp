@@ -28,8 +28,8 @@ Codec<Micrometres> length_um(Range range) {
 Codec<PointUm> point_um(Range range, const std::string& names) {
   const Codec<Micrometres> item = length_um(range);
   Codec<PointUm> codec;
-  const std::string range_words = item.allowed.substr(std::string_view("a length ").size());
-  codec.allowed = "a list " + names + " of three lengths, each " + range_words;
+  const std::string range_text = item.allowed.substr(std::string_view("a length ").size());
+  codec.allowed = "a list " + names + " of three lengths, each " + range_text;
   codec.read = [item, allowed = codec.allowed](const Place& place, PointUm& p) {
     if (!place.value.is_list() || place.value.size() != 3) return place.refuse(allowed);
     const bool has_x = item.read(place.element(0), p.x);
@@ -65,7 +65,7 @@ Codec<PointUm> block_size() { return point_um(kSize, "[length, width, height]");
 
 Codec<PointUm> block_centroid() { return point_um(kCoordinate, "[x, y, z]"); }
 
-Codec<int> block_color() { return whole(0, 15); }
+Codec<int> block_color() { return whole_number(0, 15); }
 
 Members<Block> block_members() {
   return {required("name", &Block::name, block_name()),

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "protocol/files/robot.hpp"
+#include "protocol/files/summary.hpp"
 #include "protocol/files/workcell.hpp"
 #include "protocol/json/source.hpp"
 

@@ -33,11 +33,4 @@ struct CheckResult {
 CheckResult check_text(std::string_view text, const std::string& file, Profile profile,
                        const Robot* robot = nullptr);
 
-/// Denavit-Hartenberg table, motors, coupling, protected region, net roll and both homes (paper,
-/// Table II and Section III-A).
-std::string robot_summary(const Robot& robot, Profile profile);
-
-/// Workspace, blocks and camera (paper, Section III-B).
-std::string workcell_summary(const Workcell& workcell);
-
 }  // namespace xr3

@@ -39,9 +39,10 @@ Codec<std::uint8_t> mask() {
 }
 
 Members<Microswitch> switch_members() {
-  return {required("position", &Microswitch::position, whole(-kMaxSwitchCounts, kMaxSwitchCounts)),
+  return {required("position", &Microswitch::position,
+                   whole_number(-kMaxSwitchCounts, kMaxSwitchCounts)),
           required("mask", &Microswitch::mask, mask()),
-          optional("width", &Microswitch::width, whole(1, kMaxSwitchCounts))};
+          optional("width", &Microswitch::width, whole_number(1, kMaxSwitchCounts))};
 }
 
 }  // namespace
@@ -79,7 +80,7 @@ Member<Drive> precision_member() {
   return required("precision", &Drive::precision, number({0, kMaxPrecision, true}));
 }
 Member<Drive> speed_member() {
-  return required("speed", &Drive::speed_counts_per_s, whole(1, 255));
+  return required("speed", &Drive::speed_counts_per_s, whole_number(1, 255));
 }
 Member<Drive> direction_member() { return required("direction", &Drive::direction, sign()); }
 Member<Drive> home_member() { return required("home", &Drive::home, number(kVariable)); }

@@ -14,7 +14,7 @@ using data::Reading;
 constexpr char kLastLabelOfJ = 'B';
 constexpr int kHighestBitOfJ = 2;  // bits 2 to 5 of J are input lines
 
-std::string words(double number) { return plain_number(number, 4); }
+std::string number_text(double number) { return plain_number(number, 4); }
 
 void refuse(Reading& reading, const std::string& pointer, std::string found, std::string allowed) {
   reading.report(Severity::kError, pointer, std::move(found), std::move(allowed));
@@ -35,21 +35,24 @@ void check_limits(const CheckedMotor& motor, Reading& reading) {
   if (!reading.is_sound(pointer)) return;
   const Drive& drive = *motor.drive;
   const double unit = motor.is_length ? reading.mm_per_unit() : 1;
-  const std::string found = "[" + words(drive.min / unit) + ", " + words(drive.max / unit) + "]";
+  const std::string found =
+      "[" + number_text(drive.min / unit) + ", " + number_text(drive.max / unit) + "]";
   if (drive.min >= drive.max) return refuse(reading, pointer, found, "the lower limit first");
   if (motor.is_length && std::max(-drive.min, drive.max) > data::kMaxLengthMm) {
-    return refuse(reading, pointer, found, "lengths of up to " + words(data::kMaxLengthMm) + " mm");
+    return refuse(reading, pointer, found,
+                  "lengths of up to " + number_text(data::kMaxLengthMm) + " mm");
   }
   const std::string home = motor.pointer + motor.home_member;
   if (!reading.is_sound(home) || !reading.is_sound(motor.pointer + "/variable")) return;
   if (drive.home < drive.min || drive.home > drive.max) {
-    return refuse(reading, home, words(drive.home / unit), "a home within the limits " + found);
+    return refuse(reading, home, number_text(drive.home / unit),
+                  "a home within the limits " + found);
   }
   if (!reading.is_sound(motor.pointer + "/precision")) return;
   const double range = std::max(drive.max - drive.home, drive.home - drive.min) / drive.precision;
   if (range > kMaxCountsFromHome) {
-    refuse(reading, pointer, words(std::floor(range)) + " counts from the home to a limit",
-           "up to " + words(kMaxCountsFromHome) + " counts");
+    refuse(reading, pointer, number_text(std::floor(range)) + " counts from the home to a limit",
+           "up to " + number_text(kMaxCountsFromHome) + " counts");
   }
 }
 
@@ -67,7 +70,7 @@ void check_mask(const CheckedMotor& motor, Reading& reading, std::set<int>& take
                   "1 or 2, or 0 for none: J has room for two switches");
   }
   if (!(in_j ? taken_j : taken_i).insert(mask).second) {
-    refuse(reading, pointer, std::to_string(mask) + " for the second time",
+    refuse(reading, pointer, std::to_string(mask) + ", a duplicate",
            "a bit of the reply to " + reply + " that no other switch has");
   }
 }

@@ -55,13 +55,13 @@ Codec<OutlinePoint> outline_point() {
 }  // namespace
 
 Members<Outline> outline_members() {
-  return {required("color", &Outline::color, whole(0, kLastColor)),
+  return {required("color", &Outline::color, whole_number(0, kLastColor)),
           required("points", &Outline::points, list(outline_point(), 0, kMaxPoints))};
 }
 
 Members<ToolPart> tool_part_members() {
   return {required("side", &ToolPart::side, sign()),
-          required("color", &ToolPart::color, whole(0, kLastColor)),
+          required("color", &ToolPart::color, whole_number(0, kLastColor)),
           optional("pivot", &ToolPart::pivot_mm, point()),
           required("points", &ToolPart::points, list(outline_point(), 0, kMaxPoints))};
 }

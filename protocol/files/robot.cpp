@@ -94,8 +94,9 @@ Codec<Coupling> coupling() {
       "[joint, coupled joint], numbers from 1, the second negative if against";
   Codec<Coupling> codec;
   codec.allowed = allowed;
-  codec.read = [allowed, first = whole(1, kMaxJoints), second = whole(-kMaxJoints, kMaxJoints)](
-                   const Place& place, Coupling& result) {
+  codec.read = [allowed, first = whole_number(1, kMaxJoints),
+                second = whole_number(-kMaxJoints, kMaxJoints)](const Place& place,
+                                                                Coupling& result) {
     if (!place.value.is_list() || place.value.size() != 2) return place.refuse(allowed);
     int joint = 1;
     int coupled = 1;
@@ -114,8 +115,8 @@ Codec<Coupling> coupling() {
 Codec<RollTerm> roll_term() {
   Codec<RollTerm> codec;
   codec.allowed = "a joint's number, or minus it";
-  codec.read = [allowed = codec.allowed, any = whole(-kMaxJoints, kMaxJoints)](const Place& place,
-                                                                               RollTerm& result) {
+  codec.read = [allowed = codec.allowed, any = whole_number(-kMaxJoints, kMaxJoints)](
+                   const Place& place, RollTerm& result) {
     int term = 0;
     if (!any.read(place, term)) return false;
     if (term == 0) return place.refuse(allowed);

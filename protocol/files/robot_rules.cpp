@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/coupling.hpp"
-#include "core/envelope.hpp"
 #include "core/kinematics.hpp"
 #include "core/model.hpp"
+#include "core/stall.hpp"
 #include "protocol/files/motor_rules.hpp"
 #include "protocol/text/table.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 
 using data::Reading;
 
-std::string words(double number) { return plain_number(number, 4); }
+std::string number_text(double number) { return plain_number(number, 4); }
 
 void refuse(Reading& reading, const std::string& pointer, std::string found, std::string allowed) {
   reading.report(Severity::kError, pointer, std::move(found), std::move(allowed));
@@ -29,7 +29,7 @@ void check_joint_names(const Robot& robot, Reading& reading) {
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     const std::string pointer = joint_pointer(i) + "/name";
     if (!reading.is_sound(pointer) || names.insert(robot.joints[i].name).second) continue;
-    refuse(reading, pointer, "\"" + robot.joints[i].name + "\" for the second time",
+    refuse(reading, pointer, "\"" + robot.joints[i].name + "\", a duplicate",
            "a name that no other joint has");
   }
 }
@@ -40,10 +40,10 @@ std::string pivot_pointer(std::size_t part) {
 
 void check_parallel(const Tool& tool, Reading& reading) {
   if (reading.is_sound("/tool/limits") && tool.drive.min < 0) {
-    refuse(reading, "/tool/limits", words(tool.drive.min), "an opening of 0 or more");
+    refuse(reading, "/tool/limits", number_text(tool.drive.min), "an opening of 0 or more");
   }
   if (tool.finger_length_mm != 0) {
-    refuse(reading, "/tool/finger_length", words(tool.finger_length_mm),
+    refuse(reading, "/tool/finger_length", number_text(tool.finger_length_mm),
            "nothing: only angular jaws have it");
   }
   for (std::size_t i = 0; i < tool.parts.size(); ++i) {
@@ -55,7 +55,7 @@ void check_parallel(const Tool& tool, Reading& reading) {
 void check_angular(const Tool& tool, Reading& reading) {
   if (reading.is_sound("/tool/limits") && (tool.drive.min < 0 || tool.drive.max > 180)) {
     refuse(reading, "/tool/limits",
-           "[" + words(tool.drive.min) + ", " + words(tool.drive.max) + "]",
+           "[" + number_text(tool.drive.min) + ", " + number_text(tool.drive.max) + "]",
            "an angle between the fingers from 0 to 180 degrees");
   }
   if (reading.is_sound("/tool/finger_length") && tool.finger_length_mm <= 0) {
@@ -121,7 +121,7 @@ void check_coupling(const Robot& robot, std::size_t index, Reading& reading) {
                                      robot.couplings.begin() + static_cast<std::ptrdiff_t>(index));
   for (const Coupling& other : before) {
     if (other.joint == c.joint && other.coupled == c.coupled) {
-      return refuse(reading, pointer, found + " for the second time", "each pair of joints once");
+      return refuse(reading, pointer, found + ", a duplicate", "each pair of joints once");
     }
   }
   if (leads_to(before, c.coupled, c.joint, static_cast<std::size_t>(n))) {
@@ -147,20 +147,21 @@ void check_net_roll(const Robot& robot, Reading& reading) {
     } else if (robot.joints[static_cast<std::size_t>(joint)].variable != JointVariable::kTheta) {
       refuse(reading, pointer, found + ", which does not turn", "joints whose variable is theta");
     } else if (!named.insert(joint).second) {
-      refuse(reading, pointer, found + " for the second time", "each joint once");
+      refuse(reading, pointer, found + ", a duplicate", "each joint once");
     }
   }
 }
 
-std::string mm_words(const PointUm& p) {
-  return "(" + words(mm(p.x)) + ", " + words(mm(p.y)) + ", " + words(mm(p.z)) + ") mm";
+std::string mm_text(const PointUm& p) {
+  return "(" + number_text(mm(p.x)) + ", " + number_text(mm(p.y)) + ", " + number_text(mm(p.z)) +
+         ") mm";
 }
 
 void check_tip(const Model& model, const Positions& at, const std::string& home, Reading& reading) {
   const PointUm tip = tool_tip(model, at);
   if (!is_in_protected_region(model, tip)) return;
   refuse(reading, "/protected_region",
-         "the tool tip at the " + home + " home, " + mm_words(tip) + ", inside it",
+         "the tool tip at the " + home + " home, " + mm_text(tip) + ", inside it",
          "a region that leaves both homes out");
 }
 

@@ -1,11 +1,10 @@
-// The robot's summary for `xr3 check`; declared in check_report.hpp.
 #include <string>
 #include <vector>
 
 #include "core/coupling.hpp"
 #include "core/kinematics.hpp"
-#include "protocol/files/check_report.hpp"
 #include "protocol/files/robot_rules.hpp"
+#include "protocol/files/summary.hpp"
 #include "protocol/text/table.hpp"
 
 namespace xr3 {

@@ -40,7 +40,7 @@ Members<Camera> camera_members() {
   return {required("location", &Camera::location_um, point_um(kCoordinate, "[x, y, z]")),
           pair_of("field", &Camera::field_x_um, &Camera::field_y_um, length_um(kSize),
                   "a list [length, width] of two lengths"),
-          pair_of("pixels", &Camera::pixels_x, &Camera::pixels_y, whole(1, kMaxPixels),
+          pair_of("pixels", &Camera::pixels_x, &Camera::pixels_y, whole_number(1, kMaxPixels),
                   "a list [columns, rows] of two whole numbers"),
           optional("projection", &Camera::projection,
                    choice<Projection>({{"orthographic", Projection::kOrthographic},

@@ -20,7 +20,7 @@ constexpr double kRadiansPerDegree = kPi / 180.0;
 
 std::string block_pointer(std::size_t index) { return "/blocks/" + std::to_string(index); }
 
-std::string words(double length_mm) { return data::number_json(length_mm).dump(); }
+std::string number_text(double length_mm) { return data::number_json(length_mm).dump(); }
 
 /// The footprint of a block on the table, and its bottom and top, in mm.
 struct Shape {
@@ -116,10 +116,11 @@ void warn_of_height(const Workcell& workcell, const std::vector<Shape>& shapes, 
     const double height = shapes[i].bottom - surface;
     const auto carries = [&](const Shape& lower) { return stands_on(shapes[i], lower); };
     if (height < -kTouchMm) {
-      warn(reading, i, "a block that reaches " + words(-height) + " mm under the work surface",
-           "a bottom at z = " + words(surface) + " or above");
+      warn(reading, i,
+           "a block that reaches " + number_text(-height) + " mm under the work surface",
+           "a bottom at z = " + number_text(surface) + " or above");
     } else if (height > kTouchMm && std::none_of(shapes.begin(), shapes.end(), carries)) {
-      warn(reading, i, "a block that floats " + words(height) + " mm above the work surface",
+      warn(reading, i, "a block that floats " + number_text(height) + " mm above the work surface",
            "a bottom on the surface or on a block");
     }
   }
@@ -138,8 +139,9 @@ void warn_of_workspace(const Workcell& workcell, const std::vector<Shape>& shape
                          shape.top > mm(space.z_um) + kTouchMm;
     if (outside) {
       warn(reading, i, "a block that is partly outside the workspace",
-           "x 0 to " + words(mm(space.x_um)) + ", y -" + words(mm(space.y_um)) + " to " +
-               words(mm(space.y_um)) + ", z up to " + words(mm(space.z_um)) + " mm");
+           "x 0 to " + number_text(mm(space.x_um)) + ", y -" + number_text(mm(space.y_um)) +
+               " to " + number_text(mm(space.y_um)) + ", z up to " + number_text(mm(space.z_um)) +
+               " mm");
     }
   }
 }
@@ -150,8 +152,9 @@ void warn_of_width(const Workcell& workcell, const Robot& robot, Reading& readin
     const Block& block = workcell.blocks[i];
     const double narrow = mm(std::min(block.size_um.x, block.size_um.y));
     if (narrow < widest) continue;
-    warn(reading, i, "a block " + words(narrow) + " mm wide",
-         "less than " + words(std::round(widest * 1000) / 1000) + " mm, the jaws' widest opening");
+    warn(reading, i, "a block " + number_text(narrow) + " mm wide",
+         "less than " + number_text(std::round(widest * 1000) / 1000) +
+             " mm, the jaws' widest opening");
   }
 }
 
@@ -160,8 +163,7 @@ void check_block_names(const Workcell& workcell, Reading& reading) {
   for (std::size_t i = 0; i < workcell.blocks.size(); ++i) {
     const std::string pointer = block_pointer(i) + "/name";
     if (!reading.is_sound(pointer) || names.insert(workcell.blocks[i].name).second) continue;
-    reading.report(Severity::kError, pointer,
-                   "\"" + workcell.blocks[i].name + "\" for the second time",
+    reading.report(Severity::kError, pointer, "\"" + workcell.blocks[i].name + "\", a duplicate",
                    "a name that no other block has");
   }
 }
@@ -169,8 +171,9 @@ void check_block_names(const Workcell& workcell, Reading& reading) {
 void check_surface(const Workcell& workcell, Reading& reading) {
   if (!reading.is_sound("/work_surface") || !reading.is_sound("/workspace/z")) return;
   if (workcell.work_surface_um < workcell.workspace.z_um) return;
-  reading.report(Severity::kError, "/work_surface", words(mm(workcell.work_surface_um)),
-                 "less than the workspace's z, " + words(mm(workcell.workspace.z_um)) + " mm");
+  reading.report(
+      Severity::kError, "/work_surface", number_text(mm(workcell.work_surface_um)),
+      "less than the workspace's z, " + number_text(mm(workcell.workspace.z_um)) + " mm");
 }
 
 /// The camera must be above the work surface; in perspective, above every block, too.
@@ -179,8 +182,8 @@ void check_camera(const Workcell& workcell, Reading& reading) {
   const double height = mm(workcell.camera->location_um.z);
   const bool surface_known = reading.is_sound("/work_surface");
   if (surface_known && workcell.camera->location_um.z <= workcell.work_surface_um) {
-    reading.report(Severity::kError, "/camera/location/2", words(height),
-                   "above the work surface, " + words(mm(workcell.work_surface_um)) + " mm");
+    reading.report(Severity::kError, "/camera/location/2", number_text(height),
+                   "above the work surface, " + number_text(mm(workcell.work_surface_um)) + " mm");
   }
   if (workcell.camera->projection != Projection::kPerspective) return;
   for (std::size_t i = 0; i < workcell.blocks.size(); ++i) {
@@ -188,8 +191,8 @@ void check_camera(const Workcell& workcell, Reading& reading) {
     const Shape shape(workcell.blocks[i]);
     if (shape.top < height) continue;
     reading.report(Severity::kError, block_pointer(i),
-                   "a block whose top, " + words(shape.top) + " mm, reaches the camera",
-                   "tops below " + words(height) + " mm");
+                   "a block whose top, " + number_text(shape.top) + " mm, reaches the camera",
+                   "tops below " + number_text(height) + " mm");
   }
 }
 

@@ -1,9 +1,8 @@
-// The workcell's summary for `xr3 check`; declared in check_report.hpp.
 #include <array>
 #include <string>
 #include <vector>
 
-#include "protocol/files/check_report.hpp"
+#include "protocol/files/summary.hpp"
 #include "protocol/text/table.hpp"
 
 namespace xr3 {

@@ -17,12 +17,12 @@ std::string plain(double number) {
   return out.str();
 }
 
-std::string range_words(const Range& range, std::string_view kind) {
-  std::string words(kind);
-  words += range.open_min ? " above " : " from ";
-  words += plain(range.min) + (range.open_min ? ", up to " : " to ") + plain(range.max);
-  if (!range.unit.empty()) words += " " + std::string(range.unit);
-  return words;
+std::string range_text(const Range& range, std::string_view kind) {
+  std::string text(kind);
+  text += range.open_min ? " above " : " from ";
+  text += plain(range.min) + (range.open_min ? ", up to " : " to ") + plain(range.max);
+  if (!range.unit.empty()) text += " " + std::string(range.unit);
+  return text;
 }
 
 bool is_within(const Range& range, double number) {
@@ -47,7 +47,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 Codec<double> scaled_number(Range range, std::string_view kind, bool is_length) {
   Codec<double> codec;
-  codec.allowed = range_words(range, kind);
+  codec.allowed = range_text(range, kind);
   codec.read = [range, is_length, allowed = codec.allowed](const Place& place, double& result) {
     if (!place.value.is_number()) return place.refuse(allowed);
     const double scale = is_length ? place.reading.mm_per_unit() : 1.0;
@@ -64,7 +64,7 @@ Codec<double> scaled_number(Range range, std::string_view kind, bool is_length) 
 Reading::Reading(const JsonSource& source)
     : source_(&source), root_(source.root()), most_(kMaxFindings) {
   source.document().for_each_duplicate([this](JsonValue member) {
-    if (keeps_error()) keep(member, told_twice(member), "each member once");
+    if (keeps_error()) keep(member, describe_duplicate(member), "each member once");
   });
   take_unit();
 }
@@ -163,13 +163,13 @@ bool Place::refuse(const std::string& allowed) const {
 std::string shown(const Json& value) {
   if (value.is_object()) return "an object";
   if (value.is_array()) {
-    std::string whole = value.dump();
-    if (whole.size() <= kMaxShownLength) return whole;
+    std::string text = value.dump();
+    if (text.size() <= kMaxShownLength) return text;
     return "a list of " + std::to_string(value.size());
   }
   if (value.is_number_float()) return number_json(value.get<double>()).dump();
-  const std::string words = value.dump();
-  return cut(words, kMaxShownLength);
+  const std::string text = value.dump();
+  return cut(text, kMaxShownLength);
 }
 
 std::string shown(JsonValue value) {
@@ -213,7 +213,7 @@ Codec<std::string> text(std::size_t min_length, std::size_t max_length) {
     if (size < min_length || size > max_length) return place.refuse(allowed);
     return result = place.value.text(), true;
   };
-  codec.write = [](const std::string& words) { return Json(words); };
+  codec.write = [](const std::string& text) { return Json(text); };
   return codec;
 }
 
@@ -228,7 +228,7 @@ Codec<bool> boolean() {
   return codec;
 }
 
-Codec<int> whole(int min, int max) { return integer<int>(min, max); }
+Codec<int> whole_number(int min, int max) { return integer<int>(min, max); }
 
 Codec<double> number(Range range) { return scaled_number(range, "a number", false); }
 
@@ -240,15 +240,15 @@ Codec<double> length(Range range) {
 namespace detail {
 
 std::string quoted_names(const std::vector<std::string>& names) {
-  std::string words;
+  std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) words += i + 1 == names.size() ? " or " : ", ";
-    words += "\"" + names[i] + "\"";
+    if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
+    text += "\"" + names[i] + "\"";
   }
-  return words;
+  return text;
 }
 
-std::string integer_words(std::int64_t min, std::int64_t max) {
+std::string integer_text(std::int64_t min, std::int64_t max) {
   return "a whole number from " + std::to_string(min) + " to " + std::to_string(max);
 }
 
@@ -260,7 +260,7 @@ std::optional<std::int64_t> integer_in(JsonValue value, std::int64_t min, std::i
   return static_cast<std::int64_t>(number);
 }
 
-std::string list_words(std::size_t min_count, std::size_t max_count) {
+std::string list_text(std::size_t min_count, std::size_t max_count) {
   if (min_count == max_count) return "a list of " + std::to_string(max_count);
   return "a list of " + std::to_string(min_count) + " to " + std::to_string(max_count);
 }

@@ -128,7 +128,7 @@ inline constexpr Range kCoordinate{-kMaxLengthMm, kMaxLengthMm};
 /// Lengths in bytes of UTF-8.
 Codec<std::string> text(std::size_t min_length, std::size_t max_length);
 Codec<bool> boolean();
-Codec<int> whole(int min, int max);
+Codec<int> whole_number(int min, int max);
 /// The same for any integer type; min and max must be within +-2^53.
 template <class I>
 Codec<I> integer(std::int64_t min, std::int64_t max);

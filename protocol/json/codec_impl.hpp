@@ -15,10 +15,10 @@ void keep_unknown(const Place& member, const std::vector<std::string>& names);
 std::string quoted_names(const std::vector<std::string>& names);
 
 /// `a list of 3`, `a list of 1 to 7`.
-std::string list_words(std::size_t min_count, std::size_t max_count);
+std::string list_text(std::size_t min_count, std::size_t max_count);
 
 /// `a whole number from 1 to 255`.
-std::string integer_words(std::int64_t min, std::int64_t max);
+std::string integer_text(std::int64_t min, std::int64_t max);
 
 /// The integer; nullopt if the value is not an integer in the range. Reports nothing.
 std::optional<std::int64_t> integer_in(JsonValue value, std::int64_t min, std::int64_t max);
@@ -47,7 +47,7 @@ void refuse_unknown(const Place& place, const Members<T>& members) {
 template <class I>
 Codec<I> integer(std::int64_t min, std::int64_t max) {
   Codec<I> codec;
-  codec.allowed = detail::integer_words(min, max);
+  codec.allowed = detail::integer_text(min, max);
   codec.read = [=, allowed = codec.allowed](const Place& place, I& result) {
     const auto number = detail::integer_in(place.value, min, max);
     if (!number) return place.refuse(allowed);
@@ -59,10 +59,10 @@ Codec<I> integer(std::int64_t min, std::int64_t max) {
 
 template <class E>
 Codec<E> choice(std::vector<std::pair<std::string, E>> names) {
-  std::vector<std::string> words;
-  for (const auto& [name, value] : names) words.push_back(name);
+  std::vector<std::string> known_names;
+  for (const auto& [name, value] : names) known_names.push_back(name);
   Codec<E> codec;
-  codec.allowed = detail::quoted_names(words);
+  codec.allowed = detail::quoted_names(known_names);
   codec.read = [names, allowed = codec.allowed](const Place& place, E& result) {
     for (const auto& [name, value] : names) {
       if (place.value.is(name)) return result = value, true;
@@ -80,7 +80,7 @@ Codec<E> choice(std::vector<std::pair<std::string, E>> names) {
 template <class V>
 Codec<std::vector<V>> list(Codec<V> item, std::size_t min_count, std::size_t max_count) {
   Codec<std::vector<V>> codec;
-  codec.allowed = detail::list_words(min_count, max_count);
+  codec.allowed = detail::list_text(min_count, max_count);
   codec.read = [=, allowed = codec.allowed](const Place& place, std::vector<V>& result) {
     const std::size_t count = place.value.is_list() ? place.value.size() : 0;
     if (!place.value.is_list() || count < min_count || count > max_count)

@@ -136,11 +136,11 @@ void JsonDocument::mark_duplicates() {
 
 void JsonDocument::mark_duplicates(std::uint32_t object, std::vector<std::uint32_t>& names) {
   names.clear();
-  const JsonValue whole(this, object);
-  const std::size_t size = whole.size();
+  const JsonValue all(this, object);
+  const std::size_t size = all.size();
   if (size < 2) return;
   names.reserve(size);
-  for (const JsonValue member : whole) names.push_back(member.index_ - 1);
+  for (const JsonValue member : all) names.push_back(member.index_ - 1);
   const auto compare = [this](std::uint32_t a, std::uint32_t b) {
     return JsonValue(this, a).compare_text(JsonValue(this, b));
   };
@@ -168,13 +168,8 @@ std::string_view JsonValue::written() const {
   return text.substr(token.begin, starts_with('f') ? 5 : 4);
 }
 
-double JsonValue::number() const {
-  const std::string_view digits = written();
-  double number = 0;
-  const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  if (read.ec == std::errc()) return number;
-  return std::strtod(std::string(digits).c_str(), nullptr);  // underflow
-}
+// strtod depends on the locale, but xr3 never sets LC_NUMERIC.
+double JsonValue::number() const { return std::strtod(std::string(written()).c_str(), nullptr); }
 
 std::string JsonValue::text(std::size_t most) const {
   if (!has_escapes()) {

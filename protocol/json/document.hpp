@@ -45,9 +45,9 @@ class JsonDocument {
   JsonValue root() const;
   std::string_view text() const { return text_; }
 
-  /// Calls `tell` with each member whose name the object already has, in text order.
-  template <class Tell>
-  void for_each_duplicate(Tell tell) const;
+  /// Calls `visit` with each member whose name the object already has, in text order.
+  template <class Visitor>
+  void for_each_duplicate(Visitor visit) const;
 
  private:
   friend class JsonValue;
@@ -186,10 +186,10 @@ class JsonValue {
   std::uint32_t index_ = 0;
 };
 
-template <class Tell>
-void JsonDocument::for_each_duplicate(Tell tell) const {
+template <class Visitor>
+void JsonDocument::for_each_duplicate(Visitor visit) const {
   for (std::uint32_t i = 1; i < tokens_.size(); ++i)
-    if (const JsonValue value(this, i); value.is_repeated()) tell(value);
+    if (const JsonValue value(this, i); value.is_repeated()) visit(value);
 }
 
 }  // namespace xr3

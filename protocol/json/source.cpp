@@ -66,9 +66,9 @@ std::string child_pointer(const std::string& parent, std::size_t element) {
   return parent + "/" + std::to_string(element);
 }
 
-std::string told_twice(JsonValue member) {
+std::string describe_duplicate(JsonValue member) {
   constexpr std::size_t kMaxLength = 200;
-  return "\"" + cut(member.name().text(kMaxLength + 1), kMaxLength) + "\" for the second time";
+  return "\"" + cut(member.name().text(kMaxLength + 1), kMaxLength) + "\", a duplicate";
 }
 
 JsonSource::JsonSource(std::string_view text, std::string file)

@@ -18,8 +18,8 @@ std::string without_comment_lines(std::string_view text);
 std::string child_pointer(const std::string& parent, std::string_view member);
 std::string child_pointer(const std::string& parent, std::size_t element);
 
-/// `"name" for the second time`, for a duplicate member.
-std::string told_twice(JsonValue member);
+/// `"name", a duplicate`, for a duplicate member.
+std::string describe_duplicate(JsonValue member);
 
 class JsonSource {
  public:

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kMaxShownLength = 40;
 
-struct Words {
+struct Description {
   std::string found;
   std::string allowed;
 };
@@ -69,7 +69,7 @@ std::string allowed_here(const std::string& message) {
 
 struct Phrase {
   std::string_view sign;
-  Words words;
+  Description description;
 };
 
 /// The parser's messages about malformed tokens, with their replacements.
@@ -88,14 +88,15 @@ const std::array<Phrase, 8>& phrases() {
   return known;
 }
 
-Words words_for(std::string_view text, std::size_t offset, const JsonDocument::Complaint& error) {
+Description describe_error(std::string_view text, std::size_t offset,
+                           const JsonDocument::Complaint& error) {
   for (const Phrase& phrase : phrases()) {
-    if (contains(error.message, phrase.sign)) return phrase.words;
+    if (contains(error.message, phrase.sign)) return phrase.description;
   }
-  Words words{printable(word_at(text, offset)), allowed_here(error.message)};
+  Description description{printable(word_at(text, offset)), allowed_here(error.message)};
   const bool names_expected = contains(error.message, "; expected string literal");
-  if (words.found == "}" && names_expected) words.found = "} after a comma";
-  return words;
+  if (description.found == "}" && names_expected) description.found = "} after a comma";
+  return description;
 }
 
 /// The start of the word that contains an offset or ends there.
@@ -129,9 +130,9 @@ Finding syntax_finding(std::string_view text, const std::string& file,
   finding.file = file;
   finding.line = 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
   finding.column = 1 + static_cast<int>(offset - line_start);
-  const Words words = words_for(text, offset, error);
-  finding.found = words.found;
-  finding.allowed = words.allowed;
+  const Description description = describe_error(text, offset, error);
+  finding.found = description.found;
+  finding.allowed = description.allowed;
   return finding;
 }
 

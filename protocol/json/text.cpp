@@ -32,16 +32,16 @@ std::string filled(const Json& rows, std::size_t indent) {
   std::string text;
   std::size_t column = kColumns;
   for (const Json& row : rows) {
-    const std::string words = on_one_line(row);
+    const std::string line = on_one_line(row);
     if (!text.empty()) text += ",";
-    if (column + words.size() + 2 > kColumns) {
+    if (column + line.size() + 2 > kColumns) {
       text += "\n" + std::string(indent, ' ');
       column = indent;
     } else {
       text += " ";
     }
-    text += words;
-    column += words.size() + 2;
+    text += line;
+    column += line.size() + 2;
   }
   return text;
 }

@@ -117,12 +117,13 @@ Match match_frame(std::string_view bytes) {
   const std::size_t rest = length - kHeader;
   const std::array expected = {static_cast<char>(rest / 256), static_cast<char>(rest % 256)};
   const std::string_view message = bytes.substr(2);
-  const std::string_view said = message.size() > 2 ? message.substr(2, 2) : ""sv;
-  if (!std::string_view(expected.data(), expected.size()).starts_with(said)) return Match::kNone;
+  const std::string_view length_field = message.size() > 2 ? message.substr(2, 2) : ""sv;
+  if (!std::string_view(expected.data(), expected.size()).starts_with(length_field))
+    return Match::kNone;
   return match_message(message);
 }
 
-Match match_stranger(std::string_view bytes) {
+Match match_foreign_protocol(std::string_view bytes) {
   return std::max(
       {match_request(bytes), match_any(bytes, kFixed), match_message(bytes), match_frame(bytes)});
 }
@@ -132,7 +133,7 @@ Match match_stranger(std::string_view bytes) {
 Detection HttpTlsDetector::feed(std::uint8_t byte) {
   if (detection_ != Detection::kUndecided) return detection_;
   held_.push_back(static_cast<char>(byte));
-  const Match found = match_stranger(held_);
+  const Match found = match_foreign_protocol(held_);
   if (found == Match::kBeginning) return detection_;
   held_.pop_back();
   detection_ = found == Match::kWhole ? Detection::kNotARobotProgram : Detection::kPass;

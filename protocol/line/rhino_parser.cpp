@@ -6,15 +6,13 @@ namespace xr3 {
 namespace {
 
 constexpr std::int32_t kSaturated = 1'000'000;
-constexpr int kMinMove = -128;
-constexpr int kGreatestMove = 127;
 
 bool is_digit(std::uint8_t byte) { return byte >= '0' && byte <= '9'; }
 bool is_sign(std::uint8_t byte) { return byte == '+' || byte == '-'; }
 bool is_line_end(std::uint8_t byte) { return byte == '\r' || byte == '\n'; }
 bool is_space(std::uint8_t byte) { return byte == ' ' || byte == '\0'; }
 bool is_blank(std::uint8_t byte) { return is_line_end(byte) || is_space(byte); }
-bool is_within(int value, int least, int greatest) { return value >= least && value <= greatest; }
+bool is_within(int value, int min, int max) { return value >= min && value <= max; }
 
 /// The letter in upper case, or 0.
 std::uint8_t letter_of(std::uint8_t byte) {
@@ -161,7 +159,7 @@ bool RhinoParser::feed_number(std::uint8_t byte, std::vector<Parsed>& out) {
   const bool sets_speed = letter_of(byte) == 'S' && number_.sign == 0;
   const bool belongs = is_blank(byte) || sets_speed;
   if (belongs) consume(byte);
-  if (sets_speed && is_within(number_.magnitude, 1, 255)) {
+  if (sets_speed && is_within(number_.magnitude, SetSpeed::kMin, SetSpeed::kMax)) {
     emit(Command{SetSpeed{label_, number_.magnitude}}, out);
   } else if (sets_speed) {
     emit(Problem{ProblemCode::kSpeedOutOfRange, Subject::kSpeed}, out);
@@ -181,7 +179,7 @@ void RhinoParser::end_number(std::vector<Parsed>& out) {
     const int counts = number_.sign == '-' ? -number_.modulo_256 : number_.modulo_256;
     return emit(Command{Move{label_, static_cast<std::int8_t>(counts)}}, out);
   }
-  if (!is_within(number_.value(), kMinMove, kGreatestMove)) {
+  if (!is_within(number_.value(), Move::kMin, Move::kMax)) {
     return emit(Problem{ProblemCode::kNumberOutOfRange, Subject::kMove}, out);
   }
   emit(Command{Move{label_, number_.value()}}, out);
@@ -204,7 +202,8 @@ bool RhinoParser::feed_digit(std::uint8_t byte, std::vector<Parsed>& out) {
 
 void RhinoParser::end_digit(int digit, std::vector<Parsed>& out) {
   const bool is_status = mode_ == Mode::kStatus;
-  const bool is_allowed = is_status ? digit <= 6 : is_within(digit, 1, 8);
+  const bool is_allowed =
+      is_status ? digit <= SelectStatus::kMax : is_within(digit, 1, SetOutput::kLines);
   if (!is_allowed) {
     const Subject subject = is_status ? Subject::kStatus : Subject::kOutput;
     return emit(Problem{ProblemCode::kNumberOutOfRange, subject}, out);
@@ -231,7 +230,7 @@ bool RhinoParser::feed_period(std::uint8_t byte, std::vector<Parsed>& out) {
 }
 
 void RhinoParser::end_period(std::vector<Parsed>& out) {
-  if (is_within(number_.magnitude, 1, 255)) {
+  if (is_within(number_.magnitude, SetRefreshPeriod::kMin, SetRefreshPeriod::kMax)) {
     return emit(Command{SetRefreshPeriod{number_.magnitude}}, out);
   }
   emit(Problem{ProblemCode::kNumberOutOfRange, Subject::kPeriod}, out);
@@ -288,10 +287,11 @@ std::variant<Command, Problem> RhinoParser::list_result() const {
   }
   if (is_empty) return Command{SetViewVector{1, 1, 1}};
   const bool is_whole = has_last && list_size_ == 2;
-  const bool is_small =
-      is_within(list_[0], -9, 9) && is_within(list_[1], -9, 9) && is_within(last, -9, 9);
+  const auto is_small = [](int value) {
+    return is_within(value, -SetViewVector::kMax, SetViewVector::kMax);
+  };
   const bool is_zero = list_[0] == 0 && list_[1] == 0 && last == 0;
-  if (!is_whole || !is_small || is_zero)
+  if (!is_whole || !is_small(list_[0]) || !is_small(list_[1]) || !is_small(last) || is_zero)
     return Problem{ProblemCode::kBadViewVector, Subject::kNone};
   return Command{SetViewVector{list_[0], list_[1], last}};
 }

@@ -86,8 +86,8 @@ JsonValue ArgsReader::object(const std::string& name, Presence presence,
   return {};
 }
 
-std::optional<std::int64_t> ArgsReader::whole(const std::string& name, std::int64_t low,
-                                              std::int64_t high, Presence presence) {
+std::optional<std::int64_t> ArgsReader::integer(const std::string& name, std::int64_t low,
+                                                std::int64_t high, Presence presence) {
   const JsonValue value = ask(name, presence, whole_range(low, high));
   if (!value && presence == Presence::kOptional) return std::nullopt;
   const auto number = whole_number(value);

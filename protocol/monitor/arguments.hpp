@@ -70,8 +70,8 @@ class ArgsReader {
   JsonValue object(const std::string& name, Presence presence,
                    const std::string& allowed = "an object");
 
-  std::optional<std::int64_t> whole(const std::string& name, std::int64_t low, std::int64_t high,
-                                    Presence presence = Presence::kRequired);
+  std::optional<std::int64_t> integer(const std::string& name, std::int64_t low, std::int64_t high,
+                                      Presence presence = Presence::kRequired);
   std::optional<double> number(const std::string& name, double low, double high,
                                Presence presence = Presence::kRequired);
   /// A value in the form of the data files, with lengths in mm.

@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-#include "protocol/monitor/lines.hpp"
+#include "protocol/monitor/line_splitter.hpp"
 #include "protocol/monitor/message.hpp"
 #include "protocol/monitor/request.hpp"
 #include "protocol/monitor/subscription.hpp"

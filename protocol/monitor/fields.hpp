@@ -13,7 +13,11 @@ namespace xr3::monitor {
 /// Such as `state` or `image`.
 std::string_view name_of(Channel channel);
 
+/// The channel with this name, or nullopt.
 std::optional<Channel> channel_named(std::string_view name);
+
+/// The names of all channels, as listed in `hello`.
+const std::vector<std::string>& channels();
 
 /// A latest-wins channel skips messages for slow clients. The others, event and line, report a lag.
 bool is_latest_wins(Channel channel);

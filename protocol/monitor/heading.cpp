@@ -4,6 +4,7 @@
 
 #include "protocol/json/long_token.hpp"
 #include "protocol/monitor/arguments.hpp"
+#include "protocol/monitor/call_table.hpp"
 
 namespace xr3::monitor {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "protocol/monitor/member.hpp"
+#include "protocol/monitor/member_reader.hpp"
 
 namespace xr3 {
 namespace {
@@ -13,10 +13,10 @@ constexpr std::size_t kMaxQuotedLength = 60;
 
 /// The beginning of a foreign server's first line, quoted, without control characters.
 std::string quoted(std::string_view text) {
-  std::string words(text.substr(0, std::min(kMaxQuotedLength, text.find_first_of("\r\n"))));
+  std::string line(text.substr(0, std::min(kMaxQuotedLength, text.find_first_of("\r\n"))));
   const auto is_strange = [](char c) { return c < ' ' || c > '~'; };
-  std::replace_if(words.begin(), words.end(), is_strange, '?');
-  return "\"" + words + "\"";
+  std::replace_if(line.begin(), line.end(), is_strange, '?');
+  return "\"" + line + "\"";
 }
 
 std::string is_another(std::string_view line) { return "is not xr3: it sends " + quoted(line); }

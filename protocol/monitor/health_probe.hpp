@@ -39,8 +39,8 @@ class HealthProbe {
 
 /// The HTTP request for /readyz on the same port; `host` is the server's address and port.
 std::string ready_request(const std::string& host);
-/// The problem shown by the complete response, as the end of such a sentence; empty if the server
-/// is ready.
+/// The problem shown by the complete response, as the end of a sentence that begins with the
+/// server's address; empty if the server is ready.
 std::string trouble_with_readiness(std::string_view answer);
 
 }  // namespace xr3

@@ -1,14 +1,9 @@
-// The call `key`: the functions of the controller's command mode (paper, Table IV) by name.
-#include <vector>
+#include "protocol/monitor/key_arguments.hpp"
 
-#include "protocol/monitor/call_arguments.hpp"
+#include <vector>
 
 namespace xr3::monitor {
 namespace {
-
-constexpr int kMaxView = 9;
-constexpr int kMaxStatus = 6;
-constexpr int kMaxPeriod = 255;
 
 enum class Function : std::uint8_t {
   kDisplay,
@@ -33,8 +28,10 @@ data::Codec<Function> function() {
 }
 
 SetViewVector read_view(ArgsReader& args) {
-  const auto xyz = args.coded("value", data::list(data::whole(-kMaxView, kMaxView), 3, 3))
-                       .value_or(std::vector<int>{1, 1, 1});
+  const auto xyz =
+      args.coded("value",
+                 data::list(data::whole_number(-SetViewVector::kMax, SetViewVector::kMax), 3, 3))
+          .value_or(std::vector<int>{1, 1, 1});
   if (xyz == std::vector<int>{0, 0, 0}) args.refuse("value", "a view that is not 0, 0, 0");
   return {xyz[0], xyz[1], xyz[2]};
 }
@@ -50,11 +47,13 @@ Command command_of(Function function, ArgsReader& args) {
     case Function::kView: return read_view(args);
     case Function::kHome: return without_value(args, SoftHome{});
     case Function::kStatus:
-      return SelectStatus{static_cast<int>(args.whole("value", 0, kMaxStatus).value_or(0))};
+      return SelectStatus{
+          static_cast<int>(args.integer("value", 0, SelectStatus::kMax).value_or(0))};
     case Function::kEnabled: return without_value(args, ToggleSimulator{});
     case Function::kFunctionKeys: return without_value(args, ToggleFunctionKeys{});
     case Function::kPeriod:
-      return SetRefreshPeriod{static_cast<int>(args.whole("value", 1, kMaxPeriod).value_or(1))};
+      return SetRefreshPeriod{static_cast<int>(
+          args.integer("value", SetRefreshPeriod::kMin, SetRefreshPeriod::kMax).value_or(1))};
     case Function::kPath: return without_value(args, ToggleErasing{});
   }
   return ToggleDisplay{};

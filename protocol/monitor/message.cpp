@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "protocol/monitor/call_table.hpp"
+#include "protocol/monitor/fields.hpp"
+
 namespace xr3::monitor {
 namespace {
 
@@ -34,12 +37,12 @@ Json details_json(const std::vector<Detail>& details) {
   return list;
 }
 
-struct ByeWords {
+struct ByeText {
   const char* why;
   const char* message;
 };
 
-ByeWords words_of(CloseReason why) {
+ByeText text_of_reason(CloseReason why) {
   switch (why) {
     case CloseReason::kShutdown: return {"shutdown", "the server is stopping"};
     case CloseReason::kNotJson:
@@ -136,8 +139,8 @@ Message lag(std::string_view cell, Channel channel, const Missed& missed) {
 }
 
 Message bye(CloseReason why) {
-  const ByeWords words = words_of(why);
-  return message_of({{"op", "bye"}, {"why", words.why}, {"message", words.message}});
+  const ByeText text = text_of_reason(why);
+  return message_of({{"op", "bye"}, {"why", text.why}, {"message", text.message}});
 }
 
 }  // namespace xr3::monitor

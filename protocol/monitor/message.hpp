@@ -58,6 +58,7 @@ struct Missed {
   std::int64_t from_seq = 0;
   std::int64_t to_seq = 0;
 };
+/// The `lag` that reports missed messages of a channel.
 Message lag(std::string_view cell, Channel channel, const Missed& missed);
 
 /// Why the server closes a connection.

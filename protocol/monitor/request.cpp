@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "protocol/monitor/arguments.hpp"
-#include "protocol/monitor/calls.hpp"
+#include "protocol/monitor/call_table.hpp"
 #include "protocol/monitor/fields.hpp"
-#include "protocol/monitor/text.hpp"
+#include "protocol/monitor/message_syntax.hpp"
 
 namespace xr3::monitor {
 namespace {
@@ -47,12 +47,12 @@ std::string in_document(const std::string& pointer) {
 }
 
 /// `found` of a duplicate member: its name, or its size if it is long.
-Json shown_twice(JsonValue member) {
+Json duplicate_json(JsonValue member) {
   constexpr std::size_t kMaxLength = 200;  // as JSON
-  const std::string_view words = " for the second time";
-  const std::size_t size = member.name().text_size() + 2 + words.size();
+  const std::string_view suffix = ", a duplicate";
+  const std::size_t size = member.name().text_size() + 2 + suffix.size();
   if (size < kMaxLength) {
-    Json found = "\"" + member.name().text() + "\"" + std::string(words);
+    Json found = "\"" + member.name().text() + "\"" + std::string(suffix);
     if (found.dump().size() <= kMaxLength) return found;
   }
   return "string of " + std::to_string(size) + " bytes";
@@ -62,7 +62,7 @@ Json shown_twice(JsonValue member) {
 void refuse_duplicates(const JsonDocument& document, Findings& findings) {
   document.for_each_duplicate([&](JsonValue member) {
     if (!findings.counts()) return;
-    findings.keep(in_document(member.pointer_from(document.root())), shown_twice(member),
+    findings.keep(in_document(member.pointer_from(document.root())), duplicate_json(member),
                   "each member once");
   });
 }
@@ -87,7 +87,7 @@ Selection read_selection(Channel channel, ArgsReader& members) {
 
 std::optional<std::int64_t> read_since(Channel channel, ArgsReader& members) {
   if (is_latest_wins(channel)) return std::nullopt;
-  return members.whole("since", 0, kMaxInteger, Presence::kOptional);
+  return members.integer("since", 0, kMaxInteger, Presence::kOptional);
 }
 
 Subscribe read_subscribe(Channel channel, ArgsReader& members) {
@@ -183,7 +183,7 @@ RequestReading read_request(std::string_view message, const std::vector<std::str
   return RequestReader(document, cells).read();
 }
 
-std::optional<RequestError> fit(Request& request, Tick now) {
+std::optional<RequestError> limit_ticks(Request& request, Tick now) {
   auto* wanted = std::get_if<CallRequest>(&request.what);
   if (wanted == nullptr) return std::nullopt;
   auto* of_cell = std::get_if<call::Call>(&wanted->call);

@@ -121,10 +121,8 @@ struct RequestError {
 
 using RequestReading = std::variant<Request, RequestError>;
 
-/// The names that this version knows, as listed in `hello`.
+/// The names of `op` that this version knows, as listed in `hello`.
 const std::vector<std::string>& ops();
-const std::vector<std::string>& channels();
-const std::vector<std::string>& calls();
 
 /// The id in a member `id`; nullopt if it is invalid. A missing member or null means no id.
 std::optional<RequestId> id_of(JsonValue value);
@@ -132,9 +130,9 @@ std::optional<RequestId> id_of(JsonValue value);
 /// Parses a message. `cells` are the cells that it may name, the default first. Never throws.
 RequestReading read_request(std::string_view message, const std::vector<std::string>& cells);
 
-/// Keeps time within kMaxInteger ticks: shortens a run_until to end at the last tick, and returns
-/// an error for a step past it.
-std::optional<RequestError> fit(Request& request, Tick now);
+/// Keeps simulated time within kMaxInteger ticks: shortens a run_until to end at the last tick, and
+/// returns an error for a step past it.
+std::optional<RequestError> limit_ticks(Request& request, Tick now);
 
 /// `"a", "b" or "c"`.
 std::string one_of(const std::vector<std::string>& names);

@@ -22,9 +22,6 @@ constexpr Micrometres kFarthestUm = 2'000'000'000;
 constexpr Micrometres kLargestUm = micrometres(kMaxLengthMm);
 constexpr Microdegrees kHalfTurn = 180'000'000;
 constexpr std::size_t kMaxHashLength = 200;
-constexpr int kMaxView = 9;
-constexpr int kMaxPeriod = 255;
-constexpr int kMaxStatus = 6;
 
 Codec<Counts> counts() { return integer<Counts>(-kMaxCounts, kMaxCounts); }
 
@@ -64,7 +61,7 @@ Codec<PointUm> place_um() { return point(-kFarthestUm, kFarthestUm); }
 
 /// `[x, y, z]` of the view vector.
 Codec<ViewVector> view() {
-  const auto list = array_of<int, 3>(whole(-kMaxView, kMaxView));
+  const auto list = array_of<int, 3>(whole_number(-SetViewVector::kMax, SetViewVector::kMax));
   Codec<ViewVector> codec;
   codec.allowed = "a list of three whole numbers -9 to 9, not all 0";
   codec.read = [list, allowed = codec.allowed](const Place& place, ViewVector& vector) {
@@ -94,9 +91,11 @@ Members<MotorState> motor_members() {
 Members<DisplaySettings> display_members() {
   return {required("on", &DisplaySettings::on, boolean()),
           required("view", &DisplaySettings::view, view()),
-          required("period_half_s", &DisplaySettings::period_half_s, whole(1, kMaxPeriod)),
+          required("period_half_s", &DisplaySettings::period_half_s,
+                   whole_number(SetRefreshPeriod::kMin, SetRefreshPeriod::kMax)),
           required("erase", &DisplaySettings::erase, boolean()),
-          required("status_option", &DisplaySettings::status_option, whole(0, kMaxStatus)),
+          required("status_option", &DisplaySettings::status_option,
+                   whole_number(0, SelectStatus::kMax)),
           required("function_keys", &DisplaySettings::function_keys, boolean())};
 }
 
@@ -117,7 +116,7 @@ Members<Block> lying_block_members() {
 
 Members<Held> held_members() {
   return {required("block", &Held::block, integer<std::uint32_t>(0, kMaxBlocks - 1)),
-          required("quarter_turns", &Held::quarter_turns, whole(0, 3)),
+          required("quarter_turns", &Held::quarter_turns, whole_number(0, 3)),
           required("grasped_at", &Held::grasped_at, array_of<Counts, kMaxMotors>(counts()))};
 }
 
@@ -175,7 +174,7 @@ void check_names(const std::vector<Block>& blocks, Reading& reading) {
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const std::string pointer = child_pointer("/state/blocks", i) + "/name";
     if (!reading.is_sound(pointer) || names.insert(blocks[i].name).second) continue;
-    reading.report(Severity::kError, pointer, "\"" + blocks[i].name + "\" for the second time",
+    reading.report(Severity::kError, pointer, "\"" + blocks[i].name + "\", a duplicate",
                    "a name that no other block has");
   }
 }
@@ -192,8 +191,9 @@ void check_held(const State& state, Reading& reading) {
 void check_path(const TipPath& path, Reading& reading) {
   if (path.oldest == 0 || path.points.size() == TipPath::kMaxTipPoints) return;
   if (!reading.is_sound("/state/tip_path")) return;
-  reading.report(Severity::kError, "/state/tip_path/oldest", std::to_string(path.oldest),
-                 "0 in a path of less than " + std::to_string(TipPath::kMaxTipPoints) + " points");
+  reading.report(
+      Severity::kError, "/state/tip_path/oldest", std::to_string(path.oldest),
+      "0 if the path has fewer than " + std::to_string(TipPath::kMaxTipPoints) + " points");
 }
 
 }  // namespace

@@ -36,10 +36,10 @@ namespace xr3::monitor {
 /// Whether a request can hold it: its JSON without blanks plus the rest of the call.
 bool fits_a_request(const SavedCell& saved);
 
-/// Everything in the saved cell that a machine with this model's robot and profile cannot reach in
-/// the saved workcell: joints outside their limits, switches that do not match their counts, a tip
-/// inside the protected region, jaws that do not touch the block they hold... Pointers begin at the
-/// saved cell. If empty, it can be loaded.
-std::vector<Detail> misfits(const Model& model, const SavedCell& saved);
+/// Validates a saved cell. Returns everything that a machine with this model's robot and profile
+/// cannot reach in the saved workcell: joints outside their limits, switches that do not match
+/// their counts, a tip inside the protected region, jaws that do not touch the block they hold...
+/// Pointers begin at the saved cell. If the result is empty, the saved cell can be loaded.
+std::vector<Detail> validate(const Model& model, const SavedCell& saved);
 
 }  // namespace xr3::monitor

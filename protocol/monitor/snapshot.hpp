@@ -11,7 +11,7 @@
 #include "core/model.hpp"
 #include "core/sim_clock.hpp"
 #include "core/state.hpp"
-#include "protocol/json/source.hpp"
+#include "protocol/json/values.hpp"
 
 namespace xr3 {
 
@@ -25,31 +25,16 @@ struct Snapshot {
   bool operator==(const Snapshot&) const = default;
 };
 
-/// Decimals of numbers in the monitor's messages.
-inline constexpr int kMmDecimals = 3;
-inline constexpr int kDegreeDecimals = 4;
-inline constexpr int kMatrixDecimals = 5;
-
 /// Names of the top-level members that a client has selected; nullopt: all members.
 using Fields = std::optional<std::vector<std::string>>;
 
 /// The members of `state` that can be selected, in order.
 const std::vector<std::string>& state_members();
 
-/// `{"mode":"real","rate":1.0}`; the rate is in simulated seconds per wall second.
-Json clock_json(ClockMode mode, Rate rate);
-
 /// All members of a `state` message except op, id, cell, epoch, seq and tick.
 Json state_json(const Model& model, const Snapshot& snapshot);
 
 /// The selected members, in the order of selection; unknown names are ignored.
 Json chosen(const Json& members, const Fields& fields);
-
-/// A point in mm: `[250.0,60.0,15.0]`.
-Json point_json(const PointUm& point);
-
-/// Rounds to `decimals` (0...9) decimals; never -0. As JSON has neither, infinity becomes the
-/// maximum double and NaN becomes 0.
-double rounded(double value, int decimals);
 
 }  // namespace xr3

@@ -24,7 +24,7 @@ FrameNumber next_slot(FrameNumber now, MilliHz rate) {
 // --- Latest-wins channels.
 
 void FrameSubscription::offer(const Frame& frame, FrameNumber now) {
-  due_ = next_slot(now, std::max(wanted_.max_millihz, kLookMilliHz));
+  due_ = next_slot(now, std::max(wanted_.max_millihz, kMinCheckMilliHz));
   if (wanted_.on_change && waiting_.message && is_equal(frame.content, waiting_.content)) return;
   const bool is_old = wanted_.on_change && is_equal(frame.content, sent_);
   if (is_old && !waiting_.message) return;

@@ -32,7 +32,7 @@ struct ChannelStats {
 };
 
 /// Minimum rate of checks for changes, however low max_hz is, so that a change is sent soon.
-inline constexpr MilliHz kLookMilliHz = 10'000;
+inline constexpr MilliHz kMinCheckMilliHz = 10'000;
 
 /// A subscription to a latest-wins channel: one slot, filled by offer() and emptied when the client
 /// can receive.
@@ -45,7 +45,7 @@ class FrameSubscription {
   const Subscribe& wanted() const { return wanted_; }
 
   /// The frame from which offer() should be called again: the next slot of max_hz, or, if nothing
-  /// had changed, the next slot of kLookMilliHz if that is sooner.
+  /// had changed, the next slot of kMinCheckMilliHz if that is sooner.
   FrameNumber due() const { return due_; }
   bool is_due(FrameNumber now) const { return now >= due_; }
 

@@ -30,7 +30,7 @@ std::string text_in(Form form, const CheckResult& data) {
                  : workcell_to_paper_form(*data.workcell);
 }
 
-std::string words_for(const CheckResult& data) {
+std::string summary_of(const CheckResult& data) {
   if (data.robot) return "robot \"" + data.robot->name + "\"";
   return data.workcell ? "workcell \"" + data.workcell->name + "\"" : "";
 }
@@ -48,8 +48,8 @@ ExitCode refuse(const std::string& message) {
   return ExitCode::kBadInput;
 }
 
-void tell(const ConvertOptions& options, Form form, const CheckResult& data) {
-  std::cout << options.out << ": " << words_for(data)
+void print_summary(const ConvertOptions& options, Form form, const CheckResult& data) {
+  std::cout << options.out << ": " << summary_of(data)
             << (form == Form::kJson ? " as JSON, in mm\n" : " in the paper's plain form, in mm\n");
 }
 
@@ -70,7 +70,7 @@ ExitCode convert_file(const ConvertOptions& options) {
       write_file_atomically(options.out, text_in(*form, data), existing,
                             [&](const DataFile& draft) { check_draft(draft, data); });
   if (!is_written) return refuse(options.out + ": already exists; --force replaces it");
-  tell(options, *form, data);
+  print_summary(options, *form, data);
   return ExitCode::kGood;
 }
 

@@ -2,8 +2,8 @@
 
 #include "core/coupling.hpp"
 #include "core/home.hpp"
-#include "server/app.hpp"
 #include "server/files/atomic_write.hpp"
+#include "server/files/load_model.hpp"
 #include "server/files/png.hpp"
 #include "server/options/pose_argument.hpp"
 #include "tools/drawing/drawing.hpp"
@@ -11,13 +11,6 @@
 
 namespace xr3 {
 namespace {
-
-ModelPtr model_for(const DrawOptions& options) {
-  ServeOptions cell;
-  cell.robot = options.robot;
-  cell.workcell = options.workcell;
-  return load_model(cell);
-}
 
 State state_for(const Model& model, const DrawOptions& options) {
   State state = initial_state(model);
@@ -31,7 +24,7 @@ State state_for(const Model& model, const DrawOptions& options) {
 }  // namespace
 
 ExitCode draw(const DrawOptions& options) {
-  const ModelPtr model = model_for(options);
+  const ModelPtr model = load_model({options.robot, options.workcell});
   const Picture picture =
       drawing(*model, state_for(*model, options), options.view, options.width_px);
   const bool is_svg = options.out.ends_with(".svg");

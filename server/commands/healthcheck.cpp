@@ -90,7 +90,7 @@ std::string trouble_of(const Visit& visit, const tcp::endpoint& place) {
   const std::string who = to_text(place);
   if (visit.stage == Visit::Stage::kConnecting) return who + " does not answer: timed out";
   if (visit.stage == Visit::Stage::kRefused)
-    return "nobody listens at " + who + " (" + visit.refusal + ")";
+    return "cannot connect to " + who + " (" + visit.refusal + ")";
   if (visit.probe.health() != Health::kHealthy) return who + " " + visit.probe.trouble();
   const std::string trouble = trouble_with_readiness(visit.readiness);
   return trouble.empty() ? trouble : who + " " + trouble;

@@ -6,7 +6,7 @@
 #include "protocol/json/text.hpp"
 #include "server/files/data_files.hpp"
 #include "tools/kin/report.hpp"
-#include "tools/kin/words.hpp"
+#include "tools/kin/text.hpp"
 
 namespace xr3 {
 namespace {

@@ -172,18 +172,18 @@ ExitCode watch_once(const WatchOptions& options) {
   watch::WatchModel model(wish_of(options, watch::Interest::kOnce));
   WatchConnection connection(context, options, model);
   std::string trouble;
-  const auto look = [&]() -> asio::awaitable<void> {
+  const auto run = [&]() -> asio::awaitable<void> {
     trouble = co_await connection.run([&] {
       if (model.is_complete()) connection.close();
     });
   };
-  spawn_loop(context.get_executor(), "watch", look());
+  spawn_loop(context.get_executor(), "watch", run());
   context.run_for(kOnceAtMost);
   if (!model.is_complete()) {
     return fail(ExitCode::kNoServer,
                 trouble.empty() ? options.address + " does not answer" : trouble);
   }
-  if (!model.known().state) return fail(ExitCode::kBadInput, model.known().said);
+  if (!model.known().state) return fail(ExitCode::kBadInput, model.known().last_message);
   const Link link{Link::Phase::kLive, options.address, ""};
   const TerminalSize size = terminal_size();
   std::cout << text_of(

@@ -59,7 +59,7 @@ asio::awaitable<std::string> WatchConnection::connect() {
   const auto [refused, place] = co_await asio::async_connect(connecting_, places, kAwait);
   if (is_late_) co_return options_.address + " does not answer";
   if (refused) {
-    co_return "nobody listens at " + options_.address + " (" + refused.message() + ")";
+    co_return "cannot connect to " + options_.address + " (" + refused.message() + ")";
   }
   ErrorCode ignored;
   connecting_.non_blocking(true, ignored);
@@ -81,9 +81,9 @@ bool WatchConnection::feed(std::string_view bytes) {
 }
 
 std::string WatchConnection::close_reason(bool is_greeted) const {
-  const std::string& word = model_.known().said;
-  if (model_.has_parted() && !word.empty()) return word;
-  if (!is_greeted) return options_.address + " is no monitor port: no greeting came";
+  const std::string& message = model_.known().last_message;
+  if (model_.has_left() && !message.empty()) return message;
+  if (!is_greeted) return options_.address + " is no monitor port: it sent no hello";
   if (is_late_) return options_.address + " does not answer";
   return "the connection to " + options_.address + " is lost";
 }

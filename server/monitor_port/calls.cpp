@@ -4,7 +4,7 @@
 
 #include "cell/digest.hpp"
 #include "protocol/explain/diagnostic.hpp"
-#include "protocol/explain/note_words.hpp"
+#include "protocol/explain/event_report.hpp"
 #include "protocol/monitor/saved_cell.hpp"
 #include "protocol/monitor/snapshot.hpp"
 #include "server/monitor_port/service.hpp"
@@ -41,11 +41,11 @@ monitor::RequestError timeout(const monitor::After& after, std::uint64_t bytes_i
 }
 
 /// The error if a client's snapshot has a state that is impossible on this robot; else nullopt.
-std::optional<monitor::RequestError> misfit(const Model& model, const call::Call& call) {
+std::optional<monitor::RequestError> validate_snapshot(const Model& model, const call::Call& call) {
   const auto* load = std::get_if<call::LoadSnapshot>(&call);
   if (load == nullptr || !load->saved || load->saved->robot_hash != robot_hash(model))
     return std::nullopt;
-  auto details = monitor::misfits(model, *load->saved);
+  auto details = monitor::validate(model, *load->saved);
   if (details.empty()) return std::nullopt;
   return monitor::RequestError{{},
                                "bad_args",
@@ -74,8 +74,8 @@ Json line_json(LineId id, const SerialLine& line) {
 
 asio::awaitable<void> MonitorService::call(MonitorSession& session, monitor::Request request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  const bool in_standing_time = cell_.clock().mode() == ClockMode::kManual;
-  if (wanted.after && in_standing_time) {  // the real clock is refused below, without waiting
+  const bool in_manual_clock = cell_.clock().mode() == ClockMode::kManual;
+  if (wanted.after && in_manual_clock) {  // the real clock is refused below, without waiting
     Error error = co_await wait_for(*wanted.after);
     if (error) {
       session.client().send(refused(request.id, *std::move(error)));
@@ -101,10 +101,10 @@ asio::awaitable<void> MonitorService::call(MonitorSession& session, monitor::Req
 // --- Calls of the cell.
 
 asio::awaitable<MonitorService::Error> MonitorService::wait_for(monitor::After after) {
-  robot_port_.read_arrived();
+  lines_.read_arrived();
   if (!cell_.bytes_in(after.line)) co_return no_such_line(after.line);
-  const bool arrived = co_await robot_port_.wait_for_bytes(after.line, after.bytes_in,
-                                                           milliseconds(after.within_ms));
+  const bool arrived =
+      co_await lines_.wait_for_bytes(after.line, after.bytes_in, milliseconds(after.within_ms));
   if (arrived) co_return std::nullopt;
   if (cell_.find_line(after.line) == nullptr) co_return no_such_line(after.line);
   co_return timeout(after, cell_.bytes_in(after.line).value_or(0));
@@ -114,10 +114,12 @@ asio::awaitable<MonitorService::Error> MonitorService::wait_for(monitor::After a
 // must see their effect.
 monitor::Message MonitorService::call_cell(monitor::Request& request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  if (moves_time(wanted)) robot_port_.read_arrived();
-  if (const auto error = monitor::fit(request, cell_.state().tick)) return monitor::result(*error);
+  if (moves_time(wanted)) lines_.read_arrived();
+  if (const auto error = monitor::limit_ticks(request, cell_.state().tick))
+    return monitor::result(*error);
   const auto& call = std::get<call::Call>(wanted.call);
-  if (auto error = misfit(cell_.model(), call)) return refused(request.id, *std::move(error));
+  if (auto error = validate_snapshot(cell_.model(), call))
+    return refused(request.id, *std::move(error));
   const Applied applied = cell_.apply(call, wall_now());
   if (const auto* no = std::get_if<call::Refused>(&applied.outcome))
     return refused(request.id, {{}, no->code, no->message, no->hint, {}});
@@ -162,9 +164,8 @@ monitor::Message MonitorService::send(MonitorSession& session, const monitor::Re
   // Camera images can fill the outbox. The client sends the rest of the bytes with the next call,
   // so that no call takes long.
   const std::size_t taken = cell_.apply(BytesIn{id, bytes}, wall_now()).bytes_taken;
-  SerialLine& line = *cell_.find_line(id);
-  const std::string replies(line.outbox());
-  line.sent(replies.size());
+  const std::string replies(cell_.find_line(id)->outbox());
+  cell_.apply(BytesOut{id, replies.size()}, wall_now());
   Json value = value_now();
   value["line"] = id;
   if (taken < bytes.size()) value["taken"] = taken;
@@ -186,7 +187,7 @@ monitor::Message MonitorService::disconnect(const monitor::Request& request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   const LineId id = std::get<monitor::DisconnectLine>(wanted.call).line;
   if (cell_.find_line(id) == nullptr) return refused(request.id, no_such_line(id));
-  if (!robot_port_.disconnect(id))
+  if (!lines_.disconnect(id))
     cell_.apply(LineClosed{id, LineCloseReason::kDisconnected}, wall_now());
   return monitor::result(request.id, value_now());
 }

@@ -29,7 +29,7 @@ void MonitorConnection::start() {
 
 asio::awaitable<void> MonitorConnection::run() {
   std::string first_bytes = co_await open();
-  co_await speak(std::move(first_bytes));
+  co_await serve(std::move(first_bytes));
 }
 
 // --- The detector.
@@ -63,13 +63,13 @@ void MonitorConnection::greet() {
   if (!lines_) lines_ = JsonLines::greet(socket_, context_.service);
 }
 
-asio::awaitable<void> MonitorConnection::speak(std::string first_bytes) {
+asio::awaitable<void> MonitorConnection::serve(std::string first_bytes) {
   if (!socket_->is_open()) co_return;
   const monitor::Protocol protocol = detector_.protocol();
   if (protocol == monitor::Protocol::kTls) {
     context_.tls_refused();
   } else if (protocol == monitor::Protocol::kHttp) {
-    co_await speak_http(std::move(first_bytes));
+    co_await serve_http(std::move(first_bytes));
   } else {
     greet();
     co_await lines_->run(std::move(first_bytes), protocol);
@@ -78,13 +78,13 @@ asio::awaitable<void> MonitorConnection::speak(std::string first_bytes) {
 
 // --- HTTP.
 
-asio::awaitable<void> MonitorConnection::speak_http(std::string first_bytes) {
+asio::awaitable<void> MonitorConnection::serve_http(std::string first_bytes) {
   http_.emplace(*socket_, context_.resources,
-                [this](std::string head) { return speak_websocket(std::move(head)); });
+                [this](std::string head) { return serve_websocket(std::move(head)); });
   co_await http_->run(std::move(first_bytes));
 }
 
-asio::awaitable<void> MonitorConnection::speak_websocket(std::string head) {
+asio::awaitable<void> MonitorConnection::serve_websocket(std::string head) {
   websocket_ = Websocket::make(socket_, context_.service);
   co_await websocket_->run(std::move(head));
 }

@@ -8,7 +8,7 @@
 namespace xr3 {
 namespace {
 
-constexpr auto kNever = std::chrono::steady_clock::time_point::max();
+constexpr auto kNoDeadline = std::chrono::steady_clock::time_point::max();
 // Limits of one write: the number of messages, and the bytes after which no message is added.
 constexpr std::size_t kMaxBatch = 16;
 constexpr std::size_t kBatchBytes = 64 * 1024;
@@ -27,7 +27,7 @@ std::shared_ptr<JsonLines> JsonLines::greet(std::shared_ptr<MonitorSocket> socke
 }
 
 JsonLines::JsonLines(std::shared_ptr<MonitorSocket> socket, MonitorService&)
-    : socket_(std::move(socket)), progress_(socket_->executor(), kNever) {}
+    : socket_(std::move(socket)), progress_(socket_->executor(), kNoDeadline) {}
 
 // --- In.
 
@@ -143,12 +143,12 @@ void JsonLines::fill() {
 void JsonLines::written(std::size_t count) {
   written_ += count;
   out_bytes_ -= count;
-  std::size_t whole = 0;
-  while (whole < out_.size() && written_ >= out_[whole]->size() + kLineEnd.size()) {
-    written_ -= out_[whole]->size() + kLineEnd.size();
-    ++whole;
+  std::size_t sent = 0;
+  while (sent < out_.size() && written_ >= out_[sent]->size() + kLineEnd.size()) {
+    written_ -= out_[sent]->size() + kLineEnd.size();
+    ++sent;
   }
-  out_.erase(out_.begin(), out_.begin() + static_cast<std::ptrdiff_t>(whole));
+  out_.erase(out_.begin(), out_.begin() + static_cast<std::ptrdiff_t>(sent));
 }
 
 void JsonLines::wait_for_room() {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/monitor/lines.hpp"
+#include "protocol/monitor/line_splitter.hpp"
 #include "protocol/monitor/protocol_detector.hpp"
 #include "server/monitor_port/service.hpp"
 #include "server/monitor_port/session.hpp"

@@ -1,6 +1,9 @@
 #include "server/monitor_port/service.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "protocol/monitor/heading.hpp"
@@ -12,6 +15,8 @@ namespace {
 using monitor::Channel;
 
 constexpr int kMaxWrongTokens = 5;
+constexpr std::chrono::milliseconds kWrongTokenDelay{200};
+constexpr WallNs kTokenLogEvery = 1'000'000'000;
 
 bool is_feed(Channel channel) { return channel == Channel::kEvent || channel == Channel::kLine; }
 
@@ -60,14 +65,15 @@ Json terms(const std::string& cell, const monitor::Subscribe& wanted, std::int64
 
 }  // namespace
 
-MonitorService::MonitorService(asio::io_context& io, Cell& cell, RobotPort& robot_port,
+MonitorService::MonitorService(asio::io_context& io, Cell& cell, LineTransports& lines,
                                const AccessPolicy& policy, std::function<void()> acted)
-    : cell_(cell),
-      robot_port_(robot_port),
+    : io_(io),
+      cell_(cell),
+      lines_(lines),
       policy_(policy),
       acted_(std::move(acted)),
       frames_(cell),
-      subscribers_(io, cell, frames_, [this] { robot_port_.run_turns(); }) {}
+      subscribers_(io, cell, frames_, [this] { lines_.run_turns(); }) {}
 
 // --- Sessions.
 
@@ -91,7 +97,7 @@ monitor::Message MonitorService::hello(const MonitorSession& session) {
       {"xr3 " XR3_VERSION, cells(), cell_.model(), now, session.access() == Access::kControl});
 }
 
-const monitor::Frame* MonitorService::look(const monitor::Selection& selection) {
+const monitor::Frame* MonitorService::current_frame(const monitor::Selection& selection) {
   cell_.catch_up(wall_now());
   return frames_.current(selection);
 }
@@ -100,6 +106,7 @@ CellCounters MonitorService::counters() const {
   CellCounters counters = cell_.counters();
   counters.lines_open = cell_.lines().size();
   counters.monitor_sessions = subscribers_.size();
+  counters.wrong_tokens = wrong_tokens_;
   const SubscriberHub::AllChannelStats channel_stats = subscribers_.channel_stats();
   for (std::size_t i = 0; i < channel_stats.size(); ++i)
     counters.channels.at(i) = {channel_stats[i].sent, channel_stats[i].overwritten};
@@ -119,8 +126,8 @@ asio::awaitable<void> MonitorService::carry_out(MonitorSession& session, monitor
     session.client().send(monitor::result(*error));
   } else if (std::holds_alternative<monitor::Ping>(request.what)) {
     session.client().send(monitor::pong(request.id));
-  } else if (const auto* auth = std::get_if<monitor::Auth>(&request.what)) {
-    authorize(session, request, *auth);
+  } else if (std::holds_alternative<monitor::Auth>(request.what)) {
+    co_await authorize(session, std::move(request));
   } else if (std::holds_alternative<monitor::Subscribe>(request.what)) {
     subscribe(session, request);
   } else if (std::holds_alternative<monitor::Unsubscribe>(request.what)) {
@@ -132,19 +139,31 @@ asio::awaitable<void> MonitorService::carry_out(MonitorSession& session, monitor
   }
 }
 
-void MonitorService::authorize(MonitorSession& session, const monitor::Request& request,
-                               const monitor::Auth& auth) {
-  if (!policy_.needs_token() || policy_.is_right(auth.token)) {
+// A wrong token is answered late, so that trying many takes long.
+asio::awaitable<void> MonitorService::authorize(MonitorSession& session, monitor::Request request) {
+  if (!policy_.needs_token() || policy_.is_right(std::get<monitor::Auth>(request.what).token)) {
     session.grant(Access::kControl);
     session.client().send(monitor::result(request.id, {{"access", "control"}}));
-    return;
+    co_return;
   }
+  note_wrong_token();
+  asio::steady_timer delay(io_, kWrongTokenDelay);
+  co_await delay.async_wait(kAwait);
   session.client().send(monitor::result({request.id,
                                          "bad_token",
                                          "this is not the token",
                                          "five wrong ones end the connection",
                                          {}}));
   if (session.note_wrong_token() >= kMaxWrongTokens) session.end(monitor::CloseReason::kBadToken);
+}
+
+// At most one message a second, however many clients try.
+void MonitorService::note_wrong_token() {
+  ++wrong_tokens_;
+  const WallNs now = wall_now();
+  if (now < next_token_log_) return;
+  next_token_log_ = now + kTokenLogEvery;
+  spdlog::warn("monitor: a client gave a wrong token; {} since the start", wrong_tokens_);
 }
 
 // --- Channels.
@@ -163,7 +182,7 @@ void MonitorService::subscribe(MonitorSession& session, const monitor::Request& 
     session.client().send(monitor::result(request.id, terms(request.cell, wanted, since)));
     session.client().follow_feed(request.cell, wanted, feed(channel));
   } else {
-    const monitor::Frame* frame = look(wanted.selection);
+    const monitor::Frame* frame = current_frame(wanted.selection);
     if (frame == nullptr) return session.client().send(monitor::result(no_camera(request.id)));
     session.client().send(monitor::result(request.id, terms(request.cell, wanted, 0)));
     session.client().follow_frames(request.cell, wanted).offer(*frame, subscribers_.now());
@@ -184,7 +203,7 @@ void MonitorService::show(MonitorSession& session, const monitor::Request& reque
     session.client().replay(feed(get.selection.channel), request.cell, get, request.id);
     return session.client().send(monitor::result(request.id, Json::object()));
   }
-  const monitor::Frame* frame = look(get.selection);
+  const monitor::Frame* frame = current_frame(get.selection);
   session.client().send(frame ? monitor::with_id(frame->message, request.id)
                               : monitor::result(no_camera(request.id)));
 }

@@ -16,14 +16,14 @@
 #include "server/monitor_port/session.hpp"
 #include "server/monitor_port/subscribers.hpp"
 #include "server/net/asio.hpp"
-#include "server/robot_port/port.hpp"
+#include "server/net/line_transports.hpp"
 
 namespace xr3 {
 
 class MonitorService {
  public:
   /// `acted` is called after each call. The references must outlive the service.
-  MonitorService(asio::io_context& io, Cell& cell, RobotPort& robot_port,
+  MonitorService(asio::io_context& io, Cell& cell, LineTransports& lines,
                  const AccessPolicy& policy, std::function<void()> acted);
 
   std::vector<std::string> cells() const { return {cell_.name()}; }
@@ -47,7 +47,7 @@ class MonitorService {
   asio::awaitable<void> carry_out(MonitorSession& session, monitor::Request request);
 
   /// The current frame of the cell; nullptr for an image if there is no camera.
-  const monitor::Frame* look(const monitor::Selection& selection);
+  const monitor::Frame* current_frame(const monitor::Selection& selection);
 
   SubscriberHub& subscribers() { return subscribers_; }
 
@@ -57,8 +57,8 @@ class MonitorService {
  private:
   using Error = std::optional<monitor::RequestError>;
 
-  void authorize(MonitorSession& session, const monitor::Request& request,
-                 const monitor::Auth& auth);
+  asio::awaitable<void> authorize(MonitorSession& session, monitor::Request request);
+  void note_wrong_token();
   void subscribe(MonitorSession& session, const monitor::Request& request);
   void unsubscribe(MonitorSession& session, const monitor::Request& request);
   void show(MonitorSession& session, const monitor::Request& request);
@@ -74,11 +74,14 @@ class MonitorService {
   /// Epoch and tick, the first members of the value of each call.
   Json value_now() const;
 
+  asio::io_context& io_;
   Cell& cell_;
-  RobotPort& robot_port_;
+  LineTransports& lines_;
   const AccessPolicy& policy_;
   std::function<void()> acted_;
   FrameCache frames_;
+  std::uint64_t wrong_tokens_ = 0;
+  WallNs next_token_log_ = 0;  ///< earliest time of the next message about wrong tokens
   SubscriberHub subscribers_;
 };
 

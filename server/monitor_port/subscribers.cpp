@@ -22,7 +22,10 @@ constexpr monitor::FrameNumber kMaxFramesApart = 2;
 
 /// The wall time at which a frame begins.
 WallNs start_of(monitor::FrameNumber frame) {
-  return (frame * kSecond + monitor::kFramesPerSecond - 1) / monitor::kFramesPerSecond;
+  const auto seconds = frame / monitor::kFramesPerSecond;
+  const auto rest = frame % monitor::kFramesPerSecond;
+  return seconds * kSecond +
+         (rest * kSecond + monitor::kFramesPerSecond - 1) / monitor::kFramesPerSecond;
 }
 
 void add(SubscriberHub::AllChannelStats& sum, const SubscriberHub::AllChannelStats& more) {
@@ -148,7 +151,7 @@ void SubscriberHub::prefetch() const {
 void SubscriberHub::serve(MonitorSession& session) {
   bool has_frame = false;
   session.client().for_each_frame_subscription([&, this](monitor::FrameSubscription& subscription) {
-    const bool is_settled = subscription.is_due(frame_) && look(subscription);
+    const bool is_settled = subscription.is_due(frame_) && offer_frame(subscription);
     is_settled_ = is_settled_ && is_settled;
     due_ = std::min(due_, subscription.due());
     has_frame = has_frame || subscription.is_waiting();
@@ -157,8 +160,8 @@ void SubscriberHub::serve(MonitorSession& session) {
 }
 
 /// Offers the current frame. Returns whether the subscription is settled. Called only when it is
-/// due, so that no frame is encoded in vain.
-bool SubscriberHub::look(monitor::FrameSubscription& subscription) {
+/// due, so that no frame is encoded needlessly.
+bool SubscriberHub::offer_frame(monitor::FrameSubscription& subscription) {
   const monitor::Frame* frame = frames_.current(subscription.wanted().selection);
   if (frame == nullptr) return true;
   subscription.offer(*frame, frame_);

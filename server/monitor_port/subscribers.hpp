@@ -58,7 +58,7 @@ class SubscriberHub {
   void serve_some();
   void prefetch() const;
   void serve(MonitorSession& session);
-  bool look(monitor::FrameSubscription& subscription);
+  bool offer_frame(monitor::FrameSubscription& subscription);
   void end_round();
   bool has_followers() const;
 

@@ -1,5 +1,6 @@
 #include "server/monitor_port/token.hpp"
 
+#include <nettle/base64.h>
 #include <sys/random.h>
 
 #include <algorithm>
@@ -39,16 +40,13 @@ RandomBytes random_bytes() {
   return bytes;
 }
 
-/// RFC 4648, section 5: three bytes become four characters.
+/// RFC 4648, section 5, without padding.
 std::string base64url(const RandomBytes& bytes) {
-  static_assert(RandomBytes{}.size() % 3 == 0);
-  constexpr const char* kLetters =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const unsigned three = unsigned{bytes[i]} << 16U | unsigned{bytes[i + 1]} << 8U | bytes[i + 2];
-    for (const unsigned shift : {18U, 12U, 6U, 0U}) text += kLetters[three >> shift & 63U];
-  }
+  static_assert(RandomBytes{}.size() % 3 == 0, "no padding");
+  std::string text(BASE64_ENCODE_RAW_LENGTH(RandomBytes{}.size()), '\0');
+  base64_encode_ctx context;
+  base64url_encode_init(&context);
+  base64_encode_update(&context, text.data(), bytes.size(), bytes.data());
   return text;
 }
 

@@ -19,7 +19,7 @@ namespace beast = boost::beast;
 namespace ws = beast::websocket;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto kNever = Clock::time_point::max();
+constexpr auto kNoDeadline = Clock::time_point::max();
 constexpr std::chrono::seconds kMaxHandshake{10};
 // Time for the client to answer the close frame.
 constexpr std::chrono::milliseconds kMaxCloseTime{500};
@@ -114,11 +114,11 @@ class BeastWebsocket final : public Websocket, private MessageSink {
   monitor::Message message_;                 ///< being written
   asio::steady_timer progress_;  ///< never expires; cancelled to resume waiting coroutines
   asio::steady_timer watch_;
-  Clock::time_point heard_;  ///< when the client last sent anything
+  Clock::time_point last_received_;  ///< when the client last sent anything
   bool is_reading_ = false;
   bool is_closing_ = false;
   bool is_pinging_ = false;
-  bool is_pinged_ = false;  ///< a ping was sent after `heard_`
+  bool is_pinged_ = false;  ///< a ping was sent after `last_received_`
 };
 
 BeastWebsocket::BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorService& service,
@@ -127,7 +127,7 @@ BeastWebsocket::BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorSer
       service_(service),
       patience_(patience),
       stream_(socket_->stream()),
-      progress_(socket_->executor(), kNever),
+      progress_(socket_->executor(), kNoDeadline),
       watch_(socket_->executor()) {
   // We use our own idle timer: Beast's would also run while a call waits and nothing is read.
   stream_.set_option(ws::stream_base::timeout{kMaxHandshake, ws::stream_base::none(), false});
@@ -142,7 +142,7 @@ asio::awaitable<void> BeastWebsocket::run(std::string head) {
   const bool accepted = co_await accept(head);
   if (accepted) {
     session_ = std::make_unique<MonitorSession>(service_, static_cast<MessageSink&>(*this));
-    heard_ = Clock::now();
+    last_received_ = Clock::now();
     watch();
     pump();
     co_await read_messages();
@@ -159,7 +159,8 @@ asio::awaitable<bool> BeastWebsocket::accept(const std::string& head) {
     answer.set(beast::http::field::server, "xr3");  // default: Beast's name
     for (const http::Field& field : http::safety_fields()) answer.set(field.name, field.value);
   }));
-  stream_.control_callback([this](ws::frame_type, beast::string_view) { heard_ = Clock::now(); });
+  stream_.control_callback(
+      [this](ws::frame_type, beast::string_view) { last_received_ = Clock::now(); });
   const auto [error] = co_await stream_.async_accept(handshake, kAwait);
   co_return !error && socket_->is_open();
 }
@@ -181,11 +182,11 @@ asio::awaitable<void> BeastWebsocket::read_messages() {
 /// Reads the next message. False if the connection has ended, or was closed because of a binary
 /// message.
 asio::awaitable<bool> BeastWebsocket::read_text() {
-  heard_ = Clock::now();  // nothing was read until now: no silence of the client
+  last_received_ = Clock::now();  // nothing was read until now: no silence of the client
   is_reading_ = true;
   const auto [error, count] = co_await stream_.async_read(received_, kAwait);
   is_reading_ = false;
-  heard_ = Clock::now();
+  last_received_ = Clock::now();
   if (error) co_return false;
   if (stream_.got_text()) co_return true;
   if (!std::exchange(is_closing_, true)) {
@@ -236,10 +237,11 @@ void BeastWebsocket::finish() {
   session_->end(monitor::CloseReason::kShutdown);
 }
 
-// --- Clients that are gone or stuck.
+// --- Dead and stalled clients.
 
 void BeastWebsocket::watch() {
-  const auto of_silence = heard_ + (is_pinged_ ? patience_.before_close : patience_.before_ping);
+  const auto of_silence =
+      last_received_ + (is_pinged_ ? patience_.before_close : patience_.before_ping);
   const auto of_writing = stream_.next_layer().last_progress() + patience_.before_close;
   watch_.expires_at(message_ ? std::min(of_silence, of_writing) : of_silence);
   watch_.async_wait([self = self()](ErrorCode cancelled) {
@@ -248,12 +250,12 @@ void BeastWebsocket::watch() {
 }
 
 void BeastWebsocket::look_after(Clock::time_point now) {
-  if (!is_reading_) heard_ = now;
+  if (!is_reading_) last_received_ = now;
   const auto stuck = now - stream_.next_layer().last_progress();
   const bool is_stuck = message_ && stuck >= patience_.before_close;
-  const bool is_gone = is_pinged_ && now - heard_ >= patience_.before_close;
+  const bool is_gone = is_pinged_ && now - last_received_ >= patience_.before_close;
   if (is_stuck || is_gone) return socket_->close();
-  is_pinged_ = now - heard_ >= patience_.before_ping;
+  is_pinged_ = now - last_received_ >= patience_.before_ping;
   if (is_pinged_) ping();
   watch();
 }

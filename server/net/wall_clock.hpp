@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <limits>
 
 #include "core/sim_clock.hpp"
 
@@ -11,6 +12,9 @@ inline WallNs wall_now() {
   const auto since_start = std::chrono::steady_clock::now().time_since_epoch();
   return std::chrono::duration_cast<std::chrono::nanoseconds>(since_start).count();
 }
+
+/// A wall time that is never reached.
+inline constexpr WallNs kNever = std::numeric_limits<WallNs>::max();
 
 /// Converts a moment for Asio's steady timers.
 inline std::chrono::steady_clock::time_point as_time_point(WallNs moment) {

@@ -33,8 +33,8 @@ void read_environment(CLI::App& command, const std::set<std::string>& except) {
 }
 
 bool is_argument(const CLI::App& command, const std::string& name) {
-  const std::vector<CLI::Option*>& said = command.parse_order();
-  return std::find(said.begin(), said.end(), command.get_option(name)) != said.end();
+  const std::vector<CLI::Option*>& arguments = command.parse_order();
+  return std::find(arguments.begin(), arguments.end(), command.get_option(name)) != arguments.end();
 }
 
 OptionSources option_sources_in_environment(const CLI::App& command) {
@@ -59,9 +59,9 @@ std::optional<std::string> problem_in_environment(CLI::App& command) {
 }
 
 std::string reason_of(const CLI::Option& option, const CLI::Error& error) {
-  const std::string words = error.what();
+  const std::string text = error.what();
   const std::string before = option.get_name() + ": ";
-  return words.starts_with(before) ? words.substr(before.size()) : words;
+  return text.starts_with(before) ? text.substr(before.size()) : text;
 }
 
 }  // namespace xr3

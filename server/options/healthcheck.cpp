@@ -3,7 +3,7 @@
 #include "server/net/asio.hpp"
 #include "server/options/config.hpp"
 #include "server/options/environment.hpp"
-#include "server/options/parts.hpp"
+#include "server/options/shared_options.hpp"
 
 namespace xr3 {
 namespace {
@@ -12,8 +12,8 @@ constexpr double kMaxWaitS = 86'400;
 
 // --monitor-port as an argument overrides a port file from the environment or the config file.
 void choose_port(const CLI::App& health, HealthOptions& options) {
-  const bool is_port_said = is_argument(health, "--monitor-port");
-  if (is_port_said && !is_argument(health, "--port-file")) options.port_file.clear();
+  const bool is_port_given = is_argument(health, "--monitor-port");
+  if (is_port_given && !is_argument(health, "--port-file")) options.port_file.clear();
   if (options.port_file.empty() && options.monitor_port == 0) {
     throw CLI::ValidationError(
         "port 0 selects a free port: use --port-file with the file that serve wrote");

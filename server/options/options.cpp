@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "server/options/environment.hpp"
-#include "server/options/parts.hpp"
 #include "server/options/pose_argument.hpp"
+#include "server/options/shared_options.hpp"
 #include "tools/drawing/picture.hpp"
 
 namespace xr3 {
@@ -19,14 +19,14 @@ constexpr const char* kAbout =
     "Each connection to the robot port is a serial line; the monitor port speaks JSON lines.";
 
 constexpr const char* kFooter =
-    "Exit codes: 0 good; 1 something failed inside; 2 wrong arguments or a wrong file;\n"
-    "            3 a port is in use; 4 nobody answers xr3 watch, or xr3 healthcheck finds\n"
-    "            no server that is ready; 5 the server failed while it ran, and its log says why.\n"
+    "Exit codes: 0 success; 1 internal error; 2 invalid arguments or an invalid file;\n"
+    "            3 a port is in use; 4 xr3 watch finds no server, or xr3 healthcheck finds\n"
+    "            no server that is ready; 5 the server failed while running (see its log).\n"
     "Try: xr3 serve, then in another terminal: telnet localhost 9600, and type E+50 and E?";
 
 void add_check(CLI::App& app, CheckOptions& options) {
   CLI::App& check =
-      *app.add_subcommand("check", "say what is wrong in robot and workcell files, or sum them up");
+      *app.add_subcommand("check", "validate robot and workcell files and summarise them");
   check.add_option("files", options.files, "the files: JSON, or the paper's plain form")
       ->type_name("FILE")
       ->required();
@@ -158,7 +158,7 @@ bool is_help_wanted(const CLI::App& app) {
 
 Leave unknown_command(const std::string& word) {
   return {ExitCode::kBadInput, "",
-          "xr3: there is no command " + word + "; xr3 --help lists those that there are\n"};
+          "xr3: unknown command " + word + "; xr3 --help lists the commands\n"};
 }
 
 // Help and version are printed as they are; an error becomes one sentence.
@@ -170,7 +170,7 @@ Leave leave(const CLI::App& app, const CLI::ParseError& error) {
     if (is_unknown) return unknown_command(extras.front());
     return {ExitCode::kBadInput, "",
             "xr3: " + trouble_of(app, error) + "; " + named_command(app) +
-                " --help tells what is allowed\n"};
+                " --help lists the arguments\n"};
   }
   std::ostringstream out;
   std::ostringstream err;

@@ -38,13 +38,13 @@ void LineWatch::close() {
 std::span<const LineWatch::News> LineWatch::news() {
   if (!set_.is_open()) return {};
   const int count = ::epoll_wait(set_.native_handle(), events_.data(), kMaxNews, 0);
-  std::size_t told = 0;
-  for (; static_cast<int>(told) < count; ++told) {
-    const epoll_event& event = events_[told];
+  std::size_t filled = 0;
+  for (; static_cast<int>(filled) < count; ++filled) {
+    const epoll_event& event = events_[filled];
     const bool is_end = (event.events & (EPOLLRDHUP | EPOLLHUP | EPOLLERR)) != 0;
-    news_[told] = {event.data.u32, is_end};
+    news_[filled] = {event.data.u32, is_end};
   }
-  return {news_.data(), told};
+  return {news_.data(), filled};
 }
 
 }  // namespace xr3

@@ -103,14 +103,14 @@ asio::awaitable<RobotProbe::Reply> RobotProbe::exchange(tcp::socket& socket) {
 }
 
 std::string RobotProbe::verdict(const Reply& reply) const {
-  if (reply.refusal) return "the robot port takes no connection: " + reply.refusal.message();
-  const ProbeFate fate = port_.probe_fate();
-  if (fate == ProbeFate::kRefused)
-    return "every line is taken: " + std::to_string(port_.max_lines()) + " are open (--max-lines)";
-  const std::size_t due = fate == ProbeFate::kIgnored ? 0 : 1;
+  if (reply.refusal) return "the robot port accepts no connection: " + reply.refusal.message();
+  const ProbeProgress progress = port_.probe_progress();
+  if (progress == ProbeProgress::kRefused)
+    return "every line is in use: " + std::to_string(port_.max_lines()) + " are open (--max-lines)";
+  const std::size_t due = progress == ProbeProgress::kIgnored ? 0 : 1;
   if (reply.bytes == due) return {};
   if (reply.bytes == 0) return "the robot port closed a line without an answer to an inquiry";
-  return "the robot port answered an inquiry by more than its one byte";
+  return "the robot port answered an inquiry with more than one byte";
 }
 
 }  // namespace xr3

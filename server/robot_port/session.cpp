@@ -22,7 +22,7 @@ constexpr std::size_t kFairShare = 256;
 constexpr WallNs kFairTime = 150'000;
 // The capacity of a receive buffer. read_arrived() reads no more, even if the client keeps writing.
 constexpr std::size_t kMaxArrivedBytes = 16 * 1024 * 1024;
-constexpr WallNs kNoEnd = std::numeric_limits<WallNs>::max();
+
 constexpr std::uint64_t kAllOutput = std::numeric_limits<std::uint64_t>::max();
 
 std::string name_of(const tcp::socket& socket) {
@@ -49,7 +49,7 @@ bool RobotSession::run_turn() {
 bool RobotSession::read_arrived() {
   if (!socket_.is_open()) return false;
   const std::uint64_t output = context_.cell.find_line(id_)->output_end();
-  return work({kMaxArrivedBytes, output + kMaxAnswered, kNoEnd}) == Left::kSome;
+  return work({kMaxArrivedBytes, output + kMaxAnswered, kNever}) == Left::kSome;
 }
 
 // Does not read while replies are unsent, so that a client must read its replies.
@@ -110,12 +110,12 @@ void RobotSession::act_on_pending(const Turn& turn) {
 // Sends what the socket accepts now, and applies the bytes that waited for room in the outbox.
 RobotSession::Left RobotSession::flush(const Turn& turn) {
   if (!socket_.is_open()) return Left::kWaits;
-  SerialLine& line = *context_.cell.find_line(id_);  // exists while the socket is open
+  const SerialLine& line = *context_.cell.find_line(id_);  // exists while the socket is open
   while (!line.outbox().empty() || !pending_.empty()) {
     const std::size_t count = line.outbox().empty() ? 0 : socket_.write(line.outbox());
     if (socket_.is_lost()) close(LineCloseReason::kError);
     if (!socket_.is_open()) return Left::kWaits;
-    line.sent(count);
+    context_.cell.apply(BytesOut{id_, count}, wall_now());
     if (count == 0 && !line.outbox().empty()) return Left::kWaits;
     if (!line.is_full()) act_on_pending(turn);
     if (!socket_.is_open()) return Left::kWaits;
@@ -130,7 +130,7 @@ void RobotSession::finish() {
   has_ended_ = true;
   end_ = LineCloseReason::kShutdown;
   pending_.clear();
-  flush({0, kAllOutput, kNoEnd});
+  flush({0, kAllOutput, kNever});
 }
 
 void RobotSession::close(LineCloseReason reason) {

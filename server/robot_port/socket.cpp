@@ -19,7 +19,7 @@ bool must_wait() { return errno == EAGAIN || errno == EWOULDBLOCK; }
 
 /// Repeats a system call while signals interrupt it.
 template <class Call>
-ssize_t whole(const Call& call) {
+ssize_t retry_interrupted(const Call& call) {
   ssize_t count = call();
   while (count < 0 && errno == EINTR) count = call();
   return count;
@@ -40,7 +40,8 @@ void discard_input(int descriptor) {
 RobotSocket::RobotSocket(tcp::socket socket) : descriptor_(released(std::move(socket))) {}
 
 std::size_t RobotSocket::read(std::span<char> into) {
-  const auto count = whole([&] { return ::recv(descriptor_, into.data(), into.size(), 0); });
+  const auto count =
+      retry_interrupted([&] { return ::recv(descriptor_, into.data(), into.size(), 0); });
   if (count > 0) return static_cast<std::size_t>(count);
   has_ended_ = count == 0;
   is_lost_ = count < 0 && !must_wait();
@@ -48,8 +49,8 @@ std::size_t RobotSocket::read(std::span<char> into) {
 }
 
 std::size_t RobotSocket::write(std::string_view bytes) {
-  const auto count =
-      whole([&] { return ::send(descriptor_, bytes.data(), bytes.size(), MSG_NOSIGNAL); });
+  const auto count = retry_interrupted(
+      [&] { return ::send(descriptor_, bytes.data(), bytes.size(), MSG_NOSIGNAL); });
   if (count >= 0) return static_cast<std::size_t>(count);
   is_lost_ = !must_wait();
   return 0;

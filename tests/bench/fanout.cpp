@@ -114,16 +114,16 @@ const std::string kHandshake =
     "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
     "Sec-WebSocket-Protocol: xr3.v1\r\n\r\n";
 
-enum class Carrier { kLines, kWebsocket };
+enum class Transport { kLines, kWebsocket };
 
-void say(int fd, Carrier carrier, const std::string& text) {
-  send_all(fd, carrier == Carrier::kLines ? text + "\n" : masked_frame(text));
+void send_text(int fd, Transport transport, const std::string& text) {
+  send_all(fd, transport == Transport::kLines ? text + "\n" : masked_frame(text));
 }
 
 /// A monitor session without a subscription.
-int look(int port, Carrier carrier) {
+int open_session(int port, Transport transport) {
   const int fd = connect_to(port);
-  if (carrier == Carrier::kWebsocket) {
+  if (transport == Transport::kWebsocket) {
     send_all(fd, kHandshake);
     if (read_some(fd).find(" 101 ") == std::string::npos) throw std::runtime_error("no WebSocket");
   }
@@ -139,8 +139,8 @@ std::vector<int> many(int viewers, const Connect& connect) {
 
 /// A message that the server sends repeatedly, with its line end.
 std::string sample(int port) {
-  const int fd = look(port, Carrier::kLines);
-  say(fd, Carrier::kLines, kFollow);
+  const int fd = open_session(port, Transport::kLines);
+  send_text(fd, Transport::kLines, kFollow);
   std::string all;
   while (std::count(all.begin(), all.end(), '\n') < 4) all += read_some(fd);
   ::close(fd);
@@ -207,11 +207,11 @@ class BareLoop : public Sender {
 
 class Server : public Sender {
  public:
-  Server(pid_t pid, int port, int viewers, Carrier carrier, std::size_t message_bytes)
-      : Sender(pid, message_bytes), port_(port), viewers_(viewers), carrier_(carrier) {}
+  Server(pid_t pid, int port, int viewers, Transport transport, std::size_t message_bytes)
+      : Sender(pid, message_bytes), port_(port), viewers_(viewers), transport_(transport) {}
   void start() override {
-    std::vector<int> fds = many(viewers_, [this] { return look(port_, carrier_); });
-    for (const int fd : fds) say(fd, carrier_, kFollow);
+    std::vector<int> fds = many(viewers_, [this] { return open_session(port_, transport_); });
+    for (const int fd : fds) send_text(fd, transport_, kFollow);
     drain_.emplace(std::move(fds));
   }
   void stop() override { drain_.reset(); }
@@ -219,7 +219,7 @@ class Server : public Sender {
  private:
   int port_;
   int viewers_;
-  Carrier carrier_;
+  Transport transport_;
 };
 
 /// Results of a round, in microseconds.
@@ -309,9 +309,9 @@ bool run(const std::string& xr3, int viewers, int rounds, const Bounds& bounds) 
   const Child loop([&] { write_loop(viewers, message); });
   const int bare_port = port_in(loop.greeting(), "bare");
   BareLoop bare(loop.pid(), many(viewers, [=] { return connect_to(bare_port); }), message.size());
-  Server lines(server.pid(), monitor, viewers, Carrier::kLines, message.size());
+  Server lines(server.pid(), monitor, viewers, Transport::kLines, message.size());
   // A header of four bytes instead of a line end.
-  Server websocket(server.pid(), monitor, viewers, Carrier::kWebsocket, message.size() + 3);
+  Server websocket(server.pid(), monitor, viewers, Transport::kWebsocket, message.size() + 3);
   pass(kSettle_s);
   bare.stop();
   std::vector<Round> found;

@@ -10,8 +10,8 @@
 #include "protocol/monitor/display.hpp"
 #include "protocol/monitor/event.hpp"
 #include "protocol/monitor/image.hpp"
+#include "protocol/monitor/line_record.hpp"
 #include "protocol/monitor/model.hpp"
-#include "protocol/monitor/wire.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/tap.hpp"
 

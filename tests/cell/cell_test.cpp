@@ -18,9 +18,9 @@ constexpr WallNs kMs = 1'000'000;
 struct Lab {
   explicit Lab(SimClock clock = SimClock::manual(), Profile profile = Profile::kPaper)
       : cell("main", test::rhino(profile), clock,
-             [this](const CellEvent& e, const Model&) { told.push_back(e); }) {}
+             [this](const CellEvent& e, const Model&) { events.push_back(e); }) {}
 
-  std::vector<CellEvent> told;
+  std::vector<CellEvent> events;
   Cell cell;
 
   void open(LineId line, WallNs now = 0) {
@@ -29,9 +29,8 @@ struct Lab {
   /// Sends bytes and returns the reply.
   std::string send(LineId line, std::string_view bytes, WallNs now = 0) {
     cell.apply(BytesIn{line, bytes}, now);
-    SerialLine& of_cell = *cell.find_line(line);
-    const std::string reply(of_cell.outbox());
-    of_cell.sent(reply.size());
+    const std::string reply(cell.find_line(line)->outbox());
+    cell.apply(BytesOut{line, reply.size()}, now);
     return reply;
   }
   call::Outcome call(call::Call call, WallNs now = 0) {
@@ -42,14 +41,14 @@ struct Lab {
   template <class Note>
   std::vector<Note> notes() const {
     std::vector<Note> found;
-    for (const CellEvent& event : told) {
+    for (const CellEvent& event : events) {
       if (const Note* note = std::get_if<Note>(&event.note)) found.push_back(*note);
     }
     return found;
   }
 };
 
-TEST(Cell, InStandingTimeNothingMovesUntilItIsStepped) {
+TEST(Cell, WithAManualClockNothingMovesUntilAStep) {
   Lab lab;
   lab.open(1);
   lab.send(1, "E+5\r", 1'000'000 * kMs);
@@ -59,7 +58,7 @@ TEST(Cell, InStandingTimeNothingMovesUntilItIsStepped) {
   EXPECT_EQ(lab.count('E'), 5);
 }
 
-TEST(Cell, RealTimeMovesWithTheWallClockAndItsRate) {
+TEST(Cell, ARealClockFollowsTheWallClockAtItsRate) {
   Lab lab(SimClock::real(Rate{2'000'000}, 100 * kMs));
   lab.open(1, 100 * kMs);
   lab.send(1, "E+50\r", 100 * kMs);
@@ -68,7 +67,7 @@ TEST(Cell, RealTimeMovesWithTheWallClockAndItsRate) {
   EXPECT_EQ(lab.count('E'), 11);  // 100 ticks at 110 counts a second
 }
 
-TEST(Cell, RunningTimeEndsWhereItsTicksWouldBeTooLargeToSay) {
+TEST(Cell, ARealClockStopsAtTheLargestTick) {
   constexpr Tick kLast = (Tick{1} << 53) - 1;
   Lab lab;
   lab.call(call::RunUntil{kLast - 10, kLast});
@@ -79,7 +78,7 @@ TEST(Cell, RunningTimeEndsWhereItsTicksWouldBeTooLargeToSay) {
   EXPECT_EQ(lab.cell.state().tick, kLast);
 }
 
-TEST(Cell, AReplyGoesOnlyToTheLineThatAsked) {
+TEST(Cell, RepliesOnlyToTheLineOfTheInquiry) {
   Lab lab;
   lab.open(1);
   lab.open(2);
@@ -88,7 +87,7 @@ TEST(Cell, AReplyGoesOnlyToTheLineThatAsked) {
   EXPECT_EQ(lab.cell.find_line(1)->outbox(), "");
 }
 
-TEST(Cell, BytesAreTakenUntilItIsEnough) {
+TEST(Cell, TakesBytesUntilTheLimit) {
   Lab lab;
   lab.open(1);
   std::string bytes;
@@ -101,7 +100,7 @@ TEST(Cell, BytesAreTakenUntilItIsEnough) {
       << "there is always some progress";
 }
 
-TEST(Cell, StepAndRunUntilNeedStandingTime) {
+TEST(Cell, StepAndRunUntilNeedTheManualClock) {
   Lab lab(SimClock::real(Rate{}, 0));
   EXPECT_EQ(std::get<call::Refused>(lab.call(call::Step{1})).code, "clock_running");
   EXPECT_EQ(std::get<call::Refused>(lab.call(call::RunUntil{{}, 1})).code, "clock_running");
@@ -123,7 +122,7 @@ TEST(Cell, RunUntilIdleStopsAtTheTickOfTheLastCount) {
   EXPECT_EQ(lab.count('F'), 10);
 }
 
-TEST(Cell, RunUntilSaysWhenItWasNotEnough) {
+TEST(Cell, RunUntilReportsWhetherItReachedTheTarget) {
   Lab lab;
   lab.open(1);
   lab.send(1, "F+10\r");
@@ -134,7 +133,7 @@ TEST(Cell, RunUntilSaysWhenItWasNotEnough) {
   EXPECT_EQ(lab.cell.state().tick, 50);
 }
 
-TEST(Cell, ResetBeginsAnEpochAndEmptiesTheParsers) {
+TEST(Cell, ResetStartsANewEpochAndClearsTheParsers) {
   Lab lab;
   lab.open(1);
   lab.send(1, "E+5\rL");
@@ -163,7 +162,7 @@ TEST(Cell, HomeFreesAStalledRobot) {
   EXPECT_EQ(lab.count('E'), 0);
 }
 
-TEST(Cell, ProblemsAreToldWithOffsetBytesAndReason) {
+TEST(Cell, ProblemsHaveOffsetBytesAndReason) {
   Lab lab;
   lab.open(1);
   lab.send(1, "E+5\rE+200\r");
@@ -172,10 +171,10 @@ TEST(Cell, ProblemsAreToldWithOffsetBytesAndReason) {
   EXPECT_EQ(problems[0].code, "number_out_of_range");
   EXPECT_EQ(problems[0].offset, 4U);
   EXPECT_EQ(problems[0].raw.view(), "E+200\r");
-  EXPECT_EQ(problems[0].message, "E+200: a move is -128...127 counts; not obeyed");
+  EXPECT_EQ(problems[0].message, "E+200: a move is -128...127 counts; ignored");
 }
 
-TEST(Cell, ALineOpenedWhileDisabledIsToldSo) {
+TEST(Cell, ALineOpenedWhileDisabledGetsAProblem) {
   Lab lab;
   lab.open(1);
   lab.send(1, "A@");
@@ -186,7 +185,7 @@ TEST(Cell, ALineOpenedWhileDisabledIsToldSo) {
   EXPECT_EQ(lab.send(2, "A@E?"), " ");
 }
 
-TEST(Cell, ALineThatIsGoneTakesNothing) {
+TEST(Cell, AClosedLineTakesNoBytes) {
   Lab lab;
   lab.open(1);
   lab.cell.apply(LineClosed{1, LineCloseReason::kClientClosed}, 0);
@@ -195,40 +194,51 @@ TEST(Cell, ALineThatIsGoneTakesNothing) {
   EXPECT_EQ(lab.notes<LineClosedNote>().size(), 1U);
 }
 
-TEST(Cell, EventsComeInOrderOfTheirTicks) {
+TEST(Cell, EventsAreInOrderOfTicks) {
   Lab lab(SimClock::real(Rate{}, 0));
   lab.open(1);
   lab.send(1, "E+3\rD+3\r");
   lab.cell.catch_up(1000 * kMs);
-  for (std::size_t i = 1; i < lab.told.size(); ++i)
-    EXPECT_LE(lab.told[i - 1].tick, lab.told[i].tick);
-  EXPECT_EQ(lab.told.back().line, std::nullopt);
+  for (std::size_t i = 1; i < lab.events.size(); ++i)
+    EXPECT_LE(lab.events[i - 1].tick, lab.events[i].tick);
+  EXPECT_EQ(lab.events.back().line, std::nullopt);
 }
 
 // --- Failures.
 
-TEST(Cell, AnExceptionOutOfTheDoorIsVital) {
+TEST(Cell, AnExceptionInTheSinkIsAVitalFailure) {
   Cell cell("main", test::rhino(), SimClock::manual(),
             [](const CellEvent&, const Model&) { throw std::bad_alloc(); });
   try {
     cell.apply(LineOpened{"test"}, 0);
-    ADD_FAILURE() << "the sink has thrown";
+    ADD_FAILURE() << "the exception of the sink is lost";
   } catch (const VitalFailure& failure) {
     EXPECT_STREQ(failure.what(), "the cell: std::bad_alloc");
   }
 }
 
-TEST(Cell, AFrozenCellTakesNothing) {
+TEST(Cell, AFrozenCellIgnoresAllInput) {
   Lab lab(SimClock::real(Rate{1'000'000}, 0));
   lab.open(1);
   const State before = lab.cell.state();
-  const std::size_t told = lab.told.size();
+  const std::size_t before_size = lab.events.size();
   lab.cell.freeze();
   lab.cell.apply(BytesIn{1, "E+5\rE?"}, 5 * kMs);
   lab.cell.apply(LineClosed{1}, 5 * kMs);
   lab.cell.catch_up(10 * kMs);
   EXPECT_EQ(lab.cell.state(), before);
-  EXPECT_EQ(lab.told.size(), told);
+  EXPECT_EQ(lab.events.size(), before_size);
+}
+
+TEST(Cell, AFrozenCellStillRemovesSentBytes) {
+  Lab lab(SimClock::real(Rate{1'000'000}, 0));
+  lab.open(1);
+  lab.cell.apply(BytesIn{1, "E?"}, 0);
+  lab.cell.freeze();
+  ASSERT_EQ(lab.cell.find_line(1)->outbox(), " ");
+  lab.cell.apply(BytesOut{1, 1}, 0);
+  EXPECT_EQ(lab.cell.find_line(1)->outbox(), "");
+  EXPECT_EQ(lab.cell.find_line(1)->bytes_out(), 1U);
 }
 
 // --- The camera.
@@ -246,8 +256,7 @@ class Seen {
   }
   void bytes(std::string_view bytes) {
     cell_.apply(BytesIn{1, bytes}, 0);
-    SerialLine& line = *cell_.find_line(1);
-    line.sent(line.outbox().size());
+    cell_.apply(BytesOut{1, cell_.find_line(1)->outbox().size()}, 0);
   }
   void call(const call::Call& call) { cell_.apply(Input{call}, 0); }
   void pass(Tick ticks) { call(call::Step{ticks}); }
@@ -266,7 +275,7 @@ class Seen {
   bool has_line_ = cell_.apply(LineOpened{"test"}, 0).line == 1;
 };
 
-TEST(Cell, APictureIsMadeOnceForAStateWhoeverAsks) {
+TEST(Cell, RendersAnImageOncePerState) {
   Seen seen;
   const ImagePtr picture = seen.cell().camera_image();
   for (int i = 0; i < 100; ++i) seen.bytes("A**A*3*A*3,4*E+1\r");
@@ -298,7 +307,7 @@ void something_happens(Seen& seen) {
   }
 }
 
-RC_GTEST_PROP(Cell, ThePictureIsThatOfTheStateWhateverHappened, ()) {
+RC_GTEST_PROP(Cell, TheImageIsAlwaysThatOfTheState, ()) {
   Seen seen;
   for (int i = any(1, 40); i > 0; --i) {
     something_happens(seen);

@@ -11,7 +11,7 @@ ProblemNote note(std::string_view code, std::uint64_t offset) {
 
 const ProblemNote& problem(const CellNote& note) { return std::get<ProblemNote>(note); }
 
-TEST(WarningLimiter, ARunOfOneCodeIsOneNoteWithItsCountAndFirstOffset) {
+TEST(WarningLimiter, ARunOfOneCodeIsOneNoteWithCountAndFirstOffset) {
   WarningLimiter limiter;
   EXPECT_TRUE(limiter.add(1, 0, note("unknown_byte", 7)).empty());
   EXPECT_TRUE(limiter.extends_run(1, 5, "unknown_byte"));
@@ -31,20 +31,20 @@ TEST(WarningLimiter, LinesDoNotShareRuns) {
   EXPECT_TRUE(limiter.finish(2, 0).empty());
 }
 
-TEST(WarningLimiter, AfterSixtyFourNotesASecondOneSaysHowManyWereLeftOut) {
+TEST(WarningLimiter, SummarizesNotesAboveSixtyFourASecond) {
   WarningLimiter limiter;
-  std::size_t told = 0;
+  std::size_t notes = 0;
   for (int i = 0; i < 100; ++i) {
-    told += limiter.add(1, i, note(i % 2 == 0 ? "unknown_byte" : "no_such_joint", 0)).size();
+    notes += limiter.add(1, i, note(i % 2 == 0 ? "unknown_byte" : "no_such_joint", 0)).size();
   }
-  told += limiter.finish(1, 100).size();
-  EXPECT_EQ(told, 64U);
+  notes += limiter.finish(1, 100).size();
+  EXPECT_EQ(notes, 64U);
   const auto due = limiter.add(1, 1000, note("unknown_byte", 0));
   ASSERT_EQ(due.size(), 1U);
   EXPECT_EQ(std::get<SuppressedNote>(due[0]).count, 36);
 }
 
-TEST(WarningLimiter, ARunThatCrossesASecondIsTwoNotes) {
+TEST(WarningLimiter, ARunAcrossTwoSecondsIsTwoNotes) {
   WarningLimiter limiter;
   limiter.add(1, 999, note("unknown_byte", 0));
   EXPECT_FALSE(limiter.extends_run(1, 1000, "unknown_byte"));
@@ -52,7 +52,7 @@ TEST(WarningLimiter, ARunThatCrossesASecondIsTwoNotes) {
   EXPECT_EQ(limiter.finish(1, 1000).size(), 1U);
 }
 
-TEST(WarningLimiter, WhatIsOwedComesWithTheNextSecondOrWhenTheLineCloses) {
+TEST(WarningLimiter, PendingNotesComeWithTheNextSecondOrTheClose) {
   for (const bool closes : {false, true}) {
     WarningLimiter limiter;
     for (int i = 0; i < 100; ++i)

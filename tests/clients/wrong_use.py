@@ -59,7 +59,7 @@ def nothing_left(monitor):
     return at_home(monitor)
 
 
-STANDS = r"E stopped 50 counts short of its target\..*limit.*stalled.*xr3 watch"
+STOPPED = r"E stopped 50 counts short of its target\..*limit.*stalled.*xr3 watch"
 NO_ROBOT = "no robot answers at localhost port 1: is the server running"
 NO_PORT = "port has to be a number from 1 to 65535, not '{}'"
 CASES = [
@@ -71,7 +71,7 @@ CASES = [
     Case("an empty host", "1_hello", None, host=""),
     Case("the monitor port", "1_hello", "monitor port.* 9600", port="{monitor}"),
     Case("the monitor port", "2_move_and_wait", "monitor port.* 9600", port="{monitor}"),
-    Case("manual clock", "2_move_and_wait", STANDS, options=("--clock", "manual"),
+    Case("manual clock", "2_move_and_wait", STOPPED, options=("--clock", "manual"),
          after=nothing_left),
     Case("manual clock", "4_two_joints", "F stopped 40 counts short.*xr3 watch",
          options=("--clock", "manual"), after=nothing_left),

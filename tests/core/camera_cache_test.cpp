@@ -29,7 +29,7 @@ Rig rig_at_a_block() {
   return rig;
 }
 
-/// Whole, a row and a pixel are as they are when nothing is kept.
+/// The image, a row and a pixel equal those without a cache.
 void expect_fresh(Rig& rig, int column, int row) {
   const Image fresh = camera_image(rig.model(), rig.state());
   RC_ASSERT(rig.execute(CameraPixel{column, row}) == Reply(PixelValue{fresh.at(column, row)}));
@@ -97,7 +97,7 @@ void something_happens(Rig& rig, State& saved) {
   }
 }
 
-RC_GTEST_PROP(CameraCache, WhateverHappensAnInquiryIsAnsweredAsIfNothingWereKept, ()) {
+RC_GTEST_PROP(CameraCache, AnswersEqualThoseWithoutACache, ()) {
   Rig rig = rig_at_a_block();
   State saved = rig.state();
   for (int i = any(1, 60); i > 0; --i) {
@@ -111,7 +111,7 @@ RC_GTEST_PROP(CameraCache, WhateverHappensAnInquiryIsAnsweredAsIfNothingWereKept
   }
 }
 
-TEST(CameraCache, ABlockIsSeenWhereItIsGraspedCarriedAndReleased) {
+TEST(CameraCache, ImagesFollowAGraspedCarriedAndReleasedBlock) {
   Rig rig = rig_at_a_block();
   const auto is_fresh = [&rig] {
     return *rig.simulation.camera_image() == camera_image(rig.model(), rig.state());
@@ -138,7 +138,7 @@ TEST(CameraCache, ABlockIsSeenWhereItIsGraspedCarriedAndReleased) {
 
 // --- It is made once.
 
-TEST(CameraCache, AHundredPicturesOfOneStateAreMadeOnce) {
+TEST(CameraCache, RendersAStateOnceForAHundredImages) {
   Rig rig(rhino_with_blocks());
   for (int i = 0; i < 100; ++i) {
     rig.execute(CameraImage{});
@@ -148,7 +148,7 @@ TEST(CameraCache, AHundredPicturesOfOneStateAreMadeOnce) {
   EXPECT_EQ(rig.simulation.camera().renders(), 1U);
 }
 
-TEST(CameraCache, WhatTheCameraDoesNotSeeCostsNoPicture) {
+TEST(CameraCache, InvisibleChangesCauseNoRendering) {
   Rig rig(rhino_with_blocks());
   const ImagePtr before = rig.simulation.camera_image();
   rig.move('F', 100);
@@ -159,7 +159,7 @@ TEST(CameraCache, WhatTheCameraDoesNotSeeCostsNoPicture) {
   EXPECT_EQ(rig.simulation.camera().renders(), 1U);
 }
 
-TEST(CameraCache, ACarriedBlockIsDrawnOntoTheOthers) {
+TEST(CameraCache, ACarriedBlockIsDrawnOverTheOthers) {
   Rig rig = rig_at_a_block();
   rig.move('A', -100);
   rig.settle();
@@ -172,20 +172,20 @@ TEST(CameraCache, ACarriedBlockIsDrawnOntoTheOthers) {
   EXPECT_EQ(rig.simulation.camera().renders(), renders + 1);
 }
 
-TEST(CameraCache, APartOfAPictureCostsItsPartAtFirst) {
+TEST(CameraCache, TheFirstInquiriesRenderOnlyTheirRow) {
   Rig rig(rhino_with_blocks());
   for (int i = 0; i < 100; ++i) rig.execute(CameraRow{i});
-  EXPECT_EQ(rig.simulation.camera().renders(), 3U) << "two rows, and then the whole picture";
+  EXPECT_EQ(rig.simulation.camera().renders(), 3U) << "two rows, and then the image";
 }
 
-TEST(CameraCache, AKeptPictureIsNoPartOfTheState) {
+TEST(CameraCache, ACachedImageIsNotPartOfTheState) {
   Rig rig(rhino_with_blocks());
   const State before = rig.state();
   rig.execute(CameraImage{});
   EXPECT_EQ(rig.state(), before);
 }
 
-TEST(CameraCache, WithoutACameraThereIsNoPicture) {
+TEST(CameraCache, WithoutACameraThereIsNoImage) {
   Rig rig;
   EXPECT_EQ(rig.simulation.camera_image(), nullptr);
 }

@@ -218,13 +218,13 @@ Workcell some_workcell() {
   return workcell;
 }
 
-RC_GTEST_PROP(Camera, EveryPixelIsAsTheReferenceHasIt, ()) {
+RC_GTEST_PROP(Camera, EveryPixelEqualsTheReference, ()) {
   const ModelPtr model = model_with(some_workcell());
   const State state = initial_state(*model);
   RC_ASSERT(to_pbm(camera_image(*model, state)) == to_pbm(reference_image(*model, state)));
 }
 
-RC_GTEST_PROP(Camera, EveryPixelOfAHeldBlockIsAsTheReferenceHasIt, ()) {
+RC_GTEST_PROP(Camera, EveryPixelOfAHeldBlockEqualsTheReference, ()) {
   Workcell workcell = workcell_named("rhino-xr3");
   workcell.blocks.resize(1);
   workcell.camera->field_x_um = workcell.camera->field_y_um = 90'000;
@@ -243,14 +243,14 @@ RC_GTEST_PROP(Camera, EveryPixelOfAHeldBlockIsAsTheReferenceHasIt, ()) {
   RC_ASSERT(to_pbm(camera_image(*model, state)) == to_pbm(reference_image(*model, state)));
 }
 
-RC_GTEST_PROP(Camera, RowsAndPixelsAreThoseOfTheWholePicture, ()) {
+RC_GTEST_PROP(Camera, RowsAndPixelsEqualThoseOfTheImage, ()) {
   const ModelPtr model = model_with(some_workcell());
   const State state = initial_state(*model);
-  const Image whole = camera_image(*model, state);
-  const int row = in_range(0, whole.height() - 1);
-  const int column = in_range(0, whole.width() - 1);
-  RC_ASSERT(camera_row(*model, state, row).row(0) == whole.row(row));
-  RC_ASSERT(camera_pixel(*model, state, column, row) == whole.at(column, row));
+  const Image image = camera_image(*model, state);
+  const int row = in_range(0, image.height() - 1);
+  const int column = in_range(0, image.width() - 1);
+  RC_ASSERT(camera_row(*model, state, row).row(0) == image.row(row));
+  RC_ASSERT(camera_pixel(*model, state, column, row) == image.at(column, row));
 }
 
 // --- Individual rules.
@@ -285,32 +285,32 @@ int area(const Image& image) {
   return pixels;
 }
 
-TEST(Camera, LowXIsLeftAndHighYIsOnTop) {
+TEST(Camera, LowXIsLeftAndHighYIsUp) {
   EXPECT_EQ(to_pbm(picture_of(box(10'000, 30'000, 40'000, 50'000))),
             "P1\n8 6\n00000000\n01100000\n00000000\n00000000\n00000000\n00000000\n");
 }
 
-TEST(Camera, LowEdgesAreInAndHighEdgesAreOut) {
+TEST(Camera, LowEdgesAreIncludedAndHighEdgesExcluded) {
   EXPECT_EQ(to_pbm(picture_of(box(15'000, 35'000, 25'000, 45'000))),
             "P1\n8 6\n00000000\n00000000\n01100000\n01100000\n00000000\n00000000\n");
   EXPECT_EQ(to_pbm(picture_of(box(15'002, 35'002, 25'002, 45'002))),
             "P1\n8 6\n00000000\n00110000\n00110000\n00000000\n00000000\n00000000\n");
 }
 
-TEST(Camera, BlocksOutsideTheFieldAreCutOff) {
+TEST(Camera, ClipsBlocksAtTheEdgeOfTheField) {
   EXPECT_EQ(area(picture_of(box(-50'000, 900'000, -70'000, 800'000))), 48);
   EXPECT_EQ(area(picture_of(box(-50'000, 20'000, 40'000, 90'000))), 4);
   EXPECT_EQ(area(picture_of(box(80'000, 90'000, 0, 60'000))), 0);
   EXPECT_EQ(area(picture_of(box(0, 80'000, -20'000, 0))), 0);
 }
 
-TEST(Camera, AShapeWithoutAreaHasNoPixel) {
+TEST(Camera, AShapeWithoutAreaHasNoPixels) {
   EXPECT_EQ(area(picture_of(box(15'000, 15'000, 0, 60'000))), 0);
   EXPECT_EQ(area(picture_of(box(0, 80'000, 25'000, 25'000))), 0);
   EXPECT_EQ(area(picture_of(box(15'000, 15'000, 25'000, 25'000))), 0);
 }
 
-TEST(Camera, PerspectiveMagnifiesWhatIsNear) {
+TEST(Camera, PerspectiveMagnifiesNearBlocks) {
   Workcell workcell = eight_by_six();
   workcell.camera->projection = Projection::kPerspective;
   Block block = box(30'000, 50'000, 20'000, 40'000);
@@ -323,18 +323,18 @@ TEST(Camera, PerspectiveMagnifiesWhatIsNear) {
   EXPECT_EQ(picture_of(block, workcell), picture_of(block));
 }
 
-TEST(Camera, OnlyPerspectiveSeesNothingBehindTheCamera) {
+TEST(Camera, OnlyPerspectiveHidesBlocksBehindTheCamera) {
   Workcell workcell = eight_by_six();
   workcell.camera->projection = Projection::kPerspective;
   Block block = box(35'000, 40'000, 25'000, 30'000);
   block.centroid_um.z = 505'000;
   EXPECT_EQ(area(picture_of(block, workcell)), 0);
   EXPECT_EQ(picture_of(block), picture_of(box(35'000, 40'000, 25'000, 30'000)));
-  block.centroid_um.z = 499'000;  // reaches past the lens: hides its whole quarter of the field
+  block.centroid_um.z = 499'000;  // reaches past the lens: hides its quarter of the field
   EXPECT_EQ(area(picture_of(block, workcell)), 12);
 }
 
-TEST(Camera, TheLargestPictureIsSharpToItsCorners) {
+TEST(Camera, TheLargestImageIsExactAtItsCorners) {
   Workcell workcell = eight_by_six();
   workcell.camera->pixels_x = workcell.camera->pixels_y = 2048;
   EXPECT_EQ(area(picture_of(box(0, 80'000, 0, 60'000), workcell)), 2048 * 2048);
@@ -374,7 +374,7 @@ Blob measure(const Image& image, const Camera& camera) {
 /// Angle between two undirected lines: 0...90.
 double angle_between_deg(double a, double b) { return std::abs(std::remainder(a - b, 180.0)); }
 
-TEST(Camera, EachDefaultBlockMeasuresAsTheFileSays) {
+TEST(Camera, ImagesOfDefaultBlocksHaveTheSizesOfTheFile) {
   for (const Scene& scene : kScenes) {
     Workcell workcell = workcell_named(scene.workcell);
     const Camera camera = *workcell.camera;

@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "core/envelope.hpp"
 #include "core/grasp.hpp"
 #include "core/kinematics.hpp"
+#include "core/stall.hpp"
 #include "tests/support/rig.hpp"
 
 namespace xr3 {
@@ -56,7 +56,7 @@ const Posture kPostures[] = {
      {{'E', 200}, {'F', 150}, {'C', 333}, {'G', -444}, {'D', 200}, {'B', 300}}},
 };
 
-TEST(Carry, AHeldBlockIsRigidInTheToolsFrameTiltIncluded) {
+TEST(Carry, AHeldBlockIsRigidInTheToolFrameAndTilts) {
   for (const Posture& c : kPostures) {
     Rig rig(with_its_table(c.robot));
     rig.stand_at(c.pick);
@@ -120,10 +120,10 @@ TEST(Carry, AStallKeepsTheBlock) {
   rig.move('A', 20);
   rig.pass(5000);
   EXPECT_EQ(rig.state().held, held);
-  EXPECT_TRUE(rig.told<Released>().empty());
+  EXPECT_TRUE(rig.events_of<Released>().empty());
 }
 
-TEST(Carry, AStallAtTheSurfaceKeepsTheBlockToo) {
+TEST(Carry, AStallAtTheSurfaceKeepsTheBlock) {
   Rig rig = holding(true);
   rig.travel('E', 100);
   ASSERT_EQ(rig.state().stall, Stall::kWorkSurface);
@@ -131,21 +131,21 @@ TEST(Carry, AStallAtTheSurfaceKeepsTheBlockToo) {
   EXPECT_GE(tip(rig).z, 0);
 }
 
-TEST(Carry, WithoutThatOptionTheSurfaceWarnsOnceACrossingAndTheBlockGoesAlong) {
+TEST(Carry, WithoutSurfaceStallsACrossingWarnsOnceAndKeepsTheBlock) {
   Rig rig = holding();
   rig.travel('E', 100);
   EXPECT_LT(tip(rig).z, 0);
   rig.travel('B', 20);
-  ASSERT_EQ(rig.told<Warning>().size(), 1U);
-  EXPECT_EQ(rig.told<Warning>()[0].code, WarningCode::kBelowSurface);
+  ASSERT_EQ(rig.events_of<Warning>().size(), 1U);
+  EXPECT_EQ(rig.events_of<Warning>()[0].code, WarningCode::kBelowSurface);
   EXPECT_TRUE(rig.state().held);
   rig.travel('E', -100);
-  EXPECT_EQ(rig.told<Warning>().size(), 1U);
+  EXPECT_EQ(rig.events_of<Warning>().size(), 1U);
   rig.travel('E', 100);
-  EXPECT_EQ(rig.told<Warning>().size(), 2U);
+  EXPECT_EQ(rig.events_of<Warning>().size(), 2U);
 }
 
-TEST(Carry, ALimitKeepsTheBlockEvenThatOfTheJaws) {
+TEST(Carry, ALimitOfAnyMotorKeepsTheBlock) {
   Rig rig = holding(false, {70'000, 63'500, 36'000});  // as wide as the jaws open
   ASSERT_EQ(rig.count('A'), 16);
   rig.move('A', 5);
@@ -176,7 +176,7 @@ TEST(Carry, ResetStopAndDisablingKeepTheBlock) {
 
 // --- Home.
 
-TEST(Carry, SentHomeTheRobotLeavesTheBlockWhereItWas) {
+TEST(Carry, SoftHomeLeavesTheBlockInPlace) {
   for (const bool stalled : {false, true}) {
     Rig rig = holding();
     rig.travel('F', 120);
@@ -189,7 +189,7 @@ TEST(Carry, SentHomeTheRobotLeavesTheBlockWhereItWas) {
     EXPECT_FALSE(rig.state().held);
     EXPECT_EQ(rig.state().blocks[0].centroid_um, there);
     EXPECT_NEAR(std::remainder(degrees(rig.state().blocks[0].yaw_udeg) - roll, 90.0), 0, 1e-5);
-    EXPECT_EQ(rig.told<Released>().size(), 1U);
+    EXPECT_EQ(rig.events_of<Released>().size(), 1U);
     EXPECT_EQ(rig.count('A'), 0);
     EXPECT_EQ(rig.error('A'), 0);
     const Block left = rig.state().blocks[0];
@@ -199,7 +199,7 @@ TEST(Carry, SentHomeTheRobotLeavesTheBlockWhereItWas) {
   }
 }
 
-TEST(Carry, AFreshStartPutsEveryBlockBack) {
+TEST(Carry, ANewStartPutsEveryBlockBack) {
   Rig rig = holding();
   rig.travel('F', 50);
   rig.simulation.reset();
@@ -245,7 +245,7 @@ Rig about_to_stall(const UndoneCase& c) {
   return rig;
 }
 
-TEST(Carry, ATickUndoneByTheRegionLeavesBlockAndJawsAsTheyWere) {
+TEST(Carry, ATickThatStallsAtTheRegionChangesNeitherBlockNorJaws) {
   for (const UndoneCase& c : kUndone) {
     Rig rig = about_to_stall(c);
     State wanted = rig.state();
@@ -258,14 +258,14 @@ TEST(Carry, ATickUndoneByTheRegionLeavesBlockAndJawsAsTheyWere) {
   }
 }
 
-TEST(Carry, WithoutTheRegionThatTickWouldHaveActed) {
+TEST(Carry, WithoutTheStallTheSameTickActs) {
   for (const UndoneCase& c : kUndone) {
     Rig rig = about_to_stall(c);
     rig.execute(Stop{'E'});
     const State before = rig.state();
     rig.pass(1);
     const bool acted = rig.state().held != before.held || rig.state().blocks != before.blocks ||
-                       !rig.told<Warning>().empty() || rig.count('A') != before.motor(5).count;
+                       !rig.events_of<Warning>().empty() || rig.count('A') != before.motor(5).count;
     EXPECT_TRUE(acted) << c.what;
   }
 }

@@ -41,7 +41,7 @@ TEST(Coupling, PositionsOfTheRhino) {
   }
 }
 
-TEST(Coupling, OnePositionIsAsAllOfThem) {
+TEST(Coupling, OnePositionEqualsThatOfAllPositions) {
   const State state = test::state_at(*rhino(), {{'F', 3}, {'E', 40}, {'D', -60}, {'C', 30}});
   const Positions all = positions(*rhino(), state.motors);
   for (int i = 0; i < rhino()->motor_count(); ++i) {
@@ -77,7 +77,7 @@ RC_GTEST_PROP(Coupling, CountsAreTheInverseOfPositions, ()) {
   RC_ASSERT(motor_counts(*model, positions(*model, motors)) == counts);
 }
 
-RC_GTEST_PROP(Coupling, TurningCountByCountIsAsTurningAtOnce, ()) {
+RC_GTEST_PROP(Coupling, TurningCountByCountEqualsTurningAtOnce, ()) {
   const ModelPtr model = model_of(coupled_arm());
   const int motor = *rc::gen::inRange(0, model->motor_count());
   const Counts counts = *rc::gen::inRange(-200, 200);

@@ -38,7 +38,7 @@ struct ChangeCase {
 };
 
 // Every command without a reply: the state differs only by the expected change.
-TEST(Execute, EachCommandChangesWhatItSaysAndNothingElse) {
+TEST(Execute, EachCommandChangesOnlyItsOwnMembers) {
   const int f = rhino()->index_of('F');
   const int e = rhino()->index_of('E');
   const int d = rhino()->index_of('D');
@@ -102,7 +102,7 @@ struct AnswerCase {
 };
 
 // After 300 ticks E has 27 of its 50 counts to go, D 12 of its -60, A 3 of its -5.
-TEST(Execute, InquiriesAnswerAndChangeNothing) {
+TEST(Execute, InquiriesChangeNothing) {
   const AnswerCase cases[] = {
       {"E?", QueryError{'E'}, ErrorMagnitude{27}},
       {"D?", QueryError{'D'}, ErrorMagnitude{12}},
@@ -125,21 +125,21 @@ TEST(Execute, InquiriesAnswerAndChangeNothing) {
   }
 }
 
-TEST(Execute, AClosedSwitchAnswersClosed) {
+TEST(Execute, ReportsAClosedSwitch) {
   Rig rig(roomy_rhino());
   rig.stand_at({{'E', -40}});
   EXPECT_EQ(rig.execute(QuerySwitch{'E'}), Reply(SwitchState{true}));
   EXPECT_EQ(rig.execute(QuerySwitchesI{}), Reply(SwitchBits{4, 15, 0, 'I'}));
 }
 
-TEST(Execute, TheLongestWayToGoIs128) {
+TEST(Execute, TheLargestErrorIs128) {
   Rig rig(roomy_rhino());
   rig.move('E', -128);
   EXPECT_EQ(rig.execute(QueryError{'E'}), Reply(ErrorMagnitude{128}));
   EXPECT_EQ(rig.execute(QuerySignedError{'E'}), Reply(SignedError{-128}));
 }
 
-TEST(Execute, LettersWithoutAJointTakeEverythingAndAnswerAsIfAtRest) {
+TEST(Execute, LettersWithoutAJointAnswerAsAJointAtRest) {
   for (const char label : {'G', 'H'}) {
     const AnswerCase cases[] = {
         {"move", Move{label, 100}, NoReply{}},
@@ -154,21 +154,21 @@ TEST(Execute, LettersWithoutAJointTakeEverythingAndAnswerAsIfAtRest) {
       const State before = rig.state();
       EXPECT_EQ(rig.execute(wanted.command), wanted.reply) << label << " " << wanted.what;
       EXPECT_EQ(rig.state(), before) << label << " " << wanted.what;
-      EXPECT_EQ(rig.told<Warning>(),
+      EXPECT_EQ(rig.events_of<Warning>(),
                 (std::vector<Warning>{{WarningCode::kNoSuchJoint, label, 0, 0, {}}}))
           << label << " " << wanted.what;
     }
   }
 }
 
-struct ToldCase {
+struct EventCase {
   const char* what;
   Command command;
-  std::vector<EventBody> told;
+  std::vector<EventBody> events;
 };
 
-TEST(Execute, TellsWhatHappened) {
-  const ToldCase cases[] = {
+TEST(Execute, ReportsEvents) {
+  const EventCase cases[] = {
       {"a move", Move{'F', 7}, {MoveTaken{'F', 7, 7}}},
       {"a move on top", Move{'E', 3}, {MoveTaken{'E', 3, 30}}},
       {"a wrap",
@@ -185,19 +185,19 @@ TEST(Execute, TellsWhatHappened) {
        {OutputChanged{3, false}, OutputChanged{8, false}, AuxiliaryChanged{1, false}}},
       {"a stop", Stop{'E'}, {}},
   };
-  for (const ToldCase& wanted : cases) {
+  for (const EventCase& wanted : cases) {
     Rig rig = busy_rig();
     rig.execute(wanted.command);
-    std::vector<EventBody> told;
+    std::vector<EventBody> events;
     for (const Event& event : rig.simulation.take_events()) {
       EXPECT_EQ(event.tick, 300) << wanted.what;
-      told.push_back(event.body);
+      events.push_back(event.body);
     }
-    EXPECT_EQ(told, wanted.told) << wanted.what;
+    EXPECT_EQ(events, wanted.events) << wanted.what;
   }
 }
 
-TEST(Execute, DisabledTwiceIsEnabled) {
+TEST(Execute, TwoTogglesEnableTheSimulator) {
   Rig rig;
   rig.execute(ToggleSimulator{});
   EXPECT_FALSE(rig.state().enabled);
@@ -205,7 +205,7 @@ TEST(Execute, DisabledTwiceIsEnabled) {
   EXPECT_TRUE(rig.state().enabled);
 }
 
-TEST(Execute, ADisabledMachinesMotorsGoOn) {
+TEST(Execute, MotorsContinueWhileDisabled) {
   Rig rig(roomy_rhino());
   rig.move('E', 11);
   rig.execute(ToggleSimulator{});
@@ -213,7 +213,7 @@ TEST(Execute, ADisabledMachinesMotorsGoOn) {
   EXPECT_EQ(rig.count('E'), 11);
 }
 
-TEST(Execute, TheSoftHomeOpensSwitchesAndFreesWhatIsBlocked) {
+TEST(Execute, SoftHomeOpensSwitchesAndFreesBlockedMotors) {
   Rig rig(roomy_rhino());
   rig.stand_at({{'F', 771}, {'E', -50}});
   rig.move('F', 5);
@@ -221,31 +221,31 @@ TEST(Execute, TheSoftHomeOpensSwitchesAndFreesWhatIsBlocked) {
   ASSERT_TRUE(rig.motor('E').switch_closed);
   rig.execute(SoftHome{});
   EXPECT_EQ(rig.state().motors, initial_state(rig.model()).motors);
-  EXPECT_EQ(rig.told<SwitchChanged>(),
+  EXPECT_EQ(rig.events_of<SwitchChanged>(),
             (std::vector<SwitchChanged>{{'F', false, 0}, {'E', false, 0}}));
 }
 
-TEST(Execute, WithoutACameraAnInquiryIsNotAnswered) {
+TEST(Execute, WithoutACameraInquiriesHaveNoAnswer) {
   for (const Command& command :
        {Command{CameraImage{}}, Command{CameraRow{0}}, Command{CameraPixel{0, 0}}}) {
     Rig rig;
     EXPECT_EQ(rig.execute(command), Reply(NoReply{}));
-    EXPECT_EQ(rig.told<Warning>().at(0).code, WarningCode::kBadCameraArgument);
+    EXPECT_EQ(rig.events_of<Warning>().at(0).code, WarningCode::kBadCameraArgument);
   }
 }
 
-TEST(Execute, InputLinesTellOfEachChange) {
+TEST(Execute, ReportsEachChangeOfAnInputLine) {
   Rig rig;
   rig.simulation.set_input(5, true);
   rig.simulation.set_input(5, true);
   rig.simulation.set_input(8, true);
   rig.simulation.set_input(5, false);
   EXPECT_EQ(rig.state().io.inputs, 0x80);
-  EXPECT_EQ(rig.told<InputChanged>(),
+  EXPECT_EQ(rig.events_of<InputChanged>(),
             (std::vector<InputChanged>{{5, true}, {8, true}, {5, false}}));
 }
 
-TEST(Execute, TheStartIsAsThePaperSays) {
+TEST(Execute, TheInitialStateIsThatOfThePaper) {
   const Rig rig;
   const State& state = rig.state();
   EXPECT_EQ(state.tick, 0);

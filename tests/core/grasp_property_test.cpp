@@ -155,8 +155,8 @@ class Wanderer {
 
   // Moves some of the arm's motors or the jaws around the centre; sometimes does something else.
   void motion() {
-    const bool stands = state().stall != Stall::kNo;
-    if (dice_.one_in(stands ? 3 : 400)) return home();
+    const bool is_stalled = state().stall != Stall::kNo;
+    if (dice_.one_in(is_stalled ? 3 : 400)) return home();
     if (dice_.one_in(30)) return both(Stop{any_label()});
     if (dice_.one_in(30)) return both(SetSpeed{any_label(), dice_.any(20, 255)});
     if (dice_.one_in(100)) return both(ControllerReset{});
@@ -231,11 +231,12 @@ class Wanderer {
       check_changes(before, -1);
       EXPECT_EQ(before.held, after.held);
     } else if (before.held) {
-      EXPECT_EQ(after.held.has_value(), turned == 0) << "the first opening count releases";
+      EXPECT_EQ(after.held.has_value(), turned == 0)
+          << "the first opening count releases the block";
       if (!after.held) check_released(before, after, where(after));
       check_changes(before, static_cast<int>(before.held->block));
     } else if (after.held) {
-      EXPECT_EQ(turned, 0) << "the count that would squeeze it does not happen";
+      EXPECT_EQ(turned, 0) << "the count that would squeeze the block is not made";
       check_grasped(before);
     } else {
       check_turned(before, turned);
@@ -333,15 +334,15 @@ class Wanderer {
   }
 
   void count_events() {
-    const int grasps = static_cast<int>(rig_.told<Grasped>().size());
-    const int releases = static_cast<int>(rig_.told<Released>().size());
+    const int grasps = static_cast<int>(rig_.events_of<Grasped>().size());
+    const int releases = static_cast<int>(rig_.events_of<Released>().size());
     EXPECT_EQ(grasps, releases + (state().held ? 1 : 0));
     twin_.advance_to(rig_.simulation.tick());
     EXPECT_EQ(rig_.simulation.events(), twin_.events());
     tally_.grasps += grasps;
     tally_.releases += releases;
-    tally_.stalls += static_cast<int>(rig_.told<Stalled>().size());
-    for (const Warning& warning : rig_.told<Warning>())
+    tally_.stalls += static_cast<int>(rig_.events_of<Stalled>().size());
+    for (const Warning& warning : rig_.events_of<Warning>())
       tally_.too_narrow += warning.code == WarningCode::kJawsTooNarrow ? 1 : 0;
   }
 
@@ -352,7 +353,7 @@ class Wanderer {
   ChannelStats& tally_;
 };
 
-TEST(GraspProperty, NothingIsLostDoubledOrSqueezedInAHundredThousandMotions) {
+TEST(GraspProperty, BlocksAreKeptThroughAHundredThousandMotions) {
   ChannelStats stats;
   std::uint32_t seed = 1989;
   for (const Ground& ground : kGrounds) {

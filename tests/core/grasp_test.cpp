@@ -87,7 +87,7 @@ constexpr TurnCase kTurns[] = {
 
 class TurnsFlat : public testing::TestWithParam<Counts> {};  // by the count of the base
 
-TEST_P(TurnsFlat, ToTheNearestQuarterWhenThereIsNoRoomForItAsItLies) {
+TEST_P(TurnsFlat, TurnsABlockThatDoesNotFitToTheNearestQuarter) {
   for (const auto& [delta, quarters] : kTurns) {
     const Positions there =
         test::positions_at(*test::rhino(), {{'F', GetParam()}, {'E', 449}, {'D', -625}});
@@ -104,7 +104,8 @@ TEST_P(TurnsFlat, ToTheNearestQuarterWhenThereIsNoRoomForItAsItLies) {
       ASSERT_EQ(block(rig), before) << "room for it as it lies, delta " << delta;
     }
     close_jaws(rig, 1);
-    EXPECT_EQ(block(rig).centroid_um == before.centroid_um, !flat_already) << "turned, not moved";
+    EXPECT_EQ(block(rig).centroid_um == before.centroid_um, !flat_already)
+        << "turned but not moved";
     EXPECT_LT(apart(degrees(block(rig).yaw_udeg), roll + 90 * quarters), kHairDeg) << delta;
     close_jaws(rig);
     const Micrometres flat = quarters % 2 == 0 ? 30'000 : 40'000;
@@ -118,7 +119,7 @@ TEST_P(TurnsFlat, ToTheNearestQuarterWhenThereIsNoRoomForItAsItLies) {
 
 INSTANTIATE_TEST_SUITE_P(Grasp, TurnsFlat, testing::Values(0, 71, -138, 500));
 
-TEST(Grasp, ASlenderBlockIsNotForcedBetweenJawsNarrowerThanItsLength) {
+TEST(Grasp, JawsNarrowerThanABlocksLengthDoNotGraspIt) {
   const PointUm slender{60'000, 12'000, 30'000};  // at 50 degrees 53.7 mm, flat on its length 60 mm
   Rig rig = over({block_at(kPlace, 90 + 50.0, slender)});
   close_jaws(rig);
@@ -146,7 +147,7 @@ constexpr MeasureCase kMeasures[] = {
     {50'007, 0},   {1'000, -62},  {63'500, 16}, {63'000, 16}, {62'700, 15}, {11'906, -49},
 };
 
-TEST(Grasp, TheJawsStandAtTheLastCountThatLeavesRoom) {
+TEST(Grasp, JawsStopAtTheLastCountThatLeavesRoom) {
   for (const auto& [width, stop] : kMeasures) {
     Rig rig = over({block_at(kPlace, 90, {70'000, width, 30'000})});
     close_jaws(rig, 100);
@@ -160,17 +161,17 @@ TEST(Grasp, TheJawsStandAtTheLastCountThatLeavesRoom) {
   }
 }
 
-TEST(Grasp, TheGraspIsToldOnceAndThenThatTheJawsStand) {
+TEST(Grasp, ReportsTheGraspOnceAndThenTheBlockedJaws) {
   Rig rig = over({block_at(kPlace, 90)});
   close_jaws(rig);
-  EXPECT_EQ(rig.told<Grasped>(), (std::vector<Grasped>{{"block", kPlace, 90'000'000}}));
-  ASSERT_EQ(rig.told<MotorBlocked>().size(), 1U);
-  EXPECT_EQ(rig.told<MotorBlocked>()[0].why, Blocked::kBlock);
+  EXPECT_EQ(rig.events_of<Grasped>(), (std::vector<Grasped>{{"block", kPlace, 90'000'000}}));
+  ASSERT_EQ(rig.events_of<MotorBlocked>().size(), 1U);
+  EXPECT_EQ(rig.events_of<MotorBlocked>()[0].why, Blocked::kBlock);
   EXPECT_EQ(test::ticks_of<Grasped>(rig.simulation.events()),
             test::ticks_of<MotorBlocked>(rig.simulation.events()));
 }
 
-TEST(Grasp, JawsThatStopJustAtTheBlockDoNotHoldIt) {
+TEST(Grasp, JawsThatOnlyTouchABlockDoNotHoldIt) {
   Rig rig = over({block_at(kPlace, 90)});
   close_jaws(rig, kFullyOpen + 26);
   EXPECT_EQ(rig.count('A'), -26);
@@ -181,7 +182,7 @@ TEST(Grasp, JawsThatStopJustAtTheBlockDoNotHoldIt) {
   EXPECT_TRUE(rig.state().held);
 }
 
-TEST(Grasp, WithoutAStopAnOpeningMoveIsEatenByWhatIsLeft) {
+TEST(Grasp, WithoutAStopAnOpeningMoveReducesTheRemainingCounts) {
   Rig rig = over({block_at(kPlace, 90)});
   close_jaws(rig);
   ASSERT_EQ(rig.error('A'), -58);
@@ -199,16 +200,16 @@ TEST(Grasp, WithoutAStopAnOpeningMoveIsEatenByWhatIsLeft) {
   EXPECT_FALSE(rig.state().held);
 }
 
-TEST(Grasp, AClosingMoveOfHeldJawsStandsAtOnce) {
+TEST(Grasp, AClosingMoveOfJawsThatHoldIsBlockedAtOnce) {
   Rig rig = holding();
   close_jaws(rig, 30);
   EXPECT_EQ(rig.count('A'), -26);
   EXPECT_EQ(rig.error('A'), -30);
   EXPECT_EQ(rig.motor('A').blocked, Blocked::kBlock);
-  EXPECT_TRUE(rig.told<Grasped>().empty()) << "it was held already";
+  EXPECT_TRUE(rig.events_of<Grasped>().empty()) << "it was held already";
 }
 
-TEST(Grasp, NothingBetweenTheJawsIsNothingInTheirWay) {
+TEST(Grasp, JawsCloseIfNoBlockIsBetweenThem) {
   Rig rig = over({block_at(beside(kPlace, 20'001, 0), 90, {60'000, 40'000, 36'000}),
                   block_at(beside(kPlace, 0, 0, -18'001), 0)});
   const std::vector<Block> before = rig.state().blocks;
@@ -218,7 +219,7 @@ TEST(Grasp, NothingBetweenTheJawsIsNothingInTheirWay) {
   EXPECT_EQ(rig.state().blocks, before);
 }
 
-TEST(Grasp, ARobotWhoseCountsCloseItsJawsGripsAsWell) {
+TEST(Grasp, ARobotWithPositiveClosingCountsGrasps) {
   Robot robot = test::robot_named("rhino-xr3");
   robot.tool.drive.direction = -1;
   robot.tool.drive.microswitch.position = -16;
@@ -241,18 +242,18 @@ TEST(Grasp, ARobotWhoseCountsCloseItsJawsGripsAsWell) {
 
 int narrow_warnings(const Rig& rig) {
   int count = 0;
-  for (const Warning& warning : rig.told<Warning>())
+  for (const Warning& warning : rig.events_of<Warning>())
     count += warning.code == WarningCode::kJawsTooNarrow ? 1 : 0;
   return count;
 }
 
-TEST(Grasp, JawsNarrowerThanTheBlockGripNothingAndSaySoOnce) {
+TEST(Grasp, JawsNarrowerThanTheBlockWarnOnceAndGraspNothing) {
   Rig rig = over({block_at(kPlace, 90)});
   rig.stand_at({{'E', 449}, {'D', -625}, {'A', -27}});
   close_jaws(rig, 10);
   EXPECT_EQ(rig.count('A'), -37) << "they close all the same";
   ASSERT_EQ(narrow_warnings(rig), 1);
-  EXPECT_EQ(rig.told<Warning>()[0].block, "block");
+  EXPECT_EQ(rig.events_of<Warning>()[0].block, "block");
   EXPECT_EQ(block(rig), block_at(kPlace, 90));
   EXPECT_FALSE(rig.state().held);
   close_jaws(rig, 10);
@@ -265,7 +266,7 @@ TEST(Grasp, JawsNarrowerThanTheBlockGripNothingAndSaySoOnce) {
   EXPECT_EQ(narrow_warnings(rig), 3) << "tried again at another place";
 }
 
-TEST(Grasp, TheExtentAsTheBlockLiesHasToFitBetweenTheJaws) {
+TEST(Grasp, TheBlocksExtentMustFitBetweenTheJaws) {
   Rig rig = over({block_at(kPlace, 90 + 30.0)});       // 46.0 mm as it lies, 30 mm flat
   rig.stand_at({{'E', 449}, {'D', -625}, {'A', -7}});  // 45.2 mm
   close_jaws(rig);
@@ -275,7 +276,7 @@ TEST(Grasp, TheExtentAsTheBlockLiesHasToFitBetweenTheJaws) {
 
 // --- The choice among several blocks.
 
-TEST(Grasp, TheNearestCentroidIsTakenThenTheFirstInTheFile) {
+TEST(Grasp, TheNearestCentroidIsGraspedThenTheFirstInTheFile) {
   const PointUm wide{60'000, 30'000, 36'000};
   struct Case {
     const char* what;
@@ -305,7 +306,7 @@ TEST(Grasp, TheNearestCentroidIsTakenThenTheFirstInTheFile) {
   }
 }
 
-TEST(Grasp, OfTwoStackedBlocksTheOneAroundTheTipIsTaken) {
+TEST(Grasp, OfTwoStackedBlocksTheOneAtTheTipIsGrasped) {
   const Block upper = block_at(beside(kPlace, 0, 0, 36'000), 90);
   const Block lower = block_at(kPlace, 90);
   for (const std::uint32_t wanted : {0U, 1U}) {
@@ -316,14 +317,14 @@ TEST(Grasp, OfTwoStackedBlocksTheOneAroundTheTipIsTaken) {
     rig.execute(Stop{'A'});
     rig.travel('E', -100);
     rig.travel('A', 10);
-    EXPECT_EQ(block(rig, 1 - wanted), upper) << "pulled out from under it: there is no gravity";
+    EXPECT_EQ(block(rig, 1 - wanted), upper) << "the block below was removed: there is no gravity";
     EXPECT_EQ(block(rig, wanted).centroid_um, tip(rig));
   }
 }
 
 // --- What releases a block, and its pose then.
 
-TEST(Grasp, TheFirstOpeningCountReleases) {
+TEST(Grasp, TheFirstOpeningCountReleasesTheBlock) {
   Rig rig = holding();
   rig.move('A', 1);
   rig.pass(16);  // 60 counts per second
@@ -331,7 +332,7 @@ TEST(Grasp, TheFirstOpeningCountReleases) {
   rig.pass(1);
   EXPECT_EQ(rig.count('A'), -25);
   EXPECT_FALSE(rig.state().held);
-  EXPECT_EQ(rig.told<Released>(), (std::vector<Released>{{"block", kPlace, 90'000'000}}));
+  EXPECT_EQ(rig.events_of<Released>(), (std::vector<Released>{{"block", kPlace, 90'000'000}}));
 }
 
 struct LetGoCase {
@@ -349,7 +350,7 @@ const LetGoCase kLetGo[] = {
     {"tilted and turned", {{'E', -150}, {'C', -250}, {'B', 75}, {'F', -300}}},
 };
 
-TEST(Grasp, ABlockLetGoLiesUprightAtTheTipInMidAirTurnedByTheNetRoll) {
+TEST(Grasp, AReleasedBlockIsUprightAtTheTipWithTheNetRollAsYaw) {
   for (const double yaw : {90.0, 0.0, 180.0, 115.0, 20.0}) {
     for (const LetGoCase& c : kLetGo) {
       Rig rig = over({block_at(kPlace, yaw)});

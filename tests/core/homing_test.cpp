@@ -5,8 +5,8 @@
 #include <deque>
 #include <string>
 
-#include "core/envelope.hpp"
 #include "core/kinematics.hpp"
+#include "core/stall.hpp"
 #include "tests/support/rig.hpp"
 
 namespace xr3 {
@@ -95,7 +95,7 @@ const Posture kPostures[] = {
     {{{'E', -40}, {'D', 40}, {'F', 30}, {'B', -25}}},
 };
 
-TEST(Homing, EndsAtOneHardHomeFromEveryPostureWithTheToolDown) {
+TEST(Homing, EndsAtTheHardHomeFromEveryPostureWithTheToolDown) {
   for (const Posture& posture : kPostures) {
     Rig rig;
     rig.stand_at(posture.counts);
@@ -122,7 +122,7 @@ bool is_reachable(const Model& model, const Positions& at) {
 // If the upper arm leans back by more than about 32 degrees (E below -280) and the hand is high,
 // the elbow's way home leads through the protected region: a program must then move the shoulder
 // first.
-TEST(Homing, EndsThereFromAGridOfArmPosturesToo) {
+TEST(Homing, EndsAtTheHardHomeFromAGridOfArmPostures) {
   int postures = 0;
   for (Counts e = -275; e <= 850; e += 125) {
     for (Counts d = -650; d <= 900; d += 125) {

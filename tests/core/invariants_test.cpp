@@ -13,7 +13,7 @@ namespace {
 
 using testing::StrEq;
 
-RC_GTEST_PROP(Invariants, HoldAfterAnyMovesAndTicks, ()) {
+RC_GTEST_PROP(Invariants, HoldAfterRandomMovesAndTicks, ()) {
   test::Rig rig;
   for (int i = *rc::gen::inRange(1, 30); i > 0; --i) {
     const char label = *rc::gen::element('A', 'B', 'C', 'D', 'E', 'F');
@@ -31,7 +31,7 @@ struct Case {
 
 class BrokenInvariant : public testing::TestWithParam<Case> {};
 
-TEST_P(BrokenInvariant, IsNamed) {
+TEST_P(BrokenInvariant, IsReportedByName) {
   const test::Rig rig;
   State state = rig.state();
   ASSERT_EQ(broken_invariant(rig.model(), state), nullptr);

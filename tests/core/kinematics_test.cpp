@@ -93,7 +93,7 @@ TEST(Kinematics, ApproachAndToolConfigurationVector) {
 }
 
 // A drawing program of the 1980s intended the wrist axis at (4, 12) inches from the shoulder axis.
-TEST(Kinematics, ADrawingProgramsWristIsWhereItMeantIt) {
+TEST(Kinematics, TheWristOfADrawingProgramIsAtItsDocumentedPlace) {
   const ModelPtr model = test::rhino();
   const auto frames = base_transforms(*model, positions_at(*model, {{'E', -224}, {'D', 219}}));
   const Eigen::Vector3d wrist = (frames[3] - frames[1]).block<3, 1>(0, 3) / 25.4;
@@ -139,7 +139,7 @@ const GraspGolden kGrasps[] = {
 };
 
 // Within the effect of half a count of each joint at full reach.
-TEST(Kinematics, TheJawsComeDownOnEveryBlockOfTheWorkcells) {
+TEST(Kinematics, TheJawsReachEveryBlockOfTheWorkcells) {
   for (const GraspGolden& golden : kGrasps) {
     const ModelPtr model = model_of(robot_named(golden.robot));
     const Positions at = positions_at(*model, golden.counts);
@@ -153,7 +153,7 @@ TEST(Kinematics, TheJawsComeDownOnEveryBlockOfTheWorkcells) {
 }
 
 // The tool points straight down up to half a count of tilt.
-TEST(Kinematics, NetRollIsTheYawOfTheToolsXAxisWithTheToolDown) {
+TEST(Kinematics, WithTheToolDownNetRollIsTheYawOfItsXAxis) {
   for (const GraspGolden& golden : kGrasps) {
     const ModelPtr model = model_of(robot_named(golden.robot));
     const Positions at = positions_at(*model, golden.counts);
@@ -187,7 +187,7 @@ Transform elementary_moves(const DhRow& row) {
   return moves.matrix();
 }
 
-TEST(Kinematics, EachLinkIsEquation2ForTurningAndSlidingJoints) {
+TEST(Kinematics, EachLinkFollowsEquation2) {
   const ModelPtr model = model_of(odd_arm(7));
   for (int joint = 0; joint < model->joint_count(); ++joint) {
     for (const Counts position : {-1999, -250, -1, 0, 1, 77, 2000}) {
@@ -210,7 +210,7 @@ Positions arbitrary_positions(const Model& model) {
   return at;
 }
 
-RC_GTEST_PROP(Kinematics, TheTipIsTheToolFramesOriginForOneToSevenJoints, ()) {
+RC_GTEST_PROP(Kinematics, TheTipIsTheOriginOfTheToolFrame, ()) {
   const ModelPtr model = model_of(odd_arm(*rc::gen::inRange(1, 8)));
   const Positions at = arbitrary_positions(*model);
   const Transform pose = tool_transform(*model, at);
@@ -221,7 +221,7 @@ RC_GTEST_PROP(Kinematics, TheTipIsTheToolFramesOriginForOneToSevenJoints, ()) {
   RC_ASSERT(std::abs(tip.z - micrometres(pose(2, 3))) <= 1);
 }
 
-RC_GTEST_PROP(Kinematics, FramesAreTheProductOfTheLinksAndStayRigid, ()) {
+RC_GTEST_PROP(Kinematics, FramesAreRigidProductsOfTheLinks, ()) {
   const ModelPtr model = model_of(odd_arm(*rc::gen::inRange(1, 8)));
   const Positions at = arbitrary_positions(*model);
   const std::vector<Transform> frames = base_transforms(*model, at);
@@ -235,7 +235,7 @@ RC_GTEST_PROP(Kinematics, FramesAreTheProductOfTheLinksAndStayRigid, ()) {
   }
 }
 
-TEST(Kinematics, EachJointTurnsAboutTheAxisBeforeIt) {
+TEST(Kinematics, EachJointTurnsAboutThePreviousAxis) {
   const ModelPtr model = test::rhino();
   const Positions home{};
   Positions turned{};

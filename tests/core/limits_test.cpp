@@ -30,7 +30,7 @@ constexpr EndCase kEnds[] = {
 
 int sign(int value) { return value < 0 ? -1 : 1; }
 
-TEST(Limits, EveryDriveStandsAtBothItsEnds) {
+TEST(Limits, EveryDriveStopsAtBothLimits) {
   for (const auto& [label, last, upper, limit] : kEnds) {
     Rig rig(roomy_rhino());
     const int outwards = sign(last);
@@ -41,28 +41,28 @@ TEST(Limits, EveryDriveStandsAtBothItsEnds) {
     EXPECT_EQ(rig.error(label), 7 * outwards) << label;
     EXPECT_EQ(rig.motor(label).blocked, Blocked::kLimit) << label;
     EXPECT_EQ(rig.motor(label).phase, 0) << label;
-    EXPECT_EQ(rig.told<MotorBlocked>(),
+    EXPECT_EQ(rig.events_of<MotorBlocked>(),
               (std::vector<MotorBlocked>{
                   {label, Blocked::kLimit, label, upper, limit, last, 7 * outwards}}))
         << label;
   }
 }
 
-TEST(Limits, TheErrorCounterStaysHoweverLongItStands) {
+TEST(Limits, ABlockedMotorKeepsItsErrorCounter) {
   Rig rig(roomy_rhino());
   rig.stand_at({{'F', 770}});
   rig.move('F', 5);
   rig.pass(1'000'000);
   EXPECT_EQ(rig.error('F'), 4);
-  EXPECT_EQ(rig.told<MotorBlocked>().size(), 1U);
+  EXPECT_EQ(rig.events_of<MotorBlocked>().size(), 1U);
 }
 
-TEST(Limits, EveryDriveIsFreeTheOtherWay) {
+TEST(Limits, EveryDriveMovesAwayFromItsLimit) {
   for (const EndCase& end : kEnds) {
     Rig rig(roomy_rhino());
     rig.stand_at({{end.label, end.last}});
     rig.move(end.label, 10 * sign(end.last));
-    EXPECT_EQ(rig.motor(end.label).blocked, Blocked::kLimit) << "told at once";
+    EXPECT_EQ(rig.motor(end.label).blocked, Blocked::kLimit) << "reported at once";
     rig.move(end.label, -15 * sign(end.last));
     EXPECT_EQ(rig.motor(end.label).blocked, Blocked::kNo);
     rig.settle();
@@ -79,7 +79,7 @@ TEST(Limits, AStopFreesTheMotor) {
   EXPECT_EQ(rig.error('F'), 0);
 }
 
-TEST(Limits, AMotorPastALimitMayComeBackAndGoNoFurther) {
+TEST(Limits, AMotorBeyondALimitOnlyMovesBack) {
   const ModelPtr model = roomy_rhino();
   State state = test::state_at(*model, {{'F', 800}});
   MotorState& base = state.motor(model->index_of('F'));
@@ -99,7 +99,7 @@ struct CoupledCase {
   double limit;
 };
 
-TEST(Limits, AMotorStandsForTheJointThatItWouldTakeAlong) {
+TEST(Limits, AMotorStopsAtTheLimitOfACoupledJoint) {
   const CoupledCase cases[] = {
       {{{'E', 500}, {'D', 423}}, 'E', 10, 502, 'D', false, -15},
       {{{'E', -300}, {'D', -358}}, 'E', -10, -302, 'D', true, 165},
@@ -112,7 +112,7 @@ TEST(Limits, AMotorStandsForTheJointThatItWouldTakeAlong) {
     rig.move(wanted.moved, wanted.counts);
     rig.settle();
     const int left = 8 * sign(wanted.counts);
-    EXPECT_EQ(rig.told<MotorBlocked>(),
+    EXPECT_EQ(rig.events_of<MotorBlocked>(),
               (std::vector<MotorBlocked>{{wanted.moved, Blocked::kLimit, wanted.by, wanted.upper,
                                           wanted.limit, wanted.last, left}}))
         << wanted.moved << " at " << rig.count(wanted.moved);
@@ -120,7 +120,7 @@ TEST(Limits, AMotorStandsForTheJointThatItWouldTakeAlong) {
   }
 }
 
-TEST(Limits, AMotorIsFreedByAnotherJoint) {
+TEST(Limits, AnotherJointCanFreeAMotor) {
   Rig rig(roomy_rhino());
   rig.stand_at({{'D', 600}, {'C', -501}});
   rig.move('D', 100);
@@ -129,14 +129,14 @@ TEST(Limits, AMotorIsFreedByAnotherJoint) {
   rig.move('C', 10);
   rig.settle();
   EXPECT_EQ(rig.count('C'), -491);
-  EXPECT_EQ(rig.count('D'), 610) << "as far as the pitch has made room";
+  EXPECT_EQ(rig.count('D'), 610) << "up to the new limit of the pitch";
   EXPECT_EQ(rig.error('D'), 90);
   rig.move('C', 100);
   rig.settle();
   EXPECT_EQ(rig.count('D'), 700);
 }
 
-TEST(Limits, AFreedMotorBeginsAWholeCount) {
+TEST(Limits, AFreedMotorStartsACompleteCount) {
   Rig rig(roomy_rhino());
   rig.stand_at({{'D', 600}, {'C', -501}});
   rig.execute(SetSpeed{'C', 100});
@@ -154,7 +154,7 @@ TEST(Limits, AFreedMotorBeginsAWholeCount) {
 
 // Counts of E and D are due in the same tick and there is room for one: the joint nearer to the
 // base is first.
-TEST(Limits, EachCountIsCheckedAgainstThoseAlreadyMadeInTheTick) {
+TEST(Limits, EachCountIsCheckedAgainstEarlierCountsOfTheTick) {
   Rig rig(roomy_rhino());
   rig.stand_at({{'E', 400}, {'D', 524}});
   rig.execute(SetSpeed{'E', 100});
@@ -168,7 +168,7 @@ TEST(Limits, EachCountIsCheckedAgainstThoseAlreadyMadeInTheTick) {
   EXPECT_EQ(rig.motor('D').blocked, Blocked::kLimit);
 }
 
-TEST(Limits, TheStuckMotorOfAnOldProgramGivesTwoEqualReplies) {
+TEST(Limits, AStuckMotorGivesTwoEqualReplies) {
   Rig rig(roomy_rhino());
   rig.stand_at({{'A', 14}});
   rig.move('A', 20);

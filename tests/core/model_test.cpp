@@ -33,7 +33,7 @@ constexpr LimitCase kLimits[] = {
     {"intelledex-660", 'B', {-1152, 1152}},  {"intelledex-660", 'A', {-80, 40}},
 };
 
-TEST(Model, LimitsAreWholeCountsRoundedInwards) {
+TEST(Model, LimitsAreCountsRoundedInwards) {
   for (const LimitCase& wanted : kLimits) {
     const ModelPtr model = model_of(robot_named(wanted.robot));
     const MotorModel& motor = model->motor(model->index_of(wanted.label));
@@ -42,7 +42,7 @@ TEST(Model, LimitsAreWholeCountsRoundedInwards) {
   }
 }
 
-TEST(Model, ALimitAMillionthOfACountShortStillCounts) {
+TEST(Model, ALimitMayBeAMillionthOfACountShort) {
   Drive drive;
   drive.precision = 0.1;
   drive.max = 1.0;
@@ -55,7 +55,7 @@ TEST(Model, ALimitAMillionthOfACountShortStillCounts) {
   EXPECT_EQ(count_limits(drive), (CountRange{-9, 0}));
 }
 
-TEST(Model, LabelsRunFromTheToolToTheBase) {
+TEST(Model, LabelsGoFromTheToolToTheBase) {
   const ModelPtr model = rhino();
   EXPECT_EQ(model->joint_count(), 5);
   EXPECT_EQ(model->motor_count(), 6);
@@ -86,7 +86,7 @@ TEST(Model, CouplingOfTheRhinoBetweenCounts) {
   EXPECT_EQ(model->driven_by(c), (std::vector<CoupledJoint>{{3, 1}}));
 }
 
-TEST(Model, ACouplingGainsFromBothDirectionsAndItsSign) {
+TEST(Model, TheGainOfACouplingDependsOnDirectionsAndSign) {
   for (const int sign : {1, -1}) {
     for (const int turning : {1, -1}) {
       for (const int turned : {1, -1}) {
@@ -100,7 +100,7 @@ TEST(Model, ACouplingGainsFromBothDirectionsAndItsSign) {
   }
 }
 
-TEST(Model, VariablesGoFromHomeByPrecisionAndDirection) {
+TEST(Model, VariablesChangeFromHomeByPrecisionAndDirection) {
   const ModelPtr model = rhino();
   EXPECT_DOUBLE_EQ(model->variable(model->index_of('F'), 90), 20.421);
   EXPECT_DOUBLE_EQ(model->variable(model->index_of('E'), 40), -85.46);
@@ -111,7 +111,7 @@ TEST(Model, VariablesGoFromHomeByPrecisionAndDirection) {
   EXPECT_DOUBLE_EQ(model->variable(model->index_of('A'), 16), 63.5);
 }
 
-TEST(Model, TheProfileGivesSwitchesTheirWidth) {
+TEST(Model, TheProfileSetsTheWidthOfSwitches) {
   Robot robot = robot_named("rhino-xr3");
   robot.joints[0].drive.microswitch.width = 7;
   const ModelPtr paper = model_of(robot, Profile::kPaper);
@@ -122,7 +122,7 @@ TEST(Model, TheProfileGivesSwitchesTheirWidth) {
   EXPECT_EQ(mark3->motor(1).microswitch.width, 60);
 }
 
-TEST(Model, TheRegionIsInWholeMicrometres) {
+TEST(Model, TheRegionIsRoundedToMicrometres) {
   EXPECT_EQ(rhino()->region_radius_um(), 100'000);
   EXPECT_EQ(rhino()->region_height_um(), 340'000);
 }

@@ -13,7 +13,7 @@ using test::roomy_rhino;
 
 Tick ticks_for(int counts, int speed) { return (1000 * counts + speed - 1) / speed; }
 
-TEST(Motor, TheFirstCountComesWhenTheSpeedHasGathered1000) {
+TEST(Motor, TheFirstCountComesAtPhase1000) {
   for (int speed = 1; speed <= 255; ++speed) {
     Rig rig(roomy_rhino());
     rig.pass(17);
@@ -40,7 +40,7 @@ TEST(Motor, EveryCountComesAtItsOwnTickWithoutDrift) {
   }
 }
 
-TEST(Motor, KeptRunningFor100SecondsItHasMadeExactlyItsSpeed) {
+TEST(Motor, AverageSpeedOver100SecondsIsExact) {
   for (const int speed : {3, 110, 159, 255}) {
     Rig rig(roomy_rhino());
     rig.execute(SetSpeed{'B', speed});
@@ -53,7 +53,7 @@ TEST(Motor, KeptRunningFor100SecondsItHasMadeExactlyItsSpeed) {
   }
 }
 
-TEST(Motor, AtFullSpeedItMakesAtMostOneCountATick) {
+TEST(Motor, MakesAtMostOneCountPerTick) {
   Rig rig(roomy_rhino());
   rig.execute(SetSpeed{'B', 255});
   rig.move('B', 127);
@@ -68,7 +68,7 @@ TEST(Motor, ReportsItsArrivalOnce) {
   Rig rig(roomy_rhino());
   rig.move('E', 5);
   rig.pass(10'000);
-  EXPECT_EQ(rig.told<Reached>(), (std::vector<Reached>{{'E', 5}}));
+  EXPECT_EQ(rig.events_of<Reached>(), (std::vector<Reached>{{'E', 5}}));
   EXPECT_EQ(test::ticks_of<Reached>(rig.simulation.events()),
             (std::vector<Tick>{ticks_for(5, 110)}));
 }
@@ -96,7 +96,7 @@ TEST(Motor, TheErrorCounterIsASignedByte) {
   }
 }
 
-TEST(Motor, AWrappedCounterRunsTheOtherWay) {
+TEST(Motor, AWrappedCounterReversesTheMotor) {
   Rig rig(roomy_rhino());
   rig.move('E', 100);
   rig.move('E', 100);
@@ -122,7 +122,7 @@ struct PhaseCase {
   int phase;
 };
 
-TEST(Motor, WhatBecomesOfThePhase) {
+TEST(Motor, CommandsKeepOrClearThePhase) {
   const PhaseCase cases[] = {
       {"more the same way keeps it", 5, Move{'B', 3}, 500},
       {"less the same way keeps it", 5, Move{'B', -4}, 500},
@@ -147,7 +147,7 @@ TEST(Motor, WhatBecomesOfThePhase) {
   }
 }
 
-TEST(Motor, AChangeOfSpeedActsOnWhatIsLeftOfTheCount) {
+TEST(Motor, AChangeOfSpeedAppliesToTheRestOfTheCount) {
   Rig rig = half_a_count_on_the_way(5);
   rig.execute(SetSpeed{'B', 250});
   rig.pass(1);

@@ -153,7 +153,7 @@ std::string pick_name(const testing::TestParamInfo<Pick>& info) {
   return std::string(info.param.robot).substr(0, 5) + "_" + info.param.block;
 }
 
-TEST_P(Picks, TheCountsAreThoseOfTheJointsAndReachTheBlock) {
+TEST_P(Picks, TheCountsMatchTheJointsAndReachTheBlock) {
   int joint = 0;
   for (const double angle : GetParam().angles_deg) {
     const double value = rig.model().variable(joint, where(rig)[static_cast<std::size_t>(joint)]);
@@ -171,7 +171,7 @@ TEST_P(Picks, TheCountsAreThoseOfTheJointsAndReachTheBlock) {
   EXPECT_NEAR(std::remainder(turned, 180.0), 0, 0.35) << "flat between the jaws";
 }
 
-TEST_P(Picks, TheJawsStopAtTheirCount) {
+TEST_P(Picks, TheJawsStopAtTheDocumentedCount) {
   rig.move('A', -127);
   rig.settle();
   ASSERT_TRUE(rig.state().held);
@@ -180,10 +180,10 @@ TEST_P(Picks, TheJawsStopAtTheirCount) {
   EXPECT_EQ(rig.error('A'), -127 - GetParam().jaws);
   const Micrometres opening = micrometres(opening_mm(rig.model(), rig.position('A')));
   EXPECT_GE(opening, rig.state().blocks[rig.state().held->block].size_um.y);
-  EXPECT_TRUE(rig.told<Warning>().empty());
+  EXPECT_TRUE(rig.events_of<Warning>().empty());
 }
 
-TEST_P(Picks, LiftedItIsAHundredMillimetresHigherAndLetGoThere) {
+TEST_P(Picks, LiftsTheBlockByAHundredMillimetresAndReleasesIt) {
   const std::vector<Block> before = rig.state().blocks;
   grip(rig);
   const std::uint32_t held = rig.state().held->block;

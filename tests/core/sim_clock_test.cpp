@@ -33,7 +33,7 @@ constexpr RateCase kRates[] = {
     {kFastest, 365LL * 86'400 * kSecond, 3'153'600'000'000'000},
 };
 
-TEST(SimClock, TicksByRate) {
+TEST(SimClock, TicksFollowTheRate) {
   for (const auto& [rate, later, ticks] : kRates) {
     const SimClock clock = SimClock::real(rate, kStart, 7);
     EXPECT_EQ(clock.at(kStart + later), 7 + ticks) << rate.millionths << " for " << later << " ns";
@@ -42,7 +42,7 @@ TEST(SimClock, TicksByRate) {
   }
 }
 
-TEST(SimClock, WhenIsTheFirstMomentOfATick) {
+TEST(SimClock, WhenReturnsTheFirstMomentOfATick) {
   std::mt19937_64 random(3);
   for (const std::int64_t millionths :
        {1'000LL, 1'234LL, 999'999LL, 1'000'000LL, 1'000'001LL, 7'777'777LL, 100'000'000'000LL}) {
@@ -58,7 +58,7 @@ TEST(SimClock, WhenIsTheFirstMomentOfATick) {
   }
 }
 
-TEST(SimClock, StandsWhilePausedAndGoesOnFromThere) {
+TEST(SimClock, KeepsItsTickWhilePaused) {
   SimClock clock = SimClock::real({2'000'000}, 0);
   clock.pause(kSecond);
   EXPECT_EQ(clock.mode(), ClockMode::kManual);
@@ -66,10 +66,10 @@ TEST(SimClock, StandsWhilePausedAndGoesOnFromThere) {
   clock.resume(100 * kSecond);
   EXPECT_EQ(clock.mode(), ClockMode::kReal);
   EXPECT_EQ(clock.at(100 * kSecond), 2000);
-  EXPECT_EQ(clock.at(101 * kSecond), 4000) << "at the rate it had";
+  EXPECT_EQ(clock.at(101 * kSecond), 4000) << "at its previous rate";
 }
 
-TEST(SimClock, PausedTwiceOrResumedTwiceItIsAsOnce) {
+TEST(SimClock, ASecondPauseOrResumeChangesNothing) {
   SimClock clock = SimClock::real({}, 0);
   clock.pause(kSecond);
   clock.pause(2 * kSecond);
@@ -91,7 +91,7 @@ TEST(SimClock, AChangeOfRateKeepsTheTick) {
   EXPECT_EQ(clock.at(5 * kSecond), 12'000);
 }
 
-TEST(SimClock, AManualClockGoesWhereItIsPut) {
+TEST(SimClock, AManualClockIsSetToATick) {
   SimClock clock = SimClock::manual(5);
   EXPECT_EQ(clock.at(kSecond), 5);
   clock.set_tick(1'000'000'000'000, kSecond);

@@ -33,7 +33,7 @@ TEST(Simulation, TheSameInputGivesTheSameStateAndEvents) {
   }
 }
 
-TEST(Simulation, ARestoredStateGoesOnAsTheOneItWasCopiedFrom) {
+TEST(Simulation, ARestoredStateContinuesLikeTheOriginal) {
   Simulation one(test::roomy_rhino());
   play(one, 5, 50);
   const State kept = one.state();
@@ -44,7 +44,7 @@ TEST(Simulation, ARestoredStateGoesOnAsTheOneItWasCopiedFrom) {
   EXPECT_EQ(one.state(), other.state());
 }
 
-TEST(Simulation, ResetIsAsNew) {
+TEST(Simulation, ResetEqualsANewSimulation) {
   Simulation simulation(test::rhino());
   play(simulation, 1, 50);
   simulation.execute(ToggleSimulator{});
@@ -55,7 +55,7 @@ TEST(Simulation, ResetIsAsNew) {
   EXPECT_EQ(simulation.state(), initial_state(simulation.model()));
 }
 
-TEST(Simulation, EventsAreTakenOnceAndInOrder) {
+TEST(Simulation, EventsAreTakenOnceInOrder) {
   Rig rig(test::roomy_rhino());
   rig.move('E', 2);
   rig.move('F', 1);
@@ -69,7 +69,7 @@ TEST(Simulation, EventsAreTakenOnceAndInOrder) {
 }
 
 // E+m with D-m, as drawing programs send it: the angle between elbow and upper arm is unchanged.
-TEST(Simulation, OldProgramsKeepTheElbowsAngle) {
+TEST(Simulation, OppositeMovesKeepTheElbowAngle) {
   Rig rig(test::roomy_rhino());
   for (int i = 0; i < 4; ++i) {
     rig.move('E', 50);
@@ -82,7 +82,7 @@ TEST(Simulation, OldProgramsKeepTheElbowsAngle) {
 
 // A program of 1983 polls E? 25 to 41 ms after E-5, when the move must not be finished yet; another
 // sends 50 counts every 240 ms without polling.
-TEST(Simulation, TheRhinosSpeedsSuitTheProgramsThatDroveIt) {
+TEST(Simulation, DefaultSpeedsSuitTheOldPrograms) {
   Rig poll(test::roomy_rhino());
   poll.move('E', -5);
   poll.pass(41);

@@ -71,7 +71,7 @@ void in_slices(const Model& model, State& state, Tick ticks, std::mt19937& rando
   }
 }
 
-RC_GTEST_PROP(Step, TimeSlicedAtRandomIsAsTickByTick, (std::uint32_t seed)) {
+RC_GTEST_PROP(Step, RandomTimeSlicesEqualSingleTicks, (std::uint32_t seed)) {
   const ModelPtr model = *rc::gen::element(rhino(), roomy_rhino(), rhino(Profile::kMark3));
   std::mt19937 random(seed);
   State single = arbitrary_start(*model);
@@ -96,7 +96,7 @@ Rig rig_at_an_arbitrary_start() {
   return rig;
 }
 
-RC_GTEST_PROP(Step, WhateverIsSentTheJointsStayWithinTheirLimits, ()) {
+RC_GTEST_PROP(Step, JointsStayWithinTheirLimits, ()) {
   Rig rig = rig_at_an_arbitrary_start();
   for (const Happening& happening : arbitrary_day()) {
     rig.execute(command_of(happening));
@@ -112,7 +112,7 @@ RC_GTEST_PROP(Step, WhateverIsSentTheJointsStayWithinTheirLimits, ()) {
 
 // `blocked` and the phase of a blocked motor follow from counts and error counters, independent of
 // the history.
-RC_GTEST_PROP(Step, AMotorIsMarkedBlockedExactlyWhenItsNextCountIs, ()) {
+RC_GTEST_PROP(Step, AMotorIsMarkedBlockedExactlyIfItsNextCountIs, ()) {
   Rig rig = rig_at_an_arbitrary_start();
   for (const Happening& happening : arbitrary_day()) {
     rig.execute(command_of(happening));
@@ -121,14 +121,15 @@ RC_GTEST_PROP(Step, AMotorIsMarkedBlockedExactlyWhenItsNextCountIs, ()) {
     const Positions at = positions(rig.model(), state.motors);
     for (int m = 0; m < rig.model().motor_count(); ++m) {
       const MotorState& motor = state.motor(m);
-      const bool stands = motor.error != 0 && obstacle(rig.model(), state, at, m) != Blocked::kNo;
-      RC_ASSERT((motor.blocked != Blocked::kNo) == stands);
-      if (motor.error == 0 || stands) RC_ASSERT(motor.phase == 0);
+      const bool is_blocked =
+          motor.error != 0 && obstacle(rig.model(), state, at, m) != Blocked::kNo;
+      RC_ASSERT((motor.blocked != Blocked::kNo) == is_blocked);
+      if (motor.error == 0 || is_blocked) RC_ASSERT(motor.phase == 0);
     }
   }
 }
 
-TEST(Step, InAStallATickPassesAndNothingElse) {
+TEST(Step, InAStallOnlyTheTickChanges) {
   Rig rig;
   rig.travel('E', -440);
   ASSERT_EQ(rig.state().stall, Stall::kProtectedRegion);
@@ -156,7 +157,7 @@ std::chrono::milliseconds duration_of(Work work) {
 constexpr std::chrono::milliseconds kAtOnce{50};
 constexpr Tick kForEver = 1'000'000'000'000;
 
-TEST(Step, ACellThatIsDonePassesATrillionTicksAtOnce) {
+TEST(Step, ACellAtRestAdvancesATrillionTicksAtOnce) {
   Rig rig;
   rig.move('E', 5);
   EXPECT_LT(duration_of([&] { rig.pass(kForEver); }), kAtOnce);
@@ -164,7 +165,7 @@ TEST(Step, ACellThatIsDonePassesATrillionTicksAtOnce) {
   EXPECT_EQ(rig.count('E'), 5);
 }
 
-TEST(Step, ABlockedCellPassesATrillionTicksAtOnce) {
+TEST(Step, ABlockedCellAdvancesATrillionTicksAtOnce) {
   Rig rig(roomy_rhino());
   rig.stand_at({{'F', 771}});
   rig.move('F', 5);
@@ -172,7 +173,7 @@ TEST(Step, ABlockedCellPassesATrillionTicksAtOnce) {
   EXPECT_EQ(rig.error('F'), 5);
 }
 
-TEST(Step, AStalledCellPassesATrillionTicksAtOnce) {
+TEST(Step, AStalledCellAdvancesATrillionTicksAtOnce) {
   Rig rig;
   rig.travel('E', -440);
   ASSERT_EQ(rig.state().stall, Stall::kProtectedRegion);
@@ -195,7 +196,7 @@ TEST(Step, TheSlowestMoveTakes128Seconds) {
 }
 
 // A motor that waits until another makes room follows it by one count.
-TEST(Step, TheSlowestMoveBehindAnotherTakesOneCountMore) {
+TEST(Step, TheSlowestMoveAfterAnotherTakesOneMoreCount) {
   Rig rig(roomy_rhino());
   rig.stand_at({{'D', 600}, {'C', -501}});
   for (const char label : {'D', 'C'}) {
@@ -218,7 +219,7 @@ RC_GTEST_PROP(Step, WithoutInputACellComesToRest, ()) {
   RC_ASSERT(rig.simulation.is_at_rest());
 }
 
-TEST(Step, RunToRestStopsWhereTheLastMotorDoes) {
+TEST(Step, RunToRestStopsWithTheLastMotor) {
   Rig rig(roomy_rhino());
   rig.move('E', 11);
   rig.move('F', 55);
@@ -229,7 +230,7 @@ TEST(Step, RunToRestStopsWhereTheLastMotorDoes) {
   EXPECT_EQ(rig.simulation.tick(), 550) << "not past the limit";
 }
 
-TEST(Step, ATickInThePastChangesNothing) {
+TEST(Step, AdvancingToAPastTickChangesNothing) {
   Rig rig;
   rig.move('E', 5);
   rig.pass(20);

@@ -20,7 +20,7 @@ struct ClosedCase {
 
 constexpr Counts kFar = 1000;
 
-TEST(Switches, WhereTheyAreClosed) {
+TEST(Switches, AreClosedAtTheseCounts) {
   const ClosedCase cases[] = {
       {{30, 8, std::nullopt}, 30, kFar},
       {{-40, 4, std::nullopt}, -kFar, -40},
@@ -52,7 +52,7 @@ struct TravelCase {
 constexpr TravelCase kTravels[] = {{'F', 1, 30}, {'E', -1, -40}, {'D', 1, 40},
                                    {'C', 1, 40}, {'B', -1, -25}, {'A', 1, 16}};
 
-TEST(Switches, EachClosesAtItsPositionStaysClosedBeyondAndOpensOnTheWayBack) {
+TEST(Switches, EachClosesAtItsPositionAndOpensOnTheWayBack) {
   for (const auto& [label, away, closes] : kTravels) {
     Rig rig(roomy_rhino());
     const Counts far = label == 'A' ? 16 : closes + away * 50;
@@ -60,31 +60,31 @@ TEST(Switches, EachClosesAtItsPositionStaysClosedBeyondAndOpensOnTheWayBack) {
     EXPECT_EQ(rig.count(label), far) << label;
     EXPECT_TRUE(rig.motor(label).switch_closed) << label;
     rig.travel(label, -far);
-    EXPECT_EQ(rig.told<SwitchChanged>(),
+    EXPECT_EQ(rig.events_of<SwitchChanged>(),
               (std::vector<SwitchChanged>{{label, true, closes}, {label, false, closes - away}}))
         << label;
   }
 }
 
-TEST(Switches, TheMark3sAreSixtyCountsWide) {
+TEST(Switches, OfTheMark3AreSixtyCountsWide) {
   Rig rig(roomy_rhino(Profile::kMark3));
   EXPECT_TRUE(rig.motor('F').switch_closed) << "30 counts from the middle is still closed";
   EXPECT_FALSE(rig.motor('E').switch_closed);
   rig.travel('E', -100);
-  EXPECT_EQ(rig.told<SwitchChanged>(),
+  EXPECT_EQ(rig.events_of<SwitchChanged>(),
             (std::vector<SwitchChanged>{{'E', true, -10}, {'E', false, -71}}));
 }
 
-TEST(Switches, WatchTheMotorAndNotTheJointThatCouplingMoves) {
+TEST(Switches, FollowTheMotorAndNotTheCoupledJoint) {
   Rig rig(roomy_rhino());
   rig.travel('E', 100);
   EXPECT_EQ(rig.position('D'), 100);
   EXPECT_EQ(rig.count('D'), 0);
   EXPECT_FALSE(rig.motor('D').switch_closed);
-  EXPECT_TRUE(rig.told<SwitchChanged>().empty());
+  EXPECT_TRUE(rig.events_of<SwitchChanged>().empty());
 }
 
-TEST(Switches, AreAsTheirCountAtTheStart) {
+TEST(Switches, MatchTheirCountsAtTheStart) {
   Robot robot = test::robot_named("rhino-xr3");
   robot.joints[0].drive.microswitch = {0, 8, 10};
   const Rig rig(test::model_of(robot));
@@ -92,7 +92,7 @@ TEST(Switches, AreAsTheirCountAtTheStart) {
   EXPECT_FALSE(rig.motor('E').switch_closed);
 }
 
-TEST(Switches, BitsOfIAndJGoByLabelAndMask) {
+TEST(Switches, BitsOfIAndJFollowLabelAndMask) {
   Rig rig(roomy_rhino());
   rig.stand_at({{'F', 30}, {'E', -40}, {'D', 40}, {'C', 40}, {'B', -25}, {'A', 16}});
   EXPECT_EQ(switch_bits(rig.model(), rig.state(), 'I'), (SwitchBits{15, 15, 0, 'I'}));
@@ -108,7 +108,7 @@ TEST(Switches, BitsOfIAndJGoByLabelAndMask) {
   }
 }
 
-TEST(Switches, AMaskOf0LeavesAJointOutOfBoth) {
+TEST(Switches, AMaskOf0RemovesAJointFromBoth) {
   Robot robot = test::robot_named("rhino-xr3");
   robot.joints[0].drive.microswitch.mask = 0;
   const ModelPtr model = test::model_of(robot);

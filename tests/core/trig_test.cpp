@@ -50,7 +50,7 @@ TEST(Trig, IsExactAtMultiplesOf90) {
   }
 }
 
-TEST(Trig, IsAsGoodAsADoubleBelowAThousandTurns) {
+TEST(Trig, HasDoublePrecisionBelowAThousandTurns) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> angle(-360'000.0, 360'000.0);
   for (int i = 0; i < 300'000; ++i) {
@@ -59,7 +59,7 @@ TEST(Trig, IsAsGoodAsADoubleBelowAThousandTurns) {
   }
 }
 
-TEST(Trig, IsAsGoodAsADoubleNearMultiplesOf45) {
+TEST(Trig, HasDoublePrecisionNearMultiplesOf45) {
   for (int eighth = -80; eighth <= 80; ++eighth) {
     for (const double offset : {1e-12, 1e-9, 1e-6, 1e-3, 0.1}) {
       for (const double deg : {45.0 * eighth - offset, 45.0 * eighth + offset}) {
@@ -69,14 +69,14 @@ TEST(Trig, IsAsGoodAsADoubleNearMultiplesOf45) {
   }
 }
 
-TEST(Trig, TableAnswersWithTheSameBitsInsideAndOutsideItsRange) {
+TEST(Trig, ATableGivesTheSameBitsInsideAndOutsideItsRange) {
   const SinCosTable table(-90.0, 0.1135, -440, 881);
   for (Counts position = -2000; position <= 2000; ++position) {
     ASSERT_EQ(table.at(position), sin_cos_deg(-90.0 + 0.1135 * position)) << position;
   }
 }
 
-TEST(Trig, RangesTooLongForATableAnswerTheSame) {
+TEST(Trig, RangesTooLongForATableGiveTheSameBits) {
   const SinCosTable table(-90.0, 0.3125, -1'151'712, 1'152'288);
   for (const Counts position : {-1'151'712, -1'000'000, -288, 0, 288, 999'999, 1'152'288}) {
     EXPECT_EQ(table.at(position), sin_cos_deg(-90.0 + 0.3125 * position)) << position;

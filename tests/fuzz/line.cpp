@@ -70,23 +70,23 @@ void check(const test::Rig& rig) {
     require(position >= model.motor(i).low && position <= model.motor(i).high, "limits");
     const MotorState& motor = rig.state().motor(i);
     require(motor.phase >= 0 && motor.phase < kPhasePerCount, "phase in range");
-    require(motor.phase == 0 || is_running(motor), "phase of a standing motor");
+    require(motor.phase == 0 || is_running(motor), "phase of a motor at rest");
     require(motor.error != 0 || motor.blocked == Blocked::kNo, "blocked with nothing to do");
   }
 }
 
-void live(const std::vector<Chunk>& chunks, Cell& whole, Cell& sliced) {
+void live(const std::vector<Chunk>& chunks, Cell& undivided, Cell& sliced) {
   for (const Chunk& chunk : chunks) {
     if (chunk.wire != 0) {
-      whole.send(chunk.wire, chunk.bytes);
+      undivided.send(chunk.wire, chunk.bytes);
       for (const char& byte : chunk.bytes) sliced.send(chunk.wire, {&byte, 1});
     } else {
-      whole.rig.pass(chunk.ticks);
+      undivided.rig.pass(chunk.ticks);
       for (Tick left = chunk.ticks; left > 0; left -= std::min<Tick>(left, 7)) {
         sliced.rig.pass(std::min<Tick>(left, 7));
       }
     }
-    check(whole.rig);
+    check(undivided.rig);
   }
 }
 
@@ -99,15 +99,15 @@ void run(std::string_view input) {
       std::make_shared<const Model>(test::robot_named("rhino-xr3"),
                                     test::workcell_named("rhino-xr3"), Profile::kMark3)};
   const ModelPtr& model = models[profile == Profile::kPaper ? 0 : 1];
-  Cell whole(model);
+  Cell undivided(model);
   Cell sliced(model);
-  live(chunks_of(input.substr(1)), whole, sliced);
-  require(whole.rig.state() == sliced.rig.state(), "state of sliced time and bytes");
-  require(whole.replies[0] == sliced.replies[0], "replies on line 1");
-  require(whole.replies[1] == sliced.replies[1], "replies on line 2");
+  live(chunks_of(input.substr(1)), undivided, sliced);
+  require(undivided.rig.state() == sliced.rig.state(), "state of sliced time and bytes");
+  require(undivided.replies[0] == sliced.replies[0], "replies on line 1");
+  require(undivided.replies[1] == sliced.replies[1], "replies on line 2");
   const Tick longest = 128'000 + Tick{1000} * model->motor_count();
-  whole.rig.simulation.run_to_rest(whole.rig.simulation.tick() + longest);
-  require(whole.rig.simulation.is_at_rest(), "rest without input");
+  undivided.rig.simulation.run_to_rest(undivided.rig.simulation.tick() + longest);
+  require(undivided.rig.simulation.is_at_rest(), "rest without input");
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ void exercise(const SavedCell& saved) {
 void load(const SavedCell& saved) {
   const SavedCellReading again = read_saved_cell(saved_cell_to_json(saved));
   require(again.saved && *again.saved == saved, "the saved cell written and read again");
-  if (misfits(*test::rhino(), saved).empty()) exercise(saved);
+  if (validate(*test::rhino(), saved).empty()) exercise(saved);
 }
 
 /// What is said of access before the message is read holds when it is read.
@@ -78,7 +78,7 @@ void check(const Request& request, std::string_view text) {
 
 void check(const RequestError& error) {
   require(!error.code.empty() && !error.message.empty(), "an error says what is wrong");
-  require(error.code != "bad_args" || !error.details.empty(), "wrong args are told");
+  require(error.code != "bad_args" || !error.details.empty(), "invalid args have details");
   require(!Json::parse(*result(error)).is_discarded(), "an answer is JSON");
 }
 

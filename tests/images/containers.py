@@ -37,21 +37,21 @@ def docker(*arguments, fails=False, deadline_s=DEADLINE_S, **options):
     return done
 
 
-def told(*arguments):
+def output_of(*arguments):
     """The output of a `docker` command, without the line end."""
     return docker(*arguments).stdout.strip()
 
 
 def inspect(what, template):
     """A member of the JSON that `docker inspect` prints about a container or an image."""
-    return json.loads(told("inspect", "--format", f"{{{{json {template}}}}}", what))
+    return json.loads(output_of("inspect", "--format", f"{{{{json {template}}}}}", what))
 
 
 def remove_all():
     """Removes the containers and networks of this run and of earlier ones."""
     for kind in ("container", "network"):
         every = ("--all",) if kind == "container" else ()
-        left = told(kind, "ls", "--quiet", *every, "--filter", f"label={LABEL}").split()
+        left = output_of(kind, "ls", "--quiet", *every, "--filter", f"label={LABEL}").split()
         if left:
             docker(kind, "rm", "--force", *left)
 
@@ -115,7 +115,7 @@ class Robot:
 
     def port(self, inside):
         """The port of this machine that is mapped to the container's port."""
-        return int(told("port", self.name, f"{inside}/tcp").splitlines()[0].rpartition(":")[2])
+        return int(output_of("port", self.name, f"{inside}/tcp").splitlines()[0].rpartition(":")[2])
 
     def log(self, *options):
         done = docker("logs", *options, self.name)

@@ -53,14 +53,14 @@ class Files(unittest.TestCase):
                 done = Project(file, XR3_TOKEN=TOKEN).run("config", "--quiet")
                 self.assertEqual(0, done.returncode, done.stdout + done.stderr)
 
-    def test_lab_wants_a_token(self):
+    def test_lab_needs_a_token(self):
         done = Project(LAB).run("config", "--quiet")
         self.assertNotEqual(0, done.returncode)
         self.assertIn("XR3_TOKEN", done.stderr)
 
 
 class Lab(unittest.TestCase):
-    def test_comes_up_and_goes(self):
+    def test_starts_and_stops(self):
         robot_port, monitor_port = free_ports(2)
         with Project(LAB, XR3_TOKEN=TOKEN, XR3_ROBOT="adept-one", XR3_ROBOT_PORT=str(robot_port),
                      XR3_MONITOR_PORT=str(monitor_port)) as lab:
@@ -98,12 +98,12 @@ class Student(unittest.TestCase):
         with Project(TEST, **environment) as project:
             return project.run("up", "--no-build", "--exit-code-from", "student")
 
-    def test_a_program_that_does_its_work(self):
+    def test_a_correct_program_passes(self):
         done = self.verdict(STUDENT=str(self.folder))
         self.assertEqual(0, done.returncode, done.stdout + done.stderr)
         self.assertIn("the arm is where it should be", done.stdout)
 
-    def test_a_program_that_does_something_else(self):
+    def test_a_wrong_program_fails(self):
         program = self.folder / "my_program.py"
         program.write_text(program.read_text(encoding="utf-8").replace("E+50", "E+49"),
                            encoding="utf-8")
@@ -111,7 +111,7 @@ class Student(unittest.TestCase):
         self.assertNotEqual(0, done.returncode)
         self.assertIn("'E': 49", done.stdout)
 
-    def test_the_exit_code_is_the_students(self):
+    def test_returns_the_exit_code_of_the_program(self):
         self.assertEqual(7, self.verdict(RUN="exit 7").returncode)
 
 

@@ -60,7 +60,7 @@ class Image(unittest.TestCase):
         print(f"\nthe run image has {size / 1e6:.1f} MB (maximum {MOST_BYTES / 1e6:.0f})")
         self.assertLess(size, MOST_BYTES)
 
-    def test_says_how_it_is_run(self):
+    def test_config_has_user_ports_and_signal(self):
         config = inspect(IMAGE, ".Config")
         self.assertEqual(f"{USER}:{USER}", config["User"])
         self.assertEqual({"9600/tcp", "9601/tcp"}, set(config["ExposedPorts"]))
@@ -74,7 +74,7 @@ class Image(unittest.TestCase):
             for name in names:
                 self.assertTrue((root / "usr/share/doc" / name / "copyright").read_text(encoding="utf-8"))
 
-    def test_refuses_to_start_open_and_says_how(self):
+    def test_refuses_to_start_without_a_token(self):
         done = docker("run", "--rm", "--label", LABEL, *HARDENED, IMAGE, fails=True)
         self.assertEqual(2, done.returncode)
         self.assertEqual("", done.stdout)
@@ -88,7 +88,7 @@ class Image(unittest.TestCase):
 
 
 class Start(unittest.TestCase):
-    def test_listens_at_once(self):
+    def test_listens_quickly(self):
         """Measures from the start that the engine recorded to the log's time of the line LISTENING; and
         also, as an upper bound, from the request to the engine."""
         started, asked = [], []
@@ -102,7 +102,7 @@ class Start(unittest.TestCase):
               f" {max(started):.0f}); {statistics.median(asked):.0f} ms after the request to the engine")
         self.assertLess(max(started), MOST_START_MS)
 
-    def test_of_the_program_alone(self):
+    def test_start_of_the_program_without_the_engine(self):
         with tempfile.TemporaryDirectory() as folder:
             took, _, line = in_image(folder, TIME_START, "--network=none").partition(" ")
         self.assertIn("LISTENING", line)
@@ -143,7 +143,7 @@ class Running(unittest.TestCase):
         return docker("run", "--rm", "--label", LABEL, "--network=none", "--user", USER,
                       f"--pid=container:{self.robot.name}", STUDENT, *command).stdout
 
-    def test_is_process_one_of_a_user_without_rights(self):
+    def test_runs_as_process_one_of_an_unprivileged_user(self):
         status = dict(re.findall(r"^(\w+):\s*(.*)$", self.beside("cat", "/proc/1/status"), re.M))
         self.assertEqual("xr3", status["Name"])
         self.assertEqual([USER] * 4, status["Uid"].split())
@@ -173,14 +173,14 @@ class Running(unittest.TestCase):
                                    fails=True)
         self.assertEqual(4, other.returncode)
 
-    def test_the_engine_finds_it_healthy(self):
+    def test_the_engine_reports_healthy(self):
         if "XR3_ENGINE" in os.environ:
             docker("healthcheck", "run", self.robot.name)  # podman leaves this to systemd
         else:
             wait_healthy(self.robot.name)
         self.assertEqual("healthy", inspect(self.robot.name, ".State")["Health"]["Status"])
 
-    def test_healthcheck_is_quick(self):
+    def test_healthcheck_is_fast(self):
         with tempfile.TemporaryDirectory() as folder:
             printed = in_image(folder, TIME_HEALTHCHECK, f"--network=container:{self.robot.name}")
         took = sorted(map(float, printed.split()))
@@ -244,13 +244,13 @@ class Options(unittest.TestCase):
             self.assertEqual({"mode": "real", "rate": 3.0}, monitor.state()["clock"])
             self.assertEqual("", robot.execute("xr3", "healthcheck").stdout)
 
-    def test_a_token_file_of_ones_own(self):
+    def test_a_token_file_of_its_owner(self):
         """Only the owner may read the file, and the container runs as that user."""
         mounted = self.file("token", TOKEN + "\n")
         (self.folder / "token").chmod(0o400)
         with Robot(mounted, f"--user={os.getuid()}", XR3_TOKEN_FILE="/lab/token") as robot:
             robot.wait_log("LISTENING")
-            self.assertNotIn("everybody", robot.log())
+            self.assertNotIn("every user of this machine", robot.log())
 
     def test_a_token_file(self):
         mounted = self.file("token", TOKEN + "\n")
@@ -262,13 +262,13 @@ class Options(unittest.TestCase):
 
 
 class Stop(unittest.TestCase):
-    def test_sigterm_drains(self):
+    def test_sigterm_closes_clients_properly(self):
         with Robot(XR3_INSECURE=1) as robot, robot.monitor() as monitor:
             start = time.monotonic()
             docker("stop", robot.name)
             took = time.monotonic() - start
-            farewell = monitor.read()
-            self.assertEqual(("bye", "shutdown"), (farewell["op"], farewell["why"]))
+            bye = monitor.read()
+            self.assertEqual(("bye", "shutdown"), (bye["op"], bye["why"]))
             self.assertEqual(0, robot.state("ExitCode"))
             print(f"\n`docker stop` takes {took:.1f} s")
             self.assertLess(took, MOST_SHUTDOWN_S)

@@ -43,7 +43,7 @@ class MappedPort(unittest.TestCase):
         cls.addClassCleanup(cls.robot.__exit__)
         cls.page = f"http://localhost:{cls.robot.monitor_port}/"
 
-    def test_the_page_and_what_it_loads(self):
+    def test_the_page_and_its_script(self):
         code, page = get(self.page)
         self.assertEqual(200, code)
         self.assertIn("<!doctype html>", page)
@@ -51,7 +51,7 @@ class MappedPort(unittest.TestCase):
         self.assertEqual(200, code)
         self.assertGreater(len(script), 100_000)
 
-    def test_names_of_this_machine(self):
+    def test_allowed_host_names(self):
         for host, code in (("127.0.0.1", 200), ("lab-server", 200), ("robot.lab", 200),
                            ("evil.example", 403)):
             with self.subTest(host):
@@ -100,7 +100,7 @@ class SecondContainer(unittest.TestCase):
         cls.network = Network().__enter__()
         cls.addClassCleanup(cls.network.__exit__)
 
-    def test_by_the_name_of_the_service(self):
+    def test_reaches_the_server_by_service_name(self):
         with Robot(f"--network={self.network.name}", "--network-alias=xr3", XR3_TOKEN=TOKEN):
             options = [f"--volume={BY_NAME}:/by_name.py:ro", "-e", "PYTHONPATH=/clients/python"]
             seen = self.network.student("python3", "/by_name.py", "xr3", TOKEN, options=options)

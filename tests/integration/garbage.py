@@ -1,4 +1,4 @@
-"""Floods at full speed, each from a process of its own: a line of garbage, a client that asks."""
+"""Floods at full speed, each from a separate process: a line of garbage, a client that sends requests."""
 
 import subprocess
 import sys
@@ -38,7 +38,7 @@ def ask_without_end(port, request):
 
 
 def pour(port, data):
-    """A process that writes this over and over as fast as the server takes it, and reads nothing."""
+    """Starts a process that repeats the data as fast as the server reads it, and reads nothing."""
     return subprocess.Popen([sys.executable, "-c", WRITE % (LOCALHOST, port, data)], stderr=subprocess.DEVNULL)
 
 

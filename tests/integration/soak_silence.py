@@ -24,14 +24,14 @@ def connections(xr3):
 
 
 class Silence(unittest.IsolatedAsyncioTestCase):
-    async def test_who_is_gone_after_half_a_minute(self):
+    async def test_dead_clients_are_closed_after_half_a_minute(self):
         with Server("--log-level", "warn") as xr3, Server("--log-level", "warn") as other, xr3.monitor() as person:
-            async with Viewer(xr3) as listener:  # its library answers pings by itself
+            async with Viewer(xr3) as listener:  # its library answers pings automatically
                 await asyncio.gather(asyncio.to_thread(self.mute_websocket, xr3), asyncio.to_thread(self.stuck, other))
                 self.assertEqual("pong", (await listener.ask(op="ping"))["op"])
             self.assertEqual("pong", person.request("ping")["op"])
 
-    async def test_a_server_that_hangs_is_missed_by_who_watches(self):
+    async def test_watch_detects_a_server_that_hangs(self):
         with Server("--log-level", "warn") as xr3, Terminal([XR3, "watch", f"localhost:{xr3.monitor_port}"]) as terminal:
             terminal.wait_text("-90.00 deg")
             os.kill(xr3.pid, signal.SIGSTOP)

@@ -9,7 +9,7 @@ from support import ROOT
 
 
 class Viewer(unittest.TestCase):
-    def test_every_part(self):
+    def test_every_page_test(self):
         tests = sorted(glob.glob(os.path.join(ROOT, "tests", "web", "*_test.mjs")))
         run = subprocess.run(["node", "--test", "--test-concurrency=1", "--test-reporter=spec", *tests],
                              timeout=900, check=False, cwd=ROOT)

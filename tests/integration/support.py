@@ -26,7 +26,7 @@ MOST_COUNTS_A_MOVE = 100
 
 
 def run_xr3(*arguments, **options):
-    """Runs xr3 until it exits by itself; returns the result, with text output."""
+    """Runs xr3 until it exits; returns the result, with text output."""
     return subprocess.run([XR3, *map(str, arguments)], capture_output=True, text=True,
                           timeout=DEADLINE_S, check=False, **options)
 

@@ -47,7 +47,7 @@ class Subscriptions(unittest.TestCase):
         self.line.send(data)
         self.monitor.step(ticks, after=self.line)
 
-    def test_the_first_comes_whole_at_once(self):
+    def test_the_first_message_is_complete_and_immediate(self):
         for channel in LATEST:
             with self.xr3.monitor() as viewer:
                 held = viewer.subscribe(channel)
@@ -57,7 +57,7 @@ class Subscriptions(unittest.TestCase):
                 del shown["id"]
                 self.assertEqual(shown, first)
 
-    def test_what_holds(self):
+    def test_sub_returns_its_settings(self):
         with self.xr3.monitor() as viewer:
             held = viewer.subscribe("state", max_hz=12.5, on_change=False, fields=["io", "moving"])
             self.assertEqual((12.5, False, ["io", "moving"]), (held["max_hz"], held["on_change"], held["fields"]))
@@ -65,7 +65,7 @@ class Subscriptions(unittest.TestCase):
             self.assertEqual((30, True), (held["max_hz"], held["on_change"]))
             self.assertEqual("rle", viewer.subscribe("image", encoding="rle")["encoding"])
 
-    def test_a_second_replaces_the_first(self):
+    def test_a_second_subscription_replaces_the_first(self):
         with self.xr3.monitor() as viewer:
             viewer.subscribe("state", fields=["io"])
             viewer.subscribe("state", fields=["enabled"])
@@ -87,7 +87,7 @@ class Subscriptions(unittest.TestCase):
             witness.read_until(lambda message: counts(message) == "E5")
             self.assertEqual([], rest(viewer))
 
-    def test_unsub_of_what_was_not_there(self):
+    def test_unsub_without_a_subscription(self):
         self.assertEqual({}, self.monitor.unsubscribe("image"))
 
     def test_fields(self):
@@ -112,10 +112,10 @@ class Subscriptions(unittest.TestCase):
             self.act("E+1\r")
         for channel in RINGS:
             with self.subTest(channel), self.xr3.monitor() as viewer:
-                told = viewer.recall(channel)
-                self.assertGreaterEqual(len(told), 5)
-                numbers = [message["seq"] for message in told]
-                self.assertEqual(list(range(numbers[0], numbers[0] + len(told))), numbers)
+                received = viewer.recall(channel)
+                self.assertGreaterEqual(len(received), 5)
+                numbers = [message["seq"] for message in received]
+                self.assertEqual(list(range(numbers[0], numbers[0] + len(received))), numbers)
                 self.assertEqual(numbers[2:], [message["seq"] for message in viewer.recall(channel, since=numbers[2])])
                 viewer.subscribe(channel, since=numbers[1])
                 self.assertEqual(numbers[1:], [viewer.read()["seq"] for _ in numbers[1:]])
@@ -126,14 +126,14 @@ class Subscriptions(unittest.TestCase):
                 viewer.subscribe(channel, since=numbers[-1] + 1000)
                 self.assertEqual([], [message for message in rest(viewer) if message["seq"] <= numbers[-1]])
 
-    def test_get_brings_the_last_256(self):
+    def test_get_returns_the_last_256_messages(self):
         self.line.send("E+1\rE-1\r" * 300)
         self.monitor.step(0, after=self.line)
-        told = self.monitor.recall("event")
-        self.assertEqual((256, "E -1: counter 0"), (len(told), told[-1]["message"]))
+        received = self.monitor.recall("event")
+        self.assertEqual((256, "E -1: counter 0"), (len(received), received[-1]["message"]))
         self.assertGreater(len(self.monitor.recall("event", since=0)), 600)
 
-    def test_pictures(self):
+    def test_images(self):
         with self.xr3.monitor() as rows, self.xr3.monitor() as runs:
             rows.subscribe("image", max_hz=60)
             runs.subscribe("image", max_hz=60, encoding="rle")
@@ -149,7 +149,7 @@ class Subscriptions(unittest.TestCase):
                 self.line.send("A**")
                 self.assertEqual(on_the_line(by_rows["rows"]), self.line.read(192 * 32))
 
-    def test_no_camera(self):
+    def test_without_a_camera(self):
         workcell = self.monitor.look("model")["workcell"]
         del workcell["camera"]
         self.monitor.call("workcell", workcell=workcell)
@@ -182,7 +182,7 @@ class Subscriptions(unittest.TestCase):
             names = [[block["name"] for block in model["workcell"]["blocks"]] for model in (first, second)]
             self.assertEqual(names[0], ["red", *names[1]])
 
-    def test_two_clients_see_the_same_bytes(self):
+    def test_two_clients_receive_the_same_bytes(self):
         with self.xr3.monitor() as one, self.xr3.monitor() as other:
             for viewer in one, other:
                 for channel in LATEST + RINGS:
@@ -265,7 +265,7 @@ class InRealTime(unittest.TestCase):
         self.assertGreater(seen[-1]["tick"], seen[1]["tick"])
         self.assertEqual(1, len(rest(still)), "the first one")
 
-    def test_fifty_viewers_end_where_the_robot_is(self):
+    def test_fifty_viewers_receive_the_final_state(self):
         viewers = [self.viewer("state", max_hz=max_hz) for max_hz in (60, 30, 30, 10, 2) * 10]
         self.line.send(SLOW_MOVE + "D-60\r")
         last = [self.until_rest(viewer)[-1] for viewer in viewers]

@@ -16,7 +16,7 @@ def shipped(kind):
 
 
 class Check(unittest.TestCase):
-    def test_shipped_robots(self):
+    def test_summaries_of_shipped_robots(self):
         for file, words in [
             ("rhino-xr3", ["Rhino XR-3", "260.4", "228.6", "168.3", "0.1135", "110", "160", "Hard home: F+30 E-40 D+40"]),
             ("adept-one", ["Adept One", "877", "425", "375", "200"]),
@@ -29,7 +29,7 @@ class Check(unittest.TestCase):
                     self.assertIn(word, done.stdout)
                 self.assertLessEqual(max(map(len, done.stdout.splitlines())), 120)
 
-    def test_everything_shipped_at_once(self):
+    def test_all_shipped_files_at_once(self):
         files = shipped("robots") + shipped("workcells")
         self.assertGreaterEqual(len(files), 7)
         done = run_xr3("check", *files)
@@ -53,7 +53,7 @@ class Check(unittest.TestCase):
         self.assertEqual(2, done.stdout.count("260.4") // run_xr3("check", good).stdout.count("260.4"))
         self.assertIn(str(BROKEN[0]), done.stderr)
 
-    def test_serve_refuses_each_of_them(self):
+    def test_serve_refuses_broken_files(self):
         for file in BROKEN:
             kind = "--workcell" if file.name.startswith("workcell") else "--robot"
             with self.subTest(file.name):

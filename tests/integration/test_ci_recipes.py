@@ -64,7 +64,7 @@ class Recipes(unittest.TestCase):
             with self.subTest(name):
                 self.assertEqual(commands, shown(name))
 
-    def test_what_a_cache_brings_back_is_not_in_the_way(self):
+    def test_restored_cache_files_do_not_interfere(self):
         """The cache is a folder of ccache in the job's folder, and git can still clone xr3 beside it."""
         text = (RECIPES / "gitlab-ci.yml").read_text(encoding="utf-8")
         path = re.search(r"^ +paths: \[(\S+)\]$", text, re.MULTILINE)[1]
@@ -82,37 +82,37 @@ class Recipes(unittest.TestCase):
         self.assertIn(f"CCACHE_DIR=$PWD/{path}", text)
         self.assertLess(text.index("CCACHE_DIR"), text.index("xr3/run --build"))
 
-    def test_a_program_that_does_its_work(self):
+    def test_a_correct_program_passes(self):
         ran = self.run_recipe()
         self.assertEqual((0, ""), (ran.returncode, ran.stderr))
         self.assertEqual(["$ python3 my_program.py", "E is there", "$ python3 my_check.py",
                           "the arm is where it should be"], ran.stdout.splitlines())
         self.assertEqual([], list(self.temporary.iterdir()))
 
-    def test_a_program_that_does_something_else(self):
+    def test_a_wrong_program_fails(self):
         self.change("my_program.py", "E+50", "E+49")
         ran = self.run_recipe()
         self.assertNotEqual(0, ran.returncode)
         self.assertIn("'E': 49", ran.stderr)
 
-    def test_a_program_that_is_not_obeyed(self):
+    def test_a_program_whose_commands_are_ignored_fails(self):
         self.change("my_program.py", "E+50", "E+200")
         ran = self.run_recipe()
         self.assertNotEqual(0, ran.returncode)
         self.assertRegex(ran.stderr, "--- log of xr3:\n(?s:.*)E\\+200: a move is")
 
-    def test_the_exit_code_is_the_programs(self):
+    def test_returns_the_exit_code_of_the_program(self):
         ran = self.run_recipe("xr3/docs/ci/with-xr3.sh 'exit 7' 'echo not reached'")
         self.assertEqual((7, "$ exit 7\n"), (ran.returncode, ran.stdout))
         self.assertEqual([], list(self.temporary.iterdir()))
 
-    def test_without_a_command_nothing_was_tested(self):
+    def test_a_missing_command_is_an_error(self):
         ran = self.run_recipe("xr3/docs/ci/with-xr3.sh")
         self.assertEqual((2, ""), (ran.returncode, ran.stdout))
         self.assertRegex(ran.stderr, r"\Ausage: \S*with-xr3\.sh 'COMMAND'[^\n]*\n\Z")
         self.assertEqual([], list(self.temporary.iterdir()))
 
-    def test_a_signal_ends_it_and_all_that_it_started(self):
+    def test_a_signal_ends_all_processes(self):
         pipe = self.folder / "held"  # every process of the command keeps it open until it exits
         os.mkfifo(pipe)
         for number, code in (signal.SIGTERM, 143), (signal.SIGINT, 130):
@@ -128,7 +128,7 @@ class Recipes(unittest.TestCase):
                 self.assertNotIn("more", process.stdout.read())
                 self.assertEqual([], list(self.temporary.iterdir()))
 
-    def test_commands_have_standard_input_and_signals_as_anywhere(self):
+    def test_commands_get_standard_input_and_default_signals(self):
         process = self.start_recipe("xr3/docs/ci/with-xr3.sh",
                                     "echo runs; read -r word; echo $word; sh -c 'kill -INT $$'")
         self.assertEqual("heard\n", process.communicate("heard\n", timeout=DEADLINE_S)[0])
@@ -151,7 +151,7 @@ class Recipes(unittest.TestCase):
         self.assertEqual(0, ran.returncode, ran.stderr)
         self.assertIn('"mode":"manual"', ran.stdout)
 
-    def test_two_at_once(self):
+    def test_two_runs_at_once(self):
         inner = "xr3/docs/ci/with-xr3.sh 'python3 my_program.py'"
         ran = self.run_recipe(f"""xr3/docs/ci/with-xr3.sh "{inner}" 'python3 my_program.py'""")
         self.assertEqual(0, ran.returncode, ran.stderr)

@@ -19,7 +19,7 @@ class TelnetSession(unittest.TestCase):
             self.assertEqual(b" ", telnet.inquire(b"e?"))
             self.assertEqual(b" ", telnet.inquire(b"I"))
 
-    def test_interrupt_in_the_middle(self):
+    def test_interrupt_within_a_command(self):
         """After Ctrl-C telnet discards what it reads until the server answers its timing mark."""
         with Server() as xr3, xr3.monitor() as monitor, Telnet(xr3.robot_port) as telnet:
             telnet.type(b"E+50\n")
@@ -31,13 +31,13 @@ class TelnetSession(unittest.TestCase):
             self.assertEqual("E11", counts(monitor.settle()))
         self.assertNotIn("unknown_byte", xr3.log())
 
-    def test_interrupt_again_and_again(self):
+    def test_repeated_interrupts(self):
         with Server() as xr3, Telnet(xr3.robot_port) as telnet:
             for _ in range(5):
                 telnet.type(b"\x03")
                 self.assertEqual(b" ", telnet.inquire(b"E?"))
 
-    def test_a_reply_of_ff_is_seen_once(self):
+    def test_a_reply_of_ff_arrives_once(self):
         """After an interrupt the server knows that the line uses telnet and doubles FF on the wire."""
         with Server() as xr3, xr3.monitor() as monitor, Telnet(xr3.robot_port) as telnet:
             telnet.type(b"\x03")
@@ -47,7 +47,7 @@ class TelnetSession(unittest.TestCase):
             self.assertEqual(b"\xff", telnet.read_until(rb"FT\r\n(.)").group(1))
             self.assertEqual(b"!", telnet.inquire(b"F?"))
 
-    def test_two_at_once(self):
+    def test_two_sessions_at_once(self):
         """Two users share the robot; a reply goes only to the line of the inquiry."""
         with Server() as xr3, xr3.monitor() as monitor, Telnet(xr3.robot_port) as first:
             monitor.step(0)

@@ -59,7 +59,7 @@ class Files(unittest.TestCase):
 
 
 class Convert(Files):
-    def test_everything_shipped_there_and_back(self):
+    def test_shipped_files_round_trip(self):
         self.assertGreaterEqual(len(SHIPPED), 7)
         for number, file in enumerate(SHIPPED):
             with self.subTest(file.name):
@@ -74,7 +74,7 @@ class Convert(Files):
                 self.assertEqual([], [p.name for p in self.folder.iterdir() if p.name.count(".") > 1],
                                  "no temporary files are left")
 
-    def test_a_file_written_by_hand(self):
+    def test_a_hand_written_file(self):
         out = self.file("lab.json")
         self.assertDone(run_xr3("convert", self.file("hand.txt", TABLE), out), 'workcell "hand"')
         block = data_of(out)["blocks"][0]
@@ -82,7 +82,7 @@ class Convert(Files):
                          (block["name"], block["size"], block["centroid"], block["yaw_deg"]))
         self.assertDone(run_xr3("check", out), "1 block, a camera")
 
-    def test_nothing_is_replaced_without_force(self):
+    def test_replaces_a_file_only_with_force(self):
         plain, out = self.file("w.txt", TABLE), self.file("w.json", "mine")
         self.assertRefused(run_xr3("convert", plain, out), "w.json", "--force")
         self.assertEqual("mine", out.read_text())
@@ -90,7 +90,7 @@ class Convert(Files):
         self.assertDone(run_xr3("convert", "--force", plain, out))
         self.assertEqual((600, 0o640), (data_of(out)["workspace"]["x"], out.stat().st_mode & 0o777))
 
-    def test_links_are_followed_and_folders_are_no_files(self):
+    def test_follows_links_and_refuses_folders(self):
         plain, target, link = self.file("w.txt", TABLE), self.file("t.json", "old"), self.file("l.json")
         link.symlink_to(target)
         self.assertDone(run_xr3("convert", "--force", plain, link))
@@ -100,7 +100,7 @@ class Convert(Files):
         self.assertRefused(run_xr3("convert", "--force", plain, self.folder / "d.json"), "not a file")
         self.assertRefused(run_xr3("convert", plain, self.folder / "no" / "w.json"), "cannot be written")
 
-    def test_every_finding_with_its_line(self):
+    def test_reports_every_finding_with_its_line(self):
         plain = self.file("lab.txt", TABLE.replace("64 32 40", "64 -32 wide").replace("384 384", "384"))
         done = run_xr3("convert", plain, self.file("lab.json"))
         self.assertRefused(done)
@@ -112,14 +112,14 @@ class Convert(Files):
             done.stderr.splitlines())
         self.assertFalse(self.file("lab.json").exists())
 
-    def test_broken_json_is_refused_as_by_check(self):
+    def test_broken_json_gets_the_errors_of_check(self):
         for file in sorted(pathlib.Path(ROOT, "tests/data/broken").glob("*.json")):
             with self.subTest(file.name):
                 done = run_xr3("convert", file, self.file("out.txt"))
                 self.assertRefused(done, file.name)
                 self.assertFalse(self.file("out.txt").exists())
 
-    def test_wrong_names(self):
+    def test_invalid_names_are_refused(self):
         plain = self.file("w.txt", TABLE)
         self.assertRefused(run_xr3("convert", plain, self.file("w.xml")), ".json", ".txt", ".dat")
         self.assertRefused(run_xr3("convert", self.file("none.txt"), self.file("w.json")), "none.txt")
@@ -127,7 +127,7 @@ class Convert(Files):
         self.assertRefused(run_xr3("convert", plain))
 
     @unittest.skipIf(os.getuid() == 0, "root may write everywhere")
-    def test_a_folder_that_may_not_be_written(self):
+    def test_a_read_only_folder(self):
         self.folder.chmod(0o500)
         self.addCleanup(self.folder.chmod, 0o700)
         self.assertRefused(run_xr3("convert", SHIPPED[0], self.file("w.txt")), "cannot be written")
@@ -144,19 +144,19 @@ class PlainFiles(Files):
     def run_here(self, *arguments):
         return run_xr3(*arguments, cwd=self.folder)
 
-    def test_check_sums_them_up(self):
+    def test_check_summarizes_plain_files(self):
         for kind in "robots", "workcells":
             done = self.run_here("check", "--robot", "robots.txt", f"{kind}.txt")
             self.assertDone(done)
             self.assertEqual(run_xr3("check", DATA / kind / "rhino-xr3.json").stdout, done.stdout)
 
-    def test_check_names_what_is_wrong(self):
+    def test_check_reports_errors(self):
         plain = self.file("lab.txt", TABLE.replace("64 32 40", "64 -32 wide"))
         done = run_xr3("check", plain)
         self.assertRefused(done, f"{plain}:6: /blocks/0/size/1: found -32; allowed: a length above 0")
         self.assertEqual(run_xr3("convert", plain, self.file("lab.json")).stderr, done.stderr)
 
-    def test_serve_takes_them(self):
+    def test_serve_reads_plain_files(self):
         robot, workcell = self.file("robots.txt"), self.file("workcells.txt")
         with Server("--robot", robot, "--workcell", workcell) as xr3, xr3.monitor() as monitor:
             self.assertEqual("Rhino XR-3", monitor.hello["robot"]["name"])
@@ -164,7 +164,7 @@ class PlainFiles(Files):
         with Server() as xr3, xr3.monitor() as monitor:
             self.assertEqual(monitor.look("model"), plain)
 
-    def test_serve_names_what_is_wrong(self):
+    def test_serve_reports_errors(self):
         plain = self.file("lab.dat", TABLE.replace("64 32 40", "64 -32 wide"))
         done = self.run_here("serve", "--workcell", "lab.dat")
         self.assertRefused(done, "lab.dat:6: /blocks/0/size/1: found -32; allowed: a length above 0")
@@ -172,11 +172,11 @@ class PlainFiles(Files):
                            "workcells.txt:1: found a workcell; allowed: a robot")
         self.assertRefused(self.run_here("serve", "--workcell", "robots.txt"), "robots.txt:1: found a robot; allowed")
 
-    def test_the_commands_at_the_desk_take_them(self):
+    def test_other_commands_read_plain_files(self):
         self.assertDone(self.run_here("kin", "--robot", "robots.txt", "--joints", "0,0,0,0,0"))
         self.assertDone(self.run_here("draw", "--robot", "robots.txt", "--workcell", "workcells.txt", "a.svg"))
 
-    def test_a_file_of_this_folder_needs_no_slash(self):
+    def test_a_file_of_the_current_folder_needs_no_slash(self):
         self.file("robots.txt").rename(self.file("arm"))
         self.assertDone(self.run_here("kin", "--robot", "arm", "--joints", "0,0,0,0,0"))
         self.file("rhino-xr3", "no robot")
@@ -184,13 +184,13 @@ class PlainFiles(Files):
         self.assertRefused(self.run_here("kin", "--robot", "absent.txt"), "absent.txt: cannot be read")
         self.assertRefused(self.run_here("kin", "--robot", "absent"), "there is no robot named absent; use one of: adept-one")
 
-    def test_what_is_called_json_and_is_none(self):
+    def test_a_json_name_with_plain_content(self):
         for text, words in [("", "x.json:1:"), ('"joints": [1]', "x.json:1:9: found"), ("]", "x.json:1:1: found")]:
             done = run_xr3("check", self.file("x.json", text))
             self.assertRefused(done, words)
             self.assertNotIn("axes", done.stderr)
 
-    def test_a_byte_order_mark_is_no_part_of_a_file(self):
+    def test_a_byte_order_mark_is_ignored(self):
         plain = self.file("lab.txt", "\ufeff" + TABLE[TABLE.index("600"):])
         self.assertDone(run_xr3("check", plain), "1 block")
         self.assertDone(run_xr3("convert", plain, self.file("lab.json")))

@@ -125,7 +125,7 @@ class Docs(unittest.TestCase):
                     self.assertEqual(0, done.returncode, done.stderr)
                     self.assertNotEqual(b"", done.stdout)
 
-    def test_scripts_know_their_options(self):
+    def test_scripts_accept_their_documented_options(self):
         for script in "./run", "./test", "scripts/setup":
             with self.subTest(script):
                 done = subprocess.run([script, "--help"], cwd=ROOT, capture_output=True, text=True,

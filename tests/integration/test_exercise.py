@@ -34,7 +34,7 @@ def read_counts(text):
     return {word[0]: int(word[1:]) for word in text.split()}
 
 
-def running(line):
+def real_clock(line):
     """A wait() for a running clock: it sends inquiries until the time must have passed."""
     def wait(milliseconds):
         until = time.monotonic() + milliseconds / 1000 / FASTER
@@ -43,7 +43,7 @@ def running(line):
     return wait
 
 
-def standing(line, monitor):
+def manual_clock(line, monitor):
     return lambda milliseconds: monitor.step(milliseconds, after=line, fields=[])
 
 
@@ -100,15 +100,15 @@ class Exercise(unittest.TestCase):
             self.assertEqual(b"", line.unread())
             self.assertNotRegex(xr3.log(), r"line \d+ @\d+: (?!opened)")
 
-    def test_in_running_time(self):
+    def test_with_a_real_clock(self):
         for arm in ARMS:
             with self.subTest(arm.name):
-                self.run_with(arm, f"real:{FASTER}", lambda line, _: running(line))
+                self.run_with(arm, f"real:{FASTER}", lambda line, _: real_clock(line))
 
-    def test_in_standing_time(self):
+    def test_with_a_manual_clock(self):
         for arm in ARMS:
             with self.subTest(arm.name):
-                self.run_with(arm, "manual", standing)
+                self.run_with(arm, "manual", manual_clock)
 
 
 if __name__ == "__main__":

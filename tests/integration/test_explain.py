@@ -7,8 +7,8 @@ from support import MonitorError, Server, motors
 
 # (input of a student, code of the warning, regular expression for its message)
 MISTAKES = [
-    ("E+200\r", "number_out_of_range", r"E\+200: .*-128\.\.\.127.*not obeyed"),
-    ("E500S", "speed_out_of_range", r"1\.\.\.255.*not obeyed"),
+    ("E+200\r", "number_out_of_range", r"E\+200: .*-128\.\.\.127.*ignored"),
+    ("E500S", "speed_out_of_range", r"1\.\.\.255.*ignored"),
     ("E+60S", "unknown_byte", "S sets a speed"),
     ("+5\r", "no_joint_selected", r"letter A\.\.\.H"),
     ("?", "no_joint_selected", r"letter A\.\.\.H"),
@@ -42,7 +42,7 @@ class Warnings(unittest.TestCase):
         with self.xr3.monitor() as other:
             other.step(0, after=line)
 
-    def test_within_one_message(self):
+    def test_each_mistake_gives_one_warning(self):
         for data, code, sentence in MISTAKES:
             with self.subTest(data), self.xr3.line() as line, self.xr3.monitor() as viewer:
                 self.type("", line)
@@ -65,15 +65,15 @@ class Warnings(unittest.TestCase):
         self.assertEqual(("warning", "disabled"), (event["event"], event["code"]))
         self.assertRegex(event["message"], DISABLED[2])
 
-    def test_a_run_of_one_code_is_one_message(self):
+    def test_a_run_of_one_code_is_one_warning(self):
         self.type("z" * 40)
         event = self.viewer.read()
         self.assertEqual(("unknown_byte", 40), (event["code"], event["count"]))
 
-    def test_at_most_64_a_second_then_one_that_says_so(self):
+    def test_at_most_64_warnings_a_second_and_a_summary(self):
         for number in range(100):
             self.type("z+")  # two alternating codes, which are not combined into one warning
-        events = self.told()
+        events = self.events()
         self.assertEqual(64, len(events))
         with self.xr3.monitor() as other:
             other.step(1000)
@@ -82,17 +82,17 @@ class Warnings(unittest.TestCase):
         counted = sum(event["count"] for event in [*events, suppressed])
         self.assertEqual(200, counted)
 
-    def told(self):
+    def events(self):
         """The events that have arrived since the last call."""
         newest = self.viewer.recall("event")[-1]["seq"]
         return self.viewer.read_until(lambda message: message["seq"] == newest)
 
-    def test_limits_and_stalls_are_told(self):
+    def test_limits_and_stalls_are_reported(self):
         with self.xr3.monitor() as other:
             for _ in range(3):
                 self.line.send("E-120\r")
                 other.settle(after=self.line)
-        stalled = [event for event in self.told() if event["event"] == "stalled"]
+        stalled = [event for event in self.events() if event["event"] == "stalled"]
         self.assertEqual("protected_region", stalled[0]["code"])
         self.assertIn("A$", stalled[0]["message"])
 
@@ -103,7 +103,7 @@ class EveryByte(unittest.TestCase):
         self.monitor = self.enterContext(self.xr3.monitor())
         self.line = self.enterContext(self.xr3.line())
 
-    def told(self, *pieces):
+    def records(self, *pieces):
         """The records of these bytes; each piece is sent after the one before has been executed."""
         known = self.monitor.recall("line", since=0)
         for piece in pieces:
@@ -112,7 +112,7 @@ class EveryByte(unittest.TestCase):
         return self.monitor.recall("line", since=known[-1]["seq"] + 1 if known else 0)
 
     def test_a_move(self):
-        record, = self.told("E+5\r")
+        record, = self.records("E+5\r")
         self.assertEqual((1, "in", 0, "452b350d", "E+5\\r"),
                          tuple(record[name] for name in ("line", "dir", "offset", "hex", "text")))
         parsed, = record["parsed"]
@@ -122,43 +122,43 @@ class EveryByte(unittest.TestCase):
         self.assertIn(parsed["to"], (3, 4))
 
     def test_an_inquiry_and_its_reply(self):
-        self.told("E+5\r")
-        asked, replied = self.told("E?")
+        self.records("E+5\r")
+        asked, replied = self.records("E?")
         self.assertEqual(("in", "E?"), (asked["dir"], asked["text"]))
         self.assertEqual(("out", "25", "%"), (replied["dir"], replied["hex"], replied["text"]))
         self.assertEqual((0, 0, 1), (replied["offset"], replied["parsed"][0]["from"], replied["parsed"][0]["to"]))
         self.assertRegex(replied["parsed"][0]["message"], "5 counts to go")
 
-    def test_what_was_not_obeyed(self):
-        record, = self.told("E+200\r")
+    def test_an_ignored_command(self):
+        record, = self.records("E+200\r")
         self.assertEqual("number_out_of_range", record["parsed"][0]["code"])
         self.assertRegex(record["parsed"][0]["message"], r"-128\.\.\.127")
 
-    def test_in_pieces(self):
+    def test_a_command_in_pieces(self):
         """The record of the piece that completes a command explains it, from the command's first byte on."""
-        records = self.told("E", "+", "5", "\r", "z")
+        records = self.records("E", "+", "5", "\r", "z")
         self.assertEqual(["E", "+", "5", "\\r", "z"], [record["text"] for record in records])
         self.assertEqual([0, 1, 2, 3, 4], [record["offset"] for record in records])
         explained = [(parsed["code"], parsed["from"]) for record in records for parsed in record["parsed"]]
         self.assertIn(("move", 0), explained)
         self.assertIn(("unknown_byte", 4), explained)
 
-    def test_all_bytes_are_there_in_order(self):
+    def test_no_byte_is_lost(self):
         data = b"E+5\rz\x00\xfe\\E?" + bytes(range(1, 60)) + b"A**"
         self.line.send(data)
         self.monitor.step(0, after=self.line)
         records = self.monitor.recall("line", since=0)
         for direction, count in ("in", self.line.sent), ("out", None):
             offset = 0
-            whole = b""
+            data_of_records = b""
             for record in records:
                 if record["dir"] == direction:
                     self.assertEqual(offset, record["offset"])
                     offset += record["bytes"]
-                    whole += bytes.fromhex(record["hex"])
+                    data_of_records += bytes.fromhex(record["hex"])
             if count is not None:
                 self.assertEqual(count, offset)
-                self.assertEqual(data, whole)
+                self.assertEqual(data, data_of_records)
 
     def test_several_lines(self):
         other = self.enterContext(self.xr3.line())
@@ -169,7 +169,7 @@ class EveryByte(unittest.TestCase):
         self.assertEqual([(1, "in"), (2, "in"), (2, "out")],
                          [(record["line"], record["dir"]) for record in self.monitor.recall("line", since=0)])
 
-    def test_calls_are_told_of_too(self):
+    def test_records_of_send(self):
         """`send` uses a line like those of the robot port."""
         self.monitor.step(0, after=self.line)
         value = self.monitor.call("send", text="E?")
@@ -200,13 +200,13 @@ class Calls(unittest.TestCase):
         self.assertEqual((5, 3), tuple(motors(state)[label]["count"] for label in "ED"))
         first = self.monitor.call("send", text="E?")
         with self.xr3.monitor() as other:
-            self.assertNotEqual(first["line"], other.call("send", text="E?")["line"], "a line of its own")
+            self.assertNotEqual(first["line"], other.call("send", text="E?")["line"], "a separate line")
             second = other.call("lines")["lines"]
             self.assertEqual(["monitor", "monitor"], [line["kind"] for line in second])
         for arguments in {}, {"text": "a", "hex": "61"}, {"hex": "6"}, {"hex": "xy"}, {"text": 5}:
             self.refused("bad_args", "send", **arguments)
 
-    def test_half_a_command_stays_on_its_line(self):
+    def test_an_incomplete_command_stays_on_its_line(self):
         self.monitor.call("send", text="E+")
         self.monitor.call("send", text="7\r")
         self.assertEqual(7, motors(self.monitor.settle())["E"]["count"])
@@ -243,14 +243,14 @@ class Calls(unittest.TestCase):
             self.refused("bad_args", "input", **arguments)
 
     def test_describe(self):
-        whole = self.monitor.call("describe")
+        description = self.monitor.call("describe")
         for fn in self.monitor.hello["calls"]:
-            self.assertIn(fn, str(whole))
+            self.assertIn(fn, str(description))
             self.assertTrue(self.monitor.call("describe", fn=fn))
         with self.assertRaises(MonitorError):
             self.monitor.call("describe", fn="fly")
 
-    def test_hello_lists_what_there_is(self):
+    def test_calls_listed_by_hello_exist(self):
         for fn in self.monitor.hello["calls"]:
             with self.subTest(fn), self.assertRaises(MonitorError) as caught:
                 self.monitor.call(fn, surely="unknown")

@@ -1,7 +1,7 @@
-"""A robot line's wait for its replies beside a line that pours garbage as fast as it is taken, beside
-monitor clients that ask without end, and beside lines that ask for all that is costly. Measured in turns,
-with and without, in one run. Of several rounds the best counts where two waits are compared, since a busy
-machine only adds; what is promised in milliseconds holds in the worst."""
+"""The latency of replies on a robot line beside a line that sends garbage, beside monitor clients that send
+requests without end, and beside lines that send costly commands. Each round measures with and without them.
+Ratios of two latencies use the best round, because other load on the machine only increases the latency;
+bounds in milliseconds must hold in the worst round."""
 # labels: release serial
 
 import contextlib
@@ -36,7 +36,7 @@ def garbage(xr3):
 
 @contextlib.contextmanager
 def flood(xr3, start, commands):
-    """A line that sends commands without end; `start` is ask_without_end, or pour, which reads no reply."""
+    """A line that sends commands without end; `start` is ask_without_end or pour; pour reads no replies."""
     with start(xr3.robot_port, commands) as asking, xr3.monitor() as monitor:
         line = monitor.call("lines")["lines"][-1]["line"]
         while line < 2 or taken(monitor, line) < 20 * len(commands):
@@ -75,8 +75,8 @@ class Fairness(unittest.TestCase):
     def test_beside_garbage(self):
         self.compare(0.99, 2.0, garbage)
 
-    def hold(self, most_s, disturbance, *options, server=()):
-        """99 of 100 replies come within so many seconds, in each round."""
+    def check_bound(self, most_s, disturbance, *options, server=()):
+        """Checks that in each round 99 of 100 replies arrive within `most_s` seconds more than without load."""
         alone, beside = [], []
         with Server("--log-level", "error", *server, clock="real") as xr3, xr3.line() as line:
             waits_s(line)
@@ -86,23 +86,23 @@ class Fairness(unittest.TestCase):
                     beside.append(waits_s(line)[int(ASKED * 0.99)])
         self.assertLess(max(beside), most_s + max(alone), f"alone {alone}, beside {beside}")
 
-    def test_beside_pictures(self):
+    def test_beside_images(self):
         for robot, workcell in ("rhino-xr3", "rhino-xr3"), ("rhino-xr3", "rhino-hundred"), ("adept-one", "adept-one"):
             with self.subTest(workcell):
-                self.hold(0.003, flood, ask_without_end, b"A**\n", server=("--robot", robot, "--workcell", workcell))
+                self.check_bound(0.003, flood, ask_without_end, b"A**\n", server=("--robot", robot, "--workcell", workcell))
 
-    def test_beside_a_line_that_reads_no_pictures(self):
+    def test_beside_a_line_that_reads_no_images(self):
         for commands in b"A**", b"A*0,0*":
             with self.subTest(commands):
-                self.hold(0.003, flood, pour, commands)
+                self.check_bound(0.003, flood, pour, commands)
 
     def test_beside_other_costly_commands(self):
-        """Rows, pixels, moves of all motors, the path switched on and off, the shortest inquiry."""
+        """Camera rows and pixels, moves of all motors, toggles of the path, the shortest inquiry."""
         rows = b"".join(b"A*%d*A*%d,7*" % (row, row) for row in range(192))
         moves = b"".join(b"%c%+d\r" % (label, sign) for label in b"ABCDEF" for sign in (1, -1))
         for commands in rows, moves + b"A**", b"A|A**", b"A$A**", b"E?" + b"?" * 100:
             with self.subTest(commands[:10]):
-                self.hold(0.003, flood, ask_without_end, commands, server=("--workcell", "rhino-hundred"))
+                self.check_bound(0.003, flood, ask_without_end, commands, server=("--workcell", "rhino-hundred"))
 
     def test_beside_monitor_clients(self):
         """A reply waits for at most one monitor request and the writing of its answer."""

@@ -58,7 +58,7 @@ class Goldens(unittest.TestCase):
                     self.assertEqual(" ".join(f"{label}{count}" for label, count in targets.items()),
                                      counts(state, "GFEDCBA"))
 
-    def test_a_drawing_program_meets_its_paper(self):
+    def test_a_drawing_program_reaches_its_documented_place(self):
         """A drawing program of the 1980s moves the wrist with E-224 D+219 from the soft home to about 4 inches
         out and 12 inches up from the shoulder."""
         with Server() as xr3, xr3.line() as line, xr3.monitor() as monitor:

@@ -63,14 +63,14 @@ class Healthcheck(unittest.TestCase):
         self.assertRegex(done.stderr, r"\Axr3: [^\n]+\n\Z", "one sentence on one line")
         self.assertRegex(done.stderr, says)
 
-    def test_a_server_is_healthy(self):
+    def test_a_running_server_is_healthy(self):
         with Server() as xr3, xr3.monitor() as monitor:
             self.healthy("--monitor-port", xr3.monitor_port)
             self.healthy(environment={"XR3_MONITOR_PORT": str(xr3.monitor_port)})
             self.assertEqual([], monitor.call("lines")["lines"])
             self.assertNotIn("warning", xr3.log())
 
-    def test_whatever_the_token(self):
+    def test_a_server_with_a_token_is_healthy(self):
         with tempfile.TemporaryDirectory() as folder:
             ports = pathlib.Path(folder, "ports.json")
             with Server("--private", "--port-file", ports, environment={"XR3_TOKEN": TOKEN}):
@@ -78,14 +78,14 @@ class Healthcheck(unittest.TestCase):
             with Server("--token", "auto", "--port-file", ports):
                 self.healthy(environment={"XR3_PORT_FILE": str(ports), "XR3_MONITOR_PORT": "0"})
 
-    def test_every_place_where_serve_listens(self):
+    def test_every_listen_address(self):
         for listen in "localhost", "127.0.0.1", "127.9.9.9", "0.0.0.0", "::1", "::":
             with self.subTest(listen), Server("--listen", listen, "--insecure") as xr3:
                 port = xr3.greeting.rsplit(":", 1)[1].strip()
                 self.healthy("--listen", listen, "--monitor-port", port)
                 self.healthy(environment={"XR3_LISTEN": listen, "XR3_MONITOR_PORT": port})
 
-    def test_asks_down_a_line_that_no_program_sees(self):
+    def test_the_probe_has_no_side_effects(self):
         with Server("--log-level", "debug") as xr3, xr3.monitor() as monitor:
             log = xr3.log()
             for _ in range(3):
@@ -98,7 +98,7 @@ class Healthcheck(unittest.TestCase):
             monitor.step(1, after=line)
             self.assertEqual([1], [line["line"] for line in monitor.call("lines")["lines"]])
 
-    def test_a_disabled_controller_is_healthy(self):
+    def test_a_disabled_simulator_is_healthy(self):
         with Server() as xr3, xr3.monitor() as monitor:
             line = xr3.line()
             line.send("A@")
@@ -107,31 +107,31 @@ class Healthcheck(unittest.TestCase):
             self.healthy("--monitor-port", xr3.monitor_port)
             self.assertFalse(monitor.get("enabled")["enabled"])
 
-    def test_where_every_line_is_taken(self):
+    def test_a_server_with_all_lines_taken_is_not_ready(self):
         with Server("--max-lines", 1) as xr3:
             line = xr3.line()
             line.ask("E?")
-            self.unhealthy(r"is not ready: every line is taken: 1 are open \(--max-lines\)",
+            self.unhealthy(r"is not ready: every line is in use: 1 are open \(--max-lines\)",
                            "--monitor-port", xr3.monitor_port)
             line.ask("E?")
             line.finish_sending()
             self.assertEqual(b"", line.read_to_end())
             self.healthy("--monitor-port", xr3.monitor_port, "--wait", DEADLINE_S)
 
-    def test_who_does_not_say_whether_it_is_ready(self):
+    def test_a_server_that_is_not_ready_is_unhealthy(self):
         for says, answer in [("is not ready: no line today", NOT_READY), ("does not say", b""),
                              ("is not xr3: it sends \"HTTP/1.1 404", b"HTTP/1.1 404 Not Found\r\n\r\n")]:
             with self.subTest(says), stand_in(HELLO + PONG, answer) as port:
                 self.unhealthy(says, "--monitor-port", port)
 
-    def test_nobody(self):
+    def test_a_closed_port_is_unhealthy(self):
         with unused_port() as port:
-            self.unhealthy(rf"nobody listens at 127\.0\.0\.1:{port} \(Connection refused\)",
+            self.unhealthy(rf"cannot connect to 127\.0\.0\.1:{port} \(Connection refused\)",
                            "--monitor-port", port)
         with unused_port(socket.AF_INET6, "::1") as port:
             self.unhealthy(rf"\[::1\]:{port}", "--monitor-port", port, "--listen", "::")
 
-    def test_no_xr3(self):
+    def test_other_servers_are_unhealthy(self):
         for says, answer in [("is not xr3: it sends \"HTTP/1.1 400 Bad", b"HTTP/1.1 400 Bad Request\r\n\r\n"),
                              ("sends nothing", b""),
                              ("is not xr3", b'{"op":"hello","server":"another"}\n'),
@@ -140,14 +140,14 @@ class Healthcheck(unittest.TestCase):
             with self.subTest(says), stand_in(answer) as port:
                 self.unhealthy(says, "--monitor-port", port)
 
-    def test_a_port_of_lines_is_no_monitor(self):
+    def test_the_robot_port_is_unhealthy(self):
         with Server() as xr3, xr3.monitor() as monitor:
             before = monitor.get("joints", "moving")
             self.unhealthy("sends nothing", "--monitor-port", xr3.robot_port, "--wait", "0.1")
             after = monitor.get("joints", "moving")
             self.assertEqual(before["joints"], after["joints"])
 
-    def test_who_does_not_answer_is_not_waited_for(self):
+    def test_a_silent_server_times_out(self):
         with stand_in() as port:  # connections succeed, but receive nothing
             self.unhealthy("sends nothing", "--monitor-port", port, "--wait", "0.1")
         with socket.socket() as server:
@@ -166,7 +166,7 @@ class Healthcheck(unittest.TestCase):
         with stand_in(*answers) as port:  # which sees to it that each was asked for
             self.healthy("--monitor-port", port, "--wait", DEADLINE_S)
 
-    def test_waits_for_a_server_that_is_to_come(self):
+    def test_waits_for_a_server_that_starts_later(self):
         with tempfile.TemporaryDirectory() as folder:
             ports = pathlib.Path(folder, "ports.json")
             self.unhealthy("ports.json", "--port-file", ports)
@@ -174,7 +174,7 @@ class Healthcheck(unittest.TestCase):
                     Server("--port-file", ports):
                 self.assertEqual(0, waiting.wait(DEADLINE_S))
 
-    def test_waits_where_nobody_listens_yet(self):
+    def test_waits_for_a_closed_port_to_open(self):
         with socket.socket() as server:
             server.bind((LOCALHOST, 0))
             port = server.getsockname()[1]
@@ -188,7 +188,7 @@ class Healthcheck(unittest.TestCase):
                             pass
                 self.assertEqual(0, waiting.wait(DEADLINE_S))
 
-    def test_port_files_that_are_none(self):
+    def test_invalid_port_files_are_refused(self):
         with tempfile.TemporaryDirectory() as folder:
             ports = pathlib.Path(folder, "ports.json")
             for text in "", "{", "[]", "{}", '{"monitor":"9601"}', '{"monitor":0}', '{"monitor":65536}', '{"monitor":-1}':
@@ -198,7 +198,7 @@ class Healthcheck(unittest.TestCase):
                         self.unhealthy("ports.json: contains no monitor port", "--port-file", ports, *wait, code=2)
             self.unhealthy("is a folder", "--port-file", folder, code=2)
 
-    def test_waits_for_a_port_file_that_is_still_written(self):
+    def test_waits_for_an_incomplete_port_file(self):
         with tempfile.TemporaryDirectory() as folder, Server() as xr3:
             ports = pathlib.Path(folder, "ports.json")
             ports.write_text("{", encoding="ascii")
@@ -208,7 +208,7 @@ class Healthcheck(unittest.TestCase):
                 ports.write_text(f'{{"monitor": {xr3.monitor_port}}}', encoding="ascii")
                 self.assertEqual(0, waiting.wait(DEADLINE_S))
 
-    def test_wrong_arguments(self):
+    def test_invalid_arguments_are_refused(self):
         for says, *arguments in [("--wait", "--wait", "-1"), ("65535", "--monitor-port", "70000"),
                                  ("--port-file", "--monitor-port", "0"), ("address", "--listen", "robot.lab"),
                                  (r"--wait: abc: a number from 0 to 86400;", "--wait", "abc")]:

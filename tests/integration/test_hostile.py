@@ -56,7 +56,7 @@ class Malformed(Case):
                 pass
             return messages(read_to_end(sock))
 
-    def test_each_gets_a_clear_error(self):
+    def test_malformed_requests_get_errors(self):
         for code, data in [
             ("bad_json", b'{"op":"ping"\n'), ("bad_json", b"{{\n"), ("bad_json", b"{}}\n"),
             ("bad_json", b'{"op":"\\x"}\n'),
@@ -72,13 +72,13 @@ class Malformed(Case):
                 self.assertEqual(code, result["error"]["code"])
                 self.assertLess(len(str(result)), 4096, "the error does not repeat the request")
 
-    def test_ids_that_are_none(self):
+    def test_invalid_ids(self):
         for wrong in b"{}", b"[1]", b"1.5", b"true", b"1e300", b'"' + b"x" * 65 + b'"', b"123456789012345678901234567890":
             with self.subTest(wrong):
                 _, result = self.answers(b'{"op":"ping","id":' + wrong + b"}\n")
                 self.assertEqual(("bad_args", None), (result["error"]["code"], result["id"]))
 
-    def test_ten_megabytes_without_an_end(self):
+    def test_an_endless_line_of_ten_megabytes(self):
         for start in b'{"op":"ping","more":"', b"{", b" " * 300_000 + b"{", b"x":
             with self.subTest(start[:30]):
                 before_s = self.waits_s()
@@ -142,7 +142,7 @@ class Http(Case):
             with self.subTest(data[:60]):
                 self.assertEqual(status, self.status(data))
 
-    def test_ten_megabytes_of_a_head_or_a_body(self):
+    def test_a_head_or_body_of_ten_megabytes(self):
         for start in (b"GET /", b"GET / HTTP/1.1\r\nHost: localhost\r\nX: ", b"POST / HTTP/1.1\r\nHost: localhost\r\n"
                       b"Content-Length: 10485760\r\n\r\n"):
             with self.subTest(start), connect(self.xr3.monitor_port) as sock:
@@ -159,7 +159,7 @@ class Http(Case):
 class Handshakes(Case):
     MANY = 1000
 
-    def test_a_thousand_that_never_end(self):
+    def test_a_thousand_incomplete_handshakes(self):
         """Incomplete HTTP heads are closed after ten seconds; an incomplete JSON line has no timeout."""
         starts = [b"G", b"GET / HT", UPGRADE, UPGRADE[:-20], b"GET / HTTP/1.1\r\nHost: localhost\r\n", b'{"op":', b""]
         before_s = self.waits_s()
@@ -185,7 +185,7 @@ class Handshakes(Case):
         with sock.makefile("rb") as file:
             return b"".join(file.readline() for _ in range(count))
 
-    def test_one_too_many(self):
+    def test_a_connection_above_the_maximum(self):
         """A client above the maximum number of connections is sent the reason."""
         kept = [self.enterContext(connect(self.xr3.monitor_port)) for _ in range(1024)]
         with connect(self.xr3.monitor_port) as sock:

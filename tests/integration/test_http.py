@@ -31,7 +31,7 @@ def curl(xr3, path, *options):
 
 
 class Resources(unittest.TestCase):
-    def test_each(self):
+    def test_every_resource(self):
         with Server() as xr3:
             for path, kind in RESOURCES.items():
                 with self.subTest(path):
@@ -43,7 +43,7 @@ class Resources(unittest.TestCase):
                     status, head, nothing = curl(xr3, path, "--head")
                     self.assertEqual((200, fields["content-type"], b""), (status, head["content-type"], nothing))
 
-    def test_what_is_not_there(self):
+    def test_unknown_resources(self):
         with Server("--robot", "adept-one") as xr3:
             for path, status, code in [("/nothing", 404, "not_found"), ("/state?cell=other", 404, "unknown_cell"),
                                        ("/view.svg?vector=0,0,0", 400, "bad_vector"), ("/assets/none.js", 404, "not_found"),
@@ -54,7 +54,7 @@ class Resources(unittest.TestCase):
                     self.assertEqual((status, code), (got, error["code"]))
                     self.assertEqual({"code", "message", "hint"}, set(error))
 
-    def test_nothing_is_changed(self):
+    def test_requests_change_nothing(self):
         with Server() as xr3, xr3.monitor() as monitor:
             before = machine(monitor.get())
             for method in "POST", "PUT", "DELETE", "OPTIONS", "PATCH":
@@ -64,7 +64,7 @@ class Resources(unittest.TestCase):
 
 
 class Contents(unittest.TestCase):
-    def test_the_state_is_the_message(self):
+    def test_the_state_equals_the_message(self):
         with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
             line.send("E+5\r")
             monitor.step(100, after=line)
@@ -82,7 +82,7 @@ class Contents(unittest.TestCase):
             with Server("--workcell", path) as again, again.monitor() as other:
                 self.assertEqual(monitor.get("blocks")["blocks"], other.get("blocks")["blocks"])
 
-    def test_pictures(self):
+    def test_images(self):
         with Server() as xr3, tempfile.TemporaryDirectory() as folder:
             self.assertEqual(curl(xr3, "/camera.pbm")[2], pathlib.Path(ROOT, "tests/golden/rhino-xr3.pbm").read_bytes())
             self.assertEqual(b"\x89PNG\r\n\x1a\n", curl(xr3, "/camera.png")[2][:8])
@@ -111,7 +111,7 @@ class Connections(unittest.TestCase):
         size = int(head.lower().split("content-length: ")[1].split("\r\n")[0]) if head else 0
         return head, file.read(size)
 
-    def test_one_for_many_requests(self):
+    def test_one_connection_for_many_requests(self):
         with Server() as xr3, connect(xr3.monitor_port) as sock, sock.makefile("rb") as file:
             for _ in range(3):
                 sock.sendall(GET)
@@ -124,7 +124,7 @@ class Connections(unittest.TestCase):
             self.assertIn("Connection: close\r\n", self.read_answer(file)[0])
             self.assertEqual(b"", file.read())
 
-    def test_what_ends_one(self):
+    def test_errors_and_close_end_the_connection(self):
         with Server() as xr3:
             for data in [b"HELP\r\n", b"POST / HTTP/1.1\r\nHost: localhost\r\nContent-Length: 99\r\n\r\n",
                          b"GET / HTTP/1.1\r\nHost: evil.example\r\n\r\n",
@@ -134,7 +134,7 @@ class Connections(unittest.TestCase):
                     self.assertIn("Connection: close\r\n", self.read_answer(file)[0])
                     self.assertEqual(b"", file.read())
 
-    def test_shutdown_ends_those_that_are_kept(self):
+    def test_shutdown_closes_idle_connections(self):
         """Server.stop() fails if it takes longer than two seconds."""
         with Server() as xr3, connect(xr3.monitor_port) as sock, sock.makefile("rb") as file:
             sock.sendall(GET)

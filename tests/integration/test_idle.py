@@ -74,7 +74,7 @@ class Case:
 
 
 class Idle(unittest.TestCase):
-    def test_nothing_wakes_a_robot_at_rest(self):
+    def test_a_robot_at_rest_does_not_wake_up(self):
         with contextlib.ExitStack() as stack:
             case = lambda *options, **more: stack.enter_context(Case(*options, **more))
             cases = {

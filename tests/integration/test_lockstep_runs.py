@@ -9,7 +9,7 @@ from lockstep_runs import delayed_runs, full_load, runs
 
 
 class LockstepRuns(unittest.TestCase):
-    def test_one_hash(self):
+    def test_all_runs_have_the_same_hash(self):
         with full_load(), concurrent.futures.ThreadPoolExecutor() as pool:
             late = [pool.submit(delayed_runs, 1) for _ in range(3)]
             hashes = runs(20)

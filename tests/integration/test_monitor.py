@@ -28,7 +28,7 @@ class Greeting(unittest.TestCase):
                              set(hello["calls"]))
         self.assertEqual((262144, 32), (hello["limits"]["message_bytes"], hello["limits"]["depth"]))
 
-    def test_silence_is_greeted_after_a_second(self):
+    def test_a_silent_client_gets_hello_after_a_second(self):
         with Server() as xr3:
             started = time.monotonic()
             sock = connect(xr3.monitor_port)
@@ -49,7 +49,7 @@ class Greeting(unittest.TestCase):
                     self.assertTrue(file.readline().startswith(b'{"op":"hello"'))
                     self.assertEqual(b'{"op":"pong","id":7}\n', file.readline())
 
-    def test_what_is_not_json_is_told_so(self):
+    def test_other_text_gets_an_error(self):
         for data in [b"hello?\n", b"[1]\n", b"e\n", b"\xff\xfe{", b"\x00\n"]:
             with self.subTest(data), Server() as xr3:
                 sock = connect(xr3.monitor_port)
@@ -69,7 +69,7 @@ class Greeting(unittest.TestCase):
             xr3.monitor().close()
         self.assertEqual(1, xr3.log().count("TLS"), "logged once")
 
-    def test_half_close_still_gets_its_answers(self):
+    def test_a_half_closed_client_gets_its_replies(self):
         with Server() as xr3, connect(xr3.monitor_port) as sock:
             sock.sendall(b'{"op":"ping","id":1}\n{"op":"get","channel":"state"}\n{"op":"ping","id":2}')
             sock.shutdown(1)
@@ -91,7 +91,7 @@ def receive_all(sock):
 
 
 class State(unittest.TestCase):
-    def test_whole(self):
+    def test_all_members(self):
         with Server() as xr3, xr3.monitor() as monitor:
             state = monitor.get()
         self.assertEqual(STATE | {"id"}, set(state))
@@ -109,14 +109,14 @@ class State(unittest.TestCase):
                          state["blocks"][0])
         self.assertEqual([0, 1, 0, 1, 0, 0, 0, 0, -1], state["tool"]["rotation"])
 
-    def test_chosen_members(self):
+    def test_selected_members(self):
         with Server() as xr3, xr3.monitor() as monitor:
             self.assertEqual({"op", "id", "cell", "epoch", "seq", "tick", "stalled", "moving"},
                              set(monitor.get("stalled", "moving")))
             self.assertEqual({"moving"}, set(monitor.step(1, fields=["moving"])))
             self.assertEqual(STATE - {"op", "cell", "epoch", "seq", "tick"}, set(monitor.step(1)))
 
-    def test_what_lines_do_is_seen(self):
+    def test_commands_of_lines_change_the_state(self):
         with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
             line.send("LP3P8E-60\rD55S")
             state = monitor.step(500, after=line)
@@ -127,7 +127,7 @@ class State(unittest.TestCase):
             self.assertEqual(55, d["speed"])
             self.assertEqual(({"I": 4, "J": 0}, True), (state["switches"], state["moving"]))
 
-    def test_switches_in_mark3_are_told_as_they_are(self):
+    def test_switches_of_mark3_are_true_if_closed(self):
         """`switch` is true for closed in every profile; `switches` has the values of the line's replies."""
         with Server("--compat", "mark3") as xr3, xr3.monitor() as monitor, xr3.line() as line:
             state = monitor.get()
@@ -169,17 +169,17 @@ class Time(unittest.TestCase):
     def test_pause_resume_and_rate(self):
         with Server(clock="real:1000") as xr3, xr3.monitor() as monitor:
             self.assertEqual({"mode": "real", "rate": 1000.0}, monitor.hello["clock"])
-            stood = monitor.call("pause")["tick"]
-            self.assertEqual(stood, monitor.get("clock")["tick"])
+            paused_at = monitor.call("pause")["tick"]
+            self.assertEqual(paused_at, monitor.get("clock")["tick"])
             self.assertEqual({"mode": "manual", "rate": 1000.0}, monitor.get()["clock"])
-            self.assertEqual(stood + 5, monitor.call("step", ticks=5)["tick"])
+            self.assertEqual(paused_at + 5, monitor.call("step", ticks=5)["tick"])
             monitor.call("rate", factor=2.5)
             monitor.call("resume")
             self.assertEqual({"mode": "real", "rate": 2.5}, monitor.get()["clock"])
-            while monitor.get("moving")["tick"] < stood + 20:
+            while monitor.get("moving")["tick"] < paused_at + 20:
                 pass
 
-    def test_reset_begins_an_epoch_and_keeps_lines(self):
+    def test_reset_starts_an_epoch_and_keeps_lines(self):
         with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
             before = machine(monitor.get())
             line.send("E+9\rLP2A#E17S D+5")
@@ -204,7 +204,7 @@ class Time(unittest.TestCase):
             monitor.call("home")
             self.assertEqual(before, machine(monitor.get()))
 
-    def test_a_month_at_rest_is_free(self):
+    def test_a_month_at_rest_takes_no_time(self):
         with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
             line.send("E+50\r")
             monitor.step(0, after=line)
@@ -214,7 +214,7 @@ class Time(unittest.TestCase):
             self.assertEqual((10**12, "E50"), (monitor.get()["tick"], counts(monitor.get())))
             self.assertEqual(32, line.ask("E?"))
 
-    def test_after_waits_for_bytes_that_come_later(self):
+    def test_after_waits_for_later_bytes(self):
         with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
             monitor.send(b'{"op":"call","id":1,"fn":"step","args":{"ticks":50,'
                          b'"after":{"line":1,"bytes_in":8,"within_ms":20000}}}\n')
@@ -228,7 +228,7 @@ class Time(unittest.TestCase):
             self.assertEqual((True, 50, "F3 E2"), (result["ok"], result["value"]["tick"],
                                                    counts(result["value"]["state"])))
 
-    def test_after_gives_up(self):
+    def test_after_times_out(self):
         with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
             line.send("E+5\r")
             for fn, more in [("step", {"ticks": 50}), ("run_until", {"idle": True, "max_ticks": 100})]:

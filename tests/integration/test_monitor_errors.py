@@ -66,7 +66,7 @@ class Requests(unittest.TestCase):
             self.assertEqual((machine(before), 0, 0), (machine(after), after["tick"], after["epoch"]))
             self.assertEqual(before["clock"], after["clock"])
 
-    def test_a_member_that_is_given_twice(self):
+    def test_a_duplicate_member_is_refused(self):
         with Server() as xr3, xr3.monitor() as monitor:
             for pointer, line in (
                     ("/args/ticks", b'{"op":"call","id":"d","fn":"step","args":{"ticks":1,"ticks":500}}\n'),
@@ -80,7 +80,7 @@ class Requests(unittest.TestCase):
                                   [(each["pointer"], each["allowed"]) for each in answer["error"]["details"]])
             self.assertEqual(0, monitor.get()["tick"])
 
-    def test_running_time_is_not_stepped(self):
+    def test_step_needs_the_manual_clock(self):
         with Server(clock="real") as xr3, xr3.monitor() as monitor:
             for request in call("step", ticks=5), call("run_until", idle=True, max_ticks=5):
                 with self.subTest(request=request), self.assertRaises(MonitorError) as caught:
@@ -117,7 +117,7 @@ class Requests(unittest.TestCase):
                 answers.append(answer)
             self.assertEqual(("bye", "too_long"), (answers[-1]["op"], answers[-1]["why"]))
 
-    def test_ids_come_back(self):
+    def test_replies_have_the_id_of_the_request(self):
         with Server() as xr3, xr3.monitor() as monitor:
             for number in ["a" * 64, "", 0, -7, 2**53 - 1, "é"]:
                 monitor.send({"op": "ping", "id": number})
@@ -125,7 +125,7 @@ class Requests(unittest.TestCase):
             monitor.send({"op": "ping", "more": "ignored"})
             self.assertEqual("pong", monitor.read()["op"])
 
-    def test_a_line_that_is_no_object_ends_the_connection(self):
+    def test_a_line_that_is_not_an_object_ends_the_connection(self):
         """So the server reads at most the first line of an HTTP request."""
         with Server() as xr3:
             for intruder in b"POST / HTTP/1.1\r\n", b"[]\n", b"5\n", b"\x00\n":
@@ -160,7 +160,7 @@ class Http(unittest.TestCase):
                     capture_output=True, text=True, timeout=DEADLINE_S, check=False)
                 self.assertEqual((0, status, ""), (done.returncode, done.stdout[-3:], done.stderr), path)
 
-    def test_a_request_carries_no_call(self):
+    def test_an_http_body_is_not_executed(self):
         """A web page can make a browser send an HTTP request with lines of JSON in it."""
         host = b"Host: localhost\r\n"
         with Server() as xr3:
@@ -183,7 +183,7 @@ class Http(unittest.TestCase):
             with xr3.monitor() as monitor:
                 self.assertEqual(0, monitor.get("moving")["tick"])
 
-    def test_a_request_that_is_cut_anywhere(self):
+    def test_a_request_cut_at_every_byte(self):
         request = b"GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n"
         with Server() as xr3, xr3.monitor() as monitor:
             for length in range(1, len(request)):

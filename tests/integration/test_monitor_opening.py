@@ -128,7 +128,7 @@ class Opening(unittest.TestCase):
                 self.check(kind, stream.ends())
                 self.assert_nothing_acted()
 
-    def test_what_http_says(self):
+    def test_http_responses(self):
         for status, data in [(505, b"PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n"), (400, b"HELP\r\n\r\n"),
                              (400, b"GET / HTTP/1.1\r\n\r\n"),
                              (200, b"GET /healthz HTTP/1.0\r\nHost: a.localhost\r\n\r\n")]:
@@ -176,7 +176,7 @@ class Opening(unittest.TestCase):
         self.assertGreater(time.monotonic() - started, 0.9 * SILENCE_S)
         return streams
 
-    def test_silence_then_anything(self):
+    def test_after_hello_only_json_is_accepted(self):
         """After `hello` the server accepts only JSON."""
         cases = [(JSON, [PING]), (JSON, [b"{", PING[1:]]), (JSON, [b"\r\n", PING]),
                  (NOT_JSON, [b"GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n" + CALL]),
@@ -190,7 +190,7 @@ class Opening(unittest.TestCase):
                 self.assertEqual("pong" if kind is JSON else "bye", last["op"])
                 self.assert_nothing_acted()
 
-    def test_blanks_and_a_byte_order_mark_are_silence(self):
+    def test_blanks_and_a_byte_order_mark_count_as_silence(self):
         for stream in self.greeted([b"\r\n", b" ", BOM]):
             stream.send(PING)
             self.assertEqual(["pong"], [message["op"] for message in messages(stream.ends())])

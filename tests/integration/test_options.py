@@ -23,13 +23,13 @@ class Options(unittest.TestCase):
 
 
 class Environment(Options):
-    def test_says_what_no_argument_says(self):
+    def test_sets_options_without_arguments(self):
         environment = {"XR3_ROBOT": "adept-one", "XR3_COMPAT": "mark3", "XR3_CLOCK": "real", "XR3_WORKCELL": ""}
         with Server(environment=environment) as xr3, xr3.monitor() as monitor:
             self.assertEqual(("Adept One", "mark3"), (monitor.hello["robot"]["name"], monitor.hello["compat"]))
             self.assertEqual("manual", monitor.hello["clock"]["mode"], "an argument takes precedence")
 
-    def test_a_token_file_and_privacy(self):
+    def test_a_token_file_and_private(self):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder, "token")
             file.write_text(TOKEN, encoding="ascii")
@@ -40,7 +40,7 @@ class Environment(Options):
             with Server("--token", "auto", "--port-file", pathlib.Path(folder, "ports"), environment=environment):
                 self.assertIn('"token"', pathlib.Path(folder, "ports").read_text(encoding="ascii"))
 
-    def test_what_is_wrong_is_said_with_the_name(self):
+    def test_errors_name_the_variable(self):
         self.refused("XR3_CLOCK: fast: a clock is", XR3_CLOCK="fast")
         self.refused("XR3_ROBOT: there is no robot named r2d2; use one of: adept-one", XR3_ROBOT="r2d2")
         self.refused("XR3_WORKCELL: .*absent.json", XR3_WORKCELL="/absent.json")
@@ -67,7 +67,7 @@ class Config(Options):
         path.write_text(text, encoding="utf-8")
         return path
 
-    def test_says_what_nothing_nearer_says(self):
+    def test_arguments_and_environment_override_the_file(self):
         path = self.file('robot = "adept-one"\nclock = "real:9"\ncompat = "mark3"\nlog-level = "debug"\n')
         for arguments, environment in [(["--config", path], {}), ([], {"XR3_CONFIG": str(path)})]:
             environment["XR3_COMPAT"] = "paper"
@@ -96,7 +96,7 @@ class Config(Options):
             done = run_xr3("healthcheck", env={**os.environ, "XR3_CONFIG": str(path)})
             self.assertEqual((0, ""), (done.returncode, done.stderr))
 
-    def test_what_is_wrong_is_said_with_file_and_line(self):
+    def test_errors_name_file_and_line(self):
         for says, text in [("lab.toml:2: robt: unknown key; use one of: robot, workcell", "\nrobt = 1"),
                            ("lab.toml:1: token: the token must not be", f'token = "{TOKEN}"'),
                            ("lab.toml:1: max-lines: .*20000", "max-lines = 0"),

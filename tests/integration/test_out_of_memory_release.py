@@ -1,6 +1,6 @@
-"""Memory runs out while lines wait for large pictures: the server must not stay as a port that serves nobody.
-It ends with a code of its own and says why; where it lives on, it serves new lines. (Not under sanitizers,
-which do not run in so little.)"""
+"""Memory runs out while lines wait for large images: the server must not keep a port that it does
+not serve. It ends with its own exit code and an error message, or it continues and serves new lines. (Not under
+sanitizers, which need more memory.)"""
 # labels: release
 
 import contextlib
@@ -29,7 +29,7 @@ def workcell(folder):
 
 
 def greedy_lines(xr3, open_lines):
-    """Lines that ask for pictures and read none, as long as there is somebody to ask."""
+    """Opens lines that request images and read none, until the server closes."""
     for _ in range(LINES):
         with contextlib.suppress(OSError):
             line = open_lines.enter_context(connect(xr3.robot_port, buffer_bytes=4096))
@@ -37,7 +37,7 @@ def greedy_lines(xr3, open_lines):
 
 
 class OutOfMemory(unittest.TestCase):
-    def test_ends_or_serves(self):
+    def test_ends_or_continues(self):
         with tempfile.TemporaryDirectory() as folder, Server("--workcell", workcell(folder)) as xr3, \
                 contextlib.ExitStack() as open_lines:
             most = (xr3.status("VmSize") + MORE_KIB) * 1024

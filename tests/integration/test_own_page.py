@@ -25,7 +25,7 @@ class OwnAddress(unittest.TestCase):
       return {state, answers};
     })()""" % json.dumps(STEP)
 
-    def test_its_page_reads_and_drives(self):
+    def test_the_page_reads_and_controls(self):
         with Server() as xr3, xr3.monitor() as monitor, Proxy(xr3.monitor_port) as mapping, \
                 Chromium(hosts={f"lab.localhost:{xr3.monitor_port}": f"{LOCALHOST}:{xr3.monitor_port}"}) as browser:
             ticks = 0

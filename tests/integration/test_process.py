@@ -18,14 +18,14 @@ BROKEN = '{"name": "half a robot", "joints": ['
 
 
 class Start(unittest.TestCase):
-    def test_listening_is_all_it_prints(self):
+    def test_prints_only_listening(self):
         with Server() as xr3:
             self.assertRegex(xr3.greeting, r"^LISTENING robot=127\.0\.0\.1:\d+ monitor=127\.0\.0\.1:\d+\n$")
             self.assertNotIn(0, (xr3.robot_port, xr3.monitor_port))
             self.assertNotEqual(xr3.robot_port, xr3.monitor_port)
         # At its end the context has checked that there is no other output.
 
-    def test_both_ports_answer_as_soon_as_it_listens(self):
+    def test_both_ports_answer_after_listening(self):
         for _ in range(5):
             with Server() as xr3:
                 robot, monitor = connect(xr3.robot_port), connect(xr3.monitor_port)
@@ -36,7 +36,7 @@ class Start(unittest.TestCase):
                 robot.close()
                 monitor.close()
 
-    def test_port_file_appears_whole(self):
+    def test_port_file_appears_complete(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder, "ports.json")
             command = [XR3, "serve", "--robot-port", "0", "--monitor-port", "0", "--port-file", path]
@@ -110,7 +110,7 @@ class ExitCodes(unittest.TestCase):
                 with self.subTest(option):
                     self.refused(3, f"{port}.*in use", "serve", option, port, other, 0)
 
-    def test_the_same_port_twice(self):
+    def test_one_port_for_both_is_refused(self):
         with socket.create_server((LOCALHOST, 0)) as free:
             port = free.getsockname()[1]
         self.refused(3, f"{port}.*in use", "serve", "--robot-port", port, "--monitor-port", port)
@@ -127,7 +127,7 @@ class ExitCodes(unittest.TestCase):
             self.assertRegex(xr3.greeting, r"robot=0\.0\.0\.0:\d+ monitor=0\.0\.0\.0:\d+")
             self.assertEqual(32, line.ask("E?"))
 
-    def test_help_is_for_people(self):
+    def test_help_lists_the_options(self):
         for arguments, words in [
             (["--help"], ["serve", "check", "telnet", "Exit codes"]),
             (["serve", "--help"], ["--robot", "--workcell", "--listen", "--robot-port", "--monitor-port",
@@ -149,7 +149,7 @@ class ExitCodes(unittest.TestCase):
 class Shutdown(unittest.TestCase):
     SIGNALS = (signal.SIGTERM, signal.SIGINT)
 
-    def test_with_nobody_there(self):
+    def test_without_clients(self):
         for how in self.SIGNALS:
             with self.subTest(how), Server(clock="real") as xr3:
                 self.assertEqual(0, xr3.stop(how))
@@ -177,7 +177,7 @@ class Shutdown(unittest.TestCase):
                 undecided.close()
                 http.close()
 
-    def test_replies_that_are_due_are_handed_out(self):
+    def test_pending_replies_are_sent(self):
         with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
             line.send("E?" * 3000)
             monitor.step(0, after=line)

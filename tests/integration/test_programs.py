@@ -12,7 +12,7 @@ class Bench:
 
     def __init__(self, *options, clock="manual"):
         self.server = Server(*options, clock=clock)
-        self.stands = clock == "manual"
+        self.is_manual = clock == "manual"
 
     def __enter__(self):
         self.server.__enter__()
@@ -26,7 +26,7 @@ class Bench:
         self.server.__exit__(*problem)
 
     def wait(self, milliseconds):
-        if self.stands:
+        if self.is_manual:
             self.monitor.step(milliseconds, after=self.line, fields=["moving"])
             return
         until = self.monitor.get("moving")["tick"] + milliseconds
@@ -34,7 +34,7 @@ class Bench:
             pass
 
     def settle(self):
-        if not self.stands:
+        if not self.is_manual:
             self.monitor.call("pause")
         return self.monitor.settle(after=self.line)
 
@@ -80,7 +80,7 @@ class DriverOf1983(unittest.TestCase):
         self.assertEqual("F30 E-40 D40", counts(state))
         self.assertEqual(["E"], driver.stuck)
 
-    def test_stops_jaws_that_are_stuck(self):
+    def test_stops_blocked_jaws(self):
         """The jaws are blocked at their limit, 16 counts above the soft home, so the error counter stays."""
         driver, state = self.run_it(lambda driver: self.assertFalse(driver.move("A", 85)))
         self.assertEqual(["A"], driver.stuck)
@@ -117,7 +117,7 @@ class LabProgramOfEveryWeek(unittest.TestCase):
             program.home("F")
             self.assertEqual("E-70 D10 C10", counts(bench.settle()))
 
-    def test_in_running_time(self):
+    def test_with_a_real_clock(self):
         with Bench("--compat", "mark3", clock="real:50") as bench:
             program = LabProgram(bench.line, bench.wait)
             program.move("E", 40)
@@ -126,7 +126,7 @@ class LabProgramOfEveryWeek(unittest.TestCase):
 
 
 class WriteOnlyProgram(unittest.TestCase):
-    def test_ends_where_the_sums_say(self):
+    def test_ends_at_the_computed_counts(self):
         for profile in "paper", "mark3":
             with self.subTest(profile), Bench("--compat", profile) as bench:
                 write_only(bench.line, bench.wait)

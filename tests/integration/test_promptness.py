@@ -30,7 +30,7 @@ class Promptness(unittest.TestCase):
                 late_s.append(time.monotonic() - started - 0.009)
             self.assertLess(statistics.median(late_s), SOON_S, sorted(late_s))
 
-    def test_what_a_byte_does(self):
+    def test_the_effect_of_a_byte(self):
         """A state follows with the next frame, at 60 frames a second."""
         with Server(clock="real") as xr3, xr3.monitor() as viewer, xr3.line() as line:
             viewer.subscribe("state", max_hz=60, fields=["io"])

@@ -6,12 +6,12 @@ from random_requests import ask
 
 
 class RandomRequests(unittest.TestCase):
-    def test_in_standing_time(self):
+    def test_with_a_manual_clock(self):
         for seed in range(6):
             with self.subTest(seed=seed):
                 ask(self, seed, 500)
 
-    def test_in_running_time(self):
+    def test_with_a_real_clock(self):
         for seed in range(100, 103):
             with self.subTest(seed=seed):
                 ask(self, seed, 500, clock="real:50")

@@ -24,7 +24,7 @@ def session():
 
 @needs("telnet", "inetutils-telnet")
 class ThirtySeconds(unittest.TestCase):
-    def test_what_is_typed_and_what_comes_back(self):
+    def test_commands_give_the_printed_replies(self):
         lines = session()
         self.assertEqual(["E5S", "E+50", "E?", "A$", "Q"], [typed for typed, _ in lines])
         received = 0

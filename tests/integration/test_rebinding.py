@@ -47,7 +47,7 @@ class Robot:
 
 
 @unittest.skipUnless(CHROMIUM, MISSING)
-class Strangers(unittest.TestCase):
+class PagesOfOtherSites(unittest.TestCase):
     def test_a_page_from_another_port(self):
         with Site() as site, Chromium() as browser:
             page = browser.open(site.url)
@@ -61,7 +61,7 @@ class Strangers(unittest.TestCase):
                         self.assertNotIn("read", came, f"{attempt} at {base}")
                 robot.xr3.wait_log("client sent HTTP", times=5)
 
-    def test_a_page_by_a_rebound_name(self):
+    def test_a_page_of_a_rebound_name(self):
         """The host name resolves to another site until the page is loaded, then to this machine."""
         robot = Robot(self, EVERYTHING_LOW)
         for port, call in (robot.xr3.monitor_port, STEP), (robot.xr3.robot_port, MOVES):

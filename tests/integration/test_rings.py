@@ -43,7 +43,7 @@ class Overflow(unittest.TestCase):
         viewer.subscribe(channel)
         return viewer
 
-    def test_events(self):
+    def test_lost_events_are_reported(self):
         with Server("--log-level", "warn") as xr3, xr3.monitor() as monitor, xr3.line() as line:
             monitor.step(0, after=line, fields=[])
             viewer = self.stuck(xr3, "event")
@@ -52,27 +52,27 @@ class Overflow(unittest.TestCase):
                 line.send("E+1\rE-1\r" * 400)
                 monitor.step(0, after=line, fields=[])
             newest = monitor.recall("event")[-1]["seq"]
-            told = viewer.read_until(lambda message: message.get("seq") == newest)
-            self.assertEqual(first + 1, told[0].get("seq") or told[0]["from_seq"])
-            missing = check_gaps(self, told, "event")
+            received = viewer.read_until(lambda message: message.get("seq") == newest)
+            self.assertEqual(first + 1, received[0].get("seq") or received[0]["from_seq"])
+            missing = check_gaps(self, received, "event")
             self.assertGreater(missing, 1000)
-            self.assertEqual(newest - first, missing + [message["op"] for message in told].count("event"))
+            self.assertEqual(newest - first, missing + [message["op"] for message in received].count("event"))
             line.send("E+1\r")
             monitor.step(0, after=line, fields=[])
             self.assertEqual(newest + 1, viewer.read()["seq"], "no further gap")
 
-    def test_lines(self):
+    def test_lost_lines_are_reported(self):
         with Server("--log-level", "warn") as xr3, xr3.monitor() as monitor, xr3.line() as line:
             viewer = self.stuck(xr3, "line")
             for _ in range(3000):
                 line.ask("E?")
             newest = monitor.recall("line")[-1]["seq"]
-            told = viewer.read_until(lambda message: message.get("seq") == newest)
-            missing = check_gaps(self, told, "line")
-            first = told[0].get("seq") or told[0]["from_seq"]
-            self.assertEqual(newest - first + 1, missing + len([m for m in told if m["op"] == "line"]))
+            received = viewer.read_until(lambda message: message.get("seq") == newest)
+            missing = check_gaps(self, received, "line")
+            first = received[0].get("seq") or received[0]["from_seq"]
+            self.assertEqual(newest - first + 1, missing + len([m for m in received if m["op"] == "line"]))
 
-    def test_since_what_the_ring_has_lost(self):
+    def test_since_before_the_oldest_message_gives_a_lag(self):
         with Server("--log-level", "warn") as xr3, xr3.monitor() as monitor, xr3.line() as line:
             line.send("E+1\rE-1\r" * 4000)
             monitor.step(0, after=line, fields=[])
@@ -84,7 +84,7 @@ class Overflow(unittest.TestCase):
             self.assertEqual(("lag", 1, held[0]["seq"] - 1), (lag["op"], lag["from_seq"], lag["to_seq"]))
             self.assertEqual(held[0]["seq"], monitor.read()["seq"])
 
-    def test_frames_that_were_overwritten(self):
+    def test_overwritten_frames_are_reported(self):
         """A subscriber that reads late receives the last state, and a `lag` for the ones that it missed."""
         with Server("--log-level", "warn", clock="real") as xr3, xr3.monitor() as monitor, xr3.line() as line:
             viewer = self.stuck(xr3, "state")
@@ -96,9 +96,9 @@ class Overflow(unittest.TestCase):
                     good.read_until(lambda message: message["moving"])
                     good.read_until(lambda message: not message["moving"])
             self.assertEqual("E60", counts(monitor.get()))
-            told = viewer.read_until(lambda message: message["op"] == "state" and counts(message) == "E60"
+            received = viewer.read_until(lambda message: message["op"] == "state" and counts(message) == "E60"
                                      and not message["moving"])
-            for lag in (message for message in told if message["op"] == "lag"):
+            for lag in (message for message in received if message["op"] == "lag"):
                 self.assertEqual("state", lag["channel"])
                 self.assertLessEqual(lag["missed"], lag["to_seq"] - lag["from_seq"] + 1)
 
@@ -106,7 +106,7 @@ class Overflow(unittest.TestCase):
 class Garbage(unittest.TestCase):
     POURED_S = 3.0
 
-    def test_subscribers_of_everything_live_on(self):
+    def test_subscribers_survive_garbage(self):
         with Server("--log-level", "warn", clock="real") as xr3, xr3.monitor() as good:
             viewers = {channel: xr3.monitor() for channel in ("event", "line")}
             for channel, viewer in viewers.items():
@@ -122,12 +122,14 @@ class Garbage(unittest.TestCase):
                 self.assertGreater(len(messages), 10)
                 check_gaps(self, messages, channel)
                 viewers[channel].close()
-            told = {message.get("code", "lag") for message in seen["event"]}
-            self.assertTrue(told & {"lag", "suppressed"}, told)
+            codes = {message.get("code", "lag") for message in seen["event"]}
+            self.assertTrue(codes & {"lag", "suppressed"}, codes)
 
 
 class Stuck(unittest.TestCase):
-    ENVIRONMENT = {"ASAN_OPTIONS": os.environ.get("ASAN_OPTIONS", "") + ":quarantine_size_mb=1"}
+    # Without the quarantine of freed memory, which would count.
+    ENVIRONMENT = {"ASAN_OPTIONS": os.environ.get("ASAN_OPTIONS", "")
+                   + ":quarantine_size_mb=0:thread_local_quarantine_size_kb=0"}
     WANTED = 100_000
     STUCK_TURNS = 100
 
@@ -151,7 +153,7 @@ class Stuck(unittest.TestCase):
                 waits_s.append(time.monotonic() - started)
         return len(request) * self.WANTED - len(pending), sorted(waits_s)
 
-    def test_a_hundred_thousand_images_that_are_never_read(self):
+    def test_a_client_that_never_reads_its_images(self):
         with Server("--log-level", "warn", environment=self.ENVIRONMENT) as xr3, xr3.monitor() as good:
             for _ in range(300):
                 good.look("image")
@@ -160,7 +162,7 @@ class Stuck(unittest.TestCase):
             before = xr3.status("VmRSS")
             stuck = self.enterContext(Monitor(xr3.monitor_port, buffer_bytes=SMALL_BUFFER))
             _, waits_s = self.ask_for_images(stuck, good)
-            self.assertLessEqual(xr3.status("VmRSS") - before, MIB)
+            self.assertLessEqual(xr3.status("VmRSS") - before, MIB // 4)
             self.assertLess(waits_s[len(waits_s) // 2], 0.05)
 
 

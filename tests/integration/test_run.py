@@ -50,24 +50,24 @@ class Run(unittest.TestCase):
         return subprocess.run([self.folder / "run", *arguments], env=self.environment, cwd=self.folder,
                               capture_output=True, text=True, timeout=DEADLINE_S, check=False)
 
-    def test_without_arguments_the_rhino(self):
+    def test_starts_the_rhino_by_default(self):
         self.assertEqual(RHINO, self.started())
 
-    def test_an_argument(self):
+    def test_arguments_select_the_robot(self):
         self.assertEqual(ADEPT, self.started("--robot", "adept-one"))
         self.assertEqual((ADEPT[0], RHINO[1]), self.started("--robot", "adept-one", "--workcell", "rhino-xr3"))
 
-    def test_the_environment(self):
+    def test_the_environment_selects_the_robot(self):
         self.assertEqual(ADEPT, self.started(XR3_ROBOT="adept-one"))
         self.assertEqual(RHINO, self.started("--robot", "rhino-xr3", XR3_ROBOT="adept-one"))
 
-    def test_a_config_file(self):
+    def test_a_config_file_selects_the_robot(self):
         config = self.folder / "lab.toml"
         config.write_text('robot = "adept-one"\n', encoding="ascii")
         self.assertEqual(ADEPT, self.started("--config", config))
         self.assertEqual(ADEPT, self.started(XR3_CONFIG=str(config)))
 
-    def test_a_robot_without_a_workcell_of_its_name(self):
+    def test_a_robot_without_a_workcell_of_the_same_name(self):
         robot = self.folder / "my-arm.json"
         shutil.copy(pathlib.Path(ROOT, "data", "robots", "rhino-xr3.json"), robot)
         done = self.run_to_end("--robot", robot)
@@ -85,7 +85,7 @@ class Run(unittest.TestCase):
             with self.subTest(arguments):
                 self.assertEqual(ADEPT if "adept-one" in arguments else RHINO, self.started(*arguments))
 
-    def test_build_only_builds(self):
+    def test_build_does_not_start_the_server(self):
         done = self.run_to_end("--build")
         self.assertEqual((0, ""), (done.returncode, done.stdout))
         self.assertNotIn("serve", done.stderr)

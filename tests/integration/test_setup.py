@@ -22,7 +22,7 @@ APT_GET = 'while [ "$1" != update ] && [ "$1" != install ]; do shift; done; echo
 
 
 def versioned(packages):
-    """The names of the packages; a number stands for the packages of that version of clang."""
+    """The names of the packages; a number represents the packages of that version of clang."""
     names = {package for package in packages if isinstance(package, str)}
     return names | {name.replace("%", str(version)) for version in packages if isinstance(version, int)
                     for name in OF_CLANG}
@@ -82,23 +82,23 @@ class Setup(unittest.TestCase):
         self.assertEqual({"libboost1.83-dev"}, self.chosen([], DEBIAN_13, "build"))
         self.assertEqual({"libboost1.83-dev"} | versioned([19]), self.chosen([], DEBIAN_13, "lint", "coverage"))
 
-    def test_what_is_installed_is_taken(self):
+    def test_an_installed_package_is_preferred(self):
         installed = ["libboost1.88-dev", "clang-18"]
         self.assertEqual({"libclang-rt-18-dev"}, self.chosen(installed, DEBIAN_13, "test"))
 
-    def test_nothing_is_asked_where_all_is_installed(self):
+    def test_complete_systems_are_not_queried(self):
         self.stub("apt-get", "exit 1")
         self.stub("apt-cache", "exit 1")
         for system in DEBIAN_12, DEBIAN_13:
             installed = self.usual | versioned(system)
             self.assertEqual((0, "", []), self.setup_with(installed, [], "test", "lint", "coverage"))
 
-    def test_a_system_without_them(self):
+    def test_a_system_without_the_packages_is_an_error(self):
         code, said, packages = self.setup_with([], self.usual | versioned(TOO_OLD), "build")
         self.assertEqual((1, []), (code, packages))
         self.assertIn("this system does not offer these packages (a|b: one of them): libboost1.81-dev|", said)
 
-    def test_the_presets_take_the_compiler_that_is_installed(self):
+    def test_presets_use_the_installed_compiler(self):
         versions = re.search(r"clang_versions='([\d ]+)'", SETUP.read_text(encoding="utf-8"))[1].split()
         toolchain = pathlib.Path(ROOT, "cmake", "clang.cmake").read_text(encoding="utf-8")
         names = re.search(r"NAMES\s+([^)]+)\)", toolchain)[1].split()

@@ -58,7 +58,7 @@ class Snapshots(unittest.TestCase):
         return [json.dumps([tick, {name: value for name, value in state.items() if name != "model_rev"}])
                 for tick, state in map(json.loads, seen)]
 
-    def test_the_same_continuation(self):
+    def test_a_loaded_snapshot_continues_identically(self):
         happen(self.monitor, seed=1, ticks=2000)
         saved = self.monitor.call("snapshot_save", name="a")
         inline = self.monitor.call("snapshot_save", inline=True)
@@ -77,7 +77,7 @@ class Snapshots(unittest.TestCase):
             self.assertEqual(first, self.without_revision(happen(monitor, seed=2)))
             self.assertEqual(ended["hash"], monitor.call("snapshot_save", name="end")["hash"])
 
-    def test_a_new_epoch_begins(self):
+    def test_loading_starts_a_new_epoch(self):
         self.monitor.step(70)
         self.monitor.call("snapshot_save", name="then")
         self.monitor.step(30)
@@ -88,7 +88,7 @@ class Snapshots(unittest.TestCase):
         self.assertEqual(("snapshot_load", 0, 100, 1, 70), tuple(event[name] for name in (
             "code", "from_epoch", "from_tick", "epoch", "tick")))
 
-    def test_neither_lines_nor_clock(self):
+    def test_loading_keeps_lines_and_clock(self):
         with self.xr3.line() as line:
             line.send("E+5\rE+")
             self.monitor.step(5, after=line)
@@ -98,7 +98,7 @@ class Snapshots(unittest.TestCase):
             self.assertEqual("real", self.monitor.get("clock")["clock"]["mode"])
             self.assertEqual([1], [each["line"] for each in self.monitor.call("lines")["lines"]])
 
-    def test_sixteen_names(self):
+    def test_at_most_sixteen_snapshots(self):
         for number in range(16):
             self.monitor.call("snapshot_save", name=f"number {number}")
         self.refused("limit", "snapshot_save", name="one more")
@@ -108,7 +108,7 @@ class Snapshots(unittest.TestCase):
         self.assertEqual(0, self.monitor.call("snapshot_load", name="number 4")["tick"])
         self.monitor.call("snapshot_save", inline=True)
 
-    def test_refused(self):
+    def test_invalid_arguments_are_refused(self):
         self.refused("no_such_snapshot", "snapshot_load", name="nowhere")
         self.monitor.call("snapshot_save", name="here")
         for arguments in {}, {"name": "here", "snapshot": {}}, {"snapshot": {}}, {"snapshot": 5}, {"name": 5}:
@@ -118,7 +118,7 @@ class Snapshots(unittest.TestCase):
             with self.subTest(arguments):
                 self.refused("bad_args", "snapshot_save", **arguments)
 
-    def test_a_snapshot_that_was_tampered_with(self):
+    def test_a_damaged_snapshot_is_refused(self):
         saved = self.monitor.call("snapshot_save", inline=True)["snapshot"]
         for path in self.leaves(saved):
             broken = json.loads(json.dumps(saved))
@@ -131,7 +131,7 @@ class Snapshots(unittest.TestCase):
             self.assertIn(caught.exception.code, ("bad_args", "model_mismatch"))
         self.assertEqual(0, self.monitor.get("moving")["epoch"])
 
-    def test_what_is_handed_out_can_be_sent_back(self):
+    def test_an_inline_snapshot_can_be_loaded(self):
         workcell = self.monitor.look("model")["workcell"]
         block = workcell["blocks"][0]
         workcell["blocks"] = [block | {"name": str(number)} for number in range(1500)]
@@ -144,14 +144,14 @@ class Snapshots(unittest.TestCase):
         self.monitor.call("snapshot_load", name="many")
         self.assertEqual(1500, len(self.monitor.get("blocks")["blocks"]))
 
-    def test_a_machine_that_cannot_be(self):
+    def test_an_impossible_state_is_refused(self):
         saved = self.monitor.call("snapshot_save", inline=True)["snapshot"]
         for pointer, value, allowed in (
                 ("/motors/0/switch_closed", True, "false: at count 0 it is open"),
                 ("/motors/1/phase", 999, "0: it has no counts to go"),
                 ("/motors/2/blocked", "limit", '"no": it has no counts to go'),
                 ("/below_surface", True, "false: the tip is at z "),
-                ("/stall", "protected_region", '"no": no tick from here leads into the protected region'),
+                ("/stall", "protected_region", '"no": no tick from this state moves the tip into the protected region'),
                 ("/tip_path/points", [[1, 2, 3]], "an empty list while display/erase is true")):
             broken = json.loads(json.dumps(saved))
             *path, name = [int(step) if step.isdigit() else step for step in pointer.split("/")[1:]]
@@ -175,7 +175,7 @@ class Snapshots(unittest.TestCase):
         else:
             yield path
 
-    def test_of_another_robot(self):
+    def test_a_snapshot_of_another_robot_is_refused(self):
         saved = self.monitor.call("snapshot_save", inline=True)["snapshot"]
         for options in ("--robot", "adept-one"), ("--compat", "mark3"):
             with self.subTest(options), Server(*options) as other, other.monitor() as monitor:

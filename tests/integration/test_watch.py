@@ -28,11 +28,15 @@ def row_of(label, screen):
 
 
 class Watch(unittest.TestCase):
-    def leave(self, terminal, code=0):
-        self.assertEqual(code, terminal.wait_end(), terminal.process.stderr.read())
+    def leave(self, terminal, key="q"):
+        terminal.press(key)
+        self.check_end(terminal)
+
+    def check_end(self, terminal):
+        self.assertEqual(0, terminal.wait_end(), terminal.process.stderr.read())
         self.assertTrue(terminal.is_as_before(), "the terminal's settings are restored")
 
-    def test_shows_what_happens(self):
+    def test_shows_moves_and_warnings(self):
         with Server(clock="real:20") as xr3, watch(xr3.monitor_port) as terminal:
             terminal.wait_for(lambda text: re.search(r"-140 █.*-90\.00 deg.*rests", row_of("E", text)))
             terminal.wait_text("magenta")
@@ -41,10 +45,9 @@ class Watch(unittest.TestCase):
             line.send("E+50\rE+200\r")
             terminal.wait_for(lambda text: "-84.33 deg" in row_of("E", text) and "rests" in row_of("E", text))
             terminal.wait_text("E+200")
-            terminal.press("q")
             self.leave(terminal)
 
-    def test_follows_the_size_of_its_window(self):
+    def test_follows_the_window_size(self):
         with Server() as xr3, watch(xr3.monitor_port) as terminal:
             terminal.wait_text("camera")
             for rows, columns in (60, 200), (10, 40), (24, 80):
@@ -53,10 +56,9 @@ class Watch(unittest.TestCase):
                     terminal.wait_for(lambda text, is_large=columns > 79: (
                         text.startswith(" xr3 watch") and text.split("\n")[-1].startswith(" q quit")
                         and "-90.00 deg" in row_of("E", text) and ("camera" in text) == is_large))
-            terminal.press("\x1b")
-            self.leave(terminal)
+            self.leave(terminal, "\x1b")
 
-    def test_keys_hold_time_and_home(self):
+    def test_keys_pause_step_and_home(self):
         with Server(clock="real") as xr3, xr3.monitor() as monitor, watch(xr3.monitor_port) as terminal:
             terminal.wait_text("space pause")
             terminal.press(" ")
@@ -79,10 +81,9 @@ class Watch(unittest.TestCase):
             terminal.wait_text("deg")
             terminal.press(" ")
             terminal.wait_text("real x 1")
-            terminal.press("\x03")
-            self.leave(terminal)
+            self.leave(terminal, "\x03")
 
-    def test_says_that_it_is_stalled(self):
+    def test_shows_a_stall(self):
         with Server(clock="real:50") as xr3, watch(xr3.monitor_port) as terminal:
             terminal.wait_text("rests")
             with xr3.monitor() as monitor:
@@ -93,13 +94,12 @@ class Watch(unittest.TestCase):
                     monitor.settle(after=line)
             terminal.wait_for(lambda text: "STALLED" in text or "limit" in text)
 
-    def test_waits_for_a_server_and_comes_back_to_it(self):
+    def test_reconnects_to_a_server(self):
         with socket.socket() as taken:  # reserves a port on which no process listens
             taken.bind((LOCALHOST, 0))
             port = taken.getsockname()[1]
             with watch(port) as terminal:
-                terminal.wait_text("nobody listens at")
-                terminal.press("q")
+                terminal.wait_text("cannot connect to")
                 self.leave(terminal)
         with Server() as first, watch(first.monitor_port) as terminal:
             terminal.wait_text("-90.00 deg")
@@ -111,18 +111,17 @@ class Watch(unittest.TestCase):
             with second:
                 terminal.wait_for(lambda text: "Adept" in text and "retrying" not in text)
             terminal.wait_text("retrying")
-            terminal.press("q")
             self.leave(terminal)
 
-    def test_a_server_that_is_killed_is_missed(self):
+    def test_detects_that_the_server_ended(self):
         with Server() as xr3, watch(xr3.monitor_port) as terminal:
             terminal.wait_text("-90.00 deg")
             xr3.stop(signal.SIGINT)
             terminal.wait_text("retrying")
             terminal.signal(signal.SIGTERM)
-            self.leave(terminal)
+            self.check_end(terminal)
 
-    def test_colors_are_a_choice(self):
+    def test_colors_can_be_disabled(self):
         with Server() as xr3:
             for options, environment, has_colors in ([], {}, True), (["--no-color"], {}, False), \
                     ([], {"NO_COLOR": "1"}, False):
@@ -130,17 +129,15 @@ class Watch(unittest.TestCase):
                         watch(xr3.monitor_port, *options, environment=environment) as terminal:
                     terminal.wait_text("magenta")
                     self.assertEqual(has_colors, "cyan" in terminal.colors())
-                    terminal.press("q")
                     self.leave(terminal)
 
     def test_a_locale_without_unicode_gets_ascii(self):
         with Server() as xr3, watch(xr3.monitor_port, environment={"LC_ALL": "C"}) as terminal:
             terminal.wait_for(lambda text: "175" in text and "#" in row_of("E", text))
             self.assertTrue(terminal.bytes.isascii())
-            terminal.press("q")
             self.leave(terminal)
 
-    def test_a_terminal_without_a_cursor_is_refused_in_words(self):
+    def test_a_terminal_without_a_cursor_is_refused(self):
         with watch(1, environment={"TERM": "dumb"}) as terminal:
             self.assertEqual(1, terminal.process.wait(DEADLINE_S))
             self.assertIn(b"--once", terminal.process.stderr.read())
@@ -160,18 +157,18 @@ class Watch(unittest.TestCase):
             self.assertTrue(plain.stdout.isascii())
             self.assertEqual(60, plain.stdout.count("\n"))
 
-    def test_once_says_what_is_wrong(self):
+    def test_once_reports_errors(self):
         with Server() as xr3:
             self.assertEqual(NO_SERVER, self.refused(f"localhost:{xr3.robot_port}", "no monitor port"))
             self.assertEqual(2, self.refused(f"localhost:{xr3.monitor_port}", "there is no cell", "--cell", "x"))
         with socket.socket() as taken:
             taken.bind((LOCALHOST, 0))
-            self.assertEqual(NO_SERVER, self.refused(f"localhost:{taken.getsockname()[1]}", "nobody listens"))
+            self.assertEqual(NO_SERVER, self.refused(f"localhost:{taken.getsockname()[1]}", "cannot connect"))
         for address in "localhost:", ":9601", "localhost:x", "localhost:70000", "":
             self.assertEqual(2, self.refused(address, "HOST:PORT"))
         self.assertEqual(2, self.refused("localhost:1", "no/such/file", "--token-file", "no/such/file"))
 
-    def test_a_server_that_is_full_is_quoted(self):
+    def test_once_shows_the_error_of_a_full_server(self):
         with socket.create_server((LOCALHOST, 0)) as full:
             answer = threading.Thread(target=self.say_full, args=(full,))
             answer.start()
@@ -193,7 +190,7 @@ class Watch(unittest.TestCase):
         self.assertEqual("", done.stdout)
         return done.returncode
 
-    def test_keys_need_the_token_where_there_is_one(self):
+    def test_keys_need_the_token(self):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder, "token")
             file.write_text(TOKEN + "\n", encoding="ascii")

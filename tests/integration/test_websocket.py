@@ -86,7 +86,7 @@ class Library(unittest.TestCase):
                 await asyncio.wait_for(work(socket), DEADLINE_S)
         asyncio.run(run())
 
-    def test_the_same_objects_as_lines(self):
+    def test_messages_equal_those_of_json_lines(self):
         async def work(socket):
             self.assertEqual("xr3.v1", socket.subprotocol)
             self.assertEqual([], socket.extensions)
@@ -120,13 +120,13 @@ class Library(unittest.TestCase):
         async def work(socket):
             await socket.recv()
             await (await socket.ping(b"hello"))
-            await socket.send(iter(['{"op":"pi', 'ng","id":', '"whole"}']))
-            self.assertEqual({"op": "pong", "id": "whole"}, checked(await socket.recv()))
+            await socket.send(iter(['{"op":"pi', 'ng","id":', '"fragments"}']))
+            self.assertEqual({"op": "pong", "id": "fragments"}, checked(await socket.recv()))
 
         with Server() as xr3:
             self.run_with(xr3.monitor_port, work)
 
-    def test_no_subprotocol_is_taken_another_is_not(self):
+    def test_only_the_known_subprotocol_is_accepted(self):
         async def work(socket):
             self.assertIsNone(socket.subprotocol)
             self.assertEqual("hello", checked(await socket.recv())["op"])
@@ -140,7 +140,7 @@ class Library(unittest.TestCase):
                 self.run_with(xr3.monitor_port, work, origin="http://evil.example")
             self.assertEqual(403, refused.exception.status_code)
 
-    def test_shutdown_is_going_away(self):
+    def test_shutdown_closes_with_going_away(self):
         async def work(socket):
             await socket.recv()
             self.xr3.process.terminate()
@@ -153,7 +153,7 @@ class Library(unittest.TestCase):
             self.run_with(self.xr3.monitor_port, work)
             self.assertEqual(0, self.xr3.process.wait(DEADLINE_S))
 
-    def test_five_wrong_tokens(self):
+    def test_five_wrong_tokens_close_the_connection(self):
         async def work(socket):
             self.assertEqual("read", checked(await socket.recv())["access"])
             for _ in range(5):
@@ -169,7 +169,7 @@ class Library(unittest.TestCase):
 
 
 class Bytes(unittest.TestCase):
-    def test_what_closes_and_how(self):
+    def test_close_codes(self):
         cases = [("binary", frame(BINARY, b"{}"), 1003),
                  ("bad UTF-8", frame(TEXT, b'{"op":"\xff"}'), 1007),
                  ("bad UTF-8 over fragments", frame(TEXT, b"\xe2\x82", last=False) + frame(CONTINUATION, b"{"), 1007),
@@ -189,7 +189,7 @@ class Bytes(unittest.TestCase):
             good.send(TEXT, b'{"op":"ping","id":1}')
             self.assertEqual({"op": "pong", "id": 1}, good.text())
 
-    def test_what_does_not_close(self):
+    def test_invalid_requests_do_not_close(self):
         with Server() as xr3, Raw(xr3.monitor_port) as client:
             client.text()
             for message, code in [(b"", "bad_json"), (b"[1]", "bad_json"), (b'{"op":', "bad_json"),
@@ -223,7 +223,7 @@ class Bytes(unittest.TestCase):
             with xr3.monitor() as monitor:
                 self.assertEqual(0, monitor.get()["epoch"])
 
-    def test_handshakes_that_stop_half_way(self):
+    def test_incomplete_handshakes_time_out(self):
         with Server() as xr3:
             stuck = [connect(xr3.monitor_port) for _ in range(200)]
             for sock in stuck:

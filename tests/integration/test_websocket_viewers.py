@@ -22,7 +22,7 @@ class Conversation(unittest.IsolatedAsyncioTestCase):
         self.xr3 = self.enterContext(Server())
         self.monitor = self.enterContext(self.xr3.monitor())
 
-    async def test_greeting_and_answers(self):
+    async def test_hello_and_replies(self):
         async with Viewer(self.xr3) as viewer:
             self.assertEqual(self.monitor.hello, viewer.hello)
             self.assertEqual((SUBPROTOCOL, []), (viewer.socket.subprotocol, viewer.socket.extensions), "no compression")
@@ -66,7 +66,7 @@ class Conversation(unittest.IsolatedAsyncioTestCase):
                         both += 1
                 self.assertGreater(both, 5)
 
-    async def test_fifty_of_them_end_where_the_robot_is(self):
+    async def test_fifty_viewers_receive_the_final_state(self):
         self.monitor.call("resume")
         async with contextlib.AsyncExitStack() as stack:
             viewers = [await stack.enter_async_context(Viewer(self.xr3)) for _ in range(50)]
@@ -92,7 +92,7 @@ class Conversation(unittest.IsolatedAsyncioTestCase):
         message = await viewer.read()
         seen[message["op"], message.get("seq")] = message
 
-    async def test_a_line_of_its_own_goes_with_the_client(self):
+    async def test_the_line_of_send_closes_with_the_client(self):
         async with Viewer(self.xr3) as viewer:
             await viewer.ask(op="call", fn="send", args={"text": "E?"})
             self.assertEqual(1, len(self.monitor.call("lines")["lines"]))
@@ -161,7 +161,7 @@ class Frames(unittest.TestCase):
                 self.assertEqual(code, self.close_code(*frames))
         self.assertEqual(0, self.monitor.get("moving")["tick"])
 
-    def test_a_length_that_nobody_can_mean(self):
+    def test_an_impossible_length_is_refused(self):
         for length in 2**31, 2**62, 2**64 - 1:
             head = bytes([0x80 | TEXT, 0x80 | 127]) + struct.pack(">Q", length) + b"mask" + b"{" * 100
             self.assertIn(self.close_code(head), (1002, 1009, None))
@@ -173,7 +173,7 @@ class Frames(unittest.TestCase):
         self.assertIn(bytes([0x80 | PONG, 5]) + b"here?", answer)
         self.assertIn(b'{"op":"pong","id":8}', answer)
 
-    def test_half_a_frame(self):
+    def test_an_incomplete_frame_has_no_effect(self):
         for cut in 1, 2, 5, 8, 12:
             with connect(self.xr3.monitor_port) as sock:
                 sock.sendall(UPGRADE + frame(TEXT, b'{"op":"call","fn":"step","args":{"ticks":9}}')[:cut])

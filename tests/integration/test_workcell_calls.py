@@ -1,5 +1,5 @@
-"""Calls that change the workcell: single blocks or the whole workcell. Invalid workcells are rejected as a whole
-with all findings, and the workcell in a `model` message is a valid data file."""
+"""Calls that change the workcell: single blocks or the entire workcell. Invalid workcells are rejected
+with all findings and change nothing, and the workcell in a `model` message is a valid data file."""
 
 import json
 import pathlib
@@ -55,25 +55,25 @@ class Blocks(Case):
         self.monitor.call("block_remove", name="small")
         self.assertNotIn("small", self.names())
 
-    def test_the_camera_sees_it(self):
+    def test_the_image_changes(self):
         before = self.monitor.look("image")["rows"]
         self.monitor.call("block_remove", name="red")
         after = self.monitor.look("image")["rows"]
         self.assertLess("".join(after).count("1"), "".join(before).count("1"))
 
-    def test_each_is_told(self):
+    def test_each_call_sends_an_event(self):
         before = self.monitor.get("model_rev")["model_rev"]
         self.monitor.call("block_add", name="small", xyz_mm=[400, 0, 10], **SMALL)
         self.monitor.call("block_move", name="small", yaw_deg=1)
         self.monitor.call("block_remove", name="small")
-        told = [event for event in self.monitor.recall("event", since=0) if event["event"] == "model"]
-        self.assertEqual(["block_add", "block_move", "block_remove"], [event["code"] for event in told])
-        revisions = [event["model_rev"] for event in told]
+        events = [event for event in self.monitor.recall("event", since=0) if event["event"] == "model"]
+        self.assertEqual(["block_add", "block_move", "block_remove"], [event["code"] for event in events])
+        revisions = [event["model_rev"] for event in events]
         self.assertEqual(sorted(set(revisions)), revisions)
         self.assertGreater(revisions[0], before)
         self.assertEqual(revisions[-1], self.monitor.get("model_rev")["model_rev"])
 
-    def test_refused(self):
+    def test_invalid_calls_are_refused(self):
         there = {"xyz_mm": [400, 0, 10], **SMALL}
         self.refused("name_taken", "block_add", name="red", **there)
         self.refused("no_such_block", "block_move", name="nobody", yaw_deg=1)
@@ -85,7 +85,7 @@ class Blocks(Case):
                 member = next(iter(wrong))
                 self.assertIn(member, error.details[0]["pointer"])
 
-    def test_a_held_block(self):
+    def test_a_held_block_cannot_be_changed(self):
         self.hold("small")
         self.refused("block_held", "block_move", name="small", yaw_deg=1)
         self.refused("block_held", "block_remove", name="small")
@@ -95,11 +95,11 @@ class Blocks(Case):
         self.monitor.call("block_remove", name="small")
 
 
-class Whole(Case):
+class ReplacedWorkcell(Case):
     def workcell(self):
         return self.monitor.look("model")["workcell"]
 
-    def test_replaced(self):
+    def test_replaces_the_workcell(self):
         workcell = self.workcell()
         workcell["blocks"] = [block | {"name": block["name"] + "2"} for block in workcell["blocks"][:2]]
         self.monitor.call("send", text="E+10\r")
@@ -109,7 +109,7 @@ class Whole(Case):
         self.assertEqual(moved, motors(self.monitor.get()), "the robot stays where it is")
         self.assertEqual(workcell, self.workcell())
 
-    def test_a_held_block_falls_away_with_its_workcell(self):
+    def test_replacing_the_workcell_removes_a_held_block(self):
         self.hold("small")
         workcell = self.workcell()
         self.monitor.call("workcell", workcell=workcell | {"blocks": workcell["blocks"][:1]})
@@ -124,7 +124,7 @@ class Whole(Case):
         self.monitor.call("reset")
         self.assertEqual((["red", "green"], [262.0, 0.0, 20.0]), (self.names(), self.block("red")["xyz_mm"]))
 
-    def test_refused_whole_with_every_reason(self):
+    def test_an_invalid_workcell_is_refused_with_all_findings(self):
         workcell = self.workcell()
         workcell["blocks"][0]["size"][0] = -5
         workcell["camera"]["pixels"][0] = "64"
@@ -135,14 +135,14 @@ class Whole(Case):
         self.assertTrue(any(pointer.endswith("/camera/pixels/0") for pointer in pointers), pointers)
         self.assertIn(-5, [detail["found"] for detail in error.details])
 
-    def test_refused(self):
+    def test_invalid_calls_are_refused(self):
         workcell = self.workcell()
         for wrong in {}, {**workcell, "more": 1}, {**workcell, "blocks": workcell["blocks"] + workcell["blocks"][:1]}, []:
             with self.subTest(str(wrong)[:60]):
                 self.refused("bad_args", "workcell", workcell=wrong)
 
 
-class AsAFile(Case):
+class WorkcellFile(Case):
     """Robot and workcell of a `model` message, written to files, pass `xr3 check` and start the same cell."""
 
     def check_files(self):
@@ -160,11 +160,11 @@ class AsAFile(Case):
                 self.assertEqual((model["robot"], model["workcell"]), (loaded["robot"], loaded["workcell"]))
                 return state, machine(monitor.get())
 
-    def test_as_shipped(self):
+    def test_shipped_workcell(self):
         before, after = self.check_files()
         self.assertEqual(before, after)
 
-    def test_after_blocks_were_moved(self):
+    def test_workcell_with_moved_blocks(self):
         self.monitor.call("block_move", name="red", xyz_mm=[261.125, -1.5, 20], yaw_deg=12.5)
         self.monitor.call("block_add", name="small", xyz_mm=[400, 0, 10], **SMALL)
         self.monitor.call("block_remove", name="green")
@@ -172,15 +172,15 @@ class AsAFile(Case):
         self.assertEqual(before["tool"], after["tool"])
 
 
-class AsAFileAdept(AsAFile):
+class WorkcellFileAdept(WorkcellFile):
     OPTIONS = ("--robot", "adept-one")
 
-    def test_after_blocks_were_moved(self):
+    def test_workcell_with_moved_blocks(self):
         self.monitor.call("block_move", name=self.names()[0], yaw_deg=12.5)
         self.check_files()
 
 
-class AsAFileIntelledex(AsAFileAdept):
+class WorkcellFileIntelledex(WorkcellFileAdept):
     OPTIONS = ("--robot", "intelledex-660")
 
 

@@ -125,7 +125,7 @@ class Editor(unittest.TestCase):
             self.assertIn("are saved", words)
             self.assertEqual(0, code)
 
-    def test_make_check_reopen_change(self):
+    def test_a_new_file_is_valid_and_can_be_changed(self):
         self.make()
         done = run_xr3("check", "--robot", "rhino-xr3", self.file)
         self.assertEqual((0, ""), (done.returncode, done.stderr))
@@ -161,7 +161,7 @@ class Editor(unittest.TestCase):
                 self.assertEqual(2, code)
         self.assertEqual([], os.listdir(self.folder))
 
-    def test_a_signal_to_stop_leaves_as_well(self):
+    def test_sigterm_leaves_without_writing(self):
         with Terminal(self.folder, "lab.json") as terminal:
             terminal.wait("Name [my workcell]: ")
             os.kill(terminal.pid, signal.SIGTERM)
@@ -174,7 +174,7 @@ class Editor(unittest.TestCase):
                               cwd=self.folder, capture_output=True, text=True, timeout=DEADLINE_S,
                               check=False)
 
-    def test_a_pipe(self):
+    def test_reads_a_pipe(self):
         for end in "\n", "":
             self.file.unlink(missing_ok=True)
             done = self.pipe("lab.json", "--from", "adept-one", "--robot", "adept-one",
@@ -188,13 +188,13 @@ class Editor(unittest.TestCase):
         done = run_xr3("check", "--robot", "adept-one", self.file)
         self.assertEqual((0, ""), (done.returncode, done.stderr))
 
-    def test_a_pipe_that_ends_early(self):
+    def test_a_pipe_that_ends_early_writes_nothing(self):
         done = self.pipe("lab.json", lines=["Lab 7", ""])
         self.assertEqual(2, done.returncode)
         self.assertIn("End of input: left without writing lab.json.", done.stdout)
         self.assertEqual([], os.listdir(self.folder))
 
-    def test_a_file_that_appears_meanwhile_is_not_replaced_unasked(self):
+    def test_a_file_that_appeared_meanwhile_is_not_replaced_silently(self):
         with Terminal(self.folder, "lab.json", "--from", "rhino-xr3") as terminal:
             terminal.wait("workcell (not saved)> ")
             self.file.write_text("mine")
@@ -202,20 +202,20 @@ class Editor(unittest.TestCase):
             terminal.answer("", "workcell (not saved)> ")
             self.assertEqual("mine", self.file.read_text())
 
-    def test_the_robot_is_the_one_named_like_the_file(self):
+    def test_the_default_robot_has_the_name_of_the_file(self):
         done = self.pipe("intelledex-660.json", lines=[])
         self.assertIn("checked against Intelledex 660", done.stdout)
         done = self.pipe("lab.json", "--robot", pathlib.Path(ROOT, "data/robots/adept-one.json"), lines=[])
         self.assertIn("checked against Adept One", done.stdout)
         self.assertIn("Work surface", self.pipe("adept-one.json", lines=[""] * 5).stdout)
 
-    def test_begins_with_the_papers_plain_form(self):
+    def test_reads_the_papers_plain_form(self):
         (self.folder / "hand.txt").write_text("600 500 700\n1\n64 32 40 262 0 20 90\n")
         done = self.pipe("lab.json", "--from", "./hand.txt", lines=["save", "quit"])
         self.assertEqual((0, ""), (done.returncode, done.stderr))
         self.assertEqual("block 1", self.data()["blocks"][0]["name"])
 
-    def test_wrong_files(self):
+    def test_invalid_files_are_refused(self):
         (self.folder / "bad.json").write_text('{"name": ')
         robot = pathlib.Path(ROOT, "data/robots/adept-one.json")
         for arguments, words in [(["lab.txt"], ".json"), (["no/lab.json"], "cannot be written"),

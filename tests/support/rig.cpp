@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/envelope.hpp"
 #include "core/kinematics.hpp"
+#include "core/stall.hpp"
 #include "core/switches.hpp"
 
 namespace xr3::test {

@@ -47,9 +47,9 @@ class Rig {
   /// motor running.
   void settle();
 
-  /// Removes the pending events and returns the bodies of one kind, in order.
+  /// The bodies of the pending events of one kind, in order.
   template <class Body>
-  std::vector<Body> told() const {
+  std::vector<Body> events_of() const {
     std::vector<Body> bodies;
     for (const Event& event : simulation.events()) {
       if (const Body* body = std::get_if<Body>(&event.body)) bodies.push_back(*body);

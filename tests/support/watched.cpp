@@ -32,7 +32,7 @@ constexpr const char* kHomed = R"({"op":"event","cell":"main","epoch":2,"seq":40
 constexpr const char* kMoved = R"({"op":"event","cell":"main","epoch":2,"seq":41,"tick":901,
   "event":"move","line":3,"code":"move","message":"C moves","joint":"C","counts":7,"error":7})";
 constexpr const char* kWarned = R"({"op":"event","cell":"main","epoch":2,"seq":42,"tick":12001,
-  "event":"warning","line":4,"code":"number_out_of_range","message":"B+200: too far; not obeyed",
+  "event":"warning","line":4,"code":"number_out_of_range","message":"B+200: too far; ignored",
   "offset":0,"hex":"42","count":3})";
 
 /// Joins the lines of a text: a message is one line.

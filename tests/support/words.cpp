@@ -3,6 +3,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "protocol/explain/command_text.hpp"
 #include "protocol/explain/diagnostic.hpp"
 
 namespace xr3 {
@@ -14,6 +15,11 @@ std::string number(int value) { return std::to_string(value); }
 std::string counts(int value) { return (value < 0 ? "" : "+") + number(value); }
 
 struct CommandWords {
+  /// A command without a text of its own here.
+  template <class Other>
+  std::string operator()(const Other& c) const {
+    return std::string(code_of(Command(c)));
+  }
   std::string operator()(const Move& c) const { return letter(c.label) + counts(c.counts); }
   std::string operator()(const SetSpeed& c) const {
     return letter(c.label) + number(c.counts_per_s) + "S";
@@ -48,6 +54,10 @@ struct CommandWords {
 };
 
 struct ReplyWords {
+  template <class Other>
+  std::string operator()(const Other&) const {
+    return "another reply";
+  }
   std::string operator()(const NoReply&) const { return "no reply"; }
   std::string operator()(const ErrorMagnitude& r) const { return "to go " + number(r.counts); }
   std::string operator()(const SignedError& r) const { return "to go " + counts(r.counts); }

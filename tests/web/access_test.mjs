@@ -33,15 +33,15 @@ const drives = (page) => page.waitForSelector("body:not(.read-only) #unlock[hidd
 
 test("with --private the page asks for the token and shows data once it has it", () =>
   withLocked(async (page, server) => {
-    await page.waitForSelector(".nothing-seen:visible");
+    await page.waitForSelector(".no-access-note:visible");
     await type(server.robot, "F?");
     await page.click("#unlock");
-    assert.match(await page.textContent("#ask-token-words"), /even for reading/);
+    assert.match(await page.textContent("#ask-token-text"), /even for reading/);
     await page.keyboard.press("Escape");
     await unlock(page);
     await ready(page);
     await page.waitForSelector("#wire li.in:has-text('F?')");
-    assert.ok(await page.isHidden(".nothing-seen"));
+    assert.ok(await page.isHidden(".no-access-note"));
   }, { options: ["--private"] }));
 
 test("a token added to the address of an open page unlocks it and is removed from the address bar", () =>
@@ -57,11 +57,11 @@ test("a token added to the address of an open page unlocks it and is removed fro
 
 test("a wrong token in the address is reported and forgotten", () =>
   withLocked(async (page) => {
-    await page.waitForSelector("#told:has-text('Wrong token')");
+    await page.waitForSelector("#message:has-text('Wrong token')");
     await looksOn(page);
     assert.equal(await page.evaluate(() => sessionStorage.length), 0);
     await unlock(page, "another-wrong-token");
-    await page.waitForSelector("#told:has-text('Wrong token')");
+    await page.waitForSelector("#message:has-text('Wrong token')");
     await unlock(page);
     await drives(page);
   }, { fragment: "#token=not-the-right-token" }));
@@ -86,9 +86,9 @@ test("keys and menu explain why they are locked", () =>
     await ready(page);
     await looksOn(page);
     await page.keyboard.press("h");
-    await page.waitForSelector("#told:has-text('press Unlock')");
+    await page.waitForSelector("#message:has-text('press Unlock')");
     await page.keyboard.press("m");
-    await page.waitForSelector("#menu .only-looking:visible");
+    await page.waitForSelector("#menu .read-only-note:visible");
     assert.ok(await page.isDisabled("#functions button"));
   }));
 

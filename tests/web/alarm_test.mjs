@@ -17,10 +17,10 @@ test("a message stays while the robot moves, until it is closed", () =>
     await type(server.robot, "F+50\r");
     await refuse(page);
     await step(page);
-    assert.match(await page.textContent("#told"), /factor: got -1, expected a number/);
-    assert.ok(await page.isVisible("#told"));
-    await page.click("#told .close");
-    assert.ok(await page.isHidden("#told"));
+    assert.match(await page.textContent("#message"), /factor: got -1, expected a number/);
+    assert.ok(await page.isVisible("#message"));
+    await page.click("#message .close");
+    assert.ok(await page.isHidden("#message"));
   }));
 
 test("an alarm and a message are readable together, over the picture", () =>
@@ -33,7 +33,7 @@ test("an alarm and a message are readable together, over the picture", () =>
     }
     await page.waitForSelector("#alarm:has-text('Stalled')");
     await refuse(page);
-    await page.waitForSelector("#told:has-text('factor')");
+    await page.waitForSelector("#message:has-text('factor')");
     assert.match(await page.textContent("#alarm"), /^Stalled/);
     assert.ok(await page.isVisible("#alarm"));
     assert.deepEqual(await picture(), before);
@@ -47,7 +47,7 @@ test("a disabled simulator names the key that enables it", () =>
 
 test("the 3-D view shows whether the graphics display is on", () =>
   withPage([], async (page) => {
-    await page.waitForSelector("#display-word:has-text('display off')");
+    await page.waitForSelector("#display-state:has-text('display off')");
     await page.keyboard.press("d");
-    await page.waitForSelector("#display-word:has-text('display on')");
+    await page.waitForSelector("#display-state:has-text('display on')");
   }));

@@ -60,6 +60,6 @@ test("a refused menu entry shows its error in the menu", () =>
     await page.click("#functions button:has-text('View vector')");
     for (const axis of "xyz") await page.fill(`#view-${axis}`, "0");
     await page.click("#ask-view button[value=ok]");
-    await page.waitForSelector("#menu-told:has-text('value: got [0,0,0], expected')");
+    await page.waitForSelector("#menu-message:has-text('value: got [0,0,0], expected')");
     assert.ok(await page.isVisible("#menu[open]"));
   }));

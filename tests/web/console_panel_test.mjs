@@ -41,7 +41,7 @@ test("a warning has the alarm colour", () =>
   withPage(["--clock", "manual"], async (page) => {
     await page.click("#tab-console");
     await enter(page, "E+300");
-    await page.waitForSelector("#console-log .warning:has-text('not obeyed')");
+    await page.waitForSelector("#console-log .warning:has-text('ignored')");
     const [shown, wanted] = await page.evaluate(() => [
       getComputedStyle(document.querySelector("#console-log .warning")).color,
       getComputedStyle(Object.assign(document.querySelector("#alarm"), { hidden: false })).color]);

@@ -27,7 +27,7 @@ test("clicks stop before the counter wraps, and the page says why", () =>
     for (let i = 0; i < 6; ++i) await page.click(plus);
     await page.waitForFunction(() => window.xr3.known.state.joints[0].error === 120);
     await page.click(plus);
-    await page.waitForFunction(() => /base \(F\) has 120 counts to go.*overflow/.test(document.querySelector("#told").textContent));
+    await page.waitForFunction(() => /base \(F\) has 120 counts to go.*overflow/.test(document.querySelector("#message").textContent));
     assert.equal(await errorOf(page, "F"), 120);
   }));
 

@@ -40,7 +40,7 @@ test("copying is confirmed, also without navigator.clipboard, as on plain http",
       document.addEventListener("copy", () => (window.copied = document.activeElement.value));
     });
     await page.click("#wire-copy");
-    await page.waitForSelector("#wire-said:has-text('Copied 1 line.')");
+    await page.waitForSelector("#wire-status:has-text('Copied 1 line.')");
     assert.match(await page.evaluate(() => window.copied), /move E \+5/);
   }));
 
@@ -51,6 +51,6 @@ test("if copying is forbidden, the bytes are selected and the page says so", () 
       document.execCommand = () => false;
     });
     await page.click("#wire-copy");
-    await page.waitForSelector("#wire-said:has-text('Ctrl-C')");
+    await page.waitForSelector("#wire-status:has-text('Ctrl-C')");
     assert.match(await page.evaluate(() => String(getSelection())), /E\+5/);
   }));

@@ -49,7 +49,7 @@ test("dragging a held block is refused: it is drawn at its place again, and show
     await page.waitForSelector("[data-block=grey].held");
     await page.waitForSelector("#blocks tr:has-text('grey'):has-text('held')");
     await drag(page, "grey", [30, 40]);
-    await page.waitForSelector("#told:has-text('the jaws hold block grey')");
+    await page.waitForSelector("#message:has-text('the jaws hold block grey')");
     await shows(page, "grey", (await blockOf(server, "grey")).xyz_mm);
   }));
 
@@ -63,7 +63,7 @@ test("a read-only page drags nothing", async () => {
     assert.deepEqual((await middle(page, "green")).map(Math.round), [x, y].map(Math.round));
     await page.mouse.up();
     await page.keyboard.press("ArrowUp");
-    assert.ok(await page.isHidden("#told"), "and no call is made");
+    assert.ok(await page.isHidden("#message"), "and no call is made");
     assert.match(await page.textContent("#chosen"), /^green/);
     assert.equal((await blockOf(server, "green")).xyz_mm[0], 330);
   });
@@ -124,12 +124,12 @@ test("a row selects a block, the form moves it, and the new place is announced",
     await page.fill("#place-form [name=yaw]", "-30");
     await page.keyboard.press("Enter");
     await shows(page, "blue", [300.5, -92]);
-    await page.waitForSelector("#workcell-said:has-text('blue, x 300.5, y -92, z 15 mm, yaw -30°')", { state: "attached" });
+    await page.waitForSelector("#workcell-status:has-text('blue, x 300.5, y -92, z 15 mm, yaw -30°')", { state: "attached" });
     assert.equal((await blockOf(server, "blue")).yaw_deg, -30);
     assert.match(await page.getAttribute("[data-block=blue]", "aria-label"), /^block blue, x 300\.5, y -92, z 15 mm, yaw -30°$/);
     await page.focus("[data-block=blue]");
     await page.keyboard.press("ArrowLeft");
-    await page.waitForSelector("#workcell-said:has-text('y -87')", { state: "attached" });
+    await page.waitForSelector("#workcell-status:has-text('y -87')", { state: "attached" });
   }));
 
 test("a refused number is reverted", () =>
@@ -137,7 +137,7 @@ test("a refused number is reverted", () =>
     await page.click("#blocks button:has-text('blue')");
     await page.fill("#place-form [name=x]", "999999");
     await page.keyboard.press("Enter");
-    await page.waitForSelector("#told:not([hidden])");
+    await page.waitForSelector("#message:not([hidden])");
     await page.waitForFunction(() => document.querySelector("#place-form [name=x]").value === "344");
   }));
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/coupling.hpp"
-#include "tools/kin/words.hpp"
+#include "tools/kin/text.hpp"
 
 namespace xr3 {
 namespace {

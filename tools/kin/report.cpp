@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "protocol/text/table.hpp"
-#include "tools/kin/tool.hpp"
-#include "tools/kin/words.hpp"
+#include "tools/kin/pose.hpp"
+#include "tools/kin/text.hpp"
 
 namespace xr3 {
 namespace {
@@ -189,7 +189,7 @@ std::string direct_text(const Model& model, const DirectQuestion& question) {
 std::string inverse_text(const Model& model, const ToolTarget& target,
                          const InverseResult& result) {
   const std::string heading = model.robot().name + ": inverse kinematics, " +
-                              method_words(result.method) + "\n" + target_text(model, target);
+                              method_text(result.method) + "\n" + target_text(model, target);
   if (result.solutions.empty())
     return heading + "\nNo solution: " + refusal_sentence(result) + "\n";
   return heading + solutions_text(model, result);

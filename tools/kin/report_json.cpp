@@ -1,8 +1,8 @@
 // The reports of `xr3 kin` as JSON; declared in kin_report.hpp.
 #include "protocol/monitor/snapshot.hpp"
+#include "tools/kin/pose.hpp"
 #include "tools/kin/report.hpp"
-#include "tools/kin/tool.hpp"
-#include "tools/kin/words.hpp"
+#include "tools/kin/text.hpp"
 
 namespace xr3 {
 namespace {

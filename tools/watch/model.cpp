@@ -34,8 +34,8 @@ std::vector<std::string> WatchModel::handle(std::string_view line) {
   if (op == "result") handle_result(message);
   if (op == "pong" && member(message, "id") == kLastId) is_complete_ = true;
   if (op == "bye") {
-    has_parted_ = true;
-    read(message, "message", known_.said);
+    has_left_ = true;
+    read(message, "message", known_.last_message);
   }
   if (!is_of_our_cell(message)) return {};
   if (op == "state") handle_state(message);
@@ -68,7 +68,7 @@ std::vector<std::string> WatchModel::handle_hello(const Json& message) {
 std::vector<std::string> WatchModel::first_requests(const Json& channels) const {
   const bool is_once = wish_.interest == Interest::kOnce;
   std::vector<std::string> requests{"\"op\":\"ping\"}\n"};  // continues opening()
-  const auto look = [&](const char* op, const char* channel, const Json& options) {
+  const auto add = [&](const char* op, const char* channel, const Json& options) {
     if (std::find(channels.begin(), channels.end(), channel) == channels.end()) return;
     Json members{{"op", op}, {"channel", channel}};
     members.update(options);
@@ -83,12 +83,12 @@ std::vector<std::string> WatchModel::first_requests(const Json& channels) const 
   if (!wish_.token.empty()) {
     requests.push_back(request({{"op", "auth"}, {"id", kAuthId}, {"token", wish_.token}}));
   }
-  look(op, "model", Json{{"fields", {"robot"}}});
-  look(op, "state", state_options);
-  look(op, "image", image_options);
+  add(op, "model", Json{{"fields", {"robot"}}});
+  add(op, "state", state_options);
+  add(op, "image", image_options);
   // Subscribe first, then get earlier events: an event that arrives both ways has the same seq.
-  if (!is_once) look("sub", "event", Json::object());
-  look("get", "event", Json::object());
+  if (!is_once) add("sub", "event", Json::object());
+  add("get", "event", Json::object());
   // Without the cell, so that it is answered even if there is no such cell.
   requests.push_back(Json{{"op", "ping"}, {"id", kLastId}}.dump() + "\n");
   return requests;
@@ -140,15 +140,15 @@ void WatchModel::handle_result(const Json& message) {
   }
   const Json& error = member(message, "error");
   if (value_of<std::string>(error, "code") == "no_camera") return;
-  known_.said = value_of<std::string>(error, "message", "the server refused a request");
+  known_.last_message = value_of<std::string>(error, "message", "the server refused a request");
 }
 
 std::optional<std::string> WatchModel::ask(Action action) {
   if (!known_.has_control) {
-    known_.said = "control keys need a token: see --token-file";
+    known_.last_message = "control keys need a token: see --token-file";
     return {};
   }
-  known_.said.clear();
+  known_.last_message.clear();
   const auto call = [this](const char* fn, const Json& args = Json::object()) {
     return request({{"op", "call"}, {"id", kKeyId}, {"fn", fn}, {"args", args}});
   };

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "protocol/json/source.hpp"
-#include "tools/watch/known.hpp"
+#include "tools/watch/watched_cell.hpp"
 
 namespace xr3::watch {
 
@@ -45,14 +45,14 @@ class WatchModel {
   std::vector<std::string> handle(std::string_view line);
 
   /// The request for this action, with its line feed. Without permission for calls: nullopt, and a
-  /// message in `known().said`.
+  /// message in `known().last_message`.
   std::optional<std::string> ask(Action action);
 
   const Known& known() const { return known_; }
   /// For Interest::kOnce: all data has been received.
   bool is_complete() const { return is_complete_; }
   /// The server has sent `bye`.
-  bool has_parted() const { return has_parted_; }
+  bool has_left() const { return has_left_; }
 
  private:
   std::vector<std::string> handle_hello(const Json& message);
@@ -67,7 +67,7 @@ class WatchModel {
   Wish wish_;
   Known known_;
   bool is_complete_ = false;
-  bool has_parted_ = false;
+  bool has_left_ = false;
 };
 
 }  // namespace xr3::watch

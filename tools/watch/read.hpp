@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "protocol/monitor/member.hpp"
-#include "tools/watch/known.hpp"
+#include "protocol/monitor/member_reader.hpp"
+#include "tools/watch/watched_cell.hpp"
 
 namespace xr3::watch {
 

@@ -74,9 +74,9 @@ std::string keys_text(const Known& known) {
 /// The keys, or instead of them the server's last message.
 void paint_footer(TextScreen& screen, const Known& known, Page page) {
   const std::string keys = page == Page::kPrint ? "" : keys_text(known);
-  const bool has_word = !known.said.empty();
-  paint_ends(screen, screen.rows() - 1, has_word ? known.said : keys, has_word ? "" : known.server,
-             TextStyle::kTitle);
+  const bool has_message = !known.last_message.empty();
+  paint_ends(screen, screen.rows() - 1, has_message ? known.last_message : keys,
+             has_message ? "" : known.server, TextStyle::kTitle);
 }
 
 std::string stall_text(const std::string& stall) {

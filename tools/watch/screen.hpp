@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tools/text/screen.hpp"
-#include "tools/watch/known.hpp"
+#include "tools/watch/watched_cell.hpp"
 
 namespace xr3::watch {
 

@@ -153,8 +153,8 @@ void WorkcellDialogue::keep_block() {
   if (is_added) workcell_.blocks.emplace_back();
   workcell_.blocks[block_index_] = block_;
   say(std::string(is_added ? "Added" : "Changed") + ": " + block_letter(block_index_) + " \"" +
-      block_.name + "\" at (" + dialogue::words(block_.centroid_um.x) + ", " +
-      dialogue::words(block_.centroid_um.y) + ", " + dialogue::words(block_.centroid_um.z) +
+      block_.name + "\" at (" + dialogue::mm_text(block_.centroid_um.x) + ", " +
+      dialogue::mm_text(block_.centroid_um.y) + ", " + dialogue::mm_text(block_.centroid_um.z) +
       ").\n");
   if (is_making_) offer_block();
 }

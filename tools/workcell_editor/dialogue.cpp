@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "protocol/files/check_report.hpp"
+#include "protocol/files/summary.hpp"
 #include "protocol/files/workcell.hpp"
 #include "protocol/json/text.hpp"
 

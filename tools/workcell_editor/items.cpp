@@ -14,14 +14,14 @@ constexpr int kTurnDeg = 360;
 constexpr Microdegrees kHalfTurn = 180'000'000;
 constexpr int kDecimals = 6;
 
-std::string range_words(const std::string& min, const std::string& max, const std::string& unit) {
+std::string range_text(const std::string& min, const std::string& max, const std::string& unit) {
   return min + " to " + max + (unit.empty() ? "" : " " + unit);
 }
 
 /// Accepts a number within the range and passes it to `set`.
 Question number_question(const std::string& prompt, double min, double max, const std::string& unit,
                          const std::function<void(double)>& set) {
-  const std::string range = range_words(plain_number(min), plain_number(max), unit);
+  const std::string range = range_text(plain_number(min), plain_number(max), unit);
   Question question;
   question.prompt = prompt + " (" + range + ")";
   question.handle = [=](const std::string& answer) -> std::string {
@@ -55,15 +55,15 @@ std::string shown(const Question& question) {
   return question.prompt + fallback + ": ";
 }
 
-std::string words(Micrometres um) { return plain_number(mm(um)); }
+std::string mm_text(Micrometres um) { return plain_number(mm(um)); }
 
 Question length_question(const std::string& prompt, Lengths sensible, Lengths possible,
                          Micrometres& value, const std::string& help) {
   Question question = number_question(prompt, mm(possible.min), mm(possible.max), "mm",
                                       [&value](double length) { value = micrometres(length); });
   question.prompt =
-      prompt + " (" + range_words(words(sensible.min), words(sensible.max), "mm") + ")";
-  question.fallback = words(std::clamp(value, possible.min, possible.max));
+      prompt + " (" + range_text(mm_text(sensible.min), mm_text(sensible.max), "mm") + ")";
+  question.fallback = mm_text(std::clamp(value, possible.min, possible.max));
   question.help = help;
   return question;
 }

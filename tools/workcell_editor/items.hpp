@@ -62,6 +62,6 @@ std::vector<std::string> words_like(const std::string& start,
 std::string_view trimmed(std::string_view text);
 
 /// In millimetres, without superfluous digits.
-std::string words(Micrometres um);
+std::string mm_text(Micrometres um);
 
 }  // namespace xr3::dialogue

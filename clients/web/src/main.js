@@ -14,12 +14,12 @@ import { JointTable } from "./panels/joints.js";
 import { tip } from "./lib/kinematics.js";
 import { NoScene } from "./scene/no_scene.js";
 import { PaperView } from "./panels/paper_view.js";
-import { wordsOf } from "./lib/refusal.js";
+import { textOf } from "./lib/refusal.js";
 import { Scene } from "./scene/scene.js";
 import { Stage } from "./panels/stage.js";
 import { TimeBar } from "./panels/time_bar.js";
 import { WirePanel } from "./panels/wire_panel.js";
-import { transcriptLine } from "./lib/wire_words.js";
+import { transcriptLine } from "./lib/wire_text.js";
 import { WorkcellPanel } from "./panels/workcell_panel.js";
 
 const known = {}; // the newest hello, model, state and display, and the arrival time of the state
@@ -29,35 +29,35 @@ const known = {}; // the newest hello, model, state and display, and the arrival
 const connection = new Connection(`ws://${location.host}/ws`, {
   onMessage: take, onStatus: showConnection, onTokenRefused: (error) => access.refused(error),
 });
-const alarm = new Alarm({ line: byId("alarm"), places: [byId("told"), byId("menu-told")] });
-const tell = (text) => alarm.tell(text);
-const tellError = (error) => tell(wordsOf(error));
+const alarm = new Alarm({ line: byId("alarm"), places: [byId("message"), byId("menu-message")] });
+const showMessage = (text) => alarm.showMessage(text);
+const showError = (error) => showMessage(textOf(error));
 
 async function call(fn, args = {}) {
   try {
     return await connection.call(fn, args);
   } catch (error) {
-    tellError(error);
+    showError(error);
     return null;
   }
 }
 
 // --- The panels.
 
-const access = new Access({ connection, tell, onError: tellError, onChange: () => timeBar.allow(), onUnlocked: readAgain });
+const access = new Access({ connection, showMessage, onError: showError, onChange: () => timeBar.allow(), onUnlocked: readAgain });
 const mayCall = () => access.mayCall;
 const scene = makeScene(byId("solid"));
 const paper = new PaperView(byId("paper-canvas"));
 const joints = new JointTable(byId("joints"));
 const camera = new CameraPanel(byId("camera"), byId("camera-caption"));
 const lines = new DigitalLines({ setInput: (i, value) => call("input", { input: i + 1, value }) });
-const wire = new WirePanel({ list: byId("wire"), filter: byId("wire-filter"), count: byId("wire-count"), said: byId("wire-said") });
+const wire = new WirePanel({ list: byId("wire"), filter: byId("wire-filter"), count: byId("wire-count"), status: byId("wire-status") });
 const consolePanel = new ConsolePanel({
   form: byId("console-form"), input: byId("console-input"), log: byId("console-log"), jog: byId("jog"), step: byId("jog-step"),
-  send: (text) => connection.call("send", { text }), getState: (fields) => connection.get("state", { fields }), onError: tellError,
+  send: (text) => connection.call("send", { text }), getState: (fields) => connection.get("state", { fields }), onError: showError,
 });
 const workcell = new WorkcellPanel({
-  host: byId("workcell-panel"), call: (fn, args) => connection.call(fn, args), getModel: () => connection.get("model"), mayCall: () => access.mayCall, onError: tellError,
+  host: byId("workcell-panel"), call: (fn, args) => connection.call(fn, args), getModel: () => connection.get("model"), mayCall: () => access.mayCall, onError: showError,
 });
 const timeBar = new TimeBar({
   known, call, mayCall, isOpen: () => byId("connection").dataset.state === "open", onTick: (tick) => paper.tick(tick),
@@ -89,7 +89,7 @@ function makeScene(host) {
 function take(message) {
   const takers = {
     hello: takeHello, model: takeModel, state: takeState, display: takeDisplay, image: (m) => camera.setImage(m),
-    line: takeLine, event: takeEvent, lag: takeLag, bye: (m) => tell(m.message), result: takeResult,
+    line: takeLine, event: takeEvent, lag: takeLag, bye: (m) => showMessage(m.message), result: takeResult,
   };
   takers[message.op]?.(message);
 }
@@ -173,9 +173,9 @@ function takeClock({ clock, tick }) {
 }
 
 function showConnection(status) {
-  const words = { open: "connected", silent: "the server does not answer, trying again", lost: "connection lost, trying again" };
+  const texts = { open: "connected", silent: "the server does not answer, trying again", lost: "connection lost, trying again" };
   byId("connection").dataset.state = status;
-  setText(byId("connection"), words[status]);
+  setText(byId("connection"), texts[status]);
 }
 
 function showTool({ tool }) {

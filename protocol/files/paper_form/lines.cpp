@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <utility>
 
 namespace xr3::paper {
@@ -89,7 +90,7 @@ void Splitter::add(std::string_view members, int number) try {
       continue;
     }
     add_bounded(result_.findings, {Severity::kError, file_, number, 0, member.pointer_from(root),
-                                   told_twice(member), "each member once"});
+                                   describe_duplicate(member), "each member once"});
   }
 } catch (const DataError&) {
   refuse(members, number);
@@ -122,9 +123,11 @@ Json number_or_text(const std::string& item) {
   std::int64_t whole = 0;
   const auto as_whole = std::from_chars(begin, end, whole);
   if (as_whole.ec == std::errc{} && as_whole.ptr == end) return whole;
-  double number = 0;
-  const auto as_number = std::from_chars(begin, end, number);
-  if (as_number.ec == std::errc{} && as_number.ptr == end && std::isfinite(number)) return number;
+  const bool is_decimal = item.find_first_not_of("+-.0123456789eE") == std::string::npos;
+  if (!is_decimal || begin == end || *begin == '+') return item;
+  char* stop = nullptr;
+  const double number = std::strtod(begin, &stop);
+  if (stop == end && std::isfinite(number)) return number;
   return item;
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "protocol/files/paper_form/lines.hpp"
+#include "protocol/files/summary.hpp"
 #include "protocol/json/source.hpp"
 
 namespace xr3 {

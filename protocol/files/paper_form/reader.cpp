@@ -1,7 +1,6 @@
 #include "protocol/files/paper_form/reader.hpp"
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 #include "protocol/json/codec.hpp"
@@ -24,7 +23,7 @@ std::string shown_items(const std::vector<std::string>& items) {
   return data::shown(Json(text));
 }
 
-std::string in_words(std::size_t items) {
+std::string item_count(std::size_t items) {
   return items == 1 ? "one item" : std::to_string(items) + " items";
 }
 
@@ -59,26 +58,26 @@ const DataLine* Reader::next_line(const std::string& title, const std::string& p
   return &line;
 }
 
-bool Reader::fits(const Row& row, const DataLine& line) const {
+bool Reader::matches(const Row& row, const DataLine& line) const {
   if (line.items.size() != row.cells.size()) return false;
   return row.cells.size() > 1 || row.cells[0].is_label == looks_like_label(line.items[0]);
 }
 
 /// Reports an invalid line. A missing or additional line shifts all that follow: after two invalid
 /// lines in a row, reading ends.
-void Reader::misfit(const Row& row, const std::string& pointer, const DataLine& line) {
-  is_lost_ = is_after_misfit_;
-  is_after_misfit_ = true;
+void Reader::report_mismatch(const Row& row, const std::string& pointer, const DataLine& line) {
+  is_lost_ = is_after_mismatch_;
+  is_after_mismatch_ = true;
   report(line.line, pointer, shown_items(line.items),
-         in_words(row.cells.size()) + ": " + row.title + (is_lost_ ? kRestUnread : ""));
+         item_count(row.cells.size()) + ": " + row.title + (is_lost_ ? kRestUnread : ""));
 }
 
 bool Reader::row(const Row& row, const std::string& part) {
   const std::string pointer = part + row.member;
   const DataLine* line = next_line(row.title, pointer);
   if (line == nullptr) return false;
-  if (!fits(row, *line)) return misfit(row, pointer, *line), false;
-  is_after_misfit_ = false;
+  if (!matches(row, *line)) return report_mismatch(row, pointer, *line), false;
+  is_after_mismatch_ = false;
   for (std::size_t i = 0; i < row.cells.size(); ++i) {
     put(row.cells[i], part, line->items[i], line->line);
   }
@@ -151,9 +150,9 @@ void Reader::apply_additions(const std::vector<Addition>& additions) {
 
 /// The member goes to the innermost part that has such a member.
 void Reader::apply(const Addition& addition) {
-  for (const Part& part : parts_ | std::views::reverse) {
-    for (const Extra& extra : part.extras) {
-      if (extra.key == addition.key) return put(addition, extra, part.pointer);
+  for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) {
+    for (const Extra& extra : part->extras) {
+      if (extra.key == addition.key) return put(addition, extra, part->pointer);
     }
   }
   refuse_addition(addition);
@@ -162,8 +161,7 @@ void Reader::apply(const Addition& addition) {
 void Reader::put(const Addition& addition, const Extra& extra, const std::string& part) {
   const std::string pointer = part + extra.member;
   if (line_of_.contains(pointer)) {
-    return report(addition.line, pointer, "\"" + extra.key + "\" for the second time",
-                  "each member once");
+    return report(addition.line, pointer, "\"" + extra.key + "\", a duplicate", "each member once");
   }
   line_of_[pointer] = addition.line;
   set(pointer, addition.value);

@@ -84,8 +84,8 @@ class Reader {
   };
 
   const DataLine* next_line(const std::string& title, const std::string& pointer);
-  bool fits(const Row& row, const DataLine& line) const;
-  void misfit(const Row& row, const std::string& pointer, const DataLine& line);
+  bool matches(const Row& row, const DataLine& line) const;
+  void report_mismatch(const Row& row, const std::string& pointer, const DataLine& line);
   void put(const Cell& cell, const std::string& part, const std::string& item, int line);
   void apply_additions(const std::vector<Addition>& additions);
   void apply(const Addition& addition);
@@ -99,7 +99,7 @@ class Reader {
   DataLines lines_;
   std::size_t next_ = 0;
   bool is_lost_ = false;
-  bool is_after_misfit_ = false;
+  bool is_after_mismatch_ = false;
   std::vector<Part> parts_;
   Json root_ = Json::object();
   std::map<std::string, int> line_of_;

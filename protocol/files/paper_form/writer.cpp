@@ -12,7 +12,7 @@ std::string item_of(const Cell& cell, const Json& value) {
 
 }  // namespace
 
-void Writer::comment(std::string_view words) { text_ += "* " + std::string(words) + "\n"; }
+void Writer::comment(std::string_view text) { text_ += "* " + std::string(text) + "\n"; }
 
 void Writer::extras(const Extras& extras, const Json& part) {
   std::string members;

@@ -12,7 +12,7 @@ namespace xr3::paper {
 class Writer {
  public:
   /// A comment line.
-  void comment(std::string_view words);
+  void comment(std::string_view text);
   /// A `*+` line with the members that the part has; nothing if it has none.
   void extras(const Extras& extras, const Json& part);
   /// The row's title as a comment, then its line.

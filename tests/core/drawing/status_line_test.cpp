@@ -18,7 +18,7 @@ std::string line_of(const test::Rig& rig, int option) {
   return status_line(rig.model(), state);
 }
 
-TEST(StatusLine, SevenOptionsAtTheSoftHome) {
+TEST(StatusLine, ShowsSevenOptionsAtTheSoftHome) {
   const test::Rig rig;
   const StatusRow rows[] = {
       {0, ""},
@@ -32,7 +32,7 @@ TEST(StatusLine, SevenOptionsAtTheSoftHome) {
   for (const StatusRow& row : rows) EXPECT_EQ(line_of(rig, row.option), row.line) << row.option;
 }
 
-TEST(StatusLine, TellsCountersEncodersAndSwitchesApart) {
+TEST(StatusLine, DistinguishesCountersEncodersAndSwitches) {
   test::Rig rig;
   rig.stand_at({{'F', 30}, {'E', -40}});
   rig.move('E', 5);
@@ -42,7 +42,7 @@ TEST(StatusLine, TellsCountersEncodersAndSwitchesApart) {
   EXPECT_EQ(line_of(rig, 5), "F closed  E closed  D open  C open  B open  A open");
 }
 
-TEST(StatusLine, NamesTheBlockThatIsHeld) {
+TEST(StatusLine, NamesTheHeldBlock) {
   test::Rig rig(std::make_shared<const Model>(test::robot_named("rhino-xr3"),
                                               test::workcell_named("rhino-xr3"), Profile::kPaper));
   rig.stand_at({{'E', 449}, {'D', -625}});
@@ -51,7 +51,7 @@ TEST(StatusLine, NamesTheBlockThatIsHeld) {
   EXPECT_EQ(line_of(rig, 6), "32.5 mm open, holds red");
 }
 
-TEST(StatusLine, IsChosenOverTheLine) {
+TEST(StatusLine, IsSelectedByACommand) {
   test::Rig rig;
   rig.execute(SelectStatus{6});
   EXPECT_EQ(status_line(rig.model(), rig.state()), "50.8 mm open, holds nothing");

@@ -18,7 +18,7 @@ const double kRoot6 = std::sqrt(6.0);
 
 double distance(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return (a - b).norm(); }
 
-TEST(View, EveryVectorGivesAPlaneAcrossIt) {
+TEST(View, EveryVectorHasAPerpendicularPlane) {
   for (int code = 0; code < 19 * 19 * 19; ++code) {
     const ViewVector vector{code % 19 - 9, code / 19 % 19 - 9, code / 361 - 9};
     if (vector == ViewVector{0, 0, 0}) continue;
@@ -40,7 +40,7 @@ struct Golden {
   Eigen::Vector2d seen;
 };
 
-TEST(View, FiguresByHand) {
+TEST(View, MatchesFiguresComputedByHand) {
   const Golden goldens[] = {
       {{1, 1, 1}, {0, 0, 3}, {0, 6 / kRoot6}},
       {{1, 1, 1}, {2, 0, 0}, {-2 / kRoot2, -2 / kRoot6}},  // x to the left
@@ -58,7 +58,7 @@ TEST(View, FiguresByHand) {
   }
 }
 
-TEST(View, ExtentsAreThoseOfTheFivePoints) {
+TEST(View, ExtentsEncloseTheFivePoints) {
   const Workspace workspace{600'000, 500'000, 700'000};
   const Extents slanted = view_extents(view_along({1, 1, 1}), workspace, 150);
   EXPECT_LT(distance(slanted.low, {-600 / kRoot2, -600 / kRoot6}), kTiny);
@@ -78,7 +78,7 @@ double lightness(int color, Background background) {
   return (0.299 * red + 0.587 * green + 0.114 * blue) / 255;
 }
 
-TEST(Palette, EveryColourCanBeReadOnItsBackground) {
+TEST(Palette, EveryColourIsReadableOnItsBackground) {
   for (int color = 0; color < kColors; ++color) {
     EXPECT_LT(lightness(color, Background::kLight), 0.65) << color;
     EXPECT_GT(lightness(color, Background::kDark), 0.35) << color;

@@ -53,7 +53,7 @@ Robot two_links() {
   return robot;
 }
 
-TEST(Wireframe, EachLinkIsCarriedByItsOwnFrame) {
+TEST(Wireframe, EachLinkMovesWithItsOwnFrame) {
   const ModelPtr model = test::model_of(two_links());
   const std::vector<Wire> wires = robot_wires(*model, positions_at(*model, {{'C', 1}, {'B', 7}}));
   ASSERT_EQ(wires.size(), 3u);
@@ -62,18 +62,18 @@ TEST(Wireframe, EachLinkIsCarriedByItsOwnFrame) {
   EXPECT_EQ(wires[2], (Wire{"tool", 3, {{0, 10, 12}, {-2, 11, 15}}}));
 }
 
-TEST(Wireframe, AMoveLiftsThePen) {
+TEST(Wireframe, AMoveStartsANewPolyline) {
   Robot robot = two_links();
   robot.links[0].points = {{true, {1, 0, 0}},  {true, {2, 0, 0}}, {false, {3, 0, 0}},
                            {false, {4, 0, 0}}, {true, {5, 0, 0}}, {false, {6, 0, 0}}};
   const ModelPtr model = test::model_of(robot);
   const std::vector<Wire> base = of_part(robot_wires(*model, Positions{}), "base");
-  ASSERT_EQ(base.size(), 2u) << "a point alone is no line";
+  ASSERT_EQ(base.size(), 2u) << "a single point is not a line";
   EXPECT_EQ(base[0].points, (std::vector<Eigen::Vector3d>{{1, 0, 0}, {2, 0, 0}}));
   EXPECT_EQ(base[1].points, (std::vector<Eigen::Vector3d>{{4, 0, 0}, {5, 0, 0}}));
 }
 
-TEST(Wireframe, ParallelJawsShiftByHalfTheOpeningEach) {
+TEST(Wireframe, ParallelJawsShiftByHalfTheOpening) {
   Robot robot = two_links();
   robot.links.clear();
   const std::vector<OutlinePoint> mark{{false, {0, 0, 0}}, {true, {0, 0, -4}}};
@@ -122,7 +122,7 @@ double drawn_gap_mm(const Model& model, Counts tool) {
   return high - low;
 }
 
-TEST(Wireframe, TheDrawnFingersAreAsFarApartAsTheJaws) {
+TEST(Wireframe, TheDistanceOfTheDrawnFingersIsTheOpening) {
   for (const char* robot : kRobots) {
     const ModelPtr model = cell_of(robot);
     for (const Counts tool : {0, model->motor(model->tool_index()).high}) {
@@ -132,7 +132,7 @@ TEST(Wireframe, TheDrawnFingersAreAsFarApartAsTheJaws) {
   }
 }
 
-TEST(Wireframe, EveryPartOfTheThreeRobotsIsThere) {
+TEST(Wireframe, HasEveryPartOfTheThreeRobots) {
   for (const char* robot : kRobots) {
     const ModelPtr model = cell_of(robot);
     std::vector<std::string> parts;
@@ -190,7 +190,7 @@ std::multiset<Edge> box_edges(const Transform& pose, const PointUm& size) {
   return edges;
 }
 
-TEST(Wireframe, ABlockIsItsTwelveEdgesEachOnce) {
+TEST(Wireframe, ABlockHasItsTwelveEdgesOnce) {
   const ModelPtr model = cell_of("rhino-xr3");
   State state = state_at(*model, {{'F', 90}, {'E', 300}, {'D', -400}, {'C', 200}});
   state.held = Held{0, 0, positions_at(*model, {{'E', 449}, {'D', -625}})};
@@ -204,7 +204,7 @@ TEST(Wireframe, ABlockIsItsTwelveEdgesEachOnce) {
   }
 }
 
-TEST(Wireframe, ThePathBeginsWithItsOldestPoint) {
+TEST(Wireframe, ThePathStartsAtItsOldestPoint) {
   State state = initial_state(*rhino());
   EXPECT_TRUE(path_wires(state).empty());
   state.tip_path.points = {{1000, 0, 0}};
@@ -221,7 +221,7 @@ TEST(Wireframe, TheProjectionKeepsPartsAndPoints) {
   EXPECT_EQ(flat, (std::vector<FlatWire>{{"a", 3, {{1, 2}}}}));
 }
 
-TEST(Wireframe, BehindIsTheFurthestBackOfTheOutlineAtHome) {
+TEST(Wireframe, BehindIsTheRearmostPointOfTheOutlineAtHome) {
   EXPECT_NEAR(behind_mm(*cell_of("rhino-xr3")), 152.4, 0.1);
   Robot robot = two_links();
   robot.links[2].points = {{false, {-25, 0, 0}}, {true, {4, 0, 0}}};  // frame 2 is at x = 10
@@ -230,7 +230,7 @@ TEST(Wireframe, BehindIsTheFurthestBackOfTheOutlineAtHome) {
   EXPECT_EQ(behind_mm(*test::model_of(robot)), 0);
 }
 
-TEST(Wireframe, TheSurfaceIsTheTableWithinTheWorkspace) {
+TEST(Wireframe, TheSurfaceIsTheTableInsideTheWorkspace) {
   const Wire surface = surface_wire(workcell_named("adept-one"));
   ASSERT_EQ(surface.points.size(), 5u);
   EXPECT_EQ(surface.points.front(), surface.points.back());

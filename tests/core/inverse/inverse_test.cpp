@@ -17,7 +17,7 @@ namespace {
 
 using namespace test;
 
-TEST(Inverse, TheRowsSayWhichClosedFormThereIs) {
+TEST(Inverse, TheDenavitHartenbergRowsSelectTheMethod) {
   EXPECT_EQ(inverse_method(robot_named(kRhino)), InverseMethod::kFiveAxisArm);
   EXPECT_EQ(inverse_method(robot_named(kAdept)), InverseMethod::kScara);
   EXPECT_EQ(inverse_method(robot_named(kIntelledex)), InverseMethod::kSixAxisArm);
@@ -38,7 +38,7 @@ std::vector<std::string> branches(const InverseResult& result) {
   return names;
 }
 
-TEST(Inverse, BranchesHaveNamesOfTheirOwn) {
+TEST(Inverse, BranchNamesAreUnique) {
   using Names = std::vector<std::string>;
   EXPECT_EQ(branches(solve_inverse(*model_named(kRhino), down_target({100, 0, 250}, 0))),
             (Names{"back, elbow down", "back, elbow up", "front, elbow down", "front, elbow up"}));
@@ -52,7 +52,7 @@ TEST(Inverse, BranchesHaveNamesOfTheirOwn) {
                    "front, roll -, elbow down", "front, roll -, elbow up"}));
 }
 
-TEST(Inverse, ElbowNamesAreWhatOneSees) {
+TEST(Inverse, ElbowNamesMatchTheGeometry) {
   const Model& model = *model_named(kAdept);
   for (const InverseSolution& solution :
        solve_inverse(model, down_target({560, 0, 520}, 0)).solutions) {
@@ -81,7 +81,7 @@ struct Refused {
 
 const double kRhinoReach = 2 * 228.6;
 
-TEST(Inverse, APoseThatCannotBeHadIsRefusedWithHowFarItIsOff) {
+TEST(Inverse, RejectsAnUnreachablePoseWithItsDistance) {
   const Refused cases[] = {
       {"too far out", kRhino, down_target({9.5 + kRhinoReach + 12.5, 0, 260.4 - 168.3}, 0),
        InverseRefusal::kTooFar, 12.5, 0},
@@ -110,7 +110,7 @@ TEST(Inverse, APoseThatCannotBeHadIsRefusedWithHowFarItIsOff) {
   }
 }
 
-TEST(Inverse, ATipNearerToTheAxisThanTheArmsOffsetIsRefused) {
+TEST(Inverse, RejectsATipNearerToTheAxisThanTheOffset) {
   Robot robot = robot_named(kRhino);
   robot.joints[1].dh.d_mm = 40;
   const ModelPtr model = model_of(robot);
@@ -120,7 +120,7 @@ TEST(Inverse, ATipNearerToTheAxisThanTheArmsOffsetIsRefused) {
   EXPECT_NEAR(result.off_mm, 10, 1e-9);
 }
 
-TEST(Inverse, AToleranceLetsTheApproachLean) {
+TEST(Inverse, AToleranceAllowsATiltedApproach) {
   const Model& model = *model_named(kRhino);
   const ToolTarget leaning = yaw_pitch_roll_target({300, 0, 200}, {0, 0, 178});
   EXPECT_TRUE(solve_inverse(model, leaning, {1.9, 1e-6}).solutions.empty());
@@ -132,7 +132,7 @@ TEST(Inverse, AToleranceLetsTheApproachLean) {
   }
 }
 
-TEST(Inverse, AToleranceBringsTheTipToTheEdgeOfReach) {
+TEST(Inverse, AToleranceMovesTheTipToTheEdgeOfReach) {
   const Model& model = *model_named(kAdept);
   const InverseResult result = solve_inverse(model, down_target({800.5, 0, 520}, 0), {0.01, 1});
   ASSERT_EQ(result.solutions.size(), 1u);
@@ -140,7 +140,7 @@ TEST(Inverse, AToleranceBringsTheTipToTheEdgeOfReach) {
   EXPECT_NEAR(result.solutions[0].exact.mm, 0.5, 1e-9);
 }
 
-TEST(Inverse, LimitsAndTheRegionForbidAndSayByHowMuch) {
+TEST(Inverse, LimitsAndTheRegionRejectWithTheExcess) {
   const Model& model = *model_named(kAdept);
   const InverseResult high = solve_inverse(model, down_target({560, 0, 700}, 0));
   ASSERT_FALSE(high.solutions.empty());
@@ -157,7 +157,7 @@ TEST(Inverse, LimitsAndTheRegionForbidAndSayByHowMuch) {
   EXPECT_FALSE(low.solutions[0].is_allowed());
 }
 
-TEST(Inverse, AngleWithinLimitsIsTakenWhereAFullTurnFits) {
+TEST(Inverse, AFullTurnBringsAnAngleWithinLimits) {
   const Model& model = *model_named(kAdept);
   for (const double yaw : {-170.0, -90.0, 0.0, 30.0, 130.0, 180.0}) {
     for (const InverseSolution& solution :
@@ -181,7 +181,7 @@ bool leaves_free(const InverseResult& result, InverseFreedom freedom) {
   return std::count(result.freedoms.begin(), result.freedoms.end(), freedom) == 1;
 }
 
-TEST(Inverse, TipAndHandOnTheBaseAxisLeaveBaseAndRollFree) {
+TEST(Inverse, ATipAndHandOnTheBaseAxisLeaveBaseAndRollFree) {
   const Model& model = *model_named(kRhino);
   const InverseResult result = solve_inverse(model, down_target({0, 0, 400}, 30));
   EXPECT_TRUE(leaves_free(result, InverseFreedom::kBaseAndRoll));
@@ -193,7 +193,7 @@ TEST(Inverse, TipAndHandOnTheBaseAxisLeaveBaseAndRollFree) {
 }
 
 // Only the tip is on the axis, so the approach determines the base angle.
-TEST(Inverse, ATipOnTheBaseAxisTakesTheBaseFromTheApproach) {
+TEST(Inverse, ATipOnTheBaseAxisGetsTheBaseFromTheApproach) {
   const Model& model = *model_named(kRhino);
   const double c = std::cos(0.7);
   const double s = std::sin(0.7);
@@ -207,7 +207,7 @@ TEST(Inverse, ATipOnTheBaseAxisTakesTheBaseFromTheApproach) {
   }
 }
 
-TEST(Inverse, ASixAxisArmStretchedOutMayTurnItsPlane) {
+TEST(Inverse, AStretchedSixAxisArmLeavesItsPlaneFree) {
   const Model& model = *model_named(kIntelledex);
   const Transform home = tool_transform(model, Positions{});
   const InverseResult result =
@@ -217,7 +217,7 @@ TEST(Inverse, ASixAxisArmStretchedOutMayTurnItsPlane) {
   EXPECT_EQ(result.solutions[0].counts.motors, Positions{}) << "the soft home is among them";
 }
 
-TEST(Inverse, ASixAxisArmInALevelPlaneHasBaseAndShoulderPitchInLine) {
+TEST(Inverse, ALevelSixAxisArmAlignsBaseAndShoulderPitch) {
   const Model& model = *model_named(kIntelledex);
   const Transform pose = tool_transform_at(model.robot(), {90, 0, 60, 40, 50, 10});
   const InverseResult result =
@@ -230,7 +230,7 @@ TEST(Inverse, ASixAxisArmInALevelPlaneHasBaseAndShoulderPitchInLine) {
       << "the base is taken at its home, 90";
 }
 
-TEST(Inverse, AFoldedArmMaySwing) {
+TEST(Inverse, AFoldedArmHasAFreeJoint) {
   const Model& model = *model_named(kRhino);
   const InverseResult result = solve_inverse(model, down_target({9.5, 0, 260.4 - 168.3}, 0));
   EXPECT_TRUE(leaves_free(result, InverseFreedom::kFolded));
@@ -238,7 +238,7 @@ TEST(Inverse, AFoldedArmMaySwing) {
   for (const InverseSolution& solution : result.solutions) EXPECT_LT(solution.exact.mm, 1e-9);
 }
 
-TEST(Inverse, ASixAxisArmWithItsWristOnTheShoulder) {
+TEST(Inverse, SolvesASixAxisArmWithItsWristOnTheShoulder) {
   const Model& model = *model_named(kIntelledex);
   for (const Eigen::Vector3d& approach :
        {Eigen::Vector3d(0, 0, -1), Eigen::Vector3d(0.6, 0, 0.8), Eigen::Vector3d(0, 1, 0)}) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/inverse/closed.hpp"
+#include "core/inverse/solvers.hpp"
 #include "core/inverse/inverse.hpp"
 #include "tests/support/models.hpp"
 
@@ -45,7 +45,7 @@ bool has(const Robot& robot, const InverseResult& result, const JointVariables& 
                      });
 }
 
-RC_GTEST_PROP(InverseNumerical, ThreeJointsComeBackFromTheirPose, ()) {
+RC_GTEST_PROP(InverseNumerical, ThreeJointsRoundTrip, ()) {
   const ModelPtr model = model_of(odd_arm(3));
   const JointVariables variables = arbitrary_variables(model->robot());
   const InverseResult result = solve_inverse(*model, pose_at(model->robot(), variables));
@@ -54,7 +54,7 @@ RC_GTEST_PROP(InverseNumerical, ThreeJointsComeBackFromTheirPose, ()) {
   for (const InverseSolution& solution : result.solutions) RC_ASSERT(solution.exact.mm < 1e-6);
 }
 
-TEST(InverseNumerical, ThreeJointsReachATipAlone) {
+TEST(InverseNumerical, ThreeJointsReachATipWithoutAnApproach) {
   const ModelPtr model = model_of(odd_arm(3));
   const Eigen::Vector3d tip = tool_transform_at(model->robot(), {-20, 70, 30}).block<3, 1>(0, 3);
   const InverseResult result = solve_inverse(*model, tip_target(tip));
@@ -65,7 +65,7 @@ TEST(InverseNumerical, ThreeJointsReachATipAlone) {
   }
 }
 
-TEST(InverseNumerical, ThreeJointsCannotHaveAnyPose) {
+TEST(InverseNumerical, ThreeJointsCannotReachEveryPose) {
   const ModelPtr model = model_of(odd_arm(3));
   const InverseResult result = solve_inverse(*model, down_target({10, 20, 90}, 0));
   EXPECT_EQ(result.refusal, InverseRefusal::kNotFound);
@@ -73,7 +73,7 @@ TEST(InverseNumerical, ThreeJointsCannotHaveAnyPose) {
   EXPECT_GT(result.off_mm + result.off_deg, 1);
 }
 
-TEST(InverseNumerical, SevenJointsHaveOneTooMany) {
+TEST(InverseNumerical, SevenJointsAreRedundant) {
   const ModelPtr model = model_of(odd_arm(7));
   JointVariables variables = home_variables(model->robot());
   for (std::size_t k = 0; k < variables.size(); ++k)
@@ -87,7 +87,7 @@ TEST(InverseNumerical, SevenJointsHaveOneTooMany) {
   }
 }
 
-TEST(InverseNumerical, TheSameQuestionGetsTheSameAnswer) {
+TEST(InverseNumerical, IsDeterministic) {
   const ModelPtr model = model_of(odd_arm(6));
   const ToolTarget target = pose_at(model->robot(), home_variables(model->robot()));
   const InverseResult once = solve_inverse(*model, target);
@@ -99,7 +99,7 @@ TEST(InverseNumerical, TheSameQuestionGetsTheSameAnswer) {
   }
 }
 
-TEST(InverseNumerical, AConfigurationFixesTheLastJoint) {
+TEST(InverseNumerical, AConfigurationDeterminesTheLastJoint) {
   const ModelPtr model = model_of(odd_arm(6));
   JointVariables variables = home_variables(model->robot());
   variables.back() += 12.5;
@@ -115,7 +115,7 @@ TEST(InverseNumerical, AConfigurationFixesTheLastJoint) {
 }
 
 // The closed forms list all solutions, so the numerical ones must be among them.
-TEST(InverseNumerical, FindsNothingThatTheClosedFormsLack) {
+TEST(InverseNumerical, FindsOnlySolutionsOfTheClosedForms) {
   const ToolTarget targets[] = {down_target({330, 96, 60}, 25), down_target({470, 120, 100}, 35)};
   for (const char* name : {"rhino-xr3", "intelledex-660"}) {
     const ModelPtr model = model_of(robot_named(name));

@@ -143,7 +143,7 @@ double net_roll_of(const Pick& pick, const Model& model) {
   return apart_deg(printed, pick.yaw_deg) < 90 ? pick.yaw_deg : pick.yaw_deg + 180;
 }
 
-TEST(Inverse, EveryPickOfTheWorkcellsInAnglesAndInCounts) {
+TEST(Inverse, SolvesEveryPickInAnglesAndCounts) {
   for (const Pick& pick : kPicks) {
     SCOPED_TRACE(std::string(pick.robot) + " " + pick.block);
     const Model& model = *model_named(pick.robot);
@@ -162,7 +162,7 @@ TEST(Inverse, EveryPickOfTheWorkcellsInAnglesAndInCounts) {
   }
 }
 
-TEST(Inverse, AHundredMillimetresAboveEveryPick) {
+TEST(Inverse, SolvesAHundredMillimetresAboveEveryPick) {
   for (const Pick& pick : kPicks) {
     SCOPED_TRACE(std::string(pick.robot) + " " + pick.block);
     const Model& model = *model_named(pick.robot);
@@ -191,7 +191,7 @@ const Golden kGoldens[] = {
     {kIntelledex, {{'G', 143}, {'E', 196}, {'D', -691}, {'C', -405}, {'B', -66}}},
 };
 
-TEST(Inverse, ThePublishedPosesAndConfigurationsGiveTheirCountsBack) {
+TEST(Inverse, PublishedPosesAndConfigurationsGiveTheirCounts) {
   for (const Golden& golden : kGoldens) {
     const Model& model = *model_named(golden.robot);
     const Positions positions = positions_at(model, golden.counts);
@@ -212,7 +212,7 @@ TEST(Inverse, ThePublishedPosesAndConfigurationsGiveTheirCountsBack) {
 }
 
 // As printed in the paper, with four decimals: the approach is 0.002 degrees out of the plane.
-TEST(Inverse, APrintedConfigurationIsNearEnough) {
+TEST(Inverse, AcceptsARoundedConfiguration) {
   ToolConfiguration w;
   w << 247.9346, 92.3095, 293.7373, 0.03669, 0.01366, -0.65808;
   const Model& model = *model_named(kRhino);
@@ -224,7 +224,7 @@ TEST(Inverse, APrintedConfigurationIsNearEnough) {
             InverseRefusal::kApproachOutOfPlane);
 }
 
-TEST(Inverse, AConfigurationKeepsTheLastJointsFullTurns) {
+TEST(Inverse, AConfigurationKeepsFullTurnsOfTheLastJoint) {
   const Model& model = *model_named(kRhino);
   const Positions turned = positions_at(model, {{'B', 1152 * 3 + 7}});
   const InverseResult result =

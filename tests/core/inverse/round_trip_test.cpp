@@ -49,11 +49,11 @@ void expect_round_trip(const char* robot) {
   }
 }
 
-RC_GTEST_PROP(Inverse, DirectThenInverseOfTheRhino, ()) { expect_round_trip(kRhino); }
-RC_GTEST_PROP(Inverse, DirectThenInverseOfTheAdept, ()) { expect_round_trip(kAdept); }
-RC_GTEST_PROP(Inverse, DirectThenInverseOfTheIntelledex, ()) { expect_round_trip(kIntelledex); }
+RC_GTEST_PROP(Inverse, RhinoRoundTrips, ()) { expect_round_trip(kRhino); }
+RC_GTEST_PROP(Inverse, AdeptRoundTrips, ()) { expect_round_trip(kAdept); }
+RC_GTEST_PROP(Inverse, IntelledexRoundTrips, ()) { expect_round_trip(kIntelledex); }
 
-RC_GTEST_PROP(Inverse, CountsGiveTheirPositionsBack, ()) {
+RC_GTEST_PROP(Inverse, CountsRoundTrip, ()) {
   const Model& model = *model_named(
       *rc::gen::element(std::string(kRhino), std::string(kAdept), std::string(kIntelledex)));
   Positions positions{};
@@ -68,7 +68,7 @@ RC_GTEST_PROP(Inverse, CountsGiveTheirPositionsBack, ()) {
 }
 
 // The rounded pose is within half a count of each motor of the exact one.
-RC_GTEST_PROP(Inverse, RoundingLeavesNoMoreThanHalfACountOfEachMotor, ()) {
+RC_GTEST_PROP(Inverse, RoundingErrorIsAtMostHalfACountPerMotor, ()) {
   const Model& model = *model_named(kRhino);
   const JointVariables variables = arbitrary_variables(model);
   const NearestCounts counts = nearest_counts(model, variables);

@@ -36,7 +36,7 @@ TEST(Diagnostic, CodesAreStable) {
   EXPECT_EQ(code_of(WarningCode::kBelowSurface), "below_surface");
 }
 
-TEST(Diagnostic, EveryByteValueCanBeRead) {
+TEST(Diagnostic, EveryByteHasAReadableForm) {
   const std::pair<std::string_view, std::string_view> rows[] = {
       {"E+5\r\n", "E+5\\r\\n"},
       {"\0"sv, "\\0"},
@@ -53,7 +53,7 @@ TEST(Diagnostic, EveryByteValueCanBeRead) {
   EXPECT_EQ(texts.size(), 256U);
 }
 
-TEST(Diagnostic, HexadecimalIsTwoDigitsAByte) {
+TEST(Diagnostic, HexadecimalHasTwoDigitsPerByte) {
   EXPECT_EQ(hexadecimal("\x00\x0a\xff\x45"sv), "000aff45");
 }
 
@@ -69,70 +69,23 @@ std::string described(std::string_view bytes, ProblemCode code, Subject subject)
   return describe(parsed(bytes, problem), problem);
 }
 
-TEST(Diagnostic, ASentenceBeginsWithTheBytes) {
+TEST(Diagnostic, AMessageBeginsWithTheBytes) {
   EXPECT_EQ(described("E+200\r", ProblemCode::kNumberOutOfRange, Subject::kMove),
-            "E+200: a move is -128...127 counts; not obeyed");
+            "E+200: a move is -128...127 counts; ignored");
   EXPECT_EQ(described("E300S", ProblemCode::kSpeedOutOfRange, Subject::kSpeed),
-            "E300S: a speed is 1...255 counts a second; not obeyed");
+            "E300S: a speed is 1...255 counts a second; ignored");
   const std::string cut =
       described(std::string(40, '9'), ProblemCode::kUnknownByte, Subject::kNone);
   EXPECT_EQ(cut.substr(0, 26), std::string(RawBytes::kMax, '9') + "...:");
 }
 
-TEST(Diagnostic, EveryProblemHasASentenceWhateverItIsAbout) {
+TEST(Diagnostic, EveryProblemHasAMessage) {
   for (const ProblemCode code : kProblems) {
     for (const Subject subject : kSubjects) {
       EXPECT_GT(described("x", code, subject).size(), "x: a few words"sv.size())
           << code_of(code) << " " << static_cast<int>(subject);
     }
   }
-}
-
-struct EventRow {
-  EventBody event;
-  std::string_view code;
-  std::string_view sentence;
-};
-
-TEST(Diagnostic, EventsHaveACodeAndASentence) {
-  const EventRow rows[] = {
-      {MoveTaken{'E', 50, 62}, "move", "E +50: counter 62"},
-      {Reached{'E', 12}, "reached", "E has reached its target"},
-      {MotorBlocked{'F', Blocked::kLimit, 'F', true, 175, 771, 4}, "limit",
-       "F is at its upper limit of 175 deg, 4 counts short"},
-      {MotorBlocked{'A', Blocked::kLimit, 'A', false, 0, -64, -7}, "limit",
-       "A is at its lower limit of 0 mm, 7 counts short"},
-      {MotorBlocked{'E', Blocked::kLimit, 'D', false, -15, 502, 8}, "limit",
-       "E is blocked because it would move D past its lower limit of -15 deg, 8 counts short"},
-      {SwitchChanged{'C', true, 40}, "switch", "the microswitch of C closed"},
-      {SwitchChanged{'C', false, 39}, "switch", "the microswitch of C opened"},
-      {Homed{}, "homed", "soft home"},
-      {OutputChanged{3, true}, "io", "output 3 is high"},
-      {InputChanged{8, false}, "io", "input 8 is low"},
-      {AuxiliaryChanged{2, true}, "io", "auxiliary port 2 is on"},
-      {EnabledChanged{true}, "enabled", "the simulator is enabled"},
-      {Warning{WarningCode::kNoSuchJoint, 'G', 0, 0, {}}, "no_such_joint",
-       "G: this robot has no such joint; it has A...F"},
-  };
-  for (const EventRow& row : rows) {
-    EXPECT_EQ(code_of(row.event), row.code);
-    EXPECT_EQ(describe(row.event, *test::rhino()), row.sentence);
-  }
-}
-
-TEST(Diagnostic, AStallSaysWhatSetsTheRobotFree) {
-  for (const Stall why : {Stall::kProtectedRegion, Stall::kWorkSurface}) {
-    EXPECT_NE(describe(Stalled{why}, *test::rhino()).find("A$"), std::string::npos);
-  }
-  EXPECT_EQ(code_of(EventBody(Stalled{Stall::kProtectedRegion})), "protected_region");
-  EXPECT_EQ(code_of(EventBody(Stalled{Stall::kWorkSurface})), "work_surface");
-}
-
-TEST(Diagnostic, AWrapNamesTheMoveAndWhatBecameOfTheCounter) {
-  const std::string words =
-      describe(Warning{WarningCode::kCounterOverflow, 'E', 100, -56, {}}, *test::rhino());
-  EXPECT_NE(words.find("E+100"), std::string::npos) << words;
-  EXPECT_NE(words.find("-56"), std::string::npos) << words;
 }
 
 }  // namespace

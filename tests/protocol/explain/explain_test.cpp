@@ -7,8 +7,7 @@
 #include <set>
 #include <string>
 
-#include "protocol/explain/command_words.hpp"
-#include "protocol/explain/reply_words.hpp"
+#include "protocol/explain/command_text.hpp"
 #include "protocol/json/source.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/rig.hpp"
@@ -25,7 +24,7 @@ ModelPtr seeing_rhino() {
                                        test::workcell_named("rhino-xr3"), Profile::kPaper);
 }
 
-TEST(Explain, AMoveAndHowFarItHasToGo) {
+TEST(Explain, AMoveAndItsRemainingCounts) {
   Tap tap(test::rhino());
   EXPECT_EQ(tap.send("E+5\r"),
             "> E+5\\r\n"
@@ -38,7 +37,7 @@ TEST(Explain, AMoveAndHowFarItHasToGo) {
             "  0..1 reply_error: E: 2 counts to go\n");
 }
 
-TEST(Explain, BytesThatCompleteNothingYet) {
+TEST(Explain, BytesOfAnIncompleteCommand) {
   Tap tap(test::rhino());
   EXPECT_EQ(tap.send("E"), "> E\n");
   EXPECT_EQ(tap.send("+"), "> +\n");
@@ -49,11 +48,11 @@ TEST(Explain, BytesThatCompleteNothingYet) {
   EXPECT_EQ(tap.send("\n"), "> \\n\n");
 }
 
-TEST(Explain, WhyNothingMoves) {
+TEST(Explain, WarningsWhenNothingMoves) {
   Tap tap(test::rhino());
   EXPECT_EQ(tap.send("E+200\r"),
             "> E+200\\r\n"
-            "  0..6 number_out_of_range: E+200: a move is -128...127 counts; not obeyed\n");
+            "  0..6 number_out_of_range: E+200: a move is -128...127 counts; ignored\n");
   EXPECT_EQ(tap.send("G+5\r"),
             "> G+5\\r\n"
             "  6..10 move: move G +5\n"
@@ -67,12 +66,12 @@ TEST(Explain, WhyNothingMoves) {
       "is nearer to its target before sending more\n");
   EXPECT_EQ(tap.send("P9P\r"),
             "> P9P\\r\n"
-            "  22..24 number_out_of_range: P9: output lines are 1...8; not obeyed\n"
-            "  24..25 incomplete_command: P: P and R need the number of an output line, 1...8; not "
-            "obeyed\n");
+            "  22..24 number_out_of_range: P9: output lines are 1...8; ignored\n"
+            "  24..25 incomplete_command: P: P and R need the number of an output line, 1...8; "
+            "ignored\n");
 }
 
-TEST(Explain, AMotorAtItsLimitSaysSoAtOnce) {
+TEST(Explain, AMotorAtItsLimitIsReportedAtOnce) {
   Tap tap(test::rhino());
   tap.send("A+100\r");
   tap.simulation().run_to_rest(200'000);
@@ -90,7 +89,7 @@ TEST(Explain, AMotorAtItsLimitSaysSoAtOnce) {
             "  16..21 move: move A -10, counter -4\n");
 }
 
-TEST(Explain, AStalledRobotSaysWhatSetsItFree) {
+TEST(Explain, AStallNamesTheCommandThatEndsIt) {
   Tap tap(test::rhino());
   State state = tap.simulation().state();
   state.stall = Stall::kProtectedRegion;
@@ -106,7 +105,7 @@ TEST(Explain, AStalledRobotSaysWhatSetsItFree) {
             "  6..10 move: move E +1, counter 1\n");
 }
 
-TEST(Explain, JunkIsToldByTheRun) {
+TEST(Explain, JunkIsReportedPerRun) {
   Tap tap(test::rhino());
   EXPECT_EQ(tap.send("xyz"),
             "> xyz\n"
@@ -129,7 +128,7 @@ TEST(Explain, SpeedsStopsAndReset) {
             "of the robot file; it does not send the robot home\n");
 }
 
-TEST(Explain, TogglesSayWhatTheyCameTo) {
+TEST(Explain, TogglesReportTheNewSetting) {
   Tap tap(test::rhino());
   EXPECT_EQ(tap.send("A#A#A#"),
             "> A#A#A#\n"
@@ -142,12 +141,12 @@ TEST(Explain, TogglesSayWhatTheyCameTo) {
             "  8..10 toggle_erasing: erasing on: earlier pictures are erased\n");
   EXPECT_EQ(tap.send("A@E?A@"),
             "> A@E?A@\n"
-            "  10..12 toggle_simulator: simulator disabled: only A@ is obeyed from now on\n"
-            "  12..14 disabled: E?: the simulator is disabled and obeys only A@ (2 in a row)\n"
+            "  10..12 toggle_simulator: simulator disabled: only A@ is executed from now on\n"
+            "  12..14 disabled: E?: the simulator is disabled and executes only A@ (2 in a row)\n"
             "  14..16 toggle_simulator: simulator enabled\n");
 }
 
-TEST(Explain, TheRestOfTheEnvironment) {
+TEST(Explain, OtherEnvironmentCommands) {
   Tap tap(test::rhino());
   EXPECT_EQ(tap.send("A!1,-2,3!A.5 A%3"),
             "> A!1,-2,3!A.5 A%3\n"
@@ -204,7 +203,7 @@ TEST(Explain, SignedCountersAndOneCount) {
             "  1..2 reply_error: E: 1 count to go\n");
 }
 
-TEST(Explain, TheHardwaresTopBit) {
+TEST(Explain, Mark3RepliesLoseTheTopBit) {
   Tap tap(test::rhino(Profile::kMark3));
   EXPECT_EQ(tap.send("E+100\rE?"),
             "> E+100\\rE?\n"
@@ -233,7 +232,7 @@ TEST(Explain, TheCamera) {
       << image;
 }
 
-TEST(Explain, TelnetIsToldApart) {
+TEST(Explain, TelnetBytesAreSeparate) {
   Tap tap(test::rhino());
   EXPECT_EQ(tap.send("E+5\xff\xfb\x01\r"),
             "> E+5\\xff\\xfb\\x01\\r\n"
@@ -256,7 +255,7 @@ TEST(Explain, TelnetIsToldApart) {
             "  6..8 reply_signed_error: E: error counter -1\n");
 }
 
-TEST(Explain, WithoutATelnetFilterEveryByteIsTheControllers) {
+TEST(Explain, WithoutATelnetFilterTheControllerGetsEveryByte) {
   Simulation simulation(test::rhino());
   RhinoEndpoint endpoint(Profile::kPaper);
   std::vector<Exchange> exchanges;
@@ -270,7 +269,7 @@ TEST(Explain, WithoutATelnetFilterEveryByteIsTheControllers) {
 }
 
 // The names in data/commands.json are the codes.
-TEST(Explain, EveryCommandOfTheDocumentedSetIsNamed) {
+TEST(Explain, EveryDocumentedCommandHasACode) {
   const Json commands = Json::parse(test::project_file("data/commands.json"));
   std::set<std::string> named;
   std::set<std::string> obeyed;
@@ -284,12 +283,59 @@ TEST(Explain, EveryCommandOfTheDocumentedSetIsNamed) {
         const auto* done = std::get_if<wire::Executed>(&item.what);
         if (done == nullptr) continue;
         obeyed.emplace(code_of(done->command));
-        EXPECT_FALSE(describe(*done).empty());
+        EXPECT_FALSE(command_text(*done).phrase.empty());
       }
     }
   }
   EXPECT_EQ(obeyed, named);
   EXPECT_GT(named.size(), 20U);
+}
+
+/// The names of the commands in `bytes`, each with a comma behind it; problems are skipped.
+std::string commands_in(const std::string& bytes) {
+  RhinoParser parser(Profile::kPaper);
+  std::vector<Parsed> all;
+  for (const char byte : bytes) parser.feed(static_cast<std::uint8_t>(byte), 0, all);
+  std::string names;
+  for (const Parsed& parsed : all) {
+    const auto* command = std::get_if<Command>(&parsed.what);
+    if (command != nullptr) names += std::string(code_of(*command)) + ",";
+  }
+  return names;
+}
+
+/// The bytes of the command with this value of one argument; the label is E, other arguments are 1.
+std::string with_argument(const Json& command, const std::string& name, int value) {
+  std::string bytes;
+  for (const char c : command["form"].get<std::string>()) {
+    const bool is_argument = c >= 'a' && c <= 'z';
+    const std::string other = c == 'a' ? "E" : "1";
+    bytes += !is_argument ? std::string{c} : name == std::string{c} ? std::to_string(value) : other;
+  }
+  return bytes + "\r";
+}
+
+TEST(Explain, TheParserHasTheRangesOfTheDocumentedSet) {
+  int ranges = 0;
+  const Json commands = Json::parse(test::project_file("data/commands.json"));
+  for (const auto& [part, list] : commands.items()) {
+    if (!list.is_array()) continue;
+    for (const Json& command : list) {
+      const std::string code = command["name"].get<std::string>() + ",";
+      for (const Json& argument : command["arguments"]) {
+        if (!argument.contains("max") || !argument["max"].is_number()) continue;
+        const auto name = argument["name"].get<std::string>();
+        const int min = argument["min"];
+        const int max = argument["max"];
+        EXPECT_EQ(commands_in(with_argument(command, name, min)), code) << command["form"];
+        EXPECT_EQ(commands_in(with_argument(command, name, max)), code) << command["form"];
+        EXPECT_EQ(commands_in(with_argument(command, name, min - 1)), "") << command["form"];
+        EXPECT_EQ(commands_in(with_argument(command, name, max + 1)), "") << command["form"];
+        ++ranges;
+      }
+    }
+  }
+  EXPECT_GE(ranges, 9);
 }
 
 }  // namespace

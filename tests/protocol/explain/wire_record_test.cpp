@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "protocol/monitor/wire.hpp"
+#include "protocol/monitor/line_record.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/random_bytes.hpp"
 #include "tests/support/tap.hpp"
@@ -25,7 +25,7 @@ ModelPtr seeing_rhino(Profile profile) {
                                        test::workcell_named("rhino-xr3"), profile);
 }
 
-TEST(WireRecord, BytesInAsTheMonitorShowsThem) {
+TEST(WireRecord, ShowsInputBytes) {
   Tap tap(test::rhino());
   tap.send("E+5\rE?");
   const Model& model = tap.simulation().model();
@@ -41,7 +41,7 @@ TEST(WireRecord, BytesInAsTheMonitorShowsThem) {
             R"("message":"E: 5 counts to go"}]})");
 }
 
-TEST(WireRecord, ALongReplyIsShownInPartAndCountedWhole) {
+TEST(WireRecord, ALongReplyIsTruncatedButCounted) {
   Tap tap(seeing_rhino(Profile::kPaper));
   tap.send("A**");
   const WireRecord& out = tap.records().back();
@@ -50,7 +50,7 @@ TEST(WireRecord, ALongReplyIsShownInPartAndCountedWhole) {
   EXPECT_EQ(out.items.at(0).to, out.bytes);
 }
 
-TEST(WireRecord, AnOldRecordsMemoryIsUsedAgain) {
+TEST(WireRecord, ReusesTheMemoryOfAnOldRecord) {
   Tap tap(test::rhino());
   tap.send("E?D?C?B?A?ZZZZZZZZZZZZZZZZZZZZZZZZZZZ");
   WireRecord record = tap.records().front();
@@ -116,7 +116,7 @@ void expect_good_json(const WireRecord& record, const Model& model) {
   }
 }
 
-TEST(WireRecord, NothingIsLostOfRandomBytes) {
+TEST(WireRecord, LosesNoRandomBytes) {
   for (std::uint32_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
     const Hammered line(seed, seed % 2 == 0 ? Profile::kPaper : Profile::kMark3);
@@ -137,7 +137,7 @@ TEST(WireRecord, NothingIsLostOfRandomBytes) {
 }
 
 // Every sent byte belongs to a reply or to telnet, and is explained.
-TEST(WireRecord, EveryByteOutIsExplained) {
+TEST(WireRecord, ExplainsEveryOutputByte) {
   for (std::uint32_t seed = 100; seed < 120; ++seed) {
     const Hammered line(seed, Profile::kPaper);
     for (const WireRecord& record : line.tap.records()) {

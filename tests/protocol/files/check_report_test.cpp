@@ -19,7 +19,7 @@ bool has_line(const std::string& text, const std::string& line) {
   return ("\n" + text).find("\n" + line + "\n") != std::string::npos;
 }
 
-TEST(CheckReport, KnowsRobotsAndWorkcells) {
+TEST(CheckReport, RecognisesRobotsAndWorkcells) {
   const CheckResult robot = check_file("data/robots/rhino-xr3.json");
   EXPECT_EQ(robot.kind, DataKind::kRobot);
   EXPECT_TRUE(robot.is_good());
@@ -53,7 +53,7 @@ TEST(CheckReport, SummaryOfTheRhino) {
   for (const std::string& line : lines) EXPECT_TRUE(has_line(text, line)) << line << "\n" << text;
 }
 
-TEST(CheckReport, TheProfileGivesSwitchesTheirWidth) {
+TEST(CheckReport, TheProfileSetsTheWidthOfSwitches) {
   const std::string text = check_file("data/robots/rhino-xr3.json", Profile::kMark3).summary;
   EXPECT_TRUE(has_line(text, "  E shoulder    within 30 of -40    4  I")) << text;
 }
@@ -80,7 +80,7 @@ TEST(CheckReport, SummaryOfAWorkcell) {
   for (const std::string& line : lines) EXPECT_TRUE(has_line(text, line)) << line << "\n" << text;
 }
 
-TEST(CheckReport, WarningsLeaveAFileGood) {
+TEST(CheckReport, AFileWithOnlyWarningsIsValid) {
   const CheckResult robot = check_file("data/robots/intelledex-660.json");
   const std::string text = test::project_file("data/workcells/rhino-xr3.json");
   const CheckResult alone = check_text(text, "f", Profile::kPaper);
@@ -94,12 +94,12 @@ TEST(CheckReport, WarningsLeaveAFileGood) {
   EXPECT_FALSE(checked.summary.empty());
 }
 
-TEST(TextTable, LinesColumnsUp) {
+TEST(TextTable, AlignsColumns) {
   EXPECT_EQ(text_table({{"a", "b"}, {"long", "1"}, {"x", "-20"}}, "lr"),
             "  a       b\n  long    1\n  x     -20\n");
 }
 
-TEST(TextTable, NumbersWithoutNeedlessDigits) {
+TEST(TextTable, WritesNumbersWithoutTrailingZeros) {
   EXPECT_EQ(plain_number(1.5), "1.5");
   EXPECT_EQ(plain_number(100), "100");
   EXPECT_EQ(plain_number(0.12345, 2), "0.12");

@@ -28,7 +28,7 @@ struct CountRow {
   Counts high;
 };
 
-TEST(RobotJson, LimitsOfAllDrivesInWholeCounts) {
+TEST(RobotJson, LimitsOfAllDrivesInCounts) {
   const CountRow rows[] = {
       {"rhino-xr3", 'F', -771, 771},         {"rhino-xr3", 'E', -440, 881},
       {"rhino-xr3", 'D', -660, 925},         {"rhino-xr3", 'C', -1101, 1101},
@@ -85,7 +85,7 @@ TEST(RobotJson, ReadsPrismaticJointsAndAngularJaws) {
   EXPECT_EQ(intelledex.net_roll_offset_deg, -90);
 }
 
-TEST(RobotJson, AnOutlineForEveryFrameIsDrawn) {
+TEST(RobotJson, EveryFrameHasAnOutline) {
   for (const std::string& name : kRobots) {
     const Robot robot = shipped(name);
     ASSERT_EQ(robot.links.size(), robot.joints.size() + 1);
@@ -97,7 +97,7 @@ TEST(RobotJson, AnOutlineForEveryFrameIsDrawn) {
 // Angular fingers open by a right-handed turn of side * angle / 2 about x, which moves points in
 // front of the hinge, along the approach, towards -y: the finger that closes from there has the
 // side +1.
-TEST(RobotJson, FingersMeetWithTheJawsClosed) {
+TEST(RobotJson, FingersTouchWhenTheJawsAreClosed) {
   for (const std::string& name : kRobots) {
     const Tool tool = shipped(name).tool;
     const double opens = tool.kind == ToolKind::kParallel ? 1 : -1;
@@ -118,7 +118,7 @@ TEST(RobotJson, RoundTrip) {
   }
 }
 
-TEST(RobotJson, WritesTheShippedFilesMemberForMember) {
+TEST(RobotJson, WritesTheMembersOfTheShippedFiles) {
   for (const std::string& name : kRobots) {
     const std::string text = test::project_file(robot_file(name));
     EXPECT_EQ(robot_to_json(shipped(name)).dump(), Json::parse(text).dump());
@@ -161,7 +161,7 @@ TEST(RobotJson, HardHomeCountsCoupling) {
   EXPECT_EQ(at[2], 40 + -40) << "the shoulder carries the elbow along";
 }
 
-TEST(RobotJson, LoadThrowsWithEveryFinding) {
+TEST(RobotJson, LoadThrowsWithAllFindings) {
   try {
     load_robot("{\"length_unit\": \"mm\"}", "arm.json");
     FAIL();

@@ -74,7 +74,7 @@ TEST(WorkcellJson, RoundTrip) {
   }
 }
 
-TEST(WorkcellJson, RoundTripKeepsWhatIsLeftOut) {
+TEST(WorkcellJson, RoundTripKeepsMissingMembers) {
   Workcell cell = load_workcell(workcell_text("rhino-xr3"), "f");
   cell.surface_stalls = true;
   cell.work_surface_um = 12345;
@@ -85,7 +85,7 @@ TEST(WorkcellJson, RoundTripKeepsWhatIsLeftOut) {
   EXPECT_EQ(load_workcell(workcell_to_json(cell).dump(), "f"), cell);
 }
 
-TEST(WorkcellJson, ConvertsInchesToWholeMicrometres) {
+TEST(WorkcellJson, ConvertsInchesToMicrometres) {
   Json json = Json::parse(workcell_text("rhino-xr3"));
   json["length_unit"] = "inch";
   const Workcell cell = load_workcell(json.dump(), "f");
@@ -95,7 +95,7 @@ TEST(WorkcellJson, ConvertsInchesToWholeMicrometres) {
   EXPECT_EQ(cell.blocks[0].yaw_udeg, 90000000) << "angles stay";
 }
 
-TEST(WorkcellJson, BringsYawsIntoOneTurn) {
+TEST(WorkcellJson, NormalizesYawsToOneTurn) {
   const std::string text = with_blocks(block("a", "[10, 10, 10]", "[50, 0, 105]", 350) + ",\n" +
                                        block("b", "[10, 10, 10]", "[80, 0, 105]", -180));
   const Workcell cell = load_workcell(text, "f");
@@ -108,7 +108,7 @@ struct WarningCase {
   std::string warnings;
 };
 
-TEST(WorkcellJson, WarnsOfOddBlocks) {
+TEST(WorkcellJson, WarnsAboutOddBlocks) {
   const std::string on_table = block("a", "[60, 40, 20]", "[300, 0, 110]");
   const WarningCase cases[] = {
       {on_table, ""},
@@ -157,7 +157,7 @@ TEST(WorkcellJson, AngularJawsOpenByTheirAngle) {
   EXPECT_EQ(reading.findings[0].allowed, "less than 60 mm, the jaws' widest opening");
 }
 
-TEST(WorkcellJson, TenThousandBlocksAreCheckedInReasonableTime) {
+TEST(WorkcellJson, ChecksTenThousandBlocksInReasonableTime) {
   std::string blocks;
   for (int i = 0; i < 10000; ++i) {
     const std::string at = "[" + std::to_string(5 + 4 * (i % 100)) + ", " +
@@ -167,7 +167,7 @@ TEST(WorkcellJson, TenThousandBlocksAreCheckedInReasonableTime) {
   EXPECT_EQ(to_text(read_workcell(with_blocks(blocks), "f").findings), "");
 }
 
-TEST(WorkcellJson, TenThousandBrokenBlocksAreToldInReasonableTime) {
+TEST(WorkcellJson, ReportsTenThousandInvalidBlocksInReasonableTime) {
   std::string blocks = "{}";
   for (int i = 1; i < 10000; ++i) blocks += ",{}";
   const Findings findings = read_workcell(with_blocks(blocks), "f").findings;
@@ -175,7 +175,7 @@ TEST(WorkcellJson, TenThousandBrokenBlocksAreToldInReasonableTime) {
   EXPECT_EQ(findings.back().more, 50'000 - kMaxFindings);
 }
 
-TEST(WorkcellJson, NoSizeMayRoundToNothing) {
+TEST(WorkcellJson, RejectsASizeThatRoundsToZero) {
   EXPECT_TRUE(
       read_workcell(with_blocks(block("a", "[0.0005, 1, 1]", "[9, 9, 101]")), "f").workcell);
   const auto reading = read_workcell(with_blocks(block("a", "[1, 1, 0.0004]", "[9, 9, 101]")), "f");

@@ -66,7 +66,7 @@ void expect_same(JsonValue value, const Json& json) {
   EXPECT_FALSE(value.find("no such member"));
 }
 
-TEST(JsonDocument, HasTheValuesOfItsText) {
+TEST(JsonDocument, HasTheValuesOfTheText) {
   for (const std::string& text : texts()) {
     SCOPED_TRACE(text);
     const JsonDocument document(text);
@@ -88,7 +88,7 @@ void expect_pointers(JsonValue root, JsonValue value, const std::string& pointer
   }
 }
 
-TEST(JsonDocument, FindsPointersBothWays) {
+TEST(JsonDocument, FindsPointersInBothDirections) {
   for (const std::string& text : texts()) {
     const JsonDocument document(text);
     expect_pointers(document.root(), document.root(), "");
@@ -100,7 +100,7 @@ TEST(JsonDocument, FindsPointersBothWays) {
     EXPECT_FALSE(document.root().at(pointer)) << pointer;
 }
 
-TEST(JsonDocument, CutsLongPointers) {
+TEST(JsonDocument, TruncatesLongPointers) {
   const std::string text = "{\"" + std::string(100'000, 'n') + "\":[[1]]}";
   const JsonDocument document(text);
   const JsonValue inner = document.root().element(0).element(0).element(0);
@@ -120,7 +120,7 @@ std::string mutated(std::string text, std::minstd_rand& random) {
   return text;
 }
 
-TEST(JsonDocument, TakesWhatTheParserTakes) {
+TEST(JsonDocument, AcceptsTheSameTextsAsTheParser) {
   std::minstd_rand random(1);
   int good = 0;
   for (int i = 0; i < 20'000; ++i) {
@@ -143,7 +143,7 @@ std::vector<std::string> twice(const std::string& text) {
   return pointers;
 }
 
-TEST(JsonDocument, KnowsNamesThatAreThereAlready) {
+TEST(JsonDocument, FindsDuplicateNames) {
   using Pointers = std::vector<std::string>;
   EXPECT_EQ(twice(R"({"a":1,"b":2,"ab":3,"":4})"), Pointers{});
   EXPECT_EQ(twice(R"({"b":{"a":2,"a":3},"a":1,"c":0,"a":4,"a":5})"),
@@ -152,19 +152,19 @@ TEST(JsonDocument, KnowsNamesThatAreThereAlready) {
   EXPECT_EQ(twice(R"([{"":1},{"":1,"":2}])"), Pointers{"/1/"});
 }
 
-TEST(JsonDocument, TheLastOfSeveralCounts) {
+TEST(JsonDocument, TheLastDuplicateApplies) {
   const JsonDocument document(R"({"a":1,"a":2})");
   EXPECT_TRUE(document.root().find("a").is(2));
 }
 
-TEST(JsonDocument, NothingIsOfNoKind) {
+TEST(JsonDocument, AnEmptyValueHasNoKind) {
   const JsonValue nothing;
   EXPECT_FALSE(nothing.is_object() || nothing.is_list() || nothing.is_text() || nothing.is_null() ||
                nothing.is_boolean() || nothing.is_number() || nothing.is("") || nothing.is(0) ||
                nothing.find("a") || nothing.name());
 }
 
-TEST(JsonDocument, TakesSoMuchOfALongText) {
+TEST(JsonDocument, TruncatesTextBetweenCharacters) {
   const JsonDocument document(R"(["ééé","\u00e9\u00e9\u00e9","abc"])");
   const JsonValue root = document.root();
   EXPECT_EQ(root.element(0).text(3), "éé");
@@ -172,13 +172,13 @@ TEST(JsonDocument, TakesSoMuchOfALongText) {
   EXPECT_EQ(root.element(2).text(2), "ab");
 }
 
-TEST(JsonDocument, CountsNoFurtherThanItMust) {
+TEST(JsonDocument, StopsCountingAtTheLimit) {
   const JsonDocument document(R"([["0123456789","0123456789"],1])");
   EXPECT_GT(document.root().json_size(5), 5U);
   EXPECT_EQ(document.root().json_size(), 31U);
 }
 
-TEST(JsonDocument, SaysWhatIsWrong) {
+TEST(JsonDocument, ReportsErrors) {
   const JsonDocument broken("{\"a\":}");
   EXPECT_EQ(broken.fault(), JsonDocument::Fault::kSyntax);
   EXPECT_EQ(broken.complaint().position, 6U);
@@ -190,7 +190,7 @@ TEST(JsonDocument, SaysWhatIsWrong) {
 
 // --- Reading.
 
-TEST(Reading, KeepsTheFirstAndCountsTheOthers) {
+TEST(Reading, KeepsTheFirstErrorsAndCountsTheRest) {
   std::string text = R"({"length_unit":"mm")";
   for (int i = 0; i < 250; ++i) text += ",\n\"x" + std::to_string(i) + "\":0";
   const JsonSource source(text + "}", "f");
@@ -200,7 +200,7 @@ TEST(Reading, KeepsTheFirstAndCountsTheOthers) {
   const data::Members<Nothing> members = {data::length_unit_member<Nothing>()};
   EXPECT_TRUE(data::read_object({reading, source.root()}, members, nothing));
   EXPECT_EQ(reading.errors(), 250U) << "unknown members";
-  EXPECT_FALSE(reading.is_sound("/length_unit")) << "of very many nobody knows";
+  EXPECT_FALSE(reading.is_sound("/length_unit")) << "not checked in large documents";
   const Findings findings = reading.take_findings();
   ASSERT_EQ(findings.size(), 101U);
   EXPECT_EQ(findings[99].line, 101);
@@ -209,7 +209,7 @@ TEST(Reading, KeepsTheFirstAndCountsTheOthers) {
   EXPECT_TRUE(has_errors({findings[100]}));
 }
 
-TEST(Reading, CutsLongNames) {
+TEST(Reading, TruncatesLongNames) {
   const std::string name(100'000, 'n');
   const JsonSource source(
       "{\"length_unit\":\"mm\",\"" + name + "\":{\"a\":1,\"a\":2},\"" + name + "\":0}", "f");

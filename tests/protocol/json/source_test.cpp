@@ -8,7 +8,7 @@
 namespace xr3 {
 namespace {
 
-TEST(JsonSource, KnowsTheLineOfEveryValue) {
+TEST(JsonSource, FindsTheLineOfEveryValue) {
   const JsonSource source("{\n\"a\": [1,\n2\n,\n{\"b\":\n3}],\n\"c\": \"x\"\n}", "f");
   EXPECT_EQ(source.line_of(""), 1);
   EXPECT_EQ(source.line_of("/a"), 2);
@@ -19,7 +19,7 @@ TEST(JsonSource, KnowsTheLineOfEveryValue) {
   EXPECT_EQ(source.line_of("/c"), 7);
 }
 
-TEST(JsonSource, TakesTheLineAroundWhatIsMissing) {
+TEST(JsonSource, AMissingMemberHasTheLineOfItsParent) {
   const JsonSource source("{\n\"a\": {\n}\n}", "f");
   EXPECT_EQ(source.line_of("/a/b/c"), 2);
   EXPECT_EQ(source.line_of("/b"), 1);
@@ -32,23 +32,23 @@ TEST(JsonSource, EscapesPointers) {
   EXPECT_EQ(source.line_of("/m~0n"), 3);
 }
 
-TEST(JsonSource, SkipsCommentLinesButCountsThem) {
+TEST(JsonSource, CountsCommentLines) {
   const JsonSource source("* one\n{\n  * two {[\"\n\"a\": 1\n\t*\n}\n* three", "f");
   EXPECT_TRUE(source.root().at("/a").is(1.0));
   EXPECT_EQ(source.line_of("/a"), 4);
 }
 
-TEST(JsonSource, LeavesAsterisksInsideLinesAlone) {
+TEST(JsonSource, KeepsAsterisksInsideLines) {
   const JsonSource source("{\"a\": \"* no comment\",\n\"b\": \"**\"}", "f");
   EXPECT_TRUE(source.root().at("/a").is("* no comment"));
 }
 
-TEST(JsonSource, TakesWindowsLineEndsAndAByteOrderMark) {
+TEST(JsonSource, AcceptsWindowsLineEndsAndAByteOrderMark) {
   const JsonSource source("\xEF\xBB\xBF{\r\n* comment\r\n\"a\": 1\r\n}\r\n", "f");
   EXPECT_EQ(source.line_of("/a"), 3);
 }
 
-TEST(JsonSource, TellsOfMembersGivenTwice) {
+TEST(JsonSource, ReportsDuplicateMembers) {
   const JsonSource source("{\"a\": 1,\n\"b\": {\"a\": 2, \"a\": 3},\n\"a\": 4}", "f");
   std::vector<JsonValue> duplicates;
   source.document().for_each_duplicate([&](JsonValue member) { duplicates.push_back(member); });
@@ -77,7 +77,7 @@ struct SyntaxCase {
   std::string allowed;
 };
 
-TEST(JsonSource, SaysSyntaxErrorsInPlainWords) {
+TEST(JsonSource, ReportsSyntaxErrors) {
   const std::string value = "a value: a number, \"text\", true, false, null, [ or {";
   const std::string name = "a member name in double quotes";
   const SyntaxCase cases[] = {
@@ -112,7 +112,7 @@ TEST(JsonSource, SaysSyntaxErrorsInPlainWords) {
 }
 
 /// Long tokens are checked before the parser reads them; the error must equal the parser's.
-TEST(JsonSource, SaysTheSameOfLongTokens) {
+TEST(JsonSource, ReportsTheSameErrorsForLongTokens) {
   struct Row {
     std::string begin, repeated, end;
   };
@@ -154,7 +154,7 @@ TEST(JsonSource, SaysTheSameOfLongTokens) {
   }
 }
 
-TEST(JsonSource, RefusesDeepNesting) {
+TEST(JsonSource, RejectsDeepNesting) {
   const std::string deep(100000, '[');
   EXPECT_EQ(syntax_error_of(deep).found, "lists and objects deeper than 32");
 }

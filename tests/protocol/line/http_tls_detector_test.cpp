@@ -50,7 +50,7 @@ constexpr std::string_view kGreetings[] = {
     "\x00\x03\x00\x08\x21\x12\xa4\x42"sv,
 };
 
-TEST(HttpTlsDetector, AGreetingIsHeldUntilItsLastByteGivesItAway) {
+TEST(HttpTlsDetector, HoldsAGreetingUntilItsLastByte) {
   for (const std::string_view greeting : kGreetings) {
     HttpTlsDetector detector;
     for (std::size_t i = 0; i + 1 < greeting.size(); ++i) {
@@ -68,7 +68,7 @@ TEST(HttpTlsDetector, AGreetingIsHeldUntilItsLastByteGivesItAway) {
   }
 }
 
-TEST(HttpTlsDetector, AWholeRequestLeavesTheMachineAsItWas) {
+TEST(HttpTlsDetector, ARequestDoesNotChangeTheState) {
   for (const std::string_view greeting : kGreetings) {
     Simulation simulation(test::rhino());
     const State before = simulation.state();
@@ -94,7 +94,7 @@ std::string without_guard(std::string_view bytes, Simulation& simulation) {
 }
 
 // Each opening, cut after each of its bytes and followed by something else, is passed on unchanged.
-TEST(HttpTlsDetector, TheFirstByteThatDiffersLetsThemAllAct) {
+TEST(HttpTlsDetector, TheFirstDifferentByteReleasesAllBytes) {
   for (const std::string_view greeting : kGreetings) {
     for (std::size_t cut = 0; cut < greeting.size(); ++cut) {
       for (const std::string_view rest : {"?"sv, "X?"sv, "\rE+5?"sv, "1\rI"sv, "\x16?"sv}) {
@@ -132,7 +132,7 @@ struct PassRow {
   std::size_t held;  ///< number of held bytes before one differs
 };
 
-TEST(HttpTlsDetector, WhatIsNoGreeting) {
+TEST(HttpTlsDetector, PassesOtherBytes) {
   constexpr PassRow kRows[] = {
       {"E", 0},          {"get /", 0},    {"D?", 1},       {"C+5", 1},       {"P3", 1},
       {"PX", 1},         {"PO3", 2},      {"G?", 1},       {"GET\r", 3},     {"GET  /", 4},
@@ -154,7 +154,7 @@ TEST(HttpTlsDetector, WhatIsNoGreeting) {
   }
 }
 
-TEST(HttpTlsDetector, AConnectWithoutAPort) {
+TEST(HttpTlsDetector, PassesConnectWithoutAPort) {
   constexpr PassRow kRows[] = {
       {"CONNECT \r", 8},       {"CONNECT :", 8},     {"CONNECT E?", 9}, {"CONNECT 9600\r", 12},
       {"CONNECT 96 00:1", 10}, {"CONNECT E:\r", 10}, {"CONNECT [x", 9}, {"CONNECT a/b:1", 9},
@@ -164,13 +164,13 @@ TEST(HttpTlsDetector, AConnectWithoutAPort) {
   }
 }
 
-TEST(HttpTlsDetector, ALongHostIsNoWayRound) {
+TEST(HttpTlsDetector, DetectsConnectWithALongHost) {
   EXPECT_EQ(judge("CONNECT " + std::string(300, 'l')),
             std::pair(HttpTlsDetector::kMaxHeld, Detection::kNotARobotProgram));
 }
 
 // STUN begins with a NUL. A robot program may do so, too, and on an 8-bit line with any byte.
-TEST(HttpTlsDetector, BinaryBytesThatAreNoStun) {
+TEST(HttpTlsDetector, PassesBinaryBytesOtherThanStun) {
   constexpr PassRow kRows[] = {
       {"\0\0"sv, 1},
       {"\0E?"sv, 1},
@@ -205,7 +205,7 @@ TEST(HttpTlsDetector, BinaryBytesThatAreNoStun) {
 
 // A frame's length is a multiple of four, so a one-letter command is executed at once after a NUL,
 // too. Only L (0x4c, 0x6c) waits for the next byte.
-TEST(HttpTlsDetector, ALetterBehindANulActsAtOnce) {
+TEST(HttpTlsDetector, PassesALetterAfterANulAtOnce) {
   for (const char first : {'\0', '\1', '\7'}) {
     for (const char letter : "IJKMNOQijkmnoq"sv) {
       EXPECT_EQ(judge(std::string{first, letter}), passes_after(1)) << letter;
@@ -216,7 +216,7 @@ TEST(HttpTlsDetector, ALetterBehindANulActsAtOnce) {
   }
 }
 
-TEST(HttpTlsDetector, EveryStunThatMayComeFirst) {
+TEST(HttpTlsDetector, DetectsEveryStunMessageThatMayComeFirst) {
   for (const char type : {'\x01', '\x03', '\x0b', '\x11'}) {
     for (int length = 0; length < 0x700; length += 52) {
       const auto u16 = [](int value) {
@@ -230,7 +230,7 @@ TEST(HttpTlsDetector, EveryStunThatMayComeFirst) {
   }
 }
 
-TEST(HttpTlsDetector, NeverLooksAgainLaterOn) {
+TEST(HttpTlsDetector, PassesEverythingLater) {
   Simulation simulation(test::rhino());
   Wire wire(Profile::kPaper);
   wire.send("\r", simulation);
@@ -241,7 +241,7 @@ TEST(HttpTlsDetector, NeverLooksAgainLaterOn) {
   EXPECT_EQ(wire.received().back(), ' ');
 }
 
-TEST(HttpTlsDetector, HeldBytesKeepTheirPlaceInTheInput) {
+TEST(HttpTlsDetector, HeldBytesKeepTheirPosition) {
   Simulation simulation(test::rhino());
   Wire wire(Profile::kPaper);
   wire.send("CONZ", simulation);

@@ -26,7 +26,7 @@ struct ReplyRow {
 
 // At the soft home of a mark3 all switches are open except F's (30 counts away and 60 wide), B's
 // and A's.
-TEST(RhinoEndpoint, WhatALineAnswers) {
+TEST(RhinoEndpoint, RepliesToInquiries) {
   constexpr ReplyRow kRows[] = {
       {"E+50\rE?", "R", "R"},
       {"E-10\rET", "\xf6", "\xf6"},
@@ -61,7 +61,7 @@ TEST(RhinoEndpoint, WhatALineAnswers) {
   }
 }
 
-TEST(RhinoEndpoint, AReplyComesWithTheByteThatAsks) {
+TEST(RhinoEndpoint, RepliesAtTheLastByteOfAnInquiry) {
   Rig rig;
   Wire wire(Profile::kPaper);
   wire.send("E", rig.simulation);
@@ -70,7 +70,7 @@ TEST(RhinoEndpoint, AReplyComesWithTheByteThatAsks) {
   EXPECT_EQ(wire.received(), " ");
 }
 
-TEST(RhinoEndpoint, AMoveActsWithTheByteBehindItsNumber) {
+TEST(RhinoEndpoint, AMoveStartsAtTheByteAfterItsNumber) {
   Rig rig;
   Wire wire(Profile::kPaper);
   wire.send("E+5", rig.simulation);
@@ -79,7 +79,7 @@ TEST(RhinoEndpoint, AMoveActsWithTheByteBehindItsNumber) {
   EXPECT_EQ(rig.error('E'), 5);
 }
 
-TEST(RhinoEndpoint, LinesShareTheMachineAndNotTheirParsers) {
+TEST(RhinoEndpoint, LinesShareTheMachineButNotTheParser) {
   Rig rig;
   Wire one(Profile::kPaper);
   Wire other(Profile::kPaper);
@@ -93,7 +93,7 @@ TEST(RhinoEndpoint, LinesShareTheMachineAndNotTheirParsers) {
   EXPECT_EQ(other.received(), ",");
 }
 
-TEST(RhinoEndpoint, DisabledByOneLineItIgnoresAllOthers) {
+TEST(RhinoEndpoint, ADisabledSimulatorIgnoresAllLines) {
   Rig rig;
   Wire one(Profile::kPaper);
   Wire other(Profile::kPaper);
@@ -109,7 +109,7 @@ TEST(RhinoEndpoint, DisabledByOneLineItIgnoresAllOthers) {
   EXPECT_EQ(other.received(), "G");
 }
 
-TEST(RhinoEndpoint, AnExchangeTellsWhatWasMadeOfTheBytes) {
+TEST(RhinoEndpoint, AnExchangeListsTheItemsOfTheBytes) {
   Rig rig;
   rig.pass(40);
   Wire wire(Profile::kPaper);
@@ -130,7 +130,7 @@ TEST(RhinoEndpoint, AnExchangeTellsWhatWasMadeOfTheBytes) {
   EXPECT_TRUE(wire.exchanges()[3].events.empty());
 }
 
-TEST(RhinoEndpoint, ResetForgetsWhatHasBegun) {
+TEST(RhinoEndpoint, ResetDiscardsAnIncompleteCommand) {
   Rig rig;
   RhinoEndpoint endpoint(Profile::kPaper);
   std::string replies;
@@ -144,7 +144,7 @@ TEST(RhinoEndpoint, ResetForgetsWhatHasBegun) {
   EXPECT_EQ(endpoint.parser(), RhinoParser(Profile::kPaper));
 }
 
-TEST(RhinoEndpoint, OnlyAnInquiryIsAnswered) {
+TEST(RhinoEndpoint, OnlyInquiriesHaveReplies) {
   RandomBytes random(4);
   Rig rig;
   Wire wire(Profile::kPaper);
@@ -203,20 +203,20 @@ Outcome live(const std::vector<Moment>& day, Profile profile, RandomBytes& rando
   return {rig.state(), wire.received(), wire.problems(), wire.is_closed()};
 }
 
-TEST(RhinoEndpoint, CutAtRandomTenThousandStreamsGiveTheSameRepliesAndState) {
+TEST(RhinoEndpoint, TheDivisionOfTenThousandStreamsDoesNotMatter) {
   for (std::uint32_t seed = 0; seed < 10'000; ++seed) {
     const std::vector<Moment> day = random_day(seed);
     const Profile profile = seed % 2 == 0 ? Profile::kPaper : Profile::kMark3;
     RandomBytes cuts(seed + 1'000'000);
-    const Outcome whole = live(day, profile, cuts, 100'000);
+    const Outcome undivided = live(day, profile, cuts, 100'000);
     const Outcome cut = live(day, profile, cuts, 1 + seed % 7);
-    ASSERT_EQ(hexadecimal(cut.replies), hexadecimal(whole.replies)) << "seed " << seed;
-    ASSERT_TRUE(cut == whole) << "seed " << seed;
+    ASSERT_EQ(hexadecimal(cut.replies), hexadecimal(undivided.replies)) << "seed " << seed;
+    ASSERT_TRUE(cut == undivided) << "seed " << seed;
   }
 }
 
 // Guards the property tests: random streams must have effects.
-TEST(RhinoEndpoint, TheRandomStreamsDoAskMoveAndErr) {
+TEST(RhinoEndpoint, TheRandomStreamsContainInquiriesMovesAndErrors) {
   int replies = 0;
   int moved = 0;
   int problems = 0;

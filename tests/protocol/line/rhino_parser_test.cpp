@@ -63,7 +63,7 @@ TEST(RhinoParser, EveryLetterFromAToHIsALabel) {
   }
 }
 
-TEST(RhinoParser, LettersMayBeSmall) {
+TEST(RhinoParser, AcceptsSmallLetters) {
   expect_rows_in_both_profiles({
       {"e+5x", "E+5 EX"},
       {"et", "ET"},
@@ -81,7 +81,7 @@ TEST(RhinoParser, LettersMayBeSmall) {
   });
 }
 
-TEST(RhinoParser, ANumberEndsAtTheFirstByteThatIsNoDigit) {
+TEST(RhinoParser, ANumberEndsAtTheFirstNonDigit) {
   expect_rows_in_both_profiles({
       {"E+5", ""},
       {"E+5X", "E+5 EX"},
@@ -107,7 +107,7 @@ TEST(RhinoParser, ANumberEndsAtTheFirstByteThatIsNoDigit) {
   });
 }
 
-TEST(RhinoParser, ASpeedHasNoSignAndItsSDirectlyBehindTheDigits) {
+TEST(RhinoParser, ASpeedIsUnsignedDigitsDirectlyBeforeS) {
   expect_rows_in_both_profiles({
       {"E5S", "E5S"},
       {"E+5S", "E+5 unknown_byte"},
@@ -124,7 +124,7 @@ TEST(RhinoParser, ASpeedHasNoSignAndItsSDirectlyBehindTheDigits) {
   });
 }
 
-TEST(RhinoParser, NumbersThatComeToNothing) {
+TEST(RhinoParser, RejectsIncompleteNumbers) {
   expect_rows_in_both_profiles({
       {"E--5\r", "incomplete_command unknown_byte unknown_byte"},
       {"E+-5\r", "incomplete_command unknown_byte unknown_byte"},
@@ -137,7 +137,7 @@ TEST(RhinoParser, NumbersThatComeToNothing) {
   });
 }
 
-TEST(RhinoParser, ZeroIsHarmless) {
+TEST(RhinoParser, AcceptsZero) {
   expect_rows_in_both_profiles({
       {"E+0\r", "E+0"},
       {"D-0\r", "D+0"},
@@ -146,7 +146,7 @@ TEST(RhinoParser, ZeroIsHarmless) {
   });
 }
 
-TEST(RhinoParser, InThePapersProfileANumberOutOfRangeIsNotObeyed) {
+TEST(RhinoParser, ThePaperProfileRejectsNumbersOutOfRange) {
   expect_rows({
       {"E+128\r", "number_out_of_range"},
       {"E-129\r", "number_out_of_range"},
@@ -158,7 +158,7 @@ TEST(RhinoParser, InThePapersProfileANumberOutOfRangeIsNotObeyed) {
   });
 }
 
-TEST(RhinoParser, InTheMark3sProfileNumbersAreTakenModulo256) {
+TEST(RhinoParser, TheMark3ProfileTakesNumbersModulo256) {
   expect_rows(
       {
           {"E+128\r", "E-128"},
@@ -202,7 +202,7 @@ TEST(RhinoParser, ALabelStaysSelectedUntilCrLfAnotherLabelOrTheEnvironment) {
   });
 }
 
-TEST(RhinoParser, WithoutALabelThereIsNothingToAsk) {
+TEST(RhinoParser, AnInquiryNeedsALabel) {
   expect_rows_in_both_profiles({
       {"?", "no_joint_selected"},
       {"T", "no_joint_selected"},
@@ -216,7 +216,7 @@ TEST(RhinoParser, WithoutALabelThereIsNothingToAsk) {
   });
 }
 
-TEST(RhinoParser, BlanksAndEmptyLinesMeanNothing) {
+TEST(RhinoParser, IgnoresBlanksAndEmptyLines) {
   expect_rows_in_both_profiles({
       {"", ""},
       {"\r\n\r\n", ""},
@@ -227,7 +227,7 @@ TEST(RhinoParser, BlanksAndEmptyLinesMeanNothing) {
   });
 }
 
-TEST(RhinoParser, JunkIsSkippedWithTheDigitsBehindIt) {
+TEST(RhinoParser, SkipsJunkAndTheDigitsAfterIt) {
   expect_rows_in_both_profiles({
       {"EZ5\r", "unknown_byte unknown_byte"},
       {"EZ-12\r", "unknown_byte unknown_byte unknown_byte unknown_byte"},
@@ -376,7 +376,7 @@ struct PlaceRow {
   std::string_view raw;
 };
 
-TEST(RhinoParser, EachItemKnowsItsBytes) {
+TEST(RhinoParser, EachItemHasItsBytes) {
   const PlaceRow rows[] = {
       {"E+5\r", 0, 0, 4, "E+5\r"},
       {"E+5C-3\r", 0, 0, 3, "E+5"},
@@ -414,7 +414,7 @@ TEST(RhinoParser, EachItemKnowsItsBytes) {
   }
 }
 
-TEST(RhinoParser, OfALongNumberTheFirstBytesAreKept) {
+TEST(RhinoParser, KeepsTheFirstBytesOfALongNumber) {
   const std::string bytes = "E" + std::string(1'000'000, '9') + "\r";
   const auto parsed = parse(bytes);
   ASSERT_EQ(parsed.size(), 1U);
@@ -429,7 +429,7 @@ struct SubjectRow {
   Problem problem;
 };
 
-TEST(RhinoParser, AProblemKnowsWhatTheBytesWereMeantFor) {
+TEST(RhinoParser, AProblemNamesTheIntendedCommand) {
   const SubjectRow rows[] = {
       {"E+200\r", {ProblemCode::kNumberOutOfRange, Subject::kMove}},
       {"E300S", {ProblemCode::kSpeedOutOfRange, Subject::kSpeed}},
@@ -478,7 +478,7 @@ struct DisabledRow {
   std::string_view meaning;  ///< items with a blank between them
 };
 
-TEST(RhinoParser, DisabledItTakesNothingButTheWayBack) {
+TEST(RhinoParser, WhileDisabledAcceptsOnlyTheEnablingCommand) {
   const DisabledRow rows[] = {
       {"", "A@", "A@"},
       {"", "a@", "A@"},
@@ -505,7 +505,7 @@ TEST(RhinoParser, DisabledItTakesNothingButTheWayBack) {
   }
 }
 
-TEST(RhinoParser, WhatHadBegunBeforeItWasDisabledIsForgotten) {
+TEST(RhinoParser, DisablingDiscardsAnIncompleteCommand) {
   RhinoParser parser(Profile::kPaper);
   std::vector<Parsed> parsed;
   for (const char byte : "E+5"sv) parser.feed(static_cast<std::uint8_t>(byte), 0, parsed);
@@ -525,7 +525,7 @@ bool is_as_new_after_a_carriage_return(RhinoParser parser, Profile profile,
 
 // A parser that equals a new one after a CR accepts any input, so this proves more than that E+5
 // moves E.
-void expect_every_three_bytes_to_be_bounded_and_left_behind(Profile profile) {
+void expect_every_three_bytes_are_bounded(Profile profile) {
   std::vector<Parsed> out;
   out.reserve(8);
   for (unsigned first = 0; first < 256; ++first) {
@@ -553,15 +553,15 @@ void expect_every_three_bytes_to_be_bounded_and_left_behind(Profile profile) {
   }
 }
 
-TEST(RhinoParser, EveryInputOfThreeBytesInThePapersProfile) {
-  expect_every_three_bytes_to_be_bounded_and_left_behind(Profile::kPaper);
+TEST(RhinoParser, AcceptsEveryThreeBytesInThePaperProfile) {
+  expect_every_three_bytes_are_bounded(Profile::kPaper);
 }
 
-TEST(RhinoParser, EveryInputOfThreeBytesInTheMark3sProfile) {
-  expect_every_three_bytes_to_be_bounded_and_left_behind(Profile::kMark3);
+TEST(RhinoParser, AcceptsEveryThreeBytesInTheMark3Profile) {
+  expect_every_three_bytes_are_bounded(Profile::kMark3);
 }
 
-TEST(RhinoParser, AfterAnyTwoBytesAndACarriageReturnTheShoulderMoves) {
+TEST(RhinoParser, AMoveWorksAfterAnyTwoBytesAndACr) {
   for (unsigned first = 0; first < 256; ++first) {
     for (unsigned second = 0; second < 256; ++second) {
       const std::string bytes{static_cast<char>(first), static_cast<char>(second)};
@@ -572,7 +572,7 @@ TEST(RhinoParser, AfterAnyTwoBytesAndACarriageReturnTheShoulderMoves) {
   }
 }
 
-TEST(RhinoParser, IsAFewDozenBytes) { EXPECT_LE(sizeof(RhinoParser), 96U); }
+TEST(RhinoParser, IsSmall) { EXPECT_LE(sizeof(RhinoParser), 96U); }
 
 }  // namespace
 }  // namespace xr3

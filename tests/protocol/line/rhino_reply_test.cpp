@@ -22,7 +22,7 @@ struct ReplyRow {
   std::string_view mark3;
 };
 
-TEST(RhinoReply, BytesInBothProfiles) {
+TEST(RhinoReply, HasTheseBytesInBothProfiles) {
   const ReplyRow rows[] = {
       {NoReply{}, "", ""},
       {ErrorMagnitude{0}, " ", " "},
@@ -55,7 +55,7 @@ struct BitsRow {
 };
 
 // On the Rhino F E D C have bits 8 4 2 1 of I, B and A bits 2 1 of J.
-TEST(RhinoReply, SwitchBitsInBothProfiles) {
+TEST(RhinoReply, HasTheseSwitchBitsInBothProfiles) {
   const BitsRow rows[] = {
       {{0, 15, 0, 'I'}, 32, 95},   {{4, 15, 0, 'I'}, 36, 91}, {{15, 15, 0, 'I'}, 47, 80},
       {{0, 31, 0, 'I'}, 32, 95},   {{0, 0, 0, 'I'}, 32, 95},  {{0, 3, 0, 'J'}, 32, 35},
@@ -73,7 +73,7 @@ TEST(RhinoReply, SwitchBitsInBothProfiles) {
   }
 }
 
-TEST(RhinoReply, ARowIsSixPixelsAByteTheLeftmostInTheHighBit) {
+TEST(RhinoReply, ARowHasSixPixelsPerByteHighBitLeft) {
   const auto image = [](std::initializer_list<std::string_view> lines) {
     Image picture(static_cast<int>(lines.begin()->size()), static_cast<int>(lines.size()));
     int row = 0;
@@ -97,7 +97,7 @@ TEST(RhinoReply, ARowIsSixPixelsAByteTheLeftmostInTheHighBit) {
   EXPECT_EQ(encoded(image({"111111", "000001"}), Profile::kPaper), "_!");
 }
 
-TEST(RhinoReply, RowsOfEveryWidthAreTheirPixelsSixAByte) {
+TEST(RhinoReply, RowsOfEveryWidthHaveSixPixelsPerByte) {
   for (int width = 1; width < 200; ++width) {
     Image picture(width, 2);
     std::string pixels(static_cast<std::size_t>(width + 5) / 6 * 12, '0');
@@ -116,7 +116,7 @@ TEST(RhinoReply, RowsOfEveryWidthAreTheirPixelsSixAByte) {
   }
 }
 
-TEST(RhinoReply, IsAppendedToWhatIsThere) {
+TEST(RhinoReply, IsAppendedToTheOutput) {
   std::string bytes = "x";
   append_reply(ErrorMagnitude{1}, Profile::kPaper, bytes);
   append_reply(NoReply{}, Profile::kPaper, bytes);

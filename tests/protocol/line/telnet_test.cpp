@@ -11,18 +11,18 @@ namespace {
 
 using std::string_view_literals::operator""sv;
 
-struct Heard {
+struct Filtered {
   std::string data;
   std::string answers;
 };
 
-Heard hear(TelnetFilter& filter, std::string_view bytes) {
-  Heard heard;
+Filtered filter_all(TelnetFilter& filter, std::string_view bytes) {
+  Filtered filtered;
   for (const char byte : bytes) {
-    const auto data = filter.feed(static_cast<std::uint8_t>(byte), heard.answers);
-    if (data) heard.data.push_back(static_cast<char>(*data));
+    const auto data = filter.feed(static_cast<std::uint8_t>(byte), filtered.answers);
+    if (data) filtered.data.push_back(static_cast<char>(*data));
   }
-  return heard;
+  return filtered;
 }
 
 struct Row {
@@ -64,49 +64,50 @@ constexpr Row kRows[] = {
     {"one without an end", "\xff\xfa\x18z", "", "", false},
 };
 
-TEST(Telnet, WhatReachesTheControllerAndWhatIsAnswered) {
+TEST(Telnet, FiltersCommandsAndAnswersThem) {
   for (const Row& row : kRows) {
     TelnetFilter filter;
-    const Heard heard = hear(filter, row.bytes);
-    EXPECT_EQ(heard.data, row.data) << row.what;
-    EXPECT_EQ(hexadecimal(heard.answers), hexadecimal(row.answers)) << row.what;
+    const Filtered filtered = filter_all(filter, row.bytes);
+    EXPECT_EQ(filtered.data, row.data) << row.what;
+    EXPECT_EQ(hexadecimal(filtered.answers), hexadecimal(row.answers)) << row.what;
     EXPECT_EQ(filter.is_telnet(), row.is_telnet) << row.what;
   }
 }
 
-TEST(Telnet, EveryOptionButTheTimingMarkIsRefused) {
+TEST(Telnet, RefusesEveryOptionExceptTheTimingMark) {
   for (unsigned option = 0; option < 256; ++option) {
     const char code = static_cast<char>(option);
     TelnetFilter filter;
-    const std::string agreed = hear(filter, std::string("\xff\xfd") + code).answers;
+    const std::string agreed = filter_all(filter, std::string("\xff\xfd") + code).answers;
     EXPECT_EQ(agreed, std::string(option == 6 ? "\xff\xfb" : "\xff\xfc") + code);
-    EXPECT_EQ(hear(filter, std::string("\xff\xfb") + code).answers, std::string("\xff\xfe") + code);
+    EXPECT_EQ(filter_all(filter, std::string("\xff\xfb") + code).answers,
+              std::string("\xff\xfe") + code);
   }
 }
 
-TEST(Telnet, ASubnegotiationOf512BytesIsWaitedFor) {
+TEST(Telnet, AcceptsASubnegotiationOf512Bytes) {
   TelnetFilter filter;
   const std::string bytes = "\xff\xfa" + std::string(512, 'x') + "\xff\xf0";
-  EXPECT_EQ(hear(filter, bytes + "E?").data, "E?");
+  EXPECT_EQ(filter_all(filter, bytes + "E?").data, "E?");
   EXPECT_TRUE(filter.is_telnet());
 }
 
-TEST(Telnet, ALongerOneIsAbandoned) {
+TEST(Telnet, AbandonsALongerSubnegotiation) {
   TelnetFilter filter;
-  hear(filter, "\xff\xfa" + std::string(513, 'x'));
-  EXPECT_EQ(hear(filter, "\rE?").data, "\rE?");
+  filter_all(filter, "\xff\xfa" + std::string(513, 'x'));
+  EXPECT_EQ(filter_all(filter, "\rE?").data, "\rE?");
   EXPECT_FALSE(filter.is_telnet());
 }
 
-TEST(Telnet, AnUnfinishedOneIsAbandonedEvenIfItIsAllEscapes) {
+TEST(Telnet, AbandonsAnUnfinishedSubnegotiationOfEscapes) {
   TelnetFilter filter;
   std::string bytes = "\xff\xfa";
   for (int i = 0; i < 2000; ++i) bytes += "\xff\xff";
-  hear(filter, bytes);
-  EXPECT_EQ(hear(filter, "\rE?").data, "\rE?");
+  filter_all(filter, bytes);
+  EXPECT_EQ(filter_all(filter, "\rE?").data, "\rE?");
 }
 
-TEST(Telnet, RepliesAreAsTheyAreForARawClientAndDoubleTheirFFsForTelnet) {
+TEST(Telnet, DoublesFFInRepliesOnlyForTelnetClients) {
   const std::pair<std::string_view, std::string_view> replies[] = {
       {"R", "R"},
       {"\xff", "\xff\xff"},
@@ -117,14 +118,14 @@ TEST(Telnet, RepliesAreAsTheyAreForARawClientAndDoubleTheirFFsForTelnet) {
     std::string raw;
     filter.encode(reply, raw);
     EXPECT_EQ(raw, reply);
-    hear(filter, "\xff\xfd\x03");
+    filter_all(filter, "\xff\xfd\x03");
     std::string telnet;
     filter.encode(reply, telnet);
     EXPECT_EQ(telnet, doubled);
   }
 }
 
-TEST(Telnet, CutAnywhereItHearsTheSame) {
+TEST(Telnet, TheDivisionOfTheInputDoesNotMatter) {
   std::string bytes;
   std::string data;
   std::string answers;
@@ -139,11 +140,11 @@ TEST(Telnet, CutAnywhereItHearsTheSame) {
   }
   for (std::size_t cut = 0; cut <= bytes.size(); ++cut) {
     TelnetFilter filter;
-    Heard heard = hear(filter, std::string_view(bytes).substr(0, cut));
+    Filtered filtered = filter_all(filter, std::string_view(bytes).substr(0, cut));
     TelnetFilter copy = filter;
-    const Heard rest = hear(copy, std::string_view(bytes).substr(cut));
-    EXPECT_EQ(heard.data + rest.data, data) << cut;
-    EXPECT_EQ(heard.answers + rest.answers, answers) << cut;
+    const Filtered rest = filter_all(copy, std::string_view(bytes).substr(cut));
+    EXPECT_EQ(filtered.data + rest.data, data) << cut;
+    EXPECT_EQ(filtered.answers + rest.answers, answers) << cut;
   }
 }
 

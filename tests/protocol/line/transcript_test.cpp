@@ -28,7 +28,7 @@ std::vector<std::string> transcript_names() {
 
 class TranscriptFile : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(TranscriptFile, GoesAsWritten) {
+TEST_P(TranscriptFile, GivesTheWrittenReplies) {
   const std::string path = "tests/transcripts/" + GetParam() + ".txt";
   const Transcript transcript = parse_transcript(project_file(path), path);
   const auto expects = [](const TranscriptStep& step) {
@@ -50,32 +50,32 @@ std::vector<std::string> played(std::string_view text) {
   return play(parse_transcript(text, "t.txt"));
 }
 
-TEST(TranscriptPlayer, FindsAWrongReply) {
+TEST(TranscriptPlayer, DetectsAWrongReply) {
   EXPECT_THAT(played("# first\n> E?\n< !\n"),
               ElementsAre("t.txt:3: line 1: expected '!', got ' '"));
 }
 
-TEST(TranscriptPlayer, FindsAMissingReply) {
+TEST(TranscriptPlayer, DetectsAMissingReply) {
   EXPECT_THAT(played("> E\n< R\n"), ElementsAre("t.txt:2: line 1: expected 'R', got nothing"));
 }
 
-TEST(TranscriptPlayer, FindsAReplyThatNobodyExpected) {
+TEST(TranscriptPlayer, DetectsAnUnexpectedReply) {
   EXPECT_THAT(played("> E?\n<\n"), ElementsAre("t.txt:2: line 1: expected nothing, got ' '"));
   EXPECT_THAT(played("> ET\n~ 1ms\n"), ElementsAre("t.txt:2: line 1: expected nothing, got '\\0'"));
   EXPECT_THAT(played("2> ET\n! hang up\n2! hang up\n"),
               ElementsAre("t.txt:3: line 2: expected nothing, got '\\0'"));
 }
 
-TEST(TranscriptPlayer, FindsALineThatIsStillOpen) {
+TEST(TranscriptPlayer, DetectsALineThatIsStillOpen) {
   EXPECT_THAT(played("> GET\n! closed\n"),
               ElementsAre(HasSubstr("t.txt:2: expected the line closed")));
 }
 
-TEST(TranscriptPlayer, AReplyIsAllThatCameSinceTheLastOne) {
+TEST(TranscriptPlayer, AReplyIsEverythingSinceTheLastOne) {
   EXPECT_THAT(played("> E+5\\rE?\n> E?\n< %%\n> E\n"), IsEmpty());
 }
 
-TEST(TranscriptPlayer, TimePassesAndLinesAreApart) {
+TEST(TranscriptPlayer, AdvancesTimeAndSeparatesLines) {
   EXPECT_THAT(played("> E+11\\r\n2> E?\n~ 100ms\n2> E?\n2< +\\x20\n~ 1s\n> E?\n< \\x20\n"),
               IsEmpty());
 }
@@ -85,7 +85,7 @@ struct BrokenRow {
   std::string_view why;
 };
 
-TEST(TranscriptPlayer, RefusesABrokenFileWithItsLine) {
+TEST(TranscriptPlayer, RejectsAMalformedFileWithItsLine) {
   constexpr BrokenRow kRows[] = {
       {"E+5\n", "t.txt:1: a blank follows the sign"},
       {"\n\n= 5\n", "t.txt:3: a line begins with"},

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "protocol/monitor/lines.hpp"
+#include "protocol/monitor/line_splitter.hpp"
 #include "protocol/monitor/protocol_detector.hpp"
 
 namespace xr3::monitor {
@@ -65,7 +65,7 @@ std::string ping(int id) { return R"({"op":"ping","id":)" + std::to_string(id) +
 std::string pong_line(int id) { return R"({"op":"pong","id":)" + std::to_string(id) + "}\n"; }
 std::string not_json() { return *bye(CloseReason::kNotJson) + "\n"; }
 
-Protocol tongue_of(std::string_view bytes, bool after_silence = false) {
+Protocol protocol_of(std::string_view bytes, bool after_silence = false) {
   ProtocolDetector detector;
   if (after_silence) detector.settle_for_lines();
   for (const char byte : bytes) detector.feed({&byte, 1});
@@ -74,7 +74,7 @@ Protocol tongue_of(std::string_view bytes, bool after_silence = false) {
 
 const std::string kMark = "\xEF\xBB\xBF";
 
-TEST(MonitorOpening, TheFirstByteDecides) {
+TEST(MonitorOpening, TheFirstByteSelectsTheProtocol) {
   for (int byte = 0; byte < 256; ++byte) {
     const std::string bytes(1, static_cast<char>(byte));
     Protocol expected = Protocol::kNotJson;
@@ -83,33 +83,33 @@ TEST(MonitorOpening, TheFirstByteDecides) {
     if (byte == 0x16) expected = Protocol::kTls;
     if (bytes == " " || bytes == "\t" || bytes == "\r" || bytes == "\n" || byte == 0xEF)
       expected = Protocol::kUndecided;
-    EXPECT_EQ(tongue_of(bytes), expected) << byte;
+    EXPECT_EQ(protocol_of(bytes), expected) << byte;
     if (expected == Protocol::kHttp || expected == Protocol::kTls) expected = Protocol::kNotJson;
-    EXPECT_EQ(tongue_of(bytes, true), expected) << byte;
+    EXPECT_EQ(protocol_of(bytes, true), expected) << byte;
   }
 }
 
-TEST(MonitorOpening, BlanksAndOneMarkAreSkipped) {
-  EXPECT_EQ(tongue_of("\r\n \t{"), Protocol::kLines);
-  EXPECT_EQ(tongue_of("\r\nGET /"), Protocol::kHttp);
-  EXPECT_EQ(tongue_of(kMark), Protocol::kUndecided);
-  EXPECT_EQ(tongue_of(kMark + "{"), Protocol::kLines);
-  EXPECT_EQ(tongue_of(kMark + "GET /"), Protocol::kHttp);
-  EXPECT_EQ(tongue_of(" \n" + kMark + "\n {"), Protocol::kLines);
-  EXPECT_EQ(tongue_of(kMark + kMark + "{"), Protocol::kNotJson);
-  EXPECT_EQ(tongue_of("\xEF{"), Protocol::kNotJson);
-  EXPECT_EQ(tongue_of("\xEF\xBB {"), Protocol::kNotJson);
-  EXPECT_EQ(tongue_of("\xBB\xBF{"), Protocol::kNotJson);
+TEST(MonitorOpening, SkipsBlanksAndOneByteOrderMark) {
+  EXPECT_EQ(protocol_of("\r\n \t{"), Protocol::kLines);
+  EXPECT_EQ(protocol_of("\r\nGET /"), Protocol::kHttp);
+  EXPECT_EQ(protocol_of(kMark), Protocol::kUndecided);
+  EXPECT_EQ(protocol_of(kMark + "{"), Protocol::kLines);
+  EXPECT_EQ(protocol_of(kMark + "GET /"), Protocol::kHttp);
+  EXPECT_EQ(protocol_of(" \n" + kMark + "\n {"), Protocol::kLines);
+  EXPECT_EQ(protocol_of(kMark + kMark + "{"), Protocol::kNotJson);
+  EXPECT_EQ(protocol_of("\xEF{"), Protocol::kNotJson);
+  EXPECT_EQ(protocol_of("\xEF\xBB {"), Protocol::kNotJson);
+  EXPECT_EQ(protocol_of("\xBB\xBF{"), Protocol::kNotJson);
 }
 
-TEST(MonitorOpening, SkipsNoMoreThanItMust) {
+TEST(MonitorOpening, StopsSkippingAtTheFirstByte) {
   ProtocolDetector detector;
   EXPECT_EQ(detector.feed(" \r\n"), 3U);
   EXPECT_EQ(detector.feed(kMark + "  {  }"), 5U);
   EXPECT_EQ(detector.feed("   "), 0U);
 }
 
-TEST(MonitorLines, EndsOfLines) {
+TEST(MonitorLines, AcceptsBothLineEnds) {
   LineSplitter lines;
   lines.feed("{1}\n{2}\r\n\n \r\n\t\n  {3}\n{4");
   EXPECT_EQ(lines.next(), "{1}");
@@ -124,7 +124,7 @@ TEST(MonitorLines, EndsOfLines) {
   EXPECT_EQ(lines.fault(), LineFault::kNone);
 }
 
-TEST(MonitorLines, WhatIsNoObjectEndsThemAtItsFirstByte) {
+TEST(MonitorLines, AnInvalidFirstByteEndsTheInput) {
   LineSplitter lines;
   lines.feed("{1}\nG");
   EXPECT_EQ(lines.next(), "{1}");
@@ -134,7 +134,7 @@ TEST(MonitorLines, WhatIsNoObjectEndsThemAtItsFirstByte) {
   EXPECT_EQ(lines.next(), std::nullopt);
 }
 
-TEST(MonitorLines, LengthIsBoundedByTheByte) {
+TEST(MonitorLines, TheMaximumLengthIsExact) {
   const std::string longest = "{" + std::string(kMaxMessageBytes - 1, 'x');
   for (const std::string end : {"\n", "\r\n", ""}) {
     for (const bool is_too_long : {false, true}) {
@@ -155,7 +155,7 @@ TEST(MonitorLines, LengthIsBoundedByTheByte) {
   }
 }
 
-TEST(MonitorClient, AnswersInOrder) {
+TEST(MonitorClient, RepliesInOrder) {
   Pipe pipe;
   pipe.send(ping(1) + "\n" + ping(2) + "\r\n{\n" + ping(3));
   pipe.end();
@@ -164,20 +164,20 @@ TEST(MonitorClient, AnswersInOrder) {
   EXPECT_FALSE(pipe.has_ended());
 }
 
-TEST(MonitorClient, NothingBehindALineThatIsNoJsonActs) {
+TEST(MonitorClient, IgnoresEverythingAfterALineThatIsNotJson) {
   const std::string call = "{\"op\":\"call\",\"fn\":\"home\"}\n";
-  for (const std::string stranger :
+  for (const std::string greeting :
        {"POST / HTTP/1.1\r\n", "help\n", "[1]\n", "\"x\"\n", "\xEF\xBB\xBF{}\n"}) {
     Pipe pipe;
-    pipe.send(call + stranger + call);
+    pipe.send(call + greeting + call);
     pipe.send(call);
     pipe.end();
-    EXPECT_EQ(pipe.calls(), 1) << stranger;
-    EXPECT_EQ(pipe.received(), "{\"op\":\"pong\",\"id\":null}\n" + not_json()) << stranger;
+    EXPECT_EQ(pipe.calls(), 1) << greeting;
+    EXPECT_EQ(pipe.received(), "{\"op\":\"pong\",\"id\":null}\n" + not_json()) << greeting;
   }
 }
 
-TEST(MonitorClient, AStrangersFirstByteIsEnough) {
+TEST(MonitorClient, AWrongFirstByteEndsTheConnection) {
   Pipe pipe;
   pipe.send("h");
   EXPECT_EQ(pipe.received(), not_json());
@@ -186,26 +186,26 @@ TEST(MonitorClient, AStrangersFirstByteIsEnough) {
   EXPECT_EQ(pipe.received(), "");
 }
 
-TEST(MonitorClient, ALineTooLongIsToldAndEndsIt) {
+TEST(MonitorClient, ALineThatIsTooLongGetsAnErrorAndABye) {
   Pipe pipe;
   pipe.send(ping(1) + "\n{" + std::string(kMaxMessageBytes, 'x'));
-  const std::string told = pipe.received();
-  EXPECT_EQ(
-      told.find(pong_line(1) + R"({"op":"result","id":null,"ok":false,"error":{"code":"too_long")"),
-      0U);
-  EXPECT_TRUE(told.ends_with(*bye(CloseReason::kTooLong) + "\n"));
+  const std::string received = pipe.received();
+  EXPECT_EQ(received.find(pong_line(1) +
+                          R"({"op":"result","id":null,"ok":false,"error":{"code":"too_long")"),
+            0U);
+  EXPECT_TRUE(received.ends_with(*bye(CloseReason::kTooLong) + "\n"));
   pipe.send("\n" + ping(2) + "\n");
   EXPECT_TRUE(pipe.has_ended());
   EXPECT_EQ(pipe.received(), "");
 }
 
-TEST(MonitorClient, CutAnywhereItIsTheSame) {
+TEST(MonitorClient, TheDivisionOfTheInputDoesNotMatter) {
   const std::string text =
       "\r\n" + kMark + " " + ping(1) + "\r\n\r\n" + ping(2) + "\n{\"op\":\"x\"}\n{]\n " + ping(3) +
       "\n{\"op\":\"call\",\"fn\":\"step\",\"args\":{}}\n" + ping(4) + "\nhelp\n" + ping(5) + "\n";
-  Pipe whole;
-  whole.send(text);
-  const std::string expected = whole.received();
+  Pipe undivided;
+  undivided.send(text);
+  const std::string expected = undivided.received();
   EXPECT_NE(expected.find(pong_line(4)), std::string::npos);
   for (std::size_t cut = 0; cut <= text.size(); ++cut) {
     Pipe pipe;
@@ -218,7 +218,7 @@ TEST(MonitorClient, CutAnywhereItIsTheSame) {
   EXPECT_EQ(drops.received(), expected);
 }
 
-TEST(MonitorClient, AFullLaneStopsRequests) {
+TEST(MonitorClient, AFullQueueStopsRequests) {
   LineSplitter lines;
   Client client({"main"});
   for (int i = 0; i < 300; ++i) lines.feed(ping(i) + "\n");
@@ -241,7 +241,7 @@ TEST(MonitorClient, AFullLaneStopsRequests) {
   EXPECT_EQ(answered, 300);
 }
 
-TEST(MonitorClient, ErrorsFillTheLaneToo) {
+TEST(MonitorClient, ErrorsFillTheQueue) {
   LineSplitter lines;
   Client client({"main"});
   for (int i = 0; i < 300; ++i) lines.feed("{]\n");
@@ -256,7 +256,7 @@ TEST(MonitorClient, ErrorsFillTheLaneToo) {
   EXPECT_TRUE(client.has_ended());
 }
 
-TEST(MonitorClient, BytesFillTheLaneToo) {
+TEST(MonitorClient, BytesFillTheQueue) {
   Client client({"main"});
   client.send(std::make_shared<const std::string>(Client::kMaxAnswerBytes, 'x'));
   EXPECT_TRUE(client.is_full());

@@ -23,7 +23,7 @@ Rig rhino_at_its_table() {
 
 Json shown(const Rig& rig) { return display_json(rig.model(), rig.state()); }
 
-TEST(DisplayJson, AsItIsAtTheStart) {
+TEST(DisplayJson, ShowsTheInitialSettings) {
   const Json display = shown(rhino_at_its_table());
   std::vector<std::string> names;
   for (const auto& [name, value] : display.items()) names.push_back(name);
@@ -37,7 +37,7 @@ TEST(DisplayJson, AsItIsAtTheStart) {
   EXPECT_EQ(display["status"].dump(), R"({"option":0,"text":""})");
 }
 
-TEST(DisplayJson, EverySettingIsShown) {
+TEST(DisplayJson, ShowsEverySetting) {
   Rig rig = rhino_at_its_table();
   rig.execute(ToggleDisplay{});
   rig.execute(SetViewVector{0, -1, 0});
@@ -68,7 +68,7 @@ TEST(DisplayJson, ExtentsAreLeftBottomRightTop) {
   EXPECT_EQ(extents[3], mm(room.z_um));
 }
 
-TEST(DisplayJson, RobotBlocksAndPath) {
+TEST(DisplayJson, ShowsRobotBlocksAndPath) {
   Rig rig = rhino_at_its_table();
   rig.execute(SetViewVector{0, 0, 1});
   rig.execute(ToggleErasing{});
@@ -91,7 +91,7 @@ TEST(DisplayJson, RobotBlocksAndPath) {
   EXPECT_EQ(path["points"][0].dump(), "[238.1,0.0]");
 }
 
-TEST(DisplayJson, NoNumberHasMoreThanThreeDecimals) {
+TEST(DisplayJson, NumbersHaveAtMostThreeDecimals) {
   Rig rig = rhino_at_its_table();
   rig.move('E', 77);
   rig.settle();

@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "protocol/explain/note_words.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3 {
@@ -71,14 +70,14 @@ TEST(EventJson, HomedByALineOrByACall) {
             R"("by":"call"})");
 }
 
-TEST(EventJson, BytesThatWereNotObeyed) {
+TEST(EventJson, IgnoredBytes) {
   RawBytes raw;
   for (const char byte : std::string("E+200\r")) raw.push(static_cast<std::uint8_t>(byte));
-  EXPECT_EQ(shown(ProblemNote{"number_out_of_range",
-                              "E+200: a move is -128...127 counts; not obeyed", 14, raw, 1},
+  EXPECT_EQ(shown(ProblemNote{"number_out_of_range", "E+200: a move is -128...127 counts; ignored",
+                              14, raw, 1},
                   3),
             R"({"event":"warning","line":3,"code":"number_out_of_range",)"
-            R"("message":"E+200: a move is -128...127 counts; not obeyed","offset":14,)"
+            R"("message":"E+200: a move is -128...127 counts; ignored","offset":14,)"
             R"("hex":"452b3230300d","count":1})");
 }
 
@@ -93,7 +92,7 @@ TEST(EventJson, WarningsWithoutBytes) {
             R"("hex":null,"count":12})");
 }
 
-TEST(EventJson, LinesComeAndGo) {
+TEST(EventJson, LinesOpenAndClose) {
   EXPECT_EQ(shown(LineOpenedNote{LineKind::kRaw, "127.0.0.1:51022"}, 4),
             R"({"event":"line_open","line":4,"code":"line_open",)"
             R"("message":"line 4 opened by 127.0.0.1:51022","kind":"raw",)"
@@ -142,24 +141,7 @@ TEST(EventJson, ModelAndEpoch) {
 TEST(EventJson, Enabled) {
   EXPECT_EQ(shown(EventBody{EnabledChanged{false}}, 3),
             R"({"event":"enabled","line":3,"code":"disabled",)"
-            R"("message":"the simulator is disabled; only A@ is obeyed","enabled":false})");
-}
-
-TEST(NoteWords, EveryReasonHasACodeAndWords) {
-  const std::pair<LineCloseReason, std::string> rows[] = {
-      {LineCloseReason::kClientClosed, "client_closed"},
-      {LineCloseReason::kNotARobotProgram, "stranger"},
-      {LineCloseReason::kError, "error"},
-      {LineCloseReason::kShutdown, "shutdown"},
-      {LineCloseReason::kDisconnected, "disconnected"},
-  };
-  for (const auto& [reason, code] : rows) {
-    const CellEvent event{0, 0, LineId{4}, LineClosedNote{reason, 0, 0}};
-    EXPECT_EQ(code_of(event), code);
-    EXPECT_GT(describe(event, *test::rhino()).size(), std::string("line 4 ").size());
-  }
-  EXPECT_EQ(name_of(LineKind::kTelnet), "telnet");
-  EXPECT_EQ(name_of(LineKind::kMonitor), "monitor");
+            R"("message":"the simulator is disabled; only A@ is executed","enabled":false})");
 }
 
 }  // namespace

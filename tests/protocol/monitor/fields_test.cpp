@@ -9,8 +9,8 @@
 #include "protocol/monitor/display.hpp"
 #include "protocol/monitor/event.hpp"
 #include "protocol/monitor/image.hpp"
+#include "protocol/monitor/line_record.hpp"
 #include "protocol/monitor/model.hpp"
-#include "protocol/monitor/wire.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3::monitor {
@@ -29,7 +29,7 @@ std::vector<std::string> sorted_members(Channel channel) {
   return names;
 }
 
-TEST(MonitorFields, AreTheMembersOfTheMessages) {
+TEST(MonitorFields, AreThoseOfTheMessages) {
   const ModelPtr model = test::rhino();
   const State state = initial_state(*model);
   EXPECT_EQ(sorted_members(Channel::kState),
@@ -40,7 +40,7 @@ TEST(MonitorFields, AreTheMembersOfTheMessages) {
   EXPECT_EQ(sorted_members(Channel::kLine), names_in(wire_json(WireRecord{}, *model)));
 }
 
-TEST(MonitorFields, OfEventsAreThoseOfAllKinds) {
+TEST(MonitorFields, EventsHaveTheFieldsOfAllKinds) {
   const CellNote notes[] = {
       EventBody{MoveTaken{'E', 5, 5}},
       EventBody{MotorBlocked{'E', Blocked::kLimit, 'E', true, -15, 660, 12}},
@@ -63,7 +63,7 @@ TEST(MonitorFields, OfEventsAreThoseOfAllKinds) {
   EXPECT_EQ(sorted_members(Channel::kEvent), names_in(all));
 }
 
-TEST(MonitorFields, ChannelsByName) {
+TEST(MonitorFields, FindsChannelsByName) {
   for (const std::string& name : channels()) {
     ASSERT_TRUE(channel_named(name)) << name;
     EXPECT_EQ(name_of(*channel_named(name)), name);

@@ -16,7 +16,7 @@ void expect_same(const Heading& heading, const Heading& expected, const std::str
   EXPECT_EQ(heading.id, expected.id) << text;
 }
 
-TEST(MonitorHeading, OfWhateverStandsThere) {
+TEST(MonitorHeading, IsReadFromAnyText) {
   const std::int64_t seven = 7;
   struct Row {
     std::string text;
@@ -52,7 +52,7 @@ TEST(MonitorHeading, OfWhateverStandsThere) {
   for (const Row& row : rows) expect_same(heading_of(row.text), row.heading, row.text);
 }
 
-TEST(MonitorHeading, OfARequestThatWasRead) {
+TEST(MonitorHeading, OfAParsedRequestEqualsThatOfItsText) {
   for (const std::string text :
        {R"({"op":"call","id":7,"fn":"step","args":{"ticks":1}})",
         R"({"op":"get","channel":"state"})", R"({"op":"sub","id":"x","channel":"event"})"}) {

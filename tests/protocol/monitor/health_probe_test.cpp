@@ -27,7 +27,7 @@ TEST(HealthProbe, IsHealthyWhenItsPingIsAnswered) {
   EXPECT_EQ(probe.health(), Health::kHealthy);
 }
 
-TEST(HealthProbe, TakesBytesAsTheyCome) {
+TEST(HealthProbe, AcceptsBytesInPieces) {
   HealthProbe probe;
   std::string sent;
   for (const char byte : std::string(kHello) + kPong) sent += probe.feed({&byte, 1});
@@ -36,13 +36,13 @@ TEST(HealthProbe, TakesBytesAsTheyCome) {
   EXPECT_EQ(after(std::string(kHello) + kPong).health(), Health::kHealthy);
 }
 
-TEST(HealthProbe, SaysHowFarItCame) {
+TEST(HealthProbe, NamesTheStepThatFailed) {
   EXPECT_THAT(after("").trouble(), HasSubstr("sends nothing"));
   EXPECT_THAT(after(kHello).trouble(), HasSubstr("does not answer"));
   EXPECT_THAT(after("login: ").trouble(), HasSubstr("is not xr3: it sends \"login: \""));
 }
 
-TEST(HealthProbe, KnowsWhoIsNotXr3) {
+TEST(HealthProbe, RecognisesOtherServers) {
   for (const char* line :
        {"HTTP/1.1 400 Bad Request\r\n", "{\"op\":\"hello\",\"server\":\"other\"}\n", "{}\n", "\n",
         "[1]\n", "{\"op\":7}\n", "\xff\xfe\n", "{\"op\":\"pong\",\"id\":\"health\"}\n"}) {
@@ -54,13 +54,13 @@ TEST(HealthProbe, KnowsWhoIsNotXr3) {
               HasSubstr("\"HTTP/1.1 400 Bad Request\""));
 }
 
-TEST(HealthProbe, RepeatsWhatItHearsShortAndWithoutControlCharacters) {
+TEST(HealthProbe, QuotesBytesShortenedAndWithoutControlCharacters) {
   const std::string words = after("\x1B[2Jhi\a" + std::string(1000, 'x') + "\n").trouble();
   EXPECT_THAT(words, HasSubstr("\"?[2Jhi?xx"));
   EXPECT_LT(words.size(), 100U);
 }
 
-TEST(HealthProbe, ALineWithoutAnEndIsNoLine) {
+TEST(HealthProbe, AnEndlessLineIsNotXr3) {
   HealthProbe probe;
   const std::string part(1024, 'x');
   for (std::size_t sent = 0; sent <= HealthProbe::kMaxLineBytes; sent += part.size())
@@ -68,7 +68,7 @@ TEST(HealthProbe, ALineWithoutAnEndIsNoLine) {
   EXPECT_EQ(probe.health(), Health::kUnhealthy);
 }
 
-TEST(HealthProbe, WhoPartsIsNotHealthy) {
+TEST(HealthProbe, AByeIsUnhealthy) {
   const std::string bye = "{\"op\":\"bye\",\"why\":\"full\",\"message\":\"too many\"}\n";
   for (const std::string& bytes : {bye, kHello + bye}) {
     EXPECT_EQ(after(bytes).health(), Health::kUnhealthy);
@@ -76,7 +76,7 @@ TEST(HealthProbe, WhoPartsIsNotHealthy) {
   }
 }
 
-TEST(HealthProbe, OtherAnswersAfterTheGreetingAreNoMatter) {
+TEST(HealthProbe, IgnoresOtherMessagesAfterHello) {
   HealthProbe probe = after(kHello);
   probe.feed("{\"op\":\"new\"}\n{\"op\":\"pong\",\"id\":1}\n");
   EXPECT_EQ(probe.health(), Health::kUnknown);
@@ -84,20 +84,20 @@ TEST(HealthProbe, OtherAnswersAfterTheGreetingAreNoMatter) {
   EXPECT_EQ(probe.health(), Health::kHealthy);
 }
 
-TEST(HealthProbe, ReadinessIsAskedOverHttp) {
+TEST(HealthProbe, ReadsReadinessOverHttp) {
   EXPECT_EQ(ready_request("[::1]:9601"),
             "GET /readyz HTTP/1.1\r\nHost: [::1]:9601\r\nConnection: close\r\n\r\n");
   EXPECT_EQ(trouble_with_readiness("HTTP/1.1 200 OK\r\n\r\nok\n"), "");
 }
 
-TEST(HealthProbe, WhyItIsNotReadyIsPassedOn) {
+TEST(HealthProbe, ReportsWhyTheServerIsNotReady) {
   const std::string body =
-      R"({"error":{"code":"not_ready","message":"every line is taken","hint":"wait"}})";
+      R"({"error":{"code":"not_ready","message":"every line is in use","hint":"wait"}})";
   EXPECT_EQ(trouble_with_readiness("HTTP/1.1 503 Service Unavailable\r\n\r\n" + body),
-            "is not ready: every line is taken");
+            "is not ready: every line is in use");
 }
 
-TEST(HealthProbe, WhatIsNoAnswerIsNotReady) {
+TEST(HealthProbe, AnInvalidResponseIsNotReady) {
   EXPECT_EQ(trouble_with_readiness(""), "does not say whether it is ready");
   for (const char* answer : {"HTTP/1.1 503 No\r\n\r\n{}", "HTTP/1.1 503 No\r\n\r\n[1",
                              "HTTP/1.1 20", "HTTP/1.1 404 Not Found", "200 ", "\x1b[2J"}) {

@@ -11,7 +11,7 @@ const GuardRules kBeyond{Reach::kBeyond, {}, {}};
 const GuardRules kNamed{
     Reach::kThisMachine, {"robot.lab.example", "Arm"}, {"https://page.example:8443"}};
 
-TEST(HttpGuard, HostsThatNoNameServerCanForge) {
+TEST(HttpGuard, AcceptsHostsThatDnsCannotRebind) {
   for (const char* host : {"localhost", "LOCALHOST:9601", "localhost:", "127.0.0.1", "127.0.0.1:80",
                            "10.1.2.3:65535", "255.255.255.255", "[::1]", "[::1]:9601", "[fe80::1]",
                            "[::ffff:127.0.0.1]:1", "robot.localhost", "a.b-1.localhost:9601"}) {
@@ -20,7 +20,7 @@ TEST(HttpGuard, HostsThatNoNameServerCanForge) {
   }
 }
 
-TEST(HttpGuard, HostsThatMayBeAnybodys) {
+TEST(HttpGuard, RejectsHostsThatDnsCanRebind) {
   for (const char* host : {"",
                            ":9601",
                            "evil.example",
@@ -57,21 +57,21 @@ TEST(HttpGuard, HostsThatMayBeAnybodys) {
   }
 }
 
-TEST(HttpGuard, NamesWithoutADotOnlyBeyondThisMachine) {
+TEST(HttpGuard, AcceptsNamesWithoutADotOnlyBeyondLoopback) {
   for (const char* host : {"xr3", "XR3:9601", "lab-7", "my_service:80"}) {
     EXPECT_FALSE(is_host_allowed(host, kHere)) << host;
     EXPECT_TRUE(is_host_allowed(host, kBeyond)) << host;
   }
 }
 
-TEST(HttpGuard, NamesOfTheRules) {
+TEST(HttpGuard, AcceptsNamesOfTheRules) {
   for (const char* host : {"robot.lab.example", "ROBOT.lab.example:9601", "arm"})
     EXPECT_TRUE(is_host_allowed(host, kNamed)) << host;
   for (const char* host : {"lab.example", "x.robot.lab.example", "robot.lab.example.", "arms"})
     EXPECT_FALSE(is_host_allowed(host, kNamed)) << host;
 }
 
-TEST(HttpGuard, OriginsAreThisServersOwn) {
+TEST(HttpGuard, AcceptsOnlyTheServersOwnOrigins) {
   EXPECT_TRUE(is_origin_allowed("http://localhost:9601", "localhost:9601", kHere));
   for (const char* origin :
        {"null", "", "http://localhost", "http://localhost:9600", "https://localhost:9601",
@@ -83,7 +83,7 @@ TEST(HttpGuard, OriginsAreThisServersOwn) {
   EXPECT_FALSE(is_origin_allowed("https://page.example", "localhost", kNamed));
 }
 
-TEST(HttpGuard, WhatMayBeARule) {
+TEST(HttpGuard, ValidatesRules) {
   for (const char* name : {"a", "robot.lab.example", "my_arm-2"})
     EXPECT_TRUE(is_host_name(name)) << name;
   for (const char* name : {"", "*", "*.example", "a:1", "a.", ".a", "a..b", "a/b", "http://a"})

@@ -32,7 +32,7 @@ TEST(ImageJson, Rows) {
             R"("00001100","00000000","00000001"]})");
 }
 
-TEST(ImageJson, RunLengthsBeginWithZeros) {
+TEST(ImageJson, RunLengthsBeginWithZeroPixels) {
   EXPECT_EQ(image_json(image_of(kPicture), Encoding::kRle).dump(),
             R"({"width":8,"height":6,"encoding":"rle",)"
             R"("rows":[[8],[2,2,4],[2,4,2],[4,2,2],[8],[7,1]]})");
@@ -46,7 +46,7 @@ void expect_the_same_text(const Image& image) {
   }
 }
 
-TEST(ImageJson, TheQuickTextIsTheSame) {
+TEST(ImageJson, TheFastTextEqualsTheJson) {
   expect_the_same_text(image_of(kPicture));
   expect_the_same_text(image_of({"1"}));
   expect_the_same_text(Image(70, 0));
@@ -65,7 +65,7 @@ std::string unpacked(const Json& runs) {
 
 // Widths around the word size of a row's storage; short and long runs, of which only the first may
 // be empty.
-TEST(ImageJson, BothEncodingsShowEveryPixel) {
+TEST(ImageJson, BothEncodingsContainEveryPixel) {
   std::mt19937 random(1);
   for (const int width : {1, 7, 8, 63, 64, 65, 127, 128, 129, 300}) {
     for (int round = 0; round < 20; ++round) {

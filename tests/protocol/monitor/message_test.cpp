@@ -25,7 +25,7 @@ TEST(MonitorMessage, Hello) {
       R"("limits":{"message_bytes":262144,"depth":32,"max_hz":60}})");
 }
 
-TEST(MonitorMessage, HelloNamesTwoCellsAndTheProfile) {
+TEST(MonitorMessage, HelloNamesCellsAndProfile) {
   const ModelPtr model = test::rhino(Profile::kMark3);
   Snapshot snapshot;
   snapshot.epoch = 4;
@@ -92,7 +92,7 @@ TEST(MonitorMessage, CloseReason) {
   EXPECT_EQ(Json::parse(*bye(CloseReason::kFull))["why"], "full");
 }
 
-TEST(MonitorMessage, TextThatIsNoUtf8IsMended) {
+TEST(MonitorMessage, ReplacesInvalidUtf8) {
   EXPECT_NO_THROW((void)Json::parse(*pong(std::string("\xff\xc3"))));
   EXPECT_EQ(result({{}, "c", "two\nlines", "", {}})->find('\n'), std::string::npos);
 }

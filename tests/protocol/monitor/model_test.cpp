@@ -30,7 +30,7 @@ Workcell reloaded(const Rig& rig) {
   return load_workcell(json["workcell"].dump(), "kept");
 }
 
-TEST(ModelJson, MembersAndForms) {
+TEST(ModelJson, HasTheseMembers) {
   const Rig rig(at_its_table("rhino-xr3"));
   const Json json = model_json(rig.model(), rig.state(), 3, "sha256:9f2c");
   std::vector<std::string> names;
@@ -42,7 +42,7 @@ TEST(ModelJson, MembersAndForms) {
   EXPECT_EQ(reloaded(rig), rig.model().workcell());
 }
 
-TEST(ModelJson, BlocksAreWhereTheyAreNowToTheMicrometre) {
+TEST(ModelJson, HasCurrentPlacesOfBlocksToTheMicrometre) {
   test::RandomBytes random(7);
   const auto within = [&](int most) {
     return static_cast<std::int64_t>(random.below(static_cast<std::uint32_t>(2 * most))) - most;
@@ -60,7 +60,7 @@ TEST(ModelJson, BlocksAreWhereTheyAreNowToTheMicrometre) {
 }
 
 // Blocks in a file are upright: a held one is saved as if released at its current place.
-TEST(ModelJson, AHeldBlockIsKeptWhereItIsHeld) {
+TEST(ModelJson, AHeldBlockHasItsCurrentPlace) {
   Rig rig(at_its_table("rhino-xr3"));
   rig.travel('E', 449);
   rig.travel('D', -625);
@@ -80,7 +80,7 @@ TEST(ModelJson, AHeldBlockIsKeptWhereItIsHeld) {
   EXPECT_EQ(kept.blocks, rig.state().blocks);
 }
 
-TEST(ModelJson, EveryShippedWorkcellPassesItsCheck) {
+TEST(ModelJson, EveryShippedWorkcellPassesTheCheck) {
   for (const std::string robot : {"rhino-xr3", "adept-one", "intelledex-660"}) {
     const Rig rig(at_its_table(robot));
     const Json json = model_json(rig.model(), rig.state(), 1, "sha256:0");

@@ -5,12 +5,13 @@
 
 #include <string>
 
+#include "protocol/monitor/fields.hpp"
 #include "tests/protocol/monitor/requests.hpp"
 
 namespace xr3::monitor {
 namespace {
 
-TEST(MonitorRequest, PingWithEveryKindOfId) {
+TEST(MonitorRequest, AcceptsPingWithEveryKindOfId) {
   EXPECT_EQ(good(R"({"op":"ping"})").id, RequestId{});
   EXPECT_EQ(good(R"({"op":"ping","id":null})").id, RequestId{});
   EXPECT_EQ(good(R"({"op":"ping","id":16})").id, RequestId{std::int64_t{16}});
@@ -20,7 +21,7 @@ TEST(MonitorRequest, PingWithEveryKindOfId) {
             RequestId{std::string(64, 'x')});
 }
 
-TEST(MonitorRequest, IdsThatAreNone) {
+TEST(MonitorRequest, RejectsInvalidIds) {
   const std::string too_long = "\"" + std::string(65, 'x') + "\"";
   for (const std::string& id :
        {std::string("1.5"), std::string("[1]"), std::string("true"),
@@ -46,7 +47,7 @@ Pointers wrong(const std::string& text) {
   return pointers_of(error);
 }
 
-TEST(MonitorRequest, Auth) {
+TEST(MonitorRequest, ParsesAuth) {
   EXPECT_EQ(what_of<Auth>(R"({"op":"auth","token":"3q2-7w"})").token, "3q2-7w");
   EXPECT_EQ(wrong(R"({"op":"auth"})"), Pointers{"/token"});
   const RequestError error = bad(R"({"op":"auth","token":12345678})");
@@ -54,7 +55,7 @@ TEST(MonitorRequest, Auth) {
   EXPECT_EQ(error.details[0].found, nullptr) << "a token is never shown";
 }
 
-TEST(MonitorRequest, Subscribe) {
+TEST(MonitorRequest, ParsesSub) {
   const auto plain = what_of<Subscribe>(R"({"op":"sub","channel":"state"})");
   EXPECT_EQ(plain.selection, Selection{});
   EXPECT_EQ(plain.max_millihz, 30'000);
@@ -67,7 +68,7 @@ TEST(MonitorRequest, Subscribe) {
   EXPECT_FALSE(all.on_change);
 }
 
-TEST(MonitorRequest, RatesOfASubscription) {
+TEST(MonitorRequest, ParsesRatesOfASubscription) {
   const auto millihz = [](const std::string& max_hz) {
     return what_of<Subscribe>(R"({"op":"sub","channel":"model","max_hz":)" + max_hz + "}")
         .max_millihz;
@@ -82,7 +83,7 @@ TEST(MonitorRequest, RatesOfASubscription) {
   }
 }
 
-TEST(MonitorRequest, SinceIsOfEventsAndLinesOnly) {
+TEST(MonitorRequest, SinceIsOnlyForEventsAndLines) {
   EXPECT_EQ(what_of<Subscribe>(R"({"op":"sub","channel":"event","since":4711})").since, 4711);
   EXPECT_EQ(what_of<Subscribe>(R"({"op":"sub","channel":"line","since":0})").since, 0);
   EXPECT_EQ(what_of<Get>(R"({"op":"get","channel":"line","since":7})").since, 7);
@@ -96,7 +97,7 @@ TEST(MonitorRequest, SinceIsOfEventsAndLinesOnly) {
   }
 }
 
-TEST(MonitorRequest, EncodingIsOfImagesOnly) {
+TEST(MonitorRequest, EncodingIsOnlyForImages) {
   EXPECT_EQ(what_of<Get>(R"({"op":"get","channel":"image"})").selection.encoding, Encoding::kRows);
   EXPECT_EQ(what_of<Get>(R"({"op":"get","channel":"image","encoding":"rle"})").selection.encoding,
             Encoding::kRle);
@@ -108,13 +109,13 @@ TEST(MonitorRequest, EncodingIsOfImagesOnly) {
   EXPECT_EQ(error.details[0].allowed, R"("rows" or "rle")");
 }
 
-TEST(MonitorRequest, Unsubscribe) {
+TEST(MonitorRequest, ParsesUnsub) {
   EXPECT_EQ(what_of<Unsubscribe>(R"({"op":"unsub","channel":"display"})").channel,
             Channel::kDisplay);
   EXPECT_EQ(bad(R"({"op":"unsub"})").code, "unknown_channel");
 }
 
-TEST(MonitorRequest, Get) {
+TEST(MonitorRequest, ParsesGet) {
   const auto get = what_of<Get>(
       R"({"op":"get","id":5,"channel":"state","fields":["stalled","moving","stalled","tick"]})");
   EXPECT_EQ(get.selection.channel, Channel::kState);
@@ -122,7 +123,7 @@ TEST(MonitorRequest, Get) {
   EXPECT_EQ(what_of<Get>(R"({"op":"get","channel":"state"})").selection.fields, std::nullopt);
 }
 
-TEST(MonitorRequest, FieldsAreThoseOfTheChannel) {
+TEST(MonitorRequest, AcceptsOnlyFieldsOfTheChannel) {
   what_of<Get>(R"({"op":"get","channel":"event","fields":["event","message","seq"]})");
   what_of<Get>(R"({"op":"get","channel":"line","fields":["hex","parsed"]})");
   what_of<Get>(R"({"op":"get","channel":"display","fields":["polylines","function_keys"]})");
@@ -132,32 +133,32 @@ TEST(MonitorRequest, FieldsAreThoseOfTheChannel) {
   EXPECT_EQ(error.details[0].allowed, R"("rev", "robot", "workcell" or "hash")");
 }
 
-TEST(MonitorRequest, EveryWrongMemberOfASubscription) {
+TEST(MonitorRequest, ReportsEveryInvalidMemberOfASubscription) {
   EXPECT_EQ(
       wrong(
           R"({"op":"sub","id":1.5,"channel":"image","fields":"all","encoding":1,"max_hz":99,"on_change":1})"),
       (Pointers{"/id", "/fields", "/encoding", "/max_hz", "/on_change"}));
 }
 
-TEST(MonitorRequest, ChannelsAreListed) {
+TEST(MonitorRequest, AnErrorListsTheChannels) {
   EXPECT_EQ(channels(),
             (std::vector<std::string>{"state", "image", "event", "line", "display", "model"}));
 }
 
-TEST(MonitorRequest, UnknownMembersAreIgnored) {
+TEST(MonitorRequest, IgnoresUnknownMembers) {
   good(R"({"op":"ping","why":{"not":[1,2]}})");
   good(R"({"op":"get","channel":"state","encoding":"rle","since":4})");
   good(R"({"op":"call","fn":"home","comment":"hello"})");
 }
 
-TEST(MonitorRequest, CellsByName) {
+TEST(MonitorRequest, FindsCellsByName) {
   EXPECT_EQ(good(R"({"op":"ping"})").cell, "main");
   EXPECT_EQ(good(R"({"op":"ping","cell":"second"})").cell, "second");
   EXPECT_EQ(bad(R"({"op":"ping","cell":"third"})").code, "unknown_cell");
   EXPECT_EQ(bad(R"({"op":"ping","cell":1})").code, "unknown_cell");
 }
 
-TEST(MonitorRequest, EveryWrongFieldIsTold) {
+TEST(MonitorRequest, ReportsEveryInvalidField) {
   const RequestError error = bad(
       R"({"op":"call","id":[],"fn":"step","args":{"ticks":-1,"a/b":2,"after":{"line":0,"x":1,"within_ms":60001},"fields":["nope",3]}})");
   EXPECT_EQ(error.message, "9 wrong fields");
@@ -171,7 +172,7 @@ TEST(MonitorRequest, EveryWrongFieldIsTold) {
   EXPECT_EQ(error.details[3].found, nullptr);
 }
 
-TEST(MonitorRequest, WhatIsWrongIsToldBriefly) {
+TEST(MonitorRequest, TruncatesLongValuesInErrors) {
   std::string members;
   for (int i = 0; i < 5000; ++i) members += ",\"x" + std::to_string(i) + "\":0";
   const RequestError error = bad(R"({"op":"call","fn":"step","args":{"ticks":")" +
@@ -181,7 +182,7 @@ TEST(MonitorRequest, WhatIsWrongIsToldBriefly) {
   EXPECT_EQ(error.details[0].found, "string of 9999 bytes");
 }
 
-TEST(MonitorRequest, UnknownNamesAndWhatThereIs) {
+TEST(MonitorRequest, ErrorsForUnknownNamesListTheKnownOnes) {
   struct Row {
     const char* text;
     const char* code;
@@ -208,7 +209,7 @@ TEST(MonitorRequest, UnknownNamesAndWhatThereIs) {
             R"(there is "auth", "sub", "unsub", "get", "call" or "ping")");
 }
 
-TEST(MonitorRequest, BrokenJsonInPlainWords) {
+TEST(MonitorRequest, ReportsMalformedJson) {
   const std::string where = "line 1, column ";
   EXPECT_EQ(bad(R"({"op":"ping)").message,
             where + "12: text without its closing quote; allowed: text in double quotes");
@@ -228,7 +229,7 @@ TEST(MonitorRequest, BrokenJsonInPlainWords) {
   }
 }
 
-TEST(MonitorRequest, DepthIsBounded) {
+TEST(MonitorRequest, LimitsTheDepth) {
   const auto nested = [](int depth) {
     const auto lists = static_cast<std::size_t>(depth - 1);
     return R"({"op":"ping","x":)" + std::string(lists, '[') + std::string(lists, ']') + "}";
@@ -239,24 +240,24 @@ TEST(MonitorRequest, DepthIsBounded) {
   good(R"({"op":"ping","x":")" + std::string(100, '[') + R"(\"[["})");
 }
 
-TEST(MonitorRequest, LengthIsBounded) {
+TEST(MonitorRequest, LimitsTheLength) {
   const std::string start = R"({"op":"ping","x":")";
   good(start + std::string(kMaxMessageBytes - start.size() - 2, 'x') + "\"}");
   EXPECT_EQ(bad(start + std::string(kMaxMessageBytes - start.size() - 1, 'x') + "\"}").code,
             "too_long");
 }
 
-TEST(MonitorRequest, NoTickBeyondWhatCanBeSaid) {
+TEST(MonitorRequest, LimitsTicksToTheLargestInteger) {
   Request step = good(R"({"op":"call","id":3,"fn":"step","args":{"ticks":10}})");
-  EXPECT_FALSE(fit(step, kMaxInteger - 10));
-  const auto error = fit(step, kMaxInteger - 9);
+  EXPECT_FALSE(limit_ticks(step, kMaxInteger - 10));
+  const auto error = limit_ticks(step, kMaxInteger - 9);
   ASSERT_TRUE(error);
   EXPECT_EQ(error->code, "bad_args");
   EXPECT_EQ(error->id, RequestId{std::int64_t{3}});
 
   Request run =
       good(R"({"op":"call","fn":"run_until","args":{"idle":true,"max_ticks":9007199254740991}})");
-  EXPECT_FALSE(fit(run, 1000));
+  EXPECT_FALSE(limit_ticks(run, 1000));
   EXPECT_EQ(std::get<call::RunUntil>(std::get<call::Call>(std::get<CallRequest>(run.what).call))
                 .max_ticks,
             kMaxInteger - 1000);
@@ -264,17 +265,17 @@ TEST(MonitorRequest, NoTickBeyondWhatCanBeSaid) {
 
 // --- Duplicate members.
 
-TEST(MonitorRequest, AMemberIsGivenOnce) {
+TEST(MonitorRequest, RejectsADuplicateMember) {
   const RequestError error =
       bad(R"({"op":"call","id":"d","fn":"step","args":{"ticks":1,"ticks":500}})");
   EXPECT_EQ(error.code, "bad_args");
   EXPECT_EQ(error.id, RequestId{std::string("d")});
   ASSERT_EQ(pointers_of(error), Pointers{"/args/ticks"});
-  EXPECT_EQ(error.details[0].found, "\"ticks\" for the second time");
+  EXPECT_EQ(error.details[0].found, "\"ticks\", a duplicate");
   EXPECT_EQ(error.details[0].allowed, "each member once");
 }
 
-TEST(MonitorRequest, NowhereIsAMemberGivenTwice) {
+TEST(MonitorRequest, RejectsDuplicateMembersAtEveryDepth) {
   EXPECT_EQ(wrong(R"({"op":"ping","op":"ping"})"), Pointers{"/op"});
   EXPECT_EQ(wrong(R"({"op":"ping","id":1,"id":2})"), Pointers{"/id"});
   EXPECT_EQ(wrong(R"({"op":"ping","\u006fp":"ping"})"), Pointers{"/op"}) << "escaped";
@@ -285,18 +286,18 @@ TEST(MonitorRequest, NowhereIsAMemberGivenTwice) {
   EXPECT_EQ(wrong(R"({"op":"auth","token":"secret","token":"other"})"), Pointers{"/token"});
 }
 
-TEST(MonitorRequest, TwiceInADocumentIsToldAsOfAFile) {
+TEST(MonitorRequest, DuplicatesInADocumentPointIntoIt) {
   EXPECT_EQ(wrong_in("snapshot_load", R"({"snapshot":{"state":{"tick":5,"tick":0}}})").front(),
             "/state/tick");
   EXPECT_EQ(wrong_in("workcell", R"({"workcell":{"name":"a","name":"b"}})").front(), "/name");
   EXPECT_EQ(wrong_in("workcell", R"({"workcell":{},"workcell":{}})").front(), "/args/workcell");
 }
 
-TEST(MonitorRequest, TheSameNameElsewhereIsNoSecondTime) {
+TEST(MonitorRequest, AcceptsTheSameNameInOtherObjects) {
   good(R"({"op":"ping","a":{"op":"a:b","x":"\":\""},"b":[{"op":1},{"op":{"op":"{:"}}]})");
 }
 
-TEST(MonitorRequest, VeryManyAndVeryLongMembersTwice) {
+TEST(MonitorRequest, RejectsManyAndLongDuplicates) {
   std::string members = R"({"op":"ping","id":7,")" + std::string(100'000, '/') + R"(":{)";
   while (members.size() < 250'000) members += R"("a":1,)";
   const RequestError error = bad(members + R"("a":1}})");
@@ -307,7 +308,7 @@ TEST(MonitorRequest, VeryManyAndVeryLongMembersTwice) {
                 std::string(100'000, 'x') + R"(":1})")
                 .details.at(0)
                 .found,
-            "string of 100022 bytes");
+            "string of 100015 bytes");
 }
 
 }  // namespace

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/envelope.hpp"
 #include "core/kinematics.hpp"
+#include "core/stall.hpp"
 #include "protocol/monitor/saved_cell.hpp"
 #include "tests/support/rig.hpp"
 
@@ -66,7 +66,7 @@ class Wanderer {
     for (int i = 0; i < kActions; ++i) {
       act();
       note();
-      std::string wrong = one_in(4) ? misfits_now() : "";
+      std::string wrong = one_in(4) ? validate_now() : "";
       if (wrong.empty() && one_in(100)) wrong = load_again();
       if (!wrong.empty()) return wrong;
     }
@@ -127,7 +127,7 @@ class Wanderer {
   }
 
   void act() {
-    const bool stands = state().stall != Stall::kNo;
+    const bool is_stalled = state().stall != Stall::kNo;
     const int what = any(0, 99);
     if (what < 40) return rig_.pass(one_in(4) ? 1500 : any(0, 250));
     if (what < 60) return arm();
@@ -138,7 +138,7 @@ class Wanderer {
     if (what < 90) return setting();
     if (what < 96) return block();
     if (what < 97) return workcell();
-    if (one_in(stands ? 2 : 20)) rig_.execute(SoftHome{});
+    if (one_in(is_stalled ? 2 : 20)) rig_.execute(SoftHome{});
   }
 
   void setting() {
@@ -187,9 +187,9 @@ class Wanderer {
 
   SavedCell saved() const { return {"sha256:1", model().workcell(), state()}; }
 
-  std::string misfits_now() const {
+  std::string validate_now() const {
     std::string wrong;
-    for (const monitor::Detail& detail : monitor::misfits(model(), saved())) {
+    for (const monitor::Detail& detail : monitor::validate(model(), saved())) {
       wrong += detail.pointer + ": " + detail.found.dump() + "; allowed: " + detail.allowed + "\n";
     }
     return wrong.empty() ? wrong : wrong + test::words(state());
@@ -233,14 +233,14 @@ class Wanderer {
 };
 
 // For many more runs: RC_PARAMS=max_success=100000.
-RC_GTEST_PROP(SavedCellReach, WhateverAMachineComesToCanBeLoaded, ()) {
+RC_GTEST_PROP(SavedCellReach, EveryReachedStateCanBeLoaded, ()) {
   Tally tally;
   const auto seed = *rc::gen::noShrink(rc::gen::resize(100, rc::gen::arbitrary<std::uint32_t>()));
   const std::string wrong = Wanderer(seed, tally).wander();
   RC_ASSERT(wrong == "");
 }
 
-TEST(SavedCellReach, TheMachinesComeThroughEverything) {
+TEST(SavedCellReach, TheMachinesReachEveryKindOfState) {
   Tally tally;
   for (std::uint32_t seed = 1; seed <= 40; ++seed)
     ASSERT_EQ(Wanderer(seed, tally).wander(), "") << "seed " << seed;

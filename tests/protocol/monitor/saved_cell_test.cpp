@@ -140,7 +140,7 @@ RC_GTEST_PROP(SavedCellJson, EveryBitRoundTrips, ()) {
 
 // --- Reachable states.
 
-TEST(SavedCellJson, AMachineRunsOnFromIt) {
+TEST(SavedCellJson, AMachineContinuesFromIt) {
   const auto model = std::make_shared<const Model>(
       test::robot_named("rhino-xr3"), test::workcell_named("rhino-xr3"), Profile::kPaper);
   Simulation one(model);
@@ -150,7 +150,7 @@ TEST(SavedCellJson, AMachineRunsOnFromIt) {
   const SavedCell saved{"sha256:1", model->workcell(), one.state()};
   const SavedCellReading reading = read_again(saved);
   ASSERT_TRUE(reading.saved);
-  EXPECT_TRUE(monitor::misfits(*model, *reading.saved).empty());
+  EXPECT_TRUE(monitor::validate(*model, *reading.saved).empty());
   Simulation other(model);
   other.restore(reading.saved->state);
   one.advance_to(2000);
@@ -158,7 +158,7 @@ TEST(SavedCellJson, AMachineRunsOnFromIt) {
   EXPECT_EQ(one.state(), other.state());
 }
 
-TEST(SavedCellJson, AFullPathOfTheRhinoFitsAMessage) {
+TEST(SavedCellJson, AFullPathFitsAMessage) {
   SavedCell saved = at_home();
   saved.workcell.blocks = test::workcell_named("rhino-hundred").blocks;
   saved.state.blocks = saved.workcell.blocks;
@@ -166,7 +166,7 @@ TEST(SavedCellJson, AFullPathOfTheRhinoFitsAMessage) {
   EXPECT_LT(saved_cell_to_json(saved).dump().size(), monitor::kMaxMessageBytes * 3 / 4);
 }
 
-TEST(SavedCellJson, WhatIsHandedOutCanBeSentBack) {
+TEST(SavedCellJson, ACellThatFitsARequestCanBeSentBack) {
   SavedCell saved = at_home();
   saved.state.blocks.clear();
   const std::string before = R"({"op":"call","id":")" + std::string(64, '7') +
@@ -188,7 +188,7 @@ TEST(SavedCellJson, WhatIsHandedOutCanBeSentBack) {
 
 // --- Invalid saved cells.
 
-TEST(SavedCellJson, EveryMemberIsWantedAndNoOther) {
+TEST(SavedCellJson, RejectsMissingAndUnknownMembers) {
   EXPECT_EQ(wrong_in(Json::object()), (Strings{"/robot_hash", "/workcell", "/state"}));
   EXPECT_EQ(wrong_in(5), Strings{""});
   Json json = at_home_json();
@@ -206,7 +206,7 @@ struct Broken {
   Json value;
 };
 
-TEST(SavedCellJson, OneWrongValueIsToldWithItsPlace) {
+TEST(SavedCellJson, ReportsAnInvalidValueWithItsPointer) {
   const Broken all[] = {
       {"/robot_hash", 5},
       {"/workcell/blocks/0/size/1", -1},
@@ -254,7 +254,7 @@ TEST(SavedCellJson, OneWrongValueIsToldWithItsPlace) {
   }
 }
 
-TEST(SavedCellJson, WhatIsHeldMustBeThere) {
+TEST(SavedCellJson, RejectsAnInvalidHeldBlock) {
   Json json = at_home_json();
   const std::size_t blocks = json["state"]["blocks"].size();
   json["state"]["held"] = {
@@ -267,7 +267,7 @@ TEST(SavedCellJson, WhatIsHeldMustBeThere) {
   EXPECT_EQ(wrong_in(json), (Strings{"/state/held/quarter_turns", "/state/held/grasped_at/7"}));
 }
 
-TEST(SavedCellJson, TooManyBlocks) {
+TEST(SavedCellJson, RejectsTooManyBlocks) {
   Json json = at_home_json();
   Json block = json["state"]["blocks"][0];
   Json blocks = Json::array();
@@ -279,11 +279,11 @@ TEST(SavedCellJson, TooManyBlocks) {
   EXPECT_EQ(wrong_in(json), Strings{"/state/blocks"});
 }
 
-TEST(SavedCellJson, WarningsAreNoErrors) {
+TEST(SavedCellJson, WarningsAreNotErrors) {
   SavedCell saved = at_home();
   saved.workcell.blocks[0].centroid_um = saved.workcell.blocks[1].centroid_um;
   const SavedCellReading reading = read_again(saved);
-  EXPECT_TRUE(reading.findings.empty()) << "a request has no warnings";
+  EXPECT_TRUE(reading.findings.empty()) << "warnings are dropped";
   EXPECT_TRUE(reading.saved);
 }
 

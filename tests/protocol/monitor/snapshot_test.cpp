@@ -34,7 +34,7 @@ std::vector<std::string> names_of(const Json& object) {
   return names;
 }
 
-TEST(SnapshotJson, TheRhinoAtSoftHome) {
+TEST(SnapshotJson, ShowsTheRhinoAtSoftHome) {
   const Json state = shown(Rig());
   EXPECT_EQ(
       state["joints"][0].dump(),
@@ -52,7 +52,7 @@ TEST(SnapshotJson, TheRhinoAtSoftHome) {
             R"("outputs":[false,false,false,false,false,false,false,false],"aux":[false,false]})");
 }
 
-TEST(SnapshotJson, EveryMemberInItsPlace) {
+TEST(SnapshotJson, HasEveryMemberInOrder) {
   const Json state = shown(Rig());
   EXPECT_EQ(names_of(state), state_members());
   EXPECT_EQ(state["clock"].dump(), R"({"mode":"real","rate":1.0})");
@@ -63,7 +63,7 @@ TEST(SnapshotJson, EveryMemberInItsPlace) {
   EXPECT_EQ(state["blocks"], Json::array());
 }
 
-TEST(SnapshotJson, JointsGoFromBaseToTip) {
+TEST(SnapshotJson, JointsAreInOrderFromBaseToTip) {
   std::string labels;
   std::vector<double> values;
   const Json state = shown(Rig());
@@ -75,7 +75,7 @@ TEST(SnapshotJson, JointsGoFromBaseToTip) {
   EXPECT_EQ(values, (std::vector<double>{0, -90, 90, 0, -90}));
 }
 
-TEST(SnapshotJson, APoseOfTheGoldens) {
+TEST(SnapshotJson, ShowsAGoldenPose) {
   Rig rig;
   rig.stand_at({{'F', 90}, {'E', 40}, {'D', -60}, {'C', 30}, {'B', 48}});
   const Json state = shown(rig);
@@ -86,7 +86,7 @@ TEST(SnapshotJson, APoseOfTheGoldens) {
   EXPECT_EQ(state["joints"][2]["value"].dump(), "92.27");
 }
 
-TEST(SnapshotJson, BlocksOfTheWorkcell) {
+TEST(SnapshotJson, ShowsTheBlocks) {
   const Model model(test::robot_named("rhino-xr3"), test::workcell_named("rhino-xr3"),
                     Profile::kPaper);
   const Json blocks = state_json(model, snapshot_of(initial_state(model)))["blocks"];
@@ -95,7 +95,7 @@ TEST(SnapshotJson, BlocksOfTheWorkcell) {
             R"({"name":"red","xyz_mm":[262.0,0.0,20.0],"yaw_deg":90.0,"held":false})");
 }
 
-TEST(SnapshotJson, AHeldBlockGoesAlongWithTheTool) {
+TEST(SnapshotJson, AHeldBlockMovesWithTheTool) {
   const Model model(test::robot_named("rhino-xr3"), test::workcell_named("rhino-xr3"),
                     Profile::kPaper);
   State state = initial_state(model);
@@ -110,7 +110,7 @@ TEST(SnapshotJson, AHeldBlockGoesAlongWithTheTool) {
   EXPECT_NEAR(json["blocks"][0]["xyz_mm"][0].get<double>(), x, 0.001);
 }
 
-TEST(SnapshotJson, AMotorOnItsWay) {
+TEST(SnapshotJson, ShowsAMovingMotor) {
   Rig rig;
   rig.move('E', 50);
   rig.pass(100);
@@ -145,7 +145,7 @@ TEST(SnapshotJson, AStalledRobotDoesNotMove) {
   EXPECT_EQ(state_json(rig.model(), snapshot_of(state))["stalled"], "work_surface");
 }
 
-TEST(SnapshotJson, SwitchesAreWhatTheLineAnswers) {
+TEST(SnapshotJson, SwitchesEqualTheRepliesOfTheLine) {
   for (const Profile profile : {Profile::kPaper, Profile::kMark3}) {
     Rig rig(test::rhino(profile));
     rig.stand_at({{'E', -40}});
@@ -158,7 +158,7 @@ TEST(SnapshotJson, SwitchesAreWhatTheLineAnswers) {
   }
 }
 
-TEST(SnapshotJson, DigitalLinesByIndex) {
+TEST(SnapshotJson, ShowsDigitalLinesByIndex) {
   Rig rig;
   State state = rig.state();
   state.io = {0x01, 0x82, 0x02};
@@ -168,7 +168,7 @@ TEST(SnapshotJson, DigitalLinesByIndex) {
   EXPECT_EQ(io["aux"].dump(), "[false,true]");
 }
 
-TEST(SnapshotJson, SlidingJointsAndHingedJaws) {
+TEST(SnapshotJson, ShowsSlidingJointsAndAngularJaws) {
   const Json adept = shown(Rig(test::model_of(test::robot_named("adept-one"))));
   EXPECT_EQ(adept["joints"][2]["unit"], "mm");
   EXPECT_EQ(adept["joints"][2]["value"].dump(), "100.0");
@@ -178,7 +178,7 @@ TEST(SnapshotJson, SlidingJointsAndHingedJaws) {
   EXPECT_EQ(intelledex["tool"]["opening_mm"].dump(), "41.042");
 }
 
-TEST(SnapshotJson, FarRolledItsConfigurationIsStillNumbers) {
+TEST(SnapshotJson, AFarRollStillHasANumericConfiguration) {
   Rig rig(test::roomy_rhino());
   State state = rig.state();
   state.motor(4).count = 1'150'000;
@@ -188,7 +188,7 @@ TEST(SnapshotJson, FarRolledItsConfigurationIsStillNumbers) {
   }
 }
 
-TEST(SnapshotJson, ChosenMembersComeAsChosen) {
+TEST(SnapshotJson, HasOnlyTheSelectedMembers) {
   const Json state = shown(Rig());
   EXPECT_EQ(chosen(state, std::nullopt), state);
   EXPECT_EQ(chosen(state, Fields{{"stalled", "moving"}}).dump(),
@@ -197,13 +197,13 @@ TEST(SnapshotJson, ChosenMembersComeAsChosen) {
   EXPECT_EQ(chosen(state, Fields{{}}).dump(), "{}");
 }
 
-TEST(SnapshotJson, TheRateIsShownExactly) {
+TEST(SnapshotJson, ShowsTheExactRate) {
   EXPECT_EQ(clock_json(ClockMode::kManual, {1'000}).dump(), R"({"mode":"manual","rate":0.001})");
   EXPECT_EQ(clock_json(ClockMode::kReal, {100'000}).dump(), R"({"mode":"real","rate":0.1})");
   EXPECT_EQ(clock_json(ClockMode::kReal, kFastest).dump(), R"({"mode":"real","rate":100000.0})");
 }
 
-TEST(Rounded, NoNoiseAndNoMinusZero) {
+TEST(Rounded, HasNoNoiseAndNoMinusZero) {
   EXPECT_EQ(Json(rounded(0.1 + 0.2, 3)).dump(), "0.3");
   EXPECT_EQ(Json(rounded(-0.0, 3)).dump(), "0.0");
   EXPECT_EQ(Json(rounded(-0.00001, 4)).dump(), "0.0");
@@ -215,7 +215,7 @@ TEST(Rounded, NoNoiseAndNoMinusZero) {
             -std::numeric_limits<double>::max());
 }
 
-TEST(Rounded, WritesNoMoreDigitsThanAsked) {
+TEST(Rounded, WritesAtMostTheGivenDigits) {
   for (int i = -200'000; i <= 200'000; ++i) {
     const double noisy = i * 0.0007 + 1e-9;
     const std::string text = Json(rounded(noisy, 3)).dump();

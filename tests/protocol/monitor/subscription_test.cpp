@@ -38,7 +38,7 @@ std::vector<std::string> all(FrameSubscription& subscription, FrameNumber now) {
 
 using Strings = std::vector<std::string>;
 
-TEST(FrameSubscription, OnlyWhatChangedIsSent) {
+TEST(FrameSubscription, SendsOnlyChanges) {
   ChannelStats stats;
   FrameSubscription sub("main", to(Channel::kState), stats);
   sub.offer(frame(1, "a"), 0);
@@ -51,7 +51,7 @@ TEST(FrameSubscription, OnlyWhatChangedIsSent) {
   EXPECT_FALSE(sub.is_settled(frame(4, "c")));
 }
 
-TEST(FrameSubscription, WithoutOnChangeEveryFrameIsSent) {
+TEST(FrameSubscription, WithoutOnChangeSendsEveryFrame) {
   ChannelStats stats;
   FrameSubscription sub("main", to(Channel::kState, kMaxMilliHz, false), stats);
   for (const FrameNumber now : {0, 1, 2}) {
@@ -62,7 +62,7 @@ TEST(FrameSubscription, WithoutOnChangeEveryFrameIsSent) {
   }
 }
 
-TEST(FrameSubscription, MaxHzPicksFramesOfOneGrid) {
+TEST(FrameSubscription, MaxHzSelectsFramesOfOneGrid) {
   const auto due_in_a_second = [](MilliHz max_millihz) {
     ChannelStats stats;
     FrameSubscription sub("main", to(Channel::kState, max_millihz), stats);
@@ -81,19 +81,19 @@ TEST(FrameSubscription, MaxHzPicksFramesOfOneGrid) {
   EXPECT_EQ(due_in_a_second(100), 1);
 }
 
-TEST(FrameSubscription, WhereNothingChangesItIsLookedAtAtMostTenTimesASecond) {
+TEST(FrameSubscription, ComparesUnchangedFramesAtMostTenTimesASecond) {
   ChannelStats stats;
   FrameSubscription sub("main", to(Channel::kState, 1'000), stats);
   sub.offer(frame(1, "a"), 600);
   all(sub, 600);
   EXPECT_EQ(sub.due(), 660) << "a message a second";
   sub.offer(frame(1, "a"), 660);
-  EXPECT_EQ(sub.due(), 666) << "nothing was sent, so a change is told soon";
+  EXPECT_EQ(sub.due(), 666) << "nothing was sent, so a change is sent soon";
   sub.offer(frame(2, "b"), 666);
   EXPECT_EQ(sub.due(), 720);
 }
 
-TEST(FrameSubscription, ItIsNotLookedAtMoreOftenThanItMayBeSent) {
+TEST(FrameSubscription, ComparesNoMoreOftenThanMaxHz) {
   ChannelStats stats;
   FrameSubscription sub("main", to(Channel::kState, 30'000), stats);
   sub.offer(frame(1, "a"), 600);
@@ -103,7 +103,7 @@ TEST(FrameSubscription, ItIsNotLookedAtMoreOftenThanItMayBeSent) {
   EXPECT_TRUE(sub.is_due(604));
 }
 
-TEST(FrameSubscription, TheLatestWinsAndALagTellsOfTheRest) {
+TEST(FrameSubscription, KeepsTheLatestFrameAndReportsTheRestAsLag) {
   ChannelStats stats;
   FrameSubscription sub("main", to(Channel::kImage), stats);
   for (std::int64_t seq = 7; seq <= 12; ++seq) sub.offer(frame(seq, std::to_string(seq)), seq);
@@ -114,7 +114,7 @@ TEST(FrameSubscription, TheLatestWinsAndALagTellsOfTheRest) {
   EXPECT_EQ(stats.overwritten, 5U);
 }
 
-TEST(FrameSubscription, OneLagASecond) {
+TEST(FrameSubscription, SendsAtMostOneLagASecond) {
   ChannelStats stats;
   FrameSubscription sub("main", to(Channel::kImage), stats);
   sub.offer(frame(1, "1"), 0);
@@ -123,7 +123,7 @@ TEST(FrameSubscription, OneLagASecond) {
   sub.offer(frame(3, "3"), 2);
   sub.offer(frame(4, "4"), 3);
   EXPECT_EQ(all(sub, 3), Strings{"4"});
-  EXPECT_FALSE(sub.is_settled(frame(4, "4"))) << "a lag is still owed";
+  EXPECT_FALSE(sub.is_settled(frame(4, "4"))) << "a lag is still pending";
   EXPECT_FALSE(sub.has_output(60));
   EXPECT_TRUE(sub.has_output(61));
   EXPECT_NE(shown(sub.next_output(61)).find(R"("missed":1,"from_seq":3,"to_seq":3)"),
@@ -131,7 +131,7 @@ TEST(FrameSubscription, OneLagASecond) {
   EXPECT_TRUE(sub.is_settled(frame(4, "4")));
 }
 
-TEST(FrameSubscription, BackToWhatTheClientKnowsNothingIsSent) {
+TEST(FrameSubscription, SendsNothingIfTheFrameEqualsTheLastSent) {
   ChannelStats stats;
   FrameSubscription sub("main", to(Channel::kState), stats);
   sub.offer(frame(1, "a"), 0);
@@ -145,7 +145,7 @@ TEST(FrameSubscription, BackToWhatTheClientKnowsNothingIsSent) {
 
 class FeedTest : public testing::Test {
  protected:
-  void tell(int count) {
+  void publish(int count) {
     for (int i = 0; i < count; ++i) ring.push() = static_cast<int>(ring.next());
   }
   FeedSubscription follow(std::optional<std::int64_t> since = {}) {
@@ -167,34 +167,34 @@ class FeedTest : public testing::Test {
                  }};
 };
 
-TEST_F(FeedTest, FromNowOnOrFromASeq) {
-  tell(3);
+TEST_F(FeedTest, StartsNowOrAtASeq) {
+  publish(3);
   FeedSubscription late = follow();
   FeedSubscription early = follow(2);
   EXPECT_FALSE(late.has_output());
   EXPECT_EQ(all(early), (Strings{"2:2", "3:3"}));
-  tell(1);
+  publish(1);
   EXPECT_EQ(all(late), Strings{"4:4"});
   EXPECT_EQ(all(early), Strings{"4:4"});
 }
 
-TEST_F(FeedTest, WhoFallsOffTheRingGetsOneLagAndGoesOn) {
+TEST_F(FeedTest, ASlowSubscriberGetsOneLagAndContinues) {
   FeedSubscription sub = follow();
-  tell(10);
+  publish(10);
   EXPECT_EQ(all(sub),
             (Strings{R"({"op":"lag","cell":"main","channel":"event","missed":6,"from_seq":1,)"
                      R"("to_seq":6})",
                      "7:7", "8:8", "9:9", "10:10"}));
 }
 
-TEST_F(FeedTest, ASeqThatIsYetToComeIsNow) {
+TEST_F(FeedTest, AFutureSeqStartsNow) {
   FeedSubscription sub = follow(99);
-  tell(1);
+  publish(1);
   EXPECT_EQ(all(sub), Strings{"1:1"});
 }
 
-TEST_F(FeedTest, TextIsMadeOnceAndOnlyForWhoAsks) {
-  tell(4);
+TEST_F(FeedTest, FormatsMessagesOnceAndOnlyForSubscribers) {
+  publish(4);
   EXPECT_EQ(made, 0);
   FeedSubscription one = follow(1);
   FeedSubscription other = follow(1);
@@ -203,13 +203,13 @@ TEST_F(FeedTest, TextIsMadeOnceAndOnlyForWhoAsks) {
   EXPECT_EQ(made, 4);
 }
 
-TEST_F(FeedTest, AnswersGoFirstThenEachChannelInTurn) {
+TEST_F(FeedTest, SendsAnswersFirstThenTheChannelsInTurn) {
   Client client({"main"});
   Ring<int> lines(4,
                   [](const int&, std::int64_t seq) { return text("line" + std::to_string(seq)); });
   client.follow_feed("main", to(Channel::kEvent), ring);
   client.follow_feed("main", to(Channel::kLine), lines);
-  tell(2);
+  publish(2);
   lines.push();
   lines.push();
   client.send(text("answer"));
@@ -218,7 +218,7 @@ TEST_F(FeedTest, AnswersGoFirstThenEachChannelInTurn) {
   EXPECT_EQ(messages, (Strings{"answer", "1:1", "line1", "2:2", "line2"}));
 }
 
-TEST_F(FeedTest, AGetIsAnsweredByMessagesWithItsId) {
+TEST_F(FeedTest, AGetReturnsMessagesWithItsId) {
   Ring<int> events(4, [](const int&, std::int64_t seq) {
     return channel_message(Channel::kEvent, {"main", 0, seq, 0}, R"({"event":"x"})");
   });

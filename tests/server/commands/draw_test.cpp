@@ -23,14 +23,14 @@ using test::rhino;
 
 // --- Poses.
 
-TEST(PoseArgument, NumbersStandBetweenCommas) {
+TEST(PoseArgument, NumbersAreSeparatedByCommas) {
   EXPECT_EQ(parse_numbers("0,-39.5, 110"), (std::vector<double>{0, -39.5, 110}));
   for (const char* wrong : {"", ",", "1,", "1,,2", "1;2", "1,x", "1 2", "nan", "inf", "1e999"}) {
     EXPECT_THROW(parse_numbers(wrong), std::invalid_argument) << wrong;
   }
 }
 
-TEST(PoseArgument, ValuesBecomeTheNearestCounts) {
+TEST(PoseArgument, ValuesAreRoundedToCounts) {
   const Positions wanted =
       pose_argument(*rhino(), {0, -39.0385, 109.976, -70.9375, -90}, std::nullopt);
   EXPECT_EQ(motor_counts(*rhino(), wanted), (Positions{0, 449, -625, 0, 0, 0}));
@@ -38,7 +38,7 @@ TEST(PoseArgument, ValuesBecomeTheNearestCounts) {
   EXPECT_EQ(pose_argument(*rhino(), {}, std::nullopt), Positions{});
 }
 
-TEST(PoseArgument, TheLimitsThemselvesAreAllowed) {
+TEST(PoseArgument, AcceptsTheLimits) {
   EXPECT_EQ(pose_argument(*rhino(), {175, 10, -15, 125, 0}, 0),
             (Positions{rhino()->motor(0).high, rhino()->motor(1).high, rhino()->motor(2).high,
                        rhino()->motor(3).low, 288, -64}));
@@ -54,14 +54,14 @@ void expect_refused(const std::vector<double>& joints, std::optional<double> too
   }
 }
 
-TEST(PoseArgument, WhatCannotBeSaysWhy) {
+TEST(PoseArgument, ReportsWhyAPoseIsInvalid) {
   expect_refused({0, 10.1, 90, 0, 0}, {},
                  "joint E (shoulder) cannot be at 10.1; it goes from -140 to 10 degrees");
   expect_refused({}, 63.6, "the tool cannot be at 63.6; it goes from 0 to 63.5 mm");
   expect_refused({1, 2}, {}, "2 joint values are given; Rhino XR-3 has 5: joint F (base), ");
 }
 
-TEST(PoseArgument, AViewIsThreeSmallWholeNumbers) {
+TEST(PoseArgument, AViewIsThreeSmallIntegers) {
   EXPECT_EQ(parse_view("-9,0,3"), (ViewVector{-9, 0, 3}));
   for (const char* wrong :
        {"0,0,0", "1,1", "1,1,1,1", "10,0,0", "-10,0,0", "1,1,0.5", "1e99,0,1"}) {
@@ -81,7 +81,7 @@ Picture sheet(std::vector<FlatWire> wires) {
 
 constexpr Rgb kWhite{255, 255, 255};
 
-TEST(Raster, ALineCoversThePixelsUnderIt) {
+TEST(Raster, ALineCoversItsPixels) {
   const Raster raster =
       rasterized(sheet({{"base", 0, {{2, 4.5}, {12, 4.5}}}}));  // 1.4 px wide, black
   EXPECT_EQ(raster.pixels.size(), 200u);
@@ -93,13 +93,13 @@ TEST(Raster, ALineCoversThePixelsUnderIt) {
   EXPECT_EQ(at(raster, 14, 4), kWhite);
 }
 
-TEST(Raster, APolylineIsNotDarkerWhereItMeetsItself) {
+TEST(Raster, APolylineIsNotDarkerAtItsCorners) {
   const Raster once = rasterized(sheet({{"base", 0, {{2, 4}, {12, 4}}}}));
   const Raster twice = rasterized(sheet({{"base", 0, {{2, 4}, {12, 4}, {2, 4}}}}));
   EXPECT_EQ(once.pixels, twice.pixels);
 }
 
-TEST(Raster, WhatLiesBeyondTheSheetIsCutOff) {
+TEST(Raster, ClipsLinesAtTheEdge) {
   const Raster raster = rasterized(
       sheet({{"base", 0, {{-1e6, 4.5}, {1e6, 4.5}}}, {"base", 0, {{30, -5}, {1e9, -1e9}}}}));
   EXPECT_EQ(at(raster, 0, 4), (Rgb{0, 0, 0}));
@@ -120,7 +120,7 @@ Raster read_png(const std::string& bytes) {
   return raster;
 }
 
-TEST(Png, LibpngReadsBackWhatWasWritten) {
+TEST(Png, LibpngReadsTheSamePixels) {
   const Raster raster = rasterized(sheet({{"base", 12, {{1, 1}, {18, 8}}}}));
   const Raster read = read_png(to_png(raster));
   EXPECT_EQ(read.width_px, 20);
@@ -169,7 +169,7 @@ TEST_F(Draw, WritesEachRobotAsSvgAndPng) {
   }
 }
 
-TEST_F(Draw, ShowsThePoseAndTheViewThatWereAskedFor) {
+TEST_F(Draw, ShowsTheGivenPoseAndView) {
   const std::string home = drawn("home.svg", {});
   EXPECT_NE(home.find("<title>Rhino XR-3 seen from (1, 1, 1)</title>"), std::string::npos);
   DrawOptions open;
@@ -183,7 +183,7 @@ TEST_F(Draw, ShowsThePoseAndTheViewThatWereAskedFor) {
   EXPECT_NE(drawn("above.svg", above).find("seen from (0, 0, 1)"), std::string::npos);
 }
 
-TEST_F(Draw, SaysSoWhereItCannotWrite) {
+TEST_F(Draw, ThrowsIfItCannotWrite) {
   DrawOptions options;
   options.out = "/nonexistent/folder/a.svg";
   EXPECT_THROW(draw(options), FileError);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* kToken = "sixteen letters!";
 
-TEST(Access, WithoutATokenEverybodyMay) {
+TEST(Access, WithoutATokenNoTokenIsNeededOrRight) {
   const AccessPolicy policy;
   EXPECT_FALSE(policy.needs_token());
   EXPECT_FALSE(policy.is_private());
@@ -16,7 +16,7 @@ TEST(Access, WithoutATokenEverybodyMay) {
   EXPECT_FALSE(policy.is_right(kToken));
 }
 
-TEST(Access, OnlyTheWholeTokenIsRight) {
+TEST(Access, AcceptsOnlyTheCompleteToken) {
   const AccessPolicy policy({{}, Reading::kFree, kToken});
   EXPECT_TRUE(policy.needs_token());
   EXPECT_FALSE(policy.is_private());
@@ -25,12 +25,12 @@ TEST(Access, OnlyTheWholeTokenIsRight) {
     EXPECT_FALSE(policy.is_right(wrong)) << wrong;
 }
 
-TEST(Access, PrivateOnlyWithAToken) {
+TEST(Access, IsPrivateOnlyWithAToken) {
   EXPECT_TRUE(AccessPolicy({{}, Reading::kWithToken, kToken}).is_private());
   EXPECT_FALSE(AccessPolicy({{}, Reading::kWithToken, ""}).is_private());
 }
 
-TEST(Access, GuardsByItsRules) {
+TEST(Access, AppliesTheRulesForHostsAndOrigins) {
   const AccessPolicy policy({{http::Reach::kBeyond, {}, {"https://a.example"}}, {}, ""});
   EXPECT_TRUE(policy.is_host_allowed("xr3:9601"));
   EXPECT_TRUE(policy.is_origin_allowed("https://a.example", "xr3:9601"));

@@ -31,13 +31,13 @@ class TokenTest : public testing::Test {
   std::string path_ = testing::TempDir() + "xr3-token-" + std::to_string(::getpid());
 };
 
-TEST_F(TokenTest, AFileWithoutItsLastLineEnd) {
+TEST_F(TokenTest, ReadsAFileWithoutItsLastLineEnd) {
   EXPECT_EQ(read("sixteen letters!"), "sixteen letters!");
   EXPECT_EQ(read("sixteen letters!\n"), "sixteen letters!");
   EXPECT_EQ(read("sixteen letters!\r\n"), "sixteen letters!");
 }
 
-TEST_F(TokenTest, WhatIsNoTokenIsRefusedWithoutBeingShown) {
+TEST_F(TokenTest, RejectsInvalidTokensWithoutShowingThem) {
   for (const std::string& wrong :
        {std::string(), std::string("\n"), std::string("fifteen letters"),
         std::string("two lines of\ntext, both long"), std::string(kMaxTokenBytes + 1, 'x')}) {
@@ -52,14 +52,14 @@ TEST_F(TokenTest, WhatIsNoTokenIsRefusedWithoutBeingShown) {
   EXPECT_THROW(read_token(TokenFile{path_ + ".missing"}), FileError);
 }
 
-TEST_F(TokenTest, TheEnvironment) {
+TEST_F(TokenTest, ReadsTheEnvironment) {
   ::setenv(kTokenVariable, "of the environment", 1);
   EXPECT_EQ(read_token(TokenInEnvironment{}), "of the environment");
   ::setenv(kTokenVariable, "", 1);
   EXPECT_THROW(read_token(TokenInEnvironment{}), TokenError);
 }
 
-TEST_F(TokenTest, AFreshOneIsLongAndFitsIntoAnAddress) {
+TEST_F(TokenTest, AGeneratedTokenIsLongAndUrlSafe) {
   const std::string token = read_token(FreshToken{});
   EXPECT_EQ(token.size(), 32U);
   EXPECT_EQ(token.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
@@ -69,7 +69,7 @@ TEST_F(TokenTest, AFreshOneIsLongAndFitsIntoAnAddress) {
   EXPECT_EQ(read_token(NoToken{}), "");
 }
 
-TEST_F(TokenTest, WhoMayReadTheFile) {
+TEST_F(TokenTest, ChecksThePermissionsOfTheFile) {
   read("sixteen letters!");
   fs::permissions(path_, fs::perms::owner_read | fs::perms::owner_write);
   EXPECT_FALSE(others_may_read(path_));

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "server/robot_port/port.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3 {
@@ -80,7 +81,7 @@ class WebsocketTest : public testing::Test {
   bool is_over_ = false;
 };
 
-TEST_F(WebsocketTest, ASilentClientIsAskedAndThenClosed) {
+TEST_F(WebsocketTest, ASilentClientGetsAPingAndIsThenClosed) {
   open({100ms, 200ms});
   const std::string first = until("\"op\":\"hello\"");
   EXPECT_TRUE(first.starts_with("HTTP/1.1 101 ")) << first;
@@ -91,7 +92,7 @@ TEST_F(WebsocketTest, ASilentClientIsAskedAndThenClosed) {
   EXPECT_TRUE(is_over_);
 }
 
-TEST_F(WebsocketTest, AClientThatAnswersPingsStays) {
+TEST_F(WebsocketTest, AClientThatAnswersPingsStaysConnected) {
   open({200ms, 400ms});
   until("\"op\":\"hello\"");
   for (int i = 0; i < 4; ++i) {
@@ -101,7 +102,7 @@ TEST_F(WebsocketTest, AClientThatAnswersPingsStays) {
   EXPECT_FALSE(is_over_);
 }
 
-TEST_F(WebsocketTest, AClientThatTakesNothingIsClosedThoughItSpeaks) {
+TEST_F(WebsocketTest, AClientThatReadsNothingIsClosedEvenIfItSends) {
   open({50ms, 200ms});
   until("\"op\":\"hello\"");
   const std::string get = R"({"op":"get","channel":"model"})";
@@ -118,7 +119,7 @@ TEST_F(WebsocketTest, AClientThatTakesNothingIsClosedThoughItSpeaks) {
   EXPECT_TRUE(is_over_);
 }
 
-TEST_F(WebsocketTest, FinishBeforeTheHandshakeIsOver) {
+TEST_F(WebsocketTest, FinishWorksBeforeTheHandshakeEnds) {
   open({});
   websocket_->finish();
   rest();

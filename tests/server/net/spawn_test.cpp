@@ -37,7 +37,7 @@ asio::awaitable<void> fail_later(asio::io_context& io) {
   throw std::runtime_error("no luck");
 }
 
-TEST(Vital, AnExceptionGetsTheNameOfItsPlace) {
+TEST(Vital, AnExceptionGetsTheNameOfTheInnermostPlace) {
   const auto message_of = [](auto work) -> std::string {
     try {
       vital("outer", [&] { vital("inner", work); });
@@ -53,7 +53,7 @@ TEST(Vital, AnExceptionGetsTheNameOfItsPlace) {
   EXPECT_EQ(cut.size(), VitalFailure::kMaxBytes - 1);
 }
 
-TEST(Spawn, ALoopsExceptionLeavesRun) {
+TEST(Spawn, AnExceptionInALoopLeavesRun) {
   for (const bool is_later : {false, true}) {
     asio::io_context io{1};
     spawn_loop(io.get_executor(), "the loop", is_later ? fail_later(io) : fail_at_once());
@@ -62,13 +62,13 @@ TEST(Spawn, ALoopsExceptionLeavesRun) {
   }
 }
 
-TEST(Spawn, ALoopThatReturnsIsNoFailure) {
+TEST(Spawn, ALoopMayReturn) {
   asio::io_context io{1};
   spawn_loop(io.get_executor(), "the loop", turn(io));
   EXPECT_EQ(failure_of(io), "");
 }
 
-TEST(Spawn, ASessionsExceptionEndsThatSession) {
+TEST(Spawn, AnExceptionInASessionEndsThatSession) {
   asio::io_context io{1};
   int ended = 0;
   spawn_session(io.get_executor(), "monitor", fail_at_once(), [&] { ++ended; });
@@ -83,7 +83,7 @@ asio::awaitable<void> fail_in_the_cell() {
   co_return;
 }
 
-TEST(Spawn, WhatIsVitalPassesASession) {
+TEST(Spawn, AVitalFailureLeavesTheSession) {
   asio::io_context io{1};
   spawn_session(io.get_executor(), "monitor", fail_in_the_cell(), [] { ADD_FAILURE(); });
   EXPECT_EQ(failure_of(io), "monitor: the cell: std::bad_alloc");

@@ -42,7 +42,7 @@ class OptionsConfig : public ::testing::Test {
                             ("xr3-options-" + std::to_string(::getpid()) + ".toml");
 };
 
-TEST_F(OptionsConfig, GivesEveryOption) {
+TEST_F(OptionsConfig, SetsEveryOption) {
   const ServeOptions options = serve(R"(# a comment
 robot = "adept-one"  # another
 workcell = 'my cell.json'
@@ -79,11 +79,11 @@ allow-origin = "https://page.lab")");
   EXPECT_EQ(source_of(options.option_sources, "--robot"), path_ + ":2: robot");
 }
 
-TEST_F(OptionsConfig, AByteOrderMarkIsNoPartOfIt) {
+TEST_F(OptionsConfig, IgnoresAByteOrderMark) {
   EXPECT_EQ(serve("\xEF\xBB\xBFrobot = \"adept-one\"\n").robot, "adept-one");
 }
 
-TEST_F(OptionsConfig, WhatIsNearerGoesBeforeIt) {
+TEST_F(OptionsConfig, ArgumentsAndEnvironmentOverrideIt) {
   write(
       "robot = \"r2d2\"\nclock = \"manual\"\nmax-lines = 5\nallow-host = \"c\"\ninsecure = true\n");
   const Environment environment(
@@ -97,7 +97,7 @@ TEST_F(OptionsConfig, WhatIsNearerGoesBeforeIt) {
   EXPECT_FALSE(options.is_insecure);
 }
 
-TEST_F(OptionsConfig, ANearerTokenGoesBeforeItsTokenFile) {
+TEST_F(OptionsConfig, ATokenOfTheEnvironmentOverridesItsTokenFile) {
   write("token-file = t");
   const auto token = [&](std::initializer_list<const char*> words) {
     return std::get<ServeOptions>(parse(words)).token;
@@ -119,7 +119,7 @@ TEST_F(OptionsConfig, CanBeNamedByTheEnvironment) {
   EXPECT_EQ(std::get<ServeOptions>(parse({"serve", "--robot-port", "0"})).robot, "adept-one");
 }
 
-TEST_F(OptionsConfig, ItsMistakesAreNamedWithTheirLines) {
+TEST_F(OptionsConfig, ReportsErrorsWithTheirLines) {
   for (const auto& [text, says] : std::initializer_list<std::pair<const char*, const char*>>{
            {"\n\nrobt = 1", ":3: robt: unknown key; use one of: robot, workcell, "},
            {"monitor_port = 1", ":1: monitor_port: unknown key"},
@@ -153,14 +153,14 @@ TEST_F(OptionsConfig, ItsMistakesAreNamedWithTheirLines) {
   }
 }
 
-TEST_F(OptionsConfig, HoldsNoSecret) {
+TEST_F(OptionsConfig, RejectsATokenWithoutShowingIt) {
   const std::string words = trouble("token = \"correct horse battery\"");
   EXPECT_THAT(words, StartsWith(":1: token: the token must not be"));
   EXPECT_THAT(words, Not(HasSubstr("horse")));
   EXPECT_THAT(trouble("token = auto"), HasSubstr("token-file"));
 }
 
-TEST_F(OptionsConfig, AFileThatIsNotThereIsAMistake) {
+TEST_F(OptionsConfig, RejectsAMissingFile) {
   EXPECT_THAT(refused({"serve", "--config", "absent"}).to_stderr,
               StartsWith("xr3: --config: absent: "));
   EXPECT_THAT(refused({"healthcheck", "--config", "absent"}).to_stderr, HasSubstr("absent"));
@@ -169,7 +169,7 @@ TEST_F(OptionsConfig, AFileThatIsNotThereIsAMistake) {
   EXPECT_EQ(refused({"serve", "--help"}).code, ExitCode::kGood);
 }
 
-TEST_F(OptionsConfig, AHealthcheckTakesItsOwn) {
+TEST_F(OptionsConfig, AHealthcheckReadsItsOwnOptions) {
   write("robot = 'x'\nunknown = 1\nlisten = '::'\nmonitor-port = 7\nport-file = 'p'\nwait = 3\n");
   const auto options = std::get<HealthOptions>(parse({"healthcheck", "--config", path_.c_str()}));
   EXPECT_EQ(options.listen, "::");
@@ -181,7 +181,7 @@ TEST_F(OptionsConfig, AHealthcheckTakesItsOwn) {
               HasSubstr(":1: monitor-port"));
 }
 
-TEST_F(OptionsConfig, AnEmptyFileSaysNothing) {
+TEST_F(OptionsConfig, AnEmptyFileChangesNothing) {
   EXPECT_EQ(serve("").robot, "rhino-xr3");
   EXPECT_EQ(serve("\r\n# only\r\n\r\nrobot = \"adept-one\"\r\n").robot, "adept-one");
 }

@@ -18,7 +18,7 @@ ServeOptions serve(std::initializer_list<const char*> words = {"serve"}) {
   return std::get<ServeOptions>(parse(words));
 }
 
-TEST(OptionsEnvironment, GivesEveryOptionOfServe) {
+TEST(OptionsEnvironment, SetsEveryOptionOfServe) {
   const Environment environment({{"XR3_ROBOT", "adept-one"},
                                  {"XR3_WORKCELL", "w.json"},
                                  {"XR3_LISTEN", "0.0.0.0"},
@@ -54,7 +54,7 @@ TEST(OptionsEnvironment, GivesEveryOptionOfServe) {
   EXPECT_EQ(source_of(options.option_sources, "--max-lines"), "XR3_MAX_LINES");
 }
 
-TEST(OptionsEnvironment, ArgumentsGoBeforeIt) {
+TEST(OptionsEnvironment, ArgumentsOverrideIt) {
   const Environment environment({{"XR3_ROBOT", "adept-one"},
                                  {"XR3_CLOCK", "nonsense"},
                                  {"XR3_ALLOW_HOST", "a"},
@@ -82,11 +82,11 @@ TEST(OptionsEnvironment, AnEmptyVariableIsNotSet) {
   EXPECT_TRUE(options.allow_hosts.empty());
   EXPECT_TRUE(std::holds_alternative<NoToken>(options.token));
   EXPECT_THAT(refused({"serve", "--listen", "::"}).to_stderr, HasSubstr("--token-file"))
-      << "an empty token is no token";
+      << "an empty token is not a token";
   EXPECT_THAT(refused({"serve", "--private"}).to_stderr, HasSubstr("needs a token"));
 }
 
-TEST(OptionsEnvironment, FlagsSayYesOrNo) {
+TEST(OptionsEnvironment, FlagsAcceptYesAndNo) {
   for (const char* yes : {"1", "true", "TRUE", "yes", "on"}) {
     const Environment environment({{"XR3_INSECURE", yes}});
     EXPECT_TRUE(serve().is_insecure) << yes;
@@ -98,7 +98,7 @@ TEST(OptionsEnvironment, FlagsSayYesOrNo) {
   }
 }
 
-TEST(OptionsEnvironment, AWrongValueIsNamedByItsVariable) {
+TEST(OptionsEnvironment, AnInvalidValueIsReportedWithItsVariable) {
   for (const auto& [name, value, allowed] :
        std::initializer_list<std::tuple<const char*, const char*, const char*>>{
            {"XR3_ROBOT_PORT", "x", "0 to 65535"},
@@ -123,20 +123,20 @@ TEST(OptionsEnvironment, AWrongValueIsNamedByItsVariable) {
   }
 }
 
-TEST(OptionsEnvironment, AnErrorInAnArgumentIsNotTheEnvironments) {
+TEST(OptionsEnvironment, AnInvalidArgumentIsNotReportedAsAVariable) {
   const Environment environment({{"XR3_ROBOT", "adept-one"}});
   EXPECT_THAT(refused({"serve", "--clock", "fast"}).to_stderr, StartsWith("xr3: --clock"));
   EXPECT_THAT(refused({"serve", "--dance"}).to_stderr, HasSubstr("--dance"));
 }
 
-TEST(OptionsEnvironment, IsForTheCommandThatIsGiven) {
+TEST(OptionsEnvironment, AppliesOnlyToTheGivenCommand) {
   const Environment environment({{"XR3_CLOCK", "nonsense"}, {"XR3_PORT_FILE", "p"}});
   EXPECT_TRUE(std::holds_alternative<CheckOptions>(parse({"check", "x.json"})));
   EXPECT_TRUE(std::holds_alternative<WatchOptions>(parse({"watch"})));
   EXPECT_EQ(std::get<HealthOptions>(parse({"healthcheck"})).port_file, "p");
 }
 
-TEST(OptionsEnvironment, HelpIsThereWhateverItSays) {
+TEST(OptionsEnvironment, InvalidValuesDoNotPreventHelp) {
   const Environment environment({{"XR3_CLOCK", "nonsense"}});
   const Leave leave = refused({"serve", "--help"});
   EXPECT_EQ(leave.code, ExitCode::kGood);
@@ -144,7 +144,7 @@ TEST(OptionsEnvironment, HelpIsThereWhateverItSays) {
     EXPECT_THAT(leave.to_stdout, HasSubstr(name));
 }
 
-TEST(OptionsEnvironment, ATokenForThisRunGoesBeforeAFileThatIsNotSaid) {
+TEST(OptionsEnvironment, ATokenArgumentOverridesTheEnvironment) {
   const Environment environment({{"XR3_TOKEN_FILE", "t"}, {"XR3_TOKEN", "sixteen letters!"}});
   EXPECT_TRUE(std::holds_alternative<TokenFile>(serve().token));
   EXPECT_TRUE(std::holds_alternative<FreshToken>(serve({"serve", "--token", "auto"}).token));

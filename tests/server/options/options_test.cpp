@@ -23,7 +23,7 @@ TEST(Options, ServeHasTheDocumentedDefaults) {
   EXPECT_EQ(options.clock.mode, ClockMode::kReal);
 }
 
-TEST(Options, ServeTakesEveryOption) {
+TEST(Options, ServeAcceptsEveryOption) {
   const auto options = std::get<ServeOptions>(
       parse({"serve",  "--robot",      "adept-one", "--workcell",     "w.json", "--listen",
              "::1",    "--robot-port", "0",         "--monitor-port", "7",      "--compat",
@@ -36,7 +36,7 @@ TEST(Options, ServeTakesEveryOption) {
   EXPECT_EQ(options.port_file, "p.json");
 }
 
-TEST(Options, BeyondLoopbackNeedsInsecure) {
+TEST(Options, ListeningBeyondLoopbackNeedsInsecure) {
   EXPECT_EQ(refused({"serve", "--listen", "0.0.0.0"}).code, ExitCode::kBadInput);
   EXPECT_NE(refused({"serve", "--listen", "0.0.0.0"}).to_stderr.find("--insecure"),
             std::string::npos);
@@ -44,7 +44,7 @@ TEST(Options, BeyondLoopbackNeedsInsecure) {
       std::holds_alternative<ServeOptions>(parse({"serve", "--listen", "0.0.0.0", "--insecure"})));
 }
 
-TEST(Options, BeyondLoopbackOrWithAToken) {
+TEST(Options, ATokenAllowsListeningBeyondLoopback) {
   const auto with_file = std::get<ServeOptions>(
       parse({"serve", "--listen", "0.0.0.0", "--token-file", "t", "--private"}));
   EXPECT_EQ(std::get<TokenFile>(with_file.token).path, "t");
@@ -54,7 +54,7 @@ TEST(Options, BeyondLoopbackOrWithAToken) {
   EXPECT_NE(refused({"serve", "--listen", "::"}).to_stderr.find("--token-file"), std::string::npos);
 }
 
-TEST(Options, ATokenInTheEnvironment) {
+TEST(Options, ReadsATokenFromTheEnvironment) {
   {
     const Environment environment({{kTokenVariable, "of the environment"}});
     const auto options = std::get<ServeOptions>(parse({"serve", "--listen", "::"}));
@@ -66,14 +66,14 @@ TEST(Options, ATokenInTheEnvironment) {
   EXPECT_TRUE(std::holds_alternative<NoToken>(without.token));
 }
 
-TEST(Options, ASecretIsNoArgument) {
+TEST(Options, RejectsASecretAsArgument) {
   const Leave leave = refused({"serve", "--token", "correct horse battery"});
   EXPECT_EQ(leave.code, ExitCode::kBadInput);
   EXPECT_NE(leave.to_stderr.find("--token-file"), std::string::npos);
   EXPECT_EQ(leave.to_stderr.find("horse"), std::string::npos) << leave.to_stderr;
 }
 
-TEST(Options, HostsAndOriginsAddUp) {
+TEST(Options, RepeatedHostsAndOriginsAccumulate) {
   const auto options =
       std::get<ServeOptions>(parse({"serve", "--allow-host", "a.lab", "--allow-host", "b",
                                     "--allow-origin", "https://page.lab"}));
@@ -81,14 +81,14 @@ TEST(Options, HostsAndOriginsAddUp) {
   EXPECT_EQ(options.allow_origins, (std::vector<std::string>{"https://page.lab"}));
 }
 
-TEST(Options, LoopbackIsWhatOnlyThisMachineReaches) {
+TEST(Options, RecognisesLoopbackAddresses) {
   for (const char* address : {"127.0.0.1", "127.9.9.9", "::1", "localhost"})
     EXPECT_TRUE(is_loopback(address)) << address;
   for (const char* address : {"0.0.0.0", "::", "192.168.1.1", "example", ""})
     EXPECT_FALSE(is_loopback(address)) << address;
 }
 
-TEST(Options, WrongArgumentsAreRefusedWithASentence) {
+TEST(Options, RejectsInvalidArgumentsWithAMessage) {
   const std::initializer_list<std::initializer_list<const char*>> wrong = {
       {},
       {"fly"},
@@ -117,7 +117,7 @@ TEST(Options, WrongArgumentsAreRefusedWithASentence) {
   }
 }
 
-TEST(Options, HelpIsForPeople) {
+TEST(Options, HelpListsTheOptions) {
   const Leave leave = refused({"serve", "--help"});
   EXPECT_EQ(leave.code, ExitCode::kGood);
   for (const char* word : {"--robot-port", "--clock", "--insecure", "mark3"}) {
@@ -125,7 +125,7 @@ TEST(Options, HelpIsForPeople) {
   }
 }
 
-TEST(Rate, IsExactInMillionths) {
+TEST(Rate, IsExactToAMillionth) {
   EXPECT_EQ(parse_rate("0.001").millionths, 1'000);
   EXPECT_EQ(parse_rate("100000").millionths, 100'000'000'000);
   for (const char* text : {"", "0", "0.0009", "100001", "-1", "nan", "inf", "1x", "x"}) {

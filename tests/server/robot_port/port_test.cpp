@@ -75,7 +75,7 @@ class RobotPortTest : public testing::Test {
   RobotPort port_{io_, cell_, kMaxLines, [] {}};
 };
 
-TEST_F(RobotPortTest, ARequestAndTheEndInOneGo) {
+TEST_F(RobotPortTest, BytesAndTheEndArriveTogether) {
   Client client(io_, port_.endpoint());
   client.send("E+5\rE?");
   client.half_close();
@@ -84,7 +84,7 @@ TEST_F(RobotPortTest, ARequestAndTheEndInOneGo) {
   EXPECT_TRUE(cell_.lines().empty());
 }
 
-TEST_F(RobotPortTest, TheEndAloneIsFound) {
+TEST_F(RobotPortTest, TheEndArrivesAlone) {
   Client client(io_, port_.endpoint());
   client.send("E?");
   EXPECT_EQ(client.bytes(1), " ");
@@ -94,27 +94,28 @@ TEST_F(RobotPortTest, TheEndAloneIsFound) {
   EXPECT_TRUE(cell_.lines().empty());
 }
 
-TEST_F(RobotPortTest, BytesOfBeforeTheLineWasOpenedAct) {
+TEST_F(RobotPortTest, BytesSentBeforeTheLineOpensTakeEffect) {
   Client client(io_, port_.endpoint());
   client.send("E+5\rE?");
   port_.read_arrived();
-  EXPECT_EQ(received(1), 6U) << "accepted and read, without a turn of the loop";
+  EXPECT_EQ(received(1), 6U) << "accepted and read without a turn of the loop";
   EXPECT_EQ(client.bytes(1), "%");
 }
 
-TEST_F(RobotPortTest, AFloodLeavesRoomForTheOthers) {
+TEST_F(RobotPortTest, AFloodDoesNotBlockOtherLines) {
   Client flood(io_, port_.endpoint());
   Client other(io_, port_.endpoint());
   settle();
   flood.send(kJunk);
   other.send("E?");
   EXPECT_EQ(other.bytes(1), " ");
-  EXPECT_LT(received(1), kJunk.size() / 2) << "the flood was not taken in at once";
+  EXPECT_LT(received(1), kJunk.size() / 2) << "the flood was not read at once";
   settle();
-  EXPECT_EQ(received(1), kJunk.size()) << "but all of it in the end, though it was told of once";
+  EXPECT_EQ(received(1), kJunk.size())
+      << "the rest arrives although the socket reported readiness only once";
 }
 
-TEST_F(RobotPortTest, AFloodOfPicturesLeavesRoomForTheOthers) {
+TEST_F(RobotPortTest, AFloodOfImageInquiriesDoesNotBlockOtherLines) {
   Client flood(io_, port_.endpoint());
   Client other(io_, port_.endpoint());
   settle();
@@ -128,7 +129,7 @@ TEST_F(RobotPortTest, AFloodOfPicturesLeavesRoomForTheOthers) {
   EXPECT_EQ(received(1), asked.size());
 }
 
-TEST_F(RobotPortTest, ManyFloodsLeaveRoomForTheOthers) {
+TEST_F(RobotPortTest, ManyFloodsDoNotBlockOtherLines) {
   std::vector<std::unique_ptr<Client>> floods;
   for (std::size_t i = 1; i < kMaxLines; ++i)
     floods.push_back(std::make_unique<Client>(io_, port_.endpoint()));
@@ -142,7 +143,7 @@ TEST_F(RobotPortTest, ManyFloodsLeaveRoomForTheOthers) {
   for (LineId line = 1; line < kMaxLines; ++line) EXPECT_EQ(received(line), kJunk.size()) << line;
 }
 
-TEST_F(RobotPortTest, ABarrierTakesInNoEndlessPictures) {
+TEST_F(RobotPortTest, ABarrierLimitsImageReplies) {
   Client client(io_, port_.endpoint());
   settle();
   const std::string asked = pictures(500);
@@ -152,12 +153,12 @@ TEST_F(RobotPortTest, ABarrierTakesInNoEndlessPictures) {
   EXPECT_GE(answered, SerialLine::kFullOutbox);
   EXPECT_LE(answered, RobotSession::kMaxAnswered + 2 * SerialLine::kFullOutbox);
   EXPECT_EQ(client.bytes(500 * kPictureReply).size(), 500 * kPictureReply)
-      << "what is left goes on by itself";
+      << "the rest follows without another request";
   settle();
   EXPECT_EQ(received(1), asked.size());
 }
 
-TEST_F(RobotPortTest, ABarrierTakesInAllThatHasArrived) {
+TEST_F(RobotPortTest, ABarrierReadsAllArrivedBytes) {
   Client flood(io_, port_.endpoint());
   Client other(io_, port_.endpoint());
   settle();
@@ -168,7 +169,7 @@ TEST_F(RobotPortTest, ABarrierTakesInAllThatHasArrived) {
   EXPECT_EQ(received(2), 4U);
 }
 
-TEST_F(RobotPortTest, WhoDoesNotReadItsRepliesIsNotRead) {
+TEST_F(RobotPortTest, StopsReadingALineThatReadsNoReplies) {
   Client client(io_, port_.endpoint());
   const std::string asked = inquiries(1024);
   std::size_t sent = 0;
@@ -183,7 +184,7 @@ TEST_F(RobotPortTest, WhoDoesNotReadItsRepliesIsNotRead) {
   EXPECT_EQ(received(1), sent);
 }
 
-TEST_F(RobotPortTest, LinesBeyondTheMostAreClosedWithoutAByte) {
+TEST_F(RobotPortTest, LinesAboveTheMaximumAreClosed) {
   std::vector<std::unique_ptr<Client>> lines;
   for (std::size_t i = 0; i < kMaxLines; ++i)
     lines.push_back(std::make_unique<Client>(io_, port_.endpoint()));
@@ -192,7 +193,7 @@ TEST_F(RobotPortTest, LinesBeyondTheMostAreClosedWithoutAByte) {
   EXPECT_EQ(cell_.lines().size(), kMaxLines);
 }
 
-TEST_F(RobotPortTest, ClosingHandsOutWhatWasAnswered) {
+TEST_F(RobotPortTest, ClosingSendsPendingReplies) {
   Client client(io_, port_.endpoint());
   client.send("E+5\rE?");
   port_.read_arrived();
@@ -203,7 +204,7 @@ TEST_F(RobotPortTest, ClosingHandsOutWhatWasAnswered) {
 
 // --- Failures.
 
-TEST_F(RobotPortTest, AFailureInATurnIsNotSwallowed) {
+TEST_F(RobotPortTest, AFailureInATurnIsReported) {
   Client client(io_, port_.endpoint());
   client.send("E?");
   EXPECT_EQ(client.bytes(1), " ");
@@ -211,7 +212,7 @@ TEST_F(RobotPortTest, AFailureInATurnIsNotSwallowed) {
   EXPECT_EQ(failure(), "the robot port: the cell: std::bad_alloc");
 }
 
-TEST_F(RobotPortTest, AFailureInAcceptingIsNotSwallowed) {
+TEST_F(RobotPortTest, AFailureInAcceptingIsReported) {
   Client client(io_, port_.endpoint());
   EXPECT_EQ(failure(), "the robot port: the cell: std::bad_alloc");
 }

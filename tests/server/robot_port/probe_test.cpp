@@ -34,21 +34,21 @@ class RobotProbeTest : public testing::Test {
 
   /// Runs the probe and the server until there is a result.
   std::string trouble(RobotProbe& probe) {
-    std::optional<std::string> told;
-    ask(probe, told);
-    run_until([&] { return told.has_value(); });
-    return told.value_or("nothing came");
+    std::optional<std::string> result;
+    ask(probe, result);
+    run_until([&] { return result.has_value(); });
+    return result.value_or("no result");
   }
   std::string trouble() {
     RobotProbe probe(io_, port_);  // without a previous result
     return trouble(probe);
   }
-  void ask(RobotProbe& probe, std::optional<std::string>& told) {
+  void ask(RobotProbe& probe, std::optional<std::string>& result) {
     const auto take = [](RobotProbe& asked,
                          std::optional<std::string>& into) -> asio::awaitable<void> {
       into = co_await asked.trouble();
     };
-    spawn_loop(io_.get_executor(), "test", take(probe, told));
+    spawn_loop(io_.get_executor(), "test", take(probe, result));
   }
   template <class Condition>
   void run_until(Condition is_done) {
@@ -68,9 +68,9 @@ class RobotProbeTest : public testing::Test {
   RobotPort port_{io_, cell_, kMaxLines, [this] { ++acted_; }};
 };
 
-TEST_F(RobotProbeTest, ALineThatIsServedIsNoTrouble) { EXPECT_EQ(trouble(), ""); }
+TEST_F(RobotProbeTest, AnAnsweredLineIsHealthy) { EXPECT_EQ(trouble(), ""); }
 
-TEST_F(RobotProbeTest, LeavesNoTrace) {
+TEST_F(RobotProbeTest, HasNoSideEffects) {
   Client before(io_, port_.endpoint());
   before.send("E?");
   EXPECT_EQ(before.bytes(1), " ");
@@ -79,7 +79,7 @@ TEST_F(RobotProbeTest, LeavesNoTrace) {
   EXPECT_EQ(trouble(), "");
   EXPECT_EQ(cell_.state(), state);
   EXPECT_EQ(acted_, acted);
-  EXPECT_EQ(told_.size(), 1U) << "that a line was opened, which is no probe's";
+  EXPECT_EQ(told_.size(), 1U) << "only the line of the client is reported";
   EXPECT_EQ(cell_.wires().next(), 3) << "E? and its answer";
   EXPECT_EQ(cell_.lines().size(), 1U);
   EXPECT_EQ(cell_.counters().lines_total, 1U);
@@ -91,7 +91,7 @@ TEST_F(RobotProbeTest, LeavesNoTrace) {
   EXPECT_NE(cell_.find_line(2), nullptr) << "the next line has the next number";
 }
 
-TEST_F(RobotProbeTest, ADisabledControllerIsSilentAndWell) {
+TEST_F(RobotProbeTest, ADisabledSimulatorIsHealthy) {
   Client client(io_, port_.endpoint());
   client.send("E?A@");
   EXPECT_EQ(client.bytes(1), " ");
@@ -100,11 +100,11 @@ TEST_F(RobotProbeTest, ADisabledControllerIsSilentAndWell) {
   EXPECT_FALSE(cell_.state().enabled);
 }
 
-TEST_F(RobotProbeTest, EveryLineTaken) {
+TEST_F(RobotProbeTest, ReportsThatEveryLineIsTaken) {
   {
     Client one(io_, port_.endpoint());
     Client two(io_, port_.endpoint());
-    EXPECT_EQ(trouble(), "every line is taken: 2 are open (--max-lines)");
+    EXPECT_EQ(trouble(), "every line is in use: 2 are open (--max-lines)");
     two.send("E?");
     EXPECT_EQ(two.bytes(1), " ");
   }
@@ -112,7 +112,7 @@ TEST_F(RobotProbeTest, EveryLineTaken) {
   EXPECT_EQ(trouble(), "");
 }
 
-TEST_F(RobotProbeTest, TakesNoLineFromAProgram) {
+TEST_F(RobotProbeTest, LeavesTheLastLineToAProgram) {
   Client one(io_, port_.endpoint());
   for (int i = 0; i < 3; ++i) EXPECT_EQ(trouble(), "");
   Client two(io_, port_.endpoint());
@@ -120,12 +120,12 @@ TEST_F(RobotProbeTest, TakesNoLineFromAProgram) {
   EXPECT_EQ(two.bytes(1), " ");
 }
 
-TEST_F(RobotProbeTest, APortThatIsClosed) {
+TEST_F(RobotProbeTest, ReportsAClosedPort) {
   port_.close();
-  EXPECT_EQ(trouble(), "the robot port takes no connection: Connection refused");
+  EXPECT_EQ(trouble(), "the robot port accepts no connection: Connection refused");
 }
 
-TEST_F(RobotProbeTest, APortThatServesNobodyIsFoundInTime) {
+TEST_F(RobotProbeTest, APortThatDoesNotAnswerTimesOut) {
   asio::io_context stuck{1};  // never runs: connections wait in the kernel
   Cell cell("main", test::rhino(), SimClock::manual(), {});
   RobotPort port(stuck, cell, kMaxLines, [] {});
@@ -138,12 +138,12 @@ TEST_F(RobotProbeTest, APortThatServesNobodyIsFoundInTime) {
   stuck.run();
 }
 
-TEST_F(RobotProbeTest, AllWhoAskMeanwhileShareOneProbe) {
+TEST_F(RobotProbeTest, ConcurrentRequestsShareOneProbe) {
   RobotProbe probe(io_, port_);
-  std::vector<std::optional<std::string>> told(100);
-  for (auto& each : told) ask(probe, each);
+  std::vector<std::optional<std::string>> results(100);
+  for (auto& each : results) ask(probe, each);
   run_until([&] {
-    return std::all_of(told.begin(), told.end(), [](const auto& each) { return each == ""; });
+    return std::all_of(results.begin(), results.end(), [](const auto& each) { return each == ""; });
   });
   port_.close();
   EXPECT_EQ(trouble(probe), "") << "the last outcome holds for a while";

@@ -17,7 +17,7 @@ void expect_point(const Eigen::Vector2d& p, double x, double y) {
   EXPECT_NEAR(p.y(), y, kTinyPx);
 }
 
-TEST(Picture, HasOneScaleAndRunsDownwards) {
+TEST(Picture, HasOneScaleAndYPointsDown) {
   const Picture picture =
       lay_out({wire({{-100, 0}, {300, 200}, {0, 50}})}, {{-100, 0}, {300, 200}}, 440);
   EXPECT_EQ(picture.width_px, 440);
@@ -27,26 +27,26 @@ TEST(Picture, HasOneScaleAndRunsDownwards) {
   expect_point(picture.wires[0].points[2], 120, 170);
 }
 
-TEST(Picture, WhatIsVeryHighIsDrawnSmallerInTheMiddle) {
+TEST(Picture, ATallDrawingIsScaledDownAndCentred) {
   const Picture picture = lay_out({wire({{0, 0}, {10, 1000}})}, {{0, 0}, {10, 1000}}, 120);
   EXPECT_EQ(picture.height_px, 240);
   expect_point(picture.wires[0].points[0], 59, 220);
   expect_point(picture.wires[0].points[1], 61, 20);
 }
 
-TEST(Picture, OfNothingIsASmallSheet) {
+TEST(Picture, AnEmptyDrawingIsSmall) {
   const Picture picture = lay_out({}, {{0, 0}, {0, 0}}, 100);
   EXPECT_EQ(picture.width_px, 100);
   EXPECT_EQ(picture.height_px, 100);
 }
 
-TEST(Picture, RoomIsMadeForEveryPoint) {
+TEST(Picture, ContainsEveryPoint) {
   const Extents grown = around({{0, 0}, {10, 10}}, {wire({{-5, 3}, {4, 20}}), wire({{1, -2}})});
   EXPECT_EQ(grown, (Extents{{-5, -2}, {10, 20}}));
   EXPECT_EQ(around(grown, {}), grown);
 }
 
-TEST(Svg, IsOnePathForEachPart) {
+TEST(Svg, HasOnePathPerPart) {
   Picture picture{200, 100, Background::kLight, "a <b> & \"c\"", {}};
   picture.wires = {wire({{1, 2}, {3.456, -0.001}}),
                    wire({{5, 6.1}, {7, 8}, {-9.05, 10}}),
@@ -64,7 +64,7 @@ TEST(Svg, IsOnePathForEachPart) {
             "</g>\n</svg>\n");
 }
 
-TEST(Svg, TakesTheColoursOfItsBackground) {
+TEST(Svg, UsesTheColoursOfItsBackground) {
   const Picture dark{100, 100, Background::kDark, "", {wire({{0, 0}, {1, 1}})}};
   EXPECT_NE(to_svg(dark).find("stroke=\"#4a6fd0\""), std::string::npos);
   EXPECT_EQ(to_svg(dark).find("#ffffff"), std::string::npos);

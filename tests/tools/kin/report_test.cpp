@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tests/support/models.hpp"
-#include "tools/kin/words.hpp"
+#include "tools/kin/text.hpp"
 
 namespace xr3 {
 namespace {
@@ -74,7 +74,7 @@ Json solved(const Model& model, const KinOptionValues& values) {
                       solve_inverse(model, question.target, question.options));
 }
 
-std::string told(const Model& model, const KinOptionValues& values) {
+std::string solved_text(const Model& model, const KinOptionValues& values) {
   const InverseQuestion question = inverse(model, values);
   return inverse_text(model, question.target,
                       solve_inverse(model, question.target, question.options));
@@ -82,7 +82,7 @@ std::string told(const Model& model, const KinOptionValues& values) {
 
 // ---------------------------------------------------------------- questions
 
-TEST(KinQuestion, CountsAreMotorCountsFromTheBase) {
+TEST(KinQuestion, CountsStartAtTheBase) {
   const DirectQuestion question = direct(*test::rhino(), counts({90, 40, -60, 30, 48}));
   const JointVariables wanted{20.421, -85.46, 92.27, -10.215, -75};
   for (std::size_t k = 0; k < wanted.size(); ++k)
@@ -90,7 +90,7 @@ TEST(KinQuestion, CountsAreMotorCountsFromTheBase) {
   EXPECT_DOUBLE_EQ(question.tool, 50.8);
 }
 
-TEST(KinQuestion, TheToolMayStandBehindTheJoints) {
+TEST(KinQuestion, TheToolMayFollowTheJoints) {
   EXPECT_DOUBLE_EQ(direct(*test::rhino(), counts({0, 0, 0, 0, 0, -64})).tool, 0);
   EXPECT_DOUBLE_EQ(direct(*test::rhino(), joints({0, -90, 90, 0, -90, 12.5})).tool, 12.5);
   KinOptionValues values = joints({0, -90, 90, 0, -90});
@@ -98,7 +98,7 @@ TEST(KinQuestion, TheToolMayStandBehindTheJoints) {
   EXPECT_DOUBLE_EQ(direct(*test::rhino(), values).tool, 30);
 }
 
-TEST(KinQuestion, DownIsYawAndHalfATurnOfRoll) {
+TEST(KinQuestion, DownIsAYawAndHalfATurnOfRoll) {
   const ToolTarget by_down = inverse(*test::rhino(), down({262, 0, 20}, 90)).target;
   const ToolTarget by_angles = inverse(*test::rhino(), pose({262, 0, 20, 90, 0, 180})).target;
   EXPECT_EQ(by_down.rotation, by_angles.rotation);
@@ -106,7 +106,7 @@ TEST(KinQuestion, DownIsYawAndHalfATurnOfRoll) {
   EXPECT_EQ(by_down.rotation.col(0), Eigen::Vector3d(0, 1, 0));
 }
 
-TEST(KinQuestion, ApproachWithRollIsAConfiguration) {
+TEST(KinQuestion, AnApproachWithARollIsAConfiguration) {
   KinOptionValues values = pose({238.1, 0, 320.7});
   values.approach = {0, 0, -2};
   values.roll = -90;
@@ -117,7 +117,7 @@ TEST(KinQuestion, ApproachWithRollIsAConfiguration) {
   EXPECT_NEAR(pointing.last, w.last, 1e-9);
 }
 
-TEST(KinQuestion, YawPitchRollAreReadBack) {
+TEST(KinQuestion, YawPitchAndRollRoundTrip) {
   for (const Eigen::Vector3d& ypr : {Eigen::Vector3d(30, 40, -50), Eigen::Vector3d(-170, -80, 179),
                                      Eigen::Vector3d(0, 90, 25), Eigen::Vector3d(0, -90, -25)}) {
     const Eigen::Matrix3d rotation = yaw_pitch_roll_target({0, 0, 0}, ypr).rotation;
@@ -150,7 +150,7 @@ KinOptionValues with_pose(KinOptionValues values) {
   return values;
 }
 
-TEST(KinQuestion, WhatMakesNoQuestionIsRefusedWithASentence) {
+TEST(KinQuestion, RejectsInvalidQuestionsWithAMessage) {
   const Wrong wrongs[] = {
       {{}, "give one of --joints, --counts, --pose and --configuration"},
       {with_pose(joints({0, 0, 0, 0, 0})), "give one of"},
@@ -183,14 +183,14 @@ TEST(KinQuestion, WhatMakesNoQuestionIsRefusedWithASentence) {
   }
 }
 
-TEST(KinQuestion, ThreeJointsMayBeAskedForATipAlone) {
+TEST(KinQuestion, ThreeJointsAcceptATipWithoutAnApproach) {
   const ModelPtr model = model_of(test::odd_arm(3));
   EXPECT_EQ(inverse(*model, pose({1, 2, 3})).target.kind, TargetKind::kTip);
 }
 
 // ---------------------------------------------------------------- direct
 
-TEST(KinReport, DirectTextOfAWorkedPose) {
+TEST(KinReport, DirectTextOfAPose) {
   const std::string text =
       direct_text(*test::rhino(), direct(*test::rhino(), counts({90, 40, -60, 30, 48})));
   EXPECT_THAT(text, HasSubstr("Rhino XR-3: direct kinematics\n"));
@@ -206,7 +206,7 @@ TEST(KinReport, DirectTextOfAWorkedPose) {
   EXPECT_THAT(text, Not(HasSubstr("-0.0000")));
 }
 
-TEST(KinReport, DirectTextTellsOfLimitsRegionAndRounding) {
+TEST(KinReport, DirectTextReportsLimitsRegionAndRounding) {
   const std::string text =
       direct_text(*test::rhino(), direct(*test::rhino(), joints({0.1, 12, 160, -150, 0, 70})));
   EXPECT_THAT(text, HasSubstr("past by 18"));  // E: 12 degrees, 10 allowed
@@ -234,7 +234,7 @@ TEST(KinReport, DirectJsonHasEveryMatrixAndMotor) {
 // ---------------------------------------------------------------- inverse
 
 TEST(KinReport, InverseTextOfAPick) {
-  const std::string text = told(*test::rhino(), down({262, 0, 20}, 90));
+  const std::string text = solved_text(*test::rhino(), down({262, 0, 20}, 90));
   EXPECT_THAT(text, HasSubstr("closed form of a five-axis arm: all solutions"));
   EXPECT_THAT(text, HasSubstr("4 solutions, 1 allowed by limits and protected region"));
   EXPECT_THAT(
@@ -246,27 +246,28 @@ TEST(KinReport, InverseTextOfAPick) {
 }
 
 TEST(KinReport, InverseTextWithoutCouplingHasNoPositions) {
-  EXPECT_THAT(told(*adept(), down({560, 0, 520}, -90)), Not(HasSubstr("Positions of the joints")));
+  EXPECT_THAT(solved_text(*adept(), down({560, 0, 520}, -90)),
+              Not(HasSubstr("Positions of the joints")));
 }
 
-TEST(KinReport, InverseTextOfAStretchedArmSaysWhatIsFree) {
-  const std::string text = told(*intelledex(), configuration({838.2, 0, 373.4, 1, 0, 0}));
+TEST(KinReport, InverseTextOfAStretchedArmNamesFreeJoints) {
+  const std::string text = solved_text(*intelledex(), configuration({838.2, 0, 373.4, 1, 0, 0}));
   EXPECT_THAT(text, HasSubstr("singular: the hand is in line with wrist and shoulder"));
   EXPECT_THAT(text, HasSubstr("C wrist pitch"));
 }
 
-TEST(KinReport, InverseTextSaysThatItIsNumerical) {
+TEST(KinReport, InverseTextNamesTheNumericalMethod) {
   const ModelPtr model = model_of(test::odd_arm(3));
-  const std::string text = told(*model, pose({-15, 30, 90}));
+  const std::string text = solved_text(*model, pose({-15, 30, 90}));
   EXPECT_THAT(text, HasSubstr("numerical, because this arm has no closed form here"));
 }
 
-TEST(KinReport, RefusalsSayHowFarOff) {
-  EXPECT_THAT(told(*test::rhino(), down({500, 0, 92.1}, 0)),
+TEST(KinReport, RefusalsGiveTheDistance) {
+  EXPECT_THAT(solved_text(*test::rhino(), down({500, 0, 92.1}, 0)),
               HasSubstr("No solution: out of reach: the wrist would be 33.3 mm beyond"));
-  EXPECT_THAT(told(*test::rhino(), pose({300, 0, 200, 0, 0, 170})),
+  EXPECT_THAT(solved_text(*test::rhino(), pose({300, 0, 200, 0, 0, 170})),
               HasSubstr("it is 10 degrees out of it"));
-  EXPECT_THAT(told(*adept(), pose({560, 0, 520, 0, 5, 180})),
+  EXPECT_THAT(solved_text(*adept(), pose({560, 0, 520, 0, 5, 180})),
               HasSubstr("the approach is 5 degrees off it"));
 }
 
@@ -288,18 +289,18 @@ TEST(KinReport, InverseJsonOfAPick) {
   EXPECT_GT(worse["beyond_limits"][0]["counts"].get<int>(), 0);
 }
 
-TEST(KinReport, InverseJsonOfAPoseThatCannotBe) {
+TEST(KinReport, InverseJsonOfAnUnreachablePose) {
   const Json json = solved(*test::rhino(), pose({300, 0, 200, 0, 0, 170}));
   EXPECT_EQ(json["refusal"]["code"], "approach_out_of_plane");
   EXPECT_NEAR(json["refusal"]["off_deg"].get<double>(), 10, 1e-9);
   EXPECT_EQ(json["solutions"], Json::array());
 }
 
-TEST(KinWords, EveryMethodRefusalAndFreedomHasACodeAndWords) {
+TEST(KinWords, EveryMethodRefusalAndFreedomHasACodeAndAText) {
   for (const InverseMethod method : {InverseMethod::kFiveAxisArm, InverseMethod::kScara,
                                      InverseMethod::kSixAxisArm, InverseMethod::kNumerical}) {
     EXPECT_FALSE(method_code(method).empty());
-    EXPECT_FALSE(method_words(method).empty());
+    EXPECT_FALSE(method_text(method).empty());
   }
   for (int i = 1; i <= static_cast<int>(InverseRefusal::kNeedsOrientation); ++i) {
     InverseResult result;

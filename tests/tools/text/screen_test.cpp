@@ -5,14 +5,14 @@
 namespace xr3 {
 namespace {
 
-TEST(TextScreen, CutsAtItsEdgesWithAnEllipsis) {
+TEST(TextScreen, TruncatesTextWithAnEllipsis) {
   TextScreen screen(2, 6);
   EXPECT_EQ(screen.put(0, 0, "abcdefgh", TextStyle::kPlain, 20), 6);
   EXPECT_EQ(screen.put(1, 2, "abc", TextStyle::kPlain, 2), 4);
   EXPECT_EQ(text_of(screen, Letters::kUnicode), "abcde…\n  a…\n");
 }
 
-TEST(TextScreen, LeavesOutWhatLiesOutside) {
+TEST(TextScreen, IgnoresTextOutsideTheScreen) {
   TextScreen screen(1, 3);
   screen.put(-1, 0, "up", TextStyle::kPlain, 9);
   screen.put(1, 0, "down", TextStyle::kPlain, 9);
@@ -22,7 +22,7 @@ TEST(TextScreen, LeavesOutWhatLiesOutside) {
   EXPECT_EQ(text_of(screen, Letters::kUnicode), "y\n");
 }
 
-TEST(TextScreen, HasARowAndAColumnWhateverIsAskedFor) {
+TEST(TextScreen, HasAtLeastOneRowAndColumn) {
   const TextScreen screen(0, -5);
   EXPECT_EQ(screen.rows(), 1);
   EXPECT_EQ(screen.columns(), 1);
@@ -35,7 +35,7 @@ TEST(TextScreen, DropsBlankRowsAtTheEndOnly) {
   EXPECT_EQ(text_of(screen, Letters::kUnicode), "\na\n");
 }
 
-TEST(TextScreen, NothingFromElsewhereCanMoveTheCursor) {
+TEST(TextScreen, ReplacesControlCharacters) {
   EXPECT_EQ(one_column_letters("a\x1B[2Jb\r\n\tc\x7F"), U"a?[2Jb???c?");
   EXPECT_EQ(one_column_letters("\xC2\x9B"), U"?") << "the one-byte form of ESC [";
   EXPECT_EQ(one_column_letters("\u202Eabc"), U"?abc") << "writing from right to left";
@@ -44,13 +44,13 @@ TEST(TextScreen, NothingFromElsewhereCanMoveTheCursor) {
   EXPECT_EQ(one_column_letters("Bl\u00F6cke \u2013 \u0416"), U"Bl\u00F6cke \u2013 \u0416");
 }
 
-TEST(TextScreen, BytesThatAreNoUtf8AreOneUnknownLetterEach) {
+TEST(TextScreen, ReplacesEachInvalidUtf8ByteByOneLetter) {
   EXPECT_EQ(one_column_letters("a\xFF\x80z"), U"a??z");
   EXPECT_EQ(one_column_letters("a\xE2\x96"), U"a??") << "cut short at the end";
   EXPECT_EQ(one_column_letters("\xE2z"), U"?z") << "cut short before a letter";
 }
 
-TEST(TextScreen, AsciiHasSomethingLikeEveryLetterOfOurs) {
+TEST(TextScreen, EveryLetterHasAnAsciiForm) {
   TextScreen screen(1, 9);
   screen.put(0, 0, "█▀▄─│·…×ö", TextStyle::kPlain, 9);
   EXPECT_EQ(text_of(screen, Letters::kAscii), "#\"_-|.~x?\n");

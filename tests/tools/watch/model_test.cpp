@@ -18,13 +18,13 @@ std::string joined(const std::vector<std::string>& lines) {
   return text;
 }
 
-TEST(WatchModel, SendsFirstSoThatItIsGreetedAtOnceButNothingThatASerialLineObeys) {
+TEST(WatchModel, TheFirstByteStartsAPing) {
   WatchModel model({});
   EXPECT_EQ(model.opening(), "{");
   EXPECT_EQ(model.opening() + model.handle(test::watched_hello()).front(), "{\"op\":\"ping\"}\n");
 }
 
-TEST(WatchModel, SubscribesToWhatTheServerHas) {
+TEST(WatchModel, SubscribesToTheChannelsOfTheServer) {
   WatchModel model({});
   EXPECT_EQ(joined(model.handle(test::watched_hello())),
             "\"op\":\"ping\"}\n"
@@ -38,7 +38,7 @@ TEST(WatchModel, SubscribesToWhatTheServerHas) {
               ElementsAre(HasSubstr("ping"), HasSubstr("\"state\""), HasSubstr("\"last\"")));
 }
 
-TEST(WatchModel, WhoLooksOnceGetsEveryChannelAndKnowsWhenThatIsAll) {
+TEST(WatchModel, OnceGetsEveryChannelAndDetectsTheEnd) {
   WatchModel model({"", "", Interest::kOnce});
   const std::string requests = joined(model.handle(test::watched_hello()));
   EXPECT_THAT(requests, Not(HasSubstr("\"sub\"")));
@@ -49,7 +49,7 @@ TEST(WatchModel, WhoLooksOnceGetsEveryChannelAndKnowsWhenThatIsAll) {
   EXPECT_TRUE(model.is_complete());
 }
 
-TEST(WatchModel, TheTokenGoesFirstAndTheCellEverywhere) {
+TEST(WatchModel, SendsTheTokenFirstAndTheCellInEveryRequest) {
   WatchModel model({"second", "sixteen letters!", Interest::kOn});
   const auto requests = model.handle(test::watched_hello("read"));
   EXPECT_EQ(
@@ -64,7 +64,7 @@ TEST(WatchModel, TheTokenGoesFirstAndTheCellEverywhere) {
   EXPECT_TRUE(model.known().has_control);
 }
 
-TEST(WatchModel, KnowsTheStateWhole) {
+TEST(WatchModel, ReadsTheState) {
   const Known known = test::watched_model().known();
   EXPECT_EQ(known.robot, "Teaching arm");
   EXPECT_EQ(known.epoch, 2);
@@ -87,7 +87,7 @@ TEST(WatchModel, KnowsTheStateWhole) {
   EXPECT_EQ(known.limits.at("A").max, 60);
 }
 
-TEST(WatchModel, KeepsTheEventsThatTheTableDoesNotShow) {
+TEST(WatchModel, KeepsEventsThatTheTableDoesNotShow) {
   const Known known = test::watched_model().known();
   ASSERT_EQ(known.notes.size(), 2U);
   EXPECT_EQ(known.notes.at(40).message, "soft home by A$");
@@ -96,7 +96,7 @@ TEST(WatchModel, KeepsTheEventsThatTheTableDoesNotShow) {
   EXPECT_EQ(known.notes.at(42).line, 4);
 }
 
-TEST(WatchModel, AnEventThatComesTwiceIsOneAndTheOldestGo) {
+TEST(WatchModel, IgnoresRepeatedEventsAndDropsTheOldest) {
   WatchModel model = test::watched_model();
   for (std::size_t seq = 40; seq < 45 + kMaxNotes; ++seq) {
     model.handle(R"({"op":"event","cell":"main","event":"stalled","message":"s","seq":)" +
@@ -106,13 +106,13 @@ TEST(WatchModel, AnEventThatComesTwiceIsOneAndTheOldestGo) {
   EXPECT_EQ(model.known().notes.begin()->first, 45);
 }
 
-TEST(WatchModel, TakesNoWordFromOtherCells) {
+TEST(WatchModel, IgnoresOtherCells) {
   WatchModel model = test::watched_model();
   model.handle(R"({"op":"state","cell":"second","tick":99})");
   EXPECT_EQ(model.known().tick, 12345);
 }
 
-TEST(WatchModel, ANewGreetingForgetsTheOldServer) {
+TEST(WatchModel, ANewHelloClearsTheState) {
   WatchModel model = test::watched_model();
   model.handle(test::watched_hello());
   EXPECT_FALSE(model.known().state);
@@ -127,7 +127,7 @@ TEST(WatchModel, ReadsImagesOfBothEncodings) {
   EXPECT_EQ(read_image(text)->pixels, read_image(runs)->pixels);
 }
 
-TEST(WatchModel, AnImageThatContradictsItselfIsNone) {
+TEST(WatchModel, RejectsInconsistentImages) {
   for (const char* image : {
            R"({"width":3,"height":1,"encoding":"rle","rows":[[1,1]]})",
            R"({"width":3,"height":1,"encoding":"rle","rows":[[1,3]]})",
@@ -154,7 +154,7 @@ TEST(WatchModel, KeysBecomeCalls) {
   EXPECT_THAT(*model.ask(Action::kPauseOrResume), HasSubstr("\"resume\""));
 }
 
-TEST(WatchModel, AStepThatMovesNothingIsSeenByItsTick) {
+TEST(WatchModel, AStepUpdatesTheTickWithoutAStateMessage) {
   WatchModel model = test::watched_model();
   model.handle(
       R"({"op":"result","id":"key","ok":true,"value":{"epoch":3,"tick":12355,"state":{}}})");
@@ -162,38 +162,38 @@ TEST(WatchModel, AStepThatMovesNothingIsSeenByItsTick) {
   EXPECT_EQ(model.known().tick, 12355);
 }
 
-TEST(WatchModel, KeysWithoutTheTokenSaySo) {
+TEST(WatchModel, KeysWithoutTheTokenNameTheOption) {
   WatchModel model({});
   model.handle(test::watched_hello("read"));
   EXPECT_FALSE(model.ask(Action::kHome));
-  EXPECT_THAT(model.known().said, HasSubstr("--token-file"));
+  EXPECT_THAT(model.known().last_message, HasSubstr("--token-file"));
 }
 
-TEST(WatchModel, RepeatsWhatTheServerRefusedUntilTheNextKey) {
+TEST(WatchModel, ShowsAnErrorUntilTheNextKey) {
   WatchModel model = test::watched_model();
   model.handle(R"({"op":"result","id":"key","ok":false,"error":{"code":"clock_running",)"
                R"("message":"step needs the manual clock","hint":"","details":[]}})");
-  EXPECT_EQ(model.known().said, "step needs the manual clock");
+  EXPECT_EQ(model.known().last_message, "step needs the manual clock");
   model.ask(Action::kPauseOrResume);
-  EXPECT_EQ(model.known().said, "");
+  EXPECT_EQ(model.known().last_message, "");
 }
 
-TEST(WatchModel, ACellWithoutACameraIsNothingToComplainAbout) {
+TEST(WatchModel, IgnoresTheErrorOfAMissingCamera) {
   WatchModel model = test::watched_model();
   model.handle(
       R"({"op":"result","id":null,"ok":false,"error":{"code":"no_camera","message":"no"}})");
-  EXPECT_EQ(model.known().said, "");
+  EXPECT_EQ(model.known().last_message, "");
 }
 
-TEST(WatchModel, HearsTheFarewell) {
+TEST(WatchModel, ReadsBye) {
   WatchModel model = test::watched_model();
-  EXPECT_FALSE(model.has_parted());
+  EXPECT_FALSE(model.has_left());
   model.handle(R"({"op":"bye","why":"shutdown","message":"the server is stopping"})");
-  EXPECT_TRUE(model.has_parted());
-  EXPECT_EQ(model.known().said, "the server is stopping");
+  EXPECT_TRUE(model.has_left());
+  EXPECT_EQ(model.known().last_message, "the server is stopping");
 }
 
-TEST(WatchModel, WhateverAServerSendsIsSurvived) {
+TEST(WatchModel, SurvivesMalformedMessages) {
   for (const char* line :
        {"", "{", "[]", "3", "null", "\"text\"", "{\"op\":7}", "{\"op\":\"state\"}",
         "{\"op\":\"state\",\"joints\":7,\"tool\":[],\"blocks\":{},\"io\":3,\"clock\":1}",

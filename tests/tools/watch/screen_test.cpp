@@ -40,22 +40,22 @@ void expect_golden(const std::string& screen, const std::string& name) {
   EXPECT_EQ(screen, test::project_file(path)) << path;
 }
 
-TEST(WatchScreen, LooksAsKept) {
+TEST(WatchScreen, MatchesTheGoldens) {
   const Known known = test::watched_model().known();
   expect_golden(text(known, 24, 80), "watch-80x24");
   expect_golden(text(known, 60, 200), "watch-200x60");
   expect_golden(text(known, 12, 44), "watch-44x12");
 }
 
-TEST(WatchScreen, ThePagesBesideTheCellLookAsKept) {
+TEST(WatchScreen, OtherPagesMatchTheGoldens) {
   const Link refused{Link::Phase::kTrying, "localhost:9601",
-                     "nobody listens at localhost:9601 (Connection refused)"};
+                     "cannot connect to localhost:9601 (Connection refused)"};
   expect_golden(text({}, 24, 80, refused), "watch-no-server");
   expect_golden(text_of(watch_screen({}, live(), Page::kHelp, 24, 80), Letters::kUnicode),
                 "watch-help");
 }
 
-TEST(WatchScreen, EverySizeIsPainted) {
+TEST(WatchScreen, DrawsEverySize) {
   Known known = test::watched_model().known();
   for (int rows = 1; rows < 40; ++rows) {
     for (int columns = 1; columns < 210; columns += 7) {
@@ -70,7 +70,7 @@ TEST(WatchScreen, EverySizeIsPainted) {
 }
 
 // Each row: the minimum height at which a part is visible, in order of importance.
-TEST(WatchScreen, WhatDoesNotFitGoesTheLeastImportantFirst) {
+TEST(WatchScreen, SmallScreensDropTheLeastImportantPartsFirst) {
   const Known known = test::watched_model().known();
   const auto least_rows = [&known](const std::string& what) {
     int rows = 1;
@@ -89,7 +89,7 @@ TEST(WatchScreen, WhatDoesNotFitGoesTheLeastImportantFirst) {
   EXPECT_LT(camera, 24);
 }
 
-TEST(WatchScreen, NarrowTablesKeepTheValueLongest) {
+TEST(WatchScreen, NarrowTablesDropTheValueLast) {
   const Known known = test::watched_model().known();
   const auto least_columns = [&known](const std::string& what) {
     int columns = 1;
@@ -114,11 +114,11 @@ TEST(WatchScreen, TheBarFollowsTheValue) {
   EXPECT_EQ(bar("100.0").find("·"), std::string::npos);
   EXPECT_EQ(bar("0.0"), "██████······");
   EXPECT_EQ(bar("-10.0"), "█████▍······");
-  EXPECT_EQ(bar("1e300"), bar("100.0")) << "beyond a limit is at it";
+  EXPECT_EQ(bar("1e300"), bar("100.0")) << "values beyond a limit are drawn at the limit";
   EXPECT_EQ(bar("-1e300"), bar("-100.0"));
 }
 
-TEST(WatchScreen, AJointThatIsBlockedIsRed) {
+TEST(WatchScreen, ABlockedJointIsRed) {
   const TextScreen screen =
       watch_screen(test::watched_model().known(), live(), Page::kCell, 24, 80);
   EXPECT_EQ(screen.at(2, 1).letter, U'C');
@@ -128,7 +128,7 @@ TEST(WatchScreen, AJointThatIsBlockedIsRed) {
   EXPECT_EQ(screen.at(4, 1).style, TextStyle::kPlain);
 }
 
-TEST(WatchScreen, SaysThatItIsStalledOrDisabled) {
+TEST(WatchScreen, ShowsStalledAndDisabled) {
   EXPECT_THAT(text(with_state("\"stalled\":null", "\"stalled\":\"protected_region\""), 24, 80),
               HasSubstr("STALLED: the tool would enter the protected region"));
   EXPECT_THAT(text(with_state("\"stalled\":null", "\"stalled\":\"work_surface\""), 24, 80),
@@ -137,50 +137,50 @@ TEST(WatchScreen, SaysThatItIsStalledOrDisabled) {
               HasSubstr("disabled"));
 }
 
-TEST(WatchScreen, WhenTheServerWentTheLastStateStaysAndItIsSaid) {
+TEST(WatchScreen, AfterADisconnectTheLastStateStays) {
   const std::string screen = text(test::watched_model().known(), 24, 80, gone());
   EXPECT_THAT(screen, HasSubstr("the server is stopping; retrying, the last known state is below"));
   EXPECT_THAT(screen, HasSubstr("-50.00 deg"));
 }
 
-TEST(WatchScreen, KeysThatAreOfNoUseAreNotOffered) {
+TEST(WatchScreen, HidesKeysWithoutAnEffect) {
   WatchModel model({});
   model.handle(test::watched_hello("read"));
   model.handle(test::watched_state());
   EXPECT_THAT(text(model.known(), 24, 80), HasSubstr("read only"));
   EXPECT_THAT(text(model.known(), 24, 80), Not(HasSubstr("h home")));
-  const Known standing = with_state("\"real\"", "\"manual\"");
-  EXPECT_THAT(text(standing, 24, 80), HasSubstr("space resume   . step   h home"));
-  EXPECT_THAT(text(standing, 24, 80), HasSubstr("manual   epoch"));
+  const Known manual = with_state("\"real\"", "\"manual\"");
+  EXPECT_THAT(text(manual, 24, 80), HasSubstr("space resume   . step   h home"));
+  EXPECT_THAT(text(manual, 24, 80), HasSubstr("manual   epoch"));
 }
 
-TEST(WatchScreen, ManyBlocksAreCounted) {
+TEST(WatchScreen, CountsBlocksThatDoNotFit) {
   Known known = test::watched_model().known();
   known.state->blocks.resize(100, {"twin", {}, 0, false});
   EXPECT_THAT(text(known, 24, 80), HasSubstr("and 9"));
   EXPECT_THAT(text(known, 24, 80), HasSubstr("inputs 1"));
 }
 
-TEST(WatchScreen, TextOfABlockCannotLeaveItsPlace) {
+TEST(WatchScreen, TruncatesLongNamesOfBlocks) {
   const Known known =
       with_state("\"name\":\"green\"", R"("name":"\u001b[2Jvery long \u202e name")");
   EXPECT_THAT(text(known, 24, 80), HasSubstr("?[2Jvery… "));
 }
 
-TEST(WatchScreen, AnImageIsMadeSmallerUntilItFits) {
+TEST(WatchScreen, ShrinksAnImageUntilItFits) {
   Image image{6, 4, std::vector<bool>(24, false)};
   image.pixels[0] = image.pixels[1] = true;  // two of the four left upper pixels
   const Image small = shrunk(image, 3, 99);
   EXPECT_EQ(small.width, 3U);
   EXPECT_EQ(small.height, 2U);
   EXPECT_THAT(small.pixels, ElementsAre(true, false, false, false, false, false));
-  EXPECT_EQ(shrunk(image, 99, 2).width, 3U) << "by its height";
+  EXPECT_EQ(shrunk(image, 99, 2).width, 3U) << "limited by its height";
   EXPECT_EQ(shrunk(image, 99, 99).pixels, image.pixels) << "never larger";
   EXPECT_EQ(shrunk(image, 1, 1).pixels.size(), 1U);
   EXPECT_EQ(shrunk({4096, 1, std::vector<bool>(4096, true)}, 5, 5).pixels.size(), 5U);
 }
 
-TEST(WatchScreen, TwoPixelsLieInACell) {
+TEST(WatchScreen, ACharacterHoldsTwoPixels) {
   Known known = test::watched_model().known();
   known.image = Image{4, 2, {true, true, false, false, true, false, true, false}};
   EXPECT_THAT(text(known, 30, 80), HasSubstr("█▀▄"));

@@ -23,7 +23,7 @@ Block block(const std::string& name, PointUm size, PointUm centroid, int yaw_deg
   return {name, size, centroid, yaw_deg * Microdegrees{1'000'000}, 9};
 }
 
-TEST(TopView, BlocksLieAsOneBehindTheRobotSeesThem) {
+TEST(TopView, BlocksAreDrawnAsSeenFromBehindTheRobot) {
   Workcell cell = small_cell();
   cell.blocks = {block("left", {12'000, 30'000, 10'000}, {70'000, 60'000, 5'000}, 0),
                  block("front", {12'000, 30'000, 10'000}, {40'000, 0, 5'000}, 90)};
@@ -50,7 +50,7 @@ TEST(TopView, BlocksLieAsOneBehindTheRobotSeesThem) {
             " a left, b front\n");
 }
 
-TEST(TopView, TheUpperOfTwoBlocksIsSeen) {
+TEST(TopView, TheUpperOfTwoBlocksIsVisible) {
   Workcell cell = small_cell();
   cell.blocks = {block("upper", {10'000, 10'000, 10'000}, {40'000, 0, 15'000}, 0),
                  block("lower", {30'000, 30'000, 10'000}, {40'000, 0, 5'000}, 0)};
@@ -58,7 +58,7 @@ TEST(TopView, TheUpperOfTwoBlocksIsSeen) {
   EXPECT_NE(view.find("bbaaabb"), std::string::npos) << view;
 }
 
-TEST(TopView, ReachIsDottedAndTheCamerasEdgeDrawn) {
+TEST(TopView, ReachIsDottedAndTheCamerasEdgeIsDrawn) {
   Workcell cell = small_cell();
   cell.camera = Camera{{40'000, 0, 90'000}, 30'000, 60'000, 10, 10, Projection::kOrthographic};
   const std::string view =
@@ -73,7 +73,7 @@ TEST(TopView, ReachIsDottedAndTheCamerasEdgeDrawn) {
       << view;
 }
 
-TEST(TopView, WhateverLiesOutsideIsNotDrawn) {
+TEST(TopView, OmitsEverythingOutsideTheWorkspace) {
   Workcell cell = small_cell();
   cell.blocks = {block("far", {10'000, 10'000, 10'000}, {90'000'000, -90'000'000, 0}, 45),
                  block("behind", {10'000, 10'000, 10'000}, {-20'000, 0, 0}, 0),
@@ -98,7 +98,7 @@ TEST(TopView, FitsATerminal) {
   }
 }
 
-TEST(TopView, LettersDifferUntilThereAreNoMore) {
+TEST(TopView, LettersAreUniqueUntilTheyRunOut) {
   std::set<char> letters;
   for (std::size_t i = 0; i < 51; ++i) letters.insert(block_letter(i));
   EXPECT_EQ(letters.size(), 51U);

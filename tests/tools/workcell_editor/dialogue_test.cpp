@@ -66,7 +66,7 @@ class Talk {
   }
 
   void type_line(const std::string& line) {
-    EXPECT_FALSE(turn_.is_over) << "nobody asked for \"" << line << "\"";
+    EXPECT_FALSE(turn_.is_over) << "no question before \"" << line << "\"";
     shown_.clear();
     show(dialogue_.handle(line));
   }
@@ -95,7 +95,7 @@ class Talk {
 constexpr int kRoomItems = 7;    // name, notes, X, Y, Z, surface, stall
 constexpr int kCameraItems = 9;  // yes or no, x, y, z, field, pixels, projection
 
-TEST(WorkcellDialogue, ANewWorkcellItemByItem) {
+TEST(WorkcellDialogue, CreatesAWorkcellItemByItem) {
   Talk talk;
   EXPECT_EQ(talk.shown(),
             "Workcell for lab.json, checked against Rhino XR-3. Lengths are in mm.\n"
@@ -143,7 +143,7 @@ TEST(WorkcellDialogue, ANewWorkcellItemByItem) {
   EXPECT_EQ(cell.camera->projection, Projection::kPerspective);
 }
 
-TEST(WorkcellDialogue, WithEnterAloneEveryRobotGetsASoundWorkcell) {
+TEST(WorkcellDialogue, EnterAloneGivesEveryRobotAValidWorkcell) {
   for (const std::string robot : {"rhino-xr3", "adept-one", "intelledex-660"}) {
     SCOPED_TRACE(robot);
     Talk talk(robot);
@@ -159,7 +159,7 @@ TEST(WorkcellDialogue, WithEnterAloneEveryRobotGetsASoundWorkcell) {
   }
 }
 
-TEST(WorkcellDialogue, WhatCannotBeIsAskedAgain) {
+TEST(WorkcellDialogue, RepeatsAQuestionAfterAnInvalidAnswer) {
   Talk talk;
   EXPECT_EQ(talk.type(std::string(81, 'n')),
             "  That is too long: at most 80 bytes.\n"
@@ -184,7 +184,7 @@ TEST(WorkcellDialogue, WhatCannotBeIsAskedAgain) {
   EXPECT_THAT(talk.type("?"), HasSubstr("14 is yellow"));
 }
 
-TEST(WorkcellDialogue, OddBlocksAreToldOfAndMayStay) {
+TEST(WorkcellDialogue, OddBlocksGetWarningsAndStay) {
   Talk talk("rhino-xr3", "rhino-xr3");
   EXPECT_THAT(talk.shown(), HasSubstr("No problems"));
   EXPECT_THAT(talk.type("add", "wide", "70"), HasSubstr("Width"));
@@ -207,7 +207,7 @@ TEST(WorkcellDialogue, OddBlocksAreToldOfAndMayStay) {
   EXPECT_THAT(talk.type("save", "yes", "q"), HasSubstr("are saved")) << "odd, but it loads";
 }
 
-TEST(WorkcellDialogue, BlocksAreMovedTurnedChangedAndRemoved) {
+TEST(WorkcellDialogue, EditsAndRemovesBlocks) {
   Talk talk("rhino-xr3", "rhino-xr3");
   EXPECT_EQ(talk.type("move red"), "x of its middle (0 to 600 mm) [262]: ");
   EXPECT_THAT(talk.type("400", "0", ""), HasSubstr("Changed: a \"red\" at (400, 0, 20)."));
@@ -229,7 +229,7 @@ TEST(WorkcellDialogue, BlocksAreMovedTurnedChangedAndRemoved) {
   EXPECT_EQ(cell.blocks[3].name, "yellow");
 }
 
-TEST(WorkcellDialogue, TheOtherItemsAreChanged) {
+TEST(WorkcellDialogue, EditsTheOtherItems) {
   Talk talk("adept-one", "adept-one");
   talk.type("name", "Second table", "-");
   talk.type("workspace", "1000", "", "");
@@ -247,7 +247,7 @@ TEST(WorkcellDialogue, TheOtherItemsAreChanged) {
   EXPECT_EQ(cell.blocks, test::workcell_named("adept-one").blocks);
 }
 
-TEST(WorkcellDialogue, AnswersThatDoNotGoTogetherAreAskedAgain) {
+TEST(WorkcellDialogue, RepeatsQuestionsWithInconsistentAnswers) {
   Talk talk("adept-one", "adept-one");
   talk.type("camera", "yes", "", "", "540", "", "", "", "");
   EXPECT_THAT(talk.type("perspective"),
@@ -260,7 +260,7 @@ TEST(WorkcellDialogue, AnswersThatDoNotGoTogetherAreAskedAgain) {
   EXPECT_THAT(talk.type("", "", "1100"), HasSubstr("workcell (not saved)> "));
 }
 
-TEST(WorkcellDialogue, NothingIsReplacedWithoutAsking) {
+TEST(WorkcellDialogue, AsksBeforeReplacingAFile) {
   Talk talk("rhino-xr3", "rhino-xr3", "old.json");
   talk.is_there = true;
   EXPECT_EQ(talk.type("save"), "lab.json already exists. Replace it? (yes or no) [no]: ");
@@ -272,11 +272,11 @@ TEST(WorkcellDialogue, NothingIsReplacedWithoutAsking) {
   EXPECT_EQ(talk.type("save", "yes"), "Wrote lab.json.\nworkcell> ");
   EXPECT_EQ(talk.saved(), test::workcell_named("rhino-xr3"));
   talk.type("name", "again", "");
-  EXPECT_EQ(talk.type("save"), "Wrote lab.json.\nworkcell> ") << "it is this dialogue's own by now";
+  EXPECT_EQ(talk.type("save"), "Wrote lab.json.\nworkcell> ") << "this dialogue wrote the file";
   EXPECT_EQ(talk.writes, 2);
 }
 
-TEST(WorkcellDialogue, AFailureToWriteLosesNothing) {
+TEST(WorkcellDialogue, AFailureToWriteLosesNoChanges) {
   Talk talk("rhino-xr3", "rhino-xr3", "old.json");
   talk.failure = "the disk is full";
   EXPECT_THAT(talk.type("quit", "yes"),
@@ -287,7 +287,7 @@ TEST(WorkcellDialogue, AFailureToWriteLosesNothing) {
   EXPECT_TRUE(talk.is_over());
 }
 
-TEST(WorkcellDialogue, Leaving) {
+TEST(WorkcellDialogue, AsksToSaveBeforeLeaving) {
   Talk unchanged("rhino-xr3", "rhino-xr3");
   EXPECT_EQ(unchanged.type("q"), "Left; all changes to lab.json are saved.\n");
   Talk changed("rhino-xr3", "rhino-xr3");
@@ -303,7 +303,7 @@ TEST(WorkcellDialogue, Leaving) {
   EXPECT_TRUE(broken_off.has_unsaved());
 }
 
-TEST(WorkcellDialogue, CommandsMayBeShortAndAreExplained) {
+TEST(WorkcellDialogue, CommandsHaveShortFormsAndHelp) {
   Talk talk("rhino-xr3", "rhino-xr3");
   EXPECT_EQ(talk.type(""), "workcell> ");
   EXPECT_THAT(talk.type("?"), HasSubstr("remove NAME"));
@@ -316,7 +316,7 @@ TEST(WorkcellDialogue, CommandsMayBeShortAndAreExplained) {
   EXPECT_THAT(talk.type(std::string(5000, 'x')), HasSubstr("too long"));
 }
 
-TEST(WorkcellDialogue, NamesFromAFileDoNotReachTheTerminalRaw) {
+TEST(WorkcellDialogue, EscapesNamesFromAFile) {
   DialogueStart start{"lab.json", test::workcell_named("rhino-xr3"), "lab.json",
                       test::robot_named("rhino-xr3")};
   start.workcell->name = "a\x1B[2Jb";
@@ -335,7 +335,7 @@ std::string any_line(std::mt19937& random) {
 }
 
 // For any input: only text that loads is written (Talk checks this), and nothing is thrown.
-TEST(WorkcellDialogue, WhateverIsTypedTheFileLoads) {
+TEST(WorkcellDialogue, AfterRandomInputTheFileLoads) {
   int writes = 0;
   for (unsigned seed = 1; seed <= 24; ++seed) {
     std::mt19937 random(seed);

@@ -3,17 +3,17 @@
 
 /** Each function: its keys, and `now`, the text of its current value. */
 export const kFunctions = [
-  { name: "display", words: "Graphics display", alt: "F1", key: "d", now: (d) => (d?.on ? "on" : "off") },
-  { name: "view", words: "View vector", alt: "F2", key: "v", now: (d) => d?.view?.join(", ") ?? "" },
-  { name: "home", words: "Soft home", alt: "F3", key: "h", now: () => "" },
-  { name: "status", words: "Status line", alt: "F4", key: "s", now: (d) => kStatusWords[d?.status?.option ?? 0] },
-  { name: "enabled", words: "Simulator", alt: "F5", key: "e", now: (d, s) => (s?.enabled === false ? "disabled" : "enabled") },
-  { name: "function_keys", words: "Function keys", alt: "F6", key: "k", now: (d) => (d?.function_keys === false ? "off" : "on") },
-  { name: "path", words: "Erase before redrawing", alt: null, key: "p", now: (d) => (d?.erase === false ? "no" : "yes") },
-  { name: "period", words: "Refresh period", alt: null, key: "r", now: (d) => (d ? `${d.period_ticks / 1000} s` : "") },
+  { name: "display", title: "Graphics display", alt: "F1", key: "d", now: (d) => (d?.on ? "on" : "off") },
+  { name: "view", title: "View vector", alt: "F2", key: "v", now: (d) => d?.view?.join(", ") ?? "" },
+  { name: "home", title: "Soft home", alt: "F3", key: "h", now: () => "" },
+  { name: "status", title: "Status line", alt: "F4", key: "s", now: (d) => kStatusNames[d?.status?.option ?? 0] },
+  { name: "enabled", title: "Simulator", alt: "F5", key: "e", now: (d, s) => (s?.enabled === false ? "disabled" : "enabled") },
+  { name: "function_keys", title: "Function keys", alt: "F6", key: "k", now: (d) => (d?.function_keys === false ? "off" : "on") },
+  { name: "path", title: "Erase before redrawing", alt: null, key: "p", now: (d) => (d?.erase === false ? "no" : "yes") },
+  { name: "period", title: "Refresh period", alt: null, key: "r", now: (d) => (d ? `${d.period_ticks / 1000} s` : "") },
 ];
 
-export const kStatusWords = ["blank", "tool configuration", "joint variables", "error counters", "encoder positions", "switches", "tool opening"];
+export const kStatusNames = ["blank", "tool configuration", "joint variables", "error counters", "encoder positions", "switches", "tool opening"];
 
 // Controls that use letter keys themselves: text inputs and lists, but not checkboxes.
 const kTakesLetters = `textarea, select, [contenteditable],

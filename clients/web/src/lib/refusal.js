@@ -3,9 +3,9 @@
 
 const kMaxDetails = 8;
 const kMaxLetters = 40;
-export const kLooksOn = "This page is read-only: press Unlock and enter the token.";
+export const kReadOnly = "This page is read-only: press Unlock and enter the token.";
 const kOfThePage = {
-  token_required: kLooksOn,
+  token_required: kReadOnly,
   bad_token: "Wrong token. After five wrong tokens the server closes the connection.",
 };
 
@@ -26,7 +26,7 @@ export class Refused extends Error {
 }
 
 /** The text of an error: the message, then one line for each of the first details. */
-export function wordsOf({ message, details = [] }) {
+export function textOf({ message, details = [] }) {
   const more = details.length > kMaxDetails ? [`and ${details.length - kMaxDetails} more`] : [];
   return [message, ...details.slice(0, kMaxDetails).map(lineOf), ...more].join("\n");
 }

@@ -1,10 +1,10 @@
 // Access control: takes the token from the address or the dialog and locks controls that need it.
 // An element with `data-call` changes the server; all other controls are never locked.
 import { byId, setText } from "../lib/dom.js";
-import { kLooksOn } from "../lib/refusal.js";
+import { kReadOnly } from "../lib/refusal.js";
 import { keep, kept, takeFromAddress } from "../lib/token.js";
 
-const kSeesNothing = "This server requires a token: press Unlock.";
+const kTokenRequired = "This server requires a token: press Unlock.";
 const kAsks = {
   read: "You can watch without a token. To control the robot, enter the token that the server was started with.",
   none: "This server requires its token even for reading. Enter the token that it was started with.",
@@ -12,11 +12,11 @@ const kAsks = {
 
 export class Access {
   /**
-   * `tell(text)` shows a message to the user; `onChange()` is called when the access changes, and
+   * `showMessage(text)` shows a message to the user; `onChange()` is called when the access changes, and
    * `onUnlocked()` when the server has accepted a token.
    */
-  constructor({ connection, tell, onError, onChange, onUnlocked }) {
-    Object.assign(this, { connection, tell, onError, onChange, onUnlocked });
+  constructor({ connection, showMessage, onError, onChange, onUnlocked }) {
+    Object.assign(this, { connection, showMessage, onError, onChange, onUnlocked });
     this.access = "control"; // until `hello` arrives
     connection.token = takeFromAddress() ?? kept();
     addEventListener("hashchange", () => this.#fromAddress());
@@ -31,7 +31,7 @@ export class Access {
 
   /** Tells the user why a function is locked. */
   explain() {
-    this.tell(this.access === "none" ? kSeesNothing : kLooksOn);
+    this.showMessage(this.access === "none" ? kTokenRequired : kReadOnly);
   }
 
   /** `access` is "control", "read", or "none" if even reading needs the token. */
@@ -39,7 +39,7 @@ export class Access {
     this.access = access;
     if (this.mayCall) keep(this.connection.token);
     document.body.classList.toggle("read-only", !this.mayCall);
-    document.body.classList.toggle("sees-nothing", access === "none");
+    document.body.classList.toggle("no-access", access === "none");
     byId("unlock").hidden = this.mayCall;
     this.apply();
     this.onChange();
@@ -61,7 +61,7 @@ export class Access {
   }
 
   #ask() {
-    setText(byId("ask-token-words"), kAsks[this.access] ?? "");
+    setText(byId("ask-token-text"), kAsks[this.access] ?? "");
     byId("ask-token").showModal();
   }
 

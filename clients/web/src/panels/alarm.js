@@ -33,7 +33,7 @@ export class Alarm {
   }
 
   /** Shows a message to the user; each line of the text becomes a paragraph. */
-  tell(text) {
+  showMessage(text) {
     for (const place of this.places) this.#fill(place, text);
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.#forget(), readingMs(text));

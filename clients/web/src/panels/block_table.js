@@ -30,10 +30,10 @@ export class BlockTable {
     const cells = Array.from({ length: 5 }, () => el("td"));
     const row = el("tr", { onclick: () => this.onChoose(name) }, el("th", { scope: "row" }, button), ...cells);
     row.classList.toggle("chosen", name === this.chosen);
-    const made = { row, button, swatch, cells };
-    this.rows.set(name, made);
+    const entry = { row, button, swatch, cells };
+    this.rows.set(name, entry);
     this.body.append(row);
-    return made;
+    return entry;
   }
 
   #show({ name, xyz_mm, yaw_deg, held, size_mm, color }) {

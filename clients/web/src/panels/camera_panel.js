@@ -16,7 +16,7 @@ export class CameraPanel {
     this.model = model;
     this.canvas.hidden = !model.workcell.camera;
     if (!model.workcell.camera) this.image = null;
-    this.#tell();
+    this.#updateCaption();
     this.#draw();
   }
   setState(state) {
@@ -30,11 +30,11 @@ export class CameraPanel {
 
   setImage(image) {
     this.image = image;
-    this.#tell();
+    this.#updateCaption();
     this.#draw();
   }
 
-  #tell() {
+  #updateCaption() {
     const { image } = this;
     const none = this.model && !this.model.workcell.camera ? "This workcell has no camera." : "No image yet.";
     this.caption.textContent = image ? `${image.width} × ${image.height} pixels, ${this.#count(image)} lit` : none;

@@ -6,7 +6,7 @@ const kNothing = "Choose a block to move it: drag it, or use the arrow keys; [ a
 const short = (value) => String(Number(value.toFixed(1)));
 
 /** "red, x 262, y 0, z 20 mm, yaw 90°": for labels and announcements to screen readers. */
-export function placeWords({ name, xyz_mm: [x, y, z], yaw_deg, held }) {
+export function placeText({ name, xyz_mm: [x, y, z], yaw_deg, held }) {
   return `${name}, x ${short(x)}, y ${short(y)}, z ${short(z)} mm, yaw ${short(yaw_deg)}°${held ? ", held" : ""}`;
 }
 
@@ -14,8 +14,8 @@ export class ChosenBlock {
   /**
    * `place(name, change)` applies `xyz_mm` or `yaw_deg` and resolves to whether the server did so.
    */
-  constructor({ words, form, place }) {
-    Object.assign(this, { words, form, place, block: null });
+  constructor({ text, form, place }) {
+    Object.assign(this, { text, form, place, block: null });
     form.addEventListener("submit", (event) => event.preventDefault());
     form.addEventListener("change", ({ target }) => this.#change(target));
   }
@@ -24,7 +24,7 @@ export class ChosenBlock {
   show(block) {
     this.block = block;
     this.form.hidden = !block;
-    setText(this.words, block ? `${block.name}: ${colorNameOf(block.color)}, ${block.size_mm.map(short).join(" × ")} mm${block.held ? ", held" : ""}` : kNothing);
+    setText(this.text, block ? `${block.name}: ${colorNameOf(block.color)}, ${block.size_mm.map(short).join(" × ")} mm${block.held ? ", held" : ""}` : kNothing);
     if (block) this.#fill((input) => input !== document.activeElement); // do not overwrite an input with the focus
   }
 

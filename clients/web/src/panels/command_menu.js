@@ -1,6 +1,6 @@
 // Executes the functions of command mode as calls (those that need a value ask for it) and shows
 // the menu of functions with their current values. command_mode.js maps keys to functions.
-import { kFunctions, kStatusWords } from "../lib/command_mode.js";
+import { kFunctions, kStatusNames } from "../lib/command_mode.js";
 import { byId, el, setText } from "../lib/dom.js";
 
 const kPeriodsInHalfSeconds = [1, 2, 6, 20];
@@ -34,9 +34,9 @@ export class CommandMenu {
     for (const each of kFunctions) setText(byId("functions").querySelector(`[data-now=${each.name}]`), each.now(display, state));
   }
 
-  #entry({ name, words, key, alt }) {
+  #entry({ name, title, key, alt }) {
     return el("li", {}, el("button", { type: "button", "data-call": "key", onclick: () => this.run(name) },
-      el("span", {}, words), el("span.now", { "data-now": name }), el("kbd", {}, `${key}${alt ? `  Alt ${alt}` : ""}`)));
+      el("span", {}, title), el("span.now", { "data-now": name }), el("kbd", {}, `${key}${alt ? `  Alt ${alt}` : ""}`)));
   }
 
   #key(name, value) {
@@ -52,7 +52,7 @@ export class CommandMenu {
   }
 
   #nextStatus() {
-    this.#key("status", ((this.known.display?.status.option ?? 0) + 1) % kStatusWords.length);
+    this.#key("status", ((this.known.display?.status.option ?? 0) + 1) % kStatusNames.length);
   }
 
   #nextPeriod() {

@@ -3,7 +3,7 @@
 // byte offset.
 import { el, isSame } from "../lib/dom.js";
 import { JogPanel } from "./jog.js";
-import { isWarning } from "../lib/wire_words.js";
+import { isWarning } from "../lib/wire_text.js";
 
 const kMaxRows = 200;
 const kMaxEarly = 256;
@@ -57,7 +57,7 @@ export class ConsolePanel {
     if (this.rows.length > kMaxRows) this.rows.shift();
     this.log.append(row);
     while (this.log.children.length > kMaxRows) this.log.firstChild.remove();
-    for (const words of this.early.splice(0)) this.#explain(words);
+    for (const explanation of this.early.splice(0)) this.#explain(explanation);
     this.#toEnd();
   }
 
@@ -76,12 +76,12 @@ export class ConsolePanel {
 
   // A command sent in pieces is explained at its last byte. An explanation without a matching row
   // may belong to a `send` whose result is still outstanding: keep it until then.
-  #explain(words) {
-    const { line, dir, last, code, message } = words;
+  #explain(explanation) {
+    const { line, dir, last, code, message } = explanation;
     const found = line === this.line && this.rows.find((each) => each[dir].from <= last && last < each[dir].to);
-    const classes = `${dir === "in" ? "made" : "means"}${isWarning(code) ? ".warning" : ""}`;
+    const classes = `${dir === "in" ? "parsed" : "meaning"}${isWarning(code) ? ".warning" : ""}`;
     if (found) found.row.append(" ", el(`span.${classes}`, {}, `· ${message}`));
-    else if (this.awaited > 0 && this.early.length < kMaxEarly) this.early.push(words);
+    else if (this.awaited > 0 && this.early.length < kMaxEarly) this.early.push(explanation);
   }
 
   #toEnd() {

@@ -33,8 +33,8 @@ export class JogPanel {
       el("span.name", { title: name }, name), this.#button(file, -1, "−", "down"), this.#button(file, 1, "+", "up"));
   }
 
-  #button(file, sign, text, words) {
-    const button = el("button", { type: "button", "aria-label": `${file.name} (${file.label}) ${words}` }, text);
+  #button(file, sign, text, title) {
+    const button = el("button", { type: "button", "aria-label": `${file.name} (${file.label}) ${title}` }, text);
     button.dataset.call = "send";
     whileHeld(button, (isFirst) => this.#press(file, sign, isFirst));
     return button;

@@ -59,7 +59,7 @@ export class Plan {
     put(this.tip, { d: `M${-y - 8} ${-x}h16M${-y} ${-x - 8}v16` });
   }
 
-  /** Blocks with name, xyz_mm, yaw_deg, held, size_mm, color and words. */
+  /** Blocks with name, xyz_mm, yaw_deg, held, size_mm, color and text. */
   setBlocks(blocks) {
     this.blocks = blocks;
     const gone = [...this.shapes.keys()].filter((name) => !blocks.some((block) => block.name === name));
@@ -76,7 +76,7 @@ export class Plan {
     const shape = this.shapes.get(block.name) ?? this.#newShape(block.name);
     const [x, y] = this.dragged?.name === block.name ? this.dragged.at : block.xyz_mm;
     const [l, w] = block.size_mm;
-    put(shape, { transform: `translate(${-y} ${-x}) rotate(${-block.yaw_deg})`, "aria-label": `block ${block.words}` });
+    put(shape, { transform: `translate(${-y} ${-x}) rotate(${-block.yaw_deg})`, "aria-label": `block ${block.text}` });
     put(shape.lastChild, { x: -w / 2, y: -l / 2, width: w, height: l, fill: colorOf(block.color) });
     shape.classList.toggle("held", block.held);
     this.#sizeHalo(shape, l, w);
@@ -163,10 +163,10 @@ export class Plan {
 
   #key(event) {
     const block = this.blocks.find((each) => each.name === this.chosen);
-    if (!block || !this.acts.mayMove() || !this.#obeyed(event.key, block)) return;
+    if (!block || !this.acts.mayMove() || !this.#runKey(event.key, block)) return;
     event.preventDefault();
   }
-  #obeyed(key, { name, xyz_mm: [x, y, z] }) {
+  #runKey(key, { name, xyz_mm: [x, y, z] }) {
     const [dx, dy] = kArrows[key] ?? [];
     if (kArrows[key]) this.acts.place(name, this.#within([x + dx * kMoveStep, y + dy * kMoveStep, z]));
     else if (kTurns[key]) this.acts.turn(kTurns[key] * kTurnStep);

@@ -1,6 +1,6 @@
 // The toolbar of the two views: selection of the view, its options, the status line and the display
 // note. The views draw themselves.
-import { kStatusWords } from "../lib/command_mode.js";
+import { kStatusNames } from "../lib/command_mode.js";
 import { byId, el, setText } from "../lib/dom.js";
 import { rove } from "../lib/roving_focus.js";
 
@@ -40,7 +40,7 @@ export class Stage {
     const note = display.on ? `every ${display.period_ticks / 1000} s, ${display.erase ? "erased first" : "not erased"}`
       : "The program's display is off: A# or the button turns it on.";
     setText(byId("display-note"), note);
-    setText(byId("display-word"), `graphics display ${display.on ? "on" : "off"}`);
+    setText(byId("display-state"), `graphics display ${display.on ? "on" : "off"}`);
   }
 
   #solidTools() {
@@ -58,7 +58,7 @@ export class Stage {
 
   #statusLine(call) {
     const option = byId("status-option");
-    option.replaceChildren(...kStatusWords.map((words, i) => el("option", { value: String(i) }, `${i} ${words}`)));
+    option.replaceChildren(...kStatusNames.map((name, i) => el("option", { value: String(i) }, `${i} ${name}`)));
     option.onchange = () => call("key", { function: "status", value: Number(option.value) });
   }
 }

@@ -1,7 +1,7 @@
 // The wire panel: every byte sent and received, by line, with its explanation, as in a serial
 // analyser.
 import { copyText, download, el, setText } from "../lib/dom.js";
-import { counted, isWarning, transcriptLine } from "../lib/wire_words.js";
+import { counted, isWarning, transcriptLine } from "../lib/wire_text.js";
 
 const kMaxRows = 1024;
 const kMaxSeen = 8 * kMaxRows;
@@ -13,8 +13,8 @@ const kThereAgain = "The connection was lost and restored.";
 const printOf = ({ epoch, tick, line, dir, offset, hex }) => [epoch, tick, line, dir, offset, hex].join();
 
 export class WirePanel {
-  constructor({ list, filter, count, said }) {
-    Object.assign(this, { list, filter, count, said });
+  constructor({ list, filter, count, status }) {
+    Object.assign(this, { list, filter, count, status });
     this.messages = [];
     this.#forget();
     this.reconnection = null; // the reconnection that has no row yet
@@ -39,7 +39,7 @@ export class WirePanel {
   #wait(message) {
     this.waiting.push(message);
     if (this.waiting.length > kMaxRows) this.waiting.shift();
-    this.#tell();
+    this.#updateCount();
   }
 
   lag({ channel, missed }) {
@@ -50,7 +50,7 @@ export class WirePanel {
     this.isPaused = isPaused;
     if (isPaused) return;
     for (const message of this.waiting.splice(0)) this.#add(message);
-    this.#tell();
+    this.#updateCount();
   }
 
   /** Notes a reconnection; `isSurelyAnew`: the server's time shows that it has been restarted. */
@@ -86,14 +86,14 @@ export class WirePanel {
     this.messages = [];
     this.waiting = [];
     this.list.replaceChildren();
-    this.#tell();
+    this.#updateCount();
   }
 
   #add(message) {
     this.messages.push(message);
     if (this.messages.length > kMaxRows) this.messages.shift();
-    if (this.#fits(message)) this.#append(this.#row(message));
-    this.#tell();
+    if (this.#matches(message)) this.#append(this.#row(message));
+    this.#updateCount();
   }
 
   #append(row) {
@@ -104,9 +104,9 @@ export class WirePanel {
     if (atEnd) list.scrollTop = list.scrollHeight;
   }
 
-  #fits(message) {
-    const words = this.filter.value.trim().toLowerCase();
-    return !words || transcriptLine(message).toLowerCase().includes(words);
+  #matches(message) {
+    const wanted = this.filter.value.trim().toLowerCase();
+    return !wanted || transcriptLine(message).toLowerCase().includes(wanted);
   }
 
   #row(message) {
@@ -116,37 +116,37 @@ export class WirePanel {
       el("span.line", { title: `line ${message.line}` }, String(message.line)),
       el("span.dir", { "aria-label": message.dir === "in" ? "in" : "out" }, message.dir === "in" ? "→" : "←"),
       el("code", { title: message.hex }, message.text + (message.bytes > message.hex.length / 2 ? ` … ${message.bytes} bytes` : "")));
-    const words = el("span.words");
+    const parsed = el("span.parsed");
     message.parsed.forEach((item, i) => {
-      if (i > 0) words.append(" · ");
-      words.append(el(isWarning(item.code) ? "span.warning" : "span", {}, item.message));
+      if (i > 0) parsed.append(" · ");
+      parsed.append(el(isWarning(item.code) ? "span.warning" : "span", {}, item.message));
     });
-    row.append(words);
+    row.append(parsed);
     return row;
   }
 
-  #fitting() {
-    return this.messages.filter((message) => this.#fits(message));
+  #matching() {
+    return this.messages.filter((message) => this.#matches(message));
   }
 
   #refresh() {
-    this.list.replaceChildren(...this.#fitting().map((message) => this.#row(message)));
+    this.list.replaceChildren(...this.#matching().map((message) => this.#row(message)));
     this.list.scrollTop = this.list.scrollHeight;
-    this.#tell();
+    this.#updateCount();
   }
 
-  #tell() {
+  #updateCount() {
     const wait = this.waiting.length > 0 ? `, ${this.waiting.length} more wait` : "";
-    setText(this.count, this.#countWords() + wait);
+    setText(this.count, this.#countText() + wait);
   }
-  #countWords() {
+  #countText() {
     const all = counted(this.messages.filter((message) => !message.note).length, "message");
     if (this.messages.length === 0) return this.isPaused ? all : "No bytes yet: connect to the robot port or use the console.";
     return this.filter.value.trim() ? `${this.list.querySelectorAll("li:not(.lag, .mark)").length} of ${all}` : all;
   }
 
   transcript() {
-    return this.#fitting().map(transcriptLine).join("\n") + "\n";
+    return this.#matching().map(transcriptLine).join("\n") + "\n";
   }
   save() {
     download("transcript.txt", this.transcript());
@@ -156,7 +156,7 @@ export class WirePanel {
   async copy() {
     const isCopied = await copyText(this.transcript());
     if (!isCopied) getSelection().selectAllChildren(this.list);
-    setText(this.said, isCopied ? `Copied ${counted(this.#fitting().length, "line")}.`
+    setText(this.status, isCopied ? `Copied ${counted(this.#matching().length, "line")}.`
       : "This browser does not let pages copy. The bytes are selected: press Ctrl-C.");
   }
 }

@@ -1,7 +1,7 @@
 // The workcell editor: plan, table and the form of the selected block show the same blocks. Every
 // change is a call to the server; a refused change is reverted.
 import { BlockTable } from "./block_table.js";
-import { ChosenBlock, placeWords } from "./chosen_block.js";
+import { ChosenBlock, placeText } from "./chosen_block.js";
 import { el, setText } from "../lib/dom.js";
 import { freePlace } from "../lib/free_place.js";
 import { mmPerUnit } from "../lib/kinematics.js";
@@ -18,7 +18,7 @@ export class WorkcellPanel {
   constructor({ host, call, getModel, mayCall, onError }) {
     Object.assign(this, { call, mayCall, onError, chosen: null });
     const part = (id) => host.querySelector(`#${id}`);
-    this.said = part("workcell-said");
+    this.status = part("workcell-status");
     this.files = new Map(); // size_mm and color of each block, from the model
     this.added = new Map(); // the same for new blocks, until model and state contain them
     this.wanted = new Map(); // requested positions, until the server has answered
@@ -27,7 +27,7 @@ export class WorkcellPanel {
       turn: (degrees) => this.turn(degrees), remove: () => this.remove(), mayMove: mayCall,
     });
     this.table = new BlockTable(part("blocks"), { onChoose: (name) => this.choose(name) });
-    this.words = new ChosenBlock({ words: part("chosen"), form: part("place-form"), place: (name, change) => this.place(name, change) });
+    this.chosenBlock = new ChosenBlock({ text: part("chosen"), form: part("place-form"), place: (name, change) => this.place(name, change) });
     this.file = new WorkcellFile({ problems: part("workcell-problems"), call, getModel, onError });
   }
 
@@ -60,7 +60,7 @@ export class WorkcellPanel {
       const file = this.files.get(block.name) ?? this.added.get(block.name);
       if (!file) return [];
       const shown = { ...block, ...file, ...this.wanted.get(block.name) };
-      return [{ ...shown, words: placeWords(shown) }];
+      return [{ ...shown, text: placeText(shown) }];
     });
   }
   #block() {
@@ -73,7 +73,7 @@ export class WorkcellPanel {
     this.plan.setBlocks(blocks);
     this.plan.setTip(this.state.tool.xyz_mm);
     this.table.setBlocks(blocks);
-    this.words.show(this.#block());
+    this.chosenBlock.show(this.#block());
   }
 
   choose(name) {
@@ -81,7 +81,7 @@ export class WorkcellPanel {
     this.chosen = name;
     this.plan.setChosen(name);
     this.table.setChosen(name);
-    if (this.state) this.words.show(this.#block());
+    if (this.state) this.chosenBlock.show(this.#block());
   }
 
   // --- Changes.
@@ -103,20 +103,20 @@ export class WorkcellPanel {
     this.state = { ...this.state, blocks };
     this.#draw();
     const block = blocks.find((each) => each.name === name);
-    if (block) setText(this.said, placeWords(block));
+    if (block) setText(this.status, placeText(block));
   }
 
   turn(degrees) {
     const block = this.#block();
-    if (!block) return setText(this.said, "Choose a block first.");
+    if (!block) return setText(this.status, "Choose a block first.");
     const yaw = ((((block.yaw_deg + degrees + 180) % 360) + 360) % 360) - 180;
     this.place(block.name, { yaw_deg: yaw });
   }
 
   async remove() {
     const name = this.chosen;
-    if (!name) return setText(this.said, "Choose a block first.");
-    if (await this.#ask("block_remove", { name })) setText(this.said, `${name} was removed.`);
+    if (!name) return setText(this.status, "Choose a block first.");
+    if (await this.#ask("block_remove", { name })) setText(this.status, `${name} was removed.`);
   }
 
   /** Adds a block at a free position on the work surface. Resolves to whether the server did so. */
@@ -127,7 +127,7 @@ export class WorkcellPanel {
     if (!isDone) return false;
     this.added.set(name, { size_mm: size, color });
     this.choose(name);
-    setText(this.said, placeWords({ name, xyz_mm, yaw_deg: 0, held: false }));
+    setText(this.status, placeText({ name, xyz_mm, yaw_deg: 0, held: false }));
     return true;
   }
 

@@ -205,7 +205,7 @@ RC_GTEST_PROP(PaperForm, AnyWorkcellRoundTrips, ()) {
   RC_ASSERT(reading.workcell == workcell);
 }
 
-TEST(PaperForm, ARobotWithOnlyWhatThePaperNames) {
+TEST(PaperForm, ReadsARobotWithOnlyThePapersItems) {
   const CheckResult result = check(kArm);
   EXPECT_EQ(to_text(result.findings), "");
   ASSERT_TRUE(result.robot);
@@ -236,7 +236,7 @@ TEST(PaperForm, AngularJawsGetTheirHingeFromTheirParts) {
   EXPECT_EQ(result.robot->tool.drive.home, 55);
 }
 
-TEST(PaperForm, AWorkcellWithOnlyWhatThePaperNames) {
+TEST(PaperForm, ReadsAWorkcellWithOnlyThePapersItems) {
   const CheckResult result = check(kTable);
   EXPECT_EQ(to_text(result.findings), "");
   ASSERT_TRUE(result.workcell);
@@ -251,7 +251,7 @@ TEST(PaperForm, AWorkcellWithOnlyWhatThePaperNames) {
             (Camera{{290000, 0, 1000000}, 384000, 384000, 192, 192, Projection::kOrthographic}));
 }
 
-TEST(PaperForm, InchesAndFilesOfDos) {
+TEST(PaperForm, ReadsInchesAndDosLineEnds) {
   std::string dos =
       "*+ \"length_unit\": \"inch\", \"work_surface\": 1\r\n10 10 20\r\n0\r\n\x1A junk";
   const CheckResult result = check(dos);
@@ -261,7 +261,7 @@ TEST(PaperForm, InchesAndFilesOfDos) {
   EXPECT_FALSE(result.workcell->camera);
 }
 
-TEST(PaperForm, AdditionsBelongToTheLineThatFollows) {
+TEST(PaperForm, AdditionsApplyToTheNextLine) {
   const CheckResult result = check(
       "1 1 1\n*+++ decoration +++\n2\n*+ \"block\": \"red\"\n* remark\n*+ \"color\": 12\n"
       ".1 .1 .1 .5 0 .05 0\n*+ \"name\": \"lab 7\"\n.1 .1 .1 .2 0 .05 0\n");
@@ -279,7 +279,7 @@ struct Broken {
   std::string words;  ///< part of the report
 };
 
-TEST(PaperForm, BrokenWorkcellsSayWhere) {
+TEST(PaperForm, ReportsErrorsOfWorkcellsWithTheirLines) {
   const Broken rows[] = {
       {"a word for a number", with_line(kTable, 2, "600 wide 700"), "2 /workspace/y",
        "found \"wide\"; allowed: a length above 0, up to 100000 mm"},
@@ -301,9 +301,9 @@ TEST(PaperForm, BrokenWorkcellsSayWhere) {
       {"unknown addition", "*+ \"work_surfac\": 3\n" + kTable, "1 /work_surfac",
        "perhaps \"work_surface\" was meant"},
       {"addition twice", "*+ \"name\": \"a\"\n*+ \"name\": \"b\"\n" + kTable, "2 /name",
-       "for the second time"},
+       "a duplicate"},
       {"addition twice in a line", "*+ \"name\": \"a\", \"name\": \"b\"\n" + kTable, "1 /name",
-       "for the second time"},
+       "a duplicate"},
       {"wrong addition", "*+ \"surface_stalls\": 1\n" + kTable, "1 /surface_stalls",
        "found 1; allowed: true or false"},
       {"no addition", "*+ name = lab\n" + kTable, "1 ", "members as in the JSON file"},
@@ -321,7 +321,7 @@ TEST(PaperForm, BrokenWorkcellsSayWhere) {
   }
 }
 
-TEST(PaperForm, BrokenRobotsSayWhere) {
+TEST(PaperForm, ReportsErrorsOfRobotsWithTheirLines) {
   const Broken rows[] = {
       {"too many axes", with_line(kArm, 2, "9"), "2 /joints", "a whole number 1 to 7"},
       {"no axes", with_line(kArm, 2, "0"), "2 /joints", ""},
@@ -352,12 +352,12 @@ TEST(PaperForm, BrokenRobotsSayWhere) {
 
 // If any line is removed, duplicated or damaged, an error is reported at or after that line, and
 // nothing is thrown.
-TEST(PaperForm, EveryLineCounts) {
-  const std::string whole = robot_to_paper_form(test::robot_named("adept-one"));
+TEST(PaperForm, ADamagedLineIsReportedAtOrAfterIt) {
+  const std::string text = robot_to_paper_form(test::robot_named("adept-one"));
   std::vector<std::string> lines;
-  for (std::size_t begin = 0; begin < whole.size();) {
-    const std::size_t end = whole.find('\n', begin);
-    lines.push_back(whole.substr(begin, end - begin));
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = text.find('\n', begin);
+    lines.push_back(text.substr(begin, end - begin));
     begin = end + 1;
   }
   const auto joined = [](const std::vector<std::string>& parts) {
@@ -380,7 +380,7 @@ TEST(PaperForm, EveryLineCounts) {
   }
 }
 
-TEST(PaperForm, NeitherRobotNorWorkcell) {
+TEST(PaperForm, RejectsOtherText) {
   for (const std::string text : {"", "* nothing\n", "1 2\n", "\n\n1 2 3 4\n"}) {
     const CheckResult result = check(text);
     EXPECT_EQ(result.kind, DataKind::kUnknown);
@@ -389,7 +389,7 @@ TEST(PaperForm, NeitherRobotNorWorkcell) {
   EXPECT_EQ(places(check("* a\n\n1 2\n").findings), "3 ");
 }
 
-TEST(PaperForm, TellsJsonFromPlain) {
+TEST(PaperForm, DistinguishesJsonFromThePlainForm) {
   EXPECT_TRUE(is_json_form("* comment\n  {"));
   EXPECT_TRUE(is_json_form("[1]"));
   EXPECT_FALSE(is_json_form("* {\n5\n"));
@@ -397,7 +397,7 @@ TEST(PaperForm, TellsJsonFromPlain) {
   EXPECT_TRUE(check(test::project_file("data/robots/rhino-xr3.json")).robot);
 }
 
-TEST(JsonText, ReadsBackAndKeepsTheLinesShort) {
+TEST(JsonText, RoundTripsInShortLines) {
   for (const std::string& name : kRobots) {
     const std::string text = json_text(robot_to_json(test::robot_named(name)));
     EXPECT_EQ(load_robot(text, name), test::robot_named(name));
@@ -408,7 +408,7 @@ TEST(JsonText, ReadsBackAndKeepsTheLinesShort) {
   }
 }
 
-TEST(JsonText, ShortThingsStandOnALine) {
+TEST(JsonText, ShortValuesFitOnOneLine) {
   EXPECT_EQ(json_text(Json::parse(R"({"a": [1, 2.5], "b": {"c": "d", "e": []}})")),
             "{\n  \"a\": [1, 2.5],\n  \"b\": {\"c\": \"d\", \"e\": []}\n}\n");
 }

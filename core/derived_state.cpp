@@ -1,0 +1,41 @@
+#include "core/derived_state.hpp"
+
+#include <cassert>
+
+#include "core/coupling.hpp"
+#include "core/grasp.hpp"
+#include "core/kinematics.hpp"
+#include "core/motor.hpp"
+#include "core/stall.hpp"
+#include "core/switches.hpp"
+
+namespace xr3 {
+namespace {
+
+/// Whether every position is within its limits.
+[[maybe_unused]] bool are_within_limits(const Model& model, const Positions& positions) {
+  for (int i = 0; i < model.motor_count(); ++i) {
+    const Counts position = positions[static_cast<std::size_t>(i)];
+    if (position < model.motor(i).low || position > model.motor(i).high) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+State derived(const Model& model, State state) {
+  Events ignored;
+  const Positions now = positions(model, state.motors);
+  assert(are_within_limits(model, now));
+  for (int i = 0; i < model.motor_count(); ++i) set_error(state.motor(i), state.motor(i).error);
+  update_switches(model, state, ignored);
+  update_blocked(model, state, now, ignored);
+  state.below_surface = is_below_surface(model, tool_tip(model, now));
+  if (state.held) {
+    state.blocks[state.held->block] =
+        as_released(model, state, *state.held, state.held->grasped_at);
+  }
+  return state;
+}
+
+}  // namespace xr3

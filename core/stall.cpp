@@ -1,0 +1,70 @@
+#include "core/stall.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "core/coupling.hpp"
+#include "core/kinematics.hpp"
+
+namespace xr3 {
+namespace {
+
+bool are_within_limits(const Model& model, const Positions& positions,
+                       const std::vector<CoupledJoint>& joints) {
+  return std::all_of(joints.begin(), joints.end(), [&](const CoupledJoint& driven) {
+    const MotorModel& joint = model.motor(driven.joint);
+    return joint.low <= positions[driven.joint] && positions[driven.joint] <= joint.high;
+  });
+}
+
+/// Whether some combination of at most one count per joint, from `joint` on, moves the tip to where
+/// `is_such` holds.
+bool leads_to(const Model& model, const Positions& positions, int joint,
+              const std::function<bool(const PointUm&)>& is_such) {
+  if (joint == model.joint_count()) return is_such(tool_tip(model, positions));
+  for (const Counts count : {0, -1, 1}) {
+    Positions next = positions;
+    turn(model, next, joint, count);
+    if (are_within_limits(model, next, model.driven_by(joint)) &&
+        leads_to(model, next, joint + 1, is_such)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool is_in_protected_region(const Model& model, const PointUm& tip) {
+  const Micrometres radius = model.region_radius_um();
+  return tip.z < model.region_height_um() && tip.x * tip.x + tip.y * tip.y < radius * radius;
+}
+
+bool is_below_surface(const Model& model, const PointUm& tip) {
+  return tip.z < model.workcell().work_surface_um;
+}
+
+Stall stall_at(const Model& model, const State& state, const PointUm& tip) {
+  if (is_in_protected_region(model, tip)) return Stall::kProtectedRegion;
+  const bool crosses = is_below_surface(model, tip) && !state.below_surface;
+  return model.workcell().surface_stalls && crosses ? Stall::kWorkSurface : Stall::kNo;
+}
+
+bool could_stall(const Model& model, const Positions& positions, Stall why) {
+  if (why == Stall::kNo) return true;
+  const Micrometres height = tool_tip(model, positions).z;
+  return leads_to(model, positions, 0, [&](const PointUm& tip) {
+    const bool is_inside = is_in_protected_region(model, tip);
+    return why == Stall::kProtectedRegion ? is_inside : !is_inside && tip.z < height;
+  });
+}
+
+void update_surface(const Model& model, State& state, const PointUm& tip, Events& events) {
+  const bool below = is_below_surface(model, tip);
+  if (below && !state.below_surface) {
+    events.push_back({state.tick, Warning{WarningCode::kBelowSurface, 'A', 0, 0, {}}});
+  }
+  state.below_surface = below;
+}
+
+}  // namespace xr3

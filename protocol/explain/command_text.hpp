@@ -1,0 +1,31 @@
+// Commands of the serial line and their replies as text: a stable code and a short phrase. Only for
+// executed commands; diagnostic.hpp has the texts for the others.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/model.hpp"
+#include "protocol/explain/wire_record.hpp"
+
+namespace xr3 {
+
+struct CommandText {
+  std::string_view code;  ///< stable, the name in data/commands.json, such as `move`
+  std::string phrase;     ///< what the command did or asks for, such as `move E +5, counter 5`
+};
+
+CommandText command_text(const wire::Executed& executed);
+
+/// The code alone.
+std::string_view code_of(const Command& command);
+
+struct ReplyText {
+  std::string_view code;  ///< stable, such as `reply_error`
+  std::string phrase;     ///< the meaning, such as `E: 4 counts to go`
+};
+
+/// `model` gives the joints of the switch bits and the profile of the reply's bytes.
+ReplyText reply_text(const wire::Answered& answered, const Model& model);
+
+}  // namespace xr3

@@ -1,0 +1,267 @@
+#include "protocol/explain/event_report.hpp"
+
+#include <array>
+#include <cstdio>
+#include <utility>
+
+#include "protocol/explain/diagnostic.hpp"
+#include "protocol/json/values.hpp"
+
+namespace xr3 {
+namespace {
+
+std::string number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", value);
+  return text.data();
+}
+
+const char* unit_of(const Model& model, char label) {
+  const int index = model.index_of(label);
+  if (index == model.tool_index())
+    return model.robot().tool.kind == ToolKind::kParallel ? "mm" : "deg";
+  const auto variable = model.robot().joints[static_cast<std::size_t>(index)].variable;
+  return variable == JointVariable::kD ? "mm" : "deg";
+}
+
+std::string text_of(char label) { return {label}; }
+
+Json io_json(const char* which, int number, bool value) {
+  return {{which, number}, {"value", value}};
+}
+
+Json block_json(const std::string& name, const PointUm& centroid, Microdegrees yaw) {
+  return {{"block", name},
+          {"xyz_mm", point_json(centroid)},
+          {"yaw_deg", rounded(degrees(yaw), kDegreeDecimals)}};
+}
+
+Json warning_json(Json offset, Json hex, int count) {
+  return {{"offset", std::move(offset)}, {"hex", std::move(hex)}, {"count", count}};
+}
+
+std::string camera_text(const Model& model) {
+  const auto& camera = model.workcell().camera;
+  if (!camera) return "this workcell has no camera; not answered";
+  return "the camera has columns 0..." + std::to_string(camera->pixels_x - 1) + " and rows 0..." +
+         std::to_string(camera->pixels_y - 1) + "; not answered";
+}
+
+std::string text_of(const Warning& warning, const Model& model) {
+  const std::string label = text_of(warning.label);
+  switch (warning.code) {
+    case WarningCode::kCounterOverflow:
+      return label + signed_number(warning.value) + ": the 8-bit error counter wrapped to " +
+             std::to_string(warning.limit) + "; wait until " + label +
+             " is nearer to its target before sending more";
+    case WarningCode::kNoSuchJoint:
+      return label + ": this robot has no such joint; it has A..." +
+             text_of(static_cast<char>('A' + model.joint_count()));
+    case WarningCode::kBadCameraArgument: return camera_text(model);
+    case WarningCode::kJawsTooNarrow:
+      return "the jaws are already narrower than block " + warning.block +
+             ": open them before closing on it";
+    case WarningCode::kBelowSurface: return "the tool tip passed under the work surface";
+  }
+  return "";
+}
+
+std::string text_of(const MotorBlocked& e, const Model& model) {
+  const std::string left = ", " + std::to_string(std::abs(e.error)) + " counts short";
+  if (e.why == Blocked::kBlock) return "the jaws are closed on a block" + left;
+  const std::string limit = std::string(e.upper ? "upper" : "lower") + " limit of " +
+                            number(e.limit) + " " + unit_of(model, e.by);
+  if (e.by == e.label) return text_of(e.label) + " is at its " + limit + left;
+  return text_of(e.label) + " is blocked because it would move " + e.by + " past its " + limit +
+         left;
+}
+
+std::string_view code_of_reason(LineCloseReason reason) {
+  switch (reason) {
+    case LineCloseReason::kClientClosed: return "client_closed";
+    case LineCloseReason::kNotARobotProgram: return "stranger";
+    case LineCloseReason::kError: return "error";
+    case LineCloseReason::kShutdown: return "shutdown";
+    case LineCloseReason::kDisconnected: return "disconnected";
+  }
+  return "";
+}
+
+std::string_view text_of(LineCloseReason reason) {
+  switch (reason) {
+    case LineCloseReason::kClientClosed: return "closed by its client";
+    case LineCloseReason::kNotARobotProgram:
+      return "closed: its client sent HTTP, TLS or STUN; none of its bytes were executed";
+    case LineCloseReason::kError: return "lost";
+    case LineCloseReason::kShutdown: return "closed: the server stops";
+    case LineCloseReason::kDisconnected: return "closed by the monitor's line_disconnect";
+  }
+  return "";
+}
+
+std::string text_of(Rate rate) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.9g", static_cast<double>(rate.millionths) / 1e6);
+  return text.data() + std::string(" times real time");
+}
+
+/// The table of the machine's events.
+struct MachineEvents {
+  const Model& model;
+
+  EventReport operator()(const MoveTaken& e) const {
+    return {
+        "move",
+        "move",
+        text_of(e.label) + " " + signed_number(e.counts) + ": counter " + std::to_string(e.error),
+        {{"joint", text_of(e.label)}, {"counts", e.counts}, {"error", e.error}}};
+  }
+  EventReport operator()(const Reached& e) const {
+    return {"reached",
+            "reached",
+            text_of(e.label) + " has reached its target",
+            {{"joint", text_of(e.label)}, {"count", e.count}}};
+  }
+  EventReport operator()(const MotorBlocked& e) const {
+    const bool at_limit = e.why == Blocked::kLimit;
+    return {"blocked",
+            at_limit ? "limit" : "block",
+            text_of(e, model),
+            {{"joint", text_of(e.label)},
+             {"count", e.count},
+             {"error", e.error},
+             {"by", text_of(at_limit ? e.by : e.label)}}};
+  }
+  EventReport operator()(const Stalled& e) const {
+    const bool by_region = e.why == Stall::kProtectedRegion;
+    return {"stalled", by_region ? "protected_region" : "work_surface",
+            std::string(by_region ? "the tool would enter the protected region"
+                                  : "the tool would pass under the work surface") +
+                "; A$ or reset clears the stall",
+            Json::object()};
+  }
+  EventReport operator()(const SwitchChanged& e) const {
+    return {"switch",
+            "switch",
+            "the microswitch of " + text_of(e.label) + (e.closed ? " closed" : " opened"),
+            {{"joint", text_of(e.label)}, {"closed", e.closed}, {"count", e.count}}};
+  }
+  EventReport operator()(const Grasped& e) const {
+    return {"grasped", "grasped", "the jaws hold block " + e.block,
+            block_json(e.block, e.centroid_um, e.yaw_udeg)};
+  }
+  EventReport operator()(const Released& e) const {
+    return {"released", "released", "block " + e.block + " released",
+            block_json(e.block, e.centroid_um, e.yaw_udeg)};
+  }
+  EventReport operator()(const Homed&) const {
+    return {"homed", "homed", "soft home", Json::object()};
+  }
+  EventReport operator()(const OutputChanged& e) const {
+    return {"io", "io", "output " + std::to_string(e.line) + (e.high ? " is high" : " is low"),
+            io_json("output", e.line, e.high)};
+  }
+  EventReport operator()(const InputChanged& e) const {
+    return {"io", "io", "input " + std::to_string(e.line) + (e.high ? " is high" : " is low"),
+            io_json("input", e.line, e.high)};
+  }
+  EventReport operator()(const AuxiliaryChanged& e) const {
+    return {"io", "io", "auxiliary port " + std::to_string(e.port) + (e.on ? " is on" : " is off"),
+            io_json("aux", e.port, e.on)};
+  }
+  EventReport operator()(const EnabledChanged& e) const {
+    return {
+        "enabled",
+        e.enabled ? "enabled" : "disabled",
+        e.enabled ? "the simulator is enabled" : "the simulator is disabled; only A@ is executed",
+        {{"enabled", e.enabled}}};
+  }
+  EventReport operator()(const Warning& e) const {
+    return {"warning", code_of(e.code), text_of(e, model), warning_json(nullptr, nullptr, 1)};
+  }
+};
+
+/// The table of the other events of a cell.
+struct CellEvents {
+  const CellEvent& event;
+  const Model& model;
+
+  std::string line() const { return event.line ? "line " + std::to_string(*event.line) : "a line"; }
+
+  EventReport operator()(const EventBody& body) const {
+    EventReport of_machine = report(body, model);
+    if (std::holds_alternative<Homed>(body)) {
+      of_machine.message += event.line ? " by A$" : " by a call";
+      of_machine.members["by"] = event.line ? "serial" : "call";
+    }
+    return of_machine;
+  }
+  EventReport operator()(const ProblemNote& note) const {
+    return {"warning", note.code, note.message,
+            warning_json(note.offset, hexadecimal(note.raw.view()), note.count)};
+  }
+  EventReport operator()(const SuppressedNote& note) const {
+    return {"warning", "suppressed",
+            std::to_string(note.count) + " more warnings of this line in that simulated second",
+            warning_json(nullptr, nullptr, note.count)};
+  }
+  EventReport operator()(const LineOpenedNote& note) const {
+    return {"line_open",
+            "line_open",
+            line() + " opened by " + note.peer,
+            {{"kind", name_of(note.kind)}, {"peer", note.peer}}};
+  }
+  EventReport operator()(const LineClosedNote& note) const {
+    return {"line_close",
+            code_of_reason(note.reason),
+            line() + " " + std::string(text_of(note.reason)),
+            {{"bytes_in", note.bytes_in}, {"bytes_out", note.bytes_out}}};
+  }
+  EventReport operator()(const ClockNote& note) const {
+    return {"clock", note.call, text_of(note), {{"clock", clock_json(note.mode, note.rate)}}};
+  }
+  EventReport operator()(const ModelNote& note) const {
+    return {"model",
+            note.call,
+            "workcell changed: " + std::string(note.call) + " " + note.name,
+            {{"model_rev", note.model_rev}}};
+  }
+  EventReport operator()(const EpochNote& note) const {
+    return {"epoch",
+            note.call,
+            std::string(note.call) + ": tick " + std::to_string(note.from_tick) + " of epoch " +
+                std::to_string(note.from_epoch) + " became tick " + std::to_string(event.tick) +
+                " of epoch " + std::to_string(event.epoch),
+            {{"from_epoch", note.from_epoch}, {"from_tick", note.from_tick}}};
+  }
+
+ private:
+  static std::string text_of(const ClockNote& note) {
+    const std::string by = " (" + std::string(note.call) + ")";
+    if (note.mode == ClockMode::kReal) return "time runs at " + xr3::text_of(note.rate) + by;
+    if (note.call != "rate") return "time is paused" + by;
+    return "time is paused; it will run at " + xr3::text_of(note.rate) + by;
+  }
+  static std::string_view text_of(LineCloseReason reason) { return xr3::text_of(reason); }
+};
+
+}  // namespace
+
+std::string_view name_of(LineKind kind) {
+  switch (kind) {
+    case LineKind::kRaw: return "raw";
+    case LineKind::kTelnet: return "telnet";
+    case LineKind::kMonitor: return "monitor";
+  }
+  return "";
+}
+
+EventReport report(const EventBody& event, const Model& model) {
+  return std::visit(MachineEvents{model}, event);
+}
+
+EventReport report(const CellEvent& event, const Model& model) {
+  return std::visit(CellEvents{event, model}, event.note);
+}
+
+}  // namespace xr3

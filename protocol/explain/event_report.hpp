@@ -1,0 +1,31 @@
+// What xr3 reports about an event of a cell: its kind, its stable code, one sentence, and the members
+// of the monitor's message. One function per kind of event is the only place that knows them; the
+// log, the monitor port and the explanations of bytes use the same report.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/model.hpp"
+#include "protocol/explain/cell_event.hpp"
+#include "protocol/json/source.hpp"
+
+namespace xr3 {
+
+struct EventReport {
+  std::string_view event;  ///< the kind, such as `blocked` or `warning`
+  std::string_view code;   ///< stable, such as `limit` or `counter_overflow`
+  std::string message;     ///< one sentence
+  Json members;            ///< an object with the members that only this kind has
+};
+
+/// The report about an event of the machine. `model` gives units and limits.
+EventReport report(const EventBody& event, const Model& model);
+
+/// The report about any event of a cell.
+EventReport report(const CellEvent& event, const Model& model);
+
+/// `raw`, `telnet` or `monitor`.
+std::string_view name_of(LineKind kind);
+
+}  // namespace xr3

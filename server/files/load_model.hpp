@@ -1,0 +1,21 @@
+// Loads a robot and a workcell from their files.
+#pragma once
+
+#include <string>
+
+#include "core/model.hpp"
+#include "server/options/option_sources.hpp"
+
+namespace xr3 {
+
+struct ModelFiles {
+  std::string robot;     ///< name or path
+  std::string workcell;  ///< name or path; empty: the one with the robot's name
+  Profile profile = Profile::kPaper;
+  OptionSources option_sources = {};  ///< where the user chose the files, for messages
+};
+
+/// Accepts both forms of files. Throws FileError and DataError.
+ModelPtr load_model(const ModelFiles& files);
+
+}  // namespace xr3

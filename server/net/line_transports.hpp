@@ -1,0 +1,36 @@
+// The transports of the serial lines, as the monitor's calls need them.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+#include "protocol/explain/cell_event.hpp"
+#include "server/net/asio.hpp"
+
+namespace xr3 {
+
+class LineTransports {
+ public:
+  /// Applies every byte that has already arrived, including those of connections that are not
+  /// accepted yet, as long as the line's replies can be sent. `step` and `run_until` call it first,
+  /// so that bytes sent before them act before them.
+  virtual void read_arrived() = 0;
+
+  /// Runs a turn for each line with news, and one turn for one of the lines with unfinished work.
+  /// It is cheap enough to be called between writes to monitor sessions, so that a line never waits
+  /// for a thousand sessions, nor for many flooding lines.
+  virtual void run_turns() = 0;
+
+  /// Waits until a line has received `bytes_in` bytes in total. Returns false if the time is over,
+  /// the line has closed before, or the transports are closing.
+  virtual asio::awaitable<bool> wait_for_bytes(LineId line, std::uint64_t bytes_in,
+                                               std::chrono::milliseconds within) = 0;
+
+  /// Closes the connection of a line. Returns false if it belongs to no transport.
+  virtual bool disconnect(LineId line) = 0;
+
+ protected:
+  ~LineTransports() = default;  // never owned through this interface
+};
+
+}  // namespace xr3

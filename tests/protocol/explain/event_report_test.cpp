@@ -1,0 +1,82 @@
+// Codes and sentences of events; their members are tested with the monitor's messages.
+#include "protocol/explain/event_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "tests/support/models.hpp"
+
+namespace xr3 {
+namespace {
+
+struct EventRow {
+  EventBody event;
+  std::string_view code;
+  std::string_view sentence;
+};
+
+TEST(EventReport, EventsHaveACodeAndAMessage) {
+  const EventRow rows[] = {
+      {MoveTaken{'E', 50, 62}, "move", "E +50: counter 62"},
+      {Reached{'E', 12}, "reached", "E has reached its target"},
+      {MotorBlocked{'F', Blocked::kLimit, 'F', true, 175, 771, 4}, "limit",
+       "F is at its upper limit of 175 deg, 4 counts short"},
+      {MotorBlocked{'A', Blocked::kLimit, 'A', false, 0, -64, -7}, "limit",
+       "A is at its lower limit of 0 mm, 7 counts short"},
+      {MotorBlocked{'E', Blocked::kLimit, 'D', false, -15, 502, 8}, "limit",
+       "E is blocked because it would move D past its lower limit of -15 deg, 8 counts short"},
+      {SwitchChanged{'C', true, 40}, "switch", "the microswitch of C closed"},
+      {SwitchChanged{'C', false, 39}, "switch", "the microswitch of C opened"},
+      {Homed{}, "homed", "soft home"},
+      {OutputChanged{3, true}, "io", "output 3 is high"},
+      {InputChanged{8, false}, "io", "input 8 is low"},
+      {AuxiliaryChanged{2, true}, "io", "auxiliary port 2 is on"},
+      {EnabledChanged{true}, "enabled", "the simulator is enabled"},
+      {Warning{WarningCode::kNoSuchJoint, 'G', 0, 0, {}}, "no_such_joint",
+       "G: this robot has no such joint; it has A...F"},
+  };
+  for (const EventRow& row : rows) {
+    const EventReport about = report(row.event, *test::rhino());
+    EXPECT_EQ(about.code, row.code);
+    EXPECT_EQ(about.message, row.sentence);
+  }
+}
+
+TEST(EventReport, AStallNamesTheCommandThatEndsIt) {
+  for (const Stall why : {Stall::kProtectedRegion, Stall::kWorkSurface}) {
+    EXPECT_NE(report(Stalled{why}, *test::rhino()).message.find("A$"), std::string::npos);
+  }
+  EXPECT_EQ(report(Stalled{Stall::kProtectedRegion}, *test::rhino()).code, "protected_region");
+  EXPECT_EQ(report(Stalled{Stall::kWorkSurface}, *test::rhino()).code, "work_surface");
+}
+
+TEST(EventReport, AnOverflowNamesTheMoveAndTheCounter) {
+  const std::string words =
+      report(Warning{WarningCode::kCounterOverflow, 'E', 100, -56, {}}, *test::rhino()).message;
+  EXPECT_NE(words.find("E+100"), std::string::npos) << words;
+  EXPECT_NE(words.find("-56"), std::string::npos) << words;
+}
+
+TEST(EventReport, EveryReasonHasACodeAndAText) {
+  const std::pair<LineCloseReason, std::string> rows[] = {
+      {LineCloseReason::kClientClosed, "client_closed"},
+      {LineCloseReason::kNotARobotProgram, "stranger"},
+      {LineCloseReason::kError, "error"},
+      {LineCloseReason::kShutdown, "shutdown"},
+      {LineCloseReason::kDisconnected, "disconnected"},
+  };
+  for (const auto& [reason, code] : rows) {
+    const CellEvent event{0, 0, LineId{4}, LineClosedNote{reason, 0, 0}};
+    const EventReport about = report(event, *test::rhino());
+    EXPECT_EQ(about.code, code);
+    EXPECT_GT(about.message.size(), std::string("line 4 ").size());
+  }
+  EXPECT_EQ(name_of(LineKind::kTelnet), "telnet");
+  EXPECT_EQ(name_of(LineKind::kMonitor), "monitor");
+}
+
+}  // namespace
+}  // namespace xr3

@@ -1,0 +1,105 @@
+// The data that `xr3 watch` shows, as plain values: everything received so far from the monitor
+// port about one cell. Independent of JSON, sockets and the screen.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace xr3::watch {
+
+/// Range of a joint's or the tool's variable, degrees or mm.
+struct Limits {
+  double min = 0;
+  double max = 0;
+};
+
+/// A joint or the tool in the channel `state`.
+struct Axis {
+  std::string label;
+  std::int64_t count = 0;  ///< encoder counts from the soft home
+  std::int64_t error = 0;  ///< counts to go
+  double value = 0;
+  std::string unit;        ///< "deg" or "mm"
+  std::int64_t speed = 0;  ///< counts per second
+  bool is_closed = false;  ///< its microswitch
+  bool is_moving = false;
+  std::string blocked;  ///< "limit", "block"; empty: not blocked
+};
+
+struct Tool {
+  Axis axis;
+  double opening_mm = 0;
+  std::array<double, 3> xyz_mm{};  ///< of the tip
+  std::string holding;             ///< name of a block; empty: none
+};
+
+struct Block {
+  std::string name;
+  std::array<double, 3> xyz_mm{};  ///< of its centroid
+  double yaw_deg = 0;
+  bool is_held = false;
+};
+
+/// The channel `state`.
+struct State {
+  std::vector<Axis> joints;  ///< from the base
+  Tool tool;
+  std::vector<Block> blocks;
+  std::vector<bool> inputs;  ///< index i is line i+1; the same for outputs and aux
+  std::vector<bool> outputs;
+  std::vector<bool> aux;
+  std::string stalled;  ///< "protected_region", "work_surface"; empty: not stalled
+  bool is_enabled = true;
+};
+
+/// The channel `image`, row by row.
+struct Image {
+  std::size_t width = 0;
+  std::size_t height = 0;
+  std::vector<bool> pixels;  ///< width * height elements
+
+  bool at(std::size_t x, std::size_t y) const { return pixels[y * width + x]; }
+};
+
+struct ImageSize {
+  std::size_t width = 0;
+  std::size_t height = 0;
+};
+
+/// An event from the channel `event`.
+struct Note {
+  std::int64_t epoch = 0;
+  std::int64_t tick = 0;
+  std::string kind;  ///< "warning", "stalled", "homed"...
+  std::string message;
+  std::optional<std::int64_t> line;  ///< the serial line concerned
+  std::int64_t times = 1;
+};
+
+enum class ClockMode : std::uint8_t { kReal, kManual };
+
+/// Everything received. `cell` is empty before the `hello` message, `state` before the first state.
+struct Known {
+  std::string server;  ///< name and version
+  std::string cell;
+  std::string robot;
+  bool has_control = false;  ///< the server accepts our calls
+  std::int64_t epoch = 0;
+  std::int64_t tick = 0;
+  std::int64_t tick_hz = 1000;
+  ClockMode mode = ClockMode::kReal;
+  double rate = 1;
+  std::map<std::string, Limits> limits;  ///< by label; empty before the model arrives
+  std::optional<State> state;
+  std::optional<Image> image;          ///< none: no camera, or no image received yet
+  std::map<std::int64_t, Note> notes;  ///< the latest ones, by seq
+  /// The server's last message for the user: an error or the text of `bye`.
+  std::string last_message;
+};
+
+}  // namespace xr3::watch
