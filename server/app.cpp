@@ -2,14 +2,10 @@
 
 #include <spdlog/spdlog.h>
 
-#include <chrono>
 #include <csignal>
 #include <iostream>
 #include <utility>
 
-#include "protocol/files/paper_form/paper_form.hpp"
-#include "server/files/data_files.hpp"
-#include "server/files/port_file.hpp"
 #include "server/log.hpp"
 #include "server/net/wall_clock.hpp"
 
@@ -17,7 +13,7 @@ namespace xr3 {
 namespace {
 
 // Maximum time for clients to read their last replies before the process ends.
-constexpr std::chrono::milliseconds kDrainLimit{1000};
+constexpr WallNs kDrainLimit = 1'000'000'000;
 // Enough memory to log one message.
 constexpr std::size_t kReserveBytes = std::size_t{256} * 1024;
 
@@ -51,14 +47,6 @@ void listen_too(Port& port, const std::string& what, bool was_chosen) {
   if (error == asio::error::address_in_use && was_chosen) throw listen_error(what, endpoint, error);
 }
 
-std::string workcell_name(const ServeOptions& options) {
-  if (!options.workcell.empty()) return options.workcell;
-  std::string name = std::filesystem::path(options.robot).stem();
-  if (has_data_file(name, "workcells")) return name;
-  throw FileError("there is no workcell named after the robot " + name +
-                  "; name one with --workcell");
-}
-
 AccessRules access_rules(const ServeOptions& options, std::string token) {
   const auto reach = is_loopback(options.listen) ? http::Reach::kThisMachine : http::Reach::kBeyond;
   return {{reach, options.allow_hosts, options.allow_origins},
@@ -66,18 +54,21 @@ AccessRules access_rules(const ServeOptions& options, std::string token) {
           std::move(token)};
 }
 
-}  // namespace
-
-ModelPtr load_model(const ServeOptions& options) {
-  const DataFile robot_file = with_option_source(
-      options.option_sources, "--robot", [&] { return find_data_file(options.robot, "robots"); });
-  const Robot robot = load_robot_of_either_form(robot_file.text, robot_file.path);
-  const DataFile workcell_file = with_option_source(options.option_sources, "--workcell", [&] {
-    return find_data_file(workcell_name(options), "workcells");
-  });
-  const Workcell workcell = load_workcell_of_either_form(workcell_file.text, workcell_file.path);
-  return std::make_shared<const Model>(robot, workcell, options.profile);
+SocketLimits socket_limits(const ServeOptions& options) {
+  SocketLimits wanted;
+  wanted.lines = options.max_lines;
+  const std::size_t descriptors = raise_descriptor_limit();
+  const SocketLimits limits = divide_descriptors(descriptors, wanted);
+  if (limits.connections < wanted.connections) {
+    spdlog::warn(
+        "the limit of {} open files allows only {} lines and {} monitor connections; raise it with "
+        "ulimit -n, or LimitNOFILE= of systemd",
+        descriptors, limits.lines, limits.connections);
+  }
+  return limits;
 }
+
+}  // namespace
 
 App::App(const ServeOptions& options, ModelPtr model, std::string token)
     : options_(options),
@@ -85,11 +76,13 @@ App::App(const ServeOptions& options, ModelPtr model, std::string token)
       reserve_(std::make_unique<char[]>(kReserveBytes)),
       cell_("main", std::move(model), start_clock(options.clock), log_event),
       policy_(access_rules(options, std::move(token))),
-      robot_port_(io_, cell_, options.max_lines, [this] { acted(); }),
+      limits_(socket_limits(options)),
+      robot_port_(io_, cell_, limits_.lines, [this] { acted(); }),
       robot_probe_(io_, robot_port_),
       monitor_port_(
-          io_, cell_, robot_port_, policy_, [this] { return not_ready(); }, [this] { acted(); }),
-      signals_(io_, SIGINT, SIGTERM) {}
+          io_, cell_, robot_port_, policy_, [this] { return not_ready(); }, [this] { acted(); },
+          limits_),
+      signals_(io_, SIGINT, SIGTERM, SIGHUP) {}
 
 // Destroys waiting handlers and coroutines before the members that they refer to. The cell may be
 // half changed, so it is frozen first and ignores the inputs of the sessions that end here.
@@ -148,7 +141,8 @@ void App::announce() {
   const tcp::endpoint monitor = monitor_port_.endpoint();
   if (!options_.port_file.empty()) {
     with_option_source(options_.option_sources, "--port-file", [&] {
-      write_port_file(options_.port_file, {robot.port(), monitor.port(), fresh_token_});
+      const ServedPorts ports{robot.port(), monitor.port(), fresh_token_};
+      port_file_.emplace(options_.port_file, ports);
     });
   }
   announce_token(monitor.port());
@@ -179,11 +173,13 @@ void App::acted() {
 // Closes everything that keeps the event loop running, so that run() returns.
 void App::stop() {
   stage_ = Stage::kDraining;
+  port_file_.reset();
   monitor_port_.subscribers().stop();
-  robot_port_.close();
-  monitor_port_.close();
+  const WallNs deadline = wall_now() + kDrainLimit;
+  robot_port_.close(deadline - kDrainLimit / 2);
+  monitor_port_.close(deadline);
   if (robot_port_.is_empty() && monitor_port_.is_empty()) return;
-  drain_limit_.expires_after(kDrainLimit);
+  drain_limit_.expires_at(as_time_point(deadline));
   drain_limit_.async_wait([this](ErrorCode) {
     robot_port_.abort();  // no effect if the wait was cancelled: all have ended
     monitor_port_.abort();

@@ -3,12 +3,15 @@
 
 #include <boost/asio/signal_set.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "cell/cell.hpp"
+#include "server/files/port_file.hpp"
 #include "server/monitor_port/access.hpp"
 #include "server/monitor_port/port.hpp"
 #include "server/net/asio.hpp"
+#include "server/net/socket_limits.hpp"
 #include "server/options/options.hpp"
 #include "server/robot_port/port.hpp"
 #include "server/robot_port/probe.hpp"
@@ -34,7 +37,7 @@ class App {
   App& operator=(const App&) = delete;
   ~App();
 
-  /// Serves until SIGTERM or SIGINT, then sends pending replies and returns kGood. An exception
+  /// Serves until SIGTERM, SIGINT or SIGHUP, then sends pending replies and returns kGood. An exception
   /// from any loop or handler ends it at once: it is logged, and the result is kBroken. Throws
   /// ListenError.
   ExitCode run();
@@ -74,14 +77,13 @@ class App {
   Stage stage_ = Stage::kStarting;
   Cell cell_;
   AccessPolicy policy_;
+  SocketLimits limits_;
   RobotPort robot_port_;
   RobotProbe robot_probe_;
   MonitorPort monitor_port_;
   asio::signal_set signals_;
+  std::optional<PortFile> port_file_;
   asio::steady_timer drain_limit_{io_};
 };
-
-/// Loads the model from the files in the options. Throws FileError and DataError.
-ModelPtr load_model(const ServeOptions& options);
 
 }  // namespace xr3

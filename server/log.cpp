@@ -3,21 +3,50 @@
 #include <poll.h>
 #include <spdlog/details/null_mutex.h>
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/base_sink.h>
+#include <spdlog/sinks/rotating_file_sink.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include <array>
 #include <memory>
+#include <utility>
 
-#include "protocol/explain/note_words.hpp"
+#include "protocol/explain/event_report.hpp"
+#include "server/files/data_files.hpp"
+#include "server/net/wall_clock.hpp"
 
 namespace xr3 {
 namespace {
 
-/// Escapes control characters (C0, DEL and C1): names chosen by clients may contain any character.
+constexpr WallNs kSecond = 1'000'000'000;
+
+/// The length of a character in UTF-8 at the start of `text` that changes the direction of text: such
+/// characters can make a line look different from what it says. 0 if there is none.
+std::size_t bidi_length(std::string_view text) {
+  constexpr std::array<std::string_view, 12> kBidi = {
+      "\xE2\x80\x8E", "\xE2\x80\x8F", "\xE2\x80\xAA", "\xE2\x80\xAB",
+      "\xE2\x80\xAC", "\xE2\x80\xAD", "\xE2\x80\xAE", "\xE2\x81\xA6",
+      "\xE2\x81\xA7", "\xE2\x81\xA8", "\xE2\x81\xA9", "\xD8\x9C"};
+  for (const std::string_view each : kBidi) {
+    if (text.starts_with(each)) return each.size();
+  }
+  return 0;
+}
+
+/// Escapes control characters (C0, DEL, C1 and those of direction): names chosen by clients may
+/// contain any character.
 std::string one_line(std::string_view formatted) {
   std::string line;
-  for (const char c : formatted.substr(0, formatted.size() - 1)) {
+  const std::string_view text = formatted.substr(0, formatted.size() - 1);
+  for (std::size_t i = 0; i < text.size();) {
+    if (const std::size_t length = bidi_length(text.substr(i)); length > 0) {
+      for (const std::size_t end = i + length; i < end; ++i)
+        line += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[i]));
+      continue;
+    }
+    const char c = text[i++];
     const auto byte = static_cast<unsigned char>(c);
     const bool is_second_of_c1 = byte >= 0x80 && byte < 0xA0 && line.ends_with('\xC2');
     const bool is_control = byte < ' ' || byte == 0x7F;
@@ -31,15 +60,31 @@ std::string one_line(std::string_view formatted) {
   return line + '\n';
 }
 
+/// Formats a message as one line without control characters.
+class OneLineFormatter : public spdlog::formatter {
+ public:
+  void format(const spdlog::details::log_msg& message, spdlog::memory_buf_t& result) override {
+    spdlog::memory_buf_t formatted;
+    pattern_.format(message, formatted);
+    const std::string line = one_line({formatted.data(), formatted.size()});
+    result.append(line.data(), line.data() + line.size());
+  }
+  std::unique_ptr<spdlog::formatter> clone() const override {
+    return std::make_unique<OneLineFormatter>();
+  }
+
+ private:
+  spdlog::pattern_formatter pattern_{"%H:%M:%S.%e %l %v"};
+};
+
 // A parent process that never reads our standard error must not block the robot. A pipe that polls
 // writable accepts PIPE_BUF bytes without blocking; longer messages are cut.
 class PatientSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
   static constexpr std::size_t kMaxBytes = 4096;
 
   void sink_it_(const spdlog::details::log_msg& message) override {
-    spdlog::memory_buf_t formatted;
-    formatter_->format(message, formatted);
-    const std::string text = one_line({formatted.data(), formatted.size()});
+    spdlog::memory_buf_t text;
+    formatter_->format(message, text);
     pollfd ready{STDERR_FILENO, POLLOUT, 0};
     if (::poll(&ready, 1, 0) != 1 || (ready.revents & POLLOUT) == 0) return;
     const auto written = ::write(STDERR_FILENO, text.data(), std::min(text.size(), kMaxBytes));
@@ -47,6 +92,49 @@ class PatientSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex>
   }
   void flush_() override {}
 };
+
+/// Passes at most kMaxLogBytes a second on to another sink, and says how many messages it dropped.
+class LimitedSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
+ public:
+  explicit LimitedSink(spdlog::sink_ptr sink) : sink_(std::move(sink)) {
+    sink_->set_formatter(std::make_unique<OneLineFormatter>());
+  }
+
+ private:
+  static constexpr std::size_t kPrefixBytes = 24;  // time and level, about
+
+  void sink_it_(const spdlog::details::log_msg& message) override {
+    begin_second(wall_now() / kSecond);
+    bytes_ += message.payload.size() + kPrefixBytes;
+    const bool is_passed = bytes_ <= kMaxLogBytes || message.level == spdlog::level::critical;
+    is_passed ? sink_->log(message) : static_cast<void>(++suppressed_);
+  }
+  void flush_() override { sink_->flush(); }
+
+  void begin_second(WallNs second) {
+    if (second == second_) return;
+    second_ = second;
+    bytes_ = 0;
+    if (suppressed_ == 0) return;
+    const std::string text = fmt::format("suppressed {} messages", std::exchange(suppressed_, 0));
+    sink_->log({"xr3", spdlog::level::warn, text});
+  }
+
+  spdlog::sink_ptr sink_;
+  WallNs second_ = 0;
+  std::size_t bytes_ = 0;  ///< of this second
+  std::uint64_t suppressed_ = 0;
+};
+
+spdlog::sink_ptr open_sink(const std::string& file) {
+  if (file.empty()) return std::make_shared<PatientSink>();
+  try {
+    return std::make_shared<spdlog::sinks::rotating_file_sink_st>(file, kMaxLogFileBytes,
+                                                                  kMaxLogFiles - 1);
+  } catch (const spdlog::spdlog_ex& error) {
+    throw FileError(file + ": the log cannot be written: " + error.what());
+  }
+}
 
 // Events of the machine are debug messages, except those that a user must see: stalls, and warnings
 // that no command caused.
@@ -59,14 +147,14 @@ spdlog::level::level_enum level_of(const CellNote& note) {
 
 /// The prefix: line or cell, tick, and code. Events of lines, clock and model need no code: their
 /// sentences suffice.
-std::string before(const CellEvent& event) {
+std::string before(const CellEvent& event, std::string_view code) {
   const std::string at = " @" + std::to_string(event.tick) + ": ";
   const bool is_named = !std::holds_alternative<EventBody>(event.note) &&
                         !std::holds_alternative<ProblemNote>(event.note) &&
                         !std::holds_alternative<SuppressedNote>(event.note);
   if (is_named) return "cell" + at;
   const std::string where = event.line ? "line " + std::to_string(*event.line) : "cell";
-  return where + at + std::string(code_of(event)) + ": ";
+  return where + at + std::string(code) + ": ";
 }
 
 /// The suffix: counts and offsets that the sentence does not contain.
@@ -83,17 +171,19 @@ std::string behind(const CellNote& note) {
 
 }  // namespace
 
-void start_log(const std::string& level) {
-  auto logger = std::make_shared<spdlog::logger>("xr3", std::make_shared<PatientSink>());
-  logger->set_pattern("%H:%M:%S.%e %l %v");
+void start_log(const std::string& level, const std::string& file) {
+  auto logger =
+      std::make_shared<spdlog::logger>("xr3", std::make_shared<LimitedSink>(open_sink(file)));
   logger->set_level(spdlog::level::from_str(level));
+  logger->flush_on(spdlog::level::info);
   spdlog::set_default_logger(std::move(logger));
 }
 
 void log_event(const CellEvent& event, const Model& model) {
   const auto level = level_of(event.note);
   if (!spdlog::should_log(level)) return;
-  spdlog::log(level, "{}{}{}", before(event), describe(event, model), behind(event.note));
+  const EventReport about = report(event, model);
+  spdlog::log(level, "{}{}{}", before(event, about.code), about.message, behind(event.note));
 }
 
 }  // namespace xr3

@@ -1,6 +1,8 @@
-// The log on standard error. It never blocks: messages are dropped while a pipe is full.
+// The log, on standard error or in a file. It never blocks: messages are dropped while a pipe is
+// full, and beyond kMaxLogBytes in a second, so that no client can fill a disk.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "core/model.hpp"
@@ -8,8 +10,17 @@
 
 namespace xr3 {
 
-/// Makes spdlog's default logger write to standard error from `level` up (trace, debug, ... off).
-void start_log(const std::string& level);
+/// Maximum number of bytes a second. The number of messages beyond it is logged. Messages of level
+/// critical are never dropped.
+inline constexpr std::size_t kMaxLogBytes = std::size_t{256} * 1024;
+
+/// Rotation of a log file: FILE, FILE.1 ... up to this number of files of this size.
+inline constexpr std::size_t kMaxLogFileBytes = std::size_t{10} * 1024 * 1024;
+inline constexpr std::size_t kMaxLogFiles = 5;
+
+/// Makes spdlog's default logger write from `level` up (trace, debug, ... off) to a file, or to
+/// standard error if `file` is empty. Throws FileError if the file cannot be opened.
+void start_log(const std::string& level, const std::string& file);
 
 /// Logs an event of a cell: the machine's events at debug, except stalls and warnings; all others
 /// at info.

@@ -1,9 +1,11 @@
 // xr3: parses the command line, runs the command, and turns every failure into a message and an
 // exit code.
+#include <fcntl.h>
 #include <spdlog/spdlog.h>
-#include <sys/resource.h>
+#include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 
@@ -17,6 +19,7 @@
 #include "server/commands/watch.hpp"
 #include "server/commands/workcell.hpp"
 #include "server/files/data_files.hpp"
+#include "server/files/load_model.hpp"
 #include "server/log.hpp"
 #include "server/monitor_port/token.hpp"
 #include "server/options/options.hpp"
@@ -25,30 +28,23 @@
 namespace xr3 {
 namespace {
 
-// Each line needs a descriptor: raises the limit as far as the system allows.
-void raise_descriptor_limit() {
-  rlimit limit{};
-  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
-  limit.rlim_cur = limit.rlim_max;
-  ::setrlimit(RLIMIT_NOFILE, &limit);
-}
-
 void warn_of_open_token(const TokenSource& source) {
   const auto* file = std::get_if<TokenFile>(&source);
   if (file != nullptr && others_may_read(file->path)) {
-    spdlog::warn("{}: everybody on this machine may read the token; chmod 600 mends that",
-                 file->path);
+    spdlog::warn("{}: every user of this machine can read the token; set mode 600", file->path);
   }
 }
 
 ExitCode serve(const ServeOptions& options) {
   std::signal(SIGPIPE, SIG_IGN);
-  raise_descriptor_limit();
-  start_log(options.log_level);
+  with_option_source(options.option_sources, "--log-file",
+                     [&] { start_log(options.log_level, options.log_file); });
   warn_of_open_token(options.token);
   const std::string token = with_option_source(options.option_sources, "--token-file",
                                                [&] { return read_token(options.token); });
-  return App(options, load_model(options), token).run();
+  const ModelPtr model =
+      load_model({options.robot, options.workcell, options.profile, options.option_sources});
+  return App(options, model, token).run();
 }
 
 ExitCode fail(ExitCode code, const std::string& message) {
@@ -91,7 +87,26 @@ ExitCode run(int argc, const char* const* argv) {
   }
 }
 
+// If standard input, output or error is closed, a socket would get its number, and receive what is
+// meant for people. /dev/null takes the place.
+void open_standard_streams() {
+  for (int file = STDIN_FILENO; file <= STDERR_FILENO; ++file) {
+    if (::fcntl(file, F_GETFD) == 0) continue;
+    if (::open("/dev/null", O_RDWR) != file) std::abort();  // opens the lowest free number
+  }
+}
+
+// Output that was lost, as on a full disk, must not look like success.
+ExitCode flushed(ExitCode code) {
+  std::cout.flush();
+  if (std::cout || code != ExitCode::kGood) return code;
+  return fail(ExitCode::kInternal, "standard output cannot be written");
+}
+
 }  // namespace
 }  // namespace xr3
 
-int main(int argc, char** argv) { return xr3::as_int(xr3::run(argc, argv)); }
+int main(int argc, char** argv) {
+  xr3::open_standard_streams();
+  return xr3::as_int(xr3::flushed(xr3::run(argc, argv)));
+}

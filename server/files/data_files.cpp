@@ -1,11 +1,14 @@
 #include "server/files/data_files.hpp"
 
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -16,7 +19,10 @@ namespace {
 namespace fs = std::filesystem;
 
 // No data file is this large. Refuses a wrong path, such as a disk image, before reading it.
-constexpr std::uintmax_t kLargestFile = 64 * 1024 * 1024;
+constexpr std::size_t kLargestFile = 64 * 1024 * 1024;
+
+// For a pipe, such as the shell makes for <(command).
+constexpr int kMaxWaitMs = 10'000;
 
 // Editors on Windows may write one.
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -41,19 +47,49 @@ fs::path path_of(const std::string& name, const std::string& kind) {
   return data_folder() / kind / (name + ".json");
 }
 
+/// An open file, pipe or device. Reading never waits long, and never for a pipe without a writer.
+class OpenFile {
+ public:
+  explicit OpenFile(const fs::path& path)
+      : name_(path.string()), file_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
+    if (file_ < 0) fail(std::string("cannot be read: ") + std::strerror(errno));
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile() { ::close(file_); }
+
+  std::string read_all() {
+    std::string content;
+    std::array<char, 65536> piece;
+    for (;;) {
+      const ::ssize_t count = ::read(file_, piece.data(), piece.size());
+      if (count == 0) return content;
+      if (count > 0) content.append(piece.data(), static_cast<std::size_t>(count));
+      if (content.size() > kLargestFile) fail("too large; a data file has at most 64 MiB");
+      if (count < 0) wait(errno);
+    }
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& why) const { throw FileError(name_ + ": " + why); }
+
+  void wait(int why) const {
+    if (why == EINTR) return;
+    if (why != EAGAIN) fail(std::string("cannot be read: ") + std::strerror(why));
+    pollfd readable{file_, POLLIN, 0};
+    if (::poll(&readable, 1, kMaxWaitMs) == 0) fail("cannot be read: no data for 10 s");
+  }
+
+  std::string name_;
+  int file_;
+};
+
 }  // namespace
 
 DataFile read_file(const fs::path& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) throw FileError(path.string() + ": is a folder, not a file");
-  if (fs::file_size(path, error) > kLargestFile && !error) {
-    throw FileError(path.string() + ": too large; a data file has at most 64 MiB");
-  }
-  const std::ifstream file(path, std::ios::binary);
-  if (!file) throw FileError(path.string() + ": cannot be read: " + std::strerror(errno));
-  std::ostringstream text;
-  text << file.rdbuf();
-  std::string content = std::move(text).str();
+  std::string content = OpenFile(path).read_all();
   if (content.starts_with(kByteOrderMark)) content.erase(0, kByteOrderMark.size());
   return {path.string(), std::move(content)};
 }

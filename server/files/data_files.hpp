@@ -19,7 +19,8 @@ struct DataFile {
   std::string text;
 };
 
-/// Reads a file of at most 64 MiB, without its byte order mark. Throws FileError.
+/// Reads a file, pipe or device of at most 64 MiB, without its byte order mark. Waits at most 10 s
+/// for the next bytes of a pipe. Throws FileError.
 DataFile read_file(const std::filesystem::path& path);
 
 /// `what` is a path if it contains a slash or ends in .json, .txt or .dat; else the name of a file

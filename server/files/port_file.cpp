@@ -1,40 +1,69 @@
 #include "server/files/port_file.hpp"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <fstream>
+#include <cerrno>
+#include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <system_error>
+#include <utility>
 
 #include "server/files/data_files.hpp"
 
 namespace xr3 {
-
 namespace {
 
-nlohmann::ordered_json to_json(const PortFile& content) {
+std::string to_text(const ServedPorts& ports) {
   nlohmann::ordered_json json{
-      {"robot", content.robot}, {"monitor", content.monitor}, {"pid", ::getpid()}};
-  if (!content.token.empty()) json["token"] = content.token;
-  return json;
+      {"robot", ports.robot}, {"monitor", ports.monitor}, {"pid", ::getpid()}};
+  if (!ports.token.empty()) json["token"] = ports.token;
+  return json.dump() + "\n";
+}
+
+int create(const std::string& path, ::mode_t rights) {
+  return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, rights);
 }
 
 }  // namespace
 
-void write_port_file(const std::string& path, const PortFile& content) {
-  const std::string draft = path + "." + std::to_string(::getpid());
-  std::ofstream file(draft);
-  if (file && !content.token.empty()) ::chmod(draft.c_str(), S_IRUSR | S_IWUSR);
-  file << to_json(content).dump() << "\n";
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(draft, path, error);
-  if (file && !error) return;
-  std::error_code ignored;
-  std::filesystem::remove(draft, ignored);
-  throw FileError(path + ": the port file cannot be written");
+PortFile::PortFile(std::string path, const ServedPorts& ports) : path_(std::move(path)) {
+  constexpr ::mode_t kOwner = S_IRUSR | S_IWUSR;
+  const ::mode_t rights = ports.token.empty() ? kOwner | S_IRGRP | S_IROTH : kOwner;
+  const std::string draft = path_ + "." + std::to_string(::getpid());
+  write(draft, to_text(ports), rights);
+  if (::rename(draft.c_str(), path_.c_str()) == 0) return;
+  const int why = errno;
+  ::unlink(draft.c_str());
+  fail(std::strerror(why));
+}
+
+void PortFile::fail(const char* why) const {
+  throw FileError(path_ + ": the port file cannot be written: " + why);
+}
+
+void PortFile::write(const std::string& draft, const std::string& text, ::mode_t rights) {
+  int file = create(draft, rights);
+  if (file < 0 && errno == EEXIST && ::unlink(draft.c_str()) == 0) file = create(draft, rights);
+  if (file < 0) fail(std::strerror(errno));
+  struct ::stat status {};
+  const auto size = static_cast<::ssize_t>(text.size());
+  const bool is_written =
+      ::write(file, text.data(), text.size()) == size && ::fstat(file, &status) == 0;
+  const int why = errno;
+  if (::close(file) != 0 || !is_written) {
+    ::unlink(draft.c_str());
+    fail(std::strerror(why));
+  }
+  device_ = status.st_dev;
+  inode_ = status.st_ino;
+}
+
+PortFile::~PortFile() {
+  struct ::stat status {};
+  const bool is_there = ::lstat(path_.c_str(), &status) == 0;
+  if (is_there && status.st_dev == device_ && status.st_ino == inode_) ::unlink(path_.c_str());
 }
 
 std::uint16_t read_monitor_port(const std::string& path) {

@@ -1,20 +1,40 @@
-// The port file, from which scripts read the ports. It is written atomically, by a rename.
+// The port file, from which scripts read the ports. It is written atomically, by a rename, and removed
+// when the server stops.
 #pragma once
+
+#include <sys/types.h>
 
 #include <cstdint>
 #include <string>
 
 namespace xr3 {
 
-struct PortFile {
+struct ServedPorts {
   std::uint16_t robot = 0;
   std::uint16_t monitor = 0;
   std::string token;  ///< generated for this run; empty: none
 };
 
-/// Writes {"robot":9600,"monitor":9601,"pid":...}, with the token if there is one; then only the
-/// owner can read the file. Throws FileError if it cannot be written.
-void write_port_file(const std::string& path, const PortFile& content);
+/// A port file that exists as long as this object.
+class PortFile {
+ public:
+  /// Writes {"robot":9600,"monitor":9601,"pid":...}, with the token if there is one; then only the
+  /// owner could read the file at any time. Replaces a symbolic link instead of following it. Throws
+  /// FileError if it cannot be written.
+  PortFile(std::string path, const ServedPorts& ports);
+  PortFile(const PortFile&) = delete;
+  PortFile& operator=(const PortFile&) = delete;
+  /// Removes the file, unless another one has its name now.
+  ~PortFile();
+
+ private:
+  [[noreturn]] void fail(const char* why) const;
+  void write(const std::string& draft, const std::string& text, ::mode_t rights);
+
+  std::string path_;
+  ::dev_t device_ = 0;
+  ::ino_t inode_ = 0;
+};
 
 /// The monitor port in such a file. Throws FileError.
 std::uint16_t read_monitor_port(const std::string& path);

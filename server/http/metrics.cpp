@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/units.hpp"
-#include "protocol/explain/command_words.hpp"
+#include "protocol/explain/command_text.hpp"
 #include "protocol/monitor/message.hpp"
 
 namespace xr3 {
@@ -102,6 +102,8 @@ void add_time(Page& page, const CellCounters& counters) {
 
 void add_sessions(Page& page, const CellCounters& counters) {
   page.gauge("viewers", "Connected monitor clients.", number(counters.monitor_sessions));
+  page.counter("wrong_tokens_total", "Wrong tokens that clients gave.",
+               number(counters.wrong_tokens));
   page.begin("frames_sent_total", "Messages sent to clients, by channel.", MetricType::Counter);
   for (std::size_t i = 0; i < kChannels; ++i)
     page.add({{"channel", channel_name(i)}}, number(counters.channels.at(i).sent));

@@ -25,6 +25,7 @@ using http::Answer;
 using http::Request;
 
 constexpr std::string_view kPng = "/camera.png";
+constexpr std::string_view kHealth = "/healthz";
 constexpr std::string_view kReady = "/readyz";
 constexpr std::string_view kAssets = "/assets/";
 constexpr std::string_view kIcon = "/assets/icon.svg";
@@ -137,7 +138,7 @@ struct HttpResources::Route {
 };
 
 const HttpResources::Route HttpResources::kRoutes[] = {
-    {"/healthz", Route::Kind::kServer, &HttpResources::health},
+    {kHealth, Route::Kind::kServer, &HttpResources::health},
     {kReady, Route::Kind::kServer, nullptr},
     {"/schema/v1.json", Route::Kind::kServer, &HttpResources::schema},
     {"/metrics", Route::Kind::kReading, &HttpResources::metrics},
@@ -149,8 +150,14 @@ const HttpResources::Route HttpResources::kRoutes[] = {
     {"/view.svg", Route::Kind::kCell, &HttpResources::view},
 };
 
+bool HttpResources::is_health_check(const Request& request) {
+  return request.path() == kHealth || request.path() == kReady;
+}
+
 asio::awaitable<Answer> HttpResources::answer(const Request& request) {
   const std::string_view path = request.path();
+  if (wall_now() >= deadline_)
+    co_return http::error(503, "not_ready", "the server is stopping", "start it again");
   for (const Route& route : kRoutes) {
     if (route.path != path) continue;
     if (route.kind != Route::Kind::kServer && policy_.is_private())
@@ -211,7 +218,7 @@ Answer HttpResources::schema(const Request&) {
 // --- The cell.
 
 Answer HttpResources::state(const Request&) {
-  return http::json(*service_.look({monitor::Channel::kState, {}, {}})->message + "\n");
+  return http::json(*service_.current_frame({monitor::Channel::kState, {}, {}})->message + "\n");
 }
 
 Answer HttpResources::robot(const Request&) {

@@ -12,6 +12,7 @@
 #include "server/monitor_port/access.hpp"
 #include "server/monitor_port/service.hpp"
 #include "server/net/asio.hpp"
+#include "server/net/wall_clock.hpp"
 
 namespace xr3 {
 
@@ -27,12 +28,18 @@ class HttpResources {
   /// Stops the thread that encodes images, for the end of the process.
   void stop();
 
+  /// From this wall time on requests get the error `not_ready`.
+  void close_at(WallNs deadline) { deadline_ = deadline; }
+
   /// The error response for a forbidden Host, Origin or method, or an invalid target; else nullopt.
   std::optional<http::Answer> refuse(const http::Request& request) const;
 
   /// The answer to a request that refuse() accepts. Waits only for a PNG, which a thread encodes,
   /// and for /readyz, which probes the robot port.
   asio::awaitable<http::Answer> answer(const http::Request& request);
+
+  /// Whether the request asks for /healthz or /readyz.
+  static bool is_health_check(const http::Request& request);
 
   /// The error response for an invalid WebSocket handshake; else nullopt.
   static std::optional<http::Answer> refuse_websocket(const http::Request& request);
@@ -59,6 +66,7 @@ class HttpResources {
   MonitorService& service_;
   const AccessPolicy& policy_;
   NotReady not_ready_;
+  WallNs deadline_ = kNever;
   asio::thread_pool painter_{1};
 };
 

@@ -38,7 +38,8 @@ Request request_of(const Parser& parser) {
   for (const auto& field : message)
     request.fields.push_back(
         {std::string(view(field.name_string())), std::string(view(field.value()))});
-  const bool has_body = parser.chunked() || parser.content_length().value_or(0) > 0;
+  const bool has_body = message.count(beast::http::field::transfer_encoding) > 0 ||
+                        parser.content_length().value_or(0) > 0;
   if (message.keep_alive() && !has_body) request.then = Then::kKeep;
   return request;
 }

@@ -7,10 +7,11 @@
 
 namespace xr3 {
 
-MonitorPort::MonitorPort(asio::io_context& io, Cell& cell, RobotPort& robot_port,
+MonitorPort::MonitorPort(asio::io_context& io, Cell& cell, LineTransports& lines,
                          const AccessPolicy& policy, HttpResources::NotReady not_ready,
-                         const std::function<void()>& acted)
-    : service_(io, cell, robot_port, policy, acted),
+                         const std::function<void()>& acted, const SocketLimits& limits)
+    : max_connections_(limits.connections),
+      service_(io, cell, lines, policy, acted),
       resources_(cell, service_, policy, std::move(not_ready)),
       context_{service_, resources_, [this] { report_tls(); },
                [this, acted](const std::shared_ptr<MonitorConnection>& connection) {
@@ -19,13 +20,13 @@ MonitorPort::MonitorPort(asio::io_context& io, Cell& cell, RobotPort& robot_port
                  acted();
                }},
       listener_(io, "the monitor port", [this](tcp::socket socket) { open(std::move(socket)); }),
-      refusals_(acted) {}
+      refusals_(resources_, limits.refusals, acted) {}
 
 ErrorCode MonitorPort::listen(const tcp::endpoint& endpoint) { return listener_.listen(endpoint); }
 
 void MonitorPort::open(tcp::socket socket) {
-  if (connections_.size() >= kMaxConnections) make_room();
-  if (connections_.size() >= kMaxConnections) return refuse(std::move(socket));
+  if (connections_.size() >= max_connections_) make_room();
+  if (connections_.size() >= max_connections_) return refuse(std::move(socket));
   const auto connection = std::make_shared<MonitorConnection>(std::move(socket), context_);
   connections_.insert(connection);
   connection->start();
@@ -42,8 +43,9 @@ void MonitorPort::make_room() {
 
 void MonitorPort::refuse(tcp::socket socket) {
   if (!std::exchange(has_logged_full_, true)) {
-    spdlog::warn("monitor: connections are refused: {} are open already (told once until one ends)",
-                 connections_.size());
+    spdlog::warn(
+        "monitor: connections are refused: {} are open already (reported once until one ends)",
+        connections_.size());
   }
   refusals_.add(std::move(socket));
 }
@@ -51,13 +53,14 @@ void MonitorPort::refuse(tcp::socket socket) {
 void MonitorPort::report_tls() {
   if (std::exchange(has_logged_tls_, true)) return;
   spdlog::warn(
-      "monitor: a client spoke TLS and was closed; this port speaks plain JSON lines and HTTP "
-      "(told once)");
+      "monitor: a client sent TLS and was disconnected; this port accepts only JSON lines and HTTP "
+      "(reported once)");
 }
 
 // Copies of the set: a connection that ends removes itself from it.
-void MonitorPort::close() {
+void MonitorPort::close(WallNs deadline) {
   listener_.close();
+  resources_.close_at(deadline);
   for (const auto& connection : Connections(connections_)) connection->finish();
   refusals_.abort();
 }

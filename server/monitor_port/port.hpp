@@ -10,27 +10,28 @@
 #include "server/monitor_port/connection.hpp"
 #include "server/monitor_port/refusals.hpp"
 #include "server/net/asio.hpp"
+#include "server/net/line_transports.hpp"
 #include "server/net/listener.hpp"
-#include "server/robot_port/port.hpp"
+#include "server/net/socket_limits.hpp"
+#include "server/net/wall_clock.hpp"
 
 namespace xr3 {
 
 class MonitorPort {
  public:
-  /// Further connections receive an error and are closed.
-  static constexpr std::size_t kMaxConnections = 1024;
-
   /// `not_ready` is called for /readyz; `acted` after each call on the cell, and when a connection
-  /// has ended.
-  MonitorPort(asio::io_context& io, Cell& cell, RobotPort& robot_port, const AccessPolicy& policy,
-              HttpResources::NotReady not_ready, const std::function<void()>& acted);
+  /// has ended. Connections beyond the limit can only ask for /healthz and /readyz.
+  MonitorPort(asio::io_context& io, Cell& cell, LineTransports& lines, const AccessPolicy& policy,
+              HttpResources::NotReady not_ready, const std::function<void()>& acted,
+              const SocketLimits& limits);
 
   /// Binds and starts to accept; endpoint() is then valid. Returns the error.
   ErrorCode listen(const tcp::endpoint& endpoint);
   tcp::endpoint endpoint() const { return listener_.endpoint(); }
 
-  /// Accepts no further connection; sessions finish their request, send `bye` and end.
-  void close();
+  /// Accepts no further connection; sessions finish their request, send `bye` and end. HTTP requests
+  /// after the deadline get an error.
+  void close(WallNs deadline = kNever);
   /// Closes every connection now.
   void abort();
   /// Stops the thread that encodes images, for the end of the process.
@@ -47,6 +48,7 @@ class MonitorPort {
   void make_room();
   void report_tls();
 
+  std::size_t max_connections_;
   MonitorService service_;
   HttpResources resources_;
   MonitorConnectionContext context_;

@@ -1,12 +1,13 @@
 // Connections beyond the limit of the monitor port: each receives an error in its protocol and is
-// closed. Independent of the cell.
+// closed. Only health checks are answered, so that a full port still looks alive.
 #pragma once
 
 #include <cstddef>
 #include <functional>
+#include <list>
 #include <memory>
-#include <set>
 
+#include "server/http/resources.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/socket.hpp"
 
@@ -14,22 +15,23 @@ namespace xr3 {
 
 class Refusals {
  public:
-  /// Maximum number at once; further connections are closed without an error.
-  static constexpr std::size_t kMax = 64;
+  /// Of more than `max` connections at once, the oldest is closed without an error. `resources`, which must
+  /// outlive it, answer health checks. `ended` is called when a refused connection has ended.
+  Refusals(HttpResources& resources, std::size_t max, std::function<void()> ended)
+      : resources_(resources), max_(max), ended_(std::move(ended)) {}
 
-  /// `ended` is called when a refused connection has ended.
-  explicit Refusals(std::function<void()> ended) : ended_(std::move(ended)) {}
-
-  /// Waits up to 1 s for the first bytes, then sends status 503 to HTTP, nothing to TLS, and `bye`
-  /// otherwise.
+  /// Waits up to 1 s for a request, then answers GET /healthz and /readyz, sends status 503 to other
+  /// HTTP, nothing to TLS, and `bye` otherwise.
   void add(tcp::socket socket);
   /// Closes them all.
   void abort();
   bool is_empty() const { return sockets_.empty(); }
 
  private:
+  HttpResources& resources_;
+  std::size_t max_;
   std::function<void()> ended_;
-  std::set<std::shared_ptr<MonitorSocket>> sockets_;
+  std::list<std::shared_ptr<MonitorSocket>> sockets_;  ///< in the order of arrival
 };
 
 }  // namespace xr3

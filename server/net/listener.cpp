@@ -1,5 +1,7 @@
 #include "server/net/listener.hpp"
 
+#include <netinet/tcp.h>
+
 #include <boost/asio/ip/v6_only.hpp>
 #include <boost/system/system_error.hpp>
 #include <chrono>
@@ -12,6 +14,25 @@ namespace {
 
 // Delay after the process has run out of descriptors: some may be closed by then.
 constexpr std::chrono::milliseconds kRetryAfter{100};
+
+// TCP keepalive: a dead peer is detected 60 s after its last byte.
+constexpr int kIdleSeconds = 30;
+constexpr int kSecondsBetweenProbes = 10;
+constexpr int kProbes = 3;
+
+void set_option(tcp::socket& socket, int name, int value) {
+  ::setsockopt(socket.native_handle(), IPPROTO_TCP, name, &value, sizeof value);
+}
+
+void prepare(tcp::socket& socket) {
+  ErrorCode ignored;
+  socket.non_blocking(true, ignored);
+  socket.set_option(tcp::no_delay(true), ignored);
+  socket.set_option(asio::socket_base::keep_alive(true), ignored);
+  set_option(socket, TCP_KEEPIDLE, kIdleSeconds);
+  set_option(socket, TCP_KEEPINTVL, kSecondsBetweenProbes);
+  set_option(socket, TCP_KEEPCNT, kProbes);
+}
 
 }  // namespace
 
@@ -32,34 +53,33 @@ ErrorCode Listener::listen(const tcp::endpoint& endpoint) {
   if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
   if (!error) acceptor.non_blocking(true, error);
   if (error) return error;
-  if (acceptors_.empty()) endpoint_ = acceptor.local_endpoint(error);
-  tcp::acceptor& kept = acceptors_.emplace_back(std::move(acceptor));
+  if (entrances_.empty()) endpoint_ = acceptor.local_endpoint(error);
+  Entrance& kept = entrances_.emplace_back(Entrance{std::move(acceptor), asio::steady_timer(io_)});
   spawn_loop(io_.get_executor(), name_, run(kept));
   return error;
 }
 
-asio::awaitable<void> Listener::run(tcp::acceptor& acceptor) {
+asio::awaitable<void> Listener::run(Entrance& entrance) {
+  auto& [acceptor, retry] = entrance;
   while (acceptor.is_open()) {
     const auto [error] = co_await acceptor.async_wait(tcp::acceptor::wait_read, kAwait);
     if (!acceptor.is_open()) co_return;
     if (error) throw boost::system::system_error(error);
-    accept_pending(acceptor);
+    if (accept_pending(acceptor)) continue;
+    retry.expires_after(kRetryAfter);
+    co_await retry.async_wait(kAwait);
   }
 }
 
 void Listener::accept_pending() {
-  for (tcp::acceptor& acceptor : acceptors_) accept_pending(acceptor);
+  for (Entrance& entrance : entrances_) accept_pending(entrance.acceptor);
 }
 
-void Listener::accept_pending(tcp::acceptor& acceptor) {
+bool Listener::accept_pending(tcp::acceptor& acceptor) {
   ErrorCode error;
   while (acceptor.is_open() && !error) error = accept_one(acceptor);
-  if (error == asio::error::would_block || error == asio::error::try_again || !acceptor.is_open())
-    return;
-  retry_.expires_after(kRetryAfter);
-  retry_.async_wait([this](ErrorCode cancelled) {
-    if (!cancelled) accept_pending();
-  });
+  return error == asio::error::would_block || error == asio::error::try_again ||
+         !acceptor.is_open();
 }
 
 ErrorCode Listener::accept_one(tcp::acceptor& acceptor) {
@@ -68,17 +88,17 @@ ErrorCode Listener::accept_one(tcp::acceptor& acceptor) {
   acceptor.accept(socket, error);
   if (error == asio::error::connection_aborted) return {};
   if (error) return error;
-  ErrorCode ignored;
-  socket.non_blocking(true, ignored);
-  socket.set_option(tcp::no_delay(true), ignored);
+  prepare(socket);
   accepted_(std::move(socket));
   return {};
 }
 
 void Listener::close() {
   ErrorCode ignored;
-  for (tcp::acceptor& acceptor : acceptors_) acceptor.close(ignored);
-  retry_.cancel();
+  for (Entrance& entrance : entrances_) {
+    entrance.acceptor.close(ignored);
+    entrance.retry.cancel();
+  }
 }
 
 }  // namespace xr3

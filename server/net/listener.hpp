@@ -16,10 +16,11 @@ class Listener {
  public:
   using Accepted = std::function<void(tcp::socket)>;
 
-  /// `accepted` is called with each new connection, non-blocking and with TCP_NODELAY set.
+  /// `accepted` is called with each new connection, non-blocking, with TCP_NODELAY and TCP
+  /// keepalive, which detects dead peers within 60 s.
   /// `name` is a literal, for the log.
   Listener(asio::io_context& io, const char* name, Accepted accepted)
-      : io_(io), name_(name), retry_(io), accepted_(std::move(accepted)) {}
+      : io_(io), name_(name), accepted_(std::move(accepted)) {}
 
   /// Binds and starts to accept, in addition to the endpoints that are already open. Returns the
   /// error; the endpoint is then not open.
@@ -32,14 +33,19 @@ class Listener {
   void close();
 
  private:
-  asio::awaitable<void> run(tcp::acceptor& acceptor);
-  void accept_pending(tcp::acceptor& acceptor);
+  struct Entrance {
+    tcp::acceptor acceptor;
+    asio::steady_timer retry;  ///< after a failure to accept
+  };
+
+  asio::awaitable<void> run(Entrance& entrance);
+  /// False if a connection is pending that cannot be accepted now.
+  bool accept_pending(tcp::acceptor& acceptor);
   ErrorCode accept_one(tcp::acceptor& acceptor);
 
   asio::io_context& io_;
   const char* name_;
-  std::list<tcp::acceptor> acceptors_;
-  asio::steady_timer retry_;
+  std::list<Entrance> entrances_;
   Accepted accepted_;
   tcp::endpoint endpoint_;
 };

@@ -14,19 +14,11 @@ using std::chrono::seconds;
 constexpr seconds kMaxStuck{30};
 constexpr milliseconds kMaxLinger{500};
 constexpr std::size_t kMaxLingerBytes = 16 * 1024 * 1024;
-constexpr seconds kIdleBeforeProbe{30};
-constexpr seconds kProbeEvery{10};
-
-void set_option(tcp::socket& socket, int name, int value) {
-  ::setsockopt(socket.native_handle(), IPPROTO_TCP, name, &value, sizeof value);
-}
-
-void watch_for_dead_peer(tcp::socket& socket) {
-  ErrorCode ignored;
-  socket.set_option(asio::socket_base::keep_alive(true), ignored);
-  set_option(socket, TCP_KEEPIDLE, static_cast<int>(kIdleBeforeProbe.count()));
-  set_option(socket, TCP_KEEPINTVL, static_cast<int>(kProbeEvery.count()));
-  set_option(socket, TCP_USER_TIMEOUT, static_cast<int>(milliseconds(kMaxStuck).count()));
+// Bytes that the peer does not acknowledge end the connection. (TCP keepalive works only while none
+// are unacknowledged.)
+void limit_unacknowledged(tcp::socket& socket) {
+  const int timeout = static_cast<int>(milliseconds(kMaxStuck).count());
+  ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_USER_TIMEOUT, &timeout, sizeof timeout);
 }
 
 void close_when_due(asio::steady_timer& timer, milliseconds time,
@@ -45,7 +37,7 @@ MonitorSocket::MonitorSocket(tcp::socket socket)
       deadline_(socket_->get_executor()),
       stuck_(socket_->get_executor()),
       buffer_() {
-  watch_for_dead_peer(*socket_);
+  limit_unacknowledged(*socket_);
 }
 
 asio::awaitable<std::string_view> MonitorSocket::read() {

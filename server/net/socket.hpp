@@ -17,7 +17,7 @@ namespace xr3 {
 
 class MonitorSocket {
  public:
-  /// Precondition: the socket is non-blocking. TCP keepalive detects dead peers.
+  /// Precondition: the socket is non-blocking.
   explicit MonitorSocket(tcp::socket socket);
   MonitorSocket(const MonitorSocket&) = delete;
   MonitorSocket& operator=(const MonitorSocket&) = delete;

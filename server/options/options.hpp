@@ -38,6 +38,7 @@ struct ServeOptions {
   std::size_t max_lines = 1024;
   std::string port_file;  ///< empty: none
   std::string log_level = "info";
+  std::string log_file;  ///< empty: standard error
   TokenSource token;
   bool is_private = false;
   std::vector<std::string> allow_hosts;

@@ -5,7 +5,7 @@
 #include "server/net/asio.hpp"
 #include "server/options/config.hpp"
 #include "server/options/environment.hpp"
-#include "server/options/parts.hpp"
+#include "server/options/shared_options.hpp"
 
 namespace xr3 {
 namespace {
@@ -138,6 +138,11 @@ void add_serve(CLI::App& app, ServeOptions& options) {
       ->type_name("L")
       ->check(CLI::IsMember(kLogLevels).description(""))
       ->capture_default_str();
+  serve
+      .add_option("--log-file", options.log_file,
+                  "write the log to this file, rotated at 10 MB, at most 5 files; else to standard "
+                  "error")
+      ->type_name("FILE");
   add_access(serve, options);
   add_config(serve, options.config);
   read_environment(serve, {"--token"});

@@ -14,6 +14,8 @@ namespace {
 
 constexpr const char* kName = "the robot port";
 
+constexpr WallNs kMaxNewsTime = 2'000'000;
+
 /// While it exists, the timer is cancelled when bytes have acted.
 class Waiting {
  public:
@@ -37,10 +39,12 @@ RobotPort::RobotPort(asio::io_context& io, Cell& cell, std::size_t max_lines,
       max_lines_(max_lines),
       acted_(std::move(acted)),
       context_{cell, false, scratch_, [this] { notify(); }, [this](LineId line) { end(line); }},
-      probe_context_{
-          cell, true, scratch_,
-          [this] { probe_fate_ = cell_.state().enabled ? ProbeFate::kTaken : ProbeFate::kIgnored; },
-          [this](LineId) { end_probe(); }},
+      probe_context_{cell, true, scratch_,
+                     [this] {
+                       probe_progress_ =
+                           cell_.state().enabled ? ProbeProgress::kTaken : ProbeProgress::kIgnored;
+                     },
+                     [this](LineId) { end_probe(); }},
       listener_(io, kName, [this](tcp::socket socket) { open(std::move(socket)); }),
       watch_(io) {}
 
@@ -48,6 +52,7 @@ ErrorCode RobotPort::listen(const tcp::endpoint& endpoint) { return listener_.li
 
 void RobotPort::open(tcp::socket socket) {
   const bool is_probe = this->is_probe(socket);
+  if (is_full()) take_news();              // a client may have closed its line without our notice
   if (is_full()) return refuse(is_probe);  // closed without a byte
   auto& context = is_probe ? probe_context_ : context_;
   const auto session = std::make_shared<RobotSession>(std::move(socket), context);
@@ -64,10 +69,11 @@ bool RobotPort::is_full() const {
 
 void RobotPort::refuse(bool is_probe) {
   if (is_probe) {
-    probe_fate_ = ProbeFate::kRefused;
+    probe_progress_ = ProbeProgress::kRefused;
   } else if (!std::exchange(has_logged_full_, true)) {
-    spdlog::warn("lines are refused: {} are open already (--max-lines; told once until one ends)",
-                 max_lines_);
+    spdlog::warn(
+        "lines are refused: {} are open already (--max-lines; reported once until one ends)",
+        max_lines_);
   }
 }
 
@@ -91,15 +97,15 @@ bool RobotPort::disconnect(LineId line) {
 
 void RobotPort::expect_probe(const tcp::endpoint& from) {
   probe_from_ = from;
-  probe_fate_ = ProbeFate::kUnseen;
+  probe_progress_ = ProbeProgress::kUnseen;
 }
 
 bool RobotPort::is_probe(const tcp::socket& socket) {
   if (!probe_from_) return false;
-  ErrorCode gone;
-  if (socket.remote_endpoint(gone) != *probe_from_ || gone) return false;
+  ErrorCode error;
+  if (socket.remote_endpoint(error) != *probe_from_ || error) return false;
   probe_from_.reset();
-  probe_fate_ = ProbeFate::kAccepted;
+  probe_progress_ = ProbeProgress::kAccepted;
   return true;
 }
 
@@ -126,11 +132,16 @@ void RobotPort::run_turns() {
   if (!unfinished_.empty()) schedule_turns();
 }
 
+// After kMaxNewsTime the rest of the lines wait with the unfinished ones, so that timers, signals and
+// other ports get their turn.
 void RobotPort::take_news() {
+  const WallNs end = wall_now() + kMaxNewsTime;
   for (const auto& [line, is_end] : watch_.news()) {
     const auto found = sessions_.find(line);
-    if (found != sessions_.end() && is_end) found->second->note_end();
-    if (!unfinished_.contains(line)) run_turn(line);
+    if (found == sessions_.end()) continue;
+    if (is_end) found->second->note_end();
+    if (unfinished_.contains(line)) continue;
+    wall_now() < end ? run_turn(line) : static_cast<void>(unfinished_.insert(line));
   }
 }
 
@@ -193,10 +204,11 @@ void RobotPort::notify() {
   });
 }
 
-void RobotPort::close() {
+void RobotPort::close(WallNs deadline) {
   is_closing_ = true;
   listener_.close();
-  for (const auto& [id, session] : sessions()) session->finish();
+  for (const auto& [id, session] : sessions())
+    wall_now() < deadline ? session->finish() : session->close(LineCloseReason::kShutdown);
   if (sessions_.empty()) watch_.close();
   notify();
 }

@@ -11,14 +11,16 @@
 
 #include "cell/cell.hpp"
 #include "server/net/asio.hpp"
+#include "server/net/line_transports.hpp"
 #include "server/net/listener.hpp"
+#include "server/net/wall_clock.hpp"
 #include "server/robot_port/line_watch.hpp"
 #include "server/robot_port/session.hpp"
 
 namespace xr3 {
 
 /// The progress of the server's own probe of a line (`RobotProbe`).
-enum class ProbeFate : std::uint8_t {
+enum class ProbeProgress : std::uint8_t {
   kUnseen,    ///< its connection is not accepted yet
   kRefused,   ///< all lines were in use
   kAccepted,  ///< its line is open
@@ -26,7 +28,7 @@ enum class ProbeFate : std::uint8_t {
   kIgnored,   ///< as kTaken, but the controller is disabled and does not reply
 };
 
-class RobotPort {
+class RobotPort final : public LineTransports {
  public:
   /// Connections beyond `max_lines` are closed without a byte. `acted` is called after each input,
   /// and when a line has opened or closed.
@@ -37,33 +39,22 @@ class RobotPort {
   ErrorCode listen(const tcp::endpoint& endpoint);
   tcp::endpoint endpoint() const { return listener_.endpoint(); }
 
-  /// Applies every byte that has already arrived, including those of connections that are not
-  /// accepted yet, as long as the line's replies can be sent. `step` and `run_until` call it first,
-  /// so that bytes sent before them act before them.
-  void read_arrived();
-
-  /// Runs a turn for each line with news, and one turn for one of the lines with unfinished work.
-  /// It is cheap enough to be called between writes to monitor sessions, so that a line never waits
-  /// for a thousand sessions, nor for many flooding lines.
-  void run_turns();
-
-  /// Waits until a line has received `bytes_in` bytes in total. Returns false if the time is over,
-  /// the line has closed before, or the port is closing.
+  void read_arrived() override;
+  void run_turns() override;
   asio::awaitable<bool> wait_for_bytes(LineId line, std::uint64_t bytes_in,
-                                       std::chrono::milliseconds within);
+                                       std::chrono::milliseconds within) override;
+  bool disconnect(LineId line) override;
 
   /// The next connection from this endpoint is the server's own probe and becomes kProbeLine. It is
   /// refused if the limit of lines is reached, but does not count as a line.
   void expect_probe(const tcp::endpoint& from);
   /// Cancels expect_probe(): another process may get the endpoint from now on.
   void forget_probe() { probe_from_.reset(); }
-  ProbeFate probe_fate() const { return probe_fate_; }
+  ProbeProgress probe_progress() const { return probe_progress_; }
 
-  /// Closes the connection of a line. Returns false if the line does not belong to this port.
-  bool disconnect(LineId line);
-
-  /// Accepts no further connection; sessions send their outboxes and end.
-  void close();
+  /// Accepts no further connection; sessions send their outboxes and end. Those that have not begun
+  /// to do so at the deadline are closed at once.
+  void close(WallNs deadline = kNever);
   bool is_empty() const { return sessions_.empty(); }
   /// Closes the remaining sessions at once.
   void abort();
@@ -98,7 +89,7 @@ class RobotPort {
   bool is_watching_ = false;
   bool has_logged_full_ = false;
   std::optional<tcp::endpoint> probe_from_;  ///< of the expected probe, until it is accepted
-  ProbeFate probe_fate_ = ProbeFate::kUnseen;
+  ProbeProgress probe_progress_ = ProbeProgress::kUnseen;
   std::set<LineId> unfinished_;            ///< lines with more work than one turn
   LineId last_unfinished_ = 0;             ///< the one of them that had the last turn
   bool is_again_ = false;                  ///< their next turns are scheduled

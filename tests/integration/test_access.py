@@ -5,6 +5,7 @@ import os
 import pathlib
 import re
 import tempfile
+import time
 import unittest
 import urllib.error
 import urllib.request
@@ -13,7 +14,7 @@ from support import LOCALHOST, MonitorError, Server, connect, run_xr3
 
 TOKEN = "correct-horse-battery-staple"
 WRONG = "correct-horse-battery-stable"
-TOLD = r"#token=([A-Za-z0-9_-]{16,})\s"  # on standard error, but not written by the log
+PRINTED_TOKEN = r"#token=([A-Za-z0-9_-]{16,})\s"  # on standard error, but not written by the log
 CALLS = {"step": {"ticks": 1}, "run_until": {"tick": 5, "max_ticks": 5}, "pause": {}, "resume": {}, "rate": {"factor": 2},
          "reset": {}, "home": {}, "send": {"text": "E+5\r"}, "input": {"input": 1, "value": True},
          "block_move": {"name": "red", "yaw_deg": 1}, "block_remove": {"name": "red"}, "snapshot_save": {"inline": True},
@@ -51,12 +52,12 @@ class Case(unittest.TestCase):
 
 
 class Tokens(Case):
-    def test_without_one_everybody_here_is_in_control(self):
+    def test_without_a_token_every_local_client_has_control(self):
         with Server() as xr3, xr3.monitor() as monitor:
             self.assertEqual("control", monitor.hello["access"])
             monitor.call("step", ticks=1)
 
-    def test_calls_need_it_and_reading_is_free(self):
+    def test_calls_need_the_token_and_reading_is_free(self):
         xr3 = self.guarded()
         with xr3.monitor() as monitor:
             self.assertEqual("read", monitor.hello["access"])
@@ -68,10 +69,10 @@ class Tokens(Case):
             self.assertEqual({"access": "control"}, monitor.request("auth", token=TOKEN)["value"])
             monitor.call("step", ticks=7)
         with xr3.monitor() as other:
-            self.assertEqual(("read", 7), (other.hello["access"], other.get("moving")["tick"]), "each client by itself")
+            self.assertEqual(("read", 7), (other.hello["access"], other.get("moving")["tick"]), "each client authenticates separately")
             self.refused("token_required", other, "call", fn="step", args={"ticks": 1})
 
-    def test_a_wrong_one(self):
+    def test_a_wrong_token_is_refused(self):
         xr3 = self.guarded()
         with xr3.monitor() as monitor:
             for wrong in WRONG, TOKEN[:-1], TOKEN + "x", "":
@@ -79,7 +80,20 @@ class Tokens(Case):
             self.refused("token_required", monitor, "call", fn="step", args={"ticks": 1})
             self.assertEqual("control", monitor.request("auth", token=TOKEN)["value"]["access"])
 
-    def test_five_wrong_ones_end_the_connection(self):
+    def test_wrong_tokens_are_slowed_logged_and_counted(self):
+        xr3 = self.guarded()
+        started = time.monotonic()
+        with xr3.monitor() as monitor:
+            for _ in range(3):
+                self.refused("bad_token", monitor, "auth", token=WRONG)
+        self.assertGreaterEqual(time.monotonic() - started, 3 * 0.2)
+        log = xr3.wait_log("a client gave a wrong token; 1 since the start")
+        self.assertEqual(1, log.count("wrong token"), "at most one message a second")
+        self.assertNotIn(WRONG, log)
+        with urllib.request.urlopen(f"http://127.0.0.1:{xr3.monitor_port}/metrics") as answer:
+            self.assertIn(b'xr3_wrong_tokens_total{cell="main"} 3', answer.read())
+
+    def test_five_wrong_tokens_end_the_connection(self):
         xr3 = self.guarded()
         with xr3.monitor() as monitor:
             for _ in range(5):
@@ -94,7 +108,7 @@ class Tokens(Case):
         with xr3.monitor() as monitor:
             self.assertEqual(0, monitor.get("moving")["tick"])
 
-    def test_auth_where_there_is_none(self):
+    def test_auth_on_a_server_without_a_token(self):
         with Server() as xr3, xr3.monitor() as monitor:
             try:
                 self.assertEqual("control", monitor.request("auth", token=WRONG)["value"]["access"])
@@ -102,18 +116,18 @@ class Tokens(Case):
                 self.assertEqual("bad_token", error.code)
             monitor.call("step", ticks=1)
 
-    def test_odd_ones(self):
+    def test_invalid_tokens_are_refused(self):
         xr3 = self.guarded()
         with xr3.monitor() as monitor:
             for members in {}, {"token": 5}, {"token": None}, {"token": [TOKEN]}:
                 self.refused("bad_args", monitor, "auth", **members)
 
-    def test_from_the_environment(self):
+    def test_token_from_the_environment(self):
         with Server(environment={"XR3_TOKEN": TOKEN}) as xr3, xr3.monitor() as monitor:
             self.assertEqual("read", monitor.hello["access"])
             self.assertEqual("control", monitor.request("auth", token=TOKEN)["value"]["access"])
 
-    def test_private(self):
+    def test_private_reading_needs_the_token(self):
         xr3 = self.guarded("--private")
         with xr3.monitor() as monitor:
             for channel in "state", "image", "event":
@@ -144,7 +158,7 @@ class Starts(Case):
         self.assertRegex(done.stderr, says)
         self.assertNotIn(TOKEN[:8], done.stderr)
 
-    def test_tokens_that_are_too_short_or_not_there(self):
+    def test_short_and_missing_tokens_prevent_the_start(self):
         with TokenFile("short\n") as path:
             self.rejected("16", "--token-file", path)
         with TokenFile("") as path:
@@ -152,7 +166,7 @@ class Starts(Case):
         self.rejected("absent", "--token-file", "/absent/token")
         self.rejected("16", env={**os.environ, "XR3_TOKEN": "short"})
 
-    def test_beyond_loopback_only_with_a_token_or_on_purpose(self):
+    def test_listening_beyond_loopback_needs_a_token_or_insecure(self):
         for address in "0.0.0.0", "::":
             self.rejected("--insecure", "--listen", address)
         with TokenFile() as path:
@@ -160,19 +174,19 @@ class Starts(Case):
                 with Server("--listen", "0.0.0.0", *options) as xr3, xr3.monitor() as monitor:
                     self.assertEqual("read" if path in options else "control", monitor.hello["access"])
 
-    def test_made_by_the_server(self):
+    def test_generated_token(self):
         tokens = set()
         for _ in range(2):
             with Server("--token", "auto") as xr3, xr3.monitor() as monitor:
                 self.assertEqual("read", monitor.hello["access"])
-                token = re.search(TOLD, xr3.wait_log(TOLD))[1]
+                token = re.search(PRINTED_TOKEN, xr3.wait_log(PRINTED_TOKEN))[1]
                 self.assertEqual("control", monitor.request("auth", token=token)["value"]["access"])
                 tokens.add(token)
         self.assertEqual(2, len(tokens))
 
 
 class Secrecy(Case):
-    def test_the_token_is_nowhere_to_be_seen(self):
+    def test_the_token_does_not_leak(self):
         xr3 = self.guarded("--log-level", "trace")
         with xr3.monitor() as monitor, connect(xr3.monitor_port) as sock:
             monitor.request("auth", token=TOKEN)

@@ -4,13 +4,13 @@ the same time. No line disturbs another one."""
 import os
 import unittest
 
-from support import DEADLINE_S, MonitorError, Server, counts, motors
+from support import DEADLINE_S, MonitorError, Server, connect, counts, motors
 
 MIB = 1024  # in KiB, the unit of /proc
 
 
 class Lines(unittest.TestCase):
-    def test_one_line_too_many(self):
+    def test_lines_above_the_maximum_are_closed(self):
         with Server("--max-lines", 2) as xr3, xr3.line() as first, xr3.line() as second:
             self.assertEqual((32, 32), (first.ask("E?"), second.ask("E?")))
             for _ in range(3):
@@ -26,7 +26,14 @@ class Lines(unittest.TestCase):
                 self.assertEqual(b"", refused.read_to_end())
             xr3.wait_log("refused", 2)
 
-    def test_half_close_gets_its_replies(self):
+    def test_lines_one_after_another_are_never_refused(self):
+        with Server("--max-lines", 1) as xr3:
+            for _ in range(500):
+                with connect(xr3.robot_port) as sock:
+                    sock.sendall(b"E?")
+                    self.assertEqual(b" ", sock.recv(1))
+
+    def test_a_half_closed_line_gets_its_replies(self):
         for data, replies in [(b"E+5\rE?", b"%"), (b"E?" * 5000, b" " * 5000), (b"E+5\r", b""), (b"", b""),
                               (b"E+5", b""), (b"D", b""), (b"GET", b""), (b"\xff\xfd\x06", b"\xff\xfb\x06")]:
             with self.subTest(data[:10]), Server() as xr3, xr3.line() as line:
@@ -34,7 +41,7 @@ class Lines(unittest.TestCase):
                 line.finish_sending()
                 self.assertEqual(replies, line.read_to_end())
 
-    def test_a_number_that_is_open_at_the_close_is_not_obeyed(self):
+    def test_an_incomplete_number_at_the_close_is_ignored(self):
         with Server() as xr3, xr3.monitor() as monitor:
             for end in "finish_sending", "close", "abort":
                 with self.subTest(end):
@@ -48,7 +55,7 @@ class Lines(unittest.TestCase):
                     xr3.wait_log(rf"line {line.number} .*(closed|lost)")
             self.assertEqual("E15", counts(monitor.settle()))
 
-    def test_a_reset_line_harms_nobody(self):
+    def test_a_reset_does_not_disturb_other_lines(self):
         with Server() as xr3, xr3.monitor() as monitor, xr3.line() as good:
             for _ in range(20):
                 bad = xr3.line()
@@ -59,7 +66,7 @@ class Lines(unittest.TestCase):
             xr3.wait_log(r"line \d+ .*(closed|lost)", times=20)
             self.assertEqual("D20", counts(monitor.settle(after=good)))
 
-    def test_two_hundred_at_once(self):
+    def test_two_hundred_lines_at_once(self):
         with Server() as xr3, xr3.monitor() as monitor:
             lines = [xr3.line() for _ in range(200)]
             for line in lines:
@@ -115,7 +122,7 @@ class Flood(unittest.TestCase):
         line.socket.settimeout(DEADLINE_S)
         return poured
 
-    def test_inquiries_that_are_never_read(self):
+    def test_a_line_that_never_reads_its_replies_is_not_read(self):
         """Memory grows once by the size of a read buffer, and by one outbox for each such line."""
         with Server(environment=self.ENVIRONMENT) as xr3, xr3.line() as good:
             for _ in range(4):  # the allocator keeps some memory of each size for itself
@@ -128,13 +135,13 @@ class Flood(unittest.TestCase):
                 line.abort()
             self.assertEqual(32, good.ask("E?"))
 
-    def test_all_replies_come_when_it_reads_at_last(self):
+    def test_all_replies_arrive_when_the_client_reads(self):
         with Server() as xr3, xr3.line() as good, xr3.line(buffer_bytes=16384) as line:
             poured = self.flood(line, good)
             line.finish_sending()
             self.assertEqual(b" " * poured, line.read_to_end())
 
-    def test_replies_in_hand_when_the_server_ends(self):
+    def test_pending_replies_are_sent_at_shutdown(self):
         """The outbox of a line is full, and the client begins to read when the server shuts down."""
         with Server() as xr3, xr3.monitor() as monitor, xr3.line(buffer_bytes=16384) as line:
             with self.assertRaises(MonitorError):  # the server stops reading the line

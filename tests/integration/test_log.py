@@ -1,12 +1,16 @@
 """Log messages of events that are caused by simulated time, and escapes in the log."""
 
+import collections
+import pathlib
+import tempfile
+import time
 import unittest
 
-from support import Server, drive
+from support import DEADLINE_S, Server, connect, drive, run_xr3
 
 
 class Log(unittest.TestCase):
-    def test_the_tip_under_the_surface_is_told_once_a_crossing(self):
+    def test_the_tip_below_the_surface_is_logged_once_per_crossing(self):
         with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
             drive(line, monitor, E=449, D=-625)
             self.assertNotIn("below_surface", xr3.log())
@@ -16,18 +20,47 @@ class Log(unittest.TestCase):
                 drive(line, monitor, E=-150)
             self.assertEqual(2, xr3.log().count("below_surface"))
 
-    def test_a_stall_says_what_sets_the_robot_free(self):
+    def test_a_stall_names_the_command_that_ends_it(self):
         with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
             for _ in range(3):
                 line.send("E-120\r")
                 monitor.settle(after=line)
             self.assertIn("A$", xr3.wait_log("protected_region: .*"))
 
-    def test_a_name_forges_no_line_and_moves_no_terminal(self):
+    def test_control_characters_in_names_are_escaped(self):
         with Server() as xr3, xr3.monitor() as monitor:
             monitor.call("block_add", name="x\n12:00:00.000 \x1b[31m\x9b\x00é", size_mm=[9, 9, 9], xyz_mm=[300, 0, 5], color=1)
             line = xr3.wait_log("block_add x.*")
             self.assertTrue(line.endswith(r"block_add x\x0a12:00:00.000 \x1b[31m\x9b\x00é" "\n"), line)
+
+    def test_characters_that_change_the_direction_of_text_are_escaped(self):
+        with Server() as xr3, xr3.monitor() as monitor:
+            monitor.call("block_add", name="a\u202e\u2066b\u200f", size_mm=[9, 9, 9], xyz_mm=[300, 0, 5], color=1)
+            line = xr3.wait_log("block_add a.*")
+            self.assertTrue(line.endswith(r"block_add a\xe2\x80\xae\xe2\x81\xa6b\xe2\x80\x8f" "\n"), line)
+
+    def test_a_flood_of_messages_is_cut_and_counted(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "xr3.log")
+            # The limit of warnings counts simulated seconds, of which there are many here.
+            with Server("--log-file", path, clock="real:100000") as xr3:
+                sock = connect(xr3.robot_port)
+                ends = time.monotonic() + DEADLINE_S
+                while "suppressed" not in path.read_text() and time.monotonic() < ends:
+                    sock.sendall(b"zE+500\r" * 2000)
+                sock.close()
+            text = path.read_text()
+        self.assertRegex(text, r"warning suppressed [1-9]\d* messages\n")
+        by_second = collections.Counter()
+        for line in text.splitlines():
+            by_second[line[:8]] += len(line) + 1
+        self.assertLess(max(by_second.values()), 2 * 256 * 1024 + 65536, "of two monotonic seconds")
+
+    def test_a_log_file_that_cannot_be_written_is_refused(self):
+        with tempfile.NamedTemporaryFile() as file:  # no folder
+            done = run_xr3("serve", "--log-file", f"{file.name}/xr3.log")
+            self.assertEqual(2, done.returncode)
+            self.assertIn(f"{file.name}/xr3.log: the log cannot be written", done.stderr)
 
 
 if __name__ == "__main__":

@@ -65,7 +65,7 @@ std::pair<ExitCode, std::string> ending(const Work& work) {
   ServeOptions options;
   options.robot_port = options.monitor_port = 0;
   options.clock.mode = ClockMode::kManual;
-  start_log("critical");
+  start_log("critical", "");
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   Crowd crowd;
@@ -86,13 +86,13 @@ std::pair<ExitCode, std::string> ending(const Work& work) {
   return {code, testing::internal::GetCapturedStderr()};
 }
 
-TEST(App, AnExceptionOutOfAHandlerEndsItWithACodeOfItsOwn) {
+TEST(App, AnExceptionInAHandlerGivesItsOwnExitCode) {
   const auto [code, log] = ending([] { throw std::bad_alloc(); });
   EXPECT_EQ(code, ExitCode::kBroken);
   EXPECT_THAT(log, HasSubstr("the server has failed and ends: std::bad_alloc"));
 }
 
-TEST(App, ASignalEndsItWell) {
+TEST(App, ASignalGivesASuccessfulExit) {
   const auto [code, log] = ending([] { std::raise(SIGTERM); });
   EXPECT_EQ(code, ExitCode::kGood);
   EXPECT_EQ(log, "");

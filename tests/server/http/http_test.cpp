@@ -12,6 +12,7 @@
 #include "protocol/files/workcell.hpp"
 #include "protocol/json/source.hpp"
 #include "server/http/resources.hpp"
+#include "server/robot_port/port.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3 {
@@ -66,7 +67,7 @@ class HttpTest : public testing::Test {
 
 // --- Heads.
 
-TEST_F(HttpTest, AliveAndReady) {
+TEST_F(HttpTest, HealthzAndReadyz) {
   EXPECT_EQ(
       answer(get("/healthz")),
       "HTTP/1.1 200 OK\r\n"
@@ -80,7 +81,7 @@ TEST_F(HttpTest, AliveAndReady) {
       "\r\n"
       "ok\n");
   EXPECT_EQ(status_of(get("/readyz")), "200");
-  trouble_ = "every line is taken";
+  trouble_ = "every line is in use";
   EXPECT_EQ(status_of(get("/readyz")), "503");
   EXPECT_EQ(json_of(answer(get("/readyz")))["error"]["message"], trouble_);
   EXPECT_EQ(status_of(get("/healthz?verbose=1")), "200");
@@ -94,7 +95,7 @@ TEST_F(HttpTest, HeadHasNoBody) {
   EXPECT_EQ(body_of(missing), "");
 }
 
-TEST_F(HttpTest, EveryAnswerIsGuarded) {
+TEST_F(HttpTest, EveryResponseHasSecurityHeaders) {
   const std::vector<std::string> requests = {get("/healthz"),
                                              get("/x"),
                                              "POST / HTTP/1.1\r\n" + kHost + "\r\n",
@@ -119,7 +120,7 @@ TEST_F(HttpTest, EveryAnswerIsGuarded) {
   }
 }
 
-TEST_F(HttpTest, OtherMethodsAreNotAllowed) {
+TEST_F(HttpTest, RejectsOtherMethods) {
   for (const std::string method :
        {"POST", "PUT", "PATCH", "DELETE", "OPTIONS", "TRACE", "CONNECT", "GETX", "Get"}) {
     const std::string text = answer(method + " /healthz HTTP/1.1\r\n" + kHost + "\r\n");
@@ -130,7 +131,7 @@ TEST_F(HttpTest, OtherMethodsAreNotAllowed) {
   EXPECT_EQ(status_of("CONNECT localhost:80 HTTP/1.1\r\n" + kHost + "\r\n"), "405");
 }
 
-TEST_F(HttpTest, WhatIsNoRequest) {
+TEST_F(HttpTest, RejectsMalformedRequests) {
   const std::vector<std::pair<std::string, std::string>> rows = {
       {"HELP\r\n", "400"},
       {"GET\r\n", "400"},
@@ -161,7 +162,7 @@ TEST_F(HttpTest, WhatIsNoRequest) {
   EXPECT_EQ(status_of("GET /healthz HTTP/1.0\r\n" + kHost + "\r\n"), "200");
 }
 
-TEST_F(HttpTest, TooMuch) {
+TEST_F(HttpTest, RejectsRequestsAboveTheLimits) {
   std::string fields = kHost;
   for (std::size_t i = 1; i < kMaxFields; ++i) fields += "X: y\r\n";
   EXPECT_EQ(status_of(get("/healthz", fields)), "200");
@@ -175,7 +176,7 @@ TEST_F(HttpTest, TooMuch) {
   EXPECT_EQ(status_of(std::string(kMaxHeadBytes, 'X')), "431");
 }
 
-TEST_F(HttpTest, HeadsToTheByte) {
+TEST_F(HttpTest, TheLimitOfAHeadIsExact) {
   const std::string start = "GET /healthz HTTP/1.1\r\n" + kHost + "X: ";
   const std::string fits = start + std::string(kMaxHeadBytes - start.size() - 4, 'y') + "\r\n\r\n";
   ASSERT_EQ(fits.size(), kMaxHeadBytes);
@@ -185,7 +186,7 @@ TEST_F(HttpTest, HeadsToTheByte) {
   EXPECT_EQ(status_of(over), "431");
 }
 
-TEST_F(HttpTest, DecidedAtTheLastByteAndNotBefore) {
+TEST_F(HttpTest, AHeadIsIncompleteUntilItsLastByte) {
   const auto is_open = [](const std::string& received) {
     return read_head(received).fault == HeadFault::kIncomplete;
   };
@@ -200,12 +201,12 @@ TEST_F(HttpTest, DecidedAtTheLastByteAndNotBefore) {
   EXPECT_FALSE(is_open(std::string(kMaxHeadBytes, 'X')));
 }
 
-TEST_F(HttpTest, HostsThatMayBeAnybodysAreRefused) {
+TEST_F(HttpTest, RejectsHostsThatDnsCanRebind) {
   for (const char* host : {"evil.example", "xr3", "localhost.evil.example", "", "a b.localhost"})
     EXPECT_EQ(status_of(get("/healthz", std::string("Host: ") + host + "\r\n")), "403") << host;
 }
 
-TEST_F(HttpTest, PagesOfOtherOriginsAreRefused) {
+TEST_F(HttpTest, RejectsOtherOrigins) {
   const auto with = [this](const std::string& origin) {
     return status_of(get("/healthz", kHost + "Origin: " + origin + "\r\n"));
   };
@@ -217,11 +218,11 @@ TEST_F(HttpTest, PagesOfOtherOriginsAreRefused) {
   }
 }
 
-TEST_F(HttpTest, NamesOfFieldsInAnyCase) {
+TEST_F(HttpTest, FieldNamesAreCaseInsensitive) {
   EXPECT_EQ(status_of(get("/healthz", "hOST:localhost\r\nORIGIN: \thttp://localhost \r\n")), "200");
 }
 
-TEST_F(HttpTest, WhatEndsTheConnection) {
+TEST_F(HttpTest, RefusedRequestsCloseTheConnection) {
   const auto is_kept = [this](const std::string& request) {
     return answer(request).find("Connection: keep-alive\r\n") != std::string::npos;
   };
@@ -232,18 +233,21 @@ TEST_F(HttpTest, WhatEndsTheConnection) {
   EXPECT_FALSE(is_kept(get("/healthz", "Host: evil.example\r\n")));
 }
 
-TEST_F(HttpTest, WhatTheClientAsksForAfterwards) {
+TEST_F(HttpTest, TheRequestSelectsKeepAliveOrClose) {
   const auto then = [](const std::string& request) { return read_head(request).request.then; };
   EXPECT_EQ(then(get("/", kHost)), http::Then::kKeep);
   EXPECT_EQ(then(get("/", kHost + "Connection: close\r\n")), http::Then::kClose);
   EXPECT_EQ(then("GET / HTTP/1.0\r\n\r\n"), http::Then::kClose);
   // The server does not read bodies, so a body would be parsed as the next request.
   EXPECT_EQ(then(get("/", kHost + "Content-Length: 5\r\n")), http::Then::kClose);
-  EXPECT_EQ(then(get("/", kHost + "Transfer-Encoding: chunked\r\n")), http::Then::kClose);
+  for (const std::string coding : {"chunked", "xchunked", "gzip"}) {
+    EXPECT_EQ(then(get("/", kHost + "Transfer-Encoding: " + coding + "\r\n")), http::Then::kClose)
+        << coding;
+  }
   EXPECT_EQ(status_of(get("/", kHost + "Content-Length: 5\r\nContent-Length: 6\r\n")), "400");
 }
 
-TEST_F(HttpTest, Parameters) {
+TEST_F(HttpTest, ParsesParameters) {
   const auto value = [](const std::string& target) {
     return read_head(get(target)).request.parameter("vector");
   };
@@ -259,7 +263,7 @@ TEST_F(HttpTest, Parameters) {
 
 // --- Resources.
 
-TEST_F(HttpTest, TheCellAsItIsNow) {
+TEST_F(HttpTest, ServesTheCurrentCell) {
   cell_.apply(call::AddBlock{{"red", {30'000, 30'000, 30'000}, {250'000, 0, 15'000}, 0, 4}}, 0);
   const Json state = json_of(answer(get("/state")));
   EXPECT_EQ(state["op"], "state");
@@ -275,12 +279,12 @@ TEST_F(HttpTest, TheCellAsItIsNow) {
   }
 }
 
-TEST_F(HttpTest, NoCameraNoPicture) {
+TEST_F(HttpTest, WithoutACameraThereIsNoImage) {
   for (const char* path : {"/camera.png", "/camera.pbm"})
     EXPECT_EQ(json_of(answer(get(path)))["error"]["code"], "no_camera") << path;
 }
 
-TEST_F(HttpTest, Pictures) {
+TEST_F(HttpTest, ServesImages) {
   const auto with_camera = std::make_shared<const Model>(
       test::robot_named("rhino-xr3"), test::workcell_named("rhino-xr3"), Profile::kPaper);
   Cell cell("main", with_camera, SimClock::manual(), {});
@@ -306,7 +310,7 @@ TEST_F(HttpTest, Pictures) {
   }
 }
 
-TEST_F(HttpTest, TheSchemaAndThePage) {
+TEST_F(HttpTest, ServesTheSchemaAndThePage) {
   EXPECT_EQ(json_of(answer(get("/schema/v1.json")))["$schema"].is_string(), true);
   EXPECT_TRUE(answer(get("/")).find("text/html") != std::string::npos);
   EXPECT_EQ(body_of(get("/favicon.ico")), body_of(get("/assets/icon.svg")));
@@ -326,7 +330,7 @@ TEST_F(HttpTest, PrivateReadingNeedsTheToken) {
     EXPECT_EQ(status_of(get(path)), "200") << path;
 }
 
-TEST_F(HttpTest, NamesThatAreAllowed) {
+TEST_F(HttpTest, AcceptsNamesOfTheRules) {
   policy_ = AccessPolicy({{http::Reach::kBeyond, {"arm.lab"}, {"https://page.lab"}}, {}, ""});
   EXPECT_EQ(status_of(get("/healthz", "Host: xr3:9601\r\n")), "200");
   EXPECT_EQ(status_of(get("/healthz", "Host: arm.lab\r\nOrigin: https://page.lab\r\n")), "200");
@@ -335,7 +339,7 @@ TEST_F(HttpTest, NamesThatAreAllowed) {
 
 // --- The WebSocket handshake.
 
-TEST_F(HttpTest, Handshakes) {
+TEST_F(HttpTest, ValidatesWebSocketHandshakes) {
   const std::string upgrade = kHost + "Connection: keep-alive, Upgrade\r\nUpgrade: WebSocket\r\n";
   const std::string key = "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n";
   const std::string version = "Sec-WebSocket-Version: 13\r\n";

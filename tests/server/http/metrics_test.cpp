@@ -23,6 +23,7 @@ CellCounters some_counters() {
   counters.ticks = 12'345;
   counters.of(monitor::Channel::kState) = {100, 4};
   counters.monitor_sessions = 6;
+  counters.wrong_tokens = 8;
   return counters;
 }
 
@@ -58,7 +59,7 @@ std::map<std::string, double> parsed(const std::string& text) {
   return samples;
 }
 
-TEST(Metrics, EveryCounterIsASample) {
+TEST(Metrics, EveryCounterHasASample) {
   const std::string text = metrics_text("main", some_counters());
   EXPECT_TRUE(text.ends_with('\n'));
   const auto samples = parsed(text);
@@ -76,12 +77,13 @@ TEST(Metrics, EveryCounterIsASample) {
       {R"(xr3_viewers{cell="main"})", 6},
       {R"(xr3_frames_sent_total{cell="main",channel="state"})", 100},
       {R"(xr3_frames_overwritten_total{cell="main",channel="state"})", 4},
+      {R"(xr3_wrong_tokens_total{cell="main"})", 8},
       {R"(xr3_frames_sent_total{cell="main",channel="line"})", 0}};
   for (const auto& [name, value] : expected) {
     ASSERT_TRUE(samples.contains(name)) << name;
     EXPECT_EQ(samples.at(name), value) << name;
   }
-  EXPECT_EQ(samples.size(), 7 + kCommandKinds + 1 + 2 * kChannels);
+  EXPECT_EQ(samples.size(), 8 + kCommandKinds + 1 + 2 * kChannels);
 }
 
 TEST(Metrics, LargeCountsAreNotRounded) {

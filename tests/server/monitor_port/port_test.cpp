@@ -12,6 +12,7 @@
 
 #include "cell/failure.hpp"
 #include "protocol/json/source.hpp"
+#include "server/robot_port/port.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/tcp_client.hpp"
 
@@ -63,14 +64,15 @@ class MonitorPortTest : public testing::Test {
                             robot_port_,
                             policy_,
                             [this]() -> asio::awaitable<std::string> { co_return trouble_; },
-                            [this] { ++acted_; }};
+                            [this] { ++acted_; },
+                            SocketLimits{}};
 };
 
 std::string call(const std::string& fn, const std::string& args) {
   return R"({"op":"call","id":1,"fn":")" + fn + R"(","args":)" + args + "}\n";
 }
 
-TEST_F(MonitorPortTest, HelloComesFirstThenAnswersInOrder) {
+TEST_F(MonitorPortTest, SendsHelloAndThenRepliesInOrder) {
   Client client = monitor();
   client.send(
       "{\"op\":\"ping\",\"id\":1}\n{\"op\":\"get\",\"channel\":\"state\",\"fields\":[\"moving\"]}"
@@ -81,7 +83,7 @@ TEST_F(MonitorPortTest, HelloComesFirstThenAnswersInOrder) {
             R"({"op":"state","cell":"main","epoch":0,"seq":1,"tick":0,"moving":false})");
 }
 
-TEST_F(MonitorPortTest, SilenceIsGreeted) {
+TEST_F(MonitorPortTest, ASilentClientGetsHello) {
   Client client = monitor();
   EXPECT_EQ(client.json()["op"], "hello");
   client.send("GET / HTTP/1.1\r\n");
@@ -89,22 +91,22 @@ TEST_F(MonitorPortTest, SilenceIsGreeted) {
   EXPECT_EQ(client.rest(), "");
 }
 
-TEST_F(MonitorPortTest, AHalfClosedClientIsAnswered) {
+TEST_F(MonitorPortTest, AHalfClosedClientGetsReplies) {
   const std::string text = exchange(R"({"op":"ping","id":"last"})");
   EXPECT_TRUE(text.ends_with("{\"op\":\"pong\",\"id\":\"last\"}\n")) << text;
   EXPECT_EQ(Json::parse(exchange(""))["op"], "hello");
 }
 
-TEST_F(MonitorPortTest, StrangersActNothing) {
-  for (const std::string stranger :
+TEST_F(MonitorPortTest, OtherProtocolsChangeNothing) {
+  for (const std::string greeting :
        {"help\n", "\xEF\xBB{", "[1]\n", "\x16\x03\x01", "POST / HTTP/1.1\r\n\r\n"}) {
-    exchange(stranger + call("reset", "{}"));
+    exchange(greeting + call("reset", "{}"));
   }
   EXPECT_EQ(cell_.epoch(), 0);
   EXPECT_EQ(exchange("\x16\x03\x01"), "");
 }
 
-TEST_F(MonitorPortTest, BytesBeforeAStepActFirst) {
+TEST_F(MonitorPortTest, BytesBeforeAStepTakeEffectFirst) {
   Client client = monitor();
   Client line = robot();
   client.send("{\"op\":\"ping\"}\n");
@@ -119,7 +121,7 @@ TEST_F(MonitorPortTest, BytesBeforeAStepActFirst) {
   }
 }
 
-TEST_F(MonitorPortTest, BytesOnALineThatIsNotAcceptedYetActFirst) {
+TEST_F(MonitorPortTest, BytesOnALineNotYetAcceptedTakeEffectFirst) {
   Client client = monitor();
   client.send("{\"op\":\"ping\"}\n");
   client.line();
@@ -146,7 +148,7 @@ TEST_F(MonitorPortTest, AStepWaitsForItsBarrier) {
       R"({"op":"result","id":1,"ok":true,"value":{"epoch":0,"tick":10,"state":{"moving":true}}})");
 }
 
-TEST_F(MonitorPortTest, ABarrierThatCannotBeMet) {
+TEST_F(MonitorPortTest, ABarrierOnAMissingOrSilentLineFails) {
   const std::string after = R"({"ticks":10,"after":{"line":1,"bytes_in":5,"within_ms":1}})";
   EXPECT_NE(exchange(call("step", after)).find(R"("code":"no_such_line")"), std::string::npos);
   Client line = robot();
@@ -157,7 +159,7 @@ TEST_F(MonitorPortTest, ABarrierThatCannotBeMet) {
   EXPECT_EQ(cell_.state().tick, 0);
 }
 
-TEST_F(MonitorPortTest, ABarrierEndsWithItsLine) {
+TEST_F(MonitorPortTest, AClosedLineEndsItsBarrier) {
   Client client = monitor();
   {
     Client line = robot();
@@ -168,13 +170,13 @@ TEST_F(MonitorPortTest, ABarrierEndsWithItsLine) {
   EXPECT_EQ(client.json()["error"]["code"], "no_such_line");
 }
 
-TEST_F(MonitorPortTest, RunningTimeIsRefusedWithoutWaiting) {
+TEST_F(MonitorPortTest, ARealClockRefusesAStepWithoutWaiting) {
   const std::string text = exchange(call("resume", "{}") +
                                     call("step", R"({"ticks":1,"after":{"line":9,"bytes_in":1}})"));
   EXPECT_NE(text.find(R"("code":"clock_running")"), std::string::npos) << text;
 }
 
-TEST_F(MonitorPortTest, TheSameStateHasTheSameNumber) {
+TEST_F(MonitorPortTest, TheSameStateHasTheSameSeq) {
   const std::string get = "{\"op\":\"get\",\"channel\":\"state\"}\n";
   Client one = monitor();
   Client two = monitor();
@@ -189,13 +191,13 @@ TEST_F(MonitorPortTest, TheSameStateHasTheSameNumber) {
   EXPECT_EQ(two.json()["seq"], 2);
 }
 
-TEST_F(MonitorPortTest, ResetBeginsAnEpoch) {
+TEST_F(MonitorPortTest, ResetStartsANewEpoch) {
   const std::string text =
       exchange(call("step", R"({"ticks":9,"fields":[]})") + call("reset", "{}"));
   EXPECT_NE(text.find(R"("value":{"epoch":1,"tick":0}})"), std::string::npos) << text;
 }
 
-TEST_F(MonitorPortTest, ReadinessByHttp) {
+TEST_F(MonitorPortTest, ReportsReadinessByHttp) {
   const std::string request = "GET /readyz HTTP/1.1\r\nHost: localhost\r\n\r\n";
   EXPECT_TRUE(exchange(request).starts_with("HTTP/1.1 200 "));
   trouble_ = "the server is stopping";
@@ -203,7 +205,7 @@ TEST_F(MonitorPortTest, ReadinessByHttp) {
   EXPECT_TRUE(exchange("GET /readyz").starts_with("HTTP/1.1 400 "));
 }
 
-TEST_F(MonitorPortTest, AClientThatTakesNothingIsNotReadForEver) {
+TEST_F(MonitorPortTest, StopsReadingAClientThatReadsNothing) {
   std::string flood;
   for (int i = 0; i < 2000; ++i) flood += "{\"op\":\"get\",\"channel\":\"state\"}\n";
   tcp::socket socket(io_);
@@ -224,7 +226,7 @@ TEST_F(MonitorPortTest, AClientThatTakesNothingIsNotReadForEver) {
   EXPECT_EQ(other.line(), R"({"op":"pong","id":null})");
 }
 
-TEST_F(MonitorPortTest, EverybodyHearsOfTheEnd) {
+TEST_F(MonitorPortTest, EveryClientGetsAByeAtShutdown) {
   Client idle = monitor();
   Client waiting = monitor();
   Client line = robot();
@@ -242,17 +244,24 @@ TEST_F(MonitorPortTest, EverybodyHearsOfTheEnd) {
   EXPECT_EQ(cell_.state().tick, 0);
 }
 
-TEST_F(MonitorPortTest, ThereIsALimitToConnections) {
+TEST_F(MonitorPortTest, LimitsTheNumberOfConnections) {
   std::vector<Client> clients;
-  for (std::size_t i = 0; i < MonitorPort::kMaxConnections; ++i) clients.push_back(monitor());
+  for (std::size_t i = 0; i < SocketLimits{}.connections; ++i) clients.push_back(monitor());
   io_.run_for(50ms);
   EXPECT_EQ(monitor().json()["why"], "full");
-  Client browser = monitor();
-  browser.send("GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n");
-  EXPECT_TRUE(browser.rest().starts_with("HTTP/1.1 503 "));
+  const auto status_of = [this](const std::string& path) {
+    Client browser = monitor();
+    browser.send("GET " + path + " HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    return browser.rest().substr(0, 12);
+  };
+  EXPECT_EQ(status_of("/state"), "HTTP/1.1 503");
+  EXPECT_EQ(status_of("/healthz"), "HTTP/1.1 200") << "the port is full, not dead";
+  EXPECT_EQ(status_of("/readyz"), "HTTP/1.1 200");
+  trouble_ = "the robot port is gone";
+  EXPECT_EQ(status_of("/readyz"), "HTTP/1.1 503");
 }
 
-TEST_F(MonitorPortTest, AFailureOfTheCellIsNoMatterOfOneConnection) {
+TEST_F(MonitorPortTest, AFailureOfTheCellEndsTheServer) {
   Client client = monitor();
   client.send(call("home", "{}"));
   fails_ = true;

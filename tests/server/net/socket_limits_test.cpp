@@ -1,0 +1,41 @@
+#include "server/net/socket_limits.hpp"
+
+#include <gtest/gtest.h>
+
+namespace xr3 {
+namespace {
+
+constexpr SocketLimits kWanted{1024, 1024, 64};
+
+TEST(SocketLimits, AreThoseWantedIfThereAreEnoughDescriptors) {
+  const SocketLimits limits = divide_descriptors(4096, kWanted);
+  EXPECT_EQ(limits.lines, 1024U);
+  EXPECT_EQ(limits.connections, 1024U);
+  EXPECT_EQ(limits.refusals, 64U);
+}
+
+TEST(SocketLimits, LeaveSomeDescriptorsToTheProcess) {
+  for (std::size_t descriptors = 64; descriptors < 2200; ++descriptors) {
+    const SocketLimits limits = divide_descriptors(descriptors, kWanted);
+    EXPECT_LE(limits.lines + limits.connections + limits.refusals, descriptors - 31) << descriptors;
+  }
+}
+
+TEST(SocketLimits, AreAtLeastOne) {
+  for (const std::size_t descriptors : {0U, 16U, 32U, 33U, 40U}) {
+    const SocketLimits limits = divide_descriptors(descriptors, kWanted);
+    EXPECT_GE(limits.lines, 1U);
+    EXPECT_GE(limits.connections, 1U);
+    EXPECT_GE(limits.refusals, 4U);
+  }
+}
+
+TEST(SocketLimits, DivideInProportion) {
+  const SocketLimits limits = divide_descriptors(36 + 211, kWanted);
+  EXPECT_EQ(limits.lines, 102U);
+  EXPECT_EQ(limits.connections, 102U);
+  EXPECT_EQ(limits.refusals, 6U);
+}
+
+}  // namespace
+}  // namespace xr3
