@@ -38,8 +38,8 @@ class Cell {
   Epoch epoch() const { return epoch_; }
   /// The revision of the workcell, from 1. Editing or replacing the workcell increments it.
   int model_rev() const { return model_rev_; }
-  /// Every input but BytesOut and every advance of time increments it. If it is equal, nothing visible has
-  /// changed.
+  /// Every input but BytesOut and every advance of time increments it. If it is equal, nothing
+  /// visible has changed.
   std::uint64_t revision() const { return revision_; }
 
   /// Advances time to `now`, then applies the input. A call that needs the manual clock is refused

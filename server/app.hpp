@@ -37,9 +37,9 @@ class App {
   App& operator=(const App&) = delete;
   ~App();
 
-  /// Serves until SIGTERM, SIGINT or SIGHUP, then sends pending replies and returns kGood. An exception
-  /// from any loop or handler ends it at once: it is logged, and the result is kBroken. Throws
-  /// ListenError.
+  /// Serves until SIGTERM, SIGINT or SIGHUP, then sends pending replies and returns kGood. An
+  /// exception from any loop or handler ends it at once: it is logged, and the result is kBroken.
+  /// Throws ListenError.
   ExitCode run();
 
   /// Valid once run() has begun to serve.

@@ -22,8 +22,8 @@ namespace {
 
 constexpr WallNs kSecond = 1'000'000'000;
 
-/// The length of a character in UTF-8 at the start of `text` that changes the direction of text: such
-/// characters can make a line look different from what it says. 0 if there is none.
+/// The length of a character in UTF-8 at the start of `text` that changes the direction of text.
+/// Such characters can make a line look different from what it says. 0 if there is none.
 std::size_t bidi_length(std::string_view text) {
   constexpr std::array<std::string_view, 12> kBidi = {
       "\xE2\x80\x8E", "\xE2\x80\x8F", "\xE2\x80\xAA", "\xE2\x80\xAB",

@@ -1,6 +1,6 @@
-// What xr3 reports about an event of a cell: its kind, its stable code, one sentence, and the members
-// of the monitor's message. One function per kind of event is the only place that knows them; the
-// log, the monitor port and the explanations of bytes use the same report.
+// What xr3 reports about an event of a cell: kind, stable code, one sentence, and the members of
+// the monitor's message. One function per kind of event is the only place that knows them; the log,
+// the monitor port and the explanations of bytes use the same report.
 #pragma once
 
 #include <string>

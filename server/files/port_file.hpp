@@ -1,5 +1,5 @@
-// The port file, from which scripts read the ports. It is written atomically, by a rename, and removed
-// when the server stops.
+// The port file, from which scripts read the ports. It is written atomically, by a rename, and
+// removed when the server stops.
 #pragma once
 
 #include <sys/types.h>
@@ -19,8 +19,8 @@ struct ServedPorts {
 class PortFile {
  public:
   /// Writes {"robot":9600,"monitor":9601,"pid":...}, with the token if there is one; then only the
-  /// owner could read the file at any time. Replaces a symbolic link instead of following it. Throws
-  /// FileError if it cannot be written.
+  /// owner could read the file at any time. Replaces a symbolic link instead of following it.
+  /// Throws FileError if it cannot be written.
   PortFile(std::string path, const ServedPorts& ports);
   PortFile(const PortFile&) = delete;
   PortFile& operator=(const PortFile&) = delete;

@@ -29,8 +29,8 @@ class MonitorPort {
   ErrorCode listen(const tcp::endpoint& endpoint);
   tcp::endpoint endpoint() const { return listener_.endpoint(); }
 
-  /// Accepts no further connection; sessions finish their request, send `bye` and end. HTTP requests
-  /// after the deadline get an error.
+  /// Accepts no further connection; sessions finish their request, send `bye` and end. HTTP
+  /// requests after the deadline get an error.
   void close(WallNs deadline = kNever);
   /// Closes every connection now.
   void abort();

@@ -15,13 +15,13 @@ namespace xr3 {
 
 class Refusals {
  public:
-  /// Of more than `max` connections at once, the oldest is closed without an error. `resources`, which must
-  /// outlive it, answer health checks. `ended` is called when a refused connection has ended.
+  /// Of more than `max` connections at once, the oldest is closed without an error. `resources`
+  /// answer health checks and must outlive it. `ended` is called when a connection has ended.
   Refusals(HttpResources& resources, std::size_t max, std::function<void()> ended)
       : resources_(resources), max_(max), ended_(std::move(ended)) {}
 
-  /// Waits up to 1 s for a request, then answers GET /healthz and /readyz, sends status 503 to other
-  /// HTTP, nothing to TLS, and `bye` otherwise.
+  /// Waits up to 1 s for a request, then answers GET /healthz and /readyz, sends status 503 to
+  /// other HTTP, nothing to TLS, and `bye` otherwise.
   void add(tcp::socket socket);
   /// Closes them all.
   void abort();

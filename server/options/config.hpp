@@ -17,8 +17,8 @@ enum class OtherKeys : std::uint8_t { kRefuse, kSkip };
 void add_config(CLI::App& command, std::string& file);
 
 /// Sets the options that are not set yet to the values in the file, if `file` is not empty, and
-/// adds their sources to `option_sources`. Throws CLI::ParseError, with the source of the file's name
-/// if the file cannot be read.
+/// adds their sources to `option_sources`. Throws CLI::ParseError, with the source of the file's
+/// name if the file cannot be read.
 void read_config(CLI::App& command, const std::string& file, OtherKeys others,
                  OptionSources& option_sources);
 

@@ -132,8 +132,8 @@ void RobotPort::run_turns() {
   if (!unfinished_.empty()) schedule_turns();
 }
 
-// After kMaxNewsTime the rest of the lines wait with the unfinished ones, so that timers, signals and
-// other ports get their turn.
+// After kMaxNewsTime the rest of the lines wait with the unfinished ones, so that timers, signals
+// and other ports get their turn.
 void RobotPort::take_news() {
   const WallNs end = wall_now() + kMaxNewsTime;
   for (const auto& [line, is_end] : watch_.news()) {

@@ -25,8 +25,8 @@ ssize_t retry_interrupted(const Call& call) {
   return count;
 }
 
-// If unread input were left, close() would reset the connection, and replies that are still on their
-// way would be lost.
+// If unread input were left, close() would reset the connection, and replies that are still on
+// their way would be lost.
 void discard_input(int descriptor) {
   constexpr int kMaxReads = 64;
   std::array<char, 16 * 1024> discarded;

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/inverse/solvers.hpp"
 #include "core/inverse/inverse.hpp"
+#include "core/inverse/solvers.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3 {
