@@ -75,8 +75,8 @@ class Fairness(unittest.TestCase):
     def test_beside_garbage(self):
         self.compare(0.99, 2.0, garbage)
 
-    def check_bound(self, most_s, disturbance, *options, server=()):
-        """Checks that in each round 99 of 100 replies arrive within `most_s` seconds more than without load."""
+    def worst_waits_s(self, disturbance, *options, server=()):
+        """The wait that 99 of 100 replies keep, in the worst of the rounds: alone, and beside the load."""
         alone, beside = [], []
         with Server("--log-level", "error", *server, clock="real") as xr3, xr3.line() as line:
             waits_s(line)
@@ -84,7 +84,16 @@ class Fairness(unittest.TestCase):
                 alone.append(waits_s(line)[int(ASKED * 0.99)])
                 with disturbance(xr3, *options):
                     beside.append(waits_s(line)[int(ASKED * 0.99)])
-        self.assertLess(max(beside), most_s + max(alone), f"alone {alone}, beside {beside}")
+        return max(alone), max(beside)
+
+    def check_bound(self, most_s, *disturbance, server=()):
+        """Checks that in each round 99 of 100 replies arrive within `most_s` seconds more than without load.
+        A measurement that fails is repeated once: other programs on the machine disturb it, too."""
+        for _ in range(2):
+            alone, beside = self.worst_waits_s(*disturbance, server=server)
+            if beside < most_s + alone:
+                return
+        self.fail(f"worst p99 alone {alone * 1000:.2f} ms, beside {beside * 1000:.2f} ms, twice")
 
     def test_beside_images(self):
         for robot, workcell in ("rhino-xr3", "rhino-xr3"), ("rhino-xr3", "rhino-hundred"), ("adept-one", "adept-one"):
