@@ -23,6 +23,9 @@ DEADLINE_S = 20.0
 SHUTDOWN_S = 2.0  # guaranteed by xr3
 LOCALHOST = "127.0.0.1"
 MOST_COUNTS_A_MOVE = 100
+# For tests of memory: without the sanitizer's quarantine of freed memory, which would count.
+NO_QUARANTINE = {"ASAN_OPTIONS": os.environ.get("ASAN_OPTIONS", "")
+                 + ":quarantine_size_mb=0:thread_local_quarantine_size_kb=0"}
 
 
 def run_xr3(*arguments, **options):

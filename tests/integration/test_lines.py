@@ -1,10 +1,9 @@
 """Serial lines: too many, half closed, reset, closed in the middle of a number, flooding, and two hundred at
 the same time. No line disturbs another one."""
 
-import os
 import unittest
 
-from support import DEADLINE_S, MonitorError, Server, connect, counts, motors
+from support import DEADLINE_S, NO_QUARANTINE, MonitorError, Server, connect, counts, motors
 
 MIB = 1024  # in KiB, the unit of /proc
 
@@ -102,7 +101,6 @@ class Lines(unittest.TestCase):
 class Flood(unittest.TestCase):
     """A client sends inquiries without end and never reads: the server stops reading from it."""
 
-    ENVIRONMENT = {"ASAN_OPTIONS": os.environ.get("ASAN_OPTIONS", "") + ":quarantine_size_mb=4"}
     INQUIRIES = b"I" * 65536  # every byte is an inquiry with a one-byte reply
     KERNEL_BYTES = 16 << 20  # more than the kernel buffers for both directions of a connection
     STUCK_TURNS = 100
@@ -124,7 +122,7 @@ class Flood(unittest.TestCase):
 
     def test_a_line_that_never_reads_its_replies_is_not_read(self):
         """Memory grows once by the size of a read buffer, and by one outbox for each such line."""
-        with Server(environment=self.ENVIRONMENT) as xr3, xr3.line() as good:
+        with Server(environment=NO_QUARANTINE) as xr3, xr3.line() as good:
             for _ in range(4):  # the allocator keeps some memory of each size for itself
                 self.flood(xr3.line(buffer_bytes=16384), good)
             before = xr3.status("VmRSS")

@@ -2,12 +2,11 @@
 reports lost messages with exact counts (`lag`), and it uses little memory and time for them."""
 # labels: release serial
 
-import os
 import time
 import unittest
 
 from garbage import pour_garbage
-from support import Monitor, Server, counts
+from support import NO_QUARANTINE, Monitor, Server, counts
 
 RING = {"event": 4096, "line": 1024}
 MIB = 1024  # in KiB, the unit of /proc
@@ -127,9 +126,6 @@ class Garbage(unittest.TestCase):
 
 
 class Stuck(unittest.TestCase):
-    # Without the quarantine of freed memory, which would count.
-    ENVIRONMENT = {"ASAN_OPTIONS": os.environ.get("ASAN_OPTIONS", "")
-                   + ":quarantine_size_mb=0:thread_local_quarantine_size_kb=0"}
     WANTED = 100_000
     STUCK_TURNS = 100
 
@@ -154,7 +150,7 @@ class Stuck(unittest.TestCase):
         return len(request) * self.WANTED - len(pending), sorted(waits_s)
 
     def test_a_client_that_never_reads_its_images(self):
-        with Server("--log-level", "warn", environment=self.ENVIRONMENT) as xr3, xr3.monitor() as good:
+        with Server("--log-level", "warn", environment=NO_QUARANTINE) as xr3, xr3.monitor() as good:
             for _ in range(300):
                 good.look("image")
             warm = self.enterContext(Monitor(xr3.monitor_port, buffer_bytes=SMALL_BUFFER))
