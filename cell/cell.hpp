@@ -141,8 +141,8 @@ class Cell {
   std::map<std::string, SavedCellPtr> snapshots_;
   std::vector<Exchange> exchanges_;  ///< of the bytes being received; reuses its memory
   WarningLimiter warnings_;
-  /// Converted to text when a client wants it, with the model of then: an event's text depends only
-  /// on the robot, which never changes. Keeping models would cost memory for each changed workcell.
+  /// Converted to text on request, with the current model. The text of an event depends only on the
+  /// robot, which never changes. Storing a model for each event would pin changed workcells.
   monitor::Ring<CellEvent> events_;
   monitor::Ring<WireRecord> wires_;
   CellCounters counters_;

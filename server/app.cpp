@@ -54,6 +54,12 @@ AccessRules access_rules(const ServeOptions& options, std::string token) {
           std::move(token)};
 }
 
+// nohup starts a program with SIGHUP ignored, so that it survives the end of the terminal.
+bool is_ignored(int signal) {
+  struct sigaction action {};
+  return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
 SocketLimits socket_limits(const ServeOptions& options) {
   SocketLimits wanted;
   wanted.lines = options.max_lines;
@@ -82,7 +88,7 @@ App::App(const ServeOptions& options, ModelPtr model, std::string token)
       monitor_port_(
           io_, cell_, robot_port_, policy_, [this] { return not_ready(); }, [this] { acted(); },
           limits_),
-      signals_(io_, SIGINT, SIGTERM, SIGHUP) {}
+      signals_(io_, SIGINT, SIGTERM) {}
 
 // Destroys waiting handlers and coroutines before the members that they refer to. The cell may be
 // half changed, so it is frozen first and ignores the inputs of the sessions that end here.
@@ -157,6 +163,7 @@ void App::announce_token(std::uint16_t monitor_port) const {
 }
 
 void App::await_signal() {
+  if (!is_ignored(SIGHUP)) signals_.add(SIGHUP);
   signals_.async_wait([this](ErrorCode cancelled, int signal) {
     if (cancelled) return;
     spdlog::info("signal {}: stopping", signal);

@@ -101,13 +101,17 @@ class LimitedSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex>
   }
 
  private:
-  static constexpr std::size_t kPrefixBytes = 24;  // time and level, about
+  static constexpr std::size_t kPrefixBytes = 24;  // approximately: time and level
 
   void sink_it_(const spdlog::details::log_msg& message) override {
     begin_second(wall_now() / kSecond);
-    bytes_ += message.payload.size() + kPrefixBytes;
-    const bool is_passed = bytes_ <= kMaxLogBytes || message.level == spdlog::level::critical;
-    is_passed ? sink_->log(message) : static_cast<void>(++suppressed_);
+    if (bytes_ >= kMaxLogBytes && message.level != spdlog::level::critical) {
+      ++suppressed_;
+      return;
+    }
+    bytes_ += kPrefixBytes +
+              one_line(std::string(message.payload.begin(), message.payload.end()) + '\n').size();
+    sink_->log(message);
   }
   void flush_() override { sink_->flush(); }
 

@@ -10,8 +10,8 @@
 
 namespace xr3 {
 
-/// Maximum number of bytes a second. The number of messages beyond it is logged. Messages of level
-/// critical are never dropped.
+/// Bytes a second, with escapes, after which messages are dropped. Their number is logged. Messages
+/// of level critical are never dropped.
 inline constexpr std::size_t kMaxLogBytes = std::size_t{256} * 1024;
 
 /// Rotation of a log file: FILE, FILE.1 ... up to this number of files of this size.

@@ -64,6 +64,15 @@ class Start(unittest.TestCase):
                 self.assertEqual(b" ", sock.recv(1))
 
 
+class Nohup(unittest.TestCase):
+    def test_a_server_started_with_nohup_survives_a_hangup(self):
+        with Server(command=("nohup", XR3, "serve")) as xr3:
+            os.kill(xr3.pid, signal.SIGHUP)
+            self.assertEqual(0, xr3.stop())
+            self.assertNotIn("signal 1:", xr3.log())
+            self.assertIn("signal 15:", xr3.log())
+
+
 class ExitCodes(unittest.TestCase):
     def refused(self, code, says, *arguments):
         """Checks the exit code, one sentence on standard error, and no standard output."""

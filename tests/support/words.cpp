@@ -15,7 +15,7 @@ std::string number(int value) { return std::to_string(value); }
 std::string counts(int value) { return (value < 0 ? "" : "+") + number(value); }
 
 struct CommandWords {
-  /// A command without a text of its own here.
+  /// The code of a command that has no function below.
   template <class Other>
   std::string operator()(const Other& c) const {
     return std::string(code_of(Command(c)));
