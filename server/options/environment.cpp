@@ -37,11 +37,15 @@ bool is_argument(const CLI::App& command, const std::string& name) {
   return std::find(arguments.begin(), arguments.end(), command.get_option(name)) != arguments.end();
 }
 
-OptionSources option_sources_in_environment(const CLI::App& command) {
+OptionSources complete_from_environment(CLI::App& command) {
   OptionSources option_sources;
-  for (const CLI::Option* option : command.get_options()) {
-    if (is_from_environment(command, *option))
-      option_sources.emplace(option->get_name(), option->get_envname());
+  for (CLI::Option* option : command.get_options()) {
+    if (!is_from_environment(command, *option)) continue;
+    if (option->count() == 0) {
+      option->add_result(std::getenv(option->get_envname().c_str()));
+      option->run_callback();
+    }
+    option_sources.emplace(option->get_name(), option->get_envname());
   }
   return option_sources;
 }

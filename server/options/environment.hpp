@@ -18,8 +18,10 @@ void read_environment(CLI::App& command, const std::set<std::string>& except);
 /// Whether the option was given on the command line.
 bool is_argument(const CLI::App& command, const std::string& name);
 
-/// The variables that set options of the command.
-OptionSources option_sources_in_environment(const CLI::App& command);
+/// Sets the options whose variables CLI11 has not taken: since version 2.4 it skips variables with
+/// an invalid value and those with a list. Returns the variables that set options of the command.
+/// Throws CLI::ParseError.
+OptionSources complete_from_environment(CLI::App& command);
 
 /// The error in a variable's value, prefixed with its name; nullopt if all are valid.
 std::optional<std::string> problem_in_environment(CLI::App& command);

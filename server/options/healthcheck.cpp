@@ -21,7 +21,7 @@ void choose_port(const CLI::App& health, HealthOptions& options) {
 }
 
 void complete(CLI::App& health, HealthOptions& options) {
-  OptionSources option_sources = option_sources_in_environment(health);
+  OptionSources option_sources = complete_from_environment(health);
   read_config(health, options.config, OtherKeys::kSkip, option_sources);
   choose_port(health, options);
 }

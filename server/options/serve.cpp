@@ -82,7 +82,7 @@ Leave refuse_listen(const ServeOptions& options) {
 void complete(CLI::App& serve, ServeOptions& options) {
   if (is_argument(serve, "--token") && is_argument(serve, "--token-file"))
     throw CLI::ExcludesError("--token", "--token-file");
-  options.option_sources = option_sources_in_environment(serve);
+  options.option_sources = complete_from_environment(serve);
   const bool has_token = !std::holds_alternative<NoToken>(options.token);
   if (!has_token && is_token_in_environment()) options.token = TokenInEnvironment{};
   read_config(serve, options.config, OtherKeys::kRefuse, options.option_sources);

@@ -14,6 +14,20 @@ UPGRADE = (b"GET /ws HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnec
            b"Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n")
 
 
+# The versions of python3-websockets differ in names; these suit all.
+REFUSED = websockets.InvalidHandshake
+
+
+def status_of(refusal):
+    """The HTTP status of the refusal of a handshake."""
+    return refusal.response.status_code if hasattr(refusal, "response") else refusal.status_code
+
+
+def extensions_of(socket):
+    """The extensions that client and server have agreed on."""
+    return getattr(socket, "protocol", socket).extensions
+
+
 class Viewer:
     """An asynchronous context manager. `hello` is the first message of the server."""
 
