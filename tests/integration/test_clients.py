@@ -33,6 +33,7 @@ class TelnetSession(unittest.TestCase):
 
     def test_repeated_interrupts(self):
         with Server() as xr3, Telnet(xr3.robot_port) as telnet:
+            telnet.inquire(b"E?")
             for _ in range(5):
                 telnet.type(b"\x03")
                 self.assertEqual(b" ", telnet.inquire(b"E?"))
@@ -40,9 +41,10 @@ class TelnetSession(unittest.TestCase):
     def test_a_reply_of_ff_arrives_once(self):
         """After an interrupt the server knows that the line uses telnet and doubles FF on the wire."""
         with Server() as xr3, xr3.monitor() as monitor, Telnet(xr3.robot_port) as telnet:
+            telnet.inquire(b"E?")  # telnet is ready: before, Ctrl-C could end it
             telnet.type(b"\x03")
             telnet.type(b"F-1\n")
-            monitor.step(0, after=(1, 5 + 5))
+            monitor.step(0, after=(1, 4 + 5 + 5))
             telnet.type(b"FT\n")
             self.assertEqual(b"\xff", telnet.read_until(rb"FT\r\n(.)").group(1))
             self.assertEqual(b"!", telnet.inquire(b"F?"))
