@@ -106,7 +106,7 @@ class Pair:
             model_line.parser.reset()
         self.monitor.call("reset")
 
-    # What is compared after a program
+    # The comparison after a program
 
     def compare_ends(self):
         expected = {**state(self.model), "warnings": dict(collections.Counter(self.model.warnings))}
