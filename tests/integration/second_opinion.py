@@ -2,6 +2,7 @@
 display and the diagnostics. Used by test_second_opinion.py and, with more programs, by soak_second_opinion.py."""
 
 import collections
+import contextlib
 import math
 import pathlib
 import sys
@@ -22,6 +23,7 @@ SETUPS = [(ROBOTS / "rhino-xr3.json", MODEL / "far-block.json"),
           (ROBOTS / "adept-one.json", MODEL / "far-block.json"),
           (ROBOTS / "rhino-xr3.json", MODEL / "far-block-stall.json"),
           (ROBOTS / "intelledex-660.json", MODEL / "far-block.json")]
+LATE_S = 2.0  # for a reply that the kernel delivers late
 ROUNDING = 0.0015  # mm or degrees
 MOTOR_MEMBERS = ("count", "error", "speed", "value", "switch", "moving", "blocked")
 
@@ -82,7 +84,7 @@ class Pair:
         line.send(data)
         expected = model_line.send(data)
         self.monitor.step(ticks, after=line, fields=[])
-        seen = line.unread()
+        seen = read_reply(line, len(expected))
         if expected != seen:
             raise Difference(f"tick {self.model.machine.tick}: the reply to {data!r}\n"
                              f"  expected {expected!r}\n  seen     {seen!r}")
@@ -134,6 +136,16 @@ class Pair:
             if event["event"] == "warning":
                 counter[event["code"]] += event["count"]
         return counter
+
+
+def read_reply(line, size):
+    """All bytes that have arrived; waits a little if they are fewer than `size`."""
+    seen = line.unread() or b""
+    line.socket.settimeout(LATE_S)
+    with contextlib.suppress(TimeoutError, EOFError, ConnectionResetError):
+        while len(seen) < size:
+            seen += line.read(1)
+    return seen
 
 
 def alike(expected, seen):

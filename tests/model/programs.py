@@ -18,6 +18,9 @@ COMMANDS = ["I", "J", "K", "AI", "AJ", "L", "M", "N", "O", "Q", "A#", "A|", "A$"
             "A%7", "A%\r", "A**", "A*0*", "A*4*", "A*5*", "A*3,2*", "A*10,0*", "A*9,4*", "A*,*", "A*1\r", "P1", "P8",
             "P9", "P0", "P\r", "P 3", "R\x004", "R1", "R8", "R5", "R", "P", "A ", "A", "A5$", "A$A$",
             "A@A@", "AA@a@", "A $", "A! 1, 2 ,- 3!", "A. 6 ", "A* 3 , 2 *", "A % 2"]
+AFTER_A_LABEL = ["--5\r", "+ 5 ", "-\r5\r", "+X", "- X3 ", "-+3 ", "5 5 ", "5+5\r", "+5-3\r", "+200 5 ", "300S5 ", "0S",
+                 "255S", "256S", "254S", "1S", "+5S", "5 S", "S5 ", "SX", "z5 ", "=+3 ", "zZ3 ", "z?5 ", "P95 ", "5P1",
+                 "Px5 ", "5A$", "+0\r", "-0 ", "-128\r", "+127\r", "A#5 ", "$", "5\x00?", "+1\x004 "]
 TELNET = [b"\xff\xfb\x01", b"\xff\xfd\x06", b"\xff\xfe\x03", b"\xff\xfc\x03", b"\xff\xfd\x01", b"\xff\xf6", b"\xff\xff",
           b"\xffE", b"\xff\xfa\x18\x00vt100\xff\xf0", b"\xff\xf4\xff\xfd\x06", b"\xff\xfaE+5\xff\xff\r\xff\xf0",
           b"\xff\xfa" + b"z" * 511 + b"CD?E?", b"\xff\xf1", b"\xff\xfbE", b"\xff"]
@@ -89,6 +92,16 @@ class Author:
             self.home()
             self.move()
 
+    def race(self):
+        """Runs motors of equal speed against each other's limits, so that they are due in the same tick."""
+        labels = [self.label() for _ in range(self.chance.randint(2, 3))]
+        speed = self.chance.randint(40, 255)
+        self.send("".join(f"{label}{speed}S" for label in labels), 0)
+        for _ in range(self.chance.randint(1, 5)):
+            self.send("".join(f"{label}{self.chance.choice('+-')}{self.chance.randint(60, 127)}\r" for label in labels),
+                      self.chance.choice([300, 700]))
+        self.ask()
+
     def wrap(self):
         label, sign = self.label(), self.chance.choice("+-")
         for _ in range(self.chance.randint(2, 4)):
@@ -108,6 +121,11 @@ class Author:
     def ask(self):
         for _ in range(self.chance.randint(1, 4)):
             self.send(self.inquiry(self.label()))
+
+    def number_form(self):
+        label = self.label()
+        self.send(label + self.chance.choice(AFTER_A_LABEL), self.chance.choice([0, 9, 30]))
+        self.send(self.chance.choice(["?T", "?", label + "?T"]))
 
     def command(self):
         self.send("".join(self.chance.choices(COMMANDS, k=self.chance.randint(1, 3))))
@@ -129,9 +147,11 @@ class Author:
         self.send(bytes(data))
 
     def disable(self):
+        if self.chance.random() < 0.5:
+            self.send(self.chance.choice([self.label(), f"{self.label()}-3", "A*1", "P", f"{self.label()}+"]), 0)
         self.send("A@")
         self.chance.choice([self.move, self.ask, self.command, self.almost, self.wait])()
-        self.send(self.chance.choice(["A@", "a@", "AA@", "\rA@"]))
+        self.send(self.chance.choice(["A@", "a@", "AA@", "\rA@", "A @", "@A@ "]))
 
     def home(self):
         if self.chance.random() < 0.3:
@@ -162,10 +182,10 @@ class Author:
 
     def write(self, sequences):
         """A program of that many sequences, with an inquiry about everything at its end."""
-        kinds = {self.move: 5, self.drive: 3, self.reach: 2, self.several: 4, self.wrap: 2, self.stop: 2,
-                 self.set_speed: 2, self.ask: 3, self.command: 3, self.junk: 2, self.almost: 3, self.disable: 0.4,
-                 self.home: 0.4, self.input: 0.5, self.reset: 0.15, self.hang_up: 0.3, self.wait: 1,
-                 self.telnet: 3 if self.has_telnet else 0}
+        kinds = {self.move: 5, self.drive: 3, self.reach: 2, self.several: 4, self.race: 1.5, self.wrap: 2,
+                 self.stop: 2, self.set_speed: 2, self.number_form: 2.5, self.ask: 3, self.command: 3, self.junk: 2,
+                 self.almost: 2, self.disable: 0.5, self.home: 0.4, self.input: 0.5, self.reset: 0.15,
+                 self.hang_up: 0.3, self.wait: 1, self.telnet: 3 if self.has_telnet else 0}
         for kind in self.chance.choices(list(kinds), list(kinds.values()), k=sequences):
             kind()
         self.send("A?B?C?D?E?F?G?IJK", self.chance.choice([0, 0, 3000]))
