@@ -4,7 +4,7 @@ import unittest
 
 from second_opinion import PROFILES, SETUPS, Pair, difference, report, setup_of
 
-PROGRAMS_A_PAIR = 3
+PROGRAMS_A_PAIR = 8
 
 
 class SecondOpinion(unittest.TestCase):
@@ -19,6 +19,12 @@ class SecondOpinion(unittest.TestCase):
             program = pair.program(seed)
             message = difference(pair, program)
             self.assertEqual("", message, message and report(pair, seed, program, message))
+
+    def test_a_count_that_is_due_at_a_limit(self):
+        """A coupled joint is at its limit when the count is due, and has left it at the end of the tick."""
+        program = [("send", 0, b"C236SD236Sb236S", 0), ("send", 0, b"C+110\rD+63\rb+115\r", 300)]
+        with Pair("paper", SETUPS[1]) as pair:
+            self.assertEqual("", difference(pair, program))
 
     def test_a_model_with_a_wrong_speed_differs(self):
         with Pair("paper", SETUPS[0]) as pair:

@@ -82,9 +82,10 @@ class Machine:
         before = list(self.counts), list(self.positions), list(self.errors), list(self.phases)
         for place in running:
             self.phases[place] += self.speeds[place]
-            if self.phases[place] >= THOUSANDTHS and not self.is_blocked(place):
+            if self.phases[place] >= THOUSANDTHS:
                 self.phases[place] -= THOUSANDTHS
-                self._count(place)
+                if not self.is_blocked(place):
+                    self._count(place)
         for place in running:
             if self.is_blocked(place):
                 self.phases[place] = 0
