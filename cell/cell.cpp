@@ -90,7 +90,7 @@ Applied Cell::handle(const LineOpened& opened, WallNs) {
     return {};
   }
   const LineId id = ++last_line_;
-  lines_.try_emplace(id, model().profile(), opened.kind, opened.peer, state().tick);
+  lines_.try_emplace(id, model().profile(), opened.kind, opened.peer, state().tick, opened.guard);
   ++counters_.lines_total;
   emit(id, LineOpenedNote{opened.kind, opened.peer});
   if (!state().enabled) {
@@ -106,6 +106,7 @@ Applied Cell::handle(const BytesIn& in, WallNs) {
   SerialLine* line = open_line(in.line);
   if (line == nullptr) return {};
   if (in.line == kProbeLine) return take_unseen(*line, in.bytes);
+  if (line->bytes_in() == 0 && line->kind() != LineKind::kMonitor) line->examine(in.bytes);
   std::size_t taken = 0;
   while (taken < in.bytes.size()) {
     const std::size_t count = receive_piece(in.line, *line, in.bytes.substr(taken, kMaxShownIn));

@@ -20,6 +20,7 @@ struct LineOpened {
   std::string peer;  ///< for display: address and port, or `monitor`
   LineKind kind = LineKind::kRaw;
   bool is_probe = false;  ///< opens kProbeLine, of which there is at most one
+  Guard guard = Guard::kNormal;
 };
 
 struct BytesIn {

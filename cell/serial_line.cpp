@@ -14,7 +14,7 @@ std::size_t SerialLine::receive(std::string_view bytes, Simulation& simulation,
       act_on(byte, offset, simulation, exchanges);
       continue;
     }
-    const Detection detection = detector_.feed(byte);
+    const Detection detection = guard_ == Guard::kOff ? Detection::kPass : detector_.feed(byte);
     is_not_a_robot_program_ = detection == Detection::kNotARobotProgram;
     if (detection != Detection::kPass) continue;
     if (!detector_.held().empty()) {

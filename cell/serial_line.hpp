@@ -12,6 +12,7 @@
 #include "core/simulation.hpp"
 #include "protocol/explain/cell_event.hpp"
 #include "protocol/line/http_tls_detector.hpp"
+#include "protocol/line/line_guard.hpp"
 #include "protocol/line/rhino_endpoint.hpp"
 #include "protocol/line/telnet.hpp"
 
@@ -23,8 +24,15 @@ class SerialLine {
   /// some.
   static constexpr std::size_t kFullOutbox = 64 * 1024;
 
-  SerialLine(Profile profile, LineKind kind, std::string peer, Tick opened)
-      : endpoint_(profile), kind_(kind), peer_(std::move(peer)), opened_(opened) {}
+  SerialLine(Profile profile, LineKind kind, std::string peer, Tick opened,
+             Guard guard = Guard::kNormal)
+      : guard_(guard), endpoint_(profile), kind_(kind), peer_(std::move(peer)), opened_(opened) {}
+
+  /// Examines the bytes that have arrived first, and together; receive() takes them only if they
+  /// may come from a robot program. A transport that is not a network need not call it.
+  void examine(std::string_view first_chunk) {
+    is_not_a_robot_program_ = is_refused(first_chunk, guard_);
+  }
 
   /// Processes bytes at the simulation's tick. Returns the number of bytes taken: all, unless the
   /// outbox is full or the client is detected not to be a robot program.
@@ -35,7 +43,7 @@ class SerialLine {
   void deliver(std::string_view replies);
 
   bool is_full() const { return outbox().size() >= kFullOutbox; }
-  /// Whether an HTTP, TLS or STUN client was detected. The transport must close the line; no byte
+  /// Whether the client was detected not to be a robot program, such as one of HTTP, TLS or STUN. The transport must close the line; no byte
   /// of the client has acted.
   bool is_not_a_robot_program() const { return is_not_a_robot_program_; }
   /// A copy of the telnet filter before the next byte; nullopt for a line of a monitor session.
@@ -72,6 +80,7 @@ class SerialLine {
               std::vector<Exchange>& exchanges);
 
   HttpTlsDetector detector_;
+  Guard guard_;
   TelnetFilter telnet_;
   RhinoEndpoint endpoint_;
   std::string outbox_;

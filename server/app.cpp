@@ -83,7 +83,8 @@ App::App(const ServeOptions& options, ModelPtr model, std::string token)
       cell_("main", std::move(model), start_clock(options.clock), log_event),
       policy_(access_rules(options, std::move(token))),
       limits_(socket_limits(options)),
-      robot_port_(io_, cell_, limits_.lines, [this] { acted(); }),
+      robot_port_(
+          io_, cell_, limits_.lines, [this] { acted(); }, options.guard),
       robot_probe_(io_, robot_port_),
       monitor_port_(
           io_, cell_, robot_port_, policy_, [this] { return not_ready(); }, [this] { acted(); },

@@ -91,7 +91,8 @@ std::string_view text_of(LineCloseReason reason) {
   switch (reason) {
     case LineCloseReason::kClientClosed: return "closed by its client";
     case LineCloseReason::kNotARobotProgram:
-      return "closed: its client sent HTTP, TLS or STUN; none of its bytes were executed";
+      return "closed: its client sent HTTP, TLS, STUN or other bytes with which no robot program "
+             "begins; none of its bytes were executed";
     case LineCloseReason::kError: return "lost";
     case LineCloseReason::kShutdown: return "closed: the server stops";
     case LineCloseReason::kDisconnected: return "closed by the monitor's line_disconnect";

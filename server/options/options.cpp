@@ -198,6 +198,13 @@ Rate parse_rate(const std::string& text) {
   return rate;
 }
 
+Guard parse_guard(const std::string& text) {
+  if (text == "strict") return Guard::kStrict;
+  if (text == "normal") return Guard::kNormal;
+  if (text == "off") return Guard::kOff;
+  throw std::invalid_argument(text + ": a guard is strict, normal or off");
+}
+
 ClockChoice parse_clock(const std::string& text) {
   if (text == "manual") return {ClockMode::kManual, Rate{}};
   if (text == "real") return {ClockMode::kReal, Rate{}};

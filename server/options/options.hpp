@@ -11,6 +11,7 @@
 #include "core/model.hpp"
 #include "core/sim_clock.hpp"
 #include "core/state.hpp"
+#include "protocol/line/line_guard.hpp"
 #include "server/exit_code.hpp"
 #include "server/monitor_port/token.hpp"
 #include "server/options/healthcheck.hpp"
@@ -36,6 +37,7 @@ struct ServeOptions {
   Profile profile = Profile::kPaper;
   ClockChoice clock;
   std::size_t max_lines = 1024;
+  Guard guard = Guard::kNormal;
   std::string port_file;  ///< empty: none
   std::string log_level = "info";
   std::string log_file;  ///< empty: standard error
@@ -98,6 +100,9 @@ Options parse_options(int argc, const char* const* argv);
 
 /// `real`, `real:FACTOR` or `manual`. Throws std::invalid_argument, with the allowed values.
 ClockChoice parse_clock(const std::string& text);
+
+/// `strict`, `normal` or `off`. Throws std::invalid_argument, with the allowed values.
+Guard parse_guard(const std::string& text);
 
 /// `x,y,z`, integers -9...9, not all 0. Throws std::invalid_argument, with the allowed values.
 ViewVector parse_view(const std::string& text);

@@ -131,6 +131,13 @@ void add_serve(CLI::App& app, ServeOptions& options) {
       ->check(CLI::Range(1, kMaxLines).description(""))
       ->capture_default_str();
   serve
+      .add_option_function<std::string>(
+          "--guard", [&options](const std::string& text) { options.guard = parse_guard(text); },
+          "normal (default): the robot port disconnects browsers, before a byte of them acts; "
+          "strict: any client that begins with binary bytes, too; off: none")
+      ->type_name("strict|normal|off")
+      ->check(parses(parse_guard, ""));
+  serve
       .add_option("--port-file", options.port_file,
                   "write the ports to this file as JSON when the server is ready")
       ->type_name("FILE");

@@ -33,13 +33,17 @@ class Waiting {
 }  // namespace
 
 RobotPort::RobotPort(asio::io_context& io, Cell& cell, std::size_t max_lines,
-                     std::function<void()> acted)
+                     std::function<void()> acted, Guard guard)
     : io_(io),
       cell_(cell),
       max_lines_(max_lines),
       acted_(std::move(acted)),
-      context_{cell, false, scratch_, [this] { notify(); }, [this](LineId line) { end(line); }},
-      probe_context_{cell, true, scratch_,
+      context_{
+          cell, false, guard, scratch_, [this] { notify(); }, [this](LineId line) { end(line); }},
+      probe_context_{cell,
+                     true,
+                     guard,
+                     scratch_,
                      [this] {
                        probe_progress_ =
                            cell_.state().enabled ? ProbeProgress::kTaken : ProbeProgress::kIgnored;

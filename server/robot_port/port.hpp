@@ -32,7 +32,8 @@ class RobotPort final : public LineTransports {
  public:
   /// Connections beyond `max_lines` are closed without a byte. `acted` is called after each input,
   /// and when a line has opened or closed.
-  RobotPort(asio::io_context& io, Cell& cell, std::size_t max_lines, std::function<void()> acted);
+  RobotPort(asio::io_context& io, Cell& cell, std::size_t max_lines, std::function<void()> acted,
+            Guard guard = Guard::kNormal);
   std::size_t max_lines() const { return max_lines_; }
 
   /// Binds and starts to accept; endpoint() is then valid. Returns the error.

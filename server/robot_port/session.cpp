@@ -39,11 +39,19 @@ RobotSession::RobotSession(tcp::socket socket, RobotSessionContext& context)
 RobotSession::RobotSession(const std::string& peer, tcp::socket&& socket,
                            RobotSessionContext& context)
     : socket_(std::move(socket)),
-      id_(context.cell.apply(LineOpened{peer, LineKind::kRaw, context.is_probe}, wall_now()).line),
+      id_(context.cell
+              .apply(LineOpened{peer, LineKind::kRaw, context.is_probe, context.guard}, wall_now())
+              .line),
       context_(context) {}
 
 bool RobotSession::run_turn() {
-  return work({kFairShare, kAllOutput, wall_now() + kFairTime}) == Left::kSome;
+  return work({fair_share(), kAllOutput, wall_now() + kFairTime}) == Left::kSome;
+}
+
+// The first bytes are examined together; the time of the turn is limited all the same.
+std::size_t RobotSession::fair_share() const {
+  const bool is_first = socket_.is_open() && context_.cell.find_line(id_)->bytes_in() == 0;
+  return is_first ? kFirstChunk : kFairShare;
 }
 
 bool RobotSession::read_arrived() {

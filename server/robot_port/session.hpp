@@ -16,6 +16,7 @@ namespace xr3 {
 struct RobotSessionContext {
   Cell& cell;
   bool is_probe;                ///< whether the session opens kProbeLine
+  Guard guard;                  ///< which clients are refused
   std::span<char> scratch;      ///< buffer for one read
   std::function<void()> acted;  ///< called after bytes have acted
   std::function<void(LineId)>
@@ -62,6 +63,7 @@ class RobotSession {
   Left work(Turn turn);
   Left flush(const Turn& turn);
   bool is_over(const Turn& turn) const;
+  std::size_t fair_share() const;
   std::size_t read(std::size_t most);
   void act(std::string_view bytes, const Turn& turn);
   void keep(std::string_view bytes);

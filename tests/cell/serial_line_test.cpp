@@ -74,5 +74,25 @@ TEST(SerialLine, NoByteOfAnotherProtocolTakesEffect) {
   EXPECT_EQ(one.simulation.state(), initial_state(one.simulation.model()));
 }
 
+TEST(SerialLine, TakesNoByteOfARefusedChunk) {
+  OneLine one;
+  const std::string request = "E+50 / HTTP/1.1\r\n\r\n";
+  one.line.examine(request);
+  EXPECT_TRUE(one.line.is_not_a_robot_program());
+  EXPECT_EQ(one.receive(request), 0U);
+  EXPECT_EQ(one.simulation.state(), initial_state(one.simulation.model()));
+}
+
+TEST(SerialLine, WithoutAGuardEveryByteActsAtOnce) {
+  OneLine one;
+  one.line = SerialLine(Profile::kPaper, LineKind::kRaw, "test", 0, Guard::kOff);
+  one.receive("P");
+  one.receive("O");
+  EXPECT_EQ(one.line.bytes_in(), 2U);
+  one.receive("GET / HTTP/1.1\rE+5\rE?");
+  EXPECT_FALSE(one.line.is_not_a_robot_program());
+  EXPECT_TRUE(one.line.outbox().ends_with('%'));
+}
+
 }  // namespace
 }  // namespace xr3

@@ -16,6 +16,7 @@ MOVES = "F+100\rA$\rLM"
 # tried.
 EVERYTHING_HIGH = "LNP1P2P3P4P5P6P7P8E+30\r"
 EVERYTHING_LOW = "MOR1R2R3R4R5R6R7R8E+30\r"
+METHODS = ["E+50", "P1", "L", "P1P2LNE+50C+33F-20", *("P1L" * count for count in (100, 1000, 30_000, 100_000))]
 # Words that a page must never read: parts of a state, a robot file, a `hello` and the metrics.
 SECRETS = ["joints", "hello", "tick", "xr3_", "polylines", "rows"]
 
@@ -72,6 +73,21 @@ class PagesOfOtherSites(unittest.TestCase):
                 tried = dict(robot.attack(page, f"http://evil.test:{port}/", call))
                 if port == robot.xr3.monitor_port:
                     self.assertRegex(tried["fetch same-origin /state"], "^read: 403 ", "it may read the error")
+
+    def test_a_rebound_page_with_methods_that_are_commands(self):
+        """On the robot port a page may choose the method: a long one arrives in more than one piece."""
+        robot = Robot(self, EVERYTHING_LOW)
+        port = robot.xr3.robot_port
+        with Site() as site, Proxy(site.port) as resolver, \
+                Chromium(hosts={f"evil.test:{port}": f"{LOCALHOST}:{resolver.port}"}) as browser:
+            page = browser.open(f"http://evil.test:{port}/")
+            resolver.target = port
+            for method in METHODS:
+                with self.subTest(method[:20], length=len(method)):
+                    page.run(f"fetch('/', {{method: {json.dumps(method)}}}).catch(() => 0)")
+                    self.assertEqual(32 + 19, robot.line.ask("E?"))
+                    self.assertEqual(robot.before, machine(robot.monitor.get()))
+        robot.xr3.wait_log("client sent HTTP", times=len(METHODS))
 
 
 if __name__ == "__main__":
