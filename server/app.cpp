@@ -63,6 +63,7 @@ bool is_ignored(int signal) {
 SocketLimits socket_limits(const ServeOptions& options) {
   SocketLimits wanted;
   wanted.lines = options.max_lines;
+  wanted.per_address = options.max_per_address;
   const std::size_t descriptors = raise_descriptor_limit();
   const SocketLimits limits = divide_descriptors(descriptors, wanted);
   if (limits.connections < wanted.connections) {
@@ -83,13 +84,18 @@ App::App(const ServeOptions& options, ModelPtr model, std::string token)
       cell_("main", std::move(model), start_clock(options.clock), log_event),
       policy_(access_rules(options, std::move(token))),
       limits_(socket_limits(options)),
-      robot_port_(
-          io_, cell_, limits_.lines, [this] { acted(); }, options.guard),
+      memory_(io_, options.max_memory_mib << 20, [this] { return close_greediest(); }),
+      robot_port_(io_, cell_,
+                  {limits_.lines, options.guard, peer_counts(limits_.lines, limits_.per_address)},
+                  [this] { acted(); }),
       robot_probe_(io_, robot_port_),
       monitor_port_(
           io_, cell_, robot_port_, policy_, [this] { return not_ready(); }, [this] { acted(); },
           limits_),
-      signals_(io_, SIGINT, SIGTERM) {}
+      signals_(io_, SIGINT, SIGTERM) {
+  robot_port_.limit_memory(memory_);
+  monitor_port_.limit_memory(memory_);
+}
 
 // Destroys waiting handlers and coroutines before the members that they refer to. The cell may be
 // half changed, so it is frozen first and ignores the inputs of the sessions that end here.
@@ -176,6 +182,14 @@ void App::acted() {
   if (stage_ == Stage::kEnded) return;
   if (stage_ != Stage::kDraining) return monitor_port_.subscribers().acted();
   if (robot_port_.is_empty() && monitor_port_.is_empty()) drain_limit_.cancel();
+}
+
+bool App::close_greediest() {
+  const std::size_t of_lines = robot_port_.most_held();
+  const std::size_t of_monitor = monitor_port_.most_held();
+  if (of_lines == 0 && of_monitor == 0) return false;
+  of_lines > of_monitor ? robot_port_.close_greediest() : monitor_port_.close_greediest();
+  return true;
 }
 
 // Closes everything that keeps the event loop running, so that run() returns.

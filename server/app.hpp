@@ -11,6 +11,7 @@
 #include "server/monitor_port/access.hpp"
 #include "server/monitor_port/port.hpp"
 #include "server/net/asio.hpp"
+#include "server/net/memory_limit.hpp"
 #include "server/net/socket_limits.hpp"
 #include "server/options/options.hpp"
 #include "server/robot_port/port.hpp"
@@ -65,6 +66,7 @@ class App {
   void await_signal();
   void stop();
   void acted();
+  bool close_greediest();
   asio::awaitable<std::string> not_ready();
 
   enum class Stage : std::uint8_t { kStarting, kReady, kDraining, kEnded };
@@ -78,6 +80,7 @@ class App {
   Cell cell_;
   AccessPolicy policy_;
   SocketLimits limits_;
+  MemoryLimit memory_;
   RobotPort robot_port_;
   RobotProbe robot_probe_;
   MonitorPort monitor_port_;

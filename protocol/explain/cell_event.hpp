@@ -30,6 +30,7 @@ enum class LineCloseReason : std::uint8_t {
   kError,
   kShutdown,
   kDisconnected,  ///< by the monitor's line_disconnect
+  kMemory,        ///< it held the most when the memory was exhausted
 };
 
 /// Bytes that were not executed. `count` consecutive ones with the same code are one note.

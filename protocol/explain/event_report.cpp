@@ -83,6 +83,7 @@ std::string_view code_of_reason(LineCloseReason reason) {
     case LineCloseReason::kError: return "error";
     case LineCloseReason::kShutdown: return "shutdown";
     case LineCloseReason::kDisconnected: return "disconnected";
+    case LineCloseReason::kMemory: return "memory";
   }
   return "";
 }
@@ -96,6 +97,9 @@ std::string_view text_of(LineCloseReason reason) {
     case LineCloseReason::kError: return "lost";
     case LineCloseReason::kShutdown: return "closed: the server stops";
     case LineCloseReason::kDisconnected: return "closed by the monitor's line_disconnect";
+    case LineCloseReason::kMemory:
+      return "closed: the server needs more memory than --max-memory, and this client has the most "
+             "unread replies";
   }
   return "";
 }

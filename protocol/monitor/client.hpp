@@ -53,6 +53,9 @@ class Client {
     return reply_queue_.size() >= kMaxAnswers || reply_queue_bytes_ >= kMaxAnswerBytes;
   }
 
+  /// The bytes of the replies in the queue.
+  std::size_t queued_bytes() const { return reply_queue_bytes_; }
+
   /// Subscribes to a channel of a cell; replaces an earlier subscription to it.
   FrameSubscription& follow_frames(const std::string& cell, const Subscribe& wanted);
   void follow_feed(const std::string& cell, const Subscribe& wanted, Feed& feed);

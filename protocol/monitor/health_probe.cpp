@@ -39,7 +39,9 @@ std::string HealthProbe::feed(std::string_view bytes) {
 std::string HealthProbe::handle_line() {
   const Json message = Json::parse(line_, nullptr, false);
   const auto op = monitor::value_of<std::string>(message, "op");
-  if (op == "bye") {
+  if (op == "bye" && monitor::value_of<std::string>(message, "why") == "full") {
+    health_ = Health::kFull;
+  } else if (op == "bye") {
     refuse("ends the connection: " + monitor::value_of<std::string>(message, "message"));
   } else if (is_greeted_) {
     if (op == "pong" && monitor::member(message, "id") == kId) health_ = Health::kHealthy;

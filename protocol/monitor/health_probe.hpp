@@ -14,7 +14,8 @@ class HealthProbe {
   /// The `hello` message of xr3, which announces the limit for later lines, is much shorter.
   static constexpr std::size_t kMaxLineBytes = 64 * 1024;
 
-  enum class Health : std::uint8_t { kUnknown, kHealthy, kUnhealthy };
+  /// kFull: the limit of monitor connections is reached; /readyz is answered all the same.
+  enum class Health : std::uint8_t { kUnknown, kHealthy, kFull, kUnhealthy };
 
   /// The first byte to send: the server sends `hello` at once to a client that sends first. It
   /// selects JSON; if the peer is a serial line instead, it moves nothing.

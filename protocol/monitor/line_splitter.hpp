@@ -28,6 +28,9 @@ class LineSplitter {
 
   LineFault fault() const { return fault_; }
 
+  /// The number of bytes in the buffer.
+  std::size_t size() const { return bytes_.size() - begin_; }
+
  private:
   void skip_blanks();
   std::optional<std::string_view> fail(LineFault fault);

@@ -28,6 +28,30 @@ Json robot_json(const Model& model) {
   return {{"name", model.robot().name}, {"joints", joints}, {"tool", std::string(1, tool)}};
 }
 
+const char* name_of(Access access) {
+  switch (access) {
+    case Access::kNone: return "none";
+    case Access::kRead: return "read";
+    case Access::kControl: return "control";
+  }
+  return "";
+}
+
+/// The members of `hello` that describe the cell.
+Json cell_members(const Greeting& greeting) {
+  const Snapshot& now = greeting.snapshot;
+  return {
+      {"cell", greeting.cells.front()},
+      {"cells", greeting.cells},
+      {"epoch", now.epoch},
+      {"tick", now.state.tick},
+      {"tick_hz", kTickHz},
+      {"clock", clock_json(now.mode, now.rate)},
+      {"compat", greeting.model.profile() == Profile::kPaper ? "paper" : "mark3"},
+      {"robot", robot_json(greeting.model)},
+  };
+}
+
 Json details_json(const std::vector<Detail>& details) {
   Json list = Json::array();
   for (const Detail& detail : details) {
@@ -66,24 +90,15 @@ std::string text_of(const Json& json) {
 }
 
 Message hello(const Greeting& greeting) {
-  const Snapshot& now = greeting.snapshot;
-  return message_of({
-      {"op", "hello"},
-      {"proto", kProtocol},
-      {"server", greeting.server},
-      {"cell", greeting.cells.front()},
-      {"cells", greeting.cells},
-      {"epoch", now.epoch},
-      {"tick", now.state.tick},
-      {"tick_hz", kTickHz},
-      {"clock", clock_json(now.mode, now.rate)},
-      {"compat", greeting.model.profile() == Profile::kPaper ? "paper" : "mark3"},
-      {"robot", robot_json(greeting.model)},
-      {"access", greeting.may_call ? "control" : "read"},
+  Json message = {{"op", "hello"}, {"proto", kProtocol}, {"server", greeting.server}};
+  if (greeting.access != Access::kNone) message.update(cell_members(greeting));
+  message.update({
+      {"access", name_of(greeting.access)},
       {"channels", channels()},
       {"calls", calls()},
       {"limits", {{"message_bytes", kMaxMessageBytes}, {"depth", kMaxDepth}, {"max_hz", kMaxHz}}},
   });
+  return message_of(message);
 }
 
 Message result(const RequestId& id, const Json& value) {

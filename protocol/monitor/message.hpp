@@ -2,6 +2,7 @@
 // may come from a client, is replaced, so that every message can be parsed.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -19,14 +20,18 @@ using Message = std::shared_ptr<const std::string>;
 /// JSON on one line; invalid UTF-8 is replaced.
 std::string text_of(const Json& json);
 
+/// What a session may do: nothing, read, or read and call. It depends on the token.
+enum class Access : std::uint8_t { kNone, kRead, kControl };
+
 /// The contents of `hello`. `server` is name and version; `cells` has the default first.
 struct Greeting {
   std::string server;
   std::vector<std::string> cells;
   const Model& model;
   const Snapshot& snapshot;
-  bool may_call = true;  ///< `control`; otherwise `read`
+  Access access = Access::kControl;
 };
+/// Without access it describes only the server, not the cell.
 Message hello(const Greeting& greeting);
 
 /// The `result` of a successful request.

@@ -36,6 +36,11 @@ struct Visit {
   std::string readiness;  ///< the response of /readyz
 };
 
+/// Whether the monitor port has answered as it should, so that /readyz decides.
+bool has_answered(const HealthProbe& probe) {
+  return probe.health() == Health::kHealthy || probe.health() == Health::kFull;
+}
+
 /// Connects; nullptr if refused.
 asio::awaitable<std::unique_ptr<MonitorSocket>> connect(asio::io_context& context,
                                                         const tcp::endpoint& place, Visit& visit) {
@@ -81,7 +86,7 @@ asio::awaitable<void> visit(asio::io_context& context, tcp::endpoint place, Visi
   auto socket = co_await connect(context, place, visit);
   if (!socket) co_return;
   co_await greet(*socket, visit.probe);
-  if (visit.probe.health() != Health::kHealthy) co_return;
+  if (!has_answered(visit.probe)) co_return;
   socket = co_await connect(context, place, visit);
   if (socket) visit.readiness = co_await ask_ready(*socket, place);
 }
@@ -91,7 +96,7 @@ std::string trouble_of(const Visit& visit, const tcp::endpoint& place) {
   if (visit.stage == Visit::Stage::kConnecting) return who + " does not answer: timed out";
   if (visit.stage == Visit::Stage::kRefused)
     return "cannot connect to " + who + " (" + visit.refusal + ")";
-  if (visit.probe.health() != Health::kHealthy) return who + " " + visit.probe.trouble();
+  if (!has_answered(visit.probe)) return who + " " + visit.probe.trouble();
   const std::string trouble = trouble_with_readiness(visit.readiness);
   return trouble.empty() ? trouble : who + " " + trouble;
 }

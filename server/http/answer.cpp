@@ -14,9 +14,9 @@ Answer closing(Answer answer) {
 
 }  // namespace
 
-Answer text(std::string body) { return {200, "text/plain; charset=utf-8", std::move(body), {}}; }
+Answer text(Body body) { return {200, "text/plain; charset=utf-8", std::move(body), {}}; }
 
-Answer json(std::string body) { return {200, "application/json", std::move(body), {}}; }
+Answer json(Body body) { return {200, "application/json", std::move(body), {}}; }
 
 Answer error(unsigned status, const char* code, const std::string& message,
              const std::string& hint) {
@@ -76,11 +76,14 @@ std::optional<Answer> refuse_head(HeadFault fault) {
   return std::nullopt;
 }
 
-std::string to_bytes(const Answer& answer, std::string_view method) {
+std::string head_bytes(const Answer& answer) {
   std::vector<Field> fields{{"Content-Type", answer.type}};
   fields.insert(fields.end(), answer.fields.begin(), answer.fields.end());
-  std::string bytes = head_text(answer.status, fields, answer.body.size(), answer.then);
-  return method == "HEAD" ? bytes : bytes.append(answer.body);
+  return head_text(answer.status, fields, answer.body.bytes().size(), answer.then);
+}
+
+std::string_view body_bytes(const Answer& answer, std::string_view method) {
+  return method == "HEAD" ? std::string_view{} : answer.body.bytes();
 }
 
 }  // namespace xr3::http

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "server/http/body.hpp"
 #include "server/http/wire.hpp"
 
 namespace xr3::http {
@@ -12,13 +13,13 @@ namespace xr3::http {
 struct Answer {
   unsigned status = 200;
   std::string type;  ///< Content-Type of the body
-  std::string body;
+  Body body;
   std::vector<Field> fields;  ///< additional header fields
   Then then = Then::kKeep;
 };
 
-Answer text(std::string body);
-Answer json(std::string body);
+Answer text(Body body);
+Answer json(Body body);
 
 /// `{"error":{"code","message","hint"}}`. Only the code is stable; programs must not parse the
 /// texts.
@@ -42,7 +43,9 @@ Answer full();
 /// The error response for a fault; nullopt for kNone.
 std::optional<Answer> refuse_head(HeadFault fault);
 
-/// The response as bytes; without the body if the method is HEAD.
-std::string to_bytes(const Answer& answer, std::string_view method);
+/// The status line and the header fields as bytes.
+std::string head_bytes(const Answer& answer);
+/// The body to send: none if the method is HEAD. It exists as long as the answer.
+std::string_view body_bytes(const Answer& answer, std::string_view method);
 
 }  // namespace xr3::http

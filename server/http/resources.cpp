@@ -182,8 +182,9 @@ Answer HttpResources::page(const Request& request) const {
   const bool is_page = is_root || is_icon || path.starts_with(kAssets);
   if (!is_page) return http::not_found("there is nothing here");
   const WebAsset asset = find_web_asset(is_root ? "/index.html" : is_icon ? kIcon : path);
-  if (!asset.type.empty()) return {200, std::string(asset.type), std::string(asset.bytes), {}};
-  if (is_root) return {200, "text/html; charset=utf-8", kNoViewer, {}};
+  if (!asset.type.empty())
+    return {200, std::string(asset.type), http::Body::of_static(asset.bytes), {}};
+  if (is_root) return {200, "text/html; charset=utf-8", http::Body::of_static(kNoViewer), {}};
   return http::not_found("the viewer has no such file");
 }
 
@@ -194,11 +195,11 @@ void HttpResources::stop() {
 
 // --- The server.
 
-Answer HttpResources::health(const Request&) { return http::text("ok\n"); }
+Answer HttpResources::health(const Request&) { return http::text(http::Body::of_static("ok\n")); }
 
 asio::awaitable<Answer> HttpResources::readiness() {
   const std::string trouble = co_await not_ready_();
-  if (trouble.empty()) co_return http::text("ok\n");
+  if (trouble.empty()) co_return http::text(http::Body::of_static("ok\n"));
   co_return http::error(503, "not_ready", trouble, "try again, or start it again");
 }
 
@@ -209,7 +210,8 @@ Answer HttpResources::metrics(const Request&) {
 
 Answer HttpResources::schema(const Request&) {
   try {
-    return http::json(read_file(data_folder() / "schema" / "monitor-v1.schema.json").text);
+    return http::json(schema_.get(
+        true, [] { return read_file(data_folder() / "schema" / "monitor-v1.schema.json").text; }));
   } catch (const FileError&) {
     return http::not_found("the data folder has no schema");
   }
@@ -218,20 +220,26 @@ Answer HttpResources::schema(const Request&) {
 // --- The cell.
 
 Answer HttpResources::state(const Request&) {
-  return http::json(*service_.current_frame({monitor::Channel::kState, {}, {}})->message + "\n");
+  const monitor::Message message =
+      service_.current_frame({monitor::Channel::kState, {}, {}})->message;
+  return http::json(state_.get(message, [&] { return *message + "\n"; }));
 }
 
 Answer HttpResources::robot(const Request&) {
-  return http::json(json_text(robot_to_json(cell_.model().robot())));
+  const Robot& robot = cell_.model().robot();
+  return http::json(robot_.get(&robot, [&] { return json_text(robot_to_json(robot)); }));
 }
 
 Answer HttpResources::workcell(const Request&) {
-  return http::json(json_text(workcell_to_json(workcell_now(cell_.model(), cell_.state()))));
+  return http::json(workcell_.get(cell_.revision(), [&] {
+    return json_text(workcell_to_json(workcell_now(cell_.model(), cell_.state())));
+  }));
 }
 
 Answer HttpResources::bitmap(const Request&) {
   if (!cell_.model().workcell().camera) return no_camera();
-  return {200, "image/x-portable-bitmap", to_pbm(*cell_.camera_image()), {}};
+  const ImagePtr image = cell_.camera_image();
+  return {200, "image/x-portable-bitmap", bitmap_.get(image, [&] { return to_pbm(*image); }), {}};
 }
 
 // Encoded in a thread: it takes up to 2 ms for the largest camera, too long for the event loop.
@@ -240,17 +248,20 @@ asio::awaitable<Answer> HttpResources::png() {
   const auto paint = [](ImagePtr image) -> asio::awaitable<std::string> {
     co_return to_png(*image);
   };
-  std::string bytes =
-      co_await asio::co_spawn(painter_, paint(cell_.camera_image()), asio::use_awaitable);
-  co_return Answer{200, "image/png", std::move(bytes), {}};
+  const ImagePtr image = cell_.camera_image();
+  if (png_.find(image) == nullptr)
+    png_.keep(image, co_await asio::co_spawn(painter_, paint(image), asio::use_awaitable));
+  co_return Answer{200, "image/png", *png_.find(image), {}};
 }
 
 Answer HttpResources::view(const Request& request) {
   const auto vector = request.parameter("vector");
   try {
     const ViewVector from = vector ? parse_view(*vector) : cell_.state().display.view;
-    const Picture picture = drawing(cell_.model(), cell_.state(), from, kUsualPictureWidthPx);
-    return {200, "image/svg+xml", to_svg(picture), {}};
+    const auto make = [&] {
+      return to_svg(drawing(cell_.model(), cell_.state(), from, kUsualPictureWidthPx));
+    };
+    return {200, "image/svg+xml", view_.get({cell_.revision(), from}, make), {}};
   } catch (const std::invalid_argument&) {
     return http::error(400, "bad_vector", "a view is three whole numbers from -9 to 9, not all 0",
                        "/view.svg?vector=1,1,1");

@@ -62,11 +62,20 @@ class HttpResources {
   asio::awaitable<http::Answer> readiness();
   asio::awaitable<http::Answer> png();
 
+  using Revision = std::uint64_t;
+
   Cell& cell_;
   MonitorService& service_;
   const AccessPolicy& policy_;
   NotReady not_ready_;
   WallNs deadline_ = kNever;
+  http::BodyCache<ImagePtr> bitmap_;
+  http::BodyCache<ImagePtr> png_;
+  http::BodyCache<std::pair<Revision, ViewVector>> view_;
+  http::BodyCache<Revision> workcell_;
+  http::BodyCache<const Robot*> robot_;
+  http::BodyCache<monitor::Message> state_;
+  http::BodyCache<bool> schema_;  ///< depends on nothing
   asio::thread_pool painter_{1};
 };
 

@@ -79,8 +79,9 @@ asio::awaitable<bool> HttpSession::serve(const http::HeadReading& head) {
   if (head.request.then == http::Then::kClose || is_finishing_) given.then = http::Then::kClose;
   bytes_.erase(0, head.head_bytes);
   skip_line_ends(bytes_);
-  const std::string bytes = http::to_bytes(given, head.request.method);
-  const bool is_sent = co_await socket_.send(bytes);
+  const std::string answer_head = http::head_bytes(given);
+  const bool is_sent =
+      co_await socket_.send(answer_head, http::body_bytes(given, head.request.method));
   co_return is_sent&& given.then == http::Then::kKeep;
 }
 

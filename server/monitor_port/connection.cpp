@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "server/net/listener.hpp"
 #include "server/net/spawn.hpp"
 
 namespace xr3 {
@@ -13,9 +14,11 @@ constexpr std::chrono::seconds kSilence{1};
 
 }  // namespace
 
-MonitorConnection::MonitorConnection(tcp::socket socket, MonitorConnectionContext& context)
+MonitorConnection::MonitorConnection(tcp::socket socket, MonitorConnectionContext& context,
+                                     std::unique_ptr<PeerCounts::Place> place)
     : context_(context),
-      socket_(std::make_shared<MonitorSocket>(std::move(socket))),
+      place_(std::move(place)),
+      socket_(std::make_shared<MonitorSocket>(std::move(socket), context.memory)),
       silence_(socket_->executor()) {}
 
 void MonitorConnection::start() {
@@ -87,6 +90,19 @@ asio::awaitable<void> MonitorConnection::serve_http(std::string first_bytes) {
 asio::awaitable<void> MonitorConnection::serve_websocket(std::string head) {
   websocket_ = Websocket::make(socket_, context_.service);
   co_await websocket_->run(std::move(head));
+}
+
+// --- Memory.
+
+std::size_t MonitorConnection::held_bytes() const {
+  return socket_->unsent() + (lines_ ? lines_->held_bytes() : 0) +
+         (websocket_ ? websocket_->held_bytes() : 0);
+}
+
+std::string MonitorConnection::peer() const {
+  ErrorCode error;
+  const auto peer = socket_->stream().remote_endpoint(error);
+  return error ? "unknown" : to_text(peer);
 }
 
 // --- The end.

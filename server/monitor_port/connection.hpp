@@ -14,6 +14,7 @@
 #include "server/monitor_port/service.hpp"
 #include "server/monitor_port/websocket.hpp"
 #include "server/net/asio.hpp"
+#include "server/net/peer_counts.hpp"
 #include "server/net/socket.hpp"
 
 namespace xr3 {
@@ -24,6 +25,7 @@ class MonitorConnection;
 struct MonitorConnectionContext {
   MonitorService& service;
   HttpResources& resources;
+  MemoryLimit* memory = nullptr;      ///< none if null
   std::function<void()> tls_refused;  ///< called when a client speaks TLS
   std::function<void(const std::shared_ptr<MonitorConnection>&)>
       ended;  ///< called at the end; may release the connection
@@ -31,7 +33,9 @@ struct MonitorConnectionContext {
 
 class MonitorConnection : public std::enable_shared_from_this<MonitorConnection> {
  public:
-  MonitorConnection(tcp::socket socket, MonitorConnectionContext& context);
+  /// Keeps `place` to its end.
+  MonitorConnection(tcp::socket socket, MonitorConnectionContext& context,
+                    std::unique_ptr<PeerCounts::Place> place);
 
   /// Runs until the connection ends.
   void start();
@@ -45,6 +49,10 @@ class MonitorConnection : public std::enable_shared_from_this<MonitorConnection>
   /// Ends the connection now.
   void abort();
 
+  /// The bytes that wait for the client to read, or to complete its request.
+  std::size_t held_bytes() const;
+  std::string peer() const;
+
  private:
   asio::awaitable<void> run();
   asio::awaitable<std::string> open();
@@ -55,6 +63,7 @@ class MonitorConnection : public std::enable_shared_from_this<MonitorConnection>
   asio::awaitable<void> serve_websocket(std::string head);
 
   MonitorConnectionContext& context_;
+  std::unique_ptr<PeerCounts::Place> place_;
   std::shared_ptr<MonitorSocket> socket_;
   monitor::ProtocolDetector detector_;
   asio::steady_timer silence_;

@@ -31,6 +31,11 @@ class JsonLines : public std::enable_shared_from_this<JsonLines>, private Messag
   /// The client has shut down its sending side. It may be gone; only a write can detect that.
   bool only_listens() const { return is_answered_; }
 
+  /// The bytes of queued messages and of an incomplete request.
+  std::size_t held_bytes() const {
+    return out_bytes_ + lines_.size() + (session_ ? session_->held_bytes() : 0);
+  }
+
   /// Resumes waiting coroutines after the connection was lost.
   void wake();
 

@@ -11,9 +11,10 @@ MonitorPort::MonitorPort(asio::io_context& io, Cell& cell, LineTransports& lines
                          const AccessPolicy& policy, HttpResources::NotReady not_ready,
                          const std::function<void()>& acted, const SocketLimits& limits)
     : max_connections_(limits.connections),
+      peers_(peer_counts(limits.connections, limits.per_address)),
       service_(io, cell, lines, policy, acted),
       resources_(cell, service_, policy, std::move(not_ready)),
-      context_{service_, resources_, [this] { report_tls(); },
+      context_{service_, resources_, nullptr, [this] { report_tls(); },
                [this, acted](const std::shared_ptr<MonitorConnection>& connection) {
                  connections_.erase(connection);
                  has_logged_full_ = false;
@@ -27,7 +28,10 @@ ErrorCode MonitorPort::listen(const tcp::endpoint& endpoint) { return listener_.
 void MonitorPort::open(tcp::socket socket) {
   if (connections_.size() >= max_connections_) make_room();
   if (connections_.size() >= max_connections_) return refuse(std::move(socket));
-  const auto connection = std::make_shared<MonitorConnection>(std::move(socket), context_);
+  auto place = peers_.take(peer_address(socket));
+  if (!place) return refuse(std::move(socket));
+  const auto connection =
+      std::make_shared<MonitorConnection>(std::move(socket), context_, std::move(place));
   connections_.insert(connection);
   connection->start();
 }
@@ -44,10 +48,34 @@ void MonitorPort::make_room() {
 void MonitorPort::refuse(tcp::socket socket) {
   if (!std::exchange(has_logged_full_, true)) {
     spdlog::warn(
-        "monitor: connections are refused: {} are open already (reported once until one ends)",
+        "monitor: connections are refused: {} are open already, or as many as one address may have "
+        "(--max-per-address; reported once until one ends)",
         connections_.size());
   }
   refusals_.add(std::move(socket));
+}
+
+std::shared_ptr<MonitorConnection> MonitorPort::greediest() const {
+  const auto holds_less = [](const auto& a, const auto& b) {
+    return a->held_bytes() < b->held_bytes();
+  };
+  const auto most = std::max_element(connections_.begin(), connections_.end(), holds_less);
+  return most == connections_.end() ? nullptr : *most;
+}
+
+std::size_t MonitorPort::most_held() const {
+  const auto connection = greediest();
+  return connection ? connection->held_bytes() : 0;
+}
+
+void MonitorPort::close_greediest() {
+  const auto connection = greediest();
+  spdlog::warn(
+      "monitor: the connection of {} is closed: the server needs more memory than --max-memory, "
+      "and "
+      "this client has the most unread answers ({} bytes)",
+      connection->peer(), connection->held_bytes());
+  connection->abort();
 }
 
 void MonitorPort::report_tls() {

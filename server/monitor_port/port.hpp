@@ -40,15 +40,24 @@ class MonitorPort {
 
   SubscriberHub& subscribers() { return service_.subscribers(); }
 
+  /// From now on the connections count towards a limit of memory, which must outlive the port.
+  void limit_memory(MemoryLimit& limit) { context_.memory = &limit; }
+  /// The most bytes that one connection holds.
+  std::size_t most_held() const;
+  /// Closes the connection that holds the most bytes. Precondition: most_held() > 0.
+  void close_greediest();
+
  private:
   using Connections = std::set<std::shared_ptr<MonitorConnection>>;
 
   void open(tcp::socket socket);
   void refuse(tcp::socket socket);
   void make_room();
+  std::shared_ptr<MonitorConnection> greediest() const;
   void report_tls();
 
   std::size_t max_connections_;
+  PeerCounts peers_;
   MonitorService service_;
   HttpResources resources_;
   MonitorConnectionContext context_;

@@ -93,8 +93,7 @@ void MonitorService::remove(MonitorSession& session) {
 monitor::Message MonitorService::hello(const MonitorSession& session) {
   cell_.catch_up(wall_now());
   const Snapshot now = cell_.snapshot();
-  return monitor::hello(
-      {"xr3 " XR3_VERSION, cells(), cell_.model(), now, session.access() == Access::kControl});
+  return monitor::hello({"xr3 " XR3_VERSION, cells(), cell_.model(), now, session.access()});
 }
 
 const monitor::Frame* MonitorService::current_frame(const monitor::Selection& selection) {
@@ -142,8 +141,10 @@ asio::awaitable<void> MonitorService::carry_out(MonitorSession& session, monitor
 // A wrong token is answered late, so that trying many takes long.
 asio::awaitable<void> MonitorService::authorize(MonitorSession& session, monitor::Request request) {
   if (!policy_.needs_token() || policy_.is_right(std::get<monitor::Auth>(request.what).token)) {
+    const bool had_no_access = session.access() == Access::kNone;
     session.grant(Access::kControl);
     session.client().send(monitor::result(request.id, {{"access", "control"}}));
+    if (had_no_access) session.client().send(hello(session));
     co_return;
   }
   note_wrong_token();

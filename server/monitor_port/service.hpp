@@ -34,7 +34,8 @@ class MonitorService {
   /// Also closes the session's own line.
   void remove(MonitorSession& session);
   Access first_access() const;
-  /// The first message of a session.
+  /// The first message of a session. Without access it describes only the server, and is sent again
+  /// after the token.
   monitor::Message hello(const MonitorSession& session);
 
   /// The error if the session lacks the access for this request; else nullopt, even if the request

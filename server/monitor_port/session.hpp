@@ -15,8 +15,7 @@ namespace xr3 {
 
 class MonitorService;
 
-/// What a session may do: nothing, read, or read and call. It depends on the token.
-enum class Access : std::uint8_t { kNone, kRead, kControl };
+using monitor::Access;
 
 class MonitorSession {
  public:
@@ -35,6 +34,8 @@ class MonitorSession {
 
   /// The queue is full: no request may be handled until the client has read some answers.
   bool is_full() const { return client_.is_full(); }
+  /// The bytes of queued answers.
+  std::size_t held_bytes() const { return client_.queued_bytes(); }
   /// The last message is queued; once it is sent, the transport closes the connection.
   bool has_ended() const { return client_.has_ended(); }
   /// nullopt unless has_ended().

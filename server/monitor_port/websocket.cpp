@@ -85,6 +85,7 @@ class BeastWebsocket final : public Websocket, private MessageSink {
 
   asio::awaitable<void> run(std::string head) override;
   void finish() override;
+  std::size_t held_bytes() const override;
   void wake() override { progress_.cancel(); }
   void retire() override { session_.reset(); }
 
@@ -187,6 +188,7 @@ asio::awaitable<bool> BeastWebsocket::read_text() {
   const auto [error, count] = co_await stream_.async_read(received_, kAwait);
   is_reading_ = false;
   last_received_ = Clock::now();
+  socket_->note_bytes(count);
   if (error) co_return false;
   if (stream_.got_text()) co_return true;
   if (!std::exchange(is_closing_, true)) {
@@ -208,6 +210,7 @@ void BeastWebsocket::pump() {
   if (message_ || is_closing_ || !session_ || !socket_->is_open()) return;
   message_ = session_->next_output();
   if (message_) {
+    socket_->note_bytes(message_->size());
     stream_.async_write(asio::buffer(*message_),
                         [self = self()](ErrorCode error, std::size_t) { self->written(error); });
   } else if (session_->has_ended()) {
@@ -230,6 +233,11 @@ void BeastWebsocket::close(ws::close_code code) {
   is_closing_ = true;
   socket_->close_after(kMaxCloseTime);
   stream_.async_close(code, [self = self()](ErrorCode) { self->socket_->close(); });
+}
+
+std::size_t BeastWebsocket::held_bytes() const {
+  return received_.size() + (message_ ? message_->size() : 0) +
+         (session_ ? session_->held_bytes() : 0);
 }
 
 void BeastWebsocket::finish() {

@@ -32,6 +32,9 @@ class Websocket : public std::enable_shared_from_this<Websocket> {
   /// Accepts no further request, sends `bye`, closes with status 1001 and ends.
   virtual void finish() = 0;
 
+  /// The bytes of queued messages and of an incomplete request.
+  virtual std::size_t held_bytes() const = 0;
+
   /// Resumes waiting coroutines after the connection was lost.
   virtual void wake() = 0;
 

@@ -2,6 +2,7 @@
 
 #include <netinet/tcp.h>
 
+#include <algorithm>
 #include <boost/asio/buffer.hpp>
 #include <utility>
 
@@ -32,8 +33,9 @@ void close_when_due(asio::steady_timer& timer, milliseconds time,
 
 }  // namespace
 
-MonitorSocket::MonitorSocket(tcp::socket socket)
+MonitorSocket::MonitorSocket(tcp::socket socket, MemoryLimit* limit)
     : socket_(std::make_shared<tcp::socket>(std::move(socket))),
+      limit_(limit),
       deadline_(socket_->get_executor()),
       stuck_(socket_->get_executor()),
       buffer_() {
@@ -44,20 +46,23 @@ asio::awaitable<std::string_view> MonitorSocket::read() {
   const auto [error, count] = co_await socket_->async_read_some(asio::buffer(buffer_), kAwait);
   if (error && error != asio::error::eof) close();
   if (!is_open()) co_return std::string_view{};
+  note_bytes(count);
   co_return std::string_view(buffer_.data(), count);
 }
 
-asio::awaitable<bool> MonitorSocket::send(std::string_view bytes) {
-  while (is_open() && !bytes.empty()) {
-    ErrorCode error;
-    bytes.remove_prefix(socket_->write_some(asio::buffer(bytes), error));
-    if (error == asio::error::would_block || error == asio::error::try_again) {
-      const bool writable = co_await wait_until_writable();
-      if (!writable) close();
-    } else if (error) {
-      close();
-    }
+asio::awaitable<bool> MonitorSocket::send(std::string_view bytes, std::string_view more) {
+  while (is_open() && bytes.size() + more.size() > 0) {
+    unsent_ = bytes.size() + more.size();
+    const std::array buffers{asio::buffer(bytes), asio::buffer(more)};
+    const std::size_t count = send_some(buffers);
+    const std::size_t of_bytes = std::min(count, bytes.size());
+    bytes.remove_prefix(of_bytes);
+    more.remove_prefix(count - of_bytes);
+    if (count > 0 || !is_open()) continue;
+    const bool is_writable = co_await wait_until_writable();
+    if (!is_writable) close();
   }
+  unsent_ = 0;
   co_return is_open();
 }
 
@@ -67,6 +72,7 @@ std::size_t MonitorSocket::send_some(std::span<const asio::const_buffer> buffers
                                                 : socket_->write_some(buffers, error);
   const bool must_wait = error == asio::error::would_block || error == asio::error::try_again;
   if (error && !must_wait) close();
+  note_bytes(asio::buffer_size(buffers));
   return count;
 }
 

@@ -11,14 +11,16 @@
 #include <string_view>
 
 #include "server/net/asio.hpp"
+#include "server/net/memory_limit.hpp"
 #include "server/net/prefetch.hpp"
 
 namespace xr3 {
 
 class MonitorSocket {
  public:
-  /// Precondition: the socket is non-blocking.
-  explicit MonitorSocket(tcp::socket socket);
+  /// Precondition: the socket is non-blocking. The bytes of the connection count towards `limit`,
+  /// if there is one.
+  explicit MonitorSocket(tcp::socket socket, MemoryLimit* limit = nullptr);
   MonitorSocket(const MonitorSocket&) = delete;
   MonitorSocket& operator=(const MonitorSocket&) = delete;
   ~MonitorSocket();
@@ -32,12 +34,18 @@ class MonitorSocket {
   /// connection is lost (is_open() is then false).
   asio::awaitable<std::string_view> read();
 
-  /// Sends all bytes. False if the connection is lost or the client accepted no byte for 30 s.
-  asio::awaitable<bool> send(std::string_view bytes);
+  /// Sends all bytes, then `more`. False if the connection is lost or the client accepted no byte
+  /// for 30 s.
+  asio::awaitable<bool> send(std::string_view bytes, std::string_view more = {});
+  /// The number of bytes that a send() in progress has yet to send.
+  std::size_t unsent() const { return unsent_; }
 
   /// Sends as much as the connection accepts now; returns the number of bytes. Closes a lost
   /// connection and returns 0.
   std::size_t send_some(std::span<const asio::const_buffer> buffers);
+
+  /// For users that do their own I/O: they have received or queued so many bytes.
+  void note_bytes(std::size_t bytes) const { note(limit_, bytes); }
 
   /// Prefetches the memory that send_some() will access.
   void prefetch() const { xr3::prefetch(socket_.get()); }
@@ -67,8 +75,10 @@ class MonitorSocket {
 
   std::shared_ptr<tcp::socket> socket_;  ///< shared with the handlers of the timers, which close it
   std::shared_ptr<bool> has_waited_enough_ = std::make_shared<bool>(false);
+  MemoryLimit* limit_;
   asio::steady_timer deadline_;
   asio::steady_timer stuck_;
+  std::size_t unsent_ = 0;
   std::array<char, 8192> buffer_;
 };
 

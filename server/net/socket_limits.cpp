@@ -21,7 +21,12 @@ SocketLimits divide_descriptors(std::size_t descriptors, const SocketLimits& wan
   if (sum <= free) return wanted;
   const auto part = [&](std::size_t count) { return std::max<std::size_t>(1, count * free / sum); };
   return {part(wanted.lines), part(wanted.connections),
-          std::max(kMinRefusals, part(wanted.refusals))};
+          std::max(kMinRefusals, part(wanted.refusals)), wanted.per_address};
+}
+
+PeerCounts peer_counts(std::size_t places, std::size_t per_address) {
+  if (per_address > 0) return PeerCounts(per_address, per_address);
+  return PeerCounts(places - places / 4);
 }
 
 std::size_t raise_descriptor_limit() {

@@ -4,17 +4,24 @@
 
 #include <cstddef>
 
+#include "server/net/peer_counts.hpp"
+
 namespace xr3 {
 
 struct SocketLimits {
   std::size_t lines = 1024;        ///< serial lines; further connections are closed without a byte
   std::size_t connections = 1024;  ///< monitor connections; further ones are refused with an error
   std::size_t refusals = 64;       ///< connections being refused at once
+  std::size_t per_address = 0;     ///< connections of one peer on each port; 0: see peer_counts()
 };
 
 /// Divides this many descriptors: all of `wanted` if there are enough, else a proportional part. A
 /// few are left for the process itself, its own probe, and health checks.
 SocketLimits divide_descriptors(std::size_t descriptors, const SocketLimits& wanted);
+
+/// Counts with this limit for each address. 0: three quarters of the places of the port for other
+/// machines, and no limit for this one.
+PeerCounts peer_counts(std::size_t places, std::size_t per_address);
 
 /// Raises the limit of open files as far as the system allows; returns it.
 std::size_t raise_descriptor_limit();

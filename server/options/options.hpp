@@ -38,6 +38,8 @@ struct ServeOptions {
   ClockChoice clock;
   std::size_t max_lines = 1024;
   Guard guard = Guard::kNormal;
+  std::size_t max_per_address = 0;  ///< 0: the default
+  std::size_t max_memory_mib = 512;
   std::string port_file;  ///< empty: none
   std::string log_level = "info";
   std::string log_file;  ///< empty: standard error

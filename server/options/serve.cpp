@@ -12,6 +12,8 @@ namespace {
 
 const std::vector<std::string> kLogLevels{"trace", "debug", "info", "warn", "error", "off"};
 constexpr int kMaxLines = 20000;
+constexpr int kMinMemoryMib = 64;
+constexpr int kMaxMemoryMib = 1 << 20;
 
 std::string check_token_word(const std::string& word) {
   return word == "auto" ? ""
@@ -129,6 +131,19 @@ void add_serve(CLI::App& app, ServeOptions& options) {
                   "maximum number of open robot connections; further ones are closed at once")
       ->type_name("N")
       ->check(CLI::Range(1, kMaxLines).description(""))
+      ->capture_default_str();
+  serve
+      .add_option("--max-per-address", options.max_per_address,
+                  "maximum number of connections of one address on each port (default: three "
+                  "quarters of the places for other machines, no limit for this one)")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMaxLines).description(""));
+  serve
+      .add_option(
+          "--max-memory", options.max_memory_mib,
+          "MiB of memory beyond which the client with the most unread bytes is disconnected")
+      ->type_name("MIB")
+      ->check(CLI::Range(kMinMemoryMib, kMaxMemoryMib).description(""))
       ->capture_default_str();
   serve
       .add_option_function<std::string>(

@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <boost/asio/post.hpp>
 #include <utility>
 
@@ -32,17 +33,21 @@ class Waiting {
 
 }  // namespace
 
-RobotPort::RobotPort(asio::io_context& io, Cell& cell, std::size_t max_lines,
-                     std::function<void()> acted, Guard guard)
+RobotPort::RobotPort(asio::io_context& io, Cell& cell, RobotPortRules rules,
+                     std::function<void()> acted)
     : io_(io),
       cell_(cell),
-      max_lines_(max_lines),
+      rules_(std::move(rules)),
       acted_(std::move(acted)),
-      context_{
-          cell, false, guard, scratch_, [this] { notify(); }, [this](LineId line) { end(line); }},
+      context_{cell,
+               false,
+               rules_.guard,
+               scratch_,
+               [this] { notify(); },
+               [this](LineId line) { end(line); }},
       probe_context_{cell,
                      true,
-                     guard,
+                     rules_.guard,
                      scratch_,
                      [this] {
                        probe_progress_ =
@@ -58,8 +63,11 @@ void RobotPort::open(tcp::socket socket) {
   const bool is_probe = this->is_probe(socket);
   if (is_full()) take_news();              // a client may have closed its line without our notice
   if (is_full()) return refuse(is_probe);  // closed without a byte
+  const asio::ip::address peer = peer_address(socket);
+  auto place = rules_.peers.take(peer);
+  if (!place && !is_probe) return refuse_peer(peer);
   auto& context = is_probe ? probe_context_ : context_;
-  const auto session = std::make_shared<RobotSession>(std::move(socket), context);
+  const auto session = std::make_shared<RobotSession>(std::move(socket), context, std::move(place));
   sessions_.insert_or_assign(session->line(), session);
   if (!watch_.add(session->descriptor(), session->line()))
     return session->close(LineCloseReason::kError);
@@ -68,7 +76,7 @@ void RobotPort::open(tcp::socket socket) {
 }
 
 bool RobotPort::is_full() const {
-  return sessions_.size() - sessions_.count(kProbeLine) >= max_lines_;
+  return sessions_.size() - sessions_.count(kProbeLine) >= rules_.max_lines;
 }
 
 void RobotPort::refuse(bool is_probe) {
@@ -77,14 +85,22 @@ void RobotPort::refuse(bool is_probe) {
   } else if (!std::exchange(has_logged_full_, true)) {
     spdlog::warn(
         "lines are refused: {} are open already (--max-lines; reported once until one ends)",
-        max_lines_);
+        rules_.max_lines);
   }
+}
+
+void RobotPort::refuse_peer(const asio::ip::address& peer) {
+  if (std::exchange(has_logged_peer_, true)) return;
+  spdlog::warn(
+      "lines of {} are refused: it has as many open as one address may have (--max-per-address; "
+      "reported once until one ends)",
+      peer.to_string());
 }
 
 void RobotPort::end(LineId line) {
   sessions_.erase(line);
   unfinished_.erase(line);
-  has_logged_full_ = false;
+  has_logged_full_ = has_logged_peer_ = false;
   if (is_closing_ && sessions_.empty()) watch_.close();
   notify();
 }
@@ -96,6 +112,23 @@ bool RobotPort::disconnect(LineId line) {
   session->close(LineCloseReason::kDisconnected);
   return true;
 }
+
+// --- The limit of memory.
+
+std::shared_ptr<RobotSession> RobotPort::greediest() const {
+  const auto holds_less = [](const auto& a, const auto& b) {
+    return a.second->held_bytes() < b.second->held_bytes();
+  };
+  const auto most = std::max_element(sessions_.begin(), sessions_.end(), holds_less);
+  return most == sessions_.end() ? nullptr : most->second;
+}
+
+std::size_t RobotPort::most_held() const {
+  const auto session = greediest();
+  return session ? session->held_bytes() : 0;
+}
+
+void RobotPort::close_greediest() { greediest()->close(LineCloseReason::kMemory); }
 
 // --- The probe.
 

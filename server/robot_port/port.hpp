@@ -13,6 +13,8 @@
 #include "server/net/asio.hpp"
 #include "server/net/line_transports.hpp"
 #include "server/net/listener.hpp"
+#include "server/net/memory_limit.hpp"
+#include "server/net/peer_counts.hpp"
 #include "server/net/wall_clock.hpp"
 #include "server/robot_port/line_watch.hpp"
 #include "server/robot_port/session.hpp"
@@ -28,13 +30,24 @@ enum class ProbeProgress : std::uint8_t {
   kIgnored,   ///< as kTaken, but the controller is disabled and does not reply
 };
 
+struct RobotPortRules {
+  std::size_t max_lines;  ///< further connections are closed without a byte
+  Guard guard = Guard::kNormal;
+  PeerCounts peers = PeerCounts();
+};
+
 class RobotPort final : public LineTransports {
  public:
-  /// Connections beyond `max_lines` are closed without a byte. `acted` is called after each input,
-  /// and when a line has opened or closed.
-  RobotPort(asio::io_context& io, Cell& cell, std::size_t max_lines, std::function<void()> acted,
-            Guard guard = Guard::kNormal);
-  std::size_t max_lines() const { return max_lines_; }
+  /// `acted` is called after each input, and when a line has opened or closed.
+  RobotPort(asio::io_context& io, Cell& cell, RobotPortRules rules, std::function<void()> acted);
+  std::size_t max_lines() const { return rules_.max_lines; }
+
+  /// From now on the lines count towards a limit of memory, which must outlive the port.
+  void limit_memory(MemoryLimit& limit) { context_.memory = &limit; }
+  /// The most bytes that one line holds.
+  std::size_t most_held() const;
+  /// Closes the line that holds the most bytes. Precondition: most_held() > 0.
+  void close_greediest();
 
   /// Binds and starts to accept; endpoint() is then valid. Returns the error.
   ErrorCode listen(const tcp::endpoint& endpoint);
@@ -67,6 +80,7 @@ class RobotPort final : public LineTransports {
   bool is_probe(const tcp::socket& socket);
   bool is_full() const;
   void refuse(bool is_probe);
+  void refuse_peer(const asio::ip::address& peer);
   void end_probe();
   asio::awaitable<void> run();
   void take_news();
@@ -75,12 +89,13 @@ class RobotPort final : public LineTransports {
   void schedule_turns();
   void end(LineId line);
   Sessions sessions() const { return sessions_; }
+  std::shared_ptr<RobotSession> greediest() const;
 
   void notify();
 
   asio::io_context& io_;
   Cell& cell_;
-  std::size_t max_lines_;
+  RobotPortRules rules_;
   std::function<void()> acted_;
   std::array<char, 64 * 1024> scratch_{};
   RobotSessionContext context_;
@@ -89,6 +104,7 @@ class RobotPort final : public LineTransports {
   LineWatch watch_;
   bool is_watching_ = false;
   bool has_logged_full_ = false;
+  bool has_logged_peer_ = false;
   std::optional<tcp::endpoint> probe_from_;  ///< of the expected probe, until it is accepted
   ProbeProgress probe_progress_ = ProbeProgress::kUnseen;
   std::set<LineId> unfinished_;            ///< lines with more work than one turn

@@ -33,16 +33,18 @@ std::string name_of(const tcp::socket& socket) {
 
 }  // namespace
 
-RobotSession::RobotSession(tcp::socket socket, RobotSessionContext& context)
-    : RobotSession(name_of(socket), std::move(socket), context) {}
+RobotSession::RobotSession(tcp::socket socket, RobotSessionContext& context,
+                           std::unique_ptr<PeerCounts::Place> place)
+    : RobotSession(name_of(socket), std::move(socket), context, std::move(place)) {}
 
 RobotSession::RobotSession(const std::string& peer, tcp::socket&& socket,
-                           RobotSessionContext& context)
+                           RobotSessionContext& context, std::unique_ptr<PeerCounts::Place> place)
     : socket_(std::move(socket)),
       id_(context.cell
               .apply(LineOpened{peer, LineKind::kRaw, context.is_probe, context.guard}, wall_now())
               .line),
-      context_(context) {}
+      context_(context),
+      place_(std::move(place)) {}
 
 bool RobotSession::run_turn() {
   return work({fair_share(), kAllOutput, wall_now() + kFairTime}) == Left::kSome;
@@ -93,6 +95,7 @@ void RobotSession::act(std::string_view bytes, const Turn& turn) {
   const auto is_enough = [&turn] { return wall_now() >= turn.end; };
   const std::size_t taken =
       context_.cell.apply(BytesIn{id_, bytes, is_enough}, wall_now()).bytes_taken;
+  note(context_.memory, held_bytes());
   context_.acted();
   if (!socket_.is_open()) return;
   if (context_.cell.find_line(id_)->is_not_a_robot_program())
@@ -132,6 +135,11 @@ RobotSession::Left RobotSession::flush(const Turn& turn) {
   }
   if (has_ended_) close(end_);
   return socket_.is_open() ? Left::kNothing : Left::kWaits;
+}
+
+std::size_t RobotSession::held_bytes() const {
+  const SerialLine* line = context_.cell.find_line(id_);
+  return line == nullptr ? 0 : line->outbox().size() + pending_.size();
 }
 
 void RobotSession::finish() {

@@ -8,6 +8,8 @@
 #include <string>
 
 #include "cell/cell.hpp"
+#include "server/net/memory_limit.hpp"
+#include "server/net/peer_counts.hpp"
 #include "server/robot_port/socket.hpp"
 
 namespace xr3 {
@@ -20,13 +22,15 @@ struct RobotSessionContext {
   std::span<char> scratch;      ///< buffer for one read
   std::function<void()> acted;  ///< called after bytes have acted
   std::function<void(LineId)>
-      ended;  ///< called when the connection is closed; may release the session
+      ended;                      ///< called when the connection is closed; may release the session
+  MemoryLimit* memory = nullptr;  ///< none if null
 };
 
 class RobotSession {
  public:
-  /// Opens a line of the cell. `context` must outlive the session.
-  RobotSession(tcp::socket socket, RobotSessionContext& context);
+  /// Opens a line of the cell. `context` must outlive the session, which keeps `place` to its end.
+  RobotSession(tcp::socket socket, RobotSessionContext& context,
+               std::unique_ptr<PeerCounts::Place> place);
 
   LineId line() const { return id_; }
   int descriptor() const { return socket_.descriptor(); }
@@ -43,6 +47,9 @@ class RobotSession {
   bool read_arrived();
   static constexpr std::size_t kMaxAnswered = 1024 * 1024;
 
+  /// The bytes that wait for the client to read.
+  std::size_t held_bytes() const;
+
   /// Reads no more; closes the connection when its replies have been sent.
   void finish();
 
@@ -50,7 +57,8 @@ class RobotSession {
   void close(LineCloseReason reason);
 
  private:
-  RobotSession(const std::string& peer, tcp::socket&& socket, RobotSessionContext& context);
+  RobotSession(const std::string& peer, tcp::socket&& socket, RobotSessionContext& context,
+               std::unique_ptr<PeerCounts::Place> place);
 
   /// The limits of one turn.
   struct Turn {
@@ -72,6 +80,7 @@ class RobotSession {
   RobotSocket socket_;
   LineId id_;
   RobotSessionContext& context_;
+  std::unique_ptr<PeerCounts::Place> place_;
   std::string pending_;     ///< read, but not applied because the outbox was full
   bool is_ending_ = false;  ///< the stream ends after the bytes that have arrived
   bool has_ended_ = false;  ///< no more bytes will be read

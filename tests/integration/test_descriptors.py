@@ -60,6 +60,9 @@ class FewDescriptors(unittest.TestCase):
         self.fill(self.xr3.monitor_port)
         self.assertEqual(200, status(self.xr3.monitor_port, "/healthz"))
         self.assertEqual(503, status(self.xr3.monitor_port, "/state"))
+        full = run_xr3("healthcheck", "--monitor-port", self.xr3.monitor_port)
+        self.assertEqual(4, full.returncode, full.stderr)
+        self.assertIn("every line is in use", full.stderr)
         self.assertTrue(closed_by_peer(self.socks[79]), "the last line is refused")
 
     def test_a_full_server_does_not_spin(self):
@@ -100,6 +103,8 @@ class ManyDescriptors(unittest.TestCase):
                 for path in ("/healthz", "/readyz"):
                     self.assertEqual(200, status(xr3.monitor_port, path))
                 self.assertEqual(503, status(xr3.monitor_port, "/state"))
+                checked = run_xr3("healthcheck", "--monitor-port", xr3.monitor_port)
+                self.assertEqual(0, checked.returncode, checked.stderr)
             finally:
                 for sock in socks:
                     sock.close()

@@ -25,7 +25,10 @@ std::string WatchModel::request(Json members) const {
 }
 
 // One byte is enough to select JSON. If the peer is a serial line instead, it moves nothing.
-std::string WatchModel::opening() const { return "{"; }
+std::string WatchModel::opening() {
+  is_opened_ = has_sent_token_ = false;
+  return "{";
+}
 
 std::vector<std::string> WatchModel::handle(std::string_view line) {
   const Json message = Json::parse(line, nullptr, false);
@@ -62,12 +65,14 @@ std::vector<std::string> WatchModel::handle_hello(const Json& message) {
   known_.tick_hz = std::max<std::int64_t>(known_.tick_hz, 1);
   read_clock(member(message, "clock"), known_);
   known_.has_control = value_of<std::string>(message, "access") == "control";
-  return first_requests(member(message, "channels"));
+  const bool is_locked = value_of<std::string>(message, "access") == "none";
+  return first_requests(member(message, "channels"), is_locked);
 }
 
-std::vector<std::string> WatchModel::first_requests(const Json& channels) const {
+std::vector<std::string> WatchModel::first_requests(const Json& channels, bool is_locked) {
   const bool is_once = wish_.interest == Interest::kOnce;
-  std::vector<std::string> requests{"\"op\":\"ping\"}\n"};  // continues opening()
+  std::vector<std::string> requests;
+  if (!std::exchange(is_opened_, true)) requests.emplace_back("\"op\":\"ping\"}\n");
   const auto add = [&](const char* op, const char* channel, const Json& options) {
     if (std::find(channels.begin(), channels.end(), channel) == channels.end()) return;
     Json members{{"op", op}, {"channel", channel}};
@@ -80,9 +85,9 @@ std::vector<std::string> WatchModel::first_requests(const Json& channels) const 
   if (!is_once) state_options["max_hz"] = kMaxStatesPerS;
   if (!is_once) image_options["max_hz"] = kMaxImagesPerS;
 
-  if (!wish_.token.empty()) {
+  if (!wish_.token.empty() && !std::exchange(has_sent_token_, true))
     requests.push_back(request({{"op", "auth"}, {"id", kAuthId}, {"token", wish_.token}}));
-  }
+  if (is_locked && !wish_.token.empty()) return requests;  // another `hello` follows
   add(op, "model", Json{{"fields", {"robot"}}});
   add(op, "state", state_options);
   add(op, "image", image_options);

@@ -33,9 +33,9 @@ class WatchModel {
  public:
   explicit WatchModel(Wish wish) : wish_(std::move(wish)) {}
 
-  /// The first bytes to send: the server sends `hello` at once to a client that sends first. They
+  /// The first bytes to send on a connection: the server sends `hello` at once to a client that sends first. They
   /// are the beginning of a line, which the first result of `take` continues.
-  std::string opening() const;
+  std::string opening();
 
   /// A ping request, with its line feed.
   std::string ping() const { return "{\"op\":\"ping\"}\n"; }
@@ -56,7 +56,7 @@ class WatchModel {
 
  private:
   std::vector<std::string> handle_hello(const Json& message);
-  std::vector<std::string> first_requests(const Json& channels) const;
+  std::vector<std::string> first_requests(const Json& channels, bool is_locked);
   void handle_state(const Json& message);
   void handle_model(const Json& message);
   void handle_event(const Json& message);
@@ -66,6 +66,8 @@ class WatchModel {
 
   Wish wish_;
   Known known_;
+  bool is_opened_ = false;       ///< the request that opening() begins is complete
+  bool has_sent_token_ = false;  ///< on this connection
   bool is_complete_ = false;
   bool has_left_ = false;
 };

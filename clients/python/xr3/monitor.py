@@ -25,7 +25,7 @@ class MonitorError(Exception):
 
 class Monitor:
     """A connection to the monitor port. Use it in a `with` statement, or call close(). `hello` is
-    the server's first message.
+    the server's first message, or its first after the token if reading needs the token.
 
     Host and port default to XR3_HOST and XR3_MONITOR_PORT, else localhost and 9601. The token, if
     the server requires one, defaults to XR3_TOKEN. All operations raise OSError if the connection
@@ -41,10 +41,12 @@ class Monitor:
         self._send({"op": "ping", "id": 0})  # makes the server send `hello` at once
         self.hello = self.read()
         self.read()
-        if token is None and self.hello["access"] == "read":
+        if token is None and self.hello["access"] != "control":
             token = os.environ.get("XR3_TOKEN") or None
         if token is not None:
             self.request("auth", token=token)
+            if self.hello["access"] == "none":
+                self.hello = self.read()
 
     def __enter__(self) -> "Monitor":
         return self

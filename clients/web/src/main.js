@@ -95,6 +95,7 @@ function take(message) {
 }
 
 function takeHello(hello) {
+  if (hello.access === "none") return takeLocked();
   const before = known.hello && (known.state ?? known.hello);
   known.hello = hello;
   scene.jump();
@@ -104,6 +105,11 @@ function takeHello(hello) {
   consolePanel.restart();
   if (before) wire.reconnected(isSooner(hello, before));
   recallWire();
+}
+
+function takeLocked() {
+  setText(byId("robot-name"), "locked");
+  access.set("none");
 }
 
 /** Simulated time never decreases: if a is earlier than b, the server has been restarted. */

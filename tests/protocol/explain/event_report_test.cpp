@@ -64,6 +64,7 @@ TEST(EventReport, EveryReasonHasACodeAndAText) {
   const std::pair<LineCloseReason, std::string> rows[] = {
       {LineCloseReason::kClientClosed, "client_closed"},
       {LineCloseReason::kNotARobotProgram, "stranger"},
+      {LineCloseReason::kMemory, "memory"},
       {LineCloseReason::kError, "error"},
       {LineCloseReason::kShutdown, "shutdown"},
       {LineCloseReason::kDisconnected, "disconnected"},

@@ -42,6 +42,12 @@ TEST(HealthProbe, NamesTheStepThatFailed) {
   EXPECT_THAT(after("login: ").trouble(), HasSubstr("is not xr3: it sends \"login: \""));
 }
 
+TEST(HealthProbe, AFullPortIsNoFailure) {
+  EXPECT_EQ(after("{\"op\":\"bye\",\"why\":\"full\",\"message\":\"\"}\n").health(), Health::kFull);
+  EXPECT_EQ(after("{\"op\":\"bye\",\"why\":\"shutdown\",\"message\":\"\"}\n").health(),
+            Health::kUnhealthy);
+}
+
 TEST(HealthProbe, RecognisesOtherServers) {
   for (const char* line :
        {"HTTP/1.1 400 Bad Request\r\n", "{\"op\":\"hello\",\"server\":\"other\"}\n", "{}\n", "\n",

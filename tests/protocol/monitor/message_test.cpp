@@ -40,6 +40,15 @@ TEST(MonitorMessage, HelloNamesCellsAndProfile) {
   EXPECT_EQ(json["clock"]["mode"], "manual");
 }
 
+TEST(MonitorMessage, HelloWithoutAccessDescribesTheServerOnly) {
+  const ModelPtr model = test::rhino();
+  const Json json = Json::parse(*hello({"xr3", {"main"}, *model, Snapshot{}, Access::kNone}));
+  EXPECT_EQ(json["access"], "none");
+  EXPECT_TRUE(json.contains("limits"));
+  for (const char* member : {"cell", "cells", "epoch", "tick", "clock", "compat", "robot"})
+    EXPECT_FALSE(json.contains(member)) << member;
+}
+
 TEST(MonitorMessage, Results) {
   EXPECT_EQ(*result(std::int64_t{7}, {{"epoch", 0}, {"tick", 1434}}),
             R"({"op":"result","id":7,"ok":true,"value":{"epoch":0,"tick":1434}})");

@@ -59,7 +59,7 @@ class HttpTest : public testing::Test {
   Cell cell_{"main", test::rhino(), SimClock::manual(), {}};
   AccessPolicy policy_;
   std::string trouble_;
-  RobotPort robot_port_{io_, cell_, 16, [] {}};
+  RobotPort robot_port_{io_, cell_, {16}, [] {}};
   MonitorService service_{io_, cell_, robot_port_, policy_, [] {}};
   HttpResources resources_{cell_, service_, policy_,
                            [this]() -> asio::awaitable<std::string> { co_return trouble_; }};
@@ -294,7 +294,10 @@ TEST_F(HttpTest, ServesImages) {
     std::string body;
     const http::Request request = read_head(get(target)).request;
     asio::co_spawn(
-        io_, [&]() -> asio::awaitable<void> { body = (co_await resources.answer(request)).body; },
+        io_,
+        [&]() -> asio::awaitable<void> {
+          body = (co_await resources.answer(request)).body.bytes();
+        },
         asio::detached);
     io_.restart();
     io_.run();

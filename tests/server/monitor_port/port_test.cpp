@@ -57,7 +57,7 @@ class MonitorPortTest : public testing::Test {
              }};
   std::string trouble_;
   int acted_ = 0;
-  RobotPort robot_port_{io_, cell_, 16, [] {}};
+  RobotPort robot_port_{io_, cell_, {16}, [] {}};
   AccessPolicy policy_;
   MonitorPort monitor_port_{io_,
                             cell_,

@@ -77,7 +77,7 @@ class MonitorServiceTest : public testing::Test {
 
   asio::io_context io_{1};
   Cell cell_{"main", test::rhino(), SimClock::manual(), {}};
-  RobotPort robot_port_{io_, cell_, 16, [] {}};
+  RobotPort robot_port_{io_, cell_, {16}, [] {}};
   AccessPolicy policy_;
   MonitorService service_{io_, cell_, robot_port_, policy_,
                           [this] { service_.subscribers().acted(); }};

@@ -73,7 +73,7 @@ class WebsocketTest : public testing::Test {
   asio::io_context io_{1};
   Cell cell_{"main", test::rhino(), SimClock::manual(), {}};
   AccessPolicy policy_;
-  RobotPort robot_port_{io_, cell_, 16, [] {}};
+  RobotPort robot_port_{io_, cell_, {16}, [] {}};
   MonitorService service_{io_, cell_, robot_port_, policy_, [] {}};
   tcp::socket client_{io_};
   std::shared_ptr<MonitorSocket> server_;

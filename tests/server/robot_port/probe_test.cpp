@@ -65,7 +65,7 @@ class RobotProbeTest : public testing::Test {
   int acted_ = 0;
   Cell cell_{"main", test::rhino(), SimClock::manual(),
              [this](const CellEvent& event, const Model&) { told_.push_back(event); }};
-  RobotPort port_{io_, cell_, kMaxLines, [this] { ++acted_; }};
+  RobotPort port_{io_, cell_, {kMaxLines}, [this] { ++acted_; }};
 };
 
 TEST_F(RobotProbeTest, AnAnsweredLineIsHealthy) { EXPECT_EQ(trouble(), ""); }
@@ -128,7 +128,7 @@ TEST_F(RobotProbeTest, ReportsAClosedPort) {
 TEST_F(RobotProbeTest, APortThatDoesNotAnswerTimesOut) {
   asio::io_context stuck{1};  // never runs: connections wait in the kernel
   Cell cell("main", test::rhino(), SimClock::manual(), {});
-  RobotPort port(stuck, cell, kMaxLines, [] {});
+  RobotPort port(stuck, cell, {kMaxLines}, [] {});
   EXPECT_FALSE(port.listen({asio::ip::make_address("127.0.0.1"), 0}));
   RobotProbe probe(io_, port);
   const auto started = std::chrono::steady_clock::now();

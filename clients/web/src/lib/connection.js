@@ -85,8 +85,10 @@ export class Connection {
     this.isGreeted = true;
     this.limits = hello.limits;
     this.handlers.onStatus("open");
+    const isLocked = hello.access === "none"; // it does not describe the cell
     if (this.token && hello.access !== "control") hello.access = await this.#tryToken(hello.access);
     if (!this.isGreeted) return; // connection lost meanwhile
+    if (isLocked && hello.access !== "none") return; // the complete one follows
     this.handlers.onMessage(hello);
     this.renew();
   }

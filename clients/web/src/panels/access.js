@@ -78,7 +78,10 @@ export class Access {
 
   async #try(token) {
     try {
-      this.set(await this.connection.authorize(token));
+      const isLocked = this.access === "none"; // `hello` follows, which unlocks everything
+      const access = await this.connection.authorize(token);
+      if (isLocked) return;
+      this.set(access);
       this.onUnlocked();
     } catch (error) {
       this.onError(error);

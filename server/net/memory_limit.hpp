@@ -1,0 +1,46 @@
+// The limit of the memory that the process may allocate (`--max-memory`). A single connection is
+// bounded by its own queues; many together are bounded here. Beyond the limit, the connection that
+// holds the most bytes is closed, one after the other, until enough is free.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "server/net/asio.hpp"
+
+namespace xr3 {
+
+/// The bytes that the process has allocated from the heap now.
+std::size_t allocated_bytes();
+
+class MemoryLimit {
+ public:
+  /// Closes the connection that holds the most bytes. Returns false if none holds any.
+  using CloseGreediest = std::function<bool()>;
+
+  MemoryLimit(asio::io_context& io, std::size_t max_bytes, CloseGreediest close_greediest)
+      : io_(io), max_bytes_(max_bytes), close_greediest_(std::move(close_greediest)) {}
+
+  /// Must be called when a connection has received or queued bytes. After every kBytesApart bytes
+  /// the memory is measured, in the next turn of the event loop.
+  void note(std::size_t bytes);
+
+  static constexpr std::size_t kBytesApart = std::size_t{4} * 1024 * 1024;
+
+ private:
+  void check();
+  void schedule();
+
+  asio::io_context& io_;
+  std::size_t max_bytes_;
+  CloseGreediest close_greediest_;
+  std::size_t noted_ = 0;  ///< since the last measurement
+  bool is_scheduled_ = false;
+};
+
+/// The same for connections that may have no limit.
+inline void note(MemoryLimit* limit, std::size_t bytes) {
+  if (limit != nullptr) limit->note(bytes);
+}
+
+}  // namespace xr3

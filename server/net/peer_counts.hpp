@@ -1,0 +1,52 @@
+// The number of connections of each peer address, with a limit (`--max-per-address`), so that one
+// machine cannot take every place.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <memory>
+
+#include "server/net/asio.hpp"
+
+namespace xr3 {
+
+class PeerCounts {
+ public:
+  static constexpr std::size_t kUnlimited = std::numeric_limits<std::size_t>::max();
+
+  /// `max_local` is the limit for addresses of this machine.
+  explicit PeerCounts(std::size_t max = kUnlimited, std::size_t max_local = kUnlimited)
+      : max_(max), max_local_(max_local) {}
+
+  /// The place of one connection, until its destructor frees it.
+  class Place;
+
+  /// nullptr if the address has as many connections as it may have. The counts must outlive the
+  /// place.
+  std::unique_ptr<Place> take(const asio::ip::address& peer);
+
+ private:
+  std::size_t max_;
+  std::size_t max_local_;
+  std::map<asio::ip::address, std::size_t> counts_;
+};
+
+class PeerCounts::Place {
+ public:
+  Place(PeerCounts& counts, const asio::ip::address& peer) : counts_(counts), peer_(peer) {
+    ++counts_.counts_[peer_];
+  }
+  Place(const Place&) = delete;
+  Place& operator=(const Place&) = delete;
+  ~Place();
+
+ private:
+  PeerCounts& counts_;
+  asio::ip::address peer_;
+};
+
+/// The address of the peer; unspecified if the connection is lost already.
+asio::ip::address peer_address(const tcp::socket& socket);
+
+}  // namespace xr3
