@@ -34,6 +34,7 @@ class Cell {
 
   const std::string& name() const { return name_; }
   const Model& model() const { return simulation_.model(); }
+  const ModelPtr& model_ptr() const { return simulation_.model_ptr(); }
   const SimClock& clock() const { return clock_; }
   Epoch epoch() const { return epoch_; }
   /// The revision of the workcell, from 1. Editing or replacing the workcell increments it.

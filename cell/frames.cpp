@@ -17,6 +17,34 @@ using monitor::Channel;
 // Maximum number of selections encoded per channel. One more discards all encoded frames.
 constexpr std::size_t kMaxEncoded = 64;
 
+MemberTexts texts_of(const Json& members) {
+  MemberTexts texts;
+  for (const auto& [name, value] : members.items())
+    texts.emplace_back(name, monitor::text_of(value));
+  return texts;
+}
+
+void append(std::string& object, const std::pair<std::string, std::string>& member) {
+  object += object.size() > 1 ? ",\"" : "\"";
+  object.append(member.first).append("\":").append(member.second);
+}
+
+/// A JSON object with all members, or with the selected ones in the order of selection.
+std::string object_text(const MemberTexts& members, const Fields& fields) {
+  std::string object = "{";
+  if (!fields) {
+    for (const auto& member : members) append(object, member);
+    return object + "}";
+  }
+  for (auto name = fields->begin(); name != fields->end(); ++name) {
+    const auto found = std::find_if(members.begin(), members.end(),
+                                    [&](const auto& member) { return member.first == *name; });
+    const bool is_first = std::find(fields->begin(), name, *name) == name;
+    if (found != members.end() && is_first) append(object, *found);
+  }
+  return object + "}";
+}
+
 }  // namespace
 
 const monitor::Frame* FrameCache::current(const monitor::Selection& selection) {
@@ -42,12 +70,12 @@ void FrameCache::update(Channel channel, ChannelCache& cache) {
   cache.tick = cell_.state().tick;
 }
 
-bool FrameCache::has_changed(Channel channel, ChannelCache& cache) const {
+bool FrameCache::has_changed(Channel channel, ChannelCache& cache) {
   if (channel == Channel::kImage) return has_new_image(cache);
   if (channel == Channel::kState && is_only_later(cache)) return cache.tick != cell_.state().tick;
   if (channel == Channel::kModel && is_same_model(cache)) return false;
   cache.members = members_now(channel);
-  std::string text = monitor::text_of(cache.members);
+  std::string text = object_text(cache.members, std::nullopt);
   const bool is_other = text != cache.text;
   cache.text = std::move(text);
   const bool is_later = channel == Channel::kState && cache.tick != cell_.state().tick;
@@ -77,13 +105,13 @@ bool FrameCache::has_new_image(ChannelCache& cache) const {
   return !before || !cache.image || *before != *cache.image;
 }
 
-Json FrameCache::members_now(Channel channel) const {
+MemberTexts FrameCache::members_now(Channel channel) {
   const Model& model = cell_.model();
-  if (channel == Channel::kDisplay) return display_json(model, cell_.state());
-  if (channel == Channel::kState) return state_json(model, cell_.snapshot());
+  if (channel == Channel::kDisplay) return texts_of(display_json(model, cell_.state()));
+  if (channel == Channel::kState) return states_.encode(model, cell_.snapshot());
   Json members = model_json(model, cell_.state(), cell_.model_rev(), "");
   members["hash"] = sha256(members["robot"].dump() + members["workcell"].dump());
-  return members;
+  return texts_of(members);
 }
 
 FrameCache::EncodedFrame& FrameCache::encoded_for(ChannelCache& cache,
@@ -99,8 +127,9 @@ FrameCache::EncodedFrame& FrameCache::encoded_for(ChannelCache& cache,
 std::string FrameCache::content_of(const ChannelCache& cache, const monitor::Selection& selection) {
   if (!cache.image && !selection.fields) return cache.text;
   if (cache.image && !selection.fields) return image_text(*cache.image, selection.encoding);
-  const Json members = cache.image ? image_json(*cache.image, selection.encoding) : cache.members;
-  return monitor::text_of(chosen(members, selection.fields));
+  if (cache.image)
+    return monitor::text_of(chosen(image_json(*cache.image, selection.encoding), selection.fields));
+  return object_text(cache.members, selection.fields);
 }
 
 void FrameCache::make(const ChannelCache& cache, EncodedFrame& encoded) const {

@@ -43,7 +43,7 @@ class FrameCache {
     std::int64_t seq = 0;
     Epoch epoch = 0;
     Tick tick = 0;
-    Json members = Json::object();
+    MemberTexts members;
     std::string text;
     std::optional<Snapshot> snapshot;  ///< state only: the content of `text`, with tick 0
     std::optional<ShownModel> model;   ///< model only
@@ -53,16 +53,17 @@ class FrameCache {
 
   const monitor::Frame* current_frame(const monitor::Selection& selection);
   void update(monitor::Channel channel, ChannelCache& cache);
-  bool has_changed(monitor::Channel channel, ChannelCache& cache) const;
+  bool has_changed(monitor::Channel channel, ChannelCache& cache);
   bool is_only_later(ChannelCache& cache) const;
   bool is_same_model(ChannelCache& cache) const;
   bool has_new_image(ChannelCache& cache) const;
-  Json members_now(monitor::Channel channel) const;
+  MemberTexts members_now(monitor::Channel channel);
   EncodedFrame& encoded_for(ChannelCache& cache, const monitor::Selection& selection) const;
   static std::string content_of(const ChannelCache& cache, const monitor::Selection& selection);
   void make(const ChannelCache& cache, EncodedFrame& encoded) const;
 
   Cell& cell_;
+  StateEncoder states_;
   std::array<ChannelCache, 4> caches_;  ///< state, image, display, model
 };
 

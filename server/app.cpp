@@ -14,6 +14,8 @@ namespace {
 
 // Maximum time for clients to read their last replies before the process ends.
 constexpr WallNs kDrainLimit = 1'000'000'000;
+// Maximum time for the sessions to notice that they were aborted.
+constexpr std::chrono::milliseconds kAbortLimit{200};
 // Enough memory to log one message.
 constexpr std::size_t kReserveBytes = std::size_t{256} * 1024;
 
@@ -202,9 +204,18 @@ void App::stop() {
   monitor_port_.close(deadline);
   if (robot_port_.is_empty() && monitor_port_.is_empty()) return;
   drain_limit_.expires_at(as_time_point(deadline));
-  drain_limit_.async_wait([this](ErrorCode) {
+  drain_limit_.async_wait([this](ErrorCode cancelled) {
     robot_port_.abort();  // no effect if the wait was cancelled: all have ended
     monitor_port_.abort();
+    if (!cancelled) end_soon();
+  });
+}
+
+// Sessions end by themselves when they are resumed. But requests may wait for the worker, for long.
+void App::end_soon() {
+  drain_limit_.expires_after(kAbortLimit);
+  drain_limit_.async_wait([this](ErrorCode cancelled) {
+    if (!cancelled) io_.stop();
   });
 }
 

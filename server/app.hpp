@@ -65,6 +65,7 @@ class App {
   void announce_token(std::uint16_t monitor_port) const;
   void await_signal();
   void stop();
+  void end_soon();
   void acted();
   bool close_greediest();
   asio::awaitable<std::string> not_ready();

@@ -18,9 +18,8 @@ RequestError too_long() {
 
 // --- Input.
 
-std::optional<Request> Client::handle(std::string_view message) {
+std::optional<Request> Client::accept(RequestReading reading) {
   if (close_reason_) return std::nullopt;
-  RequestReading reading = read_request(message, cells_);
   if (Request* request = std::get_if<Request>(&reading)) return std::move(*request);
   send(result(std::get<RequestError>(reading)));
   return std::nullopt;

@@ -33,7 +33,11 @@ class Client {
 
   /// Handles one message. The caller must execute the returned request and answer it with send()
   /// before the next message. For an invalid message it queues an error and returns nullopt.
-  std::optional<Request> handle(std::string_view message);
+  std::optional<Request> handle(std::string_view message) {
+    return accept(read_request(message, cells_));
+  }
+  /// The same for a message that read_request() has read.
+  std::optional<Request> accept(RequestReading reading);
 
   /// Appends a message to the reply queue. Ignored after end().
   void send(Message message);

@@ -1,5 +1,6 @@
 #include "protocol/monitor/snapshot.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -9,6 +10,7 @@
 #include "core/step.hpp"
 #include "core/switches.hpp"
 #include "protocol/line/rhino_reply.hpp"
+#include "protocol/monitor/message.hpp"
 
 namespace xr3 {
 namespace {
@@ -197,11 +199,43 @@ const std::vector<std::string>& state_members() {
   return names;
 }
 
-Json state_json(const Model& model, const Snapshot& snapshot) {
+Json state_json(const Model& model, const Snapshot& snapshot, const Fields& fields) {
   const StateView view{model, snapshot, positions(model, snapshot.state.motors)};
   Json members = Json::object();
-  for (const Member& member : kMembers) members.emplace(member.name, member.value(view));
+  for (const std::string& name : fields ? *fields : state_members()) {
+    const auto* member = std::find_if(kMembers.begin(), kMembers.end(),
+                                      [&](const Member& each) { return each.name == name; });
+    if (member != kMembers.end() && !members.contains(name)) members[name] = member->value(view);
+  }
   return members;
+}
+
+MemberTexts StateEncoder::encode(const Model& model, const Snapshot& snapshot) {
+  const StateView view{model, snapshot, positions(model, snapshot.state.motors)};
+  MemberTexts texts;
+  for (const Member& member : kMembers) {
+    const bool is_list = member.value == blocks_json;
+    texts.emplace_back(
+        member.name, is_list ? blocks_text(model, snapshot) : monitor::text_of(member.value(view)));
+  }
+  return texts;
+}
+
+std::string StateEncoder::blocks_text(const Model& model, const Snapshot& snapshot) {
+  const State& state = snapshot.state;
+  texts_.resize(state.blocks.size());
+  std::string list = "[";
+  for (std::size_t i = 0; i < state.blocks.size(); ++i) {
+    if (i >= blocks_.size() || blocks_[i] != state.blocks[i])
+      texts_[i] = monitor::text_of(lying_json(state.blocks[i]));
+    if (i > 0) list += ',';
+    const bool is_held = state.held && state.held->block == i;
+    list += is_held
+                ? monitor::text_of(held_json({model, snapshot, positions(model, state.motors)}, i))
+                : texts_[i];
+  }
+  blocks_ = state.blocks;
+  return list + "]";
 }
 
 Json chosen(const Json& members, const Fields& fields) {

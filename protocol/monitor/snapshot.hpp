@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/model.hpp"
@@ -31,8 +32,26 @@ using Fields = std::optional<std::vector<std::string>>;
 /// The members of `state` that can be selected, in order.
 const std::vector<std::string>& state_members();
 
-/// All members of a `state` message except op, id, cell, epoch, seq and tick.
-Json state_json(const Model& model, const Snapshot& snapshot);
+/// The members of a `state` message except op, id, cell, epoch, seq and tick: all, or the selected
+/// ones in the order of selection. Unknown names are ignored.
+Json state_json(const Model& model, const Snapshot& snapshot, const Fields& fields = {});
+
+/// Names and JSON texts of the members of a message, in order.
+using MemberTexts = std::vector<std::pair<std::string, std::string>>;
+
+/// Encodes the members of `state` again and again: only the blocks that have changed since the last
+/// call are encoded again. The texts are those of state_json().
+class StateEncoder {
+ public:
+  MemberTexts encode(const Model& model, const Snapshot& snapshot);
+
+ private:
+  /// The list of the blocks. A held block moves with the tool, so it is always encoded again.
+  std::string blocks_text(const Model& model, const Snapshot& snapshot);
+
+  std::vector<Block> blocks_;       ///< of the last call
+  std::vector<std::string> texts_;  ///< of these blocks, as if none was held
+};
 
 /// The selected members, in the order of selection; unknown names are ignored.
 Json chosen(const Json& members, const Fields& fields);

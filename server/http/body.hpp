@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,28 +26,6 @@ class Body {
  private:
   std::shared_ptr<const std::string> text_;  ///< null for static bytes
   std::string_view bytes_;
-};
-
-/// The body of one resource, made once for each value of the key on which its bytes depend.
-template <class Key>
-class BodyCache {
- public:
-  /// The body for this key; makes it if the last one was for another key.
-  template <class Make>
-  Body get(const Key& key, const Make& make) {
-    if (key_ != key) keep(key, make());
-    return body_;
-  }
-  /// nullptr if the last body was for another key. Valid until the next call.
-  const Body* find(const Key& key) const { return key_ == key ? &body_ : nullptr; }
-  void keep(const Key& key, Body body) {
-    key_ = key;
-    body_ = std::move(body);
-  }
-
- private:
-  std::optional<Key> key_;
-  Body body_;
 };
 
 }  // namespace xr3::http

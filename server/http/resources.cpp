@@ -1,6 +1,5 @@
 #include "server/http/resources.hpp"
 
-#include <boost/asio/co_spawn.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -23,11 +22,13 @@ namespace {
 
 using http::Answer;
 using http::Request;
+template <class Key>
+using Recipe = typename http::BodyMaker<Key>::Recipe;
 
-constexpr std::string_view kPng = "/camera.png";
 constexpr std::string_view kHealth = "/healthz";
 constexpr std::string_view kReady = "/readyz";
 constexpr std::string_view kAssets = "/assets/";
+constexpr std::size_t kMaxViews = 8;
 constexpr std::string_view kIcon = "/assets/icon.svg";
 
 // The page if the viewer was not built. Without styles: the Content-Security-Policy forbids inline
@@ -85,6 +86,18 @@ Answer upgrade_required() {
 
 }  // namespace
 
+HttpResources::HttpResources(Cell& cell, MonitorService& service, const AccessPolicy& policy,
+                             NotReady not_ready)
+    : cell_(cell),
+      service_(service),
+      policy_(policy),
+      not_ready_(std::move(not_ready)),
+      bitmap_(service.io(), service.worker()),
+      png_(service.io(), service.worker()),
+      workcell_(service.io(), service.worker()),
+      robot_(service.io(), service.worker()),
+      schema_(service.io(), service.worker()) {}
+
 // --- Access.
 
 std::optional<Answer> HttpResources::refuse(const Request& request) const {
@@ -139,13 +152,13 @@ struct HttpResources::Route {
 
 const HttpResources::Route HttpResources::kRoutes[] = {
     {kHealth, Route::Kind::kServer, &HttpResources::health},
-    {kReady, Route::Kind::kServer, nullptr},
+    {kReady, Route::Kind::kServer, &HttpResources::readiness},
     {"/schema/v1.json", Route::Kind::kServer, &HttpResources::schema},
     {"/metrics", Route::Kind::kReading, &HttpResources::metrics},
     {"/state", Route::Kind::kCell, &HttpResources::state},
     {"/robot", Route::Kind::kCell, &HttpResources::robot},
     {"/workcell", Route::Kind::kCell, &HttpResources::workcell},
-    {kPng, Route::Kind::kCell, nullptr},
+    {"/camera.png", Route::Kind::kCell, &HttpResources::png},
     {"/camera.pbm", Route::Kind::kCell, &HttpResources::bitmap},
     {"/view.svg", Route::Kind::kCell, &HttpResources::view},
 };
@@ -156,6 +169,7 @@ bool HttpResources::is_health_check(const Request& request) {
 
 asio::awaitable<Answer> HttpResources::answer(const Request& request) {
   const std::string_view path = request.path();
+  service_.let_lines_run();
   if (wall_now() >= deadline_)
     co_return http::error(503, "not_ready", "the server is stopping", "start it again");
   for (const Route& route : kRoutes) {
@@ -168,9 +182,7 @@ asio::awaitable<Answer> HttpResources::answer(const Request& request) {
                             "there is " + cell_.name());
     }
     if (route.kind == Route::Kind::kCell) cell_.catch_up(wall_now());
-    if (route.show != nullptr) co_return (this->*route.show)(request);
-    if (path == kPng) co_return co_await png();
-    co_return co_await readiness();
+    co_return co_await (this->*route.show)(request);
   }
   co_return page(request);
 }
@@ -188,84 +200,111 @@ Answer HttpResources::page(const Request& request) const {
   return http::not_found("the viewer has no such file");
 }
 
-void HttpResources::stop() {
-  painter_.stop();
-  painter_.join();
-}
-
 // --- The server.
 
-Answer HttpResources::health(const Request&) { return http::text(http::Body::of_static("ok\n")); }
+asio::awaitable<Answer> HttpResources::health(Request) {
+  co_return http::text(http::Body::of_static("ok\n"));
+}
 
-asio::awaitable<Answer> HttpResources::readiness() {
+asio::awaitable<Answer> HttpResources::readiness(Request) {
   const std::string trouble = co_await not_ready_();
   if (trouble.empty()) co_return http::text(http::Body::of_static("ok\n"));
   co_return http::error(503, "not_ready", trouble, "try again, or start it again");
 }
 
-Answer HttpResources::metrics(const Request&) {
+asio::awaitable<Answer> HttpResources::metrics(Request) {
   cell_.catch_up(wall_now());
-  return {200, kMetricsType, metrics_text(cell_.name(), service_.counters()), {}};
+  co_return Answer{200, kMetricsType, metrics_text(cell_.name(), service_.counters()), {}};
 }
 
-Answer HttpResources::schema(const Request&) {
+asio::awaitable<Answer> HttpResources::schema(Request) {
+  const auto read = [] {
+    return read_file(data_folder() / "schema" / "monitor-v1.schema.json").text;
+  };
   try {
-    return http::json(schema_.get(
-        true, [] { return read_file(data_folder() / "schema" / "monitor-v1.schema.json").text; }));
+    const http::BodyMaker<bool>::Now now = [&]() -> Recipe<bool> { return {true, read}; };
+    const http::Body body = co_await schema_.get(now);
+    co_return http::json(body);
   } catch (const FileError&) {
-    return http::not_found("the data folder has no schema");
+    co_return http::not_found("the data folder has no schema");
   }
 }
 
 // --- The cell.
 
-Answer HttpResources::state(const Request&) {
-  const monitor::Message message =
-      service_.current_frame({monitor::Channel::kState, {}, {}})->message;
-  return http::json(state_.get(message, [&] { return *message + "\n"; }));
+asio::awaitable<Answer> HttpResources::state(Request) {
+  co_return http::json(*service_.current_frame({monitor::Channel::kState, {}, {}})->message + "\n");
 }
 
-Answer HttpResources::robot(const Request&) {
-  const Robot& robot = cell_.model().robot();
-  return http::json(robot_.get(&robot, [&] { return json_text(robot_to_json(robot)); }));
-}
-
-Answer HttpResources::workcell(const Request&) {
-  return http::json(workcell_.get(cell_.revision(), [&] {
-    return json_text(workcell_to_json(workcell_now(cell_.model(), cell_.state())));
-  }));
-}
-
-Answer HttpResources::bitmap(const Request&) {
-  if (!cell_.model().workcell().camera) return no_camera();
-  const ImagePtr image = cell_.camera_image();
-  return {200, "image/x-portable-bitmap", bitmap_.get(image, [&] { return to_pbm(*image); }), {}};
-}
-
-// Encoded in a thread: it takes up to 2 ms for the largest camera, too long for the event loop.
-asio::awaitable<Answer> HttpResources::png() {
-  if (!cell_.model().workcell().camera) co_return no_camera();
-  const auto paint = [](ImagePtr image) -> asio::awaitable<std::string> {
-    co_return to_png(*image);
+asio::awaitable<Answer> HttpResources::robot(Request) {
+  const http::BodyMaker<const Robot*>::Now now = [this]() -> Recipe<const Robot*> {
+    const ModelPtr model = cell_.model_ptr();
+    return {&model->robot(), [model] { return json_text(robot_to_json(model->robot())); }};
   };
-  const ImagePtr image = cell_.camera_image();
-  if (png_.find(image) == nullptr)
-    png_.keep(image, co_await asio::co_spawn(painter_, paint(image), asio::use_awaitable));
-  co_return Answer{200, "image/png", *png_.find(image), {}};
+  const http::Body body = co_await robot_.get(now);
+  co_return http::json(body);
 }
 
-Answer HttpResources::view(const Request& request) {
+asio::awaitable<Answer> HttpResources::workcell(Request) {
+  const http::BodyMaker<Revision>::Now now = [this]() -> Recipe<Revision> {
+    cell_.catch_up(wall_now());
+    return {cell_.revision(), [model = cell_.model_ptr(), state = cell_.state()] {
+              return json_text(workcell_to_json(workcell_now(*model, state)));
+            }};
+  };
+  const http::Body body = co_await workcell_.get(now);
+  co_return http::json(body);
+}
+
+asio::awaitable<Answer> HttpResources::bitmap(Request) {
+  if (!cell_.model().workcell().camera) co_return no_camera();
+  const http::BodyMaker<ImagePtr>::Now now = [this]() -> Recipe<ImagePtr> {
+    cell_.catch_up(wall_now());
+    const ImagePtr image = cell_.camera_image();
+    return {image, [image] { return image ? to_pbm(*image) : ""; }};
+  };
+  const http::Body body = co_await bitmap_.get(now);
+  co_return Answer{200, "image/x-portable-bitmap", body, {}};
+}
+
+asio::awaitable<Answer> HttpResources::png(Request) {
+  if (!cell_.model().workcell().camera) co_return no_camera();
+  const http::BodyMaker<ImagePtr>::Now now = [this]() -> Recipe<ImagePtr> {
+    cell_.catch_up(wall_now());
+    const ImagePtr image = cell_.camera_image();
+    return {image, [image] { return image ? to_png(*image) : ""; }};
+  };
+  const http::Body body = co_await png_.get(now);
+  co_return Answer{200, "image/png", body, {}};
+}
+
+asio::awaitable<Answer> HttpResources::view(Request request) {
   const auto vector = request.parameter("vector");
+  ViewVector from = cell_.state().display.view;
   try {
-    const ViewVector from = vector ? parse_view(*vector) : cell_.state().display.view;
-    const auto make = [&] {
-      return to_svg(drawing(cell_.model(), cell_.state(), from, kUsualPictureWidthPx));
-    };
-    return {200, "image/svg+xml", view_.get({cell_.revision(), from}, make), {}};
+    if (vector) from = parse_view(*vector);
   } catch (const std::invalid_argument&) {
-    return http::error(400, "bad_vector", "a view is three whole numbers from -9 to 9, not all 0",
-                       "/view.svg?vector=1,1,1");
+    co_return http::error(400, "bad_vector",
+                          "a view is three whole numbers from -9 to 9, not all 0",
+                          "/view.svg?vector=1,1,1");
   }
+  const http::BodyMaker<Revision>::Now now = [this, from]() -> Recipe<Revision> {
+    cell_.catch_up(wall_now());
+    return {cell_.revision(), [from, model = cell_.model_ptr(), state = cell_.state()] {
+              return to_svg(drawing(*model, state, from, kUsualPictureWidthPx));
+            }};
+  };
+  const auto maker = view_maker(from);  // kept while it makes the body
+  const http::Body body = co_await maker->get(now);
+  co_return Answer{200, "image/svg+xml", body, {}};
+}
+
+std::shared_ptr<http::BodyMaker<HttpResources::Revision>> HttpResources::view_maker(
+    const ViewVector& from) {
+  if (views_.size() >= kMaxViews) views_.clear();
+  auto& maker = views_[{from.x, from.y, from.z}];
+  if (!maker) maker = std::make_shared<http::BodyMaker<Revision>>(service_.io(), service_.worker());
+  return maker;
 }
 
 }  // namespace xr3

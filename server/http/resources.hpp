@@ -2,13 +2,16 @@
 // the server, and the viewer's files. Read-only. Independent of connections.
 #pragma once
 
-#include <boost/asio/thread_pool.hpp>
+#include <array>
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string_view>
 
 #include "cell/cell.hpp"
 #include "server/http/answer.hpp"
+#include "server/http/body_maker.hpp"
 #include "server/monitor_port/access.hpp"
 #include "server/monitor_port/service.hpp"
 #include "server/net/asio.hpp"
@@ -22,11 +25,8 @@ class HttpResources {
   using NotReady = std::function<asio::awaitable<std::string>()>;
 
   /// The references must outlive it. `not_ready` is called for /readyz.
-  HttpResources(Cell& cell, MonitorService& service, const AccessPolicy& policy, NotReady not_ready)
-      : cell_(cell), service_(service), policy_(policy), not_ready_(std::move(not_ready)) {}
-
-  /// Stops the thread that encodes images, for the end of the process.
-  void stop();
+  HttpResources(Cell& cell, MonitorService& service, const AccessPolicy& policy,
+                NotReady not_ready);
 
   /// From this wall time on requests get the error `not_ready`.
   void close_at(WallNs deadline) { deadline_ = deadline; }
@@ -34,7 +34,7 @@ class HttpResources {
   /// The error response for a forbidden Host, Origin or method, or an invalid target; else nullopt.
   std::optional<http::Answer> refuse(const http::Request& request) const;
 
-  /// The answer to a request that refuse() accepts. Waits only for a PNG, which a thread encodes,
+  /// The answer to a request that refuse() accepts. Waits for the resources that the worker makes,
   /// and for /readyz, which probes the robot port.
   asio::awaitable<http::Answer> answer(const http::Request& request);
 
@@ -45,38 +45,39 @@ class HttpResources {
   static std::optional<http::Answer> refuse_websocket(const http::Request& request);
 
  private:
-  using Show = http::Answer (HttpResources::*)(const http::Request&);
+  using Show = asio::awaitable<http::Answer> (HttpResources::*)(http::Request);
   struct Route;
   static const Route kRoutes[];
 
   http::Answer page(const http::Request& request) const;
 
-  http::Answer health(const http::Request& request);
-  http::Answer metrics(const http::Request& request);
-  http::Answer state(const http::Request& request);
-  http::Answer robot(const http::Request& request);
-  http::Answer workcell(const http::Request& request);
-  http::Answer schema(const http::Request& request);
-  http::Answer bitmap(const http::Request& request);
-  http::Answer view(const http::Request& request);
-  asio::awaitable<http::Answer> readiness();
-  asio::awaitable<http::Answer> png();
+  asio::awaitable<http::Answer> health(http::Request request);
+  asio::awaitable<http::Answer> readiness(http::Request request);
+  asio::awaitable<http::Answer> metrics(http::Request request);
+  asio::awaitable<http::Answer> state(http::Request request);
+  asio::awaitable<http::Answer> robot(http::Request request);
+  asio::awaitable<http::Answer> workcell(http::Request request);
+  asio::awaitable<http::Answer> schema(http::Request request);
+  asio::awaitable<http::Answer> bitmap(http::Request request);
+  asio::awaitable<http::Answer> png(http::Request request);
+  asio::awaitable<http::Answer> view(http::Request request);
 
-  using Revision = std::uint64_t;
+  using Revision = std::uint64_t;  ///< of the cell
+
+  std::shared_ptr<http::BodyMaker<Revision>> view_maker(const ViewVector& from);
 
   Cell& cell_;
   MonitorService& service_;
   const AccessPolicy& policy_;
   NotReady not_ready_;
   WallNs deadline_ = kNever;
-  http::BodyCache<ImagePtr> bitmap_;
-  http::BodyCache<ImagePtr> png_;
-  http::BodyCache<std::pair<Revision, ViewVector>> view_;
-  http::BodyCache<Revision> workcell_;
-  http::BodyCache<const Robot*> robot_;
-  http::BodyCache<monitor::Message> state_;
-  http::BodyCache<bool> schema_;  ///< depends on nothing
-  asio::thread_pool painter_{1};
+  http::BodyMaker<ImagePtr> bitmap_;
+  http::BodyMaker<ImagePtr> png_;
+  http::BodyMaker<Revision> workcell_;
+  http::BodyMaker<const Robot*> robot_;
+  http::BodyMaker<bool> schema_;  ///< its bytes depend on nothing
+  /// Of each point of view, at most kMaxViews: one more discards all that nobody waits for.
+  std::map<std::array<int, 3>, std::shared_ptr<http::BodyMaker<Revision>>> views_;
 };
 
 }  // namespace xr3

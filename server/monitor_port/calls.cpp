@@ -133,7 +133,7 @@ monitor::Message MonitorService::done(const monitor::Request& request, const cal
   if (done.reached) value["reached"] = *done.reached;
   if (done.ran_ticks) value["ran_ticks"] = *done.ran_ticks;
   if (moves_time(wanted))
-    value["state"] = chosen(state_json(cell_.model(), cell_.snapshot()), wanted.fields);
+    value["state"] = state_json(cell_.model(), cell_.snapshot(), wanted.fields);
   if (done.saved) {
     const auto* save = std::get_if<call::SaveSnapshot>(&call);
     const std::string& name =

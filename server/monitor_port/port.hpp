@@ -34,8 +34,8 @@ class MonitorPort {
   void close(WallNs deadline = kNever);
   /// Closes every connection now.
   void abort();
-  /// Stops the thread that encodes images, for the end of the process.
-  void stop() { resources_.stop(); }
+  /// Stops the worker's thread, for the end of the process.
+  void stop() { service_.worker().stop(); }
   bool is_empty() const { return connections_.empty() && refusals_.is_empty(); }
 
   SubscriberHub& subscribers() { return service_.subscribers(); }

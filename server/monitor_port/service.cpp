@@ -16,6 +16,8 @@ using monitor::Channel;
 
 constexpr int kMaxWrongTokens = 5;
 constexpr std::chrono::milliseconds kWrongTokenDelay{200};
+// Parsing takes some 0.2 us a byte.
+constexpr std::size_t kMaxParsedAtOnce = 4096;
 constexpr WallNs kTokenLogEvery = 1'000'000'000;
 
 bool is_feed(Channel channel) { return channel == Channel::kEvent || channel == Channel::kLine; }
@@ -114,10 +116,23 @@ CellCounters MonitorService::counters() const {
 
 // --- Requests.
 
+void MonitorService::let_lines_run() {
+  const WallNs now = wall_now();
+  if (now < next_lines_) return;
+  next_lines_ = now + kLinesEvery;
+  lines_.run_turns();
+}
+
 MonitorService::Error MonitorService::refuse(const MonitorSession& session,
                                              std::string_view message) const {
   if (session.access() == Access::kControl) return std::nullopt;
   return check_access(session, monitor::heading_of(message));
+}
+
+asio::awaitable<monitor::RequestReading> MonitorService::read(std::string_view message) {
+  const auto parse = [message, cells = cells()] { return monitor::read_request(message, cells); };
+  if (message.size() <= kMaxParsedAtOnce) co_return parse();
+  co_return co_await worker_.run(parse);
 }
 
 asio::awaitable<void> MonitorService::carry_out(MonitorSession& session, monitor::Request request) {

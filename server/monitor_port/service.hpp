@@ -17,6 +17,8 @@
 #include "server/monitor_port/subscribers.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/line_transports.hpp"
+#include "server/net/wall_clock.hpp"
+#include "server/net/worker.hpp"
 
 namespace xr3 {
 
@@ -43,6 +45,9 @@ class MonitorService {
   std::optional<monitor::RequestError> refuse(const MonitorSession& session,
                                               std::string_view message) const;
 
+  /// Parses a message, a long one in the worker. `message` must exist until it resumes.
+  asio::awaitable<monitor::RequestReading> read(std::string_view message);
+
   /// Carries out a request and answers it. Only a call with `after` waits. The session must outlive
   /// the coroutine.
   asio::awaitable<void> carry_out(MonitorSession& session, monitor::Request request);
@@ -50,7 +55,14 @@ class MonitorService {
   /// The current frame of the cell; nullptr for an image if there is no camera.
   const monitor::Frame* current_frame(const monitor::Selection& selection);
 
+  /// Runs the turns of the lines if the last ones are kLinesEvery ago. Called before each request,
+  /// so that a line waits for one request at most, however many clients have sent one.
+  void let_lines_run();
+  static constexpr WallNs kLinesEvery = 500'000;
+
   SubscriberHub& subscribers() { return subscribers_; }
+  asio::io_context& io() { return io_; }
+  Worker& worker() { return worker_; }
 
   /// The statistics of the cell and of the sessions.
   CellCounters counters() const;
@@ -82,8 +94,10 @@ class MonitorService {
   std::function<void()> acted_;
   FrameCache frames_;
   std::uint64_t wrong_tokens_ = 0;
+  WallNs next_lines_ = 0;      ///< earliest time of the next turns by let_lines_run()
   WallNs next_token_log_ = 0;  ///< earliest time of the next message about wrong tokens
   SubscriberHub subscribers_;
+  Worker worker_;
 };
 
 }  // namespace xr3

@@ -37,7 +37,7 @@ class LineWatch {
 
   /// The news now, at most kMaxNews; may be empty. Valid until the next call.
   std::span<const News> news();
-  static constexpr std::size_t kMaxNews = 128;
+  static constexpr std::size_t kMaxNews = 1024;
 
  private:
   asio::posix::stream_descriptor set_;

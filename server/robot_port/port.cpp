@@ -15,20 +15,23 @@ namespace {
 
 constexpr const char* kName = "the robot port";
 
+// Maximum times for the lines with news, and for those of them that have had costly turns.
 constexpr WallNs kMaxNewsTime = 2'000'000;
+constexpr WallNs kMaxHeavyTime = 500'000;
 
-/// While it exists, the timer is cancelled when bytes have acted.
+/// While it exists, the timer is cancelled when bytes of the line have acted.
 class Waiting {
  public:
-  Waiting(std::set<asio::steady_timer*>& all, asio::steady_timer& timer)
-      : all_(all), place_(all.insert(&timer).first) {}
+  using Timers = std::multimap<LineId, asio::steady_timer*>;
+  Waiting(Timers& all, LineId line, asio::steady_timer& timer)
+      : all_(all), place_(all.emplace(line, &timer)) {}
   Waiting(const Waiting&) = delete;
   Waiting& operator=(const Waiting&) = delete;
   ~Waiting() { all_.erase(place_); }
 
  private:
-  std::set<asio::steady_timer*>& all_;
-  std::set<asio::steady_timer*>::iterator place_;
+  Timers& all_;
+  Timers::iterator place_;
 };
 
 }  // namespace
@@ -43,13 +46,13 @@ RobotPort::RobotPort(asio::io_context& io, Cell& cell, RobotPortRules rules,
                false,
                rules_.guard,
                scratch_,
-               [this] { notify(); },
+               [this](LineId line) { notify(line); },
                [this](LineId line) { end(line); }},
       probe_context_{cell,
                      true,
                      rules_.guard,
                      scratch_,
-                     [this] {
+                     [this](LineId) {
                        probe_progress_ =
                            cell_.state().enabled ? ProbeProgress::kTaken : ProbeProgress::kIgnored;
                      },
@@ -72,7 +75,7 @@ void RobotPort::open(tcp::socket socket) {
   if (!watch_.add(session->descriptor(), session->line()))
     return session->close(LineCloseReason::kError);
   if (!std::exchange(is_watching_, true)) spawn_loop(io_.get_executor(), kName, run());
-  if (!is_probe) notify();
+  if (!is_probe) notify(session->line());
 }
 
 bool RobotPort::is_full() const {
@@ -102,7 +105,7 @@ void RobotPort::end(LineId line) {
   unfinished_.erase(line);
   has_logged_full_ = has_logged_peer_ = false;
   if (is_closing_ && sessions_.empty()) watch_.close();
-  notify();
+  notify(line);
 }
 
 bool RobotPort::disconnect(LineId line) {
@@ -151,7 +154,7 @@ void RobotPort::end_probe() {
   unfinished_.erase(kProbeLine);
   if (!is_closing_) return;
   if (sessions_.empty()) watch_.close();
-  notify();
+  acted_();
 }
 
 // --- Turns.
@@ -164,22 +167,46 @@ asio::awaitable<void> RobotPort::run() {
 }
 
 void RobotPort::run_turns() {
-  take_news();
+  take_deferred(wall_now() + kMaxNewsTime);
+  if (deferred_.empty()) take_news();
   take_unfinished_turn();
-  if (!unfinished_.empty()) schedule_turns();
+  if (has_unfinished()) schedule_turns();
 }
 
-// After kMaxNewsTime the rest of the lines wait with the unfinished ones, so that timers, signals
-// and other ports get their turn.
+// In the order of their news, so that none waits for longer than the others.
+void RobotPort::take_deferred(WallNs end) {
+  while (!deferred_.empty() && wall_now() < end) {
+    const LineId line = deferred_.front();
+    deferred_.pop_front();
+    run_turn(line);
+  }
+}
+
+// After kMaxNewsTime the rest of the lines wait for the next call, so that timers, signals and
+// other ports get their turn.
 void RobotPort::take_news() {
-  const WallNs end = wall_now() + kMaxNewsTime;
+  const WallNs start = wall_now();
+  heavy_.clear();
   for (const auto& [line, is_end] : watch_.news()) {
     const auto found = sessions_.find(line);
     if (found == sessions_.end()) continue;
     if (is_end) found->second->note_end();
     if (unfinished_.contains(line)) continue;
-    wall_now() < end ? run_turn(line) : static_cast<void>(unfinished_.insert(line));
+    if (found->second->is_heavy()) {
+      heavy_.push_back(line);
+    } else if (wall_now() < start + kMaxNewsTime) {
+      run_turn(line);
+    } else {
+      deferred_.push_back(line);
+    }
   }
+  take_heavy_news(start + kMaxHeavyTime);
+}
+
+// The rest of them waits with the unfinished lines.
+void RobotPort::take_heavy_news(WallNs end) {
+  for (const LineId line : heavy_)
+    wall_now() < end ? run_turn(line) : static_cast<void>(unfinished_.insert(line));
 }
 
 // One of them at a time, in order: other lines wait for one flooding line, not for all.
@@ -215,7 +242,18 @@ void RobotPort::read_arrived() {
     for (const auto& [id, session] : sessions()) {
       if (session->read_arrived() && sessions_.contains(id)) unfinished_.insert(id);
     }
-    if (!unfinished_.empty()) schedule_turns();
+    if (has_unfinished()) schedule_turns();
+  });
+}
+
+void RobotPort::read_arrived_on(LineId line) {
+  vital(kName, [&, this] {
+    listener_.accept_pending();
+    const auto found = sessions_.find(line);
+    if (found == sessions_.end()) return;
+    const auto session = found->second;  // it may remove itself from the map
+    if (session->read_arrived() && sessions_.contains(line)) unfinished_.insert(line);
+    if (has_unfinished()) schedule_turns();
   });
 }
 
@@ -224,19 +262,20 @@ asio::awaitable<bool> RobotPort::wait_for_bytes(LineId id, std::uint64_t bytes_i
   asio::steady_timer timer(io_, within);
   const auto deadline = timer.expiry();
   for (;;) {
-    read_arrived();
+    read_arrived_on(id);
     if (cell_.bytes_in(id).value_or(0) >= bytes_in) co_return true;
     const bool may_come = cell_.find_line(id) != nullptr && !is_closing_;
     if (!may_come || asio::steady_timer::clock_type::now() >= deadline) co_return false;
-    const Waiting waiting(waiting_, timer);
+    const Waiting waiting(waiting_, id, timer);
     co_await timer.async_wait(kAwait);
   }
 }
 
-// Resumes the coroutines in wait_for_bytes(), which check again.
-void RobotPort::notify() {
-  vital(kName, [this] {
-    for (asio::steady_timer* timer : waiting_) timer->cancel();
+// Resumes the coroutines that wait for bytes of the line, which check again.
+void RobotPort::notify(LineId line) {
+  vital(kName, [&, this] {
+    const auto [begin, end] = waiting_.equal_range(line);
+    for (auto each = begin; each != end; ++each) each->second->cancel();
     acted_();
   });
 }
@@ -247,7 +286,8 @@ void RobotPort::close(WallNs deadline) {
   for (const auto& [id, session] : sessions())
     wall_now() < deadline ? session->finish() : session->close(LineCloseReason::kShutdown);
   if (sessions_.empty()) watch_.close();
-  notify();
+  for (const auto& [line, timer] : waiting_) timer->cancel();
+  acted_();
 }
 
 void RobotPort::abort() {

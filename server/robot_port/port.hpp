@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
+#include <vector>
 
 #include "cell/cell.hpp"
 #include "server/net/asio.hpp"
@@ -84,14 +86,18 @@ class RobotPort final : public LineTransports {
   void end_probe();
   asio::awaitable<void> run();
   void take_news();
+  void take_deferred(WallNs end);
+  void take_heavy_news(WallNs end);
   void take_unfinished_turn();
   void run_turn(LineId line);
   void schedule_turns();
+  bool has_unfinished() const { return !unfinished_.empty() || !deferred_.empty(); }
   void end(LineId line);
   Sessions sessions() const { return sessions_; }
   std::shared_ptr<RobotSession> greediest() const;
 
-  void notify();
+  void notify(LineId line);
+  void read_arrived_on(LineId line);
 
   asio::io_context& io_;
   Cell& cell_;
@@ -107,10 +113,13 @@ class RobotPort final : public LineTransports {
   bool has_logged_peer_ = false;
   std::optional<tcp::endpoint> probe_from_;  ///< of the expected probe, until it is accepted
   ProbeProgress probe_progress_ = ProbeProgress::kUnseen;
-  std::set<LineId> unfinished_;            ///< lines with more work than one turn
-  LineId last_unfinished_ = 0;             ///< the one of them that had the last turn
-  bool is_again_ = false;                  ///< their next turns are scheduled
-  std::set<asio::steady_timer*> waiting_;  ///< cancelled when bytes have acted
+  std::deque<LineId> deferred_;  ///< lines with news whose turn was put off
+  std::set<LineId> unfinished_;  ///< lines with more work than one turn
+  std::vector<LineId> heavy_;    ///< with news, in one take_news()
+  LineId last_unfinished_ = 0;   ///< the one of them that had the last turn
+  bool is_again_ = false;        ///< their next turns are scheduled
+  /// By line; cancelled when its bytes have acted, or it has ended.
+  std::multimap<LineId, asio::steady_timer*> waiting_;
   Sessions sessions_;
   bool is_closing_ = false;
 };

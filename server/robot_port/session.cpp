@@ -47,6 +47,7 @@ RobotSession::RobotSession(const std::string& peer, tcp::socket&& socket,
       place_(std::move(place)) {}
 
 bool RobotSession::run_turn() {
+  load_ /= 2;
   return work({fair_share(), kAllOutput, wall_now() + kFairTime}) == Left::kSome;
 }
 
@@ -96,11 +97,18 @@ void RobotSession::act(std::string_view bytes, const Turn& turn) {
   const std::size_t taken =
       context_.cell.apply(BytesIn{id_, bytes, is_enough}, wall_now()).bytes_taken;
   note(context_.memory, held_bytes());
-  context_.acted();
+  note_load(taken, held_bytes());
+  context_.acted(id_);
   if (!socket_.is_open()) return;
   if (context_.cell.find_line(id_)->is_not_a_robot_program())
     return close(LineCloseReason::kNotARobotProgram);
   if (taken < bytes.size()) keep(bytes.substr(taken));
+}
+
+// An estimate, since reading the clock would cost more than an inquiry.
+void RobotSession::note_load(std::uint64_t bytes_in, std::uint64_t bytes_out) {
+  constexpr std::uint64_t kPerByteIn = 100;
+  load_ += bytes_in * kPerByteIn + bytes_out;
 }
 
 // If memory is exhausted, only this line ends.

@@ -17,10 +17,10 @@ namespace xr3 {
 /// Shared by all sessions of a port.
 struct RobotSessionContext {
   Cell& cell;
-  bool is_probe;                ///< whether the session opens kProbeLine
-  Guard guard;                  ///< which clients are refused
-  std::span<char> scratch;      ///< buffer for one read
-  std::function<void()> acted;  ///< called after bytes have acted
+  bool is_probe;                      ///< whether the session opens kProbeLine
+  Guard guard;                        ///< which clients are refused
+  std::span<char> scratch;            ///< buffer for one read
+  std::function<void(LineId)> acted;  ///< called after bytes have acted
   std::function<void(LineId)>
       ended;                      ///< called when the connection is closed; may release the session
   MemoryLimit* memory = nullptr;  ///< none if null
@@ -41,6 +41,9 @@ class RobotSession {
   /// Sends what can be sent, then reads and applies bytes up to the limits of a turn. Returns
   /// whether there may be more to do now.
   bool run_turn();
+
+  /// Whether its latest turns took long, so that lines with less work go first.
+  bool is_heavy() const { return load_ > kHeavyLoad; }
 
   /// Applies every byte that has arrived, until replies wait for the client or exceed kMaxAnswered
   /// bytes. Returns whether there may be more to do now.
@@ -72,6 +75,7 @@ class RobotSession {
   Left flush(const Turn& turn);
   bool is_over(const Turn& turn) const;
   std::size_t fair_share() const;
+  void note_load(std::uint64_t bytes_in, std::uint64_t bytes_out);
   std::size_t read(std::size_t most);
   void act(std::string_view bytes, const Turn& turn);
   void keep(std::string_view bytes);
@@ -81,6 +85,9 @@ class RobotSession {
   LineId id_;
   RobotSessionContext& context_;
   std::unique_ptr<PeerCounts::Place> place_;
+  /// The work of the latest turns in some nanoseconds; half of it is forgotten each turn.
+  static constexpr std::uint64_t kHeavyLoad = 20'000;
+  std::uint64_t load_ = 0;
   std::string pending_;     ///< read, but not applied because the outbox was full
   bool is_ending_ = false;  ///< the stream ends after the bytes that have arrived
   bool has_ended_ = false;  ///< no more bytes will be read

@@ -37,6 +37,7 @@ def garbage(xr3):
 @contextlib.contextmanager
 def flood(xr3, start, commands):
     """A line that sends commands without end; `start` is ask_without_end or pour; pour reads no replies."""
+    commands = b"\r" + commands  # without it, they could be taken for an HTTP method
     with start(xr3.robot_port, commands) as asking, xr3.monitor() as monitor:
         line = monitor.call("lines")["lines"][-1]["line"]
         while line < 2 or taken(monitor, line) < 20 * len(commands):

@@ -194,7 +194,36 @@ TEST(SnapshotJson, HasOnlyTheSelectedMembers) {
   EXPECT_EQ(chosen(state, Fields{{"stalled", "moving"}}).dump(),
             R"({"stalled":null,"moving":false})");
   EXPECT_EQ(chosen(state, Fields{{"tick", "op"}}).dump(), "{}");
+  const Rig rig;
+  for (const Fields& fields : {Fields{{"stalled", "moving", "stalled"}}, Fields{{"op"}}, Fields{}})
+    EXPECT_EQ(state_json(rig.model(), snapshot_of(rig.state()), fields), chosen(state, fields));
   EXPECT_EQ(chosen(state, Fields{{}}).dump(), "{}");
+}
+
+// Blocks that move, that are taken up, and that come and go: the texts are those of state_json().
+TEST(StateEncoder, EncodesWhatHasChanged) {
+  const Model model(test::robot_named("rhino-xr3"), test::workcell_named("rhino-xr3"),
+                    Profile::kPaper);
+  StateEncoder encoder;
+  const auto expect_same = [&](const State& state) {
+    const Snapshot snapshot = snapshot_of(state);
+    const Json json = state_json(model, snapshot);
+    const MemberTexts texts = encoder.encode(model, snapshot);
+    ASSERT_EQ(texts.size(), json.size());
+    for (const auto& [name, text] : texts) EXPECT_EQ(text, json.at(name).dump()) << name;
+  };
+  State state = initial_state(model);
+  expect_same(state);
+  state.blocks[1].centroid_um.x += 1000;
+  expect_same(state);
+  state.held = Held{1, 1, {}};
+  state.motor(0).count = 90;
+  expect_same(state);
+  state.held.reset();
+  state.blocks.pop_back();
+  expect_same(state);
+  state.blocks.clear();
+  expect_same(state);
 }
 
 TEST(SnapshotJson, ShowsTheExactRate) {

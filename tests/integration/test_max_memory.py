@@ -1,0 +1,67 @@
+"""Many clients that do not read what they have requested: the process keeps to --max-memory, the greediest clients
+are closed, and the others are served."""
+# labels: release serial
+
+import json
+import pathlib
+import socket
+import tempfile
+import unittest
+
+from support import LOCALHOST, NO_QUARANTINE, ROOT, Server
+
+MIB = 1 << 20
+LIMIT_MIB = 64
+CLIENTS = 150
+# Beyond the limit: the program itself, freed memory that the allocator keeps, and the sanitizer's shadow.
+MARGIN_MIB = 64
+REQUESTS = {
+    "images on lines": ("robot_port", b"A**" * 3),
+    "images as JSON": ("monitor_port", b'{"op":"get","channel":"image","fields":["rows"]}\n' * 8),
+    "endless requests": ("monitor_port", b'{"op":"ping","id":"' + b"x" * 250_000),
+}
+
+
+class MaxMemory(unittest.TestCase):
+    def setUp(self):
+        folder = self.enterContext(tempfile.TemporaryDirectory())
+        workcell = json.loads(pathlib.Path(ROOT, "data/workcells/rhino-xr3.json").read_text(encoding="utf-8"))
+        workcell["camera"]["pixels"] = [2048, 2048]
+        self.workcell = pathlib.Path(folder, "large.json")
+        self.workcell.write_text(json.dumps(workcell), encoding="utf-8")
+
+    def serve(self):
+        return Server("--workcell", self.workcell, "--max-memory", LIMIT_MIB, "--log-level", "warn", clock="real",
+                      environment=NO_QUARANTINE)
+
+    def client(self, port, request):
+        sock = socket.socket()
+        self.addCleanup(sock.close)
+        sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        sock.connect((LOCALHOST, port))
+        sock.sendall(request)
+        return sock
+
+    def test_the_greediest_clients_are_closed(self):
+        for what, (port, request) in REQUESTS.items():
+            with self.subTest(what), self.serve() as xr3, xr3.line() as good:
+                self.assertEqual(32, good.ask("E?"))
+                before = xr3.status("VmRSS") / 1024
+                for _ in range(CLIENTS):
+                    self.client(getattr(xr3, port), request)
+                    self.assertEqual(32, good.ask("E?"))
+                log = xr3.wait_log("more memory than --max-memory, and this client has the most unread")
+                self.assertLess(log.count("more memory"), CLIENTS, "not all of them")
+                self.assertLess(xr3.status("VmHWM") / 1024, before + LIMIT_MIB + MARGIN_MIB)
+
+    def test_a_shared_picture_exists_once(self):
+        """4 MiB for each of 150 clients would be 600."""
+        with self.serve() as xr3, xr3.line() as good:
+            for _ in range(CLIENTS):
+                self.client(xr3.monitor_port, b"GET /camera.pbm HTTP/1.1\r\nHost: localhost\r\n\r\n" * 3)
+                self.assertEqual(32, good.ask("E?"))
+            self.assertNotIn("more memory", xr3.log())
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,54 @@
+#include "server/net/memory_limit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+namespace xr3 {
+namespace {
+
+constexpr std::size_t kMib = std::size_t{1} << 20;
+
+/// Connections that hold some bytes each; the last one is closed first.
+struct Connections {
+  std::vector<std::vector<char>> held;
+  bool close_one() {
+    if (held.empty()) return false;
+    held.pop_back();
+    return true;
+  }
+};
+
+TEST(MemoryLimit, ClosesConnectionsUntilEnoughIsFree) {
+  asio::io_context io;
+  Connections connections;
+  MemoryLimit limit(io, allocated_bytes() + 10 * kMib, [&] { return connections.close_one(); });
+  for (int i = 0; i < 5; ++i) {
+    connections.held.emplace_back(4 * kMib);
+    limit.note(4 * kMib);
+    EXPECT_EQ(connections.held.size(), i + 1U) << "not within note()";
+  }
+  io.run();
+  EXPECT_EQ(connections.held.size(), 2U);
+}
+
+TEST(MemoryLimit, BelowItNothingIsClosed) {
+  asio::io_context io;
+  Connections connections;
+  MemoryLimit limit(io, allocated_bytes() + 10 * kMib, [&] { return connections.close_one(); });
+  connections.held.emplace_back(4 * kMib);
+  for (int i = 0; i < 100; ++i) limit.note(kMib);
+  io.run();
+  EXPECT_EQ(connections.held.size(), 1U);
+}
+
+TEST(MemoryLimit, EndsIfNoConnectionHoldsAnything) {
+  asio::io_context io;
+  MemoryLimit limit(io, 1, [] { return false; });
+  limit.note(4 * kMib);
+  EXPECT_EQ(io.run(), 1U);
+}
+
+}  // namespace
+}  // namespace xr3
