@@ -14,7 +14,7 @@ namespace {
 
 using monitor::Channel;
 
-// Maximum number of selections encoded per channel. One more discards all encoded frames.
+// Maximum number of selections encoded per channel. One more discards the oldest.
 constexpr std::size_t kMaxEncoded = 64;
 
 MemberTexts texts_of(const Json& members) {
@@ -102,6 +102,7 @@ bool FrameCache::is_same_model(ChannelCache& cache) const {
 bool FrameCache::has_new_image(ChannelCache& cache) const {
   const ImagePtr before = std::exchange(cache.image, cell_.camera_image());
   if (before == cache.image) return false;
+  for (MemberTexts& members : cache.image_members) members.clear();
   return !before || !cache.image || *before != *cache.image;
 }
 
@@ -120,19 +121,19 @@ FrameCache::EncodedFrame& FrameCache::encoded_for(ChannelCache& cache,
       cache.encoded.begin(), cache.encoded.end(),
       [&selection](const EncodedFrame& encoded) { return encoded.selection == selection; });
   if (found != cache.encoded.end()) return *found;
-  if (cache.encoded.size() >= kMaxEncoded) cache.encoded.clear();
+  if (cache.encoded.size() >= kMaxEncoded) cache.encoded.pop_front();
   return cache.encoded.emplace_back(EncodedFrame{selection, 0, {}});
 }
 
-std::string FrameCache::content_of(const ChannelCache& cache, const monitor::Selection& selection) {
-  if (!cache.image && !selection.fields) return cache.text;
-  if (cache.image && !selection.fields) return image_text(*cache.image, selection.encoding);
-  if (cache.image)
-    return monitor::text_of(chosen(image_json(*cache.image, selection.encoding), selection.fields));
-  return object_text(cache.members, selection.fields);
+std::string FrameCache::content_of(ChannelCache& cache, const monitor::Selection& selection) {
+  if (!cache.image) return object_text(cache.members, selection.fields);
+  if (!selection.fields) return image_text(*cache.image, selection.encoding);
+  MemberTexts& members = cache.image_members.at(static_cast<std::size_t>(selection.encoding));
+  if (members.empty()) members = texts_of(image_json(*cache.image, selection.encoding));
+  return object_text(members, selection.fields);
 }
 
-void FrameCache::make(const ChannelCache& cache, EncodedFrame& encoded) const {
+void FrameCache::make(ChannelCache& cache, EncodedFrame& encoded) const {
   const monitor::Selection& selection = encoded.selection;
   std::string content = content_of(cache, selection);
   if (!encoded.frame.content || *encoded.frame.content != content)

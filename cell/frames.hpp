@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -48,7 +49,9 @@ class FrameCache {
     std::optional<Snapshot> snapshot;  ///< state only: the content of `text`, with tick 0
     std::optional<ShownModel> model;   ///< model only
     ImagePtr image;
-    std::vector<EncodedFrame> encoded;
+    /// Image only: the members by encoding, empty until they are needed for a selection.
+    std::array<MemberTexts, 2> image_members;
+    std::deque<EncodedFrame> encoded;  ///< the oldest first
   };
 
   const monitor::Frame* current_frame(const monitor::Selection& selection);
@@ -59,8 +62,8 @@ class FrameCache {
   bool has_new_image(ChannelCache& cache) const;
   MemberTexts members_now(monitor::Channel channel);
   EncodedFrame& encoded_for(ChannelCache& cache, const monitor::Selection& selection) const;
-  static std::string content_of(const ChannelCache& cache, const monitor::Selection& selection);
-  void make(const ChannelCache& cache, EncodedFrame& encoded) const;
+  static std::string content_of(ChannelCache& cache, const monitor::Selection& selection);
+  void make(ChannelCache& cache, EncodedFrame& encoded) const;
 
   Cell& cell_;
   StateEncoder states_;

@@ -86,4 +86,8 @@ std::string_view body_bytes(const Answer& answer, std::string_view method) {
   return method == "HEAD" ? std::string_view{} : answer.body.bytes();
 }
 
+std::string to_bytes(const Answer& answer, std::string_view method) {
+  return head_bytes(answer).append(body_bytes(answer, method));
+}
+
 }  // namespace xr3::http

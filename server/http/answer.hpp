@@ -47,5 +47,7 @@ std::optional<Answer> refuse_head(HeadFault fault);
 std::string head_bytes(const Answer& answer);
 /// The body to send: none if the method is HEAD. It exists as long as the answer.
 std::string_view body_bytes(const Answer& answer, std::string_view method);
+/// Both together, for small answers.
+std::string to_bytes(const Answer& answer, std::string_view method);
 
 }  // namespace xr3::http

@@ -24,20 +24,16 @@ asio::awaitable<http::HeadReading> read_head(MonitorSocket& socket, std::string 
   co_return http::read_head(bytes);
 }
 
-std::string to_bytes(const http::Answer& answer, std::string_view method) {
-  return http::head_bytes(answer).append(http::body_bytes(answer, method));
-}
-
 asio::awaitable<std::string> http_answer(MonitorSocket& socket, std::string bytes,
                                          HttpResources& resources) {
   const http::HeadReading head = co_await read_head(socket, std::move(bytes));
   const bool is_served = head.fault == http::HeadFault::kNone &&
                          HttpResources::is_health_check(head.request) &&
                          !resources.refuse(head.request);
-  if (!is_served) co_return to_bytes(http::full(), "GET");
+  if (!is_served) co_return http::to_bytes(http::full(), "GET");
   http::Answer answer = co_await resources.answer(head.request);
   answer.then = http::Then::kClose;
-  co_return to_bytes(answer, head.request.method);
+  co_return http::to_bytes(answer, head.request.method);
 }
 
 asio::awaitable<void> refuse(std::shared_ptr<MonitorSocket> socket, HttpResources& resources) {

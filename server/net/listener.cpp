@@ -15,6 +15,9 @@ namespace {
 // Delay after the process has run out of descriptors: some may be closed by then.
 constexpr std::chrono::milliseconds kRetryAfter{100};
 
+// Connections accepted in one turn of the event loop, so that others need not wait for a thousand.
+constexpr int kFairShare = 16;
+
 // TCP keepalive: a dead peer is detected 60 s after its last byte.
 constexpr int kIdleSeconds = 30;
 constexpr int kSecondsBetweenProbes = 10;
@@ -65,20 +68,23 @@ asio::awaitable<void> Listener::run(Entrance& entrance) {
     const auto [error] = co_await acceptor.async_wait(tcp::acceptor::wait_read, kAwait);
     if (!acceptor.is_open()) co_return;
     if (error) throw boost::system::system_error(error);
-    if (accept_pending(acceptor)) continue;
+    if (accept_some(acceptor)) continue;
     retry.expires_after(kRetryAfter);
     co_await retry.async_wait(kAwait);
   }
 }
 
 void Listener::accept_pending() {
-  for (Entrance& entrance : entrances_) accept_pending(entrance.acceptor);
+  for (Entrance& entrance : entrances_) {
+    ErrorCode error;
+    while (entrance.acceptor.is_open() && !error) error = accept_one(entrance.acceptor);
+  }
 }
 
-bool Listener::accept_pending(tcp::acceptor& acceptor) {
+bool Listener::accept_some(tcp::acceptor& acceptor) {
   ErrorCode error;
-  while (acceptor.is_open() && !error) error = accept_one(acceptor);
-  return error == asio::error::would_block || error == asio::error::try_again ||
+  for (int i = 0; i < kFairShare && acceptor.is_open() && !error; ++i) error = accept_one(acceptor);
+  return !error || error == asio::error::would_block || error == asio::error::try_again ||
          !acceptor.is_open();
 }
 

@@ -39,8 +39,8 @@ class Listener {
   };
 
   asio::awaitable<void> run(Entrance& entrance);
-  /// False if a connection is pending that cannot be accepted now.
-  bool accept_pending(tcp::acceptor& acceptor);
+  /// Accepts a few connections. False if one is pending that cannot be accepted now.
+  bool accept_some(tcp::acceptor& acceptor);
   ErrorCode accept_one(tcp::acceptor& acceptor);
 
   asio::io_context& io_;

@@ -136,7 +136,7 @@ class Healthcheck(unittest.TestCase):
                              ("sends nothing", b""),
                              ("is not xr3", b'{"op":"hello","server":"another"}\n'),
                              ("is not xr3", bytes(range(256)) * 400),
-                             ("too many", b'{"op":"bye","why":"full","message":"too many"}\n')]:
+                             ("does not say whether it is ready", b'{"op":"bye","why":"full","message":"too many"}\n')]:
             with self.subTest(says), stand_in(answer) as port:
                 self.unhealthy(says, "--monitor-port", port)
 

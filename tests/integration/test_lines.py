@@ -108,6 +108,7 @@ class Flood(unittest.TestCase):
     def flood(self, line, good):
         """Sends until the server reads no more, although it has had many turns; returns the bytes sent."""
         poured = turns = 0
+        self.assertEqual(32, line.ask("E?"))  # thousands of letters alone would look like an HTTP method
         line.socket.setblocking(False)
         while turns < self.STUCK_TURNS:
             try:

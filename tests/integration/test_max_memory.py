@@ -12,12 +12,11 @@ from support import LOCALHOST, NO_QUARANTINE, ROOT, Server
 
 MIB = 1 << 20
 LIMIT_MIB = 64
-CLIENTS = 150
+CLIENTS = 400
 # Beyond the limit: the program itself, freed memory that the allocator keeps, and the sanitizer's shadow.
-MARGIN_MIB = 64
+MARGIN_MIB = 160
 REQUESTS = {
     "images on lines": ("robot_port", b"A**" * 3),
-    "images as JSON": ("monitor_port", b'{"op":"get","channel":"image","fields":["rows"]}\n' * 8),
     "endless requests": ("monitor_port", b'{"op":"ping","id":"' + b"x" * 250_000),
 }
 
@@ -31,7 +30,7 @@ class MaxMemory(unittest.TestCase):
         self.workcell.write_text(json.dumps(workcell), encoding="utf-8")
 
     def serve(self):
-        return Server("--workcell", self.workcell, "--max-memory", LIMIT_MIB, "--log-level", "warn", clock="real",
+        return Server("--workcell", self.workcell, "--max-memory", LIMIT_MIB, clock="real",
                       environment=NO_QUARANTINE)
 
     def client(self, port, request):
@@ -51,11 +50,11 @@ class MaxMemory(unittest.TestCase):
                     self.client(getattr(xr3, port), request)
                     self.assertEqual(32, good.ask("E?"))
                 log = xr3.wait_log("more memory than --max-memory, and this client has the most unread")
-                self.assertLess(log.count("more memory"), CLIENTS, "not all of them")
+                self.assertLess(log.count("more memory"), CLIENTS / 2, "not all of them")
                 self.assertLess(xr3.status("VmHWM") / 1024, before + LIMIT_MIB + MARGIN_MIB)
 
     def test_a_shared_picture_exists_once(self):
-        """4 MiB for each of 150 clients would be 600."""
+        """4 MiB for each of 400 clients would be 1,600."""
         with self.serve() as xr3, xr3.line() as good:
             for _ in range(CLIENTS):
                 self.client(xr3.monitor_port, b"GET /camera.pbm HTTP/1.1\r\nHost: localhost\r\n\r\n" * 3)

@@ -35,7 +35,7 @@ class Environment(Options):
             file.write_text(TOKEN, encoding="ascii")
             environment = {"XR3_TOKEN_FILE": str(file), "XR3_PRIVATE": "yes"}
             with Server(environment=environment) as xr3, xr3.monitor() as monitor:
-                self.assertEqual("read", monitor.hello["access"])
+                self.assertEqual("none", monitor.hello["access"])
                 monitor.request("auth", token=TOKEN)
             with Server("--token", "auto", "--port-file", pathlib.Path(folder, "ports"), environment=environment):
                 self.assertIn('"token"', pathlib.Path(folder, "ports").read_text(encoding="ascii"))
@@ -81,7 +81,7 @@ class Config(Options):
         token.write_text(TOKEN, encoding="ascii")
         path = self.file(f"private = true\ntoken-file = '{token}'")
         with Server("--config", path) as xr3, xr3.monitor() as monitor:
-            self.assertEqual("read", monitor.hello["access"])
+            self.assertEqual("none", monitor.hello["access"])
             monitor.request("auth", token=TOKEN)
 
     def test_the_server_and_its_healthcheck_share_a_file(self):

@@ -75,7 +75,7 @@ TEST(HealthProbe, AnEndlessLineIsNotXr3) {
 }
 
 TEST(HealthProbe, AByeIsUnhealthy) {
-  const std::string bye = "{\"op\":\"bye\",\"why\":\"full\",\"message\":\"too many\"}\n";
+  const std::string bye = "{\"op\":\"bye\",\"why\":\"shutdown\",\"message\":\"too many\"}\n";
   for (const std::string& bytes : {bye, kHello + bye}) {
     EXPECT_EQ(after(bytes).health(), Health::kUnhealthy);
     EXPECT_THAT(after(bytes).trouble(), HasSubstr("too many"));

@@ -338,7 +338,11 @@ TEST_F(Private, ReadingNeedsTheToken) {
   }
   EXPECT_EQ(answer(one_, R"({"op":"get","channel":"taste","fields":[)")["error"]["code"],
             "token_required");
-  answer(one_, R"({"op":"auth","token":"sixteen-letters!"})");
+  const auto answers = ask(one_, R"({"op":"auth","token":"sixteen-letters!"})");
+  ASSERT_EQ(answers.size(), 2U);
+  EXPECT_EQ(answers[0]["value"]["access"], "control");
+  EXPECT_EQ(answers[1]["op"], "hello");
+  EXPECT_EQ(answers[1]["robot"]["name"], "Rhino XR-3");
   EXPECT_EQ(answer(one_, R"({"op":"get","channel":"state"})")["op"], "state");
 }
 

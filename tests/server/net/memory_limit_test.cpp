@@ -24,10 +24,10 @@ TEST(MemoryLimit, ClosesConnectionsUntilEnoughIsFree) {
   asio::io_context io;
   Connections connections;
   MemoryLimit limit(io, allocated_bytes() + 10 * kMib, [&] { return connections.close_one(); });
-  for (int i = 0; i < 5; ++i) {
+  for (std::size_t i = 0; i < 5; ++i) {
     connections.held.emplace_back(4 * kMib);
     limit.note(4 * kMib);
-    EXPECT_EQ(connections.held.size(), i + 1U) << "not within note()";
+    EXPECT_EQ(connections.held.size(), i + 1) << "not within note()";
   }
   io.run();
   EXPECT_EQ(connections.held.size(), 2U);

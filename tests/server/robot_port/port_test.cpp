@@ -72,7 +72,7 @@ class RobotPortTest : public testing::Test {
              SimClock::manual(), [this](const CellEvent&, const Model&) {
                if (fails_) throw std::bad_alloc();
              }};
-  RobotPort port_{io_, cell_, {kMaxLines}, [] {}};
+  RobotPort port_{io_, cell_, {kMaxLines, Guard::kOff}, [] {}};
 };
 
 TEST_F(RobotPortTest, BytesAndTheEndArriveTogether) {
