@@ -134,22 +134,19 @@ void add_serve(CLI::App& app, ServeOptions& options) {
       ->capture_default_str();
   serve
       .add_option("--max-per-address", options.max_per_address,
-                  "maximum number of connections of one address on each port (default: three "
-                  "quarters of the places for other machines, no limit for this one)")
+                  "maximum number of connections of one address on each port")
       ->type_name("N")
       ->check(CLI::Range(1, kMaxLines).description(""));
   serve
-      .add_option(
-          "--max-memory", options.max_memory_mib,
-          "MiB of memory beyond which the client with the most unread bytes is disconnected")
+      .add_option("--max-memory", options.max_memory_mib,
+                  "MiB of memory beyond which the greediest client is disconnected")
       ->type_name("MIB")
       ->check(CLI::Range(kMinMemoryMib, kMaxMemoryMib).description(""))
       ->capture_default_str();
   serve
       .add_option_function<std::string>(
           "--guard", [&options](const std::string& text) { options.guard = parse_guard(text); },
-          "normal (default): the robot port disconnects browsers, before a byte of them acts; "
-          "strict: any client that begins with binary bytes, too; off: none")
+          "which clients the robot port disconnects by their first bytes (default: normal)")
       ->type_name("strict|normal|off")
       ->check(parses(parse_guard, ""));
   serve

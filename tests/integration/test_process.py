@@ -140,7 +140,7 @@ class ExitCodes(unittest.TestCase):
         for arguments, words in [
             (["--help"], ["serve", "check", "telnet", "Exit codes"]),
             (["serve", "--help"], ["--robot", "--workcell", "--listen", "--robot-port", "--monitor-port",
-                                   "--compat", "--clock", "--max-lines", "--port-file", "--log-level",
+                                   "--compat", "--clock", "--max-lines", "--max-memory", "--guard", "--port-file", "--log-level",
                                    "--insecure"]),
             (["check", "--help"], ["FILE"]),
         ]:
