@@ -1,0 +1,106 @@
+"""Attacks, each with a measurement and its bound. The attack of an `Attack` runs in this process; that of a `Beside`
+in a process of its own, while a well-behaved client measures."""
+
+import contextlib
+import dataclasses
+import json
+import os
+import pathlib
+import select
+import subprocess
+import sys
+import time
+import typing
+
+from cells import BOUND_MS, SHIPPED, Cell
+from support import DEADLINE_S, SHUTDOWN_S, Server
+
+FOLDER = pathlib.Path(__file__).parent
+MEASURED_S = 2.0
+MIB = 1 << 20
+
+
+@dataclasses.dataclass(frozen=True)
+class Measured:
+    """The figure that a bound limits, others for the reader, and the least that it would be on an idle machine."""
+    value: float
+    note: str = ""
+    least: float | None = None
+
+
+@dataclasses.dataclass(frozen=True)
+class Attack:
+    """`measure()` returns a Measured; its value may be at most `bound`."""
+    name: str
+    bound: float
+    unit: str
+    measure: typing.Callable
+
+
+@dataclasses.dataclass(frozen=True)
+class Beside:
+    """The wait that 99 of 100 replies of another line keep, beside a load. The load goes on when SIGTERM stops the
+    server, which must take at most two seconds."""
+    name: str
+    load: typing.Callable
+    cell: str = SHIPPED
+    clock: str = "real"
+    options: tuple = ()
+    unit: str = "ms"
+
+    @property
+    def bound(self):
+        return BOUND_MS[self.cell]
+
+    def measure(self):
+        with Cell(self.cell) as options, Server(*options, *self.options, clock=self.clock) as xr3:
+            with load_process(self.name, xr3) as load:
+                before, started = cpu_s(xr3.pid), time.monotonic()
+                figures = ask_beside(xr3)
+                if load.poll() is not None:
+                    raise AssertionError(f"the load has ended: {last_line(load)}")
+                busy = (cpu_s(xr3.pid) - before) / (time.monotonic() - started)
+                peak = xr3.status("VmHWM") / 1024
+                code = xr3.stop(within_s=SHUTDOWN_S)
+            if code != 0:
+                raise AssertionError(f"the server ended with {code}")
+        waits, work = figures["waits"], figures["work"]
+        return Measured(waits["p99"], f"p50 {waits['p50']:.2f}, max {waits['max']:.1f}; the server's work p99 "
+                                      f"{work['p99']:.2f}, max {work['max']:.1f}; {busy:.0%} of a core, {peak:.0f} MiB",
+                        work["p99"])
+
+
+def beside(name, load, *cells, **more):
+    """An attack for each of these workcells."""
+    return [Beside(f"{name}/{cell}", load, cell, **more) for cell in cells or (SHIPPED,)]
+
+
+def cpu_s(pid):
+    """Seconds of processor time that a process has used."""
+    fields = pathlib.Path(f"/proc/{pid}/stat").read_text(encoding="ascii").rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def ask_beside(xr3):
+    done = subprocess.run([sys.executable, FOLDER / "victim.py", *map(str, (xr3.robot_port, xr3.pid, MEASURED_S))],
+                          stdout=subprocess.PIPE, check=True)
+    return json.loads(done.stdout)
+
+
+def last_line(process):
+    return process.stderr.read().decode().strip().rpartition("\n")[2]
+
+
+@contextlib.contextmanager
+def load_process(name, xr3):
+    """Runs the load of an attack until the end of the block."""
+    process = subprocess.Popen([sys.executable, FOLDER / "load.py", name, str(xr3.robot_port), str(xr3.monitor_port)],
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    with process:
+        try:
+            if not select.select([process.stdout], [], [], 3 * DEADLINE_S)[0] or not process.stdout.readline():
+                process.kill()
+                raise AssertionError(f"the load did not begin: {last_line(process)}")
+            yield process
+        finally:
+            process.kill()

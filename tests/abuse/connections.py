@@ -1,0 +1,220 @@
+"""Connections: the end of a server with many clients, a server without descriptors, and clients that come and go."""
+
+import contextlib
+import select
+import socket
+import time
+import urllib.error
+import urllib.request
+
+import websocket
+from attack import Attack, Measured, cpu_s
+from cells import CAMERA, LARGEST, Cell
+from memory import send_greedily
+from support import DEADLINE_S, LOCALHOST, XR3, Server
+from target import RESET, Target, connect, get, json_line
+
+CLIENTS = 1000
+FEW_DESCRIPTORS = 64
+STOP_S = 2.0
+STRICTLY = 3000
+MOST_PLACES = 1100  # more than either port has
+OTHER_ADDRESS = "127.0.0.2"
+SMALL_BUFFER = 4096
+
+
+def status(port, path):
+    """The status of an HTTP answer; 0 if there is none."""
+    try:
+        with urllib.request.urlopen(f"http://{LOCALHOST}:{port}{path}", timeout=DEADLINE_S) as answer:
+            return answer.status
+    except urllib.error.HTTPError as error:
+        return error.code
+    except OSError:
+        return 0
+
+
+# --- SIGTERM.
+
+
+def stop(name, cell, opener, data):
+    """The time from SIGTERM to the end, with a thousand clients that read nothing."""
+    def measure():
+        with contextlib.ExitStack() as stack:
+            options = stack.enter_context(Cell(cell))
+            xr3 = stack.enter_context(Server("--log-level", "warn", *options, clock="real"))
+            target = Target(xr3.robot_port, xr3.monitor_port)
+            for _ in range(CLIENTS):
+                send_greedily(stack.enter_context(opener(target)), data)
+            started = time.monotonic()
+            code = xr3.stop(within_s=DEADLINE_S)
+            if code != 0:
+                raise AssertionError(f"the server ended with {code}")
+            return Measured(time.monotonic() - started)
+    return Attack(f"stop.{name}/{cell}", STOP_S, "s", measure)
+
+
+def line(target):
+    return target.line(buffer_bytes=SMALL_BUFFER)
+
+
+def page(target):
+    return target.page(buffer_bytes=SMALL_BUFFER)
+
+
+def frames(target):
+    return websocket.opened(target, buffer_bytes=SMALL_BUFFER)
+
+
+# --- Few descriptors.
+
+
+@contextlib.contextmanager
+def full_server():
+    """A server that may open few files, and clients that hold all of them."""
+    command = ("prlimit", f"--nofile={FEW_DESCRIPTORS}:{FEW_DESCRIPTORS}", XR3, "serve")
+    with contextlib.ExitStack() as stack:
+        xr3 = stack.enter_context(Server(command=command))
+        socks = [connect(port) for port in (xr3.robot_port, xr3.monitor_port) for _ in range(2 * FEW_DESCRIPTORS)]
+        yield xr3, socks
+        for sock in socks:
+            sock.close()
+
+
+def full_cpu():
+    with full_server() as (xr3, _):
+        status(xr3.monitor_port, "/healthz")
+        before = cpu_s(xr3.pid)
+        select.select([], [], [], 2.0)
+        return Measured(100 * (cpu_s(xr3.pid) - before) / 2.0)
+
+
+def full_health():
+    """The number of health checks that are not answered, or not within a second."""
+    missed = 0
+    with full_server() as (xr3, _):
+        for number in range(20):
+            started = time.monotonic()
+            is_good = status(xr3.monitor_port, ("/healthz", "/readyz")[number % 2]) == 200
+            missed += not is_good or time.monotonic() - started > 1.0
+    return Measured(missed)
+
+
+def full_recovery():
+    """The time from the end of the clients to the first request and inquiry that are served."""
+    with full_server() as (xr3, socks):
+        status(xr3.monitor_port, "/state")
+        for sock in socks:
+            sock.close()
+        started = time.monotonic()
+        while status(xr3.monitor_port, "/state") != 200:
+            pass
+        while not _is_served(xr3.robot_port):
+            pass
+        return Measured(time.monotonic() - started)
+
+
+def _is_served(port):
+    with contextlib.suppress(ConnectionError), connect(port) as sock:
+        sock.sendall(b"E?")
+        return sock.recv(1) == b" "
+    return False
+
+
+# --- Coming and going.
+
+
+def one_after_the_other(port_of, data, is_good):
+    """The number of connections that are refused although each begins after the end of the last one."""
+    def measure():
+        refused = 0
+        with Server("--log-level", "warn", clock="real") as xr3:
+            for _ in range(STRICTLY):
+                with contextlib.suppress(ConnectionError), connect(getattr(xr3, port_of)) as sock:
+                    sock.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, RESET)
+                    sock.sendall(data)
+                    refused += not is_good(sock.recv(64))
+                    continue
+                refused += 1
+        return Measured(refused, f"of {STRICTLY}")
+    return measure
+
+
+def silent_openings(port_of, is_served):
+    """Connections that send nothing and end: the number of those that follow and are not served."""
+    def measure():
+        refused = 0
+        with Server("--log-level", "warn", clock="real") as xr3:
+            for number in range(STRICTLY):
+                connect(getattr(xr3, port_of)).close()
+                if number % 100 == 99:
+                    refused += not is_served(xr3)
+        return Measured(refused, f"of {STRICTLY // 100}")
+    return measure
+
+
+def crowded_health(data):
+    """Health checks that are missed while a client holds as many connections as it can."""
+    def measure():
+        missed = 0
+        with contextlib.ExitStack() as stack:
+            xr3 = stack.enter_context(Server("--log-level", "warn", clock="real"))
+            for _ in range(MOST_PLACES):
+                sock = stack.enter_context(connect(xr3.monitor_port))
+                send_greedily(sock, data)
+            for number in range(20):
+                missed += status(xr3.monitor_port, ("/healthz", "/readyz")[number % 2]) != 200
+        return Measured(missed, "of 20")
+    return measure
+
+
+def other_address(port_of, is_served):
+    """Whether a client is refused while one at another address holds as many connections as it can."""
+    def measure():
+        with contextlib.ExitStack() as stack:
+            xr3 = stack.enter_context(Server("--log-level", "warn", clock="real"))
+            for _ in range(MOST_PLACES):
+                with contextlib.suppress(OSError):
+                    address = (LOCALHOST, getattr(xr3, port_of))
+                    stack.enter_context(socket.create_connection(address, DEADLINE_S, (OTHER_ADDRESS, 0)))
+            return Measured(sum(not is_served(xr3) for _ in range(20)), "of 20")
+    return measure
+
+
+def is_line_served(xr3):
+    return _is_served(xr3.robot_port)
+
+
+def is_state_served(xr3):
+    return status(xr3.monitor_port, "/state") == 200
+
+
+IMAGES = 20
+ATTACKS = [
+    stop("idle", CAMERA, page, b""),
+    stop("line-images", CAMERA, line, b"A**" * IMAGES),
+    stop("line-images", LARGEST, line, b"A**" * IMAGES),
+    stop("http-images", CAMERA, page, get("/camera.pbm") * IMAGES),
+    stop("http-png", CAMERA, page, get("/camera.png") * IMAGES),
+    stop("http-pictures", LARGEST, page, get("/view.svg")),
+    stop("http-unfinished", CAMERA, page, b"GET /"),
+    stop("json-images", CAMERA, page, json_line("get", channel="image") * IMAGES),
+    stop("json-states", LARGEST, page, json_line("get", channel="state") * IMAGES),
+    stop("json-followers", LARGEST, page, json_line("sub", channel="state", max_hz=60)),
+    stop("websocket-images", CAMERA, frames, websocket.text("get", channel="image") * IMAGES),
+    Attack("full.cpu", 5, "% of a core", full_cpu),
+    Attack("full.health-checks", 0, "missed", full_health),
+    Attack("full.recovery", 1, "s", full_recovery),
+    Attack("crowd.silent", 0, "missed", crowded_health(b"")),
+    Attack("crowd.http", 0, "missed", crowded_health(b"GET /sta")),
+    Attack("crowd.json", 0, "missed", crowded_health(b'{"op":"ping"}\n')),
+    Attack("crowd.lines-of-another", 0, "refused", other_address("robot_port", is_line_served)),
+    Attack("crowd.pages-of-another", 0, "refused", other_address("monitor_port", is_state_served)),
+    Attack("turns.lines", 0, "refused", one_after_the_other("robot_port", b"E?", lambda reply: reply == b" ")),
+    Attack("turns.json", 0, "refused", one_after_the_other("monitor_port", b'{"op":"ping"}\n',
+                                                           lambda reply: reply.startswith(b'{"op":"hello"'))),
+    Attack("turns.http", 0, "refused", one_after_the_other("monitor_port", get("/healthz"),
+                                                           lambda reply: reply.startswith(b"HTTP/1.1 200"))),
+    Attack("turns.silent-lines", 0, "refused", silent_openings("robot_port", is_line_served)),
+    Attack("turns.silent-pages", 0, "refused", silent_openings("monitor_port", is_state_served)),
+]

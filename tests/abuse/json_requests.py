@@ -1,0 +1,155 @@
+"""Loads on the monitor port by JSON lines."""
+
+import itertools
+import json
+import select
+
+from attack import beside
+from cells import HEAPED, HUNDRED, LARGEST, SHIPPED, THOUSAND, block, workcell
+from lines import MOVES
+from target import call, json_line
+
+MOST_BYTES = 256 * 1024
+STATE_FIELDS = ("clock", "joints", "tool", "blocks", "switches", "io", "moving", "stalled", "enabled", "model_rev")
+MANUAL = {"clock": "manual"}
+
+
+def flood(data, count=1, before=()):
+    return lambda target: target.flood(lambda: target.ask(*before), data, count=count)
+
+
+def largest_workcell_call():
+    """A legal call of nearly the maximum length."""
+    count = 1600
+    while len(data := call("workcell", workcell=workcell([block(number) for number in range(count)]))) > MOST_BYTES:
+        count -= 10
+    return data
+
+
+def scene_changes():
+    """Moves a block to and fro, and asks for the image each time."""
+    name = block(0)["name"]
+    return b"".join(call("block_move", name=name, yaw_deg=yaw) + json_line("get", channel="image") for yaw in (1, 2))
+
+
+def edits():
+    new = {"size_mm": [9, 9, 9], "xyz_mm": [300, 0, 5], "color": 1}
+    return call("block_add", name="x", **new) + call("block_remove", name="x")
+
+
+INVALID = {
+    "json": b'{"op":"ping"\n' * 20,
+    "deep": b'{"op":"ping","more":' + b"[" * 200_000 + b"\n",
+    "members": b'{"op":"call","id":1,"fn":"step","args":{' + b",".join(b'"%d":0' % i for i in range(20_000)) + b"}}\n",
+    "duplicates": b'{"op":"call","id":1,"fn":"workcell","args":{"workcell":{"a":0' + b',"a":0' * 40_000 + b"}}}\n",
+    "blocks": b'{"op":"call","id":1,"fn":"workcell","args":{"workcell":{"blocks":[{}' + b",{}" * 9999 + b"]}}}\n",
+    "values": b'{"op":"call","id":1,"fn":"workcell","args":{"workcell":{"blocks":[0' + b",0" * 120_000 + b"]}}}\n",
+    "text": b'{"op":"' + b"x" * 250_000 + b'"}\n',
+    "escapes": b'{"op":"' + b"\\u0001" * 40_000 + b'"}\n',
+    "name": b'{"op":"call","id":1,"fn":"block_remove","args":{"name":"' + b"x" * 250_000 + b'"}}\n',
+    "numbers": b'{"op":"ping","more":[' + b"1e-300," * 35_000 + b"0]}\n",
+    "pointers": b'{"op":"call","id":1,"fn":"workcell","args":{"workcell":{"' + b"n" * 131_000 + b'":[0'
+                + b",0" * 65_000 + b"]}}}\n",
+}
+
+
+def viewers(fields_of, channel="state", count=200):
+    """Subscribers of a moving robot; their selections differ."""
+    def load(target):
+        socks = [target.tell(json_line("sub", channel=channel, max_hz=60, fields=fields_of(number)))
+                 for number in range(count)]
+        line = target.line()
+        target.ready()
+        while True:
+            line.sendall(MOVES)
+            for sock in select.select(socks, [], [], 0.005)[0]:
+                sock.recv(1 << 20)
+    return load
+
+
+def permutation(number):
+    return list(next(itertools.islice(itertools.permutations(STATE_FIELDS), 17 * number, None)))
+
+
+def image_fields(number):
+    return list(next(itertools.islice(itertools.permutations(("width", "height", "encoding", "rows")), number % 24, None)))
+
+
+def waiting(target):
+    """200 calls that wait for bytes of a line, while each of 1,000 lines sends a byte at a time."""
+    lines = [target.line() for _ in range(1000)]
+    after = {"line": 1, "bytes_in": 10**9, "within_ms": 60_000}
+    waiters = [target.tell(call("step", ticks=0, fields=[], after=after)) for _ in range(200)]
+    while waiters:
+        for line in lines:
+            line.send(b"\r")
+            target.ready()
+
+
+def churn(target):
+    channels = ("state", "image", "display", "model", "event", "line")
+    data = b"".join(json_line(op, channel=channel) for channel in channels for op in ("sub", "unsub"))
+    target.flood(target.ask, data)
+
+
+def wrong_tokens(target):
+    target.flood(target.ask, json_line("auth", token="x" * 100), count=200)
+
+
+def many_lines(request):
+    def load(target):
+        lines = [target.line() for _ in range(1000)]
+        target.flood(target.ask, request)
+        return lines
+    return load
+
+
+def inline_snapshots(target):
+    """Loads a snapshot of as many blocks as a request can hold, again and again."""
+    cell = workcell([block(number) for number in range(600)])
+    sock = target.ask(call("workcell", workcell=cell))
+    sock.sendall(call("snapshot_save", inline=True))
+    answer = json.loads(sock.makefile("rb").readline())
+    target.flood(target.ask, call("snapshot_load", snapshot=answer["value"]["snapshot"]))
+
+
+EVENTS = json_line("get", channel="event", since=1)
+SAVED = call("snapshot_save", name="a")
+LOADED = call("snapshot_load", name="a")
+RUN = call("send", text=MOVES.decode()) + call("run_until", idle=True, max_ticks=2**53 - 1)
+STEP = call("send", text="E-100\r") + call("step", ticks=10**12)
+SHIPPED_AND_LARGEST = (SHIPPED, LARGEST)
+
+ATTACKS = [
+    *beside("json.pings", flood(json_line("ping")), SHIPPED),
+    *beside("json.events", flood(EVENTS, before=[call("home")] * 5), SHIPPED),
+    *beside("json.lines", flood(json_line("get", channel="line", since=1)), SHIPPED),
+    *beside("json.states", flood(json_line("get", channel="state")), *SHIPPED_AND_LARGEST),
+    *beside("json.selected-states", flood(b"".join(
+        json_line("get", channel="state", fields=permutation(number)) for number in range(200))), THOUSAND, LARGEST),
+    *beside("json.images", flood(json_line("get", channel="image")), *SHIPPED_AND_LARGEST),
+    *beside("json.run-lengths", flood(json_line("get", channel="image", encoding="rle")), *SHIPPED_AND_LARGEST),
+    *beside("json.models", flood(json_line("get", channel="model")), *SHIPPED_AND_LARGEST),
+    *beside("json.displays", flood(json_line("get", channel="display")), SHIPPED),
+    *beside("json.keys", flood(call("key", function="display") + json_line("get", channel="display")), SHIPPED),
+    *beside("json.describe", flood(call("describe")), SHIPPED),
+    *beside("json.many-lines", many_lines(call("lines")), SHIPPED),
+    *beside("json.sent", flood(call("send", text="A**" * 1000)), *SHIPPED_AND_LARGEST),
+    *beside("json.workcells", flood(largest_workcell_call()), SHIPPED),
+    *beside("json.edits", flood(edits()), *SHIPPED_AND_LARGEST),
+    *beside("json.scenes", flood(scene_changes()), LARGEST, HEAPED),
+    *beside("json.homes", flood(call("home") + json_line("get", channel="state")), *SHIPPED_AND_LARGEST),
+    *beside("json.resets", flood(call("reset")), *SHIPPED_AND_LARGEST),
+    *beside("json.snapshots-saved", flood(SAVED), *SHIPPED_AND_LARGEST),
+    *beside("json.snapshots-loaded", flood(LOADED, before=[SAVED]), *SHIPPED_AND_LARGEST),
+    *beside("json.snapshots-inline", inline_snapshots, SHIPPED),
+    *beside("json.steps", flood(STEP), *SHIPPED_AND_LARGEST, **MANUAL),
+    *beside("json.runs", flood(RUN), *SHIPPED_AND_LARGEST, **MANUAL),
+    *beside("json.rates", flood(call("rate", factor=100_000) + call("send", text=MOVES.decode())), SHIPPED),
+    *beside("json.churn", churn, *SHIPPED_AND_LARGEST),
+    *beside("json.viewers", viewers(permutation), SHIPPED, HUNDRED, THOUSAND, LARGEST),
+    *beside("json.image-viewers", viewers(image_fields, "image"), SHIPPED, LARGEST),
+    *beside("json.waiting", waiting, SHIPPED, **MANUAL),
+    *beside("json.wrong-tokens", wrong_tokens, SHIPPED, options=("--token", "auto")),
+    *(each for name, data in INVALID.items() for each in beside(f"json.invalid-{name}", flood(data), SHIPPED)),
+]

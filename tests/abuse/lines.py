@@ -1,0 +1,93 @@
+"""Loads on the robot port."""
+
+import itertools
+
+from attack import beside
+from cells import HEAPED, HUNDRED, LARGEST, SHIPPED
+from target import call, json_line
+
+MANY_LINES = 1000
+SMALL_BUFFER = 4096
+MOVES = b"".join(b"%c%+d\r" % (label, sign) for label in b"ABCDEF" for sign in (1, -1))
+ROWS = b"".join(b"A*%d*A*%d,7*" % (row, row) for row in range(192))
+GARBAGE = bytes(number * 7 % 256 for number in range(65536)).replace(b"A", b"z").replace(b"\xff", b"z")
+TELNET = b"".join(b"\xff\xfd%c\xff\xfb%c" % (option, option) for option in range(1, 200))
+NEGOTIATION = b"\xff\xfa\x18" + b"x" * 600 + b"\xff\xf0"
+
+
+def flood(data, reads=True):
+    if reads:
+        return lambda target: target.flood(target.line, data)
+    return lambda target: target.flood(lambda: target.line(buffer_bytes=SMALL_BUFFER), data, reads=False)
+
+
+def trickle(data):
+    """A thousand lines, each of which sends a byte at a time, again and again, and reads the replies."""
+    def load(target):
+        socks = [target.line() for _ in range(MANY_LINES)]
+        for turn in itertools.count():
+            if turn == 1:
+                target.ready()
+            for sock in socks:
+                sock.send(data[turn % len(data):][:1])
+                if turn % 100 == 99:
+                    sock.setblocking(False)
+                    try:
+                        sock.recv(4096)
+                    except BlockingIOError:
+                        pass
+                    sock.setblocking(True)
+    return load
+
+
+def storm(data, **more):
+    return lambda target: target.storm(target.robot_port, data, **more)
+
+
+def watched(data, *requests):
+    """A flood on a line while a monitor session of the same client has made these requests, and reads."""
+    def load(target):
+        session = target.ask(*requests)
+        target.flood(lambda: _pair(target, session), data)
+    return load
+
+
+def _pair(target, session):
+    """A line. The session stays open, and the kernel drops what it does not read."""
+    session.setblocking(False)
+    return target.line()
+
+
+PATH = call("key", function="path")
+DISPLAY = json_line("sub", channel="display", max_hz=60)
+STATE = json_line("sub", channel="state", max_hz=60)
+IMAGE = json_line("sub", channel="image", max_hz=60)
+EVENT = json_line("sub", channel="event")
+
+ATTACKS = [
+    *beside("nothing", lambda target: target.hold([]), SHIPPED, LARGEST),  # for comparison
+    *beside("lines.images", flood(b"A**\n"), SHIPPED, HUNDRED, LARGEST, HEAPED),
+    *beside("lines.images-unread", flood(b"A**", reads=False), SHIPPED, LARGEST),
+    *beside("lines.pixels-unread", flood(b"A*0,0*", reads=False), SHIPPED, LARGEST),
+    *beside("lines.rows", flood(ROWS), SHIPPED, LARGEST, HEAPED),
+    *beside("lines.moves", flood(MOVES + b"A**"), SHIPPED, LARGEST),
+    *beside("lines.inquiries", flood(b"E?" + b"?" * 100), SHIPPED),
+    *beside("lines.homes", flood(b"A$A**"), SHIPPED, LARGEST),
+    *beside("lines.path", watched(b"A|" + MOVES, DISPLAY), SHIPPED, clock="real:1000"),
+    *beside("lines.long-path", watched(MOVES, PATH, DISPLAY), SHIPPED, clock="real:100000"),
+    *beside("lines.watched", watched(MOVES + b"A$", STATE, IMAGE, DISPLAY, EVENT), SHIPPED, LARGEST),
+    *beside("lines.moves-fast", flood(b"A255SB255SC255SD255SE255SF255S" + MOVES), SHIPPED, clock="real:100000"),
+    *beside("lines.garbage", flood(GARBAGE, reads=False), SHIPPED),
+    *beside("lines.warnings-fast", flood(b"zE+500\r"), SHIPPED, clock="real:100000"),
+    *beside("lines.telnet", flood(TELNET), SHIPPED),
+    *beside("lines.telnet-unread", flood(TELNET, reads=False), SHIPPED),
+    *beside("lines.negotiation", flood(NEGOTIATION), SHIPPED),
+    *beside("lines.trickle", trickle(b"\r"), SHIPPED),
+    *beside("lines.trickle-inquiries", trickle(b"E?"), SHIPPED),
+    *beside("lines.trickle-images", trickle(b"A**"), SHIPPED, LARGEST),
+    *beside("lines.storm", storm(b"E?"), SHIPPED),
+    *beside("lines.storm-held", storm(b"GET"), SHIPPED),
+    *beside("lines.storm-strangers", storm(b"GET / HTTP/1.1\r\n"), SHIPPED),
+    *beside("lines.bursts", lambda target: target.bursts(target.robot_port, b"E?"), SHIPPED),
+    *beside("lines.many-images", lambda target: target.flood(target.line, b"A**", count=100), SHIPPED, LARGEST),
+]

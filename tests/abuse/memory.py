@@ -1,0 +1,167 @@
+"""The memory that clients make the server take: a connection at most 1 MiB beyond the bytes that it has sent, a
+thousand of the greediest at most the cap, and calls that change the workcell nothing that stays."""
+
+import contextlib
+import itertools
+import select
+
+import websocket
+from attack import MIB, Attack, Measured, cpu_s
+from cells import CAMERA, HUNDRED, LARGEST, SHIPPED, Cell, block, workcell
+from json_requests import INVALID, largest_workcell_call, permutation
+from lines import MOVES
+from support import Server
+from target import Target, call, get, json_line
+
+GREEDY = 64
+MOST_CONNECTIONS = 1024
+CAP_MIB = 512
+USUAL_MIB = 32  # a server that serves nobody
+SMALL_BUFFER = 4096
+REPEATED = 20
+QUIET_S = 0.1
+ALL_CHANNELS = ("state", "image", "display", "model", "event", "line")
+
+
+def peak_mib(xr3):
+    return xr3.status("VmHWM") / 1024
+
+
+def settle(xr3):
+    """Waits until the server works no more."""
+    before = -1.0
+    while (now := cpu_s(xr3.pid)) != before:
+        before = now
+        select.select([], [], [], QUIET_S)
+
+
+def send_greedily(sock, data):
+    """Sends as much as the server reads."""
+    sock.setblocking(False)
+    with contextlib.suppress(BlockingIOError, ConnectionError):
+        while data:
+            data = data[sock.send(data):]
+    return sock
+
+
+@contextlib.contextmanager
+def serving(cell, **more):
+    with Cell(cell) as options, Server("--log-level", "warn", *options, **more) as xr3:
+        yield xr3, Target(xr3.robot_port, xr3.monitor_port)
+
+
+def greedy(name, cell, opener, data, clock="manual"):
+    """The peak of memory for each of many connections that read nothing, less what they have sent."""
+    def measure():
+        with serving(cell, clock=clock) as (xr3, target), contextlib.ExitStack() as stack:
+            send = lambda number: send_greedily(stack.enter_context(opener(target, number)), data)
+            send(0)  # what all share is made for the first one
+            settle(xr3)
+            before = peak_mib(xr3)
+            for number in range(1, GREEDY + 1):
+                send(number)
+            settle(xr3)
+            grown = peak_mib(xr3) - before
+            return Measured(grown / GREEDY, f"{before:.0f} MiB before")
+    return Attack(f"memory.{name}/{cell}", 1, "MiB each", measure)
+
+
+def page(target, _):
+    return target.page(buffer_bytes=SMALL_BUFFER)
+
+
+def line(target, _):
+    return target.line(buffer_bytes=SMALL_BUFFER)
+
+
+def socket(target, _):
+    return websocket.opened(target, buffer_bytes=SMALL_BUFFER)
+
+
+def follower(target, number):
+    """A viewer that reads nothing, of a robot that moves; each has another selection of the state's members."""
+    sock = page(target, number)
+    fields = {"state": permutation(number)}
+    sock.sendall(b"".join(json_line("sub", channel=channel, max_hz=60, **({"fields": fields[channel]} if channel in fields else {}))
+                          for channel in ALL_CHANNELS))
+    target.line().sendall(MOVES)
+    return sock
+
+
+def thousand(name, cell, *openers):
+    """The peak of memory with the greatest number of greedy connections on both ports."""
+    def measure():
+        with serving(cell, clock="real") as (xr3, target), contextlib.ExitStack() as stack:
+            for number, (opener, data) in itertools.product(range(MOST_CONNECTIONS - 1), openers):
+                with contextlib.suppress(OSError):
+                    send_greedily(stack.enter_context(opener(target, number)), data)
+            settle(xr3)
+            return Measured(peak_mib(xr3))
+    return Attack(f"memory.{name}/{cell}", CAP_MIB + USUAL_MIB, "MiB", measure)
+
+
+def calls(name, bound, cell, request, count, before=b""):
+    """The growth of memory by calls whose answers are read."""
+    def measure():
+        with serving(cell) as (xr3, target):
+            with target.ask(*before) as sock, sock.makefile("rb") as answers:
+                for turn in range(10 + count):
+                    if turn == 10:
+                        start = peak_mib(xr3)
+                    sock.sendall(request(turn) if callable(request) else request)
+                    answers.readline()
+            return Measured(peak_mib(xr3) - start, f"{count} calls")
+    return Attack(f"memory.{name}/{cell}", bound, "MiB", measure)
+
+
+def request_cost(name, data):
+    """The peak of memory for one request, over the eight times its bytes that docs/monitor.md promises."""
+    def measure():
+        with serving(SHIPPED) as (xr3, target), target.ask(call("describe")) as sock:
+            before = peak_mib(xr3)
+            sock.sendall(data)
+            sock.makefile("rb").readline()
+            return Measured(peak_mib(xr3) - before - 8 * len(data) / MIB, f"{len(data)} bytes")
+    return Attack(f"memory.request-{name}", 1, "MiB", measure)
+
+
+def images(request):
+    return request * REPEATED
+
+
+GET_IMAGE = json_line("get", channel="image")
+UNFINISHED_HEAD = get("/state", "X: " + "x" * 7000, "Y: " + "y" * 7000)[:-2]
+UNFINISHED_TEXT = websocket.frame(websocket.TEXT, b"{" + b"x" * 250_000, False)
+WORKCELL_OF_HUNDRED = call("workcell", workcell=workcell([block(number) for number in range(100)]))
+
+ATTACKS = [
+    greedy("camera.pbm", CAMERA, page, images(get("/camera.pbm"))),
+    greedy("camera.png", CAMERA, page, images(get("/camera.png"))),
+    greedy("view.svg", LARGEST, page, images(get("/view.svg"))),
+    greedy("state", LARGEST, page, images(get("/state"))),
+    greedy("workcell", LARGEST, page, images(get("/workcell"))),
+    greedy("lines", CAMERA, line, b"A**" * REPEATED),
+    greedy("json-images", CAMERA, page, images(GET_IMAGE)),
+    greedy("json-states", LARGEST, page, images(json_line("get", channel="state"))),
+    greedy("json-models", LARGEST, page, images(json_line("get", channel="model"))),
+    greedy("json-workcells", LARGEST, page, images(call("snapshot_save", inline=True))),
+    greedy("json-events", SHIPPED, page, json_line("get", channel="event", since=1) * 300),
+    greedy("json-sends", CAMERA, page, call("send", text="A**" * 1000) * REPEATED),
+    greedy("json-unfinished", SHIPPED, page, b'{"op":"ping","more":"' + b"x" * 250_000),
+    greedy("json-errors", SHIPPED, page, b"{}\n" * 2000),
+    greedy("websocket-images", CAMERA, socket, images(websocket.text("get", channel="image"))),
+    greedy("websocket-unfinished", SHIPPED, socket, UNFINISHED_TEXT),
+    greedy("websocket-pings", SHIPPED, socket, websocket.frame(websocket.PING, b"x" * 125) * 1000),
+    greedy("http-unfinished", SHIPPED, page, UNFINISHED_HEAD),
+    greedy("telnet", SHIPPED, line, b"\xff\xfd\x01" * 20_000),
+    greedy("followers", SHIPPED, follower, b"", clock="real"),
+    greedy("followers", LARGEST, follower, b"", clock="real"),
+    thousand("thousand-images", CAMERA, (line, b"A**" * REPEATED), (page, images(get("/camera.pbm")))),
+    thousand("thousand-json", CAMERA, (line, b"A*0*" * REPEATED), (page, images(GET_IMAGE))),
+    thousand("thousand-followers", LARGEST, (follower, b"")),
+    calls("workcells", 4, HUNDRED, WORKCELL_OF_HUNDRED, 4000),
+    calls("large-workcells", 8, SHIPPED, largest_workcell_call(), 500),
+    calls("snapshots", 16, LARGEST, lambda turn: call("snapshot_save", name=str(turn % 16)), 100),
+    *(request_cost(name, data) for name, data in INVALID.items()),
+    request_cost("workcell", largest_workcell_call()),
+]

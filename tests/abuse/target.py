@@ -1,0 +1,150 @@
+"""What a load sees of the server under attack, and what floods are made of. A load is a function of a Target. It runs
+in a process of its own until it is killed. It calls ready() when the attack is in force."""
+
+import contextlib
+import json
+import os
+import select
+import selectors
+import socket
+import struct
+
+LOCALHOST = "127.0.0.1"
+PATIENCE_S = 30.0
+BLOCK_BYTES = 64 * 1024
+MOST_AT_ONCE = 1 << 20
+MOST_OPENED = 3000
+BURST = 1000
+MOST_BURSTS = 20
+RESET = struct.pack("ii", 1, 0)  # of SO_LINGER
+
+
+def connect(port, buffer_bytes=None):
+    """A connected socket, perhaps with a small receive buffer, for a client that does not read."""
+    sock = socket.socket()
+    if buffer_bytes is not None:
+        sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, buffer_bytes)
+    sock.settimeout(PATIENCE_S)
+    sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+    sock.connect((LOCALHOST, port))
+    return sock
+
+
+def json_line(op, **members):
+    return json.dumps({"op": op, **members}, separators=(",", ":")).encode() + b"\n"
+
+
+def call(fn, **arguments):
+    return json_line("call", id=1, fn=fn, args=arguments)
+
+
+PING = json_line("ping")
+
+
+def get(path, *fields):
+    """An HTTP request."""
+    head = [f"GET {path} HTTP/1.1", "Host: localhost", *fields]
+    return ("\r\n".join(head) + "\r\n\r\n").encode()
+
+
+class Target:
+    """The ports of a server, and how to flood them."""
+
+    def __init__(self, robot_port, monitor_port):
+        self.robot_port, self.monitor_port = robot_port, monitor_port
+        self._is_ready = False
+
+    def ready(self):
+        """The attack is in force. (The other process reads one line.)"""
+        if not self._is_ready:
+            os.write(1, b"ready\n")
+        self._is_ready = True
+
+    def line(self, **options):
+        return connect(self.robot_port, **options)
+
+    def page(self, **options):
+        """A connection to the monitor port that has sent nothing."""
+        return connect(self.monitor_port, **options)
+
+    def ask(self, *requests):
+        """A JSON connection that has sent requests and received their answers. (`hello` comes when a client sends.)"""
+        sock = self.page()
+        sock.sendall(b"".join(requests) or PING)
+        with sock.makefile("rb") as file:
+            for _ in range(1 + max(1, len(requests))):
+                answer = file.readline()
+                if b'"ok":false' in answer:
+                    raise ValueError(answer)
+        return sock
+
+    def tell(self, *requests):
+        """A JSON connection that has sent requests."""
+        sock = self.page()
+        sock.sendall(b"".join(requests))
+        return sock
+
+    def flood(self, opener, data, count=1, reads=True):
+        """Repeats the data on connections as fast as the server takes it. Opens a connection again when the server
+        closes it."""
+        block = data * max(1, BLOCK_BYTES // len(data))
+        choice = selectors.DefaultSelector()
+        events = selectors.EVENT_WRITE | (selectors.EVENT_READ if reads else 0)
+        for _ in range(count):
+            _register(choice, opener, block, events)
+        while True:
+            for key, ready in choice.select():
+                try:
+                    _move(choice, key, ready, block, events)
+                    self.ready()
+                except OSError:
+                    choice.unregister(key.fileobj)
+                    key.fileobj.close()
+                    _register(choice, opener, block, events)
+
+    def storm(self, port, data, most=MOST_OPENED):
+        """Connections that send something and end at once, one after the other, with a reset, so that their ports are
+        free again."""
+        for number in range(most):
+            with connect(port) as sock:
+                sock.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, RESET)
+                sock.sendall(data)
+            if number == 20:
+                self.ready()
+        self.hold([])
+
+    def bursts(self, port, data=b""):
+        """Many connections at once, which send something and end at once, again and again."""
+        for _ in range(MOST_BURSTS):
+            with contextlib.ExitStack() as stack:
+                socks = [stack.enter_context(socket.socket()) for _ in range(BURST)]
+                for sock in socks:
+                    sock.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, RESET)
+                    sock.setblocking(False)
+                    sock.connect_ex((LOCALHOST, port))
+                for sock in socks:
+                    with contextlib.suppress(OSError):
+                        sock.send(data)
+                select.select([], socks[-1:], [], PATIENCE_S)
+            self.ready()
+        self.hold([])
+
+    def hold(self, socks):
+        """Keeps connections open and reads nothing."""
+        self.ready()
+        select.select([], [], [])
+        return socks
+
+
+def _register(choice, opener, block, events):
+    sock = opener()
+    sock.setblocking(False)
+    choice.register(sock, events, memoryview(block))
+
+
+def _move(choice, key, ready, block, events):
+    if ready & selectors.EVENT_READ and not key.fileobj.recv(MOST_AT_ONCE):
+        raise ConnectionResetError
+    if ready & selectors.EVENT_WRITE:
+        rest = key.data[key.fileobj.send(key.data):]
+        choice.modify(key.fileobj, events, rest or memoryview(block))

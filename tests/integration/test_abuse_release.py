@@ -1,0 +1,75 @@
+"""A short form of `./test --abuse`: one round of some attacks. What is counted keeps its bound; what is timed may take
+ten times as long, because other programs disturb it. Also the verdicts of that command."""
+# labels: release serial
+
+import contextlib
+import io
+import os
+import sys
+import unittest
+
+from support import ROOT
+
+sys.path.insert(0, os.path.join(ROOT, "tests", "abuse"))
+
+import abuse  # noqa: E402 (needs the folder above)
+import catalogue  # noqa: E402
+from attack import Attack, Measured  # noqa: E402
+
+TIMED = ("lines.images/shipped", "lines.trickle/shipped", "lines.storm/shipped", "http.state/shipped",
+         "http.slowloris/shipped", "json.churn/shipped", "json.wrong-tokens/shipped", "websocket.fragments/shipped")
+COUNTED = ("memory.lines/camera", "memory.json-images/camera", "memory.websocket-unfinished/shipped",
+           "memory.followers/shipped", "full.cpu", "full.health-checks", "crowd.silent", "log.warnings-fast", "log.strangers")
+WIDER = 10
+
+
+class Short(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        abuse.prepare()
+
+    def test_timed_attacks(self):
+        for name in TIMED:
+            with self.subTest(name):
+                attack = catalogue.find(name)
+                measured = attack.measure()
+                self.assertLessEqual(measured.least, WIDER * attack.bound, measured.note)
+
+    def test_counted_attacks(self):
+        for name in COUNTED:
+            with self.subTest(name):
+                attack = catalogue.find(name)
+                measured = attack.measure()
+                self.assertLessEqual(measured.value, attack.bound, measured.note)
+
+
+class Verdicts(unittest.TestCase):
+    def verdict(self, *values, bound=10):
+        """Whether the report of an attack with these values, one a round, says that the bound is kept."""
+        rounds = iter(values)
+
+        def measure():
+            value = next(rounds)
+            if value is None:
+                raise AssertionError("the server is gone\nand its log")
+            return Measured(value, "note")
+
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            is_kept = abuse.report(Attack("name", bound, "ms", measure), len(values))
+        self.assertIn(" ok " if is_kept else " FAILED ", printed.getvalue())
+        return is_kept
+
+    def test_the_worst_round_counts(self):
+        self.assertTrue(self.verdict(1, 10, 2))
+        self.assertFalse(self.verdict(1, 10.5, 2))
+
+    def test_a_round_that_fails_breaks_the_bound(self):
+        self.assertFalse(self.verdict(1, None))
+
+    def test_names_are_unique(self):
+        names = [attack.name for attack in catalogue.ATTACKS]
+        self.assertEqual(sorted(set(names)), sorted(names))
+
+
+if __name__ == "__main__":
+    unittest.main()
