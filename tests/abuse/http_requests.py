@@ -5,7 +5,7 @@ import re
 
 from attack import beside
 from cells import HEAPED, HUNDRED, LARGEST, SHIPPED
-from target import get
+from target import call, get, read_answer
 
 MANY = 1000
 SMALL_BUFFER = 4096
@@ -51,6 +51,21 @@ def storm(data, **more):
     return lambda target: target.storm(target.monitor_port, data, **more)
 
 
+def changing(path):
+    """Moves a block before each request, so that nothing that was made for the last one is of use."""
+    def load(target):
+        name = target.a_block()
+        moves = (call("block_move", name=name, yaw_deg=yaw) for yaw in itertools.cycle(range(90)))
+        mover, page = target.ask(), target.page()
+        for move in moves:
+            for sock, data in (mover, move), (page, get(path)):
+                sock.sendall(data)
+                read_answer(sock)
+            target.ready()
+    return load
+
+
+VECTORS = b"".join(get(f"/view.svg?vector={x},{y},{z}") for x in range(1, 10) for y in range(-9, 9) for z in range(9))
 ALL = (SHIPPED, LARGEST)
 ATTACKS = [
     *beside("http.state", flood(get("/state")), *ALL),
@@ -58,6 +73,12 @@ ATTACKS = [
     *beside("http.camera.pbm", flood(get("/camera.pbm")), *ALL),
     *beside("http.camera.pbm-unread", unread(get("/camera.pbm"), 100), LARGEST),
     *beside("http.view.svg", flood(get("/view.svg?vector=1,1,1")), SHIPPED, HUNDRED, LARGEST, HEAPED),
+    *beside("http.vectors", flood(VECTORS), *ALL),
+    *beside("http.view.svg-changing", changing("/view.svg"), *ALL),
+    *beside("http.workcell-changing", changing("/workcell"), *ALL),
+    *beside("http.state-changing", changing("/state"), *ALL),
+    *beside("http.camera.pbm-changing", changing("/camera.pbm"), *ALL),
+    *beside("http.camera.png-changing", changing("/camera.png"), *ALL),
     *beside("http.metrics", flood(get("/metrics")), SHIPPED),
     *beside("http.robot", flood(get("/robot")), SHIPPED),
     *beside("http.workcell", flood(get("/workcell")), *ALL),

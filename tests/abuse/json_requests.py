@@ -7,7 +7,7 @@ import select
 from attack import beside
 from cells import HEAPED, HUNDRED, LARGEST, SHIPPED, THOUSAND, block, workcell
 from lines import MOVES
-from target import call, json_line
+from target import call, get, json_line
 
 MOST_BYTES = 256 * 1024
 STATE_FIELDS = ("clock", "joints", "tool", "blocks", "switches", "io", "moving", "stalled", "enabled", "model_rev")
@@ -26,10 +26,21 @@ def largest_workcell_call():
     return data
 
 
-def scene_changes():
+def scenes(target):
     """Moves a block to and fro, and asks for the image each time."""
-    name = block(0)["name"]
-    return b"".join(call("block_move", name=name, yaw_deg=yaw) + json_line("get", channel="image") for yaw in (1, 2))
+    name = target.a_block()
+    target.flood(target.ask, b"".join(call("block_move", name=name, yaw_deg=yaw) + json_line("get", channel="image")
+                                      for yaw in (1, 2)))
+
+
+def mixture(target):
+    """One client with all that costs much, on many connections of both ports."""
+    clients = [
+        (target.line, b"A**"), (target.line, MOVES),
+        (target.page, get("/view.svg")), (target.page, get("/workcell")), (target.page, get("/camera.png")),
+        (target.ask, json_line("get", channel="state")), (target.ask, json_line("get", channel="event", since=1)),
+        (target.ask, edits()), (target.ask, INVALID["numbers"])]
+    target.flood_each(10 * clients)
 
 
 def edits():
@@ -72,7 +83,8 @@ def permutation(number):
 
 
 def image_fields(number):
-    return list(next(itertools.islice(itertools.permutations(("width", "height", "encoding", "rows")), number % 24, None)))
+    orders = itertools.permutations(("width", "height", "encoding", "rows"))
+    return list(next(itertools.islice(orders, number % 24, None)))
 
 
 def waiting(target):
@@ -137,7 +149,7 @@ ATTACKS = [
     *beside("json.sent", flood(call("send", text="A**" * 1000)), *SHIPPED_AND_LARGEST),
     *beside("json.workcells", flood(largest_workcell_call()), SHIPPED),
     *beside("json.edits", flood(edits()), *SHIPPED_AND_LARGEST),
-    *beside("json.scenes", flood(scene_changes()), LARGEST, HEAPED),
+    *beside("json.scenes", scenes, SHIPPED, LARGEST, HEAPED),
     *beside("json.homes", flood(call("home") + json_line("get", channel="state")), *SHIPPED_AND_LARGEST),
     *beside("json.resets", flood(call("reset")), *SHIPPED_AND_LARGEST),
     *beside("json.snapshots-saved", flood(SAVED), *SHIPPED_AND_LARGEST),
@@ -151,5 +163,6 @@ ATTACKS = [
     *beside("json.image-viewers", viewers(image_fields, "image"), SHIPPED, LARGEST),
     *beside("json.waiting", waiting, SHIPPED, **MANUAL),
     *beside("json.wrong-tokens", wrong_tokens, SHIPPED, options=("--token", "auto")),
+    *beside("json.mixture", mixture, *SHIPPED_AND_LARGEST),
     *(each for name, data in INVALID.items() for each in beside(f"json.invalid-{name}", flood(data), SHIPPED)),
 ]

@@ -20,7 +20,7 @@ USUAL_MIB = 32  # a server that serves nobody
 SMALL_BUFFER = 4096
 REPEATED = 20
 QUIET_S = 0.1
-ALL_CHANNELS = ("state", "image", "display", "model", "event", "line")
+OTHER_CHANNELS = ("image", "display", "model", "event", "line")
 
 
 def peak_mib(xr3):
@@ -81,9 +81,8 @@ def socket(target, _):
 def follower(target, number):
     """A viewer that reads nothing, of a robot that moves; each has another selection of the state's members."""
     sock = page(target, number)
-    fields = {"state": permutation(number)}
-    sock.sendall(b"".join(json_line("sub", channel=channel, max_hz=60, **({"fields": fields[channel]} if channel in fields else {}))
-                          for channel in ALL_CHANNELS))
+    others = [json_line("sub", channel=channel, max_hz=60) for channel in OTHER_CHANNELS]
+    sock.sendall(b"".join([json_line("sub", channel="state", max_hz=60, fields=permutation(number)), *others]))
     target.line().sendall(MOVES)
     return sock
 

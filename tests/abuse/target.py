@@ -87,20 +87,30 @@ class Target:
     def flood(self, opener, data, count=1, reads=True):
         """Repeats the data on connections as fast as the server takes it. Opens a connection again when the server
         closes it."""
-        block = data * max(1, BLOCK_BYTES // len(data))
+        self.flood_each([(opener, data)] * count, reads)
+
+    def flood_each(self, clients, reads=True):
+        """The same for clients that differ: pairs of a function that opens a connection, and of the data."""
         choice = selectors.DefaultSelector()
         events = selectors.EVENT_WRITE | (selectors.EVENT_READ if reads else 0)
-        for _ in range(count):
-            _register(choice, opener, block, events)
+        blocks = {data: data * max(1, BLOCK_BYTES // len(data)) for _, data in clients}
+        for opener, data in clients:
+            _register(choice, events, Flood(opener, blocks[data]))
         while True:
             for key, ready in choice.select():
                 try:
-                    _move(choice, key, ready, block, events)
+                    _move(key, ready)
                     self.ready()
                 except OSError:
                     choice.unregister(key.fileobj)
                     key.fileobj.close()
-                    _register(choice, opener, block, events)
+                    _register(choice, events, key.data)
+
+    def a_block(self):
+        """The name of a block of the workcell."""
+        with self.tell(json_line("get", channel="state", fields=["blocks"])) as sock, sock.makefile("rb") as file:
+            file.readline()  # hello
+            return json.loads(file.readline())["blocks"][0]["name"]
 
     def storm(self, port, data, most=MOST_OPENED):
         """Connections that send something and end at once, one after the other, with a reset, so that their ports are
@@ -136,15 +146,33 @@ class Target:
         return socks
 
 
-def _register(choice, opener, block, events):
-    sock = opener()
+def read_answer(sock):
+    """Reads an answer of unknown length: until the server sends no more for some milliseconds."""
+    sock.recv(MOST_AT_ONCE)
+    while select.select([sock], [], [], 0.005)[0] and sock.recv(MOST_AT_ONCE):
+        pass
+
+
+class Flood:
+    """The data that a connection repeats, and what is left of this turn."""
+
+    def __init__(self, opener, block):
+        self.opener, self.block = opener, memoryview(block)
+        self.rest = self.block
+
+    def send(self, sock):
+        self.rest = self.rest[sock.send(self.rest):] or self.block
+
+
+def _register(choice, events, flood):
+    flood.rest = flood.block
+    sock = flood.opener()
     sock.setblocking(False)
-    choice.register(sock, events, memoryview(block))
+    choice.register(sock, events, flood)
 
 
-def _move(choice, key, ready, block, events):
+def _move(key, ready):
     if ready & selectors.EVENT_READ and not key.fileobj.recv(MOST_AT_ONCE):
         raise ConnectionResetError
     if ready & selectors.EVENT_WRITE:
-        rest = key.data[key.fileobj.send(key.data):]
-        choice.modify(key.fileobj, events, rest or memoryview(block))
+        key.data.send(key.fileobj)

@@ -25,8 +25,9 @@ def processor_clock(pid):
     """A function that returns the processor time of a process's main thread, in nanoseconds: see perf_event_open(2)
     (a counter of software, the task clock). Where that is not allowed, the clock of the whole process, which the kernel
     advances every 4 ms."""
-    attributes = struct.pack("IIQ", PERF_TYPE_SOFTWARE, PERF_ATTR_SIZE, PERF_COUNT_SW_TASK_CLOCK) + bytes(PERF_ATTR_SIZE - 16)
-    descriptor = ctypes.CDLL(None).syscall(PERF_EVENT_OPEN[os.uname().machine], attributes, pid, -1, -1, 0)
+    attributes = struct.pack("IIQ", PERF_TYPE_SOFTWARE, PERF_ATTR_SIZE, PERF_COUNT_SW_TASK_CLOCK)
+    number = PERF_EVENT_OPEN.get(os.uname().machine, -1)
+    descriptor = ctypes.CDLL(None).syscall(number, attributes.ljust(PERF_ATTR_SIZE, b"\0"), pid, -1, -1, 0)
     if descriptor >= 0:
         return lambda: int.from_bytes(os.read(descriptor, 8), sys.byteorder)
     clock = (~pid << 3) | 2  # as clock_getcpuclockid(3)

@@ -19,7 +19,8 @@ from attack import Attack, Measured  # noqa: E402
 TIMED = ("lines.images/shipped", "lines.trickle/shipped", "lines.storm/shipped", "http.state/shipped",
          "http.slowloris/shipped", "json.churn/shipped", "json.wrong-tokens/shipped", "websocket.fragments/shipped")
 COUNTED = ("memory.lines/camera", "memory.json-images/camera", "memory.websocket-unfinished/shipped",
-           "memory.followers/shipped", "full.cpu", "full.health-checks", "crowd.silent", "log.warnings-fast", "log.strangers")
+           "memory.followers/shipped", "full.cpu", "full.health-checks", "crowd.silent", "log.warnings-fast",
+           "log.strangers")
 WIDER = 10
 
 
