@@ -1,12 +1,14 @@
 """Loads on the monitor port by JSON lines."""
 
+import contextlib
+import functools
 import itertools
 import json
 import select
 
 from attack import beside
 from cells import HEAPED, HUNDRED, LARGEST, SHIPPED, THOUSAND, block, workcell
-from lines import MOVES
+from lines import MANY_LINES, MOVES
 from target import call, get, json_line
 
 MOST_BYTES = 256 * 1024
@@ -18,10 +20,12 @@ def flood(data, count=1, before=()):
     return lambda target: target.flood(lambda: target.ask(*before), data, count=count)
 
 
+@functools.cache
 def largest_workcell_call():
     """A legal call of nearly the maximum length."""
-    count = 1600
-    while len(data := call("workcell", workcell=workcell([block(number) for number in range(count)]))) > MOST_BYTES:
+    calls = lambda count: call("workcell", workcell=workcell([block(number) for number in range(count)]))
+    count = MOST_BYTES // (len(calls(101)) - len(calls(100)))
+    while len(data := calls(count)) > MOST_BYTES:
         count -= 10
     return data
 
@@ -89,10 +93,10 @@ def image_fields(number):
 
 def waiting(target):
     """200 calls that wait for bytes of a line, while each of 1,000 lines sends a byte at a time."""
-    lines = [target.line() for _ in range(1000)]
+    lines = [target.line() for _ in range(MANY_LINES)]
     after = {"line": 1, "bytes_in": 10**9, "within_ms": 60_000}
     waiters = [target.tell(call("step", ticks=0, fields=[], after=after)) for _ in range(200)]
-    while waiters:
+    while waiters:  # always
         for line in lines:
             line.send(b"\r")
             target.ready()
@@ -110,9 +114,10 @@ def wrong_tokens(target):
 
 def many_lines(request):
     def load(target):
-        lines = [target.line() for _ in range(1000)]
-        target.flood(target.ask, request)
-        return lines
+        with contextlib.ExitStack() as lines:
+            for _ in range(MANY_LINES):
+                lines.enter_context(target.line())
+            target.flood(target.ask, request)
     return load
 
 

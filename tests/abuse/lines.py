@@ -4,7 +4,7 @@ import itertools
 
 from attack import beside
 from cells import HEAPED, HUNDRED, LARGEST, SHIPPED
-from target import call, json_line
+from target import PING, call, json_line
 
 MANY_LINES = 1000
 SMALL_BUFFER = 4096
@@ -48,14 +48,9 @@ def watched(data, *requests):
     """A flood on a line while a monitor session of the same client has made these requests, and reads."""
     def load(target):
         session = target.ask(*requests)
-        target.flood(lambda: _pair(target, session), data)
+        clients = [(target.line, data), (lambda: session, PING)]
+        target.flood_each(clients)
     return load
-
-
-def _pair(target, session):
-    """A line. The session stays open, and the kernel drops what it does not read."""
-    session.setblocking(False)
-    return target.line()
 
 
 PATH = call("key", function="path")
@@ -65,7 +60,7 @@ IMAGE = json_line("sub", channel="image", max_hz=60)
 EVENT = json_line("sub", channel="event")
 
 ATTACKS = [
-    *beside("nothing", lambda target: target.hold([]), SHIPPED, LARGEST),  # for comparison
+    *beside("nothing", lambda target: target.hold(), SHIPPED, LARGEST),  # for comparison
     *beside("lines.images", flood(b"A**\n"), SHIPPED, HUNDRED, LARGEST, HEAPED),
     *beside("lines.images-unread", flood(b"A**", reads=False), SHIPPED, LARGEST),
     *beside("lines.pixels-unread", flood(b"A*0,0*", reads=False), SHIPPED, LARGEST),

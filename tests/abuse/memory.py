@@ -1,5 +1,5 @@
-"""The memory that clients make the server take: a connection at most 1 MiB beyond the bytes that it has sent, a
-thousand of the greediest at most the cap, and calls that change the workcell nothing that stays."""
+"""The memory that clients make the server take: a connection at most 1 MiB, a thousand of the greediest at most the
+cap, a request at most 1 MiB beyond eight times its bytes, and calls that change the workcell nothing that stays."""
 
 import contextlib
 import itertools
@@ -51,7 +51,7 @@ def serving(cell, **more):
 
 
 def greedy(name, cell, opener, data, clock="manual"):
-    """The peak of memory for each of many connections that read nothing, less what they have sent."""
+    """The peak of memory for each of many connections that read nothing."""
     def measure():
         with serving(cell, clock=clock) as (xr3, target), contextlib.ExitStack() as stack:
             send = lambda number: send_greedily(stack.enter_context(opener(target, number)), data)

@@ -121,7 +121,7 @@ class Target:
                 sock.sendall(data)
             if number == 20:
                 self.ready()
-        self.hold([])
+        self.hold()
 
     def bursts(self, port, data=b""):
         """Many connections at once, which send something and end at once, again and again."""
@@ -137,13 +137,12 @@ class Target:
                         sock.send(data)
                 select.select([], socks[-1:], [], PATIENCE_S)
             self.ready()
-        self.hold([])
+        self.hold()
 
-    def hold(self, socks):
-        """Keeps connections open and reads nothing."""
+    def hold(self):
+        """Waits for ever, and does nothing."""
         self.ready()
         select.select([], [], [])
-        return socks
 
 
 def read_answer(sock):
