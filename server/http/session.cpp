@@ -42,12 +42,14 @@ asio::awaitable<void> HttpSession::run(std::string first_bytes) {
 /// Reads the next head. `bytes_` is empty afterwards if the client sent no further request.
 asio::awaitable<http::HeadReading> HttpSession::next_head() {
   http::HeadReading head = http::read_head(bytes_);
-  socket_.stop_reading_after(bytes_.empty() ? kKeptAlive : kMaxHeadTime);
+  bool has_begun = !bytes_.empty();
+  socket_.stop_reading_after(has_begun ? kMaxHeadTime : kKeptAlive);
   while (head.fault == http::HeadFault::kIncomplete) {
     const std::string_view more = co_await socket_.read();
     if (more.empty()) break;
-    if (bytes_.empty()) socket_.stop_reading_after(kMaxHeadTime);
+    if (!std::exchange(has_begun, true)) socket_.stop_reading_after(kMaxHeadTime);
     bytes_.append(more);
+    skip_line_ends(bytes_);
     if (is_worth_a_look(more, bytes_.size())) head = http::read_head(bytes_);
   }
   socket_.call_off();

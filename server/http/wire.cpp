@@ -88,12 +88,26 @@ HeadFault unended(std::string_view line, bool is_first) {
   return has_long_target ? HeadFault::kTargetTooLong : HeadFault::kTooLarge;
 }
 
+/// The fault of complete lines, which may be followed by more.
+HeadFault fault_of_lines(std::string_view lines) {
+  return read_whole(std::string(lines).append(kLineEnd)).fault;
+}
+
+/// The fault of the first lines that have one, so that it does not depend on how the bytes arrive.
+HeadFault first_fault(std::string_view lines) {
+  HeadFault fault = HeadFault::kNone;
+  for (std::size_t end = 0; fault == HeadFault::kNone && end < lines.size();) {
+    end = lines.find('\n', end) + 1;
+    fault = fault_of_lines(lines.substr(0, end));
+  }
+  return fault;
+}
+
 /// A fault in the lines that are complete; detected before the rest of the head arrives.
 HeadFault fault_so_far(std::string_view received) {
-  const std::size_t last = received.rfind('\n');
-  if (last == std::string_view::npos) return HeadFault::kNone;
-  const std::string lines = std::string(received.substr(0, last + 1)).append(kLineEnd);
-  return read_whole(lines).fault;
+  const std::string_view lines = received.substr(0, received.rfind('\n') + 1);
+  if (lines.empty() || fault_of_lines(lines) == HeadFault::kNone) return HeadFault::kNone;
+  return first_fault(lines);
 }
 
 int hexadecimal(char c) {
@@ -149,7 +163,12 @@ std::optional<std::string> Request::parameter(std::string_view name) const {
 HeadReading read_head(std::string_view received) {
   const std::string_view head = received.substr(0, kMaxHeadBytes);
   const std::size_t end = head.find(kHeadEnd);
-  if (end != std::string_view::npos) return read_whole(head.substr(0, end + kHeadEnd.size()));
+  if (end != std::string_view::npos) {
+    HeadReading reading = read_whole(head.substr(0, end + kHeadEnd.size()));
+    if (reading.fault != HeadFault::kNone)
+      reading.fault = first_fault(head.substr(0, end + kLineEnd.size()));
+    return reading;
+  }
   if (const HeadFault fault = fault_so_far(head); fault != HeadFault::kNone) return {fault, {}, 0};
   if (received.size() < kMaxHeadBytes) return {HeadFault::kIncomplete, {}, 0};
   return {unended(head, head.find('\n') == std::string_view::npos), {}, 0};

@@ -88,8 +88,12 @@ void MonitorService::remove(MonitorSession& session) {
   subscribers_.remove(session);
   const std::optional<LineId> line = session.own_line();
   if (!line) return;
-  cell_.apply(LineClosed{*line, LineCloseReason::kClientClosed}, wall_now());
-  acted_();
+  try {
+    cell_.apply(LineClosed{*line, LineCloseReason::kClientClosed}, wall_now());
+    acted_();
+  } catch (const VitalFailure& failure) {  // must not leave a destructor
+    asio::post(io_, [failure] { throw failure; });
+  }
 }
 
 monitor::Message MonitorService::hello(const MonitorSession& session) {

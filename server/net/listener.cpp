@@ -55,6 +55,8 @@ ErrorCode Listener::listen(const tcp::endpoint& endpoint) {
   if (!error) acceptor.bind(endpoint, error);
   if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
   if (!error) acceptor.non_blocking(true, error);
+  // Otherwise accept() waits for the next connection after one that its peer has aborted.
+  if (!error) acceptor.set_option(asio::socket_base::enable_connection_aborted(true), error);
   if (error) return error;
   if (entrances_.empty()) endpoint_ = acceptor.local_endpoint(error);
   Entrance& kept = entrances_.emplace_back(Entrance{std::move(acceptor), asio::steady_timer(io_)});

@@ -114,6 +114,8 @@ class Connections(unittest.TestCase):
     def test_one_connection_for_many_requests(self):
         with Server() as xr3, connect(xr3.monitor_port) as sock, sock.makefile("rb") as file:
             for _ in range(3):
+                sock.sendall(b"\r\n")  # arrives alone, since the server answers another client before the request
+                self.assertEqual(b"ok\n", curl(xr3, "/healthz")[2])
                 sock.sendall(GET)
                 head, body = self.read_answer(file)
                 self.assertIn("Connection: keep-alive\r\n", head)

@@ -201,6 +201,28 @@ TEST_F(HttpTest, AHeadIsIncompleteUntilItsLastByte) {
   EXPECT_FALSE(is_open(std::string(kMaxHeadBytes, 'X')));
 }
 
+TEST_F(HttpTest, TheFirstFaultIsTheSameHoweverTheBytesArrive) {
+  const std::string longer(kMaxTargetBytes, 'x');
+  std::string many = kHost;
+  for (std::size_t i = 0; i < kMaxFields; ++i) many += "A: b\r\n";
+  const auto first_fault = [](const std::string& request) {
+    std::size_t size = 0;
+    HeadFault fault = HeadFault::kIncomplete;
+    while (fault == HeadFault::kIncomplete) fault = read_head(request.substr(0, size++)).fault;
+    return fault;
+  };
+  const auto expect_fault = [&](const std::string& request, HeadFault fault) {
+    EXPECT_EQ(first_fault(request), fault) << request;
+    EXPECT_EQ(read_head(request).fault, fault) << request;
+  };
+  expect_fault(get("/" + longer, "no colon\r\n"), HeadFault::kTargetTooLong);
+  expect_fault(get("/" + longer, many), HeadFault::kTargetTooLong);
+  expect_fault(get("/", many + "no colon\r\n"), HeadFault::kTooLarge);
+  expect_fault(get("/", "no colon\r\n" + many), HeadFault::kMalformed);
+  expect_fault("GET / HTTP/2.0\r\nno colon\r\n\r\n", HeadFault::kVersion);
+  expect_fault("GET / HTTP/1.1\r\nA: b\r\n folded\r\n\r\n", HeadFault::kMalformed);
+}
+
 TEST_F(HttpTest, RejectsHostsThatDnsCanRebind) {
   for (const char* host : {"evil.example", "xr3", "localhost.evil.example", "", "a b.localhost"})
     EXPECT_EQ(status_of(get("/healthz", std::string("Host: ") + host + "\r\n")), "403") << host;
