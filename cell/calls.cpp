@@ -4,10 +4,13 @@
 
 #include "cell/cell.hpp"
 #include "cell/digest.hpp"
+#include "core/camera.hpp"
 #include "protocol/monitor/saved_cell.hpp"
 
 namespace xr3 {
 namespace {
+
+constexpr std::size_t kMaxNamed = 16;  ///< names in a hint
 
 call::Refused clock_running(std::string_view call) {
   return {"clock_running", std::string(call) + " needs the manual clock; the clock is real",
@@ -15,10 +18,25 @@ call::Refused clock_running(std::string_view call) {
 }
 
 call::Refused no_such_block(const State& state, const std::string& name) {
+  const std::size_t count = state.blocks.size();
   std::string names;
-  for (const Block& block : state.blocks) names += (names.empty() ? "" : ", ") + block.name;
+  for (std::size_t i = 0; i < std::min(count, kMaxNamed); ++i)
+    names += (names.empty() ? "" : ", ") + state.blocks[i].name;
+  if (count > kMaxNamed) names += " and " + std::to_string(count - kMaxNamed) + " more";
   return {"no_such_block", "there is no block " + name,
           names.empty() ? "the workcell has no blocks" : "the blocks are " + names};
+}
+
+/// Refuses a block whose addition would make the camera's images too costly.
+std::optional<call::Refused> refuse_rows(const Model& model, const State& state,
+                                         std::int64_t more_rows) {
+  const std::int64_t rows = camera_rows(model.workcell(), state.blocks) + more_rows;
+  if (more_rows <= 0 || rows <= kMaxCameraRows) return std::nullopt;
+  return call::Refused{"limit",
+                       "the blocks would take " + std::to_string(rows) +
+                           " rows of the camera's image, each row counted for each block; " +
+                           std::to_string(kMaxCameraRows) + " are allowed",
+                       "use smaller blocks, or call block_remove first"};
 }
 
 call::Refused block_held(const std::string& name) {
@@ -149,6 +167,8 @@ call::Outcome Cell::carry_out(const call::AddBlock& add, WallNs) {
                          "a workcell has at most " + std::to_string(kMaxBlocks) + " blocks",
                          "call block_remove first"};
   }
+  if (auto refused = refuse_rows(model(), state(), camera_rows(model().workcell(), {add.block})))
+    return *std::move(refused);
   simulation_.edit().blocks.push_back(add.block);
   changed_model("block_add", name);
   return call::Done{};
@@ -158,9 +178,14 @@ call::Outcome Cell::carry_out(const call::MoveBlock& move, WallNs) {
   const auto index = find_block(state(), move.name);
   if (!index) return no_such_block(state(), move.name);
   if (is_held(state(), *index)) return block_held(move.name);
-  Block& block = simulation_.edit().blocks[*index];
-  block.centroid_um = move.centroid_um.value_or(block.centroid_um);
-  block.yaw_udeg = move.yaw_udeg.value_or(block.yaw_udeg);
+  Block moved = state().blocks[*index];
+  moved.centroid_um = move.centroid_um.value_or(moved.centroid_um);
+  moved.yaw_udeg = move.yaw_udeg.value_or(moved.yaw_udeg);
+  const Workcell& workcell = model().workcell();
+  const std::int64_t more_rows =
+      camera_rows(workcell, {moved}) - camera_rows(workcell, {state().blocks[*index]});
+  if (auto refused = refuse_rows(model(), state(), more_rows)) return *std::move(refused);
+  simulation_.edit().blocks[*index] = std::move(moved);
   changed_model("block_move", move.name);
   return call::Done{};
 }

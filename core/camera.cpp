@@ -18,6 +18,13 @@ Image rows(const Model& model, const State& state, int first_row, int count) {
 
 }  // namespace
 
+std::int64_t camera_rows(const Workcell& workcell, const std::vector<Block>& blocks) {
+  std::int64_t rows = 0;
+  if (!workcell.camera) return rows;
+  for (const Block& block : blocks) rows += rows_of(workcell, block);
+  return rows;
+}
+
 Image camera_image(const Model& model, const State& state) {
   assert(model.workcell().camera);
   return rows(model, state, 0, model.workcell().camera->pixels_y);

@@ -3,6 +3,9 @@
 // fractions, so an image has the same bits on every machine.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "core/image.hpp"
 #include "core/model.hpp"
 #include "core/state.hpp"
@@ -12,6 +15,14 @@ namespace xr3 {
 /// The minimum depth below a perspective camera. Corners above it are projected as if they were at
 /// this depth; a block entirely above it (only a held one can be) is not visible.
 inline constexpr Micrometres kNearestSightUm = 1000;
+
+/// The maximum of camera_rows(). An image takes a few nanoseconds for each row of each block, and
+/// other lines wait meanwhile.
+inline constexpr std::int64_t kMaxCameraRows = 2'500'000;
+
+/// The numbers of rows of the image that the blocks take, added up, if none is held; 0 without a
+/// camera.
+std::int64_t camera_rows(const Workcell& workcell, const std::vector<Block>& blocks);
 
 /// The whole image. A pixel is 1 if its centre lies in the projection of a block; edges at low x
 /// and low y belong to the projection, those at high x and high y do not. Precondition of all three

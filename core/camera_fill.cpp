@@ -10,17 +10,60 @@ namespace {
 /// Holds products of three lengths, or of two lengths and two numbers of pixels, with a margin.
 __extension__ using Wide = __int128;
 
+template <class Integer>
 struct Quotient {
-  Wide floor;
-  Wide rest;  ///< 0 <= rest < divisor
+  Integer floor;
+  Integer rest;  ///< 0 <= rest < divisor
 };
 
 /// Precondition: divisor > 0.
-Quotient divide(Wide number, Wide divisor) {
+template <class Integer>
+Quotient<Integer> divide(Integer number, Integer divisor) {
   assert(divisor > 0);
-  const Wide quotient = number / divisor;
-  const Wide rest = number % divisor;
-  return rest < 0 ? Quotient{quotient - 1, rest + divisor} : Quotient{quotient, rest};
+  const Integer quotient = number / divisor;
+  const Integer rest = number % divisor;
+  return rest < 0 ? Quotient<Integer>{quotient - 1, rest + divisor}
+                  : Quotient<Integer>{quotient, rest};
+}
+
+/// Whether the number and the sum of two such numbers fit into 64 bits.
+bool is_narrow(Wide number) {
+  constexpr Wide kLimit = Wide{1} << 62;
+  return -kLimit < number && number < kLimit;
+}
+
+Wide floor_of(Wide number, Wide divisor) {
+  if (!is_narrow(number) || !is_narrow(divisor)) return divide(number, divisor).floor;
+  return divide(static_cast<std::int64_t>(number), static_cast<std::int64_t>(divisor)).floor;
+}
+
+/// A quotient that is linear in the row: number / divisor in the first row, and `step` more in the
+/// numerator in each row.
+struct Column {
+  Wide number;
+  Wide step;
+  Wide divisor;
+
+  bool is_narrow_for(int rows) const {
+    return is_narrow(number) && is_narrow(step * rows) && is_narrow(divisor);
+  }
+};
+
+/// Calls take(row, floor of the quotient, clamped to 0...width) for the rows. One division gives
+/// the first quotient, one the step; then quotient and rest are updated from row to row.
+template <class Integer, class Take>
+void follow(const Column& column, int rows, int width, const Take& take) {
+  const auto divisor = static_cast<Integer>(column.divisor);
+  auto [floor, rest] = divide(static_cast<Integer>(column.number), divisor);
+  const auto step = divide(static_cast<Integer>(column.step), divisor);
+  for (int row = 0; row < rows; ++row) {
+    take(row, static_cast<int>(std::clamp<Integer>(floor, 0, width)));
+    floor += step.floor;
+    rest += step.rest;
+    if (rest < divisor) continue;
+    rest -= divisor;
+    ++floor;
+  }
 }
 
 /// > 0 if c lies to the left of the directed line from a to b, with x right and y up.
@@ -47,11 +90,21 @@ Chain chain(const BoxCorners& sorted, int side) {
   return hull;
 }
 
-int clamped(Wide value, int low, int high) {
-  return static_cast<int>(std::clamp<Wide>(value, low, high));
+// The centre of row r lies at y = location.y + field_y / 2 - (2 r + 1) field_y / (2 pixels_y).
+// Returns the last row whose centre is at y or above, clamped to first...last.
+int row_at_or_above(const Camera& camera, Micrometres y, int first, int last) {
+  const Wide pixels = camera.pixels_y;
+  const Wide number = 2 * pixels * (camera.location_um.y - y) + (pixels - 1) * camera.field_y_um;
+  return static_cast<int>(
+      std::clamp<Wide>(floor_of(number, 2 * Wide{camera.field_y_um}), first, last));
 }
 
 }  // namespace
+
+int rows_between(const Camera& camera, Micrometres low_y, Micrometres high_y) {
+  const int last = camera.pixels_y - 1;
+  return row_at_or_above(camera, low_y, -1, last) - row_at_or_above(camera, high_y, -1, last);
+}
 
 CameraFill::CameraFill(const Camera& camera, int first_row, int rows)
     : camera_(camera),
@@ -67,24 +120,17 @@ CameraFill::CameraFill(const Camera& camera, Image onto)
       image_(std::move(onto)),
       begins_(static_cast<std::size_t>(image_.height())) {}
 
-// The centre of row r lies at y = location.y + field_y / 2 - (2 r + 1) field_y / (2 pixels_y).
-// Returns the lowest row whose centre is at y or above, clamped to our rows and the row above them.
 int CameraFill::last_row_above(Micrometres y) const {
-  const Wide pixels = camera_.pixels_y;
-  const Wide number = 2 * pixels * (camera_.location_um.y - y) + (pixels - 1) * camera_.field_y_um;
-  return clamped(divide(number, 2 * camera_.field_y_um).floor, first_row_ - 1,
-                 first_row_ + image_.height() - 1);
+  return row_at_or_above(camera_, y, first_row_ - 1, first_row_ + image_.height() - 1);
 }
 
 // Calls take(row, column) for each row whose centre has low.y <= y < high.y. The column is the
-// first one whose centre is not left of the edge from low to high, clamped to the image's width. It
-// is a quotient that is linear in the row: one division gives the first quotient, one the step, and
-// then quotient and rest are updated from row to row.
+// first one whose centre is not left of the edge from low to high, clamped to the image's width.
 template <class Take>
 void CameraFill::walk(const SurfacePoint& low, const SurfacePoint& high, Take take) const {
   const int begin = last_row_above(high.y) + 1;
-  const int end = last_row_above(low.y) + 1;
-  if (begin >= end) return;
+  const int rows = last_row_above(low.y) + 1 - begin;
+  if (rows <= 0) return;
   const Wide width = camera_.pixels_x;
   const Wide height = camera_.pixels_y;
   const Wide rise = high.y - low.y;
@@ -94,15 +140,13 @@ void CameraFill::walk(const SurfacePoint& low, const SurfacePoint& high, Take ta
   const Wide right = 2 * width * (low.x - camera_.location_um.x) + (width - 1) * camera_.field_x_um;
   const Wide divisor = 2 * camera_.field_x_um * height * rise;
   // The column is a quotient rounded up: adding divisor - 1 allows rounding down.
-  Quotient column = divide(right * height * rise + width * drift * below + divisor - 1, divisor);
-  const Quotient step = divide(-2 * width * drift * camera_.field_y_um, divisor);
-  for (int row = begin; row < end; ++row) {
-    take(row - first_row_, clamped(column.floor, 0, camera_.pixels_x));
-    column.floor += step.floor;
-    column.rest += step.rest;
-    if (column.rest < divisor) continue;
-    column.rest -= divisor;
-    ++column.floor;
+  const Column column{right * height * rise + width * drift * below + divisor - 1,
+                      -2 * width * drift * camera_.field_y_um, divisor};
+  const auto take_row = [&](int row, int pixel) { take(begin - first_row_ + row, pixel); };
+  if (column.is_narrow_for(rows)) {
+    follow<std::int64_t>(column, rows, camera_.pixels_x, take_row);
+  } else {
+    follow<Wide>(column, rows, camera_.pixels_x, take_row);
   }
 }
 

@@ -20,6 +20,9 @@ struct SurfacePoint {
   auto operator<=>(const SurfacePoint&) const = default;
 };
 
+/// The number of rows of the camera's image whose centres have low_y <= y < high_y.
+int rows_between(const Camera& camera, Micrometres low_y, Micrometres high_y);
+
 inline constexpr std::size_t kBoxCorners = 8;
 using BoxCorners = std::array<SurfacePoint, kBoxCorners>;
 
@@ -41,6 +44,7 @@ class CameraFill {
  private:
   template <class Take>
   void walk(const SurfacePoint& low, const SurfacePoint& high, Take take) const;
+  /// The last row whose centre is at y or above, clamped to our rows and the row above them.
   int last_row_above(Micrometres y) const;
 
   Camera camera_;

@@ -42,11 +42,7 @@ BoxCorners on_surface(const Workcell& workcell, const BlockCorners& corners) {
   return shape;
 }
 
-}  // namespace
-
-BlockCorners corners_of(const Model& model, const State& state, std::size_t block) {
-  const PointUm& size = state.blocks[block].size_um;
-  const Transform pose = block_pose(model, state, block);
+BlockCorners corners_at(const PointUm& size, const Transform& pose) {
   const Eigen::Vector3d half(mm(size.x) / 2, mm(size.y) / 2, mm(size.z) / 2);
   BlockCorners corners;
   for (unsigned i = 0; i < kBoxCorners; ++i) {
@@ -57,6 +53,18 @@ BlockCorners corners_of(const Model& model, const State& state, std::size_t bloc
     corners[i] = {micrometres(p.x()), micrometres(p.y()), micrometres(p.z())};
   }
   return corners;
+}
+
+}  // namespace
+
+BlockCorners corners_of(const Model& model, const State& state, std::size_t block) {
+  return corners_at(state.blocks[block].size_um, block_pose(model, state, block));
+}
+
+int rows_of(const Workcell& workcell, const Block& block) {
+  const BoxCorners shape = on_surface(workcell, corners_at(block.size_um, lying_pose(block)));
+  const auto [low, high] = std::minmax_element(shape.begin(), shape.end());
+  return rows_between(*workcell.camera, low->y, high->y);
 }
 
 void draw(const Workcell& workcell, const BlockCorners& corners, CameraFill& fill) {

@@ -16,6 +16,10 @@ using BlockCorners = std::array<PointUm, kBoxCorners>;
 /// The corners of a block at its current pose, also if it is held.
 BlockCorners corners_of(const Model& model, const State& state, std::size_t block);
 
+/// The number of rows of the image that a block which is not held takes. Precondition: the workcell
+/// has a camera.
+int rows_of(const Workcell& workcell, const Block& block);
+
 /// Draws a block as the workcell's camera sees it. Precondition: the workcell has a camera.
 void draw(const Workcell& workcell, const BlockCorners& corners, CameraFill& fill);
 

@@ -79,8 +79,7 @@ Microdegrees flat_yaw(double net_roll, int quarter_turns) {
 
 }  // namespace
 
-Transform block_pose(const Model& model, const State& state, std::size_t index) {
-  const Block& block = state.blocks[index];
+Transform lying_pose(const Block& block) {
   const auto [sin, cos] = sin_cos_deg(degrees(block.yaw_udeg));
   Transform upright = Transform::Identity();
   upright(0, 0) = cos;
@@ -89,6 +88,11 @@ Transform block_pose(const Model& model, const State& state, std::size_t index) 
   upright(1, 1) = cos;
   upright.block<3, 1>(0, 3) << mm(block.centroid_um.x), mm(block.centroid_um.y),
       mm(block.centroid_um.z);
+  return upright;
+}
+
+Transform block_pose(const Model& model, const State& state, std::size_t index) {
+  const Transform upright = lying_pose(state.blocks[index]);
   if (!state.held || state.held->block != index) return upright;
   const Transform grasped = tool_transform(model, state.held->grasped_at);
   Transform now = tool_transform(model, positions(model, state.motors));

@@ -10,6 +10,9 @@
 
 namespace xr3 {
 
+/// The pose of a block that is not held; see block_pose().
+Transform lying_pose(const Block& block);
+
 /// T(0,block) in mm: the block's frame (x along its length, origin at the centroid) in the base
 /// frame. A held block is fixed in the tool's frame and tilts with it.
 Transform block_pose(const Model& model, const State& state, std::size_t block);

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/camera.hpp"
+
 namespace xr3 {
 namespace {
 
@@ -196,6 +198,17 @@ void check_camera(const Workcell& workcell, Reading& reading) {
   }
 }
 
+/// Bounds the time that a picture takes.
+void check_camera_rows(const Workcell& workcell, Reading& reading) {
+  const std::int64_t rows = camera_rows(workcell, workcell.blocks);
+  if (rows <= kMaxCameraRows) return;
+  reading.report(
+      Severity::kError, "/blocks",
+      "blocks that take " + std::to_string(rows) +
+          " rows of the camera's image, each row counted for each block",
+      "at most " + std::to_string(kMaxCameraRows) + ": fewer or smaller blocks, or fewer pixels");
+}
+
 }  // namespace
 
 double widest_opening_mm(const Robot& robot) {
@@ -208,6 +221,8 @@ void check_workcell(const Workcell& workcell, const Robot* robot, Reading& readi
   check_block_names(workcell, reading);
   check_surface(workcell, reading);
   check_camera(workcell, reading);
+  if (reading.has_errors()) return;
+  check_camera_rows(workcell, reading);
   if (reading.has_errors() || !reading.wants_warnings()) return;
   std::vector<Shape> shapes;
   for (const Block& block : workcell.blocks) shapes.emplace_back(block);

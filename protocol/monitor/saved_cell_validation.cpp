@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include "core/camera.hpp"
 #include "core/coupling.hpp"
 #include "core/derived_state.hpp"
 #include "core/grasp.hpp"
@@ -176,6 +177,16 @@ void check_jaws(const Model& model, const State& state, const Held& held,
                          Json(block.name).dump() + " measures " + std::to_string(extent) + " um"});
 }
 
+// --- The camera.
+
+void check_camera_rows(const SavedCell& saved, std::vector<Detail>& details) {
+  const std::int64_t rows = camera_rows(saved.workcell, saved.state.blocks);
+  if (rows <= kMaxCameraRows) return;
+  details.push_back({"/state/blocks",
+                     "blocks that take " + std::to_string(rows) + " rows of the camera's image",
+                     "at most " + std::to_string(kMaxCameraRows) + ", counted for each block"});
+}
+
 // --- The tip's path.
 
 void check_path(const State& state, std::vector<Detail>& details) {
@@ -199,6 +210,7 @@ std::vector<Detail> validate(const Model& model, const SavedCell& saved) {
   // The cell may be in another workcell than the saved one.
   const Model there(model.robot(), saved.workcell, model.profile());
   check_path(state, details);
+  check_camera_rows(saved, details);
   check_derived(there, state, details);
   check_region(there, positions(there, state.motors), "/state/motors", details);
   check_stall(there, state, details);

@@ -58,6 +58,35 @@ TEST(Cell, WithAManualClockNothingMovesUntilAStep) {
   EXPECT_EQ(lab.count('E'), 5);
 }
 
+/// The Rhino's workcell with 2048 rows, so many that cover all of them, and one that covers none.
+Workcell heaped(std::size_t covering) {
+  Workcell workcell = test::workcell_named("rhino-xr3");
+  workcell.camera->pixels_x = workcell.camera->pixels_y = 2048;
+  const PointUm under = {workcell.camera->location_um.x, workcell.camera->location_um.y, 1000};
+  workcell.blocks = {{"apart", {900'000, 900'000, 2000}, {under.x, 5'000'000, 1000}, 0, 1}};
+  for (std::size_t i = 0; i < covering; ++i)
+    workcell.blocks.push_back({std::to_string(i), {900'000, 900'000, 2000}, under, 0, 1});
+  return workcell;
+}
+
+TEST(Cell, RefusesBlocksWhosePictureWouldTakeTooLong) {
+  constexpr std::size_t kMostCovering = kMaxCameraRows / 2048;
+  const auto code = [](const call::Outcome& outcome) {
+    const auto* refused = std::get_if<call::Refused>(&outcome);
+    return refused == nullptr ? std::string() : refused->code;
+  };
+  Lab lab;
+  EXPECT_EQ(code(lab.call(call::ReplaceWorkcell{heaped(kMostCovering)})), "");
+  Block another = lab.cell.state().blocks.back();
+  another.name = "another";
+  EXPECT_EQ(code(lab.call(call::AddBlock{another})), "limit");
+  EXPECT_EQ(code(lab.call(call::MoveBlock{"apart", another.centroid_um, {}})), "limit");
+  EXPECT_EQ(code(lab.call(call::MoveBlock{"0", another.centroid_um, 45'000'000})), "");
+  EXPECT_EQ(code(lab.call(call::RemoveBlock{"0"})), "");
+  EXPECT_EQ(code(lab.call(call::MoveBlock{"apart", another.centroid_um, {}})), "");
+  EXPECT_EQ(code(lab.call(call::AddBlock{another})), "limit");
+}
+
 TEST(Cell, ARealClockFollowsTheWallClockAtItsRate) {
   Lab lab(SimClock::real(Rate{2'000'000}, 100 * kMs));
   lab.open(1, 100 * kMs);

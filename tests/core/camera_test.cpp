@@ -344,6 +344,28 @@ TEST(Camera, TheLargestImageIsExactAtItsCorners) {
   EXPECT_FALSE(half.at(1024, 2047));
 }
 
+TEST(Camera, CountsTheRowsThatBlocksTake) {
+  Workcell workcell = eight_by_six();
+  const auto rows = [&](const std::vector<Block>& blocks) { return camera_rows(workcell, blocks); };
+  const Block small = box(15'000, 35'000, 25'000, 45'000);
+  const Block all = box(-50'000, 900'000, -70'000, 800'000);
+  Block turned = box(0, 80'000, 29'000, 31'000);
+  turned.yaw_udeg = 90'000'000;
+  EXPECT_EQ(rows({}), 0);
+  EXPECT_EQ(rows({small}), 2);
+  EXPECT_EQ(rows({turned}), 6);
+  EXPECT_EQ(rows({small, all, box(0, 80'000, -20'000, 0)}), 2 + 6 + 0);
+  workcell.camera->pixels_y = 2048;
+  EXPECT_EQ(rows({all, all}), 2 * 2048);
+  workcell.camera->projection = Projection::kPerspective;
+  Block high = box(30'000, 50'000, 20'000, 40'000);
+  high.centroid_um.z = 245'000;  // half way up to the camera
+  workcell.camera->pixels_y = 6;
+  EXPECT_EQ(rows({high}), 4);
+  workcell.camera.reset();
+  EXPECT_EQ(rows({all}), 0);
+}
+
 // --- Measurements of a vision exercise.
 
 struct Blob {

@@ -103,6 +103,26 @@ TEST(WorkcellJson, NormalizesYawsToOneTurn) {
   EXPECT_EQ(cell.blocks[1].yaw_udeg, 180000000);
 }
 
+TEST(WorkcellJson, BoundsTheRowsOfTheCamera) {
+  Json json = Json::parse(workcell_text("rhino-xr3"));
+  json["camera"]["pixels"] = {2048, 2048};
+  Json block = json["blocks"][0];
+  block["size"] = {2000, 2000, 1};
+  json["blocks"].clear();
+  const auto findings = [&](int blocks) {
+    for (int i = static_cast<int>(json["blocks"].size()); i < blocks; ++i) {
+      block["name"] = std::to_string(i);
+      json["blocks"].push_back(block);
+    }
+    return read_workcell(json.dump(), "f", nullptr).findings;
+  };
+  EXPECT_FALSE(has_errors(findings(1220)));
+  EXPECT_EQ(to_text(findings(1221)),
+            "f:1: /blocks: found blocks that take 2500608 rows of the camera's image, each row "
+            "counted for each block; allowed: at most 2500000: fewer or smaller blocks, or fewer "
+            "pixels\n");
+}
+
 struct WarningCase {
   std::string blocks;
   std::string warnings;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/camera.hpp"
 #include "core/home.hpp"
 #include "core/kinematics.hpp"
 #include "core/simulation.hpp"
@@ -284,6 +285,21 @@ TEST(SavedCellValidation, ThePathMatchesTheEraseSetting) {
   saved.state.tip_path = {};
   expect_refused(saved, "/state/tip_path/points", "a list of 0",
                  "at least one position of the tip while display/erase is false");
+}
+
+// --- The camera.
+
+TEST(SavedCellValidation, BoundsTheRowsOfTheCamera) {
+  SavedCell saved = at_home();
+  saved.workcell.camera = test::workcell_named("rhino-xr3").camera;
+  saved.workcell.camera->pixels_x = saved.workcell.camera->pixels_y = 2048;
+  const PointUm eye = saved.workcell.camera->location_um;
+  const Block block{"b", {900'000, 900'000, 2000}, {eye.x, eye.y, 1000}, 0, 1};
+  saved.state.blocks.assign(kMaxCameraRows / 2048, block);
+  EXPECT_EQ(invalid_pointers(saved), Strings{});
+  saved.state.blocks.push_back(block);
+  expect_refused(saved, "/state/blocks", "blocks that take 2500608 rows of the camera's image",
+                 "at most 2500000, counted for each block");
 }
 
 }  // namespace
