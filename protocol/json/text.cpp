@@ -1,6 +1,7 @@
 #include "protocol/json/text.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace xr3 {
 namespace {
@@ -8,15 +9,27 @@ namespace {
 constexpr std::size_t kColumns = 100;
 constexpr std::size_t kIndent = 2;
 
-std::string on_one_line(const Json& value) {
-  if (!value.is_structured()) return value.dump();
-  std::string line;
-  for (const auto& [name, element] : value.items()) {
-    if (!line.empty()) line += ", ";
-    if (value.is_object()) line += Json(name).dump() + ": ";
-    line += on_one_line(element);
+/// Appends the value on one line, or a beginning of it with which the line is longer than `most`.
+void append(const Json& value, std::size_t most, std::string& line) {
+  if (!value.is_structured()) {
+    line += value.dump();
+    return;
   }
-  return value.is_object() ? "{" + line + "}" : "[" + line + "]";
+  line += value.is_object() ? '{' : '[';
+  const char* separator = "";
+  for (const auto& [name, element] : value.items()) {
+    line += std::exchange(separator, ", ");
+    if (value.is_object()) line += Json(name).dump() + ": ";
+    append(element, most, line);
+    if (line.size() > most) return;
+  }
+  line += value.is_object() ? '}' : ']';
+}
+
+std::string on_one_line(const Json& value, std::size_t most = std::string::npos) {
+  std::string line;
+  append(value, most, line);
+  return line;
 }
 
 /// A list of lists of scalars, such as points: several share a line.
@@ -48,7 +61,7 @@ std::string filled(const Json& rows, std::size_t indent) {
 
 /// `used`: columns before the value on its line. `indent`: indentation of the value's contents.
 std::string shown(const Json& value, std::size_t indent, std::size_t used) {
-  std::string line = on_one_line(value);
+  std::string line = on_one_line(value, kColumns);
   const bool is_root = indent == kIndent;
   if (!value.is_structured() || value.empty() || (!is_root && used + line.size() < kColumns)) {
     return line;
