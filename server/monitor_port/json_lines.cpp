@@ -12,6 +12,8 @@ constexpr auto kNoDeadline = std::chrono::steady_clock::time_point::max();
 // Limits of one write: the number of messages, and the bytes after which no message is added.
 constexpr std::size_t kMaxBatch = 16;
 constexpr std::size_t kBatchBytes = 64 * 1024;
+// Writes in one turn of the event loop: thousands of events may wait for a client.
+constexpr int kMaxWrites = 4;
 // A single message below this size is copied, together with its line end, into one buffer.
 constexpr std::size_t kMaxCopiedBytes = 4096;
 constexpr std::string_view kLineEnd = "\n";
@@ -91,13 +93,14 @@ void JsonLines::wake() { progress_.cancel(); }
 void JsonLines::pump() {
   if (is_pumping_ || is_blocked_ || !session_) return;
   is_pumping_ = true;
-  for (fill(); !out_.empty() && socket_->is_open(); fill()) {
+  int writes = 0;
+  for (fill(); !out_.empty() && socket_->is_open() && writes < kMaxWrites; fill(), ++writes) {
     const std::size_t sent = is_one_and_small() ? send_copy() : send_gathered();
     if (sent == 0) break;
     written(sent);
   }
   is_pumping_ = false;
-  if (!out_.empty() && socket_->is_open()) wait_for_room();
+  if (!out_.empty() && socket_->is_open()) writes < kMaxWrites ? wait_for_room() : pump_later();
   progress_.cancel();
 }
 
@@ -153,10 +156,17 @@ void JsonLines::written(std::size_t count) {
 
 void JsonLines::wait_for_room() {
   is_blocked_ = true;
-  socket_->when_writable([self = shared_from_this()] {
-    self->is_blocked_ = false;
-    self->pump();
-  });
+  socket_->when_writable([self = shared_from_this()] { self->pump_again(); });
+}
+
+void JsonLines::pump_later() {
+  is_blocked_ = true;
+  asio::post(socket_->executor(), [self = shared_from_this()] { self->pump_again(); });
+}
+
+void JsonLines::pump_again() {
+  is_blocked_ = false;
+  pump();
 }
 
 }  // namespace xr3

@@ -57,6 +57,8 @@ class JsonLines : public std::enable_shared_from_this<JsonLines>, private Messag
   std::size_t send_gathered();
   void fill();
   void wait_for_room();
+  void pump_later();
+  void pump_again();
   void written(std::size_t count);
 
   // Members used for every message come first, for cache locality.
@@ -64,7 +66,7 @@ class JsonLines : public std::enable_shared_from_this<JsonLines>, private Messag
   std::vector<monitor::Message> out_;  ///< being written, each with a line end
   std::size_t written_ = 0;            ///< bytes of the first message already written
   std::size_t out_bytes_ = 0;
-  bool is_blocked_ = false;  ///< waiting until the connection is writable
+  bool is_blocked_ = false;  ///< until the connection is writable or its next turn comes
   bool is_pumping_ = false;
   bool is_answered_ = false;     ///< no further request will be handled
   asio::steady_timer progress_;  ///< never expires; cancelled to resume waiting coroutines

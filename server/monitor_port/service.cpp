@@ -3,9 +3,11 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <boost/asio/post.hpp>
 #include <chrono>
 #include <utility>
 
+#include "cell/failure.hpp"
 #include "protocol/monitor/heading.hpp"
 #include "server/net/wall_clock.hpp"
 

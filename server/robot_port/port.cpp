@@ -15,9 +15,9 @@ namespace {
 
 constexpr const char* kName = "the robot port";
 
-// Maximum times for the lines with news, and for those of them that have had costly turns.
-constexpr WallNs kMaxNewsTime = 2'000'000;
-constexpr WallNs kMaxHeavyTime = 500'000;
+// The time after which other ports get a turn, and the time after which new bytes are looked for.
+constexpr WallNs kMaxTurnsTime = 500'000;
+constexpr WallNs kNewsEvery = 150'000;
 
 /// While it exists, the timer is cancelled when bytes of the line have acted.
 class Waiting {
@@ -102,7 +102,6 @@ void RobotPort::refuse_peer(const asio::ip::address& peer) {
 
 void RobotPort::end(LineId line) {
   sessions_.erase(line);
-  unfinished_.erase(line);
   has_logged_full_ = has_logged_peer_ = false;
   if (is_closing_ && sessions_.empty()) watch_.close();
   notify(line);
@@ -151,7 +150,6 @@ bool RobotPort::is_probe(const tcp::socket& socket) {
 
 void RobotPort::end_probe() {
   sessions_.erase(kProbeLine);
-  unfinished_.erase(kProbeLine);
   if (!is_closing_) return;
   if (sessions_.empty()) watch_.close();
   acted_();
@@ -166,64 +164,39 @@ asio::awaitable<void> RobotPort::run() {
   }
 }
 
+// Light lines go first, and new ones are looked for again and again. One of the heaviest has a turn
+// at the end, so that they are slow, but not forgotten. Then timers, signals and other ports get
+// theirs.
 void RobotPort::run_turns() {
-  take_deferred(wall_now() + kMaxNewsTime);
-  if (deferred_.empty()) take_news();
-  take_unfinished_turn();
-  if (has_unfinished()) schedule_turns();
-}
-
-// In the order of their news, so that none waits for longer than the others.
-void RobotPort::take_deferred(WallNs end) {
-  while (!deferred_.empty() && wall_now() < end) {
-    const LineId line = deferred_.front();
-    deferred_.pop_front();
-    run_turn(line);
-  }
-}
-
-// After kMaxNewsTime the rest of the lines wait for the next call, so that timers, signals and
-// other ports get their turn.
-void RobotPort::take_news() {
   const WallNs start = wall_now();
-  heavy_.clear();
+  take_news();
+  for (WallNs now = start; !turns_.empty() && now < start + kMaxTurnsTime; now = wall_now()) {
+    while (!turns_.empty() && wall_now() < now + kNewsEvery) run_turn(turns_.take_lightest());
+    take_news();
+  }
+  if (turns_.empty()) return;
+  run_turn(turns_.take_heaviest());
+  schedule_turns();
+}
+
+// A line has its turn at once if no other one goes before it.
+void RobotPort::take_news() {
+  const WallNs end = wall_now() + kNewsEvery;
   for (const auto& [line, is_end] : watch_.news()) {
     const auto found = sessions_.find(line);
     if (found == sessions_.end()) continue;
     if (is_end) found->second->note_end();
-    if (unfinished_.contains(line)) continue;
-    if (found->second->is_heavy()) {
-      heavy_.push_back(line);
-    } else if (wall_now() < start + kMaxNewsTime) {
-      run_turn(line);
-    } else {
-      deferred_.push_back(line);
-    }
+    const std::uint64_t load = found->second->load();
+    const bool is_now = !turns_.contains(line) && turns_.is_next(load) && wall_now() < end;
+    is_now ? run_turn(line) : turns_.add(line, load);
   }
-  take_heavy_news(start + kMaxHeavyTime);
-}
-
-// The rest of them waits with the unfinished lines.
-void RobotPort::take_heavy_news(WallNs end) {
-  for (const LineId line : heavy_)
-    wall_now() < end ? run_turn(line) : static_cast<void>(unfinished_.insert(line));
-}
-
-// One of them at a time, in order: other lines wait for one flooding line, not for all.
-void RobotPort::take_unfinished_turn() {
-  if (unfinished_.empty()) return;
-  auto next = unfinished_.upper_bound(last_unfinished_);
-  if (next == unfinished_.end()) next = unfinished_.begin();
-  last_unfinished_ = *next;
-  unfinished_.erase(next);
-  run_turn(last_unfinished_);
 }
 
 void RobotPort::run_turn(LineId line) {
   const auto found = sessions_.find(line);
   if (found == sessions_.end()) return;
   const auto session = found->second;  // it may remove itself from the map
-  if (session->run_turn()) unfinished_.insert(line);
+  if (session->run_turn()) turns_.add(line, session->load());
 }
 
 // The turns run after all handlers that are ready now.
@@ -240,9 +213,9 @@ void RobotPort::read_arrived() {
   vital(kName, [this] {
     listener_.accept_pending();
     for (const auto& [id, session] : sessions()) {
-      if (session->read_arrived() && sessions_.contains(id)) unfinished_.insert(id);
+      if (session->read_arrived() && sessions_.contains(id)) turns_.add(id, session->load());
     }
-    if (has_unfinished()) schedule_turns();
+    if (!turns_.empty()) schedule_turns();
   });
 }
 
@@ -252,8 +225,8 @@ void RobotPort::read_arrived_on(LineId line) {
     const auto found = sessions_.find(line);
     if (found == sessions_.end()) return;
     const auto session = found->second;  // it may remove itself from the map
-    if (session->read_arrived() && sessions_.contains(line)) unfinished_.insert(line);
-    if (has_unfinished()) schedule_turns();
+    if (session->read_arrived() && sessions_.contains(line)) turns_.add(line, session->load());
+    if (!turns_.empty()) schedule_turns();
   });
 }
 

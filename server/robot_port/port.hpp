@@ -3,13 +3,10 @@
 
 #include <array>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
-#include <vector>
 
 #include "cell/cell.hpp"
 #include "server/net/asio.hpp"
@@ -20,6 +17,7 @@
 #include "server/net/wall_clock.hpp"
 #include "server/robot_port/line_watch.hpp"
 #include "server/robot_port/session.hpp"
+#include "server/robot_port/turn_queue.hpp"
 
 namespace xr3 {
 
@@ -86,12 +84,8 @@ class RobotPort final : public LineTransports {
   void end_probe();
   asio::awaitable<void> run();
   void take_news();
-  void take_deferred(WallNs end);
-  void take_heavy_news(WallNs end);
-  void take_unfinished_turn();
   void run_turn(LineId line);
   void schedule_turns();
-  bool has_unfinished() const { return !unfinished_.empty() || !deferred_.empty(); }
   void end(LineId line);
   Sessions sessions() const { return sessions_; }
   std::shared_ptr<RobotSession> greediest() const;
@@ -113,11 +107,8 @@ class RobotPort final : public LineTransports {
   bool has_logged_peer_ = false;
   std::optional<tcp::endpoint> probe_from_;  ///< of the expected probe, until it is accepted
   ProbeProgress probe_progress_ = ProbeProgress::kUnseen;
-  std::deque<LineId> deferred_;  ///< lines with news whose turn was put off
-  std::set<LineId> unfinished_;  ///< lines with more work than one turn
-  std::vector<LineId> heavy_;    ///< with news, in one take_news()
-  LineId last_unfinished_ = 0;   ///< the one of them that had the last turn
-  bool is_again_ = false;        ///< their next turns are scheduled
+  TurnQueue turns_;
+  bool is_again_ = false;  ///< the next turns are scheduled
   /// By line; cancelled when its bytes have acted, or it has ended.
   std::multimap<LineId, asio::steady_timer*> waiting_;
   Sessions sessions_;

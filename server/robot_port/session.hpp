@@ -42,8 +42,8 @@ class RobotSession {
   /// whether there may be more to do now.
   bool run_turn();
 
-  /// Whether its latest turns took long, so that lines with less work go first.
-  bool is_heavy() const { return load_ > kHeavyLoad; }
+  /// An estimate of the time of its latest turns in nanoseconds; half of it is forgotten each turn.
+  std::uint64_t load() const { return load_; }
 
   /// Applies every byte that has arrived, until replies wait for the client or exceed kMaxAnswered
   /// bytes. Returns whether there may be more to do now.
@@ -85,8 +85,6 @@ class RobotSession {
   LineId id_;
   RobotSessionContext& context_;
   std::unique_ptr<PeerCounts::Place> place_;
-  /// The work of the latest turns in some nanoseconds; half of it is forgotten each turn.
-  static constexpr std::uint64_t kHeavyLoad = 20'000;
   std::uint64_t load_ = 0;
   std::string pending_;     ///< read, but not applied because the outbox was full
   bool is_ending_ = false;  ///< the stream ends after the bytes that have arrived

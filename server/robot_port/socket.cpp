@@ -28,7 +28,7 @@ ssize_t retry_interrupted(const Call& call) {
 // If unread input were left, close() would reset the connection, and replies that are still on
 // their way would be lost.
 void discard_input(int descriptor) {
-  constexpr int kMaxReads = 64;
+  constexpr int kMaxReads = 16;
   std::array<char, 16 * 1024> discarded;
   for (int i = 0; i < kMaxReads; ++i) {
     if (::recv(descriptor, discarded.data(), discarded.size(), MSG_DONTWAIT) <= 0) return;
@@ -51,15 +51,20 @@ std::size_t RobotSocket::read(std::span<char> into) {
 std::size_t RobotSocket::write(std::string_view bytes) {
   const auto count = retry_interrupted(
       [&] { return ::send(descriptor_, bytes.data(), bytes.size(), MSG_NOSIGNAL); });
-  if (count >= 0) return static_cast<std::size_t>(count);
+  if (count >= 0) {
+    has_written_ = true;
+    return static_cast<std::size_t>(count);
+  }
   is_lost_ = !must_wait();
   return 0;
 }
 
 void RobotSocket::close() {
   if (!is_open()) return;
-  ::shutdown(descriptor_, SHUT_WR);
-  discard_input(descriptor_);
+  if (has_written_) {
+    ::shutdown(descriptor_, SHUT_WR);
+    discard_input(descriptor_);
+  }
   ::close(descriptor_);
   descriptor_ = -1;
 }

@@ -36,6 +36,7 @@ class RobotSocket {
 
  private:
   int descriptor_;
+  bool has_written_ = false;
   bool has_ended_ = false;
   bool is_lost_ = false;
 };

@@ -59,7 +59,7 @@ class Proxy:
     def _forward(self, source, target, delay_s):
         try:
             data = source.recv(65536)
-        except ConnectionResetError:
+        except ConnectionError:  # reset; a broken pipe, if the other side closed before it reset the connection
             data = b""
         if not data:
             self._selector.unregister(source)

@@ -13,6 +13,7 @@ from support import LOCALHOST, NO_QUARANTINE, ROOT, Server
 MIB = 1 << 20
 LIMIT_MIB = 64
 CLIENTS = 400
+MOST_HELD_MIB = 2  # by one client
 # Beyond the limit: the program itself, freed memory that the allocator keeps, and the sanitizer's shadow.
 MARGIN_MIB = 160
 REQUESTS = {
@@ -50,7 +51,8 @@ class MaxMemory(unittest.TestCase):
                     self.client(getattr(xr3, port), request)
                     self.assertEqual(32, good.ask("E?"))
                 log = xr3.wait_log("more memory than --max-memory, and this client has the most unread")
-                self.assertLess(log.count("more memory"), CLIENTS / 2, "not all of them")
+                kept = CLIENTS - log.count("more memory")
+                self.assertGreater(kept * MOST_HELD_MIB, LIMIT_MIB, "no more are closed than necessary")
                 self.assertLess(xr3.status("VmHWM") / 1024, before + LIMIT_MIB + MARGIN_MIB)
 
     def test_a_shared_picture_exists_once(self):

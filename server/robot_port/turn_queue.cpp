@@ -1,0 +1,48 @@
+#include "server/robot_port/turn_queue.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace xr3 {
+namespace {
+
+// The first class has a few inquiries a turn, the last one images or endless commands.
+constexpr std::array<std::uint64_t, 3> kBounds = {2'000, 8'000, 32'000};
+
+bool has_lines(const std::deque<LineId>& lines) { return !lines.empty(); }
+
+}  // namespace
+
+std::size_t TurnQueue::class_of(std::uint64_t load) {
+  static_assert(kBounds.size() + 1 == kClasses);
+  const auto above = std::upper_bound(kBounds.begin(), kBounds.end(), load);
+  return static_cast<std::size_t>(above - kBounds.begin());
+}
+
+void TurnQueue::add(LineId line, std::uint64_t load) {
+  if (members_.insert(line).second) classes_[class_of(load)].push_back(line);
+}
+
+bool TurnQueue::is_next(std::uint64_t load) const {
+  const auto end = classes_.begin() + static_cast<std::ptrdiff_t>(class_of(load)) + 1;
+  return std::none_of(classes_.begin(), end, has_lines);
+}
+
+LineId TurnQueue::take(Class& lines) {
+  const LineId line = lines.front();
+  lines.pop_front();
+  members_.erase(line);
+  return line;
+}
+
+LineId TurnQueue::take_lightest() {
+  assert(!empty());
+  return take(*std::find_if(classes_.begin(), classes_.end(), has_lines));
+}
+
+LineId TurnQueue::take_heaviest() {
+  assert(!empty());
+  return take(*std::find_if(classes_.rbegin(), classes_.rend(), has_lines));
+}
+
+}  // namespace xr3

@@ -1,0 +1,63 @@
+#include "server/robot_port/turn_queue.hpp"
+
+#include <gtest/gtest.h>
+
+namespace xr3 {
+namespace {
+
+constexpr std::uint64_t kLight = 200;
+constexpr std::uint64_t kImage = 6'500;
+constexpr std::uint64_t kEndless = 50'000;
+
+TEST(TurnQueue, LightLinesGoFirst) {
+  TurnQueue turns;
+  turns.add(1, kEndless);
+  turns.add(2, kImage);
+  turns.add(3, kLight);
+  EXPECT_EQ(turns.take_lightest(), 3U);
+  EXPECT_EQ(turns.take_lightest(), 2U);
+  EXPECT_EQ(turns.take_lightest(), 1U);
+  EXPECT_TRUE(turns.empty());
+}
+
+TEST(TurnQueue, LinesOfAboutTheSameLoadTakeTurns) {
+  TurnQueue turns;
+  for (const LineId line : {7U, 5U, 6U}) turns.add(line, kLight + line);
+  EXPECT_EQ(turns.take_lightest(), 7U);
+  turns.add(7, kLight);
+  EXPECT_EQ(turns.take_lightest(), 5U);
+  EXPECT_EQ(turns.take_lightest(), 6U);
+  EXPECT_EQ(turns.take_lightest(), 7U);
+}
+
+TEST(TurnQueue, HeavyLinesAreNotForgotten) {
+  TurnQueue turns;
+  turns.add(1, kEndless);
+  turns.add(2, kEndless);
+  turns.add(3, kLight);
+  EXPECT_EQ(turns.take_heaviest(), 1U);
+  EXPECT_EQ(turns.take_heaviest(), 2U);
+  EXPECT_EQ(turns.take_heaviest(), 3U);
+}
+
+TEST(TurnQueue, ALineWaitsOnce) {
+  TurnQueue turns;
+  turns.add(1, kLight);
+  turns.add(1, kEndless);
+  EXPECT_TRUE(turns.contains(1));
+  EXPECT_EQ(turns.take_lightest(), 1U);
+  EXPECT_FALSE(turns.contains(1));
+  EXPECT_TRUE(turns.empty());
+}
+
+TEST(TurnQueue, ALineIsNextIfNoLighterOneOrEqualOneWaits) {
+  TurnQueue turns;
+  EXPECT_TRUE(turns.is_next(kEndless));
+  turns.add(1, kImage);
+  EXPECT_TRUE(turns.is_next(kLight));
+  EXPECT_FALSE(turns.is_next(kImage));
+  EXPECT_FALSE(turns.is_next(kEndless));
+}
+
+}  // namespace
+}  // namespace xr3
