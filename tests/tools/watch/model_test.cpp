@@ -34,8 +34,17 @@ TEST(WatchModel, SubscribesToTheChannelsOfTheServer) {
             "{\"op\":\"sub\",\"channel\":\"event\"}\n"
             "{\"op\":\"get\",\"channel\":\"event\"}\n"
             "{\"op\":\"ping\",\"id\":\"last\"}\n");
+  model.opening();  // of another connection
   EXPECT_THAT(model.handle(R"({"op":"hello","channels":["state"]})"),
               ElementsAre(HasSubstr("ping"), HasSubstr("\"state\""), HasSubstr("\"last\"")));
+}
+
+TEST(WatchModel, APrivateServerSendsASecondHelloAfterTheToken) {
+  WatchModel model({"", "sixteen letters!", Interest::kOn});
+  EXPECT_THAT(model.handle(R"({"op":"hello","access":"none"})"),
+              ElementsAre(HasSubstr("ping"), HasSubstr("\"auth\"")));
+  EXPECT_THAT(model.handle(R"({"op":"hello","access":"control","channels":["state"]})"),
+              ElementsAre(HasSubstr("\"state\""), HasSubstr("\"last\"")));
 }
 
 TEST(WatchModel, OnceGetsEveryChannelAndDetectsTheEnd) {
