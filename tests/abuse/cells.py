@@ -11,11 +11,12 @@ HUNDRED = "hundred"    # a hundred blocks, also shipped
 THOUSAND = "thousand"  # a thousand blocks
 CAMERA = "camera"      # the shipped blocks, and 2,048 x 2,048 pixels
 LARGEST = "largest"    # 10,000 blocks and 2,048 x 2,048 pixels
-HEAPED = "heaped"      # the same, and each block covers the camera's whole field
+HEAPED = "heaped"      # 2,048 x 2,048 pixels, and as many blocks as may cover the camera's whole field
 
 BOUND_MS = {SHIPPED: 3, HUNDRED: 3, THOUSAND: 20, CAMERA: 20, LARGEST: 20, HEAPED: 20}
 MOST_BLOCKS = 10_000
 MOST_PIXELS = 2048
+MOST_ROWS = 2_500_000  # of the camera's image, counted for each block
 FIELD_MM = 384
 
 
@@ -36,7 +37,8 @@ def workcell(blocks=None, pixels=None):
 
 def _heap():
     middle = [290, 0, 10]
-    return [block(number, (2 * FIELD_MM, 2 * FIELD_MM, 20)) | {"centroid": middle} for number in range(MOST_BLOCKS)]
+    size = (2 * FIELD_MM, 2 * FIELD_MM, 20)
+    return [block(number, size) | {"centroid": middle} for number in range(MOST_ROWS // MOST_PIXELS)]
 
 
 MADE = {

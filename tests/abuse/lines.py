@@ -1,6 +1,7 @@
 """Loads on the robot port."""
 
 import itertools
+import socket
 
 from attack import beside
 from cells import HEAPED, HUNDRED, LARGEST, SHIPPED
@@ -28,15 +29,15 @@ def trickle(data):
         for turn in itertools.count():
             if turn == 1:
                 target.ready()
-            for sock in socks:
-                sock.send(data[turn % len(data):][:1])
-                if turn % 100 == 99:
-                    sock.setblocking(False)
-                    try:
-                        sock.recv(4096)
-                    except BlockingIOError:
-                        pass
-                    sock.setblocking(True)
+            for number, sock in enumerate(socks):
+                try:
+                    sock.send(data[turn % len(data):][:1])
+                    if turn % 100 == 99:
+                        sock.recv(4096, socket.MSG_DONTWAIT)
+                except BlockingIOError:
+                    pass
+                except OSError:  # closed by the server: too many unread replies
+                    socks[number] = target.line()
     return load
 
 
@@ -77,12 +78,13 @@ ATTACKS = [
     *beside("lines.telnet", flood(TELNET), SHIPPED),
     *beside("lines.telnet-unread", flood(TELNET, reads=False), SHIPPED),
     *beside("lines.negotiation", flood(NEGOTIATION), SHIPPED),
-    *beside("lines.trickle", trickle(b"\r"), SHIPPED),
-    *beside("lines.trickle-inquiries", trickle(b"E?"), SHIPPED),
-    *beside("lines.trickle-images", trickle(b"A**"), SHIPPED, LARGEST),
+    *beside("lines.trickle", trickle(b"\r"), SHIPPED, crowd=True),
+    *beside("lines.trickle-inquiries", trickle(b"E?"), SHIPPED, crowd=True),
+    *beside("lines.trickle-images", trickle(b"A**"), SHIPPED, crowd=True),
     *beside("lines.storm", storm(b"E?"), SHIPPED),
     *beside("lines.storm-held", storm(b"GET"), SHIPPED),
     *beside("lines.storm-strangers", storm(b"GET / HTTP/1.1\r\n"), SHIPPED),
-    *beside("lines.bursts", lambda target: target.bursts(target.robot_port, b"E?"), SHIPPED),
+    *beside("lines.bursts", lambda target: target.bursts(target.robot_port, b"E?"), SHIPPED, crowd=True),
+    *beside("lines.refused", lambda target: target.flood(target.untried_line, b"A**", count=100), SHIPPED, crowd=True),
     *beside("lines.many-images", lambda target: target.flood(target.line, b"A**", count=100), SHIPPED, LARGEST),
 ]

@@ -61,7 +61,14 @@ class Target:
         self._is_ready = True
 
     def line(self, **options):
-        return connect(self.robot_port, **options)
+        """A line. It has sent CR: without it, what follows could be taken for the method of an HTTP request."""
+        sock = connect(self.robot_port, **options)
+        sock.sendall(b"\r")
+        return sock
+
+    def untried_line(self):
+        """A line that has sent nothing."""
+        return connect(self.robot_port)
 
     def page(self, **options):
         """A connection to the monitor port that has sent nothing."""

@@ -35,12 +35,15 @@ def processor_clock(pid):
 
 
 class Line:
-    """Receives replies with the time of their arrival in the kernel, before this process is awake."""
+    """Receives replies with the time of their arrival in the kernel, before this process is awake. The line has had its
+    first reply: a new connection waits in the kernel behind those that came before it."""
 
     def __init__(self, port):
         self.socket = socket.create_connection(("127.0.0.1", port))
         self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self.socket.setsockopt(socket.SOL_SOCKET, SO_TIMESTAMPNS, 1)
+        self.socket.sendall(b"E?")
+        self.read()
 
     def read(self):
         """(number of replies, time of arrival)"""
