@@ -161,6 +161,7 @@ Applied Cell::handle(const LineClosed& closed, WallNs) {
   const SerialLine* line = find_line(closed.line);
   if (line == nullptr) return {};
   emit_all(closed.line, warnings_.forget(closed.line));
+  ++counters_.of(closed.reason);
   emit(closed.line, LineClosedNote{closed.reason, line->bytes_in(), line->bytes_out()});
   closed_bytes_in_[closed.line] = line->bytes_in();
   if (closed_bytes_in_.size() > kRememberedLines) closed_bytes_in_.erase(closed_bytes_in_.begin());

@@ -1,5 +1,5 @@
-// Statistics of a cell and its monitor clients since the start of the server, for /metrics. All are
-// monotonic counters, except those marked "now".
+// Statistics of a cell, its ports and their clients since the start of the server, for /metrics.
+// All are monotonic counters, except those marked "now" and the delay of the event loop.
 #pragma once
 
 #include <array>
@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "core/command.hpp"
+#include "protocol/explain/cell_event.hpp"
 #include "protocol/monitor/request.hpp"
 
 namespace xr3 {
@@ -22,9 +23,16 @@ struct ChannelCounters {
   std::uint64_t overwritten = 0;  ///< before they were sent: in a client's slot, or in the ring
 };
 
+/// Connections that a port did not serve.
+struct PortCounters {
+  std::uint64_t refused = 0;          ///< beyond the maximum number
+  std::uint64_t accept_failures = 0;  ///< attempts that failed, such as without descriptors
+};
+
 struct CellCounters {
   std::uint64_t lines_open = 0;  ///< now
   std::uint64_t lines_total = 0;
+  std::array<std::uint64_t, kLineCloseReasons> lines_closed{};  ///< by LineCloseReason
   std::uint64_t bytes_in = 0;
   std::uint64_t bytes_out = 0;
   std::array<std::uint64_t, kCommandKinds> commands{};  ///< by index in Command
@@ -33,8 +41,14 @@ struct CellCounters {
   std::array<ChannelCounters, kChannels> channels{};    ///< by monitor::Channel
   std::uint64_t monitor_sessions = 0;                   ///< monitor clients now
   std::uint64_t wrong_tokens = 0;                       ///< of monitor clients
+  PortCounters robot_port;
+  PortCounters monitor_port;
+  std::int64_t loop_lag_ns = 0;  ///< the greatest of the last minute, see server/net/loop_lag
 
   std::uint64_t& of(const Command& command) { return commands[command.index()]; }
+  std::uint64_t& of(LineCloseReason reason) {
+    return lines_closed[static_cast<std::size_t>(reason)];
+  }
   ChannelCounters& of(monitor::Channel channel) {
     return channels[static_cast<std::size_t>(channel)];
   }

@@ -94,6 +94,7 @@ App::App(const ServeOptions& options, ModelPtr model, std::string token)
       monitor_port_(
           io_, cell_, robot_port_, policy_, [this] { return not_ready(); }, [this] { acted(); },
           limits_),
+      service_manager_(io_, service_environment(), [this] { return robot_probe_.failure(); }),
       signals_(io_, SIGINT, SIGTERM) {
   robot_port_.limit_memory(memory_);
   monitor_port_.limit_memory(memory_);
@@ -162,6 +163,7 @@ void App::announce() {
   }
   announce_token(monitor.port());
   std::cout << "LISTENING robot=" << to_text(robot) << " monitor=" << to_text(monitor) << std::endl;
+  service_manager_.ready();
 }
 
 // Bypasses the log, which may be stored. Standard output contains only the LISTENING line.
@@ -182,7 +184,7 @@ void App::await_signal() {
 
 void App::acted() {
   if (stage_ == Stage::kEnded) return;
-  if (stage_ != Stage::kDraining) return monitor_port_.subscribers().acted();
+  if (stage_ != Stage::kDraining) return monitor_port_.acted();
   if (robot_port_.is_empty() && monitor_port_.is_empty()) drain_limit_.cancel();
 }
 
@@ -197,8 +199,8 @@ bool App::close_greediest() {
 // Closes everything that keeps the event loop running, so that run() returns.
 void App::stop() {
   stage_ = Stage::kDraining;
+  service_manager_.stopping();
   port_file_.reset();
-  monitor_port_.subscribers().stop();
   const WallNs deadline = wall_now() + kDrainLimit;
   robot_port_.close(deadline - kDrainLimit / 2);
   monitor_port_.close(deadline);

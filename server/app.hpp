@@ -12,6 +12,7 @@
 #include "server/monitor_port/port.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/memory_limit.hpp"
+#include "server/net/service_manager.hpp"
 #include "server/net/socket_limits.hpp"
 #include "server/options/options.hpp"
 #include "server/robot_port/port.hpp"
@@ -85,6 +86,7 @@ class App {
   RobotPort robot_port_;
   RobotProbe robot_probe_;
   MonitorPort monitor_port_;
+  ServiceManager service_manager_;
   asio::signal_set signals_;
   std::optional<PortFile> port_file_;
   asio::steady_timer drain_limit_{io_};

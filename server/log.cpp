@@ -96,7 +96,7 @@ class PatientSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex>
 /// Passes at most kMaxLogBytes a second on to another sink, and says how many messages it dropped.
 class LimitedSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
  public:
-  explicit LimitedSink(spdlog::sink_ptr sink) : sink_(std::move(sink)) {
+  explicit LimitedSink(spdlog::sink_ptr target) : sink_(std::move(target)) {
     sink_->set_formatter(std::make_unique<OneLineFormatter>());
   }
 

@@ -16,10 +16,13 @@ xr3=${XR3:-$(dirname "$0")/../../build/release/xr3}
 folder=$(mktemp -d)
 mkfifo "$folder/output"
 
-# XR3_LISTEN is cleared: this server listens only on this machine.
+# XR3_LISTEN is cleared: this server listens only on this machine. The server limits its log file to the
+# last 50 MB, however long the program under test sends garbage; standard error has only the reason
+# why it does not start.
 # shellcheck disable=SC2086  # options are words
-XR3_LISTEN='' "$xr3" serve --robot-port 0 --monitor-port 0 ${XR3_OPTIONS---clock real:50} \
-  >"$folder/output" 2>"$folder/log" &
+XR3_LISTEN='' XR3_LOG_FILE="$folder/log" \
+  "$xr3" serve --robot-port 0 --monitor-port 0 ${XR3_OPTIONS---clock real:50} \
+  >"$folder/output" 2>"$folder/errors" &
 server=$!
 
 running=
@@ -31,7 +34,7 @@ finish() {
   kill "$server" 2>/dev/null || true
   [ -z "$running" ] || wait "$running" 2>/dev/null || true
   wait "$server" 2>/dev/null || true
-  [ "$code" = 0 ] || { echo "--- log of xr3:"; cat "$folder/log"; } >&2
+  [ "$code" = 0 ] || { echo "--- log of xr3:"; cat "$folder/errors" "$folder/log" 2>/dev/null || true; } >&2
   rm -rf "$folder"
   exit "$code"
 }

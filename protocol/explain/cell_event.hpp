@@ -2,6 +2,7 @@
 // caused them, problems on the lines, and changes of lines, clock, model and epoch. Values only.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -30,8 +31,10 @@ enum class LineCloseReason : std::uint8_t {
   kError,
   kShutdown,
   kDisconnected,  ///< by the monitor's line_disconnect
-  kMemory,        ///< it held the most when the memory was exhausted
+  kMemory,        ///< it held the most when the memory was exhausted; the last one
 };
+inline constexpr std::size_t kLineCloseReasons =
+    static_cast<std::size_t>(LineCloseReason::kMemory) + 1;
 
 /// Bytes that were not executed. `count` consecutive ones with the same code are one note.
 struct ProblemNote {

@@ -76,18 +76,6 @@ std::string text_of(const MotorBlocked& e, const Model& model) {
          left;
 }
 
-std::string_view code_of_reason(LineCloseReason reason) {
-  switch (reason) {
-    case LineCloseReason::kClientClosed: return "client_closed";
-    case LineCloseReason::kNotARobotProgram: return "stranger";
-    case LineCloseReason::kError: return "error";
-    case LineCloseReason::kShutdown: return "shutdown";
-    case LineCloseReason::kDisconnected: return "disconnected";
-    case LineCloseReason::kMemory: return "memory";
-  }
-  return "";
-}
-
 std::string_view text_of(LineCloseReason reason) {
   switch (reason) {
     case LineCloseReason::kClientClosed: return "closed by its client";
@@ -218,7 +206,7 @@ struct CellEvents {
   }
   EventReport operator()(const LineClosedNote& note) const {
     return {"line_close",
-            code_of_reason(note.reason),
+            code_of(note.reason),
             line() + " " + std::string(text_of(note.reason)),
             {{"bytes_in", note.bytes_in}, {"bytes_out", note.bytes_out}}};
   }
@@ -257,6 +245,18 @@ std::string_view name_of(LineKind kind) {
     case LineKind::kRaw: return "raw";
     case LineKind::kTelnet: return "telnet";
     case LineKind::kMonitor: return "monitor";
+  }
+  return "";
+}
+
+std::string_view code_of(LineCloseReason reason) {
+  switch (reason) {
+    case LineCloseReason::kClientClosed: return "client_closed";
+    case LineCloseReason::kNotARobotProgram: return "stranger";
+    case LineCloseReason::kError: return "error";
+    case LineCloseReason::kShutdown: return "shutdown";
+    case LineCloseReason::kDisconnected: return "disconnected";
+    case LineCloseReason::kMemory: return "memory";
   }
   return "";
 }

@@ -28,4 +28,7 @@ EventReport report(const CellEvent& event, const Model& model);
 /// `raw`, `telnet` or `monitor`.
 std::string_view name_of(LineKind kind);
 
+/// The stable code, such as `client_closed`.
+std::string_view code_of(LineCloseReason reason);
+
 }  // namespace xr3

@@ -3,12 +3,15 @@
 #include <prometheus/metric_family.h>
 #include <prometheus/text_serializer.h>
 
+#include <optional>
 #include <sstream>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "core/units.hpp"
 #include "protocol/explain/command_text.hpp"
+#include "protocol/explain/event_report.hpp"
 #include "protocol/monitor/message.hpp"
 
 namespace xr3 {
@@ -36,7 +39,7 @@ const std::vector<std::string>& command_kinds() {
   return names;
 }
 
-/// Builds the metric families of one cell.
+/// Builds the metric families, of one cell unless they are of the process.
 class Page {
  public:
   explicit Page(const std::string& cell) : cell_(cell) {}
@@ -61,6 +64,15 @@ class Page {
     metric.gauge.value = value;
     families_.back().metric.push_back(std::move(metric));
   }
+  /// A metric with the name that Prometheus prescribes for every process; without a label.
+  template <class Value>
+  void of_process(const std::string& name, const std::string& help, MetricType type,
+                  std::optional<Value> value) {
+    if (!value) return;
+    ClientMetric metric;
+    metric.counter.value = metric.gauge.value = static_cast<double>(*value);
+    families_.push_back({"process_" + name, help, type, {std::move(metric)}});
+  }
   std::string text() const {
     std::ostringstream out;
     prometheus::TextSerializer().Serialize(out, families_);
@@ -78,9 +90,16 @@ std::string channel_name(std::size_t index) {
 
 double number(std::uint64_t count) { return static_cast<double>(count); }
 
+double seconds(std::int64_t ns) { return static_cast<double>(ns) / 1e9; }
+
 void add_lines(Page& page, const CellCounters& counters) {
   page.gauge("lines_open", "Open serial lines.", number(counters.lines_open));
   page.counter("lines_total", "Serial lines opened since the start.", number(counters.lines_total));
+  page.begin("lines_closed_total", "Serial lines closed, by reason.", MetricType::Counter);
+  for (std::size_t i = 0; i < kLineCloseReasons; ++i) {
+    const std::string_view reason = code_of(static_cast<LineCloseReason>(i));
+    page.add({{"reason", std::string(reason)}}, number(counters.lines_closed.at(i)));
+  }
   page.counter("bytes_in_total", "Bytes received on serial lines.", number(counters.bytes_in));
   page.counter("bytes_out_total", "Bytes sent on serial lines.", number(counters.bytes_out));
 }
@@ -100,6 +119,32 @@ void add_time(Page& page, const CellCounters& counters) {
                number(counters.ticks) / kTickHz);
 }
 
+void add_refusals(Page& page, const CellCounters& counters) {
+  const PortCounters& robot = counters.robot_port;
+  const PortCounters& monitor = counters.monitor_port;
+  page.counter("lines_refused_total", "Connections of the robot port beyond its limit of lines.",
+               number(robot.refused));
+  page.counter("viewers_refused_total", "Connections of the monitor port beyond its limit.",
+               number(monitor.refused));
+  page.begin("accept_failures_total", "Failed attempts to accept a connection, by port.",
+             MetricType::Counter);
+  page.add({{"port", "robot"}}, number(robot.accept_failures));
+  page.add({{"port", "monitor"}}, number(monitor.accept_failures));
+}
+
+void add_process(Page& page, const CellCounters& counters, const ProcessStats& process) {
+  page.gauge("event_loop_lag_seconds", "Greatest delay of the event loop in the last minute.",
+             seconds(counters.loop_lag_ns));
+  page.of_process("cpu_seconds_total", "User and system CPU time in seconds.", MetricType::Counter,
+                  process.cpu_s);
+  page.of_process("resident_memory_bytes", "Resident memory in bytes.", MetricType::Gauge,
+                  process.resident_bytes);
+  page.of_process("open_fds", "Open file descriptors.", MetricType::Gauge,
+                  process.open_descriptors);
+  page.of_process("max_fds", "Maximum number of open file descriptors.", MetricType::Gauge,
+                  process.max_descriptors);
+}
+
 void add_sessions(Page& page, const CellCounters& counters) {
   page.gauge("viewers", "Connected monitor clients.", number(counters.monitor_sessions));
   page.counter("wrong_tokens_total", "Wrong tokens that clients gave.",
@@ -115,12 +160,15 @@ void add_sessions(Page& page, const CellCounters& counters) {
 
 }  // namespace
 
-std::string metrics_text(const std::string& cell, const CellCounters& counters) {
+std::string metrics_text(const std::string& cell, const CellCounters& counters,
+                         const ProcessStats& process) {
   Page page(cell);
   add_lines(page, counters);
   add_commands(page, counters);
   add_time(page, counters);
   add_sessions(page, counters);
+  add_refusals(page, counters);
+  add_process(page, counters, process);
   return page.text();
 }
 

@@ -1,16 +1,19 @@
-// The counters of a cell in the Prometheus text format.
+// The counters of a cell and of its process in the Prometheus text format.
 #pragma once
 
 #include <string>
 
 #include "cell/counters.hpp"
+#include "server/http/process_stats.hpp"
 
 namespace xr3 {
 
 inline constexpr const char* kMetricsType = "text/plain; version=0.0.4; charset=utf-8";
 
-/// Each metric with HELP and TYPE; all samples have the label `cell`. Every kind of command and
-/// every channel has a sample from the start, a code of a warning after its first occurrence.
-std::string metrics_text(const std::string& cell, const CellCounters& counters);
+/// Each metric with HELP and TYPE; all samples but those of the process have the label `cell`.
+/// Every kind of command, reason and channel has a sample from the start, a code of a warning after
+/// its first occurrence.
+std::string metrics_text(const std::string& cell, const CellCounters& counters,
+                         const ProcessStats& process);
 
 }  // namespace xr3

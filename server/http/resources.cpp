@@ -10,6 +10,7 @@
 #include "server/files/data_files.hpp"
 #include "server/files/png.hpp"
 #include "server/http/metrics.hpp"
+#include "server/http/process_stats.hpp"
 #include "server/http/web_assets.hpp"
 #include "server/net/wall_clock.hpp"
 #include "server/options/options.hpp"
@@ -87,11 +88,12 @@ Answer upgrade_required() {
 }  // namespace
 
 HttpResources::HttpResources(Cell& cell, MonitorService& service, const AccessPolicy& policy,
-                             NotReady not_ready)
+                             NotReady not_ready, Count count)
     : cell_(cell),
       service_(service),
       policy_(policy),
       not_ready_(std::move(not_ready)),
+      count_(std::move(count)),
       bitmap_(service.io(), service.worker()),
       png_(service.io(), service.worker()),
       workcell_(service.io(), service.worker()),
@@ -168,6 +170,7 @@ bool HttpResources::is_health_check(const Request& request) {
 }
 
 asio::awaitable<Answer> HttpResources::answer(const Request& request) {
+  service_.note_work();
   const std::string_view path = request.path();
   service_.let_lines_run();
   if (wall_now() >= deadline_)
@@ -214,7 +217,7 @@ asio::awaitable<Answer> HttpResources::readiness(Request) {
 
 asio::awaitable<Answer> HttpResources::metrics(Request) {
   cell_.catch_up(wall_now());
-  co_return Answer{200, kMetricsType, metrics_text(cell_.name(), service_.counters()), {}};
+  co_return Answer{200, kMetricsType, metrics_text(cell_.name(), count_(), process_stats()), {}};
 }
 
 asio::awaitable<Answer> HttpResources::schema(Request) {

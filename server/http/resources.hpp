@@ -24,9 +24,12 @@ class HttpResources {
   /// Returns why the server is not ready, as a sentence; empty if it is ready.
   using NotReady = std::function<asio::awaitable<std::string>()>;
 
-  /// The references must outlive it. `not_ready` is called for /readyz.
-  HttpResources(Cell& cell, MonitorService& service, const AccessPolicy& policy,
-                NotReady not_ready);
+  /// Returns the statistics of the server.
+  using Count = std::function<CellCounters()>;
+
+  /// The references must outlive it. `not_ready` is called for /readyz, `count` for /metrics.
+  HttpResources(Cell& cell, MonitorService& service, const AccessPolicy& policy, NotReady not_ready,
+                Count count);
 
   /// From this wall time on requests get the error `not_ready`.
   void close_at(WallNs deadline) { deadline_ = deadline; }
@@ -70,6 +73,7 @@ class HttpResources {
   MonitorService& service_;
   const AccessPolicy& policy_;
   NotReady not_ready_;
+  Count count_;
   WallNs deadline_ = kNever;
   http::BodyMaker<ImagePtr> bitmap_;
   http::BodyMaker<ImagePtr> png_;

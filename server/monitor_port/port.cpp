@@ -13,7 +13,7 @@ MonitorPort::MonitorPort(asio::io_context& io, Cell& cell, LineTransports& lines
     : max_connections_(limits.connections),
       peers_(peer_counts(limits.connections, limits.per_address)),
       service_(io, cell, lines, policy, acted),
-      resources_(cell, service_, policy, std::move(not_ready)),
+      resources_(cell, service_, policy, std::move(not_ready), [this] { return counters(); }),
       context_{service_, resources_, nullptr, [this] { report_tls(); },
                [this, acted](const std::shared_ptr<MonitorConnection>& connection) {
                  connections_.erase(connection);
@@ -46,6 +46,7 @@ void MonitorPort::make_room() {
 }
 
 void MonitorPort::refuse(tcp::socket socket) {
+  ++refused_;
   if (!std::exchange(has_logged_full_, true)) {
     spdlog::warn(
         "monitor: connections are refused: {} are open already, or as many as one address may have "
@@ -72,10 +73,15 @@ void MonitorPort::close_greediest() {
   const auto connection = greediest();
   spdlog::warn(
       "monitor: the connection of {} is closed: the server needs more memory than --max-memory, "
-      "and "
-      "this client has the most unread answers ({} bytes)",
+      "and this client has the most unread answers ({} bytes)",
       connection->peer(), connection->held_bytes());
   connection->abort();
+}
+
+CellCounters MonitorPort::counters() const {
+  CellCounters counters = service_.counters();
+  counters.monitor_port = {refused_, listener_.failures()};
+  return counters;
 }
 
 void MonitorPort::report_tls() {
@@ -89,6 +95,7 @@ void MonitorPort::report_tls() {
 void MonitorPort::close(WallNs deadline) {
   listener_.close();
   resources_.close_at(deadline);
+  service_.stop();
   for (const auto& connection : Connections(connections_)) connection->finish();
   refusals_.abort();
 }

@@ -38,7 +38,8 @@ class MonitorPort {
   void stop() { service_.worker().stop(); }
   bool is_empty() const { return connections_.empty() && refusals_.is_empty(); }
 
-  SubscriberHub& subscribers() { return service_.subscribers(); }
+  /// An input of the cell has acted: serves the subscribers.
+  void acted() { service_.acted(); }
 
   /// From now on the connections count towards a limit of memory, which must outlive the port.
   void limit_memory(MemoryLimit& limit) { context_.memory = &limit; }
@@ -52,6 +53,7 @@ class MonitorPort {
 
   void open(tcp::socket socket);
   void refuse(tcp::socket socket);
+  CellCounters counters() const;
   void make_room();
   std::shared_ptr<MonitorConnection> greediest() const;
   void report_tls();
@@ -66,6 +68,7 @@ class MonitorPort {
   Refusals refusals_;
   bool has_logged_tls_ = false;
   bool has_logged_full_ = false;
+  std::uint64_t refused_ = 0;
 };
 
 }  // namespace xr3

@@ -77,7 +77,8 @@ MonitorService::MonitorService(asio::io_context& io, Cell& cell, LineTransports&
       policy_(policy),
       acted_(std::move(acted)),
       frames_(cell),
-      subscribers_(io, cell, frames_, [this] { lines_.run_turns(); }) {}
+      subscribers_(io, cell, frames_, [this] { lines_.run_turns(); }),
+      lag_(io, [this] { return cell_.has_news_to_come(); }) {}
 
 // --- Sessions.
 
@@ -109,11 +110,23 @@ const monitor::Frame* MonitorService::current_frame(const monitor::Selection& se
   return frames_.current(selection);
 }
 
+void MonitorService::acted() {
+  note_work();
+  subscribers_.acted();
+}
+
+void MonitorService::stop() {
+  subscribers_.stop();
+  lag_.stop();
+}
+
 CellCounters MonitorService::counters() const {
   CellCounters counters = cell_.counters();
   counters.lines_open = cell_.lines().size();
   counters.monitor_sessions = subscribers_.size();
   counters.wrong_tokens = wrong_tokens_;
+  counters.robot_port = lines_.counters();
+  counters.loop_lag_ns = lag_.max_at(wall_now());
   const SubscriberHub::AllChannelStats channel_stats = subscribers_.channel_stats();
   for (std::size_t i = 0; i < channel_stats.size(); ++i)
     counters.channels.at(i) = {channel_stats[i].sent, channel_stats[i].overwritten};
@@ -142,6 +155,7 @@ asio::awaitable<monitor::RequestReading> MonitorService::read(std::string_view m
 }
 
 asio::awaitable<void> MonitorService::carry_out(MonitorSession& session, monitor::Request request) {
+  note_work();
   if (const Error error = check_access(session, monitor::heading_of(request))) {
     session.client().send(monitor::result(*error));
   } else if (std::holds_alternative<monitor::Ping>(request.what)) {

@@ -17,6 +17,7 @@
 #include "server/monitor_port/subscribers.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/line_transports.hpp"
+#include "server/net/loop_lag.hpp"
 #include "server/net/wall_clock.hpp"
 #include "server/net/worker.hpp"
 
@@ -60,11 +61,17 @@ class MonitorService {
   void let_lines_run();
   static constexpr WallNs kLinesEvery = 500'000;
 
+  /// An input of the cell has acted: serves the subscribers, and measures the event loop.
+  void acted();
+  /// The server has work to do for a client: measures the event loop.
+  void note_work() { lag_.note_work(); }
   SubscriberHub& subscribers() { return subscribers_; }
   asio::io_context& io() { return io_; }
   Worker& worker() { return worker_; }
+  /// For the end of the process: starts no timer any more, except for waiting requests.
+  void stop();
 
-  /// The statistics of the cell and of the sessions.
+  /// The statistics of the cell, the lines, the sessions and the event loop.
   CellCounters counters() const;
 
  private:
@@ -97,6 +104,7 @@ class MonitorService {
   WallNs next_lines_ = 0;      ///< earliest time of the next turns by let_lines_run()
   WallNs next_token_log_ = 0;  ///< earliest time of the next message about wrong tokens
   SubscriberHub subscribers_;
+  LoopLag lag_;
   Worker worker_;
 };
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 
+#include "cell/counters.hpp"
 #include "protocol/explain/cell_event.hpp"
 #include "server/net/asio.hpp"
 
@@ -28,6 +29,8 @@ class LineTransports {
 
   /// Closes the connection of a line. Returns false if it belongs to no transport.
   virtual bool disconnect(LineId line) = 0;
+
+  virtual PortCounters counters() const = 0;
 
  protected:
   ~LineTransports() = default;  // never owned through this interface

@@ -1,6 +1,7 @@
 #include "server/net/listener.hpp"
 
 #include <netinet/tcp.h>
+#include <spdlog/spdlog.h>
 
 #include <boost/asio/ip/v6_only.hpp>
 #include <boost/system/system_error.hpp>
@@ -86,8 +87,17 @@ void Listener::accept_pending() {
 bool Listener::accept_some(tcp::acceptor& acceptor) {
   ErrorCode error;
   for (int i = 0; i < kFairShare && acceptor.is_open() && !error; ++i) error = accept_one(acceptor);
-  return !error || error == asio::error::would_block || error == asio::error::try_again ||
-         !acceptor.is_open();
+  const bool is_done = !error || error == asio::error::would_block ||
+                       error == asio::error::try_again || !acceptor.is_open();
+  if (!is_done) note_failure(error);
+  return is_done;
+}
+
+void Listener::note_failure(ErrorCode error) {
+  ++failures_;
+  if (std::exchange(has_logged_failure_, true)) return;
+  spdlog::error("{} cannot accept a connection: {} (reported once until it can)", name_,
+                error.message());
 }
 
 ErrorCode Listener::accept_one(tcp::acceptor& acceptor) {
@@ -96,6 +106,7 @@ ErrorCode Listener::accept_one(tcp::acceptor& acceptor) {
   acceptor.accept(socket, error);
   if (error == asio::error::connection_aborted) return {};
   if (error) return error;
+  has_logged_failure_ = false;
   prepare(socket);
   accepted_(std::move(socket));
   return {};

@@ -28,6 +28,9 @@ class Listener {
   /// The first endpoint that was opened.
   tcp::endpoint endpoint() const { return endpoint_; }
 
+  /// How many attempts to accept a connection have failed, such as without descriptors.
+  std::uint64_t failures() const { return failures_; }
+
   /// Accepts every connection that is pending in the kernel.
   void accept_pending();
   void close();
@@ -42,12 +45,15 @@ class Listener {
   /// Accepts a few connections. False if one is pending that cannot be accepted now.
   bool accept_some(tcp::acceptor& acceptor);
   ErrorCode accept_one(tcp::acceptor& acceptor);
+  void note_failure(ErrorCode error);
 
   asio::io_context& io_;
   const char* name_;
   std::list<Entrance> entrances_;
   Accepted accepted_;
   tcp::endpoint endpoint_;
+  std::uint64_t failures_ = 0;
+  bool has_logged_failure_ = false;  ///< until the next connection is accepted
 };
 
 }  // namespace xr3

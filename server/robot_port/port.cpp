@@ -85,14 +85,16 @@ bool RobotPort::is_full() const {
 void RobotPort::refuse(bool is_probe) {
   if (is_probe) {
     probe_progress_ = ProbeProgress::kRefused;
-  } else if (!std::exchange(has_logged_full_, true)) {
-    spdlog::warn(
-        "lines are refused: {} are open already (--max-lines; reported once until one ends)",
-        rules_.max_lines);
+    return;
   }
+  ++refused_;
+  if (std::exchange(has_logged_full_, true)) return;
+  spdlog::warn("lines are refused: {} are open already (--max-lines; reported once until one ends)",
+               rules_.max_lines);
 }
 
 void RobotPort::refuse_peer(const asio::ip::address& peer) {
+  ++refused_;
   if (std::exchange(has_logged_peer_, true)) return;
   spdlog::warn(
       "lines of {} are refused: it has as many open as one address may have (--max-per-address; "

@@ -58,6 +58,7 @@ class RobotPort final : public LineTransports {
   asio::awaitable<bool> wait_for_bytes(LineId line, std::uint64_t bytes_in,
                                        std::chrono::milliseconds within) override;
   bool disconnect(LineId line) override;
+  PortCounters counters() const override { return {refused_, listener_.failures()}; }
 
   /// The next connection from this endpoint is the server's own probe and becomes kProbeLine. It is
   /// refused if the limit of lines is reached, but does not count as a line.
@@ -105,6 +106,7 @@ class RobotPort final : public LineTransports {
   bool is_watching_ = false;
   bool has_logged_full_ = false;
   bool has_logged_peer_ = false;
+  std::uint64_t refused_ = 0;
   std::optional<tcp::endpoint> probe_from_;  ///< of the expected probe, until it is accepted
   ProbeProgress probe_progress_ = ProbeProgress::kUnseen;
   TurnQueue turns_;

@@ -62,9 +62,16 @@ asio::awaitable<std::string> RobotProbe::trouble() {
   while (is_asking_) co_await answered_.async_wait(kAwait);
   if (Clock::now() < fresh_until_) co_return trouble_;
   const Asking asking(*this);
+  is_full_ = false;
   trouble_ = co_await ask();
   fresh_until_ = Clock::now() + kFresh;
   co_return trouble_;
+}
+
+asio::awaitable<std::string> RobotProbe::failure() {
+  std::string found = co_await trouble();
+  if (is_full_) found.clear();
+  co_return found;
 }
 
 asio::awaitable<std::string> RobotProbe::ask() {
@@ -102,10 +109,11 @@ asio::awaitable<RobotProbe::Reply> RobotProbe::exchange(tcp::socket& socket) {
   co_return reply;
 }
 
-std::string RobotProbe::verdict(const Reply& reply) const {
+std::string RobotProbe::verdict(const Reply& reply) {
   if (reply.refusal) return "the robot port accepts no connection: " + reply.refusal.message();
   const ProbeProgress progress = port_.probe_progress();
-  if (progress == ProbeProgress::kRefused)
+  is_full_ = progress == ProbeProgress::kRefused;
+  if (is_full_)
     return "every line is in use: " + std::to_string(port_.max_lines()) + " are open (--max-lines)";
   const std::size_t due = progress == ProbeProgress::kIgnored ? 0 : 1;
   if (reply.bytes == due) return {};

@@ -26,19 +26,23 @@ class RobotProbe {
   /// all callers in that time get its result.
   asio::awaitable<std::string> trouble();
 
+  /// As trouble(), but empty if every line is in use: the port has said so itself, so it works.
+  asio::awaitable<std::string> failure();
+
  private:
   class Asking;
   struct Reply;
 
   asio::awaitable<std::string> ask();
   asio::awaitable<Reply> exchange(tcp::socket& socket);
-  std::string verdict(const Reply& reply) const;
+  std::string verdict(const Reply& reply);
 
   asio::io_context& io_;
   RobotPort& port_;
   bool is_asking_ = false;
   asio::steady_timer answered_;  ///< never expires; cancelled when a probe is done
   std::string trouble_;          ///< of the last probe
+  bool is_full_ = false;         ///< it found every line in use
   std::chrono::steady_clock::time_point fresh_until_;
 };
 

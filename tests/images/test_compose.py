@@ -2,6 +2,7 @@
 code of the student's container."""
 
 import pathlib
+import re
 import shutil
 import socket
 import subprocess
@@ -10,7 +11,7 @@ import unittest
 import urllib.request
 import uuid
 
-from containers import DEADLINE_S, LABEL, ROOT, environment_without_xr3
+from containers import DEADLINE_S, LABEL, ROOT, environment_without_xr3, inspect
 from xr3 import Monitor, MonitorError
 
 LAB, TEST = "docker/compose.yml", "docker/compose.test.yml"
@@ -53,6 +54,15 @@ class Files(unittest.TestCase):
                 done = Project(file, XR3_TOKEN=TOKEN).run("config", "--quiet")
                 self.assertEqual(0, done.returncode, done.stdout + done.stderr)
 
+    def test_every_service_is_limited(self):
+        for file in LAB, TEST:
+            with self.subTest(file):
+                config = Project(file, XR3_TOKEN=TOKEN).run("config").stdout
+                services = len(re.findall(r"^ +image: ", config, re.MULTILINE))
+                self.assertGreater(services, 0, config)
+                for setting in ("mem_limit", "pids_limit", "driver: json-file", "max-size: ", "max-file: "):
+                    self.assertEqual(services, len(re.findall(rf"^ +{setting}", config, re.MULTILINE)), setting)
+
     def test_lab_needs_a_token(self):
         done = Project(LAB).run("config", "--quiet")
         self.assertNotEqual(0, done.returncode)
@@ -72,6 +82,9 @@ class Lab(unittest.TestCase):
             with follower:
                 self.assertTrue(any("LISTENING" in line for line in follower.stdout))
                 follower.kill()
+            container = lab.run("ps", "--quiet").stdout.strip()
+            self.assertEqual(1 << 30, inspect(container, ".HostConfig.Memory"))
+            self.assertEqual(64, inspect(container, ".HostConfig.PidsLimit"))
             with urllib.request.urlopen(f"http://localhost:{monitor_port}/") as page:
                 self.assertIn(b"<!doctype html>", page.read())
             with Monitor("127.0.0.1", monitor_port) as monitor:

@@ -109,7 +109,7 @@ class Watch(unittest.TestCase):
             second = Server("--robot", "adept-one")
             second.options[second.options.index("--monitor-port") + 1] = str(first.monitor_port)
             with second:
-                terminal.wait_for(lambda text: "Adept" in text and "retrying" not in text)
+                terminal.wait_for(lambda text: "Adept" in text and " deg" in text and "retrying" not in text)
             terminal.wait_text("retrying")
             self.leave(terminal)
 

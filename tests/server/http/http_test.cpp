@@ -37,6 +37,8 @@ Json json_of(const std::string& text) { return Json::parse(body_of(text)); }
 
 class HttpTest : public testing::Test {
  protected:
+  HttpTest() { service_.stop(); }  // no timer keeps the loop running
+
   /// The complete response to a request head, which may be truncated.
   std::string answer(const std::string& received) {
     const http::HeadReading head = read_head(received);
@@ -62,7 +64,8 @@ class HttpTest : public testing::Test {
   RobotPort robot_port_{io_, cell_, {16}, [] {}};
   MonitorService service_{io_, cell_, robot_port_, policy_, [] {}};
   HttpResources resources_{cell_, service_, policy_,
-                           [this]() -> asio::awaitable<std::string> { co_return trouble_; }};
+                           [this]() -> asio::awaitable<std::string> { co_return trouble_; },
+                           [this] { return service_.counters(); }};
 };
 
 // --- Heads.
@@ -311,7 +314,7 @@ TEST_F(HttpTest, ServesImages) {
       test::robot_named("rhino-xr3"), test::workcell_named("rhino-xr3"), Profile::kPaper);
   Cell cell("main", with_camera, SimClock::manual(), {});
   HttpResources resources(cell, service_, policy_,
-                          []() -> asio::awaitable<std::string> { co_return std::string(); });
+                          []() -> asio::awaitable<std::string> { co_return std::string(); }, {});
   const auto show = [&](const std::string& target) {
     std::string body;
     const http::Request request = read_head(get(target)).request;

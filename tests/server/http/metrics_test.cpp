@@ -15,6 +15,7 @@ CellCounters some_counters() {
   CellCounters counters;
   counters.lines_open = 2;
   counters.lines_total = 7;
+  counters.of(LineCloseReason::kNotARobotProgram) = 2;
   counters.bytes_in = 123;
   counters.bytes_out = 45;
   counters.of(Command(Move{'E', 5})) = 9;
@@ -24,15 +25,21 @@ CellCounters some_counters() {
   counters.of(monitor::Channel::kState) = {100, 4};
   counters.monitor_sessions = 6;
   counters.wrong_tokens = 8;
+  counters.robot_port = {11, 12};
+  counters.monitor_port = {13, 14};
+  counters.loop_lag_ns = 2'500'000;
   return counters;
 }
+
+const ProcessStats kProcess{1.5, 4096, 17, 1024};
 
 /// Samples by name and labels. Every line must be a comment, or a sample of the metric that the
 /// preceding comments name.
 std::map<std::string, double> parsed(const std::string& text) {
-  const std::regex help(R"(# HELP (xr3_[a-z_]+) \S.*\.)");
-  const std::regex type(R"(# TYPE (xr3_[a-z_]+) (counter|gauge))");
-  const std::regex sample(R"((xr3_[a-z_]+)(\{[a-z]+="[^"\\\n]*"(?:,[a-z]+="[^"\\\n]*")*\}) (\S+))");
+  const std::regex help(R"(# HELP ((?:xr3|process)_[a-z_]+) \S.*\.)");
+  const std::regex type(R"(# TYPE ((?:xr3|process)_[a-z_]+) (counter|gauge))");
+  const std::regex sample(
+      R"(((?:xr3|process)_[a-z_]+)((?:\{[a-z]+="[^"\\\n]*"(?:,[a-z]+="[^"\\\n]*")*\})?) (\S+))");
   std::map<std::string, double> samples;
   std::set<std::string> names;
   std::string helped;
@@ -60,7 +67,7 @@ std::map<std::string, double> parsed(const std::string& text) {
 }
 
 TEST(Metrics, EveryCounterHasASample) {
-  const std::string text = metrics_text("main", some_counters());
+  const std::string text = metrics_text("main", some_counters(), kProcess);
   EXPECT_TRUE(text.ends_with('\n'));
   const auto samples = parsed(text);
   const std::map<std::string, double> expected{
@@ -78,19 +85,36 @@ TEST(Metrics, EveryCounterHasASample) {
       {R"(xr3_frames_sent_total{cell="main",channel="state"})", 100},
       {R"(xr3_frames_overwritten_total{cell="main",channel="state"})", 4},
       {R"(xr3_wrong_tokens_total{cell="main"})", 8},
+      {R"(xr3_lines_closed_total{cell="main",reason="stranger"})", 2},
+      {R"(xr3_lines_closed_total{cell="main",reason="client_closed"})", 0},
+      {R"(xr3_lines_refused_total{cell="main"})", 11},
+      {R"(xr3_viewers_refused_total{cell="main"})", 13},
+      {R"(xr3_accept_failures_total{cell="main",port="robot"})", 12},
+      {R"(xr3_accept_failures_total{cell="main",port="monitor"})", 14},
+      {R"(xr3_event_loop_lag_seconds{cell="main"})", 0.0025},
+      {"process_cpu_seconds_total", 1.5},
+      {"process_resident_memory_bytes", 4096},
+      {"process_open_fds", 17},
+      {"process_max_fds", 1024},
       {R"(xr3_frames_sent_total{cell="main",channel="line"})", 0}};
   for (const auto& [name, value] : expected) {
     ASSERT_TRUE(samples.contains(name)) << name;
     EXPECT_EQ(samples.at(name), value) << name;
   }
-  EXPECT_EQ(samples.size(), 8 + kCommandKinds + 1 + 2 * kChannels);
+  EXPECT_EQ(samples.size(), 17 + kLineCloseReasons + kCommandKinds + 1 + 2 * kChannels);
+}
+
+TEST(Metrics, WhatTheSystemDoesNotTellIsAbsent) {
+  const auto samples = parsed(metrics_text("main", some_counters(), {}));
+  for (const auto& [name, value] : samples) EXPECT_FALSE(name.starts_with("process_")) << name;
 }
 
 TEST(Metrics, LargeCountsAreNotRounded) {
   CellCounters counters;
   counters.bytes_in = 9'007'199'254'740'991;
-  EXPECT_EQ(parsed(metrics_text("main", counters)).at(R"(xr3_bytes_in_total{cell="main"})"),
-            9'007'199'254'740'991.0);
+  EXPECT_EQ(
+      parsed(metrics_text("main", counters, kProcess)).at(R"(xr3_bytes_in_total{cell="main"})"),
+      9'007'199'254'740'991.0);
 }
 
 }  // namespace

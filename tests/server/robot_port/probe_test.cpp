@@ -50,6 +50,18 @@ class RobotProbeTest : public testing::Test {
     };
     spawn_loop(io_.get_executor(), "test", take(probe, result));
   }
+  /// What the watchdog learns.
+  std::string failure() {
+    RobotProbe probe(io_, port_);
+    std::optional<std::string> result;
+    const auto take = [](RobotProbe& asked,
+                         std::optional<std::string>& into) -> asio::awaitable<void> {
+      into = co_await asked.failure();
+    };
+    spawn_loop(io_.get_executor(), "test", take(probe, result));
+    run_until([&] { return result.has_value(); });
+    return result.value_or("no result");
+  }
   template <class Condition>
   void run_until(Condition is_done) {
     const auto deadline = std::chrono::steady_clock::now() + 10s;
@@ -105,6 +117,7 @@ TEST_F(RobotProbeTest, ReportsThatEveryLineIsTaken) {
     Client one(io_, port_.endpoint());
     Client two(io_, port_.endpoint());
     EXPECT_EQ(trouble(), "every line is in use: 2 are open (--max-lines)");
+    EXPECT_EQ(failure(), "") << "the port works";
     two.send("E?");
     EXPECT_EQ(two.bytes(1), " ");
   }
@@ -123,6 +136,7 @@ TEST_F(RobotProbeTest, LeavesTheLastLineToAProgram) {
 TEST_F(RobotProbeTest, ReportsAClosedPort) {
   port_.close();
   EXPECT_EQ(trouble(), "the robot port accepts no connection: Connection refused");
+  EXPECT_EQ(failure(), trouble());
 }
 
 TEST_F(RobotProbeTest, APortThatDoesNotAnswerTimesOut) {

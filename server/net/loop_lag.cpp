@@ -1,0 +1,46 @@
+#include "server/net/loop_lag.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace xr3 {
+
+LoopLag::LoopLag(asio::io_context& io, std::function<bool()> is_busy)
+    : timer_(io), is_busy_(std::move(is_busy)) {}
+
+void LoopLag::measure() {
+  if (is_stopped_) return;
+  is_measuring_ = true;
+  const WallNs due = wall_now() + kInterval;
+  timer_.expires_at(as_time_point(due));
+  timer_.async_wait([this, due](ErrorCode cancelled) {
+    if (cancelled) return;
+    is_measuring_ = false;
+    const WallNs now = wall_now();
+    record(now - due, now);
+    if (is_busy_()) note_work();
+  });
+}
+
+void LoopLag::stop() {
+  is_stopped_ = true;
+  timer_.cancel();
+}
+
+void LoopLag::record(WallNs lag, WallNs now) {
+  const WallNs window = now / kWindow;
+  if (window != window_) {
+    before_ = window == window_ + 1 ? max_ : 0;
+    max_ = 0;
+    window_ = window;
+  }
+  max_ = std::max(max_, lag);
+}
+
+WallNs LoopLag::max_at(WallNs now) const {
+  const WallNs since = now / kWindow - window_;
+  if (since == 0) return std::max(before_, max_);
+  return since == 1 ? max_ : 0;
+}
+
+}  // namespace xr3

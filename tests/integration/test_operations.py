@@ -1,0 +1,183 @@
+"""docs/operations.md: its commands install a service that starts, its limits are those of the sources, its
+table of capacity is the one that scripts/capacity prints, and its metrics are those that the server has."""
+
+import os
+import pathlib
+import re
+import subprocess
+import tempfile
+import unittest
+import urllib.request
+
+from support import DEADLINE_S, LOCALHOST, ROOT, XR3, Server
+
+PAGE = pathlib.Path(ROOT, "docs", "operations.md").read_text(encoding="utf-8")
+CAPACITY_S = 240.0
+
+# Where the sources have the values of the table of limits: for each number of a row its file, constant and,
+# if the unit differs, the divisor.
+LIMITS = """
+open lines | server/net/socket_limits.hpp | lines
+open lines | server/options/serve.cpp | kMaxLines
+memory of the process | server/options/options.hpp | max_memory_mib
+first bytes of a line that are examined together | protocol/line/line_guard.hpp | kFirstChunk
+one turn of a line | server/robot_port/session.cpp | kFairShare
+one turn of a line | server/robot_port/session.cpp | kFairTime | 1000
+unread replies of a line | cell/serial_line.hpp | kFullOutbox | 1024
+replies that `step` and `run_until` wait for, per line | server/robot_port/session.hpp | kMaxAnswered | 1048576
+warnings in the log, per line and simulated second | cell/warning_limiter.hpp | kMaxNotesPerSecond
+monitor connections | server/net/socket_limits.hpp | connections
+a request | protocol/monitor/request.hpp | kMaxMessageBytes | 1024
+a request | protocol/monitor/request.hpp | kMaxDepth
+unread replies of a monitor client | protocol/monitor/client.hpp | kMaxAnswers
+unread replies of a monitor client | protocol/monitor/client.hpp | kMaxAnswerBytes | 1024
+a monitor client that reads nothing | server/net/socket.cpp | kMaxStuck
+a WebSocket client that does not answer a ping | server/monitor_port/websocket.hpp | before_close | 1000
+messages of a subscription | protocol/monitor/request.hpp | kMaxMilliHz | 1000
+recorded events, recorded bytes of lines | cell/cell.hpp | kMaxEvents
+recorded events, recorded bytes of lines | cell/cell.hpp | kMaxWires
+head of an HTTP request | server/http/wire.hpp | kMaxHeadBytes | 1024
+head of an HTTP request | server/http/wire.hpp | kMaxFields
+head of an HTTP request | server/http/session.cpp | kMaxHeadTime
+head of an HTTP request | server/http/wire.hpp | kMaxTargetBytes | 1024
+an HTTP connection between requests | server/http/session.cpp | kKeptAlive
+bytes of a `send` call | protocol/monitor/call_table.cpp | kMaxSent
+waiting of a call with `after` | protocol/monitor/request.hpp | kMaxWithinMs | 1000
+named snapshots | cell/cell.hpp | kMaxSnapshots
+blocks of a workcell | core/workcell.hpp | kMaxBlocks
+rows of the camera's image that the blocks take, counted for each block | core/camera.hpp | kMaxCameraRows
+pixels of a camera | protocol/files/workcell.cpp | kMaxPixels
+pixels of a camera | protocol/files/workcell.cpp | kMaxPixels
+a data file | server/files/data_files.cpp | kLargestFile | 1048576
+a data file | server/files/data_files.cpp | kMaxWaitMs | 1000
+wrong tokens of a connection | server/monitor_port/service.cpp | kMaxWrongTokens
+wrong tokens of a connection | server/monitor_port/service.cpp | kWrongTokenDelay
+a token | server/monitor_port/token.hpp | kMinTokenBytes
+a token | server/monitor_port/token.hpp | kMaxTokenBytes
+log | server/log.hpp | kMaxLogBytes | 1024
+log file | server/log.hpp | kMaxLogFiles
+log file | server/log.hpp | kMaxLogFileBytes | 1048576
+probes of a line for health checks | server/robot_port/probe.hpp | kFresh | 10
+probes of a line for health checks | server/robot_port/probe.hpp | kPatience
+stopping | server/app.cpp | kDrainLimit | 1000000000
+"""
+# Without a constant: no silence ends a line; other tests measure the memory and count the connections.
+WITHOUT_CONSTANT = {"silence of a line", "memory to read a request", "connections of one address"}
+# Replaces programs that change the machine. `sudo` runs its command, and systemctl only checks its words.
+STUBS = """
+set -eu
+sudo() { "$@"; }
+systemctl() { case $1 in daemon-reload | enable | restart) ;; *) exit 64 ;; esac; }
+"""
+
+
+def table(heading):
+    """The rows of the first table below a heading, without the first two: lists of cells."""
+    section = PAGE.split(f"\n## {heading}\n")[1].split("\n## ")[0]
+    rows = re.search(r"(?:^\|.*\n)+", section, re.MULTILINE)[0].splitlines()
+    return [[cell.strip() for cell in row.strip("|").split(" | ")] for row in rows[2:]]
+
+
+def shown_commands(heading):
+    """The lines of the first shell fence below a heading."""
+    return re.search(rf"^## {re.escape(heading)}$.*?^```sh\n(.*?)^```", PAGE, re.DOTALL | re.MULTILINE)[1].splitlines()
+
+
+def constant(file, name, divisor=1):
+    """The value of a constant in C++, such as `kMost = 64 * 1024`, `kTime{30}` or `lines = 1024;`."""
+    text = pathlib.Path(ROOT, file).read_text(encoding="utf-8")
+    value = re.search(rf"\b{name}(?: = |\{{)(.*?);", text)[1]
+    number = 1
+    for factor in re.findall(r"\d[\d']*", value):
+        number *= int(factor.replace("'", ""))
+    return number // int(divisor)
+
+
+class Limits(unittest.TestCase):
+    def test_every_row_has_the_values_of_the_sources(self):
+        expected = {}
+        for name, *place in (row.split(" | ") for row in LIMITS.split("\n") if row):
+            expected.setdefault(name, []).append(constant(*place))
+        rows = {name: value for name, value, _ in table("Limits")}
+        self.assertEqual(expected.keys() | WITHOUT_CONSTANT, rows.keys())
+        for name, values in expected.items():
+            with self.subTest(name):
+                self.assertEqual(values, [int(number) for number in re.findall(r"\d+", rows[name])])
+
+
+class Metrics(unittest.TestCase):
+    def test_every_metric_is_described_with_its_type_and_labels(self):
+        described = {}
+        for names, kind, _ in table("Metrics"):
+            for name in re.findall(r"`(\w+)`", names):
+                described[name] = (kind.split(",")[0].removesuffix("s"), tuple(re.findall(r"`(\w+)`", kind)))
+        with Server() as xr3, xr3.monitor() as monitor:
+            line = xr3.line()
+            line.send("x")
+            monitor.step(0, after=line)
+            with urllib.request.urlopen(f"http://{LOCALHOST}:{xr3.monitor_port}/metrics") as answer:
+                text = answer.read().decode()
+        served = {}
+        for name, kind in re.findall(r"^# TYPE (\w+) (\w+)$", text, re.MULTILINE):
+            labels = re.search(rf"^{name}(?:\{{(.*?)\}})? ", text, re.MULTILINE)[1] or ""
+            served[name] = (kind, tuple(label for label in re.findall(r"(\w+)=", labels) if label != "cell"))
+        self.assertEqual(served, described)
+
+    def test_alarms_use_metrics_that_exist(self):
+        with Server() as xr3, urllib.request.urlopen(f"http://{LOCALHOST}:{xr3.monitor_port}/metrics") as answer:
+            served = set(re.findall(r"^# TYPE (\w+)", answer.read().decode(), re.MULTILINE))
+        used = set(re.findall(r"\b(?:xr3|process)_\w+", PAGE))
+        self.assertEqual(set(), {name for name in used if name not in served})
+
+
+class Capacity(unittest.TestCase):
+    def test_the_command_prints_the_rows_of_the_page(self):
+        self.assertEqual(["scripts/capacity"], shown_commands("Capacity"))
+        done = subprocess.run(["scripts/capacity", "--quick"], cwd=ROOT, capture_output=True, text=True,
+                              env={**os.environ, "XR3": XR3}, timeout=CAPACITY_S, check=False)
+        self.assertEqual(0, done.returncode, done.stderr)
+        printed = re.findall(r"^\| (.*?) \| (.*?) \|$", done.stdout, re.MULTILINE)
+        self.assertEqual([name for name, *_ in table("Capacity")], [name for name, _ in printed[1:]])
+        for name, value in printed[1:]:
+            with self.subTest(name):
+                self.assertGreater(float(re.match(r"[\d,.]+", value)[0].replace(",", "")), 0)
+
+    def test_wrong_arguments(self):
+        done = subprocess.run(["scripts/capacity", "--slow"], cwd=ROOT, capture_output=True, text=True,
+                              timeout=DEADLINE_S, check=False)
+        self.assertEqual((1, ""), (done.returncode, done.stdout))
+        self.assertIn("Usage: scripts/capacity [--quick]", done.stderr)
+
+
+class Install(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def test_the_commands_install_a_service_that_starts(self):
+        """They run with another folder instead of the root folder; /usr/local comes from cmake's DESTDIR."""
+        *install, check = shown_commands("As a service")
+        self.assertEqual("./run --build", install.pop(0))
+        self.assertEqual("xr3 healthcheck --wait 10", check)
+        script = STUBS + "\n".join(install)
+        (self.folder / "etc/systemd/system").mkdir(parents=True)
+        script = script.replace("/etc/", f"{self.folder}/etc/").replace("build/release", str(pathlib.Path(XR3).parent))
+        done = subprocess.run(["bash", "-c", script], cwd=ROOT, capture_output=True, text=True, timeout=DEADLINE_S,
+                              env={**os.environ, "DESTDIR": str(self.folder)}, check=False)
+        self.assertEqual(0, done.returncode, done.stderr)
+        etc = self.folder / "etc"
+        token = (etc / "xr3/token").read_text(encoding="ascii").strip()
+        self.assertEqual(0o600, (etc / "xr3/token").stat().st_mode & 0o777)
+        program = self.folder / "usr/local/bin/xr3"
+        self.assertIn(f"ExecStart={str(program).removeprefix(str(self.folder))} serve --config /etc/xr3/xr3.toml",
+                      (etc / "systemd/system/xr3.service").read_text(encoding="utf-8"))
+        command = (program, "serve", "--config", etc / "xr3/xr3.toml", "--token-file", etc / "xr3/token")
+        with Server(command=command) as xr3, xr3.monitor() as monitor:
+            self.assertEqual("read", monitor.hello["access"])
+            monitor.request("auth", token=token)
+            self.assertEqual([], monitor.call("lines")["lines"])
+
+
+if __name__ == "__main__":
+    unittest.main()
