@@ -1,6 +1,7 @@
 // The monitor's calls: on the cell, on serial lines, and `describe`.
 #include <chrono>
 #include <utility>
+#include <vector>
 
 #include "cell/digest.hpp"
 #include "protocol/explain/diagnostic.hpp"
@@ -14,6 +15,10 @@ namespace xr3 {
 namespace {
 
 using std::chrono::milliseconds;
+
+// Answers with more of them are made in the worker. Each takes some 10 us.
+constexpr std::size_t kMaxBlocksAtOnce = 50;
+constexpr std::size_t kMaxLinesAtOnce = 50;
 
 bool moves_time(const monitor::CallRequest& wanted) {
   const auto* call = std::get_if<call::Call>(&wanted.call);
@@ -59,18 +64,54 @@ monitor::Message refused(const monitor::RequestId& id, monitor::RequestError err
   return monitor::result(error);
 }
 
-Json line_json(LineId id, const SerialLine& line) {
-  return {{"line", id},
-          {"kind", name_of(line.kind())},
-          {"peer", line.peer()},
-          {"opened_tick", line.opened_tick()},
-          {"bytes_in", line.bytes_in()},
-          {"bytes_out", line.bytes_out()},
-          {"warnings", line.warnings()},
-          {"last", readable(line.last().view())}};
+/// A line as the call `lines` shows it.
+struct LineEntry {
+  LineId id;
+  LineKind kind;
+  std::string peer;
+  Tick opened_tick;
+  std::uint64_t bytes_in;
+  std::uint64_t bytes_out;
+  std::uint64_t warnings;
+  RawBytes last;
+};
+
+LineEntry entry_of(LineId id, const SerialLine& line) {
+  return {id,
+          line.kind(),
+          line.peer(),
+          line.opened_tick(),
+          line.bytes_in(),
+          line.bytes_out(),
+          line.warnings(),
+          line.last()};
+}
+
+Json line_json(const LineEntry& line) {
+  return {{"line", line.id},           {"kind", name_of(line.kind)},
+          {"peer", line.peer},         {"opened_tick", line.opened_tick},
+          {"bytes_in", line.bytes_in}, {"bytes_out", line.bytes_out},
+          {"warnings", line.warnings}, {"last", readable(line.last.view())}};
+}
+
+/// The name under which a snapshot is saved or loaded; empty: inline.
+std::string snapshot_name(const call::Call& call) {
+  const auto* save = std::get_if<call::SaveSnapshot>(&call);
+  return save != nullptr ? save->name : std::get<call::LoadSnapshot>(call).name;
+}
+
+void add_saved(const SavedCell& cell, const std::string& name, bool is_inline, Json& value) {
+  const Json saved = saved_cell_to_json(cell);
+  value["name"] = name.empty() ? Json() : Json(name);
+  value["hash"] = sha256(saved.dump());
+  if (is_inline) value["snapshot"] = saved;
 }
 
 }  // namespace
+
+MonitorService::Answer MonitorService::at_once(const monitor::Message& message) {
+  return {[message] { return message; }};
+}
 
 asio::awaitable<void> MonitorService::call(MonitorSession& session, monitor::Request request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
@@ -82,20 +123,29 @@ asio::awaitable<void> MonitorService::call(MonitorSession& session, monitor::Req
       co_return;
     }
   }
-  if (std::holds_alternative<call::Call>(wanted.call)) {
-    session.client().send(call_cell(request));
-  } else if (std::holds_alternative<monitor::Send>(wanted.call)) {
-    session.client().send(send(session, request));
-  } else if (std::holds_alternative<monitor::ListLines>(wanted.call)) {
-    session.client().send(list_lines(request));
-  } else if (std::holds_alternative<monitor::DisconnectLine>(wanted.call)) {
-    session.client().send(disconnect(request));
-  } else {
-    Json value = value_now();
-    value.update(std::get<monitor::Describe>(wanted.call).description);
-    session.client().send(monitor::result(request.id, value));
-  }
+  Answer answer = carry_out_call(session, request);
   acted_();
+  monitor::Message message;
+  if (answer.is_long) {
+    message = co_await worker_.run(std::move(answer.make));
+  } else {
+    message = answer.make();
+  }
+  session.client().send(std::move(message));
+}
+
+// Not a coroutine: the call takes effect before anything else runs.
+MonitorService::Answer MonitorService::carry_out_call(MonitorSession& session,
+                                                      monitor::Request& request) {
+  const auto& wanted = std::get<monitor::CallRequest>(request.what);
+  if (std::holds_alternative<call::Call>(wanted.call)) return call_cell(request);
+  if (std::holds_alternative<monitor::Send>(wanted.call)) return at_once(send(session, request));
+  if (std::holds_alternative<monitor::ListLines>(wanted.call)) return list_lines(request);
+  if (std::holds_alternative<monitor::DisconnectLine>(wanted.call))
+    return at_once(disconnect(request));
+  Json value = value_now();
+  value.update(std::get<monitor::Describe>(wanted.call).description);
+  return at_once(monitor::result(request.id, value));
 }
 
 // --- Calls of the cell.
@@ -112,38 +162,44 @@ asio::awaitable<MonitorService::Error> MonitorService::wait_for(monitor::After a
 
 // Not a coroutine: nothing may run between reading the bytes that have arrived and the call that
 // must see their effect.
-monitor::Message MonitorService::call_cell(monitor::Request& request) {
+MonitorService::Answer MonitorService::call_cell(monitor::Request& request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   if (moves_time(wanted)) lines_.read_arrived();
   if (const auto error = monitor::limit_ticks(request, cell_.state().tick))
-    return monitor::result(*error);
+    return at_once(monitor::result(*error));
   const auto& call = std::get<call::Call>(wanted.call);
   if (auto error = validate_snapshot(cell_.model(), call))
-    return refused(request.id, *std::move(error));
+    return at_once(refused(request.id, *std::move(error)));
   const Applied applied = cell_.apply(call, wall_now());
   if (const auto* no = std::get_if<call::Refused>(&applied.outcome))
-    return refused(request.id, {{}, no->code, no->message, no->hint, {}});
+    return at_once(refused(request.id, {{}, no->code, no->message, no->hint, {}}));
   return done(request, std::get<call::Done>(applied.outcome));
 }
 
-monitor::Message MonitorService::done(const monitor::Request& request, const call::Done& done) {
+MonitorService::Answer MonitorService::done(const monitor::Request& request,
+                                            const call::Done& done) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  const auto& call = std::get<call::Call>(wanted.call);
   Json value = value_now();
   if (done.reached) value["reached"] = *done.reached;
   if (done.ran_ticks) value["ran_ticks"] = *done.ran_ticks;
-  if (moves_time(wanted))
-    value["state"] = state_json(cell_.model(), cell_.snapshot(), wanted.fields);
-  if (done.saved) {
-    const auto* save = std::get_if<call::SaveSnapshot>(&call);
-    const std::string& name =
-        save != nullptr ? save->name : std::get<call::LoadSnapshot>(call).name;
-    const Json saved = saved_cell_to_json(*done.saved);
-    value["name"] = name.empty() ? Json() : Json(name);
-    value["hash"] = sha256(saved.dump());
-    if (save != nullptr && name.empty()) value["snapshot"] = saved;
+  const bool is_large = cell_.state().blocks.size() > kMaxBlocksAtOnce;
+  if (moves_time(wanted)) {
+    return {[id = request.id, fields = wanted.fields, model = cell_.model_ptr(),
+             now = cell_.snapshot(), value]() mutable {
+              value["state"] = state_json(*model, now, fields);
+              return monitor::result(id, value);
+            },
+            is_large};
   }
-  return monitor::result(request.id, value);
+  if (!done.saved) return at_once(monitor::result(request.id, value));
+  const auto& call = std::get<call::Call>(wanted.call);
+  const std::string name = snapshot_name(call);
+  const bool is_inline = name.empty() && std::holds_alternative<call::SaveSnapshot>(call);
+  return {[id = request.id, saved = done.saved, name, is_inline, value]() mutable {
+            add_saved(*saved, name, is_inline, value);
+            return monitor::result(id, value);
+          },
+          is_large};
 }
 
 Json MonitorService::value_now() const {
@@ -174,13 +230,17 @@ monitor::Message MonitorService::send(MonitorSession& session, const monitor::Re
   return monitor::result(request.id, value);
 }
 
-monitor::Message MonitorService::list_lines(const monitor::Request& request) {
+MonitorService::Answer MonitorService::list_lines(const monitor::Request& request) {
   cell_.catch_up(wall_now());
-  Json lines = Json::array();
-  for (const auto& [id, line] : cell_.lines()) lines.push_back(line_json(id, line));
-  Json value = value_now();
-  value["lines"] = std::move(lines);
-  return monitor::result(request.id, value);
+  std::vector<LineEntry> lines;
+  for (const auto& [id, line] : cell_.lines()) lines.push_back(entry_of(id, line));
+  const bool is_long = lines.size() > kMaxLinesAtOnce;
+  return {[id = request.id, value = value_now(), lines = std::move(lines)]() mutable {
+            Json& list = value["lines"] = Json::array();
+            for (const LineEntry& line : lines) list.push_back(line_json(line));
+            return monitor::result(id, value);
+          },
+          is_long};
 }
 
 monitor::Message MonitorService::disconnect(const monitor::Request& request) {

@@ -84,13 +84,21 @@ class MonitorService {
   void show(MonitorSession& session, const monitor::Request& request);
   monitor::Feed& feed(monitor::Channel channel);
 
+  /// The answer to a call that has taken effect. `make` is pure work on copies.
+  struct Answer {
+    std::function<monitor::Message()> make;
+    bool is_long = false;  ///< to be made in the worker
+  };
+  static Answer at_once(const monitor::Message& message);
+
   asio::awaitable<void> call(MonitorSession& session, monitor::Request request);
   asio::awaitable<Error> wait_for(monitor::After after);
-  monitor::Message call_cell(monitor::Request& request);
+  Answer carry_out_call(MonitorSession& session, monitor::Request& request);
+  Answer call_cell(monitor::Request& request);
   monitor::Message send(MonitorSession& session, const monitor::Request& request);
-  monitor::Message list_lines(const monitor::Request& request);
+  Answer list_lines(const monitor::Request& request);
   monitor::Message disconnect(const monitor::Request& request);
-  monitor::Message done(const monitor::Request& request, const call::Done& done);
+  Answer done(const monitor::Request& request, const call::Done& done);
   /// Epoch and tick, the first members of the value of each call.
   Json value_now() const;
 
