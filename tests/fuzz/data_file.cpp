@@ -2,25 +2,17 @@
 // file gives a model that runs, and is equal after writing and reading.
 //
 // Input: the first byte selects the kind of file, the rest is its text.
-#include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string_view>
 #include <utility>
 
 #include "core/simulation.hpp"
 #include "protocol/files/robot.hpp"
 #include "protocol/files/workcell.hpp"
+#include "tests/fuzz/common/fuzz.hpp"
 #include "tests/support/models.hpp"
 
-namespace xr3 {
+namespace xr3::fuzz {
 namespace {
-
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "broken: %s\n", what);
-  std::abort();
-}
 
 // A few moves of every motor, until limits, region or blocks stop them.
 void exercise(Robot robot, Workcell workcell) {
@@ -54,11 +46,11 @@ void read_as_workcell(std::string_view text) {
 }
 
 }  // namespace
-}  // namespace xr3
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size == 0) return 0;
-  const std::string_view text{reinterpret_cast<const char*>(data) + 1, size - 1};
-  data[0] % 2 == 0 ? xr3::read_as_robot(text) : xr3::read_as_workcell(text);
-  return 0;
+void run(std::string_view input) {
+  if (input.empty()) return;
+  const std::string_view text = input.substr(1);
+  input[0] % 2 == 0 ? read_as_robot(text) : read_as_workcell(text);
 }
+
+}  // namespace xr3::fuzz

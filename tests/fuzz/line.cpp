@@ -5,24 +5,16 @@
 // Input: the first byte selects the profile; then chunks that begin with a byte c: c < 0x40 sends
 // the next c + 1 bytes on line 1, c < 0x80 the next c - 0x3f on line 2, else (c - 0x7f)^2 ticks
 // pass.
-#include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
 #include "core/motor.hpp"
+#include "tests/fuzz/common/fuzz.hpp"
 #include "tests/support/rig.hpp"
 #include "tests/support/wire.hpp"
 
-namespace xr3 {
+namespace xr3::fuzz {
 namespace {
-
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "broken: %s\n", what);
-  std::abort();
-}
 
 struct Chunk {
   int wire = 0;  ///< 0: time passes
@@ -90,6 +82,8 @@ void live(const std::vector<Chunk>& chunks, Cell& undivided, Cell& sliced) {
   }
 }
 
+}  // namespace
+
 void run(std::string_view input) {
   if (input.empty()) return;
   const Profile profile = (input[0] & 1) == 0 ? Profile::kPaper : Profile::kMark3;
@@ -110,10 +104,4 @@ void run(std::string_view input) {
   require(undivided.rig.simulation.is_at_rest(), "rest without input");
 }
 
-}  // namespace
-}  // namespace xr3
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  xr3::run({reinterpret_cast<const char*>(data), size});
-  return 0;
-}
+}  // namespace xr3::fuzz

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Writes the fuzzers' seeds: transcripts for fuzz_line, data files for fuzz_data_file, one request of
-each kind for fuzz_monitor_request.
+each kind for fuzz_monitor_request, and short streams for the fuzzers of byte streams.
 
-    make_seeds.py FOLDER      writes FOLDER/line/*, FOLDER/data_file/* and FOLDER/monitor_request/*
+    make_seeds.py FOLDER      writes FOLDER/NAME/* for each fuzzer NAME
 """
 
 import glob
@@ -10,6 +10,8 @@ import json
 import os
 import re
 import sys
+
+from stream_seeds import streams
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 ESCAPE = re.compile(r"\\(x[0-9a-f]{2}|[rn0\\])")
@@ -122,6 +124,8 @@ def main():
             write(os.path.join(folder, "data_file"), f"{kind}-{name}", first + text)
     for name, request in requests():
         write(os.path.join(folder, "monitor_request"), name, json.dumps(request).encode())
+    for fuzzer, name, data in streams():
+        write(os.path.join(folder, fuzzer), name, data)
 
 
 if __name__ == "__main__":

@@ -3,9 +3,6 @@
 // continues from it, is drawn and is seen by the camera.
 //
 // Input: one message.
-#include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -18,18 +15,15 @@
 #include "protocol/monitor/message.hpp"
 #include "protocol/monitor/request.hpp"
 #include "protocol/monitor/saved_cell.hpp"
+#include "tests/fuzz/common/fuzz.hpp"
 #include "tests/support/models.hpp"
 
-namespace xr3::monitor {
+namespace xr3::fuzz {
 namespace {
 
-constexpr int kMaxPixels = 65536;  ///< larger images only take time
+using namespace monitor;  // NOLINT: the subject of this file
 
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "broken: %s\n", what);
-  std::abort();
-}
+constexpr int kMaxPixels = 65536;  ///< larger images only take time
 
 /// Uses a state in all ways: messages, commands of a line, and ticks.
 void exercise(const SavedCell& saved) {
@@ -83,13 +77,11 @@ void check(const RequestError& error) {
 }
 
 }  // namespace
-}  // namespace xr3::monitor
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace xr3::monitor;  // NOLINT: one call
-  const std::string_view text{reinterpret_cast<const char*>(data), size};
-  const RequestReading reading = read_request(text, {"main"});
-  if (const auto* request = std::get_if<Request>(&reading)) check(*request, text);
+void run(std::string_view input) {
+  const RequestReading reading = read_request(input, {"main"});
+  if (const auto* request = std::get_if<Request>(&reading)) check(*request, input);
   if (const auto* error = std::get_if<RequestError>(&reading)) check(*error);
-  return 0;
 }
+
+}  // namespace xr3::fuzz

@@ -1,0 +1,43 @@
+// The functions that libFuzzer calls, and the limits of every fuzzer. They stand here, so that
+// ctest, `./test --fuzz` and a fuzzer started by hand have the same limits; an option on the
+// command line overrides them.
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "tests/fuzz/common/fuzz.hpp"
+
+namespace {
+
+constexpr const char* kLimits[] = {
+    // An input takes milliseconds. Ten seconds allow for a busy machine.
+    "-timeout=10",
+    // One allocation above the limit is reported where it happens. run_within_limits() measures
+    // the sum of an input.
+    "-malloc_limit_mb=64",
+    // The process, and so whatever grows from input to input. Beside the program it holds the
+    // shadow memory and the red zones of AddressSanitizer, the quarantine, and the corpus and the
+    // tables of libFuzzer. The value is an estimate, to be replaced by a measured base + 64 MiB.
+    "-rss_limit_mb=256",
+};
+
+}  // namespace
+
+// The default quarantine, 256 MB, would hide growth from -rss_limit_mb.
+extern "C" const char* __asan_default_options() { return "quarantine_size_mb=16"; }
+
+// Inserts the limits before the other arguments.
+extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
+  static std::vector<char*> arguments{(*argv)[0]};
+  for (const char* limit : kLimits) arguments.push_back(const_cast<char*>(limit));
+  arguments.insert(arguments.end(), *argv + 1, *argv + *argc);
+  *argc = static_cast<int>(arguments.size());
+  arguments.push_back(nullptr);
+  *argv = arguments.data();
+  return 0;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  xr3::fuzz::run_within_limits({reinterpret_cast<const char*>(data), size});
+  return 0;
+}

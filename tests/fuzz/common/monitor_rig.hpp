@@ -1,0 +1,78 @@
+// A monitor port in memory: the server's own connections, each over a pair of local sockets, in one
+// thread that waits only for the server's worker. The clock is manual and calls need a token, so
+// that the answers depend on the client's bytes alone.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "cell/cell.hpp"
+#include "server/http/resources.hpp"
+#include "server/monitor_port/access.hpp"
+#include "server/monitor_port/connection.hpp"
+#include "server/monitor_port/service.hpp"
+#include "server/net/asio.hpp"
+#include "server/net/line_transports.hpp"
+#include "tests/fuzz/common/pieces.hpp"
+
+namespace xr3::fuzz {
+
+class MonitorRig {
+ public:
+  /// The rig of all inputs: no input changes it, since none knows the token.
+  static MonitorRig& shared();
+  /// The same, but reading the cell requires the token, too.
+  static MonitorRig& closed();
+
+  /// Serves a client that sends these pieces, then shuts down its sending side. Before each piece
+  /// the server finishes what it can. Returns everything that the client receives. Requires that
+  /// the connection ends, unless the client has a subscription.
+  std::string converse(const Pieces& pieces);
+
+  const HttpResources& resources() const { return resources_; }
+  /// The answer to a request that HttpResources::refuse() accepts.
+  http::Answer answer(const http::Request& request);
+
+ private:
+  /// No line is open, and none receives a byte.
+  class NoLines final : public LineTransports {
+   public:
+    void read_arrived() override {}
+    void run_turns() override {}
+    asio::awaitable<bool> wait_for_bytes(LineId, std::uint64_t,
+                                         std::chrono::milliseconds) override {
+      co_return false;
+    }
+    bool disconnect(LineId) override { return false; }
+    PortCounters counters() const override { return {}; }
+  };
+  class Peer;
+
+  explicit MonitorRig(Reading reading);
+  std::string converse_once(const Pieces& pieces);
+  bool run_ready();
+  void wait_for_worker();
+  void exhaust(Peer& peer);
+  void settle(Peer& peer);
+  void send(Peer& peer, std::string_view bytes);
+  void finish(Peer& peer, const MonitorConnection& connection);
+
+  asio::io_context io_{1};
+  Cell cell_;
+  AccessPolicy policy_;
+  NoLines lines_;
+  MonitorService service_;
+  HttpResources resources_;
+  MonitorConnectionContext context_;
+  bool is_over_ = false;
+};
+
+/// Whether messages of the server tell anything of the cell. A client cannot make it say so: in a
+/// string that is repeated to it, the quotes are escaped.
+bool shows_the_cell(std::string_view messages);
+
+/// Whether a message makes the server wait: a wrong token is answered 200 ms later. A fuzzer skips
+/// such inputs, since they only take time.
+bool would_wait(std::string_view message);
+
+}  // namespace xr3::fuzz

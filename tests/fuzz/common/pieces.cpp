@@ -1,0 +1,34 @@
+#include "tests/fuzz/common/pieces.hpp"
+
+#include <algorithm>
+
+namespace xr3::fuzz {
+namespace {
+
+constexpr unsigned kFirstRun = 0xf0;
+constexpr std::size_t kRunUnit = 32UL * 1024;
+
+}  // namespace
+
+Pieces pieces_of(std::string_view input, std::size_t most) {
+  Pieces pieces;
+  while (input.size() > 1 && most > 0) {
+    const auto c = static_cast<unsigned char>(input[0]);
+    input.remove_prefix(1);
+    const bool is_run = c >= kFirstRun;
+    const std::size_t used = is_run ? 1 : std::min<std::size_t>(input.size(), c + 1U);
+    const std::size_t size = std::min(most, is_run ? (c - kFirstRun + 1) * kRunUnit : used);
+    pieces.push_back(is_run ? std::string(size, input[0]) : std::string(input.substr(0, size)));
+    input.remove_prefix(used);
+    most -= size;
+  }
+  return pieces;
+}
+
+std::string joined(const Pieces& pieces) {
+  std::string whole;
+  for (const std::string& piece : pieces) whole += piece;
+  return whole;
+}
+
+}  // namespace xr3::fuzz

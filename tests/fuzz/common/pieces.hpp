@@ -1,0 +1,24 @@
+// The input format of the fuzzers of byte streams: how the bytes of a client arrive. make_seeds.py
+// writes the same format.
+//
+// Input: chunks that begin with a byte c. c < 0xf0: the next c + 1 bytes are a piece. Otherwise the
+// next byte, repeated (c - 0xef) * 32 KiB, is a piece: so a short input reaches the limits of size.
+// What exceeds the fuzzer's total is cut off.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace xr3::fuzz {
+
+using Pieces = std::vector<std::string>;
+
+/// The pieces of an input, in total at most `most` bytes.
+Pieces pieces_of(std::string_view input, std::size_t most);
+
+/// All pieces as one.
+std::string joined(const Pieces& pieces);
+
+}  // namespace xr3::fuzz

@@ -1,0 +1,230 @@
+// Fuzzes one serial line: the detection of HTTP and TLS, the telnet filter and the endpoint.
+// Properties: state, replies and exchanges do not depend on how the bytes arrive and when the
+// replies are sent; they equal those of a line without telnet that receives the data bytes of a
+// simple telnet reader (RFC 854, 855); no byte of a browser or a TLS client acts; the machine's
+// invariants hold.
+//
+// Input: the first byte selects the profile (bit 0) and the kind of line (bit 1); the rest is as in
+// common/pieces.hpp.
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cell/serial_line.hpp"
+#include "core/invariants.hpp"
+#include "tests/fuzz/common/fuzz.hpp"
+#include "tests/fuzz/common/pieces.hpp"
+#include "tests/support/models.hpp"
+
+namespace xr3::fuzz {
+namespace {
+
+constexpr std::size_t kMaxTotal = 4096;  // bytes; a picture fills the outbox with three
+
+/// A line with a machine of its own, and its client, which receives the replies.
+class Conversation {
+ public:
+  Conversation(ModelPtr model, LineKind kind)
+      : simulation_(std::move(model)),
+        initial_(simulation_.state()),
+        line_(simulation_.model().profile(), kind, "fuzz", 0) {}
+
+  /// Sends all bytes; the client receives at most `at_once` bytes after each receive().
+  void send(std::string_view bytes, std::size_t at_once) {
+    while (!bytes.empty() && !line_.is_not_a_robot_program()) {
+      simulation_.take_events();
+      const std::size_t taken = line_.receive(bytes, simulation_, exchanges_);
+      bytes.remove_prefix(taken);
+      require(bytes.empty() || line_.is_full() || line_.is_not_a_robot_program(),
+              "a line takes all bytes unless it is full or closed");
+      fetch(line_.is_full() ? SerialLine::kFullOutbox : at_once);
+    }
+  }
+  void fetch_all() { fetch(line_.outbox().size()); }
+
+  const SerialLine& line() const { return line_; }
+  const State& state() const { return simulation_.state(); }
+  const std::string& received() const { return received_; }
+  const std::vector<Exchange>& exchanges() const { return exchanges_; }
+  bool has_acted() const {
+    return !exchanges_.empty() || !received_.empty() || !(state() == initial_);
+  }
+  const char* broken() const { return broken_invariant(simulation_.model(), state()); }
+
+ private:
+  void fetch(std::size_t count) {
+    count = std::min(count, line_.outbox().size());
+    received_ += line_.outbox().substr(0, count);
+    line_.sent(count);
+  }
+
+  Simulation simulation_;
+  State initial_;
+  SerialLine line_;
+  std::vector<Exchange> exchanges_;
+  std::string received_;
+};
+
+// --- Independence of how the bytes arrive.
+
+bool is_same(const Exchange& a, const Exchange& b) {
+  return a.parsed == b.parsed && a.reply == b.reply && a.events == b.events &&
+         a.reply_from == b.reply_from && a.reply_to == b.reply_to;
+}
+
+void check_same(const Conversation& a, const Conversation& b) {
+  require(a.state() == b.state(), "state of divided bytes");
+  require(a.received() == b.received(), "replies to divided bytes");
+  require(std::equal(a.exchanges().begin(), a.exchanges().end(), b.exchanges().begin(),
+                     b.exchanges().end(), is_same),
+          "exchanges of divided bytes");
+  require(a.line().is_not_a_robot_program() == b.line().is_not_a_robot_program(), "detection");
+  require(a.line().telnet() == b.line().telnet(), "telnet filter of divided bytes");
+  require(a.line().bytes_in() == b.line().bytes_in(), "bytes in");
+  require(a.line().bytes_out() == b.line().bytes_out(), "bytes out");
+}
+
+// --- A simple telnet reader.
+
+using Byte = unsigned char;
+
+constexpr Byte kIac = 0xff;
+constexpr Byte kDo = 0xfd;
+constexpr Byte kWill = 0xfb;
+constexpr Byte kSubnegotiation = 0xfa;
+constexpr Byte kInterrupt = 0xf4;
+constexpr Byte kMinCommand = 0xf0;
+constexpr Byte kSubnegotiationEnd = 0xf0;
+
+/// The first data byte or command of a telnet stream.
+struct Unit {
+  std::size_t size = 0;  ///< 0: incomplete
+  std::optional<char> data;
+  std::string answer;
+  bool shows_telnet = false;
+};
+
+Byte byte_at(std::string_view text, std::size_t at) { return static_cast<Byte>(text[at]); }
+
+Unit subnegotiation(std::string_view rest) {
+  int length = 0;
+  for (std::size_t i = 2; i < rest.size(); ++i) {
+    const bool is_escaped = byte_at(rest, i) == kIac;
+    if (is_escaped && ++i == rest.size()) break;
+    if (is_escaped && byte_at(rest, i) == kSubnegotiationEnd) return {i + 1, {}, {}, true};
+    if (++length > TelnetFilter::kMaxSubnegotiationBytes) return {i + 1, {}, {}, false};
+  }
+  return {};
+}
+
+Unit option(std::string_view rest) {
+  if (rest.size() < 3) return {};
+  Unit unit{3, {}, {}, true};
+  const bool is_timing_mark = rest[2] == '\x06';
+  if (byte_at(rest, 1) == kWill) unit.answer = {'\xff', '\xfe', rest[2]};
+  if (byte_at(rest, 1) == kDo) unit.answer = {'\xff', is_timing_mark ? '\xfb' : '\xfc', rest[2]};
+  return unit;
+}
+
+Unit first_unit(std::string_view rest) {
+  if (rest.empty()) return {};
+  if (byte_at(rest, 0) != kIac) return {1, rest[0], {}, false};
+  if (rest.size() < 2) return {};
+  const Byte command = byte_at(rest, 1);
+  if (command == kIac || command < kMinCommand) return {2, rest[1], {}, false};
+  if (command == kSubnegotiation) return subnegotiation(rest);
+  if (command > kSubnegotiation) return option(rest);
+  return {2, {}, {}, command == kInterrupt};
+}
+
+/// What a client of a telnet line receives, with a line without telnet behind the simple reader.
+std::string expected_replies(std::string_view bytes, Conversation& data_line) {
+  std::string expected;
+  bool is_telnet = false;
+  for (Unit unit = first_unit(bytes); unit.size > 0; unit = first_unit(bytes)) {
+    bytes.remove_prefix(unit.size);
+    is_telnet |= unit.shows_telnet;
+    expected += unit.answer;
+    if (!unit.data) continue;
+    const std::size_t before = data_line.received().size();
+    data_line.send({&*unit.data, 1}, SerialLine::kFullOutbox);
+    data_line.fetch_all();
+    for (const char reply : std::string_view(data_line.received()).substr(before)) {
+      expected += reply;
+      if (is_telnet && static_cast<Byte>(reply) == kIac) expected += reply;
+    }
+  }
+  return expected;
+}
+
+// --- Detection.
+
+/// Whether a connection that begins with these bytes is a robot program; undecided while more
+/// bytes are needed.
+Detection detection_of(std::string_view bytes) {
+  HttpTlsDetector detector;
+  Detection found = Detection::kUndecided;
+  std::size_t fed = 0;
+  while (fed < bytes.size() && found == Detection::kUndecided) {
+    found = detector.feed(static_cast<std::uint8_t>(bytes[fed++]));
+    require(detector.held().size() <= HttpTlsDetector::kMaxHeld, "few bytes are held");
+    require(bytes.starts_with(detector.held()), "the first bytes are held");
+  }
+  return found;
+}
+
+void check_detection(std::string_view whole, Detection found) {
+  for (const std::string_view opening : {"GET /", "POST /", "OPTIONS *", "CONNECT a:1", "PRI *"}) {
+    require(!whole.starts_with(opening) || found == Detection::kNotARobotProgram, "HTTP");
+  }
+  require(!whole.starts_with("\x16\x03") || found == Detection::kNotARobotProgram, "TLS");
+}
+
+// --- All together.
+
+/// A line that detects browsers and speaks telnet.
+void check_raw_line(const Conversation& found, std::string_view bytes, const ModelPtr& model) {
+  const Detection detection = detection_of(bytes);
+  check_detection(bytes, detection);
+  require(found.line().is_not_a_robot_program() == (detection == Detection::kNotARobotProgram),
+          "the detection of the whole text");
+  if (detection != Detection::kPass)
+    return require(!found.has_acted(), "no byte of a browser acts");
+  Conversation data_line(model, LineKind::kMonitor);
+  require(found.received() == expected_replies(bytes, data_line), "telnet and the replies");
+  require(found.state() == data_line.state(), "the state after the data bytes");
+  require(found.exchanges().size() == data_line.exchanges().size(), "the data bytes' commands");
+}
+
+void check_line(const Pieces& pieces, const ModelPtr& model, LineKind kind) {
+  const std::string whole = joined(pieces);
+  Conversation in_pieces(model, kind);
+  Conversation in_bytes(model, kind);
+  for (const std::string& piece : pieces) in_pieces.send(piece, SerialLine::kFullOutbox);
+  for (const char& byte : whole) in_bytes.send({&byte, 1}, 1);
+  in_pieces.fetch_all();
+  in_bytes.fetch_all();
+  check_same(in_pieces, in_bytes);
+  if (const char* broken = in_pieces.broken()) require(false, broken);
+  if (kind == LineKind::kRaw) check_raw_line(in_pieces, whole, model);
+}
+
+ModelPtr model_for(Profile profile) {
+  return std::make_shared<const Model>(test::robot_named("rhino-xr3"),
+                                       test::workcell_named("rhino-xr3"), profile);
+}
+
+}  // namespace
+
+void run(std::string_view input) {
+  static const ModelPtr models[] = {model_for(Profile::kPaper), model_for(Profile::kMark3)};
+  if (input.empty()) return;
+  const LineKind kind = (input[0] & 2) == 0 ? LineKind::kRaw : LineKind::kMonitor;
+  check_line(pieces_of(input.substr(1), kMaxTotal), models[input[0] & 1], kind);
+}
+
+}  // namespace xr3::fuzz
