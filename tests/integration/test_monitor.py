@@ -136,6 +136,30 @@ class State(unittest.TestCase):
             self.assertEqual("mark3", monitor.hello["compat"])
 
 
+class LongAnswers(unittest.TestCase):
+    """A thread makes them, while another client changes what they show."""
+
+    def test_of_a_large_workcell(self):
+        with Server("--workcell", "rhino-hundred") as xr3, xr3.monitor() as monitor, xr3.monitor() as other:
+            for turn in range(20):
+                monitor.send({"op": "call", "id": turn, "fn": "step", "args": {"ticks": 1, "fields": ["blocks"]}})
+                other.call("block_move", name="b00", yaw_deg=turn)
+            values = [monitor.read(is_whole=False)["value"] for _ in range(20)]
+            self.assertEqual([turn + 1 for turn in range(20)], [value["tick"] for value in values])
+            yaws = [value["state"]["blocks"][0]["yaw_deg"] for value in values]
+            self.assertEqual(sorted(yaws), yaws, "in the order of the requests")
+            saved = monitor.call("snapshot_save", name="a")["hash"]
+            self.assertEqual(saved, other.call("snapshot_load", name="a")["hash"])
+
+    def test_of_many_lines(self):
+        with Server() as xr3, xr3.monitor() as monitor:
+            for number in range(1, 81):
+                self.assertEqual(32, xr3.line().ask("E?"), number)
+            self.assertEqual([(number, 2, 1, "E?") for number in range(1, 81)],
+                             [(line["line"], line["bytes_in"], line["bytes_out"], line["last"])
+                              for line in monitor.call("lines")["lines"]])
+
+
 class Time(unittest.TestCase):
     def test_step(self):
         with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
