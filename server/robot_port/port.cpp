@@ -15,9 +15,10 @@ namespace {
 
 constexpr const char* kName = "the robot port";
 
-// The time after which other ports get a turn, and the time after which new bytes are looked for.
+// The time after which other ports get a turn, and the time after which new bytes are looked for,
+// which costs a microsecond.
 constexpr WallNs kMaxTurnsTime = 500'000;
-constexpr WallNs kNewsEvery = 150'000;
+constexpr WallNs kNewsEvery = 30'000;
 
 /// While it exists, the timer is cancelled when bytes of the line have acted.
 class Waiting {
