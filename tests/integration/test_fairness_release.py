@@ -13,6 +13,7 @@ from support import Server
 
 ASKED = 1000
 ROUNDS = 5
+TRIES = 6
 
 
 def waits_s(line):
@@ -89,12 +90,17 @@ class Fairness(unittest.TestCase):
 
     def check_bound(self, most_s, *disturbance, server=()):
         """Checks that in each round 99 of 100 replies arrive within `most_s` seconds more than without load.
-        A measurement that fails is repeated once: other programs on the machine disturb it, too."""
-        for _ in range(2):
+        A measurement that fails is repeated once: other programs on the machine disturb it, too. If the replies are
+        late without load, it says nothing, and does not count."""
+        failed = []
+        for _ in range(TRIES):
             alone, beside = self.worst_waits_s(*disturbance, server=server)
             if beside < most_s + alone:
                 return
-        self.fail(f"worst p99 alone {alone * 1000:.2f} ms, beside {beside * 1000:.2f} ms, twice")
+            failed.append(f"alone {alone * 1000:.2f} ms, beside {beside * 1000:.2f} ms")
+            if alone < most_s / 3 and len(failed) > 1:
+                break
+        self.fail(f"worst p99 {'; '.join(failed)}")
 
     def test_beside_images(self):
         for robot, workcell in ("rhino-xr3", "rhino-xr3"), ("rhino-xr3", "rhino-hundred"), ("adept-one", "adept-one"):
