@@ -6,7 +6,7 @@
 
 namespace xr3 {
 
-/// What the system does not tell is absent, as without /proc.
+/// A value is absent if the system does not report it, for example without /proc.
 struct ProcessStats {
   std::optional<double> cpu_s;                  ///< user and system time
   std::optional<std::uint64_t> resident_bytes;  ///< memory

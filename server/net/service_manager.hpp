@@ -13,7 +13,7 @@
 
 namespace xr3 {
 
-/// What a service manager tells its services in the environment.
+/// The settings that a service manager passes to its services in the environment.
 struct ServiceEnvironment {
   std::string socket;  ///< path; with `@` first an abstract name; empty: there is no manager
   std::optional<std::chrono::microseconds> watchdog;  ///< maximum time between two signs of life

@@ -193,7 +193,7 @@ void check_response(const http::Answer& answer, std::string_view method) {
     require(Json::accept(answer.body.bytes()), "the body of a response is JSON");
 }
 
-/// What is answered although reading requires the token.
+/// Without the token, only health checks, the page, the schema and errors are answered.
 void check_closed(const Request& request) {
   const http::Answer answer = MonitorRig::closed().answer(request);
   const std::string_view path = request.path();

@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t kMaxTotal = 4096;  // bytes; a picture fills the outbox with three
 
-/// A line with a machine of its own, and its client, which receives the replies.
+/// A serial line with its own machine. Collects the replies that the client receives.
 class Conversation {
  public:
   Conversation(ModelPtr model, LineKind kind)
@@ -141,7 +141,8 @@ Unit first_unit(std::string_view rest) {
   return {2, {}, {}, command == kInterrupt};
 }
 
-/// What a client of a telnet line receives, with a line without telnet behind the simple reader.
+/// The replies that the client must receive: the data bytes, found by the simple reader, act on
+/// `data_line`, which knows no telnet.
 std::string expected_replies(std::string_view bytes, Conversation& data_line) {
   std::string expected;
   bool is_telnet = false;

@@ -15,9 +15,9 @@ constexpr const char* kLimits[] = {
     // One allocation above the limit is reported where it happens. run_within_limits() measures
     // the sum of an input.
     "-malloc_limit_mb=64",
-    // The process, and so whatever grows from input to input. Beside the program it holds the
-    // shadow memory and the red zones of AddressSanitizer, the quarantine, and the corpus and the
-    // tables of libFuzzer. The value is an estimate, to be replaced by a measured base + 64 MiB.
+    // Limits the whole process, to find leaks from input to input. It includes the memory of
+    // AddressSanitizer (shadow, red zones, quarantine) and of libFuzzer (corpus, tables). The value
+    // is an estimate.
     "-rss_limit_mb=256",
 };
 
