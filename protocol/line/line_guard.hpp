@@ -19,7 +19,7 @@ enum class Guard : std::uint8_t {
 /// The transport must pass this many bytes of a connection together, if they have arrived.
 inline constexpr std::size_t kFirstChunk = 4096;
 
-/// So many characters of an HTTP method, with nothing else, are a method and not commands.
+/// A chunk that begins with more characters of an HTTP method than this is taken for a request.
 inline constexpr std::size_t kMaxMethod = 1024;
 
 /// Whether a connection that begins with this chunk is no robot program. It must then be closed

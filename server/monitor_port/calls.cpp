@@ -123,15 +123,39 @@ asio::awaitable<void> MonitorService::call(MonitorSession& session, monitor::Req
       co_return;
     }
   }
+  while (is_making_long_) co_await long_made_.async_wait(kAwait);
   Answer answer = carry_out_call(session, request);
   acted_();
   monitor::Message message;
   if (answer.is_long) {
-    message = co_await worker_.run(std::move(answer.make));
+    message = co_await make_long(std::move(answer));
   } else {
     message = answer.make();
   }
   session.client().send(std::move(message));
+}
+
+/// While it exists, a long answer is being made; the destructor resumes the calls that wait.
+class MonitorService::Making {
+ public:
+  explicit Making(MonitorService& service) : service_(service) { service_.is_making_long_ = true; }
+  Making(const Making&) = delete;
+  Making& operator=(const Making&) = delete;
+  ~Making() {
+    service_.is_making_long_ = false;
+    service_.long_made_.cancel();
+  }
+
+ private:
+  MonitorService& service_;
+};
+
+// Meanwhile other calls wait, so that one copy of a large state exists at most, however many
+// clients have called.
+asio::awaitable<monitor::Message> MonitorService::make_long(Answer answer) {
+  const Making making(*this);
+  monitor::Message message = co_await worker_.run(std::move(answer.make));
+  co_return message;
 }
 
 // Not a coroutine: the call takes effect before anything else runs.

@@ -78,7 +78,8 @@ MonitorService::MonitorService(asio::io_context& io, Cell& cell, LineTransports&
       acted_(std::move(acted)),
       frames_(cell),
       subscribers_(io, cell, frames_, [this] { lines_.run_turns(); }),
-      lag_(io, [this] { return cell_.has_news_to_come(); }) {}
+      lag_(io, [this] { return cell_.has_news_to_come(); }),
+      long_made_(io, asio::steady_timer::time_point::max()) {}
 
 // --- Sessions.
 

@@ -90,6 +90,8 @@ class MonitorService {
     bool is_long = false;  ///< to be made in the worker
   };
   static Answer at_once(const monitor::Message& message);
+  class Making;
+  asio::awaitable<monitor::Message> make_long(Answer answer);
 
   asio::awaitable<void> call(MonitorSession& session, monitor::Request request);
   asio::awaitable<Error> wait_for(monitor::After after);
@@ -113,6 +115,8 @@ class MonitorService {
   WallNs next_token_log_ = 0;  ///< earliest time of the next message about wrong tokens
   SubscriberHub subscribers_;
   LoopLag lag_;
+  bool is_making_long_ = false;
+  asio::steady_timer long_made_;  ///< never expires; wakes the calls that wait to be carried out
   Worker worker_;
 };
 
