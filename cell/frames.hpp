@@ -1,5 +1,6 @@
 // Caches the current frame of each latest-wins channel. A frame is encoded once for all clients
-// with the same selection, and kept until the cell changes. Independent of clients.
+// with the same selection, and kept until the cell changes. Independent of clients and, between two
+// sources, of the cell, so that another thread can encode the frames of a large cell.
 #pragma once
 
 #include <array>
@@ -15,15 +16,30 @@
 
 namespace xr3 {
 
+/// What a channel shows of a cell at one moment. It never changes.
+struct FrameSource {
+  monitor::Channel channel{};
+  std::uint64_t revision = 0;  ///< of the cell
+  ModelPtr model;
+  Snapshot snapshot;
+  ImagePtr image;  ///< of the channel image only; nullptr without a camera
+};
+FrameSource frame_source(Cell& cell, monitor::Channel channel);
+
 class FrameCache {
  public:
-  /// `cell` must outlive the cache.
-  explicit FrameCache(Cell& cell) : cell_(cell) {}
+  /// The frames name the cell `cell`.
+  explicit FrameCache(std::string cell) : cell_(std::move(cell)) {}
 
-  /// The current frame of the selection's channel (state, image, display or model), valid until the
-  /// next call; nullptr for an image if there is no camera. Frames with equal seq and selection
-  /// have equal bytes.
-  const monitor::Frame* current(const monitor::Selection& selection);
+  /// Whether the channel (state, image, display or model) shows this revision of the cell.
+  bool is_current(monitor::Channel channel, std::uint64_t revision) const;
+  /// Makes the channel show a newer revision of the cell.
+  void show(const FrameSource& source);
+
+  /// The frame of the selection's channel, valid until the next call; nullptr for an image if there
+  /// is no camera. Frames with equal seq and selection have equal bytes. Precondition: show() was
+  /// called for the channel.
+  const monitor::Frame* frame(const monitor::Selection& selection);
 
  private:
   /// The latest frame, encoded for one selection.
@@ -54,18 +70,19 @@ class FrameCache {
     std::deque<EncodedFrame> encoded;  ///< the oldest first
   };
 
-  const monitor::Frame* current_frame(const monitor::Selection& selection);
-  void update(monitor::Channel channel, ChannelCache& cache);
-  bool has_changed(monitor::Channel channel, ChannelCache& cache);
-  bool is_only_later(ChannelCache& cache) const;
-  bool is_same_model(ChannelCache& cache) const;
-  bool has_new_image(ChannelCache& cache) const;
-  MemberTexts members_now(monitor::Channel channel);
+  const ChannelCache& cache_of(monitor::Channel channel) const;
+  ChannelCache& cache_of(monitor::Channel channel);
+  void update(const FrameSource& source, ChannelCache& cache);
+  bool has_changed(const FrameSource& source, ChannelCache& cache);
+  static bool is_only_later(const FrameSource& source, ChannelCache& cache);
+  static bool is_same_model(const FrameSource& source, ChannelCache& cache);
+  static bool has_new_image(const FrameSource& source, ChannelCache& cache);
+  MemberTexts members_of(const FrameSource& source);
   EncodedFrame& encoded_for(ChannelCache& cache, const monitor::Selection& selection) const;
   static std::string content_of(ChannelCache& cache, const monitor::Selection& selection);
   void make(ChannelCache& cache, EncodedFrame& encoded) const;
 
-  Cell& cell_;
+  std::string cell_;
   StateEncoder states_;
   std::array<ChannelCache, 4> caches_;  ///< state, image, display, model
 };

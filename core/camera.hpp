@@ -18,7 +18,7 @@ inline constexpr Micrometres kNearestSightUm = 1000;
 
 /// The maximum of camera_rows(). An image takes a few nanoseconds for each row of each block, and
 /// other lines wait meanwhile.
-inline constexpr std::int64_t kMaxCameraRows = 2'500'000;
+inline constexpr std::int64_t kMaxCameraRows = 500'000;
 
 /// The numbers of rows of the image that the blocks take, added up, if none is held; 0 without a
 /// camera.

@@ -60,20 +60,25 @@ class Image {
   /// and end <= width.
   void fill(int row, int begin, int end) {
     assert(row >= 0 && row < height_ && begin >= 0 && end <= width_);
-    while (begin < end) {
-      const unsigned first = static_cast<unsigned>(begin) % kBits;
-      const unsigned rest = kBits - first;
-      const auto wanted = static_cast<unsigned>(end - begin);
-      const unsigned count = wanted < rest ? wanted : rest;
-      word(begin, row) |= ~std::uint64_t{0} >> (kBits - count) << first;
-      begin += static_cast<int>(count);
+    if (end <= begin) return;
+    std::uint64_t* const first = &word(begin, row);
+    std::uint64_t* const last = &word(end - 1, row);
+    const std::uint64_t from_begin = kAll << static_cast<unsigned>(begin) % kBits;
+    const std::uint64_t to_end = kAll >> (kBits - 1 - static_cast<unsigned>(end - 1) % kBits);
+    if (first == last) {
+      *first |= from_begin & to_end;
+      return;
     }
+    *first |= from_begin;
+    std::fill(first + 1, last, kAll);
+    *last |= to_end;
   }
 
   bool operator==(const Image&) const = default;
 
  private:
   static constexpr unsigned kBits = kWordBits;
+  static constexpr std::uint64_t kAll = ~std::uint64_t{0};
 
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * words_a_row_ + static_cast<unsigned>(column) / kBits;

@@ -110,6 +110,7 @@ App::~App() {
 }
 
 ExitCode App::run() {
+  return_freed_blocks();
   listen();
   await_signal();
   announce();
@@ -118,7 +119,7 @@ ExitCode App::run() {
 
 ExitCode App::serve() {
   try {
-    io_.run();
+    while (io_.run_one() > 0) robot_port_.run_due_turns();
     return ExitCode::kGood;
   } catch (const std::exception& failure) {
     return break_off(failure.what());
@@ -188,12 +189,12 @@ void App::acted() {
   if (robot_port_.is_empty() && monitor_port_.is_empty()) drain_limit_.cancel();
 }
 
-bool App::close_greediest() {
+std::size_t App::close_greediest() {
   const std::size_t of_lines = robot_port_.most_held();
   const std::size_t of_monitor = monitor_port_.most_held();
-  if (of_lines == 0 && of_monitor == 0) return false;
+  if (of_lines == 0 && of_monitor == 0) return 0;
   of_lines > of_monitor ? robot_port_.close_greediest() : monitor_port_.close_greediest();
-  return true;
+  return std::max(of_lines, of_monitor);
 }
 
 // Closes everything that keeps the event loop running, so that run() returns.

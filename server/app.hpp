@@ -68,7 +68,7 @@ class App {
   void stop();
   void end_soon();
   void acted();
-  bool close_greediest();
+  std::size_t close_greediest();
   asio::awaitable<std::string> not_ready();
 
   enum class Stage : std::uint8_t { kStarting, kReady, kDraining, kEnded };

@@ -33,6 +33,15 @@ void Client::send(Message message) {
   reply_queue_.emplace_back(std::move(message));
 }
 
+std::size_t Client::held_bytes() const {
+  std::size_t bytes = reply_queue_bytes_;
+  for (const auto& [where, followed] : followed_) {
+    if (const auto* frames = std::get_if<FrameSubscription>(&followed))
+      bytes += frames->waiting_bytes();
+  }
+  return bytes;
+}
+
 void Client::replay(Feed& feed, const std::string& cell, const Get& get, const RequestId& id) {
   const std::int64_t wanted = get.since.value_or(feed.next() - kMaxRecalled);
   const Subscribe from{get.selection, {}, {}, std::max(wanted, feed.first())};

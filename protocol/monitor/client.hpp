@@ -57,8 +57,8 @@ class Client {
     return reply_queue_.size() >= kMaxAnswers || reply_queue_bytes_ >= kMaxAnswerBytes;
   }
 
-  /// The bytes of the replies in the queue.
-  std::size_t queued_bytes() const { return reply_queue_bytes_; }
+  /// The bytes of the replies in the queue and of the frames in the slots.
+  std::size_t held_bytes() const;
 
   /// Subscribes to a channel of a cell; replaces an earlier subscription to it.
   FrameSubscription& follow_frames(const std::string& cell, const Subscribe& wanted);

@@ -39,12 +39,12 @@ const char* name_of(Access access) {
 
 /// The members of `hello` that describe the cell.
 Json cell_members(const Greeting& greeting) {
-  const Snapshot& now = greeting.snapshot;
+  const CellTime& now = greeting.now;
   return {
       {"cell", greeting.cells.front()},
       {"cells", greeting.cells},
       {"epoch", now.epoch},
-      {"tick", now.state.tick},
+      {"tick", now.tick},
       {"tick_hz", kTickHz},
       {"clock", clock_json(now.mode, now.rate)},
       {"compat", greeting.model.profile() == Profile::kPaper ? "paper" : "mark3"},

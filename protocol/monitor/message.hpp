@@ -23,12 +23,20 @@ std::string text_of(const Json& json);
 /// What a session may do: nothing, read, or read and call. It depends on the token.
 enum class Access : std::uint8_t { kNone, kRead, kControl };
 
+/// The time of a cell, and how it passes.
+struct CellTime {
+  std::int64_t epoch = 0;  ///< see Epoch in cell_event.hpp
+  Tick tick = 0;
+  ClockMode mode = ClockMode::kReal;
+  Rate rate;
+};
+
 /// The contents of `hello`. `server` is name and version; `cells` has the default first.
 struct Greeting {
   std::string server;
   std::vector<std::string> cells;
   const Model& model;
-  const Snapshot& snapshot;
+  CellTime now;
   Access access = Access::kControl;
 };
 /// Without access it describes only the server, not the cell.

@@ -1,15 +1,11 @@
 #include "protocol/monitor/subscription.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace xr3::monitor {
 namespace {
-
-bool is_equal(const std::shared_ptr<const std::string>& a,
-              const std::shared_ptr<const std::string>& b) {
-  return a == b || (a && b && *a == *b);
-}
 
 // Divides time into slots of 1/rate, with at most one frame each. Returns the first frame of the
 // next slot.
@@ -21,12 +17,16 @@ FrameNumber next_slot(FrameNumber now, MilliHz rate) {
 
 }  // namespace
 
+ContentId content_id(std::string_view content) {
+  return {std::hash<std::string_view>{}(content), content.size()};
+}
+
 // --- Latest-wins channels.
 
 void FrameSubscription::offer(const Frame& frame, FrameNumber now) {
   due_ = next_slot(now, std::max(wanted_.max_millihz, kMinCheckMilliHz));
-  if (wanted_.on_change && waiting_.message && is_equal(frame.content, waiting_.content)) return;
-  const bool is_old = wanted_.on_change && is_equal(frame.content, sent_);
+  if (wanted_.on_change && waiting_.message && frame.content == waiting_.content) return;
+  const bool is_old = wanted_.on_change && frame.content == sent_;
   if (is_old && !waiting_.message) return;
   miss_waiting();
   if (is_old) return;  // back to the content that the client has
@@ -44,7 +44,7 @@ void FrameSubscription::miss_waiting() {
 
 bool FrameSubscription::is_settled(const Frame& current) const {
   if (!wanted_.on_change || missed_.count > 0) return false;
-  return is_equal(current.content, waiting_.message ? waiting_.content : sent_);
+  return current.content == (waiting_.message ? waiting_.content : sent_);
 }
 
 bool FrameSubscription::is_lag_due(FrameNumber now) const {
@@ -58,7 +58,7 @@ Message FrameSubscription::next_output(FrameNumber now) {
   }
   if (!waiting_.message) return nullptr;
   ++tally_->sent;
-  sent_ = std::move(waiting_.content);
+  sent_ = waiting_.content;
   Message message = std::move(waiting_.message);
   waiting_ = {};
   return message;

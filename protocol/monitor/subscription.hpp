@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "protocol/monitor/feed.hpp"
 #include "protocol/monitor/message.hpp"
@@ -17,12 +18,20 @@ namespace xr3::monitor {
 using FrameNumber = std::int64_t;
 inline constexpr int kFramesPerSecond = 60;
 
+/// Identifies a content without keeping it: equal contents have equal ids, and different ones have
+/// different ids except by a chance of 1 in 2^64.
+struct ContentId {
+  std::uint64_t hash = 0;
+  std::size_t bytes = 0;  ///< 0: no content
+  bool operator==(const ContentId&) const = default;
+};
+ContentId content_id(std::string_view content);
+
 /// A message of a latest-wins channel, shared by all subscribers with the same selection.
 struct Frame {
   Message message;
   std::int64_t seq = 0;
-  /// The members without time, compared to detect changes. Shared between frames while it is equal.
-  std::shared_ptr<const std::string> content;
+  ContentId content;  ///< of the members without time, compared to detect changes
 };
 
 /// Statistics of a channel: messages sent to a client, and messages that it missed.
@@ -53,6 +62,8 @@ class FrameSubscription {
   void offer(const Frame& frame, FrameNumber now);
   /// The slot holds a frame.
   bool is_waiting() const { return waiting_.message != nullptr; }
+  /// The bytes of the frame in the slot.
+  std::size_t waiting_bytes() const { return is_waiting() ? waiting_.message->size() : 0; }
 
   /// With on_change: the client has or will receive this content, and no `lag` is pending.
   bool is_settled(const Frame& current) const;
@@ -68,7 +79,7 @@ class FrameSubscription {
   std::string cell_;
   Subscribe wanted_;
   Frame waiting_;
-  std::shared_ptr<const std::string> sent_;  ///< content of the last frame sent
+  ContentId sent_;  ///< content of the last frame sent
   FrameNumber due_ = 0;
   FrameNumber last_lag_ = -kFramesPerSecond;
   Missed missed_;

@@ -9,6 +9,7 @@
 
 #include "server/http/body.hpp"
 #include "server/net/asio.hpp"
+#include "server/net/exclusive.hpp"
 #include "server/net/worker.hpp"
 
 namespace xr3::http {
@@ -24,14 +25,13 @@ class BodyMaker {
   };
   using Now = std::function<Recipe()>;
 
-  BodyMaker(asio::io_context& io, Worker& worker)
-      : worker_(worker), made_(io, asio::steady_timer::time_point::max()) {}
+  BodyMaker(asio::io_context& io, Worker& worker) : worker_(worker), making_(io) {}
 
   /// The body as of a moment after this call. If many wait, they share the body that is begun next.
   /// Throws what the recipe throws.
   asio::awaitable<Body> get(Now now) {
     const std::uint64_t next = begun_ + 1;
-    while (is_making_) co_await made_.async_wait(kAwait);
+    co_await making_.until_free();
     if (has_body_from(next)) co_return body_;
     Recipe recipe = now();
     if (key_ == recipe.key) co_return body_;
@@ -42,7 +42,7 @@ class BodyMaker {
   bool has_body_from(std::uint64_t begun) const { return key_ && body_begun_ >= begun; }
 
   asio::awaitable<Body> make(Recipe recipe) {
-    const Making making(*this);
+    const Exclusive::Hold hold(making_);
     const std::uint64_t begun = ++begun_;
     std::string text = co_await worker_.run(std::move(recipe.make));
     body_ = Body(std::move(text));
@@ -51,24 +51,8 @@ class BodyMaker {
     co_return body_;
   }
 
-  /// The destructor resumes the coroutines that wait.
-  class Making {
-   public:
-    explicit Making(BodyMaker& maker) : maker_(maker) { maker_.is_making_ = true; }
-    Making(const Making&) = delete;
-    Making& operator=(const Making&) = delete;
-    ~Making() {
-      maker_.is_making_ = false;
-      maker_.made_.cancel();
-    }
-
-   private:
-    BodyMaker& maker_;
-  };
-
   Worker& worker_;
-  asio::steady_timer made_;  ///< never expires; cancelled when a body is made
-  bool is_making_ = false;
+  Exclusive making_;
   std::uint64_t begun_ = 0;       ///< how many bodies were begun
   std::uint64_t body_begun_ = 0;  ///< the number of `body_` among them
   std::optional<Key> key_;        ///< of `body_`

@@ -172,7 +172,6 @@ bool HttpResources::is_health_check(const Request& request) {
 asio::awaitable<Answer> HttpResources::answer(const Request& request) {
   service_.note_work();
   const std::string_view path = request.path();
-  service_.let_lines_run();
   if (wall_now() >= deadline_)
     co_return http::error(503, "not_ready", "the server is stopping", "start it again");
   for (const Route& route : kRoutes) {
@@ -236,7 +235,13 @@ asio::awaitable<Answer> HttpResources::schema(Request) {
 // --- The cell.
 
 asio::awaitable<Answer> HttpResources::state(Request) {
-  co_return http::json(*service_.current_frame({monitor::Channel::kState, {}, {}})->message + "\n");
+  const std::optional<monitor::Frame> frame =
+      co_await service_.current_frame({monitor::Channel::kState, {}, {}});
+  if (state_of_ != frame->message) {
+    state_ = http::Body(*frame->message + "\n");
+    state_of_ = frame->message;
+  }
+  co_return http::json(state_);
 }
 
 asio::awaitable<Answer> HttpResources::robot(Request) {

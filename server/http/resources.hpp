@@ -75,6 +75,8 @@ class HttpResources {
   NotReady not_ready_;
   Count count_;
   WallNs deadline_ = kNever;
+  monitor::Message state_of_;  ///< the message whose text is `state_`
+  http::Body state_;
   http::BodyMaker<ImagePtr> bitmap_;
   http::BodyMaker<ImagePtr> png_;
   http::BodyMaker<Revision> workcell_;

@@ -19,6 +19,8 @@ using std::chrono::milliseconds;
 // Answers with more of them are made in the worker. Each takes some 10 us.
 constexpr std::size_t kMaxBlocksAtOnce = 50;
 constexpr std::size_t kMaxLinesAtOnce = 50;
+// The same for bytes of replies to `send`. Each takes some 20 ns.
+constexpr std::size_t kMaxReplyBytesAtOnce = 4096;
 
 bool moves_time(const monitor::CallRequest& wanted) {
   const auto* call = std::get_if<call::Call>(&wanted.call);
@@ -123,7 +125,7 @@ asio::awaitable<void> MonitorService::call(MonitorSession& session, monitor::Req
       co_return;
     }
   }
-  while (is_making_long_) co_await long_made_.async_wait(kAwait);
+  co_await making_long_.until_free();
   Answer answer = carry_out_call(session, request);
   acted_();
   monitor::Message message;
@@ -135,25 +137,10 @@ asio::awaitable<void> MonitorService::call(MonitorSession& session, monitor::Req
   session.client().send(std::move(message));
 }
 
-/// While it exists, a long answer is being made; the destructor resumes the calls that wait.
-class MonitorService::Making {
- public:
-  explicit Making(MonitorService& service) : service_(service) { service_.is_making_long_ = true; }
-  Making(const Making&) = delete;
-  Making& operator=(const Making&) = delete;
-  ~Making() {
-    service_.is_making_long_ = false;
-    service_.long_made_.cancel();
-  }
-
- private:
-  MonitorService& service_;
-};
-
 // Meanwhile other calls wait, so that one copy of a large state exists at most, however many
 // clients have called.
 asio::awaitable<monitor::Message> MonitorService::make_long(Answer answer) {
-  const Making making(*this);
+  const Exclusive::Hold hold(making_long_);
   monitor::Message message = co_await worker_.run(std::move(answer.make));
   co_return message;
 }
@@ -163,7 +150,7 @@ MonitorService::Answer MonitorService::carry_out_call(MonitorSession& session,
                                                       monitor::Request& request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   if (std::holds_alternative<call::Call>(wanted.call)) return call_cell(request);
-  if (std::holds_alternative<monitor::Send>(wanted.call)) return at_once(send(session, request));
+  if (std::holds_alternative<monitor::Send>(wanted.call)) return send(session, request);
   if (std::holds_alternative<monitor::ListLines>(wanted.call)) return list_lines(request);
   if (std::holds_alternative<monitor::DisconnectLine>(wanted.call))
     return at_once(disconnect(request));
@@ -175,10 +162,9 @@ MonitorService::Answer MonitorService::carry_out_call(MonitorSession& session,
 // --- Calls of the cell.
 
 asio::awaitable<MonitorService::Error> MonitorService::wait_for(monitor::After after) {
-  lines_.read_arrived();
-  if (!cell_.bytes_in(after.line)) co_return no_such_line(after.line);
   const bool arrived =
       co_await lines_.wait_for_bytes(after.line, after.bytes_in, milliseconds(after.within_ms));
+  if (!cell_.bytes_in(after.line)) co_return no_such_line(after.line);
   if (arrived) co_return std::nullopt;
   if (cell_.find_line(after.line) == nullptr) co_return no_such_line(after.line);
   co_return timeout(after, cell_.bytes_in(after.line).value_or(0));
@@ -232,7 +218,8 @@ Json MonitorService::value_now() const {
 
 // --- Serial lines.
 
-monitor::Message MonitorService::send(MonitorSession& session, const monitor::Request& request) {
+MonitorService::Answer MonitorService::send(MonitorSession& session,
+                                            const monitor::Request& request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   const std::string& bytes = std::get<monitor::Send>(wanted.call).bytes;
   const std::optional<LineId> open_line = session.own_line();
@@ -244,14 +231,18 @@ monitor::Message MonitorService::send(MonitorSession& session, const monitor::Re
   // Camera images can fill the outbox. The client sends the rest of the bytes with the next call,
   // so that no call takes long.
   const std::size_t taken = cell_.apply(BytesIn{id, bytes}, wall_now()).bytes_taken;
-  const std::string replies(cell_.find_line(id)->outbox());
+  std::string replies(cell_.find_line(id)->outbox());
   cell_.apply(BytesOut{id, replies.size()}, wall_now());
   Json value = value_now();
   value["line"] = id;
   if (taken < bytes.size()) value["taken"] = taken;
-  value["hex"] = hexadecimal(replies);
-  value["text"] = readable(replies);
-  return monitor::result(request.id, value);
+  const bool is_long = replies.size() > kMaxReplyBytesAtOnce;
+  return {[id = request.id, value, replies = std::move(replies)]() mutable {
+            value["hex"] = hexadecimal(replies);
+            value["text"] = readable(replies);
+            return monitor::result(id, value);
+          },
+          is_long};
 }
 
 MonitorService::Answer MonitorService::list_lines(const monitor::Request& request) {

@@ -65,8 +65,10 @@ asio::awaitable<void> JsonLines::answer_lines() {
   if (is_over && !session_->has_ended()) session_->end(lines_.fault());
 }
 
+bool JsonLines::is_full() const { return session_->is_full() || out_bytes_ >= kBatchBytes; }
+
 asio::awaitable<void> JsonLines::until_there_is_room() {
-  while (session_->is_full() && socket_->is_open()) co_await progress_.async_wait(kAwait);
+  while (is_full() && socket_->is_open()) co_await progress_.async_wait(kAwait);
 }
 
 // A client that has stopped sending may still have subscriptions.

@@ -46,11 +46,13 @@ class JsonLines : public std::enable_shared_from_this<JsonLines>, private Messag
   JsonLines(std::shared_ptr<MonitorSocket> socket, MonitorService& service);
 
   asio::awaitable<void> answer_lines();
+  bool is_full() const;
   asio::awaitable<void> until_there_is_room();
   asio::awaitable<void> until_all_is_written();
   bool is_done() const;
 
   void pump() override;
+  bool is_blocked() const override { return is_blocked_; }
   void prefetch(Depth depth) const override;
   bool is_one_and_small() const;
   std::size_t send_copy();

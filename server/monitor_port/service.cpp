@@ -76,10 +76,10 @@ MonitorService::MonitorService(asio::io_context& io, Cell& cell, LineTransports&
       lines_(lines),
       policy_(policy),
       acted_(std::move(acted)),
-      frames_(cell),
+      frames_(io, cell, worker_),
       subscribers_(io, cell, frames_, [this] { lines_.run_turns(); }),
       lag_(io, [this] { return cell_.has_news_to_come(); }),
-      long_made_(io, asio::steady_timer::time_point::max()) {}
+      making_long_(io) {}
 
 // --- Sessions.
 
@@ -102,13 +102,16 @@ void MonitorService::remove(MonitorSession& session) {
 
 monitor::Message MonitorService::hello(const MonitorSession& session) {
   cell_.catch_up(wall_now());
-  const Snapshot now = cell_.snapshot();
+  const monitor::CellTime now{cell_.epoch(), cell_.state().tick, cell_.clock().mode(),
+                              cell_.clock().rate()};
   return monitor::hello({"xr3 " XR3_VERSION, cells(), cell_.model(), now, session.access()});
 }
 
-const monitor::Frame* MonitorService::current_frame(const monitor::Selection& selection) {
+asio::awaitable<std::optional<monitor::Frame>> MonitorService::current_frame(
+    monitor::Selection selection) {
   cell_.catch_up(wall_now());
-  return frames_.current(selection);
+  std::optional<monitor::Frame> frame = co_await frames_.get(std::move(selection));
+  co_return frame;
 }
 
 void MonitorService::acted() {
@@ -136,13 +139,6 @@ CellCounters MonitorService::counters() const {
 
 // --- Requests.
 
-void MonitorService::let_lines_run() {
-  const WallNs now = wall_now();
-  if (now < next_lines_) return;
-  next_lines_ = now + kLinesEvery;
-  lines_.run_turns();
-}
-
 MonitorService::Error MonitorService::refuse(const MonitorSession& session,
                                              std::string_view message) const {
   if (session.access() == Access::kControl) return std::nullopt;
@@ -164,11 +160,11 @@ asio::awaitable<void> MonitorService::carry_out(MonitorSession& session, monitor
   } else if (std::holds_alternative<monitor::Auth>(request.what)) {
     co_await authorize(session, std::move(request));
   } else if (std::holds_alternative<monitor::Subscribe>(request.what)) {
-    subscribe(session, request);
+    co_await subscribe(session, std::move(request));
   } else if (std::holds_alternative<monitor::Unsubscribe>(request.what)) {
     unsubscribe(session, request);
   } else if (std::holds_alternative<monitor::Get>(request.what)) {
-    show(session, request);
+    co_await show(session, std::move(request));
   } else {
     co_await call(session, std::move(request));
   }
@@ -209,7 +205,7 @@ monitor::Feed& MonitorService::feed(Channel channel) {
   return channel == Channel::kEvent ? cell_.events() : cell_.wires();
 }
 
-void MonitorService::subscribe(MonitorSession& session, const monitor::Request& request) {
+asio::awaitable<void> MonitorService::subscribe(MonitorSession& session, monitor::Request request) {
   const auto& wanted = std::get<monitor::Subscribe>(request.what);
   const Channel channel = wanted.selection.channel;
   if (is_feed(channel)) {
@@ -219,8 +215,11 @@ void MonitorService::subscribe(MonitorSession& session, const monitor::Request& 
     session.client().send(monitor::result(request.id, terms(request.cell, wanted, since)));
     session.client().follow_feed(request.cell, wanted, feed(channel));
   } else {
-    const monitor::Frame* frame = current_frame(wanted.selection);
-    if (frame == nullptr) return session.client().send(monitor::result(no_camera(request.id)));
+    const std::optional<monitor::Frame> frame = co_await current_frame(wanted.selection);
+    if (!frame) {
+      session.client().send(monitor::result(no_camera(request.id)));
+      co_return;
+    }
     session.client().send(monitor::result(request.id, terms(request.cell, wanted, 0)));
     session.client().follow_frames(request.cell, wanted).offer(*frame, subscribers_.now());
   }
@@ -233,14 +232,15 @@ void MonitorService::unsubscribe(MonitorSession& session, const monitor::Request
   session.client().send(monitor::result(request.id, Json::object()));
 }
 
-void MonitorService::show(MonitorSession& session, const monitor::Request& request) {
+asio::awaitable<void> MonitorService::show(MonitorSession& session, monitor::Request request) {
   const auto& get = std::get<monitor::Get>(request.what);
   if (is_feed(get.selection.channel)) {
     cell_.catch_up(wall_now());
     session.client().replay(feed(get.selection.channel), request.cell, get, request.id);
-    return session.client().send(monitor::result(request.id, Json::object()));
+    session.client().send(monitor::result(request.id, Json::object()));
+    co_return;
   }
-  const monitor::Frame* frame = current_frame(get.selection);
+  const std::optional<monitor::Frame> frame = co_await current_frame(get.selection);
   session.client().send(frame ? monitor::with_id(frame->message, request.id)
                               : monitor::result(no_camera(request.id)));
 }

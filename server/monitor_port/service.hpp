@@ -9,13 +9,14 @@
 #include <vector>
 
 #include "cell/cell.hpp"
-#include "cell/frames.hpp"
 #include "protocol/monitor/message.hpp"
 #include "protocol/monitor/request.hpp"
 #include "server/monitor_port/access.hpp"
+#include "server/monitor_port/frame_maker.hpp"
 #include "server/monitor_port/session.hpp"
 #include "server/monitor_port/subscribers.hpp"
 #include "server/net/asio.hpp"
+#include "server/net/exclusive.hpp"
 #include "server/net/line_transports.hpp"
 #include "server/net/loop_lag.hpp"
 #include "server/net/wall_clock.hpp"
@@ -53,13 +54,8 @@ class MonitorService {
   /// the coroutine.
   asio::awaitable<void> carry_out(MonitorSession& session, monitor::Request request);
 
-  /// The current frame of the cell; nullptr for an image if there is no camera.
-  const monitor::Frame* current_frame(const monitor::Selection& selection);
-
-  /// Runs the turns of the lines if the last ones are kLinesEvery ago. Called before each request,
-  /// so that a line waits for one request at most, however many clients have sent one.
-  void let_lines_run();
-  static constexpr WallNs kLinesEvery = 500'000;
+  /// The current frame of the cell; nullopt for an image if there is no camera.
+  asio::awaitable<std::optional<monitor::Frame>> current_frame(monitor::Selection selection);
 
   /// An input of the cell has acted: serves the subscribers, and measures the event loop.
   void acted();
@@ -79,9 +75,9 @@ class MonitorService {
 
   asio::awaitable<void> authorize(MonitorSession& session, monitor::Request request);
   void note_wrong_token();
-  void subscribe(MonitorSession& session, const monitor::Request& request);
+  asio::awaitable<void> subscribe(MonitorSession& session, monitor::Request request);
   void unsubscribe(MonitorSession& session, const monitor::Request& request);
-  void show(MonitorSession& session, const monitor::Request& request);
+  asio::awaitable<void> show(MonitorSession& session, monitor::Request request);
   monitor::Feed& feed(monitor::Channel channel);
 
   /// The answer to a call that has taken effect. `make` is pure work on copies.
@@ -90,14 +86,13 @@ class MonitorService {
     bool is_long = false;  ///< to be made in the worker
   };
   static Answer at_once(const monitor::Message& message);
-  class Making;
   asio::awaitable<monitor::Message> make_long(Answer answer);
 
   asio::awaitable<void> call(MonitorSession& session, monitor::Request request);
   asio::awaitable<Error> wait_for(monitor::After after);
   Answer carry_out_call(MonitorSession& session, monitor::Request& request);
   Answer call_cell(monitor::Request& request);
-  monitor::Message send(MonitorSession& session, const monitor::Request& request);
+  Answer send(MonitorSession& session, const monitor::Request& request);
   Answer list_lines(const monitor::Request& request);
   monitor::Message disconnect(const monitor::Request& request);
   Answer done(const monitor::Request& request, const call::Done& done);
@@ -109,14 +104,12 @@ class MonitorService {
   LineTransports& lines_;
   const AccessPolicy& policy_;
   std::function<void()> acted_;
-  FrameCache frames_;
+  FrameMaker frames_;
   std::uint64_t wrong_tokens_ = 0;
-  WallNs next_lines_ = 0;      ///< earliest time of the next turns by let_lines_run()
   WallNs next_token_log_ = 0;  ///< earliest time of the next message about wrong tokens
   SubscriberHub subscribers_;
   LoopLag lag_;
-  bool is_making_long_ = false;
-  asio::steady_timer long_made_;  ///< never expires; wakes the calls that wait to be carried out
+  Exclusive making_long_;  ///< an answer to a call; meanwhile calls wait
   Worker worker_;
 };
 

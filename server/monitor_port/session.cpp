@@ -15,7 +15,6 @@ MonitorSession::MonitorSession(MonitorService& service, MessageSink& sink)
 MonitorSession::~MonitorSession() { service_.remove(*this); }
 
 asio::awaitable<void> MonitorSession::handle(std::string_view message) {
-  service_.let_lines_run();
   if (const auto error = service_.refuse(*this, message)) {
     client_.send(monitor::result(*error));
   } else if (auto request = client_.accept(co_await service_.read(message))) {

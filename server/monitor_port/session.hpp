@@ -34,8 +34,8 @@ class MonitorSession {
 
   /// The queue is full: no request may be handled until the client has read some answers.
   bool is_full() const { return client_.is_full(); }
-  /// The bytes of queued answers.
-  std::size_t held_bytes() const { return client_.queued_bytes(); }
+  /// The bytes of queued answers and frames.
+  std::size_t held_bytes() const { return client_.held_bytes(); }
   /// The last message is queued; once it is sent, the transport closes the connection.
   bool has_ended() const { return client_.has_ended(); }
   /// nullopt unless has_ended().
@@ -52,6 +52,8 @@ class MonitorSession {
   monitor::Client& client() { return client_; }
   /// Notifies the transport of output.
   void wake() { sink_.pump(); }
+  /// Whether the client has yet to accept bytes.
+  bool is_blocked() const { return sink_.is_blocked(); }
   /// Prefetches the memory, at one depth, that serving this session will access.
   void prefetch(Depth depth) const;
 

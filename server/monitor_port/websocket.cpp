@@ -23,6 +23,8 @@ constexpr auto kNoDeadline = Clock::time_point::max();
 constexpr std::chrono::seconds kMaxHandshake{10};
 // Time for the client to answer the close frame.
 constexpr std::chrono::milliseconds kMaxCloseTime{500};
+// While the client has yet to accept a message of this size, it gets no further answers.
+constexpr std::size_t kLongMessage = std::size_t{64} * 1024;
 // Requests handled before yielding to the event loop.
 constexpr int kFairShare = 64;
 
@@ -96,9 +98,11 @@ class BeastWebsocket final : public Websocket, private MessageSink {
   asio::awaitable<bool> accept(const std::string& head);
   asio::awaitable<void> read_messages();
   asio::awaitable<bool> read_text();
+  bool is_full() const;
   asio::awaitable<void> until_there_is_room();
 
   void pump() override;
+  bool is_blocked() const override { return message_ != nullptr; }
   void prefetch(Depth depth) const override;
   void written(ErrorCode error);
   void close(ws::close_code code);
@@ -198,8 +202,12 @@ asio::awaitable<bool> BeastWebsocket::read_text() {
   co_return false;
 }
 
+bool BeastWebsocket::is_full() const {
+  return session_->is_full() || (message_ && message_->size() >= kLongMessage);
+}
+
 asio::awaitable<void> BeastWebsocket::until_there_is_room() {
-  while (session_->is_full() && socket_->is_open()) co_await progress_.async_wait(kAwait);
+  while (is_full() && socket_->is_open()) co_await progress_.async_wait(kAwait);
 }
 
 // --- Out.

@@ -13,10 +13,13 @@ namespace xr3 {
 /// The bytes that the process has allocated from the heap now.
 std::size_t allocated_bytes();
 
+/// From now on the allocator gives large blocks back to the system as soon as they are freed.
+void return_freed_blocks();
+
 class MemoryLimit {
  public:
-  /// Closes the connection that holds the most bytes. Returns false if none holds any.
-  using CloseGreediest = std::function<bool()>;
+  /// Closes the connection that holds the most bytes. Returns how many; 0 if none holds any.
+  using CloseGreediest = std::function<std::size_t()>;
 
   MemoryLimit(asio::io_context& io, std::size_t max_bytes, CloseGreediest close_greediest)
       : io_(io), max_bytes_(max_bytes), close_greediest_(std::move(close_greediest)) {}
@@ -29,6 +32,7 @@ class MemoryLimit {
 
  private:
   void check();
+  std::size_t close_some(std::size_t excess);
   void schedule();
 
   asio::io_context& io_;

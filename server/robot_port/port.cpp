@@ -19,6 +19,8 @@ constexpr const char* kName = "the robot port";
 // which costs a microsecond.
 constexpr WallNs kMaxTurnsTime = 500'000;
 constexpr WallNs kNewsEvery = 30'000;
+// The time of the turns between two handlers of other ports: a third of all time at most.
+constexpr WallNs kMaxDueTime = 100'000;
 
 /// While it exists, the timer is cancelled when bytes of the line have acted.
 class Waiting {
@@ -167,19 +169,32 @@ asio::awaitable<void> RobotPort::run() {
   }
 }
 
+void RobotPort::run_due_turns() {
+  if (!is_watching_ || wall_now() < next_turns_) return;
+  vital(kName, [this] {
+    run_lightest(kMaxDueTime);
+    if (!turns_.empty()) schedule_turns();
+  });
+}
+
 // Light lines go first, and new ones are looked for again and again. One of the heaviest has a turn
 // at the end, so that they are slow, but not forgotten. Then timers, signals and other ports get
 // theirs.
 void RobotPort::run_turns() {
-  const WallNs start = wall_now();
-  take_news();
-  for (WallNs now = start; !turns_.empty() && now < start + kMaxTurnsTime; now = wall_now()) {
-    while (!turns_.empty() && wall_now() < now + kNewsEvery) run_turn(turns_.take_lightest());
-    take_news();
-  }
+  run_lightest(kMaxTurnsTime);
   if (turns_.empty()) return;
   run_turn(turns_.take_heaviest());
   schedule_turns();
+}
+
+void RobotPort::run_lightest(WallNs time) {
+  const WallNs start = wall_now();
+  take_news();
+  for (WallNs now = start; !turns_.empty() && now < start + time; now = wall_now()) {
+    while (!turns_.empty() && wall_now() < now + kNewsEvery) run_turn(turns_.take_lightest());
+    take_news();
+  }
+  next_turns_ = wall_now() + kTurnsEvery;
 }
 
 // A line has its turn at once if no other one goes before it.

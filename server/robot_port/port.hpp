@@ -55,6 +55,10 @@ class RobotPort final : public LineTransports {
 
   void read_arrived() override;
   void run_turns() override;
+  /// Runs a few turns if the last ones are kTurnsEvery ago. The event loop calls this after every
+  /// handler, so that a line waits for one handler at most, however many are ready.
+  void run_due_turns();
+  static constexpr WallNs kTurnsEvery = 200'000;
   asio::awaitable<bool> wait_for_bytes(LineId line, std::uint64_t bytes_in,
                                        std::chrono::milliseconds within) override;
   bool disconnect(LineId line) override;
@@ -85,6 +89,7 @@ class RobotPort final : public LineTransports {
   void end_probe();
   asio::awaitable<void> run();
   void take_news();
+  void run_lightest(WallNs time);
   void run_turn(LineId line);
   void schedule_turns();
   void end(LineId line);
@@ -111,6 +116,7 @@ class RobotPort final : public LineTransports {
   ProbeProgress probe_progress_ = ProbeProgress::kUnseen;
   TurnQueue turns_;
   bool is_again_ = false;  ///< the next turns are scheduled
+  WallNs next_turns_ = 0;  ///< earliest time of the next run_due_turns()
   /// By line; cancelled when its bytes have acted, or it has ended.
   std::multimap<LineId, asio::steady_timer*> waiting_;
   Sessions sessions_;

@@ -16,7 +16,7 @@ HEAPED = "heaped"      # 2,048 x 2,048 pixels, and as many blocks as may cover t
 BOUND_MS = {SHIPPED: 3, HUNDRED: 3, THOUSAND: 20, CAMERA: 20, LARGEST: 20, HEAPED: 20}
 MOST_BLOCKS = 10_000
 MOST_PIXELS = 2048
-MOST_ROWS = 2_500_000  # of the camera's image, counted for each block
+MOST_ROWS = 500_000  # of the camera's image, counted for each block
 FIELD_MM = 384
 
 
@@ -44,7 +44,7 @@ def _heap():
 MADE = {
     THOUSAND: lambda: workcell([block(number) for number in range(1000)]),
     CAMERA: lambda: workcell(pixels=MOST_PIXELS),
-    LARGEST: lambda: workcell([block(number) for number in range(MOST_BLOCKS)], MOST_PIXELS),
+    LARGEST: lambda: workcell([block(number, (6, 4, 20)) for number in range(MOST_BLOCKS)], MOST_PIXELS),
     HEAPED: lambda: workcell(_heap(), MOST_PIXELS),
 }
 

@@ -166,7 +166,7 @@ ATTACKS = [
     *beside("json.churn", churn, *SHIPPED_AND_LARGEST),
     *beside("json.viewers", viewers(permutation), SHIPPED, HUNDRED, THOUSAND, LARGEST),
     *beside("json.image-viewers", viewers(image_fields, "image"), SHIPPED, LARGEST),
-    *beside("json.waiting", waiting, SHIPPED, **MANUAL),
+    *beside("json.waiting", waiting, SHIPPED, crowd=True, **MANUAL),
     *beside("json.wrong-tokens", wrong_tokens, SHIPPED, options=("--token", "auto")),
     *beside("json.mixture", mixture, *SHIPPED_AND_LARGEST),
     *(each for name, data in INVALID.items() for each in beside(f"json.invalid-{name}", flood(data), SHIPPED)),

@@ -1,5 +1,6 @@
-"""The memory that clients make the server take: a connection at most 1 MiB, a thousand of the greediest at most the
-cap, a request at most 1 MiB beyond eight times its bytes, and calls that change the workcell nothing that stays."""
+"""The memory that clients make the server take: a connection at most 1 MiB, beyond the one message made for it alone
+if it asks for that; a thousand of the greediest at most the cap; a request at most 1 MiB beyond eight times its bytes;
+and calls that change the workcell nothing that stays."""
 
 import contextlib
 import itertools
@@ -50,19 +51,26 @@ def serving(cell, **more):
         yield xr3, Target(xr3.robot_port, xr3.monitor_port)
 
 
-def greedy(name, cell, opener, data, clock="manual"):
-    """The peak of memory for each of many connections that read nothing."""
+def answer_bytes(target, request):
+    with target.ask() as sock, sock.makefile("rb") as answers:
+        sock.sendall(request)
+        return len(answers.readline())
+
+
+def greedy(name, cell, opener, data, clock="manual", own=None):
+    """The peak of memory for each of many connections that read nothing, without one answer to `own`."""
     def measure():
         with serving(cell, clock=clock) as (xr3, target), contextlib.ExitStack() as stack:
             send = lambda number: send_greedily(stack.enter_context(opener(target, number)), data)
             send(0)  # what all share is made for the first one
             settle(xr3)
+            own_mib = answer_bytes(target, own) / MIB if own else 0.0
             before = peak_mib(xr3)
             for number in range(1, GREEDY + 1):
                 send(number)
             settle(xr3)
             grown = peak_mib(xr3) - before
-            return Measured(grown / GREEDY, f"{before:.0f} MiB before")
+            return Measured(grown / GREEDY - own_mib, f"{before:.0f} MiB before, {own_mib:.2f} MiB of its own")
     return Attack(f"memory.{name}/{cell}", 1, "MiB each", measure)
 
 
@@ -145,7 +153,7 @@ ATTACKS = [
     greedy("json-models", LARGEST, page, images(json_line("get", channel="model"))),
     greedy("json-workcells", LARGEST, page, images(call("snapshot_save", inline=True))),
     greedy("json-events", SHIPPED, page, json_line("get", channel="event", since=1) * 300),
-    greedy("json-sends", CAMERA, page, call("send", text="A**" * 1000) * REPEATED),
+    greedy("json-sends", CAMERA, page, call("send", text="A**" * 1000) * REPEATED, own=call("send", text="A**")),
     greedy("json-unfinished", SHIPPED, page, b'{"op":"ping","more":"' + b"x" * 250_000),
     greedy("json-errors", SHIPPED, page, b"{}\n" * 2000),
     greedy("websocket-images", CAMERA, socket, images(websocket.text("get", channel="image"))),
@@ -154,7 +162,7 @@ ATTACKS = [
     greedy("http-unfinished", SHIPPED, page, UNFINISHED_HEAD),
     greedy("telnet", SHIPPED, line, b"\xff\xfd\x01" * 20_000),
     greedy("followers", SHIPPED, follower, b"", clock="real"),
-    greedy("followers", LARGEST, follower, b"", clock="real"),
+    greedy("followers", LARGEST, follower, b"", clock="real", own=json_line("get", channel="state")),
     thousand("thousand-images", CAMERA, (line, b"A**" * REPEATED), (page, images(get("/camera.pbm")))),
     thousand("thousand-json", CAMERA, (line, b"A*0*" * REPEATED), (page, images(GET_IMAGE))),
     thousand("thousand-followers", LARGEST, (follower, b"")),

@@ -2,11 +2,12 @@
 receive the same messages."""
 
 import json
+import pathlib
 import time
 import unittest
 import urllib.request
 
-from support import LOCALHOST, MonitorError, Server, counts, machine
+from support import LOCALHOST, ROOT, MonitorError, Server, counts, machine
 
 LATEST = ["state", "image", "display", "model"]
 RINGS = ["event", "line"]
@@ -221,6 +222,55 @@ def on_the_line(rows):
         row = row.ljust(-len(row) // 6 * -6, "0")
         data += bytes(32 + int(row[at:at + 6], 2) for at in range(0, len(row), 6))
     return data
+
+
+class OfAHundredBlocks(unittest.TestCase):
+    """A cell of more than 50 blocks: its frames are made by another thread."""
+
+    def setUp(self):
+        self.xr3 = self.enterContext(Server("--workcell", "rhino-hundred"))
+        self.monitor = self.enterContext(self.xr3.monitor())
+        self.line = self.enterContext(self.xr3.line())
+
+    def test_the_first_message_is_complete(self):
+        for channel in LATEST:
+            with self.xr3.monitor() as viewer:
+                viewer.subscribe(channel)
+                first = viewer.read()
+                shown = self.monitor.look(channel)
+                del shown["id"]
+                self.assertEqual(shown, first)
+
+    def test_all_viewers_receive_the_final_state(self):
+        selections = [None, ["joints"], ["joints", "stalled"], ["blocks", "joints"]] * 8
+        viewers = [self.enterContext(self.xr3.monitor()) for _ in selections]
+        for viewer, fields in zip(viewers, selections):
+            viewer.subscribe("state", **({"fields": fields} if fields else {}))
+        self.line.send("E+20\r")
+        final = self.monitor.step(5000, after=self.line)
+        is_final = lambda message: message.get("joints") == final["joints"]
+        shown = [viewer.read_until(is_final)[-1] for viewer in viewers]
+        self.assertEqual({self.monitor.look("state")["seq"]}, {message["seq"] for message in shown})
+        self.assertEqual([len(final["blocks"])] * 16,
+                         [len(message["blocks"]) for message in shown if "blocks" in message])
+
+    def test_answers_come_in_the_order_of_the_requests(self):
+        wanted = ["state", "display", "model", "state", "display"]
+        for number, channel in enumerate(wanted):
+            self.monitor.send({"op": "get", "id": 2 * number, "channel": channel})
+            self.monitor.send({"op": "ping", "id": 2 * number + 1})
+        answers = [self.monitor.read() for _ in range(2 * len(wanted))]
+        self.assertEqual(list(range(2 * len(wanted))), [answer["id"] for answer in answers])
+        self.assertEqual(wanted, [answer["op"] for answer in answers[::2]])
+
+    def test_a_viewer_follows_a_change_to_a_small_workcell_and_back(self):
+        small, large = (json.loads(pathlib.Path(ROOT, f"data/workcells/{name}.json").read_text(encoding="utf-8"))
+                        for name in ("rhino-xr3", "rhino-hundred"))
+        with self.xr3.monitor() as viewer:
+            viewer.subscribe("model")
+            for workcell in (small, large, small):
+                self.monitor.call("workcell", workcell=workcell)
+                viewer.read_until(lambda message: len(message["workcell"]["blocks"]) == len(workcell["blocks"]))
 
 
 class InRealTime(unittest.TestCase):

@@ -11,10 +11,8 @@ namespace {
 
 TEST(MonitorMessage, Hello) {
   const ModelPtr model = test::rhino();
-  Snapshot snapshot;
-  snapshot.state = initial_state(*model);
   EXPECT_EQ(
-      *hello({"xr3 0.1.0", {"main"}, *model, snapshot}),
+      *hello({"xr3 0.1.0", {"main"}, *model, {}}),
       R"({"op":"hello","proto":1,"server":"xr3 0.1.0","cell":"main","cells":["main"],"epoch":0,"tick":0,)"
       R"("tick_hz":1000,"clock":{"mode":"real","rate":1.0},"compat":"paper",)"
       R"("robot":{"name":"Rhino XR-3","joints":["F","E","D","C","B"],"tool":"A"},"access":"control",)"
@@ -27,11 +25,8 @@ TEST(MonitorMessage, Hello) {
 
 TEST(MonitorMessage, HelloNamesCellsAndProfile) {
   const ModelPtr model = test::rhino(Profile::kMark3);
-  Snapshot snapshot;
-  snapshot.epoch = 4;
-  snapshot.mode = ClockMode::kManual;
-  snapshot.state.tick = 77;
-  const Json json = Json::parse(*hello({"xr3", {"a", "b"}, *model, snapshot}));
+  const CellTime now{.epoch = 4, .tick = 77, .mode = ClockMode::kManual, .rate = {}};
+  const Json json = Json::parse(*hello({"xr3", {"a", "b"}, *model, now}));
   EXPECT_EQ(json["cell"], "a");
   EXPECT_EQ(json["cells"].dump(), R"(["a","b"])");
   EXPECT_EQ(json["compat"], "mark3");
@@ -42,7 +37,7 @@ TEST(MonitorMessage, HelloNamesCellsAndProfile) {
 
 TEST(MonitorMessage, HelloWithoutAccessDescribesTheServerOnly) {
   const ModelPtr model = test::rhino();
-  const Json json = Json::parse(*hello({"xr3", {"main"}, *model, Snapshot{}, Access::kNone}));
+  const Json json = Json::parse(*hello({"xr3", {"main"}, *model, {}, Access::kNone}));
   EXPECT_EQ(json["access"], "none");
   EXPECT_TRUE(json.contains("limits"));
   for (const char* member : {"cell", "cells", "epoch", "tick", "clock", "compat", "robot"})

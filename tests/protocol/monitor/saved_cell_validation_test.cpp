@@ -298,8 +298,8 @@ TEST(SavedCellValidation, BoundsTheRowsOfTheCamera) {
   saved.state.blocks.assign(kMaxCameraRows / 2048, block);
   EXPECT_EQ(invalid_pointers(saved), Strings{});
   saved.state.blocks.push_back(block);
-  expect_refused(saved, "/state/blocks", "blocks that take 2500608 rows of the camera's image",
-                 "at most 2500000, counted for each block");
+  expect_refused(saved, "/state/blocks", "blocks that take 501760 rows of the camera's image",
+                 "at most 500000, counted for each block");
 }
 
 }  // namespace

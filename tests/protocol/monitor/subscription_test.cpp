@@ -16,7 +16,7 @@ Message text(const std::string& words) { return std::make_shared<const std::stri
 
 /// A frame with this content; its message is its seq.
 Frame frame(std::int64_t seq, const std::string& content) {
-  return {text(std::to_string(seq)), seq, text(content)};
+  return {text(std::to_string(seq)), seq, content_id(content)};
 }
 
 Subscribe to(Channel channel, MilliHz max_millihz = kMaxMilliHz, bool on_change = true) {

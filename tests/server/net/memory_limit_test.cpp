@@ -13,10 +13,11 @@ constexpr std::size_t kMib = std::size_t{1} << 20;
 /// Connections that hold some bytes each; the last one is closed first.
 struct Connections {
   std::vector<std::vector<char>> held;
-  bool close_one() {
-    if (held.empty()) return false;
+  std::size_t close_one() {
+    if (held.empty()) return 0;
+    const std::size_t bytes = held.back().size();
     held.pop_back();
-    return true;
+    return bytes;
   }
 };
 
@@ -45,7 +46,7 @@ TEST(MemoryLimit, BelowItNothingIsClosed) {
 
 TEST(MemoryLimit, EndsIfNoConnectionHoldsAnything) {
   asio::io_context io;
-  MemoryLimit limit(io, 1, [] { return false; });
+  MemoryLimit limit(io, 1, [] { return std::size_t{0}; });
   limit.note(4 * kMib);
   EXPECT_EQ(io.run(), 1U);
 }

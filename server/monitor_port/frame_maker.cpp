@@ -1,0 +1,90 @@
+#include "server/monitor_port/frame_maker.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "server/net/wall_clock.hpp"
+
+namespace xr3 {
+namespace {
+
+using monitor::Channel;
+using monitor::Frame;
+using monitor::Selection;
+
+// Frames of larger cells are made in the worker. A block takes some 10 us, 1,000 pixels some 2 us.
+constexpr std::size_t kMaxBlocksAtOnce = 50;
+constexpr int kMaxPixelsAtOnce = 256 * 256;
+
+bool is_large_image(const Model& model) {
+  const auto& camera = model.workcell().camera;
+  return camera && camera->pixels_x * camera->pixels_y > kMaxPixelsAtOnce;
+}
+
+bool shows_channel(const std::vector<FrameSource>& sources, Channel channel) {
+  return std::any_of(sources.begin(), sources.end(),
+                     [channel](const FrameSource& source) { return source.channel == channel; });
+}
+
+/// The frame of a selection, after the sources have been shown.
+std::optional<Frame> frame_of(FrameCache& frames, const Selection& selection) {
+  const Frame* frame = frames.frame(selection);
+  return frame == nullptr ? std::nullopt : std::optional(*frame);
+}
+
+}  // namespace
+
+// Display and model are as large as the state.
+bool FrameMaker::is_slow(Channel channel) const {
+  if (making_.is_held()) return true;
+  if (channel == Channel::kImage) return is_large_image(cell_.model());
+  return cell_.state().blocks.size() > kMaxBlocksAtOnce;
+}
+
+bool FrameMaker::is_any_slow() const {
+  return is_slow(Channel::kState) || is_slow(Channel::kImage);
+}
+
+const Frame* FrameMaker::at_once(const Selection& selection) {
+  assert(!is_slow(selection.channel));
+  for (const FrameSource& source : new_sources({selection})) frames_.show(source);
+  return frames_.frame(selection);
+}
+
+asio::awaitable<std::optional<Frame>> FrameMaker::get(Selection selection) {
+  if (!is_slow(selection.channel)) {
+    const Frame* frame = at_once(selection);
+    co_return frame == nullptr ? std::nullopt : std::optional(*frame);
+  }
+  std::vector<Selection> one{std::move(selection)};
+  std::vector<SelectedFrame> made = co_await make(std::move(one));
+  co_return std::move(made.front().second);
+}
+
+asio::awaitable<std::vector<SelectedFrame>> FrameMaker::make(std::vector<Selection> selections) {
+  co_await making_.until_free();
+  const Exclusive::Hold hold(making_);
+  cell_.catch_up(wall_now());
+  auto work = [this, sources = new_sources(selections), wanted = std::move(selections)] {
+    for (const FrameSource& source : sources) frames_.show(source);
+    std::vector<SelectedFrame> frames;
+    for (const Selection& selection : wanted)
+      frames.emplace_back(selection, frame_of(frames_, selection));
+    return frames;
+  };
+  std::vector<SelectedFrame> made = co_await worker_.run(std::move(work));
+  co_return made;
+}
+
+/// The sources of the channels whose frames are older than the cell.
+std::vector<FrameSource> FrameMaker::new_sources(const std::vector<Selection>& selections) {
+  std::vector<FrameSource> sources;
+  for (const Selection& selection : selections) {
+    const Channel channel = selection.channel;
+    if (frames_.is_current(channel, cell_.revision()) || shows_channel(sources, channel)) continue;
+    sources.push_back(frame_source(cell_, channel));
+  }
+  return sources;
+}
+
+}  // namespace xr3
