@@ -1,4 +1,4 @@
-"""Random requests (random_requests.py) for two minutes, with new seeds; prints the seeds that fail.
+"""Random requests (random_requests.py) for ten minutes, with new seeds; prints the seeds that fail.
 `soak_requests.py SEED` repeats one of them."""
 
 import concurrent.futures
@@ -10,15 +10,17 @@ import unittest
 from random_requests import ask
 
 REQUESTS = 2000
-LASTS_S = 120
-ROBOTS = ["rhino-xr3", "adept-one", "intelledex-660"]
+LASTS_S = 600
+ROBOTS = [("rhino-xr3", "rhino-xr3"), ("adept-one", "adept-one"), ("intelledex-660", "intelledex-660"),
+          ("rhino-xr3", "rhino-hundred")]
 
 
 def one(seed):
     """Runs one seed; returns an error message, or "" on success."""
     try:
-        ask(unittest.TestCase(), seed, REQUESTS, "--robot", ROBOTS[seed % 3],
-            "--compat", ["paper", "mark3"][seed // 3 % 2], clock="manual" if seed % 4 else "real:20")
+        robot, workcell = ROBOTS[seed % 4]
+        ask(unittest.TestCase(), seed, REQUESTS, "--robot", robot, "--workcell", workcell,
+            "--compat", ["paper", "mark3"][seed // 4 % 2], clock="manual" if seed // 8 % 4 else "real:20")
     except Exception as error:  # of any kind: the message must contain the seed
         return f"seed {seed}: {error!r}"[:2000]
     return ""
