@@ -2,6 +2,7 @@
 // however many clients it waits to be sent.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -22,6 +23,11 @@ class Body {
   }
 
   std::string_view bytes() const { return bytes_; }
+
+  /// The number of bytes divided by the number of bodies that share them; 0 for static bytes.
+  std::size_t share_bytes() const {
+    return text_ ? bytes_.size() / static_cast<std::size_t>(text_.use_count()) : 0;
+  }
 
  private:
   std::shared_ptr<const std::string> text_;  ///< null for static bytes

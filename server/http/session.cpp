@@ -82,8 +82,10 @@ asio::awaitable<bool> HttpSession::serve(const http::HeadReading& head) {
   bytes_.erase(0, head.head_bytes);
   skip_line_ends(bytes_);
   const std::string answer_head = http::head_bytes(given);
+  sending_ = &given.body;
   const bool is_sent =
       co_await socket_.send(answer_head, http::body_bytes(given, head.request.method));
+  sending_ = nullptr;
   co_return is_sent&& given.then == http::Then::kKeep;
 }
 

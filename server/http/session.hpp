@@ -24,6 +24,11 @@ class HttpSession {
   /// Serves the connection until it ends. `first_bytes` have been received already.
   asio::awaitable<void> run(std::string first_bytes);
 
+  /// The received bytes, and this session's share of the body that is being sent.
+  std::size_t held_bytes() const {
+    return bytes_.size() + (sending_ == nullptr ? 0 : sending_->share_bytes());
+  }
+
   /// Answers the current request, then ends.
   void finish();
 
@@ -37,6 +42,7 @@ class HttpSession {
   HttpResources& resources_;
   ToWebsocket to_websocket_;
   std::string bytes_;  ///< received, not yet answered
+  const http::Body* sending_ = nullptr;
   bool is_finishing_ = false;
 };
 

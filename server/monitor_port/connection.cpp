@@ -95,7 +95,7 @@ asio::awaitable<void> MonitorConnection::serve_websocket(std::string head) {
 // --- Memory.
 
 std::size_t MonitorConnection::held_bytes() const {
-  return socket_->unsent() + (lines_ ? lines_->held_bytes() : 0) +
+  return (http_ ? http_->held_bytes() : 0) + (lines_ ? lines_->held_bytes() : 0) +
          (websocket_ ? websocket_->held_bytes() : 0);
 }
 

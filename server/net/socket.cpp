@@ -52,7 +52,6 @@ asio::awaitable<std::string_view> MonitorSocket::read() {
 
 asio::awaitable<bool> MonitorSocket::send(std::string_view bytes, std::string_view more) {
   while (is_open() && bytes.size() + more.size() > 0) {
-    unsent_ = bytes.size() + more.size();
     const std::array buffers{asio::buffer(bytes), asio::buffer(more)};
     const std::size_t count = send_some(buffers);
     const std::size_t of_bytes = std::min(count, bytes.size());
@@ -62,7 +61,6 @@ asio::awaitable<bool> MonitorSocket::send(std::string_view bytes, std::string_vi
     const bool is_writable = co_await wait_until_writable();
     if (!is_writable) close();
   }
-  unsent_ = 0;
   co_return is_open();
 }
 

@@ -37,8 +37,6 @@ class MonitorSocket {
   /// Sends all bytes, then `more`. False if the connection is lost or the client accepted no byte
   /// for 30 s.
   asio::awaitable<bool> send(std::string_view bytes, std::string_view more = {});
-  /// The number of bytes that a send() in progress has yet to send.
-  std::size_t unsent() const { return unsent_; }
 
   /// Sends as much as the connection accepts now; returns the number of bytes. Closes a lost
   /// connection and returns 0.
@@ -78,7 +76,6 @@ class MonitorSocket {
   MemoryLimit* limit_;
   asio::steady_timer deadline_;
   asio::steady_timer stuck_;
-  std::size_t unsent_ = 0;
   std::array<char, 8192> buffer_;
 };
 
