@@ -63,7 +63,19 @@ def requests(xr3, request):
 
 class Fairness(unittest.TestCase):
     def compare(self, rank, most, disturbance, *options):
-        """Checks that the wait at this quantile (0 minimum, 1 maximum) grows at most by a factor."""
+        """Checks that the wait at this quantile (0 minimum, 1 maximum) grows at most by a factor. A measurement that
+        fails is repeated once, as by check_bound."""
+        failed = []
+        for _ in range(TRIES):
+            ratios = self.ratios(rank, disturbance, *options)
+            if min(ratios) < most:
+                return
+            failed.append(ratios)
+        self.fail(f"more than {most}: {failed}")
+
+    @staticmethod
+    def ratios(rank, disturbance, *options):
+        """The wait at this quantile beside a disturbance, over the wait without it, in each round."""
         ratios = []
         with Server("--log-level", "error", clock="real") as xr3, xr3.line() as line:
             waits_s(line)
@@ -72,7 +84,7 @@ class Fairness(unittest.TestCase):
                 with disturbance(xr3, *options):
                     beside = waits_s(line)[int(ASKED * rank)]
                 ratios.append(beside / alone)
-        self.assertLess(min(ratios), most, ratios)
+        return ratios
 
     def test_beside_garbage(self):
         self.compare(0.99, 2.0, garbage)
