@@ -64,7 +64,7 @@ def requests(xr3, request):
 class Fairness(unittest.TestCase):
     def compare(self, rank, most, disturbance, *options):
         """Checks that the wait at this quantile (0 minimum, 1 maximum) grows at most by a factor. A measurement that
-        fails is repeated once, as by check_bound."""
+        fails is repeated, as by check_bound."""
         failed = []
         for _ in range(TRIES):
             ratios = self.ratios(rank, disturbance, *options)
@@ -102,7 +102,7 @@ class Fairness(unittest.TestCase):
 
     def check_bound(self, most_s, *disturbance, server=()):
         """Checks that in each round 99 of 100 replies arrive within `most_s` seconds more than without load.
-        A measurement that fails is repeated once: other programs on the machine disturb it, too. If the replies are
+        A measurement that fails is repeated: other programs on the machine disturb it, too. If the replies are
         late without load, it says nothing, and does not count."""
         failed = []
         for _ in range(TRIES):
