@@ -32,11 +32,12 @@ for (const robot of kRobots) {
 }
 
 test("a move sent on the robot port shows in the scene and in the joint table", () =>
-  withPage([], async (page, server) => {
+  withPage(["--clock", "real:0.25"], async (page, server) => {  // slow, so that a slow browser sees the motion
     const before = await page.evaluate(() => window.xr3.tipDrawn());
+    const busy = page.waitForSelector("tr[data-label=F] .error.busy");
     await type(server.robot, "F+100\r");
+    await busy;
     await page.waitForFunction((from) => window.xr3.tipDrawn()[1] - from[1] > 5, before);
-    await page.waitForSelector("tr[data-label=F] .error.busy");
     await page.waitForFunction(() => document.querySelector("tr[data-label=F] .count").textContent === "100");
     await page.waitForSelector("tr[data-label=F] .error:not(.busy)");
   }));
