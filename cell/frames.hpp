@@ -1,6 +1,6 @@
 // Caches the current frame of each latest-wins channel. A frame is encoded once for all clients
-// with the same selection, and kept until the cell changes. Independent of clients and, between two
-// sources, of the cell, so that another thread can encode the frames of a large cell.
+// with the same selection, and kept until the cell changes. Independent of clients. It
+// encodes copies of a cell's data, so that another thread can do it for a large cell.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace xr3 {
 
-/// What a channel shows of a cell at one moment. It never changes.
+/// A copy of the data of a cell from which the frames of one channel are made.
 struct FrameSource {
   monitor::Channel channel{};
   std::uint64_t revision = 0;  ///< of the cell
@@ -24,11 +24,12 @@ struct FrameSource {
   Snapshot snapshot;
   ImagePtr image;  ///< of the channel image only; nullptr without a camera
 };
+/// The data now. An image is rendered if it has changed.
 FrameSource frame_source(Cell& cell, monitor::Channel channel);
 
 class FrameCache {
  public:
-  /// The frames name the cell `cell`.
+  /// `cell` is the cell's name in the frames.
   explicit FrameCache(std::string cell) : cell_(std::move(cell)) {}
 
   /// Whether the channel (state, image, display or model) shows this revision of the cell.

@@ -94,7 +94,9 @@ asio::awaitable<void> MonitorConnection::serve_websocket(std::string head) {
 
 // --- Memory.
 
+// A connection that was closed ends in a later turn, and has nothing more to give.
 std::size_t MonitorConnection::held_bytes() const {
+  if (!socket_->is_open()) return 0;
   return (http_ ? http_->held_bytes() : 0) + (lines_ ? lines_->held_bytes() : 0) +
          (websocket_ ? websocket_->held_bytes() : 0);
 }

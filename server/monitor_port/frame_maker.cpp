@@ -47,7 +47,8 @@ bool FrameMaker::is_any_slow() const {
 
 const Frame* FrameMaker::at_once(const Selection& selection) {
   assert(!is_slow(selection.channel));
-  for (const FrameSource& source : new_sources({selection})) frames_.show(source);
+  const Channel channel = selection.channel;
+  if (!frames_.is_current(channel, cell_.revision())) frames_.show(frame_source(cell_, channel));
   return frames_.frame(selection);
 }
 

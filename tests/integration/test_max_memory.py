@@ -4,6 +4,7 @@ are closed, and the others are served."""
 
 import json
 import pathlib
+import re
 import socket
 import tempfile
 import unittest
@@ -52,6 +53,8 @@ class MaxMemory(unittest.TestCase):
                     self.assertEqual(32, good.ask("E?"))
                 log = xr3.wait_log("more memory than --max-memory, and this client has the most unread")
                 kept = CLIENTS - log.count("more memory")
+                closed = re.findall(r"the connection of (\S+) is closed", log)
+                self.assertCountEqual(set(closed), closed, "no client is closed twice")
                 self.assertGreater(kept * MOST_HELD_MIB, LIMIT_MIB, "no more are closed than necessary")
                 self.assertLess(xr3.status("VmHWM") / 1024, before + LIMIT_MIB + MARGIN_MIB)
 
