@@ -24,6 +24,7 @@ MonitorConnection::MonitorConnection(tcp::socket socket, MonitorConnectionContex
 void MonitorConnection::start() {
   spawn_session(socket_->executor(), "monitor", run(), [self = shared_from_this()] {
     self->abort();
+    self->silence_.cancel();  // a waiting timer would keep the event loop from ending
     if (self->lines_) self->lines_->retire();
     if (self->websocket_) self->websocket_->retire();
     self->context_.ended(self);

@@ -89,7 +89,10 @@ class BeastWebsocket final : public Websocket, private MessageSink {
   void finish() override;
   std::size_t held_bytes() const override;
   void wake() override { progress_.cancel(); }
-  void retire() override { session_.reset(); }
+  void retire() override {
+    session_.reset();
+    watch_.cancel();
+  }
 
  private:
   std::shared_ptr<BeastWebsocket> self() {
