@@ -16,7 +16,7 @@ MonitorPort::MonitorPort(asio::io_context& io, Cell& cell, LineTransports& lines
       resources_(cell, service_, policy, std::move(not_ready), [this] { return counters(); }),
       context_{service_, resources_, nullptr, [this] { report_tls(); },
                [this, acted](const std::shared_ptr<MonitorConnection>& connection) {
-                 connections_.erase(connection);
+                 std::erase(connections_, connection);
                  has_logged_full_ = false;
                  acted();
                }},
@@ -32,7 +32,7 @@ void MonitorPort::open(tcp::socket socket) {
   if (!place) return refuse(std::move(socket));
   const auto connection =
       std::make_shared<MonitorConnection>(std::move(socket), context_, std::move(place));
-  connections_.insert(connection);
+  connections_.push_back(connection);
   connection->start();
 }
 
@@ -41,8 +41,9 @@ void MonitorPort::make_room() {
   const auto idle = std::find_if(connections_.begin(), connections_.end(),
                                  [](const auto& connection) { return connection->only_listens(); });
   if (idle == connections_.end()) return;
-  const auto taken = connections_.extract(idle);
-  taken.value()->abort();
+  const auto taken = *idle;
+  connections_.erase(idle);
+  taken->abort();
 }
 
 void MonitorPort::refuse(tcp::socket socket) {

@@ -3,7 +3,7 @@
 
 #include <functional>
 #include <memory>
-#include <set>
+#include <vector>
 
 #include "cell/cell.hpp"
 #include "server/http/resources.hpp"
@@ -49,7 +49,8 @@ class MonitorPort {
   void close_greediest();
 
  private:
-  using Connections = std::set<std::shared_ptr<MonitorConnection>>;
+  /// In the order in which they were opened.
+  using Connections = std::vector<std::shared_ptr<MonitorConnection>>;
 
   void open(tcp::socket socket);
   void refuse(tcp::socket socket);
