@@ -63,14 +63,17 @@ bool RobotSession::read_arrived() {
   return work({kMaxArrivedBytes, output + kMaxAnswered, kNever}) == Left::kSome;
 }
 
-// Does not read while replies are unsent, so that a client must read its replies.
+// Does not read while replies are unsent, so that a client must read its replies. Reads at least
+// once, however late it is: else a line would never be read on a machine that is too slow.
 RobotSession::Left RobotSession::work(Turn turn) {
   bool has_more = true;
+  bool has_read = false;
   for (;;) {
     const Left left = flush(turn);
     if (left != Left::kNothing) return left;
     if (!has_more || has_ended_) return Left::kNothing;
-    if (turn.most_read == 0 || is_over(turn)) return Left::kSome;
+    if (turn.most_read == 0 || (has_read && is_over(turn))) return Left::kSome;
+    has_read = true;
     const std::size_t wanted = std::min(turn.most_read, context_.scratch.size());
     const std::size_t count = read(wanted);
     act({context_.scratch.data(), count}, turn);
