@@ -84,7 +84,9 @@ void live(const std::vector<Chunk>& chunks, Cell& undivided, Cell& sliced) {
 
 }  // namespace
 
-void run(std::string_view input) {
+const std::size_t kMaxInput = 1024;
+
+void run(std::string_view input, Effort /*all inputs are alike*/) {
   if (input.empty()) return;
   const Profile profile = (input[0] & 1) == 0 ? Profile::kPaper : Profile::kMark3;
   static const ModelPtr models[] = {

@@ -1,11 +1,15 @@
 #!/usr/bin/python3
 """Writes the fuzzers' seeds: transcripts for fuzz_line, data files for fuzz_data_file, one request of
-each kind for fuzz_monitor_request, and short streams for the fuzzers of byte streams.
+each kind for fuzz_monitor_request, short streams for the fuzzers of byte streams, and the inputs that
+`minimise` keeps in corpus/NAME.txt, one a line in base64.
 
-    make_seeds.py FOLDER      writes FOLDER/NAME/* for each fuzzer NAME
+    make_seeds.py FOLDER [--made]  writes FOLDER/NAME/* for each fuzzer NAME; --made: without corpus/
+    make_seeds.py --pack FOLDER    prints corpus/NAME.txt for the inputs in a folder
 """
 
+import base64
 import glob
+import hashlib
 import json
 import os
 import re
@@ -115,17 +119,42 @@ def requests():
         yield fn, {"op": "call", "id": 1, "fn": fn, "args": args}
 
 
-def main():
-    folder = sys.argv[1]
+def packed(folder):
+    """The inputs of a folder as lines, the shortest first."""
+    inputs = []
+    for path in glob.glob(os.path.join(folder, "*")):
+        with open(path, "rb") as file:
+            inputs.append(file.read())
+    return [base64.b64encode(data).decode() for data in sorted(inputs, key=lambda data: (len(data), data))]
+
+
+def kept():
+    """(fuzzer, name, input) of corpus/NAME.txt."""
+    for name, text in files("tests/fuzz/corpus/*.txt"):
+        for line in text.split():
+            data = base64.b64decode(line)
+            yield name, hashlib.sha1(data).hexdigest(), data  # libFuzzer names files so, too
+
+
+def made():
+    """(fuzzer, name, input) of all other seeds."""
     for name, text in files("tests/transcripts/*.txt"):
-        write(os.path.join(folder, "line"), name, line_input(text.decode()))
+        yield "line", name, line_input(text.decode())
     for kind, first in (("robots", b"\0"), ("workcells", b"\1")):
         for name, text in files(f"data/{kind}/*.json"):
-            write(os.path.join(folder, "data_file"), f"{kind}-{name}", first + text)
+            yield "data_file", f"{kind}-{name}", first + text
     for name, request in requests():
-        write(os.path.join(folder, "monitor_request"), name, json.dumps(request).encode())
-    for fuzzer, name, data in streams():
-        write(os.path.join(folder, fuzzer), name, data)
+        yield "monitor_request", name, json.dumps(request).encode()
+    yield from streams()
+
+
+def main():
+    if sys.argv[1] == "--pack":
+        print("\n".join(packed(sys.argv[2])))
+        return
+    only_made = sys.argv[2:] == ["--made"]
+    for fuzzer, name, data in [*made(), *([] if only_made else kept())]:
+        write(os.path.join(sys.argv[1], fuzzer), name, data)
 
 
 if __name__ == "__main__":

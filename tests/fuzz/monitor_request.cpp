@@ -78,7 +78,9 @@ void check(const RequestError& error) {
 
 }  // namespace
 
-void run(std::string_view input) {
+const std::size_t kMaxInput = 4096;
+
+void run(std::string_view input, Effort /*all inputs are alike*/) {
   const RequestReading reading = read_request(input, {"main"});
   if (const auto* request = std::get_if<Request>(&reading)) check(*request, input);
   if (const auto* error = std::get_if<RequestError>(&reading)) check(*error);

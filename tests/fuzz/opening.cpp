@@ -17,7 +17,7 @@
 namespace xr3::fuzz {
 namespace {
 
-constexpr std::size_t kMaxTotal = 1024UL * 1024;  // four lines of the maximum length
+constexpr std::size_t kMaxTotal = 384UL * 1024;  // one line of the maximum length, and more
 
 using monitor::kMaxMessageBytes;
 using monitor::LineFault;
@@ -141,8 +141,10 @@ Lines simple_lines(std::string_view text) {
 
 }  // namespace
 
-void run(std::string_view input) {
-  const Pieces pieces = pieces_of(input, kMaxTotal);
+const std::size_t kMaxInput = kMaxStreamInput;
+
+void run(std::string_view input, Effort effort) {
+  const Pieces pieces = pieces_of(input, effort, kMaxTotal);
   const std::string whole = joined(pieces);
   check_opening(pieces, whole);
   const Lines simple = simple_lines(whole);

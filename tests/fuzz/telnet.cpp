@@ -5,7 +5,8 @@
 // invariants hold.
 //
 // Input: the first byte selects the profile (bit 0) and the kind of line (bit 1); the rest is as in
-// common/pieces.hpp.
+// common/pieces.hpp. With kQuick, the bytes of a line with telnet arrive only in pieces, not also
+// one by one: the simple reader shows whether the pieces matter.
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -24,14 +25,13 @@ namespace xr3::fuzz {
 namespace {
 
 constexpr std::size_t kMaxTotal = 4096;  // bytes; a picture fills the outbox with three
+constexpr std::size_t kMaxQuickTotal = 256;
 
 /// A serial line with its own machine. Collects the replies that the client receives.
 class Conversation {
  public:
   Conversation(ModelPtr model, LineKind kind)
-      : simulation_(std::move(model)),
-        initial_(simulation_.state()),
-        line_(simulation_.model().profile(), kind, "fuzz", 0) {}
+      : simulation_(std::move(model)), line_(simulation_.model().profile(), kind, "fuzz", 0) {}
 
   /// Sends all bytes; the client receives at most `at_once` bytes after each receive().
   void send(std::string_view bytes, std::size_t at_once) {
@@ -51,7 +51,8 @@ class Conversation {
   const std::string& received() const { return received_; }
   const std::vector<Exchange>& exchanges() const { return exchanges_; }
   bool has_acted() const {
-    return !exchanges_.empty() || !received_.empty() || !(state() == initial_);
+    return !exchanges_.empty() || !received_.empty() ||
+           !(state() == initial_state(simulation_.model()));
   }
   const char* broken() const { return broken_invariant(simulation_.model(), state()); }
 
@@ -63,7 +64,6 @@ class Conversation {
   }
 
   Simulation simulation_;
-  State initial_;
   SerialLine line_;
   std::vector<Exchange> exchanges_;
   std::string received_;
@@ -201,17 +201,23 @@ void check_raw_line(const Conversation& found, std::string_view bytes, const Mod
   require(found.exchanges().size() == data_line.exchanges().size(), "the data bytes' commands");
 }
 
-void check_line(const Pieces& pieces, const ModelPtr& model, LineKind kind) {
-  const std::string whole = joined(pieces);
-  Conversation in_pieces(model, kind);
+/// The same bytes one by one; the client receives one byte after each.
+void check_bytes(const Conversation& in_pieces, std::string_view whole, const ModelPtr& model,
+                 LineKind kind) {
   Conversation in_bytes(model, kind);
-  for (const std::string& piece : pieces) in_pieces.send(piece, SerialLine::kFullOutbox);
   for (const char& byte : whole) in_bytes.send({&byte, 1}, 1);
-  in_pieces.fetch_all();
   in_bytes.fetch_all();
   check_same(in_pieces, in_bytes);
+}
+
+void check_line(const Pieces& pieces, const ModelPtr& model, LineKind kind, Effort effort) {
+  const std::string whole = joined(pieces);
+  Conversation in_pieces(model, kind);
+  for (const std::string& piece : pieces) in_pieces.send(piece, SerialLine::kFullOutbox);
+  in_pieces.fetch_all();
   if (const char* broken = in_pieces.broken()) require(false, broken);
   if (kind == LineKind::kRaw) check_raw_line(in_pieces, whole, model);
+  if (kind != LineKind::kRaw || effort == Effort::kFull) check_bytes(in_pieces, whole, model, kind);
 }
 
 ModelPtr model_for(Profile profile) {
@@ -221,11 +227,15 @@ ModelPtr model_for(Profile profile) {
 
 }  // namespace
 
-void run(std::string_view input) {
+const std::size_t kMaxInput = 256;
+
+void run(std::string_view input, Effort effort) {
   static const ModelPtr models[] = {model_for(Profile::kPaper), model_for(Profile::kMark3)};
   if (input.empty()) return;
   const LineKind kind = (input[0] & 2) == 0 ? LineKind::kRaw : LineKind::kMonitor;
-  check_line(pieces_of(input.substr(1), kMaxTotal), models[input[0] & 1], kind);
+  const std::size_t most = effort == Effort::kFull ? kMaxTotal : kMaxQuickTotal;
+  const Pieces pieces = pieces_of(input.substr(1), effort, most);
+  check_line(pieces, models[input[0] & 1], kind, effort);
 }
 
 }  // namespace xr3::fuzz

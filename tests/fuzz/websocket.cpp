@@ -5,16 +5,17 @@
 // arrive; if reading requires the token, no message tells anything of the cell. (A message is at
 // most 256 KiB; common/fuzz.cpp bounds the memory.)
 //
-// Input: as in common/pieces.hpp. A mask of zeros keeps the payload of a frame readable.
+// Input: as in common/pieces.hpp. A mask of zeros keeps the payload of a frame readable. With kQuick
+// there is one conversation, in pieces: of eight sizes of inputs, one is sent to the server that
+// needs the token. With kFull there are three, also one with all bytes at once.
 #include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "protocol/json/source.hpp"
-#include "protocol/monitor/request.hpp"
+#include "tests/fuzz/common/answers.hpp"
 #include "tests/fuzz/common/fuzz.hpp"
 #include "tests/fuzz/common/monitor_rig.hpp"
 #include "tests/fuzz/common/pieces.hpp"
@@ -23,8 +24,10 @@
 namespace xr3::fuzz {
 namespace {
 
-constexpr std::size_t kMaxTotal = 1024UL * 1024;  // four messages of the maximum size
-constexpr std::size_t kMaxAnswers = 200;          // more only take time
+constexpr std::size_t kMaxTotal = 384UL * 1024;  // one message of the maximum size, and more
+constexpr std::size_t kMaxAnswers = 200;         // more only take time
+constexpr std::size_t kMaxQuickAnswers = 10;
+constexpr std::size_t kClosedInterval = 8;
 
 constexpr const char* kHandshake =
     "GET /ws HTTP/1.1\r\nHost: localhost\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
@@ -39,10 +42,6 @@ struct Received {
   bool shows_the_cell = false;
   std::optional<int> close_code;
 };
-
-bool is_answer(std::string_view message) {
-  return message.starts_with(R"({"op":"result")") || message.starts_with(R"({"op":"pong")");
-}
 
 void add_message(const std::string& text, bool is_first, Received& received) {
   require(is_first == text.starts_with(R"({"op":"hello")"), "the first message is hello");
@@ -75,22 +74,6 @@ Received received_in(std::string_view bytes) {
 
 // --- What the client can expect.
 
-/// Whether a message is answered by a frame of a channel.
-bool asks_for_frame(const std::string& message) {
-  const auto reading = monitor::read_request(message, {"main"});
-  const auto* request = std::get_if<monitor::Request>(&reading);
-  const auto* get = request == nullptr ? nullptr : std::get_if<monitor::Get>(&request->what);
-  if (get == nullptr) return false;
-  const monitor::Channel channel = get->selection.channel;
-  return channel != monitor::Channel::kEvent && channel != monitor::Channel::kLine &&
-         channel != monitor::Channel::kImage;
-}
-
-std::size_t answers_to(const std::vector<std::string>& messages) {
-  return messages.size() -
-         static_cast<std::size_t>(std::count_if(messages.begin(), messages.end(), asks_for_frame));
-}
-
 void check(const Received& received, const ClientStream& sent) {
   require(received.answers.size() <= answers_to(sent.messages), "a message has one answer");
   require(received.pongs.size() <= sent.pings.size(), "a ping has one pong");
@@ -110,21 +93,36 @@ Received converse(MonitorRig& rig, Pieces pieces) {
   return received_in(rig.converse(pieces));
 }
 
-}  // namespace
-
-void run(std::string_view input) {
-  const Pieces pieces = pieces_of(input, kMaxTotal);
-  const std::string whole = joined(pieces);
-  const ClientStream sent = read_client_stream(whole);
-  if (sent.messages.size() + sent.pings.size() > kMaxAnswers) return;
-  if (std::any_of(sent.messages.begin(), sent.messages.end(), would_wait)) return;
-  const Received in_pieces = converse(MonitorRig::shared(), pieces);
-  const Received at_once = converse(MonitorRig::shared(), {whole});
-  check(in_pieces, sent);
-  check(at_once, sent);
+void check_closed(const Pieces& pieces) {
   require(!converse(MonitorRig::closed(), pieces).shows_the_cell, "reading needs the token");
+}
+
+/// All bytes at once are answered like the pieces.
+void check_at_once(const Received& in_pieces, std::string_view whole, const ClientStream& sent) {
+  const Received at_once = converse(MonitorRig::shared(), {std::string(whole)});
+  check(at_once, sent);
   if (sent.end != ClientStream::End::kOpen) return;
   require(in_pieces.answers == at_once.answers, "the answers to divided bytes");
+}
+
+}  // namespace
+
+const std::size_t kMaxInput = kMaxStreamInput;
+
+void run(std::string_view input, Effort effort) {
+  const bool is_full = effort == Effort::kFull;
+  const Pieces pieces = pieces_of(input, effort, kMaxTotal);
+  const std::string whole = joined(pieces);
+  const ClientStream sent = read_client_stream(whole);
+  const std::size_t answers = sent.messages.size() + sent.pings.size();
+  if (answers > (is_full ? kMaxAnswers : kMaxQuickAnswers)) return;
+  if (std::any_of(sent.messages.begin(), sent.messages.end(), would_wait)) return;
+  const bool is_closed = input.size() % kClosedInterval == 0;
+  if (is_full || is_closed) check_closed(pieces);
+  if (!is_full && is_closed) return;
+  const Received in_pieces = converse(MonitorRig::shared(), pieces);
+  check(in_pieces, sent);
+  if (is_full) check_at_once(in_pieces, whole, sent);
 }
 
 }  // namespace xr3::fuzz

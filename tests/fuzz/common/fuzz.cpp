@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 
 #include "tests/support/allocations.hpp"
 
@@ -9,8 +10,23 @@ namespace xr3::fuzz {
 namespace {
 
 constexpr std::size_t kMaxAllocated = 64UL * 1024 * 1024;
+constexpr std::clock_t kMaxSeconds = 5;  // with sanitizers; quick inputs take a millisecond
+constexpr std::uint64_t kFullInterval = 1024;
+
+/// FNV-1a.
+std::uint64_t hash_of(std::string_view input) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : input) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return hash;
+}
 
 }  // namespace
+
+Effort effort_for(std::string_view input) {
+  constexpr unsigned kHighBits = 32;  // they depend on every byte of the input
+  const std::uint64_t bits = hash_of(input) >> kHighBits;
+  return bits % kFullInterval == 0 ? Effort::kFull : Effort::kQuick;
+}
 
 void require(bool holds, const char* property) {
   if (holds) return;
@@ -18,9 +34,12 @@ void require(bool holds, const char* property) {
   std::abort();
 }
 
-void run_within_limits(std::string_view input) {
+void run_within_limits(std::string_view input, Effort effort) {
   const test::Allocations allocations;
-  run(input);
+  const std::clock_t start = std::clock();
+  run(input, effort);
+  require(std::clock() - start <= kMaxSeconds * CLOCKS_PER_SEC,
+          "an input needs at most 5 s of processor time");
   require(allocations.peak() <= kMaxAllocated, "an input needs at most 64 MiB");
 }
 

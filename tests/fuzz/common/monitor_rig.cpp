@@ -65,11 +65,12 @@ class MonitorRig::Peer {
 
   /// Receives what has arrived. Returns whether it is anything.
   bool receive() {
+    static std::array<char, 64 * 1024> bytes;
     const std::size_t before = received_.size();
-    std::array<char, 64 * 1024> bytes;
-    for (ssize_t count = 1; count > 0;) {
-      count = ::recv(ends_[0], bytes.data(), bytes.size(), 0);
-      if (count > 0) received_.append(bytes.data(), static_cast<std::size_t>(count));
+    for (std::size_t count = bytes.size(); count == bytes.size();) {
+      const ssize_t result = ::recv(ends_[0], bytes.data(), bytes.size(), 0);
+      count = static_cast<std::size_t>(std::max<ssize_t>(result, 0));
+      received_.append(bytes.data(), count);
     }
     return received_.size() > before;
   }
@@ -111,9 +112,9 @@ bool MonitorRig::run_ready() {
 
 /// Waits until the worker has done all work that was begun. Its results are then in the event loop.
 void MonitorRig::wait_for_worker() {
-  asio::io_context waiting{1};  // not io_: only the server's own handlers count there
-  asio::co_spawn(waiting, service_.worker().run([] { return true; }), asio::detached);
-  waiting.run();
+  asio::co_spawn(waiting_, service_.worker().run([] { return true; }), asio::detached);
+  waiting_.restart();
+  waiting_.run();
 }
 
 /// Runs the server and receives, until neither has anything to do.
@@ -141,15 +142,18 @@ void MonitorRig::send(Peer& peer, std::string_view bytes) {
     require(*sent > 0 || !is_full, "the server reads, or closes");
     is_full = *sent == 0;
     bytes.remove_prefix(*sent);
-    settle(peer);
+    is_full ? settle(peer) : exhaust(peer);
   }
 }
 
-/// Runs the server until the connection ends or only listens. Waits only after a wrong token.
+/// Runs the server until the connection ends or only listens. Waits for the worker if the server
+/// does, and for time only after a wrong token.
 void MonitorRig::finish(Peer& peer, const MonitorConnection& connection) {
+  const auto is_done = [&] { return is_over_ || connection.only_listens(); };
   const auto deadline = std::chrono::steady_clock::now() + kMaxWait;
-  settle(peer);
-  while (!is_over_ && !connection.only_listens()) {
+  exhaust(peer);
+  if (!is_done()) settle(peer);
+  while (!is_done()) {
     require(std::chrono::steady_clock::now() < deadline, "a connection ends when the client has");
     io_.restart();
     io_.run_one_for(kMaxWait);
@@ -179,7 +183,8 @@ std::string MonitorRig::converse_once(const Pieces& pieces) {
   peer.shut_down();
   finish(peer, *connection);
   connection->abort();
-  settle(peer);
+  exhaust(peer);
+  if (!is_over_) settle(peer);
   require(is_over_, "an aborted connection ends");
   return peer.take_received();
 }

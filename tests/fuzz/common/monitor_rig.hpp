@@ -25,8 +25,8 @@ class MonitorRig {
   static MonitorRig& closed();
 
   /// Serves a client that sends these pieces, then shuts down its sending side. Before each piece
-  /// the server finishes what it can. Returns everything that the client receives. Requires that
-  /// the connection ends, unless the client has a subscription.
+  /// the server does what it can without its worker. Returns everything that the client receives.
+  /// Requires that the connection ends, unless the client has a subscription.
   std::string converse(const Pieces& pieces);
 
   const HttpResources& resources() const { return resources_; }
@@ -58,6 +58,7 @@ class MonitorRig {
   void finish(Peer& peer, const MonitorConnection& connection);
 
   asio::io_context io_{1};
+  asio::io_context waiting_{1};  ///< for wait_for_worker(): in io_ only the server's handlers count
   Cell cell_;
   AccessPolicy policy_;
   NoLines lines_;

@@ -1,5 +1,5 @@
-// Runs a fuzzer's property checks on every file of the given folders, without libFuzzer. The test
-// fuzz_replay.x does so in every build with unit tests.
+// Runs a fuzzer's property checks on every file of the given folders, with each effort, without
+// libFuzzer. The test fuzz_replay.x does so in every build with unit tests.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -31,7 +31,8 @@ void replay(const std::filesystem::path& path) {
   // Printed first: if the input breaks a property, the process ends.
   std::printf("%s, %zu bytes\n", path.filename().c_str(), input.size());
   std::fflush(stdout);
-  xr3::fuzz::run_within_limits(input);
+  for (const auto effort : {xr3::fuzz::Effort::kQuick, xr3::fuzz::Effort::kFull})
+    xr3::fuzz::run_within_limits(input, effort);
 }
 
 }  // namespace
