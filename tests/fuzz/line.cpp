@@ -84,7 +84,7 @@ void live(const std::vector<Chunk>& chunks, Cell& undivided, Cell& sliced) {
 
 }  // namespace
 
-const std::size_t kMaxInput = 1024;
+const std::size_t kMaxInput = 256;
 
 void run(std::string_view input, Effort /*all inputs are alike*/) {
   if (input.empty()) return;

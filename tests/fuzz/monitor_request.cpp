@@ -78,7 +78,7 @@ void check(const RequestError& error) {
 
 }  // namespace
 
-const std::size_t kMaxInput = 4096;
+const std::size_t kMaxInput = 2048;
 
 void run(std::string_view input, Effort /*all inputs are alike*/) {
   const RequestReading reading = read_request(input, {"main"});

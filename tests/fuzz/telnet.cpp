@@ -25,7 +25,7 @@ namespace xr3::fuzz {
 namespace {
 
 constexpr std::size_t kMaxTotal = 4096;  // bytes; a picture fills the outbox with three
-constexpr std::size_t kMaxQuickTotal = 256;
+constexpr std::size_t kMaxQuickTotal = 128;
 
 /// A serial line with its own machine. Collects the replies that the client receives.
 class Conversation {
@@ -227,7 +227,7 @@ ModelPtr model_for(Profile profile) {
 
 }  // namespace
 
-const std::size_t kMaxInput = 256;
+const std::size_t kMaxInput = 96;
 
 void run(std::string_view input, Effort effort) {
   static const ModelPtr models[] = {model_for(Profile::kPaper), model_for(Profile::kMark3)};

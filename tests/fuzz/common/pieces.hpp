@@ -19,8 +19,8 @@ namespace xr3::fuzz {
 using Pieces = std::vector<std::string>;
 
 /// The longest input of these fuzzers, and the most bytes of the pieces with kQuick.
-inline constexpr std::size_t kMaxStreamInput = 512;
-inline constexpr std::size_t kMaxQuickBytes = 1024;
+inline constexpr std::size_t kMaxStreamInput = 256;
+inline constexpr std::size_t kMaxQuickBytes = 640;
 
 /// The pieces of an input, in total at most `most` bytes.
 Pieces pieces_of(std::string_view input, Effort effort, std::size_t most);
