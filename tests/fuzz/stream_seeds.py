@@ -96,6 +96,7 @@ def conversations():
     yield "close_bad", [frame(CLOSE, struct.pack(">H", 1005))]
     yield "binary", [frame(BINARY, b"\0\xff")]
     yield "utf8", [frame(TEXT, '{"op":"é"}'.encode()), frame(TEXT, b'{"op":"\xc3"}')]
+    yield "utf8_close", [frame(TEXT, b"\xe9\xed", False), frame(CLOSE, struct.pack(">H", 3000))]
     yield "long", [frame(TEXT, b"{" + b" " * 200 + b"}")]
     yield "largest", [frame(TEXT, size=256 * 1024), (b" ", 256 * 1024), frame(PING)]
     yield "too_large", [frame(TEXT, size=256 * 1024 + 1), (b" ", 256 * 1024)]

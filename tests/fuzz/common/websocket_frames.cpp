@@ -112,7 +112,7 @@ class Reader {
     if (frame.opcode == Opcode::kPing) stream_.pings.push_back(frame.payload);
     if (frame.opcode != Opcode::kClose) return;
     const int echoed = frame.payload.empty() ? kNormal : close_code_of(frame.payload);
-    end(ClientStream::End::kClosed, is_valid_close(frame.payload) ? echoed : kProtocolError);
+    close(is_valid_close(frame.payload) ? echoed : kProtocolError);
   }
 
   void handle_data(const Frame& frame) {
