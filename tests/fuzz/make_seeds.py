@@ -150,7 +150,7 @@ def made():
 
 def main():
     if sys.argv[1] == "--pack":
-        print("\n".join(packed(sys.argv[2])))
+        print("".join(line + "\n" for line in packed(sys.argv[2])), end="")
         return
     only_made = sys.argv[2:] == ["--made"]
     for fuzzer, name, data in [*made(), *([] if only_made else kept())]:
