@@ -24,8 +24,8 @@ struct Chunk {
 };
 
 constexpr Tick kMaxTicks = 500'000;  // more only take time
-constexpr Tick kMaxQuickTicks = 4000;
-constexpr std::size_t kRestInterval = 16;
+constexpr Tick kMaxQuickTicks = 1000;
+constexpr std::size_t kRestInterval = 64;
 
 /// The chunks of an input, in total at most `most` ticks.
 std::vector<Chunk> chunks_of(std::string_view input, Tick most) {
@@ -75,6 +75,12 @@ void check(const test::Rig& rig) {
   }
 }
 
+/// At most 32 slices: more only take time.
+void pass_in_slices(Tick ticks, test::Rig& rig) {
+  const Tick slice = std::max<Tick>(7, ticks / 32 + 1);
+  for (Tick left = ticks; left > 0; left -= std::min(left, slice)) rig.pass(std::min(left, slice));
+}
+
 void live(const std::vector<Chunk>& chunks, Cell& undivided, Cell& sliced) {
   for (const Chunk& chunk : chunks) {
     if (chunk.wire != 0) {
@@ -82,9 +88,7 @@ void live(const std::vector<Chunk>& chunks, Cell& undivided, Cell& sliced) {
       for (const char& byte : chunk.bytes) sliced.send(chunk.wire, {&byte, 1});
     } else {
       undivided.rig.pass(chunk.ticks);
-      for (Tick left = chunk.ticks; left > 0; left -= std::min<Tick>(left, 7)) {
-        sliced.rig.pass(std::min<Tick>(left, 7));
-      }
+      pass_in_slices(chunk.ticks, sliced.rig);
     }
     check(undivided.rig);
   }

@@ -22,14 +22,17 @@ constexpr const char* kLimits[] = {
     "-rss_limit_mb=256",
     // Entropic scheduling of inputs takes a third of the time of a quick input.
     "-entropic=0",
+    // Looking every second for inputs that another process found takes 2 % of the time.
+    "-reload=0",
 };
 
 }  // namespace
 
-// The default quarantine, 256 MB, would hide growth from -rss_limit_mb. Long stacks of every
-// allocation take a tenth of the time.
+// The default quarantine, 256 MB, would hide growth from -rss_limit_mb. The stack of every allocation
+// takes a tenth of the time: ASAN_OPTIONS=malloc_context_size=30 shows it when a crash is replayed.
+// The tests replay the corpus with detect_stack_use_after_return=1, which is slower.
 extern "C" const char* __asan_default_options() {
-  return "quarantine_size_mb=16:malloc_context_size=8";
+  return "quarantine_size_mb=16:malloc_context_size=1:detect_stack_use_after_return=0";
 }
 
 // Inserts the limits before the other arguments.
