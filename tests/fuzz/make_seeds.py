@@ -10,6 +10,7 @@ each kind for fuzz_monitor_request, short streams for the fuzzers of byte stream
 import base64
 import glob
 import hashlib
+import itertools
 import json
 import os
 import re
@@ -22,6 +23,7 @@ ESCAPE = re.compile(r"\\(x[0-9a-f]{2}|[rn0\\])")
 PLAIN = {"r": "\r", "n": "\n", "0": "\0", "\\": "\\"}
 MOST_BYTES = 0x40       # of one chunk
 LONGEST_PASS = 0x80**2  # ticks of one chunk
+MOST_PACKED = 28_000    # bytes of corpus/NAME.txt
 
 
 def unescape(text):
@@ -120,12 +122,14 @@ def requests():
 
 
 def packed(folder):
-    """The inputs of a folder as lines, the shortest first."""
+    """The inputs of a folder as lines, the shortest first, as many as fit."""
     inputs = []
     for path in glob.glob(os.path.join(folder, "*")):
         with open(path, "rb") as file:
             inputs.append(file.read())
-    return [base64.b64encode(data).decode() for data in sorted(inputs, key=lambda data: (len(data), data))]
+    lines = [base64.b64encode(data).decode() for data in sorted(inputs, key=lambda data: (len(data), data))]
+    sizes = itertools.accumulate(len(line) + 1 for line in lines)
+    return [line for line, size in zip(lines, sizes) if size <= MOST_PACKED]
 
 
 def kept():
