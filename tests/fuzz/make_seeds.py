@@ -78,7 +78,7 @@ def files(pattern):
 def saved_cell(workcell):
     """A saved cell at the soft home with one motor running and a block in the jaws."""
     motor = {"count": 0, "phase": 0, "error": 0, "speed": 1, "blocked": "no", "switch_closed": False}
-    display = {"on": True, "view": [1, 1, 1], "period_half_s": 6, "erase": False, "status_option": 6,
+    display = {"on": True, "view": [1, -2, 3], "period_half_s": 6, "erase": False, "status_option": 6,
                "function_keys": True}
     block = {"name": "red", "size_um": [64000, 32000, 40000], "centroid_um": [262000, 0, 20000],
              "yaw_udeg": 90000000, "color": 12}

@@ -5,9 +5,9 @@
 // arrive; if reading requires the token, no message tells anything of the cell. (A message is at
 // most 256 KiB; common/fuzz.cpp bounds the memory.)
 //
-// Input: as in common/pieces.hpp. A mask of zeros keeps the payload of a frame readable. With kQuick
-// there is one conversation, in pieces: of eight sizes of inputs, one is sent to the server that
-// needs the token. With kFull there are three, also one with all bytes at once.
+// Input: as in common/pieces.hpp. A mask of zeros keeps the payload of a frame readable. With
+// kQuick there is one conversation, in pieces: of eight sizes of inputs, one is sent to the server
+// that needs the token. With kFull there are three, also one with all bytes at once.
 #include <algorithm>
 #include <optional>
 #include <string>
