@@ -29,8 +29,8 @@ constexpr const char* kLimits[] = {
 }  // namespace
 
 // The default quarantine, 256 MB, would hide growth from -rss_limit_mb. The stack of every
-// allocation takes a tenth of the time: ASAN_OPTIONS=malloc_context_size=30 shows it when a crash is
-// replayed. The tests replay the corpus with detect_stack_use_after_return=1, which is slower.
+// allocation takes a tenth of the time: ASAN_OPTIONS=malloc_context_size=30 shows it when a crash
+// is replayed. The tests replay the corpus with detect_stack_use_after_return=1, which is slower.
 extern "C" const char* __asan_default_options() {
   return "quarantine_size_mb=16:malloc_context_size=1:detect_stack_use_after_return=0";
 }
