@@ -174,7 +174,7 @@ struct Figures {
 };
 
 Figures measured(const Lines& lines) {
-  constexpr double kSeconds = 0.7;
+  constexpr double kSeconds = 0.25;
   return {lines.cost_us(1, kSeconds), lines.cost_us(kPipelined, kSeconds), lines.time_us(kSeconds),
           lines.rate(kSeconds)};
 }
@@ -232,7 +232,7 @@ int main(int argc, char** argv) {
   xr3::bench::prepare();
   try {
     const bool is_kept =
-        xr3::bench::run(argv[1], static_cast<int>(number(2, 64)), static_cast<int>(number(3, 9)),
+        xr3::bench::run(argv[1], static_cast<int>(number(2, 64)), static_cast<int>(number(3, 25)),
                         {number(4, 1.3), number(5, 3), number(6, 1.1), number(7, 0.9)});
     return is_kept ? 0 : 1;
   } catch (const std::exception& error) {
