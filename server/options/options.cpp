@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "server/options/argument_error.hpp"
 #include "server/options/environment.hpp"
 #include "server/options/pose_argument.hpp"
 #include "server/options/shared_options.hpp"
@@ -66,7 +67,7 @@ void add_draw(CLI::App& app, DrawOptions& options) {
       ->check(parses(parse_view, ""));
   draw.add_option("--width", options.width_px, "width in pixels")
       ->type_name("PX")
-      ->check(CLI::Range(kMinPictureWidthPx, kMaxPictureWidthPx).description(""))
+      ->check(whole_number_between(kMinPictureWidthPx, kMaxPictureWidthPx))
       ->capture_default_str();
 }
 
@@ -137,40 +138,18 @@ void add_workcell(CLI::App& app, WorkcellOptions& options) {
       ->type_name("NAME|FILE");
 }
 
-/// The program with the given subcommand, for the hint to --help.
-std::string named_command(const CLI::App& app) {
-  for (const CLI::App* command : app.get_subcommands()) return "xr3 " + command->get_name();
-  return "xr3";
-}
-
-/// The error message. It names the source of the invalid value, if that is the environment.
-std::string trouble_of(const CLI::App& app, const CLI::ParseError& error) {
-  for (CLI::App* command : app.get_subcommands()) {
-    if (const auto trouble = problem_in_environment(*command)) return *trouble;
-  }
-  return error.what();
-}
-
 bool is_help_wanted(const CLI::App& app) {
   const std::vector<CLI::App*> commands = app.get_subcommands();
   return !commands.empty() && commands.front()->get_help_ptr()->count() > 0;
 }
 
-Leave unknown_command(const std::string& word) {
-  return {ExitCode::kBadInput, "",
-          "xr3: unknown command " + word + "; xr3 --help lists the commands\n"};
-}
-
 // Help and version are printed as they are; an error becomes one sentence.
-Leave leave(const CLI::App& app, const CLI::ParseError& error) {
+Leave leave(const CLI::App& app, const CLI::ParseError& error,
+            const std::vector<std::string>& arguments) {
   if (error.get_exit_code() != 0 && is_help_wanted(app)) return {ExitCode::kGood, app.help(), ""};
   if (error.get_exit_code() != 0) {
-    const std::vector<std::string> extras = app.remaining(true);
-    const bool is_unknown = app.get_subcommands().empty() && !extras.empty();
-    if (is_unknown) return unknown_command(extras.front());
     return {ExitCode::kBadInput, "",
-            "xr3: " + trouble_of(app, error) + "; " + named_command(app) +
-                " --help lists the arguments\n"};
+            "xr3: " + describe_argument_error(app, error, arguments) + "\n"};
   }
   std::ostringstream out;
   std::ostringstream err;
@@ -247,7 +226,7 @@ Options parse_options(int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return leave(app, error);
+    return leave(app, error, {argv + 1, argv + argc});
   }
   if (app.got_subcommand("check")) return check;
   if (app.got_subcommand("draw")) return draw;

@@ -130,18 +130,18 @@ void add_serve(CLI::App& app, ServeOptions& options) {
       .add_option("--max-lines", options.max_lines,
                   "maximum number of open robot connections; further ones are closed at once")
       ->type_name("N")
-      ->check(CLI::Range(1, kMaxLines).description(""))
+      ->check(whole_number_between(1, kMaxLines))
       ->capture_default_str();
   serve
       .add_option("--max-per-address", options.max_per_address,
                   "maximum number of connections of one address on each port")
       ->type_name("N")
-      ->check(CLI::Range(1, kMaxLines).description(""));
+      ->check(whole_number_between(1, kMaxLines));
   serve
       .add_option("--max-memory", options.max_memory_mib,
                   "MiB of memory beyond which the greediest client is disconnected")
       ->type_name("MIB")
-      ->check(CLI::Range(kMinMemoryMib, kMaxMemoryMib).description(""))
+      ->check(whole_number_between(kMinMemoryMib, kMaxMemoryMib))
       ->capture_default_str();
   serve
       .add_option_function<std::string>(

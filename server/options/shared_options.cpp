@@ -42,6 +42,20 @@ CLI::Validator number_between(double least, double most) {
       "");
 }
 
+CLI::Validator whole_number_between(std::int64_t least, std::int64_t most) {
+  return CLI::Validator(
+      [least, most](const std::string& text) -> std::string {
+        std::int64_t number = 0;
+        const char* const end = text.data() + text.size();
+        const auto [rest, error] = std::from_chars(text.data(), end, number);
+        const bool is_whole = error == std::errc() && rest == end;
+        if (is_whole && number >= least && number <= most) return {};
+        return text + ": a whole number from " + std::to_string(least) + " to " +
+               std::to_string(most);
+      },
+      "");
+}
+
 Profile parse_profile(const std::string& text) {
   const std::string word = CLI::detail::to_lower(text);
   if (word == "paper") return Profile::kPaper;

@@ -32,6 +32,7 @@ std::string check_flag(const std::string& text);
 
 /// A validator of a number in [least, most]; its error prints the bounds without trailing zeros.
 CLI::Validator number_between(double least, double most);
+CLI::Validator whole_number_between(std::int64_t least, std::int64_t most);
 
 /// Throws std::invalid_argument, with the allowed values.
 Profile parse_profile(const std::string& text);

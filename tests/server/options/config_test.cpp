@@ -129,7 +129,7 @@ TEST_F(OptionsConfig, ReportsErrorsWithTheirLines) {
            {"# x\nrobot-port = 65536", ":2: robot-port: 65536: a port is"},
            {"robot-port = -1", ":1: robot-port: -1: a port is"},
            {"compat = mark4", ":1: compat: mark4: a controller is paper or mark3"},
-           {"max-lines = 0", ":1: max-lines: Value 0 not in range"},
+           {"max-lines = 0", ":1: max-lines: 0: a whole number from 1 to 20000"},
            {"private = maybe", ":1: private: maybe: a flag is true or false"},
            {"allow-host = [\"a\", \"b:1\"]", ":1: allow-host: b:1: a host is"},
            {"robot = a b", ":1: robot: takes one value"},

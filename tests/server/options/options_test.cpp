@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <initializer_list>
+#include <string>
+#include <utility>
 
 #include "tests/support/command_line.hpp"
 
@@ -115,6 +117,32 @@ TEST(Options, RejectsInvalidArgumentsWithAMessage) {
     EXPECT_FALSE(leave.to_stderr.empty());
     EXPECT_TRUE(leave.to_stdout.empty()) << leave.to_stdout;
   }
+}
+
+TEST(Options, ErrorsAreSentencesWithTheNameThatWasMeant) {
+  const std::initializer_list<std::pair<std::initializer_list<const char*>, const char*>> cases = {
+      {{}, "a command is missing; xr3 --help lists the commands"},
+      {{"sevre"}, "unknown command sevre; perhaps serve was meant; xr3 --help lists the commands"},
+      {{"fly"}, "unknown command fly; xr3 --help lists the commands"},
+      {{"--robto", "x", "serve"}, "xr3 has no option --robto; xr3 --help lists the options"},
+      {{"serve", "--robto", "x", "y"},
+       "xr3 serve has no option --robto; perhaps --robot was meant; xr3 serve --help lists the "
+       "options"},
+      {{"serve", "--robto=x"},
+       "xr3 serve has no option --robto; perhaps --robot was meant; xr3 serve --help lists the "
+       "options"},
+      {{"serve", "first", "second", "--robot", "a"},
+       "unexpected argument first; xr3 serve --help lists the arguments"},
+      {{"serve", "--robot", "a", "b"},
+       "unexpected argument b; xr3 serve --help lists the arguments"},
+      {{"serve", "--robot"},
+       "--robot needs one value, NAME|FILE; xr3 serve --help lists the options"},
+      {{"serve", "--max-lines", "many"},
+       "--max-lines: many: a whole number from 1 to 20000; xr3 serve --help lists the options"},
+      {{"check"}, "xr3 check needs FILE; xr3 check --help lists the arguments"},
+      {{"convert", "a"}, "xr3 convert needs OUT; xr3 convert --help lists the arguments"}};
+  for (const auto& [words, sentence] : cases)
+    EXPECT_EQ(refused(words).to_stderr, "xr3: " + std::string(sentence) + "\n");
 }
 
 TEST(Options, HelpListsTheOptions) {

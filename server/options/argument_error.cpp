@@ -1,0 +1,105 @@
+#include "server/options/argument_error.hpp"
+
+#include <CLI/Option.hpp>
+#include <algorithm>
+
+#include "protocol/json/codec.hpp"
+#include "server/options/environment.hpp"
+
+namespace xr3 {
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// The subcommand that was given; the program itself if there was none.
+const CLI::App& command_of(const CLI::App& app) {
+  const auto commands = app.get_subcommands();
+  return commands.empty() ? app : *commands.front();
+}
+
+std::string name_of(const CLI::App& command) {
+  return command.get_parent() == nullptr ? "xr3" : "xr3 " + command.get_name();
+}
+
+std::string help_on(const CLI::App& command, const std::string& what) {
+  return "; " + name_of(command) + " --help lists the " + what;
+}
+
+std::string perhaps(std::string_view word, const Words& known) {
+  const std::string nearest = data::nearest_name(word, known);
+  return nearest.empty() ? "" : "; perhaps " + nearest + " was meant";
+}
+
+Words options_of(const CLI::App& command) {
+  Words names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+Words commands_of(const CLI::App& app) {
+  Words names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+/// The first of the program's arguments that nothing expected.
+std::string first_extra(const CLI::App& app, const Words& arguments) {
+  const Words extras = app.remaining(true);
+  const auto is_extra = [&extras](const std::string& argument) {
+    return std::find(extras.begin(), extras.end(), argument) != extras.end();
+  };
+  const auto first = std::find_if(arguments.begin(), arguments.end(), is_extra);
+  return first == arguments.end() ? extras.front() : *first;
+}
+
+std::string unexpected(const CLI::App& app, const Words& arguments) {
+  const CLI::App& command = command_of(app);
+  const std::string word = first_extra(app, arguments);
+  if (&command == &app && !word.starts_with('-'))
+    return "unknown command " + word + perhaps(word, commands_of(app)) + help_on(app, "commands");
+  if (!word.starts_with('-')) return "unexpected argument " + word + help_on(command, "arguments");
+  const std::string name = word.substr(0, word.find('='));
+  return name_of(command) + " has no option " + name + perhaps(name, options_of(command)) +
+         help_on(command, "options");
+}
+
+/// The option whose name begins the library's message, `NAME: ...` or `NAME is required`.
+const CLI::Option* option_in(const CLI::App& command, const std::string& message) {
+  const std::string name = message.substr(0, message.find_first_of(": "));
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_name() == name || option->get_single_name() == name) return option;
+  }
+  return nullptr;
+}
+
+/// A value or an argument is missing, or there is one too many.
+std::string miscounted(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& command = command_of(app);
+  const CLI::Option* option = option_in(command, error.what());
+  if (option == nullptr) return error.what() + help_on(command, "arguments");
+  if (option->get_positional())
+    return name_of(command) + " needs " + option->get_type_name() + help_on(command, "arguments");
+  return option->get_name() + " needs one value, " + option->get_type_name() +
+         help_on(command, "options");
+}
+
+}  // namespace
+
+std::string describe_argument_error(const CLI::App& app, const CLI::ParseError& error,
+                                    const std::vector<std::string>& arguments) {
+  for (CLI::App* command : app.get_subcommands()) {
+    const auto trouble = problem_in_environment(*command);
+    if (trouble) return *trouble + help_on(*command, "options");
+  }
+  const std::string kind = error.get_name();
+  const CLI::App& command = command_of(app);
+  if (kind == "RequiredError" && &command == &app && app.remaining(true).empty())
+    return "a command is missing" + help_on(app, "commands");
+  if (!app.remaining(true).empty()) return unexpected(app, arguments);
+  if (kind == "ArgumentMismatch" || kind == "RequiredError") return miscounted(app, error);
+  return error.what() + help_on(command, "options");
+}
+
+}  // namespace xr3

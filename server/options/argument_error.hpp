@@ -1,0 +1,16 @@
+// What is wrong with the arguments of a command, in one sentence: in the order in which they were
+// typed, with the name that was probably meant.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <CLI/Error.hpp>
+#include <string>
+#include <vector>
+
+namespace xr3 {
+
+/// The sentence, without `xr3: ` and without a line feed. `arguments` are those of the program.
+std::string describe_argument_error(const CLI::App& app, const CLI::ParseError& error,
+                                    const std::vector<std::string>& arguments);
+
+}  // namespace xr3
