@@ -1,5 +1,6 @@
 #include "server/commands/kin.hpp"
 
+#include <algorithm>
 #include <iostream>
 
 #include "protocol/files/paper_form/paper_form.hpp"
@@ -26,7 +27,10 @@ ExitCode answer(const Model& model, const InverseQuestion& question, bool as_jso
   if (as_json) std::cout << json_text(inverse_json(model, question.target, result));
   if (result.solutions.empty()) return refuse(refusal_sentence(result));
   if (!as_json) std::cout << inverse_text(model, question.target, result);
-  return ExitCode::kGood;
+  const bool is_allowed = std::any_of(result.solutions.begin(), result.solutions.end(),
+                                      [](const InverseSolution& one) { return one.is_allowed(); });
+  return is_allowed ? ExitCode::kGood
+                    : refuse("no solution is within the limits and outside the protected region");
 }
 
 }  // namespace
