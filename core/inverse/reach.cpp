@@ -1,4 +1,4 @@
-#include "tools/workcell_editor/reach.hpp"
+#include "core/inverse/reach.hpp"
 
 #include <algorithm>
 #include <cmath>

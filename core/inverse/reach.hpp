@@ -1,4 +1,4 @@
-// The robot's reach, for the workcell dialogue. A point is within reach if the tool tip can be
+// The robot's reach, for checks of a workcell. A point is within reach if the tool tip can be
 // there with the hand straight down, within the joint limits and outside the protected region. A
 // robot with at most three joints cannot choose the hand's orientation, so only its tip is
 // considered.

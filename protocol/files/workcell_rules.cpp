@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/camera.hpp"
+#include "core/inverse/reach.hpp"
 
 namespace xr3 {
 namespace {
@@ -160,6 +161,18 @@ void warn_of_width(const Workcell& workcell, const Robot& robot, Reading& readin
   }
 }
 
+// Without a closed form of the inverse kinematics, a block takes long.
+void warn_of_reach(const Workcell& workcell, const Robot& robot, Reading& reading) {
+  constexpr std::size_t kMostWhenSlow = 100;
+  const Reach reach(robot);
+  const std::size_t most = reach.is_quick() ? workcell.blocks.size() : kMostWhenSlow;
+  for (std::size_t i = 0; i < std::min(most, workcell.blocks.size()); ++i) {
+    if (reach.has_grasp(workcell.blocks[i])) continue;
+    warn(reading, i, "a block out of reach",
+         "a centre where " + robot.name + " can hold it from straight above");
+  }
+}
+
 void check_block_names(const Workcell& workcell, Reading& reading) {
   std::set<std::string> names;
   for (std::size_t i = 0; i < workcell.blocks.size(); ++i) {
@@ -229,7 +242,9 @@ void check_workcell(const Workcell& workcell, const Robot* robot, Reading& readi
   warn_of_overlaps(workcell, shapes, reading);
   warn_of_height(workcell, shapes, reading);
   warn_of_workspace(workcell, shapes, reading);
-  if (robot != nullptr) warn_of_width(workcell, *robot, reading);
+  if (robot == nullptr) return;
+  warn_of_width(workcell, *robot, reading);
+  warn_of_reach(workcell, *robot, reading);
 }
 
 }  // namespace xr3

@@ -21,17 +21,6 @@ Findings file_findings(const Workcell& workcell, const Robot* robot) {
 
 std::string pointer_of(std::size_t block) { return kBlocks + std::to_string(block); }
 
-/// Adds a warning for each block from `first` on that is out of reach. Skipped if there are errors:
-/// the positions may then be invalid.
-void add_reach(const Workcell& workcell, std::size_t first, const Arm& arm, Findings& findings) {
-  if (has_errors(findings)) return;
-  for (std::size_t i = first; i < workcell.blocks.size(); ++i) {
-    if (arm.reach.has_grasp(workcell.blocks[i])) continue;
-    findings.push_back({Severity::kWarning, "", 0, 0, pointer_of(i), "a block out of reach",
-                        "a centre where " + arm.robot.name + " can hold it from straight above"});
-  }
-}
-
 /// The workcell with the block moved to the end: findings about a pair of blocks name the later
 /// one.
 Workcell with_last(const Workcell& workcell, std::size_t index, const Block& block) {
@@ -111,9 +100,7 @@ PointUm proposed_size(const Robot& robot) {
 }  // namespace
 
 Findings check(const Workcell& workcell, const Arm& arm) {
-  Findings findings = file_findings(workcell, &arm.robot);
-  add_reach(workcell, 0, arm, findings);
-  return findings;
+  return file_findings(workcell, &arm.robot);
 }
 
 Findings check_block(const Workcell& workcell, std::size_t index, const Block& block,
@@ -121,7 +108,6 @@ Findings check_block(const Workcell& workcell, std::size_t index, const Block& b
   const Workcell candidate = with_last(workcell, index, block);
   const std::size_t last = candidate.blocks.size() - 1;
   Findings findings = file_findings(candidate, &arm.robot);
-  add_reach(candidate, last, arm, findings);
   Findings own;
   for (Finding& finding : findings) {
     if (!is_about(finding, last)) continue;

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "core/inverse/reach.hpp"
 #include "core/robot.hpp"
 #include "core/workcell.hpp"
 #include "protocol/json/finding.hpp"
-#include "tools/workcell_editor/reach.hpp"
 
 namespace xr3::dialogue {
 
