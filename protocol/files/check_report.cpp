@@ -10,12 +10,6 @@
 namespace xr3 {
 namespace {
 
-DataKind kind_of(JsonValue root) {
-  if (root.find("joints")) return DataKind::kRobot;
-  if (root.find("workspace") || root.find("blocks")) return DataKind::kWorkcell;
-  return DataKind::kUnknown;
-}
-
 CheckResult robot_result(std::string_view text, const std::string& file, Profile profile) {
   CheckResult result;
   result.kind = DataKind::kRobot;

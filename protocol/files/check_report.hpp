@@ -2,7 +2,6 @@
 // reads the file, prints the report and chooses the exit code.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,11 +9,10 @@
 #include "core/model.hpp"
 #include "core/robot.hpp"
 #include "core/workcell.hpp"
+#include "protocol/files/kind.hpp"
 #include "protocol/json/finding.hpp"
 
 namespace xr3 {
-
-enum class DataKind : std::uint8_t { kUnknown, kRobot, kWorkcell };
 
 /// The findings, and if none of them is an error, the value and its summary.
 struct CheckResult {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "protocol/files/drive.hpp"
+#include "protocol/files/kind.hpp"
 #include "protocol/files/outline.hpp"
 #include "protocol/files/robot_rules.hpp"
 #include "protocol/json/codec.hpp"
@@ -68,7 +69,7 @@ Members<Tool> tool_members() {
   members.push_back(
       optional("finger_length", &Tool::finger_length_mm, length({0, kMaxLengthMm, true})));
   members.push_back(
-      required("parts", &Tool::parts, list(object(tool_part_members()), 0, kMaxParts)));
+      defaulted("parts", &Tool::parts, list(object(tool_part_members()), 0, kMaxParts)));
   return members;
 }
 
@@ -139,11 +140,11 @@ const Members<Robot>& robot_members() {
       length_unit_member<Robot>(),
       required("joints", &Robot::joints, list(joint(), 1, kMaxJoints)),
       required("tool", &Robot::tool, tool()),
-      required("links", &Robot::links, list(object(outline_members()), 0, kMaxMotors)),
-      required("coupling", &Robot::couplings, list(coupling(), 0, kMaxTerms)),
-      required("protected_region", &Robot::protected_region, object(region_members())),
-      required("net_roll", &Robot::net_roll, list(roll_term(), 0, kMaxJoints)),
-      required("net_roll_offset_deg", &Robot::net_roll_offset_deg, number(kAngle))};
+      defaulted("links", &Robot::links, list(object(outline_members()), 0, kMaxMotors)),
+      defaulted("coupling", &Robot::couplings, list(coupling(), 0, kMaxTerms)),
+      defaulted("protected_region", &Robot::protected_region, object(region_members())),
+      defaulted("net_roll", &Robot::net_roll, list(roll_term(), 0, kMaxJoints)),
+      defaulted("net_roll_offset_deg", &Robot::net_roll_offset_deg, number(kAngle))};
   return members;
 }
 
@@ -151,6 +152,7 @@ const Members<Robot>& robot_members() {
 
 RobotReading read_robot(std::string_view text, const std::string& file) try {
   const JsonSource source(text, file);
+  refuse_kind(source.root(), DataKind::kWorkcell, file);
   Reading reading(source);
   Robot robot;
   read_object(Place{reading, source.root()}, robot_members(), robot);

@@ -59,12 +59,11 @@ void check_angular(const Tool& tool, Reading& reading) {
            "an angle between the fingers from 0 to 180 degrees");
   }
   if (reading.is_sound("/tool/finger_length") && tool.finger_length_mm <= 0) {
-    refuse(reading, "/tool/finger_length", "nothing", "a length above 0 mm: angular jaws need it");
+    refuse(reading, "/tool/finger_length", "", "a length above 0 mm: angular jaws need it");
   }
   for (std::size_t i = 0; i < tool.parts.size(); ++i) {
     if (!reading.is_sound(pivot_pointer(i)) || !tool.parts[i].pivot_mm.isZero(0)) continue;
-    refuse(reading, pivot_pointer(i), "nothing",
-           "a list [x, y, z], the hinge: angular jaws need it");
+    refuse(reading, pivot_pointer(i), "", "a list [x, y, z], the hinge: angular jaws need it");
   }
 }
 

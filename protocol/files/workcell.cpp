@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "protocol/files/block.hpp"
+#include "protocol/files/kind.hpp"
 #include "protocol/files/workcell_rules.hpp"
 
 namespace xr3 {
@@ -72,6 +73,7 @@ std::optional<Workcell> read_workcell(Reading& reading, const Robot* robot) {
 WorkcellReading read_workcell(std::string_view text, const std::string& file,
                               const Robot* robot) try {
   const JsonSource source(text, file);
+  refuse_kind(source.root(), DataKind::kRobot, file);
   Reading reading(source);
   std::optional<Workcell> workcell = read_workcell(reading, robot);
   return {std::move(workcell), reading.take_findings()};

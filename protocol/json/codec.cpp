@@ -79,7 +79,7 @@ void Reading::take_unit() {
   if (unit.is("inch")) {
     mm_per_unit_ = kMmPerInch;
   } else if (!unit.is("mm")) {
-    report(Severity::kError, "/length_unit", unit ? shown(unit) : "nothing", "\"mm\" or \"inch\"");
+    report(Severity::kError, "/length_unit", unit ? shown(unit) : "", "\"mm\" or \"inch\"");
   }
 }
 
@@ -112,7 +112,7 @@ void Reading::keep(JsonValue value, std::string found, std::string allowed) {
 }
 
 void Reading::keep_missing(JsonValue object, const std::string& member, std::string allowed) {
-  keep(Severity::kError, child_pointer(object.pointer_from(root_), member), {}, object, "nothing",
+  keep(Severity::kError, child_pointer(object.pointer_from(root_), member), {}, object, "",
        std::move(allowed));
 }
 

@@ -161,6 +161,11 @@ using Members = std::vector<Member<T>>;
 template <class T, class V>
 Member<T> required(std::string name, V T::*field, Codec<V> codec);
 
+/// A member that may be omitted, which leaves the field as it is. It is always written, so that
+/// readers need not know the default.
+template <class T, class V>
+Member<T> defaulted(std::string name, V T::*field, Codec<V> codec);
+
 /// A member that may be omitted. It is not written if its value is that of a default T.
 template <class T, class V>
 Member<T> optional(std::string name, V T::*field, Codec<V> codec);

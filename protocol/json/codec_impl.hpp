@@ -114,9 +114,15 @@ Member<T> required(std::string name, V T::*field, Codec<V> codec) {
 }
 
 template <class T, class V>
-Member<T> optional(std::string name, V T::*field, Codec<V> codec) {
-  Member<T> member = required(std::move(name), field, codec);
+Member<T> defaulted(std::string name, V T::*field, Codec<V> codec) {
+  Member<T> member = required(std::move(name), field, std::move(codec));
   member.is_required = false;
+  return member;
+}
+
+template <class T, class V>
+Member<T> optional(std::string name, V T::*field, Codec<V> codec) {
+  Member<T> member = defaulted(std::move(name), field, codec);
   member.write = [=, write = codec.write](const T& object) -> std::optional<Json> {
     if (object.*field == T{}.*field) return std::nullopt;
     return write(object.*field);

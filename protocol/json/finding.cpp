@@ -11,7 +11,8 @@ std::string to_text(const Finding& finding) {
   if (finding.severity == Severity::kWarning) text += " warning:";
   if (finding.more > 0) return text + " and " + std::to_string(finding.more) + " more like these";
   if (!finding.pointer.empty()) text += " " + finding.pointer + ":";
-  return text + " found " + finding.found + "; allowed: " + finding.allowed;
+  text += finding.found.empty() ? " is missing" : " found " + finding.found;
+  return text + "; allowed: " + finding.allowed;
 }
 
 std::string to_text(const Findings& findings) {

@@ -22,7 +22,7 @@ struct Finding {
   int line = 0;          ///< from 1
   int column = 0;        ///< from 1 for a syntax error; 0 otherwise
   std::string pointer;   ///< JSON pointer (RFC 6901); empty for the whole file
-  std::string found;     ///< what the file has there
+  std::string found;     ///< what the file has there; empty: it is missing
   std::string allowed;   ///< what is allowed there
   std::size_t more = 0;  ///< if not 0: the number of further findings, which are not listed
   bool operator==(const Finding&) const = default;
@@ -33,7 +33,8 @@ using Findings = std::vector<Finding>;
 /// The maximum number of findings of one file that are listed. Of further ones only the number is.
 inline constexpr std::size_t kMaxFindings = 100;
 
-/// One line: `FILE:LINE: /pointer: found X; allowed: Y`; warnings are marked as such.
+/// One line: `FILE:LINE: /pointer: found X; allowed: Y`, or `is missing` instead of `found X`;
+/// warnings are marked as such.
 std::string to_text(const Finding& finding);
 
 /// One line per finding, each with a line feed.

@@ -8,7 +8,7 @@ from support import ROOT, run_xr3
 
 DATA = pathlib.Path(ROOT, "data")
 BROKEN = sorted(pathlib.Path(ROOT, "tests/data/broken").glob("*.json"))
-FINDING = r"{file}:\d+:(\d+:)?( warning:)?( /[^ :]*:)? found .+; allowed: .+"
+FINDING = r"{file}:\d+:(\d+:)?( warning:)?( /[^ :]*:)? (found .+|is missing); allowed: .+"
 
 
 def shipped(kind):

@@ -106,6 +106,40 @@ def check_commands():
     assert forms
 
 
+# --- The marks of docs/data-files.md.
+
+# The tables of members, in their order: the schema and its definition; None is the file itself.
+TABLES = [("robot", None), ("robot", "joint"), ("robot", "tool"),
+          ("workcell", None), ("workcell", "block"), ("workcell", "camera")]
+
+
+def tables_of_members():
+    """For every table of docs/data-files.md whose first column is `member`: the first cells of its rows."""
+    tables = []
+    for line in (ROOT / "docs/data-files.md").read_text(encoding="utf-8").splitlines():
+        if line.startswith("| member |"):
+            tables.append([])
+            is_inside = True
+        elif not line.startswith("|"):
+            is_inside = False
+        elif is_inside and not line.startswith("|--"):
+            tables[-1].append(line.split("|")[1])
+    return tables
+
+
+def check_marks():
+    """docs/data-files.md names every member of the schemas, and marks those that may be omitted."""
+    tables = tables_of_members()
+    assert len(tables) == len(TABLES), f"{len(tables)} tables of members"
+    for (kind, definition), cells in zip(TABLES, tables):
+        schema = read(ROOT / f"data/schema/{kind}.schema.json")
+        wanted = schema["definitions"][definition] if definition else schema
+        marked = {name: bool(mark) for cell in cells for name, mark in re.findall(r"`(\w+)`( ○)?", cell)}
+        assert set(marked) == set(wanted["properties"]), (kind, definition, set(marked) ^ set(wanted["properties"]))
+        optional = {name for name, is_optional in marked.items() if is_optional}
+        assert optional == set(marked) - set(wanted["required"]), (kind, definition, optional)
+
+
 # --- The monitor port.
 
 MESSAGE = re.compile(r'\{"(?:op|error)"')
@@ -166,5 +200,6 @@ if __name__ == "__main__":
     check_shipped()
     check_broken()
     check_commands()
+    check_marks()
     check_monitor_examples()
     sys.exit(0)

@@ -32,6 +32,20 @@ TEST(CheckReport, RecognisesRobotsAndWorkcells) {
   EXPECT_EQ(check_text("{\"steps\": []}", "f", Profile::kPaper).kind, DataKind::kUnknown);
 }
 
+TEST(CheckReport, WithARobotTellsBlocksOutOfReach) {
+  const Robot rhino = test::robot_named("rhino-xr3");
+  const std::string path = "data/workcells/rhino-xr3.json";
+  std::string text = test::project_file(path);
+  EXPECT_EQ(to_text(check_text(text, path, Profile::kPaper, &rhino).findings), "");
+  const std::string at = "\"centroid\": [330, 96, 15]";
+  text.replace(text.find(at), at.size(), "\"centroid\": [560, 96, 15]");
+  EXPECT_EQ(to_text(check_text(text, path, Profile::kPaper, &rhino).findings),
+            path +
+                ":10: warning: /blocks/1: found a block out of reach; allowed: a centre where "
+                "Rhino XR-3 can hold it from straight above\n");
+  EXPECT_EQ(to_text(check_text(text, path, Profile::kPaper).findings), "");
+}
+
 TEST(CheckReport, SummaryOfTheRhino) {
   const std::string text = check_file("data/robots/rhino-xr3.json").summary;
   const std::string lines[] = {
