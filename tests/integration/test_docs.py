@@ -4,15 +4,30 @@ import os
 import pathlib
 import re
 import shlex
-import shutil
 import signal
 import subprocess
 import tempfile
 import unittest
 
+from pages import is_command, write_files
 from support import DEADLINE_S, ROOT, XR3, Server, run_xr3
 
 FENCE = re.compile(r"^ *```.*?\n(.*?)^ *```", re.DOTALL | re.MULTILINE)
+XR3_COMMAND = re.compile(r"(?:\$ )?((?:XR3_\w+=\S+ )*)(?:build/release/)?xr3 (.+)")
+CLIENT_COMMAND = re.compile(r"(?:\$ )?(?:nc|curl|printf|echo) .*localhost")
+# The commands in fences that other tests run: the file and the beginning of the line, and the test.
+ELSEWHERE = {
+    "README.md: ./run": "test_run.py",
+    "README.md: ./test": "test_inline_commands.py",
+    "README.md: $ telnet": "test_readme.py",
+    "README.md: xr3/": "test_ci_recipes.py",
+    "operations.md: ./run --build": "test_operations.py",
+    "operations.md: sudo ": "test_operations.py",
+    "operations.md: head -c": "test_operations.py",
+    "operations.md: scripts/capacity": "test_operations.py",
+    "protocol.md: $ ./run": "test_run.py",
+    "protocol.md: $ telnet": "test_clients.py",
+}
 BEHIND = re.compile(r"(\s+#.*|\s{2,}\S.*)$")  # a comment after a command
 
 
@@ -24,15 +39,9 @@ def shown_lines():
                 yield path.name, line.strip()
 
 
-def shown_file(name, language):
-    """The contents of the first fence of that language on a page."""
-    text = pathlib.Path(ROOT, "docs", name).read_text(encoding="utf-8")
-    return re.search(rf"^```{language}\n(.*?)^```", text, re.DOTALL | re.MULTILINE)[1]
-
-
 def xr3_commands():
     for name, line in shown_lines():
-        match = re.match(r"(?:\$ )?((?:XR3_\w+=\S+ )*)(?:build/release/)?xr3 (.+)", line)
+        match = XR3_COMMAND.match(line)
         if match:
             variables = dict(word.split("=", 1) for word in match[1].split())
             yield name, variables, shlex.split(BEHIND.sub("", match[2]))
@@ -40,9 +49,8 @@ def xr3_commands():
 
 def client_commands():
     for name, line in shown_lines():
-        command = line.removeprefix("$ ")
-        if re.match(r"(nc|curl|printf|echo) .*localhost", command):
-            yield name, BEHIND.sub("", command)
+        if CLIENT_COMMAND.match(line):
+            yield name, BEHIND.sub("", line.removeprefix("$ "))
 
 
 class Docs(unittest.TestCase):
@@ -50,13 +58,7 @@ class Docs(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
-        data = pathlib.Path(ROOT, "data")
-        (self.folder / "data").symlink_to(data)
-        shutil.copy(data / "robots" / "rhino-xr3.json", self.folder / "my-arm.json")
-        shutil.copy(data / "workcells" / "rhino-xr3.json", self.folder / "lab.json")
-        run_xr3("convert", "my-arm.json", "my-arm.txt", cwd=self.folder)
-        (self.folder / "lab.dat").touch()
-        (self.folder / "lab.toml").write_text(shown_file("options.md", "toml"), encoding="utf-8")
+        write_files(self.folder)
 
     def serve(self, arguments, variables):
         command = [XR3, "serve", *arguments, "--robot-port", "0", "--monitor-port", "0"]
@@ -67,6 +69,17 @@ class Docs(unittest.TestCase):
             process.communicate(timeout=DEADLINE_S)
         self.assertRegex(greeting, "^LISTENING ")
         self.assertEqual(0, process.returncode)
+
+    def test_every_command_is_run(self):
+        commands = [f"{name}: {line}" for name, line in shown_lines()
+                    if not XR3_COMMAND.match(line) and not CLIENT_COMMAND.match(line)
+                    and (line.startswith("$ ") or is_command(line))]
+        for command in commands:
+            self.assertTrue(command.startswith(tuple(ELSEWHERE)),
+                            f"{command}: run it here, or name its test in ELSEWHERE")
+        for beginning, test in ELSEWHERE.items():
+            self.assertTrue(pathlib.Path(ROOT, "tests", "integration", test).exists())
+            self.assertTrue(any(command.startswith(beginning) for command in commands), f"no page has {beginning}")
 
     def test_commands_of_xr3(self):
         commands = list(xr3_commands())

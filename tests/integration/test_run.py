@@ -1,7 +1,6 @@
 """The script ./run: it passes its arguments to `xr3 serve` and adds none. The tests run it in a temporary
 folder with stubs for packages and build, where build/release/xr3 is the executable under test."""
 
-import os
 import pathlib
 import re
 import shlex
@@ -10,7 +9,8 @@ import subprocess
 import tempfile
 import unittest
 
-from support import DEADLINE_S, ROOT, XR3, Server
+from stub_checkout import StubCheckout
+from support import DEADLINE_S, ROOT, Server
 
 RHINO = ("Rhino XR-3", "Rhino XR-3 table")  # robot and workcell
 ADEPT = ("Adept One", "Adept One table")
@@ -21,22 +21,7 @@ class Run(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
-        self.stub("bin/cmake")
-        self.stub("scripts/setup")
-        self.stub("scripts/viewer")
-        shutil.copy(pathlib.Path(ROOT, "run"), self.folder)
-        (self.folder / "CMakePresets.json").touch()
-        (self.folder / "build" / "release").mkdir(parents=True)
-        (self.folder / "build" / "release" / "build.ninja").touch()
-        (self.folder / "build" / "release" / "xr3").symlink_to(XR3)
-        self.environment = {**os.environ, "PATH": f"{self.folder}/bin:{os.environ['PATH']}",
-                            "XR3_ROBOT_PORT": "0", "XR3_MONITOR_PORT": "0"}
-
-    def stub(self, name):
-        path = self.folder / name
-        path.parent.mkdir(exist_ok=True)
-        path.write_text("#!/bin/sh\n", encoding="ascii")
-        path.chmod(0o755)
+        self.environment = StubCheckout(self.folder).environment
 
     def started(self, *arguments, **variables):
         """Starts `./run ARGUMENTS`; returns the names of the robot and the workcell."""
