@@ -171,6 +171,18 @@ class Subscriptions(unittest.TestCase):
             status = viewer.read_until(lambda message: message["status"]["option"] == 3)[-1]["status"]
             self.assertIn("E", status["text"])
 
+    def test_keys_act_while_the_simulator_is_disabled(self):
+        self.act("A@")
+        self.act("A!1,-2,3!A%2")  # ignored
+        self.assertEqual([1, 1, 1], self.monitor.look("display")["view"])
+        self.monitor.call("key", function="view", value=[0, 1, 0])
+        self.monitor.call("key", function="status", value=5)
+        display = self.monitor.look("display")
+        self.assertEqual(([0, 1, 0], 5), (display["view"], display["status"]["option"]))
+        self.monitor.call("key", function="enabled")
+        self.act("A#")
+        self.assertTrue(self.monitor.look("display")["on"])
+
     def test_model_follows_the_workcell(self):
         with self.xr3.monitor() as viewer:
             viewer.subscribe("model")
