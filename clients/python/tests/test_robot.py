@@ -102,6 +102,25 @@ class AllJoints(WithServer):
             self.robot.go({"E": 2000})
         self.assertEqual(0, self.monitor.counts()["E"])
 
+    def test_refuses_a_label_that_is_no_joint(self):
+        for label in ("Z", "e", "", "FE", 5):
+            with self.subTest(label), self.assertRaisesRegex(
+                    ValueError, f"no joint {label!r}: rhino-xr3 has the joints F, E, D, C, B, A, "
+                                r".*Robot\(arm=xr3"):
+                self.robot.go({"E": 50, label: 5})
+        self.assertEqual(0, self.monitor.counts()["E"])  # nothing has moved
+        for use in (self.robot.to_go, self.robot.error, self.robot.switch_closed, self.robot.stop,
+                    lambda label: self.robot.move(label, 1),
+                    lambda label: self.robot.set_speed(label, 50)):
+            with self.assertRaisesRegex(ValueError, "no joint 'Z'"):
+                use("Z")
+
+    def test_refuses_counts_that_are_not_whole(self):
+        for counts in (5.5, "5", None):
+            with self.subTest(counts), self.assertRaisesRegex(
+                    ValueError, f"joint E: counts are whole numbers, not {counts!r}"):
+                self.robot.go({"E": counts})
+
     def test_nowhere_to_go(self):
         self.robot.go({})
         self.assertEqual({0}, set(self.monitor.counts().values()))

@@ -2,6 +2,7 @@
 a real arm understands, except for soft_home() and the camera.
 """
 
+import operator
 import socket
 import sys
 import time
@@ -87,35 +88,55 @@ class Robot:
         self.send(inquiry)
         return self.read(1)[0]
 
+    def _check(self, counts: Counts) -> None:
+        """Raises ValueError if a label is no joint of the arm or a number is not whole. The server
+        ignores such commands and does not answer such inquiries."""
+        for label, number in counts.items():
+            if label not in tuple(self.arm.labels):
+                raise ValueError(f"there is no joint {label!r}: {self.arm.name} has the joints "
+                                 f"{', '.join(self.arm.labels)}, A being the jaws. For another robot "
+                                 "give its arm, as in Robot(arm=xr3.ADEPT_ONE)")
+            try:
+                operator.index(number)
+            except TypeError:
+                raise ValueError(f"joint {label}: counts are whole numbers, not {number!r}; round() "
+                                 "makes one") from None
+
     # --- One joint.
 
     def move(self, label: str, counts: int) -> None:
         """Starts a move of -128 to 127 counts and does not wait for it."""
+        self._check({label: counts})
         if not -128 <= counts <= 127:
             raise ValueError(f"a move is -128...127 counts, not {counts}")
         self.send(f"{label}{counts:+d}\r")
 
     def to_go(self, label: str) -> int:
         """The absolute value of the joint's error counter: the counts still to go."""
+        self._check({label: 0})
         return self.ask(f"{label}?") - SPACE
 
     def error(self, label: str) -> int:
         """The joint's error counter with its sign."""
+        self._check({label: 0})
         byte = self.ask(f"{label}T")
         return byte - 256 if byte > 127 else byte
 
     def switch_closed(self, label: str) -> bool:
         """Whether the joint's microswitch is closed."""
+        self._check({label: 0})
         return self.ask(f"{label}V") == 1
 
     def set_speed(self, label: str, counts_per_s: int) -> None:
         """Sets the speed of a joint, 1 to 255 counts per second."""
+        self._check({label: counts_per_s})
         if not 1 <= counts_per_s <= 255:
             raise ValueError(f"a speed is 1...255 counts a second, not {counts_per_s}")
         self.send(f"{label}{counts_per_s}S")
 
     def stop(self, label: str) -> None:
         """Stops the joint and cancels the rest of its move."""
+        self._check({label: 0})
         self.send(f"{label}X")
 
     def wait(self, label: str) -> int:
@@ -135,8 +156,10 @@ class Robot:
 
     def go(self, counts: Counts) -> None:
         """Moves these motors to these counts, all together and in equal parts, and waits. Raises
-        Unreachable, before anything moves, if a joint would be past its limit, and RobotError if a
-        joint does not arrive."""
+        ValueError if the arm has no such joint or a count is not whole, and Unreachable if a joint
+        would be past its limit, both before anything moves. Raises RobotError if a joint does not
+        arrive."""
+        self._check(counts)
         past_limit = self.arm.past_limit({**self.at, **counts})
         if past_limit:
             raise Unreachable(f"{self.arm.name}: {past_limit}")
