@@ -11,7 +11,10 @@ import xr3
 
 # Motor counts from the soft home for each position of the tool. `xr3 kin --pose 262,0,20 --down 90`
 # computes those at the block, whose centre is at x 262, y 0 and z 20 mm, with a yaw of 90 degrees.
-# "Above" is 100 mm higher. On a real arm one would move there manually and note the counts.
+# So does xr3.RHINO_XR3.solve(xr3.Pose(262, 0, 20, 90)), and for an arm of your own
+# xr3.Arm.load("my-arm.json").solve(...). z is half the height of the block, which is 40 mm, above the
+# table, which is at z 0. "Above" is 100 mm higher. On a real arm one would move there manually and
+# note the counts.
 HOME = {"F": 0, "E": 0, "D": 0, "C": 0, "B": 0, "A": 0}
 ABOVE_BLOCK = {"F": 0, "E": 242, "D": -440, "C": 0, "B": 0}
 AT_BLOCK = {"F": 0, "E": 449, "D": -625, "C": 0, "B": 0}

@@ -10,11 +10,18 @@ import sys
 
 import xr3
 
-Z = 20  # mm: the largest block is 40 mm high, so its centre is 20 mm above the table
+# Where the camera looks: the centre and the size of its field on the table, in mm, and its pixels.
+# These are the numbers of the Rhino's workcell. For a real camera, measure them; for any workcell of
+# the simulator, xr3.Camera.from_monitor() reads them at its monitor port.
+CAMERA = xr3.Camera(x=290, y=0, width=384, height=384, columns=192, rows=192, table=0)
+
+# The picture has no height: the camera looks straight down, and its pixels are 0 or 1. z must be
+# known from elsewhere. The largest block is 40 mm high, so its centre is 20 mm above the table.
+Z = CAMERA.table + 40 / 2
 HOME = {"F": 0, "E": 0, "D": 0, "C": 0, "B": 0, "A": 0}
 PLACE = xr3.Pose(392, 60, Z, yaw=90)  # a free place, the block's long side along y
 
-robot = xr3.connect()
+robot = xr3.connect(camera=CAMERA)
 
 
 def largest():

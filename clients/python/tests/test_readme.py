@@ -2,6 +2,7 @@
 
 import contextlib
 import io
+import os
 import re
 import unittest
 from pathlib import Path
@@ -9,6 +10,7 @@ from unittest import mock
 
 from context import Server
 
+DATA = Path(os.environ.get("XR3_ROOT", Path(__file__).resolve().parents[3])) / "data"
 README = Path(__file__).resolve().parent.parent / "README.md"
 
 
@@ -18,9 +20,11 @@ class Readme(unittest.TestCase):
         printed = io.StringIO()
         with Server("--clock", "real:500") as server, mock.patch("xr3.robot.POLL_S", 0.001), \
                 contextlib.redirect_stdout(printed):
-            code = code.replace("9600", str(server.robot_port))
+            code = code.replace("9600", str(server.robot_port)).replace("../../data", str(DATA))
             exec(code.replace("9601", str(server.monitor_port)), {})  # pylint: disable=exec-used
         self.assertIn("[399.9", printed.getvalue())
+        self.assertIn("'E': 449", printed.getvalue())
+        self.assertIn("(2.0, 2.0) 0.0\n", printed.getvalue())
 
 
 if __name__ == "__main__":

@@ -3,11 +3,14 @@
 import json
 import math
 import os
+import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 from context import Server
-from xr3 import ARMS, Camera, Patch, Picture, Robot
+from xr3 import ARMS, Camera, Monitor, Patch, Picture, Robot
+from xr3.vision import CAMERAS
 
 SMALL = Camera(x=0, y=0, width=20, height=6, columns=10, rows=3)
 DATA = Path(os.environ.get("XR3_ROOT", Path(__file__).resolve().parents[3])) / "data"
@@ -62,6 +65,43 @@ class Patches(unittest.TestCase):
         camera = Camera(0, 0, 100, 100, 100, 100)
         patch = Patch.of({(k, 60 - k + side) for k in range(60) for side in (0, 1)}, camera)
         self.assertAlmostEqual(45, patch.yaw, delta=0.1)
+
+
+class FromMonitor(unittest.TestCase):
+    def test_is_that_of_each_arm(self):
+        for name, camera in CAMERAS.items():
+            with self.subTest(name), Server("--robot", name) as server, \
+                    Monitor(port=server.monitor_port) as monitor:
+                self.assertEqual(camera, Camera.from_monitor(monitor))
+                self.assertEqual((camera.width / 192, camera.height / 192), camera.mm_per_pixel)
+                for block in monitor.request("get", channel="model")["workcell"]["blocks"]:
+                    self.assertEqual(camera.table, block["centroid"][2] - block["size"][2] / 2)
+
+    def workcell(self, **members):
+        return {"name": "bench", "length_unit": "inch", "workspace": {"x": 30, "y": 30, "z": 30},
+                "work_surface": 2, "blocks": [], **members}
+
+    def serve(self, workcell):
+        path = Path(self.enterContext(tempfile.TemporaryDirectory())) / "bench.json"
+        path.write_text(json.dumps(workcell), encoding="utf-8")
+        return self.enterContext(Server("--workcell", str(path)))
+
+    def test_inches_and_the_default_port(self):
+        server = self.serve(self.workcell(
+            camera={"location": [12, 1, 40], "field": [10, 5], "pixels": [100, 50]}))
+        with mock.patch.dict(os.environ, XR3_HOST="", XR3_MONITOR_PORT=str(server.monitor_port)):
+            camera = Camera.from_monitor()
+        self.assertEqual((304.8, 25.4, 254, 127, 100, 50, 50.8),
+                         (camera.x, camera.y, camera.width, camera.height, camera.columns, camera.rows,
+                          camera.table))
+        with Robot(port=server.robot_port, camera=camera) as robot:
+            self.assertEqual([], robot.look().patches())
+
+    def test_a_workcell_without_a_camera(self):
+        server = self.serve(self.workcell())
+        with Monitor(port=server.monitor_port) as monitor, \
+                self.assertRaisesRegex(ValueError, "'bench' has no camera: add .* or start"):
+            Camera.from_monitor(monitor)
 
 
 class RealPictures(unittest.TestCase):

@@ -7,7 +7,8 @@
 
 `Robot` uses the serial protocol of a real arm (port 9600), `Monitor` the JSON protocol that only
 the simulator has (port 9601). `RHINO_XR3`, `ADEPT_ONE` and `INTELLEDEX_660` describe the arms and
-compute their kinematics; `Picture` and `Patch` find blocks in the camera's picture.
+compute their kinematics, `Arm.load(file)` does so for any robot file; `Picture` and `Patch` find
+blocks in the camera's picture.
 """
 
 from xr3.arms import ADEPT_ONE, ARMS, INTELLEDEX_660, RHINO_XR3

@@ -2,13 +2,15 @@
 the three arms of xr3 are in arms.py. Lengths are in mm, angles in degrees. `Counts` maps the label
 of each motor to its position in counts from the soft home.
 
-Forward kinematics works for any arm with a Denavit-Hartenberg table. Inverse kinematics is in
-closed form, for a tool that points straight down, as when picking blocks off a table.
+Both work for any arm with a Denavit-Hartenberg table: Arm.load() reads one from a robot file.
+Inverse kinematics (inverse.py) is for a tool that points straight down, as when picking blocks off a
+table.
 """
 
 import math
+import os
 from dataclasses import dataclass, field
-from typing import Callable, Dict, List, Optional, Sequence, Tuple
+from typing import Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 Counts = Dict[str, int]
 Ways = Sequence[Sequence[float]]  # joint variables from the base, for each elbow configuration
@@ -88,7 +90,10 @@ class Joint:
 
     def matrix(self, position: int) -> Matrix:
         """The transformation from the previous frame to the frame of this link."""
-        variable = self.variable(position)
+        return self.matrix_at(self.variable(position))
+
+    def matrix_at(self, variable: float) -> Matrix:
+        """The same for a joint variable, which need not lie on a count."""
         theta, d = (self.theta, variable) if self.slides else (variable, self.d)
         turn, twist = math.radians(theta), math.radians(self.alpha)
         ct, st, ca, sa = math.cos(turn), math.sin(turn), math.cos(twist), math.sin(twist)
@@ -102,16 +107,19 @@ class Joint:
 class Jaws:
     """The gripper, joint A. `home` is the opening at count 0 in mm or, for rotating fingers
     (`finger` is their length in mm), the angle between them in degrees. `switch` is the count at
-    which the gripper is fully open."""
+    which the microswitch closes, `fully_open` the one at which the gripper is fully open.
+    `direction` is +1 if positive counts open it, else -1."""
 
     precision: float
     home: float
     switch: int
+    fully_open: int
     finger: Optional[float] = None
+    direction: int = 1
 
     def opening(self, count: int) -> float:
         """The distance between the fingertips at this count, mm."""
-        value = self.home + self.precision * count
+        value = self.home + self.direction * self.precision * count
         return value if self.finger is None else 2 * self.finger * math.sin(math.radians(value) / 2)
 
 
@@ -119,14 +127,14 @@ class Jaws:
 class Arm:
     """The parameters of an arm. `joints` are in order from base to tool. A coupling (j, k, sign)
     means that joint j, counted from 0, moves joint k in the same (+1) or the opposite (-1)
-    direction. `inverse` returns all candidate joint variables for a pose. `homing` is the order in
+    direction. `inverse` returns candidate joint variables for a pose. `homing` is the order in
     which joints are homed. `protected` is radius and height in mm of the protected region, a
     cylinder about the base axis: the robot stalls before its tip enters it."""
 
     name: str
     joints: Tuple[Joint, ...]
     jaws: Jaws
-    inverse: Callable[[Pose], Ways]
+    inverse: Callable[[Sequence[Joint], Pose], Ways]
     homing: str
     protected: Tuple[float, float]
     coupling: Tuple[Tuple[int, int, int], ...] = ()
@@ -135,6 +143,15 @@ class Arm:
     def __post_init__(self) -> None:
         switches = {joint.label: joint.switch for joint in self.joints}
         object.__setattr__(self, "switches", {**switches, "A": self.jaws.switch})
+
+    @classmethod
+    def load(cls, file: Union[str, "os.PathLike[str]"]) -> "Arm":
+        """The arm of a robot file in JSON, such as data/robots/rhino-xr3.json or one of your own:
+        joints, limits, coupling, jaws and protected region come from the file, lengths in inches are
+        converted, and the name is that of the file without its ending. Raises OSError if the file
+        cannot be read, and ValueError if it is no robot file."""
+        from xr3.arm_file import load  # pylint: disable=import-outside-toplevel,cyclic-import
+        return load(file)
 
     @property
     def labels(self) -> str:
@@ -160,7 +177,7 @@ class Arm:
         vectors and the tip."""
         result = [[float(i == j) for j in range(4)] for i in range(4)]
         for joint, position in zip(self.joints, self.positions(counts)):
-            result = _product(result, joint.matrix(position))
+            result = product(result, joint.matrix(position))
         return result
 
     def tip(self, counts: Counts) -> Tuple[float, float, float]:
@@ -194,15 +211,15 @@ class Arm:
         """Motor counts for each elbow configuration, whether allowed or not."""
         return [self.motor_counts([joint.within(variable)
                                    for joint, variable in zip(self.joints, variables)])
-                for variables in self.inverse(pose)]
+                for variables in self.inverse(self.joints, pose)]
 
     def motor_counts(self, variables: Sequence[float]) -> Counts:
         """The rounded motor counts for these joint variables. Couplings are subtracted from the
         exact values before rounding, so that rounding errors do not add up."""
         exact = [joint.exact_counts(variable) for joint, variable in zip(self.joints, variables)]
-        motors: List[float] = []
-        for k, position in enumerate(exact):
-            motors.append(position - self._added(k, motors))
+        motors = list(exact)
+        for _ in self.joints:  # as many times as a chain of couplings can be long
+            motors = [position - self._added(k, motors) for k, position in enumerate(exact)]
         return {joint.label: _whole(motor) for joint, motor in zip(self.joints, motors)}
 
     # --- Limits and protected region.
@@ -262,5 +279,6 @@ def _cosine(value: float) -> float:
     return max(-1.0, min(1.0, value))  # acos fails on rounding errors beyond 1
 
 
-def _product(left: Matrix, right: Matrix) -> Matrix:
+def product(left: Matrix, right: Matrix) -> Matrix:
+    """The product of two transformations."""
     return [[sum(left[i][k] * right[k][j] for k in range(4)) for j in range(4)] for i in range(4)]

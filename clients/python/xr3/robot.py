@@ -34,7 +34,8 @@ class RobotError(Exception):
 class Robot:
     """A robot on a serial line over TCP. Use it in a `with` statement, or call close().
 
-    Host and port default to XR3_HOST and XR3_PORT, else localhost and 9600. `at` holds the motor
+    Host and port default to XR3_HOST and XR3_PORT, else localhost and 9600. The camera defaults to
+    that of the arm's own workcell, for an arm that xr3 does not supply to the Rhino's. `at` holds the motor
     positions in counts from the soft home, as tracked by go() and the methods that use it; the arm
     is assumed to start at the soft home. All operations raise OSError if the connection is lost,
     and TimeoutError if an answer does not arrive within timeout_s.
@@ -239,14 +240,14 @@ class Robot:
 
     def open_jaws(self) -> None:
         """Opens the jaws fully."""
-        self.go({"A": self.arm.jaws.switch})
+        self.go({"A": self.arm.jaws.fully_open})
 
     def close_jaws(self) -> Optional[float]:
         """Closes the jaws until something is between them. Returns their opening in mm, or None if
         they closed on nothing. Takes 2 s to detect that the jaws have stopped, see wait(). The
         counts left in the error counter give the width of the block and are then cleared, since
         otherwise the jaws could not open again."""
-        self._stride({"A": -CLOSING})
+        self._stride({"A": -CLOSING * self.arm.jaws.direction})
         opening = self.arm.jaws.opening(self.at["A"])
         return opening if opening > self.arm.jaws.precision else None
 
@@ -283,11 +284,11 @@ def _above(pose: Pose) -> Pose:
     return Pose(pose.x, pose.y, pose.z + LIFT_MM, pose.yaw)
 
 
-def connect() -> Robot:
+def connect(arm: Arm = RHINO_XR3, camera: Optional[Camera] = None) -> Robot:
     """For interactive programs: connects to the HOST and PORT of the command line, or to Robot()'s
     defaults. If that fails, ends the program with a one-line message."""
     try:
-        robot = Robot(*sys.argv[1:3], timeout_s=5)
+        robot = Robot(*sys.argv[1:3], arm=arm, camera=camera, timeout_s=5)
         robot.ask("I")  # a robot answers at once, another kind of server does not
         return robot
     except (OSError, ValueError) as error:

@@ -1,10 +1,16 @@
 """Analysis of the camera's picture: decodes the pixels from the reply, finds connected patches of
 pixels, and measures the centre, yaw, length and width of each patch.
+
+A patch has no z. The camera looks straight down and a pixel is 0 or 1, so the picture contains no
+height. A program knows it from elsewhere: the centre of a block is half its height above the table,
+whose z is `Camera.table`.
 """
 
 import math
 from dataclasses import dataclass
-from typing import FrozenSet, Iterable, Iterator, List, Set, Tuple
+from typing import FrozenSet, Iterable, Iterator, List, Optional, Set, Tuple
+
+from xr3.monitor import Monitor
 
 Pixel = Tuple[int, int]  # column from the left, row from the top
 
@@ -14,7 +20,8 @@ SPACE = 32  # added to every byte of the picture
 @dataclass(frozen=True)
 class Camera:
     """A camera that looks straight down on a field of width × height mm, centred at (x, y) on the
-    table, with columns × rows pixels. The defaults are those of the Rhino's workcell."""
+    table, with columns × rows pixels. `table` is the z of the table in mm, which no picture shows.
+    The defaults are those of the Rhino's workcell."""
 
     x: float = 290.0
     y: float = 0.0
@@ -22,6 +29,32 @@ class Camera:
     height: float = 384.0
     columns: int = 192
     rows: int = 192
+    table: float = 0.0
+
+    @classmethod
+    def from_monitor(cls, monitor: Optional[Monitor] = None) -> "Camera":
+        """The camera and the table of the simulator's current workcell. Without a monitor, connects
+        to Monitor()'s default host and port. A real arm has no monitor port: measure its camera and
+        construct a Camera of these numbers. Raises ValueError if the workcell has no camera.
+
+        For a camera with perspective, the numbers apply to the table: it sees the top of a block
+        larger and further from its centre than it is."""
+        if monitor is None:
+            with Monitor() as own:
+                return cls.from_monitor(own)
+        workcell = monitor.request("get", channel="model", fields=["workcell"])["workcell"]
+        if "camera" not in workcell:
+            raise ValueError(f"the workcell {workcell['name']!r} has no camera: add the member `camera` "
+                             "to its file, or start the server with another --workcell")
+        unit = 25.4 if workcell["length_unit"] == "inch" else 1.0
+        camera = workcell["camera"]
+        x, y, width, height = (unit * length for length in (*camera["location"][:2], *camera["field"]))
+        return cls(x, y, width, height, *camera["pixels"], table=unit * workcell.get("work_surface", 0))
+
+    @property
+    def mm_per_pixel(self) -> Tuple[float, float]:
+        """The size of a pixel on the table along x and y, mm."""
+        return self.width / self.columns, self.height / self.rows
 
     @property
     def row_bytes(self) -> int:
@@ -35,17 +68,19 @@ class Camera:
     @property
     def pixel_area(self) -> float:
         """The area of the table that one pixel covers, in mm²."""
-        return self.width / self.columns * self.height / self.rows
+        along_x, along_y = self.mm_per_pixel
+        return along_x * along_y
 
     def place(self, pixel: Pixel) -> Tuple[float, float]:
         """The centre of a pixel on the table, mm. Column 0 is at low x, row 0 at high y."""
         column, row = pixel
-        return (self.x - self.width / 2 + (column + 0.5) * self.width / self.columns,
-                self.y + self.height / 2 - (row + 0.5) * self.height / self.rows)
+        along_x, along_y = self.mm_per_pixel
+        return (self.x - self.width / 2 + (column + 0.5) * along_x,
+                self.y + self.height / 2 - (row + 0.5) * along_y)
 
 
 RHINO_CAMERA = Camera(x=290.0)
-ADEPT_CAMERA = Camera(x=540.0, width=480.0, height=480.0)
+ADEPT_CAMERA = Camera(x=540.0, width=480.0, height=480.0, table=500.0)
 INTELLEDEX_CAMERA = Camera(x=400.0, width=480.0, height=480.0)
 CAMERAS = {"rhino-xr3": RHINO_CAMERA, "adept-one": ADEPT_CAMERA,
            "intelledex-660": INTELLEDEX_CAMERA}

@@ -1,0 +1,133 @@
+"""Arms from robot files: those of the three robots give the arms of the package, and any other agrees
+with `xr3 kin`."""
+
+import copy
+import dataclasses
+import json
+import math
+import os
+import re
+import tempfile
+import unittest
+from pathlib import Path
+
+from context import Server
+from test_kinematics import kin, poses
+from xr3 import ARMS, Arm, Monitor, Pose, Robot, Unreachable
+from xr3.inverse import numerical
+
+ROBOTS = Path(os.environ.get("XR3_ROOT", Path(__file__).resolve().parents[3])) / "data" / "robots"
+RHINO = json.loads((ROBOTS / "rhino-xr3.json").read_text(encoding="utf-8"))
+
+
+def in_inches(robot):
+    """The same robot, with lengths in inches."""
+    robot = copy.deepcopy(robot)
+    robot["length_unit"] = "inch"
+    for joint in robot["joints"]:
+        for member in ("d", "a"):
+            joint[member] /= 25.4
+    for member in ("precision", "home"):
+        robot["tool"][member] /= 25.4
+    robot["tool"]["limits"] = [limit / 25.4 for limit in robot["tool"]["limits"]]
+    robot["protected_region"] = {name: mm / 25.4 for name, mm in robot["protected_region"].items()}
+    robot["links"], robot["tool"]["parts"] = [], []
+    return robot
+
+
+class WithFiles(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+
+    def write(self, robot, name="mine.json"):
+        path = self.folder / name
+        path.write_text(robot if isinstance(robot, str) else json.dumps(robot), encoding="utf-8")
+        return path
+
+
+class Files(WithFiles):
+    def test_of_the_three_robots(self):
+        for name, arm in ARMS.items():
+            with self.subTest(name):
+                self.assertEqual(arm, Arm.load(ROBOTS / f"{name}.json"))
+                self.assertEqual(arm, Arm.load(str(ROBOTS / f"{name}.json")))
+
+    def test_comments_and_inches(self):
+        path = self.write("* My arm\n  * in inches\n" + json.dumps(in_inches(RHINO)))
+        arm = Arm.load(path)
+        self.assertEqual(("mine", "FEDCBA"), (arm.name, arm.labels))
+        pose = Pose(262, 0, 20, 90)
+        self.assertEqual(ARMS["rhino-xr3"].solve(pose), arm.solve(pose))
+        self.assertAlmostEqual(63.5, arm.jaws.opening(arm.jaws.fully_open))
+        self.assertAlmostEqual(100, arm.protected[0])
+
+    def test_errors_say_what_is_wrong(self):
+        for text, why in (("", "Expecting value"), ("[]", "list indices"), ("{}", "'length_unit' is missing"),
+                          (json.dumps({**RHINO, "length_unit": "cm"}), "length_unit is 'cm', not 'mm' or 'inch'"),
+                          (json.dumps({**RHINO, "tool": {**RHINO["tool"], "precision": 0}}), "precision of A is 0"),
+                          (json.dumps({**RHINO, "coupling": [[2, 6]]}), "not between joints 1 to 5"),
+                          (json.dumps({**RHINO, "joints": []}), "not in the order"),
+                          (json.dumps({**RHINO, "joints": RHINO["joints"][::-1]}), "B, C, D, E, F, not"),
+                          (json.dumps({**RHINO, "tool": {}}), "'kind' is missing")):
+            with self.subTest(why), self.assertRaisesRegex(
+                    ValueError, f"mine.json is no .*{re.escape(why)}.*xr3 check"):
+                Arm.load(self.write(text))
+        with self.assertRaises(FileNotFoundError):
+            Arm.load(self.folder / "none.json")
+
+
+class AnyArm(WithFiles):
+    """Arms without a closed form."""
+
+    def check(self, arm, robot, wanted):
+        """Compares the arm with `xr3 kin` at these poses."""
+        named = dataclasses.replace(arm, name=str(robot))
+        for pose in wanted:
+            report = kin(named, f"--pose={pose.x},{pose.y},{pose.z}", f"--down={pose.yaw}")
+            allowed = [solution["counts"] for solution in report["solutions"] if solution["allowed"]]
+            with self.subTest(arm.name, pose=pose):
+                try:
+                    self.assertIn(arm.solve(pose), allowed)
+                except Unreachable:
+                    self.assertEqual([], allowed)
+
+    def test_numerical_solutions_are_those_of_the_closed_form(self):
+        for name, arm in ARMS.items():
+            self.check(dataclasses.replace(arm, inverse=numerical), name, poses(arm))
+
+    def test_an_arm_with_a_shoulder_beside_its_base(self):
+        robot = copy.deepcopy(RHINO)
+        robot["joints"][1]["d"] = 30
+        robot["coupling"] = [[4, -3], [3, 2]]  # from the tool to the base
+        path = self.write(robot)
+        arm = Arm.load(path)
+        self.assertIs(numerical, arm.inverse)
+        counts = {"F": 30, "E": 40, "D": -60, "C": 20, "B": 10}
+        tool = kin(dataclasses.replace(arm, name=str(path)), "--counts=30,40,-60,20,10")["tool"]
+        self.assertLess(math.dist(tool["xyz_mm"], arm.tip(counts)), 1e-6)
+        self.check(arm, path, poses(ARMS["rhino-xr3"]))
+
+    def test_out_of_reach(self):
+        arm = dataclasses.replace(ARMS["rhino-xr3"], inverse=numerical)
+        with self.assertRaisesRegex(Unreachable, "nearest miss it by [0-9.]+ mm and [0-9.]+ degrees"):
+            arm.solve(Pose(900, 0, 20))
+
+    def test_jaws_that_close_upwards_with_a_switch_on_the_closed_side(self):
+        robot = copy.deepcopy(RHINO)
+        robot["tool"].update(direction=-1, switch={"position": 20, "mask": 1, "width": 9})
+        path = self.write(robot)
+        arm = Arm.load(path)
+        self.assertEqual((-16, 16), (arm.jaws.fully_open, arm.jaws.switch))
+        self.assertAlmostEqual(63.5, arm.jaws.opening(-16))
+        with Server("--robot", str(path), "--workcell", "rhino-xr3", "--clock", "real:500") as server, \
+                Robot(port=server.robot_port, arm=arm, pause=lambda: None) as robot, \
+                Monitor(port=server.monitor_port) as monitor:
+            robot.home()
+            self.assertEqual(robot.at, monitor.counts())
+            robot.go(dict.fromkeys(arm.labels, 0))
+            self.assertGreater(robot.pick(Pose(262, 0, 20, 90)), 30)
+            self.assertTrue(monitor.block("red")["held"])
+
+
+if __name__ == "__main__":
+    unittest.main()
