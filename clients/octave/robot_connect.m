@@ -2,12 +2,11 @@ function robot = robot_connect()
 % Connects to HOST and PORT from the arguments, else XR3_HOST and XR3_PORT, else localhost 9600. The
 % result has the connection in `line` and in `at` the motor positions in counts from the soft home,
 % in the order of `joints`, as tracked by robot_go.
-  pkg load instrument-control  % leave this out in MATLAB
+  words = robot_arguments();
   host = getenv('XR3_HOST');
   port = getenv('XR3_PORT');
-  arguments = argv();
-  if numel(arguments) > 0, host = arguments{1}; end
-  if numel(arguments) > 1, port = arguments{2}; end
+  if numel(words) > 0, host = words{1}; end
+  if numel(words) > 1, port = words{2}; end
   if isempty(host), host = 'localhost'; end
   if isempty(port), port = '9600'; end
   % An error ends the program; after a final \n Octave does not print the source line.

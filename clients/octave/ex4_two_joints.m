@@ -1,6 +1,6 @@
 % 4. Two joints at once, with speeds: base and shoulder start together and arrive together.
 %
-%     octave-cli 4_two_joints.m [HOST [PORT]]
+%     octave-cli ex4_two_joints.m [HOST [PORT]]
 
 robot = robot_connect();
 

@@ -1,19 +1,23 @@
 % 1. Hello: connect to the robot, ask it two questions, print the answers.
 %
-%     octave-cli 1_hello.m [HOST [PORT]]
+%     octave-cli ex1_hello.m [HOST [PORT]]
 %
 % The robot's serial protocol has no lines of text and no "OK". The robot answers most questions
 % with one byte and does not answer other commands.
 
-% In Octave, sockets are in a package. (In MATLAB they are built in: omit this line.)
-pkg load instrument-control
+% In Octave, sockets are in a package. (In MATLAB they are built in, and programs have no arguments.)
+words = {};
+if exist('OCTAVE_VERSION', 'builtin')
+  pkg('load', 'instrument-control');
+  words = argv();
+  if any(strncmp(words, '-', 1)), words = {}; end  % at Octave's prompt: its own options
+end
 
 % Host and port: from the arguments, else from the environment, else the defaults.
 host = getenv('XR3_HOST');
 port = getenv('XR3_PORT');
-arguments = argv();
-if numel(arguments) > 0, host = arguments{1}; end
-if numel(arguments) > 1, port = arguments{2}; end
+if numel(words) > 0, host = words{1}; end
+if numel(words) > 1, port = words{2}; end
 if isempty(host), host = 'localhost'; end
 if isempty(port), port = '9600'; end
 

@@ -1,9 +1,9 @@
 % 6. Find with the camera and pick: look at the table, find the largest block, pick it up, put it
 % down elsewhere, and look again.
 %
-%     octave-cli 6_find_and_pick.m [HOST [PORT]]
+%     octave-cli ex6_find_and_pick.m [HOST [PORT]]
 %
-% The arm must be at its soft home, as when the simulator starts or after 3_home.m. find_largest.m
+% The arm must be at its soft home, as when the simulator starts or after ex3_home.m. find_largest.m
 % analyses the picture, and counts_at.m is the inverse kinematics.
 
 z = 20;       % height of the largest block's centre, mm

@@ -1,8 +1,8 @@
 % 5. Pick and place at known positions: pick up the red block and put it down elsewhere.
 %
-%     octave-cli 5_pick_and_place.m [HOST [PORT]]
+%     octave-cli ex5_pick_and_place.m [HOST [PORT]]
 %
-% The arm must be at its soft home, as when the simulator starts or after 3_home.m.
+% The arm must be at its soft home, as when the simulator starts or after ex3_home.m.
 
 % Motor counts from the soft home for each position of the tool. `xr3 kin --pose 262,0,20 --down 90`
 % computes those at the block, whose centre is at x 262, y 0 and z 20 mm, with a yaw of 90 degrees.

@@ -1,7 +1,7 @@
 % 3. Home by microswitches: after power-on the position of the arm is unknown. Each joint has a
 % switch that closes at a known position. Searching for it tells where the joint is.
 %
-%     octave-cli 3_home.m [HOST [PORT]]
+%     octave-cli ex3_home.m [HOST [PORT]]
 
 % Where the switches are, in counts from the soft home: upper arm upright, forearm level, tool down.
 % The elbow comes first, since it lifts the hand off the table; the jaws, joint A, come last.

@@ -1,6 +1,6 @@
 % 2. Move and wait: move a joint and ask until it has arrived.
 %
-%     octave-cli 2_move_and_wait.m [HOST [PORT]]
+%     octave-cli ex2_move_and_wait.m [HOST [PORT]]
 
 robot = robot_connect();
 
