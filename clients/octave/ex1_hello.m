@@ -11,6 +11,8 @@ if exist('OCTAVE_VERSION', 'builtin')
   pkg('load', 'instrument-control');
   words = argv();
   if any(strncmp(words, '-', 1)), words = {}; end  % at Octave's prompt: its own options
+  % Without a folder for its history, Octave would print an error at the end.
+  if ~exist(fileparts(fileparts(history_file())), 'dir'), history_save(false); end
 end
 
 % Host and port: from the arguments, else from the environment, else the defaults.

@@ -139,12 +139,12 @@ def commands_of(language):
 
 
 def run(command, folder, **environment):
-    """Runs a shell command in a folder; returns its output. Raises Wrong if it fails."""
+    """Runs a shell command in a folder; returns its output. Raises Wrong if it fails or reports an error."""
     clean = {name: value for name, value in os.environ.items() if not name.startswith("XR3_")}
     ran = subprocess.run(command, shell=True, cwd=folder, env={**clean, **environment}, text=True,
                          stdin=subprocess.DEVNULL, capture_output=True, check=False,
                          timeout=DEADLINE_S)
-    if ran.returncode != 0:
+    if ran.returncode != 0 or ran.stderr.startswith("error:"):
         raise Wrong(f"`{command}` ended with {ran.returncode}\n{ran.stdout}{ran.stderr}")
     return ran.stdout
 

@@ -20,8 +20,7 @@ AT_ONCE = 3
 DEADLINE_S = 120
 STACK = re.compile(r"Traceback|node:internal|panicked|Exception in thread|^\s+at |called from|"
                    r"terminate called", re.MULTILINE)
-NOT_THEIRS = re.compile(r"^make(\[\d+\])?: .*\n|^error: ignoring const execution_exception.*\n",
-                        re.MULTILINE)  # make reports the failure; for Octave see its README
+NOT_THEIRS = re.compile(r"^make(\[\d+\])?: .*\n", re.MULTILINE)  # make reports the failure
 
 
 @dataclasses.dataclass
