@@ -54,6 +54,11 @@ std::string first_extra(const CLI::App& app, const Words& arguments) {
   return first == arguments.end() ? extras.front() : *first;
 }
 
+bool is_before(const std::string& word, const std::string& command, const Words& arguments) {
+  return std::find(arguments.begin(), arguments.end(), word) <
+         std::find(arguments.begin(), arguments.end(), command);
+}
+
 std::string unexpected(const CLI::App& app, const Words& arguments) {
   const CLI::App& command = command_of(app);
   const std::string word = first_extra(app, arguments);
@@ -61,6 +66,8 @@ std::string unexpected(const CLI::App& app, const Words& arguments) {
     return "unknown command " + word + perhaps(word, commands_of(app)) + help_on(app, "commands");
   if (!word.starts_with('-')) return "unexpected argument " + word + help_on(command, "arguments");
   const std::string name = word.substr(0, word.find('='));
+  if (&command != &app && is_before(word, command.get_name(), arguments))
+    return name + " must follow the command, as in " + name_of(command) + " " + name;
   return name_of(command) + " has no option " + name + perhaps(name, options_of(command)) +
          help_on(command, "options");
 }

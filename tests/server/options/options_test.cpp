@@ -4,7 +4,6 @@
 
 #include <initializer_list>
 #include <string>
-#include <utility>
 
 #include "tests/support/command_line.hpp"
 
@@ -120,11 +119,16 @@ TEST(Options, RejectsInvalidArgumentsWithAMessage) {
 }
 
 TEST(Options, ErrorsAreSentencesWithTheNameThatWasMeant) {
-  const std::initializer_list<std::pair<std::initializer_list<const char*>, const char*>> cases = {
+  struct Case {
+    std::initializer_list<const char*> words;
+    const char* sentence;
+  };
+  const std::initializer_list<Case> cases = {
       {{}, "a command is missing; xr3 --help lists the commands"},
       {{"sevre"}, "unknown command sevre; perhaps serve was meant; xr3 --help lists the commands"},
       {{"fly"}, "unknown command fly; xr3 --help lists the commands"},
-      {{"--robto", "x", "serve"}, "xr3 has no option --robto; xr3 --help lists the options"},
+      {{"--robot", "x", "serve"}, "--robot must follow the command, as in xr3 serve --robot"},
+      {{"--robto", "x"}, "xr3 has no option --robto; xr3 --help lists the options"},
       {{"serve", "--robto", "x", "y"},
        "xr3 serve has no option --robto; perhaps --robot was meant; xr3 serve --help lists the "
        "options"},

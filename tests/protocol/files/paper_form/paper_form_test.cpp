@@ -403,7 +403,9 @@ TEST(JsonText, RoundTripsInShortLines) {
     EXPECT_EQ(load_robot(text, name), test::robot_named(name));
     EXPECT_NE(text.find("\n  \"joints\": [\n    {\n      \"label\": "), std::string::npos);
     for (std::size_t begin = 0; begin < text.size(); begin = text.find('\n', begin) + 1) {
-      EXPECT_LE(text.find('\n', begin) - begin, 120U) << text.substr(begin, 130);
+      const std::string line = text.substr(begin, text.find('\n', begin) - begin);
+      if (line.starts_with("  \"notes\": ")) continue;  // a text cannot be divided
+      EXPECT_LE(line.size(), 120U) << line;
     }
   }
 }
