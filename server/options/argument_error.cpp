@@ -21,7 +21,8 @@ std::string name_of(const CLI::App& command) {
   return command.get_parent() == nullptr ? "xr3" : "xr3 " + command.get_name();
 }
 
-std::string help_on(const CLI::App& command, const std::string& what) {
+std::string help_on(const CLI::App& command) {
+  const std::string what = command.get_parent() == nullptr ? "commands" : "arguments";
   return "; " + name_of(command) + " --help lists the " + what;
 }
 
@@ -63,13 +64,13 @@ std::string unexpected(const CLI::App& app, const Words& arguments) {
   const CLI::App& command = command_of(app);
   const std::string word = first_extra(app, arguments);
   if (&command == &app && !word.starts_with('-'))
-    return "unknown command " + word + perhaps(word, commands_of(app)) + help_on(app, "commands");
-  if (!word.starts_with('-')) return "unexpected argument " + word + help_on(command, "arguments");
+    return "unknown command " + word + perhaps(word, commands_of(app)) + help_on(app);
+  if (!word.starts_with('-')) return "unexpected argument " + word + help_on(command);
   const std::string name = word.substr(0, word.find('='));
   if (&command != &app && is_before(word, command.get_name(), arguments))
     return name + " must follow the command, as in " + name_of(command) + " " + name;
   return name_of(command) + " has no option " + name + perhaps(name, options_of(command)) +
-         help_on(command, "options");
+         help_on(command);
 }
 
 /// The option whose name begins the library's message, `NAME: ...` or `NAME is required`.
@@ -85,11 +86,10 @@ const CLI::Option* option_in(const CLI::App& command, const std::string& message
 std::string miscounted(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = command_of(app);
   const CLI::Option* option = option_in(command, error.what());
-  if (option == nullptr) return error.what() + help_on(command, "arguments");
+  if (option == nullptr) return error.what() + help_on(command);
   if (option->get_positional())
-    return name_of(command) + " needs " + option->get_type_name() + help_on(command, "arguments");
-  return option->get_name() + " needs one value, " + option->get_type_name() +
-         help_on(command, "options");
+    return name_of(command) + " needs " + option->get_type_name() + help_on(command);
+  return option->get_name() + " needs one value, " + option->get_type_name() + help_on(command);
 }
 
 }  // namespace
@@ -98,15 +98,15 @@ std::string describe_argument_error(const CLI::App& app, const CLI::ParseError& 
                                     const std::vector<std::string>& arguments) {
   for (CLI::App* command : app.get_subcommands()) {
     const auto trouble = problem_in_environment(*command);
-    if (trouble) return *trouble + help_on(*command, "options");
+    if (trouble) return *trouble + help_on(*command);
   }
   const std::string kind = error.get_name();
   const CLI::App& command = command_of(app);
   if (kind == "RequiredError" && &command == &app && app.remaining(true).empty())
-    return "a command is missing" + help_on(app, "commands");
+    return "a command is missing" + help_on(app);
   if (!app.remaining(true).empty()) return unexpected(app, arguments);
   if (kind == "ArgumentMismatch" || kind == "RequiredError") return miscounted(app, error);
-  return error.what() + help_on(command, "options");
+  return error.what() + help_on(command);
 }
 
 }  // namespace xr3

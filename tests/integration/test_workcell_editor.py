@@ -219,7 +219,7 @@ class Editor(unittest.TestCase):
         (self.folder / "bad.json").write_text('{"name": ')
         robot = pathlib.Path(ROOT, "data/robots/adept-one.json")
         for arguments, words in [(["lab.txt"], ".json"), (["no/lab.json"], "cannot be written"),
-                                 (["bad.json"], "bad.json:1"), ([], "file"),
+                                 (["bad.json"], "bad.json:1"), ([], "needs NEW.json"),
                                  (["lab.json", "--from", robot], "allowed: a workcell"),
                                  (["lab.json", "--from", "nowhere"], "nowhere"),
                                  (["lab.json", "--robot", "nobody"], "nobody")]:

@@ -128,21 +128,21 @@ TEST(Options, ErrorsAreSentencesWithTheNameThatWasMeant) {
       {{"sevre"}, "unknown command sevre; perhaps serve was meant; xr3 --help lists the commands"},
       {{"fly"}, "unknown command fly; xr3 --help lists the commands"},
       {{"--robot", "x", "serve"}, "--robot must follow the command, as in xr3 serve --robot"},
-      {{"--robto", "x"}, "xr3 has no option --robto; xr3 --help lists the options"},
+      {{"--robto", "x"}, "xr3 has no option --robto; xr3 --help lists the commands"},
       {{"serve", "--robto", "x", "y"},
        "xr3 serve has no option --robto; perhaps --robot was meant; xr3 serve --help lists the "
-       "options"},
+       "arguments"},
       {{"serve", "--robto=x"},
        "xr3 serve has no option --robto; perhaps --robot was meant; xr3 serve --help lists the "
-       "options"},
+       "arguments"},
       {{"serve", "first", "second", "--robot", "a"},
        "unexpected argument first; xr3 serve --help lists the arguments"},
       {{"serve", "--robot", "a", "b"},
        "unexpected argument b; xr3 serve --help lists the arguments"},
       {{"serve", "--robot"},
-       "--robot needs one value, NAME|FILE; xr3 serve --help lists the options"},
+       "--robot needs one value, NAME|FILE; xr3 serve --help lists the arguments"},
       {{"serve", "--max-lines", "many"},
-       "--max-lines: many: a whole number from 1 to 20000; xr3 serve --help lists the options"},
+       "--max-lines: many: a whole number from 1 to 20000; xr3 serve --help lists the arguments"},
       {{"check"}, "xr3 check needs FILE; xr3 check --help lists the arguments"},
       {{"convert", "a"}, "xr3 convert needs OUT; xr3 convert --help lists the arguments"}};
   for (const auto& [words, sentence] : cases)
