@@ -157,7 +157,7 @@ class Commands(unittest.TestCase):
     def runs_the_checkout(self, command):
         checkout = StubCheckout(self.folder / str(len(list(self.folder.iterdir()))))
         arguments = shlex.split(command.text)[1:]
-        if arguments == ["--build"]:
+        if arguments[:1] == ["--build"]:
             self.run_to_end([checkout.folder / "run", *arguments], **checkout.environment)
             return
         self.serve([checkout.folder / "run"], arguments, checkout.environment)

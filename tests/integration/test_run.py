@@ -1,6 +1,7 @@
 """The script ./run: it passes its arguments to `xr3 serve` and adds none. The tests run it in a temporary
 folder with stubs for packages and build, where build/release/xr3 is the executable under test."""
 
+import json
 import pathlib
 import re
 import shlex
@@ -61,10 +62,67 @@ class Run(unittest.TestCase):
             "xr3: there is no workcell named after the robot my-arm; name one with --workcell\n"), done.stderr)
         self.assertEqual(RHINO, self.started("--robot", robot, "--workcell", "rhino-xr3"))
 
+    def calls(self, *arguments):
+        """The commands that `./run ARGUMENTS` calls: packages, the build of the page, CMake."""
+        log = self.folder / "calls"
+        log.write_text("", encoding="ascii")
+        for path in "scripts/setup", "scripts/viewer", "bin/cmake":
+            (self.folder / path).write_text(f'#!/bin/sh\necho "${{0##*/}} $*" >>"{log}"\n', encoding="utf-8")
+        done = self.run_to_end(*arguments)
+        self.assertEqual((0, ""), (done.returncode, done.stdout), done.stderr)
+        return log.read_text(encoding="utf-8").replace(str(self.folder), "").splitlines()
+
+    def cache_the_page(self, folder):
+        (self.folder / "build/release/CMakeCache.txt").write_text(
+            f"XR3_WEB_DIST:PATH={self.folder}/{folder}\n", encoding="utf-8")
+
+    def test_the_page_is_built_by_default(self):
+        self.cache_the_page("clients/web/dist")
+        self.assertEqual(["setup build", "viewer ", "cmake --build --preset release --target xr3"],
+                         self.calls("--build"))
+
+    def test_without_the_page_npm_is_not_needed(self):
+        self.cache_the_page("clients/web/dist")
+        configure = "cmake --preset release -D XR3_WEB_DIST:PATH=/build/no-page"
+        build = "cmake --build --preset release --target xr3"
+        self.assertEqual(["setup server", configure, build], self.calls("--build", "--no-page"))
+        self.assertFalse((self.folder / "build/no-page").exists())
+        self.cache_the_page("build/no-page")
+        self.assertEqual(["setup server", build], self.calls("--build", "--no-page"))
+        self.assertEqual("cmake --preset release -D XR3_WEB_DIST:PATH=/clients/web/dist", self.calls("--build")[2])
+
+    def test_a_built_page_needs_no_npm(self):
+        page = self.folder / "unpacked page"
+        page.mkdir()
+        (page / "index.html").touch()
+        for argument in page, page.name:  # relative to the folder of the caller
+            with self.subTest(argument):
+                self.assertEqual(["setup server", "cmake --preset release -D XR3_WEB_DIST:PATH=/unpacked page",
+                                  "cmake --build --preset release --target xr3"],
+                                 self.calls("--build", "--page", argument))
+
+    def test_a_folder_without_a_page_is_an_error(self):
+        (self.folder / "empty").mkdir()
+        for arguments in ["--page"], ["--page", ""], ["--page", "empty"], ["--build", "--page", "missing"]:
+            with self.subTest(arguments):
+                done = self.run_to_end(*arguments)
+                self.assertEqual((2, ""), (done.returncode, done.stdout))
+                self.assertRegex(done.stderr, r"^run: --page FOLDER: '\w*' has no index.html, so .*\n$")
+
+    def test_no_page_passes_the_other_arguments(self):
+        self.assertEqual(ADEPT, self.started("--no-page", "--robot", "adept-one"))
+
+    def test_the_preset_embeds_the_page_again(self):
+        """So that a build by `./test` has the page after `./run --no-page`."""
+        presets = json.loads(pathlib.Path(ROOT, "CMakePresets.json").read_text(encoding="utf-8"))
+        release = next(preset for preset in presets["configurePresets"] if preset["name"] == "release")
+        self.assertEqual({"type": "PATH", "value": "${sourceDir}/clients/web/dist"},
+                         release["cacheVariables"]["XR3_WEB_DIST"])
+
     def test_the_commands_of_the_readme(self):
         readme = pathlib.Path(ROOT, "README.md").read_text(encoding="utf-8")
         commands = [shlex.split(found) for found in re.findall(r"`\./run ([^`]+)`", readme)]
-        starts = [arguments for arguments in commands if arguments != ["--build"]]
+        starts = [arguments for arguments in commands if "--build" not in arguments]
         self.assertGreater(len(starts), 2)
         for arguments in starts:
             with self.subTest(arguments):
