@@ -1,7 +1,10 @@
 # The libraries that xr3 links. scripts/setup installs them, and docs/decisions/0002-dependencies.md
 # gives the reason for each. tests/CMakeLists.txt finds the test libraries.
 find_package(Threads REQUIRED)
-find_package(Eigen3 3.4 REQUIRED)
+find_package(Eigen3 REQUIRED)  # without a version, because 3.4 would exclude Eigen 5, which Fedora 44 has
+if(Eigen3_VERSION VERSION_LESS 3.4)
+  message(FATAL_ERROR "xr3 needs Eigen 3.4 or newer; this is ${Eigen3_VERSION}.")
+endif()
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(Boost 1.81 REQUIRED CONFIG)
 find_package(spdlog 1.10 REQUIRED)
