@@ -157,6 +157,10 @@ class Commands(unittest.TestCase):
     def runs_the_checkout(self, command):
         checkout = StubCheckout(self.folder / str(len(list(self.folder.iterdir()))))
         arguments = shlex.split(command.text)[1:]
+        if "--page" in arguments:
+            page = self.folder / arguments[arguments.index("--page") + 1]
+            page.mkdir()
+            (page / "index.html").touch()
         if arguments[:1] == ["--build"]:
             self.run_to_end([checkout.folder / "run", *arguments], **checkout.environment)
             return
