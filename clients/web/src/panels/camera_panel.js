@@ -1,7 +1,10 @@
-// The overhead camera's binary image, optionally with the outlines of the blocks.
+// The overhead camera's binary image with its axes, optionally with the outlines of the blocks.
 import { mmPerUnit } from "../lib/kinematics.js";
+import { CameraPointer } from "./camera_pointer.js";
 
 const kWidestRem = 15;
+const kAxisRem = 3; // the column of the y axis
+const kBordersPx = 2;
 const kNearestSightMm = 1; // closer corners are drawn at this distance from the camera's plane
 const rem = () => parseFloat(getComputedStyle(document.documentElement).fontSize);
 
@@ -9,13 +12,17 @@ export class CameraPanel {
   constructor(canvas, caption) {
     Object.assign(this, { canvas, caption });
     this.showsOutlines = false;
-    new ResizeObserver(() => this.#fit()).observe(canvas.parentElement);
+    this.pointer = new CameraPointer(canvas);
+    this.sight = canvas.closest(".sight");
+    new ResizeObserver(() => this.#fit()).observe(this.sight);
   }
 
   setModel(model) {
     this.model = model;
     this.canvas.hidden = !model.workcell.camera;
     if (!model.workcell.camera) this.image = null;
+    this.pointer.setModel(model);
+    this.pointer.setImage(this.image);
     this.#updateCaption();
     this.#draw();
   }
@@ -30,6 +37,7 @@ export class CameraPanel {
 
   setImage(image) {
     this.image = image;
+    this.pointer.setImage(image);
     this.#updateCaption();
     this.#draw();
   }
@@ -45,9 +53,10 @@ export class CameraPanel {
   #fit() {
     if (!this.image) return;
     const ratio = window.devicePixelRatio || 1;
-    const most = Math.min(this.canvas.parentElement.clientWidth, kWidestRem * rem()) * ratio;
+    const room = this.sight.clientWidth - kAxisRem * rem() - kBordersPx;
+    const most = Math.min(room, kWidestRem * rem()) * ratio;
     const whole = Math.floor(most / this.image.width);
-    this.canvas.style.width = whole > 0 ? `${(whole * this.image.width) / ratio}px` : "";
+    this.canvas.style.width = `${(whole > 0 ? whole * this.image.width : most) / ratio}px`;
   }
 
   #count(image) {
