@@ -55,6 +55,7 @@ function normalized(parts) {
 test("the paper's view shows the lines of /view.svg", () =>
   withPage([], async (page, server) => {
     await page.click("#view-paper");
+    await page.check("#as-program");
     await page.click("#display-on");
     await page.waitForFunction(() => window.xr3.known.display.on && window.xr3.paperDraws() > 0);
     const display = await page.evaluate(() => window.xr3.known.display);

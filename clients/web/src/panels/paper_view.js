@@ -1,6 +1,7 @@
 // The view of the paper (1989): the orthographic wire frame along the program's view vector, from
-// `display` messages. Redraws at the program's refresh period; the program's path option decides
-// whether it erases first.
+// `display` messages. Live, it shows every message. As the program draws it, it is empty while the
+// program's display is off, and redraws at the program's refresh period. In both, the program's path
+// option decides whether it erases first.
 
 const kInk = {
   paper: { background: "#ffffff", line: "#101010", own: false },
@@ -15,7 +16,7 @@ export class PaperView {
   constructor(canvas) {
     this.canvas = canvas;
     this.ink = "paper";
-    this.isLive = false;
+    this.isLive = true;
     this.lastPeriod = null;
     this.draws = 0;
     this.frames = []; // drawn since the last erase, oldest first
@@ -28,6 +29,7 @@ export class PaperView {
   }
   setLive(isLive) {
     this.isLive = isLive;
+    this.frames = []; // what one way has drawn is no path of the other
     this.#redrawAll();
   }
 
@@ -37,15 +39,20 @@ export class PaperView {
     this.display = display;
     if (turned) this.frames = [];
     if (turned) this.#redrawAll();
-    this.tick(display.tick);
+    if (this.isLive) this.#drawNext();
+    else this.tick(display.tick);
   }
 
-  /** Simulated time has reached this tick: draws if a new period has begun. */
+  /** Simulated time has reached this tick: unless live, draws if a new period has begun. */
   tick(tick) {
-    if (!this.display) return;
+    if (!this.display || this.isLive) return;
     const period = Math.floor(tick / this.display.period_ticks);
-    if (period === this.lastPeriod && !this.isLive) return;
+    if (period === this.lastPeriod) return;
     this.lastPeriod = period;
+    this.#drawNext();
+  }
+
+  #drawNext() {
     if (this.display.erase) this.frames = [];
     this.#keep(this.display.polylines);
     this.#draw(this.display.erase);
@@ -76,7 +83,7 @@ export class PaperView {
       pen.fillStyle = ink.background;
       pen.fillRect(0, 0, width, height);
     }
-    if (!this.display?.on) return;
+    if (!this.display || !(this.display.on || this.isLive)) return;
     ++this.draws;
     const place = this.#placing(width, height);
     pen.lineWidth = Math.max(1, width / 900);

@@ -37,10 +37,21 @@ export class Stage {
     this.paper.setDisplay(display);
     setText(byId("status-text"), display.status.text);
     byId("status-option").value = String(display.status.option);
-    const note = display.on ? `every ${display.period_ticks / 1000} s, ${display.erase ? "erased first" : "not erased"}`
-      : "The program's display is off: A# or the button turns it on.";
-    setText(byId("display-note"), note);
+    this.#note(display);
     setText(byId("display-state"), `graphics display ${display.on ? "on" : "off"}`);
+  }
+
+  // While the view is live, it does not depend on the program's display.
+  #setLive(isLive) {
+    this.paper.setLive(isLive);
+    byId("display-on").hidden = isLive;
+    if (this.paper.display) this.#note(this.paper.display);
+  }
+
+  #note({ on, period_ticks, erase }) {
+    const erasing = erase ? "erased first" : "not erased";
+    const asProgram = on ? `every ${period_ticks / 1000} s, ${erasing}` : "The program's display is off: A# or the button turns it on.";
+    setText(byId("display-note"), this.paper.isLive ? `live, ${erasing}` : asProgram);
   }
 
   #solidTools() {
@@ -52,7 +63,7 @@ export class Stage {
 
   #paperTools(run) {
     byId("ink").onchange = (event) => this.paper.setInk(event.target.value);
-    byId("live").onchange = (event) => this.paper.setLive(event.target.checked);
+    byId("as-program").onchange = (event) => this.#setLive(!event.target.checked);
     byId("display-on").onclick = () => run("display");
   }
 
