@@ -38,7 +38,7 @@ function pale() {
     if (is < 3) found.push(`border of ${each.id || each.textContent}: ${is.toFixed(2)}`);
   }
   for (const each of document.querySelectorAll("input[placeholder]")) check(each, getComputedStyle(each, "::placeholder").color, "placeholder", 4.5);
-  for (const each of document.querySelectorAll("label, h2, td, th, .parsed, #chosen")) check(each, getComputedStyle(each).color, "text", 4.5);
+  for (const each of document.querySelectorAll("label, h2, td, th, .parsed, #chosen, #camera-at, .axis span")) check(each, getComputedStyle(each).color, "text", 4.5);
   check(document.querySelector("#plan"), getComputedStyle(document.querySelector(".space")).stroke, "outline of the workspace", 3);
   return found;
 }
