@@ -63,19 +63,20 @@ const Members<Workcell>& workcell_members() {
 
 }  // namespace
 
-std::optional<Workcell> read_workcell(Reading& reading, const Robot* robot) {
+std::optional<Workcell> read_workcell(Reading& reading, const Robot* robot,
+                                      std::size_t first_reach) {
   Workcell workcell;
   read_object(Place{reading, reading.root()}, workcell_members(), workcell);
-  check_workcell(workcell, robot, reading);
+  check_workcell(workcell, robot, first_reach, reading);
   return reading.has_errors() ? std::nullopt : std::optional(std::move(workcell));
 }
 
-WorkcellReading read_workcell(std::string_view text, const std::string& file,
-                              const Robot* robot) try {
+WorkcellReading read_workcell(std::string_view text, const std::string& file, const Robot* robot,
+                              std::size_t first_reach) try {
   const JsonSource source(text, file);
   refuse_kind(source.root(), DataKind::kRobot, file);
   Reading reading(source);
-  std::optional<Workcell> workcell = read_workcell(reading, robot);
+  std::optional<Workcell> workcell = read_workcell(reading, robot, first_reach);
   return {std::move(workcell), reading.take_findings()};
 } catch (const DataError& error) {
   return {std::nullopt, error.findings()};

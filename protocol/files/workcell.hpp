@@ -20,13 +20,15 @@ struct WorkcellReading {
   Findings findings;
 };
 
-/// Reads and checks a workcell file; with a robot, also whether the blocks fit its tool. Syntax
-/// errors are findings, too. Never throws.
+/// Reads and checks a workcell file; with a robot, also whether the blocks fit its tool
+/// and, from index `first_reach` on, whether it can reach them: see check_workcell(). Syntax errors
+/// are findings, too. Never throws.
 WorkcellReading read_workcell(std::string_view text, const std::string& file,
-                              const Robot* robot = nullptr);
+                              const Robot* robot = nullptr, std::size_t first_reach = 0);
 
 /// The same for the document being read; errors go to the reading.
-std::optional<Workcell> read_workcell(data::Reading& reading, const Robot* robot = nullptr);
+std::optional<Workcell> read_workcell(data::Reading& reading, const Robot* robot = nullptr,
+                                      std::size_t first_reach = 0);
 
 /// Reads and checks a workcell file. Throws DataError with all findings if one of them is an error.
 Workcell load_workcell(std::string_view text, const std::string& file);

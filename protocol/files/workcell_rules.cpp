@@ -161,16 +161,22 @@ void warn_of_width(const Workcell& workcell, const Robot& robot, Reading& readin
   }
 }
 
-// Without a closed form of the inverse kinematics, a block takes long.
-void warn_of_reach(const Workcell& workcell, const Robot& robot, Reading& reading) {
+// Without a closed form of the inverse kinematics, a block takes about a tenth of a second.
+void warn_of_reach(const Workcell& workcell, const Robot& robot, std::size_t first,
+                   Reading& reading) {
   constexpr std::size_t kMostWhenSlow = 100;
   const Reach reach(robot);
-  const std::size_t most = reach.is_quick() ? workcell.blocks.size() : kMostWhenSlow;
-  for (std::size_t i = 0; i < std::min(most, workcell.blocks.size()); ++i) {
+  const std::size_t count = workcell.blocks.size();
+  const std::size_t end = reach.is_quick() ? count : std::min(count, first + kMostWhenSlow);
+  for (std::size_t i = first; i < end; ++i) {
     if (reach.has_grasp(workcell.blocks[i])) continue;
     warn(reading, i, "a block out of reach",
          "a centre where " + robot.name + " can hold it from straight above");
   }
+  if (end == count) return;
+  reading.report(Severity::kWarning, "/blocks",
+                 std::to_string(count - end) + " blocks whose reach was not checked",
+                 std::to_string(kMostWhenSlow) + " blocks: for " + robot.name + " each takes long");
 }
 
 void check_block_names(const Workcell& workcell, Reading& reading) {
@@ -230,7 +236,8 @@ double widest_opening_mm(const Robot& robot) {
   return 2 * tool.finger_length_mm * std::sin(tool.drive.max / 2 * kRadiansPerDegree);
 }
 
-void check_workcell(const Workcell& workcell, const Robot* robot, Reading& reading) {
+void check_workcell(const Workcell& workcell, const Robot* robot, std::size_t first_reach,
+                    Reading& reading) {
   check_block_names(workcell, reading);
   check_surface(workcell, reading);
   check_camera(workcell, reading);
@@ -244,7 +251,7 @@ void check_workcell(const Workcell& workcell, const Robot* robot, Reading& readi
   warn_of_workspace(workcell, shapes, reading);
   if (robot == nullptr) return;
   warn_of_width(workcell, *robot, reading);
-  warn_of_reach(workcell, *robot, reading);
+  warn_of_reach(workcell, *robot, first_reach, reading);
 }
 
 }  // namespace xr3

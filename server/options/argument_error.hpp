@@ -1,4 +1,4 @@
-// What is wrong with the arguments of a command, in one sentence: in the order in which they were
+// Describes an error in the arguments of a command in one sentence: the first one in the order
 // typed, with the name that was probably meant.
 #pragma once
 

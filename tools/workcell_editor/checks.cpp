@@ -15,8 +15,9 @@ namespace {
 constexpr const char* kOverlap = "a block that overlaps \"";
 constexpr const char* kBlocks = "/blocks/";
 
-Findings file_findings(const Workcell& workcell, const Robot* robot) {
-  return read_workcell(workcell_to_json(workcell).dump(), "", robot).findings;
+/// The reach is checked from block `first_reach` on, because it can take long.
+Findings file_findings(const Workcell& workcell, const Robot* robot, std::size_t first_reach = 0) {
+  return read_workcell(workcell_to_json(workcell).dump(), "", robot, first_reach).findings;
 }
 
 std::string pointer_of(std::size_t block) { return kBlocks + std::to_string(block); }
@@ -107,7 +108,7 @@ Findings check_block(const Workcell& workcell, std::size_t index, const Block& b
                      const Arm& arm) {
   const Workcell candidate = with_last(workcell, index, block);
   const std::size_t last = candidate.blocks.size() - 1;
-  Findings findings = file_findings(candidate, &arm.robot);
+  Findings findings = file_findings(candidate, &arm.robot, last);
   Findings own;
   for (Finding& finding : findings) {
     if (!is_about(finding, last)) continue;
