@@ -1,7 +1,40 @@
+# xr3_together(<variable> <name> <source>...): the sources to compile for <source>..., which are absolute
+# paths below the project. With XR3_TOGETHER these are files that include up to eight sources of
+# one folder each, so that the compiler parses the headers of eight files once
+# (docs/decisions/0018-compile-together.md). CMake's own UNITY_BUILD writes absolute paths into such files, and ccache
+# then shares nothing between two checkouts.
+option(XR3_TOGETHER "Compile the sources of a folder together" ON)
+set(XR3_MOST_TOGETHER 8)
+
+function(xr3_together variable name)
+  if(NOT XR3_TOGETHER)
+    set(${variable} ${ARGN} PARENT_SCOPE)
+    return()
+  endif()
+  set(folder "")
+  foreach(source ${ARGN} end)
+    cmake_path(GET source PARENT_PATH its_folder)
+    list(LENGTH includes count)
+    if(count GREATER 0 AND (NOT its_folder STREQUAL folder OR count EQUAL XR3_MOST_TOGETHER))
+      list(LENGTH files number)
+      set(file "${CMAKE_CURRENT_BINARY_DIR}/together/${name}_${number}.cpp")
+      list(JOIN includes "" text)
+      file(CONFIGURE OUTPUT "${file}" CONTENT "${text}" @ONLY)
+      list(APPEND files "${file}")
+      set(includes "")
+    endif()
+    set(folder "${its_folder}")
+    cmake_path(RELATIVE_PATH source BASE_DIRECTORY "${PROJECT_SOURCE_DIR}")
+    list(APPEND includes "#include \"${source}\"\n")
+  endforeach()
+  set(${variable} ${files} PARENT_SCOPE)
+endfunction()
+
 # xr3_library(<folder>): the static library xr3_<folder> of every .cpp below the calling folder but
 # main.cpp. Why the folder is globbed: docs/decisions/0006-globbed-folders.md.
 function(xr3_library folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
   list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+  xr3_together(sources ${folder} ${sources})
   add_library(xr3_${folder} STATIC ${sources})
 endfunction()

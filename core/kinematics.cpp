@@ -62,7 +62,7 @@ PointUm tool_tip(const Model& model, const Positions& positions) {
 ToolConfiguration tool_configuration(const Model& model, const Positions& positions) {
   const Transform pose = tool_transform(model, positions);
   const int last = model.joint_count() - 1;
-  const bool turns = model.robot().joints.back().variable == JointVariable::kTheta;
+  const bool turns = model.robot().joints.back().is_revolute();
   const double variable = model.variable(last, at(positions, last));
   const double q = turns ? variable * kPi / 180.0 : variable;
   ToolConfiguration w;

@@ -61,7 +61,7 @@ void Model::find_gains() {
 void Model::fill_tables() {
   for (int k = 0; k < joint_count(); ++k) {
     const Joint& joint = robot_.joints[static_cast<std::size_t>(k)];
-    const bool turns = joint.variable == JointVariable::kTheta;
+    const bool turns = joint.is_revolute();
     const double step = turns ? joint.drive.precision * joint.drive.direction : 0.0;
     const Counts low = turns ? motor(k).low : 0;
     const Counts high = turns ? motor(k).high : 0;

@@ -4,7 +4,6 @@
 // Independent of files, JSON and the state.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -65,13 +64,14 @@ struct Joint {
   JointVariable variable = JointVariable::kTheta;
   DhRow dh;
   Drive drive;
+  bool is_revolute() const { return variable == JointVariable::kTheta; }
   bool operator==(const Joint&) const = default;
 };
 
 /// A corner of an outline: move the pen there, or draw a line to it.
 struct OutlinePoint {
   bool draw = false;
-  Eigen::Vector3d p_mm = Eigen::Vector3d::Zero();
+  PointMm p_mm;
   bool operator==(const OutlinePoint&) const = default;
 };
 
@@ -87,7 +87,7 @@ struct Outline {
 struct ToolPart {
   int side = 1;   ///< +1 or -1
   int color = 0;  ///< palette index 0...15
-  Eigen::Vector3d pivot_mm = Eigen::Vector3d::Zero();
+  PointMm pivot_mm;
   std::vector<OutlinePoint> points;
   bool operator==(const ToolPart&) const = default;
 };

@@ -32,6 +32,14 @@ struct PointUm {
   auto operator<=>(const PointUm&) const = default;
 };
 
+/// A point in mm, in the frame that its declaration names.
+struct PointMm {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+  bool operator==(const PointMm&) const = default;
+};
+
 /// The nearest whole micrometre (halves away from zero).
 constexpr Micrometres micrometres(double mm) {
   const double um = mm * kMicrometresPerMm;

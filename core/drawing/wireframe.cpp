@@ -9,6 +9,8 @@
 namespace xr3 {
 namespace {
 
+Eigen::Vector3d vector(const PointMm& p) { return {p.x, p.y, p.z}; }
+
 Eigen::Vector3d carried(const Transform& pose, const Eigen::Vector3d& p) {
   return pose.block<3, 3>(0, 0) * p + pose.block<3, 1>(0, 3);
 }
@@ -24,7 +26,7 @@ void add_outline(std::vector<Wire>& wires, const std::string& part, int color,
   };
   for (const OutlinePoint& point : points) {
     if (!point.draw) lift_pen();
-    wire.points.push_back(place(point.p_mm));
+    wire.points.push_back(place(vector(point.p_mm)));
   }
   lift_pen();
 }
@@ -47,7 +49,8 @@ Transform jaw_shift(const Model& model, const ToolPart& part, Counts tool_positi
   shift(1, 2) = -sin;
   shift(2, 1) = sin;
   shift(2, 2) = cos;
-  shift.block<3, 1>(0, 3) = part.pivot_mm - shift.block<3, 3>(0, 0) * part.pivot_mm;
+  const Eigen::Vector3d pivot = vector(part.pivot_mm);
+  shift.block<3, 1>(0, 3) = pivot - shift.block<3, 3>(0, 0) * pivot;
   return shift;
 }
 

@@ -12,8 +12,6 @@ namespace {
 
 constexpr double kMaxCounts = 2e8;  // sums of coupled counts still fit into Counts
 
-bool turns(const Joint& joint) { return joint.variable == JointVariable::kTheta; }
-
 Counts nearest(double counts) {
   return static_cast<Counts>(std::llround(std::clamp(counts, -kMaxCounts, kMaxCounts)));
 }
@@ -42,9 +40,9 @@ std::array<double, kMaxMotors> exact_motors(const Model& model, const JointVaria
 }  // namespace
 
 Transform link_transform_at(const Joint& joint, double variable) {
-  const SinCos theta = sin_cos_deg(turns(joint) ? variable : joint.dh.theta_deg);
+  const SinCos theta = sin_cos_deg(joint.is_revolute() ? variable : joint.dh.theta_deg);
   const SinCos alpha = sin_cos_deg(joint.dh.alpha_deg);
-  const double d = turns(joint) ? joint.dh.d_mm : variable;
+  const double d = joint.is_revolute() ? joint.dh.d_mm : variable;
   const double a = joint.dh.a_mm;
   Transform t;
   t << theta.cos, -alpha.cos * theta.sin, alpha.sin * theta.sin, a * theta.cos,  //
@@ -69,7 +67,7 @@ Transform tool_transform_at(const Robot& robot, const JointVariables& variables)
 ToolConfiguration tool_configuration_at(const Robot& robot, const JointVariables& variables) {
   const Transform pose = tool_transform_at(robot, variables);
   const double last = variables.back();
-  const double q = turns(robot.joints.back()) ? last * kPi / 180.0 : last;
+  const double q = robot.joints.back().is_revolute() ? last * kPi / 180.0 : last;
   ToolConfiguration w;
   w << pose.block<3, 1>(0, 3), std::exp(q / kPi) * pose.block<3, 1>(0, 2);
   return w;
@@ -116,7 +114,7 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(const Robot& robot,
   for (std::size_t k = 0; k < joints; ++k) {
     const Eigen::Vector3d axis = base_transforms[k].block<3, 1>(0, 2);
     const Eigen::Vector3d arm = tip - base_transforms[k].block<3, 1>(0, 3);
-    const bool revolute = turns(robot.joints[k]);
+    const bool revolute = robot.joints[k].is_revolute();
     const auto column = static_cast<Eigen::Index>(k);
     columns.col(column).head<3>() = revolute ? axis.cross(arm).eval() : axis;
     columns.col(column).tail<3>() = revolute ? axis : Eigen::Vector3d::Zero().eval();

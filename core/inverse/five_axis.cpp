@@ -11,8 +11,6 @@ namespace {
 constexpr double kOnAxisMm = 1e-7;
 constexpr double kVertical = 1e-9;
 
-const DhRow& row(const Robot& robot, std::size_t k) { return robot.joints[k - 1].dh; }
-
 /// Distance between the hand's plane and the base axis, along axis 1.
 double offset_mm(const Robot& robot) {
   return row(robot, 2).d_mm + row(robot, 3).d_mm + row(robot, 4).d_mm;

@@ -18,8 +18,6 @@ constexpr int kMaxJointsForTip = 3;
 using inverse::Candidate;
 using inverse::Candidates;
 
-bool turns(const Joint& joint) { return joint.variable == JointVariable::kTheta; }
-
 Eigen::Vector3d tip_of(const Transform& pose) { return pose.block<3, 1>(0, 3); }
 
 /// The minimum and maximum value that still round to a count within the limits.
@@ -55,7 +53,7 @@ void wrap(const Model& model, const ToolTarget& target, JointVariables& variable
   for (int k = 0; k < model.joint_count(); ++k) {
     const auto own = static_cast<std::size_t>(k);
     const bool is_last = k + 1 == model.joint_count();
-    if (!turns(model.robot().joints[own]) || (is_last && keeps_last)) continue;
+    if (!model.robot().joints[own].is_revolute() || (is_last && keeps_last)) continue;
     variables[own] = wrapped(model, k, variables[own]);
   }
 }
@@ -165,7 +163,7 @@ ToolTarget pointing_target(const Eigen::Vector3d& p_mm, const Eigen::Vector3d& a
 
 ToolTarget configuration_target(const Robot& robot, const ToolConfiguration& w) {
   const double q = kPi * std::log(w.tail<3>().norm());
-  const double last = turns(robot.joints.back()) ? inverse::to_deg(q) : q;
+  const double last = robot.joints.back().is_revolute() ? inverse::to_deg(q) : q;
   return pointing_target(w.head<3>(), w.tail<3>(), last);
 }
 
@@ -204,7 +202,8 @@ PoseError pose_error(const Robot& robot, const ToolTarget& target,
   PoseError error;
   error.mm = (tip_of(pose) - target.p_mm).norm();
   if (target.kind == TargetKind::kPointing) {
-    const double last = turns(robot.joints.back()) ? std::abs(variables.back() - target.last) : 0;
+    const double last =
+        robot.joints.back().is_revolute() ? std::abs(variables.back() - target.last) : 0;
     error.deg = std::max(angle_between_deg(rotation.col(2), target.approach()), last);
   } else if (target.kind == TargetKind::kPose) {
     const Eigen::Quaterniond turn(rotation.transpose() * target.rotation);

@@ -23,8 +23,6 @@ constexpr std::array<int, kMaxJoints> kBases{2, 3, 5, 7, 11, 13, 17};
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
 
-bool turns(const Joint& joint) { return joint.variable == JointVariable::kTheta; }
-
 /// The weight of a radian in mm: the mean length of a link, which makes tip and rotation errors
 /// comparable.
 double arm_length_mm(const Robot& robot) {
@@ -58,7 +56,7 @@ class Problem {
     Matrix columns = jacobian(robot_, base_transforms_at(robot_, variables));
     columns.topRows(3) /= length_mm_;
     for (Eigen::Index k = 0; k < columns.cols(); ++k) {
-      if (!turns(robot_.joints[static_cast<std::size_t>(k)])) columns.col(k) *= length_mm_;
+      if (!robot_.joints[static_cast<std::size_t>(k)].is_revolute()) columns.col(k) *= length_mm_;
     }
     if (target_.kind == TargetKind::kPointing) {
       const Eigen::Vector3d z = tool_transform_at(robot_, variables).block<3, 1>(0, 2);
@@ -70,7 +68,7 @@ class Problem {
   JointVariables stepped(JointVariables variables, const Vector& step) const {
     for (Eigen::Index k = 0; k < unknowns_; ++k) {
       const auto own = static_cast<std::size_t>(k);
-      variables[own] += turns(robot_.joints[own]) ? to_deg(step[k]) : step[k] * length_mm_;
+      variables[own] += robot_.joints[own].is_revolute() ? to_deg(step[k]) : step[k] * length_mm_;
     }
     return variables;
   }
@@ -126,7 +124,7 @@ JointVariables start(const Robot& robot, const ToolTarget& target, int index) {
   JointVariables variables = home_variables(robot);
   for (std::size_t k = 0; index > 0 && k < variables.size(); ++k) {
     const Drive& drive = robot.joints[k].drive;
-    const double half_turn = turns(robot.joints[k]) ? 180.0 : drive.max - drive.min;
+    const double half_turn = robot.joints[k].is_revolute() ? 180.0 : drive.max - drive.min;
     const double low = std::max(drive.min, drive.home - half_turn);
     const double high = std::min(drive.max, drive.home + half_turn);
     variables[k] = low + (high - low) * halton(index, kBases[k]);
@@ -138,7 +136,7 @@ JointVariables start(const Robot& robot, const ToolTarget& target, int index) {
 bool is_same(const Robot& robot, const JointVariables& one, const JointVariables& other) {
   for (std::size_t k = 0; k < one.size(); ++k) {
     const double apart = one[k] - other[k];
-    const double distance = turns(robot.joints[k]) ? std::remainder(apart, 360.0) : apart;
+    const double distance = robot.joints[k].is_revolute() ? std::remainder(apart, 360.0) : apart;
     if (std::abs(distance) > kSameDegOrMm) return false;
   }
   return true;

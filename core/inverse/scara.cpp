@@ -8,8 +8,6 @@
 namespace xr3::inverse {
 namespace {
 
-const DhRow& row(const Robot& robot, std::size_t k) { return robot.joints[k - 1].dh; }
-
 bool is_upright(double twist_deg) { return is_angle(twist_deg, 0) || is_angle(twist_deg, 180); }
 
 /// Directions of axes 1, 2 and 3: +1 up, -1 down.

@@ -15,8 +15,6 @@ namespace {
 constexpr double kInLine = 1e-9;  // sine of an angle below which two directions count as equal
 constexpr double kOnShoulderMm = 1e-9;
 
-const DhRow& row(const Robot& robot, std::size_t k) { return robot.joints[k - 1].dh; }
-
 /// The target in terms of this arm: the vector from S to W, and the approach.
 struct Aim {
   Eigen::Vector3d wrist;

@@ -35,13 +35,12 @@ bool is_zero(double mm) { return std::abs(mm) < kSameMm; }
 
 bool all_turn(const Robot& robot) {
   return std::all_of(robot.joints.begin(), robot.joints.end(),
-                     [](const Joint& joint) { return joint.variable == JointVariable::kTheta; });
+                     [](const Joint& joint) { return joint.is_revolute(); });
 }
 
 bool ends_in_plain_roll(const Robot& robot) {
   const Joint& last = robot.joints.back();
-  return last.variable == JointVariable::kTheta && is_zero(last.dh.a_mm) &&
-         is_angle(last.dh.alpha_deg, 0);
+  return last.is_revolute() && is_zero(last.dh.a_mm) && is_angle(last.dh.alpha_deg, 0);
 }
 
 double unit_sin(double twist_deg) { return sin_cos_deg(twist_deg).sin > 0 ? 1.0 : -1.0; }

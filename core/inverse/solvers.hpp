@@ -10,6 +10,9 @@
 
 namespace xr3::inverse {
 
+/// The Denavit-Hartenberg row of joint k, counted from 1 at the base.
+inline const DhRow& row(const Robot& robot, std::size_t k) { return robot.joints[k - 1].dh; }
+
 struct Candidate {
   JointVariables variables;
   std::string branch;

@@ -3,6 +3,7 @@
 // the monitor port and the explanations of bytes use the same report.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 

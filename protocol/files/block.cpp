@@ -1,5 +1,6 @@
 #include "protocol/files/block.hpp"
 
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 namespace xr3::data {

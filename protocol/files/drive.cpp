@@ -1,5 +1,6 @@
 #include "protocol/files/drive.hpp"
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 namespace xr3::data {

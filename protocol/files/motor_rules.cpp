@@ -14,16 +14,10 @@ using data::Reading;
 constexpr char kLastLabelOfJ = 'B';
 constexpr int kHighestBitOfJ = 2;  // bits 2 to 5 of J are input lines
 
-std::string number_text(double number) { return plain_number(number, 4); }
-
-void refuse(Reading& reading, const std::string& pointer, std::string found, std::string allowed) {
-  reading.report(Severity::kError, pointer, std::move(found), std::move(allowed));
-}
-
 void check_label(const CheckedMotor& motor, Reading& reading) {
   const std::string pointer = motor.pointer + "/label";
   if (!reading.is_sound(pointer) || motor.drive->label == motor.label) return;
-  refuse(reading, pointer, "\"" + std::string(1, motor.drive->label) + "\"",
+  reading.refuse(pointer, "\"" + std::string(1, motor.drive->label) + "\"",
          "\"" + std::string(1, motor.label) +
              "\": the tool is A, the last joint B, and so on to the base");
 }
@@ -37,21 +31,21 @@ void check_limits(const CheckedMotor& motor, Reading& reading) {
   const double unit = motor.is_length ? reading.mm_per_unit() : 1;
   const std::string found =
       "[" + number_text(drive.min / unit) + ", " + number_text(drive.max / unit) + "]";
-  if (drive.min >= drive.max) return refuse(reading, pointer, found, "the lower limit first");
+  if (drive.min >= drive.max) return reading.refuse(pointer, found, "the lower limit first");
   if (motor.is_length && std::max(-drive.min, drive.max) > data::kMaxLengthMm) {
-    return refuse(reading, pointer, found,
+    return reading.refuse(pointer, found,
                   "lengths of up to " + number_text(data::kMaxLengthMm) + " mm");
   }
   const std::string home = motor.pointer + motor.home_member;
   if (!reading.is_sound(home) || !reading.is_sound(motor.pointer + "/variable")) return;
   if (drive.home < drive.min || drive.home > drive.max) {
-    return refuse(reading, home, number_text(drive.home / unit),
+    return reading.refuse(home, number_text(drive.home / unit),
                   "a home within the limits " + found);
   }
   if (!reading.is_sound(motor.pointer + "/precision")) return;
   const double range = std::max(drive.max - drive.home, drive.home - drive.min) / drive.precision;
   if (range > kMaxCountsFromHome) {
-    refuse(reading, pointer, number_text(std::floor(range)) + " counts from the home to a limit",
+    reading.refuse(pointer, number_text(std::floor(range)) + " counts from the home to a limit",
            "up to " + number_text(kMaxCountsFromHome) + " counts");
   }
 }
@@ -66,11 +60,11 @@ void check_mask(const CheckedMotor& motor, Reading& reading, std::set<int>& take
   const bool in_j = motor.label <= kLastLabelOfJ;
   const std::string reply = in_j ? "J" : "I";
   if (in_j && mask > kHighestBitOfJ) {
-    return refuse(reading, pointer, std::to_string(mask),
+    return reading.refuse(pointer, std::to_string(mask),
                   "1 or 2, or 0 for none: J has room for two switches");
   }
   if (!(in_j ? taken_j : taken_i).insert(mask).second) {
-    refuse(reading, pointer, std::to_string(mask) + ", a duplicate",
+    reading.refuse(pointer, std::to_string(mask) + ", a duplicate",
            "a bit of the reply to " + reply + " that no other switch has");
   }
 }
@@ -79,7 +73,7 @@ void check_switch_position(const CheckedMotor& motor, Reading& reading) {
   const std::string pointer = motor.pointer + "/switch/position";
   const Microswitch& microswitch = motor.drive->microswitch;
   if (!reading.is_sound(pointer) || microswitch.position != 0 || microswitch.width) return;
-  refuse(reading, pointer, "0", "a count other than 0, or a width beside it");
+  reading.refuse(pointer, "0", "a count other than 0, or a width beside it");
 }
 
 }  // namespace
@@ -89,7 +83,7 @@ std::vector<CheckedMotor> motors_of(const Robot& robot) {
   const std::size_t n = robot.joints.size();
   for (std::size_t i = 0; i < n; ++i) {
     const Joint& joint = robot.joints[i];
-    const bool turns = joint.variable == JointVariable::kTheta;
+    const bool turns = joint.is_revolute();
     motors.push_back({&joint.drive, "/joints/" + std::to_string(i), turns ? "/theta_deg" : "/d",
                       static_cast<char>('A' + (n - i)), !turns});
   }

@@ -7,6 +7,7 @@
 
 #include "core/robot.hpp"
 #include "protocol/json/codec.hpp"
+#include "protocol/text/table.hpp"
 
 namespace xr3 {
 
@@ -22,6 +23,9 @@ struct CheckedMotor {
   char label;               ///< the label required by the sequence
   bool is_length;           ///< the variable is a length, not an angle
 };
+
+/// A number as the findings of the rules show it.
+inline std::string number_text(double number) { return plain_number(number, 4); }
 
 /// The joints from the base, then the tool. The elements point into `robot`.
 std::vector<CheckedMotor> motors_of(const Robot& robot);

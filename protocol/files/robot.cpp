@@ -1,5 +1,6 @@
 #include "protocol/files/robot.hpp"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "protocol/files/drive.hpp"
@@ -50,7 +51,7 @@ Codec<Joint> joint() {
   Codec<Joint> codec = object(joint_members());
   codec.read = [members = joint_members()](const Place& place, Joint& result) {
     const bool is_good = read_object(place, members, result);
-    const bool turns = result.variable == JointVariable::kTheta;
+    const bool turns = result.is_revolute();
     result.drive.home = turns ? result.dh.theta_deg : result.dh.d_mm;
     if (!turns) convert_lengths(result.drive, place.reading.mm_per_unit());
     return is_good;

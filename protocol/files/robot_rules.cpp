@@ -16,12 +16,6 @@ namespace {
 
 using data::Reading;
 
-std::string number_text(double number) { return plain_number(number, 4); }
-
-void refuse(Reading& reading, const std::string& pointer, std::string found, std::string allowed) {
-  reading.report(Severity::kError, pointer, std::move(found), std::move(allowed));
-}
-
 std::string joint_pointer(std::size_t index) { return "/joints/" + std::to_string(index); }
 
 void check_joint_names(const Robot& robot, Reading& reading) {
@@ -29,8 +23,8 @@ void check_joint_names(const Robot& robot, Reading& reading) {
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     const std::string pointer = joint_pointer(i) + "/name";
     if (!reading.is_sound(pointer) || names.insert(robot.joints[i].name).second) continue;
-    refuse(reading, pointer, "\"" + robot.joints[i].name + "\", a duplicate",
-           "a name that no other joint has");
+    reading.refuse(pointer, "\"" + robot.joints[i].name + "\", a duplicate",
+                   "a name that no other joint has");
   }
 }
 
@@ -40,30 +34,30 @@ std::string pivot_pointer(std::size_t part) {
 
 void check_parallel(const Tool& tool, Reading& reading) {
   if (reading.is_sound("/tool/limits") && tool.drive.min < 0) {
-    refuse(reading, "/tool/limits", number_text(tool.drive.min), "an opening of 0 or more");
+    reading.refuse("/tool/limits", number_text(tool.drive.min), "an opening of 0 or more");
   }
   if (tool.finger_length_mm != 0) {
-    refuse(reading, "/tool/finger_length", number_text(tool.finger_length_mm),
-           "nothing: only angular jaws have it");
+    reading.refuse("/tool/finger_length", number_text(tool.finger_length_mm),
+                   "nothing: only angular jaws have it");
   }
   for (std::size_t i = 0; i < tool.parts.size(); ++i) {
-    if (tool.parts[i].pivot_mm.isZero(0)) continue;
-    refuse(reading, pivot_pointer(i), "a pivot", "nothing: only angular jaws have it");
+    if (tool.parts[i].pivot_mm == PointMm{}) continue;
+    reading.refuse(pivot_pointer(i), "a pivot", "nothing: only angular jaws have it");
   }
 }
 
 void check_angular(const Tool& tool, Reading& reading) {
   if (reading.is_sound("/tool/limits") && (tool.drive.min < 0 || tool.drive.max > 180)) {
-    refuse(reading, "/tool/limits",
-           "[" + number_text(tool.drive.min) + ", " + number_text(tool.drive.max) + "]",
-           "an angle between the fingers from 0 to 180 degrees");
+    reading.refuse("/tool/limits",
+                   "[" + number_text(tool.drive.min) + ", " + number_text(tool.drive.max) + "]",
+                   "an angle between the fingers from 0 to 180 degrees");
   }
   if (reading.is_sound("/tool/finger_length") && tool.finger_length_mm <= 0) {
-    refuse(reading, "/tool/finger_length", "", "a length above 0 mm: angular jaws need it");
+    reading.refuse("/tool/finger_length", "", "a length above 0 mm: angular jaws need it");
   }
   for (std::size_t i = 0; i < tool.parts.size(); ++i) {
-    if (!reading.is_sound(pivot_pointer(i)) || !tool.parts[i].pivot_mm.isZero(0)) continue;
-    refuse(reading, pivot_pointer(i), "", "a list [x, y, z], the hinge: angular jaws need it");
+    if (!reading.is_sound(pivot_pointer(i)) || tool.parts[i].pivot_mm != PointMm{}) continue;
+    reading.refuse(pivot_pointer(i), "", "a list [x, y, z], the hinge: angular jaws need it");
   }
 }
 
@@ -76,15 +70,15 @@ void check_tool(const Robot& robot, Reading& reading) {
 void check_pen(const std::vector<OutlinePoint>& points, const std::string& pointer,
                Reading& reading) {
   if (points.empty() || !points.front().draw || !reading.is_sound(pointer)) return;
-  refuse(reading, pointer + "/0", "\"draw\"", "\"move\" at the first point");
+  reading.refuse(pointer + "/0", "\"draw\"", "\"move\" at the first point");
 }
 
 /// Requires one outline per frame, or none, and that each begins with a move.
 void check_outlines(const Robot& robot, Reading& reading) {
   const std::size_t frames = robot.joints.size() + 1;
   if (!robot.joints.empty() && !robot.links.empty() && robot.links.size() != frames) {
-    refuse(
-        reading, "/links", "a list of " + std::to_string(robot.links.size()),
+    reading.refuse(
+        "/links", "a list of " + std::to_string(robot.links.size()),
         "a list of " + std::to_string(frames) + ", the base's first and the tool's last, or none");
   }
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
@@ -113,18 +107,18 @@ void check_coupling(const Robot& robot, std::size_t index, Reading& reading) {
   const std::string found =
       "joint " + std::to_string(c.joint + 1) + " coupled to joint " + std::to_string(c.coupled + 1);
   if (c.joint >= n || c.coupled >= n) {
-    return refuse(reading, pointer, found, "joints 1 to " + std::to_string(n));
+    return reading.refuse(pointer, found, "joints 1 to " + std::to_string(n));
   }
-  if (c.joint == c.coupled) return refuse(reading, pointer, found, "two different joints");
+  if (c.joint == c.coupled) return reading.refuse(pointer, found, "two different joints");
   const std::vector<Coupling> before(robot.couplings.begin(),
                                      robot.couplings.begin() + static_cast<std::ptrdiff_t>(index));
   for (const Coupling& other : before) {
     if (other.joint == c.joint && other.coupled == c.coupled) {
-      return refuse(reading, pointer, found + ", a duplicate", "each pair of joints once");
+      return reading.refuse(pointer, found + ", a duplicate", "each pair of joints once");
     }
   }
   if (leads_to(before, c.coupled, c.joint, static_cast<std::size_t>(n))) {
-    refuse(reading, pointer, found + ", which leads back to it", "couplings without a cycle");
+    reading.refuse(pointer, found + ", which leads back to it", "couplings without a cycle");
   }
 }
 
@@ -142,11 +136,11 @@ void check_net_roll(const Robot& robot, Reading& reading) {
     const int joint = robot.net_roll[i].joint;
     const std::string found = "joint " + std::to_string(joint + 1);
     if (joint >= static_cast<int>(robot.joints.size())) {
-      refuse(reading, pointer, found, "joints 1 to " + std::to_string(robot.joints.size()));
-    } else if (robot.joints[static_cast<std::size_t>(joint)].variable != JointVariable::kTheta) {
-      refuse(reading, pointer, found + ", which does not turn", "joints whose variable is theta");
+      reading.refuse(pointer, found, "joints 1 to " + std::to_string(robot.joints.size()));
+    } else if (!robot.joints[static_cast<std::size_t>(joint)].is_revolute()) {
+      reading.refuse(pointer, found + ", which does not turn", "joints whose variable is theta");
     } else if (!named.insert(joint).second) {
-      refuse(reading, pointer, found + ", a duplicate", "each joint once");
+      reading.refuse(pointer, found + ", a duplicate", "each joint once");
     }
   }
 }
@@ -159,9 +153,9 @@ std::string mm_text(const PointUm& p) {
 void check_tip(const Model& model, const Positions& at, const std::string& home, Reading& reading) {
   const PointUm tip = tool_tip(model, at);
   if (!is_in_protected_region(model, tip)) return;
-  refuse(reading, "/protected_region",
-         "the tool tip at the " + home + " home, " + mm_text(tip) + ", inside it",
-         "a region that leaves both homes out");
+  reading.refuse("/protected_region",
+                 "the tool tip at the " + home + " home, " + mm_text(tip) + ", inside it",
+                 "a region that leaves both homes out");
 }
 
 /// Requires the hard home to be within the limits and outside the protected region.
@@ -175,10 +169,10 @@ void check_hard_home(const Model& model, Reading& reading) {
     const Counts position = at[static_cast<std::size_t>(index)];
     if (position >= limits.low && position <= limits.high) continue;
     is_within_limits = false;
-    refuse(reading, motor.pointer + "/switch/position",
-           "a switch at position " + std::to_string(position) + coupled,
-           std::to_string(limits.low) + " to " + std::to_string(limits.high) +
-               ", the limits in counts");
+    reading.refuse(motor.pointer + "/switch/position",
+                   "a switch at position " + std::to_string(position) + coupled,
+                   std::to_string(limits.low) + " to " + std::to_string(limits.high) +
+                       ", the limits in counts");
   }
   if (is_within_limits) check_tip(model, at, "hard", reading);
 }

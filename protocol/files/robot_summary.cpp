@@ -27,7 +27,7 @@ std::string title_of(const Model& model, int index) {
 bool is_angle(const Model& model, int index) {
   const Robot& robot = model.robot();
   if (index == model.tool_index()) return robot.tool.kind == ToolKind::kAngular;
-  return robot.joints[static_cast<std::size_t>(index)].variable == JointVariable::kTheta;
+  return robot.joints[static_cast<std::size_t>(index)].is_revolute();
 }
 
 std::string unit_of(const Model& model, int index) { return is_angle(model, index) ? "deg" : "mm"; }
@@ -49,7 +49,7 @@ std::string dh_table(const Robot& robot) {
     rows.push_back({std::to_string(i + 1), one_letter(joint.drive.label) + " " + joint.name,
                     plain_number(joint.dh.theta_deg), plain_number(joint.dh.d_mm),
                     plain_number(joint.dh.a_mm), plain_number(joint.dh.alpha_deg),
-                    joint.variable == JointVariable::kTheta ? "theta" : "d"});
+                    joint.is_revolute() ? "theta" : "d"});
   }
   return "\nDenavit-Hartenberg rows at the soft home\n" + text_table(rows, "rlrrrrl");
 }

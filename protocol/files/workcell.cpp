@@ -1,5 +1,6 @@
 #include "protocol/files/workcell.hpp"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "protocol/files/block.hpp"

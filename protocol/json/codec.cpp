@@ -1,6 +1,7 @@
 #include "protocol/json/codec.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <sstream>
 

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -44,6 +45,9 @@ class Reading {
 
   void report(Severity severity, const std::string& pointer, std::string found,
               std::string allowed);
+  void refuse(const std::string& pointer, std::string found, std::string allowed) {
+    report(Severity::kError, pointer, std::move(found), std::move(allowed));
+  }
   /// Counts an error. Returns whether the caller should store it with keep(); if not, its texts
   /// need not be built.
   bool keeps_error() { return keeps(Severity::kError); }

@@ -6,14 +6,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace xr3 {
 
-/// JSON for output; members keep their order.
+/// JSON for output; members keep their order. Whoever makes or reads one includes nlohmann/json.hpp.
 using Json = nlohmann::ordered_json;
 
 class JsonValue;

@@ -1,6 +1,7 @@
 #include "protocol/json/index.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace xr3 {
 namespace {

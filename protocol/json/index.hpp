@@ -2,6 +2,7 @@
 // and name.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 

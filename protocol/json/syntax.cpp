@@ -7,7 +7,7 @@
 namespace xr3 {
 namespace {
 
-constexpr std::size_t kMaxShownLength = 40;
+constexpr std::size_t kMaxQuotedLength = 40;
 
 struct Description {
   std::string found;
@@ -23,9 +23,9 @@ bool is_word(char c) {
          c == '-';
 }
 
-/// The quoted text that begins at an offset, up to the end of its line and kMaxShownLength bytes.
+/// The quoted text that begins at an offset, up to the end of its line and kMaxQuotedLength bytes.
 std::string quoted_at(std::string_view text, std::size_t offset) {
-  const std::string_view rest = text.substr(offset, kMaxShownLength);
+  const std::string_view rest = text.substr(offset, kMaxQuotedLength);
   const std::size_t end = rest.find_first_of("\"\n", 1);
   return std::string(end == std::string_view::npos ? rest : rest.substr(0, end + 1));
 }
@@ -38,7 +38,7 @@ std::string word_at(std::string_view text, std::size_t offset) {
   while (begin > 0 && is_word(text[begin]) && is_word(text[begin - 1])) --begin;
   std::size_t end = offset + 1;
   while (end < text.size() && is_word(text[offset]) && is_word(text[end])) ++end;
-  return std::string(text.substr(begin, std::min(end - begin, kMaxShownLength)));
+  return std::string(text.substr(begin, std::min(end - begin, kMaxQuotedLength)));
 }
 
 /// Replaces bytes other than printable ASCII by \xNN, since an excerpt may split a character.

@@ -1,6 +1,7 @@
 #include "protocol/json/text.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace xr3 {

@@ -13,7 +13,7 @@ constexpr char kDelete = '\x7f';
 
 // --- HTTP (RFC 9110, section 5.6.2, and RFC 9112, section 3).
 
-constexpr std::array kTargets = {"/"sv,      "http://"sv, "https://"sv,
+constexpr std::array kUrlBeginnings = {"/"sv,      "http://"sv, "https://"sv,
                                  "ftp://"sv, "ws://"sv,   "wss://"sv};
 
 bool is_letter_or_digit(char c) {
@@ -32,7 +32,7 @@ bool is_request(std::string_view chunk) {
   if (method > kMaxMethod) return true;
   if (method == 0 || method == chunk.size() || chunk[method] != ' ') return false;
   const std::string_view target = chunk.substr(method + 1);
-  return std::ranges::any_of(kTargets, [&](auto begin) { return target.starts_with(begin); });
+  return std::ranges::any_of(kUrlBeginnings, [&](auto begin) { return target.starts_with(begin); });
 }
 
 // --- Binary protocols.

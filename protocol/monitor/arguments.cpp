@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "protocol/json/source.hpp"
 #include "protocol/monitor/fields.hpp"
+#include "protocol/monitor/request_error.hpp"
 
 namespace xr3::monitor {
 namespace {

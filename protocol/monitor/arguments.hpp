@@ -11,6 +11,7 @@
 
 #include "protocol/json/codec.hpp"
 #include "protocol/monitor/request.hpp"
+#include "protocol/monitor/request_error.hpp"
 
 namespace xr3::monitor {
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "protocol/files/block.hpp"
@@ -209,12 +210,10 @@ CallValue read_snapshot_load(ArgsReader& args) {
 
 // --- Description.
 
-/// The description is not built yet: it holds the name of the call to describe, or null for all.
 CallValue read_describe(ArgsReader& args) {
   std::vector<std::pair<std::string, std::string>> names;
   for (const std::string& fn : calls()) names.emplace_back(fn, fn);
-  const auto fn = args.coded("fn", data::choice(std::move(names)), Presence::kOptional);
-  return Describe{fn ? Json(*fn) : Json()};
+  return Describe{args.coded("fn", data::choice(std::move(names)), Presence::kOptional)};
 }
 
 // --- The table.
@@ -284,12 +283,6 @@ CallRequest read_call(const CallForm& form, ArgsReader& members) {
   ArgsReader args(object, members.pointer_to("args"), members.findings());
   CallRequest request = read_args(form, args);
   args.refuse_others();
-  // read_describe() cannot build the description, since that runs every reader, including itself.
-  if (auto* described = std::get_if<Describe>(&request.call)) {
-    const Json& fn = described->description;
-    described->description =
-        description(fn.is_string() ? std::optional(fn.get<std::string>()) : std::nullopt);
-  }
   return request;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/monitor/request_error.hpp"
+
 namespace xr3::monitor {
 namespace {
 
@@ -17,6 +19,10 @@ RequestError too_long() {
 }  // namespace
 
 // --- Input.
+
+std::optional<Request> Client::handle(std::string_view message) {
+  return accept(read_request(message, cells_));
+}
 
 std::optional<Request> Client::accept(RequestReading reading) {
   if (close_reason_) return std::nullopt;

@@ -33,9 +33,7 @@ class Client {
 
   /// Handles one message. The caller must execute the returned request and answer it with send()
   /// before the next message. For an invalid message it queues an error and returns nullopt.
-  std::optional<Request> handle(std::string_view message) {
-    return accept(read_request(message, cells_));
-  }
+  std::optional<Request> handle(std::string_view message);
   /// The same for a message that read_request() has read.
   std::optional<Request> accept(RequestReading reading);
 

@@ -1,5 +1,6 @@
 #include "protocol/monitor/display.hpp"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 

@@ -1,5 +1,7 @@
 #include "protocol/monitor/event.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "protocol/explain/event_report.hpp"
 
 namespace xr3 {

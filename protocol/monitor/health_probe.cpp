@@ -1,6 +1,7 @@
 #include "protocol/monitor/health_probe.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "protocol/monitor/member_reader.hpp"

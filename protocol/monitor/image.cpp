@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 
 namespace xr3 {

@@ -1,5 +1,6 @@
 #include "protocol/monitor/line_record.hpp"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "protocol/explain/diagnostic.hpp"

@@ -1,5 +1,7 @@
 #include "protocol/monitor/member_reader.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace xr3::monitor {
 
 const Json& member(const Json& object, const char* name) {

@@ -1,9 +1,11 @@
 #include "protocol/monitor/message.hpp"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "protocol/monitor/call_table.hpp"
 #include "protocol/monitor/fields.hpp"
+#include "protocol/monitor/request_error.hpp"
 
 namespace xr3::monitor {
 namespace {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "protocol/json/syntax.hpp"
+#include "protocol/monitor/request_error.hpp"
 
 namespace xr3::monitor {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "protocol/json/document.hpp"
 #include "protocol/monitor/request.hpp"
+#include "protocol/monitor/request_error.hpp"
 
 namespace xr3::monitor {
 

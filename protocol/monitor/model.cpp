@@ -1,5 +1,7 @@
 #include "protocol/monitor/model.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "core/coupling.hpp"
 #include "core/grasp.hpp"
 #include "protocol/files/robot.hpp"

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "protocol/monitor/arguments.hpp"
 #include "protocol/monitor/call_table.hpp"
 #include "protocol/monitor/fields.hpp"
 #include "protocol/monitor/message_syntax.hpp"
+#include "protocol/monitor/request_error.hpp"
 
 namespace xr3::monitor {
 namespace {

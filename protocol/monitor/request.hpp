@@ -85,9 +85,9 @@ struct ListLines {};
 struct DisconnectLine {
   std::uint32_t line = 0;
 };
-/// The description of calls and their args as JSON, built when the request is read.
+/// The description of a call and its args; nullopt: of all calls.
 struct Describe {
-  Json description;
+  std::optional<std::string> fn;
 };
 
 struct CallRequest {
@@ -103,21 +103,7 @@ struct Request {
   std::variant<Ping, Auth, Subscribe, Unsubscribe, Get, CallRequest> what;
 };
 
-/// An invalid value at a JSON pointer in the message; `found` is null if it is missing.
-struct Detail {
-  std::string pointer;
-  Json found;
-  std::string allowed;
-};
-
-/// Why a request is refused. `code` is stable.
-struct RequestError {
-  RequestId id;
-  std::string code;
-  std::string message;
-  std::string hint;
-  std::vector<Detail> details;
-};
+struct RequestError;  // request_error.hpp, which needs the whole of JSON
 
 using RequestReading = std::variant<Request, RequestError>;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <utility>
@@ -126,7 +127,7 @@ Members<TipPath> tip_path_members() {
           required("oldest", &TipPath::oldest, integer<std::size_t>(0, kMax - 1))};
 }
 
-Members<State> state_members() {
+Members<State> saved_state_members() {
   return {
       required("tick", &State::tick, integer<Tick>(0, monitor::kMaxInteger)),
       required("motors", &State::motors, array_of<MotorState, kMaxMotors>(object(motor_members()))),
@@ -163,7 +164,7 @@ const Members<SavedCell>& saved_cell_members() {
   static const Members<SavedCell> members = {
       required("robot_hash", &SavedCell::robot_hash, text(0, kMaxHashLength)),
       required("workcell", &SavedCell::workcell, workcell_file()),
-      required("state", &SavedCell::state, object(state_members()))};
+      required("state", &SavedCell::state, object(saved_state_members()))};
   return members;
 }
 

@@ -1,4 +1,5 @@
 // Validates a saved cell: whether a machine with a robot can reach it. Declared in saved_cell.hpp.
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "core/grasp.hpp"
 #include "core/kinematics.hpp"
 #include "core/stall.hpp"
+#include "protocol/monitor/request_error.hpp"
 #include "protocol/monitor/saved_cell.hpp"
 
 namespace xr3::monitor {
@@ -67,7 +69,7 @@ void check_grasp(const Model& model, const Held& held, std::vector<Detail>& deta
 
 // --- Derived values: errors give the required value and the reason.
 
-Json blocked_json(Blocked blocked) {
+Json blocked_name(Blocked blocked) {
   if (blocked == Blocked::kNo) return "no";
   return blocked == Blocked::kLimit ? "limit" : "block";
 }
@@ -88,8 +90,8 @@ void check_motor(const MotorState& found, const MotorState& derived, const std::
                            (derived.switch_closed ? " it is closed" : " it is open")});
   }
   if (found.blocked != derived.blocked) {
-    details.push_back({pointer + "/blocked", blocked_json(found.blocked),
-                       blocked_json(derived.blocked).dump() + ": " + why_blocked(derived)});
+    details.push_back({pointer + "/blocked", blocked_name(found.blocked),
+                       blocked_name(derived.blocked).dump() + ": " + why_blocked(derived)});
   }
   if (found.phase != derived.phase) {
     details.push_back({pointer + "/phase", found.phase,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "core/grasp.hpp"
 #include "core/kinematics.hpp"
@@ -171,11 +172,11 @@ Json io_json(const InputOutput& io) {
 }
 
 /// The only list of the members of `state`: names and values, in order.
-struct Member {
+struct StateMember {
   const char* name;
   Json (*value)(const StateView&);
 };
-constexpr std::array<Member, 10> kMembers = {{
+constexpr std::array<StateMember, 10> kMembers = {{
     {"clock", [](const StateView& v) { return clock_json(v.snapshot.mode, v.snapshot.rate); }},
     {"joints", joints_json},
     {"tool", tool_json},
@@ -193,7 +194,7 @@ constexpr std::array<Member, 10> kMembers = {{
 const std::vector<std::string>& state_members() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
-    for (const Member& member : kMembers) all.emplace_back(member.name);
+    for (const StateMember& member : kMembers) all.emplace_back(member.name);
     return all;
   }();
   return names;
@@ -204,7 +205,7 @@ Json state_json(const Model& model, const Snapshot& snapshot, const Fields& fiel
   Json members = Json::object();
   for (const std::string& name : fields ? *fields : state_members()) {
     const auto* member = std::find_if(kMembers.begin(), kMembers.end(),
-                                      [&](const Member& each) { return each.name == name; });
+                                      [&](const StateMember& each) { return each.name == name; });
     if (member != kMembers.end() && !members.contains(name)) members[name] = member->value(view);
   }
   return members;
@@ -213,7 +214,7 @@ Json state_json(const Model& model, const Snapshot& snapshot, const Fields& fiel
 MemberTexts StateEncoder::encode(const Model& model, const Snapshot& snapshot) {
   const StateView view{model, snapshot, positions(model, snapshot.state.motors)};
   MemberTexts texts;
-  for (const Member& member : kMembers) {
+  for (const StateMember& member : kMembers) {
     const bool is_list = member.value == blocks_json;
     texts.emplace_back(
         member.name, is_list ? blocks_text(model, snapshot) : monitor::text_of(member.value(view)));

@@ -5,6 +5,7 @@
 
 #include "protocol/files/paper_form/paper_form.hpp"
 #include "protocol/json/text.hpp"
+#include "server/commands/refuse.hpp"
 #include "server/files/atomic_write.hpp"
 #include "server/files/data_files.hpp"
 
@@ -41,11 +42,6 @@ void check_draft(const DataFile& draft, const CheckResult& data) {
   if (again.robot == data.robot && again.workcell == data.workcell) return;
   throw FileError(draft.path + ": reads back differently from the input: a bug in xr3\n" +
                   to_text(again.findings));
-}
-
-ExitCode refuse(const std::string& message) {
-  std::cerr << "xr3: " << message << "\n";
-  return ExitCode::kBadInput;
 }
 
 void print_summary(const ConvertOptions& options, Form form, const CheckResult& data) {

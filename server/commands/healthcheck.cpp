@@ -23,9 +23,9 @@ using Clock = std::chrono::steady_clock;
 using Health = HealthProbe::Health;
 
 /// Maximum time of one attempt.
-constexpr std::chrono::seconds kMaxWait{2};
+constexpr std::chrono::seconds kMaxTry{2};
 /// Polling interval: there is no notification of an opened port or a written file.
-constexpr std::chrono::milliseconds kBeforeNextTry{20};
+constexpr std::chrono::milliseconds kBetweenTries{20};
 
 /// The progress of one attempt.
 struct Visit {
@@ -142,13 +142,13 @@ ExitCode check_health(const HealthOptions& options) {
   const bool is_one_try = options.wait_s == 0;
   const auto wait =
       std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.wait_s));
-  const auto deadline = Clock::now() + (is_one_try ? kMaxWait : wait);
+  const auto deadline = Clock::now() + (is_one_try ? kMaxTry : wait);
   for (;;) {
-    const Outcome outcome = try_once(options, std::min(deadline, Clock::now() + kMaxWait));
+    const Outcome outcome = try_once(options, std::min(deadline, Clock::now() + kMaxTry));
     if (outcome.trouble.empty()) return ExitCode::kGood;
     // (twice, to leave some time for the last attempt)
-    if (is_one_try || Clock::now() + 2 * kBeforeNextTry > deadline) return fail(outcome);
-    std::this_thread::sleep_for(kBeforeNextTry);
+    if (is_one_try || Clock::now() + 2 * kBetweenTries > deadline) return fail(outcome);
+    std::this_thread::sleep_for(kBetweenTries);
   }
 }
 

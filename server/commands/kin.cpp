@@ -5,17 +5,13 @@
 
 #include "protocol/files/paper_form/paper_form.hpp"
 #include "protocol/json/text.hpp"
+#include "server/commands/refuse.hpp"
 #include "server/files/data_files.hpp"
 #include "tools/kin/report.hpp"
 #include "tools/kin/text.hpp"
 
 namespace xr3 {
 namespace {
-
-ExitCode refuse(const std::string& message) {
-  std::cerr << "xr3: " << message << "\n";
-  return ExitCode::kBadInput;
-}
 
 ExitCode answer(const Model& model, const DirectQuestion& question, bool as_json) {
   std::cout << (as_json ? json_text(direct_json(model, question)) : direct_text(model, question));

@@ -78,6 +78,19 @@ int environment_size(const char* name, int otherwise) {
   return is_good && number > 0 && number <= kMax ? number : otherwise;
 }
 
+/// Terminfo numbers F1...F12 with Alt from 49 on.
+watch::Key key_of(int code) {
+  constexpr int kRubout = 0x7F;
+  constexpr int kFunctionKeys = 12;
+  constexpr int kFirstWithAlt = 49;
+  if (code == KEY_BACKSPACE) return {'\b', 0, false};
+  if (code == KEY_ENTER) return {'\n', 0, false};
+  if (code > KEY_F0 && code <= KEY_F(kFunctionKeys)) return {0, code - KEY_F0, false};
+  const int with_alt = code - KEY_F(kFirstWithAlt) + 1;
+  if (with_alt >= 1 && with_alt <= kFunctionKeys) return {0, with_alt, true};
+  return {code <= kRubout ? static_cast<char>(code) : '\0', 0, false};
+}
+
 }  // namespace
 
 struct Terminal::Screen {
@@ -147,11 +160,14 @@ void Terminal::resize() {
   clearok(stdscr, TRUE);
 }
 
-std::optional<char> Terminal::key() {
-  constexpr int kLastLetter = 0x7E;
+std::optional<watch::Key> Terminal::key() {
+  constexpr int kEscape = 0x1B;
   const int code = getch();
   if (code == ERR) return {};
-  return code <= kLastLetter ? static_cast<char>(code) : '\0';
+  const int after = code == kEscape ? getch() : ERR;
+  watch::Key key = key_of(after == ERR ? code : after);
+  key.is_alt = key.is_alt || after != ERR;
+  return key;
 }
 
 }  // namespace xr3

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "tools/text/screen.hpp"
+#include "tools/watch/command_mode.hpp"
 
 namespace xr3 {
 
@@ -38,9 +39,9 @@ class Terminal {
   /// Call after the size of the terminal has changed. The next show() repaints everything.
   void resize();
 
-  /// The next key from the input queue; nullopt if it is empty. Escape is '\x1B'; keys without an
-  /// ASCII character are 0.
-  std::optional<char> key();
+  /// The next key from the input queue; nullopt if it is empty. Alt is recognised in the sequences of xterm
+  /// and of terminals that send an escape first.
+  std::optional<watch::Key> key();
 
  private:
   struct Screen;

@@ -24,7 +24,7 @@ using watch::Action;
 using watch::Link;
 using watch::Page;
 
-constexpr std::chrono::seconds kBeforeNextTry{1};
+constexpr std::chrono::seconds kBeforeReconnect{1};
 constexpr std::chrono::seconds kOnceAtMost{15};
 
 watch::Wish wish_of(const WatchOptions& options, watch::Interest interest) {
@@ -81,7 +81,7 @@ class Watcher {
       link_.phase = Link::Phase::kTrying;
       if (is_stopping_) break;
       show();
-      before_next_try_.expires_after(kBeforeNextTry);
+      before_next_try_.expires_after(kBeforeReconnect);
       co_await before_next_try_.async_wait(kAwait);
     }
   }
@@ -108,27 +108,37 @@ class Watcher {
     }
   }
 
-  void press(char key) {
-    constexpr char kEscape = '\x1B';
-    static const std::map<char, Action> actions{{' ', Action::kPauseOrResume},
-                                                {'.', Action::kStep},
-                                                {'>', Action::kStepSecond},
-                                                {'h', Action::kHome}};
-    if (key == 'q' || key == kEscape) return stop();
-    if (key == '?') page_ = page_ == Page::kHelp ? Page::kCell : Page::kHelp;
-    if (const auto action = actions.find(key); action != actions.end()) act(action->second);
+  void press(const watch::Key& key) {
+    const watch::CommandMode::Outcome outcome = command_mode_.press(key, model_.known().display);
+    if (outcome.call) act(*outcome.call);
+    if (!outcome.is_taken && !key.is_alt) press_letter(key.letter);
     show();
   }
 
-  void act(Action action) {
+  void press_letter(char letter) {
+    constexpr char kEscape = '\x1B';
+    static const std::map<char, Action> actions{
+        {' ', Action::kPauseOrResume}, {'.', Action::kStep}, {'>', Action::kStepSecond}};
+    if (letter == 'q' || letter == kEscape) return stop();
+    if (letter == '?') is_help_open_ = !is_help_open_;
+    if (const auto action = actions.find(letter); action != actions.end()) act(action->second);
+  }
+
+  void act(const auto& wanted) {
     if (link_.phase != Link::Phase::kLive) return;
-    if (const auto request = model_.ask(action)) connection_.send(*request);
+    if (const auto request = model_.ask(wanted)) connection_.send(*request);
+  }
+
+  Page page() const {
+    if (is_help_open_) return Page::kHelp;
+    return command_mode_.is_menu_open() ? Page::kMenu : Page::kCell;
   }
 
   void show() {
     if (is_stopping_) return;
     const TerminalSize size = terminal_size();
-    terminal_.show(watch::watch_screen(model_.known(), link_, page_, size.rows, size.columns));
+    terminal_.show(watch::watch_screen(model_.known(), link_, page(), size.rows, size.columns,
+                                       command_mode_.prompt()));
   }
 
   /// Cancels everything pending, so that the event loop ends.
@@ -150,7 +160,8 @@ class Watcher {
   asio::posix::stream_descriptor keyboard_;
   Terminal terminal_;
   Link link_;
-  Page page_ = Page::kCell;
+  watch::CommandMode command_mode_;
+  bool is_help_open_ = false;
   bool is_stopping_ = false;
 };
 

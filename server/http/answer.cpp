@@ -1,5 +1,6 @@
 #include "server/http/answer.hpp"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "protocol/json/source.hpp"

@@ -1,11 +1,13 @@
 // The monitor's calls: on the cell, on serial lines, and `describe`.
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
 #include "cell/digest.hpp"
 #include "protocol/explain/diagnostic.hpp"
 #include "protocol/explain/event_report.hpp"
+#include "protocol/monitor/call_table.hpp"
 #include "protocol/monitor/saved_cell.hpp"
 #include "protocol/monitor/snapshot.hpp"
 #include "server/monitor_port/service.hpp"
@@ -16,10 +18,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// Answers with more of them are made in the worker. Each takes some 10 us.
-constexpr std::size_t kMaxBlocksAtOnce = 50;
+// Longer answers are made in the worker. A line takes some 10 us, a byte of the replies to `send` some 20 ns.
 constexpr std::size_t kMaxLinesAtOnce = 50;
-// The same for bytes of replies to `send`. Each takes some 20 ns.
 constexpr std::size_t kMaxReplyBytesAtOnce = 4096;
 
 bool moves_time(const monitor::CallRequest& wanted) {
@@ -155,7 +155,7 @@ MonitorService::Answer MonitorService::carry_out_call(MonitorSession& session,
   if (std::holds_alternative<monitor::DisconnectLine>(wanted.call))
     return at_once(disconnect(request));
   Json value = value_now();
-  value.update(std::get<monitor::Describe>(wanted.call).description);
+  value.update(monitor::description(std::get<monitor::Describe>(wanted.call).fn));
   return at_once(monitor::result(request.id, value));
 }
 
@@ -192,7 +192,7 @@ MonitorService::Answer MonitorService::done(const monitor::Request& request,
   Json value = value_now();
   if (done.reached) value["reached"] = *done.reached;
   if (done.ran_ticks) value["ran_ticks"] = *done.ran_ticks;
-  const bool is_large = cell_.state().blocks.size() > kMaxBlocksAtOnce;
+  const bool is_large = cell_.state().blocks.size() > FrameMaker::kMaxBlocksAtOnce;
   if (moves_time(wanted)) {
     return {[id = request.id, fields = wanted.fields, model = cell_.model_ptr(),
              now = cell_.snapshot(), value]() mutable {

@@ -12,8 +12,7 @@ using monitor::Channel;
 using monitor::Frame;
 using monitor::Selection;
 
-// Frames of larger cells are made in the worker. A block takes some 10 us, 1,000 pixels some 2 us.
-constexpr std::size_t kMaxBlocksAtOnce = 50;
+// Larger images are made in the worker. 1,000 pixels take some 2 us.
 constexpr int kMaxPixelsAtOnce = 256 * 256;
 
 bool is_large_image(const Model& model) {

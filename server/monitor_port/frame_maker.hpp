@@ -20,6 +20,9 @@ using SelectedFrame = std::pair<monitor::Selection, std::optional<monitor::Frame
 
 class FrameMaker {
  public:
+  /// The JSON of a cell with more blocks is made in the worker. A block takes some 10 us.
+  static constexpr std::size_t kMaxBlocksAtOnce = 50;
+
   /// The references must outlive it.
   FrameMaker(asio::io_context& io, Cell& cell, Worker& worker)
       : cell_(cell), worker_(worker), frames_(cell.name()), making_(io) {}

@@ -10,7 +10,7 @@
 
 #include "cell/cell.hpp"
 #include "protocol/monitor/message.hpp"
-#include "protocol/monitor/request.hpp"
+#include "protocol/monitor/request_error.hpp"
 #include "server/monitor_port/access.hpp"
 #include "server/monitor_port/frame_maker.hpp"
 #include "server/monitor_port/session.hpp"

@@ -13,7 +13,7 @@ namespace {
 bool is_angle(const Model& model, int index) {
   const Robot& robot = model.robot();
   if (index == model.tool_index()) return robot.tool.kind == ToolKind::kAngular;
-  return robot.joints[static_cast<std::size_t>(index)].variable == JointVariable::kTheta;
+  return robot.joints[static_cast<std::size_t>(index)].is_revolute();
 }
 
 std::string name(const Model& model, int index) {

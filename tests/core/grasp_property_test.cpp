@@ -21,7 +21,7 @@ constexpr int kMotionsPerRun = 1000;
 constexpr Counts kWindow = 35;
 constexpr Counts kFar = 100;
 constexpr double kHairUm = 2;
-constexpr double kHairDeg = 2e-6;
+constexpr double kRoundingDeg = 2e-6;
 constexpr Tick kMaxRestLength = 128'000;
 
 struct Ground {
@@ -248,7 +248,7 @@ class Wanderer {
     const Block& block = after.blocks[before.held->block];
     EXPECT_EQ(block.centroid_um, tool_tip(model(), at));
     const double yaw = net_roll_deg(model(), at) + 90 * before.held->quarter_turns;
-    EXPECT_LT(std::abs(std::remainder(degrees(block.yaw_udeg) - yaw, 360.0)), kHairDeg);
+    EXPECT_LT(std::abs(std::remainder(degrees(block.yaw_udeg) - yaw, 360.0)), kRoundingDeg);
   }
 
   void check_grasped(const State& before) const {
@@ -278,9 +278,10 @@ class Wanderer {
   }
 
   void check_flat(const Block& was, const Block& is) const {
-    EXPECT_LT(off_quarter(degrees(is.yaw_udeg), net_roll_deg(model(), where(state()))), kHairDeg);
+    EXPECT_LT(off_quarter(degrees(is.yaw_udeg), net_roll_deg(model(), where(state()))),
+              kRoundingDeg);
     const double by = std::remainder(degrees(is.yaw_udeg - was.yaw_udeg), 360.0);
-    EXPECT_LE(std::abs(by), 45 + kHairDeg) << "to the nearest";
+    EXPECT_LE(std::abs(by), 45 + kRoundingDeg) << "to the nearest";
   }
 
   void check_turned(const State& before, Counts turned) {

@@ -75,12 +75,12 @@ class Homing {
 
 constexpr LabelledCount kHardHome[] = {{'F', 30}, {'E', -40}, {'D', 40}, {'C', 40}, {'B', -25}};
 
-struct Posture {
+struct StartPosture {
   std::initializer_list<LabelledCount> counts;
 };
 
 // Tool down is C = 0, because coupling keeps the hand's orientation.
-const Posture kPostures[] = {
+const StartPosture kStartPostures[] = {
     {{}},
     {{{'E', 449}, {'D', -625}}},
     {{{'F', 71}, {'E', 543}, {'D', -479}, {'B', 260}}},
@@ -96,7 +96,7 @@ const Posture kPostures[] = {
 };
 
 TEST(Homing, EndsAtTheHardHomeFromEveryPostureWithTheToolDown) {
-  for (const Posture& posture : kPostures) {
+  for (const StartPosture& posture : kStartPostures) {
     Rig rig;
     rig.stand_at(posture.counts);
     const State start = rig.state();

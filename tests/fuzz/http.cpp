@@ -9,6 +9,7 @@
 // if the input has an even size.
 #include <algorithm>
 #include <cctype>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

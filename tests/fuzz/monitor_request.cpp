@@ -3,6 +3,7 @@
 // continues from it, is drawn and is seen by the camera.
 //
 // Input: one message.
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "protocol/monitor/heading.hpp"
 #include "protocol/monitor/message.hpp"
 #include "protocol/monitor/request.hpp"
+#include "protocol/monitor/request_error.hpp"
 #include "protocol/monitor/saved_cell.hpp"
 #include "tests/fuzz/common/fuzz.hpp"
 #include "tests/support/models.hpp"

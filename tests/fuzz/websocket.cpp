@@ -9,6 +9,7 @@
 // kQuick there is one conversation, in pieces: of eight sizes of inputs, one is sent to the server
 // that needs the token. With kFull there are three, also one with all bytes at once.
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>

@@ -2,6 +2,7 @@
 // after them. Replies and states must be those of a cell to which the same happens directly.
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "protocol/json/document.hpp"
 #include "tests/seeds/client.hpp"

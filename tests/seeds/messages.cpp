@@ -1,5 +1,6 @@
 #include "tests/seeds/messages.hpp"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "protocol/json/document.hpp"

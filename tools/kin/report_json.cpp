@@ -1,4 +1,6 @@
 // The reports of `xr3 kin` as JSON; declared in kin_report.hpp.
+#include <nlohmann/json.hpp>
+
 #include "protocol/monitor/snapshot.hpp"
 #include "tools/kin/pose.hpp"
 #include "tools/kin/report.hpp"
@@ -7,9 +9,9 @@
 namespace xr3 {
 namespace {
 
-constexpr int kDecimals = 9;
+constexpr int kJsonDecimals = 9;
 
-Json number(double value) { return rounded(value, kDecimals); }
+Json number(double value) { return rounded(value, kJsonDecimals); }
 
 template <class Vector>
 Json vector_json(const Vector& vector) {

@@ -22,7 +22,7 @@ std::string unit_name(const Model& model, int index) {
   const bool is_tool = index == model.tool_index();
   const bool turns =
       is_tool ? robot.tool.kind == ToolKind::kAngular
-              : robot.joints[static_cast<std::size_t>(index)].variable == JointVariable::kTheta;
+              : robot.joints[static_cast<std::size_t>(index)].is_revolute();
   return turns ? "deg" : "mm";
 }
 

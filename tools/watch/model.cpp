@@ -1,6 +1,7 @@
 #include "tools/watch/model.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "tools/watch/read.hpp"
 
@@ -13,6 +14,10 @@ constexpr const char* kLastId = "last";
 constexpr int kMaxStatesPerS = 20;
 constexpr int kMaxImagesPerS = 10;
 constexpr int kStepTicks = 10;
+
+/// All but the drawing.
+const std::vector<std::string> kDisplayFields{"on",           "view",          "erase",
+                                              "period_ticks", "function_keys", "status"};
 
 /// Kinds of events that the joint table shows anyway; they would crowd out all others.
 const std::vector<std::string> kSeenElsewhere{"move", "reached", "switch", "io"};
@@ -43,6 +48,7 @@ std::vector<std::string> WatchModel::handle(std::string_view line) {
   if (!is_of_our_cell(message)) return {};
   if (op == "state") handle_state(message);
   if (op == "model") handle_model(message);
+  if (op == "display") known_.display = read_display(message);
   if (op == "event") handle_event(message);
   if (op == "image") known_.image = read_image(message);
   return {};
@@ -90,6 +96,9 @@ std::vector<std::string> WatchModel::first_requests(const Json& channels, bool i
   if (is_locked && !wish_.token.empty()) return requests;  // another `hello` follows
   add(op, "model", Json{{"fields", {"robot"}}});
   add(op, "state", state_options);
+  Json display_options{{"fields", kDisplayFields}};
+  if (!is_once) display_options["max_hz"] = kMaxStatesPerS;
+  add(op, "display", display_options);
   add(op, "image", image_options);
   // Subscribe first, then get earlier events: an event that arrives both ways has the same seq.
   if (!is_once) add("sub", "event", Json::object());
@@ -148,24 +157,34 @@ void WatchModel::handle_result(const Json& message) {
   known_.last_message = value_of<std::string>(error, "message", "the server refused a request");
 }
 
+bool WatchModel::may_call() {
+  known_.last_message = known_.has_control ? "" : "control keys need a token: see --token-file";
+  return known_.has_control;
+}
+
+std::string WatchModel::call(const char* fn, Json args) const {
+  return request({{"op", "call"}, {"id", kKeyId}, {"fn", fn}, {"args", std::move(args)}});
+}
+
+std::optional<std::string> WatchModel::ask(const FunctionCall& function) {
+  if (!may_call()) return {};
+  Json args{{"function", function.function}};
+  if (function.value.size() == 1) args["value"] = function.value[0];
+  if (function.value.size() > 1) args["value"] = function.value;
+  return call("key", std::move(args));
+}
+
 std::optional<std::string> WatchModel::ask(Action action) {
-  if (!known_.has_control) {
-    known_.last_message = "control keys need a token: see --token-file";
-    return {};
-  }
-  known_.last_message.clear();
-  const auto call = [this](const char* fn, const Json& args = Json::object()) {
-    return request({{"op", "call"}, {"id", kKeyId}, {"fn", fn}, {"args", args}});
-  };
+  if (!may_call()) return {};
   // No fields: the state arrives by its channel.
   const auto step = [&](std::int64_t ticks) {
     return call("step", {{"ticks", ticks}, {"fields", Json::array()}});
   };
   switch (action) {
-    case Action::kPauseOrResume: return call(known_.mode == ClockMode::kReal ? "pause" : "resume");
+    case Action::kPauseOrResume:
+      return call(known_.mode == ClockMode::kReal ? "pause" : "resume", Json::object());
     case Action::kStep: return step(kStepTicks);
     case Action::kStepSecond: return step(known_.tick_hz);
-    case Action::kHome: return call("home");
   }
   return {};
 }

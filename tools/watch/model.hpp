@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "protocol/json/source.hpp"
+#include "tools/watch/command_mode.hpp"
 #include "tools/watch/watched_cell.hpp"
 
 namespace xr3::watch {
@@ -27,7 +28,7 @@ struct Wish {
 };
 
 /// An action triggered by a key.
-enum class Action : std::uint8_t { kPauseOrResume, kStep, kStepSecond, kHome };
+enum class Action : std::uint8_t { kPauseOrResume, kStep, kStepSecond };
 
 class WatchModel {
  public:
@@ -47,6 +48,8 @@ class WatchModel {
   /// The request for this action, with its line feed. Without permission for calls: nullopt, and a
   /// message in `known().last_message`.
   std::optional<std::string> ask(Action action);
+  /// The same for a function of command mode.
+  std::optional<std::string> ask(const FunctionCall& call);
 
   const Known& known() const { return known_; }
   /// For Interest::kOnce: all data has been received.
@@ -61,6 +64,8 @@ class WatchModel {
   void handle_model(const Json& message);
   void handle_event(const Json& message);
   void handle_result(const Json& message);
+  bool may_call();
+  std::string call(const char* fn, Json args) const;
   std::string request(Json members) const;
   bool is_of_our_cell(const Json& message) const;
 

@@ -1,6 +1,7 @@
 #include "tools/watch/read.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace xr3::watch {
 
@@ -87,6 +88,22 @@ State read_state(const Json& message) {
   read(message, "stalled", state.stalled);
   read(message, "enabled", state.is_enabled);
   return state;
+}
+
+Display read_display(const Json& message) {
+  Display display;
+  read(message, "on", display.is_on);
+  const Json& view = member(message, "view");
+  for (std::size_t i = 0; view.is_array() && i < std::min(view.size(), display.view.size()); ++i) {
+    if (view[i].is_number_integer()) display.view[i] = view[i].get<std::int64_t>();
+  }
+  read(message, "erase", display.is_erasing);
+  read(message, "period_ticks", display.period_ticks);
+  read(message, "function_keys", display.has_function_keys);
+  const Json& status = member(message, "status");
+  read(status, "option", display.status_option);
+  read(status, "text", display.status_text);
+  return display;
 }
 
 void read_clock(const Json& clock, Known& known) {

@@ -24,6 +24,8 @@ inline constexpr std::size_t kMaxPixels = 4096;
 
 /// Reads a `state` message.
 State read_state(const Json& message);
+/// Reads a `display` message.
+Display read_display(const Json& message);
 /// Reads the member `clock` of `state` and `hello`.
 void read_clock(const Json& clock, Known& known);
 /// Reads label and limits of a joint or the tool, in the form of a robot file.

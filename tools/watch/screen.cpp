@@ -4,6 +4,7 @@
 #include <array>
 
 #include "protocol/text/table.hpp"
+#include "tools/watch/command_mode.hpp"
 #include "tools/watch/panels.hpp"
 
 namespace xr3::watch {
@@ -25,6 +26,8 @@ constexpr std::array kHelp{
     ".                step ten ticks, while paused",
     ">                step one second, while paused",
     "h                home, like A$ on a line: also clears a stall",
+    "m  Alt -         the menu of the controller's functions: display, view, status",
+    "                 line, simulator; each has a letter and most have Alt F1 to F6",
     "?                show or leave this page",
     "",
     "A bar shows the position of a joint between its limits.",
@@ -62,7 +65,7 @@ void paint_title(TextScreen& screen, const Known& known, const Link& link) {
 
 std::string keys_text(const Known& known) {
   const bool is_standing = known.mode == ClockMode::kManual;
-  std::string keys = "q quit   ? help";
+  std::string keys = "q quit   ? help   m menu";
   if (known.has_control) {
     keys += is_standing ? "   space resume   . step   h home" : "   space pause   h home";
   } else if (!known.cell.empty()) {
@@ -71,8 +74,9 @@ std::string keys_text(const Known& known) {
   return keys;
 }
 
-/// The keys, or instead of them the server's last message.
-void paint_footer(TextScreen& screen, const Known& known, Page page) {
+/// The prompt; without one the keys, or instead of them the server's last message.
+void paint_footer(TextScreen& screen, const Known& known, Page page, const std::string& prompt) {
+  if (!prompt.empty()) return paint_ends(screen, screen.rows() - 1, prompt, "", TextStyle::kTitle);
   const std::string keys = page == Page::kPrint ? "" : keys_text(known);
   const bool has_message = !known.last_message.empty();
   paint_ends(screen, screen.rows() - 1, has_message ? known.last_message : keys,
@@ -213,6 +217,11 @@ void paint_state(TextScreen& screen, const Known& known, const State& state, con
     screen.put(area.row++, area.column, banner, TextStyle::kBad, area.columns);
     --area.rows;
   }
+  if (known.display && !known.display->status_text.empty() && area.rows > 0) {
+    --area.rows;
+    screen.put(area.row + area.rows, area.column, known.display->status_text, TextStyle::kStrong,
+               area.columns);
+  }
   const bool has_room = area.columns >= kWideColumns && area.rows >= kWideRows;
   if (known.image && has_room) {
     paint_wide(screen, area, known, state, *known.image);
@@ -223,17 +232,20 @@ void paint_state(TextScreen& screen, const Known& known, const State& state, con
 
 }  // namespace
 
-TextScreen watch_screen(const Known& known, const Link& link, Page page, int rows, int columns) {
+TextScreen watch_screen(const Known& known, const Link& link, Page page, int rows, int columns,
+                        const std::string& prompt) {
   TextScreen screen(rows, columns);
   if (page == Page::kHelp) {
     paint_lines(screen, {kHelp.begin(), kHelp.end()});
+  } else if (page == Page::kMenu) {
+    paint_lines(screen, menu_lines(known.display, !known.state || known.state->is_enabled));
   } else if (known.state) {
     paint_state(screen, known, *known.state, link);
   } else {
     paint_waiting(screen, link);
   }
   paint_title(screen, known, link);
-  paint_footer(screen, known, page);
+  paint_footer(screen, known, page, prompt);
   return screen;
 }
 

@@ -57,6 +57,17 @@ struct State {
   bool is_enabled = true;
 };
 
+/// The channel `display`: the settings of command mode, and the status line.
+struct Display {
+  bool is_on = false;
+  std::array<std::int64_t, 3> view{};  ///< the view vector
+  bool is_erasing = true;
+  std::int64_t period_ticks = 0;
+  bool has_function_keys = true;
+  std::int64_t status_option = 0;
+  std::string status_text;  ///< empty: blank
+};
+
 /// The channel `image`, row by row.
 struct Image {
   std::size_t width = 0;
@@ -96,6 +107,7 @@ struct Known {
   double rate = 1;
   std::map<std::string, Limits> limits;  ///< by label; empty before the model arrives
   std::optional<State> state;
+  std::optional<Display> display;
   std::optional<Image> image;          ///< none: no camera, or no image received yet
   std::map<std::int64_t, Note> notes;  ///< the latest ones, by seq
   /// The server's last message for the user: an error or the text of `bye`.

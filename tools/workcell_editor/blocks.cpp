@@ -12,7 +12,7 @@ namespace {
 using dialogue::kAnyPlace;
 using dialogue::kAnySize;
 
-constexpr std::size_t kMaxNameLength = 40;
+constexpr std::size_t kMaxBlockName = 40;
 constexpr int kLastColor = 15;
 
 constexpr const char* kColorHelp =
@@ -30,7 +30,7 @@ std::deque<WorkcellDialogue::Step> WorkcellDialogue::name_of_block_steps() {
     return "";
   };
   return {[this, is_taken] {
-    return dialogue::text_question("Block's name", 1, kMaxNameLength, block_.name,
+    return dialogue::text_question("Block's name", 1, kMaxBlockName, block_.name,
                                    "Its name in messages; must be unique.", is_taken);
   }};
 }

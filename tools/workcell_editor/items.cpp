@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "protocol/files/paper_form/lines.hpp"
 #include "protocol/json/source.hpp"

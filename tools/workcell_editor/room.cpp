@@ -12,7 +12,7 @@ using dialogue::kAnyPlace;
 using dialogue::kAnySize;
 using dialogue::Lengths;
 
-constexpr std::size_t kMaxNameLength = 80;
+constexpr std::size_t kMaxWorkcellName = 80;
 constexpr std::size_t kMaxNotesHeight = 4000;
 constexpr int kMaxPixels = 2048;
 
@@ -72,7 +72,7 @@ WorkcellDialogue::Step WorkcellDialogue::length_step(const std::string& prompt, 
 
 std::deque<WorkcellDialogue::Step> WorkcellDialogue::name_steps() {
   return {[this] {
-            return dialogue::text_question("Name", 1, kMaxNameLength, draft_.name,
+            return dialogue::text_question("Name", 1, kMaxWorkcellName, draft_.name,
                                            "The name of this workcell.", {});
           },
           [this] {

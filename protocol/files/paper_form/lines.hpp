@@ -3,6 +3,7 @@
 // JSON file that the paper's form lacks. Independent of robots and workcells.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

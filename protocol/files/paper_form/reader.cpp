@@ -1,6 +1,7 @@
 #include "protocol/files/paper_form/reader.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "protocol/json/codec.hpp"

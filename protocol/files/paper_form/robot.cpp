@@ -1,6 +1,7 @@
 // Reads and writes robot files in plain form (paper, Section III-A and Table II); declared in
 // paper_form.hpp.
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
@@ -18,7 +19,7 @@ constexpr std::size_t kMaxPoints = 4096;
 constexpr std::size_t kMaxPairs = 16;
 constexpr double kUsualFingerInches = 2;
 
-const Extras kFileExtras = {{"name", "/name"},
+const Extras kRobotExtras = {{"name", "/name"},
                             {"notes", "/notes"},
                             {"length_unit", "/length_unit"},
                             {"net_roll_offset_deg", "/net_roll_offset_deg"}};
@@ -239,7 +240,7 @@ void write_general(Writer& writer, const Json& robot) {
 
 RobotReading read_paper_robot(std::string_view text, const std::string& file) {
   Reader reader(text, file);
-  reader.open("", kFileExtras);
+  reader.open("", kRobotExtras);
   read_joints(reader);
   read_tool(reader);
   const std::size_t links = reader.count(kLinksTitle, "/links", kMaxMotors);
@@ -257,7 +258,7 @@ std::string robot_to_paper_form(const Robot& robot) {
   const Json json = robot_to_json(robot);
   Writer writer;
   writer.comment("robot data file; docs/paper-form.md describes the form");
-  writer.extras(kFileExtras, json);
+  writer.extras(kRobotExtras, json);
   write_joints(writer, json["joints"]);
   write_tool(writer, json["tool"]);
   writer.number(kLinksTitle, json["links"].size());

@@ -1,5 +1,6 @@
 // Reads and writes workcell files in plain form (paper, Section III-B); declared in paper_form.hpp.
 #include <array>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "protocol/files/paper_form/paper_form.hpp"
@@ -13,7 +14,7 @@ using namespace paper;  // NOLINT: keeps the tables below readable
 constexpr int kFirstBrightColor = 9;
 constexpr int kBrightColors = 6;
 
-const Extras kFileExtras = {{"name", "/name"},
+const Extras kWorkcellExtras = {{"name", "/name"},
                             {"notes", "/notes"},
                             {"length_unit", "/length_unit"},
                             {"work_surface", "/work_surface"},
@@ -72,7 +73,7 @@ void write_blocks(Writer& writer, const Json& blocks) {
 WorkcellReading read_paper_workcell(std::string_view text, const std::string& file,
                                     const Robot* robot) {
   Reader reader(text, file);
-  reader.open("", kFileExtras);
+  reader.open("", kWorkcellExtras);
   reader.row(kWorkspaceRow, "/workspace");
   read_blocks(reader);
   read_camera(reader);
@@ -89,7 +90,7 @@ std::string workcell_to_paper_form(const Workcell& workcell) {
   const Json json = workcell_to_json(workcell);
   Writer writer;
   writer.comment("workcell data file; docs/paper-form.md describes the form");
-  writer.extras(kFileExtras, json);
+  writer.extras(kWorkcellExtras, json);
   writer.row(kWorkspaceRow, json["workspace"]);
   write_blocks(writer, json["blocks"]);
   if (json.contains("camera")) {

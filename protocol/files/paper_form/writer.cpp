@@ -1,5 +1,7 @@
 #include "protocol/files/paper_form/writer.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace xr3::paper {
 namespace {
 

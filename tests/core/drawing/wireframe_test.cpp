@@ -90,7 +90,7 @@ TEST(Wireframe, AngularJawsTurnAboutTheirPivots) {
   robot.links.clear();
   robot.tool.kind = ToolKind::kAngular;
   robot.tool.finger_length_mm = 8;
-  const Eigen::Vector3d pivot(0, 0, -8);
+  const PointMm pivot{0, 0, -8};
   const std::vector<OutlinePoint> finger{{false, pivot}, {true, {0, 0, 0}}};
   robot.tool.parts = {{1, 11, pivot, finger}, {-1, 12, pivot, finger}};
   const ModelPtr model = test::model_of(robot);

@@ -1,6 +1,7 @@
 #include "tests/fuzz/common/websocket_frames.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "protocol/json/source.hpp"

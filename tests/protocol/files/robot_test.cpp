@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -81,7 +82,7 @@ TEST(RobotJson, ReadsPrismaticJointsAndAngularJaws) {
   const Robot intelledex = shipped("intelledex-660");
   EXPECT_EQ(intelledex.tool.kind, ToolKind::kAngular);
   EXPECT_EQ(intelledex.tool.finger_length_mm, 60);
-  EXPECT_EQ(intelledex.tool.parts.front().pivot_mm, Eigen::Vector3d(0, 0, -60));
+  EXPECT_EQ(intelledex.tool.parts.front().pivot_mm, (PointMm{0, 0, -60}));
   EXPECT_EQ(intelledex.net_roll_offset_deg, -90);
 }
 
@@ -103,7 +104,7 @@ TEST(RobotJson, FingersTouchWhenTheJawsAreClosed) {
     const double opens = tool.kind == ToolKind::kParallel ? 1 : -1;
     for (const ToolPart& part : tool.parts) {
       for (const OutlinePoint& point : part.points) {
-        EXPECT_GE(point.p_mm.y() * part.side * opens, 0) << name;
+        EXPECT_GE(point.p_mm.y * part.side * opens, 0) << name;
       }
     }
   }
@@ -150,7 +151,7 @@ TEST(RobotJson, ConvertsInchesOnce) {
   EXPECT_DOUBLE_EQ(inches.joints[2].drive.home, 100 * 25.4);
   EXPECT_DOUBLE_EQ(inches.tool.drive.max, 80 * 25.4);
   EXPECT_DOUBLE_EQ(inches.protected_region.radius_mm, 300 * 25.4);
-  EXPECT_DOUBLE_EQ(inches.links[0].points[1].p_mm.x(), adept.links[0].points[1].p_mm.x() * 25.4);
+  EXPECT_DOUBLE_EQ(inches.links[0].points[1].p_mm.x, adept.links[0].points[1].p_mm.x * 25.4);
 }
 
 TEST(RobotJson, HardHomeCountsCoupling) {

@@ -23,18 +23,18 @@ std::vector<Parsed> parse(std::string_view bytes, Profile profile = Profile::kPa
   return parsed;
 }
 
-struct Row {
+struct ParsedRow {
   std::string_view bytes;
   std::string_view meaning;  ///< items with a blank between them
 };
 
-void expect_rows(std::initializer_list<Row> rows, Profile profile = Profile::kPaper) {
-  for (const Row& row : rows) {
+void expect_rows(std::initializer_list<ParsedRow> rows, Profile profile = Profile::kPaper) {
+  for (const ParsedRow& row : rows) {
     EXPECT_EQ(words(parse(row.bytes, profile)), row.meaning) << "of " << readable(row.bytes);
   }
 }
 
-void expect_rows_in_both_profiles(std::initializer_list<Row> rows) {
+void expect_rows_in_both_profiles(std::initializer_list<ParsedRow> rows) {
   expect_rows(rows, Profile::kPaper);
   expect_rows(rows, Profile::kMark3);
 }

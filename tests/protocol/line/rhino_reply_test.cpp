@@ -16,14 +16,14 @@ std::string encoded(const Reply& reply, Profile profile) {
   return bytes;
 }
 
-struct ReplyRow {
+struct BytesOfReply {
   Reply reply;
   std::string_view paper;
   std::string_view mark3;
 };
 
 TEST(RhinoReply, HasTheseBytesInBothProfiles) {
-  const ReplyRow rows[] = {
+  const BytesOfReply rows[] = {
       {NoReply{}, "", ""},
       {ErrorMagnitude{0}, " ", " "},
       {ErrorMagnitude{1}, "!", "!"},
@@ -42,7 +42,7 @@ TEST(RhinoReply, HasTheseBytesInBothProfiles) {
       {PixelValue{false}, " ", " "},
       {PixelValue{true}, "!", "!"},
   };
-  for (const ReplyRow& row : rows) {
+  for (const BytesOfReply& row : rows) {
     EXPECT_EQ(encoded(row.reply, Profile::kPaper), row.paper) << test::words(row.reply);
     EXPECT_EQ(encoded(row.reply, Profile::kMark3), row.mark3) << test::words(row.reply);
   }

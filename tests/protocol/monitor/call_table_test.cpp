@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "protocol/files/workcell.hpp"
+#include "protocol/monitor/request_error.hpp"
 #include "protocol/monitor/saved_cell.hpp"
 #include "tests/protocol/monitor/requests.hpp"
 #include "tests/support/models.hpp"
@@ -342,7 +344,7 @@ TEST(MonitorCalls, ParsesAnInlineSnapshot) {
 }
 
 TEST(MonitorCalls, DescribesEveryCall) {
-  const Json all = other_of<Describe>("describe", "{}").description["calls"];
+  const Json all = description(other_of<Describe>("describe", "{}").fn)["calls"];
   ASSERT_EQ(all.size(), calls().size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     EXPECT_EQ(all[i]["fn"], calls()[i]);
@@ -352,7 +354,7 @@ TEST(MonitorCalls, DescribesEveryCall) {
 }
 
 TEST(MonitorCalls, DescribesOneCall) {
-  const Json step = other_of<Describe>("describe", R"({"fn":"step"})").description["calls"];
+  const Json step = description(other_of<Describe>("describe", R"({"fn":"step"})").fn)["calls"];
   ASSERT_EQ(step.size(), 1U);
   EXPECT_EQ(step[0]["fn"], "step");
   const Json& args = step[0]["args"];

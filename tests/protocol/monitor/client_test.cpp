@@ -8,6 +8,7 @@
 
 #include "protocol/monitor/line_splitter.hpp"
 #include "protocol/monitor/protocol_detector.hpp"
+#include "protocol/monitor/request_error.hpp"
 
 namespace xr3::monitor {
 namespace {

@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "protocol/monitor/request_error.hpp"
+
 namespace xr3::monitor {
 namespace {
 

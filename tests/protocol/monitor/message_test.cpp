@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "core/home.hpp"
+#include "protocol/monitor/request_error.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3::monitor {

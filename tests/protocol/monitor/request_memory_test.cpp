@@ -10,6 +10,7 @@
 
 #include "protocol/files/check_report.hpp"
 #include "protocol/monitor/message.hpp"
+#include "protocol/monitor/request_error.hpp"
 #include "tests/protocol/monitor/requests.hpp"
 #include "tests/support/allocations.hpp"
 

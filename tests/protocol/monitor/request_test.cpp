@@ -6,6 +6,7 @@
 #include <string>
 
 #include "protocol/monitor/fields.hpp"
+#include "protocol/monitor/request_error.hpp"
 #include "tests/protocol/monitor/requests.hpp"
 
 namespace xr3::monitor {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "protocol/monitor/request.hpp"
+#include "protocol/monitor/request_error.hpp"
 
 namespace xr3::monitor {
 

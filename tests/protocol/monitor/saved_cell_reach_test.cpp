@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <string>
 #include <utility>
@@ -14,6 +15,7 @@
 
 #include "core/kinematics.hpp"
 #include "core/stall.hpp"
+#include "protocol/monitor/request_error.hpp"
 #include "protocol/monitor/saved_cell.hpp"
 #include "tests/support/rig.hpp"
 

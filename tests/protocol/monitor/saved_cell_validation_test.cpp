@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "core/home.hpp"
 #include "core/kinematics.hpp"
 #include "core/simulation.hpp"
+#include "protocol/monitor/request_error.hpp"
 #include "protocol/monitor/saved_cell.hpp"
 #include "tests/support/rig.hpp"
 
@@ -27,7 +29,7 @@ SavedCell saved_of(const Model& model, State state) {
   return {"sha256:1", model.workcell(), std::move(state)};
 }
 
-SavedCell at_home() { return saved_of(*test::rhino(), initial_state(*test::rhino())); }
+SavedCell validated_home() { return saved_of(*test::rhino(), initial_state(*test::rhino())); }
 
 std::vector<monitor::Detail> details_of(const SavedCell& saved) {
   return monitor::validate(*test::rhino(), saved);
@@ -79,20 +81,20 @@ TEST(SavedCellValidation, ChecksLimitsOfCoupledJoints) {
 }
 
 TEST(SavedCellValidation, ReportsHugeCounts) {
-  SavedCell saved = at_home();
+  SavedCell saved = validated_home();
   for (int i = 0; i < 6; ++i) saved.state.motor(i).count = 1 << 30;
   EXPECT_GE(invalid_pointers(saved).size(), 3U);
 }
 
 TEST(SavedCellValidation, RejectsMotorsThatTheRobotDoesNotHave) {
-  SavedCell saved = at_home();
+  SavedCell saved = validated_home();
   saved.state.motor(6).speed = 2;
   saved.state.motor(7).count = 1;
   EXPECT_EQ(invalid_pointers(saved), (Strings{"/state/motors/6", "/state/motors/7"}));
 }
 
 TEST(SavedCellValidation, UsesTheSurfaceOfTheSnapshot) {
-  SavedCell saved = at_home();
+  SavedCell saved = validated_home();
   saved.workcell.work_surface_um = saved.workcell.workspace.z_um - 1;
   EXPECT_EQ(invalid_pointers(saved), Strings{"/state/below_surface"});
   saved.state.below_surface = true;
@@ -133,7 +135,7 @@ TEST(SavedCellValidation, AcceptsAStallAtTheRegion) {
 }
 
 TEST(SavedCellValidation, AStallAtTheSurfaceNeedsATickThatLowersTheTip) {
-  SavedCell saved = at_home();
+  SavedCell saved = validated_home();
   saved.state.stall = Stall::kWorkSurface;
   EXPECT_EQ(invalid_pointers(saved), Strings{});
   const ModelPtr level = test::model_of(test::odd_arm(1));  // turns about the vertical only
@@ -224,14 +226,14 @@ SavedCell edited(const SavedCell& saved, const std::string& pointer, const Json&
 }
 
 TEST(SavedCellValidation, AcceptsReachableStates) {
-  const SavedCell moving = edited(at_home(), "/state/motors/2/error", 5);
+  const SavedCell moving = edited(validated_home(), "/state/motors/2/error", 5);
   for (const SavedCell& saved :
-       {at_home(), edited(moving, "/state/motors/2/phase", 999), at_limit(), holding()})
+       {validated_home(), edited(moving, "/state/motors/2/phase", 999), at_limit(), holding()})
     EXPECT_EQ(invalid_pointers(saved), Strings{});
 }
 
 TEST(SavedCellValidation, RejectsValuesThatDoNotFollowFromOthers) {
-  const SavedCell home = at_home();
+  const SavedCell home = validated_home();
   const SavedCell moving = edited(home, "/state/motors/1/error", -3);
   const SavedCell limit = at_limit();
   const SavedCell closed = saved_of(*test::rhino(), state_at(*test::rhino(), {{'F', 700}}));
@@ -276,7 +278,7 @@ TEST(SavedCellValidation, RejectsValuesThatDoNotFollowFromOthers) {
 // --- The tip's path.
 
 TEST(SavedCellValidation, ThePathMatchesTheEraseSetting) {
-  SavedCell saved = at_home();
+  SavedCell saved = validated_home();
   saved.state.tip_path.add({1, 2, 3});
   expect_refused(saved, "/state/tip_path/points", "a list of 1",
                  "an empty list while display/erase is true");
@@ -290,7 +292,7 @@ TEST(SavedCellValidation, ThePathMatchesTheEraseSetting) {
 // --- The camera.
 
 TEST(SavedCellValidation, BoundsTheRowsOfTheCamera) {
-  SavedCell saved = at_home();
+  SavedCell saved = validated_home();
   saved.workcell.camera = test::workcell_named("rhino-xr3").camera;
   saved.workcell.camera->pixels_x = saved.workcell.camera->pixels_y = 2048;
   const PointUm eye = saved.workcell.camera->location_um;

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>

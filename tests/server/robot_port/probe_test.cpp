@@ -20,7 +20,7 @@ namespace {
 using namespace std::chrono_literals;
 using test::Client;
 
-constexpr std::size_t kMaxLines = 2;
+constexpr std::size_t kProbeLines = 2;
 
 class RobotProbeTest : public testing::Test {
  protected:
@@ -77,7 +77,7 @@ class RobotProbeTest : public testing::Test {
   int acted_ = 0;
   Cell cell_{"main", test::rhino(), SimClock::manual(),
              [this](const CellEvent& event, const Model&) { told_.push_back(event); }};
-  RobotPort port_{io_, cell_, {kMaxLines}, [this] { ++acted_; }};
+  RobotPort port_{io_, cell_, {kProbeLines}, [this] { ++acted_; }};
 };
 
 TEST_F(RobotProbeTest, AnAnsweredLineIsHealthy) { EXPECT_EQ(trouble(), ""); }
@@ -142,7 +142,7 @@ TEST_F(RobotProbeTest, ReportsAClosedPort) {
 TEST_F(RobotProbeTest, APortThatDoesNotAnswerTimesOut) {
   asio::io_context stuck{1};  // never runs: connections wait in the kernel
   Cell cell("main", test::rhino(), SimClock::manual(), {});
-  RobotPort port(stuck, cell, {kMaxLines}, [] {});
+  RobotPort port(stuck, cell, {kProbeLines}, [] {});
   EXPECT_FALSE(port.listen({asio::ip::make_address("127.0.0.1"), 0}));
   RobotProbe probe(io_, port);
   const auto started = std::chrono::steady_clock::now();

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "tests/support/watched.hpp"
 #include "tools/watch/read.hpp"
 
@@ -156,7 +158,9 @@ TEST(WatchModel, RejectsInconsistentImages) {
 TEST(WatchModel, KeysBecomeCalls) {
   WatchModel model = test::watched_model();
   EXPECT_THAT(*model.ask(Action::kPauseOrResume), HasSubstr("\"pause\""));
-  EXPECT_THAT(*model.ask(Action::kHome), HasSubstr("\"home\""));
+  EXPECT_THAT(*model.ask(FunctionCall{"home", {}}), HasSubstr(R"("args":{"function":"home"})"));
+  EXPECT_THAT(*model.ask(FunctionCall{"status", {2}}), HasSubstr(R"("value":2})"));
+  EXPECT_THAT(*model.ask(FunctionCall{"view", {1, -2, 3}}), HasSubstr(R"("value":[1,-2,3]})"));
   EXPECT_THAT(*model.ask(Action::kStep), HasSubstr("\"ticks\":10"));
   EXPECT_THAT(*model.ask(Action::kStepSecond), HasSubstr("\"ticks\":1000"));
   model.handle(test::watched_state("\"real\"", "\"manual\""));
@@ -174,7 +178,7 @@ TEST(WatchModel, AStepUpdatesTheTickWithoutAStateMessage) {
 TEST(WatchModel, KeysWithoutTheTokenNameTheOption) {
   WatchModel model({});
   model.handle(test::watched_hello("read"));
-  EXPECT_FALSE(model.ask(Action::kHome));
+  EXPECT_FALSE(model.ask(FunctionCall{"home", {}}));
   EXPECT_THAT(model.known().last_message, HasSubstr("--token-file"));
 }
 

@@ -6,6 +6,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -232,7 +233,7 @@ TEST(PaperForm, AngularJawsGetTheirHingeFromTheirParts) {
   const CheckResult result = check(text);
   ASSERT_TRUE(result.robot) << to_text(result.findings);
   EXPECT_EQ(result.robot->tool.finger_length_mm, 62);
-  EXPECT_EQ(result.robot->tool.parts[0].pivot_mm, Eigen::Vector3d(0, 0, -62));
+  EXPECT_EQ(result.robot->tool.parts[0].pivot_mm, (PointMm{0, 0, -62}));
   EXPECT_EQ(result.robot->tool.drive.home, 55);
 }
 

@@ -1,0 +1,10 @@
+# The toolchain file of the preset release: g++ where it is version 12 or newer, otherwise clang.
+find_program(XR3_GCC g++)
+if(XR3_GCC)
+  execute_process(COMMAND "${XR3_GCC}" -dumpversion OUTPUT_VARIABLE version OUTPUT_STRIP_TRAILING_WHITESPACE)
+endif()
+if(version VERSION_GREATER_EQUAL 12)
+  set(CMAKE_CXX_COMPILER "${XR3_GCC}")
+else()
+  include("${CMAKE_CURRENT_LIST_DIR}/clang.cmake")
+endif()

@@ -1,0 +1,28 @@
+// Why a request is refused: what a `result` with an error tells the client.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "protocol/monitor/request.hpp"
+
+namespace xr3::monitor {
+
+/// An invalid value at a JSON pointer in the message; `found` is null if it is missing.
+struct Detail {
+  std::string pointer;
+  Json found;
+  std::string allowed;
+};
+
+/// `code` is stable.
+struct RequestError {
+  RequestId id;
+  std::string code;
+  std::string message;
+  std::string hint;
+  std::vector<Detail> details;
+};
+
+}  // namespace xr3::monitor
