@@ -5,6 +5,7 @@
 #include "cell/cell.hpp"
 #include "cell/digest.hpp"
 #include "core/camera.hpp"
+#include "core/placement.hpp"
 #include "protocol/monitor/saved_cell.hpp"
 
 namespace xr3 {
@@ -152,6 +153,14 @@ void Cell::changed_model(std::string_view call, const std::string& name) {
   emit(std::nullopt, ModelNote{call, name, ++model_rev_});
 }
 
+// The call added or moved this block.
+void Cell::placed_block(std::string_view call, std::size_t block) {
+  changed_model(call, state().blocks[block].name);
+  Events warnings;
+  warn_of_overlap(model(), state(), block, warnings);
+  emit_machine_events(std::nullopt, std::move(warnings));
+}
+
 ModelPtr Cell::model_with(const Workcell& workcell) const {
   return std::make_shared<const Model>(model().robot(), workcell, model().profile());
 }
@@ -170,7 +179,7 @@ call::Outcome Cell::carry_out(const call::AddBlock& add, WallNs) {
   if (auto refused = refuse_rows(model(), state(), camera_rows(model().workcell(), {add.block})))
     return *std::move(refused);
   simulation_.edit().blocks.push_back(add.block);
-  changed_model("block_add", name);
+  placed_block("block_add", state().blocks.size() - 1);
   return call::Done{};
 }
 
@@ -186,7 +195,7 @@ call::Outcome Cell::carry_out(const call::MoveBlock& move, WallNs) {
       camera_rows(workcell, {moved}) - camera_rows(workcell, {state().blocks[*index]});
   if (auto refused = refuse_rows(model(), state(), more_rows)) return *std::move(refused);
   simulation_.edit().blocks[*index] = std::move(moved);
-  changed_model("block_move", move.name);
+  placed_block("block_move", *index);
   return call::Done{};
 }
 

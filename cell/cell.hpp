@@ -116,6 +116,7 @@ class Cell {
   void begin_epoch(std::string_view call, WallNs now, const std::function<void()>& change);
   void after_manual_advance(Tick start, WallNs now);
   void changed_model(std::string_view call, const std::string& name);
+  void placed_block(std::string_view call, std::size_t block);
   ModelPtr model_with(const Workcell& workcell) const;
 
   Applied take_unseen(SerialLine& line, std::string_view bytes);

@@ -26,7 +26,10 @@ enum class WarningCode : std::uint8_t {
   kNoSuchJoint,
   kBadCameraArgument,
   kJawsTooNarrow,
+  kJawsTouch,  ///< closing jaws stopped at the width of `block`: nothing is held
   kBelowSurface,
+  kReleasedInAir,  ///< `block` was released `value` um above block `other`, or the work surface
+  kBlocksOverlap,  ///< `block` overlaps `value` blocks; the first one is `other`
 };
 
 /// A move was added to a joint's error counter.
@@ -105,6 +108,7 @@ struct Warning {
   int value = 0;
   int limit = 0;
   std::string block;
+  std::string other = {};
   bool operator==(const Warning&) const = default;
 };
 

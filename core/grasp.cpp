@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <optional>
 
+#include "core/placement.hpp"
+
 namespace xr3 {
 namespace {
 
@@ -143,10 +145,20 @@ bool can_hold(const Model& model, const Block& block, const Held& held) {
 
 void release(const Model& model, State& state, const Positions& positions, Events& events) {
   if (!state.held) return;
-  Block& block = state.blocks[state.held->block];
+  const std::uint32_t index = state.held->block;
+  Block& block = state.blocks[index];
   block = as_released(model, state, *state.held, positions);
   state.held.reset();
   events.push_back({state.tick, Released{block.name, block.centroid_um, block.yaw_udeg}});
+  warn_of_placement(model, state, index, events);
+}
+
+void warn_of_touch(const Model& model, const State& state, const Positions& positions,
+                   Events& events) {
+  const JawContact next = next_closing(model, state, positions);
+  if (next.kind != JawContact::Kind::kHolds) return;
+  const std::string& name = state.blocks[next.block].name;
+  events.push_back({state.tick, Warning{WarningCode::kJawsTouch, 'A', 0, 0, name}});
 }
 
 void update_grasp(const Model& model, State& state, const Positions& positions,

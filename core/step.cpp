@@ -20,11 +20,13 @@ void stall(State& state, const Motors& before, Stall why, Events& events) {
   events.push_back({state.tick, Stalled{why}});
 }
 
+bool has_arrived(const State& state, const Motors& before, int motor) {
+  return state.motor(motor).error == 0 && before[static_cast<std::size_t>(motor)].error != 0;
+}
+
 void emit_reached(const Model& model, const State& state, const Motors& before, Events& events) {
   for (int i = 0; i < model.motor_count(); ++i) {
-    const bool arrived =
-        state.motor(i).error == 0 && before[static_cast<std::size_t>(i)].error != 0;
-    if (!arrived) continue;
+    if (!has_arrived(state, before, i)) continue;
     events.push_back({state.tick, Reached{model.motor(i).drive.label, state.motor(i).count}});
   }
 }
@@ -68,6 +70,8 @@ void tick(const Model& model, State& state, Events& events) {
     update_grasp(model, state, positions, turned.jaws, turned.opened, events);
   }
   emit_reached(model, state, before, events);
+  if (has_arrived(state, before, model.tool_index()) && !turned.opened)
+    warn_of_touch(model, state, positions, events);
   update_blocked(model, state, positions, events);
 }
 

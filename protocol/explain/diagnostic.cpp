@@ -65,7 +65,10 @@ std::string_view code_of(WarningCode code) {
     case WarningCode::kNoSuchJoint: return "no_such_joint";
     case WarningCode::kBadCameraArgument: return "bad_camera_argument";
     case WarningCode::kJawsTooNarrow: return "jaws_too_narrow";
+    case WarningCode::kJawsTouch: return "jaws_touch";
     case WarningCode::kBelowSurface: return "below_surface";
+    case WarningCode::kReleasedInAir: return "released_in_air";
+    case WarningCode::kBlocksOverlap: return "blocks_overlap";
   }
   return "";
 }

@@ -48,6 +48,25 @@ std::string camera_text(const Model& model) {
          std::to_string(camera->pixels_y - 1) + "; not answered";
 }
 
+// The explanation of a line's bytes knows no names; see wire::WarningRaised.
+std::string block_text(const std::string& name, const char* without_name) {
+  return name.empty() ? without_name : "block " + name;
+}
+
+std::string air_text(const Warning& warning) {
+  const char* surface = warning.block.empty() ? "what is below it" : "the work surface";
+  return block_text(warning.block, "the block") + " was released " +
+         number(mm(Micrometres{warning.value})) + " mm above " +
+         block_text(warning.other, surface) + " and stays in the air: release it lower";
+}
+
+std::string overlap_text(const Warning& warning) {
+  const int more = warning.value - 1;
+  return block_text(warning.block, "the block") + " overlaps " +
+         block_text(warning.other, "another block") +
+         (more > 0 ? " and " + std::to_string(more) + " more" : "") + ": put it where no block is";
+}
+
 std::string text_of(const Warning& warning, const Model& model) {
   const std::string label = text_of(warning.label);
   switch (warning.code) {
@@ -62,7 +81,12 @@ std::string text_of(const Warning& warning, const Model& model) {
     case WarningCode::kJawsTooNarrow:
       return "the jaws are already narrower than block " + warning.block +
              ": open them before closing on it";
+    case WarningCode::kJawsTouch:
+      return "the jaws stopped at the width of block " + warning.block +
+             " and do not hold it: close them further";
     case WarningCode::kBelowSurface: return "the tool tip passed under the work surface";
+    case WarningCode::kReleasedInAir: return air_text(warning);
+    case WarningCode::kBlocksOverlap: return overlap_text(warning);
   }
   return "";
 }

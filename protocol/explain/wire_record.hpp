@@ -38,7 +38,7 @@ struct Ignored {
   std::uint32_t count = 1;
 };
 
-/// A core Warning that a command raised.
+/// A core Warning that a command raised, without the names of blocks, which would take memory.
 struct WarningRaised {
   WarningCode code = WarningCode::kCounterOverflow;
   char label = 0;

@@ -7,6 +7,7 @@
 
 #include "cell/failure.hpp"
 #include "core/camera.hpp"
+#include "core/kinematics.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3 {
@@ -201,6 +202,53 @@ TEST(Cell, ProblemsHaveOffsetBytesAndReason) {
   EXPECT_EQ(problems[0].offset, 4U);
   EXPECT_EQ(problems[0].raw.view(), "E+200\r");
   EXPECT_EQ(problems[0].message, "E+200: a move is -128...127 counts; ignored");
+}
+
+Block block_at_the_tip(const Lab& lab) {
+  const PointUm tip = tool_tip(lab.cell.model(), Positions{});
+  return {"red", {20'000, 20'000, 20'000}, tip, 90'000'000, 1};
+}
+
+TEST(Cell, AHomedLineThatDropsABlockGetsAWarningWithItsBytes) {
+  Lab lab;
+  lab.open(1);
+  lab.call(call::AddBlock{block_at_the_tip(lab)});
+  lab.send(1, "A-100\r");
+  lab.call(call::RunUntil{{}, 100'000});
+  lab.events.clear();
+  lab.send(1, "A$");
+  ASSERT_EQ(lab.events.size(), 3U);
+  EXPECT_TRUE(std::holds_alternative<Released>(std::get<EventBody>(lab.events[0].note)));
+  const auto& problem = std::get<ProblemNote>(lab.events[1].note);
+  EXPECT_EQ(problem.code, "released_in_air");
+  EXPECT_EQ(problem.message.substr(0, 22), "block red was released");
+  EXPECT_EQ(problem.raw.view(), "A$");
+  EXPECT_TRUE(std::holds_alternative<Homed>(std::get<EventBody>(lab.events[2].note)));
+  EXPECT_EQ(lab.cell.find_line(1)->warnings(), 1U);
+}
+
+TEST(Cell, ABlockThatACallPlacesInAnotherOneIsReported) {
+  Lab lab;
+  const auto overlaps = [&lab] {
+    std::vector<std::string> pairs;
+    for (const EventBody& body : lab.notes<EventBody>()) {
+      const auto& warning = std::get<Warning>(body);
+      EXPECT_EQ(warning.code, WarningCode::kBlocksOverlap);
+      pairs.push_back(warning.block + " " + warning.other);
+    }
+    return pairs;
+  };
+  Block block = block_at_the_tip(lab);
+  lab.call(call::AddBlock{block});
+  EXPECT_TRUE(overlaps().empty());
+  block.name = "blue";
+  lab.call(call::AddBlock{block});
+  EXPECT_EQ(overlaps(), (std::vector<std::string>{"blue red"}));
+  lab.call(call::MoveBlock{"red", PointUm{0, 0, 0}, {}});
+  EXPECT_EQ(overlaps().size(), 1U);
+  lab.call(call::MoveBlock{"red", block.centroid_um, {}});
+  EXPECT_EQ(overlaps(), (std::vector<std::string>{"blue red", "red blue"}));
+  EXPECT_EQ(lab.cell.counters().warnings.at("blocks_overlap"), 2U);
 }
 
 TEST(Cell, ALineOpenedWhileDisabledGetsAProblem) {

@@ -190,6 +190,8 @@ TEST(Carry, SoftHomeLeavesTheBlockInPlace) {
     EXPECT_EQ(rig.state().blocks[0].centroid_um, there);
     EXPECT_NEAR(std::remainder(degrees(rig.state().blocks[0].yaw_udeg) - roll, 90.0), 0, 1e-5);
     EXPECT_EQ(rig.events_of<Released>().size(), 1U);
+    ASSERT_EQ(rig.events_of<Warning>().size(), 1U);
+    EXPECT_EQ(rig.events_of<Warning>()[0].code, WarningCode::kReleasedInAir);
     EXPECT_EQ(rig.count('A'), 0);
     EXPECT_EQ(rig.error('A'), 0);
     const Block left = rig.state().blocks[0];

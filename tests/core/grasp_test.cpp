@@ -171,15 +171,56 @@ TEST(Grasp, ReportsTheGraspOnceAndThenTheBlockedJaws) {
             test::ticks_of<MotorBlocked>(rig.simulation.events()));
 }
 
+const std::vector<Warning> kTouches = {{WarningCode::kJawsTouch, 'A', 0, 0, "block"}};
+
 TEST(Grasp, JawsThatOnlyTouchABlockDoNotHoldIt) {
   Rig rig = over({block_at(kPlace, 90)});
   close_jaws(rig, kFullyOpen + 26);
   EXPECT_EQ(rig.count('A'), -26);
   EXPECT_EQ(rig.error('A'), 0);
   EXPECT_FALSE(rig.state().held);
+  EXPECT_EQ(rig.events_of<Warning>(), kTouches);
+  EXPECT_TRUE(std::holds_alternative<Warning>(rig.simulation.events().back().body))
+      << "after the report that A has reached its target";
   close_jaws(rig, 1);
   EXPECT_EQ(rig.count('A'), -26);
   EXPECT_TRUE(rig.state().held);
+  EXPECT_EQ(rig.events_of<Warning>(), kTouches) << "they hold it now";
+}
+
+TEST(Grasp, JawsThatTurnABlockAndStopAtItsWidthTouchIt) {
+  Rig rig = over({block_at(kPlace, 90 + 20.0)});
+  close_jaws(rig, kFullyOpen + 26);
+  EXPECT_NE(block(rig).yaw_udeg, microdegrees(110)) << "it was turned flat";
+  EXPECT_EQ(rig.events_of<Warning>(), kTouches);
+}
+
+TEST(Grasp, OnlyAClosingMoveThatEndsAtTheWidthTouches) {
+  Rig wider = over({block_at(kPlace, 90)});
+  close_jaws(wider, kFullyOpen + 25);
+  EXPECT_TRUE(wider.events_of<Warning>().empty()) << "there is room for a count";
+
+  Rig corners = over({block_at(kPlace, 90 + 30.0)});
+  close_jaws(corners, kFullyOpen + 6);  // 46.04 mm: the next count would turn the block
+  EXPECT_EQ(block(corners), block_at(kPlace, 120));
+  EXPECT_TRUE(corners.events_of<Warning>().empty()) << "at its corners, not at its width";
+
+  Rig stopped = over({block_at(kPlace, 90)});
+  stopped.move('A', -100);
+  while (stopped.count('A') != -26) stopped.pass(1);
+  stopped.execute(Stop{'A'});
+  stopped.pass(1000);
+  EXPECT_TRUE(stopped.events_of<Warning>().empty()) << "the move did not end, the program ended it";
+
+  Rig opening_up = over({block_at(kPlace, 90)});
+  opening_up.stand_at({{'E', 449}, {'D', -625}, {'A', -40}});
+  opening_up.travel('A', 14);
+  EXPECT_EQ(opening_up.count('A'), -26);
+  EXPECT_TRUE(opening_up.events_of<Warning>().empty()) << "opening jaws are not meant to grasp";
+
+  Rig nothing = over({block_at(beside(kPlace, 0, 60'000), 90)});
+  close_jaws(nothing, kFullyOpen + 26);
+  EXPECT_TRUE(nothing.events_of<Warning>().empty()) << "nothing is between them";
 }
 
 TEST(Grasp, WithoutAStopAnOpeningMoveReducesTheRemainingCounts) {
@@ -333,6 +374,43 @@ TEST(Grasp, TheFirstOpeningCountReleasesTheBlock) {
   EXPECT_EQ(rig.count('A'), -25);
   EXPECT_FALSE(rig.state().held);
   EXPECT_EQ(rig.events_of<Released>(), (std::vector<Released>{{"block", kPlace, 90'000'000}}));
+}
+
+TEST(Grasp, AReleaseInTheAirWarnsAfterIt) {
+  Rig rig = holding();
+  rig.travel('E', -207);
+  rig.travel('D', 185);
+  rig.simulation.take_events();
+  rig.travel('A', 1);
+  const auto gap = static_cast<int>(tip(rig).z - 18'000);
+  EXPECT_GT(gap, 100'000);
+  EXPECT_EQ(rig.events_of<Warning>(),
+            (std::vector<Warning>{{WarningCode::kReleasedInAir, 'A', gap, 0, "block"}}));
+  EXPECT_EQ(test::ticks_of<Released>(rig.simulation.events()),
+            test::ticks_of<Warning>(rig.simulation.events()));
+  ASSERT_TRUE(std::holds_alternative<Released>(rig.simulation.events()[1].body));
+  EXPECT_TRUE(std::holds_alternative<Warning>(rig.simulation.events()[2].body));
+}
+
+TEST(Grasp, AReleaseIntoAnotherBlockWarns) {
+  const Block lower = block_at({kPlace.x, kPlace.y, 18'000 - 36'000 + 5'000}, 0);
+  Rig rig = over({block_at(kPlace, 90), Block{lower}});
+  close_jaws(rig);
+  rig.execute(Stop{'A'});
+  rig.simulation.take_events();
+  rig.travel('A', 1);
+  ASSERT_EQ(rig.events_of<Warning>().size(), 1U);
+  EXPECT_EQ(rig.events_of<Warning>()[0].code, WarningCode::kBlocksOverlap);
+}
+
+TEST(Grasp, ABlockPutBackOnTheTableIsReleasedInSilence) {
+  Workcell table = test::bare_workcell();
+  table.work_surface_um = kPlace.z - 18'000;
+  Rig rig = holding(table);
+  rig.travel('F', 100);
+  rig.travel('A', 1);
+  EXPECT_FALSE(rig.state().held);
+  EXPECT_TRUE(rig.events_of<Warning>().empty());
 }
 
 struct LetGoCase {

@@ -33,7 +33,10 @@ TEST(Diagnostic, CodesAreStable) {
   EXPECT_EQ(code_of(WarningCode::kNoSuchJoint), "no_such_joint");
   EXPECT_EQ(code_of(WarningCode::kBadCameraArgument), "bad_camera_argument");
   EXPECT_EQ(code_of(WarningCode::kJawsTooNarrow), "jaws_too_narrow");
+  EXPECT_EQ(code_of(WarningCode::kJawsTouch), "jaws_touch");
   EXPECT_EQ(code_of(WarningCode::kBelowSurface), "below_surface");
+  EXPECT_EQ(code_of(WarningCode::kReleasedInAir), "released_in_air");
+  EXPECT_EQ(code_of(WarningCode::kBlocksOverlap), "blocks_overlap");
 }
 
 TEST(Diagnostic, EveryByteHasAReadableForm) {

@@ -37,6 +37,22 @@ TEST(EventReport, EventsHaveACodeAndAMessage) {
       {EnabledChanged{true}, "enabled", "the simulator is enabled"},
       {Warning{WarningCode::kNoSuchJoint, 'G', 0, 0, {}}, "no_such_joint",
        "G: this robot has no such joint; it has A...F"},
+      {Warning{WarningCode::kJawsTouch, 'A', 0, 0, "red"}, "jaws_touch",
+       "the jaws stopped at the width of block red and do not hold it: close them further"},
+      {Warning{WarningCode::kReleasedInAir, 'A', 80'302, 0, "red"}, "released_in_air",
+       "block red was released 80.302 mm above the work surface and stays in the air: release it "
+       "lower"},
+      {Warning{WarningCode::kReleasedInAir, 'A', 2'001, 0, "red", "blue"}, "released_in_air",
+       "block red was released 2.001 mm above block blue and stays in the air: release it lower"},
+      {Warning{WarningCode::kReleasedInAir, 'A', 9'000, 0, {}}, "released_in_air",
+       "the block was released 9 mm above what is below it and stays in the air: release it "
+       "lower"},
+      {Warning{WarningCode::kBlocksOverlap, 'A', 1, 0, "red", "blue"}, "blocks_overlap",
+       "block red overlaps block blue: put it where no block is"},
+      {Warning{WarningCode::kBlocksOverlap, 'A', 3, 0, "red", "blue"}, "blocks_overlap",
+       "block red overlaps block blue and 2 more: put it where no block is"},
+      {Warning{WarningCode::kBlocksOverlap, 'A', 1, 0, {}}, "blocks_overlap",
+       "the block overlaps another block: put it where no block is"},
   };
   for (const EventRow& row : rows) {
     const EventReport about = report(row.event, *test::rhino());

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "core/kinematics.hpp"
 #include "protocol/explain/command_text.hpp"
 #include "protocol/json/source.hpp"
 #include "tests/support/models.hpp"
@@ -104,6 +105,19 @@ TEST(Explain, AStallNamesTheCommandThatEndsIt) {
             "> A$E+1\\r\n"
             "  4..6 soft_home: soft home: every joint at its home value, counters 0, no stall\n"
             "  6..10 move: move E +1, counter 1\n");
+}
+
+TEST(Explain, ASoftHomeThatDropsABlockSaysHowHigh) {
+  Tap tap(test::rhino());
+  const PointUm tip = tool_tip(tap.simulation().model(), Positions{});
+  tap.simulation().edit().blocks = {{"red", {20'000, 20'000, 20'000}, tip, 90'000'000, 1}};
+  tap.send("A-100\r");
+  tap.simulation().run_to_rest(200'000);
+  EXPECT_EQ(tap.send("A$"),
+            "> A$\n"
+            "  7..9 soft_home: soft home: every joint at its home value, counters 0, no stall\n"
+            "  7..9 released_in_air: the block was released 310.7 mm above what is below it and "
+            "stays in the air: release it lower\n");
 }
 
 TEST(Explain, JunkIsReportedPerRun) {

@@ -1,0 +1,123 @@
+#include "core/placement.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "core/trig.hpp"
+
+namespace xr3 {
+namespace {
+
+/// What a block stands on or above, and what it overlaps.
+struct Placement {
+  Micrometres support_um = 0;         ///< z of the top of `support`
+  const Block* support = nullptr;     ///< nullptr: the work surface
+  const Block* overlapped = nullptr;  ///< the first one in the list
+  int overlaps = 0;
+};
+
+Micrometres bottom_um(const Block& block) { return block.centroid_um.z - block.size_um.z / 2; }
+Micrometres top_um(const Block& block) { return bottom_um(block) + block.size_um.z; }
+
+SinCos direction_of(const Block& block) { return sin_cos_deg(degrees(block.yaw_udeg)); }
+SinCos a_quarter_on(const SinCos& direction) { return {direction.cos, -direction.sin}; }
+
+/// Half the extent of the footprint in a horizontal direction, in mm.
+double reach_mm(const Block& block, const SinCos& yaw, const SinCos& direction) {
+  const double along = yaw.cos * direction.cos + yaw.sin * direction.sin;
+  const double across = yaw.cos * direction.sin - yaw.sin * direction.cos;
+  return (mm(block.size_um.x) * std::abs(along) + mm(block.size_um.y) * std::abs(across)) / 2;
+}
+
+/// A quick test that is true only for footprints that do not overlap.
+bool are_clearly_apart(const Block& a, const Block& b) {
+  const Micrometres reach = a.size_um.x + a.size_um.y + b.size_um.x + b.size_um.y;
+  return 2 * std::abs(a.centroid_um.x - b.centroid_um.x) > reach ||
+         2 * std::abs(a.centroid_um.y - b.centroid_um.y) > reach;
+}
+
+/// By how much two blocks overlap in height; negative if one is above the other.
+Micrometres height_overlap_um(const Block& a, const Block& b) {
+  return std::min(top_um(a) - bottom_um(b), top_um(b) - bottom_um(a));
+}
+
+void add(Placement& placement, const Block& block, const Block& other) {
+  if (are_clearly_apart(block, other)) return;
+  const Micrometres overlap = footprint_overlap_um(block, other);
+  if (overlap <= 0) return;
+  const Micrometres top = top_um(other);
+  const bool is_below = top <= bottom_um(block) + kContactToleranceUm;
+  if (is_below && top > placement.support_um) {
+    placement.support_um = top;
+    placement.support = &other;
+  }
+  if (std::min(overlap, height_overlap_um(block, other)) <= kContactToleranceUm) return;
+  if (placement.overlapped == nullptr) placement.overlapped = &other;
+  ++placement.overlaps;
+}
+
+Placement placement_of(const Model& model, const State& state, std::size_t block) {
+  assert(block < state.blocks.size() && !(state.held && state.held->block == block));
+  Placement placement;
+  placement.support_um = model.workcell().work_surface_um;
+  for (std::size_t i = 0; i < state.blocks.size(); ++i) {
+    const bool is_held = state.held && state.held->block == i;
+    if (i != block && !is_held) add(placement, state.blocks[block], state.blocks[i]);
+  }
+  return placement;
+}
+
+Warning overlap_warning(const Block& block, const Placement& placement) {
+  return {WarningCode::kBlocksOverlap, 'A', placement.overlaps, 0, block.name,
+          placement.overlapped->name};
+}
+
+Warning air_warning(const Block& block, const Placement& placement, Micrometres gap_um) {
+  assert(gap_um <= std::numeric_limits<int>::max());  // no link is longer than 100 m
+  return {WarningCode::kReleasedInAir,
+          'A',
+          static_cast<int>(gap_um),
+          0,
+          block.name,
+          placement.support == nullptr ? "" : placement.support->name};
+}
+
+}  // namespace
+
+// The separating axis test: convex footprints overlap by the least of their overlaps in the
+// directions of their sides.
+Micrometres footprint_overlap_um(const Block& a, const Block& b) {
+  const double dx = mm(b.centroid_um.x - a.centroid_um.x);
+  const double dy = mm(b.centroid_um.y - a.centroid_um.y);
+  const SinCos yaw_a = direction_of(a);
+  const SinCos yaw_b = direction_of(b);
+  Micrometres least = std::numeric_limits<Micrometres>::max();
+  for (const SinCos& side : {yaw_a, a_quarter_on(yaw_a), yaw_b, a_quarter_on(yaw_b)}) {
+    const double between = std::abs(dx * side.cos + dy * side.sin);
+    const double reach = reach_mm(a, yaw_a, side) + reach_mm(b, yaw_b, side);
+    least = std::min(least, micrometres(reach - between));
+  }
+  return least;
+}
+
+void warn_of_overlap(const Model& model, const State& state, std::size_t block, Events& events) {
+  const Placement placement = placement_of(model, state, block);
+  if (placement.overlaps == 0) return;
+  events.push_back({state.tick, overlap_warning(state.blocks[block], placement)});
+}
+
+void warn_of_placement(const Model& model, const State& state, std::size_t block, Events& events) {
+  const Block& placed = state.blocks[block];
+  const Placement placement = placement_of(model, state, block);
+  const Micrometres gap_um = bottom_um(placed) - placement.support_um;
+  if (placement.overlaps > 0) {
+    events.push_back({state.tick, overlap_warning(placed, placement)});
+  } else if (gap_um > kContactToleranceUm) {
+    events.push_back({state.tick, air_warning(placed, placement, gap_um)});
+  }
+}
+
+}  // namespace xr3

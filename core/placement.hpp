@@ -1,0 +1,29 @@
+// How a block lies among the others after it was placed: what it stands on, and which blocks it
+// overlaps. The machine has no gravity and no collisions (paper, Section III-B), so a block that
+// was released too high or into another one shows only later, when a program fails to grasp it.
+#pragma once
+
+#include "core/event.hpp"
+#include "core/model.hpp"
+#include "core/state.hpp"
+
+namespace xr3 {
+
+/// Blocks that are apart, or overlap, by at most this count as touching. Joints stop at whole
+/// counts: with the three robots the tip is up to 0.7 mm higher or lower than a program computed,
+/// and up to 0.9 mm beside it. The errors of two blocks that should touch add up.
+inline constexpr Micrometres kContactToleranceUm = 2'000;
+
+/// The overlap of the footprints of two upright blocks: the shortest horizontal distance by which
+/// one of them would have to move. 0 if they touch, negative if they are apart.
+Micrometres footprint_overlap_um(const Block& a, const Block& b);
+
+/// Warns if the block overlaps others (`blocks_overlap`) by more than the tolerance, horizontally
+/// and vertically. A held block is not considered. Precondition: the block exists and is not held.
+void warn_of_overlap(const Model& model, const State& state, std::size_t block, Events& events);
+
+/// The same for a block that was released; if it overlaps none, warns if its underside is further
+/// above the work surface, or the highest block below it, than the tolerance (`released_in_air`).
+void warn_of_placement(const Model& model, const State& state, std::size_t block, Events& events);
+
+}  // namespace xr3
