@@ -55,6 +55,10 @@ bool are_same_things(const std::vector<Block>& a, const std::vector<Block>& b) {
   });
 }
 
+SavedCellPtr saved_cell(const Model& model, const State& state) {
+  return std::make_shared<const SavedCell>(SavedCell{robot_hash(model), model.workcell(), state});
+}
+
 }  // namespace
 
 // --- Time.
@@ -222,30 +226,31 @@ call::Outcome Cell::carry_out(const call::SaveSnapshot& save, WallNs) {
     return call::Refused{"limit", "there are 16 snapshots already",
                          "save under a name that is in use, or inline"};
   }
-  const auto saved = std::make_shared<const SavedCell>(
-      SavedCell{robot_hash(model()), model().workcell(), state()});
+  const SavedCellPtr saved = saved_cell(model(), state());
   if (save.name.empty() && !monitor::fits_a_request(*saved)) {
     return call::Refused{"limit", "the snapshot exceeds the maximum size of a request, 256 KiB",
                          "save under a name"};
   }
-  if (!save.name.empty()) snapshots_[save.name] = saved;
+  if (!save.name.empty()) snapshots_[save.name] = {model_ptr(), state()};
   return call::Done{{}, {}, saved};
 }
 
 call::Outcome Cell::carry_out(const call::LoadSnapshot& load, WallNs now) {
-  SavedCellPtr saved = load.saved;
-  if (!saved) {
+  if (!load.saved) {
     const auto found = snapshots_.find(load.name);
     if (found == snapshots_.end()) return no_such_snapshot(load.name);
-    saved = found->second;
+    const NamedSnapshot snapshot = found->second;
+    begin_epoch("snapshot_load", now, [&] { simulation_.restore(snapshot.model, snapshot.state); });
+    return call::Done{{}, {}, saved_cell(*snapshot.model, snapshot.state)};
   }
-  if (saved->robot_hash != robot_hash(model())) {
+  const SavedCell& saved = *load.saved;
+  if (saved.robot_hash != robot_hash(model())) {
     return call::Refused{"model_mismatch", "the snapshot is of another robot or profile",
                          "load it into a server with the same --robot and --compat"};
   }
   begin_epoch("snapshot_load", now,
-              [&] { simulation_.restore(model_with(saved->workcell), saved->state); });
-  return call::Done{{}, {}, saved};
+              [&] { simulation_.restore(model_with(saved.workcell), saved.state); });
+  return call::Done{{}, {}, load.saved};
 }
 
 }  // namespace xr3

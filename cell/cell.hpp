@@ -140,7 +140,12 @@ class Cell {
   LineId last_line_ = 0;
   std::optional<SerialLine> probe_line_;
   std::map<LineId, std::uint64_t> closed_bytes_in_;  ///< of closed lines; the lowest goes first
-  std::map<std::string, SavedCellPtr> snapshots_;
+  /// A snapshot under a name. The workcell, which may be large, is shared with the cell and others.
+  struct NamedSnapshot {
+    ModelPtr model;
+    State state;
+  };
+  std::map<std::string, NamedSnapshot> snapshots_;
   std::vector<Exchange> exchanges_;  ///< of the bytes being received; reuses its memory
   WarningLimiter warnings_;
   /// Converted to text on request, with the current model. The text of an event depends only on the

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/drawing/status_line.hpp"
 #include "core/switches.hpp"
 #include "protocol/explain/diagnostic.hpp"
 #include "protocol/line/rhino_reply.hpp"
@@ -10,11 +11,6 @@ namespace xr3 {
 namespace {
 
 // --- Commands.
-
-constexpr std::array<std::string_view, 7> kStatusLines = {
-    "blank",          "tool-configuration vector", "joint variables",
-    "error counters", "encoder positions",         "switches",
-    "tool opening"};
 
 std::string number(int value) { return std::to_string(value); }
 

@@ -74,16 +74,16 @@ Warning overlaps(int count, std::string first) {
   return {WarningCode::kBlocksOverlap, 'A', count, 0, "placed", std::move(first)};
 }
 
-struct Case {
+struct PlacementCase {
   const char* what;
   std::vector<Block> blocks;  ///< the first one was placed
   std::vector<Warning> warnings;
 };
 
-void check(const Case& c) { EXPECT_EQ(Scene(c.blocks).warnings(), c.warnings) << c.what; }
+void check(const PlacementCase& c) { EXPECT_EQ(Scene(c.blocks).warnings(), c.warnings) << c.what; }
 
 TEST(Placement, ABlockStandsOnTheSurfaceOrFloatsAboveIt) {
-  const Case cases[] = {
+  const PlacementCase cases[] = {
       {"on the surface", {placed(0)}, {}},
       {"as far above it as is tolerated", {placed(kTolerance)}, {}},
       {"a micrometre more", {placed(kTolerance + 1)}, {in_air(kTolerance + 1)}},
@@ -94,12 +94,12 @@ TEST(Placement, ABlockStandsOnTheSurfaceOrFloatsAboveIt) {
        {in_air(30'000)}},
       {"below another one", {placed(0), block_at("other", 300'000, 0, 40'000)}, {}},
   };
-  for (const Case& c : cases) check(c);
+  for (const PlacementCase& c : cases) check(c);
 }
 
 TEST(Placement, ABlockStandsOnTheHighestBlockBelowIt) {
   const Block lower = block_at("lower", 300'000, 0, 0);
-  const Case cases[] = {
+  const PlacementCase cases[] = {
       {"stacked", {placed(40'000), lower}, {}},
       {"stacked and turned", {placed(40'000, 45), lower}, {}},
       {"stacked with a gap", {placed(40'000 + kTolerance), lower}, {}},
@@ -113,11 +113,11 @@ TEST(Placement, ABlockStandsOnTheHighestBlockBelowIt) {
        {placed(85'000), thin("upper", 40'000), lower},
        {in_air(44'000, "upper")}},
   };
-  for (const Case& c : cases) check(c);
+  for (const PlacementCase& c : cases) check(c);
 }
 
 TEST(Placement, BlocksThatTouchDoNotOverlap) {
-  const Case cases[] = {
+  const PlacementCase cases[] = {
       {"side by side", {placed(0), block_at("other", 300'000, 30'000, 0)}, {}},
       {"end to end", {placed(0), block_at("other", 360'000, 0, 0)}, {}},
       {"side by side, turned by 30 degrees",
@@ -134,11 +134,11 @@ TEST(Placement, BlocksThatTouchDoNotOverlap) {
        {placed(40'000 - kTolerance), block_at("other", 300'000, 0, 0)},
        {}},
   };
-  for (const Case& c : cases) check(c);
+  for (const PlacementCase& c : cases) check(c);
 }
 
 TEST(Placement, BlocksThatShareSpaceOverlap) {
-  const Case cases[] = {
+  const PlacementCase cases[] = {
       {"a micrometre too deep at the side",
        {placed(0), block_at("other", 300'000, 30'000 - kTolerance - 1, 0)},
        {overlaps(1, "other")}},
@@ -159,7 +159,7 @@ TEST(Placement, BlocksThatShareSpaceOverlap) {
         block_at("second", 260'000, 0, 0)},
        {overlaps(2, "first")}},
   };
-  for (const Case& c : cases) {
+  for (const PlacementCase& c : cases) {
     check(c);
     EXPECT_EQ(Scene(c.blocks).overlap_warnings(), c.warnings) << c.what;
   }

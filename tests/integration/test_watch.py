@@ -83,6 +83,38 @@ class Watch(unittest.TestCase):
             terminal.wait_text("real x 1")
             self.leave(terminal, "\x03")
 
+    def test_command_mode_by_letters(self):
+        with Server() as xr3, xr3.monitor() as monitor, watch(xr3.monitor_port) as terminal:
+            terminal.wait_text("m menu")
+            terminal.press("s2")
+            terminal.wait_text("status line (0 to 6): 2_")
+            terminal.press("\r")
+            terminal.wait_for(lambda text: text.split("\n")[-2].strip())
+            status = monitor.get("display")["status"]
+            self.assertEqual(2, status["option"])
+            self.assertEqual(status["text"].strip(), terminal.text().split("\n")[-2].strip())
+            terminal.press("v0 0 0\r")
+            terminal.wait_text("not this: 0 0 0_")
+            terminal.press("\b\b\b\b\b1 -2 3\r")
+            terminal.press("m")
+            terminal.wait_text("view vector              1, -2, 3")
+            terminal.press("e")
+            terminal.wait_text("disabled")
+            self.assertFalse(monitor.get("state")["enabled"])
+            terminal.press("m")
+            self.leave(terminal)
+
+    def test_command_mode_by_function_keys(self):
+        for name, alt_f1 in ("xterm", "\x1b[1;3P"), ("linux", "\x1b\x1b[[A"):
+            with self.subTest(name), Server() as xr3, xr3.monitor() as monitor, \
+                    watch(xr3.monitor_port, environment={"TERM": name}) as terminal:
+                terminal.wait_text("m menu")
+                terminal.press(alt_f1)
+                terminal.press("m")
+                terminal.wait_for(lambda text: re.search(r"Alt F1 +graphics display +on", text))
+                self.assertTrue(monitor.get("display")["on"])
+                self.leave(terminal)
+
     def test_shows_a_stall(self):
         with Server(clock="real:50") as xr3, watch(xr3.monitor_port) as terminal:
             terminal.wait_text("rests")

@@ -1,5 +1,6 @@
 #include "tests/seeds/reference.hpp"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "cell/cell.hpp"

@@ -5,6 +5,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "core/command.hpp"
+#include "core/drawing/status_line.hpp"
 #include "protocol/text/table.hpp"
 
 namespace xr3::watch {
@@ -29,19 +31,17 @@ struct Function {
 
 constexpr std::array<Function, 8> kFunctions{{
     {"display", "graphics display", 1, 'd', "", 0, 0, 0},
-    {"view", "view vector", 2, 'v', "x y z, each -9 to 9, not all 0", 3, -9, 9},
+    {"view", "view vector", 2, 'v', "x y z, each -9 to 9, not all 0", 3, -SetViewVector::kMax,
+     SetViewVector::kMax},
     {"home", "soft home", 3, 'h', "", 0, 0, 0},
-    {"status", "status line", 4, 's', "0 to 6", 1, 0, 6},
+    {"status", "status line", 4, 's', "0 to 6", 1, 0, SelectStatus::kMax},
     {"enabled", "simulator", 5, 'e', "", 0, 0, 0},
     {"function_keys", "function keys", 6, 'k', "", 0, 0, 0},
     {"path", "erase before redrawing", 0, 'p', "", 0, 0, 0},
-    {"period", "refresh period", 0, 'r', "1 to 255 half seconds", 1, 1, 255},
+    {"period", "refresh period", 0, 'r', "1 to 255 half seconds", 1, SetRefreshPeriod::kMin,
+     SetRefreshPeriod::kMax},
 }};
 constexpr int kAltOfFunctionKeys = 6;
-
-constexpr std::array kStatusNames{"blank",          "tool configuration", "joint variables",
-                                  "error counters", "encoder positions",  "switches",
-                                  "tool opening"};
 
 /// The values typed for a function; empty if they are not values of it.
 std::vector<std::int64_t> read_value(const Function& function, std::string text) {
@@ -67,7 +67,8 @@ std::string value_text(std::string_view name, const Display& display, bool is_en
     return std::to_string(view[0]) + ", " + std::to_string(view[1]) + ", " +
            std::to_string(view[2]);
   }
-  if (name == "status") return option < kStatusNames.size() ? kStatusNames[option] : "";
+  if (name == "status")
+    return option < kStatusLines.size() ? std::string(kStatusLines[option]) : "";
   if (name == "enabled") return is_enabled ? "enabled" : "disabled";
   if (name == "function_keys") return on_off(display.has_function_keys);
   if (name == "path") return display.is_erasing ? "yes" : "no";
@@ -89,7 +90,7 @@ std::size_t index_of(const Key& key, bool is_menu_open) {
 
 CommandMode::Outcome CommandMode::press(const Key& key, const std::optional<Display>& display) {
   if (asked_) return press_in_prompt(key);
-  const bool is_menu_key = key.letter == kMenuKey || (key.is_alt && key.letter == '-');
+  const bool is_menu_key = key == Key{kMenuKey, 0, false} || key == Key{'-', 0, true};
   if (is_menu_key || (is_menu_open_ && key.letter == kEscape)) {
     is_menu_open_ = !is_menu_open_;
     return {true, {}};

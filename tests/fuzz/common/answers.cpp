@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <variant>
 
-#include "protocol/monitor/request.hpp"
+#include "protocol/monitor/request_error.hpp"
 
 namespace xr3::fuzz {
 namespace {
