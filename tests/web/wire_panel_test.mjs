@@ -2,7 +2,7 @@
 // clipboard.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, type, withPage } from "./bench.mjs";
+import { call, close, type, withPage } from "./bench.mjs";
 
 after(close);
 
@@ -25,6 +25,24 @@ test("the count has correct plurals, with a filter and while paused", () =>
     await says(page, /^0 messages$/);
     await page.click("#wire-pause");
     assert.equal(await page.locator("#wire li").count(), 0);
+  }));
+
+test("a warning of the machine stands between the bytes and is not counted", () =>
+  withPage(["--clock", "manual"], async (page, server) => {
+    const rest = () => call(server.monitor, "run_until", { idle: true, max_ticks: 60000 });
+    const { xyz_mm } = (await server.state()).tool;
+    await call(server.monitor, "block_add", { name: "cube", size_mm: [20, 20, 20], xyz_mm, color: 1 });
+    await type(server.robot, "A-100\r");
+    await rest();
+    await type(server.robot, "AXA+5\r");
+    await rest();
+    const row = page.locator("#wire li.warning");
+    await row.waitFor();
+    assert.match(await row.textContent(), /^@\d+ released_in_air: block cube was released 310.7 mm above the work surface/);
+    await says(page, /^2 messages$/);
+    await page.fill("#wire-filter", "cube");
+    await says(page, /^0 of 2 messages$/);
+    assert.ok(await row.isVisible());
   }));
 
 const withBytes = (act) => withPage(["--clock", "manual"], async (page, server) => {

@@ -169,6 +169,7 @@ function takeEvent(event) {
   if (event.event === "epoch") scene.clearPath();
   if (event.event === "homed" || event.event === "epoch") scene.jump();
   if (event.event === "clock" && known.state) takeClock(event);
+  if (event.event === "warning" && event.line === null) wire.warn(event);
 }
 
 // The event arrives before the next state and has the tick at which the new speed took effect.

@@ -46,6 +46,11 @@ export class WirePanel {
     this.#put({ note: `${missed} messages of channel ${channel} were missed: they came too fast`, kind: "lag" });
   }
 
+  /** A warning of the machine that no bytes caused: between the bytes, at its time. */
+  warn({ tick, code, message }) {
+    this.#put({ note: `@${tick} ${code}: ${message}`, kind: "warning" });
+  }
+
   setPaused(isPaused) {
     this.isPaused = isPaused;
     if (isPaused) return;
@@ -142,7 +147,7 @@ export class WirePanel {
   #countText() {
     const all = counted(this.messages.filter((message) => !message.note).length, "message");
     if (this.messages.length === 0) return this.isPaused ? all : "No bytes yet: connect to the robot port or use the console.";
-    return this.filter.value.trim() ? `${this.list.querySelectorAll("li:not(.lag, .mark)").length} of ${all}` : all;
+    return this.filter.value.trim() ? `${this.list.querySelectorAll("li:not(.lag, .mark, .warning)").length} of ${all}` : all;
   }
 
   transcript() {
