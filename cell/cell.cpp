@@ -102,11 +102,16 @@ Applied Cell::handle(const LineOpened& opened, WallNs) {
   return applied;
 }
 
+Applied Cell::handle(const LineSettings& reported, WallNs) {
+  if (SerialLine* line = open_line(reported.line)) line->set_settings(reported.settings);
+  return {};
+}
+
 Applied Cell::handle(const BytesIn& in, WallNs) {
   SerialLine* line = open_line(in.line);
   if (line == nullptr) return {};
   if (in.line == kProbeLine) return take_unseen(*line, in.bytes);
-  if (line->bytes_in() == 0 && line->kind() != LineKind::kMonitor) line->examine(in.bytes);
+  if (line->bytes_in() == 0 && line->is_network()) line->examine(in.bytes);
   std::size_t taken = 0;
   while (taken < in.bytes.size()) {
     const std::size_t count = receive_piece(in.line, *line, in.bytes.substr(taken, kMaxShownIn));

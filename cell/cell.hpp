@@ -92,6 +92,7 @@ class Cell {
   Applied take_in(const Input& input, WallNs now);
   void advance(WallNs now);
   Applied handle(const LineOpened& opened, WallNs now);
+  Applied handle(const LineSettings& reported, WallNs now);
   Applied handle(const BytesIn& in, WallNs now);
   Applied handle(const BytesOut& out, WallNs now);
   Applied handle(const LineClosed& closed, WallNs now);

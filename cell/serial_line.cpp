@@ -10,7 +10,7 @@ std::size_t SerialLine::receive(std::string_view bytes, Simulation& simulation,
   while (taken < bytes.size() && !is_full() && !is_not_a_robot_program_) {
     const auto byte = static_cast<std::uint8_t>(bytes[taken++]);
     const std::uint64_t offset = bytes_in_++;
-    if (kind_ == LineKind::kMonitor) {  // no detection, no telnet
+    if (!is_network()) {  // no detection, no telnet
       act_on(byte, offset, simulation, exchanges);
       continue;
     }

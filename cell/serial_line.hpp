@@ -14,6 +14,7 @@
 #include "protocol/line/http_tls_detector.hpp"
 #include "protocol/line/line_guard.hpp"
 #include "protocol/line/rhino_endpoint.hpp"
+#include "protocol/line/serial_settings.hpp"
 #include "protocol/line/telnet.hpp"
 
 namespace xr3 {
@@ -46,10 +47,15 @@ class SerialLine {
   /// Whether the client was detected not to be a robot program, such as one of HTTP, TLS or STUN. The transport must close the line; no byte
   /// of the client has acted.
   bool is_not_a_robot_program() const { return is_not_a_robot_program_; }
-  /// A copy of the telnet filter before the next byte; nullopt for a line of a monitor session.
+  /// Whether the transport is a network: only there are HTTP and TLS detected and telnet filtered.
+  bool is_network() const { return kind_ == LineKind::kTcp; }
+  /// A copy of the telnet filter before the next byte; nullopt if there is none.
   std::optional<TelnetFilter> telnet() const {
-    return kind_ == LineKind::kMonitor ? std::nullopt : std::optional(telnet_);
+    return is_network() ? std::optional(telnet_) : std::nullopt;
   }
+  /// The settings of the serial port; nullopt if they are not known.
+  const std::optional<SerialSettings>& settings() const { return settings_; }
+  void set_settings(const SerialSettings& settings) { settings_ = settings; }
   LineKind kind() const { return telnet_.is_telnet() ? LineKind::kTelnet : kind_; }
 
   /// Bytes for the transport to send. Valid until the next receive() or sent().
@@ -86,6 +92,7 @@ class SerialLine {
   std::string outbox_;
   std::size_t sent_ = 0;  ///< bytes at the start of the outbox that are already sent
   LineKind kind_;
+  std::optional<SerialSettings> settings_;
   std::string peer_;
   Tick opened_;
   std::uint64_t bytes_in_ = 0;   ///< as received, including telnet commands and held bytes

@@ -41,7 +41,7 @@ RobotSession::RobotSession(const std::string& peer, tcp::socket&& socket,
                            RobotSessionContext& context, std::unique_ptr<PeerCounts::Place> place)
     : socket_(std::move(socket)),
       id_(context.cell
-              .apply(LineOpened{peer, LineKind::kRaw, context.is_probe, context.guard}, wall_now())
+              .apply(LineOpened{peer, LineKind::kTcp, context.is_probe, context.guard}, wall_now())
               .line),
       context_(context),
       place_(std::move(place)) {}

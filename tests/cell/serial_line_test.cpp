@@ -9,7 +9,7 @@ namespace {
 
 struct OneLine {
   Simulation simulation{test::rhino()};
-  SerialLine line{Profile::kPaper, LineKind::kRaw, "test", 0};
+  SerialLine line{Profile::kPaper, LineKind::kTcp, "test", 0};
   std::vector<Exchange> exchanges;
 
   std::size_t receive(std::string_view bytes) { return line.receive(bytes, simulation, exchanges); }
@@ -85,7 +85,7 @@ TEST(SerialLine, TakesNoByteOfARefusedChunk) {
 
 TEST(SerialLine, WithoutAGuardEveryByteActsAtOnce) {
   OneLine one;
-  one.line = SerialLine(Profile::kPaper, LineKind::kRaw, "test", 0, Guard::kOff);
+  one.line = SerialLine(Profile::kPaper, LineKind::kTcp, "test", 0, Guard::kOff);
   one.receive("P");
   one.receive("O");
   EXPECT_EQ(one.line.bytes_in(), 2U);

@@ -216,8 +216,8 @@ void check_line(const Pieces& pieces, const ModelPtr& model, LineKind kind, Effo
   for (const std::string& piece : pieces) in_pieces.send(piece, SerialLine::kFullOutbox);
   in_pieces.fetch_all();
   if (const char* broken = in_pieces.broken()) require(false, broken);
-  if (kind == LineKind::kRaw) check_raw_line(in_pieces, whole, model);
-  if (kind != LineKind::kRaw || effort == Effort::kFull) check_bytes(in_pieces, whole, model, kind);
+  if (kind == LineKind::kTcp) check_raw_line(in_pieces, whole, model);
+  if (kind != LineKind::kTcp || effort == Effort::kFull) check_bytes(in_pieces, whole, model, kind);
 }
 
 ModelPtr model_for(Profile profile) {
@@ -232,7 +232,7 @@ const std::size_t kMaxInput = 96;
 void run(std::string_view input, Effort effort) {
   static const ModelPtr models[] = {model_for(Profile::kPaper), model_for(Profile::kMark3)};
   if (input.empty()) return;
-  const LineKind kind = (input[0] & 2) == 0 ? LineKind::kRaw : LineKind::kMonitor;
+  const LineKind kind = (input[0] & 2) == 0 ? LineKind::kTcp : LineKind::kMonitor;
   const std::size_t most = effort == Effort::kFull ? kMaxTotal : kMaxQuickTotal;
   const Pieces pieces = pieces_of(input.substr(1), effort, most);
   check_line(pieces, models[input[0] & 1], kind, effort);

@@ -20,7 +20,7 @@ class Reference::Machine {
 
 Reference::Reference(SharedModel model, Line line)
     : machine_(std::make_unique<Machine>(
-          std::move(model), line == Line::kTcp ? LineKind::kRaw : LineKind::kMonitor)) {}
+          std::move(model), line == Line::kTcp ? LineKind::kTcp : LineKind::kMonitor)) {}
 
 Reference::~Reference() = default;
 

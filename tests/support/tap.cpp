@@ -9,7 +9,7 @@ namespace xr3::test {
 
 Tap::Tap(ModelPtr model)
     : simulation_(std::move(model)),
-      line_(simulation_.model().profile(), LineKind::kRaw, "test", 0) {}
+      line_(simulation_.model().profile(), LineKind::kTcp, "test", 0) {}
 
 std::string Tap::send(std::string_view bytes) {
   const std::size_t first = records_.size();
