@@ -222,7 +222,7 @@ class TooManySuspended(Opened):
     def test_the_monitor_disconnects_it(self):
         self.line.send(b"E?")
         self.monitor.call("line_disconnect", line=1)
-        self.xr3.wait_log(r"line 1 .*disconnected")
+        self.xr3.wait_log(r"line 1 closed by the monitor")
 
 
 if __name__ == "__main__":

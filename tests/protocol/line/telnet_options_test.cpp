@@ -30,7 +30,7 @@ std::string answer_to(TelnetOptions& options, std::uint8_t verb, unsigned option
 }
 
 std::string sent(std::uint8_t verb, unsigned option) {
-  return hexadecimal({'\xff', static_cast<char>(verb), static_cast<char>(option)});
+  return hexadecimal(std::string{'\xff', static_cast<char>(verb), static_cast<char>(option)});
 }
 
 TEST(TelnetOptions, AcceptBinaryGoAheadAndComPortAtEitherSide) {
