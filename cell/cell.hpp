@@ -92,8 +92,10 @@ class Cell {
   Applied take_in(const Input& input, WallNs now);
   void advance(WallNs now);
   Applied handle(const LineOpened& opened, WallNs now);
+  Applied handle(const LineSettings& reported, WallNs now);
   Applied handle(const BytesIn& in, WallNs now);
   Applied handle(const BytesOut& out, WallNs now);
+  Applied handle(const InputEnded& ended, WallNs now);
   Applied handle(const LineClosed& closed, WallNs now);
   Applied handle(const call::Call& call, WallNs now);
 
@@ -121,6 +123,7 @@ class Cell {
 
   Applied take_unseen(SerialLine& line, std::string_view bytes);
   std::size_t receive_piece(LineId id, SerialLine& line, std::string_view bytes);
+  void record_out(const WirePlace& out, const SerialLine& line, std::size_t unsent);
   void emit(std::optional<LineId> line, CellNote note);
   void emit_machine_events(std::optional<LineId> line, Events events);
   void emit_time_events();

@@ -18,9 +18,15 @@ inline constexpr LineId kProbeLine = 0;
 
 struct LineOpened {
   std::string peer;  ///< for display: address and port, or `monitor`
-  LineKind kind = LineKind::kRaw;
+  LineKind kind = LineKind::kTcp;
   bool is_probe = false;  ///< opens kProbeLine, of which there is at most one
   Guard guard = Guard::kNormal;
+};
+
+/// The transport reports the settings of its serial port. A line of RFC 2217 knows its own.
+struct LineSettings {
+  LineId line = 0;
+  SerialSettings settings;
 };
 
 struct BytesIn {
@@ -38,12 +44,19 @@ struct BytesOut {
   std::size_t count = 0;
 };
 
+/// No more bytes will arrive on the line: what it holds back for its client leaves now. Its outbox
+/// is still sent.
+struct InputEnded {
+  LineId line = 0;
+};
+
 struct LineClosed {
   LineId line = 0;
   LineCloseReason reason = LineCloseReason::kClientClosed;
 };
 
-using Input = std::variant<LineOpened, BytesIn, BytesOut, LineClosed, call::Call>;
+using Input =
+    std::variant<LineOpened, LineSettings, BytesIn, BytesOut, InputEnded, LineClosed, call::Call>;
 
 /// The result of an input: the number of the opened line, the number of bytes taken, or the outcome
 /// of the call.

@@ -22,8 +22,16 @@ using Epoch = std::int64_t;
 /// Lines are numbered from 1 in the order of opening.
 using LineId = std::uint32_t;
 
-/// The transport of a line: a raw or telnet connection, or the monitor's call `send`.
-enum class LineKind : std::uint8_t { kRaw, kTelnet, kMonitor };
+/// The transport of a line. A TCP connection becomes kTelnet or kRfc2217 when its client shows that
+/// it speaks that protocol.
+enum class LineKind : std::uint8_t {
+  kTcp,      ///< plain bytes over TCP
+  kTelnet,   ///< RFC 854
+  kRfc2217,  ///< telnet with the settings of a serial port
+  kPty,      ///< a pseudo-terminal
+  kDevice,   ///< a serial device
+  kMonitor,  ///< the monitor's call `send`
+};
 
 enum class LineCloseReason : std::uint8_t {
   kClientClosed,
@@ -49,7 +57,7 @@ struct SuppressedNote {
   int count = 0;
 };
 struct LineOpenedNote {
-  LineKind kind = LineKind::kRaw;
+  LineKind kind = LineKind::kTcp;
   std::string peer;
 };
 struct LineClosedNote {

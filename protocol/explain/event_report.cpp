@@ -267,8 +267,11 @@ struct CellEvents {
 
 std::string_view name_of(LineKind kind) {
   switch (kind) {
-    case LineKind::kRaw: return "raw";
+    case LineKind::kTcp: return "tcp";
     case LineKind::kTelnet: return "telnet";
+    case LineKind::kRfc2217: return "rfc2217";
+    case LineKind::kPty: return "pty";
+    case LineKind::kDevice: return "device";
     case LineKind::kMonitor: return "monitor";
   }
   return "";

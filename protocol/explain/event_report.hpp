@@ -26,7 +26,7 @@ EventReport report(const EventBody& event, const Model& model);
 /// The report about any event of a cell.
 EventReport report(const CellEvent& event, const Model& model);
 
-/// `raw`, `telnet` or `monitor`.
+/// The name in messages: `tcp`, `telnet`, `rfc2217`, `pty`, `device` or `monitor`.
 std::string_view name_of(LineKind kind);
 
 /// The stable code, such as `client_closed`.

@@ -76,6 +76,7 @@ struct LineEntry {
   std::uint64_t bytes_out;
   std::uint64_t warnings;
   RawBytes last;
+  std::optional<SerialSettings> serial;
 };
 
 LineEntry entry_of(LineId id, const SerialLine& line) {
@@ -86,14 +87,17 @@ LineEntry entry_of(LineId id, const SerialLine& line) {
           line.bytes_in(),
           line.bytes_out(),
           line.warnings(),
-          line.last()};
+          line.last(),
+          line.settings()};
 }
 
 Json line_json(const LineEntry& line) {
-  return {{"line", line.id},           {"kind", name_of(line.kind)},
-          {"peer", line.peer},         {"opened_tick", line.opened_tick},
-          {"bytes_in", line.bytes_in}, {"bytes_out", line.bytes_out},
-          {"warnings", line.warnings}, {"last", readable(line.last.view())}};
+  Json entry = {{"line", line.id},           {"kind", name_of(line.kind)},
+                {"peer", line.peer},         {"opened_tick", line.opened_tick},
+                {"bytes_in", line.bytes_in}, {"bytes_out", line.bytes_out},
+                {"warnings", line.warnings}, {"last", readable(line.last.view())}};
+  if (line.serial) entry["serial"] = text_of(*line.serial);
+  return entry;
 }
 
 /// The name under which a snapshot is saved or loaded; empty: inline.

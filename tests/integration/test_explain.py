@@ -178,7 +178,7 @@ class EveryByte(unittest.TestCase):
         self.assertEqual([(value["line"], "in", "E?"), (value["line"], "out", " ")],
                          [(record["line"], record["dir"], record["text"]) for record in records])
         opened = [event for event in self.monitor.recall("event", since=0) if event["event"] == "line_open"]
-        self.assertEqual(["raw", "monitor"], [event["kind"] for event in opened])
+        self.assertEqual(["tcp", "monitor"], [event["kind"] for event in opened])
 
 
 class Calls(unittest.TestCase):
@@ -217,7 +217,7 @@ class Calls(unittest.TestCase):
         self.monitor.step(3, after=line)
         line.ask("E?")
         listed, = self.monitor.call("lines")["lines"]
-        self.assertEqual((1, "raw", 0, 7, 1, 1), tuple(listed[name] for name in (
+        self.assertEqual((1, "tcp", 0, 7, 1, 1), tuple(listed[name] for name in (
             "line", "kind", "opened_tick", "bytes_in", "bytes_out", "warnings")))
         self.assertRegex(listed["peer"], r"^127\.0\.0\.1:\d+$")
         self.assertIn("E?", listed["last"])

@@ -21,7 +21,7 @@ class Reference::Machine {
 
 Reference::Reference(SharedModel model, Line line)
     : machine_(std::make_unique<Machine>(
-          std::move(model), line == Line::kTcp ? LineKind::kRaw : LineKind::kMonitor)) {}
+          std::move(model), line == Line::kTcp ? LineKind::kTcp : LineKind::kMonitor)) {}
 
 Reference::~Reference() = default;
 
@@ -35,6 +35,12 @@ std::string Reference::replies(std::string_view bytes) {
     cell.apply(BytesOut{line, outbox.size()}, 0);
     if (bytes.empty() || cell.find_line(line)->is_not_a_robot_program()) return all;
   }
+}
+
+std::string Reference::last_replies() {
+  auto& [cell, line] = *machine_;
+  cell.apply(InputEnded{line}, 0);
+  return std::string(cell.find_line(line)->outbox());
 }
 
 std::string Reference::hexadecimal_replies(std::string_view bytes) {

@@ -9,7 +9,7 @@ namespace xr3::test {
 
 Tap::Tap(ModelPtr model)
     : simulation_(std::move(model)),
-      line_(simulation_.model().profile(), LineKind::kRaw, "test", 0) {}
+      line_(simulation_.model().profile(), LineKind::kTcp, "test", 0) {}
 
 std::string Tap::send(std::string_view bytes) {
   const std::size_t first = records_.size();
@@ -35,7 +35,7 @@ void Tap::receive(std::string_view bytes) {
   const std::string sent(line_.outbox());
   line_.sent(sent.size());
   received_ += sent;
-  if (!sent.empty()) fill_out(records_.emplace_back(), out, sent, exchanges_);
+  if (!sent.empty()) fill_out(records_.emplace_back(), out, sent, exchanges_, line_.released());
 }
 
 std::string transcript(const WireRecord& record, const Model& model) {

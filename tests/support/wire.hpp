@@ -13,7 +13,7 @@ namespace xr3::test {
 
 class Wire {
  public:
-  explicit Wire(Profile profile) : line_(profile, LineKind::kRaw, "test", 0) {}
+  explicit Wire(Profile profile) : line_(profile, LineKind::kTcp, "test", 0) {}
 
   /// Sends bytes at the simulation's tick. Ignored if the line is closed.
   void send(std::string_view bytes, Simulation& simulation);

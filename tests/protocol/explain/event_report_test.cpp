@@ -91,7 +91,11 @@ TEST(EventReport, EveryReasonHasACodeAndAText) {
     EXPECT_EQ(about.code, code);
     EXPECT_GT(about.message.size(), std::string("line 4 ").size());
   }
+  EXPECT_EQ(name_of(LineKind::kTcp), "tcp");
   EXPECT_EQ(name_of(LineKind::kTelnet), "telnet");
+  EXPECT_EQ(name_of(LineKind::kRfc2217), "rfc2217");
+  EXPECT_EQ(name_of(LineKind::kPty), "pty");
+  EXPECT_EQ(name_of(LineKind::kDevice), "device");
   EXPECT_EQ(name_of(LineKind::kMonitor), "monitor");
 }
 

@@ -93,9 +93,9 @@ TEST(EventJson, WarningsWithoutBytes) {
 }
 
 TEST(EventJson, LinesOpenAndClose) {
-  EXPECT_EQ(shown(LineOpenedNote{LineKind::kRaw, "127.0.0.1:51022"}, 4),
+  EXPECT_EQ(shown(LineOpenedNote{LineKind::kTcp, "127.0.0.1:51022"}, 4),
             R"({"event":"line_open","line":4,"code":"line_open",)"
-            R"("message":"line 4 opened by 127.0.0.1:51022","kind":"raw",)"
+            R"("message":"line 4 opened by 127.0.0.1:51022","kind":"tcp",)"
             R"("peer":"127.0.0.1:51022"})");
   EXPECT_EQ(shown(LineClosedNote{LineCloseReason::kClientClosed, 12, 3}, 4),
             R"({"event":"line_close","line":4,"code":"client_closed",)"
