@@ -19,7 +19,7 @@ constexpr std::size_t kMaxParts = 16;
 constexpr std::size_t kMaxTerms = 16;
 
 const Range kAngle{-kMaxAngleDeg, kMaxAngleDeg, false, "degrees"};
-const Range kSize{0, kMaxLengthMm};
+const Range kRegionSize{0, kMaxLengthMm};
 
 Members<DhRow> dh_members() {
   return {required("theta_deg", &DhRow::theta_deg, number(kAngle)),
@@ -130,8 +130,8 @@ Codec<RollTerm> roll_term() {
 }
 
 Members<ProtectedRegion> region_members() {
-  return {required("radius", &ProtectedRegion::radius_mm, length(kSize)),
-          required("height", &ProtectedRegion::height_mm, length(kSize))};
+  return {required("radius", &ProtectedRegion::radius_mm, length(kRegionSize)),
+          required("height", &ProtectedRegion::height_mm, length(kRegionSize))};
 }
 
 const Members<Robot>& robot_members() {

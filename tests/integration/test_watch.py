@@ -90,17 +90,17 @@ class Watch(unittest.TestCase):
             terminal.wait_text("status line (0 to 6): 2_")
             terminal.press("\r")
             terminal.wait_for(lambda text: text.split("\n")[-2].strip())
-            status = monitor.get("display")["status"]
+            status = monitor.look("display")["status"]
             self.assertEqual(2, status["option"])
             self.assertEqual(status["text"].strip(), terminal.text().split("\n")[-2].strip())
             terminal.press("v0 0 0\r")
             terminal.wait_text("not this: 0 0 0_")
             terminal.press("\b\b\b\b\b1 -2 3\r")
             terminal.press("m")
-            terminal.wait_text("view vector              1, -2, 3")
+            terminal.wait_text("view vector             1, -2, 3")
             terminal.press("e")
             terminal.wait_text("disabled")
-            self.assertFalse(monitor.get("state")["enabled"])
+            self.assertFalse(monitor.get("enabled")["enabled"])
             terminal.press("m")
             self.leave(terminal)
 
@@ -112,7 +112,7 @@ class Watch(unittest.TestCase):
                 terminal.press(alt_f1)
                 terminal.press("m")
                 terminal.wait_for(lambda text: re.search(r"Alt F1 +graphics display +on", text))
-                self.assertTrue(monitor.get("display")["on"])
+                self.assertTrue(monitor.look("display")["on"])
                 self.leave(terminal)
 
     def test_shows_a_stall(self):

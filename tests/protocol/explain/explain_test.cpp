@@ -115,8 +115,8 @@ TEST(Explain, ASoftHomeThatDropsABlockSaysHowHigh) {
   tap.simulation().run_to_rest(200'000);
   EXPECT_EQ(tap.send("A$"),
             "> A$\n"
-            "  7..9 soft_home: soft home: every joint at its home value, counters 0, no stall\n"
-            "  7..9 released_in_air: the block was released 310.7 mm above what is below it and "
+            "  6..8 soft_home: soft home: every joint at its home value, counters 0, no stall\n"
+            "  6..8 released_in_air: the block was released 310.7 mm above what is below it and "
             "stays in the air: release it lower\n");
 }
 

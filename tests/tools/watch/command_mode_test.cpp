@@ -107,11 +107,11 @@ TEST(CommandMode, TheMenuShowsValues) {
   display.status_option = 2;
   display.period_ticks = 500;
   const std::vector<std::string> lines = menu_lines(display, false);
-  EXPECT_THAT(lines, Contains("  d    Alt F1  graphics display         on"));
-  EXPECT_THAT(lines, Contains("  v    Alt F2  view vector              1, -2, 3"));
-  EXPECT_THAT(lines, Contains("  s    Alt F4  status line              joint variables"));
-  EXPECT_THAT(lines, Contains("  e    Alt F5  simulator                disabled"));
-  EXPECT_THAT(lines, Contains("  r            refresh period           0.5 s"));
+  EXPECT_THAT(lines, Contains("  d    Alt F1  graphics display        on"));
+  EXPECT_THAT(lines, Contains("  v    Alt F2  view vector             1, -2, 3"));
+  EXPECT_THAT(lines, Contains("  s    Alt F4  status line             joint variables"));
+  EXPECT_THAT(lines, Contains("  e    Alt F5  simulator               disabled"));
+  EXPECT_THAT(lines, Contains("  r            refresh period          0.5 s"));
 }
 
 }  // namespace

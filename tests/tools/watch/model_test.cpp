@@ -32,6 +32,8 @@ TEST(WatchModel, SubscribesToTheChannelsOfTheServer) {
             "\"op\":\"ping\"}\n"
             "{\"op\":\"sub\",\"channel\":\"model\",\"fields\":[\"robot\"]}\n"
             "{\"op\":\"sub\",\"channel\":\"state\",\"max_hz\":20}\n"
+            R"({"op":"sub","channel":"display","fields":["on","view","erase","period_ticks",)"
+            "\"function_keys\",\"status\"],\"max_hz\":20}\n"
             "{\"op\":\"sub\",\"channel\":\"image\",\"encoding\":\"rle\",\"max_hz\":10}\n"
             "{\"op\":\"sub\",\"channel\":\"event\"}\n"
             "{\"op\":\"get\",\"channel\":\"event\"}\n"
