@@ -30,7 +30,7 @@ State initial_state(const Model& model) {
   for (int i = 0; i < model.motor_count(); ++i) {
     const MotorModel& motor = model.motor(i);
     state.motor(i).speed = static_cast<std::uint8_t>(motor.drive.speed_counts_per_s);
-    state.motor(i).switch_closed = is_closed(motor.microswitch, 0);
+    state.motor(i).switch_closed = is_closed(motor, 0);
   }
   stand_at_home(model, state);
   return state;

@@ -26,7 +26,7 @@ const char* broken_in_motor(const Model& model, const State& state, const Positi
   const Blocked expected =
       motor.error == 0 ? Blocked::kNo : obstacle(model, state, positions, index);
   if (motor.blocked != expected) return "a motor is blocked exactly where something obstructs it";
-  if (motor.switch_closed != is_closed(model.motor(index).microswitch, motor.count))
+  if (motor.switch_closed != is_closed(model.motor(index), motor.count))
     return "a microswitch follows from its motor's count";
   return nullptr;
 }

@@ -1,6 +1,7 @@
 #include "core/model.hpp"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace xr3 {
@@ -8,14 +9,9 @@ namespace {
 
 constexpr double kCountTolerance = 1e-6;
 
-Microswitch fitted_switch(Microswitch file, Profile profile) {
-  if (profile == Profile::kMark3 && !file.width) file.width = kMark3SwitchWidth;
-  return file;
-}
-
 MotorModel motor_model(const Drive& drive, Profile profile) {
   const CountRange range = count_limits(drive);
-  return {drive, range.low, range.high, fitted_switch(drive.microswitch, profile)};
+  return {drive, range.low, range.high, closed_range(drive.microswitch, profile)};
 }
 
 }  // namespace
@@ -26,6 +22,15 @@ CountRange count_limits(const Drive& drive) {
   const auto first = static_cast<Counts>(low);
   const auto last = static_cast<Counts>(high);
   return drive.direction > 0 ? CountRange{first, last} : CountRange{-last, -first};
+}
+
+CountRange closed_range(const Microswitch& microswitch, Profile profile) {
+  const Counts at = microswitch.position;
+  if (microswitch.width) return {at - *microswitch.width / 2, at + *microswitch.width / 2};
+  using Limits = std::numeric_limits<Counts>;
+  const bool has_end = profile == Profile::kMark3;
+  if (at < 0) return {has_end ? at - kMark3SwitchRange : Limits::min(), at};
+  return {at, has_end ? at + kMark3SwitchRange : Limits::max()};
 }
 
 Model::Model(Robot robot, Workcell workcell, Profile profile)

@@ -17,15 +17,23 @@ namespace xr3 {
 /// programs were written for.
 enum class Profile : std::uint8_t { kPaper, kMark3 };
 
-/// Width in counts of a switch without a width in its file, in the mark3 profile.
-inline constexpr Counts kMark3SwitchWidth = 60;
+/// Counts beyond its position at which a switch without a width in its file opens again, in the
+/// mark3 profile.
+inline constexpr Counts kMark3SwitchRange = 60;
+
+/// A range of counts. Both ends are included.
+struct CountRange {
+  Counts low;
+  Counts high;
+  bool operator==(const CountRange&) const = default;
+};
 
 /// Integers of one motor and of the joint (or tool) it drives.
 struct MotorModel {
   Drive drive;
   Counts low = 0;           ///< minimum joint position within the limits, counts from the soft home
   Counts high = 0;          ///< maximum joint position within the limits
-  Microswitch microswitch;  ///< with the profile's default width applied
+  CountRange closed{0, 0};  ///< the motor's counts at which its microswitch is closed
   bool operator==(const MotorModel&) const = default;
 };
 
@@ -98,12 +106,13 @@ class Model {
 };
 
 /// Position limits in whole counts, rounded inwards with a tolerance of 1e-6 counts.
-struct CountRange {
-  Counts low;
-  Counts high;
-  bool operator==(const CountRange&) const = default;
-};
 CountRange count_limits(const Drive& drive);
+
+/// The counts of its motor at which a switch is closed. With a width: near its position, as on the
+/// hardware. Without one: at its position and beyond it, seen from the soft home; in the paper
+/// profile without an end, so that the switch stays closed while the joint moves on, and in mark3
+/// for kMark3SwitchRange counts.
+CountRange closed_range(const Microswitch& microswitch, Profile profile);
 
 using ModelPtr = std::shared_ptr<const Model>;
 

@@ -31,7 +31,7 @@ enum class ToolKind : std::uint8_t { kParallel, kAngular };
 
 /// A microswitch, driven by the count of its own motor.
 struct Microswitch {
-  Counts position = 0;          ///< where it closes; its sign is the side on which it stays closed
+  Counts position = 0;          ///< where it closes; its sign is the side on which it is closed
   std::uint8_t mask = 0;        ///< its bit in the reply to I or J; 0: in neither reply
   std::optional<Counts> width;  ///< if set, closed only while 2*|count - position| <= width
   bool operator==(const Microswitch&) const = default;

@@ -1,7 +1,5 @@
 #include "core/switches.hpp"
 
-#include <cstdlib>
-
 namespace xr3 {
 namespace {
 
@@ -20,15 +18,14 @@ bool is_asked_for(char label, char inquiry) {
   return inquiry == 'I' ? label >= 'C' : inquiry == 'J' && label < 'C';
 }
 
-bool is_closed(const Microswitch& microswitch, Counts count) {
-  if (microswitch.width) return 2 * std::abs(count - microswitch.position) <= *microswitch.width;
-  return microswitch.position < 0 ? count <= microswitch.position : count >= microswitch.position;
+bool is_closed(const MotorModel& motor, Counts count) {
+  return count >= motor.closed.low && count <= motor.closed.high;
 }
 
 void update_switches(const Model& model, State& state, Events& events) {
   for (int i = 0; i < model.motor_count(); ++i) {
     MotorState& motor = state.motor(i);
-    const bool closed = is_closed(model.motor(i).microswitch, motor.count);
+    const bool closed = is_closed(model.motor(i), motor.count);
     if (closed == motor.switch_closed) continue;
     motor.switch_closed = closed;
     events.push_back({state.tick, SwitchChanged{model.motor(i).drive.label, closed, motor.count}});
@@ -40,7 +37,7 @@ SwitchBits switch_bits(const Model& model, const State& state, char inquiry) {
   bits.inquiry = inquiry;
   bits.inputs = input_bits(state.io.inputs, inquiry);
   for (int i = 0; i < model.motor_count(); ++i) {
-    const std::uint8_t mask = model.motor(i).microswitch.mask;
+    const std::uint8_t mask = model.motor(i).drive.microswitch.mask;
     if (!is_asked_for(model.motor(i).drive.label, inquiry)) continue;
     bits.fitted = static_cast<std::uint8_t>(bits.fitted | mask);
     if (state.motor(i).switch_closed) bits.closed = static_cast<std::uint8_t>(bits.closed | mask);

@@ -12,10 +12,8 @@ namespace xr3 {
 /// Whether the reply to `inquiry` includes the switch of joint `label`: I has C...H, J has A and B.
 bool is_asked_for(char label, char inquiry);
 
-/// Without a width: closed at its position and beyond it, seen from the soft home, so that it stays
-/// closed while the joint moves on. With a width: closed only near its position, as on the
-/// hardware.
-bool is_closed(const Microswitch& microswitch, Counts count);
+/// Whether the microswitch of a motor is closed at this count; see closed_range().
+bool is_closed(const MotorModel& motor, Counts count);
 
 /// Recomputes every switch and appends an event for each change.
 void update_switches(const Model& model, State& state, Events& events);

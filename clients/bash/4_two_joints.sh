@@ -1,17 +1,13 @@
 #!/usr/bin/env bash
-# 4. Two joints at once, with speeds: base and shoulder start together and arrive together.
+# 4. Two joints at once: base and shoulder start together, and the program waits for both.
 #
 #     ./4_two_joints.sh [HOST [PORT]]
 
 cd "$(dirname "$0")" || exit
 . ./robot.sh "$@"
 
-# A number followed by S sets a speed in counts per second. E moves twice as far as F, so it gets
-# twice the speed.
-robot_send 'F40S E80S\r'
-echo 'F runs at 40 counts a second, E at 80'
-
 # Each joint has its own motor, and the robot does not wait: both start now.
+# The simulator can also set speeds, as in F40S. A Mark III cannot: it reads F40 as a move.
 robot_send 'F+40 E+80\r'
 echo 'F+40 E+80'
 

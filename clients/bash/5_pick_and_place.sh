@@ -29,9 +29,9 @@ robot_go "${at_block[@]}"
 # Command the jaws to close much further than the block permits. They stop at the block, and the
 # remaining counts give its width: A is 50.8 mm open at count 0, and a count is 0.79375 mm.
 # robot_wait also cancels the remaining counts (AX); otherwise the jaws would keep pressing.
-robot_send 'A-100\r'
+robot_send 'A-90\r'
 robot_wait A
-at[A]=$((at[A] - (100 - left)))
+at[A]=$((at[A] - (90 - left)))
 if [ "${at[A]}" -le "$shut" ]; then
   robot_go "${above_block[@]}" # back to the start position
   robot_go "${home[@]}"

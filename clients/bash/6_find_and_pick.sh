@@ -39,9 +39,9 @@ look
 robot_go A $jaws_open
 go_to "$x" "$y" "$angle" $((z + above))
 go_to "$x" "$y" "$angle" $z
-robot_send 'A-100\r' # as in example 5
+robot_send 'A-90\r' # as in example 5
 robot_wait A
-at[A]=$((jaws_open - (100 - left)))
+at[A]=$((jaws_open - (90 - left)))
 if [ "${at[A]}" -le $jaws_shut ]; then
   go_to "$x" "$y" "$angle" $((z + above)) # back to the start position
   robot_go F 0 E 0 D 0 C 0 B 0 A 0

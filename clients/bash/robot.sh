@@ -52,7 +52,7 @@ robot_send() {
 }
 
 # robot_ask INQUIRY: sends an inquiry and sets $reply to the one-byte answer as a number. (bash
-# drops bytes of 0, so these programs ask I and J for switches, never EV.)
+# drops bytes of 0; the answers to ?, I and J have none.)
 robot_ask() {
   local byte
   robot_send "$1"
@@ -66,7 +66,9 @@ robot_ask() {
   reply=$((reply & 255))
 }
 
-# robot_to_go JOINT: sets $left to the counts that the joint still has to go.
+# robot_to_go JOINT: sets $left to the counts that the joint still has to go. A Mark III answers
+# with seven bits: for more than 95 counts the answer is wrong there, so no move of these programs
+# is longer.
 robot_to_go() {
   robot_ask "$1?"
   left=$((reply - 32))

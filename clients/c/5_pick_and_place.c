@@ -46,8 +46,8 @@ int main(int argc, char *argv[]) {
   /* Command the jaws to close much further than the block permits. They stop at the block, and the
      remaining counts give its width. robot_wait also cancels the remaining counts (AX); otherwise
      the jaws would keep pressing. */
-  robot_send("A-100\r");
-  at[A] -= 100 - robot_wait(A);
+  robot_send("A-90\r");
+  at[A] -= 90 - robot_wait(A);
   if (at[A] <= SHUT) {
     fprintf(stderr, "the jaws closed on nothing: is the block at x 262, y 0 mm? Restart the server "
                     "to have it there (the examples 3 to 6 are for the Rhino XR-3 with its own "

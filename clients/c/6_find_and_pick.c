@@ -131,8 +131,8 @@ int main(int argc, char *argv[]) {
   open_jaws();
   go_to(block, Z + ABOVE);
   go_to(block, Z);
-  robot_send("A-100\r"); /* as in example 5 */
-  at[A] -= 100 - robot_wait(A);
+  robot_send("A-90\r"); /* as in example 5 */
+  at[A] -= 90 - robot_wait(A);
   if (at[A] <= SHUT) {
     fprintf(stderr, "the jaws closed on nothing: is the block at x %.0f, y %.0f mm? (The examples "
                     "3 to 6 are for the Rhino XR-3 with its own workcell, in the profile paper)\n",

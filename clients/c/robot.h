@@ -30,7 +30,8 @@ void robot_read(unsigned char *bytes, int count);
 /* Sends an inquiry and returns the one-byte answer. */
 int robot_ask(const char *inquiry);
 
-/* The counts that the joint still has to go. */
+/* The counts that the joint still has to go. A Mark III answers with seven bits: for more than 95
+   counts the answer is wrong there, so no move of these programs is longer. */
 int robot_to_go(int joint);
 
 /* Sleeps. */

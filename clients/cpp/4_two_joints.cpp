@@ -1,4 +1,4 @@
-// 4. Two joints at once, with speeds: base and shoulder start together and arrive together.
+// 4. Two joints at once: base and shoulder start together, and the program waits for both.
 //
 //     build/4_two_joints [HOST [PORT]]
 
@@ -10,12 +10,8 @@
 int main(int argc, char* argv[]) try {
   Robot robot(argc, argv);
 
-  // A number followed by S sets a speed in counts per second. E moves twice as far as F, so it gets
-  // twice the speed.
-  robot.send("F40S E80S\r");
-  std::cout << "F runs at 40 counts a second, E at 80\n";
-
   // Each joint has its own motor, and the robot does not wait: both start now.
+  // The simulator can also set speeds, as in F40S. A Mark III cannot: it reads F40 as a move.
   robot.send("F+40 E+80\r");
   std::cout << "F+40 E+80\n";
 

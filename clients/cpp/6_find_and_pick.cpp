@@ -137,8 +137,8 @@ int main(int argc, char* argv[]) try {
   robot.go({{'A', kOpen}});
   go_to(robot, block, kZ + kAbove);
   go_to(robot, block, kZ);
-  robot.send("A-100\r");  // as in example 5
-  robot.at['A'] -= 100 - robot.wait('A');
+  robot.send("A-90\r");  // as in example 5
+  robot.at['A'] -= 90 - robot.wait('A');
   if (robot.at['A'] <= kShut) {
     std::cerr << "the jaws closed on nothing: is the block at x " << std::lround(block.x) << ", y "
               << std::lround(block.y)

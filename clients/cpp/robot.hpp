@@ -71,7 +71,8 @@ class Robot {
     return reply[0];
   }
 
-  /// The counts that the joint still has to go.
+  /// The counts that the joint still has to go. A Mark III answers with seven bits: for more than
+  /// 95 counts the answer is wrong there, so no move of these programs is longer.
   int to_go(char joint) { return ask(std::string{joint, '?'}) - 32; }
 
   /// A joint counts as stopped if its counter has not changed for this long. The slowest speed is

@@ -9,68 +9,100 @@ class Home {
     // The elbow comes first, since it lifts the hand off the table; the jaws, joint A, come last.
     static final String[] JOINTS = {"D", "E", "C", "B", "F", "A"};
 
-    // Where their switches are, in counts from the soft home: upper arm upright, forearm level,
-    // tool down.
+    // Where their switches close, in counts from the soft home: upper arm upright, forearm level,
+    // tool down. Seen from there each is open before this count, and closed from it on: for a few
+    // dozen counts on a real arm, for longer in the simulator.
     static final int[] SWITCHES = {40, -40, 40, -25, 30, 16};
 
-    // More counts than the full travel of any joint.
-    static final int FARTHEST = 2500;
+    // One byte reports several switches: I those of joints C to F, J those of A and B. Each has one
+    // bit.
+    static final String[] INQUIRIES = {"I", "I", "I", "J", "I", "J"};
+    static final int[] BITS = {2, 4, 1, 2, 8, 1};
+
+    static final int STEP = 10; // counts of one move of the search; a switch is closed for longer
+    static final int WIDEST = 100; // more counts than a switch of a real arm stays closed
+    static final int FAR = 1600; // more counts than any joint has from a limit to its switch
+
+    // How far to search away from the soft home before trying the other direction. The shoulder
+    // must not lean far back, or the hand hits the base.
+    static final int[] REACH = {FAR, 60, FAR, FAR, FAR, FAR};
+
+    static final int UNKNOWN = -1;
 
     static Robot robot;
 
-    static boolean isClosed(String joint) throws IOException {
-        return robot.ask(joint + "V") == 1; // 0 or 1, without the 32
+    // What a closed switch reads, 0 or 1: not known until the first one has changed.
+    static int closed = UNKNOWN;
+
+    /** The bit of the switch. Some controllers report a closed switch as 1, others as 0. */
+    static int readSwitch(int k) throws IOException {
+        return ((robot.ask(INQUIRIES[k]) - 32) & BITS[k]) != 0 ? 1 : 0;
     }
 
     /** Moves the joint and returns the counts that were left, 0 if it has arrived. */
-    static int step(String joint, int counts) throws IOException, InterruptedException {
-        robot.send(Robot.move(joint, counts) + "\r");
-        return robot.waitFor(joint); // as in example 2; cancels the move of a blocked joint
+    static int step(int k, int counts) throws IOException, InterruptedException {
+        robot.send(Robot.move(JOINTS[k], counts) + "\r");
+        return robot.waitFor(JOINTS[k]); // as in example 2; cancels the move of a blocked joint
     }
 
-    /** Moves in steps of `counts` until the switch is closed (true) or open (false). */
-    static void search(String joint, int counts, boolean closed)
+    /**
+     * Moves in steps of `counts` until the switch changes. Returns false if it does not within
+     * `farthest` counts, or before the joint is blocked.
+     */
+    static boolean changes(int k, int counts, int farthest)
             throws IOException, InterruptedException {
-        for (int gone = 0; isClosed(joint) != closed; gone += Math.abs(counts)) {
-            if (step(joint, counts) == Math.abs(counts)) {
-                throw new IOException(joint + " does not move, and its switch is not found. Is it "
-                        + "at a limit, or stalled? Is the clock paused? This example is for the "
-                        + "Rhino XR-3, in the profile paper");
-            }
-            if (gone > FARTHEST) {
-                throw new IOException(joint + " went " + gone + " counts, and its switch is not "
-                        + "found. This example is for the Rhino XR-3, in the profile paper");
-            }
+        int before = readSwitch(k);
+        for (int gone = 0; gone < farthest; gone += Math.abs(counts)) {
+            int left = step(k, counts);
+            if (readSwitch(k) != before) return true;
+            if (left > 0) return false;
         }
+        return false;
+    }
+
+    /** Moves to the count at which the switch closes. Returns false if it does not change. */
+    static boolean findNearEdge(int k, int away) throws IOException, InterruptedException {
+        // Watch the switch change, at whichever edge: first in one direction, then in the other. If
+        // it reads like the closed ones before, the near edge lies towards the soft home.
+        boolean isClosed = readSwitch(k) == closed;
+        int way = isClosed ? -away : away;
+        int reach = isClosed ? FAR : REACH[k];
+        if (!changes(k, STEP * way, reach) && !changes(k, -STEP * way, 2 * FAR)
+                && !changes(k, STEP * way, 2 * FAR)) {
+            return false;
+        }
+
+        // Move towards the soft home until the switch has not changed for a long way: now it is
+        // open.
+        while (changes(k, -STEP * away, WIDEST)) { }
+
+        // Quickly up to the near edge, back again, and then count by count.
+        return changes(k, STEP * away, FAR) && changes(k, -STEP * away, FAR)
+                && changes(k, away, FAR);
     }
 
     static void home(String[] args) throws IOException, InterruptedException {
         robot = new Robot(args);
 
-        // Some controllers report their switches inverted. The answer to I shows it: the highest of
-        // its six bits belongs to no switch and should be 0.
-        if (robot.ask("I") - 32 >= 32) {
-            throw new IOException("the switches of D and of all other joints read 1 when they are "
-                    + "open, as in the profile mark3. This example is for the profile paper");
-        }
-
         for (int k = 0; k < JOINTS.length; k++) {
-            String joint = JOINTS[k];
-            int way = SWITCHES[k] > 0 ? 1 : -1;
-            search(joint, 5 * way, true); // quickly, until the switch closes
-            search(joint, -5 * way, false); // back, until it opens again
-            search(joint, way, true); // slowly, to find the exact count at which it closes
-            System.out.printf("%s is on its switch, at %+d%n", joint, SWITCHES[k]);
+            if (!findNearEdge(k, SWITCHES[k] > 0 ? 1 : -1)) {
+                throw new IOException("the switch of " + JOINTS[k] + " does not change. Is the "
+                        + "joint blocked at a limit, or the arm stalled? Is the clock paused? (The "
+                        + "examples 3 to 6 are for the Rhino XR-3 with its own workcell)");
+            }
+            closed = readSwitch(k);
+            System.out.printf("%s is on its switch, at %+d%n", JOINTS[k], SWITCHES[k]);
         }
 
-        // All switches at once: I reports joints C to F, J reports A and B.
+        // All switches at once. J also reports four input lines, in its bits 4 to 32.
         int i = robot.ask("I") - 32;
-        int j = robot.ask("J") - 32;
-        System.out.println("switches closed: " + i + " of I, " + j + " of J");
+        int j = (robot.ask("J") - 32) & 3;
+        System.out.println("a closed switch reads " + closed + "; the switches of I are " + i
+                + ", those of J " + j);
 
         // The soft home is at count 0: move each joint back by the count of its switch.
         for (int k = 0; k < JOINTS.length; k++) {
-            Robot.checkArrived(JOINTS[k], step(JOINTS[k], -SWITCHES[k]));
+            Robot.checkArrived(JOINTS[k], step(k, -SWITCHES[k]));
         }
         System.out.println("at the soft home");
 

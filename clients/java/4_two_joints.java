@@ -1,4 +1,4 @@
-// 4. Two joints at once, with speeds: base and shoulder start together and arrive together.
+// 4. Two joints at once: base and shoulder start together, and the program waits for both.
 //
 //     java -cp build 4_two_joints.java [HOST [PORT]]
 
@@ -8,12 +8,8 @@ class TwoJoints {
     static void twoJoints(String[] args) throws IOException, InterruptedException {
         Robot robot = new Robot(args);
 
-        // A number followed by S sets a speed in counts per second. E moves twice as far as F, so
-        // it gets twice the speed.
-        robot.send("F40S E80S\r");
-        System.out.println("F runs at 40 counts a second, E at 80");
-
         // Each joint has its own motor, and the robot does not wait: both start now.
+        // The simulator can also set speeds, as in F40S. A Mark III cannot: it reads F40 as a move.
         robot.send("F+40 E+80\r");
         System.out.println("F+40 E+80");
 

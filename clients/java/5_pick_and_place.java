@@ -34,8 +34,8 @@ class PickAndPlace {
         // and the remaining counts give its width: A is 50.8 mm open at count 0, and a count is
         // 0.79375 mm. waitFor() also cancels the remaining counts (AX); otherwise the jaws would
         // keep pressing.
-        robot.send("A-100\r");
-        int jaws = 16 - (100 - robot.waitFor("A"));
+        robot.send("A-90\r");
+        int jaws = 16 - (90 - robot.waitFor("A"));
         robot.at.put("A", jaws);
         if (jaws <= SHUT) {
             System.err.println("the jaws closed on nothing: is the block at x 262, y 0 mm? Restart "

@@ -136,8 +136,8 @@ class FindAndPick {
         robot.go(Map.of("A", OPEN));
         goTo(block, Z + ABOVE);
         goTo(block, Z);
-        robot.send("A-100\r"); // as in example 5
-        int jaws = OPEN - (100 - robot.waitFor("A"));
+        robot.send("A-90\r"); // as in example 5
+        int jaws = OPEN - (90 - robot.waitFor("A"));
         robot.at.put("A", jaws);
         if (jaws <= SHUT) {
             System.err.printf("the jaws closed on nothing: is the block at x %.0f, y %.0f mm? "

@@ -92,7 +92,10 @@ public class Robot {
         return reply[0] & 0xFF;
     }
 
-    /** The counts that the joint still has to go. */
+    /**
+     * The counts that the joint still has to go. A Mark III answers with seven bits: for more than
+     * 95 counts the answer is wrong there, so no move of these programs is longer.
+     */
     public int toGo(String joint) throws IOException {
         return ask(joint + "?") - 32;
     }

@@ -5,15 +5,31 @@
 
 const { Robot, giveUp, giveUpStanding, move } = require("./robot");
 
-// Where the switches are, in counts from the soft home: upper arm upright, forearm level, tool
-// down. The elbow comes first, since it lifts the hand off the table; the jaws, joint A, come last.
+// Where the switches close, in counts from the soft home: upper arm upright, forearm level, tool
+// down. Seen from there each is open before this count, and closed from it on: for a few dozen
+// counts on a real arm, for longer in the simulator. The elbow comes first, since it lifts the hand
+// off the table; the jaws, joint A, come last.
 const switches = { D: 40, E: -40, C: 40, B: -25, F: 30, A: 16 };
-const FARTHEST = 2500; // more counts than the full travel of any joint
+
+// One byte reports several switches: I those of joints C to F, J those of A and B. Each has one
+// bit.
+const bits = { D: ["I", 2], E: ["I", 4], C: ["I", 1], B: ["J", 2], F: ["I", 8], A: ["J", 1] };
+
+const STEP = 10; // counts of one move of the search; a switch stays closed for longer
+const WIDEST = 100; // more counts than a switch of a real arm stays closed
+const FAR = 1600; // more counts than any joint has from a limit to its switch
+
+// How far to search away from the soft home before trying the other direction. The shoulder must
+// not lean far back, or the hand hits the base.
+const REACH = { D: FAR, E: 60, C: FAR, B: FAR, F: FAR, A: FAR };
 
 const robot = new Robot();
+let closed; // what a closed switch reads, 0 or 1: not known until the first one has changed
 
-async function isClosed(joint) {
-  return (await robot.ask(joint + "V")) === 1; // 0 or 1, without the 32
+// The bit of the joint's switch. Some controllers report a closed switch as 1, others as 0.
+async function readSwitch(joint) {
+  const [inquiry, bit] = bits[joint];
+  return ((await robot.ask(inquiry)) - 32) & bit ? 1 : 0;
 }
 
 // Moves the joint and returns the counts that were left, 0 if it has arrived.
@@ -22,44 +38,59 @@ async function step(joint, counts) {
   return await robot.wait(joint); // as in example 2; cancels the move of a blocked joint
 }
 
-// Moves in steps of `counts` until the switch is closed (true) or open (false).
-async function search(joint, counts, closed) {
-  let gone = 0;
-  while ((await isClosed(joint)) !== closed) {
+// Moves in steps of `counts` until the switch changes. Returns false if it does not within
+// `farthest` counts, or before the joint is blocked.
+async function changes(joint, counts, farthest) {
+  const before = await readSwitch(joint);
+  for (let gone = 0; gone < farthest; gone += Math.abs(counts)) {
     const left = await step(joint, counts);
-    gone += Math.abs(counts) - left;
-    if (left === Math.abs(counts) || gone > FARTHEST) {
-      giveUp(
-        `${joint} went ${gone} counts and found no switch. Is it blocked at a limit, or stalled? ` +
-          "Is the clock paused? (The examples 3 to 6 are for the Rhino XR-3 with its own " +
-          "workcell, in the profile paper)",
-      );
-    }
+    if ((await readSwitch(joint)) !== before) return true;
+    if (left > 0) return false;
   }
+  return false;
+}
+
+// Moves to the count at which the switch closes. Returns false if the switch does not change.
+async function findNearEdge(joint, away) {
+  // Watch the switch change, at whichever edge: first in one direction, then in the other. If it
+  // reads like the closed ones before, the near edge lies towards the soft home.
+  const isClosed = (await readSwitch(joint)) === closed;
+  const way = isClosed ? -away : away;
+  const reach = isClosed ? FAR : REACH[joint];
+  const seen =
+    (await changes(joint, STEP * way, reach)) ||
+    (await changes(joint, -STEP * way, 2 * FAR)) ||
+    (await changes(joint, STEP * way, 2 * FAR));
+  if (!seen) return false;
+
+  // Move towards the soft home until the switch has not changed for a long way: now it is open.
+  while (await changes(joint, -STEP * away, WIDEST));
+
+  // Quickly up to the near edge, back again, and then count by count.
+  return (
+    (await changes(joint, STEP * away, FAR)) &&
+    (await changes(joint, -STEP * away, FAR)) &&
+    (await changes(joint, away, FAR))
+  );
 }
 
 async function main() {
-  // Some controllers report their switches inverted. The answer to I shows it: the highest of its
-  // six bits belongs to no switch and should be 0.
-  if ((await robot.ask("I")) - 32 >= 32) {
-    giveUp(
-      "the switches of D and of all other joints read 1 when they are open, as in the profile " +
-        "mark3. This example is for the profile paper",
-    );
-  }
-
   for (const [joint, place] of Object.entries(switches)) {
-    const way = place > 0 ? 1 : -1;
-    await search(joint, 5 * way, true); // quickly, until the switch closes
-    await search(joint, -5 * way, false); // back, until it opens again
-    await search(joint, way, true); // slowly, to find the exact count at which it closes
+    if (!(await findNearEdge(joint, Math.sign(place)))) {
+      giveUp(
+        `the switch of ${joint} does not change. Is the joint blocked at a limit, or the arm ` +
+          "stalled? Is the clock paused? (The examples 3 to 6 are for the Rhino XR-3 with its " +
+          "own workcell)",
+      );
+    }
+    closed = await readSwitch(joint);
     console.log(`${joint} is on its switch, at ${place > 0 ? "+" : ""}${place}`);
   }
 
-  // All switches at once: I reports joints C to F, J reports A and B.
+  // All switches at once. J also reports four input lines, in its bits 4 to 32.
   const i = (await robot.ask("I")) - 32;
-  const j = (await robot.ask("J")) - 32;
-  console.log(`switches closed: ${i} of I, ${j} of J`);
+  const j = ((await robot.ask("J")) - 32) & 3;
+  console.log(`a closed switch reads ${closed}; the switches of I are ${i}, those of J ${j}`);
 
   // The soft home is at count 0: move each joint back by the count of its switch.
   for (const [joint, place] of Object.entries(switches)) {

@@ -31,8 +31,8 @@ async function main() {
   // Command the jaws to close much further than the block permits. They stop at the block, and the
   // remaining counts give its width: A is 50.8 mm open at count 0, and a count is 0.79375 mm.
   // wait() also cancels the remaining counts (AX); otherwise the jaws would keep pressing.
-  robot.send("A-100\r");
-  robot.at.A -= 100 - (await robot.wait("A"));
+  robot.send("A-90\r");
+  robot.at.A -= 90 - (await robot.wait("A"));
   if (robot.at.A <= SHUT) {
     await robot.go(aboveBlock); // back to the start position
     await robot.go(home);

@@ -123,8 +123,8 @@ async function main() {
   await robot.go({ A: OPEN });
   await goTo(block, Z + ABOVE);
   await goTo(block, Z);
-  robot.send("A-100\r"); // as in example 5
-  robot.at.A -= 100 - (await robot.wait("A"));
+  robot.send("A-90\r"); // as in example 5
+  robot.at.A -= 90 - (await robot.wait("A"));
   if (robot.at.A <= SHUT) {
     await goTo(block, Z + ABOVE); // back to the start position
     await robot.go(HOME);

@@ -77,7 +77,8 @@ class Robot {
     return byte;
   }
 
-  // The counts that the joint still has to go.
+  // The counts that the joint still has to go. A Mark III answers with seven bits: for more than
+  // 95 counts the answer is wrong there, so no move of these programs is longer.
   async toGo(joint) {
     return (await this.ask(joint + "?")) - 32;
   }

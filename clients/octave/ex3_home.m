@@ -3,33 +3,32 @@
 %
 %     octave-cli ex3_home.m [HOST [PORT]]
 
-% Where the switches are, in counts from the soft home: upper arm upright, forearm level, tool down.
 % The elbow comes first, since it lifts the hand off the table; the jaws, joint A, come last.
 joints = 'DECBFA';
+
+% Where the switches close, in counts from the soft home: upper arm upright, forearm level, tool
+% down. Seen from there each is open before this count, and closed from it on: for a few dozen
+% counts on a real arm, for longer in the simulator.
 places = [40 -40 40 -25 30 16];
 
 robot = robot_connect();
-
-% Some controllers report their switches inverted. The answer to I shows it: the highest of its six
-% bits belongs to no switch and should be 0.
-if robot_ask(robot, 'I') - 32 >= 32
-  error('%s\n', ['the switches of D and of all other joints read 1 when they are open, as in ' ...
-                 'the profile mark3. This example is for the profile paper']);
-end
+closed = [];  % what a closed switch reads, 0 or 1: not known until the first one has changed
 
 for k = 1:6
   joint = joints(k);
-  way = sign(places(k));
-  robot_search(robot, joint, 5 * way, true);    % quickly, until the switch closes
-  robot_search(robot, joint, -5 * way, false);  % back, until it opens again
-  robot_search(robot, joint, way, true);        % slowly, to find the exact count at which it closes
+  if ~robot_find_edge(robot, joint, sign(places(k)), closed)
+    error(['the switch of %s does not change. Is the joint blocked at a limit, or the arm ' ...
+           'stalled? Is the clock paused? (The examples 3 to 6 are for the Rhino XR-3 with its ' ...
+           'own workcell)\n'], joint);
+  end
+  closed = robot_switch(robot, joint);
   fprintf('%s is on its switch, at %+d\n', joint, places(k));
 end
 
-% All switches at once: I reports joints C to F, J reports A and B.
+% All switches at once. J also reports four input lines, in its bits 4 to 32.
 i = robot_ask(robot, 'I') - 32;
-j = robot_ask(robot, 'J') - 32;
-fprintf('switches closed: %d of I, %d of J\n', i, j);
+j = mod(robot_ask(robot, 'J') - 32, 4);
+fprintf('a closed switch reads %d; the switches of I are %d, those of J %d\n', closed, i, j);
 
 % The soft home is at count 0: move each joint back by the count of its switch.
 for k = 1:6

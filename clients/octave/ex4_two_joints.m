@@ -1,15 +1,11 @@
-% 4. Two joints at once, with speeds: base and shoulder start together and arrive together.
+% 4. Two joints at once: base and shoulder start together, and the program waits for both.
 %
 %     octave-cli ex4_two_joints.m [HOST [PORT]]
 
 robot = robot_connect();
 
-% A number followed by S sets a speed in counts per second. E moves twice as far as F, so it gets
-% twice the speed.
-robot_send(robot, 'F40S E80S\r');
-fprintf('F runs at 40 counts a second, E at 80\n');
-
 % Each joint has its own motor, and the robot does not wait: both start now.
+% The simulator can also set speeds, as in F40S. A Mark III cannot: it reads F40 as a move.
 robot_send(robot, 'F+40 E+80\r');
 fprintf('F+40 E+80\n');
 

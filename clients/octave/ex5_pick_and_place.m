@@ -28,8 +28,8 @@ robot = robot_go(robot, at_block);
 % Command the jaws to close much further than the block permits. They stop at the block, and the
 % remaining counts give its width: A is 50.8 mm open at count 0, and a count is 0.79375 mm.
 % robot_wait also cancels the remaining counts (AX); otherwise the jaws would keep pressing.
-robot_send(robot, 'A-100\r');
-robot.at(6) = 16 - (100 - robot_wait(robot, 'A'));
+robot_send(robot, 'A-90\r');
+robot.at(6) = 16 - (90 - robot_wait(robot, 'A'));
 if robot.at(6) <= shut
   robot = robot_go(robot, above_block);  % back to the start position
   robot = robot_go(robot, [home 0]);

@@ -17,8 +17,8 @@ block = find_largest(robot);
 robot = robot_go(robot, [0 0 0 0 0 open]);
 robot = robot_go(robot, counts_at(block, z + above));
 robot = robot_go(robot, counts_at(block, z));
-robot_send(robot, 'A-100\r');  % as in example 5
-robot.at(6) = open - (100 - robot_wait(robot, 'A'));
+robot_send(robot, 'A-90\r');  % as in example 5
+robot.at(6) = open - (90 - robot_wait(robot, 'A'));
 if robot.at(6) <= shut
   robot = robot_go(robot, counts_at(block, z + above));  % back to the start position
   robot = robot_go(robot, [0 0 0 0 0 0]);

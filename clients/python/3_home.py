@@ -8,16 +8,30 @@ import sys
 
 import xr3
 
-# Where the switches are, in counts from the soft home: upper arm upright, forearm level, tool down.
-# The elbow comes first, since it lifts the hand off the table; the jaws, joint A, come last.
+# Where the switches close, in counts from the soft home: upper arm upright, forearm level, tool
+# down. Seen from there each is open before this count, and closed from it on: for a few dozen
+# counts on a real arm, for longer in the simulator. The elbow comes first, since it lifts the hand
+# off the table; the jaws, joint A, come last.
 SWITCHES = {"D": 40, "E": -40, "C": 40, "B": -25, "F": 30, "A": 16}
-FARTHEST = 2500  # more counts than the full travel of any joint
+
+# One byte reports several switches: I those of joints C to F, J those of A and B. Each has one bit.
+BITS = {"D": ("I", 2), "E": ("I", 4), "C": ("I", 1), "B": ("J", 2), "F": ("I", 8), "A": ("J", 1)}
+
+STEP = 10  # counts of one move of the search; a switch stays closed for longer
+WIDEST = 100  # more counts than a switch of a real arm stays closed
+FAR = 1600  # more counts than any joint has from a limit to its switch
+
+# How far to search away from the soft home before trying the other direction. The shoulder must not
+# lean far back, or the hand hits the base.
+REACH = {"D": FAR, "E": 60, "C": FAR, "B": FAR, "F": FAR, "A": FAR}
 
 robot = xr3.connect()
 
 
-def is_closed(joint):
-    return robot.ask(joint + "V") == 1  # this answer is 0 or 1, without the 32
+def read_switch(joint):
+    """The bit of the joint's switch. Some controllers report a closed switch as 1, others as 0."""
+    inquiry, bit = BITS[joint]
+    return 1 if (robot.ask(inquiry) - 32) & bit else 0
 
 
 def step(joint, counts):
@@ -26,34 +40,51 @@ def step(joint, counts):
     return robot.wait(joint)  # as in example 2; cancels the move of a blocked joint
 
 
-def search(joint, counts, closed):
-    """Moves in steps of `counts` until the switch is closed (True) or open (False)."""
-    gone = 0
-    while is_closed(joint) != closed:
+def changes(joint, counts, farthest):
+    """Moves in steps of `counts` until the switch changes. Returns False if it does not within
+    `farthest` counts, or before the joint is blocked."""
+    before = read_switch(joint)
+    for _ in range(farthest // abs(counts)):
         left = step(joint, counts)
-        gone += abs(counts) - left
-        if left == abs(counts) or gone > FARTHEST:
-            sys.exit(f"{joint} went {gone} counts and found no switch. Is it blocked at a limit, "
-                     "or stalled? Is the clock paused? (The examples 3 to 6 are for the Rhino "
-                     "XR-3 with its own workcell, in the profile paper)")
+        if read_switch(joint) != before:
+            return True
+        if left > 0:
+            return False
+    return False
 
 
-# Some controllers report their switches inverted. The answer to I shows it: the highest of its six
-# bits belongs to no switch and should be 0.
-if robot.ask("I") - 32 >= 32:
-    sys.exit("the switches of D and of all other joints read 1 when they are open, as in the "
-             "profile mark3. This example is for the profile paper")
+def find_near_edge(joint, away):
+    """Moves to the count at which the switch closes. Returns False if it does not change."""
+    # Watch the switch change, at whichever edge: first in one direction, then in the other. If it
+    # reads like the closed ones before, the near edge lies towards the soft home.
+    way, reach = away, REACH[joint]
+    if read_switch(joint) == closed:
+        way, reach = -away, FAR
+    if not (changes(joint, STEP * way, reach) or changes(joint, -STEP * way, 2 * FAR)
+            or changes(joint, STEP * way, 2 * FAR)):
+        return False
+
+    # Move towards the soft home until the switch has not changed for a long way: now it is open.
+    while changes(joint, -STEP * away, WIDEST):
+        pass
+
+    # Quickly up to the near edge, back again, and then count by count.
+    return (changes(joint, STEP * away, FAR) and changes(joint, -STEP * away, FAR)
+            and changes(joint, away, FAR))
 
 
+closed = None  # what a closed switch reads, 0 or 1: not known until the first one has changed
 for joint, place in SWITCHES.items():
-    way = 1 if place > 0 else -1
-    search(joint, 5 * way, True)  # quickly, until the switch closes
-    search(joint, -5 * way, False)  # back, until it opens again
-    search(joint, way, True)  # slowly, to find the exact count at which it closes
+    if not find_near_edge(joint, 1 if place > 0 else -1):
+        sys.exit(f"the switch of {joint} does not change. Is the joint blocked at a limit, or the "
+                 "arm stalled? Is the clock paused? (The examples 3 to 6 are for the Rhino XR-3 "
+                 "with its own workcell)")
+    closed = read_switch(joint)
     print(f"{joint} is on its switch, at {place:+d}")
 
-# All switches at once: I reports joints C to F, J reports A and B.
-print(f"switches closed: {robot.ask('I') - 32} of I, {robot.ask('J') - 32} of J")
+# All switches at once. J also reports four input lines, in its bits 4 to 32.
+i, j = robot.ask("I") - 32, (robot.ask("J") - 32) & 3
+print(f"a closed switch reads {closed}; the switches of I are {i}, those of J {j}")
 
 # The soft home is at count 0: move each joint back by the count of its switch.
 for joint, place in SWITCHES.items():

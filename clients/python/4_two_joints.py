@@ -1,4 +1,4 @@
-"""4. Two joints at once, with speeds: base and shoulder start together and arrive together.
+"""4. Two joints at once: base and shoulder start together, and the program waits for both.
 
     python3 4_two_joints.py [HOST [PORT]]
 """
@@ -19,12 +19,8 @@ def check(f, e):
             sys.exit(f"{joint} stopped {left} counts short of its target. {WHY_IT_STANDS}")
 
 
-# A number followed by S sets a speed in counts per second. E moves twice as far as F, so it gets
-# twice the speed.
-robot.send("F40S E80S\r")
-print("F runs at 40 counts a second, E at 80")
-
 # Each joint has its own motor, and the robot does not wait: both start now.
+# The simulator can also set speeds, as in F40S. A Mark III cannot: it reads F40 as a move.
 robot.send("F+40 E+80\r")
 print("F+40 E+80")
 

@@ -7,16 +7,37 @@ mod robot;
 use robot::{check_arrived, error, Robot};
 use std::io::Result;
 
-// Where the switches are, in counts from the soft home: upper arm upright, forearm level, tool
-// down. The elbow comes first, since it lifts the hand off the table; the jaws, joint A, come last.
-const SWITCHES: [(char, i32); 6] =
-    [('D', 40), ('E', -40), ('C', 40), ('B', -25), ('F', 30), ('A', 16)];
+/// A switch closes at `place`, in counts from the soft home: upper arm upright, forearm level, tool
+/// down. Seen from there it is open before this count, and closed from it on: for a few dozen
+/// counts on a real arm, for longer in the simulator. One byte reports several switches: I those of
+/// joints C to F, J those of A and B. Each has one `bit`. `reach` is how far to search away from the
+/// soft home before trying the other direction.
+struct Switch {
+    joint: char,
+    place: i32,
+    inquiry: &'static str,
+    bit: i32,
+    reach: i32,
+}
 
-/// More counts than the full travel of any joint.
-const FARTHEST: i32 = 2500;
+// The elbow comes first, since it lifts the hand off the table; the jaws, joint A, come last. The
+// shoulder must not lean far back, or the hand hits the base.
+const SWITCHES: [Switch; 6] = [
+    Switch { joint: 'D', place: 40, inquiry: "I", bit: 2, reach: FAR },
+    Switch { joint: 'E', place: -40, inquiry: "I", bit: 4, reach: 60 },
+    Switch { joint: 'C', place: 40, inquiry: "I", bit: 1, reach: FAR },
+    Switch { joint: 'B', place: -25, inquiry: "J", bit: 2, reach: FAR },
+    Switch { joint: 'F', place: 30, inquiry: "I", bit: 8, reach: FAR },
+    Switch { joint: 'A', place: 16, inquiry: "J", bit: 1, reach: FAR },
+];
 
-fn is_closed(robot: &mut Robot, joint: char) -> Result<bool> {
-    Ok(robot.ask(&format!("{joint}V"))? == 1) // 0 or 1, without the 32
+const STEP: i32 = 10; // counts of one move of the search; a switch stays closed for longer
+const WIDEST: i32 = 100; // more counts than a switch of a real arm stays closed
+const FAR: i32 = 1600; // more counts than any joint has from a limit to its switch
+
+/// The bit of the joint's switch. Some controllers report a closed switch as 1, others as 0.
+fn read_switch(robot: &mut Robot, of: &Switch) -> Result<i32> {
+    Ok(i32::from((robot.ask(of.inquiry)? - 32) & of.bit != 0))
 }
 
 /// Moves the joint and returns the counts that were left, 0 if it has arrived.
@@ -25,56 +46,74 @@ fn step(robot: &mut Robot, joint: char, counts: i32) -> Result<i32> {
     robot.wait(joint) // as in example 2; cancels the move of a blocked joint
 }
 
-/// Moves in steps of `counts` until the switch is closed (true) or open (false).
-fn search(robot: &mut Robot, joint: char, counts: i32, closed: bool) -> Result<()> {
-    let mut gone = 0;
-    while is_closed(robot, joint)? != closed {
-        if step(robot, joint, counts)? == counts.abs() {
-            return Err(error(&format!(
-                "{joint} does not move, and its switch is not found. Is it at a limit, or \
-                 stalled? Is the clock paused? This example is for the Rhino XR-3, in the profile \
-                 paper"
-            )));
+/// Moves in steps of `counts` until the switch changes. Returns false if it does not within
+/// `farthest` counts, or before the joint is blocked.
+fn changes(robot: &mut Robot, of: &Switch, counts: i32, farthest: i32) -> Result<bool> {
+    let before = read_switch(robot, of)?;
+    for _ in 0..farthest / counts.abs() {
+        let left = step(robot, of.joint, counts)?;
+        if read_switch(robot, of)? != before {
+            return Ok(true);
         }
-        gone += counts.abs();
-        if gone > FARTHEST {
-            return Err(error(&format!(
-                "{joint} went {gone} counts, and its switch is not found. This example is for the \
-                 Rhino XR-3, in the profile paper"
-            )));
+        if left > 0 {
+            return Ok(false);
         }
     }
-    Ok(())
+    Ok(false)
+}
+
+/// Moves to the count at which the switch closes. `closed` is what a closed switch reads, if it is
+/// known. Returns false if the switch does not change.
+fn find_near_edge(robot: &mut Robot, of: &Switch, closed: Option<i32>) -> Result<bool> {
+    let away = of.place.signum();
+
+    // Watch the switch change, at whichever edge: first in one direction, then in the other. If it
+    // reads like the closed ones before, the near edge lies towards the soft home.
+    let is_closed = Some(read_switch(robot, of)?) == closed;
+    let way = if is_closed { -away } else { away };
+    let reach = if is_closed { FAR } else { of.reach };
+    if !changes(robot, of, STEP * way, reach)?
+        && !changes(robot, of, -STEP * way, 2 * FAR)?
+        && !changes(robot, of, STEP * way, 2 * FAR)?
+    {
+        return Ok(false);
+    }
+
+    // Move towards the soft home until the switch has not changed for a long way: now it is open.
+    while changes(robot, of, -STEP * away, WIDEST)? {}
+
+    // Quickly up to the near edge, back again, and then count by count.
+    Ok(changes(robot, of, STEP * away, FAR)?
+        && changes(robot, of, -STEP * away, FAR)?
+        && changes(robot, of, away, FAR)?)
 }
 
 fn home() -> Result<()> {
     let mut robot = Robot::connect()?;
 
-    // Some controllers report their switches inverted. The answer to I shows it: the highest of its
-    // six bits belongs to no switch and should be 0.
-    if robot.ask("I")? - 32 >= 32 {
-        return Err(error(
-            "the switches of D and of all other joints read 1 when they are open, as in the \
-             profile mark3. This example is for the profile paper",
-        ));
+    let mut closed = None; // what a closed switch reads: unknown until the first has changed
+    for of in &SWITCHES {
+        if !find_near_edge(&mut robot, of, closed)? {
+            return Err(error(&format!(
+                "the switch of {} does not change. Is the joint blocked at a limit, or the arm \
+                 stalled? Is the clock paused? (The examples 3 to 6 are for the Rhino XR-3 with \
+                 its own workcell)",
+                of.joint
+            )));
+        }
+        closed = Some(read_switch(&mut robot, of)?);
+        println!("{} is on its switch, at {:+}", of.joint, of.place);
     }
 
-    for (joint, place) in SWITCHES {
-        let way = place.signum();
-        search(&mut robot, joint, 5 * way, true)?; // quickly, until the switch closes
-        search(&mut robot, joint, -5 * way, false)?; // back, until it opens again
-        search(&mut robot, joint, way, true)?; // slowly, to find the exact count at which it closes
-        println!("{joint} is on its switch, at {place:+}");
-    }
-
-    // All switches at once: I reports joints C to F, J reports A and B.
+    // All switches at once. J also reports four input lines, in its bits 4 to 32.
     let i = robot.ask("I")? - 32;
-    let j = robot.ask("J")? - 32;
-    println!("switches closed: {i} of I, {j} of J");
+    let j = (robot.ask("J")? - 32) & 3;
+    let bit = closed.unwrap_or_default();
+    println!("a closed switch reads {bit}; the switches of I are {i}, those of J {j}");
 
     // The soft home is at count 0: move each joint back by the count of its switch.
-    for (joint, place) in SWITCHES {
-        check_arrived(joint, step(&mut robot, joint, -place)?)?;
+    for of in &SWITCHES {
+        check_arrived(of.joint, step(&mut robot, of.joint, -of.place)?)?;
     }
     println!("at the soft home");
     Ok(())

@@ -32,8 +32,8 @@ fn pick_and_place() -> Result<()> {
     // Command the jaws to close much further than the block permits. They stop at the block, and
     // the remaining counts give its width: A is 50.8 mm open at count 0, and a count is 0.79375 mm.
     // wait() also cancels the remaining counts (AX); otherwise the jaws would keep pressing.
-    robot.send("A-100\r")?;
-    robot.at[JAWS] -= 100 - robot.wait('A')?;
+    robot.send("A-90\r")?;
+    robot.at[JAWS] -= 90 - robot.wait('A')?;
     if robot.at[JAWS] <= SHUT {
         eprintln!(
             "the jaws closed on nothing: is the block at x 262, y 0 mm? Restart the server to have \

@@ -142,8 +142,8 @@ fn find_and_pick() -> Result<()> {
     robot.go_jaws(OPEN)?;
     go_to(&mut robot, &block, Z + ABOVE)?;
     go_to(&mut robot, &block, Z)?;
-    robot.send("A-100\r")?; // as in example 5
-    robot.at[JAWS] -= 100 - robot.wait('A')?;
+    robot.send("A-90\r")?; // as in example 5
+    robot.at[JAWS] -= 90 - robot.wait('A')?;
     if robot.at[JAWS] <= SHUT {
         eprintln!(
             "the jaws closed on nothing: is the block at x {:.0}, y {:.0} mm? (The examples 3 to 6 \

@@ -76,7 +76,8 @@ impl Robot {
         }
     }
 
-    /// The counts that the joint still has to go.
+    /// The counts that the joint still has to go. A Mark III answers with seven bits: for more than
+    /// 95 counts the answer is wrong there, so no move of these programs is longer.
     pub fn to_go(&mut self, joint: char) -> Result<i32> {
         Ok(self.ask(&format!("{joint}?"))? - 32)
     }

@@ -127,7 +127,7 @@ std::string closed_switches(const SwitchBits& bits, const Model& model) {
   std::string labels;
   for (int i = 0; i < model.motor_count(); ++i) {
     const char label = model.motor(i).drive.label;
-    const bool is_closed = (bits.closed & model.motor(i).microswitch.mask) != 0;
+    const bool is_closed = (bits.closed & model.motor(i).drive.microswitch.mask) != 0;
     if (is_closed && is_asked_for(label, bits.inquiry)) list(labels, {label});
   }
   return labels.empty() ? "no microswitch closed" : "microswitches closed: " + labels;

@@ -26,8 +26,8 @@ struct CheckResult {
 };
 
 /// Checks the text of a file: with `joints` it is a robot, with `workspace` or `blocks` a workcell.
-/// The profile determines the default width of switches. If `robot` is given, a workcell is also
-/// checked against its tool. Never throws.
+/// The profile determines the range of switches without a width. If `robot` is given, a workcell is
+/// also checked against its tool. Never throws.
 CheckResult check_text(std::string_view text, const std::string& file, Profile profile,
                        const Robot* robot = nullptr);
 

@@ -182,7 +182,7 @@ void check_hard_home(const Model& model, Reading& reading) {
 Positions hard_home(const Model& model) {
   Positions result{};
   for (int i = 0; i < model.motor_count(); ++i) {
-    turn(model, result, i, model.motor(i).microswitch.position);
+    turn(model, result, i, model.motor(i).drive.microswitch.position);
   }
   return result;
 }

@@ -1,3 +1,4 @@
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -76,21 +77,20 @@ std::string motor_table(const Model& model) {
 }
 
 /// The range of counts of its own motor in which a switch is closed.
-std::string closed_when(const Microswitch& microswitch) {
-  const Counts at = microswitch.position;
-  if (microswitch.width) {
-    return "within " + plain_number(*microswitch.width / 2.0) + " of " + std::to_string(at);
-  }
-  return std::to_string(at) + (at < 0 ? " and below" : " and above");
+std::string closed_when(const CountRange& closed) {
+  using Limits = std::numeric_limits<Counts>;
+  if (closed.low == Limits::min()) return std::to_string(closed.high) + " and below";
+  if (closed.high == Limits::max()) return std::to_string(closed.low) + " and above";
+  return std::to_string(closed.low) + " to " + std::to_string(closed.high);
 }
 
 std::string switch_table(const Model& model) {
   Rows rows = {{"switch", "closed at counts", "bit", "of reply"}};
   for (int i = 0; i < model.motor_count(); ++i) {
     const MotorModel& motor = model.motor(i);
-    const int mask = motor.microswitch.mask;
+    const int mask = motor.drive.microswitch.mask;
     const std::string reply = motor.drive.label <= 'B' ? "J" : "I";
-    rows.push_back({title_of(model, i), closed_when(motor.microswitch),
+    rows.push_back({title_of(model, i), closed_when(motor.closed),
                     mask == 0 ? "-" : std::to_string(mask), mask == 0 ? "neither" : reply});
   }
   return "\nMicroswitches\n" + text_table(rows, "llrl");
@@ -143,7 +143,7 @@ std::string homes_text(const Model& model) {
   for (int i = 0; i < model.motor_count(); ++i) {
     const MotorModel& motor = model.motor(i);
     if (i > 0) counts += " ";
-    counts += one_letter(motor.drive.label) + signed_number(motor.microswitch.position);
+    counts += one_letter(motor.drive.label) + signed_number(motor.drive.microswitch.position);
   }
   return "Soft home: " + pose_text(model, Positions{}) + "Hard home: " + counts + "\n           " +
          pose_text(model, hard_home(model));

@@ -144,7 +144,7 @@ TEST(Homing, TheHardHomeIsWithinLimitsAndOutsideTheRegion) {
     const ModelPtr model = test::model_of(test::robot_named(name));
     State state = initial_state(*model);
     for (int i = 0; i < model->motor_count(); ++i) {
-      state.motor(i).count = model->motor(i).microswitch.position;
+      state.motor(i).count = model->motor(i).drive.microswitch.position;
     }
     const Positions at = positions(*model, state.motors);
     EXPECT_TRUE(is_reachable(*model, at)) << name;

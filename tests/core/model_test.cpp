@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/support/models.hpp"
 
 namespace xr3 {
@@ -111,15 +113,15 @@ TEST(Model, VariablesChangeFromHomeByPrecisionAndDirection) {
   EXPECT_DOUBLE_EQ(model->variable(model->index_of('A'), 16), 63.5);
 }
 
-TEST(Model, TheProfileSetsTheWidthOfSwitches) {
+TEST(Model, TheProfileSetsTheRangeOfSwitchesWithoutAWidth) {
   Robot robot = robot_named("rhino-xr3");
   robot.joints[0].drive.microswitch.width = 7;
   const ModelPtr paper = model_of(robot, Profile::kPaper);
   const ModelPtr mark3 = model_of(robot, Profile::kMark3);
-  EXPECT_EQ(paper->motor(0).microswitch.width, 7);
-  EXPECT_EQ(mark3->motor(0).microswitch.width, 7);
-  EXPECT_EQ(paper->motor(1).microswitch.width, std::nullopt);
-  EXPECT_EQ(mark3->motor(1).microswitch.width, 60);
+  EXPECT_EQ(paper->motor(0).closed, (CountRange{27, 33}));
+  EXPECT_EQ(mark3->motor(0).closed, (CountRange{27, 33}));
+  EXPECT_EQ(paper->motor(1).closed, (CountRange{std::numeric_limits<Counts>::min(), -40}));
+  EXPECT_EQ(mark3->motor(1).closed, (CountRange{-100, -40}));
 }
 
 TEST(Model, TheRegionIsRoundedToMicrometres) {

@@ -14,31 +14,37 @@ using test::roomy_rhino;
 
 struct ClosedCase {
   Microswitch microswitch;
-  Counts first_closed;  ///< of the counts -1000...1000
-  Counts last_closed;
+  CountRange paper;  ///< of the counts -1000...1000
+  CountRange mark3;
 };
 
 constexpr Counts kFar = 1000;
 
+void expect_closed(const Microswitch& microswitch, Profile profile, const CountRange& wanted) {
+  const MotorModel motor{{}, 0, 0, closed_range(microswitch, profile)};
+  for (Counts count = -kFar; count <= kFar; ++count) {
+    ASSERT_EQ(is_closed(motor, count), count >= wanted.low && count <= wanted.high)
+        << "position " << microswitch.position << ", count " << count;
+  }
+}
+
 TEST(Switches, AreClosedAtTheseCounts) {
   const ClosedCase cases[] = {
-      {{30, 8, std::nullopt}, 30, kFar},
-      {{-40, 4, std::nullopt}, -kFar, -40},
-      {{1, 1, std::nullopt}, 1, kFar},
-      {{-1, 1, std::nullopt}, -kFar, -1},
-      {{30, 8, 60}, 0, 60},
-      {{-40, 4, 60}, -70, -10},
-      {{40, 2, 7}, 37, 43},
-      {{40, 2, 1}, 40, 40},
-      {{40, 2, 0}, 40, 40},
-      {{40, 2, 2}, 39, 41},
+      {{30, 8, std::nullopt}, {30, kFar}, {30, 90}},
+      {{-40, 4, std::nullopt}, {-kFar, -40}, {-100, -40}},
+      {{1, 1, std::nullopt}, {1, kFar}, {1, 61}},
+      {{-1, 1, std::nullopt}, {-kFar, -1}, {-61, -1}},
+      {{30, 8, 60}, {0, 60}, {0, 60}},
+      {{-40, 4, 60}, {-70, -10}, {-70, -10}},
+      {{40, 2, 7}, {37, 43}, {37, 43}},
+      {{40, 2, 1}, {40, 40}, {40, 40}},
+      {{40, 2, 0}, {40, 40}, {40, 40}},
+      {{40, 2, 2}, {39, 41}, {39, 41}},
+      {{0, 2, 9}, {-4, 4}, {-4, 4}},
   };
   for (const ClosedCase& wanted : cases) {
-    for (Counts count = -kFar; count <= kFar; ++count) {
-      const bool inside = count >= wanted.first_closed && count <= wanted.last_closed;
-      ASSERT_EQ(is_closed(wanted.microswitch, count), inside)
-          << "position " << wanted.microswitch.position << ", count " << count;
-    }
+    expect_closed(wanted.microswitch, Profile::kPaper, wanted.paper);
+    expect_closed(wanted.microswitch, Profile::kMark3, wanted.mark3);
   }
 }
 
@@ -66,13 +72,17 @@ TEST(Switches, EachClosesAtItsPositionAndOpensOnTheWayBack) {
   }
 }
 
-TEST(Switches, OfTheMark3AreSixtyCountsWide) {
-  Rig rig(roomy_rhino(Profile::kMark3));
-  EXPECT_TRUE(rig.motor('F').switch_closed) << "30 counts from the middle is still closed";
-  EXPECT_FALSE(rig.motor('E').switch_closed);
-  rig.travel('E', -100);
-  EXPECT_EQ(rig.events_of<SwitchChanged>(),
-            (std::vector<SwitchChanged>{{'E', true, -10}, {'E', false, -71}}));
+TEST(Switches, OfTheMark3CloseAtTheSamePositionsAndOpenSixtyCountsBeyond) {
+  for (const auto& [label, away, closes] : kTravels) {
+    Rig rig(roomy_rhino(Profile::kMark3));
+    EXPECT_FALSE(rig.motor(label).switch_closed) << label << " at the soft home";
+    if (label == 'A') continue;  // its switch is at the limit
+    rig.travel(label, closes + away * 100);
+    EXPECT_EQ(
+        rig.events_of<SwitchChanged>(),
+        (std::vector<SwitchChanged>{{label, true, closes}, {label, false, closes + away * 61}}))
+        << label;
+  }
 }
 
 TEST(Switches, FollowTheMotorAndNotTheCoupledJoint) {
@@ -102,7 +112,7 @@ TEST(Switches, BitsOfIAndJFollowLabelAndMask) {
                                                {'D', {2, 15, 0, 'I'}}, {'C', {1, 15, 0, 'I'}},
                                                {'B', {2, 3, 0, 'J'}},  {'A', {1, 3, 0, 'J'}}};
   for (const auto& [label, bits] : alone) {
-    const Counts closed = rig.model().motor(rig.model().index_of(label)).microswitch.position;
+    const Counts closed = rig.model().motor(rig.model().index_of(label)).drive.microswitch.position;
     const State state = test::state_at(rig.model(), {{label, closed}});
     EXPECT_EQ(switch_bits(rig.model(), state, bits.inquiry), bits) << label;
   }

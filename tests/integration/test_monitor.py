@@ -130,8 +130,10 @@ class State(unittest.TestCase):
     def test_switches_of_mark3_are_true_if_closed(self):
         """`switch` is true for closed in every profile; `switches` has the values of the line's replies."""
         with Server("--compat", "mark3") as xr3, xr3.monitor() as monitor, xr3.line() as line:
-            state = monitor.get()
+            line.send("F+30\r")
+            state = monitor.settle(after=line)
             self.assertEqual((True, False), tuple(motors(state)[label]["switch"] for label in "FE"))
+            self.assertEqual({"I": 63 - 8, "J": 3}, state["switches"])
             self.assertEqual(state["switches"]["I"], line.ask("I") - 32)
             self.assertEqual("mark3", monitor.hello["compat"])
 

@@ -7,7 +7,7 @@ import json
 import math
 
 MM_PER_UNIT = {"mm": 1.0, "inch": 25.4}
-MARK3_SWITCH_WIDTH = 60
+MARK3_SWITCH_RANGE = 60
 MILLIONTH = 0.000001
 
 
@@ -38,7 +38,8 @@ class Motor:
         switch = entry["switch"]
         self.switch_position = switch["position"]
         self.switch_mask = switch["mask"]
-        self.switch_width = switch.get("width", MARK3_SWITCH_WIDTH if profile == "mark3" else None)
+        self.switch_width = switch.get("width")
+        self.switch_range = MARK3_SWITCH_RANGE if profile == "mark3" else math.inf
 
     def _limits(self, limits):
         low = math.ceil((limits[0] - self.home) / self.precision - MILLIONTH)
@@ -53,7 +54,8 @@ class Motor:
         """The state of the microswitch at this count of the motor."""
         if self.switch_width is not None:
             return 2 * abs(count - self.switch_position) <= self.switch_width
-        return count >= self.switch_position if self.switch_position > 0 else count <= self.switch_position
+        away = 1 if self.switch_position > 0 else -1
+        return 0 <= away * (count - self.switch_position) <= self.switch_range
 
 
 class Link:

@@ -117,7 +117,7 @@ class AnyArm(WithFiles):
         robot["tool"].update(direction=-1, switch={"position": 20, "mask": 1, "width": 9})
         path = self.write(robot)
         arm = Arm.load(path)
-        self.assertEqual((-16, 16), (arm.jaws.fully_open, arm.jaws.switch))
+        self.assertEqual((-16, 16), (arm.jaws.fully_open, arm.jaws.switch.edge))
         self.assertAlmostEqual(63.5, arm.jaws.opening(-16))
         with Server("--robot", str(path), "--workcell", "rhino-xr3", "--clock", "real:500") as server, \
                 Robot(port=server.robot_port, arm=arm, pause=lambda: None) as robot, \
@@ -127,6 +127,24 @@ class AnyArm(WithFiles):
             robot.go(dict.fromkeys(arm.labels, 0))
             self.assertGreater(robot.pick(Pose(262, 0, 20, 90)), 30)
             self.assertTrue(monitor.block("red")["held"])
+
+    def test_a_switch_that_is_closed_at_the_soft_home(self):
+        """Of its two edges, home() finds the one that the direction away from the soft home gives."""
+        robot = copy.deepcopy(RHINO)
+        for joint, switch in zip(robot["joints"], ({"position": 0, "width": 9}, {"position": -30, "width": 301},
+                                                   {"position": 10, "width": 30})):
+            joint["switch"].update(switch)
+        path = self.write(robot)
+        arm = Arm.load(path)
+        self.assertEqual({"F": -4, "E": 120, "D": -5}, {label: arm.switches[label] for label in "FED"})
+        self.assertEqual([1, -1, 1], [arm.switch(label).away for label in "FED"])
+        for profile in "paper", "mark3":
+            with self.subTest(profile), \
+                    Server("--robot", str(path), "--compat", profile, "--clock", "real:500") as server, \
+                    Robot(port=server.robot_port, arm=arm, pause=lambda: None) as robot, \
+                    Monitor(port=server.monitor_port) as monitor:
+                robot.home()
+                self.assertEqual(arm.switches, monitor.counts())
 
 
 if __name__ == "__main__":

@@ -1,16 +1,19 @@
 """Robot and Monitor with a real server at a high clock rate: bytes, waiting, home, pick and
 place."""
 
+import dataclasses
 import math
 import os
+import re
 import time
 import unittest
 from unittest import mock
 
 from context import Server
-from xr3 import ARMS, RHINO_XR3, Monitor, MonitorError, Pose, Robot, RobotError, Unreachable
+from xr3 import ARMS, RHINO_XR3, Monitor, MonitorError, Pose, Robot, RobotError, Switch, Unreachable
 
 FAST = ("--clock", "real:500")
+MARK_III = r"[A-F]([-+]\d+\r|\?|X)|I|J"  # moves, questions, stops, and both inquiries of switches
 PICKS = {"rhino-xr3": ("red", Pose(262, 0, 20, 90), Pose(400, 0, 20, 0)),
          "adept-one": ("red", Pose(560, 0, 520, 90), Pose(700, 0, 520, 0)),
          "intelledex-660": ("red", Pose(400, 0, 20, 0), Pose(540, 0, 20, 90))}
@@ -60,9 +63,24 @@ class OneJoint(WithServer):
         self.assertEqual(77, speeds["E"])
 
     def test_switch(self):
-        self.assertFalse(self.robot.switch_closed("E"))
+        for label, closes in RHINO_XR3.switches.items():
+            self.assertFalse(self.robot.switch(label), label)
+            self.robot.go({label: closes})
+            self.assertTrue(self.robot.switch(label), label)
+
+    def test_more_than_95_to_go(self):
+        self.monitor.call("pause")
+        self.robot.move("E", 127)
+        self.assertEqual(127, self.robot.to_go("E"))
+
+
+class OneJointOfAMark3(OneJoint):
+    options = (*FAST, "--compat", "mark3")
+
+    def test_switch(self):
+        self.assertTrue(self.robot.switch("E"))
         self.robot.go({"E": -40})
-        self.assertTrue(self.robot.switch_closed("E"))
+        self.assertFalse(self.robot.switch("E"))
 
 
 class StandingTime(WithServer):
@@ -109,7 +127,7 @@ class AllJoints(WithServer):
                                 r".*Robot\(arm=xr3"):
                 self.robot.go({"E": 50, label: 5})
         self.assertEqual(0, self.monitor.counts()["E"])  # nothing has moved
-        for use in (self.robot.to_go, self.robot.error, self.robot.switch_closed, self.robot.stop,
+        for use in (self.robot.to_go, self.robot.error, self.robot.switch, self.robot.stop,
                     lambda label: self.robot.move(label, 1),
                     lambda label: self.robot.set_speed(label, 50)):
             with self.assertRaisesRegex(ValueError, "no joint 'Z'"):
@@ -136,19 +154,46 @@ class AllJoints(WithServer):
 
 
 class Home(WithServer):
+    starts = (
+        {},
+        {"F": 50, "E": 30, "D": -40, "C": -30, "B": 20, "A": -20},
+        {"F": 30, "E": -40, "D": 40, "C": 40, "B": -25, "A": 16},  # each at its edge
+        {"F": 60, "E": -70, "D": 70, "C": 70, "B": -60, "A": -64},  # each on its switch
+        {"F": 200, "E": -200, "D": 200, "C": -200, "B": -200, "A": 15},  # beyond it
+        {"F": -138, "E": 445, "D": -649, "B": 156},  # at a block
+        {"F": 91, "E": -101, "D": 101, "C": 101, "B": -86},  # one count beyond it, in mark3
+    )
+
     def test_from_wherever_it_is(self):
-        self.robot.go({"F": 50, "E": 30, "D": -40, "C": -30, "B": 20, "A": -20})
-        self.robot.at = {}
-        self.robot.home()
-        self.assertEqual(RHINO_XR3.switches, self.robot.at)
-        self.assertEqual(self.robot.at, self.monitor.counts())
+        for start in self.starts:
+            with self.subTest(start):
+                self.robot.soft_home()
+                self.robot.go(start)
+                self.robot.at = {}
+                self.robot.home()
+                self.assertEqual(RHINO_XR3.switches, self.robot.at)
+                self.assertEqual(self.robot.at, self.monitor.counts())
+                self.assertIsNone(self.monitor.state()["stalled"])
+
+    def test_sends_only_what_a_mark_iii_understands(self):
+        sent = []
+        send = self.robot.send
+        with mock.patch.object(self.robot, "send", lambda text: (sent.append(text), send(text))):
+            self.robot.home()
+        self.assertEqual([], [text for text in sent if not re.fullmatch(MARK_III, text)])
+
+    def test_a_switch_without_a_bit(self):
+        joints = [dataclasses.replace(joint, switch=Switch(joint.switch.edge, 0))
+                  for joint in RHINO_XR3.joints]
+        self.robot.arm = dataclasses.replace(RHINO_XR3, joints=tuple(joints))
+        with self.assertRaisesRegex(RobotError, "switch of joint D is in the reply neither to I nor"):
+            self.robot.home()
 
     def test_soft_home(self):
         self.robot.go({"F": 50, "A": -20})
         self.robot.soft_home()
         self.robot.to_go("F")
         self.assertEqual(self.robot.at, self.monitor.counts())
-
 
     def test_a_stall_is_among_what_it_may_be(self):
         with self.assertRaisesRegex(RobotError, "short of .* stalled"):
@@ -158,18 +203,30 @@ class Home(WithServer):
             self.robot.home()
 
 
-class HomeInProfileMark3(WithServer):
+class HomeOfAMark3(Home):
     options = (*FAST, "--compat", "mark3")
 
-    def test_is_refused(self):
-        with self.assertRaisesRegex(RobotError, "mark3"):
-            self.robot.home()
+
+class HomeOfOtherArms(unittest.TestCase):
+    def test_in_both_profiles(self):
+        for name in "adept-one", "intelledex-660":
+            for profile in "paper", "mark3":
+                with self.subTest(name, profile=profile), \
+                        Server("--robot", name, "--compat", profile, *FAST) as server, \
+                        Robot(port=server.robot_port, arm=ARMS[name], pause=pause) as robot, \
+                        Monitor(port=server.monitor_port) as monitor:
+                    robot.go({label: 50 if label < "C" else -30 for label in robot.arm.homing})
+                    robot.at = {}
+                    robot.home()
+                    self.assertEqual(robot.arm.switches, monitor.counts())
 
 
 class PickAndPlace(unittest.TestCase):
+    options = ()
+
     def test_with_each_arm(self):
         for name, (block, there, place) in PICKS.items():
-            with self.subTest(name), Server("--robot", name, *FAST) as server, \
+            with self.subTest(name), Server("--robot", name, *FAST, *self.options) as server, \
                     Robot(port=server.robot_port, arm=ARMS[name], pause=pause) as robot, \
                     Monitor(port=server.monitor_port) as monitor:
                 width = robot.pick(there)
@@ -181,8 +238,13 @@ class PickAndPlace(unittest.TestCase):
                 self.assertLess(math.dist((place.x, place.y, place.z), lies), 2)
 
     def test_nothing_to_pick(self):
-        with Server(*FAST) as server, Robot(port=server.robot_port, pause=pause) as robot:
+        with Server(*FAST, *self.options) as server, \
+                Robot(port=server.robot_port, pause=pause) as robot:
             self.assertIsNone(robot.pick(Pose(300, 0, 20)))
+
+
+class PickAndPlaceOfAMark3(PickAndPlace):
+    options = ("--compat", "mark3")
 
 
 class AtTheMonitor(WithServer):

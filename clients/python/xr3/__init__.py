@@ -12,7 +12,7 @@ blocks in the camera's picture.
 """
 
 from xr3.arms import ADEPT_ONE, ARMS, INTELLEDEX_660, RHINO_XR3
-from xr3.kinematics import Arm, Joint, Jaws, Pose, Unreachable
+from xr3.kinematics import Arm, Jaws, Joint, Pose, Switch, Unreachable
 from xr3.monitor import Monitor, MonitorError
 from xr3.robot import Robot, RobotError, connect
 from xr3.vision import Camera, Patch, Picture
@@ -21,4 +21,4 @@ __version__ = "0.1.0"  # the version of the xr3 server in this repository
 
 __all__ = ["ADEPT_ONE", "ARMS", "Arm", "Camera", "INTELLEDEX_660", "Jaws", "Joint", "Monitor",
            "MonitorError", "Patch", "Picture", "Pose", "RHINO_XR3", "Robot", "RobotError",
-           "Unreachable", "connect"]
+           "Switch", "Unreachable", "connect"]

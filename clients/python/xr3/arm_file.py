@@ -1,5 +1,5 @@
 """Reads an arm from a robot file, the JSON of docs/data-files.md. Only what kinematics and the
-Robot need: outlines, speeds and masks are ignored. `xr3 check` finds all errors of a file, this
+Robot need: outlines and speeds are ignored. `xr3 check` finds all errors of a file, this
 only some.
 """
 
@@ -10,14 +10,16 @@ from pathlib import Path
 from typing import Any, Callable, Dict, List, Sequence, Tuple, TypeVar, Union
 
 from xr3 import inverse
-from xr3.kinematics import Arm, Joint, Jaws, Pose, Ways
+from xr3.kinematics import Arm, Jaws, Joint, Pose, Switch, Ways
 
-# Structures with a closed form, and the order in which their joints are homed, counted from 0: the
-# hand is lifted off the table first.
-FORMS: Sequence[Tuple[Callable[[Sequence[Joint]], bool], Callable[[Sequence[Joint], Pose], Ways], Sequence[int]]] = (
-    (inverse.is_five_axis, inverse.five_axis, (2, 1, 3, 4, 0)),
-    (inverse.is_scara, inverse.scara, (2, 0, 1, 3)),
-    (inverse.is_six_axis, inverse.six_axis, (3, 2, 4, 5, 1, 0)),
+Inverse = Callable[[Sequence[Joint], Pose], Ways]
+
+# Structures with a closed form, the order in which their joints are homed, counted from 0, and
+# Arm.near_first. The hand is lifted off the table first; then the shoulder must not lean far back.
+FORMS: Sequence[Tuple[Callable[[Sequence[Joint]], bool], Inverse, Sequence[int], Sequence[int]]] = (
+    (inverse.is_five_axis, inverse.five_axis, (2, 1, 3, 4, 0), (1,)),
+    (inverse.is_scara, inverse.scara, (2, 0, 1, 3), ()),
+    (inverse.is_six_axis, inverse.six_axis, (3, 2, 4, 5, 1, 0), (2,)),
 )
 
 
@@ -51,9 +53,10 @@ def _arm(name: str, robot: Dict[str, Any]) -> Arm:
         if not (1 <= j <= len(joints) and 1 <= abs(k) <= len(joints)):
             raise ValueError(f"the coupling [{j}, {k}] is not between joints 1 to {len(joints)}")
     region = robot["protected_region"]
-    way, homing = _form(joints)
+    way, homing, near_first = _form(joints)
     return Arm(name=name, joints=joints, jaws=_jaws(robot["tool"], unit), inverse=way,
                homing="".join(labels[k] for k in homing),
+               near_first="".join(labels[k] for k in near_first),
                protected=(region["radius"] * unit, region["height"] * unit),
                coupling=tuple((j - 1, abs(k) - 1, 1 if k > 0 else -1) for j, k in robot["coupling"]))
 
@@ -72,14 +75,14 @@ def _precision(motor: Dict[str, Any]) -> float:
     return precision
 
 
-def _form(joints: Sequence[Joint]) -> Tuple[Callable[[Sequence[Joint], Pose], Ways], Sequence[int]]:
-    """The inverse kinematics and the homing order for this structure. Other arms are homed from the
-    tool to the base, sliding joints first."""
-    for fits, way, homing in FORMS:
+def _form(joints: Sequence[Joint]) -> Tuple[Inverse, Sequence[int], Sequence[int]]:
+    """The inverse kinematics, the homing order and Arm.near_first for this structure. Other arms
+    are homed from the tool to the base, sliding joints first."""
+    for fits, way, homing, near_first in FORMS:
         if fits(joints):
-            return way, homing
+            return way, homing, near_first
     order: List[int] = sorted(range(len(joints)), key=lambda k: (not joints[k].slides, -k))
-    return inverse.numerical, order
+    return inverse.numerical, order, ()
 
 
 def _joint(joint: Dict[str, Any], unit: float) -> Joint:
@@ -87,16 +90,17 @@ def _joint(joint: Dict[str, Any], unit: float) -> Joint:
     scale = unit if slides else 1.0
     low, high = joint["limits"]
     return Joint(joint["label"], joint["theta_deg"], joint["d"] * unit, joint["a"] * unit, joint["alpha_deg"],
-                 _precision(joint) * scale, (low * scale, high * scale), switch=_edge(joint["switch"]),
+                 _precision(joint) * scale, (low * scale, high * scale), switch=_switch(joint["switch"]),
                  direction=_choice(joint, "direction", SIGNS), slides=slides)
 
 
-def _edge(switch: Dict[str, Any]) -> int:
-    """The count at which the switch closes, as seen from the soft home. A switch with a width closes
-    before its position, while twice the distance is at most the width."""
-    position: int = switch["position"]
-    before = switch.get("width", 0) // 2
-    return position - before if position > 0 else position + before
+def _switch(switch: Dict[str, Any]) -> Switch:
+    """A switch with a width closes before its position, while twice the distance is at most the
+    width."""
+    away = -1 if switch["position"] < 0 else 1
+    edge = switch["position"] - away * (switch.get("width", 0) // 2)
+    return Switch(edge, switch["mask"], switch.get("width", Switch.width),
+                  side=0 if edge * away > 0 else away)
 
 
 def _jaws(tool: Dict[str, Any], unit: float) -> Jaws:
@@ -105,6 +109,6 @@ def _jaws(tool: Dict[str, Any], unit: float) -> Jaws:
     direction = _choice(tool, "direction", SIGNS)
     precision, home = _precision(tool) * scale, tool["home"] * scale
     counts = math.floor((tool["limits"][1] * scale - home) / precision + 1e-6)
-    return Jaws(precision, home, switch=_edge(tool["switch"]), direction=direction,
+    return Jaws(precision, home, switch=_switch(tool["switch"]), direction=direction,
                 fully_open=direction * counts,
                 finger=tool["finger_length"] * unit if angular else None)

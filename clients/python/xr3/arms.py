@@ -5,20 +5,21 @@ inverse kinematics has a closed form, see inverse.py.
 from typing import Dict
 
 from xr3.inverse import five_axis, scara, six_axis
-from xr3.kinematics import Arm, Jaws, Joint
+from xr3.kinematics import Arm, Jaws, Joint, Switch
 
 RHINO_XR3 = Arm(
     name="rhino-xr3",
     joints=(
-        Joint("F", 0, 260.4, 0, -90, 0.2269, (-175, 175), switch=30),
-        Joint("E", -90, 0, 228.6, 0, 0.1135, (-140, 10), switch=-40),
-        Joint("D", 90, 0, 228.6, 0, 0.1135, (-15, 165), switch=40, direction=-1),
-        Joint("C", 0, 0, 9.5, -90, 0.1135, (-125, 125), switch=40, direction=-1),
-        Joint("B", -90, 168.3, 0, 0, 0.3125, (-360000, 360000), switch=-25),
+        Joint("F", 0, 260.4, 0, -90, 0.2269, (-175, 175), switch=Switch(30, 8)),
+        Joint("E", -90, 0, 228.6, 0, 0.1135, (-140, 10), switch=Switch(-40, 4)),
+        Joint("D", 90, 0, 228.6, 0, 0.1135, (-15, 165), switch=Switch(40, 2), direction=-1),
+        Joint("C", 0, 0, 9.5, -90, 0.1135, (-125, 125), switch=Switch(40, 1), direction=-1),
+        Joint("B", -90, 168.3, 0, 0, 0.3125, (-360000, 360000), switch=Switch(-25, 2)),
     ),
     coupling=((1, 2, -1), (2, 3, -1)),
-    jaws=Jaws(precision=0.79375, home=50.8, switch=16, fully_open=16),
+    jaws=Jaws(precision=0.79375, home=50.8, switch=Switch(16, 1), fully_open=16),
     homing="DECBF",
+    near_first="E",
     protected=(100, 340),
     inverse=five_axis,
 )
@@ -26,12 +27,12 @@ RHINO_XR3 = Arm(
 ADEPT_ONE = Arm(
     name="adept-one",
     joints=(
-        Joint("E", 0, 877, 425, 180, 0.1, (-150, 150), switch=-20),
-        Joint("D", 0, 0, 375, 0, 0.1, (-147, 147), switch=-20),
-        Joint("C", 0, 100, 0, 0, 0.5, (0, 195), switch=-30, slides=True),
-        Joint("B", 90, 200, 0, 0, 0.3125, (-277, 277), switch=25),
+        Joint("E", 0, 877, 425, 180, 0.1, (-150, 150), switch=Switch(-20, 4)),
+        Joint("D", 0, 0, 375, 0, 0.1, (-147, 147), switch=Switch(-20, 2)),
+        Joint("C", 0, 100, 0, 0, 0.5, (0, 195), switch=Switch(-30, 1), slides=True),
+        Joint("B", 90, 200, 0, 0, 0.3125, (-277, 277), switch=Switch(25, 2)),
     ),
-    jaws=Jaws(precision=0.5, home=60, switch=40, fully_open=40),
+    jaws=Jaws(precision=0.5, home=60, switch=Switch(40, 1), fully_open=40),
     homing="CEDB",
     protected=(300, 900),
     inverse=scara,
@@ -40,15 +41,16 @@ ADEPT_ONE = Arm(
 INTELLEDEX_660 = Arm(
     name="intelledex-660",
     joints=(
-        Joint("G", 90, 373.4, 0, 90, 0.1, (-60, 240), switch=20),
-        Joint("F", -90, 0, 0, 90, 0.1, (-240, 60), switch=-20),
-        Joint("E", 90, 0, 304.8, 0, 0.1, (-30, 210), switch=-25),
-        Joint("D", 0, 0, 304.8, 0, 0.1, (-150, 150), switch=25),
-        Joint("C", 90, 0, 0, 90, 0.1, (-30, 210), switch=30),
-        Joint("B", 0, 228.6, 0, 0, 0.3125, (-360, 360), switch=-30),
+        Joint("G", 90, 373.4, 0, 90, 0.1, (-60, 240), switch=Switch(20, 16)),
+        Joint("F", -90, 0, 0, 90, 0.1, (-240, 60), switch=Switch(-20, 8)),
+        Joint("E", 90, 0, 304.8, 0, 0.1, (-30, 210), switch=Switch(-25, 4)),
+        Joint("D", 0, 0, 304.8, 0, 0.1, (-150, 150), switch=Switch(25, 2)),
+        Joint("C", 90, 0, 0, 90, 0.1, (-30, 210), switch=Switch(30, 1)),
+        Joint("B", 0, 228.6, 0, 0, 0.3125, (-360, 360), switch=Switch(-30, 2)),
     ),
-    jaws=Jaws(precision=0.5, home=40, switch=40, fully_open=40, finger=60),
+    jaws=Jaws(precision=0.5, home=40, switch=Switch(40, 1), fully_open=40, finger=60),
     homing="DECBFG",
+    near_first="E",
     protected=(150, 500),
     inverse=six_axis,
 )

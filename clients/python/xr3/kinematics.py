@@ -34,10 +34,28 @@ class Pose:
 
 
 @dataclass(frozen=True)
+class Switch:
+    """A microswitch. `edge` is the count of its motor at which it closes when the motor moves away
+    from the soft home, `mask` its bit in the reply to I (joints C to H) or J (A and B), 0 if it has
+    none. `width` is the number of counts after which it opens again; some never do. `side` is the
+    direction in which the motor crosses the edge, +1 or -1, where that is not the sign of `edge`."""
+
+    edge: int
+    mask: int
+    width: int = 60
+    side: int = 0
+
+    @property
+    def away(self) -> int:
+        """The direction in which the motor reaches the edge from the soft home, +1 or -1."""
+        return self.side or (1 if self.edge > 0 else -1)
+
+
+@dataclass(frozen=True)
 class Joint:
     """One row of the Denavit-Hartenberg table, at the soft home, and its motor. `precision` is in
     degrees (mm for a sliding joint) per count, `direction` is +1 or -1, `limits` apply to the joint
-    variable. `switch` is the motor count at which the microswitch closes."""
+    variable."""
 
     label: str
     theta: float
@@ -46,7 +64,7 @@ class Joint:
     alpha: float
     precision: float
     limits: Tuple[float, float]
-    switch: int
+    switch: Switch
     direction: int = 1
     slides: bool = False
 
@@ -106,13 +124,12 @@ class Joint:
 @dataclass(frozen=True)
 class Jaws:
     """The gripper, joint A. `home` is the opening at count 0 in mm or, for rotating fingers
-    (`finger` is their length in mm), the angle between them in degrees. `switch` is the count at
-    which the microswitch closes, `fully_open` the one at which the gripper is fully open.
-    `direction` is +1 if positive counts open it, else -1."""
+    (`finger` is their length in mm), the angle between them in degrees. `fully_open` is the count
+    at which the gripper is fully open. `direction` is +1 if positive counts open it, else -1."""
 
     precision: float
     home: float
-    switch: int
+    switch: Switch
     fully_open: int
     finger: Optional[float] = None
     direction: int = 1
@@ -128,8 +145,10 @@ class Arm:
     """The parameters of an arm. `joints` are in order from base to tool. A coupling (j, k, sign)
     means that joint j, counted from 0, moves joint k in the same (+1) or the opposite (-1)
     direction. `inverse` returns candidate joint variables for a pose. `homing` is the order in
-    which joints are homed. `protected` is radius and height in mm of the protected region, a
-    cylinder about the base axis: the robot stalls before its tip enters it."""
+    which joints are homed; those in `near_first` would run into the base if they searched for
+    their switch far away from the soft home, so they try the other direction early. `protected` is
+    radius and height in mm of the protected region, a cylinder about the base axis: the robot
+    stalls before its tip enters it. `switches` has the edge of every switch."""
 
     name: str
     joints: Tuple[Joint, ...]
@@ -138,11 +157,17 @@ class Arm:
     homing: str
     protected: Tuple[float, float]
     coupling: Tuple[Tuple[int, int, int], ...] = ()
+    near_first: str = ""
     switches: Counts = field(init=False)
 
     def __post_init__(self) -> None:
-        switches = {joint.label: joint.switch for joint in self.joints}
-        object.__setattr__(self, "switches", {**switches, "A": self.jaws.switch})
+        object.__setattr__(self, "switches",
+                           {label: self.switch(label).edge for label in self.labels})
+
+    def switch(self, label: str) -> Switch:
+        """The microswitch of a joint or, for A, of the jaws."""
+        return next((joint.switch for joint in self.joints if joint.label == label),
+                    self.jaws.switch)
 
     @classmethod
     def load(cls, file: Union[str, "os.PathLike[str]"]) -> "Arm":

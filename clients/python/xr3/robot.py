@@ -1,5 +1,5 @@
 """A client of the robot port, from single bytes to picking up a block. It sends only commands that
-a real arm understands, except for soft_home() and the camera.
+a Rhino with its Mark III controller understands, except where a method says otherwise.
 """
 
 import operator
@@ -22,7 +22,10 @@ POLL_S = 0.05  # pause between two questions
 # A joint counts as stopped if its counter is the same for this many questions, over 2 s: the
 # slowest speed is one count per second, and the simulator's clock may run slowly.
 STANDS_AFTER = 40
-MOST_COUNTS = 3000  # more counts than the full travel of any joint
+STEP = 5  # counts of one move in the search for a switch; a switch stays closed for longer
+NEAR = 60  # counts from the soft home within which all switches are
+FAR = 1600  # more counts than any joint has from a limit to its switch
+MARGIN = 40  # counts by which a switch may stay closed longer than Switch.width says
 WHY_IT_STANDS = ("Is it blocked at a limit, or stalled? Is a block in the jaws? Is the clock "
                  "paused or slow? Look at the page or at `xr3 watch`")
 
@@ -49,6 +52,7 @@ class Robot:
         self.arm = arm
         self.camera = camera or CAMERAS.get(arm.name) or Camera()
         self.at: Counts = dict.fromkeys(arm.labels, 0)
+        self._closed: Optional[bool] = None  # the bit of a closed switch, once it is known
         self._pause = pause
         self._timeout_s = timeout_s
         self._socket = connect_line(host, port, "XR3_PORT", 9600, timeout_s)
@@ -113,23 +117,31 @@ class Robot:
         self.send(f"{label}{counts:+d}\r")
 
     def to_go(self, label: str) -> int:
-        """The absolute value of the joint's error counter: the counts still to go."""
+        """The absolute value of the joint's error counter: the counts still to go. A Mark III
+        answers with seven bits, so that 128 counts look like 0 there."""
         self._check({label: 0})
-        return self.ask(f"{label}?") - SPACE
+        byte = self.ask(f"{label}?")
+        return byte - SPACE if byte >= SPACE else byte + 128 - SPACE
 
     def error(self, label: str) -> int:
-        """The joint's error counter with its sign."""
+        """The joint's error counter with its sign. A Mark III does not know this inquiry."""
         self._check({label: 0})
         byte = self.ask(f"{label}T")
         return byte - 256 if byte > 127 else byte
 
-    def switch_closed(self, label: str) -> bool:
-        """Whether the joint's microswitch is closed."""
+    def switch(self, label: str) -> bool:
+        """The joint's bit in the reply to I or J. Whether a closed microswitch reads 1 or 0 depends
+        on the controller: it is True in the profile paper and False in mark3. Raises RobotError if
+        the switch has no bit in either reply."""
         self._check({label: 0})
-        return self.ask(f"{label}V") == 1
+        mask = self.arm.switch(label).mask
+        if not mask:
+            raise RobotError(f"the switch of joint {label} is in the reply neither to I nor to J")
+        return (self.ask("J" if label in "AB" else "I") - SPACE) & mask != 0
 
     def set_speed(self, label: str, counts_per_s: int) -> None:
-        """Sets the speed of a joint, 1 to 255 counts per second."""
+        """Sets the speed of a joint, 1 to 255 counts per second. Not for a Mark III: it has no such
+        command and would read the number as a move."""
         self._check({label: counts_per_s})
         if not 1 <= counts_per_s <= 255:
             raise ValueError(f"a speed is 1...255 counts a second, not {counts_per_s}")
@@ -198,12 +210,11 @@ class Robot:
         self.at = dict.fromkeys(self.arm.labels, 0)
 
     def home(self) -> None:
-        """Moves every joint to its microswitch and opens the jaws. Afterwards `at` is correct,
-        wherever the arm started. A blocked joint is retried after the others have moved. Requires a
-        controller that reports a closed switch as 1, as in the profile paper. Raises RobotError."""
-        if self.ask("I") - SPACE >= 32:  # the highest bit belongs to no switch
-            raise RobotError("the switches read 1 when they are open, as in the profile mark3; "
-                             "home() is for the profile paper")
+        """Moves every joint to the edge of its microswitch that is nearer to the soft home, and
+        opens the jaws. Afterwards `at` is correct, wherever the arm started. It does not matter
+        whether a closed switch reads 1 or 0: home() watches it change. A joint whose switch is not
+        found is retried after the others have moved. Raises RobotError."""
+        self._closed = None
         waiting = list(self.arm.homing)
         for _ in range(4):
             before = dict(self.at)
@@ -215,26 +226,46 @@ class Robot:
         self.at = dict(self.arm.switches)
 
     def _find_switch(self, label: str) -> bool:
-        """Moves to the edge at which the switch closes, from the open side. Returns False if the
-        joint is blocked."""
-        way = 1 if self.arm.switches[label] > 0 else -1
-        return all(self._creep(label, counts * way, until=counts > 0) for counts in (-5, 5, -1, 1))
+        """Moves to the near edge of the switch, from the open side. Returns False if the switch has
+        not changed."""
+        switch = self.arm.switch(label)
+        if not self._see_change(label, switch.away):
+            return False
+        # Back past every edge. On the side of the soft home the switch is open up to the limit, so
+        # it is open if it has not changed for longer than it can be closed.
+        while self._changes(label, -STEP * switch.away, switch.width + MARGIN):
+            pass
+        # To the near edge, back, and slowly up to the exact count at which the switch closes.
+        found = all(self._changes(label, counts * switch.away, FAR) for counts in (STEP, -STEP, 1))
+        self._closed = self.switch(label)
+        return found
 
-    def _creep(self, label: str, counts: int, until: bool) -> bool:
-        """Moves in steps of `counts` until the switch is closed (True) or open (False), as `until`
-        says. Returns False if the joint is blocked or has moved its full travel before."""
-        for _ in range(MOST_COUNTS // abs(counts)):
-            if self.switch_closed(label) == until:
-                return True
+    def _see_change(self, label: str, away: int) -> bool:
+        """Moves until the switch changes, first away from the soft home, then the other way. If it
+        reads like the closed switches of other joints, starts towards the soft home."""
+        way, reach = away, NEAR if label in self.arm.near_first else FAR
+        if self.switch(label) == self._closed:
+            way, reach = -away, FAR
+        return any(self._changes(label, STEP * sign * way, farthest)
+                   for sign, farthest in ((1, reach), (-1, 2 * FAR), (1, 2 * FAR)))
+
+    def _changes(self, label: str, counts: int, farthest: int) -> bool:
+        """Moves in steps of `counts` until the switch changes. Returns False if it does not within
+        `farthest` counts, or up to the place where the joint is blocked."""
+        before = self.switch(label)
+        for _ in range(farthest // abs(counts)):
             self.move(label, counts)
-            if not self._arrives(label, counts):
+            arrived = self._arrives(label, counts)
+            if self.switch(label) != before:
+                return True
+            if not arrived:
                 break
-        return self.switch_closed(label) == until
+        return False
 
     # --- Seeing and grasping.
 
     def look(self) -> Picture:
-        """Takes a picture with the camera."""
+        """Takes a picture with the camera of the simulator."""
         self.send("A**")
         return Picture.decode(self.read(self.camera.picture_bytes), self.camera)
 

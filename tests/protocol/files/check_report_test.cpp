@@ -67,9 +67,10 @@ TEST(CheckReport, SummaryOfTheRhino) {
   for (const std::string& line : lines) EXPECT_TRUE(has_line(text, line)) << line << "\n" << text;
 }
 
-TEST(CheckReport, TheProfileSetsTheWidthOfSwitches) {
+TEST(CheckReport, TheProfileSetsTheRangeOfSwitches) {
   const std::string text = check_file("data/robots/rhino-xr3.json", Profile::kMark3).summary;
-  EXPECT_TRUE(has_line(text, "  E shoulder    within 30 of -40    4  I")) << text;
+  EXPECT_TRUE(has_line(text, "  E shoulder    -100 to -40         4  I")) << text;
+  EXPECT_TRUE(has_line(text, "  D elbow       40 to 100           2  I")) << text;
 }
 
 TEST(CheckReport, SummariesOfTheOtherRobots) {

@@ -24,8 +24,7 @@ struct ReplyRow {
   std::string_view mark3;
 };
 
-// At the soft home of a mark3 all switches are open except F's (30 counts away and 60 wide), B's
-// and A's.
+// At the soft home all switches are open.
 TEST(RhinoEndpoint, RepliesToInquiries) {
   constexpr ReplyRow kRows[] = {
       {"E+50\rE?", "R", "R"},
@@ -34,9 +33,9 @@ TEST(RhinoEndpoint, RepliesToInquiries) {
       {"E+100 +100\rET", "\xc8", "\xc8"},
       {"E+200\rET", "\0"sv, "\xc8"},
       {"EV", "\0"sv, "\x01"},
-      {"I", " ", "W"},
-      {"AI", " ", "W"},
-      {"J", " ", " "},
+      {"I", " ", "_"},
+      {"AI", " ", "_"},
+      {"J", " ", "#"},
       {"K", " ", " "},
       {"E?E?D?", "   ", "   "},
       {"G? T V", " \0\0"sv, " \0\x01"sv},

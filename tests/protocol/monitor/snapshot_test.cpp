@@ -152,10 +152,9 @@ TEST(SnapshotJson, SwitchesEqualTheRepliesOfTheLine) {
     rig.stand_at({{'E', -40}});
     const Json state = shown(rig);
     EXPECT_EQ(state["joints"][1]["switch"], true);  // closed is true in every profile
-    EXPECT_EQ(state["joints"][0]["switch"],
-              profile == Profile::kMark3);  // at home, but 60 counts wide
-    EXPECT_EQ(state["switches"]["I"], profile == Profile::kPaper ? 4 : 63 - 4 - 8);
-    EXPECT_EQ(state["switches"]["J"], profile == Profile::kPaper ? 0 : 3 - 2 - 1);
+    EXPECT_EQ(state["joints"][0]["switch"], false);
+    EXPECT_EQ(state["switches"]["I"], profile == Profile::kPaper ? 4 : 63 - 4);
+    EXPECT_EQ(state["switches"]["J"], profile == Profile::kPaper ? 0 : 3);
   }
 }
 
