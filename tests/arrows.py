@@ -34,6 +34,9 @@ PRIVATE_PATH = re.compile(
     r"|\bregistry\.[a-z]+\.(?:org|com)|\b(?:deb|security)\.[a-z]+\.org")
 
 
+CONSTANT = re.compile(r"^(?:inline )?(?:constexpr|const)\b[^()=;{]*?\b(k[A-Z]\w*)(?= =|\{|\[)", re.MULTILINE)
+
+
 def project_files():
     """All files that git tracks or does not ignore, relative to the root; without git, all files."""
     git = ["git", "-c", "safe.directory=*", "-C", ROOT, "ls-files", "-z", "--cached", "--others",
@@ -96,12 +99,27 @@ def crowded_folders(files):
             yield f"{folder}: {len(names)} rooms, at most {MAX_ROOMS}"
 
 
+def hidden_constants(texts):
+    """Constants of a library's headers that one of its sources names again in an anonymous namespace. Sources are compiled
+    together, so that the one of a file would silently stand for that of the header in the next file."""
+    for library in RULES:
+        own = {path: text for path, text in texts.items() if path.startswith(library + "/")}
+        shared = {name: path for path, text in own.items() if path.endswith(".hpp") for name in CONSTANT.findall(text)}
+        for path, text in own.items():
+            for name in CONSTANT.findall(text) if path.endswith(".cpp") else ():
+                if name in shared:
+                    yield f"{path}: {name} has the name of a constant in {shared[name]}"
+
+
 def main():
     files = project_files()
     found = list(crowded_folders(files))
+    texts = {}
     for path in files:
         with open(os.path.join(ROOT, path), encoding="utf-8", errors="replace") as file:
-            found.extend(breaches(path, file.read()))
+            texts[path] = file.read()
+        found.extend(breaches(path, texts[path]))
+    found.extend(hidden_constants(texts))
     for breach in found:
         print(breach)
     print(f"{len(files)} files read, {len(found)} violations")

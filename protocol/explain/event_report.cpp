@@ -101,7 +101,7 @@ std::string text_of(const MotorBlocked& e, const Model& model) {
          left;
 }
 
-std::string_view text_of(LineCloseReason reason) {
+std::string_view reason_text(LineCloseReason reason) {
   switch (reason) {
     case LineCloseReason::kClientClosed: return "closed by its client";
     case LineCloseReason::kNotARobotProgram:
@@ -117,7 +117,7 @@ std::string_view text_of(LineCloseReason reason) {
   return "";
 }
 
-std::string text_of(Rate rate) {
+std::string rate_text(Rate rate) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.9g", static_cast<double>(rate.millionths) / 1e6);
   return text.data() + std::string(" times real time");
@@ -232,7 +232,7 @@ struct CellEvents {
   EventReport operator()(const LineClosedNote& note) const {
     return {"line_close",
             code_of(note.reason),
-            line() + " " + std::string(text_of(note.reason)),
+            line() + " " + std::string(reason_text(note.reason)),
             {{"bytes_in", note.bytes_in}, {"bytes_out", note.bytes_out}}};
   }
   EventReport operator()(const ClockNote& note) const {
@@ -256,11 +256,10 @@ struct CellEvents {
  private:
   static std::string text_of(const ClockNote& note) {
     const std::string by = " (" + std::string(note.call) + ")";
-    if (note.mode == ClockMode::kReal) return "time runs at " + xr3::text_of(note.rate) + by;
+    if (note.mode == ClockMode::kReal) return "time runs at " + rate_text(note.rate) + by;
     if (note.call != "rate") return "time is paused" + by;
-    return "time is paused; it will run at " + xr3::text_of(note.rate) + by;
+    return "time is paused; it will run at " + rate_text(note.rate) + by;
   }
-  static std::string_view text_of(LineCloseReason reason) { return xr3::text_of(reason); }
 };
 
 }  // namespace
