@@ -36,7 +36,7 @@ if [ "${at[A]}" -le "$shut" ]; then
   robot_go "${above_block[@]}" # back to the start position
   robot_go "${home[@]}"
   give_up "the jaws closed on nothing: is the block at x 262, y 0 mm? Restart the server to have \
-it there (the examples 3 to 6 are for the Rhino XR-3 with its own workcell, in the profile paper)"
+it there (the examples 3 to 6 are for the Rhino XR-3 with its own workcell)"
 fi
 # (bash has only integers, so awk computes this.)
 awk -v jaws="${at[A]}" 'BEGIN { printf "the jaws closed on %.1f mm\n", 50.8 + 0.79375 * jaws }'

@@ -46,7 +46,7 @@ if [ "${at[A]}" -le $jaws_shut ]; then
   go_to "$x" "$y" "$angle" $((z + above)) # back to the start position
   robot_go F 0 E 0 D 0 C 0 B 0 A 0
   give_up "$(printf 'the jaws closed on nothing: is the block at x %.0f, y %.0f mm?' "$x" "$y") \
-(The examples 3 to 6 are for the Rhino XR-3 with its own workcell, in the profile paper)"
+(The examples 3 to 6 are for the Rhino XR-3 with its own workcell)"
 fi
 awk -v jaws="${at[A]}" 'BEGIN { printf "the jaws closed on %.1f mm\n", 50.8 + 0.79375 * jaws }'
 go_to "$x" "$y" "$angle" $((z + above))

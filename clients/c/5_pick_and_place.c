@@ -51,7 +51,7 @@ int main(int argc, char *argv[]) {
   if (at[A] <= SHUT) {
     fprintf(stderr, "the jaws closed on nothing: is the block at x 262, y 0 mm? Restart the server "
                     "to have it there (the examples 3 to 6 are for the Rhino XR-3 with its own "
-                    "workcell, in the profile paper)\n");
+                    "workcell)\n");
     go(ABOVE_BLOCK); /* back to the start position */
     robot_go(HOME);
     return 1;

@@ -135,7 +135,7 @@ int main(int argc, char *argv[]) {
   at[A] -= 90 - robot_wait(A);
   if (at[A] <= SHUT) {
     fprintf(stderr, "the jaws closed on nothing: is the block at x %.0f, y %.0f mm? (The examples "
-                    "3 to 6 are for the Rhino XR-3 with its own workcell, in the profile paper)\n",
+                    "3 to 6 are for the Rhino XR-3 with its own workcell)\n",
             block.x, block.y);
     go_to(block, Z + ABOVE); /* back to the start position */
     robot_go(HOME);

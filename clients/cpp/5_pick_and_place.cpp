@@ -40,8 +40,8 @@ int main(int argc, char* argv[]) try {
   robot.at['A'] -= 90 - robot.wait('A');
   if (robot.at['A'] <= kShut) {
     std::cerr << "the jaws closed on nothing: is the block at x 262, y 0 mm? Restart the server to "
-                 "have it there (the examples 3 to 6 are for the Rhino XR-3 with its own workcell, "
-                 "in the profile paper)\n";
+                 "have it there (the examples 3 to 6 are for the Rhino XR-3 with its own "
+                 "workcell)\n";
     robot.go(kAboveBlock);  // back to the start position
     robot.go(kHome);
     return 1;

@@ -142,8 +142,7 @@ int main(int argc, char* argv[]) try {
   if (robot.at['A'] <= kShut) {
     std::cerr << "the jaws closed on nothing: is the block at x " << std::lround(block.x) << ", y "
               << std::lround(block.y)
-              << " mm? (The examples 3 to 6 are for the Rhino XR-3 with its own workcell, "
-                 "in the profile paper)\n";
+              << " mm? (The examples 3 to 6 are for the Rhino XR-3 with its own workcell)\n";
     go_to(robot, block, kZ + kAbove);  // back to the start position
     robot.go(kHome);
     return 1;

@@ -40,7 +40,7 @@ class PickAndPlace {
         if (jaws <= SHUT) {
             System.err.println("the jaws closed on nothing: is the block at x 262, y 0 mm? Restart "
                     + "the server to have it there (the examples 3 to 6 are for the Rhino XR-3 "
-                    + "with its own workcell, in the profile paper)");
+                    + "with its own workcell)");
             robot.go(ABOVE_BLOCK); // back to the start position
             robot.go(HOME);
             robot.go(Map.of("A", 0));

@@ -141,8 +141,8 @@ class FindAndPick {
         robot.at.put("A", jaws);
         if (jaws <= SHUT) {
             System.err.printf("the jaws closed on nothing: is the block at x %.0f, y %.0f mm? "
-                    + "(The examples 3 to 6 are for the Rhino XR-3 with its own workcell, in the "
-                    + "profile paper)%n", block.x(), block.y());
+                    + "(The examples 3 to 6 are for the Rhino XR-3 with its own workcell)%n",
+                    block.x(), block.y());
             goTo(block, Z + ABOVE); // back to the start position
             robot.go(Robot.arm(0, 0, 0, 0, 0));
             robot.go(Map.of("A", 0));

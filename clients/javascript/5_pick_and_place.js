@@ -38,8 +38,7 @@ async function main() {
     await robot.go(home);
     giveUp(
       "the jaws closed on nothing: is the block at x 262, y 0 mm? Restart the server to have it " +
-        "there (the examples 3 to 6 are for the Rhino XR-3 with its own workcell, in the profile " +
-        "paper)",
+        "there (the examples 3 to 6 are for the Rhino XR-3 with its own workcell)",
     );
   }
   console.log(`the jaws closed on ${(50.8 + 0.79375 * robot.at.A).toFixed(1)} mm`);

@@ -131,7 +131,7 @@ async function main() {
     giveUp(
       `the jaws closed on nothing: is the block at x ${block.x.toFixed(0)}, ` +
         `y ${block.y.toFixed(0)} mm? (The examples 3 to 6 are for the Rhino XR-3 with its own ` +
-        "workcell, in the profile paper)",
+        "workcell)",
     );
   }
   console.log(`the jaws closed on ${(50.8 + 0.79375 * robot.at.A).toFixed(1)} mm`);

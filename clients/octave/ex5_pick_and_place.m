@@ -35,7 +35,7 @@ if robot.at(6) <= shut
   robot = robot_go(robot, [home 0]);
   error('%s\n', ['the jaws closed on nothing: is the block at x 262, y 0 mm? Restart the ' ...
                  'server to have it there (the examples 3 to 6 are for the Rhino XR-3 with its ' ...
-                 'own workcell, in the profile paper)']);
+                 'own workcell)']);
 end
 fprintf('the jaws closed on %.1f mm\n', 50.8 + 0.79375 * robot.at(6));
 

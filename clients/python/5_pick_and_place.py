@@ -41,8 +41,7 @@ if robot.at["A"] <= SHUT:
     robot.go(ABOVE_BLOCK)  # back to the start position
     robot.go(HOME)
     sys.exit("the jaws closed on nothing: is the block at x 262, y 0 mm? Restart the server to "
-             "have it there (the examples 3 to 6 are for the Rhino XR-3 with its own workcell, in "
-             "the profile paper)")
+             "have it there (the examples 3 to 6 are for the Rhino XR-3 with its own workcell)")
 print(f"the jaws closed on {50.8 + 0.79375 * robot.at['A']:.1f} mm")
 
 robot.go(ABOVE_BLOCK)

@@ -43,8 +43,7 @@ width = robot.pick(xr3.Pose(block.x, block.y, Z, block.yaw))
 if width is None:
     robot.go(HOME)
     sys.exit(f"the jaws closed on nothing: is the block at x {block.x:.0f}, y {block.y:.0f} mm? "
-             "(The examples 3 to 6 are for the Rhino XR-3 with its own workcell, in the profile "
-             "paper)")
+             "(The examples 3 to 6 are for the Rhino XR-3 with its own workcell)")
 print(f"the jaws closed on {width:.1f} mm")
 robot.place(PLACE)
 print(f"put down at x {PLACE.x}, y {PLACE.y} mm")

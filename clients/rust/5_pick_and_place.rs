@@ -37,8 +37,7 @@ fn pick_and_place() -> Result<()> {
     if robot.at[JAWS] <= SHUT {
         eprintln!(
             "the jaws closed on nothing: is the block at x 262, y 0 mm? Restart the server to have \
-             it there (the examples 3 to 6 are for the Rhino XR-3 with its own workcell, in the \
-             profile paper)"
+             it there (the examples 3 to 6 are for the Rhino XR-3 with its own workcell)"
         );
         robot.go_arm(ABOVE_BLOCK)?; // back to the start position
         robot.go([0; 6])?;

@@ -147,7 +147,7 @@ fn find_and_pick() -> Result<()> {
     if robot.at[JAWS] <= SHUT {
         eprintln!(
             "the jaws closed on nothing: is the block at x {:.0}, y {:.0} mm? (The examples 3 to 6 \
-             are for the Rhino XR-3 with its own workcell, in the profile paper)",
+             are for the Rhino XR-3 with its own workcell)",
             block.x, block.y
         );
         go_to(&mut robot, &block, Z + ABOVE)?; // back to the start position

@@ -13,6 +13,8 @@ SPACE = 32  # offset of every one-byte reply
 STRIDE = 60  # maximum counts of one command of a coordinated move
 STANDS_MS = 100  # a motor whose error counter stays equal for this time is blocked
 CLOSING = 100  # counts that close the jaws on a block of any width
+STEP = 5  # counts of one move in the search for a switch
+WIDEST = 100  # more counts than a switch is closed, if it opens again beyond
 LIFT_MM = 100
 
 
@@ -31,10 +33,12 @@ class Robot:
         self.line.send(f"{label}{counts:+d}\r")
 
     def to_go(self, label):
-        return self.line.ask(f"{label}?") - SPACE
+        """The counts to go, up to 127; in the profile mark3 the reply has seven bits."""
+        return (self.line.ask(f"{label}?") - SPACE) % 128
 
-    def is_closed(self, label):
-        return self.line.ask(f"{label}V") == 1
+    def switch(self, label):
+        """The bit of the switch; whether a closed one reads 1 or 0 depends on the profile."""
+        return bool(self.line.ask("J" if label < "C" else "I") - SPACE & self.arm.masks[label])
 
     def finish(self, label):
         """Waits until the move is done, or stops the joint if it is blocked; returns the counts left."""
@@ -64,18 +68,26 @@ class Robot:
         self.at = dict(self.arm.hard_home)
 
     def find_switch(self, label):
-        """Finds the count at which the switch closes, from the open side. False: the joint is blocked."""
-        way = 1 if self.arm.hard_home[label] > 0 else -1
-        return (self.creep(label, -5 * way, closed=False) and self.creep(label, 5 * way, closed=True)
-                and self.creep(label, -way, closed=False) and self.creep(label, way, closed=True))
+        """Finds the count at which the switch closes, from the open side, which is the side of the soft home.
+        False: the switch does not change before the joint is blocked."""
+        away = STEP if self.arm.hard_home[label] > 0 else -STEP
+        if not (self.changes(label, away) or self.changes(label, -away)):
+            return False
+        while self.changes(label, -away, WIDEST):
+            pass
+        return self.changes(label, away) and self.changes(label, -away) and self.changes(label, away // STEP)
 
-    def creep(self, label, counts, closed):
-        """Moves in small steps until the switch has the wanted state. False: the joint is blocked before."""
-        while self.is_closed(label) != closed:
+    def changes(self, label, counts, farthest=2000):
+        """Moves in small steps until the switch changes. False: it does not, or the joint is blocked before."""
+        before = self.switch(label)
+        for _ in range(farthest // abs(counts)):
             self.send(label, counts)
-            if self.finish(label):
-                return self.is_closed(label) == closed
-        return True
+            left = self.finish(label)
+            if self.switch(label) != before:
+                return True
+            if left:
+                break
+        return False
 
     # --- See.
 

@@ -23,6 +23,7 @@ def least(roll):
 class RhinoXr3:
     name = "rhino-xr3"
     homing = "DECBF"
+    masks = {"F": 8, "E": 4, "D": 2, "C": 1, "B": 2, "A": 1}
     hard_home = {"F": 30, "E": -40, "D": 40, "C": 40, "B": -25, "A": 16}
     displaced = {"F": 80, "E": 100, "D": -120, "B": 60, "A": -20}
     camera = Camera(290, 0, 384, 192)
@@ -50,6 +51,7 @@ class RhinoXr3:
 class AdeptOne:
     name = "adept-one"
     homing = "CEDB"
+    masks = {"E": 4, "D": 2, "C": 1, "B": 2, "A": 1}
     hard_home = {"E": -20, "D": -20, "C": -30, "B": 25, "A": 40}
     displaced = {"E": 150, "D": 90, "C": 40, "B": -100, "A": -30}
     camera = Camera(540, 0, 480, 192)
@@ -76,6 +78,7 @@ class AdeptOne:
 class Intelledex660:
     name = "intelledex-660"
     homing = "DECBFG"
+    masks = {"G": 16, "F": 8, "E": 4, "D": 2, "C": 1, "B": 2, "A": 1}
     hard_home = {"G": 20, "F": -20, "E": -25, "D": 25, "C": 30, "B": -30, "A": 40}
     displaced = {"G": 100, "E": 120, "D": -120, "C": -100, "B": 60, "A": -20}
     camera = Camera(400, 0, 480, 192)

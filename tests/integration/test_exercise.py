@@ -1,6 +1,7 @@
 """The exercise (exercise.py) with each of the three robots, over the robot port alone: the program sees every
 block, picks it up, places it elsewhere, and sees it there. The monitor port only serves to check the result."""
 
+import itertools
 import math
 import time
 import unittest
@@ -82,8 +83,9 @@ class Exercise(unittest.TestCase):
             self.assertLess(math.dist(block["xyz_mm"], (x, y, arm.surface + arm.sizes[block["name"]][2] / 2)),
                             arm.camera.pixel, block)
 
-    def run_with(self, arm, clock, waiting):
-        with Server("--robot", arm.name, clock=clock) as xr3, xr3.monitor() as monitor, xr3.line() as line:
+    def run_with(self, arm, profile, clock, waiting):
+        with Server("--robot", arm.name, "--compat", profile, clock=clock) as xr3, \
+                xr3.monitor() as monitor, xr3.line() as line:
             robot = Robot(arm, line, waiting(line, monitor))
             robot.at = dict.fromkeys(arm.hard_home, 0)
             robot.move(arm.displaced)
@@ -101,14 +103,14 @@ class Exercise(unittest.TestCase):
             self.assertNotRegex(xr3.log(), r"line \d+ @\d+: (?!opened)")
 
     def test_with_a_real_clock(self):
-        for arm in ARMS:
-            with self.subTest(arm.name):
-                self.run_with(arm, f"real:{FASTER}", lambda line, _: real_clock(line))
+        for arm, profile in zip(ARMS, ("mark3", "paper", "mark3")):
+            with self.subTest(arm.name, profile=profile):
+                self.run_with(arm, profile, f"real:{FASTER}", lambda line, _: real_clock(line))
 
     def test_with_a_manual_clock(self):
-        for arm in ARMS:
-            with self.subTest(arm.name):
-                self.run_with(arm, "manual", manual_clock)
+        for arm, profile in itertools.product(ARMS, ("paper", "mark3")):
+            with self.subTest(arm.name, profile=profile):
+                self.run_with(arm, profile, "manual", manual_clock)
 
 
 if __name__ == "__main__":

@@ -193,7 +193,9 @@ TEST(Explain, DigitalLinesAndTheirAnswers) {
 TEST(Explain, Switches) {
   Tap tap(test::rhino());
   const Model& model = tap.simulation().model();
-  const auto at_switch = [&model](int index) { return model.motor(index).drive.microswitch.position; };
+  const auto at_switch = [&model](int index) {
+    return model.motor(index).drive.microswitch.position;
+  };
   tap.simulation().restore(test::state_at(model, {{'E', at_switch(1)}, {'C', at_switch(3)}}));
   EXPECT_EQ(tap.send("IEVDV"),
             "> IEVDV\n"
