@@ -144,17 +144,34 @@ std::size_t Cell::receive_piece(LineId id, SerialLine& line, std::string_view by
   exchanges_.clear();
   const std::size_t taken = line.receive(bytes, simulation_, exchanges_);
   if (taken == 0) return 0;
-  const std::string_view replies = line.outbox().substr(unsent);
   counters_.bytes_in += taken;
-  counters_.bytes_out += replies.size();
   fill_in(wires_.push(), in, bytes.substr(0, taken), telnet, exchanges_, simulation_);
-  if (!replies.empty()) fill_out(wires_.push(), out, replies, exchanges_);
+  record_out(out, line, unsent);
   emit_exchanges(id, line);
   return taken;
 }
 
+/// Records the bytes that the line has added to its outbox after the first `unsent` ones.
+void Cell::record_out(const WirePlace& out, const SerialLine& line, std::size_t unsent) {
+  const std::string_view added = line.outbox().substr(unsent);
+  if (added.empty()) return;
+  counters_.bytes_out += added.size();
+  fill_out(wires_.push(), out, added, exchanges_, line.released());
+}
+
 Applied Cell::handle(const BytesOut& out, WallNs) {
   if (SerialLine* line = open_line(out.line)) line->sent(out.count);
+  return {};
+}
+
+Applied Cell::handle(const InputEnded& ended, WallNs) {
+  SerialLine* line = open_line(ended.line);
+  if (line == nullptr) return {};
+  const WirePlace out{epoch_, state().tick, ended.line, line->output_end()};
+  const std::size_t unsent = line->outbox().size();
+  exchanges_.clear();
+  line->end_input();
+  if (ended.line != kProbeLine) record_out(out, *line, unsent);
   return {};
 }
 

@@ -95,6 +95,7 @@ class Cell {
   Applied handle(const LineSettings& reported, WallNs now);
   Applied handle(const BytesIn& in, WallNs now);
   Applied handle(const BytesOut& out, WallNs now);
+  Applied handle(const InputEnded& ended, WallNs now);
   Applied handle(const LineClosed& closed, WallNs now);
   Applied handle(const call::Call& call, WallNs now);
 
@@ -121,6 +122,7 @@ class Cell {
 
   Applied take_unseen(SerialLine& line, std::string_view bytes);
   std::size_t receive_piece(LineId id, SerialLine& line, std::string_view bytes);
+  void record_out(const WirePlace& out, const SerialLine& line, std::size_t unsent);
   void emit(std::optional<LineId> line, CellNote note);
   void emit_machine_events(std::optional<LineId> line, Events events);
   void emit_time_events();

@@ -44,12 +44,19 @@ struct BytesOut {
   std::size_t count = 0;
 };
 
+/// No more bytes will arrive on the line: what it holds back for its client leaves now. Its outbox
+/// is still sent.
+struct InputEnded {
+  LineId line = 0;
+};
+
 struct LineClosed {
   LineId line = 0;
   LineCloseReason reason = LineCloseReason::kClientClosed;
 };
 
-using Input = std::variant<LineOpened, LineSettings, BytesIn, BytesOut, LineClosed, call::Call>;
+using Input =
+    std::variant<LineOpened, LineSettings, BytesIn, BytesOut, InputEnded, LineClosed, call::Call>;
 
 /// The result of an input: the number of the opened line, the number of bytes taken, or the outcome
 /// of the call.

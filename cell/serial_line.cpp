@@ -6,8 +6,9 @@ namespace xr3 {
 
 std::size_t SerialLine::receive(std::string_view bytes, Simulation& simulation,
                                 std::vector<Exchange>& exchanges) {
+  released_.clear();
   std::size_t taken = 0;
-  while (taken < bytes.size() && !is_full() && !is_not_a_robot_program_) {
+  while (taken < bytes.size() && accepts(bytes[taken]) && !is_not_a_robot_program_) {
     const auto byte = static_cast<std::uint8_t>(bytes[taken++]);
     const std::uint64_t offset = bytes_in_++;
     if (!is_network()) {  // no detection, no telnet
@@ -30,8 +31,9 @@ std::size_t SerialLine::receive(std::string_view bytes, Simulation& simulation,
 
 void SerialLine::act(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
                      std::vector<Exchange>& exchanges) {
-  const auto data = telnet_.feed(byte, outbox_);
-  if (data) act_on(*data, offset, simulation, exchanges);
+  const TelnetInput input = telnet_.feed(byte, outbox_);
+  if (input.data) act_on(*input.data, offset, simulation, exchanges);
+  if (input.replies != ReplyControl::kNone) control(input.replies);
 }
 
 void SerialLine::act_on(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
@@ -40,12 +42,45 @@ void SerialLine::act_on(std::uint8_t byte, std::uint64_t offset, Simulation& sim
   endpoint_.feed(byte, offset, simulation, replies, exchanges);
   if (replies.empty()) return;
   // A byte completes at most one inquiry, and that is the last exchange.
-  exchanges.back().reply_from = output_end();
-  deliver(replies);
-  exchanges.back().reply_to = output_end();
+  Exchange& exchange = exchanges.back();
+  if (hold_.is_on()) return hold_.add(replies, answer_of(exchange));
+  exchange.reply_from = output_end();
+  send(replies);
+  exchange.reply_to = output_end();
 }
 
-void SerialLine::deliver(std::string_view replies) { telnet_.encode(replies, outbox_); }
+void SerialLine::control(ReplyControl replies) {
+  switch (replies) {
+    case ReplyControl::kNone: break;
+    case ReplyControl::kSuspend:
+      if (!has_input_ended_) hold_.begin();
+      break;
+    case ReplyControl::kResume: release(); break;
+    case ReplyControl::kDrop: hold_.discard(); break;
+  }
+}
+
+void SerialLine::release() {
+  const HeldReplies held = hold_.end();
+  for (const wire::Item& item : held.items) {
+    const std::uint64_t from = output_end();
+    send(std::string_view(held.bytes).substr(item.from, item.to - item.from));
+    released_.push_back({from, output_end(), item.what});
+  }
+}
+
+void SerialLine::end_input() {
+  released_.clear();
+  has_input_ended_ = true;
+  release();
+}
+
+void SerialLine::send(std::string_view replies) { telnet_.encode(replies, outbox_); }
+
+LineKind SerialLine::kind() const {
+  if (telnet_.has_com_port()) return LineKind::kRfc2217;
+  return telnet_.is_telnet() ? LineKind::kTelnet : kind_;
+}
 
 // A large image is sent in many pieces. To keep the cost linear, the unsent bytes move to the front
 // only when they are no more than the sent ones.

@@ -1,6 +1,6 @@
 // A virtual serial line between a transport and the controller: the detector of HTTP and TLS
-// clients, the telnet filter, the endpoint with its parser, and an outbox. No sockets: the
-// transport is TCP, a monitor session or a test.
+// clients, the telnet filter, the endpoint with its parser, replies that the client has suspended,
+// and an outbox. No sockets: the transport is TCP, a pseudo-terminal, a monitor session or a test.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cell/reply_hold.hpp"
 #include "core/simulation.hpp"
 #include "protocol/explain/cell_event.hpp"
 #include "protocol/line/http_tls_detector.hpp"
@@ -36,16 +37,29 @@ class SerialLine {
   }
 
   /// Processes bytes at the simulation's tick. Returns the number of bytes taken: all, unless the
-  /// outbox is full or the client is detected not to be a robot program.
+  /// outbox is full, so many replies are held that no byte of data is taken, or the client is
+  /// detected not to be a robot program.
   std::size_t receive(std::string_view bytes, Simulation& simulation,
                       std::vector<Exchange>& exchanges);
 
-  /// Appends reply bytes to the outbox, encoded for telnet if the client uses it.
-  void deliver(std::string_view replies);
+  /// No more bytes will be received: held replies go to the outbox, and no reply is held any more.
+  void end_input();
+  bool has_input_ended() const { return has_input_ended_; }
+
+  /// The replies that the last receive() or end_input() has moved from the hold to the outbox, by
+  /// offset in the output.
+  const std::vector<wire::Item>& released() const { return released_; }
+  /// Replies that the client has suspended, in bytes. They are not in the outbox.
+  std::size_t held_bytes() const { return hold_.size(); }
 
   bool is_full() const { return outbox().size() >= kFullOutbox; }
-  /// Whether the client was detected not to be a robot program, such as one of HTTP, TLS or STUN. The transport must close the line; no byte
-  /// of the client has acted.
+  /// Whether receive() would take a byte. Commands of telnet are taken while the hold is full, or
+  /// the one that ends it would never be read.
+  bool accepts(char next) const {
+    return !is_full() && !(hold_.is_full() && telnet_.is_data(static_cast<std::uint8_t>(next)));
+  }
+  /// Whether the client was detected not to be a robot program, such as one of HTTP, TLS or STUN.
+  /// The transport must close the line; no byte of the client has acted.
   bool is_not_a_robot_program() const { return is_not_a_robot_program_; }
   /// Whether the transport is a network: only there are HTTP and TLS detected and telnet filtered.
   bool is_network() const { return kind_ == LineKind::kTcp; }
@@ -54,9 +68,11 @@ class SerialLine {
     return is_network() ? std::optional(telnet_) : std::nullopt;
   }
   /// The settings of the serial port; nullopt if they are not known.
-  const std::optional<SerialSettings>& settings() const { return settings_; }
+  std::optional<SerialSettings> settings() const {
+    return telnet_.has_com_port() ? telnet_.settings() : settings_;
+  }
   void set_settings(const SerialSettings& settings) { settings_ = settings; }
-  LineKind kind() const { return telnet_.is_telnet() ? LineKind::kTelnet : kind_; }
+  LineKind kind() const;
 
   /// Bytes for the transport to send. Valid until the next receive() or sent().
   std::string_view outbox() const { return std::string_view(outbox_).substr(sent_); }
@@ -84,11 +100,17 @@ class SerialLine {
            std::vector<Exchange>& exchanges);
   void act_on(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
               std::vector<Exchange>& exchanges);
+  void control(ReplyControl replies);
+  void release();
+  void send(std::string_view replies);
 
   HttpTlsDetector detector_;
   Guard guard_;
   TelnetFilter telnet_;
   RhinoEndpoint endpoint_;
+  ReplyHold hold_;
+  std::vector<wire::Item> released_;
+  bool has_input_ended_ = false;
   std::string outbox_;
   std::size_t sent_ = 0;  ///< bytes at the start of the outbox that are already sent
   LineKind kind_;

@@ -52,6 +52,9 @@ struct Explainer {
     ReplyText about = reply_text(answered, model);
     return explanation(about.code, std::move(about.phrase));
   }
+  Explanation operator()(const wire::MoreAnswers& more) const {
+    return explanation("more_replies", std::to_string(more.count) + " more replies that were held");
+  }
 };
 
 /// Appends [from, to), or extends the last explanation if it ends at `from`.
@@ -74,7 +77,7 @@ std::vector<Explanation> telnet_in(const WireRecord& record) {
   for (std::size_t i = 0; i < record.shown.size(); ++i) {
     const std::uint64_t at = record.offset + i;
     const bool is_data =
-        filter.feed(static_cast<std::uint8_t>(record.shown[i]), answers).has_value();
+        filter.feed(static_cast<std::uint8_t>(record.shown[i]), answers).data.has_value();
     if (!is_data) add_telnet(all, at, at + 1, "telnet protocol; not passed to the controller");
   }
   return all;

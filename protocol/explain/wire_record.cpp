@@ -1,5 +1,7 @@
 #include "protocol/explain/wire_record.hpp"
 
+#include <algorithm>
+#include <cassert>
 #include <type_traits>
 #include <utility>
 
@@ -102,18 +104,14 @@ void settle_toggles(std::vector<Item>& items, const State& after) {
   }
 }
 
-/// Stores a reply in `item`, without its image.
-struct Answer {
-  Item& item;
-  const Command& command;
-
-  void operator()(const NoReply&) const {}
-  void operator()(const CameraRows& rows) const {
-    item.what = Answered{command, PictureSize{rows.image->width(), rows.image->height()}};
+/// A reply without its image.
+struct WithoutImage {
+  ReplyWith<PictureSize> operator()(const CameraRows& rows) const {
+    return PictureSize{rows.image->width(), rows.image->height()};
   }
   template <class Small>
-  void operator()(const Small& reply) const {
-    item.what = Answered{command, reply};
+  ReplyWith<PictureSize> operator()(const Small& reply) const {
+    return reply;
   }
 };
 
@@ -135,14 +133,21 @@ void fill_in(WireRecord& record, const WirePlace& place, std::string_view bytes,
 }
 
 void fill_out(WireRecord& record, const WirePlace& place, std::string_view bytes,
-              const std::vector<Exchange>& exchanges) {
+              const std::vector<Exchange>& exchanges, const std::vector<wire::Item>& released) {
   begin(record, Direction::kOut, place, bytes, kMaxShownOut);
   record.telnet.reset();
   for (const Exchange& exchange : exchanges) {
     if (exchange.reply_from == exchange.reply_to) continue;
-    Item& item = record.items.emplace_back(Item{exchange.reply_from, exchange.reply_to, {}});
-    std::visit(Answer{item, std::get<Command>(exchange.parsed.what)}, exchange.reply);
+    record.items.push_back({exchange.reply_from, exchange.reply_to, answer_of(exchange)});
   }
+  if (released.empty()) return;
+  record.items.insert(record.items.end(), released.begin(), released.end());
+  std::ranges::sort(record.items, {}, &Item::from);
+}
+
+wire::Answered answer_of(const Exchange& exchange) {
+  assert(!std::holds_alternative<NoReply>(exchange.reply));
+  return {std::get<Command>(exchange.parsed.what), std::visit(WithoutImage{}, exchange.reply)};
 }
 
 }  // namespace xr3

@@ -65,11 +65,17 @@ struct Answered {
   ReplyWith<PictureSize> reply;
 };
 
+/// Further replies that were sent together; what each of them means is not kept.
+struct MoreAnswers {
+  std::uint32_t count = 0;
+};
+
 /// The interpretation of the bytes [from, to) of the line's stream in this direction.
 struct Item {
   std::uint64_t from = 0;
   std::uint64_t to = 0;
-  std::variant<Executed, Ignored, WarningRaised, MotorBlocked, NoMotion, Answered> what;
+  std::variant<Executed, Ignored, WarningRaised, MotorBlocked, NoMotion, Answered, MoreAnswers>
+      what;
 };
 
 }  // namespace wire
@@ -107,8 +113,12 @@ void fill_in(WireRecord& record, const WirePlace& place, std::string_view bytes,
              const std::optional<TelnetFilter>& before, const std::vector<Exchange>& exchanges,
              const Simulation& machine);
 
-/// Fills `record` for bytes sent as replies to `exchanges`: any number, as passed to the transport.
+/// Fills `record` for bytes sent: any number, as passed to the transport. They are the replies to
+/// `exchanges`, replies that had been held and are `released` now, and telnet bytes.
 void fill_out(WireRecord& record, const WirePlace& place, std::string_view bytes,
-              const std::vector<Exchange>& exchanges);
+              const std::vector<Exchange>& exchanges, const std::vector<wire::Item>& released = {});
+
+/// The reply of an exchange, without its image. Precondition: a command with a reply.
+wire::Answered answer_of(const Exchange& exchange);
 
 }  // namespace xr3

@@ -1,69 +1,90 @@
 #include "protocol/line/telnet.hpp"
 
+#include <span>
+
+#include "protocol/line/telnet_codes.hpp"
+
 namespace xr3 {
-namespace {
 
-enum Telnet : std::uint8_t {
-  kSe = 0xf0,
-  kInterrupt = 0xf4,
-  kSb = 0xfa,
-  kWill = 0xfb,
-  kWont = 0xfc,
-  kDo = 0xfd,
-  kDont = 0xfe,
-  kIac = 0xff,
-};
-constexpr std::uint8_t kMinCommand = kSe;
-constexpr std::uint8_t kTimingMark = 6;
+using enum TelnetOptions::Side;
 
-void append(std::string& out, std::uint8_t verb, std::uint8_t option) {
-  for (const std::uint8_t byte : {std::uint8_t{kIac}, verb, option}) {
-    out.push_back(static_cast<char>(byte));
+TelnetInput TelnetFilter::feed(std::uint8_t byte, std::string& answers) {
+  switch (mode_) {
+    case Mode::kData:
+      if (byte != telnet::kIac) return {byte};
+      mode_ = Mode::kCommand;
+      return {};
+    case Mode::kCommand: return {feed_command(byte)};
+    case Mode::kOption: return {std::nullopt, feed_option(byte, answers)};
+    default: return {std::nullopt, feed_subnegotiation(byte, answers)};
   }
 }
 
-}  // namespace
-
-std::optional<std::uint8_t> TelnetFilter::feed(std::uint8_t byte, std::string& answers) {
-  switch (mode_) {
-    case Mode::kData:
-      if (byte != kIac) return byte;
-      mode_ = Mode::kCommand;
-      return std::nullopt;
-    case Mode::kCommand: return feed_command(byte);
-    case Mode::kOption: feed_option(byte, answers); return std::nullopt;
-    default: feed_subnegotiation(byte); return std::nullopt;
-  }
+bool TelnetFilter::is_data(std::uint8_t byte) const {
+  if (mode_ == Mode::kData) return byte != telnet::kIac;
+  return mode_ == Mode::kCommand && (byte < telnet::kSe || byte == telnet::kIac);
 }
 
 // The byte after IAC. If it is not a telnet command, it is data, and only the FF is lost.
 std::optional<std::uint8_t> TelnetFilter::feed_command(std::uint8_t byte) {
+  const bool is_byte_of_data = is_data(byte);
   mode_ = Mode::kData;
-  if (byte < kMinCommand || byte == kIac) return byte;
-  if (byte == kInterrupt) is_telnet_ = true;
-  if (byte == kSb) {
+  if (is_byte_of_data) return byte;
+  if (byte == telnet::kInterrupt) is_telnet_ = true;
+  if (byte == telnet::kSb) {
     mode_ = Mode::kSubnegotiation;
     length_ = 0;
-  } else if (byte >= kWill) {
+    kept_bytes_ = 0;
+  } else if (byte >= telnet::kWill) {
     mode_ = Mode::kOption;
     verb_ = byte;
   }
   return std::nullopt;
 }
 
-void TelnetFilter::feed_option(std::uint8_t option, std::string& answers) {
+// After COM-PORT has been switched off, no RESUME can come.
+ReplyControl TelnetFilter::feed_option(std::uint8_t option, std::string& answers) {
   mode_ = Mode::kData;
   is_telnet_ = true;
-  if (verb_ == kWill) append(answers, kDont, option);
-  if (verb_ == kDo) append(answers, option == kTimingMark ? kWill : kWont, option);
+  const bool had_com_port = has_com_port();
+  const bool client_had_it = options_.is_on(kClient, telnet::kComPort);
+  options_.negotiate(verb_, option, answers);
+  const bool client_has_it = options_.is_on(kClient, telnet::kComPort);
+  if (client_has_it && !client_had_it) ComPort::append_modem_state(answers);
+  return had_com_port && !has_com_port() ? ReplyControl::kResume : ReplyControl::kNone;
 }
 
-void TelnetFilter::feed_subnegotiation(std::uint8_t byte) {
-  const bool is_end = mode_ == Mode::kSubnegotiationCommand && byte == kSe;
-  const bool begins_command = mode_ == Mode::kSubnegotiation && byte == kIac;
-  mode_ = begins_command ? Mode::kSubnegotiationCommand : Mode::kSubnegotiation;
-  is_telnet_ |= is_end;
-  if (is_end || (!begins_command && ++length_ > kMaxSubnegotiationBytes)) mode_ = Mode::kData;
+ReplyControl TelnetFilter::feed_subnegotiation(std::uint8_t byte, std::string& answers) {
+  const bool is_after_iac = mode_ == Mode::kSubnegotiationCommand;
+  if (!is_after_iac && byte == telnet::kIac) {
+    mode_ = Mode::kSubnegotiationCommand;
+    return ReplyControl::kNone;
+  }
+  mode_ = Mode::kSubnegotiation;
+  if (is_after_iac && byte == telnet::kSe) return end_subnegotiation(answers);
+  if (!is_after_iac || byte == telnet::kIac) keep(byte);
+  if (++length_ > kMaxSubnegotiationBytes) mode_ = Mode::kData;
+  return ReplyControl::kNone;
+}
+
+void TelnetFilter::keep(std::uint8_t byte) {
+  if (kept_bytes_ < kept_.size()) kept_[kept_bytes_++] = byte;
+}
+
+ReplyControl TelnetFilter::end_subnegotiation(std::string& answers) {
+  mode_ = Mode::kData;
+  is_telnet_ = true;
+  const bool is_request = kept_bytes_ > 0 && kept_[0] == telnet::kComPort && has_com_port();
+  if (!is_request) return ReplyControl::kNone;
+  return com_port_.handle(std::span(kept_).first(kept_bytes_).subspan(1), answers);
+}
+
+bool TelnetFilter::has_com_port() const {
+  return options_.is_on(kClient, telnet::kComPort) || options_.is_on(kServer, telnet::kComPort);
+}
+
+std::optional<SerialSettings> TelnetFilter::settings() const {
+  return has_com_port() ? std::optional(com_port_.settings()) : std::nullopt;
 }
 
 void TelnetFilter::encode(std::string_view replies, std::string& out) const {
@@ -73,7 +94,7 @@ void TelnetFilter::encode(std::string_view replies, std::string& out) const {
   }
   for (const char reply : replies) {
     out.push_back(reply);
-    if (static_cast<std::uint8_t>(reply) == kIac) out.push_back(reply);
+    if (static_cast<std::uint8_t>(reply) == telnet::kIac) out.push_back(reply);
   }
 }
 

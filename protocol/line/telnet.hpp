@@ -1,27 +1,44 @@
-// A telnet filter in front of the parser (RFC 854, 855, 860). IAC sequences never reach the
-// controller, every option is refused, and DO TIMING-MARK is answered, because a telnet client that
-// sent Ctrl-C discards all output until then. A raw client never receives an IAC. A copyable value
-// without I/O.
+// A telnet filter in front of the parser (RFC 854, 855): commands never reach the controller, and
+// options and the settings of the serial port (RFC 2217) are answered. DO TIMING-MARK is answered,
+// too, because a telnet client that sent Ctrl-C discards all output until then. A raw client never
+// receives an IAC. A copyable value without I/O.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "protocol/line/com_port.hpp"
+#include "protocol/line/telnet_options.hpp"
+
 namespace xr3 {
+
+/// What a byte from the client completes: data, or a command about the replies, or neither.
+struct TelnetInput {
+  std::optional<std::uint8_t> data;  ///< for the controller
+  ReplyControl replies = ReplyControl::kNone;
+};
 
 class TelnetFilter {
  public:
   /// A subnegotiation longer than this is abandoned.
   static constexpr int kMaxSubnegotiationBytes = 512;
 
-  /// Handles a byte from the client. Returns the data byte that it completes, if any. Appends the
-  /// answers of the telnet protocol to `answers`.
-  std::optional<std::uint8_t> feed(std::uint8_t byte, std::string& answers);
+  /// Handles a byte from the client. Appends the answers of the telnet protocol to `answers`.
+  TelnetInput feed(std::uint8_t byte, std::string& answers);
+
+  /// Whether feed() would return this byte as data.
+  bool is_data(std::uint8_t byte) const;
 
   /// The client speaks telnet: it has sent a complete option or an interrupt (IP).
   bool is_telnet() const { return is_telnet_; }
+
+  /// The option COM-PORT is on at either side.
+  bool has_com_port() const;
+  /// The settings of the serial port; nullopt without COM-PORT.
+  std::optional<SerialSettings> settings() const;
 
   /// Appends reply bytes in the client's encoding: FF is doubled for telnet.
   void encode(std::string_view replies, std::string& out) const;
@@ -36,15 +53,24 @@ class TelnetFilter {
     kSubnegotiation,
     kSubnegotiationCommand
   };
+  /// The first bytes of a subnegotiation: an option and a request of ComPort, and one more, which
+  /// shows that the request is too long.
+  static constexpr std::size_t kMaxKept = 1 + ComPort::kMaxRequest + 1;
 
   std::optional<std::uint8_t> feed_command(std::uint8_t byte);
-  void feed_option(std::uint8_t option, std::string& answers);
-  void feed_subnegotiation(std::uint8_t byte);
+  ReplyControl feed_option(std::uint8_t option, std::string& answers);
+  ReplyControl feed_subnegotiation(std::uint8_t byte, std::string& answers);
+  ReplyControl end_subnegotiation(std::string& answers);
+  void keep(std::uint8_t byte);
 
   Mode mode_ = Mode::kData;
   std::uint8_t verb_ = 0;  ///< WILL, WONT, DO or DONT before an option
   bool is_telnet_ = false;
-  int length_ = 0;  ///< of the subnegotiation so far
+  int length_ = 0;  ///< of the subnegotiation so far; a command in it counts as one byte
+  std::array<std::uint8_t, kMaxKept> kept_{};
+  std::size_t kept_bytes_ = 0;
+  TelnetOptions options_;
+  ComPort com_port_;
 };
 
 }  // namespace xr3

@@ -129,17 +129,28 @@ void RobotSession::act_on_pending(const Turn& turn) {
   act(bytes, turn);
 }
 
+void RobotSession::end_input() {
+  if (context_.cell.find_line(id_)->has_input_ended()) return;
+  context_.cell.apply(InputEnded{id_}, wall_now());
+}
+
 // Sends what the socket accepts now, and applies the bytes that waited for room in the outbox.
 RobotSession::Left RobotSession::flush(const Turn& turn) {
   if (!socket_.is_open()) return Left::kWaits;
+  if (has_ended_) end_input();
   const SerialLine& line = *context_.cell.find_line(id_);  // exists while the socket is open
+  const auto accepts_pending = [&] { return !pending_.empty() && line.accepts(pending_.front()); };
   while (!line.outbox().empty() || !pending_.empty()) {
+    if (line.outbox().empty() && !accepts_pending()) {  // the client has suspended its replies
+      if (!is_ending_) return Left::kWaits;
+      end_input();
+    }
     const std::size_t count = line.outbox().empty() ? 0 : socket_.write(line.outbox());
     if (socket_.is_lost()) close(LineCloseReason::kError);
     if (!socket_.is_open()) return Left::kWaits;
     context_.cell.apply(BytesOut{id_, count}, wall_now());
     if (count == 0 && !line.outbox().empty()) return Left::kWaits;
-    if (!line.is_full()) act_on_pending(turn);
+    if (accepts_pending()) act_on_pending(turn);
     if (!socket_.is_open()) return Left::kWaits;
     const bool is_done = line.outbox().empty() && pending_.empty();
     if (!is_done && is_over(turn)) return Left::kSome;
@@ -150,7 +161,7 @@ RobotSession::Left RobotSession::flush(const Turn& turn) {
 
 std::size_t RobotSession::held_bytes() const {
   const SerialLine* line = context_.cell.find_line(id_);
-  return line == nullptr ? 0 : line->outbox().size() + pending_.size();
+  return line == nullptr ? 0 : line->outbox().size() + line->held_bytes() + pending_.size();
 }
 
 void RobotSession::finish() {

@@ -80,6 +80,7 @@ class RobotSession {
   void act(std::string_view bytes, const Turn& turn);
   void keep(std::string_view bytes);
   void act_on_pending(const Turn& turn);
+  void end_input();
 
   RobotSocket socket_;
   LineId id_;

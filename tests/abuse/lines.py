@@ -13,6 +13,8 @@ MOVES = b"".join(b"%c%+d\r" % (label, sign) for label in b"ABCDEF" for sign in (
 ROWS = b"".join(b"A*%d*A*%d,7*" % (row, row) for row in range(192))
 GARBAGE = bytes(number * 7 % 256 for number in range(65536)).replace(b"A", b"z").replace(b"\xff", b"z")
 TELNET = b"".join(b"\xff\xfd%c\xff\xfb%c" % (option, option) for option in range(1, 200))
+COM_PORT = b"\xff\xfb,\xff\xfc,\xff\xfb," + b"\xff\xfa,\x07\xff\xf0\xff\xfa,\x00\xff\xf0" * 50
+SUSPENDED = b"\xff\xfb,\xff\xfa,\x08\xff\xf0" + b"E?A*0*" * 50 + b"\xff\xfa,\x0c\x01\xff\xf0"
 NEGOTIATION = b"\xff\xfa\x18" + b"x" * 600 + b"\xff\xf0"
 
 
@@ -77,6 +79,9 @@ ATTACKS = [
     *beside("lines.warnings-fast", flood(b"zE+500\r"), SHIPPED, clock="real:100000"),
     *beside("lines.telnet", flood(TELNET), SHIPPED),
     *beside("lines.telnet-unread", flood(TELNET, reads=False), SHIPPED),
+    *beside("lines.com-port", flood(COM_PORT), SHIPPED),
+    *beside("lines.com-port-unread", flood(COM_PORT, reads=False), SHIPPED),
+    *beside("lines.suspended", flood(SUSPENDED), SHIPPED),
     *beside("lines.negotiation", flood(NEGOTIATION), SHIPPED),
     *beside("lines.trickle", trickle(b"\r"), SHIPPED, crowd=True),
     *beside("lines.trickle-inquiries", trickle(b"E?"), SHIPPED, crowd=True),

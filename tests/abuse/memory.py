@@ -161,6 +161,8 @@ ATTACKS = [
     greedy("websocket-pings", SHIPPED, socket, websocket.frame(websocket.PING, b"x" * 125) * 1000),
     greedy("http-unfinished", SHIPPED, page, UNFINISHED_HEAD),
     greedy("telnet", SHIPPED, line, b"\xff\xfd\x01" * 20_000),
+    greedy("suspended", CAMERA, line, b"\xff\xfb,\xff\xfa,\x08\xff\xf0" + b"A**" * REPEATED),
+    greedy("suspended-inquiries", SHIPPED, line, b"\r\xff\xfb,\xff\xfa,\x08\xff\xf0" + b"I" * 100_000),
     greedy("followers", SHIPPED, follower, b"", clock="real"),
     greedy("followers", LARGEST, follower, b"", clock="real", own=json_line("get", channel="state")),
     thousand("thousand-images", CAMERA, (line, b"A**" * REPEATED), (page, images(get("/camera.pbm")))),

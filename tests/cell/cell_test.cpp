@@ -345,5 +345,22 @@ RC_GTEST_PROP(Cell, TheImageIsAlwaysThatOfTheState, ()) {
   }
 }
 
+TEST(Cell, SuspendedRepliesLeaveAtTheEndOfTheInput) {
+  Lab lab;
+  lab.open(1);
+  lab.send(1,
+           "\r\xff\xfb\x2c\xff\xfa\x2c\x08\xff\xf0"
+           "E+5\rE?");
+  const std::int64_t records = lab.cell.wires().next();
+  const std::uint64_t bytes_out = lab.cell.counters().bytes_out;
+  lab.cell.apply(InputEnded{1}, 0);
+  EXPECT_EQ(lab.cell.find_line(1)->outbox(), "%");
+  EXPECT_EQ(lab.cell.counters().bytes_out, bytes_out + 1);
+  ASSERT_EQ(lab.cell.wires().next(), records + 1);
+  EXPECT_NE(lab.cell.wires().at(records)->find("E: 5 counts to go"), std::string::npos);
+  lab.cell.apply(InputEnded{1}, 0);
+  EXPECT_EQ(lab.cell.wires().next(), records + 1) << "nothing else leaves";
+}
+
 }  // namespace
 }  // namespace xr3

@@ -94,5 +94,123 @@ TEST(SerialLine, WithoutAGuardEveryByteActsAtOnce) {
   EXPECT_TRUE(one.line.outbox().ends_with('%'));
 }
 
+// --- Replies that an RFC 2217 client has suspended.
+
+const std::string kComPort = "\xff\xfb\x2c";
+const std::string kSuspend = "\xff\xfa\x2c\x08\xff\xf0";
+const std::string kResume = "\xff\xfa\x2c\x09\xff\xf0";
+const std::string kPurgeReplies = "\xff\xfa\x2c\x0c\x01\xff\xf0";
+const std::string kPurgedReplies = "\xff\xfa\x2c\x70\x01\xff\xf0";
+const std::string kAskModemState = "\xff\xfa\x2c\x07\xff\xf0";
+const std::string kModemState = "\xff\xfa\x2c\x6b\xb0\xff\xf0";
+
+struct SuspendedLine : OneLine {
+  SuspendedLine() {
+    receive("\r" + kComPort + kSuspend);
+    fetch();
+  }
+  std::string fetch() {
+    std::string bytes(line.outbox());
+    line.sent(bytes.size());
+    return bytes;
+  }
+};
+
+TEST(SuspendedReplies, WaitForTheResume) {
+  SuspendedLine one;
+  one.receive("E+5\rE?");
+  one.receive("F-1\rFT");
+  EXPECT_EQ(one.fetch(), "");
+  EXPECT_EQ(one.line.held_bytes(), 2U);
+  one.receive(kResume + "D?");
+  EXPECT_EQ(one.fetch(), "%\xff\xff ") << "in order, FF doubled";
+  EXPECT_EQ(one.line.held_bytes(), 0U);
+  one.receive("D?");
+  EXPECT_EQ(one.fetch(), " ");
+}
+
+TEST(SuspendedReplies, DoNotDelayAnswersOfTelnet) {
+  SuspendedLine one;
+  one.receive("E?" + kAskModemState);
+  EXPECT_EQ(one.fetch(), kModemState);
+  EXPECT_EQ(one.line.held_bytes(), 1U);
+}
+
+TEST(SuspendedReplies, ArePurgedByTheClient) {
+  SuspendedLine one;
+  one.receive("E?" + kPurgeReplies + "F?");
+  EXPECT_EQ(one.fetch(), kPurgedReplies);
+  one.receive(kResume);
+  EXPECT_EQ(one.fetch(), " ") << "the line stays suspended after the purge";
+}
+
+TEST(SuspendedReplies, ReadingGoesOnUntilTheHoldIsFull) {
+  SuspendedLine one;
+  const std::string flood(2 * ReplyHold::kFull, 'I');
+  EXPECT_EQ(one.receive(flood), ReplyHold::kFull);
+  EXPECT_EQ(one.receive("I"), 0U);
+  EXPECT_EQ(one.receive(kAskModemState + "I"), kAskModemState.size()) << "commands are read";
+  EXPECT_EQ(one.fetch(), kModemState);
+  EXPECT_EQ(one.receive(kResume), kResume.size());
+  EXPECT_EQ(one.fetch(), std::string(ReplyHold::kFull, ' '));
+  EXPECT_EQ(one.receive("I"), 1U);
+}
+
+TEST(SuspendedReplies, LeaveAtTheEndOfTheInput) {
+  SuspendedLine one;
+  one.receive("E?");
+  one.line.end_input();
+  EXPECT_EQ(one.fetch(), " ");
+  one.receive(kSuspend + "E?");
+  EXPECT_EQ(one.fetch(), " ") << "nobody can resume them";
+}
+
+TEST(SuspendedReplies, LeaveWhenTheClientEndsTheOption) {
+  SuspendedLine one;
+  one.receive("E?\xff\xfc\x2c");
+  EXPECT_EQ(one.fetch(), "\xff\xfe\x2c ");
+}
+
+TEST(SuspendedReplies, AreReportedWhereTheyLeave) {
+  SuspendedLine one;
+  const std::uint64_t before = one.line.output_end();
+  one.receive("F-1\rFTE?");
+  one.exchanges.clear();
+  one.receive(kAskModemState + kResume + "D?");
+  ASSERT_EQ(one.line.released().size(), 2U);
+  const std::uint64_t from = before + kModemState.size();
+  EXPECT_EQ(one.line.released()[0].from, from);
+  EXPECT_EQ(one.line.released()[0].to, from + 2) << "FF is sent twice";
+  EXPECT_EQ(one.line.released()[1].to, from + 3);
+  EXPECT_EQ(one.exchanges.back().reply_from, from + 3);
+  one.receive("D?");
+  EXPECT_TRUE(one.line.released().empty());
+}
+
+TEST(SerialLine, ShowsTheProtocolOfItsClient) {
+  OneLine one;
+  EXPECT_EQ(one.line.kind(), LineKind::kTcp);
+  EXPECT_EQ(one.line.settings(), std::nullopt);
+  one.receive("\r\xff\xfd\x01");
+  EXPECT_EQ(one.line.kind(), LineKind::kTelnet);
+  one.receive(kComPort);
+  EXPECT_EQ(one.line.kind(), LineKind::kRfc2217);
+  EXPECT_EQ(text_of(one.line.settings().value()), "9600-7e2");
+  one.receive("\xff\xfa\x2c\x02\x08\xff\xf0");
+  EXPECT_EQ(text_of(one.line.settings().value()), "9600-8e2");
+  one.receive("\xff\xfc\x2c");
+  EXPECT_EQ(one.line.kind(), LineKind::kTelnet);
+}
+
+TEST(SerialLine, APseudoTerminalHasNoTelnet) {
+  OneLine one;
+  one.line = SerialLine(Profile::kPaper, LineKind::kPty, "test", 0);
+  one.receive("\xff\xfd\x03PUT / E?");
+  EXPECT_EQ(one.line.outbox(), " ");
+  EXPECT_EQ(one.line.kind(), LineKind::kPty);
+  one.line.set_settings({1200, std::nullopt});
+  EXPECT_EQ(text_of(one.line.settings().value()), "1200");
+}
+
 }  // namespace
 }  // namespace xr3

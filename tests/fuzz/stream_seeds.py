@@ -120,6 +120,9 @@ def telnet_streams():
     yield "stun", [b"\0\x01\0\x08\x21\x12\xa4\x42"]
     yield "almost_http", [b"GET I", b"OPTIONSJ"]
     yield "camera", [b"A**A*1*A*1,2*"]
+    yield "com_port", [b"\xff\xfb,\xff\xfd,", b"\xff\xfa,\1\0\0\x25\x80\xff\xf0", b"\xff\xfa,\5\0\xff\xf0E?"]
+    yield "suspend", [b"\xff\xfb,\xff\xfa,\x08\xff\xf0FTE?", b"A**", b"\xff\xfa,\x0c\1\xff\xf0I",
+                      b"\xff\xfa,\x09\xff\xf0"]
 
 
 def streams():

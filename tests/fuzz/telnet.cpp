@@ -1,12 +1,13 @@
 // Fuzzes one serial line: the detection of HTTP and TLS, the telnet filter and the endpoint.
 // Properties: state, replies and exchanges do not depend on how the bytes arrive and when the
 // replies are sent; they equal those of a line without telnet that receives the data bytes of a
-// simple telnet reader (RFC 854, 855); no byte of a browser or a TLS client acts; the machine's
-// invariants hold.
+// simple telnet server with RFC 2217, so only PURGE loses a reply; a client that sends no telnet
+// command receives no telnet byte; what a line holds is bounded; no byte of a browser or a TLS
+// client acts; the machine's invariants hold.
 //
 // Input: the first byte selects the profile (bit 0) and the kind of line (bit 1); the rest is as in
 // common/pieces.hpp. With kQuick, the bytes of a line with telnet arrive only in pieces, not also
-// one by one: the simple reader shows whether the pieces matter.
+// one by one: the simple server shows whether the pieces matter.
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -19,6 +20,7 @@
 #include "core/invariants.hpp"
 #include "tests/fuzz/common/fuzz.hpp"
 #include "tests/fuzz/common/pieces.hpp"
+#include "tests/fuzz/common/telnet_reference.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3::fuzz {
@@ -26,6 +28,7 @@ namespace {
 
 constexpr std::size_t kMaxTotal = 4096;  // bytes; a picture fills the outbox with three
 constexpr std::size_t kMaxQuickTotal = 128;
+constexpr std::size_t kMaxReply = 192 * 192 / 6;  // a picture, in bytes
 
 /// A serial line with its own machine. Collects the replies that the client receives.
 class Conversation {
@@ -39,12 +42,20 @@ class Conversation {
       simulation_.take_events();
       const std::size_t taken = line_.receive(bytes, simulation_, exchanges_);
       bytes.remove_prefix(taken);
-      require(bytes.empty() || line_.is_full() || line_.is_not_a_robot_program(),
-              "a line takes all bytes unless it is full or closed");
+      check_bounds();
+      if (!bytes.empty() && !line_.is_not_a_robot_program()) make_room(bytes.front());
       fetch(line_.is_full() ? SerialLine::kFullOutbox : at_once);
     }
   }
   void fetch_all() { fetch(line_.outbox().size()); }
+
+  /// The client sends no more and receives everything.
+  void finish() {
+    line_.end_input();
+    check_bounds();
+    require(line_.held_bytes() == 0, "nothing is held after the end of the input");
+    fetch_all();
+  }
 
   const SerialLine& line() const { return line_; }
   const State& state() const { return simulation_.state(); }
@@ -57,6 +68,18 @@ class Conversation {
   const char* broken() const { return broken_invariant(simulation_.model(), state()); }
 
  private:
+  /// A line takes all bytes unless it is full, or the client has suspended too many replies. Such a
+  /// client ends its input here: nobody else could make it go on.
+  void make_room(char next) {
+    if (line_.is_full()) return;
+    require(!line_.accepts(next), "a line takes every byte that it accepts");
+    require(line_.held_bytes() >= ReplyHold::kFull, "a line waits only with a full hold");
+    line_.end_input();
+  }
+  void check_bounds() const {
+    require(line_.held_bytes() < ReplyHold::kFull + kMaxReply, "the hold is bounded");
+    require(line_.outbox().size() < 4 * SerialLine::kFullOutbox, "the outbox is bounded");
+  }
   void fetch(std::size_t count) {
     count = std::min(count, line_.outbox().size());
     received_ += line_.outbox().substr(0, count);
@@ -88,78 +111,18 @@ void check_same(const Conversation& a, const Conversation& b) {
   require(a.line().bytes_out() == b.line().bytes_out(), "bytes out");
 }
 
-// --- A simple telnet reader.
+// --- Telnet.
 
-using Byte = unsigned char;
-
-constexpr Byte kIac = 0xff;
-constexpr Byte kDo = 0xfd;
-constexpr Byte kWill = 0xfb;
-constexpr Byte kSubnegotiation = 0xfa;
-constexpr Byte kInterrupt = 0xf4;
-constexpr Byte kMinCommand = 0xf0;
-constexpr Byte kSubnegotiationEnd = 0xf0;
-
-/// The first data byte or command of a telnet stream.
-struct Unit {
-  std::size_t size = 0;  ///< 0: incomplete
-  std::optional<char> data;
-  std::string answer;
-  bool shows_telnet = false;
-};
-
-Byte byte_at(std::string_view text, std::size_t at) { return static_cast<Byte>(text[at]); }
-
-Unit subnegotiation(std::string_view rest) {
-  int length = 0;
-  for (std::size_t i = 2; i < rest.size(); ++i) {
-    const bool is_escaped = byte_at(rest, i) == kIac;
-    if (is_escaped && ++i == rest.size()) break;
-    if (is_escaped && byte_at(rest, i) == kSubnegotiationEnd) return {i + 1, {}, {}, true};
-    if (++length > TelnetFilter::kMaxSubnegotiationBytes) return {i + 1, {}, {}, false};
-  }
-  return {};
-}
-
-Unit option(std::string_view rest) {
-  if (rest.size() < 3) return {};
-  Unit unit{3, {}, {}, true};
-  const bool is_timing_mark = rest[2] == '\x06';
-  if (byte_at(rest, 1) == kWill) unit.answer = {'\xff', '\xfe', rest[2]};
-  if (byte_at(rest, 1) == kDo) unit.answer = {'\xff', is_timing_mark ? '\xfb' : '\xfc', rest[2]};
-  return unit;
-}
-
-Unit first_unit(std::string_view rest) {
-  if (rest.empty()) return {};
-  if (byte_at(rest, 0) != kIac) return {1, rest[0], {}, false};
-  if (rest.size() < 2) return {};
-  const Byte command = byte_at(rest, 1);
-  if (command == kIac || command < kMinCommand) return {2, rest[1], {}, false};
-  if (command == kSubnegotiation) return subnegotiation(rest);
-  if (command > kSubnegotiation) return option(rest);
-  return {2, {}, {}, command == kInterrupt};
-}
-
-/// The replies that the client must receive: the data bytes, found by the simple reader, act on
-/// `data_line`, which knows no telnet.
-std::string expected_replies(std::string_view bytes, Conversation& data_line) {
-  std::string expected;
-  bool is_telnet = false;
-  for (Unit unit = first_unit(bytes); unit.size > 0; unit = first_unit(bytes)) {
-    bytes.remove_prefix(unit.size);
-    is_telnet |= unit.shows_telnet;
-    expected += unit.answer;
-    if (!unit.data) continue;
+/// The bytes that the client must receive: a simple telnet server finds the bytes of data, which
+/// act on `data_line`, which knows no telnet.
+std::string expected_bytes(std::string_view bytes, Conversation& data_line) {
+  const auto robot = [&](char byte) {
     const std::size_t before = data_line.received().size();
-    data_line.send({&*unit.data, 1}, SerialLine::kFullOutbox);
+    data_line.send({&byte, 1}, SerialLine::kFullOutbox);
     data_line.fetch_all();
-    for (const char reply : std::string_view(data_line.received()).substr(before)) {
-      expected += reply;
-      if (is_telnet && static_cast<Byte>(reply) == kIac) expected += reply;
-    }
-  }
-  return expected;
+    return data_line.received().substr(before);
+  };
+  return TelnetReference(robot, ReplyHold::kFull).all_sent(bytes);
 }
 
 // --- Detection.
@@ -196,7 +159,9 @@ void check_raw_line(const Conversation& found, std::string_view bytes, const Mod
   if (detection != Detection::kPass)
     return require(!found.has_acted(), "no byte of a browser acts");
   Conversation data_line(model, LineKind::kMonitor);
-  require(found.received() == expected_replies(bytes, data_line), "telnet and the replies");
+  require(found.received() == expected_bytes(bytes, data_line), "telnet and the replies");
+  if (bytes.find('\xff') == std::string_view::npos)
+    require(found.received() == data_line.received(), "a raw client receives no telnet byte");
   require(found.state() == data_line.state(), "the state after the data bytes");
   require(found.exchanges().size() == data_line.exchanges().size(), "the data bytes' commands");
 }
@@ -206,7 +171,7 @@ void check_bytes(const Conversation& in_pieces, std::string_view whole, const Mo
                  LineKind kind) {
   Conversation in_bytes(model, kind);
   for (const char& byte : whole) in_bytes.send({&byte, 1}, 1);
-  in_bytes.fetch_all();
+  in_bytes.finish();
   check_same(in_pieces, in_bytes);
 }
 
@@ -214,7 +179,7 @@ void check_line(const Pieces& pieces, const ModelPtr& model, LineKind kind, Effo
   const std::string whole = joined(pieces);
   Conversation in_pieces(model, kind);
   for (const std::string& piece : pieces) in_pieces.send(piece, SerialLine::kFullOutbox);
-  in_pieces.fetch_all();
+  in_pieces.finish();
   if (const char* broken = in_pieces.broken()) require(false, broken);
   if (kind == LineKind::kTcp) check_raw_line(in_pieces, whole, model);
   if (kind != LineKind::kTcp || effort == Effort::kFull) check_bytes(in_pieces, whole, model, kind);

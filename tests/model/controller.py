@@ -36,7 +36,7 @@ class Line:
             answer, bytes_for_robot = self.telnet.feed(byte)
             sent += answer
             for each in bytes_for_robot:
-                sent += self.telnet.escape(self._feed(each))
+                sent += self.telnet.reply(self._feed(each))
         return sent
 
     def _feed(self, byte):

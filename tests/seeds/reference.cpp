@@ -36,6 +36,12 @@ std::string Reference::replies(std::string_view bytes) {
   }
 }
 
+std::string Reference::last_replies() {
+  auto& [cell, line] = *machine_;
+  cell.apply(InputEnded{line}, 0);
+  return std::string(cell.find_line(line)->outbox());
+}
+
 std::string Reference::hexadecimal_replies(std::string_view bytes) {
   return hexadecimal(replies(bytes));
 }

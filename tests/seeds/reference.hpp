@@ -26,6 +26,8 @@ class Reference {
 
   /// The replies to these bytes.
   std::string replies(std::string_view bytes);
+  /// The replies that leave at the end of the input.
+  std::string last_replies();
   /// The same as two hexadecimal digits a byte, as the monitor shows them.
   std::string hexadecimal_replies(std::string_view bytes);
   void step(std::int64_t ticks);

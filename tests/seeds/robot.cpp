@@ -10,6 +10,15 @@ namespace {
 
 using namespace std::string_literals;
 
+/// Telnet and RFC 2217. Replies that are suspended are resumed.
+std::string telnet_words(Random& random, const std::string& joint) {
+  if (random.chance(200)) {
+    return "\xFF\xFA,\x08\xFF\xF0" + joint + "?" + joint + "T\xFF\xFA,\x09\xFF\xF0";
+  }
+  return "\xFF"s + random.any_of({"\xFD\x03", "\xFB\x01", "\xF4", "\xFC\x03", "\xF1", "\xFB,",
+                                  "\xFA,\x07\xFF\xF0"});
+}
+
 /// A command or an inquiry that depends on no other line. Time stands still.
 std::string harmless_words(Random& random, char letter) {
   const std::string joint(1, letter);
@@ -23,7 +32,7 @@ std::string harmless_words(Random& random, char letter) {
     case 5: return joint + number + "S";
     case 6: return random.any_of({"I", "J", "K", "AI", "\r\n", " "});
     case 7: return random.any_of({"L", "M", "P3", "R3", "A#", "A!1,2,3!", "A%2", "A.7\r"});
-    case 8: return "\xFF"s + random.any_of({"\xFD\x03", "\xFB\x01", "\xF4", "\xFC\x03", "\xF1"});
+    case 8: return telnet_words(random, joint);
     case 9: return random.any_of({"~^;", "\x7F\x80", "\r?", "\r9", "Z", "[]"});
     case 10: return "A*" + std::to_string(random.below(20)) + "*";
     case 11: return "A*3," + std::to_string(random.below(20)) + "*";
@@ -74,7 +83,8 @@ class Robot final : public Client {
 
   void verify(bool is_complete) override {
     if (letter_ == 0 || !is_connected()) return;
-    const std::string right = Reference(world_.model, Reference::Line::kTcp).replies(sent());
+    Reference reference(world_.model, Reference::Line::kTcp);
+    const std::string right = reference.replies(sent()) + reference.last_replies();
     if (!right.starts_with(in_)) {
       const auto [wrong, ignored] =
           std::mismatch(in_.begin(), in_.end(), right.begin(), right.end());

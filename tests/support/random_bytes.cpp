@@ -22,6 +22,9 @@ constexpr std::array kTelnet = {"\xff\xf4\xff\xfd\x06"sv,
                                 "\xff"sv,
                                 "\xff\xfa\x18\x00xterm\xff\xf0"sv,
                                 "\xff\xf1"sv,
+                                "\xff\xfb\x2c"sv,
+                                "\xff\xfa\x2c\x07\xff\xf0"sv,
+                                "\xff\xfa\x2c\x08\xff\xf0?FT\xff\xfa\x2c\x09\xff\xf0"sv,
                                 "\xff\xfa"sv};
 
 template <class List>

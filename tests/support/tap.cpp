@@ -35,7 +35,7 @@ void Tap::receive(std::string_view bytes) {
   const std::string sent(line_.outbox());
   line_.sent(sent.size());
   received_ += sent;
-  if (!sent.empty()) fill_out(records_.emplace_back(), out, sent, exchanges_);
+  if (!sent.empty()) fill_out(records_.emplace_back(), out, sent, exchanges_, line_.released());
 }
 
 std::string transcript(const WireRecord& record, const Model& model) {

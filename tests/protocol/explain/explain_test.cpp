@@ -255,6 +255,34 @@ TEST(Explain, TelnetBytesAreSeparate) {
             "  6..8 reply_signed_error: E: error counter -1\n");
 }
 
+TEST(Explain, RepliesThatTheClientHadSuspended) {
+  Tap tap(test::rhino());
+  tap.send("\r\xff\xfb\x2c\xff\xfa\x2c\x08\xff\xf0"sv);
+  EXPECT_EQ(tap.send("E+5\rE?"),
+            "> E+5\\rE?\n"
+            "  20..24 move: move E +5, counter 5\n"
+            "  24..26 query_error: asks how far E has still to go\n");
+  EXPECT_EQ(tap.send("D?\xff\xfa\x2c\x09\xff\xf0?"sv),
+            "> D?\\xff\\xfa,\\t\\xff\\xf0?\n"
+            "  26..28 query_error: asks how far D has still to go\n"
+            "  28..34 telnet: telnet protocol; not passed to the controller\n"
+            "  34..35 query_error: asks how far D has still to go\n"
+            "< %  \n"
+            "  10..11 reply_error: E: 5 counts to go\n"
+            "  11..12 reply_error: D: 0 counts to go\n"
+            "  12..13 reply_error: D: 0 counts to go\n");
+}
+
+TEST(Explain, ManyRepliesThatTheClientHadSuspended) {
+  Tap tap(test::rhino());
+  tap.send("\r\xff\xfb\x2c\xff\xfa\x2c\x08\xff\xf0"sv);
+  tap.send(std::string(1000, 'I'));
+  const std::string sent = tap.send("\xff\xfa\x2c\x09\xff\xf0"sv);
+  EXPECT_NE(sent.find("\n  266..1010 more_replies: 744 more replies that were held\n"),
+            std::string::npos)
+      << sent;
+}
+
 TEST(Explain, WithoutATelnetFilterTheControllerGetsEveryByte) {
   Simulation simulation(test::rhino());
   RhinoEndpoint endpoint(Profile::kPaper);

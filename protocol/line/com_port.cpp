@@ -1,0 +1,165 @@
+#include "protocol/line/com_port.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "protocol/line/telnet_codes.hpp"
+
+namespace xr3 {
+namespace {
+
+using std::string_view_literals::operator""sv;
+using Bytes = std::span<const std::uint8_t>;
+
+// The client's codes; an answer has that of the request and kAnswer.
+enum Code : std::uint8_t {
+  kSignature = 0,
+  kSetBaudRate = 1,
+  kSetDataSize = 2,
+  kSetParity = 3,
+  kSetStopSize = 4,
+  kSetControl = 5,
+  kNotifyModemState = 7,
+  kFlowControlSuspend = 8,
+  kFlowControlResume = 9,
+  kSetLineStateMask = 10,
+  kSetModemStateMask = 11,
+  kPurgeData = 12,
+};
+constexpr std::uint8_t kAnswer = 100;
+
+/// The bytes of a request's value, by code from 1; 6 is only for servers.
+constexpr std::uint8_t kUnknown = 255;
+constexpr std::array<std::uint8_t, 12> kValueBytes = {4, 1, 1, 1, 1, kUnknown, 0, 0, 0, 1, 1, 1};
+
+/// The value 0 of a setting asks for the one in effect.
+constexpr std::uint8_t kAsk = 0;
+
+constexpr std::array<std::uint8_t, 3> kName = {'x', 'r', '3'};
+
+/// Carrier 80, ring 40, DSR 20, CTS 10; the low bits would say what has changed.
+constexpr std::uint8_t kModemState = 0xb0;
+
+constexpr std::uint8_t kPurgeReplies = 1;
+constexpr std::uint8_t kPurgeBoth = 3;
+
+/// The values of SET-CONTROL: the one that asks, and those that set.
+struct Control {
+  std::uint8_t ask;
+  std::string_view sets;
+};
+constexpr std::array<Control, 5> kControls = {{
+    {0, "\x01\x02\x03\x11\x13"sv},  // flow control out, or both ways: none, XON/XOFF, by a signal
+    {4, "\x05\x06"sv},              // break: on, off
+    {7, "\x08\x09"sv},              // DTR: on, off
+    {10, "\x0b\x0c"sv},             // RTS: on, off
+    {13, "\x0e\x0f\x10\x12"sv},     // flow control in: none, XON/XOFF, by a signal
+}};
+constexpr std::uint8_t kFlowNone = 1;
+constexpr std::uint8_t kFlowXonXoff = 2;
+
+bool is_valid(Bytes request) {
+  const std::size_t code = request[0];
+  return code >= 1 && code <= kValueBytes.size() && request.size() - 1 == kValueBytes[code - 1];
+}
+
+void append_answer(std::string& out, std::uint8_t code, Bytes value) {
+  for (const std::uint8_t byte : {telnet::kIac, telnet::kSb, telnet::kComPort}) {
+    out.push_back(static_cast<char>(byte));
+  }
+  out.push_back(static_cast<char>(code + kAnswer));
+  for (const std::uint8_t byte : value) {
+    if (byte == telnet::kIac) out.push_back(static_cast<char>(byte));
+    out.push_back(static_cast<char>(byte));
+  }
+  out.push_back(static_cast<char>(telnet::kIac));
+  out.push_back(static_cast<char>(telnet::kSe));
+}
+
+/// Sets a value that the protocol counts from 1. Returns the value to answer.
+template <class Value>
+std::uint8_t set_from_1(Value& setting, std::uint8_t value, Value max) {
+  if (value == kAsk) return static_cast<std::uint8_t>(static_cast<std::uint8_t>(setting) + 1);
+  if (value - 1 <= static_cast<std::uint8_t>(max)) setting = static_cast<Value>(value - 1);
+  return value;
+}
+
+}  // namespace
+
+ReplyControl ComPort::handle(Bytes request, std::string& answers) {
+  if (request.size() == 1 && request[0] == kSignature) append_answer(answers, kSignature, kName);
+  if (request.empty() || !is_valid(request)) return ReplyControl::kNone;
+  const std::uint8_t code = request[0];
+  const Bytes value = request.subspan(1);
+  switch (code) {
+    case kSetBaudRate: set_baud(value, answers); break;
+    case kNotifyModemState: append_modem_state(answers); break;
+    case kFlowControlSuspend: return ReplyControl::kSuspend;
+    case kFlowControlResume: return ReplyControl::kResume;
+    case kPurgeData: {
+      append_answer(answers, code, value);
+      const bool drops = value[0] == kPurgeReplies || value[0] == kPurgeBoth;
+      return drops ? ReplyControl::kDrop : ReplyControl::kNone;
+    }
+    default: {
+      const std::array answer = {set(code, value[0])};
+      append_answer(answers, code, answer);
+    }
+  }
+  return ReplyControl::kNone;
+}
+
+void ComPort::append_modem_state(std::string& answers) {
+  constexpr std::array value = {kModemState};
+  append_answer(answers, kNotifyModemState, value);
+}
+
+void ComPort::set_baud(Bytes value, std::string& answers) {
+  std::uint32_t baud = 0;
+  for (const std::uint8_t byte : value) baud = baud << 8 | byte;
+  if (baud != kAsk) baud_ = baud;
+  std::array<std::uint8_t, 4> answer{};
+  for (std::size_t i = 0; i < answer.size(); ++i) {
+    answer[i] = static_cast<std::uint8_t>(baud_ >> (24 - 8 * i));
+  }
+  append_answer(answers, kSetBaudRate, answer);
+}
+
+/// Sets what a request of one byte sets. Returns the value to answer.
+std::uint8_t ComPort::set(std::uint8_t code, std::uint8_t value) {
+  switch (code) {
+    case kSetDataSize: return set_data_bits(value);
+    case kSetParity: return set_from_1(frame_.parity, value, Parity::kSpace);
+    case kSetStopSize: return set_from_1(frame_.stop_bits, value, StopBits::kOneAndAHalf);
+    case kSetControl: return set_control(value);
+    default: return value;  // a mask: the states that it selects never change
+  }
+}
+
+std::uint8_t ComPort::set_data_bits(std::uint8_t value) {
+  if (value == kAsk) return static_cast<std::uint8_t>(frame_.data_bits);
+  if (value >= kMinDataBits && value <= kMaxDataBits) frame_.data_bits = value;
+  return value;
+}
+
+std::uint8_t ComPort::set_control(std::uint8_t value) {
+  for (std::size_t i = 0; i < kControls.size(); ++i) {
+    if (value == kControls[i].ask) return controls_[i];
+    if (kControls[i].sets.find(static_cast<char>(value)) != std::string_view::npos) {
+      controls_[i] = value;
+    }
+  }
+  return value;
+}
+
+SerialSettings ComPort::settings() const {
+  SerialSettings settings{baud_, frame_};
+  switch (controls_[0]) {
+    case kFlowNone: settings.frame->flow = FlowControl::kNone; break;
+    case kFlowXonXoff: settings.frame->flow = FlowControl::kSoftware; break;
+    default: settings.frame->flow = FlowControl::kHardware; break;
+  }
+  return settings;
+}
+
+}  // namespace xr3

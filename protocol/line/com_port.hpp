@@ -1,0 +1,54 @@
+// The serial port that a telnet client sets up by the COM-PORT option (RFC 2217): the requests in
+// its subnegotiations and their answers. The settings are remembered and reported; they do not act
+// on the bytes, and break, DTR and RTS have no effect on the controller. Sans-I/O.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "protocol/line/serial_settings.hpp"
+
+namespace xr3 {
+
+/// What a client does to the replies that are on their way to it.
+enum class ReplyControl : std::uint8_t {
+  kNone,
+  kSuspend,  ///< hold replies from now on
+  kResume,   ///< send what is held
+  kDrop,     ///< forget what is held
+};
+
+class ComPort {
+ public:
+  /// The longest request that has a meaning: a code and a speed. The rest of a longer one need not
+  /// be passed.
+  static constexpr std::size_t kMaxRequest = 5;
+
+  /// Handles a request: the code and its value, without the bytes around them. Appends the answer;
+  /// there is none to an unknown request or one of a wrong length. A setting is answered with
+  /// the value asked for, a question with the value in effect.
+  ReplyControl handle(std::span<const std::uint8_t> request, std::string& answers);
+
+  /// Appends NOTIFY-MODEMSTATE: CTS, DSR and carrier are on, ring is off, and nothing has changed.
+  static void append_modem_state(std::string& answers);
+
+  /// Those that the client has set; before, those of the Mark III controller.
+  SerialSettings settings() const;
+
+  bool operator==(const ComPort&) const = default;
+
+ private:
+  void set_baud(std::span<const std::uint8_t> value, std::string& answers);
+  std::uint8_t set(std::uint8_t code, std::uint8_t value);
+  std::uint8_t set_data_bits(std::uint8_t value);
+  std::uint8_t set_control(std::uint8_t value);
+
+  std::uint32_t baud_ = kDefaultBaud;
+  SerialFrame frame_;  ///< without flow control
+  /// The values in effect of SET-CONTROL: flow control out, break, DTR, RTS, flow control in.
+  std::array<std::uint8_t, 5> controls_{1, 6, 8, 11, 14};
+};
+
+}  // namespace xr3
