@@ -1,4 +1,4 @@
-"""A user of inetutils telnet at a terminal."""
+"""A user of a telnet client at a terminal: inetutils telnet, or another one."""
 
 import os
 import pty
@@ -17,17 +17,16 @@ def needs(program, package):
                                f"{program} is not installed (Debian package {package})")
 
 
-class Telnet:
-    """`telnet` in a pseudo-terminal: type() enters keys, read_until() reads the screen."""
+class TerminalClient:
+    """A program in a pseudo-terminal: type() enters keys, read_until() reads the screen."""
 
-    def __init__(self, port):
+    def __init__(self, *command, environment=None):
         self.terminal, inner = pty.openpty()
         self.process = subprocess.Popen(
-            ["telnet", LOCALHOST, str(port)], stdin=inner, stdout=inner, stderr=inner,
-            preexec_fn=lambda: os.login_tty(inner), env={**os.environ, "TERM": "dumb"})
+            command, stdin=inner, stdout=inner, stderr=inner, preexec_fn=lambda: os.login_tty(inner),
+            env={**os.environ, "TERM": "dumb", **(environment or {})})
         os.close(inner)
         self.screen = b""
-        self.read_until(rb"Escape character is[^\n]*\n")
 
     def __enter__(self):
         return self
@@ -50,6 +49,14 @@ class Telnet:
             self.screen += os.read(self.terminal, 4096)
         self.screen = self.screen[match.end():]
         return match
+
+
+class Telnet(TerminalClient):
+    """inetutils telnet, as a user starts it."""
+
+    def __init__(self, port):
+        super().__init__("telnet", LOCALHOST, str(port))
+        self.read_until(rb"Escape character is[^\n]*\n")
 
     def inquire(self, inquiry):
         """Types an inquiry and Enter; returns the byte that appears after their echo."""

@@ -49,6 +49,22 @@ class TelnetSession(unittest.TestCase):
             self.assertEqual(b"\xff", telnet.read_until(rb"FT\r\n(.)").group(1))
             self.assertEqual(b"!", telnet.inquire(b"F?"))
 
+    def test_character_mode(self):
+        """`mode character` negotiates SUPPRESS-GO-AHEAD and ECHO: keys then leave without Enter."""
+        with Server() as xr3, xr3.monitor() as monitor, Telnet(xr3.robot_port) as telnet:
+            self.assertEqual(b" ", telnet.inquire(b"E?"))
+            telnet.type(b"\x1d")
+            telnet.read_until(rb"telnet> ")
+            telnet.type(b"mode character\n")
+            telnet.read_until(rb"character\r\n")
+            telnet.type(b"E+50 E?")
+            telnet.read_until(rb"R")
+            monitor.step(200)
+            telnet.type(b"?")
+            telnet.read_until(rb"<")
+            self.assertEqual("telnet", monitor.call("lines")["lines"][0]["kind"])
+        self.assertNotIn("unknown_byte", xr3.log())
+
     def test_two_sessions_at_once(self):
         """Two users share the robot; a reply goes only to the line of the inquiry."""
         with Server() as xr3, xr3.monitor() as monitor, Telnet(xr3.robot_port) as first:
