@@ -34,10 +34,10 @@ std::string doubled(std::string_view text) {
 /// The first data byte or command of a stream.
 struct TelnetReference::Unit {
   std::size_t size = 0;  ///< 0: incomplete
-  std::optional<char> data;
+  std::optional<char> data{};
   Byte command = 0;
   Byte option = 0;
-  std::optional<std::string> content;  ///< of a complete subnegotiation
+  std::optional<std::string> content{};  ///< of a complete subnegotiation
 };
 
 namespace {
@@ -156,7 +156,7 @@ void TelnetReference::control(char value) {
     if (values.find(value) != std::string::npos) controls_[asks] = value;
   }
   const auto asked = controls_.find(value);
-  answer({'\x69', asked == controls_.end() ? value : asked->second});
+  answer(std::string{'\x69', asked == controls_.end() ? value : asked->second});
 }
 
 void TelnetReference::answer(std::string_view answer) {

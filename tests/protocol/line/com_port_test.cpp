@@ -26,13 +26,13 @@ Answer ask(ComPort& port, std::string_view request) {
   return {hexadecimal(std::string_view(out).substr(3, out.size() - 5)), replies};
 }
 
-struct Row {
+struct RequestRow {
   const char* what;
   std::string_view request;
   const char* answer;
 };
 
-constexpr Row kRows[] = {
+constexpr RequestRow kExchanges[] = {
     {"9600 baud", "\x01\x00\x00\x25\x80"sv, "6500002580"},
     {"any speed", "\x01\x12\x34\x56\x78"sv, "6512345678"},
     {"the speed asked for last", "\x01\x00\x00\x00\x00"sv, "6512345678"},
@@ -77,7 +77,8 @@ constexpr Row kRows[] = {
 
 TEST(ComPort, AnswersWithTheValueAskedForOrInEffect) {
   ComPort port;
-  for (const Row& row : kRows) EXPECT_EQ(ask(port, row.request).bytes, row.answer) << row.what;
+  for (const RequestRow& row : kExchanges)
+    EXPECT_EQ(ask(port, row.request).bytes, row.answer) << row.what;
 }
 
 TEST(ComPort, DoublesFFInAnAnswer) {

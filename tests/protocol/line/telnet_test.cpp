@@ -41,7 +41,7 @@ struct Row {
   bool is_telnet;
 };
 
-constexpr Row kRows[] = {
+constexpr Row kTelnetRows[] = {
     {"plain bytes", "E+5\r\n", "E+5\r\n", "", false},
     {"all that is not FF", "\0\x7f\x80\xf0\xfb\xfe"sv, "\0\x7f\x80\xf0\xfb\xfe"sv, "", false},
     {"WILL is refused by DONT", "\xff\xfb\x01", "", "\xff\xfe\x01", true},
@@ -73,7 +73,7 @@ constexpr Row kRows[] = {
 };
 
 TEST(Telnet, FiltersCommandsAndAnswersThem) {
-  for (const Row& row : kRows) {
+  for (const Row& row : kTelnetRows) {
     TelnetFilter filter;
     const Filtered filtered = filter_all(filter, row.bytes);
     EXPECT_EQ(filtered.data, row.data) << row.what;
@@ -124,7 +124,7 @@ TEST(Telnet, DoublesFFInRepliesOnlyForTelnetClients) {
 
 TEST(Telnet, TheDivisionOfTheInputDoesNotMatter) {
   std::string bytes;
-  for (const Row& row : kRows) bytes += row.bytes;
+  for (const Row& row : kTelnetRows) bytes += row.bytes;
   bytes += "\xff\xf0\xff\xfb\x2c\xff\xfa\x2c\x01\xff\xff\x00\x01\x02\xff\xf0"sv;
   TelnetFilter whole;
   const Filtered all = filter_all(whole, bytes);
