@@ -68,12 +68,13 @@ class DriverOf1983(unittest.TestCase):
         self.assertEqual([], driver.stuck)
 
     def test_homes_from_the_soft_home(self):
+        """F's switch closes above the soft home. The driver moves F down to its limit first, is stuck there, and then moves up."""
         driver, state = self.run_it(self.home_e_d_and_f)
         self.assertEqual(MIDDLES, counts(state))
-        self.assertEqual([], driver.stuck)
+        self.assertEqual(["F"], driver.stuck)
 
     def test_homes_from_the_far_side_of_the_switch(self):
-        """E moves down to its limit, is stuck there, and then moves up."""
+        """E and F move down to their limits, are stuck there, and then move up."""
         def work(driver):
             driver.move("E", -150)
             driver.move("D", 150)
@@ -81,7 +82,7 @@ class DriverOf1983(unittest.TestCase):
 
         driver, state = self.run_it(work)
         self.assertEqual(MIDDLES, counts(state))
-        self.assertEqual(["E"], driver.stuck)
+        self.assertEqual(["E", "F"], driver.stuck)
 
     def test_stops_blocked_jaws(self):
         """The jaws are blocked at their limit, 16 counts above the soft home, so the error counter stays."""

@@ -140,7 +140,7 @@ class AnyArm(WithFiles):
         self.assertEqual([1, -1, 1], [arm.switch(label).away for label in "FED"])
         for profile in "paper", "mark3":
             with self.subTest(profile), \
-                    Server("--robot", str(path), "--compat", profile, "--clock", "real:500") as server, \
+                    Server("--robot", str(path), "--workcell", "rhino-xr3", "--compat", profile, "--clock", "real:500") as server, \
                     Robot(port=server.robot_port, arm=arm, pause=lambda: None) as robot, \
                     Monitor(port=server.monitor_port) as monitor:
                 robot.home()

@@ -277,13 +277,13 @@ TEST(Explain, RepliesThatTheClientHadSuspended) {
   tap.send("\r\xff\xfb\x2c\xff\xfa\x2c\x08\xff\xf0"sv);
   EXPECT_EQ(tap.send("E+5\rE?"),
             "> E+5\\rE?\n"
-            "  20..24 move: move E +5, counter 5\n"
-            "  24..26 query_error: asks how far E has still to go\n");
+            "  10..14 move: move E +5, counter 5\n"
+            "  14..16 query_error: asks how far E has still to go\n");
   EXPECT_EQ(tap.send("D?\xff\xfa\x2c\x09\xff\xf0?"sv),
-            "> D?\\xff\\xfa,\\t\\xff\\xf0?\n"
-            "  26..28 query_error: asks how far D has still to go\n"
-            "  28..34 telnet: telnet protocol; not passed to the controller\n"
-            "  34..35 query_error: asks how far D has still to go\n"
+            "> D?\\xff\\xfa,\\x09\\xff\\xf0?\n"
+            "  16..18 query_error: asks how far D has still to go\n"
+            "  18..24 telnet: telnet protocol; not passed to the controller\n"
+            "  24..25 query_error: asks how far D has still to go\n"
             "< %  \n"
             "  10..11 reply_error: E: 5 counts to go\n"
             "  11..12 reply_error: D: 0 counts to go\n"
