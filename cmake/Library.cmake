@@ -5,6 +5,10 @@
 # then shares nothing between two checkouts.
 option(XR3_TOGETHER "Compile the sources of a folder together" ON)
 set(XR3_MOST_TOGETHER 8)
+if(XR3_TOGETHER AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # g++ takes an included source for a header, in which it warns of types from anonymous namespaces.
+  add_compile_options(-Wno-subobject-linkage)
+endif()
 
 function(xr3_together variable name)
   if(NOT XR3_TOGETHER)
