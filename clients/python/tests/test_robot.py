@@ -159,7 +159,7 @@ class Home(WithServer):
         {"F": 50, "E": 30, "D": -40, "C": -30, "B": 20, "A": -20},
         {"F": 30, "E": -40, "D": 40, "C": 40, "B": -25, "A": 16},  # each at its edge
         {"F": 60, "E": -70, "D": 70, "C": 70, "B": -60, "A": -64},  # each on its switch
-        {"F": 200, "E": -140, "D": 140, "C": -200, "B": -200, "A": 15},  # beyond it
+        {"F": 200, "C": -200, "B": -200, "A": 15},  # beyond it
         {"F": -138, "E": 445, "D": -649, "B": 156},  # at a block
         {"F": 91, "E": -101, "D": 101, "C": 101, "B": -86},  # one count beyond it, in mark3
     )
