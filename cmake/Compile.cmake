@@ -22,6 +22,17 @@ add_compile_options(-Wall -Wextra -Wpedantic -Wconversion -Wshadow)
 add_compile_options(-ffp-contract=off)
 add_link_options(-ffp-contract=off)
 
+# The path is relative to the build folder, in which Ninja starts the compiler, so that ccache shares objects
+# between checkouts. The macro stands for the content, which neither Ninja nor ccache looks at.
+option(XR3_UNINSTRUMENTED "Leave the headers of libraries uninstrumented by the sanitizers" OFF)
+if(XR3_UNINSTRUMENTED)
+  set(headers "${PROJECT_SOURCE_DIR}/cmake/uninstrumented.txt")
+  file(SHA256 "${headers}" digest)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${headers}")
+  cmake_path(RELATIVE_PATH headers BASE_DIRECTORY "${CMAKE_BINARY_DIR}")
+  add_compile_options("-fsanitize-ignorelist=${headers}" "-DXR3_UNINSTRUMENTED=\"${digest}\"")
+endif()
+
 find_program(XR3_CCACHE ccache)
 if(XR3_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${XR3_CCACHE}")
