@@ -6,6 +6,7 @@
 #include "cell/failure.hpp"
 #include "protocol/explain/diagnostic.hpp"
 #include "protocol/explain/event_report.hpp"
+#include "protocol/explain/line_notes.hpp"
 #include "protocol/monitor/event.hpp"
 #include "protocol/monitor/line_record.hpp"
 #include "protocol/monitor/request.hpp"
@@ -93,17 +94,17 @@ Applied Cell::handle(const LineOpened& opened, WallNs) {
   lines_.try_emplace(id, model().profile(), opened.kind, opened.peer, state().tick, opened.guard);
   ++counters_.lines_total;
   emit(id, LineOpenedNote{opened.kind, opened.peer});
-  if (!state().enabled) {
-    const Problem problem{ProblemCode::kDisabled, Subject::kNone};
-    emit(id, ProblemNote{code_of(problem.code), describe(Parsed{}, problem), 0, {}, 1});
-  }
+  if (!state().enabled) emit(id, disabled_note());
   Applied applied;
   applied.line = id;
   return applied;
 }
 
 Applied Cell::handle(const LineSettings& reported, WallNs) {
-  if (SerialLine* line = open_line(reported.line)) line->set_settings(reported.settings);
+  SerialLine* line = open_line(reported.line);
+  if (line == nullptr) return {};
+  const bool is_news = line->set_settings(reported.settings, reported.is_cooked);
+  if (is_news) emit(reported.line, cooked_note());
   return {};
 }
 

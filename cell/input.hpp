@@ -27,6 +27,7 @@ struct LineOpened {
 struct LineSettings {
   LineId line = 0;
   SerialSettings settings;
+  bool is_cooked = false;  ///< the client's terminal echoes or edits lines
 };
 
 struct BytesIn {

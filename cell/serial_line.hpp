@@ -71,7 +71,14 @@ class SerialLine {
   std::optional<SerialSettings> settings() const {
     return telnet_.has_com_port() ? telnet_.settings() : settings_;
   }
-  void set_settings(const SerialSettings& settings) { settings_ = settings; }
+  /// `is_cooked`: the client's terminal echoes or edits lines. Returns whether it does so for the
+  /// first time.
+  bool set_settings(const SerialSettings& settings, bool is_cooked) {
+    settings_ = settings;
+    const bool was_cooked = is_cooked_;
+    is_cooked_ |= is_cooked;
+    return is_cooked_ && !was_cooked;
+  }
   LineKind kind() const;
 
   /// Bytes for the transport to send. Valid until the next receive() or sent().
@@ -115,6 +122,7 @@ class SerialLine {
   std::size_t sent_ = 0;  ///< bytes at the start of the outbox that are already sent
   LineKind kind_;
   std::optional<SerialSettings> settings_;
+  bool is_cooked_ = false;
   std::string peer_;
   Tick opened_;
   std::uint64_t bytes_in_ = 0;   ///< as received, including telnet commands and held bytes

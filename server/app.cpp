@@ -87,16 +87,17 @@ App::App(const ServeOptions& options, ModelPtr model, std::string token)
       policy_(access_rules(options, std::move(token))),
       limits_(socket_limits(options)),
       memory_(io_, options.max_memory_mib << 20, [this] { return close_greediest(); }),
-      robot_port_(io_, cell_,
-                  {limits_.lines, options.guard, peer_counts(limits_.lines, limits_.per_address)},
-                  [this] { acted(); }),
+      lines_(io_, cell_, [this] { acted(); }),
+      robot_port_(io_, cell_, lines_,
+                  {limits_.lines, options.guard, peer_counts(limits_.lines, limits_.per_address)}),
+      ptys_(io_, lines_),
       robot_probe_(io_, robot_port_),
       monitor_port_(
-          io_, cell_, robot_port_, policy_, [this] { return not_ready(); }, [this] { acted(); },
+          io_, cell_, lines_, policy_, [this] { return not_ready(); }, [this] { acted(); },
           limits_),
       service_manager_(io_, service_environment(), [this] { return robot_probe_.failure(); }),
       signals_(io_, SIGINT, SIGTERM) {
-  robot_port_.limit_memory(memory_);
+  lines_.limit_memory(memory_);
   monitor_port_.limit_memory(memory_);
 }
 
@@ -112,6 +113,7 @@ App::~App() {
 ExitCode App::run() {
   return_freed_blocks();
   listen();
+  open_terminals();
   await_signal();
   announce();
   return serve();
@@ -119,7 +121,7 @@ ExitCode App::run() {
 
 ExitCode App::serve() {
   try {
-    while (io_.run_one() > 0) robot_port_.run_due_turns();
+    while (io_.run_one() > 0) lines_.run_due_turns();
     return ExitCode::kGood;
   } catch (const std::exception& failure) {
     return break_off(failure.what());
@@ -151,6 +153,11 @@ void App::listen() {
   listen_too(monitor_port_, "monitor", options_.monitor_port != 0);
 }
 
+void App::open_terminals() {
+  with_option_source(options_.option_sources, "--pty",
+                     [&] { ptys_.serve(options_.ptys, options_.pty_mode); });
+}
+
 // Called when everything is ready: programs may connect as soon as they see this line or the file.
 void App::announce() {
   stage_ = Stage::kReady;
@@ -163,7 +170,9 @@ void App::announce() {
     });
   }
   announce_token(monitor.port());
-  std::cout << "LISTENING robot=" << to_text(robot) << " monitor=" << to_text(monitor) << std::endl;
+  std::cout << "LISTENING robot=" << to_text(robot) << " monitor=" << to_text(monitor);
+  for (const std::string& path : options_.ptys) std::cout << " pty=" << path;
+  std::cout << std::endl;
   service_manager_.ready();
 }
 
@@ -186,14 +195,14 @@ void App::await_signal() {
 void App::acted() {
   if (stage_ == Stage::kEnded) return;
   if (stage_ != Stage::kDraining) return monitor_port_.acted();
-  if (robot_port_.is_empty() && monitor_port_.is_empty()) drain_limit_.cancel();
+  if (lines_.is_empty() && monitor_port_.is_empty()) drain_limit_.cancel();
 }
 
 std::size_t App::close_greediest() {
-  const std::size_t of_lines = robot_port_.most_held();
+  const std::size_t of_lines = lines_.most_held();
   const std::size_t of_monitor = monitor_port_.most_held();
   if (of_lines == 0 && of_monitor == 0) return 0;
-  of_lines > of_monitor ? robot_port_.close_greediest() : monitor_port_.close_greediest();
+  of_lines > of_monitor ? lines_.close_greediest() : monitor_port_.close_greediest();
   return std::max(of_lines, of_monitor);
 }
 
@@ -203,12 +212,14 @@ void App::stop() {
   service_manager_.stopping();
   port_file_.reset();
   const WallNs deadline = wall_now() + kDrainLimit;
-  robot_port_.close(deadline - kDrainLimit / 2);
+  robot_port_.close();
+  ptys_.close();
+  lines_.close(deadline - kDrainLimit / 2);
   monitor_port_.close(deadline);
-  if (robot_port_.is_empty() && monitor_port_.is_empty()) return;
+  if (lines_.is_empty() && monitor_port_.is_empty()) return;
   drain_limit_.expires_at(as_time_point(deadline));
   drain_limit_.async_wait([this](ErrorCode cancelled) {
-    robot_port_.abort();  // no effect if the wait was cancelled: all have ended
+    lines_.abort();  // no effect if the wait was cancelled: all have ended
     monitor_port_.abort();
     if (!cancelled) end_soon();
   });

@@ -15,6 +15,7 @@
 #include "server/net/service_manager.hpp"
 #include "server/net/socket_limits.hpp"
 #include "server/options/options.hpp"
+#include "server/pty/port.hpp"
 #include "server/robot_port/port.hpp"
 #include "server/robot_port/probe.hpp"
 
@@ -41,7 +42,7 @@ class App {
 
   /// Serves until SIGTERM, SIGINT or SIGHUP, then sends pending replies and returns kGood. An
   /// exception from any loop or handler ends it at once: it is logged, and the result is kBroken.
-  /// Throws ListenError.
+  /// Throws ListenError, and FileError if a file or pseudo-terminal cannot be made.
   ExitCode run();
 
   /// Valid once run() has begun to serve.
@@ -62,6 +63,7 @@ class App {
   ExitCode serve();
   ExitCode break_off(const char* what);
   void listen();
+  void open_terminals();
   void announce();
   void announce_token(std::uint16_t monitor_port) const;
   void await_signal();
@@ -83,7 +85,9 @@ class App {
   AccessPolicy policy_;
   SocketLimits limits_;
   MemoryLimit memory_;
+  LineSessions lines_;
   RobotPort robot_port_;
+  PtyPort ptys_;
   RobotProbe robot_probe_;
   MonitorPort monitor_port_;
   ServiceManager service_manager_;

@@ -24,7 +24,8 @@ RULES = {
     "server": (("core/", "protocol/", "cell/", "tools/", "server/"), None, set()),
 }
 # Folders that know nothing of each other; app.cpp connects them.
-SEPARATE = (("server/robot_port/", "server/monitor_port/"), ("server/robot_port/", "server/http/"))
+SEPARATE = (("server/robot_port/", "server/monitor_port/"), ("server/robot_port/", "server/http/"),
+            ("server/lines/", "server/monitor_port/"), ("server/lines/", "server/http/"))
 HOUSED = tuple(RULES) + ("tests", "clients/web/src")
 # One case per file: lists, not rooms.
 LISTS = ("tests/transcripts/", "tests/integration/", "tests/data/broken/", "tests/fuzz/corpus/")

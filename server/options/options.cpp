@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -182,6 +183,14 @@ Guard parse_guard(const std::string& text) {
   if (text == "normal") return Guard::kNormal;
   if (text == "off") return Guard::kOff;
   throw std::invalid_argument(text + ": a guard is strict, normal or off");
+}
+
+std::uint32_t parse_mode(const std::string& text) {
+  std::uint32_t mode = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), mode, 8);
+  constexpr std::uint32_t kMaxMode = 0777;
+  if (error == std::errc() && end == text.data() + text.size() && mode <= kMaxMode) return mode;
+  throw std::invalid_argument(text + ": a mode has three octal digits, as in 0660");
 }
 
 ClockChoice parse_clock(const std::string& text) {

@@ -38,6 +38,8 @@ struct ServeOptions {
   ClockChoice clock;
   std::size_t max_lines = 1024;
   Guard guard = Guard::kNormal;
+  std::vector<std::string> ptys;    ///< paths of pseudo-terminals
+  std::uint32_t pty_mode = 0600;    ///< rights of their slaves
   std::size_t max_per_address = 0;  ///< 0: the default
   std::size_t max_memory_mib = 512;
   std::string port_file;  ///< empty: none
@@ -105,6 +107,9 @@ ClockChoice parse_clock(const std::string& text);
 
 /// `strict`, `normal` or `off`. Throws std::invalid_argument, with the allowed values.
 Guard parse_guard(const std::string& text);
+
+/// The rights of a file, in octal: 0660. Throws std::invalid_argument.
+std::uint32_t parse_mode(const std::string& text);
 
 /// `x,y,z`, integers -9...9, not all 0. Throws std::invalid_argument, with the allowed values.
 ViewVector parse_view(const std::string& text);

@@ -70,6 +70,22 @@ void add_access(CLI::App& serve, ServeOptions& options) {
            "allow other machines without a token: anyone who can connect can control the robot");
 }
 
+void add_ptys(CLI::App& serve, ServeOptions& options) {
+  serve
+      .add_option("--pty", options.ptys,
+                  "also serve a pseudo-terminal, with a link to it at this path; repeatable")
+      ->type_name("PATH")
+      ->allow_extra_args(false)
+      ->delimiter(',');
+  serve
+      .add_option_function<std::string>(
+          "--pty-mode",
+          [&options](const std::string& text) { options.pty_mode = parse_mode(text); },
+          "rights of the pseudo-terminals, in octal (default: 0600)")
+      ->type_name("MODE")
+      ->check(parses(parse_mode, ""));
+}
+
 Leave refuse(const std::string& why) { return {ExitCode::kBadInput, "", "xr3: " + why + "\n"}; }
 
 Leave refuse_listen(const ServeOptions& options) {
@@ -149,6 +165,7 @@ void add_serve(CLI::App& app, ServeOptions& options) {
           "which clients the robot port disconnects by their first bytes (default: normal)")
       ->type_name("strict|normal|off")
       ->check(parses(parse_guard, ""));
+  add_ptys(serve, options);
   serve
       .add_option("--port-file", options.port_file,
                   "write the ports to this file as JSON when the server is ready")

@@ -43,8 +43,8 @@ std::size_t RobotSocket::read(std::span<char> into) {
   const auto count =
       retry_interrupted([&] { return ::recv(descriptor_, into.data(), into.size(), 0); });
   if (count > 0) return static_cast<std::size_t>(count);
-  has_ended_ = count == 0;
-  is_lost_ = count < 0 && !must_wait();
+  if (count == 0) note_ended();
+  if (count < 0 && !must_wait()) note_lost();
   return 0;
 }
 
@@ -55,7 +55,7 @@ std::size_t RobotSocket::write(std::string_view bytes) {
     has_written_ = true;
     return static_cast<std::size_t>(count);
   }
-  is_lost_ = !must_wait();
+  if (!must_wait()) note_lost();
   return 0;
 }
 

@@ -82,12 +82,13 @@ class Server:
         watchdog.start()
         self.greeting = self.process.stdout.readline()
         watchdog.cancel()
-        ports = re.fullmatch(r"LISTENING robot=\S+:(\d+) monitor=\S+:(\d+)\n", self.greeting)
+        ports = re.fullmatch(r"LISTENING robot=\S+:(\d+) monitor=\S+:(\d+)((?: pty=\S+)*)\n", self.greeting)
         if not ports:
             self.process.kill()
             self._log_reader.join()
             raise AssertionError(f"xr3 did not start: {self.greeting!r}\n{self._log}")
-        self.robot_port, self.monitor_port = map(int, ports.groups())
+        self.robot_port, self.monitor_port = map(int, ports.groups()[:2])
+        self.ptys = re.findall(r"pty=(\S+)", ports[3])
 
     def _read_log(self):
         for line in self.process.stderr:

@@ -21,8 +21,8 @@ open lines | server/net/socket_limits.hpp | lines
 open lines | server/options/serve.cpp | kMaxLines
 memory of the process | server/options/options.hpp | max_memory_mib
 first bytes of a line that are examined together | protocol/line/line_guard.hpp | kFirstChunk
-one turn of a line | server/robot_port/session.cpp | kFairShare
-one turn of a line | server/robot_port/session.cpp | kFairTime | 1000
+one turn of a line | server/lines/session.cpp | kFairShare
+one turn of a line | server/lines/session.cpp | kFairTime | 1000
 unread replies of a line | cell/serial_line.hpp | kFullOutbox | 1024
 replies that an RFC 2217 client has suspended | cell/serial_line.hpp | kFullOutbox | 1024
 replies that `step` and `run_until` wait for, per line | server/robot_port/session.hpp | kMaxAnswered | 1048576

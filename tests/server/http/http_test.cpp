@@ -61,8 +61,9 @@ class HttpTest : public testing::Test {
   Cell cell_{"main", test::rhino(), SimClock::manual(), {}};
   AccessPolicy policy_;
   std::string trouble_;
-  RobotPort robot_port_{io_, cell_, {16}, [] {}};
-  MonitorService service_{io_, cell_, robot_port_, policy_, [] {}};
+  LineSessions lines_{io_, cell_, [] {}};
+  RobotPort robot_port_{io_, cell_, lines_, {16}};
+  MonitorService service_{io_, cell_, lines_, policy_, [] {}};
   HttpResources resources_{cell_, service_, policy_,
                            [this]() -> asio::awaitable<std::string> { co_return trouble_; },
                            [this] { return service_.counters(); }};

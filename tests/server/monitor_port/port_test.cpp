@@ -33,8 +33,9 @@ class MonitorPortTest : public testing::Test {
   }
   ~MonitorPortTest() override {
     robot_port_.close();
+    lines_.close();
     monitor_port_.close();
-    robot_port_.abort();
+    lines_.abort();
     monitor_port_.abort();
     io_.run_for(5s);
     EXPECT_NE(monitor_port_.is_empty(), is_broken_);
@@ -58,11 +59,12 @@ class MonitorPortTest : public testing::Test {
              }};
   std::string trouble_;
   int acted_ = 0;
-  RobotPort robot_port_{io_, cell_, {16}, [] {}};
+  LineSessions lines_{io_, cell_, [] {}};
+  RobotPort robot_port_{io_, cell_, lines_, {16}};
   AccessPolicy policy_;
   MonitorPort monitor_port_{io_,
                             cell_,
-                            robot_port_,
+                            lines_,
                             policy_,
                             [this]() -> asio::awaitable<std::string> { co_return trouble_; },
                             [this] { ++acted_; },
@@ -235,6 +237,7 @@ TEST_F(MonitorPortTest, EveryClientGetsAByeAtShutdown) {
   EXPECT_EQ(waiting.json()["op"], "hello");
   EXPECT_EQ(idle.json()["op"], "hello");
   robot_port_.close();
+  lines_.close();
   monitor_port_.close();
   EXPECT_EQ(idle.rest(),
             "{\"op\":\"bye\",\"why\":\"shutdown\",\"message\":\"the server is stopping\"}\n");

@@ -91,10 +91,10 @@ class MonitorServiceTest : public testing::Test {
 
   asio::io_context io_{1};
   Cell cell_{"main", test::rhino(), SimClock::manual(), {}};
-  RobotPort robot_port_{io_, cell_, {16}, [] {}};
+  LineSessions lines_{io_, cell_, [] {}};
+  RobotPort robot_port_{io_, cell_, lines_, {16}};
   AccessPolicy policy_;
-  MonitorService service_{io_, cell_, robot_port_, policy_,
-                          [this] { service_.subscribers().acted(); }};
+  MonitorService service_{io_, cell_, lines_, policy_, [this] { service_.subscribers().acted(); }};
   NullSink sink_;
   MonitorSession one_{service_, sink_};
   LineId line_ = 0;

@@ -73,8 +73,9 @@ class WebsocketTest : public testing::Test {
   asio::io_context io_{1};
   Cell cell_{"main", test::rhino(), SimClock::manual(), {}};
   AccessPolicy policy_;
-  RobotPort robot_port_{io_, cell_, {16}, [] {}};
-  MonitorService service_{io_, cell_, robot_port_, policy_, [] {}};
+  LineSessions lines_{io_, cell_, [] {}};
+  RobotPort robot_port_{io_, cell_, lines_, {16}};
+  MonitorService service_{io_, cell_, lines_, policy_, [] {}};
   tcp::socket client_{io_};
   std::shared_ptr<MonitorSocket> server_;
   std::shared_ptr<Websocket> websocket_;

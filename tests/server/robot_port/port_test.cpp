@@ -38,7 +38,8 @@ class RobotPortTest : public testing::Test {
   RobotPortTest() { EXPECT_FALSE(port_.listen({asio::ip::address_v4::loopback(), 0})); }
   ~RobotPortTest() override {
     port_.close();
-    port_.abort();
+    lines_.close();
+    lines_.abort();
     io_.run();  // returns: nothing of the port is left
   }
 
@@ -72,7 +73,8 @@ class RobotPortTest : public testing::Test {
              SimClock::manual(), [this](const CellEvent&, const Model&) {
                if (fails_) throw std::bad_alloc();
              }};
-  RobotPort port_{io_, cell_, {kMaxLines, Guard::kOff}, [] {}};
+  LineSessions lines_{io_, cell_, [] {}};
+  RobotPort port_{io_, cell_, lines_, {kMaxLines, Guard::kOff}};
 };
 
 TEST_F(RobotPortTest, BytesAndTheEndArriveTogether) {
@@ -97,7 +99,7 @@ TEST_F(RobotPortTest, TheEndArrivesAlone) {
 TEST_F(RobotPortTest, BytesSentBeforeTheLineOpensTakeEffect) {
   Client client(io_, port_.endpoint());
   client.send("E+5\rE?");
-  port_.read_arrived();
+  lines_.read_arrived();
   EXPECT_EQ(received(1), 6U) << "accepted and read without a turn of the loop";
   EXPECT_EQ(client.bytes(1), "%");
 }
@@ -148,10 +150,10 @@ TEST_F(RobotPortTest, ABarrierLimitsImageReplies) {
   settle();
   const std::string asked = pictures(500);
   client.send(asked);
-  port_.read_arrived();
+  lines_.read_arrived();
   const std::uint64_t answered = received(1) / 3 * kPictureReply;
   EXPECT_GE(answered, SerialLine::kFullOutbox);
-  EXPECT_LE(answered, RobotSession::kMaxAnswered + 2 * SerialLine::kFullOutbox);
+  EXPECT_LE(answered, LineSession::kMaxAnswered + 2 * SerialLine::kFullOutbox);
   EXPECT_EQ(client.bytes(500 * kPictureReply).size(), 500 * kPictureReply)
       << "the rest follows without another request";
   settle();
@@ -164,7 +166,7 @@ TEST_F(RobotPortTest, ABarrierReadsAllArrivedBytes) {
   settle();
   flood.send(kJunk);
   other.send("E+5\r");
-  port_.read_arrived();
+  lines_.read_arrived();
   EXPECT_EQ(received(1), kJunk.size());
   EXPECT_EQ(received(2), 4U);
 }
@@ -196,10 +198,11 @@ TEST_F(RobotPortTest, LinesAboveTheMaximumAreClosed) {
 TEST_F(RobotPortTest, ClosingSendsPendingReplies) {
   Client client(io_, port_.endpoint());
   client.send("E+5\rE?");
-  port_.read_arrived();
+  lines_.read_arrived();
   port_.close();
+  lines_.close();
   EXPECT_EQ(client.rest(), "%");
-  EXPECT_TRUE(port_.is_empty());
+  EXPECT_TRUE(lines_.is_empty());
 }
 
 // --- Failures.
@@ -209,7 +212,7 @@ TEST_F(RobotPortTest, AFailureInATurnIsReported) {
   client.send("E?");
   EXPECT_EQ(client.bytes(1), " ");
   client.send("junk");
-  EXPECT_EQ(failure(), "the robot port: the cell: std::bad_alloc");
+  EXPECT_EQ(failure(), "the serial lines: the cell: std::bad_alloc");
 }
 
 TEST_F(RobotPortTest, AFailureInAcceptingIsReported) {

@@ -27,7 +27,8 @@ class RobotProbeTest : public testing::Test {
   RobotProbeTest() { EXPECT_FALSE(port_.listen({asio::ip::make_address("127.0.0.1"), 0})); }
   ~RobotProbeTest() override {
     port_.close();
-    port_.abort();
+    lines_.close();
+    lines_.abort();
     io_.restart();
     io_.run_for(5s);
   }
@@ -77,7 +78,8 @@ class RobotProbeTest : public testing::Test {
   int acted_ = 0;
   Cell cell_{"main", test::rhino(), SimClock::manual(),
              [this](const CellEvent& event, const Model&) { told_.push_back(event); }};
-  RobotPort port_{io_, cell_, {kProbeLines}, [this] { ++acted_; }};
+  LineSessions lines_{io_, cell_, [this] { ++acted_; }};
+  RobotPort port_{io_, cell_, lines_, {kProbeLines}};
 };
 
 TEST_F(RobotProbeTest, AnAnsweredLineIsHealthy) { EXPECT_EQ(trouble(), ""); }
@@ -135,6 +137,7 @@ TEST_F(RobotProbeTest, LeavesTheLastLineToAProgram) {
 
 TEST_F(RobotProbeTest, ReportsAClosedPort) {
   port_.close();
+  lines_.close();
   EXPECT_EQ(trouble(), "the robot port accepts no connection: Connection refused");
   EXPECT_EQ(failure(), trouble());
 }
@@ -142,7 +145,8 @@ TEST_F(RobotProbeTest, ReportsAClosedPort) {
 TEST_F(RobotProbeTest, APortThatDoesNotAnswerTimesOut) {
   asio::io_context stuck{1};  // never runs: connections wait in the kernel
   Cell cell("main", test::rhino(), SimClock::manual(), {});
-  RobotPort port(stuck, cell, {kProbeLines}, [] {});
+  LineSessions lines(stuck, cell, [] {});
+  RobotPort port(stuck, cell, lines, {kProbeLines});
   EXPECT_FALSE(port.listen({asio::ip::make_address("127.0.0.1"), 0}));
   RobotProbe probe(io_, port);
   const auto started = std::chrono::steady_clock::now();
@@ -160,6 +164,7 @@ TEST_F(RobotProbeTest, ConcurrentRequestsShareOneProbe) {
     return std::all_of(results.begin(), results.end(), [](const auto& each) { return each == ""; });
   });
   port_.close();
+  lines_.close();
   EXPECT_EQ(trouble(probe), "") << "the last outcome holds for a while";
   EXPECT_NE(trouble(), "");
 }

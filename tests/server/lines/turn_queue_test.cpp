@@ -1,4 +1,4 @@
-#include "server/robot_port/turn_queue.hpp"
+#include "server/lines/turn_queue.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "server/robot_port/session.hpp"
+#include "server/lines/session.hpp"
 
 #include <spdlog/spdlog.h>
 
@@ -7,7 +7,6 @@
 #include <new>
 #include <utility>
 
-#include "server/net/listener.hpp"
 #include "server/net/wall_clock.hpp"
 
 namespace xr3 {
@@ -25,47 +24,39 @@ constexpr std::size_t kMaxArrivedBytes = 16 * 1024 * 1024;
 
 constexpr std::uint64_t kAllOutput = std::numeric_limits<std::uint64_t>::max();
 
-std::string name_of(const tcp::socket& socket) {
-  ErrorCode error;
-  const auto peer = socket.remote_endpoint(error);
-  return error ? "unknown" : to_text(peer);
-}
-
 }  // namespace
 
-RobotSession::RobotSession(tcp::socket socket, RobotSessionContext& context,
-                           std::unique_ptr<PeerCounts::Place> place)
-    : RobotSession(name_of(socket), std::move(socket), context, std::move(place)) {}
-
-RobotSession::RobotSession(const std::string& peer, tcp::socket&& socket,
-                           RobotSessionContext& context, std::unique_ptr<PeerCounts::Place> place)
-    : socket_(std::move(socket)),
-      id_(context.cell
-              .apply(LineOpened{peer, LineKind::kTcp, context.is_probe, context.guard}, wall_now())
-              .line),
+LineSession::LineSession(std::unique_ptr<LineStream> stream, const LineOpened& opened,
+                         LineSessionContext& context, LineSource& source,
+                         std::unique_ptr<PeerCounts::Place> place)
+    : stream_(std::move(stream)),
+      id_(context.cell.apply(opened, wall_now()).line),
       context_(context),
-      place_(std::move(place)) {}
+      source_(source),
+      place_(std::move(place)) {
+  report_settings();
+}
 
-bool RobotSession::run_turn() {
+bool LineSession::run_turn() {
   load_ /= 2;
   return work({fair_share(), kAllOutput, wall_now() + kFairTime}) == Left::kSome;
 }
 
 // The first bytes are examined together; the time of the turn is limited all the same.
-std::size_t RobotSession::fair_share() const {
-  const bool is_first = socket_.is_open() && context_.cell.find_line(id_)->bytes_in() == 0;
+std::size_t LineSession::fair_share() const {
+  const bool is_first = stream_->is_open() && context_.cell.find_line(id_)->bytes_in() == 0;
   return is_first ? kFirstChunk : kFairShare;
 }
 
-bool RobotSession::read_arrived() {
-  if (!socket_.is_open()) return false;
+bool LineSession::read_arrived() {
+  if (!stream_->is_open()) return false;
   const std::uint64_t output = context_.cell.find_line(id_)->output_end();
   return work({kMaxArrivedBytes, output + kMaxAnswered, kNever}) == Left::kSome;
 }
 
 // Does not read while replies are unsent, so that a client must read its replies. Reads at least
 // once, however late it is: else a line would never be read on a machine that is too slow.
-RobotSession::Left RobotSession::work(Turn turn) {
+LineSession::Left LineSession::work(Turn turn) {
   bool has_more = true;
   bool has_read = false;
   for (;;) {
@@ -82,40 +73,42 @@ RobotSession::Left RobotSession::work(Turn turn) {
   }
 }
 
-bool RobotSession::is_over(const Turn& turn) const {
+bool LineSession::is_over(const Turn& turn) const {
   return context_.cell.find_line(id_)->output_end() >= turn.output_end || wall_now() >= turn.end;
 }
 
 // Reads into the scratch buffer. 0: no bytes now, or, if has_ended_, no more at all.
-std::size_t RobotSession::read(std::size_t most) {
-  const std::size_t count = socket_.read(context_.scratch.first(most));
-  has_ended_ = socket_.has_ended();
-  if (socket_.is_lost()) close(LineCloseReason::kError);
+std::size_t LineSession::read(std::size_t most) {
+  const std::size_t count = stream_->read(context_.scratch.first(most));
+  has_ended_ = stream_->has_ended();
+  if (stream_->is_lost()) close(LineCloseReason::kError);
   return count;
 }
 
-void RobotSession::act(std::string_view bytes, const Turn& turn) {
+void LineSession::act(std::string_view bytes, const Turn& turn) {
   if (bytes.empty()) return;
+  report_settings();
   const auto is_enough = [&turn] { return wall_now() >= turn.end; };
   const std::size_t taken =
       context_.cell.apply(BytesIn{id_, bytes, is_enough}, wall_now()).bytes_taken;
   note(context_.memory, held_bytes());
   note_load(taken, held_bytes());
+  source_.line_acted(id_);
   context_.acted(id_);
-  if (!socket_.is_open()) return;
+  if (!stream_->is_open()) return;
   if (context_.cell.find_line(id_)->is_not_a_robot_program())
     return close(LineCloseReason::kNotARobotProgram);
   if (taken < bytes.size()) keep(bytes.substr(taken));
 }
 
 // An estimate, since reading the clock would cost more than an inquiry.
-void RobotSession::note_load(std::uint64_t bytes_in, std::uint64_t bytes_out) {
+void LineSession::note_load(std::uint64_t bytes_in, std::uint64_t bytes_out) {
   constexpr std::uint64_t kPerByteIn = 100;
   load_ += bytes_in * kPerByteIn + bytes_out;
 }
 
 // If memory is exhausted, only this line ends.
-void RobotSession::keep(std::string_view bytes) {
+void LineSession::keep(std::string_view bytes) {
   try {
     pending_.append(bytes);
   } catch (const std::bad_alloc&) {
@@ -124,58 +117,62 @@ void RobotSession::keep(std::string_view bytes) {
   }
 }
 
-void RobotSession::act_on_pending(const Turn& turn) {
+void LineSession::act_on_pending(const Turn& turn) {
   const std::string bytes = std::exchange(pending_, {});
   act(bytes, turn);
 }
 
-void RobotSession::end_input() {
+void LineSession::report_settings() {
+  if (const auto settings = stream_->take_settings(id_)) context_.cell.apply(*settings, wall_now());
+}
+
+void LineSession::end_input() {
   if (context_.cell.find_line(id_)->has_input_ended()) return;
   context_.cell.apply(InputEnded{id_}, wall_now());
 }
 
-// Sends what the socket accepts now, and applies the bytes that waited for room in the outbox.
-RobotSession::Left RobotSession::flush(const Turn& turn) {
-  if (!socket_.is_open()) return Left::kWaits;
+// Sends as much as the stream accepts now, and applies the bytes that waited for room in the outbox.
+LineSession::Left LineSession::flush(const Turn& turn) {
+  if (!stream_->is_open()) return Left::kWaits;
   if (has_ended_) end_input();
-  const SerialLine& line = *context_.cell.find_line(id_);  // exists while the socket is open
+  const SerialLine& line = *context_.cell.find_line(id_);  // exists while the stream is open
   const auto accepts_pending = [&] { return !pending_.empty() && line.accepts(pending_.front()); };
   while (!line.outbox().empty() || !pending_.empty()) {
     if (line.outbox().empty() && !accepts_pending()) {  // the client has suspended its replies
       if (!is_ending_) return Left::kWaits;
       end_input();
     }
-    const std::size_t count = line.outbox().empty() ? 0 : socket_.write(line.outbox());
-    if (socket_.is_lost()) close(LineCloseReason::kError);
-    if (!socket_.is_open()) return Left::kWaits;
+    const std::size_t count = line.outbox().empty() ? 0 : stream_->write(line.outbox());
+    if (stream_->is_lost()) close(LineCloseReason::kError);
+    if (!stream_->is_open()) return Left::kWaits;
     context_.cell.apply(BytesOut{id_, count}, wall_now());
     if (count == 0 && !line.outbox().empty()) return Left::kWaits;
     if (accepts_pending()) act_on_pending(turn);
-    if (!socket_.is_open()) return Left::kWaits;
+    if (!stream_->is_open()) return Left::kWaits;
     const bool is_done = line.outbox().empty() && pending_.empty();
     if (!is_done && is_over(turn)) return Left::kSome;
   }
   if (has_ended_) close(end_);
-  return socket_.is_open() ? Left::kNothing : Left::kWaits;
+  return stream_->is_open() ? Left::kNothing : Left::kWaits;
 }
 
-std::size_t RobotSession::held_bytes() const {
+std::size_t LineSession::held_bytes() const {
   const SerialLine* line = context_.cell.find_line(id_);
   return line == nullptr ? 0 : line->outbox().size() + line->held_bytes() + pending_.size();
 }
 
-void RobotSession::finish() {
+void LineSession::finish() {
   has_ended_ = true;
   end_ = LineCloseReason::kShutdown;
   pending_.clear();
   flush({0, kAllOutput, kNever});
 }
 
-void RobotSession::close(LineCloseReason reason) {
-  if (!socket_.is_open()) return;
-  socket_.close();
+void LineSession::close(LineCloseReason reason) {
+  if (!stream_->is_open()) return;
+  stream_->close();
   context_.cell.apply(LineClosed{id_, reason}, wall_now());
-  context_.ended(id_);
+  context_.ended(id_, reason);
 }
 
 }  // namespace xr3

@@ -1,41 +1,43 @@
-// One TCP connection as the transport of one serial line: passes bytes from the socket to the cell
-// at the tick of their arrival, and the line's outbox to the socket. The port calls it when the
-// socket has news. It ends with its connection.
+// The transport of one serial line: passes bytes from its stream to the cell at the tick of their
+// arrival, and the line's outbox to the stream. It ends with its stream.
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 
 #include "cell/cell.hpp"
+#include "server/lines/source.hpp"
+#include "server/lines/stream.hpp"
 #include "server/net/memory_limit.hpp"
 #include "server/net/peer_counts.hpp"
-#include "server/robot_port/socket.hpp"
 
 namespace xr3 {
 
-/// Shared by all sessions of a port.
-struct RobotSessionContext {
+/// Shared by all sessions.
+struct LineSessionContext {
   Cell& cell;
-  bool is_probe;                      ///< whether the session opens kProbeLine
-  Guard guard;                        ///< which clients are refused
   std::span<char> scratch;            ///< buffer for one read
   std::function<void(LineId)> acted;  ///< called after bytes have acted
-  std::function<void(LineId)>
-      ended;                      ///< called when the connection is closed; may release the session
+  /// Called when the stream is closed; may release the session.
+  std::function<void(LineId, LineCloseReason)> ended;
   MemoryLimit* memory = nullptr;  ///< none if null
 };
 
-class RobotSession {
+class LineSession {
  public:
-  /// Opens a line of the cell. `context` must outlive the session, which keeps `place` to its end.
-  RobotSession(tcp::socket socket, RobotSessionContext& context,
-               std::unique_ptr<PeerCounts::Place> place);
+  /// Opens a line of the cell. `context` and `source` must outlive the session, which keeps `place`
+  /// to its end; null: it takes no place.
+  LineSession(std::unique_ptr<LineStream> stream, const LineOpened& opened,
+              LineSessionContext& context, LineSource& source,
+              std::unique_ptr<PeerCounts::Place> place);
 
+  LineSource& source() const { return source_; }
   LineId line() const { return id_; }
-  int descriptor() const { return socket_.descriptor(); }
+  int descriptor() const { return stream_->descriptor(); }
 
-  /// End of stream or broken connection: the next turns read to the end.
+  /// The stream has ended or is broken: the next turns read to the end.
   void note_end() { is_ending_ = true; }
 
   /// Sends what can be sent, then reads and applies bytes up to the limits of a turn. Returns
@@ -53,16 +55,13 @@ class RobotSession {
   /// The bytes that wait for the client to read.
   std::size_t held_bytes() const;
 
-  /// Reads no more; closes the connection when its replies have been sent.
+  /// Reads no more; closes the stream when its replies have been sent.
   void finish();
 
-  /// Closes the connection now.
+  /// Closes the stream now.
   void close(LineCloseReason reason);
 
  private:
-  RobotSession(const std::string& peer, tcp::socket&& socket, RobotSessionContext& context,
-               std::unique_ptr<PeerCounts::Place> place);
-
   /// The limits of one turn.
   struct Turn {
     std::size_t most_read;
@@ -81,10 +80,12 @@ class RobotSession {
   void keep(std::string_view bytes);
   void act_on_pending(const Turn& turn);
   void end_input();
+  void report_settings();
 
-  RobotSocket socket_;
+  std::unique_ptr<LineStream> stream_;
   LineId id_;
-  RobotSessionContext& context_;
+  LineSessionContext& context_;
+  LineSource& source_;
   std::unique_ptr<PeerCounts::Place> place_;
   std::uint64_t load_ = 0;
   std::string pending_;     ///< read, but not applied because the outbox was full

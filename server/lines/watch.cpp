@@ -1,4 +1,4 @@
-#include "server/robot_port/line_watch.hpp"
+#include "server/lines/watch.hpp"
 
 #include <boost/system/system_error.hpp>
 #include <cerrno>
@@ -20,7 +20,9 @@ bool LineWatch::add(int descriptor, LineId line) {
   epoll_event event{};
   event.events = EPOLLIN | EPOLLOUT | EPOLLRDHUP | EPOLLET;
   event.data.u32 = line;
-  return ::epoll_ctl(set_.native_handle(), EPOLL_CTL_ADD, descriptor, &event) == 0;
+  if (::epoll_ctl(set_.native_handle(), EPOLL_CTL_ADD, descriptor, &event) == 0) return true;
+  return errno == EEXIST &&
+         ::epoll_ctl(set_.native_handle(), EPOLL_CTL_MOD, descriptor, &event) == 0;
 }
 
 asio::awaitable<bool> LineWatch::wait() {

@@ -1,0 +1,21 @@
+#include "protocol/explain/line_notes.hpp"
+
+#include "protocol/explain/diagnostic.hpp"
+
+namespace xr3 {
+
+ProblemNote disabled_note() {
+  const Problem problem{ProblemCode::kDisabled, Subject::kNone};
+  return {code_of(problem.code), describe(Parsed{}, problem), 0, {}, 1};
+}
+
+ProblemNote cooked_note() {
+  return {"pty_cooked",
+          "the program's terminal echoes or edits lines: replies come back as commands, and bytes "
+          "wait for Enter; set it raw, as with stty raw -echo",
+          0,
+          {},
+          1};
+}
+
+}  // namespace xr3

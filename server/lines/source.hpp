@@ -1,0 +1,24 @@
+// The origin of serial lines: the robot port, or the pseudo-terminals.
+#pragma once
+
+#include "cell/counters.hpp"
+#include "protocol/explain/cell_event.hpp"
+
+namespace xr3 {
+
+class LineSource {
+ public:
+  /// Opens a line for each client that has arrived, without waiting.
+  virtual void accept_arrived() = 0;
+  /// Bytes of one of its lines have acted.
+  virtual void line_acted(LineId line) = 0;
+  /// One of its lines has ended.
+  virtual void line_ended(LineId line, LineCloseReason reason) = 0;
+  /// Clients that got no line.
+  virtual PortCounters counters() const { return {}; }
+
+ protected:
+  ~LineSource() = default;  // never owned through this interface
+};
+
+}  // namespace xr3

@@ -1,0 +1,46 @@
+// A pseudo-terminal: this process has its master side, and one program at a time, or several, open
+// the slave side, which looks like a serial port.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <string>
+
+namespace xr3 {
+
+/// What a program has set on the slave side. The frame is not there: the driver drops it.
+struct PtyModes {
+  std::uint32_t baud = 0;
+  bool is_cooked = false;  ///< it echoes, or edits lines: replies come back as commands
+
+  bool operator==(const PtyModes&) const = default;
+};
+
+class PseudoTerminal {
+ public:
+  /// Makes a pseudo-terminal whose slave has these rights, ready for a program. Throws FileError.
+  explicit PseudoTerminal(::mode_t rights);
+  PseudoTerminal(PseudoTerminal&& other) noexcept;
+  PseudoTerminal& operator=(PseudoTerminal&& other) noexcept;
+  ~PseudoTerminal();
+
+  int master() const { return master_; }
+  /// The path of the slave, such as /dev/pts/3.
+  const std::string& slave() const { return slave_; }
+
+  /// Whether a program has the slave open, or has left bytes that are not read yet.
+  bool has_client() const;
+  /// Makes the slave as a program expects a serial port: raw, 9600 baud, and without replies that
+  /// the last program has not read. Bytes from a program are kept. Throws FileError.
+  void prepare() const;
+  PtyModes modes() const;
+
+ private:
+  void make(::mode_t rights);
+
+  int master_ = -1;
+  std::string slave_;
+};
+
+}  // namespace xr3

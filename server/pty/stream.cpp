@@ -1,0 +1,48 @@
+#include "server/pty/stream.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+
+namespace xr3 {
+namespace {
+
+template <class Call>
+::ssize_t until_uninterrupted(const Call& call) {
+  ::ssize_t count = call();
+  while (count < 0 && errno == EINTR) count = call();
+  return count;
+}
+
+}  // namespace
+
+// The error is EIO as soon as no program has the slave open and all bytes are read.
+std::size_t PtyStream::read(std::span<char> into) {
+  const auto count =
+      until_uninterrupted([&] { return ::read(terminal_.master(), into.data(), into.size()); });
+  if (count > 0) return static_cast<std::size_t>(count);
+  if (count == 0 || errno == EIO)
+    note_ended();
+  else if (errno != EAGAIN)
+    note_lost();
+  return 0;
+}
+
+std::size_t PtyStream::write(std::string_view bytes) {
+  if (has_ended()) return bytes.size();
+  const auto count =
+      until_uninterrupted([&] { return ::write(terminal_.master(), bytes.data(), bytes.size()); });
+  if (count >= 0) return static_cast<std::size_t>(count);
+  if (errno == EIO) return bytes.size();
+  if (errno != EAGAIN) note_lost();
+  return 0;
+}
+
+std::optional<LineSettings> PtyStream::take_settings(LineId line) {
+  const PtyModes now = terminal_.modes();
+  if (now == modes_ || now.baud == 0) return std::nullopt;
+  modes_ = now;
+  return LineSettings{line, {now.baud, std::nullopt}, now.is_cooked};
+}
+
+}  // namespace xr3
