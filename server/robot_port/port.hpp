@@ -42,7 +42,7 @@ class RobotPort final : public LineTransports {
   RobotPort(asio::io_context& io, Cell& cell, RobotPortRules rules, std::function<void()> acted);
   std::size_t max_lines() const { return rules_.max_lines; }
 
-  /// From now on the lines count towards a limit of memory, which must outlive the port.
+  /// Counts the lines towards a limit of memory, which must outlive the port.
   void limit_memory(MemoryLimit& limit) { context_.memory = &limit; }
   /// The most bytes that one line holds.
   std::size_t most_held() const;

@@ -42,7 +42,7 @@ DEADLINE_S = 240  # timeout; 3_home takes half a minute, the others one to four 
 AT_ONCE = 4
 PROGRESS = re.compile(r"^  .*\d+ counts to go$")  # these lines depend on timing
 
-# What each language needs: commands that must succeed.
+# The requirements of each language: commands that must succeed.
 NEEDS = {
     "python": ["python3 --version"],
     "c": ["make --version", "gcc --version"],
@@ -199,7 +199,7 @@ def run_example(language, example, command, profile, by_arguments=False):
 # --- Languages.
 
 def missing(language):
-    """What is missing on this machine for a language, or None."""
+    """The reason why this machine cannot run a language, or None."""
     for command in NEEDS[language]:
         if subprocess.run(command, shell=True, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                           stderr=subprocess.DEVNULL, check=False).returncode != 0:

@@ -114,7 +114,7 @@ def empty_table(case, folder):
 
 
 def said_wrong(case, ran):
-    """What is wrong with the exit code and the messages of the example, or None."""
+    """The fault in the exit code or the messages of the example, or None."""
     said = NOT_THEIRS.sub("", ran.stderr)
     if (ran.returncode == 0) != (case.says is None):
         return f"it exited with {ran.returncode} and printed\n{ran.stdout}{said}"

@@ -1,5 +1,5 @@
-// What every fuzzer defines and uses. run_within_limits() is called for each input, by libFuzzer or
-// by the replay of the corpus.
+// The functions that every fuzzer defines and uses. libFuzzer or the replay of the corpus
+// calls run_within_limits() for each input.
 #pragma once
 
 #include <cstddef>
