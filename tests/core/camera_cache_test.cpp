@@ -13,7 +13,7 @@ namespace {
 
 using test::Rig;
 
-/// Where the Rhino's jaws stand around the first block of its workcell, wide open.
+/// The counts with the Rhino's open jaws around the first block of its workcell.
 constexpr std::initializer_list<test::LabelledCount> kAtABlock = {
     {'E', 449}, {'D', -625}, {'A', 16}};
 

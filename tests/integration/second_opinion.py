@@ -129,7 +129,7 @@ class Pair:
                             "status": display["status"]["option"]}}
 
     def seen_warnings(self):
-        """How often each diagnostic was reported since the last call."""
+        """The number of reports of each diagnostic since the last call."""
         counter = collections.Counter()
         for event in self.monitor.recall("event", since=self.next_event, fields=["event", "code", "count"]):
             self.next_event = event["seq"] + 1

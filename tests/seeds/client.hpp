@@ -11,7 +11,7 @@
 
 namespace xr3::seeds {
 
-/// How a client ends, once it has sent everything.
+/// The end of a client that has sent everything.
 enum class Ending : std::uint8_t { kWaits, kShutsDown, kCloses, kResets, kVanishes };
 
 /// State that all clients of a run share.

@@ -101,7 +101,7 @@ class Joint:
         return min((nearest, nearest + 360, nearest - 360), key=self._beyond)
 
     def _beyond(self, variable: float) -> float:
-        """How far the variable is past the limits; 0 if it rounds to a count within them."""
+        """The distance of the variable past the limits; 0 if it rounds to a count within them."""
         low, high = (self.variable(position) for position in self.range)
         low, high = min(low, high) - self.precision / 2, max(low, high) + self.precision / 2
         return max(low - variable, variable - high, 0.0)

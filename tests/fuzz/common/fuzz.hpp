@@ -8,7 +8,7 @@
 
 namespace xr3::fuzz {
 
-/// How much is done with one input. Most inputs are short and quick, so that many fit in an hour.
+/// The effort for one input. Most inputs are short and quick, so that many fit in an hour.
 enum class Effort : std::uint8_t {
   kQuick,  ///< the properties that are cheap to check
   kFull,   ///< all properties, and inputs that expand to the limits of size
