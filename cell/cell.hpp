@@ -51,7 +51,7 @@ class Cell {
   /// Advances time to `now` and emits the events of that time. Throws as apply() does.
   void catch_up(WallNs now);
 
-  /// From now on apply() and catch_up() do nothing. For the end of the process.
+  /// Disables apply() and catch_up(), for the end of the process.
   void freeze() { is_frozen_ = true; }
 
   /// As of the last apply() or catch_up().

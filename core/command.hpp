@@ -146,22 +146,22 @@ using Command = std::variant<Move, SetSpeed, Stop, QueryError, QuerySignedError,
 struct NoReply {
   bool operator==(const NoReply&) const = default;
 };
-/// To `a?`: |error counter|, 0...128.
+/// Reply to `a?`: |error counter|, 0...128.
 struct ErrorMagnitude {
   int counts;
   bool operator==(const ErrorMagnitude&) const = default;
 };
-/// To `aT`.
+/// Reply to `aT`.
 struct SignedError {
   std::int8_t counts;
   bool operator==(const SignedError&) const = default;
 };
-/// To `aV`.
+/// Reply to `aV`.
 struct SwitchState {
   bool closed;
   bool operator==(const SwitchState&) const = default;
 };
-/// To `I`, `J`, `K`: the bits of closed switches and, separately, of high input lines.
+/// Reply to `I`, `J`, `K`: the bits of closed switches and, separately, of high input lines.
 /// `fitted` has the bits of all switches that the robot has.
 struct SwitchBits {
   std::uint8_t closed = 0;
@@ -170,12 +170,12 @@ struct SwitchBits {
   char inquiry = 'I';  ///< 'I', 'J' or 'K'
   bool operator==(const SwitchBits&) const = default;
 };
-/// To `A**` and `A*r*`: the complete image or one row.
+/// Reply to `A**` and `A*r*`: the complete image or one row.
 struct CameraRows {
   ImagePtr image;  ///< never null
   bool operator==(const CameraRows& other) const { return *image == *other.image; }
 };
-/// To `A*c,r*`.
+/// Reply to `A*c,r*`.
 struct PixelValue {
   bool set;
   bool operator==(const PixelValue&) const = default;

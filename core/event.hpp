@@ -10,14 +10,14 @@
 
 namespace xr3 {
 
-/// Why a motor with a nonzero error counter does not move.
+/// The reason why a motor with a nonzero error counter does not move.
 enum class Blocked : std::uint8_t {
   kNo,
   kLimit,  ///< its next count would move a joint past a limit
   kBlock,  ///< the jaws hold a block and cannot close further
 };
 
-/// Why the robot is stalled. It does not move until it is sent home.
+/// The reason why the robot is stalled. It does not move until it is sent home.
 enum class Stall : std::uint8_t { kNo, kProtectedRegion, kWorkSurface };
 
 /// Stable codes of the warnings that core raises.

@@ -54,7 +54,7 @@ Micrometres flat_extent_um(const Block& block, int quarter_turns);
 /// the next closing count, which must be within the limits, would be too narrow.
 bool can_hold(const Model& model, const Block& block, const Held& held);
 
-/// To be called when a closing move has ended: warns if the jaws stopped at the width of a block, so
+/// Call it when a closing move has ended: warns if the jaws stopped at the width of a block, so
 /// that the next closing count would hold it (`jaws_touch`).
 void warn_of_touch(const Model& model, const State& state, const Positions& positions,
                    Events& events);

@@ -13,7 +13,7 @@
 
 namespace xr3 {
 
-/// Which controller is emulated: the paper's simulator, or the hardware (Mark III) that surviving
+/// The emulated controller: the paper's simulator, or the hardware (Mark III) that surviving
 /// programs were written for.
 enum class Profile : std::uint8_t { kPaper, kMark3 };
 

@@ -29,8 +29,8 @@ inline Tick ticks_to_count(const MotorState& motor) {
   return (kPhasePerCount - motor.phase + motor.speed - 1) / motor.speed;
 }
 
-/// What prevents the next count of a motor with a nonzero error counter: the limit of a joint that
-/// it moves, or the block in the jaws.
+/// The obstacle to the next count of a motor with a nonzero error counter: the limit of a joint
+/// that it moves, or the block in the jaws.
 Blocked obstacle(const Model& model, const State& state, const Positions& positions, int index);
 
 /// The result of one tick of all motors.

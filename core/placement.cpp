@@ -11,7 +11,7 @@
 namespace xr3 {
 namespace {
 
-/// What a block stands on or above, and what it overlaps.
+/// The support below a block, and the block that it overlaps.
 struct Placement {
   Micrometres support_um = 0;         ///< z of the top of `support`
   const Block* support = nullptr;     ///< nullptr: the work surface
@@ -39,7 +39,7 @@ bool are_clearly_apart(const Block& a, const Block& b) {
          2 * std::abs(a.centroid_um.y - b.centroid_um.y) > reach;
 }
 
-/// By how much two blocks overlap in height; negative if one is above the other.
+/// The overlap of two blocks in height; negative if one is above the other.
 Micrometres height_overlap_um(const Block& a, const Block& b) {
   return std::min(top_um(a) - bottom_um(b), top_um(b) - bottom_um(a));
 }

@@ -1,4 +1,4 @@
-// How a block lies among the others after it was placed: what it stands on, and which blocks it
+// The position of a placed block among the others: its support, and the blocks that it
 // overlaps. The machine has no gravity and no collisions (paper, Section III-B), so a block that
 // was released too high or into another one shows only later, when a program fails to grasp it.
 #pragma once

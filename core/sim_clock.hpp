@@ -33,7 +33,7 @@ class SimClock {
   ClockMode mode() const { return mode_; }
   Rate rate() const { return rate_; }
 
-  /// The tick at wall time `now`; in manual mode the current tick, whatever `now` is.
+  /// The tick at wall time `now`; in manual mode the current tick for any `now`.
   Tick at(WallNs now) const;
 
   /// The first wall time at which at() returns `tick`. Real mode only.

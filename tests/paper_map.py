@@ -14,13 +14,13 @@ STATUSES = ("done", "planned", "replaced")
 LIBRARIES = ("core", "protocol", "cell", "tools", "server")
 GTEST = re.compile(r"^(TEST|TEST_F|TEST_P|RC_GTEST_PROP)\(\s*(\w+),\s*(\w+)", re.MULTILINE)
 
-# What ctest runs for the other files of tests/.
+# The tests of ctest that use the other files of tests/.
 RUNNERS = {
     "tests/transcripts": ["integration.transcripts"],
     "tests/web/viewer_test.mjs": ["integration.viewer"],
     "tests/bench/fanout.cpp": ["bench.fanout"],
 }
-# What other suites run: `./test --soak` and `./test --clients`.
+# Files of other suites: `./test --soak` and `./test --clients`.
 OUTSIDE = ("tests/web/", "tests/clients")
 
 

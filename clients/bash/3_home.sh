@@ -16,13 +16,9 @@ declare -A place=([D]=40 [E]=-40 [C]=40 [B]=-25 [F]=30 [A]=16)
 declare -A asked=([D]=I [E]=I [C]=I [B]=J [F]=I [A]=J)
 declare -A bit=([D]=2 [E]=4 [C]=1 [B]=2 [F]=8 [A]=1)
 
-stride=10  # counts of one move of the search; a switch stays closed for longer
-widest=100 # more counts than a switch of a real arm stays closed
-far=1600   # more counts than any joint has from a limit to its switch
-
-# How far to search away from the soft home before trying the other direction. The shoulder must not
-# lean far back, or the hand hits the base.
-declare -A reach=([D]=$far [E]=60 [C]=$far [B]=$far [F]=$far [A]=$far)
+stride=10 # counts of one move of the search; a switch stays closed for longer
+far=1600  # more counts than any joint has from a limit to its switch
+lean=400  # counts forward that bring the shoulder out of its backmost position
 
 # read_switch JOINT: sets $switch to the bit of the joint's switch. Some controllers report a closed
 # switch as 1, others as 0.
@@ -52,37 +48,45 @@ changes() {
   return 1
 }
 
-# find_near_edge JOINT AWAY: moves to the count at which the switch closes. Fails if the switch does
-# not change.
-find_near_edge() {
-  # Watch the switch change, at whichever edge: first in one direction, then in the other. If it
-  # reads like the closed ones before, the near edge lies towards the soft home.
-  local way=$2 first=${reach[$1]}
-  read_switch "$1"
-  if [ "$switch" = "$closed" ]; then
-    way=$((-$2))
-    first=$far
+# search JOINT AWAY: moves until the switch closes, usually away from the soft home first. Fails if
+# it does not close.
+search() {
+  if [ "$1" = E ]; then # forwards first: a shoulder that leans back folds the arm into its base
+    changes E $stride $lean || changes E -$stride $((2 * far))
+    return
   fi
-  changes "$1" $((stride * way)) "$first" || changes "$1" $((-stride * way)) $((2 * far)) ||
-    changes "$1" $((stride * way)) $((2 * far)) || return
-
-  # Move towards the soft home until the switch has not changed for a long way: now it is open.
-  while changes "$1" $((-stride * $2)) $widest; do :; done
-
-  # Quickly up to the near edge, back again, and then count by count.
-  changes "$1" $((stride * $2)) $far && changes "$1" $((-stride * $2)) $far &&
-    changes "$1" "$2" $far
+  changes "$1" $((stride * $2)) $far && return
+  if [ "$1" = D ]; then # the shoulder may lean far back: it must not when the forearm comes down
+    changes E $stride $lean
+  fi
+  changes "$1" $((-stride * $2)) $((2 * far))
 }
 
-closed= # what a closed switch reads, 0 or 1: not known until the first one has changed
+# find_near_edge JOINT: moves to the count at which the switch closes. Fails if the switch does not
+# change.
+find_near_edge() {
+  local away=$((place[$1] > 0 ? 1 : -1))
+  read_switch "$1"
+  [ "$switch" = "$closed" ] || search "$1" $away || return
+  # Back until the switch opens, and then count by count until it closes.
+  changes "$1" $((-stride * away)) $far && changes "$1" $away $far
+}
 
-# The elbow comes first, since it lifts the hand off the table; the jaws, joint A, come last.
-for joint in D E C B F A; do
-  find_near_edge $joint $((place[$joint] > 0 ? 1 : -1)) ||
+# The open jaws are at the end of their travel, and on their switch. It opens when they close.
+changes A $stride $far
+read_switch A
+closed=$switch # what a closed switch reads, 0 or 1
+
+# A shoulder on its switch may lean far back: it comes forward before the forearm moves.
+read_switch E
+[ "$switch" != "$closed" ] || find_near_edge E
+
+# The jaws have shown how a closed switch reads. The elbow follows, since it lifts the hand off the
+# table.
+for joint in A D E C B F; do
+  find_near_edge $joint ||
     give_up "the switch of $joint does not change. Is the joint blocked at a limit, or the arm \
 stalled? Is the clock paused? (The examples 3 to 6 are for the Rhino XR-3 with its own workcell)"
-  read_switch $joint
-  closed=$switch
   printf '%s is on its switch, at %+d\n' $joint "${place[$joint]}"
 done
 
@@ -94,7 +98,7 @@ j=$(((reply - 32) & 3))
 echo "a closed switch reads $closed; the switches of I are $i, those of J $j"
 
 # The soft home is at count 0: move each joint back by the count of its switch.
-for joint in D E C B F A; do
+for joint in A D E C B F; do
   step $joint $((-place[$joint]))
   [ "$left" = 0 ] || give_up_standing $joint "$left"
 done

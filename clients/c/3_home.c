@@ -13,26 +13,22 @@
    counts on a real arm, for longer in the simulator. */
 static const int SWITCHES[JOINTS] = {[F] = 30, [E] = -40, [D] = 40, [C] = 40, [B] = -25, [A] = 16};
 
-/* The elbow comes first, since it lifts the hand off the table; the jaws, joint A, come last. */
-static const int ORDER[JOINTS] = {D, E, C, B, F, A};
+/* The jaws, joint A, come first: they show how a closed switch reads. The elbow follows, since it
+   lifts the hand off the table. */
+static const int ORDER[JOINTS] = {A, D, E, C, B, F};
 
 /* One byte reports several switches: I those of joints C to F, J those of A and B. Each has one
    bit. */
 static const int BITS[JOINTS] = {[F] = 8, [E] = 4, [D] = 2, [C] = 1, [B] = 2, [A] = 1};
 
 enum {
-  STEP = 10,    /* counts of one move of the search; a switch stays closed for longer */
-  WIDEST = 100, /* more counts than a switch of a real arm stays closed */
-  FAR = 1600,   /* more counts than any joint has from a limit to its switch */
-  UNKNOWN = -1
+  STEP = 10,  /* counts of one move of the search; a switch stays closed for longer */
+  FAR = 1600, /* more counts than any joint has from a limit to its switch */
+  LEAN = 400  /* counts forward that bring the shoulder out of its backmost position */
 };
 
-/* How far to search away from the soft home before trying the other direction. The shoulder must
-   not lean far back, or the hand hits the base. */
-static const int REACH[JOINTS] = {[F] = FAR, [E] = 60, [D] = FAR, [C] = FAR, [B] = FAR, [A] = FAR};
-
-/* What a closed switch reads, 0 or 1: not known until the first one has changed. */
-static int closed = UNKNOWN;
+/* What a closed switch reads, 0 or 1. */
+static int closed;
 
 /* The bit of the joint's switch. Some controllers report a closed switch as 1, others as 0. */
 static int read_switch(int joint) {
@@ -58,38 +54,43 @@ static int changes(int joint, int counts, int farthest) {
   return 0;
 }
 
+/* Moves until the switch closes, usually away from the soft home first. Returns 0 if it does not
+   close. */
+static int search(int joint, int away) {
+  /* Forwards first: a shoulder that leans back folds the arm into its base. */
+  if (joint == E) return changes(E, STEP, LEAN) || changes(E, -STEP, 2 * FAR);
+
+  if (changes(joint, STEP * away, FAR)) return 1;
+  /* The shoulder may lean far back: it must not when the forearm comes down. */
+  if (joint == D) changes(E, STEP, LEAN);
+  return changes(joint, -STEP * away, 2 * FAR);
+}
+
 /* Moves to the count at which the switch closes. Returns 0 if the switch does not change. */
-static int find_near_edge(int joint, int away) {
-  /* Watch the switch change, at whichever edge: first in one direction, then in the other. If it
-     reads like the closed ones before, the near edge lies towards the soft home. */
-  int is_closed = read_switch(joint) == closed;
-  int way = is_closed ? -away : away;
-  int reach = is_closed ? FAR : REACH[joint];
-  if (!changes(joint, STEP * way, reach) && !changes(joint, -STEP * way, 2 * FAR) &&
-      !changes(joint, STEP * way, 2 * FAR)) {
-    return 0;
-  }
-
-  /* Move towards the soft home until the switch has not changed for a long way: now it is open. */
-  while (changes(joint, -STEP * away, WIDEST)) {
-  }
-
-  /* Quickly up to the near edge, back again, and then count by count. */
-  return changes(joint, STEP * away, FAR) && changes(joint, -STEP * away, FAR) &&
-         changes(joint, away, FAR);
+static int find_near_edge(int joint) {
+  int away = SWITCHES[joint] > 0 ? 1 : -1;
+  if (read_switch(joint) != closed && !search(joint, away)) return 0;
+  /* Back until the switch opens, and then count by count until it closes. */
+  return changes(joint, -STEP * away, FAR) && changes(joint, away, FAR);
 }
 
 int main(int argc, char *argv[]) {
   robot_connect(argc, argv);
 
+  /* The open jaws are at the end of their travel, and on their switch. It opens when they close. */
+  changes(A, STEP, FAR);
+  closed = read_switch(A);
+
+  /* A shoulder on its switch may lean far back: it comes forward before the forearm moves. */
+  if (read_switch(E) == closed) find_near_edge(E);
+
   for (int k = 0; k < JOINTS; k++) {
     int joint = ORDER[k];
-    if (!find_near_edge(joint, SWITCHES[joint] > 0 ? 1 : -1)) {
+    if (!find_near_edge(joint)) {
       robot_give_up("the switch of %c does not change. Is the joint blocked at a limit, or the arm "
                     "stalled? Is the clock paused? (The examples 3 to 6 are for the Rhino XR-3 "
                     "with its own workcell)", LETTERS[joint]);
     }
-    closed = read_switch(joint);
     printf("%c is on its switch, at %+d\n", LETTERS[joint], SWITCHES[joint]);
   }
 

@@ -6,33 +6,28 @@
 import java.io.IOException;
 
 class Home {
-    // The elbow comes first, since it lifts the hand off the table; the jaws, joint A, come last.
-    static final String[] JOINTS = {"D", "E", "C", "B", "F", "A"};
+    // The jaws come first: they show how a closed switch reads. The elbow, joint D, follows, since
+    // it lifts the hand off the table.
+    static final String[] JOINTS = {"A", "D", "E", "C", "B", "F"};
+    static final int JAWS = 0, ELBOW = 1, SHOULDER = 2;
 
     // Where their switches close, in counts from the soft home: upper arm upright, forearm level,
     // tool down. Seen from there each is open before this count, and closed from it on: for a few
     // dozen counts on a real arm, for longer in the simulator.
-    static final int[] SWITCHES = {40, -40, 40, -25, 30, 16};
+    static final int[] SWITCHES = {16, 40, -40, 40, -25, 30};
 
     // One byte reports several switches: I those of joints C to F, J those of A and B. Each has one
     // bit.
-    static final String[] INQUIRIES = {"I", "I", "I", "J", "I", "J"};
-    static final int[] BITS = {2, 4, 1, 2, 8, 1};
+    static final String[] INQUIRIES = {"J", "I", "I", "I", "J", "I"};
+    static final int[] BITS = {1, 2, 4, 1, 2, 8};
 
     static final int STEP = 10; // counts of one move of the search; a switch is closed for longer
-    static final int WIDEST = 100; // more counts than a switch of a real arm stays closed
     static final int FAR = 1600; // more counts than any joint has from a limit to its switch
-
-    // How far to search away from the soft home before trying the other direction. The shoulder
-    // must not lean far back, or the hand hits the base.
-    static final int[] REACH = {FAR, 60, FAR, FAR, FAR, FAR};
-
-    static final int UNKNOWN = -1;
+    static final int LEAN = 400; // counts that bring the shoulder forward from its limit
 
     static Robot robot;
 
-    // What a closed switch reads, 0 or 1: not known until the first one has changed.
-    static int closed = UNKNOWN;
+    static int closed; // what a closed switch reads, 0 or 1
 
     /** The bit of the switch. Some controllers report a closed switch as 1, others as 0. */
     static int readSwitch(int k) throws IOException {
@@ -60,37 +55,45 @@ class Home {
         return false;
     }
 
+    /**
+     * Moves until the switch closes, usually away from the soft home first. Returns false if it
+     * does not close.
+     */
+    static boolean search(int k, int away) throws IOException, InterruptedException {
+        // Forwards first: a shoulder that leans back folds the arm into its base.
+        if (k == SHOULDER) return changes(k, STEP, LEAN) || changes(k, -STEP, 2 * FAR);
+
+        if (changes(k, STEP * away, FAR)) return true;
+        // The shoulder may lean far back: it must not when the forearm comes down.
+        if (k == ELBOW) changes(SHOULDER, STEP, LEAN);
+        return changes(k, -STEP * away, 2 * FAR);
+    }
+
     /** Moves to the count at which the switch closes. Returns false if it does not change. */
-    static boolean findNearEdge(int k, int away) throws IOException, InterruptedException {
-        // Watch the switch change, at whichever edge: first in one direction, then in the other. If
-        // it reads like the closed ones before, the near edge lies towards the soft home.
-        boolean isClosed = readSwitch(k) == closed;
-        int way = isClosed ? -away : away;
-        int reach = isClosed ? FAR : REACH[k];
-        if (!changes(k, STEP * way, reach) && !changes(k, -STEP * way, 2 * FAR)
-                && !changes(k, STEP * way, 2 * FAR)) {
-            return false;
-        }
-
-        // Move towards the soft home until the switch has not changed for a long way: now it is
-        // open.
-        while (changes(k, -STEP * away, WIDEST)) { }
-
-        // Quickly up to the near edge, back again, and then count by count.
-        return changes(k, STEP * away, FAR) && changes(k, -STEP * away, FAR)
-                && changes(k, away, FAR);
+    static boolean findNearEdge(int k) throws IOException, InterruptedException {
+        int away = SWITCHES[k] > 0 ? 1 : -1;
+        if (readSwitch(k) != closed && !search(k, away)) return false;
+        // Back until the switch opens, and then count by count until it closes.
+        return changes(k, -STEP * away, FAR) && changes(k, away, FAR);
     }
 
     static void home(String[] args) throws IOException, InterruptedException {
         robot = new Robot(args);
 
+        // The open jaws are at the end of their travel, and on their switch. It opens when they
+        // close.
+        changes(JAWS, STEP, FAR);
+        closed = readSwitch(JAWS);
+
+        // A shoulder on its switch may lean far back: it comes forward before the forearm moves.
+        if (readSwitch(SHOULDER) == closed) findNearEdge(SHOULDER);
+
         for (int k = 0; k < JOINTS.length; k++) {
-            if (!findNearEdge(k, SWITCHES[k] > 0 ? 1 : -1)) {
+            if (!findNearEdge(k)) {
                 throw new IOException("the switch of " + JOINTS[k] + " does not change. Is the "
                         + "joint blocked at a limit, or the arm stalled? Is the clock paused? (The "
                         + "examples 3 to 6 are for the Rhino XR-3 with its own workcell)");
             }
-            closed = readSwitch(k);
             System.out.printf("%s is on its switch, at %+d%n", JOINTS[k], SWITCHES[k]);
         }
 

@@ -7,24 +7,20 @@ const { Robot, giveUp, giveUpStanding, move } = require("./robot");
 
 // Where the switches close, in counts from the soft home: upper arm upright, forearm level, tool
 // down. Seen from there each is open before this count, and closed from it on: for a few dozen
-// counts on a real arm, for longer in the simulator. The elbow comes first, since it lifts the hand
-// off the table; the jaws, joint A, come last.
-const switches = { D: 40, E: -40, C: 40, B: -25, F: 30, A: 16 };
+// counts on a real arm, for longer in the simulator. The jaws, joint A, come first: they show how a
+// closed switch reads. The elbow follows, since it lifts the hand off the table.
+const switches = { A: 16, D: 40, E: -40, C: 40, B: -25, F: 30 };
 
 // One byte reports several switches: I those of joints C to F, J those of A and B. Each has one
 // bit.
 const bits = { D: ["I", 2], E: ["I", 4], C: ["I", 1], B: ["J", 2], F: ["I", 8], A: ["J", 1] };
 
 const STEP = 10; // counts of one move of the search; a switch stays closed for longer
-const WIDEST = 100; // more counts than a switch of a real arm stays closed
 const FAR = 1600; // more counts than any joint has from a limit to its switch
-
-// How far to search away from the soft home before trying the other direction. The shoulder must
-// not lean far back, or the hand hits the base.
-const REACH = { D: FAR, E: 60, C: FAR, B: FAR, F: FAR, A: FAR };
+const LEAN = 400; // counts forward that bring the shoulder out of its backmost position
 
 const robot = new Robot();
-let closed; // what a closed switch reads, 0 or 1: not known until the first one has changed
+let closed; // what a closed switch reads, 0 or 1
 
 // The bit of the joint's switch. Some controllers report a closed switch as 1, others as 0.
 async function readSwitch(joint) {
@@ -50,40 +46,43 @@ async function changes(joint, counts, farthest) {
   return false;
 }
 
+// Moves until the switch closes, usually away from the soft home first. Returns false if it does
+// not close.
+async function search(joint, away) {
+  if (joint === "E") {
+    // Forwards first: a shoulder that leans back folds the arm into its base.
+    return (await changes("E", STEP, LEAN)) || (await changes("E", -STEP, 2 * FAR));
+  }
+  if (await changes(joint, STEP * away, FAR)) return true;
+  // The shoulder may lean far back: it must not when the forearm comes down.
+  if (joint === "D") await changes("E", STEP, LEAN);
+  return await changes(joint, -STEP * away, 2 * FAR);
+}
+
 // Moves to the count at which the switch closes. Returns false if the switch does not change.
-async function findNearEdge(joint, away) {
-  // Watch the switch change, at whichever edge: first in one direction, then in the other. If it
-  // reads like the closed ones before, the near edge lies towards the soft home.
-  const isClosed = (await readSwitch(joint)) === closed;
-  const way = isClosed ? -away : away;
-  const reach = isClosed ? FAR : REACH[joint];
-  const seen =
-    (await changes(joint, STEP * way, reach)) ||
-    (await changes(joint, -STEP * way, 2 * FAR)) ||
-    (await changes(joint, STEP * way, 2 * FAR));
-  if (!seen) return false;
-
-  // Move towards the soft home until the switch has not changed for a long way: now it is open.
-  while (await changes(joint, -STEP * away, WIDEST));
-
-  // Quickly up to the near edge, back again, and then count by count.
-  return (
-    (await changes(joint, STEP * away, FAR)) &&
-    (await changes(joint, -STEP * away, FAR)) &&
-    (await changes(joint, away, FAR))
-  );
+async function findNearEdge(joint) {
+  const away = Math.sign(switches[joint]);
+  if ((await readSwitch(joint)) !== closed && !(await search(joint, away))) return false;
+  // Back until the switch opens, and then count by count until it closes.
+  return (await changes(joint, -STEP * away, FAR)) && (await changes(joint, away, FAR));
 }
 
 async function main() {
+  // The open jaws are at the end of their travel, and on their switch. It opens when they close.
+  await changes("A", STEP, FAR);
+  closed = await readSwitch("A");
+
+  // A shoulder on its switch may lean far back: it comes forward before the forearm moves.
+  if ((await readSwitch("E")) === closed) await findNearEdge("E");
+
   for (const [joint, place] of Object.entries(switches)) {
-    if (!(await findNearEdge(joint, Math.sign(place)))) {
+    if (!(await findNearEdge(joint))) {
       giveUp(
         `the switch of ${joint} does not change. Is the joint blocked at a limit, or the arm ` +
           "stalled? Is the clock paused? (The examples 3 to 6 are for the Rhino XR-3 with its " +
           "own workcell)",
       );
     }
-    closed = await readSwitch(joint);
     console.log(`${joint} is on its switch, at ${place > 0 ? "+" : ""}${place}`);
   }
 

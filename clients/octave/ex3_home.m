@@ -3,16 +3,23 @@
 %
 %     octave-cli ex3_home.m [HOST [PORT]]
 
-% The elbow comes first, since it lifts the hand off the table; the jaws, joint A, come last.
-joints = 'DECBFA';
+% The jaws come first: they show how a closed switch reads. The elbow, joint D, follows, since it
+% lifts the hand off the table.
+joints = 'ADECBF';
 
 % Where the switches close, in counts from the soft home: upper arm upright, forearm level, tool
 % down. Seen from there each is open before this count, and closed from it on: for a few dozen
 % counts on a real arm, for longer in the simulator.
-places = [40 -40 40 -25 30 16];
+places = [16 40 -40 40 -25 30];
 
 robot = robot_connect();
-closed = [];  % what a closed switch reads, 0 or 1: not known until the first one has changed
+
+% The open jaws are at the end of their travel, and on their switch. It opens when they close.
+robot_changes(robot, 'A', 10, 1600);
+closed = robot_switch(robot, 'A');  % what a closed switch reads, 0 or 1
+
+% A shoulder on its switch may lean far back: it comes forward before the forearm moves.
+if robot_switch(robot, 'E') == closed, robot_find_edge(robot, 'E', -1, closed); end
 
 for k = 1:6
   joint = joints(k);
@@ -21,7 +28,6 @@ for k = 1:6
            'stalled? Is the clock paused? (The examples 3 to 6 are for the Rhino XR-3 with its ' ...
            'own workcell)\n'], joint);
   end
-  closed = robot_switch(robot, joint);
   fprintf('%s is on its switch, at %+d\n', joint, places(k));
 end
 

@@ -10,20 +10,16 @@ import xr3
 
 # Where the switches close, in counts from the soft home: upper arm upright, forearm level, tool
 # down. Seen from there each is open before this count, and closed from it on: for a few dozen
-# counts on a real arm, for longer in the simulator. The elbow comes first, since it lifts the hand
-# off the table; the jaws, joint A, come last.
-SWITCHES = {"D": 40, "E": -40, "C": 40, "B": -25, "F": 30, "A": 16}
+# counts on a real arm, for longer in the simulator. The jaws, joint A, come first: they show how a
+# closed switch reads. The elbow follows, since it lifts the hand off the table.
+SWITCHES = {"A": 16, "D": 40, "E": -40, "C": 40, "B": -25, "F": 30}
 
 # One byte reports several switches: I those of joints C to F, J those of A and B. Each has one bit.
 BITS = {"D": ("I", 2), "E": ("I", 4), "C": ("I", 1), "B": ("J", 2), "F": ("I", 8), "A": ("J", 1)}
 
 STEP = 10  # counts of one move of the search; a switch stays closed for longer
-WIDEST = 100  # more counts than a switch of a real arm stays closed
 FAR = 1600  # more counts than any joint has from a limit to its switch
-
-# How far to search away from the soft home before trying the other direction. The shoulder must not
-# lean far back, or the hand hits the base.
-REACH = {"D": FAR, "E": 60, "C": FAR, "B": FAR, "F": FAR, "A": FAR}
+LEAN = 400  # counts forward that bring the shoulder out of its backmost position
 
 robot = xr3.connect()
 
@@ -53,33 +49,40 @@ def changes(joint, counts, farthest):
     return False
 
 
-def find_near_edge(joint, away):
+def search(joint, away):
+    """Moves until the switch closes, usually away from the soft home first. Returns False if it
+    does not close."""
+    if joint == "E":  # forwards first: a shoulder that leans back folds the arm into its base
+        return changes("E", STEP, LEAN) or changes("E", -STEP, 2 * FAR)
+    if changes(joint, STEP * away, FAR):
+        return True
+    if joint == "D":  # the shoulder may lean far back: it must not when the forearm comes down
+        changes("E", STEP, LEAN)
+    return changes(joint, -STEP * away, 2 * FAR)
+
+
+def find_near_edge(joint):
     """Moves to the count at which the switch closes. Returns False if it does not change."""
-    # Watch the switch change, at whichever edge: first in one direction, then in the other. If it
-    # reads like the closed ones before, the near edge lies towards the soft home.
-    way, reach = away, REACH[joint]
-    if read_switch(joint) == closed:
-        way, reach = -away, FAR
-    if not (changes(joint, STEP * way, reach) or changes(joint, -STEP * way, 2 * FAR)
-            or changes(joint, STEP * way, 2 * FAR)):
+    away = 1 if SWITCHES[joint] > 0 else -1
+    if read_switch(joint) != closed and not search(joint, away):
         return False
-
-    # Move towards the soft home until the switch has not changed for a long way: now it is open.
-    while changes(joint, -STEP * away, WIDEST):
-        pass
-
-    # Quickly up to the near edge, back again, and then count by count.
-    return (changes(joint, STEP * away, FAR) and changes(joint, -STEP * away, FAR)
-            and changes(joint, away, FAR))
+    # Back until the switch opens, and then count by count until it closes.
+    return changes(joint, -STEP * away, FAR) and changes(joint, away, FAR)
 
 
-closed = None  # what a closed switch reads, 0 or 1: not known until the first one has changed
+# The open jaws are at the end of their travel, and on their switch. It opens when they close.
+changes("A", STEP, FAR)
+closed = read_switch("A")  # what a closed switch reads, 0 or 1
+
+# A shoulder on its switch may lean far back: it comes forward before the forearm moves.
+if read_switch("E") == closed:
+    find_near_edge("E")
+
 for joint, place in SWITCHES.items():
-    if not find_near_edge(joint, 1 if place > 0 else -1):
+    if not find_near_edge(joint):
         sys.exit(f"the switch of {joint} does not change. Is the joint blocked at a limit, or the "
                  "arm stalled? Is the clock paused? (The examples 3 to 6 are for the Rhino XR-3 "
                  "with its own workcell)")
-    closed = read_switch(joint)
     print(f"{joint} is on its switch, at {place:+d}")
 
 # All switches at once. J also reports four input lines, in its bits 4 to 32.

@@ -10,7 +10,7 @@ import sys
 
 import xr3
 
-# Where the camera looks: the centre and the size of its field on the table, in mm, and its pixels.
+# The camera's view: the centre and the size of its field on the table, in mm, and its pixels.
 # These are the numbers of the Rhino's workcell. For a real camera, measure them; for any workcell of
 # the simulator, xr3.Camera.from_monitor() reads them at its monitor port.
 CAMERA = xr3.Camera(x=290, y=0, width=384, height=384, columns=192, rows=192, table=0)

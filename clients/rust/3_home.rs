@@ -10,30 +10,31 @@ use std::io::Result;
 /// A switch closes at `place`, in counts from the soft home: upper arm upright, forearm level, tool
 /// down. Seen from there it is open before this count, and closed from it on: for a few dozen
 /// counts on a real arm, for longer in the simulator. One byte reports several switches: I those of
-/// joints C to F, J those of A and B. Each has one `bit`. `reach` is how far to search away from the
-/// soft home before trying the other direction.
+/// joints C to F, J those of A and B. Each has one `bit`.
 struct Switch {
     joint: char,
     place: i32,
     inquiry: &'static str,
     bit: i32,
-    reach: i32,
 }
 
-// The elbow comes first, since it lifts the hand off the table; the jaws, joint A, come last. The
-// shoulder must not lean far back, or the hand hits the base.
+const JAWS: Switch = Switch { joint: 'A', place: 16, inquiry: "J", bit: 1 };
+const SHOULDER: Switch = Switch { joint: 'E', place: -40, inquiry: "I", bit: 4 };
+
+// The jaws come first: they show how a closed switch reads. The elbow, joint D, follows, since it
+// lifts the hand off the table.
 const SWITCHES: [Switch; 6] = [
-    Switch { joint: 'D', place: 40, inquiry: "I", bit: 2, reach: FAR },
-    Switch { joint: 'E', place: -40, inquiry: "I", bit: 4, reach: 60 },
-    Switch { joint: 'C', place: 40, inquiry: "I", bit: 1, reach: FAR },
-    Switch { joint: 'B', place: -25, inquiry: "J", bit: 2, reach: FAR },
-    Switch { joint: 'F', place: 30, inquiry: "I", bit: 8, reach: FAR },
-    Switch { joint: 'A', place: 16, inquiry: "J", bit: 1, reach: FAR },
+    JAWS,
+    Switch { joint: 'D', place: 40, inquiry: "I", bit: 2 },
+    SHOULDER,
+    Switch { joint: 'C', place: 40, inquiry: "I", bit: 1 },
+    Switch { joint: 'B', place: -25, inquiry: "J", bit: 2 },
+    Switch { joint: 'F', place: 30, inquiry: "I", bit: 8 },
 ];
 
 const STEP: i32 = 10; // counts of one move of the search; a switch stays closed for longer
-const WIDEST: i32 = 100; // more counts than a switch of a real arm stays closed
 const FAR: i32 = 1600; // more counts than any joint has from a limit to its switch
+const LEAN: i32 = 400; // counts forward that bring the shoulder out of its backmost position
 
 /// The bit of the joint's switch. Some controllers report a closed switch as 1, others as 0.
 fn read_switch(robot: &mut Robot, of: &Switch) -> Result<i32> {
@@ -62,36 +63,46 @@ fn changes(robot: &mut Robot, of: &Switch, counts: i32, farthest: i32) -> Result
     Ok(false)
 }
 
-/// Moves to the count at which the switch closes. `closed` is what a closed switch reads, if it is
-/// known. Returns false if the switch does not change.
-fn find_near_edge(robot: &mut Robot, of: &Switch, closed: Option<i32>) -> Result<bool> {
-    let away = of.place.signum();
+/// Moves until the switch closes, usually away from the soft home first. Returns false if it does
+/// not close.
+fn search(robot: &mut Robot, of: &Switch, away: i32) -> Result<bool> {
+    if of.joint == 'E' {
+        // Forwards first: a shoulder that leans back folds the arm into its base.
+        return Ok(changes(robot, of, STEP, LEAN)? || changes(robot, of, -STEP, 2 * FAR)?);
+    }
+    if changes(robot, of, STEP * away, FAR)? {
+        return Ok(true);
+    }
+    if of.joint == 'D' {
+        // The shoulder may lean far back: it must not when the forearm comes down.
+        changes(robot, &SHOULDER, STEP, LEAN)?;
+    }
+    changes(robot, of, -STEP * away, 2 * FAR)
+}
 
-    // Watch the switch change, at whichever edge: first in one direction, then in the other. If it
-    // reads like the closed ones before, the near edge lies towards the soft home.
-    let is_closed = Some(read_switch(robot, of)?) == closed;
-    let way = if is_closed { -away } else { away };
-    let reach = if is_closed { FAR } else { of.reach };
-    if !changes(robot, of, STEP * way, reach)?
-        && !changes(robot, of, -STEP * way, 2 * FAR)?
-        && !changes(robot, of, STEP * way, 2 * FAR)?
-    {
+/// Moves to the count at which the switch closes. `closed` is what a closed switch reads. Returns
+/// false if the switch does not change.
+fn find_near_edge(robot: &mut Robot, of: &Switch, closed: i32) -> Result<bool> {
+    let away = of.place.signum();
+    if read_switch(robot, of)? != closed && !search(robot, of, away)? {
         return Ok(false);
     }
-
-    // Move towards the soft home until the switch has not changed for a long way: now it is open.
-    while changes(robot, of, -STEP * away, WIDEST)? {}
-
-    // Quickly up to the near edge, back again, and then count by count.
-    Ok(changes(robot, of, STEP * away, FAR)?
-        && changes(robot, of, -STEP * away, FAR)?
-        && changes(robot, of, away, FAR)?)
+    // Back until the switch opens, and then count by count until it closes.
+    Ok(changes(robot, of, -STEP * away, FAR)? && changes(robot, of, away, FAR)?)
 }
 
 fn home() -> Result<()> {
     let mut robot = Robot::connect()?;
 
-    let mut closed = None; // what a closed switch reads: unknown until the first has changed
+    // The open jaws are at the end of their travel, and on their switch. It opens when they close.
+    changes(&mut robot, &JAWS, STEP, FAR)?;
+    let closed = read_switch(&mut robot, &JAWS)?; // what a closed switch reads, 0 or 1
+
+    // A shoulder on its switch may lean far back: it comes forward before the forearm moves.
+    if read_switch(&mut robot, &SHOULDER)? == closed {
+        find_near_edge(&mut robot, &SHOULDER, closed)?;
+    }
+
     for of in &SWITCHES {
         if !find_near_edge(&mut robot, of, closed)? {
             return Err(error(&format!(
@@ -101,15 +112,13 @@ fn home() -> Result<()> {
                 of.joint
             )));
         }
-        closed = Some(read_switch(&mut robot, of)?);
         println!("{} is on its switch, at {:+}", of.joint, of.place);
     }
 
     // All switches at once. J also reports four input lines, in its bits 4 to 32.
     let i = robot.ask("I")? - 32;
     let j = (robot.ask("J")? - 32) & 3;
-    let bit = closed.unwrap_or_default();
-    println!("a closed switch reads {bit}; the switches of I are {i}, those of J {j}");
+    println!("a closed switch reads {closed}; the switches of I are {i}, those of J {j}");
 
     // The soft home is at count 0: move each joint back by the count of its switch.
     for of in &SWITCHES {

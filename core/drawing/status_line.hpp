@@ -11,8 +11,8 @@
 
 namespace xr3 {
 
-/// What each option shows. The vector is in mm, then dimensionless; joint variables are in degrees or
-/// mm; the opening is in mm, with the held block.
+/// The content of each option. The vector is in mm, then dimensionless; joint variables are in
+/// degrees or mm; the opening is in mm, with the held block.
 inline constexpr std::array<std::string_view, 7> kStatusLines{
     "blank",          "tool-configuration vector", "joint variables",
     "error counters", "encoder positions",         "switches",

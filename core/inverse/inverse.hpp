@@ -15,7 +15,7 @@
 
 namespace xr3 {
 
-/// Which part of the tool's frame a target specifies.
+/// The part of the tool's frame that a target specifies.
 enum class TargetKind : std::uint8_t {
   kPose,      ///< tip and rotation
   kPointing,  ///< tip, approach vector and the last joint's variable: a tool-configuration vector
@@ -55,7 +55,7 @@ enum class InverseMethod : std::uint8_t {
 };
 InverseMethod inverse_method(const Robot& robot);
 
-/// Why there is no solution.
+/// The reason why there is no solution.
 enum class InverseRefusal : std::uint8_t {
   kNo,
   kTooFar,               ///< the wrist is off_mm beyond the stretched arm's reach

@@ -1,5 +1,5 @@
-// What xr3 reports about an event of a cell: kind, stable code, one sentence, and the members of
-// the monitor's message. One function per kind of event is the only place that knows them; the log,
+// The report of an event of a cell: kind, stable code, one sentence, and the members of the
+// monitor's message. One function per kind of event is the only place that knows them; the log,
 // the monitor port and the explanations of bytes use the same report.
 #pragma once
 

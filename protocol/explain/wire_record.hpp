@@ -98,7 +98,7 @@ struct WireRecord {
 inline constexpr std::size_t kMaxShownIn = 64;
 inline constexpr std::size_t kMaxShownOut = 256;
 
-/// When and on which line bytes were received or sent.
+/// The time and the line of bytes that were received or sent.
 struct WirePlace {
   Epoch epoch = 0;
   Tick tick = 0;

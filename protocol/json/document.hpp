@@ -1,6 +1,6 @@
 // JSON text with an index: eight bytes for each value and name, in text order, with its position.
 // Values are read from the text on access, so that a document needs at most four times the memory
-// of its text, whatever its structure. Independent of the meaning of members.
+// of its text for any structure. Independent of the meaning of members.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace xr3 {
 
-/// JSON for output; members keep their order. Whoever makes or reads one includes nlohmann/json.hpp.
+/// JSON for output; members keep their order. Include nlohmann/json.hpp to use it.
 using Json = nlohmann::ordered_json;
 
 class JsonValue;

@@ -12,7 +12,7 @@
 
 namespace xr3 {
 
-/// What a client does to the replies that are on their way to it.
+/// A client's request about the replies that it has not received yet.
 enum class ReplyControl : std::uint8_t {
   kNone,
   kSuspend,  ///< hold replies from now on
@@ -34,7 +34,7 @@ class ComPort {
   /// Appends NOTIFY-MODEMSTATE: CTS, DSR and carrier are on, ring is off, and nothing has changed.
   static void append_modem_state(std::string& answers);
 
-  /// Those that the client has set; before, those of the Mark III controller.
+  /// The client's settings; until it sets them, those of the Mark III controller.
   SerialSettings settings() const;
 
   bool operator==(const ComPort&) const = default;

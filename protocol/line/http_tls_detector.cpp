@@ -9,7 +9,7 @@ namespace {
 
 using std::string_view_literals::operator""sv;
 
-/// How far the first bytes match an opening.
+/// The extent to which the first bytes match an opening.
 enum class Match : std::uint8_t { kNone, kBeginning, kWhole };
 
 Match match(std::string_view bytes, std::string_view greeting) {

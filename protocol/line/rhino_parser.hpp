@@ -15,7 +15,7 @@
 
 namespace xr3 {
 
-/// Why bytes were not executed.
+/// The reason why bytes were not executed.
 enum class ProblemCode : std::uint8_t {
   kUnknownByte,
   kNumberOutOfRange,
@@ -27,7 +27,7 @@ enum class ProblemCode : std::uint8_t {
   kDisabled,
 };
 
-/// What the bytes were meant for, if the parser can tell.
+/// The purpose of the bytes, if the parser recognises it.
 enum class Subject : std::uint8_t {
   kNone,
   kMove,

@@ -19,7 +19,7 @@ inline constexpr std::uint32_t kDefaultBaud = 9600;
 inline constexpr int kMinDataBits = 5;
 inline constexpr int kMaxDataBits = 8;
 
-/// How a character is framed. The default is that of the Mark III controller's port.
+/// The frame of a character. The default is that of the Mark III controller's port.
 struct SerialFrame {
   int data_bits = 7;  ///< kMinDataBits to kMaxDataBits
   Parity parity = Parity::kEven;

@@ -15,7 +15,7 @@
 
 namespace xr3 {
 
-/// What a byte from the client completes: data, or a command about the replies, or neither.
+/// The result of one byte from the client: data, a command about the replies, or neither.
 struct TelnetInput {
   std::optional<std::uint8_t> data;  ///< for the controller
   ReplyControl replies = ReplyControl::kNone;

@@ -10,7 +10,7 @@
 
 namespace xr3::http {
 
-/// From where the server's address can be reached.
+/// The hosts that can reach the server's address.
 enum class Reach : std::uint8_t { kThisMachine, kBeyond };
 
 /// Hosts and origins allowed in addition to the server's own addresses.

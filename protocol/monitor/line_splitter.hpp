@@ -10,7 +10,7 @@
 
 namespace xr3::monitor {
 
-/// Why there will be no further line.
+/// The reason why there will be no further line.
 enum class LineFault : std::uint8_t { kNone, kNotJson, kTooLong };
 
 class LineSplitter {

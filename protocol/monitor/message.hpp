@@ -20,7 +20,7 @@ using Message = std::shared_ptr<const std::string>;
 /// JSON on one line; invalid UTF-8 is replaced.
 std::string text_of(const Json& json);
 
-/// What a session may do: nothing, read, or read and call. It depends on the token.
+/// The rights of a session: none, read, or read and call. They depend on the token.
 enum class Access : std::uint8_t { kNone, kRead, kControl };
 
 /// The time of a cell, and how it passes.
@@ -74,7 +74,7 @@ struct Missed {
 /// The `lag` that reports missed messages of a channel.
 Message lag(std::string_view cell, Channel channel, const Missed& missed);
 
-/// Why the server closes a connection.
+/// The reason why the server closes a connection.
 enum class CloseReason : std::uint8_t {
   kShutdown,
   kNotJson,

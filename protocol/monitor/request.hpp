@@ -34,7 +34,7 @@ inline constexpr std::size_t kChannels = 6;
 /// Encoding of an image: per row a text of 0 and 1, or run lengths that begin with zeros.
 enum class Encoding : std::uint8_t { kRows, kRle };
 
-/// What to send of a channel. Clients with equal selections share the bytes of a message.
+/// The part of a channel to send. Clients with equal selections share the bytes of a message.
 struct Selection {
   Channel channel = Channel::kState;
   Fields fields;                        ///< top-level members; nullopt: all

@@ -1,4 +1,4 @@
-// Why a request is refused: what a `result` with an error tells the client.
+// The reason why a request is refused, as in a `result` with an error.
 #pragma once
 
 #include <nlohmann/json.hpp>

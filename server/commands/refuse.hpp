@@ -1,4 +1,4 @@
-// How a command ends that cannot do what its arguments ask.
+// The exit of a command that cannot do what its arguments ask.
 #pragma once
 
 #include <iostream>

@@ -96,7 +96,7 @@ std::string Input::take(std::size_t length, std::size_t line_end) {
   return line;
 }
 
-/// From a pipe, text after the last line end is a line, too.
+/// Text after the last line end of a pipe is a line, too.
 std::optional<std::string> Input::line() {
   while (end_ == End::kNone) {
     const std::size_t end = text_.find('\n');

@@ -10,7 +10,7 @@
 
 namespace xr3 {
 
-/// What to do with an existing file.
+/// The treatment of an existing file.
 enum class Existing : std::uint8_t { kKeep, kReplace };
 
 /// Writes the text to a file. Before the rename it reads the draft back and passes it to `check`,

@@ -42,7 +42,7 @@ struct Request {
   std::optional<std::string> parameter(std::string_view name) const;
 };
 
-/// Why a head is refused.
+/// The reason why a head is refused.
 enum class HeadFault : std::uint8_t {
   kNone,
   kIncomplete,

@@ -41,7 +41,7 @@ class MonitorPort {
   /// An input of the cell has acted: serves the subscribers.
   void acted() { service_.acted(); }
 
-  /// From now on the connections count towards a limit of memory, which must outlive the port.
+  /// Counts the connections towards a limit of memory, which must outlive the port.
   void limit_memory(MemoryLimit& limit) { context_.memory = &limit; }
   /// The most bytes that one connection holds.
   std::size_t most_held() const;

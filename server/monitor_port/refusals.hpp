@@ -15,7 +15,7 @@ namespace xr3 {
 
 class Refusals {
  public:
-  /// Of more than `max` connections at once, the oldest is closed without an error. `resources`
+  /// Closes the oldest of more than `max` connections without an error. `resources`
   /// answer health checks and must outlive it. `ended` is called when a connection has ended.
   Refusals(HttpResources& resources, std::size_t max, std::function<void()> ended)
       : resources_(resources), max_(max), ended_(std::move(ended)) {}

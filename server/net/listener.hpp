@@ -28,7 +28,7 @@ class Listener {
   /// The first endpoint that was opened.
   tcp::endpoint endpoint() const { return endpoint_; }
 
-  /// How many attempts to accept a connection have failed, such as without descriptors.
+  /// The number of failed attempts to accept a connection, such as without descriptors.
   std::uint64_t failures() const { return failures_; }
 
   /// Accepts every connection that is pending in the kernel.

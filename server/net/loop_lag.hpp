@@ -19,11 +19,11 @@ class LoopLag {
   /// `is_busy` is called after a measurement; if true, the next one begins at once.
   LoopLag(asio::io_context& io, std::function<bool()> is_busy);
 
-  /// There is work now: begins a measurement, unless one is under way.
+  /// Begins a measurement at new work, unless one is under way.
   void note_work() {
     if (!is_measuring_) measure();
   }
-  /// From now on no timer is set.
+  /// Ends all measurements; sets no further timer.
   void stop();
 
   /// The greatest delay, in nanoseconds, in the window of `now` and the one before.

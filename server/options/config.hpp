@@ -10,7 +10,7 @@
 
 namespace xr3 {
 
-/// How to handle keys that are not options of the command.
+/// The treatment of keys that are not options of the command.
 enum class OtherKeys : std::uint8_t { kRefuse, kSkip };
 
 /// Adds the option `--config`.

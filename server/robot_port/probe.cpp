@@ -49,7 +49,7 @@ class RobotProbe::Asking {
   RobotProbe& probe_;
 };
 
-/// What came back before the connection ended.
+/// The reply before the connection ended.
 struct RobotProbe::Reply {
   ErrorCode refusal;      ///< it was not connected
   std::size_t bytes = 0;  ///< 2: more than one

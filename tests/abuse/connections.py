@@ -43,7 +43,7 @@ def status(port, path):
 
 
 def missed_checks(port):
-    """How many of some health checks are not answered within a second. /readyz may answer that no line is free."""
+    """The number of health checks without an answer within a second. /readyz may answer that no line is free."""
     missed = 0
     for number in range(CHECKS):
         started = time.monotonic()

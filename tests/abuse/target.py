@@ -1,4 +1,4 @@
-"""What a load sees of the server under attack, and what floods are made of. A load is a function of a Target. It runs
+"""The server under attack, as a load sees it, and the data of floods. A load is a function of a Target. It runs
 in a process of its own until it is killed. It calls ready() when the attack is in force."""
 
 import contextlib

@@ -38,11 +38,11 @@ EXAMPLES = ("1_hello", "2_move_and_wait", "3_home", "4_two_joints", "5_pick_and_
             "6_find_and_pick")
 PROFILES = ("paper", "mark3")
 CLOCK = "real:50"
-DEADLINE_S = 240  # timeout; 3_home takes 20 seconds, the others one to four, on an idle machine
+DEADLINE_S = 240  # timeout; 3_home takes half a minute, the others one to four seconds, if idle
 AT_ONCE = 4
 PROGRESS = re.compile(r"^  .*\d+ counts to go$")  # these lines depend on timing
 
-# What each language needs: commands that must succeed.
+# The requirements of each language: commands that must succeed.
 NEEDS = {
     "python": ["python3 --version"],
     "c": ["make --version", "gcc --version"],
@@ -54,9 +54,9 @@ NEEDS = {
     "bash": ["command -v nc", "od --version", "awk 'BEGIN { exit }'"],
 }
 
-# Where 3_home starts: F on its switch, E beyond it (where it is open again in mark3), the others
-# before it.
-DISPLACED = {"F": 45, "E": -120, "D": -40, "C": -30, "B": 20, "A": -20}
+# Where 3_home starts: all joints but the jaws are beyond their switches (where these are open again in
+# mark3), and the arm is folded back above its base.
+DISPLACED = {"F": 200, "E": -200, "D": 200, "C": -200, "B": -200, "A": -20}
 MOVED_RED = {"centroid": [285, 25, 20], "yaw_deg": 35}  # where 6_find_and_pick must find it
 MOST_MM = 2  # tolerance for the place of a block that was found with the camera
 MOST_DEG = 3
@@ -199,7 +199,7 @@ def run_example(language, example, command, profile, by_arguments=False):
 # --- Languages.
 
 def missing(language):
-    """What is missing on this machine for a language, or None."""
+    """The reason why this machine cannot run a language, or None."""
     for command in NEEDS[language]:
         if subprocess.run(command, shell=True, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                           stderr=subprocess.DEVNULL, check=False).returncode != 0:

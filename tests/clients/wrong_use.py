@@ -78,7 +78,7 @@ CASES = [
          before=lambda robot: robot.send("A1S"), after=at_home),
     Case("another robot", "3_home", r"switch of D does not change.*Rhino XR-3",
          options=(*FAST, "--robot", "adept-one")),
-    Case("stalled", "3_home", r"switch of D does not change.*stalled", before=stall),
+    Case("stalled", "3_home", r"switch of A does not change.*stalled", before=stall),
     Case("no block", "5_pick_and_place",
          "the jaws closed on nothing: is the block at x 262, y 0 mm.*Rhino XR-3", blocks=False,
          after=at_home),
@@ -114,7 +114,7 @@ def empty_table(case, folder):
 
 
 def said_wrong(case, ran):
-    """What is wrong with the exit code and the messages of the example, or None."""
+    """The fault in the exit code or the messages of the example, or None."""
     said = NOT_THEIRS.sub("", ran.stderr)
     if (ran.returncode == 0) != (case.says is None):
         return f"it exited with {ran.returncode} and printed\n{ran.stdout}{said}"

@@ -13,7 +13,7 @@ namespace {
 
 using test::Rig;
 
-/// Where the Rhino's jaws stand around the first block of its workcell, wide open.
+/// The counts with the Rhino's open jaws around the first block of its workcell.
 constexpr std::initializer_list<test::LabelledCount> kAtABlock = {
     {'E', 449}, {'D', -625}, {'A', 16}};
 
@@ -70,7 +70,7 @@ void edit(Rig& rig) {
   }
 }
 
-/// What may happen to a machine between two inquiries; `saved` is what a restore brings back.
+/// Changes the machine at random, as between two inquiries; a restore brings back `saved`.
 void something_happens(Rig& rig, State& saved) {
   switch (any(0, 11)) {
     case 0: rig.move('A', -100); return rig.pass(any(1, 3000));

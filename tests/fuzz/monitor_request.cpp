@@ -54,7 +54,7 @@ void load(const SavedCell& saved) {
   if (validate(*test::rhino(), saved).empty()) exercise(saved);
 }
 
-/// What is said of access before the message is read holds when it is read.
+/// The heading, read before the message is parsed, agrees with the parsed request.
 void check(const Request& request, std::string_view text) {
   require(request.cell == "main", "the only cell");
   const Heading before = heading_of(text);

@@ -81,7 +81,7 @@ void check_opening(const Pieces& pieces, std::string_view whole) {
   require(found == opening_of({std::string(whole)}, false), "the opening in pieces and whole");
   const Opening simple = simple_opening(whole);
   require(found.protocol == simple.protocol, "the protocol of a simple reading");
-  // The opening also skips an incomplete byte order mark. What follows is then never JSON.
+  // The opening also skips an incomplete byte order mark. The text after it is then never JSON.
   require(found.skipped == simple.skipped || found.protocol == Protocol::kNotJson,
           "the skipped bytes of a simple reading");
   const Protocol after_hello = opening_of(pieces, true).protocol;

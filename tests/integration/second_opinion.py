@@ -129,7 +129,7 @@ class Pair:
                             "status": display["status"]["option"]}}
 
     def seen_warnings(self):
-        """How often each diagnostic was reported since the last call."""
+        """The number of reports of each diagnostic since the last call."""
         counter = collections.Counter()
         for event in self.monitor.recall("event", since=self.next_event, fields=["event", "code", "count"]):
             self.next_event = event["seq"] + 1
@@ -184,7 +184,7 @@ def shortened(pair, program):
 
 
 def report(pair, seed, program, message):
-    """What is needed to understand a failure and to repeat it."""
+    """A description of a failure, with the command that repeats it."""
     return "\n".join([f"seed {seed}: {' '.join(pair.server.options)}", *map(str, program), message,
                       "Repeat it from the root of the project with", "  XR3=$PWD/build/release/xr3 XR3_ROOT=$PWD "
                       f"/usr/bin/python3 tests/integration/soak_second_opinion.py {seed}"])

@@ -1,5 +1,5 @@
-"""A short form of `./test --abuse`: one round of some attacks. What is counted keeps its bound; what is timed may take
-ten times as long, because other programs disturb it. Also the verdicts of that command."""
+"""A short form of `./test --abuse`: one round of some attacks. Bounds of counts hold. Bounds of
+times are ten times as long, because other programs disturb them. Also the verdicts of that command."""
 # labels: release serial
 
 import contextlib

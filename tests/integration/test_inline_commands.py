@@ -24,7 +24,7 @@ HINT = "correct it, or add a kind that runs it to KINDS in tests/integration/tes
 COMMAND_S = 120.0  # some compile a program of a client
 COMPILERS = {"c": ["gcc"], "cpp": ["g++"], "java": ["javac"], "rust": ["rustc"], "bash": ["nc"]}
 HELLO = pathlib.Path(ROOT, "tests", "clients", "expected", "1_hello.txt").read_text(encoding="utf-8")
-# What a reader replaces in a command.
+# The placeholders in commands, with their values here.
 PLACEHOLDERS = {"NAME": "integration.clients", "regex": "clients", "name": "clients", "HOST": LOCALHOST, "N": "1"}
 
 # Kinds: a method of Commands, and what its commands look like. The first that matches counts.

@@ -14,7 +14,7 @@ from support import DEADLINE_S, LOCALHOST, ROOT, XR3, Server
 PAGE = pathlib.Path(ROOT, "docs", "operations.md").read_text(encoding="utf-8")
 CAPACITY_S = 240.0
 
-# Where the sources have the values of the table of limits: for each number of a row its file, constant and,
+# The sources of the values in the table of limits: for each number of a row its file, constant and,
 # if the unit differs, the divisor.
 LIMITS = """
 open lines | server/net/socket_limits.hpp | lines

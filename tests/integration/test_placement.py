@@ -1,5 +1,5 @@
-"""What a student sees on the monitor port when a pick-and-place program fails: a block that is let go in the air or
-inside another one, and jaws that stop at a block's width."""
+"""Warnings on the monitor port when a pick-and-place program fails: a block is released in the air or inside another
+one, or the jaws stop at a block's width."""
 
 import unittest
 

@@ -11,10 +11,10 @@
 
 namespace xr3::seeds {
 
-/// How a client ends, once it has sent everything.
+/// The end of a client that has sent everything.
 enum class Ending : std::uint8_t { kWaits, kShutsDown, kCloses, kResets, kVanishes };
 
-/// What the clients of a run have in common.
+/// State that all clients of a run share.
 struct World {
   Random& random;
   Kernel& kernel;

@@ -12,7 +12,7 @@ namespace {
 
 // The server's keepalive: 30 s, then three probes 10 s apart.
 constexpr Ns kKeepaliveTime = 60 * kSecond;
-// How long the system repeats bytes that nobody acknowledges.
+// The time for which the system repeats bytes that nobody acknowledges.
 constexpr Ns kRetransmissionTime = 924 * kSecond;
 
 int other(int side) { return 1 - side; }

@@ -51,7 +51,7 @@ struct Arguments {
   std::string program;
 };
 
-/// What a worker reports, in memory that it shares: also if it dies.
+/// A worker's progress, in shared memory: it remains readable if the worker dies.
 struct Progress {
   std::uint64_t seed;
   std::uint64_t done;

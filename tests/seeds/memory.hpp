@@ -1,5 +1,5 @@
 // Replaces operator new: counts the bytes that the server holds, and lets one of its allocations
-// fail. What the test itself allocates, inside an Outside, is not counted.
+// fail. The test's own allocations, inside an Outside, are not counted.
 #pragma once
 
 #include <cstddef>

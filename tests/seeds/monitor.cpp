@@ -7,7 +7,7 @@
 namespace xr3::seeds {
 namespace {
 
-/// What both transports have in common.
+/// The common part of both transports.
 class MonitorClient : public Client {
  public:
   MonitorClient(World& world, int number)

@@ -40,7 +40,7 @@ std::string harmless_words(Random& random, char letter) {
   }
 }
 
-/// Only looks: the replies depend on the others.
+/// Sends only inquiries; the replies depend on the other clients.
 std::string watching_words(Random& random) {
   return random.any_of({"E?", "A?", "BT", "CV", "I", "J", "K", "A*3*", "?", "~", "\r"});
 }

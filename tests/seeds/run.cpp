@@ -336,7 +336,7 @@ void Run::stop() {
 
 }  // namespace
 
-// What is initialised once stays: a leak is only what a second run does not free, either.
+// Objects initialised once stay: only memory that a second run does not free either is a leak.
 Outcome run_seed(std::uint64_t seed, const RunOptions& options) {
   const Outside outside;
   Outcome outcome = Run(seed, options).result();

@@ -37,7 +37,7 @@ class WorkerThread {
   bool is_ready_ = false;
 };
 
-/// There is one at a time.
+/// One exists at a time.
 WorkerThread& worker_thread();
 
 }  // namespace xr3::seeds

@@ -1,5 +1,5 @@
-// What the server learns about its process, the clock and its thread: redirected to here, as the
-// calls in wraps.cpp.
+// The server's calls about its process, the clock and its thread are redirected to here, as those
+// in wraps.cpp.
 #include <pthread.h>
 #include <sys/resource.h>
 #include <sys/stat.h>

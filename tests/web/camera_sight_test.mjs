@@ -1,4 +1,4 @@
-// Where the camera's pixels lie: columns along x from low x, rows along y from high y.
+// The places of the camera's pixels: columns along x from low x, rows along y from high y.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { centreOf, fieldOf, pixelAfterKey, pixelAt } from "../../clients/web/src/lib/camera_sight.js";

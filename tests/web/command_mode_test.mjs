@@ -1,4 +1,4 @@
-// Which keys go to command mode and which to the element with the focus.
+// Keys go to command mode or to the element with the focus.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, withPage } from "./bench.mjs";

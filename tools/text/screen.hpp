@@ -37,7 +37,7 @@ struct TextArea {
   int columns = 0;
 };
 
-/// Which letters may be used.
+/// The permitted characters.
 enum class Letters : std::uint8_t { kUnicode, kAscii };
 
 class TextScreen {

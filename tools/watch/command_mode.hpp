@@ -38,7 +38,7 @@ class CommandMode {
   Outcome press(const Key& key, const std::optional<Display>& display);
 
   bool is_menu_open() const { return is_menu_open_; }
-  /// What the user is asked for, with the input so far; empty if nothing is asked.
+  /// The current question to the user, with the input so far; empty if there is none.
   std::string prompt() const;
 
  private:

@@ -20,7 +20,7 @@ inline constexpr std::size_t kMaxNotes = 256;
 /// Whether to fetch the data once or to subscribe to it.
 enum class Interest : std::uint8_t { kOnce, kOn };
 
-/// What the user asked for. `cell` and `token` may be empty.
+/// The user's choice of cell, token and interest. `cell` and `token` may be empty.
 struct Wish {
   std::string cell;
   std::string token;

@@ -119,7 +119,7 @@ void paint_waiting(TextScreen& screen, const Link& link) {
               {link.trouble + ".", "", "Start one with: xr3 serve", "Retrying every second."});
 }
 
-/// Where the camera's image is placed.
+/// The place of the camera's image.
 enum class ImagePlace : std::uint8_t { kBesideBlocks, kBesideAll };
 
 /// The rows of the parts between title and footer, from top to bottom.

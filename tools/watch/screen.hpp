@@ -18,7 +18,8 @@ struct Link {
   std::string trouble;  ///< why there is no connection; empty: not known yet
 };
 
-/// What is shown: the cell, the help page, the menu of command mode, or the cell without a line of keys (for printing).
+/// The page on the screen: the cell, the help page, the menu of command mode, or the cell without a
+/// line of keys (for printing).
 enum class Page : std::uint8_t { kCell, kHelp, kMenu, kPrint };
 
 /// Any size is allowed. A `prompt` replaces the line of keys. After the connection is lost the last data stay on the screen, with a

@@ -26,7 +26,7 @@ struct DialogueStart {
   Robot robot;                       ///< the robot to check against
 };
 
-/// What the caller must show and do after a line.
+/// The caller's output and actions after a line.
 struct DialogueTurn {
   std::string text;                      ///< ends with a prompt, unless file_text or is_over is set
   std::optional<std::string> file_text;  ///< write this now, then call written()
@@ -46,9 +46,9 @@ class WorkcellDialogue {
   DialogueTurn begin();
   /// Handles a line without its line end.
   DialogueTurn handle(std::string_view line);
-  /// To be called after a turn with `file_text`. `why` is used for kFailed only.
+  /// Call it after a turn with `file_text`. `why` is used for kFailed only.
   DialogueTurn written(WriteOutcome outcome, const std::string& why = "");
-  /// To be called if the input has ended or was interrupted. Returns the closing text; nothing is
+  /// Call it if the input has ended or was interrupted. Returns the closing text; nothing is
   /// written.
   DialogueTurn leave(std::string_view why);
 

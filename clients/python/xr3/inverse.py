@@ -190,7 +190,7 @@ def _column(frame: Matrix, k: int) -> List[float]:
 
 
 def _residual(frame: Matrix, pose: Pose, length: float) -> List[float]:
-    """How far tip, x axis and z axis of the tool are from those of the pose; the tip in lengths of
+    """The distances of tip, x axis and z axis of the tool from those of the pose; the tip in lengths of
     the arm."""
     yaw = math.radians(pose.yaw)
     wanted = ((3, (pose.x, pose.y, pose.z), length), (0, (math.cos(yaw), math.sin(yaw), 0.0), 1.0),

@@ -101,7 +101,7 @@ class Joint:
         return min((nearest, nearest + 360, nearest - 360), key=self._beyond)
 
     def _beyond(self, variable: float) -> float:
-        """How far the variable is past the limits; 0 if it rounds to a count within them."""
+        """The distance of the variable past the limits; 0 if it rounds to a count within them."""
         low, high = (self.variable(position) for position in self.range)
         low, high = min(low, high) - self.precision / 2, max(low, high) + self.precision / 2
         return max(low - variable, variable - high, 0.0)
@@ -145,8 +145,8 @@ class Arm:
     """The parameters of an arm. `joints` are in order from base to tool. A coupling (j, k, sign)
     means that joint j, counted from 0, moves joint k in the same (+1) or the opposite (-1)
     direction. `inverse` returns candidate joint variables for a pose. `homing` is the order in
-    which joints are homed; those in `near_first` would run into the base if they searched for
-    their switch far away from the soft home, so they try the other direction early. `protected` is
+    which joints are homed; those in `near_first` would run into the base if they leaned back, so
+    they search for their switch towards the soft home first. `protected` is
     radius and height in mm of the protected region, a cylinder about the base axis: the robot
     stalls before its tip enters it. `switches` has the edge of every switch."""
 

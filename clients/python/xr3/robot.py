@@ -7,7 +7,7 @@ import socket
 import sys
 import time
 from types import TracebackType
-from typing import Callable, List, Optional, Type, Union
+from typing import Callable, List, Optional, Sequence, Type, Union
 
 from xr3.address import connect as connect_line
 from xr3.arms import RHINO_XR3
@@ -23,7 +23,7 @@ POLL_S = 0.05  # pause between two questions
 # slowest speed is one count per second, and the simulator's clock may run slowly.
 STANDS_AFTER = 40
 STEP = 5  # counts of one move in the search for a switch; a switch stays closed for longer
-NEAR = 60  # counts from the soft home within which all switches are
+LEAN = 400  # counts that bring a joint of Arm.near_first out of its backmost position
 FAR = 1600  # more counts than any joint has from a limit to its switch
 MARGIN = 40  # counts by which a switch may stay closed longer than Switch.width says
 WHY_IT_STANDS = ("Is it blocked at a limit, or stalled? Is a block in the jaws? Is the clock "
@@ -53,6 +53,7 @@ class Robot:
         self.camera = camera or CAMERAS.get(arm.name) or Camera()
         self.at: Counts = dict.fromkeys(arm.labels, 0)
         self._closed: Optional[bool] = None  # the bit of a closed switch, once it is known
+        self._waiting: List[str] = []  # the joints that home() has still to find
         self._pause = pause
         self._timeout_s = timeout_s
         self._socket = connect_line(host, port, "XR3_PORT", 9600, timeout_s)
@@ -210,44 +211,71 @@ class Robot:
         self.at = dict.fromkeys(self.arm.labels, 0)
 
     def home(self) -> None:
-        """Moves every joint to the edge of its microswitch that is nearer to the soft home, and
-        opens the jaws. Afterwards `at` is correct, wherever the arm started. It does not matter
-        whether a closed switch reads 1 or 0: home() watches it change. A joint whose switch is not
-        found is retried after the others have moved. Raises RobotError."""
-        self._closed = None
-        waiting = list(self.arm.homing)
+        """Opens the jaws, and moves every joint to the edge of its microswitch that is nearer to
+        the soft home. Afterwards `at` is correct, wherever the arm started. It does not matter
+        whether a closed switch reads 1 or 0: home() watches that of the jaws change. A joint whose
+        switch is not found is retried after the others have moved. Raises RobotError."""
+        for label in self.arm.labels:
+            self.stop(label)  # cancels the rest of earlier moves
+        self._closed, self._waiting = None, list(self.arm.homing)
+        if not self._find_switch("A"):
+            raise RobotError(f"no switch found by A. {WHY_IT_STANDS}")
+        # A joint that leans back goes first: otherwise the others would fold the arm into its base.
+        self._find([label for label in self.arm.near_first if self.switch(label) == self._closed])
         for _ in range(4):
             before = dict(self.at)
-            waiting = [label for label in waiting if not self._find_switch(label)]
-            if not waiting or before == self.at:  # all found, or nothing has moved
+            self._find(self._waiting)
+            if not self._waiting or before == self.at:  # all found, or nothing has moved
                 break
-        if waiting or not self._find_switch("A"):
-            raise RobotError(f"no switch found by {''.join(waiting) or 'A'}. {WHY_IT_STANDS}")
+        if self._waiting:
+            raise RobotError(f"no switch found by {''.join(self._waiting)}. {WHY_IT_STANDS}")
         self.at = dict(self.arm.switches)
+
+    def _find(self, labels: Sequence[str]) -> None:
+        """Searches for these switches; those that are found no longer wait."""
+        for label in list(labels):
+            if self._find_switch(label):
+                self._waiting.remove(label)
 
     def _find_switch(self, label: str) -> bool:
         """Moves to the near edge of the switch, from the open side. Returns False if the switch has
         not changed."""
+        away = self.arm.switch(label).away
+        if self._closed is None:
+            if not self._learn_closed(label):
+                return False
+        elif self.switch(label) != self._closed and not self._search(label):
+            return False
+        # Back to the open side, and slowly up to the exact count at which the switch closes.
+        return all(self._changes(label, counts * away, FAR) for counts in (-STEP, 1))
+
+    def _learn_closed(self, label: str) -> bool:
+        """Closes the switch while it is unknown how a closed switch reads, and learns that. Returns
+        False if the switch has not changed."""
         switch = self.arm.switch(label)
-        if not self._see_change(label, switch.away):
+        if not any(self._changes(label, STEP * way, FAR) for way in (switch.away, -switch.away)):
             return False
         # Back past every edge. On the side of the soft home the switch is open up to the limit, so
         # it is open if it has not changed for longer than it can be closed.
         while self._changes(label, -STEP * switch.away, switch.width + MARGIN):
             pass
-        # To the near edge, back, and slowly up to the exact count at which the switch closes.
-        found = all(self._changes(label, counts * switch.away, FAR) for counts in (STEP, -STEP, 1))
+        found = self._changes(label, STEP * switch.away, FAR)
         self._closed = self.switch(label)
         return found
 
-    def _see_change(self, label: str, away: int) -> bool:
-        """Moves until the switch changes, first away from the soft home, then the other way. If it
-        reads like the closed switches of other joints, starts towards the soft home."""
-        way, reach = away, NEAR if label in self.arm.near_first else FAR
-        if self.switch(label) == self._closed:
-            way, reach = -away, FAR
-        return any(self._changes(label, STEP * sign * way, farthest)
-                   for sign, farthest in ((1, reach), (-1, 2 * FAR), (1, 2 * FAR)))
+    def _search(self, label: str) -> bool:
+        """Moves until the open switch closes: away from the soft home and, where that ends, the
+        other way. The joints of Arm.near_first start towards the soft home; they also lean there
+        before another joint turns round, so that the arm does not fold into its base."""
+        away = self.arm.switch(label).away
+        if label in self.arm.near_first:
+            return (self._changes(label, -STEP * away, LEAN)
+                    or self._changes(label, STEP * away, 2 * FAR))
+        if self._changes(label, STEP * away, FAR):
+            return True
+        for leaning in set(self.arm.near_first).intersection(self._waiting):
+            self._changes(leaning, -STEP * self.arm.switch(leaning).away, LEAN)
+        return self._changes(label, -STEP * away, 2 * FAR)
 
     def _changes(self, label: str, counts: int, farthest: int) -> bool:
         """Moves in steps of `counts` until the switch changes. Returns False if it does not within

@@ -1,4 +1,4 @@
-// What the server answers to the messages of a monitor client, by a simple reading of them.
+// The server's answers to the messages of a monitor client, predicted by a simple reading of them.
 #pragma once
 
 #include <cstddef>

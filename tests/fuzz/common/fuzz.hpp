@@ -1,5 +1,5 @@
-// What every fuzzer defines and uses. run_within_limits() is called for each input, by libFuzzer or
-// by the replay of the corpus.
+// The functions that every fuzzer defines and uses. libFuzzer or the replay of the corpus
+// calls run_within_limits() for each input.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace xr3::fuzz {
 
-/// How much is done with one input. Most inputs are short and quick, so that many fit in an hour.
+/// The effort for one input. Most inputs are short and quick, so that many fit in an hour.
 enum class Effort : std::uint8_t {
   kQuick,  ///< the properties that are cheap to check
   kFull,   ///< all properties, and inputs that expand to the limits of size

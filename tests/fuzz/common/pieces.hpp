@@ -4,7 +4,7 @@
 // Input: chunks that begin with a byte c. c < 0xf0: the next c + 1 bytes are a piece. Otherwise the
 // next byte, repeated (c - 0xef) * 32 KiB, is a piece: so a short input reaches the limits of size.
 // With kQuick it is repeated only (c - 0xef) * 32 times, and what follows the fourth piece is one
-// piece. What exceeds the total is cut off.
+// piece. Input beyond the total is cut off.
 #pragma once
 
 #include <cstddef>

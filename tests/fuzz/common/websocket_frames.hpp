@@ -38,7 +38,7 @@ std::optional<Frame> take_frame(std::string_view& bytes);
 /// The status in the payload of a close frame; 1005 if there is none.
 int close_code_of(std::string_view payload);
 
-/// How a server understands the bytes of a client.
+/// A server's reading of the bytes of a client.
 struct ClientStream {
   enum class End : std::uint8_t {
     kOpen,     ///< the stream ends between or in frames

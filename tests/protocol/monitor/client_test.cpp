@@ -13,7 +13,7 @@
 namespace xr3::monitor {
 namespace {
 
-/// What a transport does with the lines of a client, up to the next request to execute.
+/// Handles the lines of a client as a transport does, up to the next request to execute.
 std::optional<Request> next_request(LineSplitter& lines, Client& client) {
   while (!client.has_ended() && !client.is_full()) {
     const auto line = lines.next();

@@ -1,4 +1,4 @@
-// What the system tells about this process.
+// Tests the statistics of the process.
 #include "server/http/process_stats.hpp"
 
 #include <fcntl.h>

@@ -33,7 +33,7 @@ class Manager {
   ~Manager() { ::close(file_); }
 
   std::string socket() const { return "@" + name_; }
-  /// What has arrived since the last call.
+  /// The messages that have arrived since the last call.
   std::vector<std::string> received() const {
     std::vector<std::string> all;
     std::array<char, 64> bytes{};

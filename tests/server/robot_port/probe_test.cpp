@@ -51,7 +51,7 @@ class RobotProbeTest : public testing::Test {
     };
     spawn_loop(io_.get_executor(), "test", take(probe, result));
   }
-  /// What the watchdog learns.
+  /// The failure that the watchdog learns of.
   std::string failure() {
     RobotProbe probe(io_, port_);
     std::optional<std::string> result;

@@ -1,4 +1,4 @@
-// Where the camera's pixels lie on the work surface: columns along x from low x, rows along y from
+// The places of the camera's pixels on the work surface: columns along x from low x, rows along y from
 // high y (docs/data-files.md). Independent of the page.
 import { mmPerUnit } from "./kinematics.js";
 

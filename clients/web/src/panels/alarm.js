@@ -14,7 +14,7 @@ const kStalls = {
 const alarmOf = (state) =>
   kStalls[state.stalled] ?? (state.enabled ? "" : "The simulator is disabled: it accepts only A@ or, on this page, the key e.");
 
-/** How long a message is shown: proportional to its length, within bounds. */
+/** The time for which a message is shown: proportional to its length, within bounds. */
 const readingMs = (text) => Math.min(Math.max(kShortestMs, text.length * kMsPerLetter), kMaxMs);
 
 export class Alarm {

@@ -84,7 +84,7 @@ export class CameraPointer {
     return { column: Math.min(column, width - 1), row: Math.min(row, height - 1) };
   }
 
-  // Only what the keyboard selects is announced: a moving mouse would never let a reader finish.
+  // Announces only selections by keys: a moving mouse would never let a screen reader finish.
   #show() {
     const hasFocus = document.activeElement === this.canvas;
     const pixel = this.#isReady() ? (this.hovered ?? (hasFocus ? this.#chosen() : null)) : null;
