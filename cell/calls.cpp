@@ -18,6 +18,11 @@ call::Refused clock_running(std::string_view call) {
           "call pause first, or start with --clock manual"};
 }
 
+call::Refused has_device() {
+  return {"has_device", "time cannot be changed while a device is connected",
+          "start the server without --serial to control time"};
+}
+
 call::Refused no_such_block(const State& state, const std::string& name) {
   const std::size_t count = state.blocks.size();
   std::string names;
@@ -64,6 +69,7 @@ SavedCellPtr saved_cell(const Model& model, const State& state) {
 // --- Time.
 
 call::Outcome Cell::carry_out(const call::Pause&, WallNs now) {
+  if (device_) return has_device();
   const bool is_new = clock_.mode() != ClockMode::kManual;
   clock_.pause(now);
   if (is_new) emit(std::nullopt, ClockNote{"pause", clock_.mode(), clock_.rate()});
@@ -78,6 +84,7 @@ call::Outcome Cell::carry_out(const call::Resume&, WallNs now) {
 }
 
 call::Outcome Cell::carry_out(const call::SetRate& rate, WallNs now) {
+  if (device_) return has_device();
   clock_.set_rate(rate.rate, now);
   emit(std::nullopt, ClockNote{"rate", clock_.mode(), clock_.rate()});
   return call::Done{};
@@ -126,6 +133,7 @@ void Cell::begin_epoch(std::string_view call, WallNs now, const std::function<vo
   const ModelPtr old_model = simulation_.model_ptr();
   const std::vector<Block> old_blocks = state().blocks;
   change();
+  if (device_ && state().enabled && device_->is_engaged()) device_->engage(false);
   ++epoch_;
   clock_.set_tick(state().tick, now);
   emit(std::nullopt, note);
@@ -142,7 +150,9 @@ call::Outcome Cell::carry_out(const call::Home&, WallNs) {
 }
 
 call::Outcome Cell::carry_out(const call::Key& key, WallNs) {
+  const bool was_enabled = state().enabled;
   simulation_.execute(key.command);
+  if (device_ && state().enabled != was_enabled) device_->engage(was_enabled);
   return call::Done{};
 }
 

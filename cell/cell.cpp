@@ -62,10 +62,14 @@ void Cell::advance(WallNs now) {
 void Cell::emit_time_events() {
   if (!simulation_.events().empty()) emit_machine_events(std::nullopt, simulation_.take_events());
   for (auto& [line, note] : warnings_.take_pending(state().tick)) emit(line, std::move(note));
+  if (device_) expire_inquiries();
 }
 
 Snapshot Cell::snapshot() const {
-  return {epoch_, clock_.mode(), clock_.rate(), model_rev_, state()};
+  std::optional<DeviceStatus> device;
+  if (device_)
+    device = {device_->path(), device_->is_open(), device_->bytes_out(), device_->bytes_in()};
+  return {epoch_, clock_.mode(), clock_.rate(), model_rev_, state(), std::move(device)};
 }
 
 const SerialLine* Cell::find_line(LineId line) const {
@@ -94,7 +98,9 @@ Applied Cell::handle(const LineOpened& opened, WallNs) {
   lines_.try_emplace(id, model().profile(), opened.kind, opened.peer, state().tick, opened.guard);
   ++counters_.lines_total;
   emit(id, LineOpenedNote{opened.kind, opened.peer});
-  if (!state().enabled) emit(id, disabled_note());
+  const bool is_for_device = device_ && device_->is_engaged();
+  if (device_) lines_.at(id).connect(*device_, id);
+  if (!state().enabled && !is_for_device) emit(id, disabled_note());
   Applied applied;
   applied.line = id;
   return applied;
@@ -186,6 +192,7 @@ Applied Cell::handle(const LineClosed& closed, WallNs) {
   emit_all(closed.line, warnings_.forget(closed.line));
   ++counters_.of(closed.reason);
   emit(closed.line, LineClosedNote{closed.reason, line->bytes_in(), line->bytes_out()});
+  if (device_) device_->forget(closed.line);
   closed_bytes_in_[closed.line] = line->bytes_in();
   if (closed_bytes_in_.size() > kRememberedLines) closed_bytes_in_.erase(closed_bytes_in_.begin());
   lines_.erase(closed.line);
@@ -215,7 +222,9 @@ void Cell::emit_machine_events(std::optional<LineId> line, Events events) {
   for (Event& event : events) {
     if (const Warning* warning = std::get_if<Warning>(&event.body))
       ++counters_.warnings[code_of(warning->code)];
+    const bool is_lost = loses_mirror(event.body);
     emit_at(event.tick, line, std::move(event.body));
+    if (is_lost) emit_device(DeviceNews::kMirrorLost);
   }
 }
 
@@ -237,7 +246,9 @@ void Cell::emit_exchanges(LineId id, SerialLine& line) {
         continue;
       }
       emit_all(id, warnings_.finish(id, event.tick));
+      const bool is_lost = loses_mirror(event.body);
       emit(id, std::move(event.body));
+      if (is_lost) emit_device(DeviceNews::kMirrorLost);
     }
   }
 }

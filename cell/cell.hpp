@@ -13,6 +13,7 @@
 
 #include "cell/counters.hpp"
 #include "cell/input.hpp"
+#include "cell/mirror.hpp"
 #include "cell/warning_limiter.hpp"
 #include "core/sim_clock.hpp"
 #include "core/simulation.hpp"
@@ -31,6 +32,15 @@ class Cell {
   Cell(std::string name, ModelPtr model, SimClock clock, CellEventSink sink);
   Cell(const Cell&) = delete;
   Cell& operator=(const Cell&) = delete;
+
+  /// From now on, commands of the lines go to a physical controller while the simulator is disabled.
+  /// Preconditions: no line is open, the clock is real at rate 1, and there was no device.
+  /// `is_mirrored`: the simulation carries the commands out, too, and is compared with the device.
+  void connect_device(std::string path, const SerialSettings& settings, bool is_mirrored = false);
+  /// nullptr: none.
+  const DeviceLink* device() const { return device_ ? &*device_ : nullptr; }
+  /// Lines that have a reply of the device, or accept bytes again because it has taken some.
+  std::vector<LineId> take_woken_lines();
 
   const std::string& name() const { return name_; }
   const Model& model() const { return simulation_.model(); }
@@ -63,7 +73,9 @@ class Cell {
   /// Whether time alone can produce events: the clock is real, and a motor runs or suppressed
   /// warnings have not been reported yet.
   bool has_news_to_come() const {
-    return clock_.mode() == ClockMode::kReal && (!is_at_rest() || warnings_.has_pending());
+    const bool is_asking = device_ && device_->deadline();
+    return clock_.mode() == ClockMode::kReal &&
+           (!is_at_rest() || warnings_.has_pending() || is_asking);
   }
 
   /// The latest events, and the latest bytes of the lines with their interpretation.
@@ -97,6 +109,10 @@ class Cell {
   Applied handle(const BytesOut& out, WallNs now);
   Applied handle(const InputEnded& ended, WallNs now);
   Applied handle(const LineClosed& closed, WallNs now);
+  Applied handle(const DeviceOpened&, WallNs now);
+  Applied handle(const DeviceLost& lost, WallNs now);
+  Applied handle(const DeviceIn& in, WallNs now);
+  Applied handle(const DeviceOut& out, WallNs now);
   Applied handle(const call::Call& call, WallNs now);
 
   call::Outcome carry_out(const call::Pause&, WallNs now);
@@ -107,6 +123,8 @@ class Cell {
   call::Outcome carry_out(const call::Reset&, WallNs now);
   call::Outcome carry_out(const call::Home&, WallNs now);
   call::Outcome carry_out(const call::Key& key, WallNs now);
+  call::Outcome carry_out(const call::StopDevice&, WallNs now);
+  call::Outcome carry_out(const call::AlignMirror&, WallNs now);
   call::Outcome carry_out(const call::SetInput& input, WallNs now);
   call::Outcome carry_out(const call::AddBlock& add, WallNs now);
   call::Outcome carry_out(const call::MoveBlock& move, WallNs now);
@@ -123,6 +141,11 @@ class Cell {
 
   Applied take_unseen(SerialLine& line, std::string_view bytes);
   std::size_t receive_piece(LineId id, SerialLine& line, std::string_view bytes);
+  void deliver(LineId line, std::uint8_t reply, const Command& inquiry);
+  void emit_device(DeviceNews news, DeviceNote note = {});
+  void expire_inquiries();
+  void compare_mirror(const Command& inquiry, std::uint8_t reply);
+  bool loses_mirror(const EventBody& event);
   void record_out(const WirePlace& out, const SerialLine& line, std::size_t unsent);
   void emit(std::optional<LineId> line, CellNote note);
   void emit_machine_events(std::optional<LineId> line, Events events);
@@ -139,6 +162,9 @@ class Cell {
   Epoch epoch_ = 0;
   int model_rev_ = 1;
   std::uint64_t revision_ = 1;
+  std::optional<DeviceLink> device_;  ///< before the lines, which refer to it
+  std::optional<Mirror> mirror_;
+  std::vector<LineId> woken_;
   std::map<LineId, SerialLine> lines_;
   LineId last_line_ = 0;
   std::optional<SerialLine> probe_line_;

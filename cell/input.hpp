@@ -56,8 +56,27 @@ struct LineClosed {
   LineCloseReason reason = LineCloseReason::kClientClosed;
 };
 
-using Input =
-    std::variant<LineOpened, LineSettings, BytesIn, BytesOut, InputEnded, LineClosed, call::Call>;
+/// The physical controller's port is open. Precondition of this and the following inputs: the cell
+/// has a device.
+struct DeviceOpened {};
+
+/// The physical controller's port has vanished or cannot be opened.
+struct DeviceLost {
+  std::string why;
+};
+
+/// The physical controller has sent bytes.
+struct DeviceIn {
+  std::string_view bytes;
+};
+
+/// Bytes of the device's outbox have been written, and are removed.
+struct DeviceOut {
+  std::size_t count = 0;
+};
+
+using Input = std::variant<LineOpened, LineSettings, BytesIn, BytesOut, InputEnded, LineClosed,
+                           DeviceOpened, DeviceLost, DeviceIn, DeviceOut, call::Call>;
 
 /// The result of an input: the number of the opened line, the number of bytes taken, or the outcome
 /// of the call.

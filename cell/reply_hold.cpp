@@ -5,7 +5,7 @@
 
 namespace xr3 {
 
-void ReplyHold::add(std::string_view reply, const wire::Answered& meaning) {
+void ReplyHold::add(std::string_view reply, const wire::Meaning& meaning) {
   assert(is_on_);
   const std::size_t from = held_.bytes.size();
   held_.bytes += reply;

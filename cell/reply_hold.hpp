@@ -31,7 +31,7 @@ class ReplyHold {
   std::size_t size() const { return held_.bytes.size(); }
 
   /// Adds the bytes of a reply with its meaning. Precondition: is_on().
-  void add(std::string_view reply, const wire::Answered& meaning);
+  void add(std::string_view reply, const wire::Meaning& meaning);
   /// Forgets the replies; the hold stays on.
   void discard() { held_ = {}; }
   /// Returns the replies, which the caller must send, and ends the hold.

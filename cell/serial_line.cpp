@@ -1,8 +1,15 @@
 #include "cell/serial_line.hpp"
 
 #include <cassert>
+#include <utility>
 
 namespace xr3 {
+namespace {
+
+// A port of 7 data bits would make another character of it.
+constexpr std::uint8_t kFirstByteOf8Bits = 0x80;
+
+}  // namespace
 
 std::size_t SerialLine::receive(std::string_view bytes, Simulation& simulation,
                                 std::vector<Exchange>& exchanges) {
@@ -38,8 +45,14 @@ void SerialLine::act(std::uint8_t byte, std::uint64_t offset, Simulation& simula
 
 void SerialLine::act_on(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
                         std::vector<Exchange>& exchanges) {
+  if (device_ != nullptr) {
+    drop_unfinished();
+    if (device_->is_engaged()) return act_on_device(byte, offset, simulation, exchanges);
+  }
+  const bool was_enabled = simulation.state().enabled;
   std::string replies;
   endpoint_.feed(byte, offset, simulation, replies, exchanges);
+  if (device_ != nullptr && was_enabled && !simulation.state().enabled) device_->engage(true);
   if (replies.empty()) return;
   // A byte completes at most one inquiry, and that is the last exchange.
   Exchange& exchange = exchanges.back();
@@ -47,6 +60,54 @@ void SerialLine::act_on(std::uint8_t byte, std::uint64_t offset, Simulation& sim
   exchange.reply_from = output_end();
   send(replies);
   exchange.reply_to = output_end();
+}
+
+// Commands that were unfinished when the simulator was switched must not be completed afterwards.
+void SerialLine::drop_unfinished() {
+  if (std::exchange(seen_switches_, device_->switches()) == device_->switches()) return;
+  endpoint_.reset();
+  device_parser_ = RhinoParser(Profile::kMark3);
+}
+
+void SerialLine::act_on_device(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
+                               std::vector<Exchange>& exchanges) {
+  std::vector<Parsed> parsed;
+  device_parser_.feed(byte, offset, parsed);
+  for (Parsed& item : parsed) {
+    Exchange& exchange = exchanges.emplace_back(Exchange{std::move(item), NoReply{}, {}, 0, 0});
+    auto& what = exchange.parsed.what;
+    const Command* command = std::get_if<Command>(&what);
+    if (command != nullptr && std::holds_alternative<ToggleSimulator>(*command)) {
+      simulation.execute(*command);
+      exchange.events = simulation.take_events();
+      device_->engage(false);
+    } else if (command != nullptr && for_device(*command)) {
+      exchange.is_for_device = true;
+      device_->add(id_, *command, simulation.state().tick);
+      if (device_->is_mirrored()) imitate(*command, exchange, simulation);
+    } else if (command != nullptr && device_->is_mirrored()) {
+      imitate(*command, exchange, simulation);
+    } else if (command != nullptr || byte >= kFirstByteOf8Bits) {
+      what = Problem{ProblemCode::kNotForDevice, Subject::kNone};
+    }
+  }
+}
+
+/// The reply is discarded: that of the device counts, and the commands that only the simulator has
+/// are not answered by a physical controller.
+void SerialLine::imitate(const Command& command, Exchange& exchange, Simulation& simulation) {
+  simulation.execute(command);
+  exchange.events = simulation.take_events();
+}
+
+void SerialLine::deliver(std::uint8_t reply, const Command& inquiry) {
+  released_.clear();
+  const std::string bytes(1, static_cast<char>(reply));
+  const wire::FromDevice meaning{inquiry, reply};
+  if (hold_.is_on()) return hold_.add(bytes, meaning);
+  const std::uint64_t from = output_end();
+  send(bytes);
+  released_.push_back({from, output_end(), meaning});
 }
 
 void SerialLine::control(ReplyControl replies) {

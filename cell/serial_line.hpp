@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cell/device_link.hpp"
 #include "cell/reply_hold.hpp"
 #include "core/simulation.hpp"
 #include "protocol/explain/cell_event.hpp"
@@ -42,12 +43,21 @@ class SerialLine {
   std::size_t receive(std::string_view bytes, Simulation& simulation,
                       std::vector<Exchange>& exchanges);
 
+  /// From now on, whole commands go to a device while the simulator is disabled. The link must
+  /// outlive the line; `own` is the line's number.
+  void connect(DeviceLink& link, LineId own) {
+    device_ = &link;
+    id_ = own;
+  }
+  /// Sends the device's reply to an inquiry of this line.
+  void deliver(std::uint8_t reply, const Command& inquiry);
+
   /// No more bytes will be received: held replies go to the outbox, and no reply is held any more.
   void end_input();
   bool has_input_ended() const { return has_input_ended_; }
 
-  /// The replies that the last receive() or end_input() has moved from the hold to the outbox, by
-  /// offset in the output.
+  /// The replies that the last receive(), deliver() or end_input() has added to the outbox without
+  /// an exchange, by offset in the output.
   const std::vector<wire::Item>& released() const { return released_; }
   /// Replies that the client has suspended, in bytes. They are not in the outbox.
   std::size_t held_bytes() const { return hold_.size(); }
@@ -56,7 +66,8 @@ class SerialLine {
   /// Whether receive() would take a byte. Commands of telnet are taken while the hold is full, or
   /// the one that ends it would never be read.
   bool accepts(char next) const {
-    return !is_full() && !(hold_.is_full() && telnet_.is_data(static_cast<std::uint8_t>(next)));
+    return !is_full() && !waits_for_device() &&
+           !(hold_.is_full() && telnet_.is_data(static_cast<std::uint8_t>(next)));
   }
   /// Whether the client was detected not to be a robot program, such as one of HTTP, TLS or STUN.
   /// The transport must close the line; no byte of the client has acted.
@@ -107,6 +118,13 @@ class SerialLine {
            std::vector<Exchange>& exchanges);
   void act_on(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
               std::vector<Exchange>& exchanges);
+  bool waits_for_device() const {
+    return device_ != nullptr && device_->is_engaged() && !device_->accepts(id_);
+  }
+  void drop_unfinished();
+  void act_on_device(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
+                     std::vector<Exchange>& exchanges);
+  static void imitate(const Command& command, Exchange& exchange, Simulation& simulation);
   void control(ReplyControl replies);
   void release();
   void send(std::string_view replies);
@@ -115,6 +133,10 @@ class SerialLine {
   Guard guard_;
   TelnetFilter telnet_;
   RhinoEndpoint endpoint_;
+  DeviceLink* device_ = nullptr;  ///< none if null
+  LineId id_ = 0;                 ///< for device_
+  RhinoParser device_parser_{Profile::kMark3};
+  std::uint64_t seen_switches_ = 0;  ///< of device_
   ReplyHold hold_;
   std::vector<wire::Item> released_;
   bool has_input_ended_ = false;

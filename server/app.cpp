@@ -114,6 +114,7 @@ ExitCode App::run() {
   return_freed_blocks();
   listen();
   open_terminals();
+  open_device();
   await_signal();
   announce();
   return serve();
@@ -158,6 +159,13 @@ void App::open_terminals() {
                      [&] { ptys_.serve(options_.ptys, options_.pty_mode); });
 }
 
+void App::open_device() {
+  if (!options_.device) return;
+  device_.emplace(io_, cell_, lines_, options_.device->path, options_.device->settings,
+                  options_.is_mirrored, [this] { acted(); });
+  with_option_source(options_.option_sources, "--serial", [&] { device_->open(); });
+}
+
 // Called when everything is ready: programs may connect as soon as they see this line or the file.
 void App::announce() {
   stage_ = Stage::kReady;
@@ -194,6 +202,7 @@ void App::await_signal() {
 
 void App::acted() {
   if (stage_ == Stage::kEnded) return;
+  if (device_) device_->pump();
   if (stage_ != Stage::kDraining) return monitor_port_.acted();
   if (lines_.is_empty() && monitor_port_.is_empty()) drain_limit_.cancel();
 }
@@ -214,6 +223,7 @@ void App::stop() {
   const WallNs deadline = wall_now() + kDrainLimit;
   robot_port_.close();
   ptys_.close();
+  if (device_) device_->close();
   lines_.close(deadline - kDrainLimit / 2);
   monitor_port_.close(deadline);
   if (lines_.is_empty() && monitor_port_.is_empty()) return;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cell/cell.hpp"
+#include "server/device/port.hpp"
 #include "server/files/port_file.hpp"
 #include "server/monitor_port/access.hpp"
 #include "server/monitor_port/port.hpp"
@@ -64,6 +65,7 @@ class App {
   ExitCode break_off(const char* what);
   void listen();
   void open_terminals();
+  void open_device();
   void announce();
   void announce_token(std::uint16_t monitor_port) const;
   void await_signal();
@@ -88,6 +90,7 @@ class App {
   LineSessions lines_;
   RobotPort robot_port_;
   PtyPort ptys_;
+  std::optional<DevicePort> device_;
   RobotProbe robot_probe_;
   MonitorPort monitor_port_;
   ServiceManager service_manager_;

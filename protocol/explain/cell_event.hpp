@@ -82,8 +82,26 @@ struct EpochNote {
   Tick from_tick = 0;
 };
 
+/// News of the physical controller behind the lines.
+enum class DeviceNews : std::uint8_t {
+  kOpened,
+  kLost,
+  kUnasked,
+  kStopped,
+  kMirrorDifference,
+  kMirrorLost,
+  kMirrorAligned,
+};
+struct DeviceNote {
+  DeviceNews news = DeviceNews::kOpened;
+  std::string path;
+  std::string why;          ///< of kLost and kMirrorDifference
+  RawBytes raw;             ///< of kUnasked: the first bytes that nobody asked for
+  std::uint64_t count = 0;  ///< of kUnasked: the number of bytes
+};
+
 using CellNote = std::variant<EventBody, ProblemNote, SuppressedNote, LineOpenedNote,
-                              LineClosedNote, ClockNote, ModelNote, EpochNote>;
+                              LineClosedNote, ClockNote, ModelNote, EpochNote, DeviceNote>;
 
 struct CellEvent {
   Epoch epoch = 0;

@@ -39,6 +39,8 @@ std::string_view sentence(const Problem& problem) {
     case ProblemCode::kBadCameraArgument:
       return "camera inquiries are A**, A*row* and A*column,row*; not answered";
     case ProblemCode::kDisabled: return "the simulator is disabled and executes only A@";
+    case ProblemCode::kNotForDevice:
+      return "a physical controller does not have this; it is not sent to the device";
   }
   return "";
 }
@@ -55,6 +57,7 @@ std::string_view code_of(ProblemCode code) {
     case ProblemCode::kBadViewVector: return "bad_view_vector";
     case ProblemCode::kBadCameraArgument: return "bad_camera_argument";
     case ProblemCode::kDisabled: return "disabled";
+    case ProblemCode::kNotForDevice: return "not_for_device";
   }
   return "";
 }

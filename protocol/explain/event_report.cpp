@@ -253,7 +253,45 @@ struct CellEvents {
             {{"from_epoch", note.from_epoch}, {"from_tick", note.from_tick}}};
   }
 
+  EventReport operator()(const DeviceNote& note) const {
+    return {"device",
+            code_for(note.news),
+            text_of(note),
+            {{"device", note.path}, {"hex", hexadecimal(note.raw.view())}, {"count", note.count}}};
+  }
+
  private:
+  static std::string_view code_for(DeviceNews news) {
+    switch (news) {
+      case DeviceNews::kOpened: return "device_opened";
+      case DeviceNews::kLost: return "device_lost";
+      case DeviceNews::kUnasked: return "device_unasked";
+      case DeviceNews::kStopped: return "device_stopped";
+      case DeviceNews::kMirrorDifference: return "mirror_difference";
+      case DeviceNews::kMirrorLost: return "mirror_lost";
+      case DeviceNews::kMirrorAligned: return "mirror_aligned";
+    }
+    return "";
+  }
+  static std::string text_of(const DeviceNote& note) {
+    switch (note.news) {
+      case DeviceNews::kOpened: return "device " + note.path + " is there";
+      case DeviceNews::kLost:
+        return "device " + note.path + " is lost: " + note.why + "; commands for it are dropped";
+      case DeviceNews::kUnasked:
+        return "device " + note.path + " has sent " + std::to_string(note.count) +
+               " bytes that nobody asked for";
+      case DeviceNews::kStopped: return "all joints of device " + note.path + " are stopped";
+      case DeviceNews::kMirrorDifference:
+        return "device " + note.path + " differs from the simulation: " + note.why;
+      case DeviceNews::kMirrorLost:
+        return "the simulation stopped where device " + note.path +
+               " goes on; put the arm to the soft home and call mirror_align";
+      case DeviceNews::kMirrorAligned:
+        return "the simulation is at the soft home, as device " + note.path + " should be";
+    }
+    return "";
+  }
   static std::string text_of(const ClockNote& note) {
     const std::string by = " (" + std::string(note.call) + ")";
     if (note.mode == ClockMode::kReal) return "time runs at " + rate_text(note.rate) + by;

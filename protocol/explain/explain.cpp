@@ -6,11 +6,20 @@
 #include "protocol/explain/command_text.hpp"
 #include "protocol/explain/diagnostic.hpp"
 #include "protocol/explain/event_report.hpp"
+#include "protocol/line/device_command.hpp"
 
 namespace xr3 {
 namespace {
 
 constexpr std::string_view kTelnet = "telnet";
+
+/// `a?` is answered by the counts to go, from a blank on; the bits of the switches depend on how the
+/// arm is wired.
+std::string value_text(const wire::FromDevice& reply) {
+  const std::string hex = hexadecimal(std::string(1, static_cast<char>(reply.byte)));
+  const bool is_error = std::holds_alternative<QueryError>(reply.inquiry) && reply.byte >= ' ';
+  return is_error ? std::to_string(reply.byte - ' ') + " counts to go" : hex + " hex";
+}
 
 struct Explainer {
   const wire::Item& item;
@@ -51,6 +60,14 @@ struct Explainer {
   Explanation operator()(const wire::Answered& answered) const {
     ReplyText about = reply_text(answered, model);
     return explanation(about.code, std::move(about.phrase));
+  }
+  Explanation operator()(const wire::ToDevice& sent) const {
+    return explanation("to_device", "to the device: " + readable(for_device(sent.command)->bytes));
+  }
+  Explanation operator()(const wire::FromDevice& reply) const {
+    return explanation("from_device", "the device answers " +
+                                          readable(for_device(reply.inquiry)->bytes) + ": " +
+                                          value_text(reply));
   }
   Explanation operator()(const wire::MoreAnswers& more) const {
     return explanation("more_replies", std::to_string(more.count) + " more replies that were held");

@@ -1,6 +1,7 @@
 #include "protocol/explain/line_notes.hpp"
 
 #include "protocol/explain/diagnostic.hpp"
+#include "protocol/line/device_command.hpp"
 
 namespace xr3 {
 
@@ -13,6 +14,15 @@ ProblemNote cooked_note() {
   return {"pty_cooked",
           "the program's terminal echoes or edits lines: replies come back as commands, and bytes "
           "wait for Enter; set it raw, as with stty raw -echo",
+          0,
+          {},
+          1};
+}
+
+ProblemNote silent_note(const Command& inquiry) {
+  return {"device_silent",
+          "the device has not answered " + readable(for_device(inquiry)->bytes) +
+              " within half a second; the inquiry is forgotten",
           0,
           {},
           1};

@@ -11,4 +11,7 @@ ProblemNote disabled_note();
 /// `pty_cooked`: a program has the pseudo-terminal echo, or edit lines.
 ProblemNote cooked_note();
 
+/// `device_silent`: the device did not answer an inquiry of the line in time.
+ProblemNote silent_note(const Command& inquiry);
+
 }  // namespace xr3

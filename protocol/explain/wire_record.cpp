@@ -125,6 +125,9 @@ void fill_in(WireRecord& record, const WirePlace& place, std::string_view bytes,
   for (const Exchange& exchange : exchanges) {
     if (const auto* problem = std::get_if<Problem>(&exchange.parsed.what)) {
       add_problem(record.items, exchange.parsed, *problem);
+    } else if (exchange.is_for_device) {
+      const Command& command = std::get<Command>(exchange.parsed.what);
+      record.items.push_back({exchange.parsed.from, exchange.parsed.to, wire::ToDevice{command}});
     } else {
       add_command(record.items, exchange, std::get<Command>(exchange.parsed.what), machine);
     }

@@ -65,17 +65,30 @@ struct Answered {
   ReplyWith<PictureSize> reply;
 };
 
+/// A command that goes to the physical controller instead of the simulated one.
+struct ToDevice {
+  Command command;
+};
+
+/// A reply of the physical controller.
+struct FromDevice {
+  Command inquiry;
+  std::uint8_t byte = 0;
+};
+
 /// Further replies that were sent together; what each of them means is not kept.
 struct MoreAnswers {
   std::uint32_t count = 0;
 };
 
+using Meaning = std::variant<Executed, Ignored, WarningRaised, MotorBlocked, NoMotion, Answered,
+                             ToDevice, FromDevice, MoreAnswers>;
+
 /// The interpretation of the bytes [from, to) of the line's stream in this direction.
 struct Item {
   std::uint64_t from = 0;
   std::uint64_t to = 0;
-  std::variant<Executed, Ignored, WarningRaised, MotorBlocked, NoMotion, Answered, MoreAnswers>
-      what;
+  Meaning what;
 };
 
 }  // namespace wire

@@ -20,6 +20,7 @@ struct Exchange {
   /// equal if there is no reply.
   std::uint64_t reply_from = 0;
   std::uint64_t reply_to = 0;
+  bool is_for_device = false;  ///< not executed: it goes to the physical controller
 };
 
 class RhinoEndpoint {

@@ -25,6 +25,7 @@ enum class ProblemCode : std::uint8_t {
   kBadViewVector,
   kBadCameraArgument,
   kDisabled,
+  kNotForDevice,
 };
 
 /// The purpose of the bytes, if the parser recognises it.

@@ -54,6 +54,10 @@ struct Home {};
 struct Key {
   Command command;  ///< display, view vector, home, status option, enable, function keys, path
 };
+/// Stops all joints of the physical controller, even while the simulator is enabled.
+struct StopDevice {};
+/// The arm of the physical controller is at its soft home: so is the simulation from now on.
+struct AlignMirror {};
 struct SetInput {
   int input = 1;  ///< 1...8
   bool value = false;
@@ -83,9 +87,9 @@ struct LoadSnapshot {
   SavedCellPtr saved;  ///< used if `name` is empty
 };
 
-using Call =
-    std::variant<Pause, Resume, SetRate, Step, RunUntil, Reset, Home, Key, SetInput, AddBlock,
-                 MoveBlock, RemoveBlock, ReplaceWorkcell, SaveSnapshot, LoadSnapshot>;
+using Call = std::variant<Pause, Resume, SetRate, Step, RunUntil, Reset, Home, Key, StopDevice,
+                          AlignMirror, SetInput, AddBlock, MoveBlock, RemoveBlock, ReplaceWorkcell,
+                          SaveSnapshot, LoadSnapshot>;
 
 /// A call that was executed.
 struct Done {

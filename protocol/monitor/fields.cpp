@@ -10,7 +10,8 @@ std::vector<std::string> event_members() {
   return {"event",  "line",  "code",       "message",  "joint",     "counts",    "count",
           "error",  "by",    "closed",     "block",    "xyz_mm",    "yaw_deg",   "input",
           "output", "aux",   "value",      "enabled",  "offset",    "hex",       "kind",
-          "peer",   "clock", "from_epoch", "bytes_in", "from_tick", "bytes_out", "model_rev"};
+          "peer",   "clock", "from_epoch", "bytes_in", "from_tick", "bytes_out", "model_rev",
+          "device"};
 }
 
 /// Indexed by Channel.

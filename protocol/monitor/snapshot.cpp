@@ -172,11 +172,20 @@ Json io_json(const InputOutput& io) {
 }
 
 /// The only list of the members of `state`: names and values, in order.
+/// Precondition: there is a device. Without one, `state` does not have the member.
+Json device_json(const StateView& view) {
+  const DeviceStatus& device = *view.snapshot.device;
+  return {{"path", device.path},
+          {"open", device.is_open},
+          {"bytes_out", device.bytes_out},
+          {"bytes_in", device.bytes_in}};
+}
+
 struct StateMember {
   const char* name;
   Json (*value)(const StateView&);
 };
-constexpr std::array<StateMember, 10> kMembers = {{
+constexpr std::array<StateMember, 11> kMembers = {{
     {"clock", [](const StateView& v) { return clock_json(v.snapshot.mode, v.snapshot.rate); }},
     {"joints", joints_json},
     {"tool", tool_json},
@@ -187,7 +196,12 @@ constexpr std::array<StateMember, 10> kMembers = {{
     {"stalled", [](const StateView& v) { return stall_json(v.state().stall); }},
     {"enabled", [](const StateView& v) { return Json(v.state().enabled); }},
     {"model_rev", [](const StateView& v) { return Json(v.snapshot.model_rev); }},
+    {"device", device_json},
 }};
+
+bool has_member(const StateMember& member, const Snapshot& snapshot) {
+  return member.value != device_json || snapshot.device;
+}
 
 }  // namespace
 
@@ -206,7 +220,8 @@ Json state_json(const Model& model, const Snapshot& snapshot, const Fields& fiel
   for (const std::string& name : fields ? *fields : state_members()) {
     const auto* member = std::find_if(kMembers.begin(), kMembers.end(),
                                       [&](const StateMember& each) { return each.name == name; });
-    if (member != kMembers.end() && !members.contains(name)) members[name] = member->value(view);
+    if (member == kMembers.end() || members.contains(name)) continue;
+    if (has_member(*member, snapshot)) members[name] = member->value(view);
   }
   return members;
 }
@@ -215,6 +230,7 @@ MemberTexts StateEncoder::encode(const Model& model, const Snapshot& snapshot) {
   const StateView view{model, snapshot, positions(model, snapshot.state.motors)};
   MemberTexts texts;
   for (const StateMember& member : kMembers) {
+    if (!has_member(member, snapshot)) continue;
     const bool is_list = member.value == blocks_json;
     texts.emplace_back(
         member.name, is_list ? blocks_text(model, snapshot) : monitor::text_of(member.value(view)));

@@ -16,6 +16,15 @@
 
 namespace xr3 {
 
+/// The physical controller behind the lines.
+struct DeviceStatus {
+  std::string path;
+  bool is_open = false;
+  std::uint64_t bytes_out = 0;
+  std::uint64_t bytes_in = 0;
+  bool operator==(const DeviceStatus&) const = default;
+};
+
 /// The data of a `state` message. Equal snapshots give equal messages.
 struct Snapshot {
   std::int64_t epoch = 0;  ///< see Epoch in cell_event.hpp
@@ -23,6 +32,7 @@ struct Snapshot {
   Rate rate;
   int model_rev = 1;  ///< counts the changes of the workcell since the start
   State state;
+  std::optional<DeviceStatus> device;
   bool operator==(const Snapshot&) const = default;
 };
 

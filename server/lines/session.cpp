@@ -138,8 +138,8 @@ LineSession::Left LineSession::flush(const Turn& turn) {
   const SerialLine& line = *context_.cell.find_line(id_);  // exists while the stream is open
   const auto accepts_pending = [&] { return !pending_.empty() && line.accepts(pending_.front()); };
   while (!line.outbox().empty() || !pending_.empty()) {
-    if (line.outbox().empty() && !accepts_pending()) {  // the client has suspended its replies
-      if (!is_ending_) return Left::kWaits;
+    if (line.outbox().empty() && !accepts_pending()) {  // suspended replies, or the device
+      if (!is_ending_ || line.has_input_ended()) return Left::kWaits;
       end_input();
     }
     const std::size_t count = line.outbox().empty() ? 0 : stream_->write(line.outbox());

@@ -164,6 +164,13 @@ void LineSessions::run_turn(LineId line) {
   if (session->run_turn()) turns_.add(line, session->load());
 }
 
+void LineSessions::wake(LineId line) {
+  const auto found = sessions_.find(line);
+  if (found == sessions_.end()) return;
+  turns_.add(line, found->second->load());
+  schedule_turns();
+}
+
 // The turns run after all handlers that are ready now.
 void LineSessions::schedule_turns() {
   if (std::exchange(is_again_, true)) return;

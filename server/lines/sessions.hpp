@@ -53,6 +53,9 @@ class LineSessions final : public LineTransports {
   bool disconnect(LineId line) override;
   PortCounters counters() const override;
 
+  /// Gives a line a turn, if it is open: it can go on for another reason than news of its stream.
+  void wake(LineId line);
+
   /// Looks for streams that have ended without notice so far.
   void take_news();
 

@@ -185,6 +185,19 @@ Guard parse_guard(const std::string& text) {
   throw std::invalid_argument(text + ": a guard is strict, normal or off");
 }
 
+DeviceChoice parse_device(const std::string& text) {
+  DeviceChoice choice{text, {kDefaultBaud, SerialFrame{}}};
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos || text.find('/', colon) != std::string::npos) return choice;
+  const auto settings = parse_serial_settings(std::string_view(text).substr(colon + 1));
+  if (!settings || !settings->frame) {
+    throw std::invalid_argument(text +
+                                ": a device is a path, or a path and settings such as "
+                                "/dev/ttyUSB0:9600-7e2");
+  }
+  return {text.substr(0, colon), *settings};
+}
+
 std::uint32_t parse_mode(const std::string& text) {
   std::uint32_t mode = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), mode, 8);

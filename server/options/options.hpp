@@ -12,6 +12,7 @@
 #include "core/sim_clock.hpp"
 #include "core/state.hpp"
 #include "protocol/line/line_guard.hpp"
+#include "protocol/line/serial_settings.hpp"
 #include "server/exit_code.hpp"
 #include "server/monitor_port/token.hpp"
 #include "server/options/healthcheck.hpp"
@@ -26,6 +27,13 @@ namespace xr3 {
 struct ClockChoice {
   ClockMode mode = ClockMode::kReal;
   Rate rate;
+  bool operator==(const ClockChoice&) const = default;
+};
+
+/// The serial port of a physical controller.
+struct DeviceChoice {
+  std::string path;
+  SerialSettings settings;
 };
 
 struct ServeOptions {
@@ -38,6 +46,8 @@ struct ServeOptions {
   ClockChoice clock;
   std::size_t max_lines = 1024;
   Guard guard = Guard::kNormal;
+  std::optional<DeviceChoice> device;
+  bool is_mirrored = false;         ///< the simulation imitates the device
   std::vector<std::string> ptys;    ///< paths of pseudo-terminals
   std::uint32_t pty_mode = 0600;    ///< rights of their slaves
   std::size_t max_per_address = 0;  ///< 0: the default
@@ -107,6 +117,10 @@ ClockChoice parse_clock(const std::string& text);
 
 /// `strict`, `normal` or `off`. Throws std::invalid_argument, with the allowed values.
 Guard parse_guard(const std::string& text);
+
+/// `DEVICE` or `DEVICE:9600-7e2`; the settings of a Mark III if none are given. A path may contain
+/// colons. Throws std::invalid_argument.
+DeviceChoice parse_device(const std::string& text);
 
 /// The rights of a file, in octal: 0660. Throws std::invalid_argument.
 std::uint32_t parse_mode(const std::string& text);

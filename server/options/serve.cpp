@@ -70,6 +70,17 @@ void add_access(CLI::App& serve, ServeOptions& options) {
            "allow other machines without a token: anyone who can connect can control the robot");
 }
 
+void add_device(CLI::App& serve, ServeOptions& options) {
+  serve
+      .add_option_function<std::string>(
+          "--serial", [&options](const std::string& text) { options.device = parse_device(text); },
+          "physical controller that gets the commands while the simulator is disabled (A@)")
+      ->type_name("DEVICE[:9600-7e2]")
+      ->check(parses(parse_device, ""));
+  add_flag(serve, "--mirror", options.is_mirrored,
+           "with --serial: the simulation carries out the commands of the device, too");
+}
+
 void add_ptys(CLI::App& serve, ServeOptions& options) {
   serve
       .add_option("--pty", options.ptys,
@@ -165,6 +176,7 @@ void add_serve(CLI::App& app, ServeOptions& options) {
           "which clients the robot port disconnects by their first bytes (default: normal)")
       ->type_name("strict|normal|off")
       ->check(parses(parse_guard, ""));
+  add_device(serve, options);
   add_ptys(serve, options);
   serve
       .add_option("--port-file", options.port_file,
@@ -192,6 +204,14 @@ Options checked_serve(ServeOptions options) {
                   " needs a token: --token-file FILE, XR3_TOKEN or --token auto");
   const bool is_safe = is_loopback(options.listen) || has_token || options.is_insecure;
   if (!is_safe) return refuse_listen(options);
+  if (options.is_mirrored && !options.device)
+    return refuse(source_of(options.option_sources, "--mirror") + " needs --serial DEVICE");
+  if (options.device && !(options.clock == ClockChoice{}))
+    return refuse(source_of(options.option_sources, "--serial") +
+                  " needs --clock real: a physical arm does not run faster or wait");
+  if (options.device && !is_loopback(options.listen) && !has_token)
+    return refuse(source_of(options.option_sources, "--serial") +
+                  " with --listen beyond this machine needs a token, also with --insecure");
   return options;
 }
 

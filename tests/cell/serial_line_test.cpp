@@ -208,8 +208,11 @@ TEST(SerialLine, APseudoTerminalHasNoTelnet) {
   one.receive("\xff\xfd\x03PUT / E?");
   EXPECT_EQ(one.line.outbox(), " ");
   EXPECT_EQ(one.line.kind(), LineKind::kPty);
-  one.line.set_settings({1200, std::nullopt});
+  EXPECT_FALSE(one.line.set_settings({1200, std::nullopt}, false));
   EXPECT_EQ(text_of(one.line.settings().value()), "1200");
+  EXPECT_TRUE(one.line.set_settings({1200, std::nullopt}, true)) << "it echoes now";
+  EXPECT_FALSE(one.line.set_settings({1200, std::nullopt}, false));
+  EXPECT_FALSE(one.line.set_settings({1200, std::nullopt}, true)) << "which is reported once";
 }
 
 }  // namespace

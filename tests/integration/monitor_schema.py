@@ -14,6 +14,7 @@ import fastjsonschema
 ROOT = pathlib.Path(os.environ.get("XR3_ROOT", pathlib.Path(__file__).parents[2]))
 FOLDER = ROOT / "data/schema"
 ALWAYS = ["op", "cell", "epoch", "seq", "tick"]  # present for every selection of `fields`
+SOMETIMES = {("state", "device"), ("state_members", "device")}  # only with --serial
 CHOOSABLE = "state_members"  # the state inside a result, where `fields` selects all members
 
 
@@ -50,7 +51,8 @@ def definitions(is_whole):
     if is_whole:
         for name, definition in found.items():
             if definition.get("required") == ALWAYS or name == CHOOSABLE:
-                definition["required"] = [each for each in definition["properties"] if each != "id"]
+                definition["required"] = [each for each in definition["properties"]
+                                          if each != "id" and (name, each) not in SOMETIMES]
     return found
 
 

@@ -34,7 +34,7 @@ TEST(MonitorFields, AreThoseOfTheMessages) {
   const ModelPtr model = test::rhino();
   const State state = initial_state(*model);
   EXPECT_EQ(sorted_members(Channel::kState),
-            names_in(state_json(*model, {0, ClockMode::kReal, {}, 1, state})));
+            names_in(state_json(*model, {0, ClockMode::kReal, {}, 1, state, DeviceStatus{}})));
   EXPECT_EQ(sorted_members(Channel::kImage), names_in(image_json(Image(8, 6), Encoding::kRows)));
   EXPECT_EQ(sorted_members(Channel::kDisplay), names_in(display_json(*model, state)));
   EXPECT_EQ(sorted_members(Channel::kModel), names_in(model_json(*model, state, 1, "sha256:1")));
@@ -57,6 +57,7 @@ TEST(MonitorFields, EventsHaveTheFieldsOfAllKinds) {
       ClockNote{"pause", ClockMode::kManual, {}},
       ModelNote{"block_add", "red", 2},
       EpochNote{"reset", 0, 7},
+      DeviceNote{},
   };
   Json all = Json::object();
   for (const CellNote& note : notes)

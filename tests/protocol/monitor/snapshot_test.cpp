@@ -53,9 +53,20 @@ TEST(SnapshotJson, ShowsTheRhinoAtSoftHome) {
             R"("outputs":[false,false,false,false,false,false,false,false],"aux":[false,false]})");
 }
 
+TEST(SnapshotJson, ShowsThePhysicalController) {
+  Snapshot snapshot = snapshot_of(initial_state(*test::rhino()));
+  snapshot.device = {"/dev/ttyUSB0", true, 7, 2};
+  const std::string expected = R"({"path":"/dev/ttyUSB0","open":true,"bytes_out":7,"bytes_in":2})";
+  EXPECT_EQ(state_json(*test::rhino(), snapshot)["device"].dump(), expected);
+  EXPECT_EQ(StateEncoder().encode(*test::rhino(), snapshot).back(),
+            std::pair(std::string("device"), expected));
+}
+
 TEST(SnapshotJson, HasEveryMemberInOrder) {
   const Json state = shown(Rig());
-  EXPECT_EQ(names_of(state), state_members());
+  std::vector<std::string> names = names_of(state);
+  names.emplace_back("device");  // only if there is one
+  EXPECT_EQ(names, state_members());
   EXPECT_EQ(state["clock"].dump(), R"({"mode":"real","rate":1.0})");
   EXPECT_EQ(state["moving"], false);
   EXPECT_EQ(state["stalled"], nullptr);

@@ -37,6 +37,17 @@ TEST(Options, ServeAcceptsEveryOption) {
   EXPECT_EQ(options.port_file, "p.json");
 }
 
+TEST(Options, ADeviceHasTheSettingsOfAMark3UnlessOthersAreGiven) {
+  const auto device = [](const std::string& text) {
+    return *std::get<ServeOptions>(parse({"serve", "--serial", text.c_str()})).device;
+  };
+  EXPECT_EQ(device("/dev/ttyUSB0").path, "/dev/ttyUSB0");
+  EXPECT_EQ(text_of(device("/dev/ttyUSB0").settings), "9600-7e2");
+  EXPECT_EQ(text_of(device("/dev/ttyUSB0:1200-8n1").settings), "1200-8n1");
+  EXPECT_EQ(device("/dev/pci-0:0:1-port0/tty").path, "/dev/pci-0:0:1-port0/tty");
+  EXPECT_EQ(device("/dev/pci-0:0/tty:300-7o1").path, "/dev/pci-0:0/tty");
+}
+
 TEST(Options, ListeningBeyondLoopbackNeedsInsecure) {
   EXPECT_EQ(refused({"serve", "--listen", "0.0.0.0"}).code, ExitCode::kBadInput);
   EXPECT_NE(refused({"serve", "--listen", "0.0.0.0"}).to_stderr.find("--insecure"),

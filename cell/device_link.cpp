@@ -1,0 +1,135 @@
+#include "cell/device_link.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace xr3 {
+namespace {
+
+constexpr std::int64_t kUsPerTick = 1000;
+constexpr std::int64_t kUsPerSecond = 1'000'000;
+
+/// With start bit, parity bit and stop bits; 12 if the frame is not known.
+int bits_per_byte(const SerialSettings& settings) {
+  if (!settings.frame) return 12;
+  const SerialFrame& frame = *settings.frame;
+  return 1 + frame.data_bits + (frame.parity == Parity::kNone ? 0 : 1) +
+         (frame.stop_bits == StopBits::kOne ? 1 : 2);
+}
+
+Tick tick_after(std::int64_t us) { return (us + kUsPerTick - 1) / kUsPerTick; }
+
+}  // namespace
+
+DeviceLink::DeviceLink(std::string path, const SerialSettings& settings, bool is_mirrored)
+    : path_(std::move(path)), settings_(settings), is_mirrored_(is_mirrored) {
+  assert(settings.baud > 0);
+}
+
+void DeviceLink::set_open(bool is_open) {
+  is_open_ = is_open;
+  drop();
+}
+
+void DeviceLink::engage(bool is_engaged) {
+  is_engaged_ = is_engaged;
+  ++switches_;
+  drop_waiting();
+}
+
+void DeviceLink::drop_waiting() {
+  waiting_.clear();
+  for (const auto& [line, bytes] : std::exchange(waiting_bytes_, {})) woken_.push_back(line);
+}
+
+void DeviceLink::drop() {
+  drop_waiting();
+  asked_.reset();
+  outbox_.clear();
+  busy_until_us_ = 0;
+}
+
+bool DeviceLink::accepts(LineId line) const {
+  const auto found = waiting_bytes_.find(line);
+  return found == waiting_bytes_.end() || found->second < kMaxWaiting;
+}
+
+void DeviceLink::add(LineId line, const Command& command, Tick now) {
+  if (!is_open_) return;
+  auto encoded = for_device(command);
+  assert(encoded);
+  waiting_bytes_[line] += encoded->bytes.size();
+  waiting_.push_back({line, command, std::move(*encoded)});
+  send_next(now);
+}
+
+DeviceLink::Waiting DeviceLink::take_first() {
+  Waiting first = std::move(waiting_.front());
+  waiting_.pop_front();
+  const auto found = first.line ? waiting_bytes_.find(*first.line) : waiting_bytes_.end();
+  if (found == waiting_bytes_.end()) return first;
+  const bool was_full = found->second >= kMaxWaiting;
+  found->second -= first.encoded.bytes.size();
+  if (was_full && found->second < kMaxWaiting) woken_.push_back(*first.line);
+  if (found->second == 0) waiting_bytes_.erase(found);
+  return first;
+}
+
+// An inquiry ends the sending until it is answered or forgotten, or a reply could go to the wrong
+// line.
+void DeviceLink::send_next(Tick now) {
+  while (!asked_ && !waiting_.empty()) {
+    const Waiting next = take_first();
+    send(next.encoded.bytes, now);
+    if (next.encoded.is_inquiry) asked_ = Asked{next.line, next.command};
+  }
+}
+
+void DeviceLink::send(std::string_view bytes, Tick now) {
+  const auto bits = static_cast<std::int64_t>(bytes.size()) * bits_per_byte(settings_);
+  busy_until_us_ =
+      std::max(busy_until_us_, now * kUsPerTick) + bits * kUsPerSecond / settings_.baud;
+  outbox_ += bytes;
+}
+
+std::optional<DeviceLink::Asked> DeviceLink::receive(Tick now) {
+  ++bytes_in_;
+  const auto answered = std::exchange(asked_, std::nullopt);
+  if (answered) send_next(now);
+  return answered;
+}
+
+std::optional<Tick> DeviceLink::deadline() const {
+  if (!asked_) return std::nullopt;
+  return tick_after(busy_until_us_) + kPatience;
+}
+
+std::optional<DeviceLink::Asked> DeviceLink::expire(Tick now) {
+  const auto limit = deadline();
+  if (!limit || now < *limit) return std::nullopt;
+  const auto silent = std::exchange(asked_, std::nullopt);
+  send_next(now);
+  return silent;
+}
+
+void DeviceLink::stop(Tick now) {
+  ++stops_;
+  drop();
+  if (is_open_) send(stop_all_joints(), now);
+}
+
+void DeviceLink::forget(LineId line) {
+  waiting_bytes_.erase(line);
+  if (asked_ && asked_->line == line) asked_->line.reset();
+  for (Waiting& each : waiting_) {
+    if (each.line == line) each.line.reset();
+  }
+}
+
+void DeviceLink::sent(std::size_t count) {
+  assert(count <= outbox_.size());
+  outbox_.erase(0, count);
+  bytes_out_ += count;
+}
+
+}  // namespace xr3

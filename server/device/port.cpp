@@ -1,0 +1,149 @@
+#include "server/device/port.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "cell/failure.hpp"
+#include "server/device/serial_device.hpp"
+#include "server/files/data_files.hpp"
+#include "server/net/spawn.hpp"
+#include "server/net/wall_clock.hpp"
+
+namespace xr3 {
+namespace {
+
+constexpr const char* kDeviceName = "the device";
+
+}  // namespace
+
+DevicePort::DevicePort(asio::io_context& io, Cell& cell, LineSessions& lines, std::string path,
+                       const SerialSettings& settings, bool is_mirrored,
+                       std::function<void()> acted)
+    : cell_(cell),
+      lines_(lines),
+      path_(std::move(path)),
+      settings_(settings),
+      acted_(std::move(acted)),
+      port_(io),
+      reopen_(io),
+      deadline_(io) {
+  cell_.connect_device(path_, settings_, is_mirrored);
+}
+
+/// Throws FileError; the port is closed then.
+void DevicePort::open_port() {
+  lock_.emplace(path_);
+  port_.assign(open_serial_device(path_, settings_));
+  cell_.apply(DeviceOpened{}, wall_now());
+}
+
+void DevicePort::open() {
+  open_port();
+  spawn_loop(port_.get_executor(), kDeviceName, run());
+}
+
+void DevicePort::close() {
+  is_closing_ = true;
+  ErrorCode ignored;
+  port_.close(ignored);
+  reopen_.cancel();
+  deadline_.cancel();
+}
+
+asio::awaitable<void> DevicePort::run() {
+  while (!is_closing_) {
+    if (port_.is_open()) {
+      co_await read();
+    } else {
+      co_await wait_to_reopen();
+    }
+  }
+}
+
+asio::awaitable<void> DevicePort::read() {
+  std::array<char, 256> bytes{};
+  const auto [error, count] = co_await port_.async_read_some(asio::buffer(bytes), kAwait);
+  if (is_closing_) co_return;
+  if (error) {
+    if (port_.is_open()) lose(error.message());
+    co_return;
+  }
+  vital(kDeviceName, [&, this] {
+    cell_.apply(DeviceIn{{bytes.data(), count}}, wall_now());
+    acted_();
+  });
+}
+
+asio::awaitable<void> DevicePort::wait_to_reopen() {
+  reopen_.expires_after(kReopenEvery);
+  co_await reopen_.async_wait(kAwait);
+  if (is_closing_) co_return;
+  try {
+    open_port();
+  } catch (const FileError&) {
+    lock_.reset();
+    co_return;  // not yet
+  }
+  acted_();
+}
+
+void DevicePort::lose(const std::string& why) {
+  ErrorCode ignored;
+  port_.close(ignored);
+  lock_.reset();
+  cell_.apply(DeviceLost{why}, wall_now());
+  acted_();
+}
+
+// A line that gets a turn may lead here again.
+void DevicePort::pump() {
+  if (is_closing_ || std::exchange(is_pumping_, true)) return;
+  write();
+  for (const LineId line : cell_.take_woken_lines()) lines_.wake(line);
+  await_deadline();
+  is_pumping_ = false;
+}
+
+void DevicePort::write() {
+  const DeviceLink& link = *cell_.device();
+  if (!port_.is_open()) return;
+  const bool is_stopped = std::exchange(stops_, link.stops()) != link.stops();
+  if (is_stopped) discard_output(port_.native_handle());
+  while (!link.outbox().empty()) {
+    const auto count = ::write(port_.native_handle(), link.outbox().data(), link.outbox().size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0 && errno == EAGAIN) return await_room();
+    if (count < 0) return lose(std::strerror(errno));
+    cell_.apply(DeviceOut{static_cast<std::size_t>(count)}, wall_now());
+  }
+}
+
+void DevicePort::await_room() {
+  if (std::exchange(waits_for_room_, true)) return;
+  port_.async_wait(asio::posix::stream_descriptor::wait_write, [this](ErrorCode error) {
+    waits_for_room_ = false;
+    if (!error) vital(kDeviceName, [this] { pump(); });
+  });
+}
+
+// The inquiry that the device does not answer is forgotten when time passes, and the next one is
+// sent.
+void DevicePort::await_deadline() {
+  const auto due = cell_.device()->deadline();
+  if (!due) return;
+  const Tick left = std::max<Tick>(*due - cell_.state().tick, 0);
+  deadline_.expires_after(std::chrono::milliseconds(left + 1));
+  deadline_.async_wait([this](ErrorCode cancelled) {
+    if (cancelled || is_closing_) return;
+    vital(kDeviceName, [this] {
+      cell_.catch_up(wall_now());
+      acted_();
+    });
+  });
+}
+
+}  // namespace xr3
