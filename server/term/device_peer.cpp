@@ -1,0 +1,150 @@
+#include "server/term/device_peer.hpp"
+
+#include <fcntl.h>
+#include <grp.h>
+#include <sys/file.h>
+#include <sys/ioctl.h>
+#include <sys/stat.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <boost/asio/write.hpp>
+#include <cerrno>
+#include <cstring>
+#include <map>
+
+namespace xr3 {
+namespace {
+
+const std::map<std::uint32_t, speed_t>& speeds() {
+  static const std::map<std::uint32_t, speed_t> all{
+      {50, B50},       {75, B75},         {110, B110},       {134, B134},       {150, B150},
+      {200, B200},     {300, B300},       {600, B600},       {1200, B1200},     {1800, B1800},
+      {2400, B2400},   {4800, B4800},     {9600, B9600},     {19200, B19200},   {38400, B38400},
+      {57600, B57600}, {115200, B115200}, {230400, B230400}, {460800, B460800}, {921600, B921600}};
+  return all;
+}
+
+[[noreturn]] void refuse_path(ExitCode code, const std::string& path, const std::string& why) {
+  throw PeerError(code, path + ": " + why);
+}
+
+/// The group that may use the device, such as dialout.
+std::string group_of(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return "dialout";
+  const ::group* group = ::getgrgid(status.st_gid);  // NOLINT(concurrency-mt-unsafe)
+  return group == nullptr ? "dialout" : group->gr_name;
+}
+
+[[noreturn]] void refuse_open(const std::string& path, int error) {
+  switch (error) {
+    case EACCES:
+      refuse_path(ExitCode::kBadInput, path,
+                  "permission denied; an administrator allows it with: adduser " +
+                      std::string("USER ") + group_of(path) + " (then log in again)");
+    case EBUSY: refuse_path(ExitCode::kPortInUse, path, "in use by another program");
+    case ENOENT:
+      refuse_path(ExitCode::kBadInput, path, "there is no such device; is it plugged in?");
+    default: refuse_path(ExitCode::kBadInput, path, std::strerror(error));
+  }
+}
+
+// Not by the inode: /dev/tty is another name of the terminal.
+bool is_same_terminal(int device) {
+  unsigned int mine = 0;
+  unsigned int other = 0;
+  return ::ioctl(STDIN_FILENO, TIOCGDEV, &mine) == 0 && ::ioctl(device, TIOCGDEV, &other) == 0 &&
+         mine == other;
+}
+
+// TIOCEXCL keeps out programs that open the device later; flock also finds those that lock it.
+void claim(int device, const std::string& path) {
+  if (::isatty(device) == 0) {
+    refuse_path(ExitCode::kBadInput, path, "no serial device and no pseudo-terminal");
+  }
+  if (is_same_terminal(device)) {
+    refuse_path(ExitCode::kBadInput, path, "this is the terminal on which xr3 runs");
+  }
+  if (::flock(device, LOCK_EX | LOCK_NB) != 0) {
+    refuse_path(ExitCode::kPortInUse, path, "in use by another program");
+  }
+  ::ioctl(device, TIOCEXCL);
+}
+
+tcflag_t bits_of_frame(const SerialFrame& frame) {
+  constexpr std::array<tcflag_t, 4> kSizes = {CS5, CS6, CS7, CS8};
+  tcflag_t bits = kSizes.at(static_cast<std::size_t>(frame.data_bits - kMinDataBits));
+  if (frame.stop_bits != StopBits::kOne) bits |= CSTOPB;
+  switch (frame.parity) {
+    case Parity::kNone: break;
+    case Parity::kOdd: bits |= PARENB | PARODD; break;
+    case Parity::kEven: bits |= PARENB; break;
+    case Parity::kMark: bits |= PARENB | PARODD | CMSPAR; break;
+    case Parity::kSpace: bits |= PARENB | CMSPAR; break;
+  }
+  if (frame.flow == FlowControl::kHardware) bits |= CRTSCTS;
+  return bits;
+}
+
+// Without HUPCL, DTR stays on at the end: a controller that watches it is not reset.
+void set_up(int device, const std::string& path, const SerialSettings& settings) {
+  const auto speed = speeds().find(settings.baud);
+  if (speed == speeds().end()) {
+    refuse_path(ExitCode::kBadInput, path,
+                "no device has " + std::to_string(settings.baud) + " baud; 9600 is usual");
+  }
+  termios state{};
+  if (::tcgetattr(device, &state) != 0) refuse_open(path, errno);
+  const SerialFrame frame = settings.frame.value_or(SerialFrame{});
+  ::cfmakeraw(&state);
+  constexpr tcflag_t kFrame = CSIZE | CSTOPB | PARENB | PARODD | CMSPAR | CRTSCTS | HUPCL;
+  state.c_cflag = (state.c_cflag & ~kFrame) | bits_of_frame(frame) | CLOCAL | CREAD;
+  constexpr tcflag_t kSoftwareFlow = IXON | IXOFF;
+  state.c_iflag &= ~(kSoftwareFlow | IXANY);
+  if (frame.flow == FlowControl::kSoftware) state.c_iflag |= kSoftwareFlow;
+  ::cfsetispeed(&state, speed->second);
+  ::cfsetospeed(&state, speed->second);
+  if (::tcsetattr(device, TCSANOW, &state) != 0) refuse_open(path, errno);
+}
+
+/// A pseudo-terminal has no modem lines.
+bool has_modem_lines(int device) {
+  int lines = 0;
+  return ::ioctl(device, TIOCMGET, &lines) == 0;
+}
+
+}  // namespace
+
+DevicePeer::DevicePeer(asio::io_context& context, const std::string& path,
+                       const SerialSettings& settings)
+    : device_(context) {
+  const int device = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (device < 0) refuse_open(path, errno);
+  device_.assign(device);
+  claim(device, path);
+  set_up(device, path, settings);
+}
+
+asio::awaitable<std::string_view> DevicePeer::read() {
+  const auto [error, size] = co_await device_.async_read_some(asio::buffer(buffer_), kAwait);
+  co_return error ? std::string_view{} : std::string_view(buffer_.data(), size);
+}
+
+asio::awaitable<bool> DevicePeer::write(std::string_view data) {
+  const auto [error, size] =
+      co_await asio::async_write(device_, asio::buffer(data.data(), data.size()), kAwait);
+  co_return !error;
+}
+
+asio::awaitable<std::string> DevicePeer::send_break() {
+  if (!has_modem_lines(device_.native_handle())) {
+    co_return "not possible here: a pseudo-terminal has no break";
+  }
+  if (::tcsendbreak(device_.native_handle(), 0) != 0) {
+    co_return "not possible here: " + std::string(std::strerror(errno));
+  }
+  co_return std::string{};
+}
+
+}  // namespace xr3
