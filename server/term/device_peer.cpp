@@ -29,20 +29,19 @@ const std::map<std::uint32_t, speed_t>& speeds() {
   throw PeerError(code, path + ": " + why);
 }
 
-/// The group that may use the device, such as dialout.
-std::string group_of(const std::string& path) {
+/// What to do if the permission is missing; the group of serial devices is often dialout.
+std::string advice_on_permission(const std::string& path) {
   struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return "dialout";
-  const ::group* group = ::getgrgid(status.st_gid);  // NOLINT(concurrency-mt-unsafe)
-  return group == nullptr ? "dialout" : group->gr_name;
+  const bool is_known = ::stat(path.c_str(), &status) == 0;
+  const ::group* group = is_known ? ::getgrgid(status.st_gid) : nullptr;  // NOLINT(*-mt-unsafe)
+  if (group == nullptr || status.st_gid == 0) return "permission denied";
+  return "permission denied; join its group with: sudo usermod -aG " + std::string(group->gr_name) +
+         " USER (then log in again)";
 }
 
 [[noreturn]] void refuse_open(const std::string& path, int error) {
   switch (error) {
-    case EACCES:
-      refuse_path(ExitCode::kBadInput, path,
-                  "permission denied; an administrator allows it with: adduser " +
-                      std::string("USER ") + group_of(path) + " (then log in again)");
+    case EACCES: refuse_path(ExitCode::kBadInput, path, advice_on_permission(path));
     case EBUSY: refuse_path(ExitCode::kPortInUse, path, "in use by another program");
     case ENOENT:
       refuse_path(ExitCode::kBadInput, path, "there is no such device; is it plugged in?");

@@ -156,12 +156,20 @@ asio::awaitable<void> TermSession::read_loop() {
     const std::string_view bytes = co_await peer_.read();
     if (bytes.empty()) break;
     restart_timeout();
+    if (!has_received_) warn_of_monitor_port(bytes);
+    has_received_ = true;
     const std::vector<std::string> replies = decoder_.receive(bytes);
     listener_.note_received(bytes, replies);
     if (decoder_.is_in_burst()) restart_burst();
     wake();
   }
   lose_peer();
+}
+
+// It takes robot commands for a bad request, and an answer would be decoded as replies.
+void TermSession::warn_of_monitor_port(std::string_view first_bytes) {
+  const bool is_one = first_bytes.starts_with("HTTP/1.") || first_bytes.starts_with("{\"op\":");
+  if (is_one) listener_.say(peer_name_ + " is no robot port; that of xr3 serve is usually 9600");
 }
 
 void TermSession::wake() {

@@ -80,6 +80,7 @@ class TermSession {
   bool may_send() const;
   void end_input();
   void lose_peer();
+  void warn_of_monitor_port(std::string_view first_bytes);
   void restart_timeout();
   void note_timeout();
   void restart_burst();
@@ -99,6 +100,7 @@ class TermSession {
   asio::steady_timer burst_;
   asio::steady_timer last_words_;  ///< after finish(): what the peer still sends
   bool is_wake_pending_ = false;
+  bool has_received_ = false;
   bool is_writing_ = false;
   bool is_finishing_ = false;
   bool is_input_ended_ = false;

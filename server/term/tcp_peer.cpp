@@ -3,6 +3,7 @@
 #include <boost/asio/connect.hpp>
 #include <boost/asio/write.hpp>
 #include <chrono>
+#include <filesystem>
 #include <utility>
 
 #include "server/net/spawn.hpp"
@@ -26,6 +27,12 @@ std::string refusal(const TermOptions& options, const ErrorCode& error) {
   return "nothing listens at " + options.peer + "; xr3 serve starts a simulated robot";
 }
 
+std::string unknown_host(const std::string& host) {
+  std::error_code ignored;
+  const bool is_file = std::filesystem::exists(host, ignored);
+  return "no address is known for " + host + (is_file ? "; a path begins with / or ./" : "");
+}
+
 std::optional<TelnetClient> telnet_for(const TermOptions& options) {
   if (!options.is_rfc2217) return std::nullopt;
   return TelnetClient(options.settings);
@@ -37,7 +44,7 @@ asio::awaitable<void> connect(asio::io_context& context, const TermOptions& opti
   const auto [unknown, places] =
       co_await resolver.async_resolve(options.address.host, options.address.port, kAwait);
   if (unknown) {
-    result.trouble = "no address is known for " + options.address.host;
+    result.trouble = unknown_host(options.address.host);
     co_return;
   }
   tcp::socket socket(context);

@@ -165,6 +165,17 @@ class Errors(unittest.TestCase):
             taken.bind((LOCALHOST, 0))
             self.refused(NO_ANSWER, ["nothing listens", "xr3 serve"], f"{LOCALHOST}:{taken.getsockname()[1]}")
 
+    def test_a_file_without_a_folder(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, "rhino.invalid").touch()
+            self.refused(NO_ANSWER, ["no address is known", "a path begins with"], "rhino.invalid", cwd=folder)
+
+    def test_the_monitor_port(self):
+        with Server() as xr3:
+            done = run_xr3("term", f"{LOCALHOST}:{xr3.monitor_port}", "--timeout", "0.3", input="E?\r")
+            self.assertIn("is no robot port", done.stderr)
+            self.assertEqual(NO_ANSWER, done.returncode)
+
     def test_a_peer_that_closes(self):
         with listener() as (server, peer):
             def close():
@@ -191,11 +202,12 @@ class Errors(unittest.TestCase):
             self.refused(2, ["no serial device"], "/dev/null")
             self.refused(2, [], folder)
 
-    @unittest.skipIf(os.geteuid() == 0, "root may open everything")
     def test_no_permission(self):
+        """The group of a pseudo-terminal is tty; a user without privileges opens it."""
+        nobody = {"user": 65534, "group": 65534, "extra_groups": []} if os.geteuid() == 0 else {}
         with Device() as device:
             os.chmod(device.path, 0)
-            self.refused(2, ["permission denied", "adduser"], device.path)
+            self.refused(2, ["permission denied"], device.path, **nobody)
 
     def test_a_device_in_use(self):
         with Device() as device:
