@@ -145,6 +145,21 @@ class Script(unittest.TestCase):
             self.assertEqual((NO_ANSWER, ""), (done.returncode, done.stdout))
             self.assertIn("no reply to E? and 1 more within 0.3 s", done.stderr)
 
+    def test_inquiries_wait_for_replies(self):
+        """A peer that reads but never replies gets a bounded number of inquiries at a time."""
+        with listener() as (server, peer):
+            def swallow():
+                with server.accept()[0] as robot:
+                    while robot.recv(65536):
+                        pass
+            thread = threading.Thread(target=swallow)
+            thread.start()
+            done = run_xr3("term", peer, "--timeout", "0.3", input="E?" * 2500)
+            thread.join()
+        missing = [int(more) + 1 for more in re.findall(r"no reply to E\? and (\d+) more", done.stderr)]
+        self.assertEqual((NO_ANSWER, 2500), (done.returncode, sum(missing)), done.stderr)
+        self.assertLess(max(missing), 1300)
+
     def test_lost_output_is_an_error(self):
         with Server() as xr3, open("/dev/full", "wb") as full:
             done = subprocess.run([XR3, "term", address(xr3)], input=b"E?", stdout=full, stderr=subprocess.PIPE,
@@ -398,6 +413,24 @@ class Rfc2217(unittest.TestCase):
         if end == BREAK_OFF:
             self.assertTrue(received.endswith(BREAK_ON + BREAK_OFF), received)
         return received
+
+    def test_a_server_suspends_the_data(self):
+        suspend, resume = b"\xff\xfa\x2c\x6c\xff\xf0", b"\xff\xfa\x2c\x6d\xff\xf0"
+        with listener() as (server, peer), console(peer, "--rfc2217") as terminal:
+            robot, _ = server.accept()
+            with robot:
+                robot.settimeout(DEADLINE_S)
+                robot.sendall(b"\xff\xfe\x2c" + suspend)  # COM-PORT is refused, so no settings follow
+                terminal.wait_text("has refused COM-PORT")
+                while not robot.recv(4096).endswith(b"\xff\xfb\x2c"):
+                    pass
+                robot.sendall(b"!")  # behind the suspension
+                terminal.wait_text("not asked for: !")
+                terminal.press("E?\r~?")
+                terminal.wait_text("this help")
+                self.assertEqual([], select.select([robot], [], [], 0)[0], "nothing is sent")
+                robot.sendall(resume)
+                self.assertEqual(b"E?\r", robot.recv(3))
 
     def test_a_server_without_com_port(self):
         with listener() as (server, peer), console(peer, "--rfc2217") as terminal:
