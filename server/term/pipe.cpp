@@ -1,6 +1,5 @@
 #include "server/term/pipe.hpp"
 
-#include <csignal>
 #include <iostream>
 
 #include "server/net/spawn.hpp"
@@ -9,14 +8,11 @@
 namespace xr3 {
 
 TermPipe::TermPipe(asio::io_context& context, TermView view)
-    : context_(context), view_(view), signals_(context, SIGINT, SIGTERM, SIGHUP), input_(context) {}
+    : context_(context), view_(view), input_(context) {}
 
 void TermPipe::start(TermSession& session) {
   session_ = &session;
   spawn_loop(context_.get_executor(), "term", copy_input());
-  signals_.async_wait([this](ErrorCode cancelled, int) {
-    if (!cancelled) session_->stop(ExitCode::kGood);
-  });
 }
 
 asio::awaitable<void> TermPipe::copy_input() {

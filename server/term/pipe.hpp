@@ -1,8 +1,8 @@
 // `xr3 term` for a script: bytes of standard input go to the line unchanged, replies go to standard
-// output, sentences to standard error.
+// output, sentences to standard error. A signal ends the process as usual: no terminal is to be
+// restored, and an exit code 0 would say that everything was answered.
 #pragma once
 
-#include <boost/asio/signal_set.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,7 +32,6 @@ class TermPipe : public TermListener {
   asio::io_context& context_;
   TermView view_;
   TermSession* session_ = nullptr;
-  asio::signal_set signals_;
   StandardInput input_;
 };
 

@@ -160,6 +160,13 @@ class Script(unittest.TestCase):
         self.assertEqual((NO_ANSWER, 2500), (done.returncode, sum(missing)), done.stderr)
         self.assertLess(max(missing), 1300)
 
+    def test_a_signal_is_not_success(self):
+        with listener() as (server, peer):
+            with subprocess.Popen([XR3, "term", peer], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
+                with server.accept()[0]:
+                    process.send_signal(signal.SIGTERM)
+                    self.assertEqual(-signal.SIGTERM, process.wait(DEADLINE_S))
+
     def test_lost_output_is_an_error(self):
         with Server() as xr3, open("/dev/full", "wb") as full:
             done = subprocess.run([XR3, "term", address(xr3)], input=b"E?", stdout=full, stderr=subprocess.PIPE,
