@@ -7,8 +7,8 @@ enum class ExitCode : int {
   kGood = 0,
   kInternal = 1,   ///< a bug, or a required system call failed
   kBadInput = 2,   ///< invalid arguments, or an invalid file
-  kPortInUse = 3,  ///< another program listens on the port
-  kNoServer = 4,   ///< no server answers, or it is not ready
+  kPortInUse = 3,  ///< another program has the port or device
+  kNoServer = 4,   ///< no server or robot answers, or it is not ready
   kBroken = 5,     ///< the server failed while it ran; the log has the reason
 };
 

@@ -24,6 +24,7 @@
 #include "server/monitor_port/token.hpp"
 #include "server/options/options.hpp"
 #include "server/options/pose_argument.hpp"
+#include "server/term/term.hpp"
 
 namespace xr3 {
 namespace {
@@ -60,6 +61,7 @@ struct Command {
   ExitCode operator()(const ConvertOptions& options) const { return convert_file(options); }
   ExitCode operator()(const WorkcellOptions& options) const { return edit_workcell(options); }
   ExitCode operator()(const WatchOptions& options) const { return watch_cell(options); }
+  ExitCode operator()(const TermOptions& options) const { return run_term(options); }
   ExitCode operator()(const HealthOptions& options) const { return check_health(options); }
   ExitCode operator()(const Leave& leave) const {
     std::cout << leave.to_stdout;

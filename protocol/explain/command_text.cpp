@@ -123,11 +123,12 @@ std::string label_of(const Command& command) {
       command);
 }
 
-std::string closed_switches(const SwitchBits& bits, const Model& model) {
+// From the base on.
+std::string closed_switches(const SwitchBits& bits, const ReplyContext& context) {
   std::string labels;
-  for (int i = 0; i < model.motor_count(); ++i) {
-    const char label = model.motor(i).drive.label;
-    const bool is_closed = (bits.closed & model.motor(i).drive.microswitch.mask) != 0;
+  for (int i = ReplyContext::kLabels - 1; i >= 0; --i) {
+    const char label = static_cast<char>('A' + i);
+    const bool is_closed = (bits.closed & context.masks.at(static_cast<std::size_t>(i))) != 0;
     if (is_closed && is_asked_for(label, bits.inquiry)) list(labels, {label});
   }
   return labels.empty() ? "no microswitch closed" : "microswitches closed: " + labels;
@@ -147,14 +148,14 @@ std::string high_inputs(const SwitchBits& bits) {
 /// The table of replies.
 struct Replies {
   const Command& command;
-  const Model& model;
+  const ReplyContext& context;
 
   ReplyText operator()(const NoReply&) const { return {}; }
   ReplyText operator()(const ErrorMagnitude& error) const {
     const std::string text = label_of(command) + ": " + number(error.counts) +
                              (error.counts == 1 ? " count to go" : " counts to go");
     const bool is_cut =
-        model.profile() == Profile::kMark3 && error.counts + kReplyBase > kMaxSevenBits;
+        context.profile == Profile::kMark3 && error.counts + kReplyBase > kMaxSevenBits;
     return {"reply_error", is_cut ? text + ", sent without its top bit" : text};
   }
   ReplyText operator()(const SignedError& error) const {
@@ -166,7 +167,7 @@ struct Replies {
   }
   ReplyText operator()(const SwitchBits& bits) const {
     if (bits.inquiry == 'K') return {"reply_inputs", high_inputs(bits)};
-    const std::string closed = closed_switches(bits, model);
+    const std::string closed = closed_switches(bits, context);
     return {"reply_switches", bits.inquiry == 'I' ? closed : closed + "; " + high_inputs(bits)};
   }
   ReplyText operator()(const wire::PictureSize& size) const {
@@ -195,8 +196,8 @@ std::string_view code_of(const Command& command) {
   return command_text({command, std::nullopt, false}).code;
 }
 
-ReplyText reply_text(const wire::Answered& answered, const Model& model) {
-  return std::visit(Replies{answered.command, model}, answered.reply);
+ReplyText reply_text(const wire::Answered& answered, const ReplyContext& context) {
+  return std::visit(Replies{answered.command, context}, answered.reply);
 }
 
 }  // namespace xr3

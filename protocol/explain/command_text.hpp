@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/model.hpp"
+#include "protocol/explain/reply_decoder.hpp"
 #include "protocol/explain/wire_record.hpp"
 
 namespace xr3 {
@@ -25,7 +25,7 @@ struct ReplyText {
   std::string phrase;     ///< the meaning, such as `E: 4 counts to go`
 };
 
-/// `model` gives the joints of the switch bits and the profile of the reply's bytes.
-ReplyText reply_text(const wire::Answered& answered, const Model& model);
+/// `context` gives the joints of the switch bits and the profile of the reply's bytes.
+ReplyText reply_text(const wire::Answered& answered, const ReplyContext& context);
 
 }  // namespace xr3

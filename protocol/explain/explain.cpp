@@ -58,7 +58,7 @@ struct Explainer {
                                      : " is already closed on a block; it can move the other way"));
   }
   Explanation operator()(const wire::Answered& answered) const {
-    ReplyText about = reply_text(answered, model);
+    ReplyText about = reply_text(answered, context_of(model));
     return explanation(about.code, std::move(about.phrase));
   }
   Explanation operator()(const wire::ToDevice& sent) const {

@@ -3,30 +3,13 @@
 #include <algorithm>
 #include <string_view>
 
-#include "protocol/line/telnet_codes.hpp"
+#include "protocol/line/com_port_codes.hpp"
 
 namespace xr3 {
 namespace {
 
 using std::string_view_literals::operator""sv;
 using Bytes = std::span<const std::uint8_t>;
-
-// The client's codes; an answer has that of the request and kAnswer.
-enum Code : std::uint8_t {
-  kSignature = 0,
-  kSetBaudRate = 1,
-  kSetDataSize = 2,
-  kSetParity = 3,
-  kSetStopSize = 4,
-  kSetControl = 5,
-  kNotifyModemState = 7,
-  kFlowControlSuspend = 8,
-  kFlowControlResume = 9,
-  kSetLineStateMask = 10,
-  kSetModemStateMask = 11,
-  kPurgeData = 12,
-};
-constexpr std::uint8_t kAnswer = 100;
 
 /// The bytes of a request's value, by code from 1; 6 is only for servers.
 constexpr std::uint8_t kUnknown = 255;
@@ -55,8 +38,6 @@ constexpr std::array<Control, 5> kControls = {{
     {10, "\x0b\x0c"sv},             // RTS: on, off
     {13, "\x0e\x0f\x10\x12"sv},     // flow control in: none, XON/XOFF, by a signal
 }};
-constexpr std::uint8_t kFlowNone = 1;
-constexpr std::uint8_t kFlowXonXoff = 2;
 
 bool is_valid(Bytes request) {
   const std::size_t code = request[0];
@@ -64,16 +45,7 @@ bool is_valid(Bytes request) {
 }
 
 void append_answer(std::string& out, std::uint8_t code, Bytes value) {
-  for (const std::uint8_t byte : {telnet::kIac, telnet::kSb, telnet::kComPort}) {
-    out.push_back(static_cast<char>(byte));
-  }
-  out.push_back(static_cast<char>(code + kAnswer));
-  for (const std::uint8_t byte : value) {
-    if (byte == telnet::kIac) out.push_back(static_cast<char>(byte));
-    out.push_back(static_cast<char>(byte));
-  }
-  out.push_back(static_cast<char>(telnet::kIac));
-  out.push_back(static_cast<char>(telnet::kSe));
+  append_com_port(out, static_cast<std::uint8_t>(code + com_port::kAnswer), value);
 }
 
 /// Sets a value that the protocol counts from 1. Returns the value to answer.
@@ -87,16 +59,17 @@ std::uint8_t set_from_1(Value& setting, std::uint8_t value, Value max) {
 }  // namespace
 
 ReplyControl ComPort::handle(Bytes request, std::string& answers) {
-  if (request.size() == 1 && request[0] == kSignature) append_answer(answers, kSignature, kName);
+  if (request.size() == 1 && request[0] == com_port::kSignature)
+    append_answer(answers, com_port::kSignature, kName);
   if (request.empty() || !is_valid(request)) return ReplyControl::kNone;
   const std::uint8_t code = request[0];
   const Bytes value = request.subspan(1);
   switch (code) {
-    case kSetBaudRate: set_baud(value, answers); break;
-    case kNotifyModemState: append_modem_state(answers); break;
-    case kFlowControlSuspend: return ReplyControl::kSuspend;
-    case kFlowControlResume: return ReplyControl::kResume;
-    case kPurgeData: {
+    case com_port::kSetBaudRate: set_baud(value, answers); break;
+    case com_port::kNotifyModemState: append_modem_state(answers); break;
+    case com_port::kFlowControlSuspend: return ReplyControl::kSuspend;
+    case com_port::kFlowControlResume: return ReplyControl::kResume;
+    case com_port::kPurgeData: {
       append_answer(answers, code, value);
       const bool drops = value[0] == kPurgeReplies || value[0] == kPurgeBoth;
       return drops ? ReplyControl::kDrop : ReplyControl::kNone;
@@ -111,7 +84,7 @@ ReplyControl ComPort::handle(Bytes request, std::string& answers) {
 
 void ComPort::append_modem_state(std::string& answers) {
   constexpr std::array value = {kModemState};
-  append_answer(answers, kNotifyModemState, value);
+  append_answer(answers, com_port::kNotifyModemState, value);
 }
 
 void ComPort::set_baud(Bytes value, std::string& answers) {
@@ -122,16 +95,16 @@ void ComPort::set_baud(Bytes value, std::string& answers) {
   for (std::size_t i = 0; i < answer.size(); ++i) {
     answer[i] = static_cast<std::uint8_t>(baud_ >> (24 - 8 * i));
   }
-  append_answer(answers, kSetBaudRate, answer);
+  append_answer(answers, com_port::kSetBaudRate, answer);
 }
 
 /// Sets what a request of one byte sets. Returns the value to answer.
 std::uint8_t ComPort::set(std::uint8_t code, std::uint8_t value) {
   switch (code) {
-    case kSetDataSize: return set_data_bits(value);
-    case kSetParity: return set_from_1(frame_.parity, value, Parity::kSpace);
-    case kSetStopSize: return set_from_1(frame_.stop_bits, value, StopBits::kOneAndAHalf);
-    case kSetControl: return set_control(value);
+    case com_port::kSetDataSize: return set_data_bits(value);
+    case com_port::kSetParity: return set_from_1(frame_.parity, value, Parity::kSpace);
+    case com_port::kSetStopSize: return set_from_1(frame_.stop_bits, value, StopBits::kOneAndAHalf);
+    case com_port::kSetControl: return set_control(value);
     default: return value;  // a mask: the states that it selects never change
   }
 }
@@ -155,8 +128,8 @@ std::uint8_t ComPort::set_control(std::uint8_t value) {
 SerialSettings ComPort::settings() const {
   SerialSettings settings{baud_, frame_};
   switch (controls_[0]) {
-    case kFlowNone: settings.frame->flow = FlowControl::kNone; break;
-    case kFlowXonXoff: settings.frame->flow = FlowControl::kSoftware; break;
+    case com_port::kFlowNone: settings.frame->flow = FlowControl::kNone; break;
+    case com_port::kFlowXonXoff: settings.frame->flow = FlowControl::kSoftware; break;
     default: settings.frame->flow = FlowControl::kHardware; break;
   }
   return settings;

@@ -9,7 +9,6 @@ namespace {
 
 constexpr unsigned kAllOfI = 0x3f;
 constexpr unsigned kSevenBits = 0x7f;
-constexpr int kPixelsPerByte = 6;
 
 char byte(unsigned value) { return static_cast<char>(static_cast<unsigned char>(value)); }
 char printable(unsigned value) { return byte(value + kReplyBase); }
@@ -19,7 +18,7 @@ constexpr std::array<char, 64> sixes() {
   std::array<char, 64> table{};
   for (unsigned pixels = 0; pixels < table.size(); ++pixels) {
     unsigned bits = 0;
-    for (unsigned i = 0; i < kPixelsPerByte; ++i) bits = bits << 1U | (pixels >> i & 1U);
+    for (unsigned i = 0; i < kPixelsPerReplyByte; ++i) bits = bits << 1U | (pixels >> i & 1U);
     table[pixels] = static_cast<char>(bits + kReplyBase);
   }
   return table;
@@ -33,11 +32,11 @@ char* write_row(std::span<const std::uint64_t> words, std::size_t bytes, char* o
   std::size_t word = 0;
   for (std::size_t i = 0; i < bytes; ++i) {
     std::uint64_t pixels = words[word] >> shift;
-    shift += kPixelsPerByte;
+    shift += kPixelsPerReplyByte;
     if (shift >= kBits) {
       shift -= kBits;
       ++word;
-      if (shift > 0 && word < words.size()) pixels |= words[word] << (kPixelsPerByte - shift);
+      if (shift > 0 && word < words.size()) pixels |= words[word] << (kPixelsPerReplyByte - shift);
     }
     *out++ = kSixes[pixels % kSixes.size()];
   }
@@ -46,7 +45,7 @@ char* write_row(std::span<const std::uint64_t> words, std::size_t bytes, char* o
 
 void append_rows(const Image& image, std::string& out) {
   const auto bytes =
-      static_cast<std::size_t>((image.width() + kPixelsPerByte - 1) / kPixelsPerByte);
+      static_cast<std::size_t>((image.width() + kPixelsPerReplyByte - 1) / kPixelsPerReplyByte);
   const std::size_t begin = out.size();
   out.resize(begin + bytes * static_cast<std::size_t>(image.height()));
   char* next = out.data() + begin;

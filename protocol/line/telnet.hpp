@@ -4,7 +4,6 @@
 // receives an IAC. A copyable value without I/O.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,6 +11,7 @@
 
 #include "protocol/line/com_port.hpp"
 #include "protocol/line/telnet_options.hpp"
+#include "protocol/line/telnet_parser.hpp"
 
 namespace xr3 {
 
@@ -23,14 +23,11 @@ struct TelnetInput {
 
 class TelnetFilter {
  public:
-  /// A subnegotiation longer than this is abandoned.
-  static constexpr int kMaxSubnegotiationBytes = 512;
-
   /// Handles a byte from the client. Appends the answers of the telnet protocol to `answers`.
   TelnetInput feed(std::uint8_t byte, std::string& answers);
 
   /// Whether feed() would return this byte as data.
-  bool is_data(std::uint8_t byte) const;
+  bool is_data(std::uint8_t byte) const { return parser_.is_data(byte); }
 
   /// The client speaks telnet: it has sent a complete option or an interrupt (IP).
   bool is_telnet() const { return is_telnet_; }
@@ -46,29 +43,11 @@ class TelnetFilter {
   bool operator==(const TelnetFilter&) const = default;
 
  private:
-  enum class Mode : std::uint8_t {
-    kData,
-    kCommand,
-    kOption,
-    kSubnegotiation,
-    kSubnegotiationCommand
-  };
-  /// The first bytes of a subnegotiation: an option and a request of ComPort, and one more, which
-  /// shows that the request is too long.
-  static constexpr std::size_t kMaxKept = 1 + ComPort::kMaxRequest + 1;
-
-  std::optional<std::uint8_t> feed_command(std::uint8_t byte);
-  ReplyControl feed_option(std::uint8_t option, std::string& answers);
-  ReplyControl feed_subnegotiation(std::uint8_t byte, std::string& answers);
+  ReplyControl negotiate(const TelnetItem& item, std::string& answers);
   ReplyControl end_subnegotiation(std::string& answers);
-  void keep(std::uint8_t byte);
 
-  Mode mode_ = Mode::kData;
-  std::uint8_t verb_ = 0;  ///< WILL, WONT, DO or DONT before an option
+  TelnetParser parser_;
   bool is_telnet_ = false;
-  int length_ = 0;  ///< of the subnegotiation so far; a command in it counts as one byte
-  std::array<std::uint8_t, kMaxKept> kept_{};
-  std::size_t kept_bytes_ = 0;
   TelnetOptions options_;
   ComPort com_port_;
 };

@@ -1,5 +1,7 @@
 #include "protocol/line/telnet_options.hpp"
 
+#include <cassert>
+
 #include "protocol/line/telnet_codes.hpp"
 
 namespace xr3 {
@@ -24,19 +26,31 @@ void append(std::string& out, std::uint8_t verb, std::uint8_t option) {
 }  // namespace
 
 bool TelnetOptions::is_on(Side side, std::uint8_t option) const {
-  return (states(side) & bit_of(option)) != 0;
+  return (options(side).on & bit_of(option)) != 0;
+}
+
+bool TelnetOptions::is_asked(Side side, std::uint8_t option) const {
+  return (options(side).asked & bit_of(option)) != 0;
+}
+
+void TelnetOptions::ask(Side side, std::uint8_t option, std::string& requests) {
+  assert(bit_of(option) != 0 && !is_on(side, option));
+  options(side).asked |= bit_of(option);
+  append(requests, side == Side::kPeer ? telnet::kDo : telnet::kWill, option);
 }
 
 void TelnetOptions::negotiate(std::uint8_t verb, std::uint8_t option, std::string& answers) {
-  const Side side = verb == telnet::kWill || verb == telnet::kWont ? Side::kClient : Side::kServer;
+  const Side side = verb == telnet::kWill || verb == telnet::kWont ? Side::kPeer : Side::kOwn;
   const bool wants_on = verb == telnet::kWill || verb == telnet::kDo;
-  const std::uint8_t yes = side == Side::kClient ? telnet::kDo : telnet::kWill;
-  const std::uint8_t no = side == Side::kClient ? telnet::kDont : telnet::kWont;
+  const std::uint8_t yes = side == Side::kPeer ? telnet::kDo : telnet::kWill;
+  const std::uint8_t no = side == Side::kPeer ? telnet::kDont : telnet::kWont;
   if (verb == telnet::kDo && option == telnet::kTimingMark) return append(answers, yes, option);
+  const bool is_an_answer = is_asked(side, option);
+  if (is_an_answer) options(side).asked ^= bit_of(option);
   if (wants_on == is_on(side, option)) return;
   // An option that is not accepted has no bit: it stays off and is refused.
-  states(side) ^= bit_of(option);
-  append(answers, is_on(side, option) ? yes : no, option);
+  options(side).on ^= bit_of(option);
+  if (!is_an_answer) append(answers, is_on(side, option) ? yes : no, option);
 }
 
 }  // namespace xr3

@@ -1,6 +1,6 @@
 // The negotiation of telnet options by the method of RFC 1143: each option is on or off at each
-// side, and only a change is answered, so that no exchange loops. We never ask first, so no side is
-// ever between on and off. Sans-I/O.
+// side, and only a change is answered, so that no exchange loops. For both ends of a connection:
+// the server never asks first, a client asks for options and never asks to end them. Sans-I/O.
 #pragma once
 
 #include <cstdint>
@@ -11,26 +11,37 @@ namespace xr3 {
 class TelnetOptions {
  public:
   enum class Side : std::uint8_t {
-    kClient,  ///< negotiated by WILL and WONT
-    kServer,  ///< negotiated by DO and DONT
+    kPeer,  ///< negotiated by WILL and WONT from the peer
+    kOwn,   ///< negotiated by DO and DONT from the peer
   };
 
-  /// Handles WILL, WONT, DO or DONT from the client and appends the answer, if there is one.
+  /// Appends the request to switch an option on; the peer's consent is then not answered.
+  /// Precondition: an option that is accepted, and is off.
+  void ask(Side side, std::uint8_t option, std::string& requests);
+
+  /// Handles WILL, WONT, DO or DONT from the peer and appends the answer, if there is one.
   /// BINARY, SUPPRESS-GO-AHEAD and COM-PORT are accepted at either side; DO TIMING-MARK is always
   /// answered by WILL (RFC 860); everything else is refused.
   void negotiate(std::uint8_t verb, std::uint8_t option, std::string& answers);
 
   bool is_on(Side side, std::uint8_t option) const;
+  /// Whether ask() has not been answered yet.
+  bool is_asked(Side side, std::uint8_t option) const;
 
   bool operator==(const TelnetOptions&) const = default;
 
  private:
-  std::uint8_t& states(Side side) { return side == Side::kClient ? client_ : server_; }
-  std::uint8_t states(Side side) const { return side == Side::kClient ? client_ : server_; }
-
   // A bit for each accepted option.
-  std::uint8_t client_ = 0;
-  std::uint8_t server_ = 0;
+  struct Options {
+    std::uint8_t on = 0;
+    std::uint8_t asked = 0;
+    bool operator==(const Options&) const = default;
+  };
+  Options& options(Side side) { return side == Side::kPeer ? peer_ : own_; }
+  const Options& options(Side side) const { return side == Side::kPeer ? peer_ : own_; }
+
+  Options peer_;
+  Options own_;
 };
 
 }  // namespace xr3

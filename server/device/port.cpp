@@ -9,7 +9,6 @@
 
 #include "cell/failure.hpp"
 #include "server/device/serial_device.hpp"
-#include "server/files/data_files.hpp"
 #include "server/net/spawn.hpp"
 #include "server/net/wall_clock.hpp"
 
@@ -34,10 +33,11 @@ DevicePort::DevicePort(asio::io_context& io, Cell& cell, LineSessions& lines, st
   cell_.connect_device(path_, settings_, is_mirrored);
 }
 
-/// Throws FileError; the port is closed then.
+/// Throws SerialDeviceError; the port is closed then.
 void DevicePort::open_port() {
   lock_.emplace(path_);
   port_.assign(open_serial_device(path_, settings_));
+  discard_all(port_.native_handle());
   cell_.apply(DeviceOpened{}, wall_now());
 }
 
@@ -84,7 +84,7 @@ asio::awaitable<void> DevicePort::wait_to_reopen() {
   if (is_closing_) co_return;
   try {
     open_port();
-  } catch (const FileError&) {
+  } catch (const SerialDeviceError&) {
     lock_.reset();
     co_return;  // not yet
   }

@@ -26,7 +26,7 @@ class DevicePort {
   DevicePort(const DevicePort&) = delete;
   DevicePort& operator=(const DevicePort&) = delete;
 
-  /// Opens the device and serves it from now on. Throws FileError.
+  /// Opens the device and serves it from now on. Throws SerialDeviceError.
   void open();
   /// Writes what is due, and gives turns to lines that can go on. To be called after each input of
   /// the cell.

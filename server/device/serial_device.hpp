@@ -1,19 +1,34 @@
-// The serial port of a physical controller: opened raw and for this process alone.
+// Serial ports of this machine: opened raw, and for this process alone.
 #pragma once
 
 #include <string>
 
 #include "protocol/line/serial_settings.hpp"
+#include "server/files/data_files.hpp"
 
 namespace xr3 {
 
-/// Opens a serial port, non-blocking, and discards what the system holds of both directions. Other
-/// programs that lock ports are kept away; a plain holder cannot be detected. Modem lines are left
-/// as they are when the descriptor is closed. Returns the descriptor, which the caller owns. Throws
-/// FileError.
+/// A serial device cannot be opened; the message names it and the reason.
+class SerialDeviceError : public FileError {
+ public:
+  SerialDeviceError(const std::string& message, bool is_in_use)
+      : FileError(message), is_in_use_(is_in_use) {}
+  /// Another program has the device.
+  bool is_in_use() const { return is_in_use_; }
+
+ private:
+  bool is_in_use_;
+};
+
+/// Opens a serial device or the slave of a pseudo-terminal, non-blocking. Programs that lock ports
+/// are kept away, and those that open the device later; a plain holder cannot be detected. Modem
+/// lines are left as they are when the descriptor is closed. A frame that is not given is that of a
+/// Mark III. Returns the descriptor, which the caller owns. Throws SerialDeviceError.
 int open_serial_device(const std::string& path, const SerialSettings& settings);
 
+/// Discards what the system holds of both directions.
+void discard_all(int device);
 /// Discards bytes that were written and have not left.
-void discard_output(int descriptor);
+void discard_output(int device);
 
 }  // namespace xr3

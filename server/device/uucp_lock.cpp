@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "server/files/data_files.hpp"
+#include "server/device/serial_device.hpp"
 
 namespace xr3 {
 namespace {
@@ -44,8 +44,8 @@ UucpLock::UucpLock(const std::string& device, const std::filesystem::path& folde
   const ::pid_t owner = owner_in(file_);
   if (is_alive(owner)) {
     const std::string lock = std::exchange(file_, "");
-    throw FileError(device + ": process " + std::to_string(owner) + " uses the serial device (" +
-                    lock + ")");
+    throw SerialDeviceError(
+        device + ": in use by process " + std::to_string(owner) + " (" + lock + ")", true);
   }
   ::unlink(file_.c_str());
   if (!create()) file_.clear();

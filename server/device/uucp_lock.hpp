@@ -9,7 +9,7 @@ namespace xr3 {
 
 class UucpLock {
  public:
-  /// Locks a device. Takes over the lock of a process that has ended. Throws FileError if another
+  /// Locks a device. Takes over the lock of a process that has ended. Throws SerialDeviceError if another
   /// process has the device. Without effect if this user may not write to the folder, as is usual,
   /// and for pseudo-terminals.
   explicit UucpLock(const std::string& device, const std::filesystem::path& folder = "/var/lock");

@@ -22,9 +22,11 @@ constexpr const char* kAbout =
 
 constexpr const char* kFooter =
     "Exit codes: 0 success; 1 internal error; 2 invalid arguments or an invalid file;\n"
-    "            3 a port is in use; 4 xr3 watch finds no server, or xr3 healthcheck finds\n"
-    "            no server that is ready; 5 the server failed while running (see its log).\n"
-    "Try: xr3 serve, then in another terminal: telnet localhost 9600, and type E+50 and E?";
+    "            3 a port or device is in use; 4 xr3 watch or xr3 term finds no server, an\n"
+    "            inquiry by xr3 term has no reply, or xr3 healthcheck finds no server that is\n"
+    "            ready; 5 the server failed while running (see its log).\n"
+    "Try: xr3 serve, then in another terminal: xr3 term (or telnet localhost 9600), and type\n"
+    "     E+50, Enter and E?";
 
 void add_check(CLI::App& app, CheckOptions& options) {
   CLI::App& check =
@@ -243,6 +245,8 @@ Options parse_options(int argc, const char* const* argv) {
   add_workcell(app, workcell);
   WatchOptions watch;
   add_watch(app, watch);
+  TermOptions term;
+  add_term(app, term);
   HealthOptions health;
   add_health(app, health);
   try {
@@ -256,6 +260,7 @@ Options parse_options(int argc, const char* const* argv) {
   if (app.got_subcommand("convert")) return convert;
   if (app.got_subcommand("workcell")) return workcell;
   if (app.got_subcommand("watch")) return watch;
+  if (app.got_subcommand("term")) return term;
   if (app.got_subcommand("healthcheck")) return health;
   return checked_serve(std::move(serve));
 }

@@ -17,6 +17,7 @@
 #include "server/monitor_port/token.hpp"
 #include "server/options/healthcheck.hpp"
 #include "server/options/option_sources.hpp"
+#include "server/options/term.hpp"
 #include "server/options/watch.hpp"
 #include "tools/drawing/drawing.hpp"
 #include "tools/kin/question.hpp"
@@ -107,7 +108,7 @@ struct Leave {
 };
 
 using Options = std::variant<ServeOptions, CheckOptions, DrawOptions, KinOptions, ConvertOptions,
-                             WorkcellOptions, WatchOptions, HealthOptions, Leave>;
+                             WorkcellOptions, WatchOptions, TermOptions, HealthOptions, Leave>;
 
 /// Never throws and never prints.
 Options parse_options(int argc, const char* const* argv);

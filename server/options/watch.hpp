@@ -21,7 +21,4 @@ struct WatchOptions {
 /// The subcommand `watch` with its options.
 void add_watch(CLI::App& app, WatchOptions& options);
 
-/// Parses HOST, HOST:PORT or [IPv6]:PORT. Throws std::invalid_argument, with the allowed form.
-void set_address(WatchOptions& options, const std::string& address);
-
 }  // namespace xr3

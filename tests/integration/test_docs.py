@@ -100,6 +100,11 @@ class Docs(unittest.TestCase):
                     with Server() as xr3:
                         self.assertEqual(0, run_xr3("watch", f"localhost:{xr3.monitor_port}").returncode)
                     continue
+                if what == "term":
+                    with Server() as xr3:
+                        done = run_xr3("term", f"localhost:{xr3.robot_port}", *arguments, input="")
+                    self.assertEqual((0, "", ""), (done.returncode, done.stdout, done.stderr))
+                    continue
                 if what == "healthcheck":
                     self.ask_for_health(arguments)
                     continue
@@ -132,7 +137,7 @@ class Docs(unittest.TestCase):
             for name, command in commands:
                 with self.subTest(file=name, command=command):
                     command = command.replace("9600", str(xr3.robot_port)).replace("9601", str(xr3.monitor_port))
-                    command = command.replace("nc localhost", "nc -N localhost")
+                    command = command.replace("nc localhost", "nc -N localhost").replace("build/release/xr3", XR3)
                     done = subprocess.run(["bash", "-c", command], stdin=subprocess.DEVNULL, capture_output=True,
                                           timeout=DEADLINE_S, check=False)
                     self.assertEqual(0, done.returncode, done.stderr)

@@ -32,6 +32,7 @@ PLACEHOLDERS = {"NAME": "integration.clients", "regex": "clients", "name": "clie
 KINDS = {
     "starts_a_server": r"(build/release/)?xr3 serve(?! --help)( .*)?",
     "shows_a_screen": r"(build/release/)?xr3 watch( .*)?",
+    "opens_a_line": r"(build/release/)?xr3 term( .*)?",
     "asks_for_health": r"xr3 healthcheck( .*)?",
     "has_help": r"xr3 (check|convert|draw|kin|workcell)",
     "opens_the_editor": r"xr3 workcell .*",
@@ -136,6 +137,12 @@ class Commands(unittest.TestCase):
             options = [word for word in arguments if not word.endswith(":9601")]
             self.assertLessEqual(len(arguments) - len(options), 1)
             self.assertIn("Rhino XR-3", self.run_to_end([XR3, "watch", address, *options]))
+
+    def opens_a_line(self, command):
+        _, _, *options = shlex.split(command.text.replace("localhost:9600", ""))
+        with Server() as xr3:
+            done = run_xr3("term", f"localhost:{xr3.robot_port}", *options, input="E?")
+        self.assertEqual((0, "32  E: 0 counts to go\n", ""), (done.returncode, done.stdout, done.stderr))
 
     def asks_for_health(self, command):
         with Server() as xr3:

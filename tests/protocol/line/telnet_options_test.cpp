@@ -40,12 +40,12 @@ TEST(TelnetOptions, AcceptBinaryGoAheadAndComPortAtEitherSide) {
     const std::uint8_t code = static_cast<std::uint8_t>(option);
     EXPECT_EQ(answer_to(options, telnet::kWill, option),
               sent(is_accepted ? telnet::kDo : telnet::kDont, option));
-    EXPECT_EQ(options.is_on(kClient, code), is_accepted) << option;
-    EXPECT_FALSE(options.is_on(kServer, code)) << option;
+    EXPECT_EQ(options.is_on(kPeer, code), is_accepted) << option;
+    EXPECT_FALSE(options.is_on(kOwn, code)) << option;
     const bool is_answered = is_accepted || option == telnet::kTimingMark;
     EXPECT_EQ(answer_to(options, telnet::kDo, option),
               sent(is_answered ? telnet::kWill : telnet::kWont, option));
-    EXPECT_EQ(options.is_on(kServer, code), is_accepted) << option;
+    EXPECT_EQ(options.is_on(kOwn, code), is_accepted) << option;
   }
 }
 
@@ -56,7 +56,7 @@ TEST(TelnetOptions, AnswerOnlyChanges) {
   EXPECT_EQ(answers_to(options, "\xfd\x03"), "fffb03") << "the other side is of its own";
   EXPECT_EQ(answers_to(options, "\xfc\x03"), "fffe03") << "WONT SGA: DONT";
   EXPECT_EQ(answers_to(options, "\xfc\x03"), "") << "it is off already";
-  EXPECT_TRUE(options.is_on(kServer, 3));
+  EXPECT_TRUE(options.is_on(kOwn, 3));
   EXPECT_EQ(answers_to(options, "\xfe\x03"), "fffc03") << "DONT SGA: WONT";
   EXPECT_EQ(answers_to(options, "\xfe\x03\xfc\x2c\xfe\x2c\xfc\x00\xfe\x00"sv), "");
   EXPECT_EQ(options, TelnetOptions());
@@ -72,6 +72,23 @@ TEST(TelnetOptions, TheTimingMarkHasNoState) {
   TelnetOptions options;
   EXPECT_EQ(answers_to(options, "\xfd\x06\xfd\x06\xfb\x06\xfe\x06"), "fffb06fffb06fffe06");
   EXPECT_EQ(options, TelnetOptions());
+}
+
+TEST(TelnetOptions, TheConsentToAQuestionIsNotAnswered) {
+  TelnetOptions options;
+  std::string asked;
+  options.ask(kOwn, telnet::kComPort, asked);
+  options.ask(kPeer, telnet::kBinary, asked);
+  EXPECT_EQ(hexadecimal(asked), "fffb2cfffd00");
+  EXPECT_TRUE(options.is_asked(kOwn, telnet::kComPort));
+  EXPECT_FALSE(options.is_on(kOwn, telnet::kComPort));
+  EXPECT_EQ(answers_to(options, "\xfd\x2c"), "") << "DO COM-PORT";
+  EXPECT_TRUE(options.is_on(kOwn, telnet::kComPort));
+  EXPECT_FALSE(options.is_asked(kOwn, telnet::kComPort));
+  EXPECT_EQ(answers_to(options, "\xfc\x00"sv), "") << "WONT BINARY";
+  EXPECT_FALSE(options.is_on(kPeer, telnet::kBinary));
+  EXPECT_FALSE(options.is_asked(kPeer, telnet::kBinary));
+  EXPECT_EQ(answers_to(options, "\xfe\x2c"), "fffc2c") << "DONT COM-PORT later: WONT";
 }
 
 }  // namespace

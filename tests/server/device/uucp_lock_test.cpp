@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "server/files/data_files.hpp"
+#include "server/device/serial_device.hpp"
 
 namespace xr3 {
 namespace {
@@ -44,9 +44,8 @@ TEST_F(UucpLockTest, ALivingOwnerIsRespected) {
   try {
     const UucpLock lock("/dev/null", folder_);
     FAIL() << "process 1 has the lock";
-  } catch (const FileError& error) {
-    EXPECT_NE(std::string(error.what()).find("process 1 uses the serial device"),
-              std::string::npos);
+  } catch (const SerialDeviceError& error) {
+    EXPECT_NE(std::string(error.what()).find("in use by process 1"), std::string::npos);
   }
   EXPECT_EQ(content(), "         1\n");
 }

@@ -1,0 +1,40 @@
+// The client's end of a serial line: the reply that bytes from the controller are, given the
+// inquiry. The inverse of line/rhino_reply.hpp. Independent of the machine.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "core/command.hpp"
+#include "core/model.hpp"
+#include "protocol/explain/wire_record.hpp"
+
+namespace xr3 {
+
+/// What a client knows about the robot whose replies it reads.
+struct ReplyContext {
+  static constexpr int kLabels = 8;
+
+  Profile profile = Profile::kPaper;
+  /// The bit of the microswitch of each joint A...H, in the reply to J (A and B) or I; 0: none.
+  /// The default is the order that the robots of this project and the Mark III have.
+  std::array<std::uint8_t, kLabels> masks{1, 2, 1, 2, 4, 8, 16, 32};
+  /// The camera's image; 0 x 0 without a camera, nullopt if unknown.
+  std::optional<wire::PictureSize> camera = std::nullopt;
+};
+
+ReplyContext context_of(const Model& model);
+
+/// The number of bytes of the reply to a command: 0 if it has none, nullopt if the context does not
+/// tell.
+std::optional<std::size_t> reply_size(const Command& command, const ReplyContext& context);
+
+/// The reply with these bytes; nullopt if the controller does not reply to the command like this.
+/// Precondition: reply_size() is known, and `bytes` has that size, which is not 0.
+std::optional<wire::Answered> decode_reply(const Command& command, std::string_view bytes,
+                                           const ReplyContext& context);
+
+}  // namespace xr3

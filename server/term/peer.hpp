@@ -1,0 +1,49 @@
+// The other end of the line of `xr3 term`: a TCP port, a terminal server, or a device.
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "server/exit_code.hpp"
+#include "server/net/asio.hpp"
+
+namespace xr3 {
+
+/// The line cannot be opened. The message says why and what to do.
+class PeerError : public std::runtime_error {
+ public:
+  PeerError(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+  ExitCode code() const { return code_; }
+
+ private:
+  ExitCode code_;
+};
+
+class TermPeer {
+ public:
+  TermPeer() = default;
+  TermPeer(const TermPeer&) = delete;
+  TermPeer& operator=(const TermPeer&) = delete;
+  virtual ~TermPeer() = default;
+
+  /// Received data, valid until the next read. Empty if the peer has ended, or is lost.
+  virtual asio::awaitable<std::string_view> read() = 0;
+  /// Sends the data, and protocol bytes that are due. False if the peer is lost.
+  virtual asio::awaitable<bool> write(std::string_view data) = 0;
+  /// Sends a break. Returns the reason if that is not possible. Not during a write.
+  virtual asio::awaitable<std::string> send_break() = 0;
+
+  /// Protocol bytes are due: write() must be called, if only with no data.
+  virtual bool has_protocol_bytes() const { return false; }
+  /// The peer has asked to send no data for now.
+  virtual bool is_suspended() const { return false; }
+  /// Calls `due` when one of the two may have changed.
+  virtual void when_protocol(std::function<void()> /*due*/) {}
+
+  /// No more data will be sent. Returns whether the peer can then end the line itself.
+  virtual bool finish() = 0;
+};
+
+}  // namespace xr3

@@ -1,0 +1,88 @@
+#include "tools/term/typist.hpp"
+
+#include "protocol/explain/diagnostic.hpp"
+
+namespace xr3::term {
+namespace {
+
+constexpr std::string_view kNotSent =
+    "that key is not sent: keys go at once and cannot be taken back; --line edits lines first";
+
+}  // namespace
+
+Typist::Outcome Typist::press(const Keystroke& key) {
+  if (key.code == KeyCode::kInterrupt) return {"\n", {Quit{}}};
+  switch (mode_) {
+    case Mode::kEscape: return press_escape(key);
+    case Mode::kFileName: return press_file_name(key);
+    default: return press_data(key);
+  }
+}
+
+void Typist::begin_line() {
+  if (mode_ == Mode::kInLine) mode_ = Mode::kLineStart;
+}
+
+Typist::Outcome Typist::press_data(const Keystroke& key) {
+  if (key.code == KeyCode::kEnter) {
+    mode_ = Mode::kLineStart;
+    return {"\n", {SendBytes{"\r"}}};
+  }
+  if (key.code == KeyCode::kEndOfFile && mode_ == Mode::kLineStart) return {"", {Quit{}}};
+  const bool is_byte = key.code == KeyCode::kByte;
+  if (!is_byte) return explain_key();
+  if (key.byte == kEscapeKey && mode_ == Mode::kLineStart) {
+    mode_ = Mode::kEscape;
+    escape_.clear();
+    return {"~", {}};
+  }
+  mode_ = Mode::kInLine;
+  const std::string bytes(1, key.byte);
+  return {readable(bytes), {SendBytes{bytes}}};
+}
+
+// An unknown escape is sent as it was typed.
+Typist::Outcome Typist::press_escape(const Keystroke& key) {
+  mode_ = Mode::kLineStart;
+  if (key.code == KeyCode::kBackspace) return {"\b \b", {}};
+  if (key.code == KeyCode::kEnter) return {"\n", {SendBytes{"~\r"}}};
+  if (key.code != KeyCode::kByte) return {"\b \b", {}};
+  const std::string typed(1, key.byte);
+  if (key.byte == 's') {
+    mode_ = Mode::kFileName;
+    escape_ = typed;
+    return {typed, {}};
+  }
+  const auto request = escape_of(typed);
+  const bool is_data = !request || std::holds_alternative<SendBytes>(*request);
+  if (is_data) mode_ = Mode::kInLine;
+  // The first ~ stays on the screen: it stands for the one that is sent.
+  if (key.byte == kEscapeKey) return {"", {*request}};
+  if (!request) return {readable(typed), {SendBytes{"~" + typed}}};
+  return {typed + "\n", {*request}};
+}
+
+Typist::Outcome Typist::press_file_name(const Keystroke& key) {
+  if (key.code == KeyCode::kBackspace) {
+    escape_.pop_back();
+    if (escape_.empty()) mode_ = Mode::kEscape;
+    return {"\b \b", {}};
+  }
+  if (key.code == KeyCode::kByte) {
+    escape_ += key.byte;
+    return {std::string(1, key.byte), {}};
+  }
+  if (key.code != KeyCode::kEnter) return {};
+  mode_ = Mode::kLineStart;
+  const auto request = escape_of(escape_);
+  if (!request) return {"\n", {ShowHint{"~s needs a space before the name of the file"}}};
+  return {"\n", {*request}};
+}
+
+Typist::Outcome Typist::explain_key() {
+  if (is_explained_) return {};
+  is_explained_ = true;
+  return {"", {ShowHint{kNotSent}}};
+}
+
+}  // namespace xr3::term

@@ -1,0 +1,45 @@
+// Keys that are sent at once: which of them go to the robot, which are escapes, and what the
+// terminal shows of them, because the controller does not echo.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tools/term/keystroke.hpp"
+#include "tools/term/request.hpp"
+
+namespace xr3::term {
+
+class Typist {
+ public:
+  struct Outcome {
+    std::string echo;  ///< to print; \n ends a line
+    std::vector<UserRequest> requests;
+    bool operator==(const Outcome&) const = default;
+  };
+
+  Outcome press(const Keystroke& key);
+
+  /// The terminal has begun a new line, below a reply. An escape may follow.
+  void begin_line();
+
+ private:
+  enum class Mode : std::uint8_t {
+    kLineStart,
+    kInLine,
+    kEscape,    ///< after ~ at the start of a line
+    kFileName,  ///< after ~s
+  };
+
+  Outcome press_data(const Keystroke& key);
+  Outcome press_escape(const Keystroke& key);
+  Outcome press_file_name(const Keystroke& key);
+  Outcome explain_key();
+
+  Mode mode_ = Mode::kLineStart;
+  std::string escape_;  ///< what follows the ~
+  bool is_explained_ = false;
+};
+
+}  // namespace xr3::term
