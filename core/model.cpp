@@ -1,5 +1,6 @@
 #include "core/model.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -76,8 +77,27 @@ void Model::fill_tables() {
 }
 
 int Model::index_of(char label) const {
-  const int index = tool_index() - (label - 'A');
-  return label >= 'A' && index >= 0 ? index : -1;
+  const auto found = std::find_if(motors_.begin(), motors_.end(), [label](const MotorModel& motor) {
+    return motor.drive.label == label;
+  });
+  return found == motors_.end() ? -1 : static_cast<int>(found - motors_.begin());
+}
+
+std::string Model::labels() const {
+  std::string letters;
+  for (const MotorModel& motor : motors_) letters += motor.drive.label;
+  std::sort(letters.begin(), letters.end());
+  return letters;
+}
+
+std::string Model::name(int index) const {
+  if (index == tool_index()) return "tool";
+  return robot_.joints[static_cast<std::size_t>(index)].name;
+}
+
+bool Model::is_length(int index) const {
+  if (index == tool_index()) return robot_.tool.kind == ToolKind::kParallel;
+  return !robot_.joints[static_cast<std::size_t>(index)].is_revolute();
 }
 
 double Model::variable(int index, Counts position) const {

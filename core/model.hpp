@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/robot.hpp"
@@ -60,8 +61,14 @@ class Model {
   int tool_index() const { return joint_count(); }
 
   const MotorModel& motor(int index) const { return motors_[static_cast<std::size_t>(index)]; }
-  /// Index of the motor with label 'A'...'H', or -1.
+  /// Index of the motor with this label, or -1.
   int index_of(char label) const;
+  /// The labels of all motors, in the order of the alphabet.
+  std::string labels() const;
+  /// The name of a joint, or `tool`.
+  std::string name(int index) const;
+  /// Whether the variable of a joint or of the tool is a length in mm; if not, an angle in degrees.
+  bool is_length(int index) const;
 
   /// The joints that motor `index` moves: its own first, then those coupled to it.
   const std::vector<CoupledJoint>& driven_by(int index) const {

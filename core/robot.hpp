@@ -14,7 +14,7 @@
 
 namespace xr3 {
 
-/// Maximum number of joints; the tool is not a joint. Labels then run from H (base) to A (tool).
+/// Maximum number of joints, one for each letter B...H; the tool, A, is not a joint.
 inline constexpr int kMaxJoints = 7;
 /// Maximum number of motors: one per joint and one for the tool.
 inline constexpr int kMaxMotors = kMaxJoints + 1;
@@ -39,7 +39,7 @@ struct Microswitch {
 
 /// A DC motor with an incremental encoder. Every joint has one, and so does the tool.
 struct Drive {
-  char label = 'A';            ///< A for the tool, then B for the last joint, and so on to the base
+  char label = 'A';            ///< A for the tool; B...H, each at most once, for a joint
   double precision = 0;        ///< degrees or mm per count, above 0
   double min = 0;              ///< lower limit of the variable, degrees or mm
   double max = 0;              ///< upper limit of the variable, degrees or mm

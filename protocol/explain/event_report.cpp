@@ -18,14 +18,22 @@ std::string number(double value) {
 }
 
 const char* unit_of(const Model& model, char label) {
-  const int index = model.index_of(label);
-  if (index == model.tool_index())
-    return model.robot().tool.kind == ToolKind::kParallel ? "mm" : "deg";
-  const auto variable = model.robot().joints[static_cast<std::size_t>(index)].variable;
-  return variable == JointVariable::kD ? "mm" : "deg";
+  return model.is_length(model.index_of(label)) ? "mm" : "deg";
 }
 
 std::string text_of(char label) { return {label}; }
+
+/// Letters in the order of the alphabet, consecutive ones as A...F: `A...D, G`.
+std::string runs_of(const std::string& letters) {
+  std::string text;
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    const bool continues = i > 0 && letters[i] == letters[i - 1] + 1;
+    const bool ends = i + 1 == letters.size() || letters[i + 1] != letters[i] + 1;
+    if (!continues) text += (i > 0 ? ", " : "") + text_of(letters[i]);
+    if (continues && ends) text += "..." + text_of(letters[i]);
+  }
+  return text;
+}
 
 Json io_json(const char* which, int number, bool value) {
   return {{which, number}, {"value", value}};
@@ -75,8 +83,7 @@ std::string text_of(const Warning& warning, const Model& model) {
              std::to_string(warning.limit) + "; wait until " + label +
              " is nearer to its target before sending more";
     case WarningCode::kNoSuchJoint:
-      return label + ": this robot has no such joint; it has A..." +
-             text_of(static_cast<char>('A' + model.joint_count()));
+      return label + ": this robot has no such joint; it has " + runs_of(model.labels());
     case WarningCode::kBadCameraArgument: return camera_text(model);
     case WarningCode::kJawsTooNarrow:
       return "the jaws are already narrower than block " + warning.block +

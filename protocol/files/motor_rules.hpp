@@ -1,5 +1,5 @@
-// The rules for motors, of joints and tool alike, that concern more than one field: labels in
-// sequence, limits around the home, distinct masks, and a usable switch position.
+// The rules for motors, of joints and tool alike, that concern more than one field: distinct
+// labels, limits around the home, distinct masks, and a usable switch position.
 #pragma once
 
 #include <string>
@@ -20,7 +20,6 @@ struct CheckedMotor {
   const Drive* drive;
   std::string pointer;      ///< of the joint or the tool
   std::string home_member;  ///< `/theta_deg`, `/d` or `/home`
-  char label;               ///< the label required by the sequence
   bool is_length;           ///< the variable is a length, not an angle
 };
 

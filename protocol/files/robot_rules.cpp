@@ -164,7 +164,7 @@ void check_hard_home(const Model& model, Reading& reading) {
   const std::string coupled = model.robot().couplings.empty() ? "" : ", coupling included";
   bool is_within_limits = true;
   for (const CheckedMotor& motor : motors_of(model.robot())) {
-    const int index = model.index_of(motor.label);
+    const int index = model.index_of(motor.drive->label);
     const MotorModel& limits = model.motor(index);
     const Counts position = at[static_cast<std::size_t>(index)];
     if (position >= limits.low && position <= limits.high) continue;

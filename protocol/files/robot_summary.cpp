@@ -4,6 +4,7 @@
 
 #include "core/coupling.hpp"
 #include "core/kinematics.hpp"
+#include "core/switches.hpp"
 #include "protocol/files/robot_rules.hpp"
 #include "protocol/files/summary.hpp"
 #include "protocol/text/table.hpp"
@@ -15,23 +16,12 @@ using Rows = std::vector<std::vector<std::string>>;
 
 std::string one_letter(char label) { return std::string(1, label); }
 
-std::string name_of(const Model& model, int index) {
-  if (index == model.tool_index()) return "tool";
-  return model.robot().joints[static_cast<std::size_t>(index)].name;
-}
-
 /// `E shoulder`
 std::string title_of(const Model& model, int index) {
-  return one_letter(model.motor(index).drive.label) + " " + name_of(model, index);
+  return one_letter(model.motor(index).drive.label) + " " + model.name(index);
 }
 
-bool is_angle(const Model& model, int index) {
-  const Robot& robot = model.robot();
-  if (index == model.tool_index()) return robot.tool.kind == ToolKind::kAngular;
-  return robot.joints[static_cast<std::size_t>(index)].is_revolute();
-}
-
-std::string unit_of(const Model& model, int index) { return is_angle(model, index) ? "deg" : "mm"; }
+std::string unit_of(const Model& model, int index) { return model.is_length(index) ? "mm" : "deg"; }
 
 std::string signed_number(int number) { return (number > 0 ? "+" : "") + std::to_string(number); }
 
@@ -89,7 +79,7 @@ std::string switch_table(const Model& model) {
   for (int i = 0; i < model.motor_count(); ++i) {
     const MotorModel& motor = model.motor(i);
     const int mask = motor.drive.microswitch.mask;
-    const std::string reply = motor.drive.label <= 'B' ? "J" : "I";
+    const std::string reply = is_asked_for(motor.drive.label, 'J') ? "J" : "I";
     rows.push_back({title_of(model, i), closed_when(motor.closed),
                     mask == 0 ? "-" : std::to_string(mask), mask == 0 ? "neither" : reply});
   }
@@ -114,7 +104,7 @@ std::string region_text(const ProtectedRegion& region) {
 std::string net_roll_text(const Model& model) {
   std::string text = "Net roll:";
   for (const RollTerm& term : model.robot().net_roll) {
-    text += (term.sign > 0 ? " + " : " - ") + name_of(model, term.joint);
+    text += (term.sign > 0 ? " + " : " - ") + model.name(term.joint);
   }
   const double offset = model.robot().net_roll_offset_deg;
   return text + (offset < 0 ? " - " : " + ") + plain_number(std::abs(offset)) + " deg\n";

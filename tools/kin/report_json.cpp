@@ -34,7 +34,7 @@ Json error_json(const PoseError& error) {
 
 Json names_json(const Model& model, int index) {
   return {{"label", label_of(model, index)},
-          {"name", joint_name(model, index)},
+          {"name", model.name(index)},
           {"unit", unit_name(model, index)}};
 }
 

@@ -8,22 +8,12 @@ std::string label_of(const Model& model, int index) {
   return std::string(1, model.motor(index).drive.label);
 }
 
-std::string joint_name(const Model& model, int index) {
-  if (index == model.tool_index()) return "tool";
-  return model.robot().joints[static_cast<std::size_t>(index)].name;
-}
-
 std::string joint_title(const Model& model, int index) {
-  return label_of(model, index) + " " + joint_name(model, index);
+  return label_of(model, index) + " " + model.name(index);
 }
 
 std::string unit_name(const Model& model, int index) {
-  const Robot& robot = model.robot();
-  const bool is_tool = index == model.tool_index();
-  const bool turns =
-      is_tool ? robot.tool.kind == ToolKind::kAngular
-              : robot.joints[static_cast<std::size_t>(index)].is_revolute();
-  return turns ? "deg" : "mm";
+  return model.is_length(index) ? "mm" : "deg";
 }
 
 std::string method_code(InverseMethod method) {

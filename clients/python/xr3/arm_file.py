@@ -46,9 +46,11 @@ def load(file: Union[str, "os.PathLike[str]"]) -> Arm:
 def _arm(name: str, robot: Dict[str, Any]) -> Arm:
     unit = _choice(robot, "length_unit", {"mm": 1.0, "inch": 25.4})
     joints = tuple(_joint(each, unit) for each in robot["joints"])
-    labels = "".join(joint.label for joint in joints)
-    if labels != "HGFEDCB"[-len(joints):] or not joints:
-        raise ValueError(f"the joints are {', '.join(labels)}, not in the order of the alphabet backwards to B")
+    labels = [joint.label for joint in joints]
+    if not joints:
+        raise ValueError("the list of joints is empty")
+    if not set(labels) <= set("BCDEFGH") or len(set(labels)) < len(joints):
+        raise ValueError(f"the joints are {', '.join(joint.label for joint in joints)}, not different letters B to H")
     for j, k in robot["coupling"]:
         if not (1 <= j <= len(joints) and 1 <= abs(k) <= len(joints)):
             raise ValueError(f"the coupling [{j}, {k}] is not between joints 1 to {len(joints)}")

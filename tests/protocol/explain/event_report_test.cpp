@@ -61,6 +61,15 @@ TEST(EventReport, EventsHaveACodeAndAMessage) {
   }
 }
 
+TEST(EventReport, ListsTheLettersOfTheJoints) {
+  Robot robot = test::robot_named("rhino-xr3");
+  const std::string letters = "CHBGE";
+  for (std::size_t i = 0; i < letters.size(); ++i) robot.joints[i].drive.label = letters[i];
+  const EventReport about =
+      report(Warning{WarningCode::kNoSuchJoint, 'D', 0, 0, {}}, *test::model_of(robot));
+  EXPECT_EQ(about.message, "D: this robot has no such joint; it has A...C, E, G...H");
+}
+
 TEST(EventReport, AStallNamesTheCommandThatEndsIt) {
   for (const Stall why : {Stall::kProtectedRegion, Stall::kWorkSurface}) {
     EXPECT_NE(report(Stalled{why}, *test::rhino()).message.find("A$"), std::string::npos);
