@@ -74,6 +74,13 @@ void Model::fill_tables() {
     thetas_.emplace_back(joint.dh.theta_deg, step, low, high);
     twists_.push_back(sin_cos_deg(joint.dh.alpha_deg));
   }
+  if (const std::optional<DhRow>& mount = robot_.mount) {
+    mount_angles_ = MountAngles{sin_cos_deg(mount->theta_deg), sin_cos_deg(mount->alpha_deg)};
+  }
+  while (slide_count_ < joint_count() &&
+         !robot_.joints[static_cast<std::size_t>(slide_count_)].is_revolute()) {
+    ++slide_count_;
+  }
 }
 
 int Model::index_of(char label) const {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,12 @@ struct CoupledJoint {
   std::uint8_t joint = 0;
   std::int8_t gain = 0;
   bool operator==(const CoupledJoint&) const = default;
+};
+
+/// The angles of the row between the base frame and frame 0.
+struct MountAngles {
+  SinCos theta;
+  SinCos twist;
 };
 
 class Model {
@@ -92,6 +99,10 @@ class Model {
   }
   /// Sine and cosine of the link twist of joint `joint`.
   const SinCos& twist(int joint) const { return twists_[static_cast<std::size_t>(joint)]; }
+  /// Sines and cosines of theta and alpha of the robot's mount; empty if it has none.
+  const std::optional<MountAngles>& mount_angles() const { return mount_angles_; }
+  /// The number of prismatic joints before the first revolute one: they move the whole arm.
+  int slide_count() const { return slide_count_; }
 
   Micrometres region_radius_um() const { return region_radius_um_; }
   Micrometres region_height_um() const { return region_height_um_; }
@@ -108,6 +119,8 @@ class Model {
   std::array<std::array<std::int8_t, kMaxMotors>, kMaxMotors> gain_{};
   std::vector<SinCosTable> thetas_;
   std::vector<SinCos> twists_;
+  std::optional<MountAngles> mount_angles_;
+  int slide_count_ = 0;
   Micrometres region_radius_um_ = 0;
   Micrometres region_height_um_ = 0;
 };

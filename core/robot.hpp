@@ -126,7 +126,8 @@ struct RollTerm {
 struct Robot {
   std::string name;
   std::string notes;
-  std::vector<Joint> joints;  ///< from the base; 1...kMaxJoints elements
+  std::optional<DhRow> mount;  ///< from the base frame to frame 0, without a joint
+  std::vector<Joint> joints;   ///< from the base; 1...kMaxJoints elements
   Tool tool;
   std::vector<Outline> links;  ///< joints.size() + 1 elements, or none
   std::vector<Coupling> couplings;

@@ -58,7 +58,7 @@ void tick(const Model& model, State& state, Events& events) {
   const MotorTickResult turned = turn_motors(model, state, positions);
   if (turned.joint) {
     const PointUm tip = tool_tip(model, positions);
-    if (const Stall why = stall_at(model, state, tip); why != Stall::kNo) {
+    if (const Stall why = stall_at(model, state, positions, tip); why != Stall::kNo) {
       return stall(state, before, why, events);
     }
     update_surface(model, state, tip, events);

@@ -25,12 +25,13 @@ void check_label(const CheckedMotor& motor, Reading& reading, std::set<char>& ta
   const std::string found = "\"" + std::string(1, label) + "\"";
   const bool is_tool = motor.pointer == kToolPointer;
   if (is_tool != (label == kToolLabel)) {
-    return reading.refuse(pointer, found,
-                          is_tool ? "\"A\": the tool is always A"
-                                  : "a letter \"B\" to \"H\": A is the tool");
+    return reading.refuse(
+        pointer, found,
+        is_tool ? "\"A\": the tool is always A" : "a letter \"B\" to \"H\": A is the tool");
   }
   if (taken.insert(label).second) return;
-  reading.refuse(pointer, found + ", a duplicate", "a letter \"B\" to \"H\" that no other joint has");
+  reading.refuse(pointer, found + ", a duplicate",
+                 "a letter \"B\" to \"H\" that no other joint has");
 }
 
 /// Requires limits in order, the home within them, and a range that does not exceed
@@ -45,19 +46,19 @@ void check_limits(const CheckedMotor& motor, Reading& reading) {
   if (drive.min >= drive.max) return reading.refuse(pointer, found, "the lower limit first");
   if (motor.is_length && std::max(-drive.min, drive.max) > data::kMaxLengthMm) {
     return reading.refuse(pointer, found,
-                  "lengths of up to " + number_text(data::kMaxLengthMm) + " mm");
+                          "lengths of up to " + number_text(data::kMaxLengthMm) + " mm");
   }
   const std::string home = motor.pointer + motor.home_member;
   if (!reading.is_sound(home) || !reading.is_sound(motor.pointer + "/variable")) return;
   if (drive.home < drive.min || drive.home > drive.max) {
     return reading.refuse(home, number_text(drive.home / unit),
-                  "a home within the limits " + found);
+                          "a home within the limits " + found);
   }
   if (!reading.is_sound(motor.pointer + "/precision")) return;
   const double range = std::max(drive.max - drive.home, drive.home - drive.min) / drive.precision;
   if (range > kMaxCountsFromHome) {
     reading.refuse(pointer, number_text(std::floor(range)) + " counts from the home to a limit",
-           "up to " + number_text(kMaxCountsFromHome) + " counts");
+                   "up to " + number_text(kMaxCountsFromHome) + " counts");
   }
 }
 
@@ -67,16 +68,17 @@ void check_mask(const CheckedMotor& motor, Reading& reading, std::set<int>& take
                 std::set<int>& taken_j) {
   const std::string pointer = motor.pointer + "/switch/mask";
   const int mask = motor.drive->microswitch.mask;
-  if (!reading.is_sound(pointer) || !reading.is_sound(motor.pointer + "/label") || mask == 0) return;
+  if (!reading.is_sound(pointer) || !reading.is_sound(motor.pointer + "/label") || mask == 0)
+    return;
   const bool in_j = is_asked_for(motor.drive->label, 'J');
   const std::string reply = in_j ? "J" : "I";
   if (in_j && mask > kHighestBitOfJ) {
     return reading.refuse(pointer, std::to_string(mask),
-                  "1 or 2, or 0 for none: J has room for two switches");
+                          "1 or 2, or 0 for none: J has room for two switches");
   }
   if (!(in_j ? taken_j : taken_i).insert(mask).second) {
     reading.refuse(pointer, std::to_string(mask) + ", a duplicate",
-           "a bit of the reply to " + reply + " that no other switch has");
+                   "a bit of the reply to " + reply + " that no other switch has");
   }
 }
 
@@ -94,8 +96,8 @@ std::vector<CheckedMotor> motors_of(const Robot& robot) {
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     const Joint& joint = robot.joints[i];
     const bool turns = joint.is_revolute();
-    motors.push_back({&joint.drive, "/joints/" + std::to_string(i), turns ? "/theta_deg" : "/d",
-                      !turns});
+    motors.push_back(
+        {&joint.drive, "/joints/" + std::to_string(i), turns ? "/theta_deg" : "/d", !turns});
   }
   const bool hinges = robot.tool.kind == ToolKind::kAngular;
   motors.push_back({&robot.tool.drive, kToolPointer, "/home", !hinges});

@@ -139,6 +139,7 @@ const Members<Robot>& robot_members() {
       required("name", &Robot::name, text(1, 80)),
       optional("notes", &Robot::notes, text(0, 4000)),
       length_unit_member<Robot>(),
+      optional("mount", &Robot::mount, object(dh_members())),
       required("joints", &Robot::joints, list(joint(), 1, kMaxJoints)),
       required("tool", &Robot::tool, tool()),
       defaulted("links", &Robot::links, list(object(outline_members()), 0, kMaxMotors)),

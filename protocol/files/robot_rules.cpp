@@ -152,7 +152,7 @@ std::string mm_text(const PointUm& p) {
 
 void check_tip(const Model& model, const Positions& at, const std::string& home, Reading& reading) {
   const PointUm tip = tool_tip(model, at);
-  if (!is_in_protected_region(model, tip)) return;
+  if (!is_in_protected_region(model, at, tip)) return;
   reading.refuse("/protected_region",
                  "the tool tip at the " + home + " home, " + mm_text(tip) + ", inside it",
                  "a region that leaves both homes out");

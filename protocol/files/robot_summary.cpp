@@ -33,6 +33,14 @@ std::string heading(const Robot& robot) {
   return text;
 }
 
+std::string mount_text(const Robot& robot) {
+  if (!robot.mount) return "";
+  const DhRow& row = *robot.mount;
+  return "Mount, from the base frame to frame 0: theta " + plain_number(row.theta_deg) +
+         " deg, d " + plain_number(row.d_mm) + " mm, a " + plain_number(row.a_mm) + " mm, alpha " +
+         plain_number(row.alpha_deg) + " deg\n";
+}
+
 std::string dh_table(const Robot& robot) {
   Rows rows = {{"k", "joint", "theta deg", "d mm", "a mm", "alpha deg", "variable"}};
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
@@ -42,7 +50,8 @@ std::string dh_table(const Robot& robot) {
                     plain_number(joint.dh.a_mm), plain_number(joint.dh.alpha_deg),
                     joint.is_revolute() ? "theta" : "d"});
   }
-  return "\nDenavit-Hartenberg rows at the soft home\n" + text_table(rows, "rlrrrrl");
+  return "\nDenavit-Hartenberg rows at the soft home\n" + text_table(rows, "rlrrrrl") +
+         mount_text(robot);
 }
 
 /// The variable's range in whole counts, such as `-139.993 to 9.988 deg`.
@@ -96,9 +105,11 @@ std::string coupling_text(const Model& model) {
   return text;
 }
 
-std::string region_text(const ProtectedRegion& region) {
+std::string region_text(const Model& model) {
+  const ProtectedRegion& region = model.robot().protected_region;
   return "Protected region: radius " + plain_number(region.radius_mm) + " mm, height " +
-         plain_number(region.height_mm) + " mm, about the base axis\n";
+         plain_number(region.height_mm) + " mm, about the base axis" +
+         (model.slide_count() > 0 ? ", moving with it\n" : "\n");
 }
 
 std::string net_roll_text(const Model& model) {
@@ -144,8 +155,8 @@ std::string homes_text(const Model& model) {
 std::string robot_summary(const Robot& robot, Profile profile) {
   const Model model(robot, Workcell{}, profile);
   return heading(robot) + dh_table(robot) + motor_table(model) + switch_table(model) + "\n" +
-         coupling_text(model) + region_text(robot.protected_region) + net_roll_text(model) +
-         tool_text(model) + homes_text(model);
+         coupling_text(model) + region_text(model) + net_roll_text(model) + tool_text(model) +
+         homes_text(model);
 }
 
 }  // namespace xr3

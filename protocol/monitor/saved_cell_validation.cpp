@@ -143,7 +143,7 @@ void check_derived(const Model& model, const State& found, std::vector<Detail>& 
 void check_region(const Model& model, const Positions& where, const std::string& pointer,
                   std::vector<Detail>& details) {
   const PointUm tip = tool_tip(model, where);
-  if (!is_in_protected_region(model, tip)) return;
+  if (!is_in_protected_region(model, where, tip)) return;
   details.push_back({pointer, "the tip at " + point_um(tip).dump() + " um",
                      "counts that keep the tip outside the protected region: at least " +
                          std::to_string(model.region_radius_um()) +

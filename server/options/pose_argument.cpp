@@ -12,8 +12,7 @@ namespace {
 
 std::string name(const Model& model, int index) {
   if (index == model.tool_index()) return "the tool";
-  return "joint " + std::string(1, model.motor(index).drive.label) + " (" +
-         model.name(index) + ")";
+  return "joint " + std::string(1, model.motor(index).drive.label) + " (" + model.name(index) + ")";
 }
 
 void check_limits(const Model& model, int index, double value) {

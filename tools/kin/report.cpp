@@ -56,6 +56,7 @@ std::string motors_table(const Model& model, const KinPose& pose) {
 
 std::string links_text(const Model& model, const KinPose& pose) {
   std::string text = "\nLink matrices, lengths in mm\n";
+  if (model.robot().mount) text += "T(0,k) is in the base frame, the mount included\n";
   for (std::size_t k = 1; k < pose.bases.size(); ++k) {
     const std::string own = "T(" + index_text(k - 1) + "," + index_text(k) + ")";
     text += "\n" + own + " of " + joint_title(model, static_cast<int>(k) - 1) + ", and T(0," +

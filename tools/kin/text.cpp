@@ -85,6 +85,7 @@ std::string freedom_code(InverseFreedom freedom) {
     case InverseFreedom::kFolded: return "folded";
     case InverseFreedom::kArmPlane: return "arm_plane";
     case InverseFreedom::kShoulderAxes: return "shoulder_axes";
+    case InverseFreedom::kSlide: return "slide";
     case InverseFreedom::kMoreThanNeeded: return "more_than_needed";
   }
   return "";
@@ -104,6 +105,9 @@ std::string freedom_sentence(InverseFreedom freedom) {
     case InverseFreedom::kShoulderAxes:
       return "singular: the arm's plane is horizontal, where base and shoulder pitch have the same "
              "effect; the base is set to its soft home";
+    case InverseFreedom::kSlide:
+      return "the arm stands on a slide, which may be elsewhere: it is kept where --slide puts it, "
+             "or at its soft home";
     case InverseFreedom::kMoreThanNeeded:
       return "the joints can move while the tool stays in place: these are some of infinitely many "
              "solutions";

@@ -20,9 +20,10 @@ constexpr std::size_t kMaxPairs = 16;
 constexpr double kUsualFingerInches = 2;
 
 const Extras kRobotExtras = {{"name", "/name"},
-                            {"notes", "/notes"},
-                            {"length_unit", "/length_unit"},
-                            {"net_roll_offset_deg", "/net_roll_offset_deg"}};
+                             {"notes", "/notes"},
+                             {"length_unit", "/length_unit"},
+                             {"mount", "/mount"},
+                             {"net_roll_offset_deg", "/net_roll_offset_deg"}};
 const Extras kJointExtras = {{"joint", "/name"}, {"switch_width", "/switch/width"}};
 const Extras kToolExtras = {{"home", "/home"},
                             {"direction", "/direction"},

@@ -50,6 +50,14 @@ TEST(RobotJson, LimitsOfAllDrivesInCounts) {
   }
 }
 
+TEST(RobotJson, AMountIsReadAndWritten) {
+  const Robot robot = test::on_slide(test::robot_named("rhino-xr3"));
+  const Json json = robot_to_json(robot);
+  EXPECT_EQ(json["mount"], (Json{{"theta_deg", 0}, {"d", 0}, {"a", 0}, {"alpha_deg", -90}}));
+  EXPECT_EQ(load_robot(json.dump(), "slide.json"), robot);
+  EXPECT_FALSE(robot_to_json(test::robot_named("rhino-xr3")).contains("mount"));
+}
+
 TEST(RobotJson, ShippedFilesHaveNoFindings) {
   for (const std::string& name : kRobots) {
     const RobotReading reading = read_robot(test::project_file(robot_file(name)), name);

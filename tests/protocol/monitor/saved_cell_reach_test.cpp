@@ -103,7 +103,7 @@ class Wanderer {
     robot.protected_region = {std::max(0.0, std::hypot(mm(about.x), mm(about.y)) - any(-10, 30)),
                               std::max(0.0, mm(about.z) + any(-30, 60))};
     const ModelPtr model = test::model_of(robot);
-    if (is_in_protected_region(*model, tool_tip(*model, {}))) robot.protected_region = file;
+    if (is_in_protected_region(*model, {}, tool_tip(*model, {}))) robot.protected_region = file;
     return robot;
   }
 
