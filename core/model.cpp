@@ -1,6 +1,7 @@
 #include "core/model.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -13,6 +14,11 @@ constexpr double kCountTolerance = 1e-6;
 MotorModel motor_model(const Drive& drive, Profile profile) {
   const CountRange range = count_limits(drive);
   return {drive, range.low, range.high, closed_range(drive.microswitch, profile)};
+}
+
+CarouselModel carousel_model(const Carousel& carousel) {
+  return {micrometres(carousel.x_mm), micrometres(carousel.y_mm), micrometres(carousel.radius_mm),
+          micrometres(carousel.height_mm), carousel.drive.precision * carousel.drive.direction};
 }
 
 }  // namespace
@@ -38,6 +44,11 @@ Model::Model(Robot robot, Workcell workcell, Profile profile)
     : robot_(std::move(robot)), workcell_(std::move(workcell)), profile_(profile) {
   for (const Joint& joint : robot_.joints) motors_.push_back(motor_model(joint.drive, profile));
   motors_.push_back(motor_model(robot_.tool.drive, profile));
+  if (robot_.carousel) {
+    motors_.push_back(motor_model(robot_.carousel->drive, profile));
+    carousel_ = carousel_model(*robot_.carousel);
+  }
+  assert(motor_count() <= kMaxMotors);
   find_gains();
   fill_tables();
   region_radius_um_ = micrometres(robot_.protected_region.radius_mm);
@@ -99,11 +110,13 @@ std::string Model::labels() const {
 
 std::string Model::name(int index) const {
   if (index == tool_index()) return "tool";
+  if (index == carousel_index()) return robot_.carousel->name;
   return robot_.joints[static_cast<std::size_t>(index)].name;
 }
 
 bool Model::is_length(int index) const {
   if (index == tool_index()) return robot_.tool.kind == ToolKind::kParallel;
+  if (index == carousel_index()) return false;
   return !robot_.joints[static_cast<std::size_t>(index)].is_revolute();
 }
 

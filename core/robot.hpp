@@ -14,12 +14,14 @@
 
 namespace xr3 {
 
-/// Maximum number of joints, one for each letter B...H; the tool, A, is not a joint.
+/// Maximum number of joints, one for each letter B...H; the tool, A, is not a joint. The letter of a
+/// carousel leaves one joint less.
 inline constexpr int kMaxJoints = 7;
-/// Maximum number of motors: one per joint and one for the tool.
+/// Maximum number of motors: one per joint, one for the tool, and one for the carousel.
 inline constexpr int kMaxMotors = kMaxJoints + 1;
 
-/// Positions of the joints, from the base, and then of the tool, in counts from the soft home.
+/// Positions of the joints, from the base, then of the tool and of the carousel, in counts from the
+/// soft home.
 using Positions = std::array<Counts, kMaxMotors>;
 
 /// Which Denavit-Hartenberg parameter the motor changes (the paper's jvar 1 and 2).
@@ -100,6 +102,19 @@ struct Tool {
   bool operator==(const Tool&) const = default;
 };
 
+/// A round table beside the arm that a motor turns about a vertical axis; not a joint of the arm.
+/// The variable of its motor is the table's angle, 0 at the soft home, counterclockwise from above.
+struct Carousel {
+  std::string name;
+  Drive drive;
+  double x_mm = 0;  ///< of its axis, in the base frame
+  double y_mm = 0;
+  double radius_mm = 0;
+  double height_mm = 0;  ///< of its top above the base plane
+  int color = 0;         ///< palette index 0...15
+  bool operator==(const Carousel&) const = default;
+};
+
 /// Motor `joint` also moves joint `coupled`. In joint variables: in the same direction (sign +1) or
 /// in the opposite one (-1).
 struct Coupling {
@@ -129,6 +144,7 @@ struct Robot {
   std::optional<DhRow> mount;  ///< from the base frame to frame 0, without a joint
   std::vector<Joint> joints;   ///< from the base; 1...kMaxJoints elements
   Tool tool;
+  std::optional<Carousel> carousel;
   std::vector<Outline> links;  ///< joints.size() + 1 elements, or none
   std::vector<Coupling> couplings;
   ProtectedRegion protected_region;

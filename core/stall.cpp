@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "core/carousel.hpp"
 #include "core/coupling.hpp"
 #include "core/kinematics.hpp"
 
@@ -45,7 +46,7 @@ bool is_in_protected_region(const Model& model, const Positions& positions, cons
 }
 
 bool is_below_surface(const Model& model, const PointUm& tip) {
-  return tip.z < model.workcell().work_surface_um;
+  return tip.z < surface_um(model, tip.x, tip.y);
 }
 
 Stall stall_at(const Model& model, const State& state, const Positions& positions,
@@ -61,7 +62,9 @@ bool could_stall(const Model& model, const Positions& positions, Stall why) {
   return leads_to(model, positions, 0, [&](const Positions& next) {
     const PointUm tip = tool_tip(model, next);
     const bool is_inside = is_in_protected_region(model, next, tip);
-    return why == Stall::kProtectedRegion ? is_inside : !is_inside && tip.z < height;
+    if (why == Stall::kProtectedRegion) return is_inside;
+    const bool is_sideways = is_over_carousel(model, tip.x, tip.y);
+    return !is_inside && (tip.z < height || is_sideways);
   });
 }
 

@@ -13,7 +13,8 @@ namespace xr3 {
 /// about the base axis, with which it moves if the arm is on a slide: see base_shift().
 bool is_in_protected_region(const Model& model, const Positions& positions, const PointUm& tip);
 
-/// Whether the tip is below the work surface; at its height it is not.
+/// Whether the tip is below the work surface, or the top of the carousel within its radius; at its
+/// height it is not.
 bool is_below_surface(const Model& model, const PointUm& tip);
 
 /// Why a robot with its tip here stalls, or kNo. A tip that is already below the surface may move

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/carousel.hpp"
 #include "core/coupling.hpp"
 #include "core/grasp.hpp"
 #include "core/invariants.hpp"
@@ -65,6 +66,7 @@ void tick(const Model& model, State& state, Events& events) {
     if (state.motor(model.tool_index()).error == 0) state.jaws_warned = false;  // closing has ended
     if (!state.display.erase) state.tip_path.add(tip);
   }
+  if (turned.table) carry_riders(model, state);
   if (turned.any) {
     update_switches(model, state, events);
     update_grasp(model, state, positions, turned.jaws, turned.opened, events);

@@ -61,14 +61,25 @@ std::string block_text(const std::string& name, const char* without_name) {
   return name.empty() ? without_name : "block " + name;
 }
 
-std::string air_text(const Warning& warning) {
-  const char* surface = warning.block.empty() ? "what is below it" : "the work surface";
+/// Whether the warning is about the carousel: its label says so.
+bool is_of_carousel(const Warning& warning, const Model& model) {
+  return model.carousel() && model.index_of(warning.label) == model.carousel_index();
+}
+
+std::string air_text(const Warning& warning, const Model& model) {
+  const char* surface = warning.block.empty()            ? "what is below it"
+                        : is_of_carousel(warning, model) ? "the carousel"
+                                                         : "the work surface";
   return block_text(warning.block, "the block") + " was released " +
          number(mm(Micrometres{warning.value})) + " mm above " +
          block_text(warning.other, surface) + " and stays in the air: release it lower";
 }
 
-std::string overlap_text(const Warning& warning) {
+std::string overlap_text(const Warning& warning, const Model& model) {
+  if (is_of_carousel(warning, model)) {
+    return block_text(warning.block, "the block") +
+           " overlaps the carousel: put it on its top or beside it";
+  }
   const int more = warning.value - 1;
   return block_text(warning.block, "the block") + " overlaps " +
          block_text(warning.other, "another block") +
@@ -91,9 +102,11 @@ std::string text_of(const Warning& warning, const Model& model) {
     case WarningCode::kJawsTouch:
       return "the jaws stopped at the width of block " + warning.block +
              " and do not hold it: close them further";
-    case WarningCode::kBelowSurface: return "the tool tip passed under the work surface";
-    case WarningCode::kReleasedInAir: return air_text(warning);
-    case WarningCode::kBlocksOverlap: return overlap_text(warning);
+    case WarningCode::kBelowSurface:
+      return std::string("the tool tip passed under the work surface") +
+             (model.carousel() ? " or the top of the carousel" : "");
+    case WarningCode::kReleasedInAir: return air_text(warning, model);
+    case WarningCode::kBlocksOverlap: return overlap_text(warning, model);
   }
   return "";
 }

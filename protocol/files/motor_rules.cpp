@@ -30,8 +30,7 @@ void check_label(const CheckedMotor& motor, Reading& reading, std::set<char>& ta
         is_tool ? "\"A\": the tool is always A" : "a letter \"B\" to \"H\": A is the tool");
   }
   if (taken.insert(label).second) return;
-  reading.refuse(pointer, found + ", a duplicate",
-                 "a letter \"B\" to \"H\" that no other joint has");
+  reading.refuse(pointer, found + ", a duplicate", "a letter \"B\" to \"H\" that nothing else has");
 }
 
 /// Requires limits in order, the home within them, and a range that does not exceed
@@ -101,6 +100,7 @@ std::vector<CheckedMotor> motors_of(const Robot& robot) {
   }
   const bool hinges = robot.tool.kind == ToolKind::kAngular;
   motors.push_back({&robot.tool.drive, kToolPointer, "/home", !hinges});
+  if (robot.carousel) motors.push_back({&robot.carousel->drive, "/carousel", "/limits", false});
   return motors;
 }
 

@@ -26,6 +26,11 @@ void check_joint_names(const Robot& robot, Reading& reading) {
     reading.refuse(pointer, "\"" + robot.joints[i].name + "\", a duplicate",
                    "a name that no other joint has");
   }
+  if (!robot.carousel || !reading.is_sound("/carousel/name")) return;
+  if (!names.insert(robot.carousel->name).second) {
+    reading.refuse("/carousel/name", "\"" + robot.carousel->name + "\", a duplicate",
+                   "a name that no joint has");
+  }
 }
 
 std::string pivot_pointer(std::size_t part) {

@@ -112,6 +112,14 @@ std::string region_text(const Model& model) {
          (model.slide_count() > 0 ? ", moving with it\n" : "\n");
 }
 
+std::string carousel_text(const Robot& robot) {
+  if (!robot.carousel) return "";
+  const Carousel& carousel = *robot.carousel;
+  return "Carousel: about (" + plain_number(carousel.x_mm) + ", " + plain_number(carousel.y_mm) +
+         ") mm, radius " + plain_number(carousel.radius_mm) +
+         " mm, top at z = " + plain_number(carousel.height_mm) + " mm\n";
+}
+
 std::string net_roll_text(const Model& model) {
   std::string text = "Net roll:";
   for (const RollTerm& term : model.robot().net_roll) {
@@ -155,8 +163,8 @@ std::string homes_text(const Model& model) {
 std::string robot_summary(const Robot& robot, Profile profile) {
   const Model model(robot, Workcell{}, profile);
   return heading(robot) + dh_table(robot) + motor_table(model) + switch_table(model) + "\n" +
-         coupling_text(model) + region_text(model) + net_roll_text(model) + tool_text(model) +
-         homes_text(model);
+         coupling_text(model) + region_text(model) + carousel_text(robot) + net_roll_text(model) +
+         tool_text(model) + homes_text(model);
 }
 
 }  // namespace xr3

@@ -80,9 +80,11 @@ Json joint_json(const StateView& view, int index) {
   return joint;
 }
 
+/// The joints of the arm from the base, then the carousel.
 Json joints_json(const StateView& view) {
   Json joints = Json::array();
   for (int k = 0; k < view.model.joint_count(); ++k) joints.push_back(joint_json(view, k));
+  if (view.model.carousel()) joints.push_back(joint_json(view, view.model.carousel_index()));
   return joints;
 }
 

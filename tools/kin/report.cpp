@@ -42,7 +42,7 @@ std::string index_text(std::size_t k) { return std::to_string(k); }
 std::string motors_table(const Model& model, const KinPose& pose) {
   Rows rows = {
       {"motor", "variable", "", "motor count", "joint position", "variable there", "limits"}};
-  for (int i = 0; i < model.motor_count(); ++i) {
+  for (int i = 0; i <= model.tool_index(); ++i) {
     const KinMotor& motor = pose.motors[static_cast<std::size_t>(i)];
     const std::string limits =
         motor.past_limit == 0 ? "within" : "past by " + std::to_string(motor.past_limit);

@@ -16,7 +16,8 @@
 namespace xr3 {
 namespace {
 
-const std::vector<std::string> kRobots = {"rhino-xr3", "adept-one", "intelledex-660"};
+const std::vector<std::string> kRobots = {"rhino-xr3", "adept-one", "intelledex-660",
+                                          "rhino-xr3-accessories"};
 const std::vector<std::string> kWorkcells = {"rhino-xr3", "rhino-hundred", "adept-one",
                                              "intelledex-660"};
 
