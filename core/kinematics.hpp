@@ -23,7 +23,8 @@ Transform mount_transform(const Model& model);
 /// T(0,k) for k = 0...n, the paper's equation (3), behind the mount; element 0 is the mount.
 std::vector<Transform> base_transforms(const Model& model, const Positions& positions);
 
-/// T(0,n) behind the mount: the tool's frame in the base frame. Its origin is the tip, z the approach vector, y the sliding vector.
+/// T(0,n) behind the mount: the tool's frame in the base frame. Its origin is the tip, z the
+/// approach vector, y the sliding vector.
 Transform tool_transform(const Model& model, const Positions& positions);
 
 /// The tool tip in the base frame: bit-identical on every machine for the same counts.

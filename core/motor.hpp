@@ -42,8 +42,8 @@ struct MotorTickResult {
   JawContact jaws;      ///< what the tool's closing count met
 };
 
-/// One tick of every motor: joints from the base, the tool, then the carousel. The check of each count sees the
-/// counts already made in this tick. Updates `positions`.
+/// One tick of every motor: joints from the base, the tool, then the carousel. The check of each
+/// count sees the counts already made in this tick. Updates `positions`.
 MotorTickResult turn_motors(const Model& model, State& state, Positions& positions);
 
 /// Recomputes which motors are blocked and appends an event for each newly blocked one. To be

@@ -14,8 +14,8 @@
 
 namespace xr3 {
 
-/// Maximum number of joints, one for each letter B...H; the tool, A, is not a joint. The letter of a
-/// carousel leaves one joint less.
+/// Maximum number of joints, one for each letter B...H; the tool, A, is not a joint. A carousel
+/// needs one of these letters.
 inline constexpr int kMaxJoints = 7;
 /// Maximum number of motors: one per joint, one for the tool, and one for the carousel.
 inline constexpr int kMaxMotors = kMaxJoints + 1;

@@ -63,8 +63,8 @@ struct Held {
   bool operator==(const Held&) const = default;
 };
 
-/// A block on the carousel: where it was put, and at which count of the carousel. While the carousel
-/// turns, its entry in State::blocks follows: see as_turned() in carousel.hpp.
+/// A block on the carousel: where it was put, and at which count of the carousel. Its entry in
+/// State::blocks follows the carousel: see as_turned() in carousel.hpp.
 struct Rider {
   std::uint32_t block = 0;  ///< index in State::blocks
   Counts count = 0;

@@ -98,7 +98,8 @@ class Accessories(unittest.TestCase):
             self.assertEqual(there, monitor.get()["blocks"])
             line.send("H-100\r")
             monitor.step(3000, after=line)
-            self.assertEqual([[330, 260, 52], [270, 350, 58]], [block["xyz_mm"] for block in monitor.get()["blocks"][3:]])
+            places = [block["xyz_mm"] for block in monitor.get()["blocks"]]
+            self.assertEqual([[330, 260, 52], [270, 350, 58]], places[3:])
 
     def test_blocks_that_calls_put_on_the_carousel_turn(self):
         with Server("--robot", Arm.name) as xr3, xr3.monitor() as monitor, xr3.line() as line:

@@ -37,7 +37,8 @@ class Kin(unittest.TestCase):
             self.assertEqual((0, ""), (done.returncode, done.stderr))
             report = json.loads(done.stdout)
             self.assertEqual(["slide"], [freedom["code"] for freedom in report["free"]])
-            self.assertEqual({"G": place, "F": 0, "E": 449, "D": -625, "C": 0, "B": 0}, report["solutions"][0]["counts"])
+            self.assertEqual({"G": place, "F": 0, "E": 449, "D": -625, "C": 0, "B": 0},
+                             report["solutions"][0]["counts"])
         done = run_xr3("kin", "--robot", "rhino-xr3-accessories", "--joints=0,0,-90,90,0,-90")
         self.assertEqual((0, ""), (done.returncode, done.stderr))
         self.assertIn("T(0,k) is in the base frame, the mount included", done.stdout)

@@ -67,7 +67,7 @@ class Files(WithFiles):
                           (json.dumps({**RHINO, "tool": {**RHINO["tool"], "precision": 0}}), "precision of A is 0"),
                           (json.dumps({**RHINO, "coupling": [[2, 6]]}), "not between joints 1 to 5"),
                           (json.dumps({**RHINO, "joints": []}), "the list of joints is empty"),
-                          (json.dumps({**RHINO, "joints": RHINO["joints"][:1] * 2}), "the joints are F, F, not different"),
+                          (json.dumps({**RHINO, "joints": RHINO["joints"][:1] * 2}), "the joints are F, F, not"),
                           (json.dumps({**RHINO, "joints": [{**RHINO["joints"][0], "label": "A"}]}), "the joints are A, not"),
                           (json.dumps({**RHINO, "tool": {}}), "'kind' is missing")):
             with self.subTest(why), self.assertRaisesRegex(
