@@ -5,6 +5,7 @@
 #include "cell/cell.hpp"
 #include "cell/digest.hpp"
 #include "core/camera.hpp"
+#include "core/carousel.hpp"
 #include "core/placement.hpp"
 #include "protocol/monitor/saved_cell.hpp"
 
@@ -169,6 +170,7 @@ void Cell::changed_model(std::string_view call, const std::string& name) {
 
 // The call added or moved this block.
 void Cell::placed_block(std::string_view call, std::size_t block) {
+  find_riders(model(), simulation_.edit());
   changed_model(call, state().blocks[block].name);
   Events warnings;
   warn_of_overlap(model(), state(), block, warnings);
@@ -217,7 +219,7 @@ call::Outcome Cell::carry_out(const call::RemoveBlock& remove, WallNs) {
   const auto index = find_block(state(), remove.name);
   if (!index) return no_such_block(state(), remove.name);
   if (is_held(state(), *index)) return block_held(remove.name);
-  remove_block(simulation_.edit(), *index);
+  remove_block(model(), simulation_.edit(), *index);
   changed_model("block_remove", remove.name);
   return call::Done{};
 }

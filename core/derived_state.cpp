@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "core/carousel.hpp"
 #include "core/coupling.hpp"
 #include "core/grasp.hpp"
 #include "core/kinematics.hpp"
@@ -35,6 +36,7 @@ State derived(const Model& model, State state) {
     state.blocks[state.held->block] =
         as_released(model, state, *state.held, state.held->grasped_at);
   }
+  if (model.carousel()) carry_riders(model, state);
   return state;
 }
 

@@ -7,9 +7,10 @@
 
 namespace xr3 {
 
-/// Recomputes switches, blocked motors, the phase of motors at rest, the side of the work surface
-/// and the held block's entry from counts, error counters, settings and the grasp. Precondition:
-/// positions are within their limits. Invariant: derived(m, s) == s for every reachable state.
+/// Recomputes switches, blocked motors, the phase of motors at rest, the side of the work surface,
+/// and the entries of the held block and of blocks on the carousel, from counts, error counters,
+/// settings, grasp and riders. Precondition: positions are within their limits. Invariant:
+/// derived(m, s) == s for every reachable state.
 State derived(const Model& model, State state);
 
 }  // namespace xr3

@@ -28,8 +28,12 @@ enum class WarningCode : std::uint8_t {
   kJawsTooNarrow,
   kJawsTouch,  ///< closing jaws stopped at the width of `block`: nothing is held
   kBelowSurface,
-  kReleasedInAir,  ///< `block` was released `value` um above block `other`, or the work surface
-  kBlocksOverlap,  ///< `block` overlaps `value` blocks; the first one is `other`
+  /// `block` was released `value` um above block `other`; or, if that is empty, above the work
+  /// surface, or the carousel if `label` is that of its motor
+  kReleasedInAir,
+  /// `block` overlaps `value` blocks; the first one is `other`. If there are none, it overlaps the
+  /// carousel, the label of which is `label`
+  kBlocksOverlap,
 };
 
 /// A move was added to a joint's error counter.

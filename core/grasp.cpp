@@ -5,19 +5,13 @@
 #include <cstdlib>
 #include <optional>
 
+#include "core/carousel.hpp"
 #include "core/placement.hpp"
 
 namespace xr3 {
 namespace {
 
 constexpr double kQuarter = 90.0;
-
-Microdegrees normalized(Microdegrees angle) {
-  constexpr Microdegrees kTurn = 360'000'000;
-  angle %= kTurn;
-  if (angle > kTurn / 2) angle -= kTurn;
-  return angle <= -kTurn / 2 ? angle + kTurn : angle;
-}
 
 Micrometres opening_um(const Model& model, Counts tool_position) {
   return micrometres(opening_mm(model, tool_position));
@@ -149,6 +143,7 @@ void release(const Model& model, State& state, const Positions& positions, Event
   Block& block = state.blocks[index];
   block = as_released(model, state, *state.held, positions);
   state.held.reset();
+  find_riders(model, state);
   events.push_back({state.tick, Released{block.name, block.centroid_um, block.yaw_udeg}});
   warn_of_placement(model, state, index, events);
 }
@@ -176,9 +171,10 @@ void update_grasp(const Model& model, State& state, const Positions& positions,
     return;
   }
   block.yaw_udeg = flat_yaw(net_roll_deg(model, positions), contact.quarter_turns);
-  if (contact.kind == Kind::kTurns) return;
+  if (contact.kind == Kind::kTurns) return find_riders(model, state);
   block.centroid_um = tool_tip(model, positions);
   state.held = Held{contact.block, contact.quarter_turns, positions};
+  find_riders(model, state);
   events.push_back({state.tick, Grasped{block.name, block.centroid_um, block.yaw_udeg}});
 }
 

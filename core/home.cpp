@@ -1,5 +1,6 @@
 #include "core/home.hpp"
 
+#include "core/carousel.hpp"
 #include "core/coupling.hpp"
 #include "core/grasp.hpp"
 #include "core/kinematics.hpp"
@@ -33,12 +34,14 @@ State initial_state(const Model& model) {
     state.motor(i).switch_closed = is_closed(motor, 0);
   }
   stand_at_home(model, state);
+  find_riders(model, state);
   return state;
 }
 
 void go_home(const Model& model, State& state, Events& events) {
   if (state.held) release(model, state, positions(model, state.motors), events);
   stand_at_home(model, state);
+  carry_riders(model, state);
   update_switches(model, state, events);
   events.push_back({state.tick, Homed{}});
 }

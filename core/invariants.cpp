@@ -2,12 +2,14 @@
 
 #include <cstdlib>
 
+#include "core/carousel.hpp"
 #include "core/coupling.hpp"
 #include "core/grasp.hpp"
 #include "core/kinematics.hpp"
 #include "core/motor.hpp"
 #include "core/stall.hpp"
 #include "core/switches.hpp"
+#include "core/workcell_edit.hpp"
 
 namespace xr3 {
 namespace {
@@ -49,6 +51,20 @@ const char* broken_in_grasp(const Model& model, const State& state) {
   return nullptr;
 }
 
+const char* broken_in_riders(const Model& model, const State& state) {
+  if (!model.carousel()) return state.riders.empty() ? nullptr : "blocks ride on a carousel only";
+  std::uint32_t next = 0;
+  for (const Rider& rider : state.riders) {
+    if (rider.block < next || rider.block >= state.blocks.size())
+      return "riders are blocks, in their order";
+    if (is_held(state, rider.block)) return "a held block does not ride";
+    if (!(state.blocks[rider.block] == as_turned(model, state, rider)))
+      return "a block on the carousel is where its count puts it";
+    next = rider.block + 1;
+  }
+  return nullptr;
+}
+
 bool is_component(int value) { return std::abs(value) <= kMaxViewComponent; }
 
 const char* broken_in_display(const DisplaySettings& display) {
@@ -82,6 +98,7 @@ const char* broken_invariant(const Model& model, const State& state) {
     return "the tip is below the surface exactly where the state says so";
   if (const char* broken = broken_in_limits(model, now)) return broken;
   if (const char* broken = broken_in_grasp(model, state)) return broken;
+  if (const char* broken = broken_in_riders(model, state)) return broken;
   if (const char* broken = broken_in_display(state.display)) return broken;
   return broken_in_path(state.tip_path);
 }

@@ -1,6 +1,7 @@
 #include "core/kinematics.hpp"
 
 #include <cmath>
+#include <optional>
 
 namespace xr3 {
 namespace {
@@ -9,13 +10,8 @@ Counts at(const Positions& positions, int index) {
   return positions[static_cast<std::size_t>(index)];
 }
 
-}  // namespace
-
-Transform link_transform(const Model& model, int joint, Counts position) {
-  const SinCos theta = model.theta(joint, position);
-  const SinCos& alpha = model.twist(joint);
-  const double d = model.link_offset_mm(joint, position);
-  const double a = model.link_length_mm(joint);
+/// Equation (2).
+Transform row_transform(const SinCos& theta, const SinCos& alpha, double d, double a) {
   Transform t;
   t << theta.cos, -alpha.cos * theta.sin, alpha.sin * theta.sin, a * theta.cos,  //
       theta.sin, alpha.cos * theta.cos, -alpha.sin * theta.cos, a * theta.sin,   //
@@ -24,8 +20,42 @@ Transform link_transform(const Model& model, int joint, Counts position) {
   return t;
 }
 
+/// Transforms a point to the previous frame. A point on the joint's own axis, as the tip is for the
+/// roll, needs no rotation; `theta` is then not called.
+template <class Theta>
+void to_previous_frame(PointMm& p, const SinCos& alpha, double d, double a, Theta theta) {
+  const double along = p.x + a;
+  const double across = alpha.cos * p.y - alpha.sin * p.z;
+  p.z = alpha.sin * p.y + alpha.cos * p.z + d;
+  const bool on_axis = along == 0.0 && across == 0.0;
+  const SinCos turn = on_axis ? SinCos{} : theta();
+  p.x = turn.cos * along - turn.sin * across;
+  p.y = turn.sin * along + turn.cos * across;
+}
+
+/// The place of the arm behind its first slides.
+Transform behind_slides(const Model& model, const Positions& positions) {
+  Transform place = mount_transform(model);
+  for (int k = 0; k < model.slide_count(); ++k) place *= link_transform(model, k, at(positions, k));
+  return place;
+}
+
+}  // namespace
+
+Transform link_transform(const Model& model, int joint, Counts position) {
+  return row_transform(model.theta(joint, position), model.twist(joint),
+                       model.link_offset_mm(joint, position), model.link_length_mm(joint));
+}
+
+Transform mount_transform(const Model& model) {
+  if (!model.mount_angles()) return Transform::Identity();
+  const DhRow& row = *model.robot().mount;
+  return row_transform(model.mount_angles()->theta, model.mount_angles()->twist, row.d_mm,
+                       row.a_mm);
+}
+
 std::vector<Transform> base_transforms(const Model& model, const Positions& positions) {
-  std::vector<Transform> chain{Transform::Identity()};
+  std::vector<Transform> chain{mount_transform(model)};
   for (int k = 0; k < model.joint_count(); ++k) {
     chain.push_back(chain.back() * link_transform(model, k, at(positions, k)));
   }
@@ -33,30 +63,32 @@ std::vector<Transform> base_transforms(const Model& model, const Positions& posi
 }
 
 Transform tool_transform(const Model& model, const Positions& positions) {
-  Transform pose = Transform::Identity();
+  Transform pose = mount_transform(model);
   for (int k = 0; k < model.joint_count(); ++k) pose *= link_transform(model, k, at(positions, k));
   return pose;
 }
 
 // Transforms a point, from the tip inwards, instead of multiplying matrices: a dozen
-// multiplications per joint. A point on the joint's own axis, as the tip is for the roll, needs no
-// rotation.
+// multiplications per joint.
 PointUm tool_tip(const Model& model, const Positions& positions) {
-  double x = 0;
-  double y = 0;
-  double z = 0;
+  PointMm p;
   for (int k = model.joint_count() - 1; k >= 0; --k) {
     const Counts position = at(positions, k);
-    const SinCos& alpha = model.twist(k);
-    const double along = x + model.link_length_mm(k);
-    const double across = alpha.cos * y - alpha.sin * z;
-    z = alpha.sin * y + alpha.cos * z + model.link_offset_mm(k, position);
-    const bool on_axis = along == 0.0 && across == 0.0;
-    const SinCos theta = on_axis ? SinCos{} : model.theta(k, position);
-    x = theta.cos * along - theta.sin * across;
-    y = theta.sin * along + theta.cos * across;
+    to_previous_frame(p, model.twist(k), model.link_offset_mm(k, position), model.link_length_mm(k),
+                      [&] { return model.theta(k, position); });
   }
-  return {micrometres(x), micrometres(y), micrometres(z)};
+  if (const std::optional<MountAngles>& mount = model.mount_angles()) {
+    const DhRow& row = *model.robot().mount;
+    to_previous_frame(p, mount->twist, row.d_mm, row.a_mm, [&] { return mount->theta; });
+  }
+  return {micrometres(p.x), micrometres(p.y), micrometres(p.z)};
+}
+
+PointUm base_shift(const Model& model, const Positions& positions) {
+  if (model.slide_count() == 0) return {};
+  const Transform now = behind_slides(model, positions);
+  const Transform home = behind_slides(model, Positions{});
+  return {micrometres(now(0, 3) - home(0, 3)), micrometres(now(1, 3) - home(1, 3)), 0};
 }
 
 ToolConfiguration tool_configuration(const Model& model, const Positions& positions) {

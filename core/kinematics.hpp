@@ -17,14 +17,22 @@ using ToolConfiguration = Eigen::Matrix<double, 6, 1>;
 /// T(k-1,k) of joint `joint` (index k-1) at a position: the paper's equation (2).
 Transform link_transform(const Model& model, int joint, Counts position);
 
-/// T(0,k) for k = 0...n: the paper's equation (3); element 0 is the identity.
+/// From the base frame to frame 0: the robot's mount, or the identity.
+Transform mount_transform(const Model& model);
+
+/// T(0,k) for k = 0...n, the paper's equation (3), behind the mount; element 0 is the mount.
 std::vector<Transform> base_transforms(const Model& model, const Positions& positions);
 
-/// T(0,n): the tool's frame. Its origin is the tip, z the approach vector, y the sliding vector.
+/// T(0,n) behind the mount: the tool's frame in the base frame. Its origin is the tip, z the
+/// approach vector, y the sliding vector.
 Transform tool_transform(const Model& model, const Positions& positions);
 
 /// The tool tip in the base frame: bit-identical on every machine for the same counts.
 PointUm tool_tip(const Model& model, const Positions& positions);
+
+/// How far the arm's first joints, if they are prismatic, have moved the rest of the arm from its
+/// place at the soft home; horizontally, z is 0.
+PointUm base_shift(const Model& model, const Positions& positions);
 
 /// w = (p, exp(q_n / pi) * approach): mm, then dimensionless; q_n is the last joint's variable in
 /// radians (mm for a prismatic one). For display only.

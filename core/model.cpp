@@ -1,5 +1,7 @@
 #include "core/model.hpp"
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -12,6 +14,11 @@ constexpr double kCountTolerance = 1e-6;
 MotorModel motor_model(const Drive& drive, Profile profile) {
   const CountRange range = count_limits(drive);
   return {drive, range.low, range.high, closed_range(drive.microswitch, profile)};
+}
+
+CarouselModel carousel_model(const Carousel& carousel) {
+  return {micrometres(carousel.x_mm), micrometres(carousel.y_mm), micrometres(carousel.radius_mm),
+          micrometres(carousel.height_mm), carousel.drive.precision * carousel.drive.direction};
 }
 
 }  // namespace
@@ -37,6 +44,11 @@ Model::Model(Robot robot, Workcell workcell, Profile profile)
     : robot_(std::move(robot)), workcell_(std::move(workcell)), profile_(profile) {
   for (const Joint& joint : robot_.joints) motors_.push_back(motor_model(joint.drive, profile));
   motors_.push_back(motor_model(robot_.tool.drive, profile));
+  if (robot_.carousel) {
+    motors_.push_back(motor_model(robot_.carousel->drive, profile));
+    carousel_ = carousel_model(*robot_.carousel);
+  }
+  assert(motor_count() <= kMaxMotors);
   find_gains();
   fill_tables();
   region_radius_um_ = micrometres(robot_.protected_region.radius_mm);
@@ -73,11 +85,39 @@ void Model::fill_tables() {
     thetas_.emplace_back(joint.dh.theta_deg, step, low, high);
     twists_.push_back(sin_cos_deg(joint.dh.alpha_deg));
   }
+  if (const std::optional<DhRow>& mount = robot_.mount) {
+    mount_angles_ = MountAngles{sin_cos_deg(mount->theta_deg), sin_cos_deg(mount->alpha_deg)};
+  }
+  while (slide_count_ < joint_count() &&
+         !robot_.joints[static_cast<std::size_t>(slide_count_)].is_revolute()) {
+    ++slide_count_;
+  }
 }
 
 int Model::index_of(char label) const {
-  const int index = tool_index() - (label - 'A');
-  return label >= 'A' && index >= 0 ? index : -1;
+  const auto found = std::find_if(motors_.begin(), motors_.end(), [label](const MotorModel& motor) {
+    return motor.drive.label == label;
+  });
+  return found == motors_.end() ? -1 : static_cast<int>(found - motors_.begin());
+}
+
+std::string Model::labels() const {
+  std::string letters;
+  for (const MotorModel& motor : motors_) letters += motor.drive.label;
+  std::sort(letters.begin(), letters.end());
+  return letters;
+}
+
+std::string Model::name(int index) const {
+  if (index == tool_index()) return "tool";
+  if (index == carousel_index()) return robot_.carousel->name;
+  return robot_.joints[static_cast<std::size_t>(index)].name;
+}
+
+bool Model::is_length(int index) const {
+  if (index == tool_index()) return robot_.tool.kind == ToolKind::kParallel;
+  if (index == carousel_index()) return false;
+  return !robot_.joints[static_cast<std::size_t>(index)].is_revolute();
 }
 
 double Model::variable(int index, Counts position) const {

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "core/robot.hpp"
@@ -28,7 +30,7 @@ struct CountRange {
   bool operator==(const CountRange&) const = default;
 };
 
-/// Integers of one motor and of the joint (or tool) it drives.
+/// Integers of one motor and of the joint (or tool, or carousel) it drives.
 struct MotorModel {
   Drive drive;
   Counts low = 0;           ///< minimum joint position within the limits, counts from the soft home
@@ -44,6 +46,21 @@ struct CoupledJoint {
   bool operator==(const CoupledJoint&) const = default;
 };
 
+/// The carousel in the units of decisions.
+struct CarouselModel {
+  Micrometres x_um = 0;  ///< of its axis
+  Micrometres y_um = 0;
+  Micrometres radius_um = 0;
+  Micrometres top_um = 0;  ///< z of its top
+  double step_deg = 0;     ///< the turn per count, counterclockwise from above
+};
+
+/// The angles of the row between the base frame and frame 0.
+struct MountAngles {
+  SinCos theta;
+  SinCos twist;
+};
+
 class Model {
  public:
   /// Computes the integers and tables. `robot` must have passed the rules of robot files
@@ -55,13 +72,21 @@ class Model {
   Profile profile() const { return profile_; }
 
   int joint_count() const { return static_cast<int>(robot_.joints.size()); }
-  /// One motor per joint, from the base, and then the tool's.
-  int motor_count() const { return joint_count() + 1; }
+  /// One motor per joint, from the base, then the tool's, then the carousel's.
+  int motor_count() const { return joint_count() + (carousel_ ? 2 : 1); }
   int tool_index() const { return joint_count(); }
+  /// -1 without a carousel.
+  int carousel_index() const { return carousel_ ? joint_count() + 1 : -1; }
 
   const MotorModel& motor(int index) const { return motors_[static_cast<std::size_t>(index)]; }
-  /// Index of the motor with label 'A'...'H', or -1.
+  /// Index of the motor with this label, or -1.
   int index_of(char label) const;
+  /// The labels of all motors, in the order of the alphabet.
+  std::string labels() const;
+  /// The name of a joint or of the carousel, or `tool`.
+  std::string name(int index) const;
+  /// Whether the variable of a motor is a length in mm; if not, an angle in degrees.
+  bool is_length(int index) const;
 
   /// The joints that motor `index` moves: its own first, then those coupled to it.
   const std::vector<CoupledJoint>& driven_by(int index) const {
@@ -72,7 +97,7 @@ class Model {
     return gain_[static_cast<std::size_t>(joint)][static_cast<std::size_t>(motor)];
   }
 
-  /// The joint or tool variable at a position, in degrees or mm.
+  /// The variable of a joint, the tool or the carousel at a position, in degrees or mm.
   double variable(int index, Counts position) const;
   /// Sine and cosine of joint `joint`'s theta at a position; constant for a prismatic joint.
   SinCos theta(int joint, Counts position) const;
@@ -85,6 +110,12 @@ class Model {
   }
   /// Sine and cosine of the link twist of joint `joint`.
   const SinCos& twist(int joint) const { return twists_[static_cast<std::size_t>(joint)]; }
+  /// Sines and cosines of theta and alpha of the robot's mount; empty if it has none.
+  const std::optional<MountAngles>& mount_angles() const { return mount_angles_; }
+  /// The number of prismatic joints before the first revolute one: they move the whole arm.
+  int slide_count() const { return slide_count_; }
+
+  const std::optional<CarouselModel>& carousel() const { return carousel_; }
 
   Micrometres region_radius_um() const { return region_radius_um_; }
   Micrometres region_height_um() const { return region_height_um_; }
@@ -101,6 +132,9 @@ class Model {
   std::array<std::array<std::int8_t, kMaxMotors>, kMaxMotors> gain_{};
   std::vector<SinCosTable> thetas_;
   std::vector<SinCos> twists_;
+  std::optional<MountAngles> mount_angles_;
+  int slide_count_ = 0;
+  std::optional<CarouselModel> carousel_;
   Micrometres region_radius_um_ = 0;
   Micrometres region_height_um_ = 0;
 };

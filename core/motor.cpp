@@ -52,13 +52,11 @@ bool gathers_a_count(MotorState& motor) {
 }
 
 // Makes the tool's count unless it would squeeze a block.
-MotorTickResult turn_tool(const Model& model, State& state, Positions& positions,
-                          MotorTickResult turned) {
+void turn_tool(const Model& model, State& state, Positions& positions, MotorTickResult& turned) {
   const int tool = model.tool_index();
   turned.opened = opens_jaws(model, sign(state.motor(tool).error));
   if (!turned.opened) turned.jaws = next_closing(model, state, positions);
   if (turned.jaws.kind != JawContact::Kind::kHolds) make_count(model, state, positions, tool);
-  return turned;
 }
 
 }  // namespace
@@ -89,9 +87,12 @@ MotorTickResult turn_motors(const Model& model, State& state, Positions& positio
     if (!gathers_a_count(state.motor(i))) continue;
     if (obstacle(model, state, positions, i) != Blocked::kNo) continue;  // see update_blocked()
     turned.any = true;
-    if (i == model.tool_index()) return turn_tool(model, state, positions, turned);
+    if (i == model.tool_index()) {
+      turn_tool(model, state, positions, turned);
+      continue;
+    }
     make_count(model, state, positions, i);
-    turned.joint = true;
+    (i == model.carousel_index() ? turned.table : turned.joint) = true;
   }
   return turned;
 }

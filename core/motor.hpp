@@ -36,13 +36,14 @@ Blocked obstacle(const Model& model, const State& state, const Positions& positi
 /// The result of one tick of all motors.
 struct MotorTickResult {
   bool any = false;     ///< a count was made, or the jaws met a block
-  bool joint = false;   ///< a joint moved, not only the tool
+  bool joint = false;   ///< a joint moved, not only tool or carousel
+  bool table = false;   ///< the carousel turned
   bool opened = false;  ///< the tool's motor made an opening count
   JawContact jaws;      ///< what the tool's closing count met
 };
 
-/// One tick of every motor: joints from the base, then the tool. The check of each count sees the
-/// counts already made in this tick. Updates `positions`.
+/// One tick of every motor: joints from the base, the tool, then the carousel. The check of each
+/// count sees the counts already made in this tick. Updates `positions`.
 MotorTickResult turn_motors(const Model& model, State& state, Positions& positions);
 
 /// Recomputes which motors are blocked and appends an event for each newly blocked one. To be

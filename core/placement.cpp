@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "core/carousel.hpp"
 #include "core/trig.hpp"
 
 namespace xr3 {
@@ -14,13 +15,12 @@ namespace {
 /// The support below a block, and the block that it overlaps.
 struct Placement {
   Micrometres support_um = 0;         ///< z of the top of `support`
-  const Block* support = nullptr;     ///< nullptr: the work surface
+  const Block* support = nullptr;     ///< nullptr: the work surface or the carousel
   const Block* overlapped = nullptr;  ///< the first one in the list
   int overlaps = 0;
+  bool is_in_carousel = false;  ///< it overlaps the carousel
+  char surface = 'A';           ///< the label of the carousel if the block is above it
 };
-
-Micrometres bottom_um(const Block& block) { return block.centroid_um.z - block.size_um.z / 2; }
-Micrometres top_um(const Block& block) { return bottom_um(block) + block.size_um.z; }
 
 SinCos direction_of(const Block& block) { return sin_cos_deg(degrees(block.yaw_udeg)); }
 SinCos a_quarter_on(const SinCos& direction) { return {direction.cos, -direction.sin}; }
@@ -59,18 +59,37 @@ void add(Placement& placement, const Block& block, const Block& other) {
   ++placement.overlaps;
 }
 
+char carousel_label(const Model& model) { return model.motor(model.carousel_index()).drive.label; }
+
+bool is_in_carousel(const Model& model, const Block& block) {
+  if (!model.carousel()) return false;
+  const Micrometres depth = model.carousel()->top_um - bottom_um(block);
+  return std::min(overhang_um(model, block), depth) > kContactToleranceUm;
+}
+
 Placement placement_of(const Model& model, const State& state, std::size_t block) {
   assert(block < state.blocks.size() && !(state.held && state.held->block == block));
   Placement placement;
-  placement.support_um = model.workcell().work_surface_um;
+  const Block& placed = state.blocks[block];
+  const PointUm& at = placed.centroid_um;
+  placement.support_um = surface_um(model, at.x, at.y);
+  if (is_over_carousel(model, at.x, at.y)) placement.surface = carousel_label(model);
+  placement.is_in_carousel = is_in_carousel(model, placed);
   for (std::size_t i = 0; i < state.blocks.size(); ++i) {
     const bool is_held = state.held && state.held->block == i;
-    if (i != block && !is_held) add(placement, state.blocks[block], state.blocks[i]);
+    if (i != block && !is_held) add(placement, placed, state.blocks[i]);
   }
   return placement;
 }
 
-Warning overlap_warning(const Block& block, const Placement& placement) {
+bool overlaps_anything(const Placement& placement) {
+  return placement.overlaps > 0 || placement.is_in_carousel;
+}
+
+/// Other blocks first; `label` is that of the carousel if it is the only thing overlapped.
+Warning overlap_warning(const Model& model, const Block& block, const Placement& placement) {
+  if (placement.overlaps == 0)
+    return {WarningCode::kBlocksOverlap, carousel_label(model), 0, 0, block.name};
   return {WarningCode::kBlocksOverlap, 'A', placement.overlaps, 0, block.name,
           placement.overlapped->name};
 }
@@ -78,7 +97,7 @@ Warning overlap_warning(const Block& block, const Placement& placement) {
 Warning air_warning(const Block& block, const Placement& placement, Micrometres gap_um) {
   assert(gap_um <= std::numeric_limits<int>::max());  // no link is longer than 100 m
   return {WarningCode::kReleasedInAir,
-          'A',
+          placement.support == nullptr ? placement.surface : 'A',
           static_cast<int>(gap_um),
           0,
           block.name,
@@ -105,16 +124,16 @@ Micrometres footprint_overlap_um(const Block& a, const Block& b) {
 
 void warn_of_overlap(const Model& model, const State& state, std::size_t block, Events& events) {
   const Placement placement = placement_of(model, state, block);
-  if (placement.overlaps == 0) return;
-  events.push_back({state.tick, overlap_warning(state.blocks[block], placement)});
+  if (!overlaps_anything(placement)) return;
+  events.push_back({state.tick, overlap_warning(model, state.blocks[block], placement)});
 }
 
 void warn_of_placement(const Model& model, const State& state, std::size_t block, Events& events) {
   const Block& placed = state.blocks[block];
   const Placement placement = placement_of(model, state, block);
   const Micrometres gap_um = bottom_um(placed) - placement.support_um;
-  if (placement.overlaps > 0) {
-    events.push_back({state.tick, overlap_warning(placed, placement)});
+  if (overlaps_anything(placement)) {
+    events.push_back({state.tick, overlap_warning(model, placed, placement)});
   } else if (gap_um > kContactToleranceUm) {
     events.push_back({state.tick, air_warning(placed, placement, gap_um)});
   }

@@ -14,16 +14,24 @@ namespace xr3 {
 /// and up to 0.9 mm beside it. The errors of two blocks that should touch add up.
 inline constexpr Micrometres kContactToleranceUm = 2'000;
 
+/// z of the underside and of the top of an upright block.
+inline Micrometres bottom_um(const Block& block) {
+  return block.centroid_um.z - block.size_um.z / 2;
+}
+inline Micrometres top_um(const Block& block) { return bottom_um(block) + block.size_um.z; }
+
 /// The overlap of the footprints of two upright blocks: the shortest horizontal distance by which
 /// one of them would have to move. 0 if they touch, negative if they are apart.
 Micrometres footprint_overlap_um(const Block& a, const Block& b);
 
-/// Warns if the block overlaps others (`blocks_overlap`) by more than the tolerance, horizontally
-/// and vertically. A held block is not considered. Precondition: the block exists and is not held.
+/// Warns if the block overlaps others, or the carousel (`blocks_overlap`), by more than the
+/// tolerance, horizontally and vertically. A held block is not considered. Precondition: the block
+/// exists and is not held.
 void warn_of_overlap(const Model& model, const State& state, std::size_t block, Events& events);
 
-/// The same for a block that was released; if it overlaps none, warns if its underside is further
-/// above the work surface, or the highest block below it, than the tolerance (`released_in_air`).
+/// The same for a block that was released; if it overlaps nothing, warns if its underside is
+/// further above the work surface, the carousel, or the highest block below it, than the tolerance
+/// (`released_in_air`).
 void warn_of_placement(const Model& model, const State& state, std::size_t block, Events& events);
 
 }  // namespace xr3

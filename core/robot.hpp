@@ -14,12 +14,14 @@
 
 namespace xr3 {
 
-/// Maximum number of joints; the tool is not a joint. Labels then run from H (base) to A (tool).
+/// Maximum number of joints, one for each letter B...H; the tool, A, is not a joint. A carousel
+/// needs one of these letters.
 inline constexpr int kMaxJoints = 7;
-/// Maximum number of motors: one per joint and one for the tool.
+/// Maximum number of motors: one per joint, one for the tool, and one for the carousel.
 inline constexpr int kMaxMotors = kMaxJoints + 1;
 
-/// Positions of the joints, from the base, and then of the tool, in counts from the soft home.
+/// Positions of the joints, from the base, then of the tool and of the carousel, in counts from the
+/// soft home.
 using Positions = std::array<Counts, kMaxMotors>;
 
 /// Which Denavit-Hartenberg parameter the motor changes (the paper's jvar 1 and 2).
@@ -39,7 +41,7 @@ struct Microswitch {
 
 /// A DC motor with an incremental encoder. Every joint has one, and so does the tool.
 struct Drive {
-  char label = 'A';            ///< A for the tool, then B for the last joint, and so on to the base
+  char label = 'A';            ///< A for the tool; B...H, each at most once, for a joint
   double precision = 0;        ///< degrees or mm per count, above 0
   double min = 0;              ///< lower limit of the variable, degrees or mm
   double max = 0;              ///< upper limit of the variable, degrees or mm
@@ -100,6 +102,19 @@ struct Tool {
   bool operator==(const Tool&) const = default;
 };
 
+/// A round table beside the arm that a motor turns about a vertical axis; not a joint of the arm.
+/// The variable of its motor is the table's angle, 0 at the soft home, counterclockwise from above.
+struct Carousel {
+  std::string name;
+  Drive drive;
+  double x_mm = 0;  ///< of its axis, in the base frame
+  double y_mm = 0;
+  double radius_mm = 0;
+  double height_mm = 0;  ///< of its top above the base plane
+  int color = 0;         ///< palette index 0...15
+  bool operator==(const Carousel&) const = default;
+};
+
 /// Motor `joint` also moves joint `coupled`. In joint variables: in the same direction (sign +1) or
 /// in the opposite one (-1).
 struct Coupling {
@@ -126,8 +141,10 @@ struct RollTerm {
 struct Robot {
   std::string name;
   std::string notes;
-  std::vector<Joint> joints;  ///< from the base; 1...kMaxJoints elements
+  std::optional<DhRow> mount;  ///< from the base frame to frame 0, without a joint
+  std::vector<Joint> joints;   ///< from the base; 1...kMaxJoints elements
   Tool tool;
+  std::optional<Carousel> carousel;
   std::vector<Outline> links;  ///< joints.size() + 1 elements, or none
   std::vector<Coupling> couplings;
   ProtectedRegion protected_region;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "core/carousel.hpp"
 #include "core/coupling.hpp"
 #include "core/kinematics.hpp"
 
@@ -17,11 +18,11 @@ bool are_within_limits(const Model& model, const Positions& positions,
   });
 }
 
-/// Whether some combination of at most one count per joint, from `joint` on, moves the tip to where
-/// `is_such` holds.
+/// Whether some combination of at most one count per joint, from `joint` on, leads to positions for
+/// which `is_such` holds.
 bool leads_to(const Model& model, const Positions& positions, int joint,
-              const std::function<bool(const PointUm&)>& is_such) {
-  if (joint == model.joint_count()) return is_such(tool_tip(model, positions));
+              const std::function<bool(const Positions&)>& is_such) {
+  if (joint == model.joint_count()) return is_such(positions);
   for (const Counts count : {0, -1, 1}) {
     Positions next = positions;
     turn(model, next, joint, count);
@@ -35,17 +36,22 @@ bool leads_to(const Model& model, const Positions& positions, int joint,
 
 }  // namespace
 
-bool is_in_protected_region(const Model& model, const PointUm& tip) {
+bool is_in_protected_region(const Model& model, const Positions& positions, const PointUm& tip) {
+  if (tip.z >= model.region_height_um()) return false;
+  const PointUm base = base_shift(model, positions);
   const Micrometres radius = model.region_radius_um();
-  return tip.z < model.region_height_um() && tip.x * tip.x + tip.y * tip.y < radius * radius;
+  const Micrometres x = tip.x - base.x;
+  const Micrometres y = tip.y - base.y;
+  return x * x + y * y < radius * radius;
 }
 
 bool is_below_surface(const Model& model, const PointUm& tip) {
-  return tip.z < model.workcell().work_surface_um;
+  return tip.z < surface_um(model, tip.x, tip.y);
 }
 
-Stall stall_at(const Model& model, const State& state, const PointUm& tip) {
-  if (is_in_protected_region(model, tip)) return Stall::kProtectedRegion;
+Stall stall_at(const Model& model, const State& state, const Positions& positions,
+               const PointUm& tip) {
+  if (is_in_protected_region(model, positions, tip)) return Stall::kProtectedRegion;
   const bool crosses = is_below_surface(model, tip) && !state.below_surface;
   return model.workcell().surface_stalls && crosses ? Stall::kWorkSurface : Stall::kNo;
 }
@@ -53,9 +59,12 @@ Stall stall_at(const Model& model, const State& state, const PointUm& tip) {
 bool could_stall(const Model& model, const Positions& positions, Stall why) {
   if (why == Stall::kNo) return true;
   const Micrometres height = tool_tip(model, positions).z;
-  return leads_to(model, positions, 0, [&](const PointUm& tip) {
-    const bool is_inside = is_in_protected_region(model, tip);
-    return why == Stall::kProtectedRegion ? is_inside : !is_inside && tip.z < height;
+  return leads_to(model, positions, 0, [&](const Positions& next) {
+    const PointUm tip = tool_tip(model, next);
+    const bool is_inside = is_in_protected_region(model, next, tip);
+    if (why == Stall::kProtectedRegion) return is_inside;
+    const bool is_sideways = is_over_carousel(model, tip.x, tip.y);
+    return !is_inside && (tip.z < height || is_sideways);
   });
 }
 

@@ -63,6 +63,16 @@ struct Held {
   bool operator==(const Held&) const = default;
 };
 
+/// A block on the carousel: where it was put, and at which count of the carousel. Its entry in
+/// State::blocks follows the carousel: see as_turned() in carousel.hpp.
+struct Rider {
+  std::uint32_t block = 0;  ///< index in State::blocks
+  Counts count = 0;
+  PointUm centroid_um;
+  Microdegrees yaw_udeg = 0;
+  bool operator==(const Rider&) const = default;
+};
+
 /// The path of the tool tip since erasing was turned off: the last kMaxTipPoints points.
 struct TipPath {
   static constexpr std::size_t kMaxTipPoints = 4096;
@@ -84,7 +94,8 @@ struct State {
   InputOutput io;
   std::vector<Block> blocks;
   std::optional<Held> held;
-  bool jaws_warned = false;  ///< jaws_too_narrow was already reported for the current closing
+  std::vector<Rider> riders;  ///< in the order of their blocks; none without a carousel
+  bool jaws_warned = false;   ///< jaws_too_narrow was already reported for the current closing
   TipPath tip_path;
   bool operator==(const State&) const = default;
 

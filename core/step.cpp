@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/carousel.hpp"
 #include "core/coupling.hpp"
 #include "core/grasp.hpp"
 #include "core/invariants.hpp"
@@ -58,13 +59,14 @@ void tick(const Model& model, State& state, Events& events) {
   const MotorTickResult turned = turn_motors(model, state, positions);
   if (turned.joint) {
     const PointUm tip = tool_tip(model, positions);
-    if (const Stall why = stall_at(model, state, tip); why != Stall::kNo) {
+    if (const Stall why = stall_at(model, state, positions, tip); why != Stall::kNo) {
       return stall(state, before, why, events);
     }
     update_surface(model, state, tip, events);
     if (state.motor(model.tool_index()).error == 0) state.jaws_warned = false;  // closing has ended
     if (!state.display.erase) state.tip_path.add(tip);
   }
+  if (turned.table) carry_riders(model, state);
   if (turned.any) {
     update_switches(model, state, events);
     update_grasp(model, state, positions, turned.jaws, turned.opened, events);

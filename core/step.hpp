@@ -1,6 +1,6 @@
 // Advances the machine by one tick or many. The order within a tick is that of the lines of step():
-// motors from the base to the tool, protected region and work surface, switches, grasp, then
-// arrived and blocked motors.
+// motors from the base to the tool and the carousel, protected region and work surface, blocks on
+// the carousel, switches, grasp, then arrived and blocked motors.
 #pragma once
 
 #include "core/event.hpp"

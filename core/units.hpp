@@ -52,6 +52,14 @@ constexpr Microdegrees microdegrees(double degrees) {
   return static_cast<Microdegrees>(parts < 0 ? parts - 0.5 : parts + 0.5);
 }
 
+/// The same direction in (-180, 180] degrees.
+constexpr Microdegrees normalized(Microdegrees angle) {
+  constexpr Microdegrees kTurn = 360'000'000;
+  angle %= kTurn;
+  if (angle > kTurn / 2) angle -= kTurn;
+  return angle <= -kTurn / 2 ? angle + kTurn : angle;
+}
+
 constexpr double mm(Micrometres um) { return static_cast<double>(um) / kMicrometresPerMm; }
 constexpr double degrees(Microdegrees angle) {
   return static_cast<double>(angle) / kMicrodegreesPerDegree;

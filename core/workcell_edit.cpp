@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/carousel.hpp"
 #include "core/coupling.hpp"
 #include "core/kinematics.hpp"
 #include "core/motor.hpp"
@@ -21,15 +22,20 @@ bool is_held(const State& state, std::size_t block) {
   return state.held && state.held->block == block;
 }
 
-void remove_block(State& state, std::size_t block) {
+void remove_block(const Model& model, State& state, std::size_t block) {
   assert(block < state.blocks.size() && !is_held(state, block));
   state.blocks.erase(state.blocks.begin() + static_cast<std::ptrdiff_t>(block));
   if (state.held && state.held->block > block) --state.held->block;
+  std::erase_if(state.riders, [block](const Rider& rider) { return rider.block == block; });
+  for (Rider& rider : state.riders) rider.block -= rider.block > block ? 1 : 0;
+  find_riders(model, state);
 }
 
 void take_over_workcell(const Model& model, State& state, Events& events) {
   state.blocks = model.workcell().blocks;
   state.held.reset();
+  state.riders.clear();
+  find_riders(model, state);
   state.jaws_warned = false;
   const Positions now = positions(model, state.motors);
   state.below_surface = is_below_surface(model, tool_tip(model, now));

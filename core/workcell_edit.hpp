@@ -16,7 +16,7 @@ std::optional<std::size_t> find_block(const State& state, std::string_view name)
 bool is_held(const State& state, std::size_t block);
 
 /// Removes a block. The others keep their order. Precondition: the block exists and is not held.
-void remove_block(State& state, std::size_t block);
+void remove_block(const Model& model, State& state, std::size_t block);
 
 /// Replaces the blocks by those of the model's workcell; a held block disappears. Motors continue,
 /// and a tool motor that was blocked by the held block is freed. The state must come from a model

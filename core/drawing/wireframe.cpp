@@ -9,6 +9,9 @@
 namespace xr3 {
 namespace {
 
+constexpr int kRingCorners = 24;
+constexpr double kTableThicknessMm = 12;
+
 Eigen::Vector3d vector(const PointMm& p) { return {p.x, p.y, p.z}; }
 
 Eigen::Vector3d carried(const Transform& pose, const Eigen::Vector3d& p) {
@@ -56,6 +59,35 @@ Transform jaw_shift(const Model& model, const ToolPart& part, Counts tool_positi
 
 std::string finger_part(int side) { return side > 0 ? "finger+1" : "finger-1"; }
 
+/// A circle about the carousel's axis, with corners that turn with it.
+Wire carousel_ring(const Carousel& carousel, double angle_deg, double radius_mm, double z_mm) {
+  Wire ring{"carousel", carousel.color, {}};
+  for (int i = 0; i <= kRingCorners; ++i) {
+    const auto [sin, cos] = sin_cos_deg(angle_deg + 360.0 / kRingCorners * i);
+    ring.points.emplace_back(carousel.x_mm + radius_mm * cos, carousel.y_mm + radius_mm * sin,
+                             z_mm);
+  }
+  return ring;
+}
+
+/// The table, a disc with two diameters that show its angle, on a column.
+void add_carousel(std::vector<Wire>& wires, const Model& model, const Positions& positions) {
+  const Carousel& carousel = *model.robot().carousel;
+  const int index = model.carousel_index();
+  const double angle = model.variable(index, positions[static_cast<std::size_t>(index)]);
+  const double underside = std::max(carousel.height_mm - kTableThicknessMm, 0.0);
+  const double column = carousel.radius_mm / 4;
+  const Wire top = carousel_ring(carousel, angle, carousel.radius_mm, carousel.height_mm);
+  wires.push_back(top);
+  wires.push_back(carousel_ring(carousel, angle, carousel.radius_mm, underside));
+  wires.push_back(carousel_ring(carousel, angle, column, underside));
+  wires.push_back(carousel_ring(carousel, angle, column, 0));
+  for (const std::size_t i : {std::size_t{0}, std::size_t{kRingCorners / 4}}) {
+    wires.push_back(
+        {"carousel", carousel.color, {top.points[i], top.points[i + kRingCorners / 2]}});
+  }
+}
+
 /// One polyline for bottom, top and an upright edge, and three for the other upright edges. Every
 /// corner has three edges, so fewer than four polylines cannot draw a box.
 void add_box(std::vector<Wire>& wires, const Block& block, const Transform& pose) {
@@ -100,6 +132,7 @@ std::vector<Wire> robot_wires(const Model& model, const Positions& positions) {
     add_outline(wires, finger_part(part.side), part.color, part.points,
                 [&](const Eigen::Vector3d& p) { return carried(pose, p); });
   }
+  if (model.carousel()) add_carousel(wires, model, positions);
   return wires;
 }
 

@@ -15,8 +15,8 @@
 namespace xr3 {
 
 /// Lines from point to point; at least two points. `part` is "base", "link1", "link2", ..., "tool"
-/// (link n), "finger+1" or "finger-1" (a moving part of the tool, with its side), "block:NAME",
-/// "path" or "surface". A part may consist of several polylines.
+/// (link n), "finger+1" or "finger-1" (a moving part of the tool, with its side), "carousel",
+/// "block:NAME", "path" or "surface". A part may consist of several polylines.
 template <class Point>
 struct Polyline {
   std::string part;
@@ -32,7 +32,7 @@ using FlatWire = Polyline<Eigen::Vector2d>;  ///< projected onto a view, mm
 inline constexpr int kPathColor = 4;
 inline constexpr int kSurfaceColor = 8;
 
-/// Links from the base to the tool's body, then the tool's moving parts.
+/// Links from the base to the tool's body, then the tool's moving parts, then the carousel.
 std::vector<Wire> robot_wires(const Model& model, const Positions& positions);
 
 /// The twelve edges of each block at its current pose, as four polylines per block.

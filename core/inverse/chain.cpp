@@ -37,13 +37,11 @@ std::array<double, kMaxMotors> exact_motors(const Model& model, const JointVaria
   return counts;
 }
 
-}  // namespace
-
-Transform link_transform_at(const Joint& joint, double variable) {
-  const SinCos theta = sin_cos_deg(joint.is_revolute() ? variable : joint.dh.theta_deg);
-  const SinCos alpha = sin_cos_deg(joint.dh.alpha_deg);
-  const double d = joint.is_revolute() ? joint.dh.d_mm : variable;
-  const double a = joint.dh.a_mm;
+Transform row_transform_at(const DhRow& row) {
+  const SinCos theta = sin_cos_deg(row.theta_deg);
+  const SinCos alpha = sin_cos_deg(row.alpha_deg);
+  const double d = row.d_mm;
+  const double a = row.a_mm;
   Transform t;
   t << theta.cos, -alpha.cos * theta.sin, alpha.sin * theta.sin, a * theta.cos,  //
       theta.sin, alpha.cos * theta.cos, -alpha.sin * theta.cos, a * theta.sin,   //
@@ -52,8 +50,17 @@ Transform link_transform_at(const Joint& joint, double variable) {
   return t;
 }
 
+}  // namespace
+
+Transform link_transform_at(const Joint& joint, double variable) {
+  DhRow row = joint.dh;
+  (joint.is_revolute() ? row.theta_deg : row.d_mm) = variable;
+  return row_transform_at(row);
+}
+
 std::vector<Transform> base_transforms_at(const Robot& robot, const JointVariables& variables) {
-  std::vector<Transform> chain{Transform::Identity()};
+  std::vector<Transform> chain{robot.mount ? row_transform_at(*robot.mount)
+                                           : Transform::Identity()};
   for (std::size_t k = 0; k < variables.size(); ++k) {
     chain.push_back(chain.back() * link_transform_at(robot.joints[k], variables[k]));
   }

@@ -17,10 +17,11 @@ using JointVariables = std::vector<double>;
 /// T(k-1,k) of a joint.
 Transform link_transform_at(const Joint& joint, double variable);
 
-/// T(0,k) for k = 0...variables.size(), which may be less than the number of joints.
+/// T(0,k) for k = 0...variables.size(), which may be less than the number of joints, behind the
+/// mount.
 std::vector<Transform> base_transforms_at(const Robot& robot, const JointVariables& variables);
 
-/// T(0,n).
+/// T(0,n) behind the mount.
 Transform tool_transform_at(const Robot& robot, const JointVariables& variables);
 
 /// The vector w of tool_configuration() in kinematics.hpp.

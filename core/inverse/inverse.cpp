@@ -2,9 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <tuple>
 
+#include "core/inverse/slide.hpp"
 #include "core/inverse/solvers.hpp"
 #include "core/stall.hpp"
 
@@ -77,7 +79,8 @@ InverseSolution solution_of(const Model& model, const ToolTarget& target, Candid
   solution.counts = nearest_counts(model, solution.variables);
   const Positions& positions = solution.counts.positions;
   solution.beyond = limits_passed(model, positions);
-  solution.in_protected_region = is_in_protected_region(model, tool_tip(model, positions));
+  solution.in_protected_region =
+      is_in_protected_region(model, positions, tool_tip(model, positions));
   solution.exact = pose_error(model.robot(), target, solution.variables);
   solution.rounded = pose_error(model.robot(), target, variables_at(model, positions));
   return solution;
@@ -111,6 +114,16 @@ void sort_solutions(std::vector<InverseSolution>& solutions) {
                    [&](const auto& one, const auto& other) { return key(one) < key(other); });
 }
 
+/// Precondition: the method is a closed form of this arm, which has neither mount nor slide.
+Candidates solve_arm(const Robot& arm, InverseMethod method, const ToolTarget& target,
+                     const InverseOptions& options) {
+  if (method == InverseMethod::kFiveAxisArm)
+    return inverse::solve_five_axis_arm(arm, target, options);
+  if (method == InverseMethod::kScara) return inverse::solve_scara(arm, target, options);
+  assert(method == InverseMethod::kSixAxisArm);
+  return inverse::solve_six_axis_arm(arm, target, options);
+}
+
 Candidates find_candidates(const Robot& robot, InverseMethod method, const ToolTarget& target,
                            const InverseOptions& options) {
   Candidates found;
@@ -118,13 +131,26 @@ Candidates find_candidates(const Robot& robot, InverseMethod method, const ToolT
     found.refuse(InverseRefusal::kNeedsOrientation, 0, 0);
     return found;
   }
-  switch (method) {
-    case InverseMethod::kFiveAxisArm: return inverse::solve_five_axis_arm(robot, target, options);
-    case InverseMethod::kScara: return inverse::solve_scara(robot, target, options);
-    case InverseMethod::kSixAxisArm: return inverse::solve_six_axis_arm(robot, target, options);
-    case InverseMethod::kNumerical: break;
-  }
-  return inverse::solve_numerically(robot, target, options);
+  if (method == InverseMethod::kNumerical)
+    return inverse::solve_numerically(robot, target, options);
+  if (!inverse::is_carried(robot)) return solve_arm(robot, method, target, options);
+  const double slide_mm = options.slide_mm.value_or(robot.joints.front().drive.home);
+  const Transform carrier = inverse::carrier_pose(robot, slide_mm);
+  found =
+      solve_arm(inverse::carried_arm(robot), method, inverse::seen_from(carrier, target), options);
+  if (!inverse::has_slide(robot)) return found;
+  found.set_free(InverseFreedom::kSlide);
+  for (Candidate& candidate : found.list)
+    candidate.variables.insert(candidate.variables.begin(), slide_mm);
+  return found;
+}
+
+InverseMethod method_of_arm(const Robot& arm) {
+  if (arm.joints.empty()) return InverseMethod::kNumerical;
+  if (inverse::is_five_axis_arm(arm)) return InverseMethod::kFiveAxisArm;
+  if (inverse::is_scara(arm)) return InverseMethod::kScara;
+  if (inverse::is_six_axis_arm(arm)) return InverseMethod::kSixAxisArm;
+  return InverseMethod::kNumerical;
 }
 
 double angle_between_deg(const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
@@ -172,10 +198,12 @@ ToolTarget tip_target(const Eigen::Vector3d& p_mm) {
 }
 
 InverseMethod inverse_method(const Robot& robot) {
-  if (inverse::is_five_axis_arm(robot)) return InverseMethod::kFiveAxisArm;
-  if (inverse::is_scara(robot)) return InverseMethod::kScara;
-  if (inverse::is_six_axis_arm(robot)) return InverseMethod::kSixAxisArm;
-  return InverseMethod::kNumerical;
+  return inverse::is_carried(robot) ? method_of_arm(inverse::carried_arm(robot))
+                                    : method_of_arm(robot);
+}
+
+bool keeps_slide(const Robot& robot) {
+  return inverse::has_slide(robot) && inverse_method(robot) != InverseMethod::kNumerical;
 }
 
 InverseResult solve_inverse(const Model& model, const ToolTarget& target,

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,7 +54,12 @@ enum class InverseMethod : std::uint8_t {
   kSixAxisArm,   ///< three shoulder axes through one point, elbow, wrist pitch, roll: closed form
   kNumerical,    ///< any other: damped least squares from many starts; may miss solutions
 };
+/// The method for the robot, or for its arm if that stands on a mount or a slide.
 InverseMethod inverse_method(const Robot& robot);
+
+/// Whether InverseOptions::slide_mm has an effect: joint 1 slides, and the arm on it has a closed
+/// form.
+bool keeps_slide(const Robot& robot);
 
 /// The reason why there is no solution.
 enum class InverseRefusal : std::uint8_t {
@@ -77,12 +83,15 @@ enum class InverseFreedom : std::uint8_t {
                   ///< it is set vertical
   kShoulderAxes,  ///< arm's plane horizontal, base and shoulder pitch axes in line; the base is set
                   ///< to its home
+  kSlide,         ///< the arm stands on a slide, which is kept at InverseOptions::slide_mm
   kMoreThanNeeded,  ///< numerical: the joints can move while the tool stays in place
 };
 
 struct InverseOptions {
   double tolerance_deg = 0.01;  ///< maximum error of the orientation
   double tolerance_mm = 1e-6;   ///< maximum error of the tip
+  /// The place of the slide on which an arm with a closed form stands; default: its soft home.
+  std::optional<double> slide_mm = std::nullopt;
 };
 
 /// A joint past its limit.

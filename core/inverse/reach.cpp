@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/inverse/inverse.hpp"
-
 namespace xr3 {
 namespace {
 
@@ -12,6 +10,7 @@ constexpr double kQuarterTurnDeg = 90;
 constexpr int kQuarterTurns = 4;
 constexpr double kStepMm = 10;
 constexpr std::size_t kFewJoints = 3;
+constexpr int kSlideSteps = 20;
 
 /// An upper bound of the reach: each joint adds at most the length of its row, slide included.
 double sum_of_lengths(const Robot& robot) {
@@ -22,22 +21,37 @@ double sum_of_lengths(const Robot& robot) {
                             : std::abs(joint.dh.d_mm);
     sum += std::hypot(d, joint.dh.a_mm);
   }
+  if (robot.mount) sum += std::hypot(robot.mount->d_mm, robot.mount->a_mm);
   return sum;
+}
+
+/// The places of the slide to be tried: the soft home, then equal steps over its range.
+std::vector<InverseOptions> places_of_slide(const Robot& robot) {
+  std::vector<InverseOptions> places(1);
+  if (!keeps_slide(robot)) return places;
+  const Drive& slide = robot.joints.front().drive;
+  for (int i = 0; i <= kSlideSteps; ++i) {
+    places.emplace_back().slide_mm = slide.min + (slide.max - slide.min) * i / kSlideSteps;
+  }
+  return places;
 }
 
 }  // namespace
 
 Reach::Reach(const Robot& robot)
     : model_(robot, Workcell{}, Profile::kPaper),
-      is_quick_(inverse_method(robot) != InverseMethod::kNumerical) {}
+      is_quick_(inverse_method(robot) != InverseMethod::kNumerical),
+      places_(places_of_slide(robot)) {}
 
 bool Reach::is_within(double x_mm, double y_mm, double z_mm, double yaw_deg) const {
   const Eigen::Vector3d p_mm(x_mm, y_mm, z_mm);
   const bool is_free = model_.robot().joints.size() <= kFewJoints;
-  const InverseResult result =
-      solve_inverse(model_, is_free ? tip_target(p_mm) : down_target(p_mm, yaw_deg));
-  return std::any_of(result.solutions.begin(), result.solutions.end(),
-                     [](const InverseSolution& solution) { return solution.is_allowed(); });
+  const ToolTarget target = is_free ? tip_target(p_mm) : down_target(p_mm, yaw_deg);
+  return std::any_of(places_.begin(), places_.end(), [&](const InverseOptions& options) {
+    const InverseResult result = solve_inverse(model_, target, options);
+    return std::any_of(result.solutions.begin(), result.solutions.end(),
+                       [](const InverseSolution& solution) { return solution.is_allowed(); });
+  });
 }
 
 bool Reach::has_grasp(const Block& block) const {

@@ -1,11 +1,13 @@
 // The robot's reach, for checks of a workcell. A point is within reach if the tool tip can be
 // there with the hand straight down, within the joint limits and outside the protected region. A
 // robot with at most three joints cannot choose the hand's orientation, so only its tip is
-// considered.
+// considered. A slide may be anywhere within its limits.
 #pragma once
 
 #include <optional>
+#include <vector>
 
+#include "core/inverse/inverse.hpp"
 #include "core/model.hpp"
 #include "core/workcell.hpp"
 
@@ -34,6 +36,7 @@ class Reach {
 
   Model model_;
   bool is_quick_;
+  std::vector<InverseOptions> places_;  ///< of the slide; one element if there is none
 };
 
 }  // namespace xr3

@@ -18,14 +18,22 @@ std::string number(double value) {
 }
 
 const char* unit_of(const Model& model, char label) {
-  const int index = model.index_of(label);
-  if (index == model.tool_index())
-    return model.robot().tool.kind == ToolKind::kParallel ? "mm" : "deg";
-  const auto variable = model.robot().joints[static_cast<std::size_t>(index)].variable;
-  return variable == JointVariable::kD ? "mm" : "deg";
+  return model.is_length(model.index_of(label)) ? "mm" : "deg";
 }
 
 std::string text_of(char label) { return {label}; }
+
+/// Letters in the order of the alphabet, consecutive ones as A...F: `A...D, G`.
+std::string runs_of(const std::string& letters) {
+  std::string text;
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    const bool continues = i > 0 && letters[i] == letters[i - 1] + 1;
+    const bool ends = i + 1 == letters.size() || letters[i + 1] != letters[i] + 1;
+    if (!continues) text += (i > 0 ? ", " : "") + text_of(letters[i]);
+    if (continues && ends) text += "..." + text_of(letters[i]);
+  }
+  return text;
+}
 
 Json io_json(const char* which, int number, bool value) {
   return {{which, number}, {"value", value}};
@@ -53,14 +61,25 @@ std::string block_text(const std::string& name, const char* without_name) {
   return name.empty() ? without_name : "block " + name;
 }
 
-std::string air_text(const Warning& warning) {
-  const char* surface = warning.block.empty() ? "what is below it" : "the work surface";
+/// Whether the warning is about the carousel: its label says so.
+bool is_of_carousel(const Warning& warning, const Model& model) {
+  return model.carousel() && model.index_of(warning.label) == model.carousel_index();
+}
+
+std::string air_text(const Warning& warning, const Model& model) {
+  const char* surface = warning.block.empty()            ? "what is below it"
+                        : is_of_carousel(warning, model) ? "the carousel"
+                                                         : "the work surface";
   return block_text(warning.block, "the block") + " was released " +
          number(mm(Micrometres{warning.value})) + " mm above " +
          block_text(warning.other, surface) + " and stays in the air: release it lower";
 }
 
-std::string overlap_text(const Warning& warning) {
+std::string overlap_text(const Warning& warning, const Model& model) {
+  if (is_of_carousel(warning, model)) {
+    return block_text(warning.block, "the block") +
+           " overlaps the carousel: put it on its top or beside it";
+  }
   const int more = warning.value - 1;
   return block_text(warning.block, "the block") + " overlaps " +
          block_text(warning.other, "another block") +
@@ -75,8 +94,7 @@ std::string text_of(const Warning& warning, const Model& model) {
              std::to_string(warning.limit) + "; wait until " + label +
              " is nearer to its target before sending more";
     case WarningCode::kNoSuchJoint:
-      return label + ": this robot has no such joint; it has A..." +
-             text_of(static_cast<char>('A' + model.joint_count()));
+      return label + ": this robot has no such joint; it has " + runs_of(model.labels());
     case WarningCode::kBadCameraArgument: return camera_text(model);
     case WarningCode::kJawsTooNarrow:
       return "the jaws are already narrower than block " + warning.block +
@@ -84,9 +102,11 @@ std::string text_of(const Warning& warning, const Model& model) {
     case WarningCode::kJawsTouch:
       return "the jaws stopped at the width of block " + warning.block +
              " and do not hold it: close them further";
-    case WarningCode::kBelowSurface: return "the tool tip passed under the work surface";
-    case WarningCode::kReleasedInAir: return air_text(warning);
-    case WarningCode::kBlocksOverlap: return overlap_text(warning);
+    case WarningCode::kBelowSurface:
+      return std::string("the tool tip passed under the work surface") +
+             (model.carousel() ? " or the top of the carousel" : "");
+    case WarningCode::kReleasedInAir: return air_text(warning, model);
+    case WarningCode::kBlocksOverlap: return overlap_text(warning, model);
   }
   return "";
 }

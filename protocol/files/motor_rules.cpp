@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/switches.hpp"
 #include "protocol/text/table.hpp"
 
 namespace xr3 {
@@ -11,15 +12,25 @@ namespace {
 
 using data::Reading;
 
-constexpr char kLastLabelOfJ = 'B';
+constexpr const char* kToolPointer = "/tool";
 constexpr int kHighestBitOfJ = 2;  // bits 2 to 5 of J are input lines
 
-void check_label(const CheckedMotor& motor, Reading& reading) {
+constexpr char kToolLabel = 'A';
+
+/// Requires A for the tool, and for each joint another letter than A that no other joint has.
+void check_label(const CheckedMotor& motor, Reading& reading, std::set<char>& taken) {
   const std::string pointer = motor.pointer + "/label";
-  if (!reading.is_sound(pointer) || motor.drive->label == motor.label) return;
-  reading.refuse(pointer, "\"" + std::string(1, motor.drive->label) + "\"",
-         "\"" + std::string(1, motor.label) +
-             "\": the tool is A, the last joint B, and so on to the base");
+  if (!reading.is_sound(pointer)) return;
+  const char label = motor.drive->label;
+  const std::string found = "\"" + std::string(1, label) + "\"";
+  const bool is_tool = motor.pointer == kToolPointer;
+  if (is_tool != (label == kToolLabel)) {
+    return reading.refuse(
+        pointer, found,
+        is_tool ? "\"A\": the tool is always A" : "a letter \"B\" to \"H\": A is the tool");
+  }
+  if (taken.insert(label).second) return;
+  reading.refuse(pointer, found + ", a duplicate", "a letter \"B\" to \"H\" that nothing else has");
 }
 
 /// Requires limits in order, the home within them, and a range that does not exceed
@@ -34,19 +45,19 @@ void check_limits(const CheckedMotor& motor, Reading& reading) {
   if (drive.min >= drive.max) return reading.refuse(pointer, found, "the lower limit first");
   if (motor.is_length && std::max(-drive.min, drive.max) > data::kMaxLengthMm) {
     return reading.refuse(pointer, found,
-                  "lengths of up to " + number_text(data::kMaxLengthMm) + " mm");
+                          "lengths of up to " + number_text(data::kMaxLengthMm) + " mm");
   }
   const std::string home = motor.pointer + motor.home_member;
   if (!reading.is_sound(home) || !reading.is_sound(motor.pointer + "/variable")) return;
   if (drive.home < drive.min || drive.home > drive.max) {
     return reading.refuse(home, number_text(drive.home / unit),
-                  "a home within the limits " + found);
+                          "a home within the limits " + found);
   }
   if (!reading.is_sound(motor.pointer + "/precision")) return;
   const double range = std::max(drive.max - drive.home, drive.home - drive.min) / drive.precision;
   if (range > kMaxCountsFromHome) {
     reading.refuse(pointer, number_text(std::floor(range)) + " counts from the home to a limit",
-           "up to " + number_text(kMaxCountsFromHome) + " counts");
+                   "up to " + number_text(kMaxCountsFromHome) + " counts");
   }
 }
 
@@ -56,16 +67,17 @@ void check_mask(const CheckedMotor& motor, Reading& reading, std::set<int>& take
                 std::set<int>& taken_j) {
   const std::string pointer = motor.pointer + "/switch/mask";
   const int mask = motor.drive->microswitch.mask;
-  if (!reading.is_sound(pointer) || mask == 0) return;
-  const bool in_j = motor.label <= kLastLabelOfJ;
+  if (!reading.is_sound(pointer) || !reading.is_sound(motor.pointer + "/label") || mask == 0)
+    return;
+  const bool in_j = is_asked_for(motor.drive->label, 'J');
   const std::string reply = in_j ? "J" : "I";
   if (in_j && mask > kHighestBitOfJ) {
     return reading.refuse(pointer, std::to_string(mask),
-                  "1 or 2, or 0 for none: J has room for two switches");
+                          "1 or 2, or 0 for none: J has room for two switches");
   }
   if (!(in_j ? taken_j : taken_i).insert(mask).second) {
     reading.refuse(pointer, std::to_string(mask) + ", a duplicate",
-           "a bit of the reply to " + reply + " that no other switch has");
+                   "a bit of the reply to " + reply + " that no other switch has");
   }
 }
 
@@ -80,23 +92,24 @@ void check_switch_position(const CheckedMotor& motor, Reading& reading) {
 
 std::vector<CheckedMotor> motors_of(const Robot& robot) {
   std::vector<CheckedMotor> motors;
-  const std::size_t n = robot.joints.size();
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     const Joint& joint = robot.joints[i];
     const bool turns = joint.is_revolute();
-    motors.push_back({&joint.drive, "/joints/" + std::to_string(i), turns ? "/theta_deg" : "/d",
-                      static_cast<char>('A' + (n - i)), !turns});
+    motors.push_back(
+        {&joint.drive, "/joints/" + std::to_string(i), turns ? "/theta_deg" : "/d", !turns});
   }
   const bool hinges = robot.tool.kind == ToolKind::kAngular;
-  motors.push_back({&robot.tool.drive, "/tool", "/home", 'A', !hinges});
+  motors.push_back({&robot.tool.drive, kToolPointer, "/home", !hinges});
+  if (robot.carousel) motors.push_back({&robot.carousel->drive, "/carousel", "/limits", false});
   return motors;
 }
 
 void check_motors(const Robot& robot, Reading& reading) {
+  std::set<char> labels;
   std::set<int> taken_i;
   std::set<int> taken_j;
   for (const CheckedMotor& motor : motors_of(robot)) {
-    check_label(motor, reading);
+    check_label(motor, reading, labels);
     check_limits(motor, reading);
     check_mask(motor, reading, taken_i, taken_j);
     check_switch_position(motor, reading);

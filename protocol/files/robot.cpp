@@ -88,6 +88,37 @@ Codec<Tool> tool() {
   return codec;
 }
 
+/// `[x, y]`
+Member<Carousel> center_member() {
+  const std::string allowed = "a list [x, y] of two lengths";
+  Member<Carousel> member;
+  member.name = "center";
+  member.allowed = allowed;
+  member.read = [allowed, coordinate = length(kCoordinate)](const Place& place,
+                                                            Carousel& carousel) {
+    if (!place.value.is_list() || place.value.size() != 2) return place.refuse(allowed);
+    const bool has_x = coordinate.read(place.element(0), carousel.x_mm);
+    return coordinate.read(place.element(1), carousel.y_mm) && has_x;
+  };
+  member.write = [](const Carousel& carousel) {
+    return Json::array({number_json(carousel.x_mm), number_json(carousel.y_mm)});
+  };
+  return member;
+}
+
+Members<Carousel> carousel_members() {
+  Members<Carousel> members = spread(&Carousel::drive, Members<Drive>{label_member()});
+  members.push_back(required("name", &Carousel::name, text(1, 40)));
+  append(members, spread(&Carousel::drive,
+                         Members<Drive>{precision_member(), limits_member(), speed_member(),
+                                        direction_member(), switch_member()}));
+  members.push_back(center_member());
+  members.push_back(required("radius", &Carousel::radius_mm, length({0, kMaxLengthMm, true})));
+  members.push_back(required("height", &Carousel::height_mm, length(kCoordinate)));
+  members.push_back(required("color", &Carousel::color, whole_number(0, 15)));
+  return members;
+}
+
 /// A joint's number in the file: from 1, negative for "against" or "subtracted".
 int signed_number(int joint, int sign) { return sign * (joint + 1); }
 
@@ -139,8 +170,10 @@ const Members<Robot>& robot_members() {
       required("name", &Robot::name, text(1, 80)),
       optional("notes", &Robot::notes, text(0, 4000)),
       length_unit_member<Robot>(),
+      optional("mount", &Robot::mount, object(dh_members())),
       required("joints", &Robot::joints, list(joint(), 1, kMaxJoints)),
       required("tool", &Robot::tool, tool()),
+      optional("carousel", &Robot::carousel, object(carousel_members())),
       defaulted("links", &Robot::links, list(object(outline_members()), 0, kMaxMotors)),
       defaulted("coupling", &Robot::couplings, list(coupling(), 0, kMaxTerms)),
       defaulted("protected_region", &Robot::protected_region, object(region_members())),

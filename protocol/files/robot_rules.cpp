@@ -26,6 +26,11 @@ void check_joint_names(const Robot& robot, Reading& reading) {
     reading.refuse(pointer, "\"" + robot.joints[i].name + "\", a duplicate",
                    "a name that no other joint has");
   }
+  if (!robot.carousel || !reading.is_sound("/carousel/name")) return;
+  if (!names.insert(robot.carousel->name).second) {
+    reading.refuse("/carousel/name", "\"" + robot.carousel->name + "\", a duplicate",
+                   "a name that no joint has");
+  }
 }
 
 std::string pivot_pointer(std::size_t part) {
@@ -152,7 +157,7 @@ std::string mm_text(const PointUm& p) {
 
 void check_tip(const Model& model, const Positions& at, const std::string& home, Reading& reading) {
   const PointUm tip = tool_tip(model, at);
-  if (!is_in_protected_region(model, tip)) return;
+  if (!is_in_protected_region(model, at, tip)) return;
   reading.refuse("/protected_region",
                  "the tool tip at the " + home + " home, " + mm_text(tip) + ", inside it",
                  "a region that leaves both homes out");
@@ -164,7 +169,7 @@ void check_hard_home(const Model& model, Reading& reading) {
   const std::string coupled = model.robot().couplings.empty() ? "" : ", coupling included";
   bool is_within_limits = true;
   for (const CheckedMotor& motor : motors_of(model.robot())) {
-    const int index = model.index_of(motor.label);
+    const int index = model.index_of(motor.drive->label);
     const MotorModel& limits = model.motor(index);
     const Counts position = at[static_cast<std::size_t>(index)];
     if (position >= limits.low && position <= limits.high) continue;

@@ -1,4 +1,4 @@
-// The rules of robot files that concern more than one field: labels in sequence, distinct masks,
+// The rules of robot files that concern more than one field: distinct labels and masks,
 // homes and switches within limits, references to existing joints, and both homes outside the
 // protected region.
 #pragma once

@@ -4,6 +4,7 @@
 
 #include "core/coupling.hpp"
 #include "core/kinematics.hpp"
+#include "core/switches.hpp"
 #include "protocol/files/robot_rules.hpp"
 #include "protocol/files/summary.hpp"
 #include "protocol/text/table.hpp"
@@ -15,23 +16,12 @@ using Rows = std::vector<std::vector<std::string>>;
 
 std::string one_letter(char label) { return std::string(1, label); }
 
-std::string name_of(const Model& model, int index) {
-  if (index == model.tool_index()) return "tool";
-  return model.robot().joints[static_cast<std::size_t>(index)].name;
-}
-
 /// `E shoulder`
 std::string title_of(const Model& model, int index) {
-  return one_letter(model.motor(index).drive.label) + " " + name_of(model, index);
+  return one_letter(model.motor(index).drive.label) + " " + model.name(index);
 }
 
-bool is_angle(const Model& model, int index) {
-  const Robot& robot = model.robot();
-  if (index == model.tool_index()) return robot.tool.kind == ToolKind::kAngular;
-  return robot.joints[static_cast<std::size_t>(index)].is_revolute();
-}
-
-std::string unit_of(const Model& model, int index) { return is_angle(model, index) ? "deg" : "mm"; }
+std::string unit_of(const Model& model, int index) { return model.is_length(index) ? "mm" : "deg"; }
 
 std::string signed_number(int number) { return (number > 0 ? "+" : "") + std::to_string(number); }
 
@@ -43,6 +33,14 @@ std::string heading(const Robot& robot) {
   return text;
 }
 
+std::string mount_text(const Robot& robot) {
+  if (!robot.mount) return "";
+  const DhRow& row = *robot.mount;
+  return "Mount, from the base frame to frame 0: theta " + plain_number(row.theta_deg) +
+         " deg, d " + plain_number(row.d_mm) + " mm, a " + plain_number(row.a_mm) + " mm, alpha " +
+         plain_number(row.alpha_deg) + " deg\n";
+}
+
 std::string dh_table(const Robot& robot) {
   Rows rows = {{"k", "joint", "theta deg", "d mm", "a mm", "alpha deg", "variable"}};
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
@@ -52,7 +50,8 @@ std::string dh_table(const Robot& robot) {
                     plain_number(joint.dh.a_mm), plain_number(joint.dh.alpha_deg),
                     joint.is_revolute() ? "theta" : "d"});
   }
-  return "\nDenavit-Hartenberg rows at the soft home\n" + text_table(rows, "rlrrrrl");
+  return "\nDenavit-Hartenberg rows at the soft home\n" + text_table(rows, "rlrrrrl") +
+         mount_text(robot);
 }
 
 /// The variable's range in whole counts, such as `-139.993 to 9.988 deg`.
@@ -89,7 +88,7 @@ std::string switch_table(const Model& model) {
   for (int i = 0; i < model.motor_count(); ++i) {
     const MotorModel& motor = model.motor(i);
     const int mask = motor.drive.microswitch.mask;
-    const std::string reply = motor.drive.label <= 'B' ? "J" : "I";
+    const std::string reply = is_asked_for(motor.drive.label, 'J') ? "J" : "I";
     rows.push_back({title_of(model, i), closed_when(motor.closed),
                     mask == 0 ? "-" : std::to_string(mask), mask == 0 ? "neither" : reply});
   }
@@ -106,15 +105,25 @@ std::string coupling_text(const Model& model) {
   return text;
 }
 
-std::string region_text(const ProtectedRegion& region) {
+std::string region_text(const Model& model) {
+  const ProtectedRegion& region = model.robot().protected_region;
   return "Protected region: radius " + plain_number(region.radius_mm) + " mm, height " +
-         plain_number(region.height_mm) + " mm, about the base axis\n";
+         plain_number(region.height_mm) + " mm, about the base axis" +
+         (model.slide_count() > 0 ? ", moving with it\n" : "\n");
+}
+
+std::string carousel_text(const Robot& robot) {
+  if (!robot.carousel) return "";
+  const Carousel& carousel = *robot.carousel;
+  return "Carousel: about (" + plain_number(carousel.x_mm) + ", " + plain_number(carousel.y_mm) +
+         ") mm, radius " + plain_number(carousel.radius_mm) +
+         " mm, top at z = " + plain_number(carousel.height_mm) + " mm\n";
 }
 
 std::string net_roll_text(const Model& model) {
   std::string text = "Net roll:";
   for (const RollTerm& term : model.robot().net_roll) {
-    text += (term.sign > 0 ? " + " : " - ") + name_of(model, term.joint);
+    text += (term.sign > 0 ? " + " : " - ") + model.name(term.joint);
   }
   const double offset = model.robot().net_roll_offset_deg;
   return text + (offset < 0 ? " - " : " + ") + plain_number(std::abs(offset)) + " deg\n";
@@ -154,7 +163,7 @@ std::string homes_text(const Model& model) {
 std::string robot_summary(const Robot& robot, Profile profile) {
   const Model model(robot, Workcell{}, profile);
   return heading(robot) + dh_table(robot) + motor_table(model) + switch_table(model) + "\n" +
-         coupling_text(model) + region_text(robot.protected_region) + net_roll_text(model) +
+         coupling_text(model) + region_text(model) + carousel_text(robot) + net_roll_text(model) +
          tool_text(model) + homes_text(model);
 }
 

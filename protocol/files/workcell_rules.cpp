@@ -113,17 +113,34 @@ void warn_of_overlaps(const Workcell& workcell, const std::vector<Shape>& shapes
   }
 }
 
-void warn_of_height(const Workcell& workcell, const std::vector<Shape>& shapes, Reading& reading) {
+/// What carries a block that stands on no other one.
+struct Ground {
+  double z;
+  const char* name;
+};
+
+Ground ground_below(const Workcell& workcell, const Robot* robot, const Shape& shape) {
   const double surface = mm(workcell.work_surface_um);
+  if (robot != nullptr && robot->carousel) {
+    const Carousel& table = *robot->carousel;
+    const bool is_over =
+        (shape.centre - Eigen::Vector2d(table.x_mm, table.y_mm)).norm() <= table.radius_mm;
+    if (is_over && table.height_mm > surface) return {table.height_mm, "the carousel's top"};
+  }
+  return {surface, "the work surface"};
+}
+
+void warn_of_height(const Workcell& workcell, const Robot* robot, const std::vector<Shape>& shapes,
+                    Reading& reading) {
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const double height = shapes[i].bottom - surface;
+    const Ground ground = ground_below(workcell, robot, shapes[i]);
+    const double height = shapes[i].bottom - ground.z;
     const auto carries = [&](const Shape& lower) { return stands_on(shapes[i], lower); };
     if (height < -kTouchMm) {
-      warn(reading, i,
-           "a block that reaches " + number_text(-height) + " mm under the work surface",
-           "a bottom at z = " + number_text(surface) + " or above");
+      warn(reading, i, "a block that reaches " + number_text(-height) + " mm under " + ground.name,
+           "a bottom at z = " + number_text(ground.z) + " or above");
     } else if (height > kTouchMm && std::none_of(shapes.begin(), shapes.end(), carries)) {
-      warn(reading, i, "a block that floats " + number_text(height) + " mm above the work surface",
+      warn(reading, i, "a block that floats " + number_text(height) + " mm above " + ground.name,
            "a bottom on the surface or on a block");
     }
   }
@@ -247,7 +264,7 @@ void check_workcell(const Workcell& workcell, const Robot* robot, std::size_t fi
   std::vector<Shape> shapes;
   for (const Block& block : workcell.blocks) shapes.emplace_back(block);
   warn_of_overlaps(workcell, shapes, reading);
-  warn_of_height(workcell, shapes, reading);
+  warn_of_height(workcell, robot, shapes, reading);
   warn_of_workspace(workcell, shapes, reading);
   if (robot == nullptr) return;
   warn_of_width(workcell, *robot, reading);

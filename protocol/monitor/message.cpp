@@ -26,6 +26,9 @@ Json robot_json(const Model& model) {
   for (int k = 0; k < model.joint_count(); ++k) {
     joints.push_back(std::string(1, model.motor(k).drive.label));
   }
+  if (model.carousel()) {
+    joints.push_back(std::string(1, model.motor(model.carousel_index()).drive.label));
+  }
   const char tool = model.motor(model.tool_index()).drive.label;
   return {{"name", model.robot().name}, {"joints", joints}, {"tool", std::string(1, tool)}};
 }

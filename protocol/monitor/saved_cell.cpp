@@ -121,6 +121,13 @@ Members<Held> held_members() {
           required("grasped_at", &Held::grasped_at, array_of<Counts, kMaxMotors>(counts()))};
 }
 
+Members<Rider> rider_members() {
+  return {required("block", &Rider::block, integer<std::uint32_t>(0, kMaxBlocks - 1)),
+          required("count", &Rider::count, counts()),
+          required("centroid_um", &Rider::centroid_um, place_um()),
+          required("yaw_udeg", &Rider::yaw_udeg, integer<Microdegrees>(1 - kHalfTurn, kHalfTurn))};
+}
+
 Members<TipPath> tip_path_members() {
   constexpr std::size_t kMax = TipPath::kMaxTipPoints;
   return {required("points", &TipPath::points, list(place_um(), 0, kMax)),
@@ -141,6 +148,7 @@ Members<State> saved_state_members() {
       required("io", &State::io, object(io_members())),
       required("blocks", &State::blocks, list(object(lying_block_members()), 0, kMaxBlocks)),
       optional("held", &State::held, object(held_members())),
+      optional("riders", &State::riders, list(object(rider_members()), 0, kMaxBlocks)),
       required("jaws_warned", &State::jaws_warned, boolean()),
       required("tip_path", &State::tip_path, object(tip_path_members()))};
 }
@@ -188,6 +196,23 @@ void check_held(const State& state, Reading& reading) {
                  "the index of one of " + std::to_string(state.blocks.size()) + " blocks");
 }
 
+/// Requires the indices of blocks that are not held, in increasing order.
+void check_riders(const State& state, Reading& reading) {
+  if (!reading.is_sound("/state/riders") || !reading.is_sound("/state/blocks")) return;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < state.riders.size(); ++i) {
+    const std::uint32_t block = state.riders[i].block;
+    const bool is_held = state.held && state.held->block == block;
+    if (block >= next && block < state.blocks.size() && !is_held) {
+      next = block + std::size_t{1};
+      continue;
+    }
+    reading.report(Severity::kError, child_pointer("/state/riders", i) + "/block",
+                   std::to_string(block),
+                   "the indices of blocks that are not held, in increasing order");
+  }
+}
+
 /// Until a path is full, its oldest point is the first.
 void check_path(const TipPath& path, Reading& reading) {
   if (path.oldest == 0 || path.points.size() == TipPath::kMaxTipPoints) return;
@@ -208,6 +233,7 @@ std::optional<SavedCell> read_saved_cell(Reading& reading) {
   read_object(Place{reading, reading.root()}, saved_cell_members(), saved);
   check_names(saved.state.blocks, reading);
   check_held(saved.state, reading);
+  check_riders(saved.state, reading);
   check_path(saved.state.tip_path, reading);
   return reading.has_errors() ? std::nullopt : std::optional(std::move(saved));
 }

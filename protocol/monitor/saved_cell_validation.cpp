@@ -67,6 +67,18 @@ void check_grasp(const Model& model, const Held& held, std::vector<Detail>& deta
   }
 }
 
+void check_riders(const Model& model, const std::vector<Rider>& riders,
+                  std::vector<Detail>& details) {
+  for (std::size_t i = 0; i < riders.size(); ++i) {
+    const Counts count = riders[i].count;
+    if (model.carousel() && is_within(model.motor(model.carousel_index()), count)) continue;
+    details.push_back({child_pointer("/state/riders", i) + "/count", count,
+                       model.carousel()
+                           ? "a count " + limits_of(model.motor(model.carousel_index()))
+                           : "no riders: the robot has no carousel"});
+  }
+}
+
 // --- Derived values: errors give the required value and the reason.
 
 Json blocked_name(Blocked blocked) {
@@ -126,12 +138,26 @@ void check_held_block(const Block& found, const Block& derived, const std::strin
   }
 }
 
+/// A block on the carousel is where its count puts it.
+void check_turned_block(const Block& found, const Block& derived, const std::string& pointer,
+                        std::vector<Detail>& details) {
+  if (found == derived) return;
+  details.push_back({pointer + "/centroid_um", point_um(found.centroid_um),
+                     point_um(derived.centroid_um).dump() + " and yaw " +
+                         std::to_string(derived.yaw_udeg) +
+                         ": where the carousel has turned it, see riders"});
+}
+
 void check_derived(const Model& model, const State& found, std::vector<Detail>& details) {
   const State derived = xr3::derived(model, found);
   for (int i = 0; i < model.motor_count(); ++i) {
     check_motor(found.motor(i), derived.motor(i), child_pointer("/state/motors", at(i)), details);
   }
   check_surface(model, found, derived, details);
+  for (const Rider& rider : found.riders) {
+    check_turned_block(found.blocks[rider.block], derived.blocks[rider.block],
+                       child_pointer("/state/blocks", rider.block), details);
+  }
   if (!found.held) return;
   const std::size_t block = found.held->block;
   check_held_block(found.blocks[block], derived.blocks[block],
@@ -143,7 +169,7 @@ void check_derived(const Model& model, const State& found, std::vector<Detail>& 
 void check_region(const Model& model, const Positions& where, const std::string& pointer,
                   std::vector<Detail>& details) {
   const PointUm tip = tool_tip(model, where);
-  if (!is_in_protected_region(model, tip)) return;
+  if (!is_in_protected_region(model, where, tip)) return;
   details.push_back({pointer, "the tip at " + point_um(tip).dump() + " um",
                      "counts that keep the tip outside the protected region: at least " +
                          std::to_string(model.region_radius_um()) +
@@ -208,6 +234,7 @@ std::vector<Detail> validate(const Model& model, const SavedCell& saved) {
   check_positions(model, state.motors, details);
   check_others(model, state.motors, details);
   if (state.held) check_grasp(model, *state.held, details);
+  check_riders(model, state.riders, details);
   if (!details.empty()) return details;  // the checks below need valid positions
   // The cell may be in another workcell than the saved one.
   const Model there(model.robot(), saved.workcell, model.profile());

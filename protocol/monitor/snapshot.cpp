@@ -54,14 +54,9 @@ Json bits_json(unsigned bits, int count) {
   return list;
 }
 
-bool is_linear(const Model& model, int index) {
-  if (index == model.tool_index()) return model.robot().tool.kind == ToolKind::kParallel;
-  return model.robot().joints[static_cast<std::size_t>(index)].variable == JointVariable::kD;
-}
-
 /// The first members of both joints and tool.
 Json counters_json(const StateView& view, int index) {
-  const bool linear = is_linear(view.model, index);
+  const bool linear = view.model.is_length(index);
   const double value = view.model.variable(index, view.position(index));
   return {{"label", std::string(1, view.model.motor(index).drive.label)},
           {"count", view.motor(index).count},
@@ -85,9 +80,11 @@ Json joint_json(const StateView& view, int index) {
   return joint;
 }
 
+/// The joints of the arm from the base, then the carousel.
 Json joints_json(const StateView& view) {
   Json joints = Json::array();
   for (int k = 0; k < view.model.joint_count(); ++k) joints.push_back(joint_json(view, k));
+  if (view.model.carousel()) joints.push_back(joint_json(view, view.model.carousel_index()));
   return joints;
 }
 

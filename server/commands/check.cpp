@@ -5,15 +5,15 @@
 
 #include "protocol/files/paper_form/paper_form.hpp"
 #include "server/files/data_files.hpp"
+#include "server/files/load_model.hpp"
 
 namespace xr3 {
 namespace {
 
 /// The robot to check a workcell against: from --robot, else the one with the file's name, if any.
 std::optional<Robot> robot_for(const CheckOptions& options, const std::string& file) {
-  const std::string name = std::filesystem::path(file).stem();
-  if (options.robot.empty() && !has_data_file(name, "robots")) return std::nullopt;
-  const DataFile data = find_data_file(options.robot.empty() ? name : options.robot, "robots");
+  if (options.robot.empty()) return robot_with_name_of(file);
+  const DataFile data = find_data_file(options.robot, "robots");
   return load_robot_of_either_form(data.text, data.path);
 }
 

@@ -8,6 +8,7 @@
 #include "server/commands/refuse.hpp"
 #include "server/files/atomic_write.hpp"
 #include "server/files/data_files.hpp"
+#include "server/files/load_model.hpp"
 
 namespace xr3 {
 namespace {
@@ -58,7 +59,9 @@ ExitCode convert_file(const ConvertOptions& options) {
                   ": the name must end in .json, or in .txt or .dat for the paper's plain form");
   }
   const DataFile in = read_file(options.in);
-  const CheckResult data = check_either_form(in.text, in.path, Profile::kPaper);
+  const std::optional<Robot> robot = robot_with_name_of(options.in);
+  const CheckResult data =
+      check_either_form(in.text, in.path, Profile::kPaper, robot ? &*robot : nullptr);
   std::cerr << to_text(data.findings);
   if (!data.is_good()) return ExitCode::kBadInput;
   const Existing existing = options.force ? Existing::kReplace : Existing::kKeep;

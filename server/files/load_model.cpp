@@ -30,4 +30,11 @@ ModelPtr load_model(const ModelFiles& files) {
   return std::make_shared<const Model>(robot, workcell, files.profile);
 }
 
+std::optional<Robot> robot_with_name_of(const std::string& workcell_file) {
+  const std::string name = std::filesystem::path(workcell_file).stem();
+  if (!has_data_file(name, "robots")) return std::nullopt;
+  const DataFile data = find_data_file(name, "robots");
+  return load_robot_of_either_form(data.text, data.path);
+}
+
 }  // namespace xr3

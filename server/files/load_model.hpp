@@ -1,6 +1,7 @@
 // Loads a robot and a workcell from their files.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/model.hpp"
@@ -17,5 +18,9 @@ struct ModelFiles {
 
 /// Accepts both forms of files. Throws FileError and DataError.
 ModelPtr load_model(const ModelFiles& files);
+
+/// The robot with the name of a workcell file, if there is one: blocks are checked against it.
+/// Throws FileError and DataError.
+std::optional<Robot> robot_with_name_of(const std::string& workcell_file);
 
 }  // namespace xr3

@@ -104,6 +104,10 @@ void add_kin(CLI::App& app, KinOptions& options) {
   add_list(kin, "--approach", values.approach, "AX,AY,AZ", "with X,Y,Z: the approach vector");
   kin.add_option("--roll", values.roll, "with --approach: the variable of the last joint")
       ->type_name("Q");
+  kin.add_option(
+         "--slide", values.slide,
+         "with a target: the place of the slide on which the arm stands, mm; default: its home")
+      ->type_name("MM");
   add_list(kin, "--configuration", values.configuration, "W1,...,W6", "tool-configuration vector");
   kin.add_option("--tolerance", values.tolerance.tolerance_deg,
                  "maximum error of the approach vector, if the arm cannot reach it exactly")

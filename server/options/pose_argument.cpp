@@ -10,16 +10,9 @@
 namespace xr3 {
 namespace {
 
-bool is_angle(const Model& model, int index) {
-  const Robot& robot = model.robot();
-  if (index == model.tool_index()) return robot.tool.kind == ToolKind::kAngular;
-  return robot.joints[static_cast<std::size_t>(index)].is_revolute();
-}
-
 std::string name(const Model& model, int index) {
   if (index == model.tool_index()) return "the tool";
-  return "joint " + std::string(1, model.motor(index).drive.label) + " (" +
-         model.robot().joints[static_cast<std::size_t>(index)].name + ")";
+  return "joint " + std::string(1, model.motor(index).drive.label) + " (" + model.name(index) + ")";
 }
 
 void check_limits(const Model& model, int index, double value) {
@@ -27,7 +20,7 @@ void check_limits(const Model& model, int index, double value) {
   if (value >= drive.min && value <= drive.max) return;
   throw ArgumentError(name(model, index) + " cannot be at " + plain_number(value) +
                       "; it goes from " + plain_number(drive.min) + " to " +
-                      plain_number(drive.max) + (is_angle(model, index) ? " degrees" : " mm"));
+                      plain_number(drive.max) + (model.is_length(index) ? " mm" : " degrees"));
 }
 
 Counts tool_counts(const Model& model, double value) {

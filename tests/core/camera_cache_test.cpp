@@ -66,7 +66,7 @@ void edit(Rig& rig) {
     case 2: changed.yaw_udeg += 30'000'000; break;
     case 3: changed.size_um.y += 5'000; break;
     default:
-      if (state.blocks.size() > 1) remove_block(state, block);
+      if (state.blocks.size() > 1) remove_block(rig.model(), state, block);
   }
 }
 

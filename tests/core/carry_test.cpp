@@ -229,10 +229,9 @@ const UndoneCase kUndone[] = {
 Rig about_to_stall(const UndoneCase& c) {
   Counts e = 0;
   const ModelPtr bare = test::rhino();
-  const auto tip_at = [&bare](Counts count) {
-    return tool_tip(*bare, test::positions_at(*bare, {{'E', count}}));
-  };
-  while (!is_in_protected_region(*bare, tip_at(e - 1))) --e;
+  const auto at = [&bare](Counts count) { return test::positions_at(*bare, {{'E', count}}); };
+  const auto tip_at = [&](Counts count) { return tool_tip(*bare, at(count)); };
+  while (!is_in_protected_region(*bare, at(e - 1), tip_at(e - 1))) --e;
   Workcell workcell = table_with(tip_at(e), {40'000, 30'000, 36'000});
   workcell.blocks[0].yaw_udeg =
       microdegrees(net_roll_deg(*bare, test::positions_at(*bare, {{'E', e}})) + c.delta);

@@ -116,7 +116,7 @@ bool is_reachable(const Model& model, const Positions& at) {
     if (position < model.motor(i).low || position > model.motor(i).high) return false;
   }
   const PointUm tip = tool_tip(model, at);
-  return !is_in_protected_region(model, tip) && !is_below_surface(model, tip);
+  return !is_in_protected_region(model, at, tip) && !is_below_surface(model, tip);
 }
 
 // If the upper arm leans back by more than about 32 degrees (E below -280) and the hand is high,

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
 
 #include "tests/support/models.hpp"
 
@@ -65,6 +66,19 @@ TEST(Model, LabelsGoFromTheToolToTheBase) {
   const std::pair<char, int> labels[] = {{'A', 5}, {'B', 4},  {'C', 3},  {'D', 2},  {'E', 1},
                                          {'F', 0}, {'G', -1}, {'H', -1}, {'@', -1}, {'Z', -1}};
   for (const auto& [label, index] : labels) EXPECT_EQ(model->index_of(label), index) << label;
+}
+
+TEST(Model, LabelsAreLettersInAnyOrder) {
+  Robot robot = robot_named("rhino-xr3");
+  const std::string letters = "CHBGE";
+  for (std::size_t i = 0; i < letters.size(); ++i) robot.joints[i].drive.label = letters[i];
+  const ModelPtr model = model_of(robot);
+  for (std::size_t i = 0; i < letters.size(); ++i)
+    EXPECT_EQ(model->index_of(letters[i]), static_cast<int>(i)) << letters[i];
+  EXPECT_EQ(model->index_of('A'), model->tool_index());
+  EXPECT_EQ(model->index_of('D'), -1);
+  EXPECT_EQ(model->index_of('F'), -1);
+  EXPECT_EQ(model->labels(), "ABCEGH");
 }
 
 // As joint variables: shoulder against elbow, elbow against pitch. E counts with its variable, D

@@ -35,21 +35,24 @@ constexpr RegionCase kRegion[] = {
 
 TEST(Stall, TheRegionIsExactToTheMicrometre) {
   for (const auto& [tip, inside] : kRegion) {
-    EXPECT_EQ(is_in_protected_region(*rhino(), tip), inside)
+    EXPECT_EQ(is_in_protected_region(*rhino(), {}, tip), inside)
         << tip.x << " " << tip.y << " " << tip.z;
   }
 }
 
 TEST(Stall, ARegionNeedsRadiusAndHeight) {
-  EXPECT_FALSE(is_in_protected_region(*test::roomy_rhino(), {0, 0, -1}));
-  EXPECT_FALSE(is_in_protected_region(*test::roomy_rhino(), {0, 0, 0}));
+  EXPECT_FALSE(is_in_protected_region(*test::roomy_rhino(), {}, {0, 0, -1}));
+  EXPECT_FALSE(is_in_protected_region(*test::roomy_rhino(), {}, {0, 0, 0}));
 }
 
 // Leaning the upper arm back (E-) takes the tip into the region from the front.
 Counts last_safe_shoulder() {
   Counts e = 0;
-  while (!is_in_protected_region(*rhino(), tool_tip(*rhino(), positions_at(*rhino(), {{'E', e}}))))
-    --e;
+  const auto is_inside = [](Counts count) {
+    const Positions at = positions_at(*rhino(), {{'E', count}});
+    return is_in_protected_region(*rhino(), at, tool_tip(*rhino(), at));
+  };
+  while (!is_inside(e)) --e;
   return e + 1;
 }
 

@@ -118,6 +118,17 @@ TEST(Switches, BitsOfIAndJFollowLabelAndMask) {
   }
 }
 
+TEST(Switches, ALetterDecidesBetweenIAndJ) {
+  Robot robot = test::robot_named("rhino-xr3");
+  std::swap(robot.joints[0].drive.label, robot.joints[4].drive.label);
+  robot.joints[0].drive.microswitch.mask = 2;
+  robot.joints[4].drive.microswitch.mask = 8;
+  Rig rig(test::model_of(robot));
+  rig.stand_at({{'B', 30}});
+  EXPECT_EQ(switch_bits(rig.model(), rig.state(), 'J'), (SwitchBits{2, 3, 0, 'J'}));
+  EXPECT_EQ(switch_bits(rig.model(), rig.state(), 'I'), (SwitchBits{0, 15, 0, 'I'}));
+}
+
 TEST(Switches, AMaskOf0RemovesAJointFromBoth) {
   Robot robot = test::robot_named("rhino-xr3");
   robot.joints[0].drive.microswitch.mask = 0;

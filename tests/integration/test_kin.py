@@ -30,6 +30,28 @@ class Kin(unittest.TestCase):
         self.assertEqual((2, ""), (done.returncode, done.stdout))
         self.assertRegex(done.stderr, r"\Axr3: out of reach: the wrist would be [0-9.]+ mm beyond the stretched arm\n\Z")
 
+    def test_an_arm_on_a_slide(self):
+        for options, place in ((), 0), (("--slide", "-120"), -240):
+            done = run_xr3("kin", "--robot", "rhino-xr3-accessories", f"--pose=262,{place / 2},45", "--down", "90",
+                           "--json", *options)
+            self.assertEqual((0, ""), (done.returncode, done.stderr))
+            report = json.loads(done.stdout)
+            self.assertEqual(["slide"], [freedom["code"] for freedom in report["free"]])
+            self.assertEqual({"G": place, "F": 0, "E": 449, "D": -625, "C": 0, "B": 0},
+                             report["solutions"][0]["counts"])
+        done = run_xr3("kin", "--robot", "rhino-xr3-accessories", "--joints=0,0,-90,90,0,-90")
+        self.assertEqual((0, ""), (done.returncode, done.stderr))
+        self.assertIn("T(0,k) is in the base frame, the mount included", done.stdout)
+        self.assertIn("(238.1, 0, 345.7) mm", done.stdout)
+
+    def test_a_slide_that_is_not_there(self):
+        for options, why in (
+                (("--pose=262,0,20", "--down=90"),
+                 "--slide goes with a robot whose arm stands on a slide; that of the Rhino XR-3 does not"),
+                (("--counts=0,0,0,0,0",), "--slide goes with --pose or --configuration")):
+            done = run_xr3("kin", *options, "--slide", "5")
+            self.assertEqual((2, "", f"xr3: {why}\n"), (done.returncode, done.stdout, done.stderr))
+
 
 if __name__ == "__main__":
     unittest.main()

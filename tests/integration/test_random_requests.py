@@ -17,7 +17,9 @@ class RandomRequests(unittest.TestCase):
                 ask(self, seed, 500, clock="real:50")
 
     def test_other_robots(self):
-        for seed, options in (200, ("--robot", "adept-one")), (201, ("--robot", "intelledex-660", "--compat", "mark3")):
+        for seed, options in ((200, ("--robot", "adept-one")),
+                              (201, ("--robot", "intelledex-660", "--compat", "mark3")),
+                              (202, ("--robot", "rhino-xr3-accessories"))):
             with self.subTest(seed=seed):
                 ask(self, seed, 300, *options)
 

@@ -17,8 +17,9 @@ ROOT = pathlib.Path(os.environ.get("XR3_ROOT", pathlib.Path(__file__).parents[2]
 
 # The faults of these files are contradictions between values, which only the loader can find.
 BEYOND_A_SCHEMA = {
-    "robot-coupled-switch", "robot-hard-home-in-region", "robot-home-in-region", "robot-home-inch",
-    "robot-masks-clash", "robot-names", "robot-switch-beyond", "robot-too-long",
+    "robot-carousel-clash", "robot-coupled-switch", "robot-hard-home-in-region", "robot-home-in-region",
+    "robot-home-inch",
+    "robot-labels-twice", "robot-masks-clash", "robot-names", "robot-switch-beyond", "robot-too-long",
     "robot-too-many-counts",
     "workcell-camera-low", "workcell-camera-reached", "workcell-names", "workcell-surface",
 }

@@ -93,6 +93,20 @@ ModelPtr model_of(Robot robot, Profile profile) {
   return std::make_shared<const Model>(std::move(robot), bare_workcell(), profile);
 }
 
+Robot on_slide(Robot robot) {
+  Joint slide;
+  slide.name = "slide";
+  slide.variable = JointVariable::kD;
+  slide.dh = {0, 0, 0, 90};
+  slide.drive = {'G', 0.5, -250, 250, 0, 120, 1, {-40, 16, std::nullopt}};
+  robot.mount = DhRow{0, 0, 0, -90};
+  robot.joints.insert(robot.joints.begin(), slide);
+  for (Coupling& c : robot.couplings) c = {c.joint + 1, c.coupled + 1, c.sign};
+  for (RollTerm& term : robot.net_roll) ++term.joint;
+  robot.links.insert(robot.links.begin(), Outline{});
+  return robot;
+}
+
 Robot odd_arm(int joints) {
   Robot robot;
   robot.name = "odd arm";

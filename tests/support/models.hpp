@@ -31,6 +31,9 @@ ModelPtr roomy_rhino(Profile profile = Profile::kPaper);
 /// A model of this robot on a bare table.
 ModelPtr model_of(Robot robot, Profile profile = Profile::kPaper);
 
+/// The robot on a slide G along y, home in the middle of 500 mm, half a millimetre a count.
+Robot on_slide(Robot robot);
+
 /// An arm of 1...7 joints with irregular links, alternately revolute and prismatic, without
 /// obstacles.
 Robot odd_arm(int joints);

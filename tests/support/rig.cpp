@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/carousel.hpp"
 #include "core/kinematics.hpp"
 #include "core/stall.hpp"
 #include "core/switches.hpp"
@@ -18,6 +19,7 @@ State state_at(const Model& model, std::initializer_list<LabelledCount> counts) 
   State state = initial_state(model);
   for (const auto& [label, count] : counts) state.motor(model.index_of(label)).count = count;
   Events unheard;
+  if (model.carousel()) carry_riders(model, state);
   update_switches(model, state, unheard);
   update_surface(model, state, tool_tip(model, positions(model, state.motors)), unheard);
   return state;

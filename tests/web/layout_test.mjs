@@ -8,7 +8,7 @@ import { close, root, type, withPage } from "./bench.mjs";
 
 after(close);
 
-const kRobots = ["rhino-xr3", "adept-one", "intelledex-660"];
+const kRobots = ["rhino-xr3", "adept-one", "intelledex-660", "rhino-xr3-accessories"];
 
 /** All elements with too little contrast to their background; runs in the page. */
 function pale() {

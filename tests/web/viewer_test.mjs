@@ -7,7 +7,7 @@ import { close, ofThePage, open, ready, root, serve, type, withPage } from "./be
 
 after(close);
 
-const kRobots = ["rhino-xr3", "adept-one", "intelledex-660"];
+const kRobots = ["rhino-xr3", "adept-one", "intelledex-660", "rhino-xr3-accessories"];
 const near = (a, b, tolerance) => a.every((v, i) => Math.abs(v - b[i]) <= tolerance);
 const screenshots = process.env.XR3_SCREENSHOTS;
 

@@ -44,7 +44,8 @@ KinPose kin_pose(const Model& model, const DirectQuestion& question) {
   pose.w = tool_configuration_at(robot, question.variables);
   pose.net_roll_deg = net_roll_deg_at(robot, question.variables);
   pose.opening_mm = opening_mm(model, jaws);
-  pose.in_protected_region = is_in_protected_region(model, tool_tip(model, counts.positions));
+  pose.in_protected_region =
+      is_in_protected_region(model, counts.positions, tool_tip(model, counts.positions));
   const ToolTarget exact =
       pose_target(pose.tool().block<3, 1>(0, 3), pose.tool().block<3, 3>(0, 0));
   pose.rounded = pose_error(robot, exact, variables_at(model, counts.positions));

@@ -102,6 +102,16 @@ ToolTarget pose_of(const Model& model, const KinOptionValues& values) {
   return tip_target(vector_of(values.pose));
 }
 
+InverseOptions options_of(const Model& model, const KinOptionValues& values) {
+  InverseOptions options = values.tolerance;
+  options.slide_mm = values.slide;
+  if (values.slide && !keeps_slide(model.robot())) {
+    refuse("--slide goes with a robot whose arm stands on a slide; that of the " +
+           model.robot().name + " does not");
+  }
+  return options;
+}
+
 void check_all_numbers(const KinOptionValues& values) {
   check_numbers("--joints", values.joints);
   check_numbers("--counts", values.counts);
@@ -111,6 +121,7 @@ void check_all_numbers(const KinOptionValues& values) {
   check_number("--down", values.down);
   check_number("--roll", values.roll);
   check_number("--tool", values.tool);
+  check_number("--slide", values.slide);
 }
 
 }  // namespace
@@ -128,8 +139,9 @@ KinQuestion kin_question(const Model& model, const KinOptionValues& values) {
     const bool by_pose = !values.pose.empty();
     return InverseQuestion{
         by_pose ? pose_of(model, values) : configuration_of(model, values.configuration),
-        values.tolerance};
+        options_of(model, values)};
   }
+  if (values.slide) refuse("--slide goes with --pose or --configuration");
   DirectQuestion question = values.counts.empty() ? from_variables(model, values.joints)
                                                   : from_counts(model, values.counts);
   if (values.tool) question.tool = *values.tool;

@@ -21,6 +21,7 @@ struct KinOptionValues {
   std::optional<double> down;         ///< with x, y, z: net roll in degrees, the tool straight down
   std::optional<double> roll;         ///< with an approach: the last joint's variable
   std::optional<double> tool;         ///< the tool's variable, degrees or mm
+  std::optional<double> slide;        ///< with a target: the place of the slide, mm
   InverseOptions tolerance;
 };
 

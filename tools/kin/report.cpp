@@ -42,7 +42,7 @@ std::string index_text(std::size_t k) { return std::to_string(k); }
 std::string motors_table(const Model& model, const KinPose& pose) {
   Rows rows = {
       {"motor", "variable", "", "motor count", "joint position", "variable there", "limits"}};
-  for (int i = 0; i < model.motor_count(); ++i) {
+  for (int i = 0; i <= model.tool_index(); ++i) {
     const KinMotor& motor = pose.motors[static_cast<std::size_t>(i)];
     const std::string limits =
         motor.past_limit == 0 ? "within" : "past by " + std::to_string(motor.past_limit);
@@ -56,6 +56,7 @@ std::string motors_table(const Model& model, const KinPose& pose) {
 
 std::string links_text(const Model& model, const KinPose& pose) {
   std::string text = "\nLink matrices, lengths in mm\n";
+  if (model.robot().mount) text += "T(0,k) is in the base frame, the mount included\n";
   for (std::size_t k = 1; k < pose.bases.size(); ++k) {
     const std::string own = "T(" + index_text(k - 1) + "," + index_text(k) + ")";
     text += "\n" + own + " of " + joint_title(model, static_cast<int>(k) - 1) + ", and T(0," +

@@ -34,7 +34,7 @@ Json error_json(const PoseError& error) {
 
 Json names_json(const Model& model, int index) {
   return {{"label", label_of(model, index)},
-          {"name", joint_name(model, index)},
+          {"name", model.name(index)},
           {"unit", unit_name(model, index)}};
 }
 
@@ -124,7 +124,7 @@ Json freedoms_json(const InverseResult& result) {
 Json direct_json(const Model& model, const DirectQuestion& question) {
   const KinPose pose = kin_pose(model, question);
   Json motors = Json::array();
-  for (int i = 0; i < model.motor_count(); ++i)
+  for (int i = 0; i <= model.tool_index(); ++i)
     motors.push_back(motor_json(model, i, pose.motors[static_cast<std::size_t>(i)]));
   Json links = Json::array();
   for (std::size_t k = 1; k < pose.bases.size(); ++k) {

@@ -8,22 +8,12 @@ std::string label_of(const Model& model, int index) {
   return std::string(1, model.motor(index).drive.label);
 }
 
-std::string joint_name(const Model& model, int index) {
-  if (index == model.tool_index()) return "tool";
-  return model.robot().joints[static_cast<std::size_t>(index)].name;
-}
-
 std::string joint_title(const Model& model, int index) {
-  return label_of(model, index) + " " + joint_name(model, index);
+  return label_of(model, index) + " " + model.name(index);
 }
 
 std::string unit_name(const Model& model, int index) {
-  const Robot& robot = model.robot();
-  const bool is_tool = index == model.tool_index();
-  const bool turns =
-      is_tool ? robot.tool.kind == ToolKind::kAngular
-              : robot.joints[static_cast<std::size_t>(index)].is_revolute();
-  return turns ? "deg" : "mm";
+  return model.is_length(index) ? "mm" : "deg";
 }
 
 std::string method_code(InverseMethod method) {
@@ -95,6 +85,7 @@ std::string freedom_code(InverseFreedom freedom) {
     case InverseFreedom::kFolded: return "folded";
     case InverseFreedom::kArmPlane: return "arm_plane";
     case InverseFreedom::kShoulderAxes: return "shoulder_axes";
+    case InverseFreedom::kSlide: return "slide";
     case InverseFreedom::kMoreThanNeeded: return "more_than_needed";
   }
   return "";
@@ -114,6 +105,9 @@ std::string freedom_sentence(InverseFreedom freedom) {
     case InverseFreedom::kShoulderAxes:
       return "singular: the arm's plane is horizontal, where base and shoulder pitch have the same "
              "effect; the base is set to its soft home";
+    case InverseFreedom::kSlide:
+      return "the arm stands on a slide, which may be elsewhere: it is kept where --slide puts it, "
+             "or at its soft home";
     case InverseFreedom::kMoreThanNeeded:
       return "the joints can move while the tool stays in place: these are some of infinitely many "
              "solutions";

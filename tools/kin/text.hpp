@@ -10,8 +10,6 @@ namespace xr3 {
 
 /// `E`
 std::string label_of(const Model& model, int index);
-/// `shoulder`, or `tool`
-std::string joint_name(const Model& model, int index);
 /// `E shoulder`
 std::string joint_title(const Model& model, int index);
 /// `deg` or `mm`

@@ -124,6 +124,7 @@ void WatchModel::handle_model(const Json& message) {
     for (const Json& joint : joints) read_limits(joint, known_.limits);
   }
   read_limits(member(robot, "tool"), known_.limits);
+  read_limits(member(robot, "carousel"), known_.limits);
 }
 
 void WatchModel::handle_event(const Json& message) {

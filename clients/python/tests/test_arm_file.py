@@ -66,14 +66,62 @@ class Files(WithFiles):
                           (json.dumps({**RHINO, "length_unit": "cm"}), "length_unit is 'cm', not 'mm' or 'inch'"),
                           (json.dumps({**RHINO, "tool": {**RHINO["tool"], "precision": 0}}), "precision of A is 0"),
                           (json.dumps({**RHINO, "coupling": [[2, 6]]}), "not between joints 1 to 5"),
-                          (json.dumps({**RHINO, "joints": []}), "not in the order"),
-                          (json.dumps({**RHINO, "joints": RHINO["joints"][::-1]}), "B, C, D, E, F, not"),
+                          (json.dumps({**RHINO, "joints": []}), "the list of joints is empty"),
+                          (json.dumps({**RHINO, "joints": RHINO["joints"][:1] * 2}), "the joints are F, F, not"),
+                          (json.dumps({**RHINO, "joints": [{**RHINO["joints"][0], "label": "A"}]}), "the joints are A, not"),
                           (json.dumps({**RHINO, "tool": {}}), "'kind' is missing")):
             with self.subTest(why), self.assertRaisesRegex(
                     ValueError, f"mine.json is no .*{re.escape(why)}.*xr3 check"):
                 Arm.load(self.write(text))
         with self.assertRaises(FileNotFoundError):
             Arm.load(self.folder / "none.json")
+
+
+class Accessories(unittest.TestCase):
+    """The Rhino on a slide, with a carousel."""
+
+    def setUp(self):
+        self.arm = Arm.load(ROBOTS / "rhino-xr3-accessories.json")
+
+    def test_labels_and_homing(self):
+        self.assertEqual(("GFEDCBAH", "DECBFGH"), (self.arm.labels, self.arm.homing))
+        self.assertEqual((-40, 30, 32), (self.arm.switches["G"], self.arm.switches["H"], self.arm.switch("H").mask))
+
+    def test_solutions_are_those_of_xr3_kin(self):
+        for slide in (None, 250, -120):
+            for x, y, yaw in ((300, 40, 30), (262, 0, 90), (100, 10, 0), (60, 0, 0), (500, 0, 0)):
+                pose = Pose(x, y + (slide or 0), 60, yaw)
+                report = kin(self.arm, f"--pose={pose.x},{pose.y},{pose.z}", f"--down={yaw}",
+                             *([] if slide is None else [f"--slide={slide}"]))
+                allowed = {tuple(each["counts"].items()) for each in report["solutions"] if each["allowed"]}
+                with self.subTest(slide=slide, pose=pose):
+                    try:
+                        found = {tuple(counts.items()) for counts in self.arm.solutions(pose, slide)}
+                    except Unreachable:
+                        found = set()
+                    self.assertEqual(allowed, found)
+                    for counts in found:
+                        self.assertAlmostEqual(slide or 0, self.arm.slide_at(dict(counts)))
+
+    def test_a_tilted_mount_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "tilted.json"
+            robot = json.loads((ROBOTS / "rhino-xr3-accessories.json").read_text(encoding="utf-8"))
+            robot["mount"]["alpha_deg"] = -80
+            path.write_text(json.dumps(robot), encoding="utf-8")
+            with self.assertRaisesRegex(ValueError, "base axis of the arm does not point up"):
+                Arm.load(path)
+
+    def test_home_and_pick_with_the_slide_where_it_is(self):
+        with Server("--robot", "rhino-xr3-accessories", "--clock", "real:500") as server, \
+                Robot(port=server.robot_port, arm=self.arm, pause=lambda: None) as robot, \
+                Monitor(port=server.monitor_port) as monitor:
+            robot.home()
+            self.assertEqual(self.arm.switches, monitor.counts())
+            robot.go({"H": 0, "G": -500})
+            robot.pick(Pose(320, -420, 15, 140))
+            self.assertTrue(monitor.block("blue")["held"])
+            self.assertEqual(-500, robot.at["G"])
 
 
 class AnyArm(WithFiles):

@@ -7,10 +7,10 @@ import json
 import math
 import os
 from pathlib import Path
-from typing import Any, Callable, Dict, List, Sequence, Tuple, TypeVar, Union
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, TypeVar, Union
 
 from xr3 import inverse
-from xr3.kinematics import Arm, Jaws, Joint, Pose, Switch, Ways
+from xr3.kinematics import IDENTITY, Arm, Jaws, Joint, Pose, Switch, Ways
 
 Inverse = Callable[[Sequence[Joint], Pose], Ways]
 
@@ -46,19 +46,52 @@ def load(file: Union[str, "os.PathLike[str]"]) -> Arm:
 def _arm(name: str, robot: Dict[str, Any]) -> Arm:
     unit = _choice(robot, "length_unit", {"mm": 1.0, "inch": 25.4})
     joints = tuple(_joint(each, unit) for each in robot["joints"])
-    labels = "".join(joint.label for joint in joints)
-    if labels != "HGFEDCB"[-len(joints):] or not joints:
-        raise ValueError(f"the joints are {', '.join(labels)}, not in the order of the alphabet backwards to B")
+    labels = [joint.label for joint in joints]
+    if not joints:
+        raise ValueError("the list of joints is empty")
+    if not set(labels) <= set("BCDEFGH") or len(set(labels)) < len(joints):
+        raise ValueError(f"the joints are {', '.join(joint.label for joint in joints)}, not different letters B to H")
     for j, k in robot["coupling"]:
         if not (1 <= j <= len(joints) and 1 <= abs(k) <= len(joints)):
             raise ValueError(f"the coupling [{j}, {k}] is not between joints 1 to {len(joints)}")
     region = robot["protected_region"]
-    way, homing, near_first = _form(joints)
-    return Arm(name=name, joints=joints, jaws=_jaws(robot["tool"], unit), inverse=way,
-               homing="".join(labels[k] for k in homing),
-               near_first="".join(labels[k] for k in near_first),
-               protected=(region["radius"] * unit, region["height"] * unit),
-               coupling=tuple((j - 1, abs(k) - 1, 1 if k > 0 else -1) for j, k in robot["coupling"]))
+    mount = _mount(robot, unit)
+    is_on_slide = joints[0].slides and _has_form(joints[1:])
+    if mount != IDENTITY and not (is_on_slide or _has_form(joints)):
+        raise ValueError("the arm has a mount and no closed form of the inverse kinematics")
+    way, homing, near_first = _form(joints[1:] if is_on_slide else joints)
+    if is_on_slide:
+        homing, near_first = [*(k + 1 for k in homing), 0], [k + 1 for k in near_first]
+    carousel = _carousel(robot)
+    arm = Arm(name=name, joints=joints, jaws=_jaws(robot["tool"], unit), inverse=way,
+              homing="".join(labels[k] for k in homing) + (carousel.label if carousel else ""),
+              near_first="".join(labels[k] for k in near_first),
+              protected=(region["radius"] * unit, region["height"] * unit),
+              coupling=tuple((j - 1, abs(k) - 1, 1 if k > 0 else -1) for j, k in robot["coupling"]),
+              mount=mount, is_on_slide=is_on_slide, carousel=carousel)
+    if not arm.is_upright:
+        raise ValueError("the base axis of the arm does not point up")
+    return arm
+
+
+def _mount(robot: Dict[str, Any], unit: float) -> Tuple[Tuple[float, ...], ...]:
+    """The transformation from the base frame to frame 0, which most robots do not have."""
+    if "mount" not in robot:
+        return IDENTITY
+    row = robot["mount"]
+    joint = Joint("", row["theta_deg"], row["d"] * unit, row["a"] * unit, row["alpha_deg"], 1.0,
+                  (0.0, 0.0), switch=Switch(1, 0))
+    return tuple(tuple(each) for each in joint.matrix_at(joint.theta))
+
+
+def _carousel(robot: Dict[str, Any]) -> Optional[Joint]:
+    """The motor of the carousel, if there is one."""
+    if "carousel" not in robot:
+        return None
+    table = robot["carousel"]
+    low, high = table["limits"]
+    return Joint(table["label"], 0.0, 0.0, 0.0, 0.0, _precision(table), (low, high),
+                 switch=_switch(table["switch"]), direction=_choice(table, "direction", SIGNS))
 
 
 def _choice(members: Dict[str, Any], name: str, meanings: Dict[Any, Value]) -> Value:
@@ -73,6 +106,10 @@ def _precision(motor: Dict[str, Any]) -> float:
     if not precision > 0:
         raise ValueError(f"the precision of {motor['label']} is {precision}, not above 0")
     return precision
+
+
+def _has_form(joints: Sequence[Joint]) -> bool:
+    return any(fits(joints) for fits, *_ in FORMS)
 
 
 def _form(joints: Sequence[Joint]) -> Tuple[Inverse, Sequence[int], Sequence[int]]:

@@ -17,6 +17,9 @@ Ways = Sequence[Sequence[float]]  # joint variables from the base, for each elbo
 Matrix = List[List[float]]  # 4 x 4 homogeneous transformation, row by row
 
 
+IDENTITY = tuple(tuple(float(i == j) for j in range(4)) for i in range(4))
+
+
 class Unreachable(ValueError):
     """The arm cannot reach the pose; the message gives the reason."""
 
@@ -148,7 +151,10 @@ class Arm:
     which joints are homed; those in `near_first` would run into the base if they leaned back, so
     they search for their switch towards the soft home first. `protected` is
     radius and height in mm of the protected region, a cylinder about the base axis: the robot
-    stalls before its tip enters it. `switches` has the edge of every switch."""
+    stalls before its tip enters it. `mount` is the transformation from the base frame to frame 0.
+    If the first joint slides and the arm on it has a closed form, `inverse` is that of the arm.
+    `carousel` is the motor of a turntable, a Joint of which only the motor counts. `switches` has
+    the edge of every switch."""
 
     name: str
     joints: Tuple[Joint, ...]
@@ -158,6 +164,9 @@ class Arm:
     protected: Tuple[float, float]
     coupling: Tuple[Tuple[int, int, int], ...] = ()
     near_first: str = ""
+    mount: Tuple[Tuple[float, ...], ...] = IDENTITY
+    is_on_slide: bool = False
+    carousel: Optional[Joint] = None
     switches: Counts = field(init=False)
 
     def __post_init__(self) -> None:
@@ -165,9 +174,9 @@ class Arm:
                            {label: self.switch(label).edge for label in self.labels})
 
     def switch(self, label: str) -> Switch:
-        """The microswitch of a joint or, for A, of the jaws."""
-        return next((joint.switch for joint in self.joints if joint.label == label),
-                    self.jaws.switch)
+        """The microswitch of a joint, of the carousel or, for A, of the jaws."""
+        motors = [*self.joints, *([self.carousel] if self.carousel else [])]
+        return next((motor.switch for motor in motors if motor.label == label), self.jaws.switch)
 
     @classmethod
     def load(cls, file: Union[str, "os.PathLike[str]"]) -> "Arm":
@@ -180,8 +189,9 @@ class Arm:
 
     @property
     def labels(self) -> str:
-        """The joints' letters from the base to the tool, A."""
-        return "".join(joint.label for joint in self.joints) + "A"
+        """The joints' letters from the base to the tool, A, and that of the carousel, if any."""
+        return ("".join(joint.label for joint in self.joints) + "A"
+                + (self.carousel.label if self.carousel else ""))
 
     # --- Forward.
 
@@ -200,10 +210,24 @@ class Arm:
     def frame(self, counts: Counts) -> Matrix:
         """The tool frame in base coordinates; its columns are the normal, sliding and approach
         vectors and the tip."""
-        result = [[float(i == j) for j in range(4)] for i in range(4)]
+        result = [list(row) for row in self.mount]
         for joint, position in zip(self.joints, self.positions(counts)):
             result = product(result, joint.matrix(position))
         return result
+
+    def slide_at(self, counts: Counts) -> Optional[float]:
+        """The place of the slide in mm at these counts; None if the arm stands on none."""
+        return self.joints[0].variable(self.positions(counts)[0]) if self.is_on_slide else None
+
+    @property
+    def is_upright(self) -> bool:
+        """Whether the arm's own base axis points up, behind the mount and the slide."""
+        return math.isclose(self._carrier(self.joints[0].home)[2][2], 1.0)
+
+    def _carrier(self, slide: float) -> Matrix:
+        """The pose of the arm itself, behind the mount and the slide."""
+        mount = [list(row) for row in self.mount]
+        return product(mount, self.joints[0].matrix_at(slide)) if self.is_on_slide else mount
 
     def tip(self, counts: Counts) -> Tuple[float, float, float]:
         """The position of the tool tip at these motor counts, mm."""
@@ -217,26 +241,30 @@ class Arm:
 
     # --- Inverse.
 
-    def solve(self, pose: Pose) -> Counts:
+    def solve(self, pose: Pose, slide: Optional[float] = None) -> Counts:
         """The motor counts for a pose. Of several solutions, returns the one with the smallest
-        maximum distance of a motor from the soft home. Raises Unreachable."""
-        ways = self._ways(pose)
+        maximum distance of a motor from the soft home. If the arm stands on a slide, this is kept at
+        `slide` mm, or at its soft home. Raises Unreachable."""
+        ways = self._ways(pose, slide)
         solutions = [counts for counts in ways if self.refusal(counts) is None]
         if not solutions:
             why = "; or ".join(dict.fromkeys(str(self.refusal(counts)) for counts in ways))
             raise Unreachable(f"{self.name} at {pose}: {why}")
         return min(solutions, key=lambda counts: max(abs(count) for count in counts.values()))
 
-    def solutions(self, pose: Pose) -> List[Counts]:
-        """All solutions for a pose within the limits and outside the protected region. Raises
-        Unreachable if the arm is too short."""
-        return [counts for counts in self._ways(pose) if self.refusal(counts) is None]
+    def solutions(self, pose: Pose, slide: Optional[float] = None) -> List[Counts]:
+        """All solutions for a pose within the limits and outside the protected region, with the
+        slide as in solve(). Raises Unreachable if the arm is too short."""
+        return [counts for counts in self._ways(pose, slide) if self.refusal(counts) is None]
 
-    def _ways(self, pose: Pose) -> List[Counts]:
+    def _ways(self, pose: Pose, slide: Optional[float]) -> List[Counts]:
         """Motor counts for each elbow configuration, whether allowed or not."""
+        at = self.joints[0].home if slide is None else slide
+        before = [at] if self.is_on_slide else []
+        found = self.inverse(self.joints[len(before):], _seen_from(self._carrier(at), pose))
         return [self.motor_counts([joint.within(variable)
-                                   for joint, variable in zip(self.joints, variables)])
-                for variables in self.inverse(self.joints, pose)]
+                                   for joint, variable in zip(self.joints, [*before, *variables])])
+                for variables in found]
 
     def motor_counts(self, variables: Sequence[float]) -> Counts:
         """The rounded motor counts for these joint variables. Couplings are subtracted from the
@@ -266,6 +294,9 @@ class Arm:
         """Whether the tip would be in the protected region, before which the robot stalls. Compares
         lengths in integer micrometres, as the simulator does."""
         x, y, z, radius, height = (round(1000 * mm) for mm in (*self.tip(counts), *self.protected))
+        if self.is_on_slide:  # the region moves with the base
+            now, home = (self._carrier(self.slide_at(at) or 0.0) for at in (counts, {}))
+            x, y = (a - round(1000 * (now[k][3] - home[k][3])) for k, a in enumerate((x, y)))
         return z < height and x * x + y * y < radius * radius
 
     def refusal(self, counts: Counts) -> Optional[str]:
@@ -275,6 +306,14 @@ class Arm:
             return (f"the tip would be in the protected region, nearer than {radius:g} mm to the "
                     f"base axis and lower than {height:g} mm")
         return self.past_limit(counts)
+
+
+def _seen_from(frame: Matrix, pose: Pose) -> Pose:
+    """The pose in a frame whose z axis points up."""
+    x, y = pose.x - frame[0][3], pose.y - frame[1][3]
+    cos, sin = frame[0][0], frame[1][0]
+    return Pose(cos * x + sin * y, cos * y - sin * x, pose.z - frame[2][3],
+                pose.yaw - math.degrees(math.atan2(sin, cos)))
 
 
 def two_links(out: float, up: float, first: float, second: float) -> List[Tuple[float, float]]:

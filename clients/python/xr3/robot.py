@@ -202,8 +202,9 @@ class Robot:
         return left == 0
 
     def go_to(self, pose: Pose) -> None:
-        """Moves the tool there, pointing down. Raises Unreachable or RobotError."""
-        self.go(self.arm.solve(pose))
+        """Moves the tool there, pointing down; a slide stays where it is. Raises Unreachable or
+        RobotError."""
+        self.go(self.arm.solve(pose, self.arm.slide_at(self.at)))
 
     def soft_home(self) -> None:
         """Sets the arm to its soft home at once. Works only in the simulator."""
@@ -333,10 +334,11 @@ class Robot:
     def _nearer(self, pose: Pose) -> Pose:
         """The pose, or the pose after half a turn, whichever needs the smaller roll."""
         either = [Pose(pose.x, pose.y, pose.z, yaw) for yaw in (pose.yaw, pose.yaw + 180)]
-        reachable = [each for each in either if self.arm.solutions(each)]
+        slide, roll = self.arm.slide_at(self.at), self.arm.joints[-1].label
+        reachable = [each for each in either if self.arm.solutions(each, slide)]
         if not reachable:
             raise Unreachable(f"{self.arm.name} at {pose}: a joint would be past its limit")
-        return min(reachable, key=lambda each: abs(self.arm.solve(each)["B"]))
+        return min(reachable, key=lambda each: abs(self.arm.solve(each, slide)[roll]))
 
 
 def _above(pose: Pose) -> Pose:

@@ -20,9 +20,26 @@ constexpr std::size_t kMaxPairs = 16;
 constexpr double kUsualFingerInches = 2;
 
 const Extras kRobotExtras = {{"name", "/name"},
-                            {"notes", "/notes"},
-                            {"length_unit", "/length_unit"},
-                            {"net_roll_offset_deg", "/net_roll_offset_deg"}};
+                             {"notes", "/notes"},
+                             {"length_unit", "/length_unit"},
+                             {"mount_theta_deg", "/mount/theta_deg"},
+                             {"mount_d", "/mount/d"},
+                             {"mount_a", "/mount/a"},
+                             {"mount_alpha_deg", "/mount/alpha_deg"},
+                             {"carousel", "/carousel/label"},
+                             {"carousel_name", "/carousel/name"},
+                             {"carousel_precision", "/carousel/precision"},
+                             {"carousel_limits", "/carousel/limits"},
+                             {"carousel_speed", "/carousel/speed"},
+                             {"carousel_direction", "/carousel/direction"},
+                             {"carousel_switch_position", "/carousel/switch/position"},
+                             {"carousel_switch_mask", "/carousel/switch/mask"},
+                             {"carousel_switch_width", "/carousel/switch/width"},
+                             {"carousel_center", "/carousel/center"},
+                             {"carousel_radius", "/carousel/radius"},
+                             {"carousel_height", "/carousel/height"},
+                             {"carousel_color", "/carousel/color"},
+                             {"net_roll_offset_deg", "/net_roll_offset_deg"}};
 const Extras kJointExtras = {{"joint", "/name"}, {"switch_width", "/switch/width"}};
 const Extras kToolExtras = {{"home", "/home"},
                             {"direction", "/direction"},

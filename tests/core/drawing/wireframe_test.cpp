@@ -23,7 +23,7 @@ using test::state_at;
 using test::workcell_named;
 
 constexpr double kTinyMm = 1e-9;
-const char* const kRobots[] = {"rhino-xr3", "adept-one", "intelledex-660"};
+const char* const kRobots[] = {"rhino-xr3", "adept-one", "intelledex-660", "rhino-xr3-accessories"};
 
 ModelPtr cell_of(const std::string& name) {
   return std::make_shared<const Model>(robot_named(name), workcell_named(name), Profile::kPaper);
@@ -132,7 +132,7 @@ TEST(Wireframe, TheDistanceOfTheDrawnFingersIsTheOpening) {
   }
 }
 
-TEST(Wireframe, HasEveryPartOfTheThreeRobots) {
+TEST(Wireframe, HasEveryPartOfTheRobots) {
   for (const char* robot : kRobots) {
     const ModelPtr model = cell_of(robot);
     std::vector<std::string> parts;
@@ -143,6 +143,7 @@ TEST(Wireframe, HasEveryPartOfTheThreeRobots) {
     std::vector<std::string> wanted{"base"};
     for (int k = 1; k < model->joint_count(); ++k) wanted.push_back("link" + std::to_string(k));
     wanted.insert(wanted.end(), {"tool", "finger+1", "finger-1"});
+    if (model->carousel()) wanted.emplace_back("carousel");
     for (const Block& block : model->workcell().blocks) wanted.push_back("block:" + block.name);
     std::erase_if(wanted, [&](const std::string& part) {  // a link may have no outline
       return part.starts_with("link") &&
@@ -150,6 +151,22 @@ TEST(Wireframe, HasEveryPartOfTheThreeRobots) {
     });
     EXPECT_EQ(parts, wanted) << robot;
   }
+}
+
+// A quarter turn: the diameter along x now lies along y.
+TEST(Wireframe, TheCarouselTurns) {
+  const ModelPtr model = cell_of("rhino-xr3-accessories");
+  Positions at{};
+  const auto diameter = [&] {
+    std::vector<Wire> wires = robot_wires(*model, at);
+    const Wire wire = wires[wires.size() - 2];
+    EXPECT_EQ(wire.part, "carousel");
+    return wire.points;
+  };
+  EXPECT_TRUE(diameter()[0].isApprox(Eigen::Vector3d(450, 330, 40)));
+  at[static_cast<std::size_t>(model->carousel_index())] = 288;
+  EXPECT_TRUE(diameter()[0].isApprox(Eigen::Vector3d(330, 450, 40)));
+  EXPECT_TRUE(diameter()[1].isApprox(Eigen::Vector3d(330, 210, 40)));
 }
 
 using Edge = std::pair<std::array<double, 3>, std::array<double, 3>>;

@@ -61,6 +61,33 @@ TEST(EventReport, EventsHaveACodeAndAMessage) {
   }
 }
 
+TEST(EventReport, ListsTheLettersOfTheJoints) {
+  Robot robot = test::robot_named("rhino-xr3");
+  const std::string letters = "CHBGE";
+  for (std::size_t i = 0; i < letters.size(); ++i) robot.joints[i].drive.label = letters[i];
+  const EventReport about =
+      report(Warning{WarningCode::kNoSuchJoint, 'D', 0, 0, {}}, *test::model_of(robot));
+  EXPECT_EQ(about.message, "D: this robot has no such joint; it has A...C, E, G...H");
+}
+
+TEST(EventReport, WarningsNameTheCarousel) {
+  const ModelPtr model = test::model_of(test::robot_named("rhino-xr3-accessories"));
+  const auto sentence = [&](const Warning& warning) { return report(warning, *model).message; };
+  EXPECT_EQ(sentence({WarningCode::kReleasedInAir, 'H', 9'000, 0, "red"}),
+            "block red was released 9 mm above the carousel and stays in the air: release it "
+            "lower");
+  EXPECT_EQ(sentence({WarningCode::kReleasedInAir, 'A', 9'000, 0, "red"}),
+            "block red was released 9 mm above the work surface and stays in the air: release it "
+            "lower");
+  EXPECT_EQ(sentence({WarningCode::kBlocksOverlap, 'H', 0, 0, "red"}),
+            "block red overlaps the carousel: put it on its top or beside it");
+  EXPECT_EQ(sentence({WarningCode::kBelowSurface, 'A', 0, 0, {}}),
+            "the tool tip passed under the work surface or the top of the carousel");
+  EXPECT_EQ(sentence({WarningCode::kBelowSurface, 'A', 0, 0, {}}),
+            report(Warning{WarningCode::kBelowSurface, 'A', 0, 0, {}}, *test::rhino()).message +
+                " or the top of the carousel");
+}
+
 TEST(EventReport, AStallNamesTheCommandThatEndsIt) {
   for (const Stall why : {Stall::kProtectedRegion, Stall::kWorkSurface}) {
     EXPECT_NE(report(Stalled{why}, *test::rhino()).message.find("A$"), std::string::npos);

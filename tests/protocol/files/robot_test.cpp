@@ -14,7 +14,8 @@
 namespace xr3 {
 namespace {
 
-const std::vector<std::string> kRobots = {"rhino-xr3", "adept-one", "intelledex-660"};
+const std::vector<std::string> kRobots = {"rhino-xr3", "adept-one", "intelledex-660",
+                                          "rhino-xr3-accessories"};
 
 std::string robot_file(const std::string& name) { return "data/robots/" + name + ".json"; }
 
@@ -48,6 +49,14 @@ TEST(RobotJson, LimitsOfAllDrivesInCounts) {
     EXPECT_EQ(motor.low, row.low);
     EXPECT_EQ(motor.high, row.high);
   }
+}
+
+TEST(RobotJson, AMountIsReadAndWritten) {
+  const Robot robot = test::on_slide(test::robot_named("rhino-xr3"));
+  const Json json = robot_to_json(robot);
+  EXPECT_EQ(json["mount"], (Json{{"theta_deg", 0}, {"d", 0}, {"a", 0}, {"alpha_deg", -90}}));
+  EXPECT_EQ(load_robot(json.dump(), "slide.json"), robot);
+  EXPECT_FALSE(robot_to_json(test::robot_named("rhino-xr3")).contains("mount"));
 }
 
 TEST(RobotJson, ShippedFilesHaveNoFindings) {
@@ -84,6 +93,30 @@ TEST(RobotJson, ReadsPrismaticJointsAndAngularJaws) {
   EXPECT_EQ(intelledex.tool.finger_length_mm, 60);
   EXPECT_EQ(intelledex.tool.parts.front().pivot_mm, (PointMm{0, 0, -60}));
   EXPECT_EQ(intelledex.net_roll_offset_deg, -90);
+}
+
+TEST(RobotJson, ReadsACarousel) {
+  const Robot robot = shipped("rhino-xr3-accessories");
+  ASSERT_TRUE(robot.carousel.has_value());
+  EXPECT_EQ(robot.carousel->drive.label, 'H');
+  EXPECT_EQ(robot.carousel->x_mm, 330);
+  EXPECT_EQ(robot.carousel->height_mm, 40);
+  EXPECT_FALSE(shipped("rhino-xr3").carousel.has_value());
+}
+
+TEST(RobotJson, ReadsACarouselInInches) {
+  Json json = robot_to_json(shipped("rhino-xr3-accessories"));
+  json["length_unit"] = "inch";
+  json["carousel"].update({{"center", {10, -2}}, {"radius", 4}, {"height", 1}});
+  // Only the carousel matters: the lengths of the arm are now 25.4 times longer.
+  const RobotReading reading = read_robot(json.dump(), "f");
+  ASSERT_TRUE(reading.robot.has_value()) << to_text(reading.findings);
+  const Carousel& carousel = *reading.robot->carousel;
+  EXPECT_NEAR(carousel.x_mm, 254, 1e-9);
+  EXPECT_NEAR(carousel.y_mm, -50.8, 1e-9);
+  EXPECT_NEAR(carousel.radius_mm, 101.6, 1e-9);
+  EXPECT_NEAR(carousel.height_mm, 25.4, 1e-9);
+  EXPECT_EQ(carousel.drive.precision, 0.3125) << "an angle";
 }
 
 TEST(RobotJson, EveryFrameHasAnOutline) {

@@ -14,7 +14,7 @@ namespace xr3 {
 namespace {
 
 const std::vector<std::string> kWorkcells = {"rhino-xr3", "rhino-hundred", "adept-one",
-                                             "intelledex-660"};
+                                             "intelledex-660", "rhino-xr3-accessories"};
 
 std::string workcell_text(const std::string& name) {
   return test::project_file("data/workcells/" + name + ".json");
@@ -46,6 +46,17 @@ TEST(WorkcellJson, ShippedFilesHaveNoFindings) {
     EXPECT_EQ(to_text(reading.findings), "");
     EXPECT_TRUE(reading.workcell.has_value());
   }
+}
+
+// Without the robot, the blocks on its carousel float.
+TEST(WorkcellJson, TheCarouselOfTheRobotCarriesBlocks) {
+  const std::string text = workcell_text("rhino-xr3-accessories");
+  const std::string floating = to_text(read_workcell(text, "f").findings);
+  EXPECT_NE(floating.find("a block that floats 40 mm above the work surface"), std::string::npos);
+  Robot robot = robot_for("rhino-xr3-accessories");
+  robot.carousel->height_mm = 50;
+  const std::string sunk = to_text(read_workcell(text, "f", &robot).findings);
+  EXPECT_NE(sunk.find("a block that reaches 10 mm under the carousel's top"), std::string::npos);
 }
 
 TEST(WorkcellJson, ReadsEveryField) {

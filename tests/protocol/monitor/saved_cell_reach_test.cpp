@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/carousel.hpp"
 #include "core/kinematics.hpp"
 #include "core/stall.hpp"
 #include "protocol/monitor/request_error.hpp"
@@ -31,11 +32,12 @@ struct Ground {
   std::initializer_list<test::LabelledCount> centre;  ///< the counts around which the tool moves
 };
 
-const std::array<Ground, 6> kGrounds = {{
+const std::array<Ground, 7> kGrounds = {{
     {"rhino-xr3", 5, {{'E', 449}, {'D', -625}}},
     {"rhino-xr3", 5, {{'E', -200}}},
     {"adept-one", 4, {{'E', 420}, {'D', 914}, {'C', 114}, {'B', -158}}},
     {"intelledex-660", 6, {{'E', 293}, {'D', -932}, {'C', -261}}},
+    {"rhino-xr3-accessories", 6, {{'G', 500}, {'F', 75}, {'E', 425}, {'D', -584}}},
     {"", 7, {}},
     {"", 2, {}},
 }};
@@ -50,6 +52,7 @@ struct Tally {
   int below = 0;
   int stalled_and_stopped = 0;  ///< all counters were set to 0 after the stall
   int paths = 0;
+  int turned = 0;  ///< a block on the carousel is not where it was put
 };
 
 class Wanderer {
@@ -103,14 +106,17 @@ class Wanderer {
     robot.protected_region = {std::max(0.0, std::hypot(mm(about.x), mm(about.y)) - any(-10, 30)),
                               std::max(0.0, mm(about.z) + any(-30, 60))};
     const ModelPtr model = test::model_of(robot);
-    if (is_in_protected_region(*model, tool_tip(*model, {}))) robot.protected_region = file;
+    if (is_in_protected_region(*model, {}, tool_tip(*model, {}))) robot.protected_region = file;
     return robot;
   }
 
   Block any_block(const PointUm& about) {
     const PointUm size{any(10'000, 60'000), any(6'000, 35'000), any(30'000, 90'000)};
-    const PointUm centroid{about.x + any(-25'000, 25'000), about.y + any(-25'000, 25'000),
-                           about.z + any(-25'000, 25'000)};
+    PointUm centroid{about.x + any(-25'000, 25'000), about.y + any(-25'000, 25'000),
+                     about.z + any(-25'000, 25'000)};
+    if (robot_.carousel && one_in(2)) {
+      centroid.z = micrometres(robot_.carousel->height_mm) + size.z / 2 + any(-2'200, 2'200);
+    }
     return {"block " + std::to_string(++blocks_), size, centroid,
             microdegrees(any(-179'999, 180'000) / 1000.0), any(0, 15)};
   }
@@ -159,8 +165,9 @@ class Wanderer {
       rig_.move(label, std::clamp(left, -kFar, kFar));
       is_far = true;
     }
+    if (model().carousel() && one_in(2)) rig_.move('H', any(-60, 60));
     for (int i = any(1, 4); i > 0 && !is_far; --i)
-      rig_.move(static_cast<char>('B' + any(0, model().joint_count() - 1)), any(-25, 25));
+      rig_.move(model().motor(any(0, model().joint_count() - 1)).drive.label, any(-25, 25));
   }
 
   /// Jaws that hold a block mostly continue to close; others open wide and close again.
@@ -173,13 +180,17 @@ class Wanderer {
   /// As the monitor's calls do: a held block is not changed.
   void block() {
     const std::size_t size = state().blocks.size();
-    if (one_in(3) || size == 0) return edit().blocks.push_back(any_block(tip()));
+    if (one_in(3) || size == 0) {
+      edit().blocks.push_back(any_block(tip()));
+      return find_riders(model(), edit());
+    }
     const auto index = static_cast<std::size_t>(any(0, static_cast<int>(size) - 1));
     if (is_held(state(), index)) return;
-    if (one_in(4)) return remove_block(edit(), index);
+    if (one_in(4)) return remove_block(model(), edit(), index);
     const Block place = any_block(tip());
     edit().blocks[index].centroid_um = one_in(4) ? tip() : place.centroid_um;
     edit().blocks[index].yaw_udeg = place.yaw_udeg;
+    find_riders(model(), edit());
   }
 
   void workcell() {
@@ -212,6 +223,8 @@ class Wanderer {
     tally_.region_stalls += state().stall == Stall::kProtectedRegion ? 1 : 0;
     tally_.surface_stalls += state().stall == Stall::kWorkSurface ? 1 : 0;
     tally_.below += state().below_surface ? 1 : 0;
+    for (const Rider& rider : state().riders)
+      tally_.turned += state().motor(model().carousel_index()).count != rider.count ? 1 : 0;
     tally_.paths += state().tip_path.points.empty() ? 0 : 1;
     const bool carried =
         state().held && state().held->grasped_at != positions(model(), state().motors);
@@ -244,7 +257,7 @@ RC_GTEST_PROP(SavedCellReach, EveryReachedStateCanBeLoaded, ()) {
 
 TEST(SavedCellReach, TheMachinesReachEveryKindOfState) {
   Tally tally;
-  for (std::uint32_t seed = 1; seed <= 40; ++seed)
+  for (std::uint32_t seed = 1; seed <= 60; ++seed)
     ASSERT_EQ(Wanderer(seed, tally).wander(), "") << "seed " << seed;
   EXPECT_GT(tally.region_stalls, 200);
   EXPECT_GT(tally.surface_stalls, 200);
@@ -254,6 +267,7 @@ TEST(SavedCellReach, TheMachinesReachEveryKindOfState) {
   EXPECT_GT(tally.below, 200);
   EXPECT_GT(tally.stalled_and_stopped, 5);
   EXPECT_GT(tally.paths, 200);
+  EXPECT_GT(tally.turned, 200);
 }
 
 }  // namespace

@@ -100,6 +100,17 @@ TipPath any_path() {
   return path;
 }
 
+/// Riders for some of the blocks that are not held.
+std::vector<Rider> any_riders(const State& state) {
+  std::vector<Rider> riders;
+  for (std::uint32_t block = 0; block < state.blocks.size(); ++block) {
+    if ((state.held && state.held->block == block) || any_bool()) continue;
+    riders.push_back({block, any<Counts>(-1'000'000, 1'000'000), any_place(),
+                      any<Microdegrees>(-179'999'999, 180'000'000)});
+  }
+  return riders;
+}
+
 State any_state() {
   State state;
   state.tick = any<Tick>(0, monitor::kMaxInteger);
@@ -113,6 +124,7 @@ State any_state() {
   state.io = {any_of_all<std::uint8_t>(), any_of_all<std::uint8_t>(), any<std::uint8_t>(0, 3)};
   state.blocks = any_blocks(2'000'000'000);
   if (!state.blocks.empty() && any_bool()) state.held = any_held(state.blocks.size());
+  state.riders = any_riders(state);
   state.jaws_warned = any_bool();
   state.tip_path = any_path();
   return state;
@@ -129,6 +141,20 @@ Workcell any_workcell() {
   workcell.camera->location_um = {any<Micrometres>(-100'000'000, 100'000'000), 0, 100'000'000};
   if (any_bool()) workcell.camera.reset();
   return workcell;
+}
+
+TEST(SavedCellJson, WithoutACarouselHasNoRiders) {
+  const SavedCell saved{"sha256:1", test::bare_workcell(), initial_state(*test::rhino())};
+  EXPECT_FALSE(saved_cell_to_json(saved)["state"].contains("riders"));
+}
+
+TEST(SavedCellJson, RejectsRidersThatAreNoBlocksInOrder) {
+  SavedCell saved{"sha256:1", test::bare_workcell(), initial_state(*test::rhino())};
+  saved.state.blocks = test::workcell_named("rhino-xr3").blocks;
+  saved.state.riders = {{1, 0, {}, 0}, {1, 0, {}, 0}, {4, 0, {}, 0}, {5, 0, {}, 0}};
+  Strings pointers;
+  for (const Finding& finding : read_again(saved).findings) pointers.push_back(finding.pointer);
+  EXPECT_EQ(pointers, (Strings{"/state/riders/1/block", "/state/riders/3/block"}));
 }
 
 RC_GTEST_PROP(SavedCellJson, EveryBitRoundTrips, ()) {

@@ -50,6 +50,37 @@ void expect_refused(const SavedCell& saved, const std::string& pointer, const Js
   EXPECT_EQ(details.front().allowed, allowed);
 }
 
+// --- Blocks on the carousel.
+
+SavedCell on_carousel() {
+  const Model model(test::robot_named("rhino-xr3-accessories"),
+                    test::workcell_named("rhino-xr3-accessories"), Profile::kPaper);
+  return saved_of(model, state_at(model, {{'H', 77}}));
+}
+
+TEST(SavedCellValidation, ABlockOnTheCarouselIsWhereItsCountPutsIt) {
+  const ModelPtr model = test::model_of(test::robot_named("rhino-xr3-accessories"));
+  SavedCell saved = on_carousel();
+  ASSERT_EQ(saved.state.riders.size(), 2U);
+  EXPECT_TRUE(monitor::validate(*model, saved).empty());
+  saved.state.blocks[3].centroid_um.x += 1;
+  const auto moved = monitor::validate(*model, saved);
+  ASSERT_EQ(moved.size(), 1U);
+  EXPECT_EQ(moved[0].pointer, "/state/blocks/3/centroid_um");
+  saved.state.riders[0].count = 100'000'000;
+  const auto beyond = monitor::validate(*model, saved);
+  ASSERT_EQ(beyond.size(), 1U);
+  EXPECT_EQ(beyond[0].pointer, "/state/riders/0/count");
+  EXPECT_EQ(beyond[0].allowed, "a count -1152000...1152000");
+}
+
+TEST(SavedCellValidation, ARobotWithoutACarouselHasNoRiders) {
+  SavedCell saved = validated_home();
+  saved.state.blocks = test::workcell_named("rhino-xr3").blocks;
+  saved.state.riders = {{1, 0, saved.state.blocks[1].centroid_um, 0}};
+  expect_refused(saved, "/state/riders/0/count", 0, "no riders: the robot has no carousel");
+}
+
 // --- Counts.
 
 TEST(SavedCellValidation, RejectsCountsBeyondTheLimits) {

@@ -62,6 +62,21 @@ TEST(SnapshotJson, ShowsThePhysicalController) {
             std::pair(std::string("device"), expected));
 }
 
+TEST(SnapshotJson, TheCarouselIsTheLastOfTheJoints) {
+  Rig rig(test::model_of(test::robot_named("rhino-xr3-accessories")));
+  rig.travel('H', 40);
+  rig.travel('G', -3);
+  const Json joints = shown(rig)["joints"];
+  ASSERT_EQ(joints.size(), 7U);
+  EXPECT_EQ(joints[0]["label"], "G");
+  EXPECT_EQ(joints[0]["value"], -1.5);
+  EXPECT_EQ(joints[0]["unit"], "mm");
+  EXPECT_EQ(joints[6]["label"], "H");
+  EXPECT_EQ(joints[6]["value"], 12.5);
+  EXPECT_EQ(joints[6]["unit"], "deg");
+  EXPECT_EQ(joints[6]["switch"], true);
+}
+
 TEST(SnapshotJson, HasEveryMemberInOrder) {
   const Json state = shown(Rig());
   std::vector<std::string> names = names_of(state);

@@ -15,11 +15,12 @@ function places(workspace, from, edge) {
   return found.sort((a, b) => far(a) - far(b));
 }
 
-/** [x, y] for a block of this size; the middle if there is no free position. */
-export function freePlace({ size_mm, blocks, workspace, region }) {
+/** [x, y] for a block of this size; the middle if there is no free position. Not on the carousel. */
+export function freePlace({ size_mm, blocks, workspace, region, table }) {
   const radius = radiusOf(size_mm);
   const middle = [workspace.x * 0.6, 0];
-  const isFree = ([x, y]) => Math.hypot(x, y) > region + radius && blocks.every((block) =>
+  const isOnFloor = ([x, y]) => !table || Math.hypot(x - table.center[0], y - table.center[1]) > table.radius + radius;
+  const isFree = ([x, y]) => Math.hypot(x, y) > region + radius && isOnFloor([x, y]) && blocks.every((block) =>
     Math.hypot(x - block.xyz_mm[0], y - block.xyz_mm[1]) > radius + radiusOf(block.size_mm) + kGap);
   return places(workspace, middle, radius).find(isFree) ?? middle;
 }

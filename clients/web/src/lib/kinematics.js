@@ -34,12 +34,25 @@ export const kIdentity = [
   [0, 0, 0, 1],
 ];
 
-/** T(0,0), T(0,1), ..., T(0,n): the frames of base, links and tool. */
+/** From the base frame to frame 0. */
+const mountMatrix = ({ mount }, unit) => (mount ? linkMatrix(mount, mount.theta_deg, unit) : kIdentity);
+
+/** T(0,0), T(0,1), ..., T(0,n), behind the mount: the frames of base, links and tool. */
 export function frames(robot, values) {
   const unit = mmPerUnit(robot);
-  const all = [kIdentity];
+  const all = [mountMatrix(robot, unit)];
   robot.joints.forEach((joint, k) => all.push(multiply(all[k], linkMatrix(joint, values[k], unit))));
   return all;
+}
+
+/** [x, y]: how far the arm's first joints, if they slide, have moved the base axis, mm. */
+export function baseShift(robot, values) {
+  const slides = robot.joints.findIndex(({ variable }) => variable !== "d");
+  if (slides <= 0) return [0, 0];
+  const unit = mmPerUnit(robot);
+  const home = robot.joints.map(({ variable, theta_deg, d }) => (variable === "d" ? d * unit : theta_deg));
+  const [now, before] = [values, home].map((each) => frames(robot, each)[slides]);
+  return [now[0][3] - before[0][3], now[1][3] - before[1][3]];
 }
 
 /** The position of the tool tip, mm. */

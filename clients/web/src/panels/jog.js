@@ -1,6 +1,7 @@
 // The jog buttons: a press moves a joint by one step, a held button keeps it moving. The robot's
 // 8-bit error counters wrap, so each step first reads the joint's error counter from the server.
 import { el, whileHeld } from "../lib/dom.js";
+import { motorFiles } from "../lib/motors.js";
 
 const kSteps = [1, 5, 20];
 const kUsualStep = 5;
@@ -23,8 +24,7 @@ export class JogPanel {
   }
 
   setRobot(robot) {
-    const files = [...robot.joints, { ...robot.tool, name: "tool" }];
-    this.host.replaceChildren(...files.map((file) => this.#row(file)));
+    this.host.replaceChildren(...motorFiles(robot).map((file) => this.#row(file)));
   }
 
   #row(file) {

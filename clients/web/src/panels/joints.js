@@ -1,5 +1,6 @@
 // The joint table: value, bar against the limits, count, error counter, speed, switch, blocked.
 import { el, isSame, setText } from "../lib/dom.js";
+import { motorFiles } from "../lib/motors.js";
 
 const kManyDigits = 1000; // large values need no decimals
 const digits = ({ unit, value }) => (Math.abs(value) >= kManyDigits ? 0 : unit === "mm" ? 1 : 2);
@@ -15,8 +16,7 @@ export class JointTable {
   setModel({ robot }) {
     if (isSame(robot, this.robot)) return;
     this.robot = robot;
-    const { joints, tool } = robot;
-    this.files = [...joints, { ...tool, name: "tool" }];
+    this.files = motorFiles(robot);
     this.body.replaceChildren(...this.files.map((file) => this.#row(file)));
   }
 

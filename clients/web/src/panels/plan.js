@@ -40,19 +40,31 @@ export class Plan {
     host.addEventListener("keydown", (event) => this.#key(event));
   }
 
-  /** Sets the fixed parts, lengths in mm; `camera` has `location` and `field`, or is null. */
-  setGround({ workspace, camera, region }) {
+  /**
+   * Sets the fixed parts, lengths in mm; `camera` has `location` and `field`, `table` (the carousel)
+   * `center` and `radius`, or they are null.
+   */
+  setGround({ workspace, camera, region, table }) {
     const { x, y } = workspace;
     this.area = { left: -y - kMargin, top: -x - kMargin, width: 2 * (y + kMargin), height: x + region + 3 * kMargin };
     const { left, top, width, height } = this.area;
     put(this.host, { viewBox: `${left} ${top} ${width} ${height}` });
     this.host.style.setProperty("--plan-shape", String(width / height));
-    this.ground.replaceChildren(svg("rect", { class: "space", x: -y, y: -x, width: 2 * y, height: x }),
-      svg("circle", { class: "region", cx: 0, cy: 0, r: region }), ...(camera ? [this.#field(camera)] : []));
+    this.region = svg("circle", { class: "region", cx: 0, cy: 0, r: region });
+    this.ground.replaceChildren(svg("rect", { class: "space", x: -y, y: -x, width: 2 * y, height: x }), this.region,
+      ...(table ? [this.#table(table)] : []), ...(camera ? [this.#field(camera)] : []));
     this.#sizeHalos();
+  }
+  #table({ center: [x, y], radius }) {
+    return svg("circle", { class: "table", cx: -y, cy: -x, r: radius });
   }
   #field({ location: [cx, cy], field: [w, h] }) {
     return svg("rect", { class: "field", x: -cy - h / 2, y: -cx - w / 2, width: h, height: w });
+  }
+
+  /** Moves the protected region with the base of the arm; [x, y] in mm. */
+  setBase([x, y]) {
+    put(this.region, { cx: -y, cy: -x });
   }
 
   setTip([x, y]) {

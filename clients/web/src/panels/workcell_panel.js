@@ -4,12 +4,18 @@ import { BlockTable } from "./block_table.js";
 import { ChosenBlock, placeText } from "./chosen_block.js";
 import { el, setText } from "../lib/dom.js";
 import { freePlace } from "../lib/free_place.js";
-import { mmPerUnit } from "../lib/kinematics.js";
+import { baseShift, mmPerUnit } from "../lib/kinematics.js";
 import { kColorNames } from "../lib/palette.js";
 import { Plan } from "./plan.js";
 import { WorkcellFile } from "./workcell_file.js";
 
 const kUsualColor = 10;
+
+/** Centre and radius of the carousel in mm, or null. */
+function tableOf({ carousel, ...robot }) {
+  const unit = mmPerUnit(robot);
+  return carousel ? { center: carousel.center.map((v) => v * unit), radius: carousel.radius * unit } : null;
+}
 
 export class WorkcellPanel {
   /**
@@ -38,8 +44,9 @@ export class WorkcellPanel {
     const { camera, workspace } = workcell;
     this.ground = {
       workspace: { x: workspace.x * unit, y: workspace.y * unit }, region: robot.protected_region.radius * mmPerUnit(robot),
-      camera: camera ? { location: inMm(camera.location), field: inMm(camera.field) } : null,
+      table: tableOf(robot), camera: camera ? { location: inMm(camera.location), field: inMm(camera.field) } : null,
     };
+    this.robot = robot;
     this.surface = (workcell.work_surface ?? 0) * unit;
     this.files = new Map(workcell.blocks.map(({ name, size, color }) => [name, { size_mm: inMm(size), color }]));
     this.plan.setGround(this.ground);
@@ -72,6 +79,7 @@ export class WorkcellPanel {
     const blocks = this.#blocks();
     this.plan.setBlocks(blocks);
     this.plan.setTip(this.state.tool.xyz_mm);
+    this.plan.setBase(baseShift(this.robot, this.state.joints.map(({ value }) => value)));
     this.table.setBlocks(blocks);
     this.chosenBlock.show(this.#block());
   }

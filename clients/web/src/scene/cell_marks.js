@@ -111,6 +111,11 @@ export class CellMarks {
     if (this.field) this.group.add(this.field);
   }
 
+  /** Moves the protected region with the base axis; [x, y] in mm from its place at the soft home. */
+  carryRegion([x, y]) {
+    this.region?.position.set(x, y, 0);
+  }
+
   /** The objects that a view of the entire workcell must contain. */
   outlines() {
     return [this.border, this.region, this.field].filter(Boolean);

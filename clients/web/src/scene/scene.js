@@ -10,6 +10,9 @@ import { Motion } from "./motion.js";
 import { RobotBody } from "./robot_body.js";
 import { lamps, themes } from "./scene_theme.js";
 import { ToolPath } from "./tool_path.js";
+import { Turntable } from "./turntable.js";
+import { baseShift } from "../lib/kinematics.js";
+import { jointLabels } from "../lib/motors.js";
 
 const kMaxPixelRatio = 2;
 
@@ -49,11 +52,12 @@ export class Scene {
 
   #addParts() {
     this.robot = new RobotBody();
+    this.table = new Turntable();
     this.marks = new CellMarks();
     this.blocks = new Blocks();
     this.path = new ToolPath();
     this.scene = new THREE.Scene();
-    this.scene.add(...lamps(), this.robot.group, this.marks.group, this.blocks.group, this.path.line);
+    this.scene.add(...lamps(), this.robot.group, this.table.group, this.marks.group, this.blocks.group, this.path.line);
   }
 
   #resize() {
@@ -87,6 +91,7 @@ export class Scene {
     if (!isSame(this.model?.robot, model.robot)) this.#forget();
     this.model = model;
     this.robot.build(model.robot, this.theme);
+    this.table.build(model.robot, this.theme);
     const isNewCell = this.marks.build(model.robot, model.workcell, this.theme);
     this.blocks.setWorkcell(model.workcell, this.theme);
     if (isNewCell) this.#lookAgain();
@@ -102,7 +107,7 @@ export class Scene {
 
   /** Ignores a state of another robot, which may arrive before the first state of the new robot. */
   setState(state) {
-    if (!isSame(state.joints.map(({ label }) => label), this.model.robot.joints.map(({ label }) => label))) return;
+    if (!isSame(state.joints.map(({ label }) => label), jointLabels(this.model.robot))) return;
     if (state.joints === this.state?.joints) return; // the same state again, with a new model
     this.state = state;
     const how = this.motion.take(state);
@@ -120,7 +125,11 @@ export class Scene {
   #pose() {
     if (!this.state) return true;
     const isThere = this.motion.advance();
-    this.robot.pose(this.motion.values);
+    const { values } = this.motion;
+    const { robot } = this.model;
+    this.robot.pose(values);
+    this.table.pose(values[robot.joints.length]);
+    this.marks.carryRegion(baseShift(robot, values));
     this.blocks.pose(this.state.blocks, this.robot.toolFrame);
     this.path.extend(new THREE.Vector3().setFromMatrixPosition(this.robot.toolFrame));
     return isThere;
@@ -135,7 +144,7 @@ export class Scene {
   lookFrom(name) {
     this.#pose();
     const marks = name === "top" ? this.marks.outlines() : [this.marks.region];
-    const points = [this.robot.group, this.blocks.group, ...marks].flatMap(cornersIn);
+    const points = [this.robot.group, this.table.group, this.blocks.group, ...marks].flatMap(cornersIn);
     if (points.length > 0) this.eye.lookAt(points, name);
     this.#wake();
   }

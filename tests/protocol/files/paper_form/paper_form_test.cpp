@@ -16,7 +16,8 @@
 namespace xr3 {
 namespace {
 
-const std::vector<std::string> kRobots = {"rhino-xr3", "adept-one", "intelledex-660"};
+const std::vector<std::string> kRobots = {"rhino-xr3", "adept-one", "intelledex-660",
+                                          "rhino-xr3-accessories"};
 const std::vector<std::string> kWorkcells = {"rhino-xr3", "rhino-hundred", "adept-one",
                                              "intelledex-660"};
 
@@ -332,7 +333,9 @@ TEST(PaperForm, ReportsErrorsOfRobotsWithTheirLines) {
       {"limits the wrong way", with_line(kArm, 11, "90 -90"), "11 /joints/0/limits",
        "the lower limit first"},
       {"home past a limit", with_line(kArm, 4, "95"), "4 /joints/0/theta_deg", "within the limits"},
-      {"label", with_line(kArm, 16, "D"), "16 /joints/0/label", "found \"D\"; allowed: \"C\""},
+      {"label", with_line(kArm, 16, "A"), "16 /joints/0/label",
+       "found \"A\"; allowed: a letter \"B\""},
+      {"labels", with_line(kArm, 29, "C"), "29 /joints/1/label", "found \"C\", a duplicate"},
       {"a number for a label", with_line(kArm, 16, "7"), "16 /joints/0/label", "one item: label"},
       {"mask", with_line(kArm, 14, "3"), "14 /joints/0/switch/mask", "1, 2, 4, 8, 16 or 32"},
       {"pen", with_line(kArm, 42, "2 0 0 0"), "42 /links/0/points/0/0", "1 (move) or 0 (draw)"},
