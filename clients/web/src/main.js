@@ -8,6 +8,7 @@ import { CommandMenu } from "./panels/command_menu.js";
 import { CommandMode } from "./lib/command_mode.js";
 import { Connection } from "./lib/connection.js";
 import { ConsolePanel } from "./panels/console_panel.js";
+import { DeviceNotice } from "./panels/device_notice.js";
 import { DigitalLines } from "./panels/digital_lines.js";
 import { byId, setText } from "./lib/dom.js";
 import { JointTable } from "./panels/joints.js";
@@ -30,6 +31,9 @@ const connection = new Connection(`ws://${location.host}/ws`, {
   onMessage: take, onStatus: showConnection, onTokenRefused: (error) => access.refused(error),
 });
 const alarm = new Alarm({ line: byId("alarm"), places: [byId("message"), byId("menu-message")] });
+const device = new DeviceNotice({
+  host: byId("device"), text: byId("device-text"), button: byId("device-stop"), stop: () => call("device_stop"),
+});
 const showMessage = (text) => alarm.showMessage(text);
 const showError = (error) => showMessage(textOf(error));
 
@@ -143,7 +147,7 @@ function takeState(state) {
   known.state = state;
   known.arrival = performance.now();
   if (known.model) for (const panel of [scene, joints, camera, workcell]) panel.setState(state);
-  for (const panel of [timeBar, lines, alarm]) panel.setState(state);
+  for (const panel of [timeBar, lines, alarm, device]) panel.setState(state);
   showTool(state);
   menu.show();
 }
@@ -169,7 +173,7 @@ function takeEvent(event) {
   if (event.event === "epoch") scene.clearPath();
   if (event.event === "homed" || event.event === "epoch") scene.jump();
   if (event.event === "clock" && known.state) takeClock(event);
-  if (event.event === "warning" && event.line === null) wire.warn(event);
+  if (event.line === null && (event.event === "warning" || event.event === "device")) wire.warn(event);
 }
 
 // The event arrives before the next state and has the tick at which the new speed took effect.

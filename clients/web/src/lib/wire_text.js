@@ -1,9 +1,11 @@
 // Text for `line` messages, shared by wire panel and console: transcript lines and warnings.
 
-const kWarnings = /unknown|range|no_joint|incomplete|bad_|disabled|overflow|no_such|narrow|below|in_air|overlap|suppressed|held_back/;
+const kWarnings = /unknown|range|no_joint|incomplete|bad_|disabled|overflow|no_such|narrow|below|in_air|overlap|suppressed|held_back|not_for_device|device_silent|pty_cooked/;
 
 /** Whether the code of a `line` message's item means that a command was not executed or failed. */
 export const isWarning = (code) => kWarnings.test(code);
+/** Whether the code means that a command went to the physical controller, or that it answered. */
+export const isOfDevice = (code) => code === "to_device" || code === "from_device";
 
 /** One `line` message, or a note, as a transcript line. */
 export function transcriptLine(message) {

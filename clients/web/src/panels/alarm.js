@@ -10,9 +10,9 @@ const kStalls = {
   work_surface: "Stalled: the tool would pass under the work surface. Press Home.",
 };
 
-/** The alarm text for a state; empty if there is no fault. */
+/** The alarm text for a state; empty if there is no fault. With a device, a disabled simulator is none. */
 const alarmOf = (state) =>
-  kStalls[state.stalled] ?? (state.enabled ? "" : "The simulator is disabled: it accepts only A@ or, on this page, the key e.");
+  kStalls[state.stalled] ?? (state.enabled || state.device ? "" : "The simulator is disabled: it accepts only A@ or, on this page, the key e.");
 
 /** The time for which a message is shown: proportional to its length, within bounds. */
 const readingMs = (text) => Math.min(Math.max(kShortestMs, text.length * kMsPerLetter), kMaxMs);

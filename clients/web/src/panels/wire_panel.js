@@ -1,7 +1,7 @@
 // The wire panel: every byte sent and received, by line, with its explanation, as in a serial
 // analyser.
 import { copyText, download, el, setText } from "../lib/dom.js";
-import { counted, isWarning, transcriptLine } from "../lib/wire_text.js";
+import { counted, isOfDevice, isWarning, transcriptLine } from "../lib/wire_text.js";
 
 const kMaxRows = 1024;
 const kMaxSeen = 8 * kMaxRows;
@@ -124,7 +124,7 @@ export class WirePanel {
     const parsed = el("span.parsed");
     message.parsed.forEach((item, i) => {
       if (i > 0) parsed.append(" · ");
-      parsed.append(el(isWarning(item.code) ? "span.warning" : "span", {}, item.message));
+      parsed.append(el(isWarning(item.code) ? "span.warning" : isOfDevice(item.code) ? "span.device" : "span", {}, item.message));
     });
     row.append(parsed);
     return row;

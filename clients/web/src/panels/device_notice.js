@@ -1,0 +1,23 @@
+// A notice while the server has a physical controller: who gets the commands, and a button that stops the arm.
+import { setText } from "../lib/dom.js";
+
+/** The sentence for a state with a device. */
+const sentenceOf = ({ enabled, device }) => {
+  if (!device.open) return `Device ${device.path} is not there: commands for it are dropped.`;
+  return enabled ? `Device ${device.path} is connected; commands act in the simulation.` : `Commands go to the arm at ${device.path}.`;
+};
+
+export class DeviceNotice {
+  /** `host` is hidden without a device; `text` gets the sentence, `button` calls `stop`. */
+  constructor({ host, text, button, stop }) {
+    Object.assign(this, { host, text });
+    button.addEventListener("click", stop);
+  }
+
+  setState(state) {
+    this.host.hidden = !state.device;
+    if (!state.device) return;
+    setText(this.text, sentenceOf(state));
+    this.host.classList.toggle("is-live", state.device.open && !state.enabled);
+  }
+}
