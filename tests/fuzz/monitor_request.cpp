@@ -44,7 +44,7 @@ void exercise(const SavedCell& saved) {
   simulation.advance_to(simulation.tick() + 300);
   simulation.execute(Move{'A', 100});
   simulation.run_to_rest(simulation.tick() + 100'000);
-  state_json(simulation.model(), {0, ClockMode::kReal, {}, 1, simulation.state()});
+  state_json(simulation.model(), {0, ClockMode::kReal, {}, 1, simulation.state(), {}});
   simulation.execute(SoftHome{});
 }
 
