@@ -7,6 +7,8 @@ import os
 import pathlib
 import pty
 import select
+import subprocess
+import sys
 import tempfile
 import termios
 import threading
@@ -14,7 +16,7 @@ import time
 import tty
 import unittest
 
-from support import DEADLINE_S, Server, counts, run_xr3
+from support import DEADLINE_S, ROOT, Server, counts, run_xr3
 
 STOP = b"AXBXCXDXEXFXGXHX"
 
@@ -56,6 +58,22 @@ def disable(xr3, line):
         line.send("A@")
         while monitor.get("enabled")["enabled"]:
             pass
+
+
+PICK = """
+import sys, time, xr3
+with xr3.Robot(port=int(sys.argv[1]), pause=lambda: time.sleep(float(sys.argv[2]))) as robot:
+    robot.home()
+    robot.pick(xr3.Pose(262, 0, 20, 90))
+"""
+
+
+def home_and_pick(xr3, pause_s):
+    """Homes and picks the red block with the Python package."""
+    done = subprocess.run([sys.executable, "-c", PICK, str(xr3.robot_port), str(pause_s)], capture_output=True, text=True,
+                          env={**os.environ, "PYTHONPATH": os.path.join(ROOT, "clients", "python")}, timeout=200, check=False)
+    if done.returncode:
+        raise AssertionError(done.stdout + done.stderr)
 
 
 class ADeviceByHand(unittest.TestCase):
@@ -219,6 +237,17 @@ class ASecondXr3(unittest.TestCase):
             for thread in threads:
                 thread.join()
             self.assertEqual([], wrong)
+
+    def test_a_homing_and_a_pick(self):
+        """A program for the arm, unchanged: the Python package, which needs only what a Mark III has."""
+        with self.chain() as (arm, xr3), arm.monitor() as watcher:
+            disable(xr3, xr3.line())
+            home_and_pick(xr3, pause_s=0.002)
+            self.assertEqual("red", watcher.get("tool")["tool"]["holding"])
+            lifted = next(each for each in watcher.get("blocks")["blocks"] if each["name"] == "red")
+            self.assertGreater(lifted["xyz_mm"][2], 100)
+            with xr3.monitor() as monitor:
+                self.assertEqual("", counts(monitor.get()), "the simulation has not moved")
 
     def test_the_mirror_follows(self):
         with self.chain("--mirror") as (arm, xr3), arm.monitor() as watcher, xr3.monitor() as monitor:
