@@ -66,7 +66,7 @@ Applied Cell::handle(const DeviceIn& in, WallNs) {
 
 Applied Cell::handle(const DeviceOut& out, WallNs) {
   assert(device_);
-  device_->sent(out.count);
+  device_->sent(out.count, state().tick);
   return {};
 }
 

@@ -38,8 +38,7 @@ void DeviceLink::engage(bool is_engaged) {
 }
 
 void DeviceLink::drop_waiting() {
-  waiting_.clear();
-  for (const auto& [line, bytes] : std::exchange(waiting_bytes_, {})) woken_.push_back(line);
+  for (const auto& [line, queue] : std::exchange(queues_, {})) woken_.push_back(line);
 }
 
 void DeviceLink::drop() {
@@ -50,36 +49,40 @@ void DeviceLink::drop() {
 }
 
 bool DeviceLink::accepts(LineId line) const {
-  const auto found = waiting_bytes_.find(line);
-  return found == waiting_bytes_.end() || found->second < kMaxWaiting;
+  const auto found = queues_.find(line);
+  return found == queues_.end() || found->second.bytes < kMaxWaiting;
 }
 
 void DeviceLink::add(LineId line, const Command& command, Tick now) {
   if (!is_open_) return;
   auto encoded = for_device(command);
   assert(encoded);
-  waiting_bytes_[line] += encoded->bytes.size();
-  waiting_.push_back({line, command, std::move(*encoded)});
+  Queue& queue = queues_[line];
+  queue.bytes += encoded->bytes.size();
+  queue.commands.push_back({line, command, std::move(*encoded)});
   send_next(now);
 }
 
-DeviceLink::Waiting DeviceLink::take_first() {
-  Waiting first = std::move(waiting_.front());
-  waiting_.pop_front();
-  const auto found = first.line ? waiting_bytes_.find(*first.line) : waiting_bytes_.end();
-  if (found == waiting_bytes_.end()) return first;
-  const bool was_full = found->second >= kMaxWaiting;
-  found->second -= first.encoded.bytes.size();
-  if (was_full && found->second < kMaxWaiting) woken_.push_back(*first.line);
-  if (found->second == 0) waiting_bytes_.erase(found);
-  return first;
+/// The next command of the line that follows the one served last.
+DeviceLink::Waiting DeviceLink::take_next() {
+  auto found = queues_.upper_bound(last_served_);
+  if (found == queues_.end()) found = queues_.begin();
+  auto& [line, queue] = *found;
+  last_served_ = line;
+  Waiting next = std::move(queue.commands.front());
+  queue.commands.pop_front();
+  const bool was_full = queue.bytes >= kMaxWaiting;
+  queue.bytes -= next.encoded.bytes.size();
+  if (was_full && queue.bytes < kMaxWaiting) woken_.push_back(line);
+  if (queue.commands.empty()) queues_.erase(found);
+  return next;
 }
 
 // An inquiry ends the sending until it is answered or forgotten, or a reply could go to the wrong
 // line.
 void DeviceLink::send_next(Tick now) {
-  while (!asked_ && !waiting_.empty()) {
-    const Waiting next = take_first();
+  while (!asked_ && !queues_.empty() && outbox_.size() < kFullOutbox) {
+    const Waiting next = take_next();
     send(next.encoded.bytes, now);
     if (next.encoded.is_inquiry) asked_ = Asked{next.line, next.command};
   }
@@ -119,17 +122,17 @@ void DeviceLink::stop(Tick now) {
 }
 
 void DeviceLink::forget(LineId line) {
-  waiting_bytes_.erase(line);
   if (asked_ && asked_->line == line) asked_->line.reset();
-  for (Waiting& each : waiting_) {
-    if (each.line == line) each.line.reset();
-  }
+  const auto found = queues_.find(line);
+  if (found == queues_.end()) return;
+  for (Waiting& each : found->second.commands) each.line.reset();
 }
 
-void DeviceLink::sent(std::size_t count) {
+void DeviceLink::sent(std::size_t count, Tick now) {
   assert(count <= outbox_.size());
   outbox_.erase(0, count);
   bytes_out_ += count;
+  send_next(now);
 }
 
 }  // namespace xr3

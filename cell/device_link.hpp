@@ -1,5 +1,5 @@
-// The way to the physical controller while the simulator is disabled: whole commands go out in
-// their order, one inquiry at a time, and each reply goes to the line that asked. No I/O: the
+// The way to the physical controller while the simulator is disabled: whole commands go out, the
+// lines by turns, one inquiry at a time, and each reply goes to the line that asked. No I/O: the
 // server moves the bytes. Time is that of the cell.
 #pragma once
 
@@ -25,6 +25,9 @@ class DeviceLink {
   static constexpr Tick kPatience = 500;
   /// A line whose commands wait with this many bytes is not read further.
   static constexpr std::size_t kMaxWaiting = 256;
+
+  /// Further commands wait while the outbox has this many bytes.
+  static constexpr std::size_t kFullOutbox = 64;
 
   /// An inquiry of a line: nullopt for the line if it has closed meanwhile.
   struct Asked {
@@ -79,8 +82,9 @@ class DeviceLink {
 
   /// Bytes for the device. Valid until the next call.
   std::string_view outbox() const { return outbox_; }
-  /// Removes the first `count` bytes of the outbox. Precondition: count <= outbox().size().
-  void sent(std::size_t count);
+  /// Removes the first `count` bytes of the outbox, which may get new ones. Precondition:
+  /// count <= outbox().size().
+  void sent(std::size_t count, Tick now);
 
  private:
   struct Waiting {
@@ -88,10 +92,15 @@ class DeviceLink {
     Command command;
     DeviceCommand encoded;
   };
+  /// The commands of one line.
+  struct Queue {
+    std::deque<Waiting> commands;
+    std::size_t bytes = 0;  ///< of all of them
+  };
 
   void drop();
   void drop_waiting();
-  Waiting take_first();
+  Waiting take_next();
   void send_next(Tick now);
   void send(std::string_view bytes, Tick now);
 
@@ -102,9 +111,9 @@ class DeviceLink {
   bool is_engaged_ = false;
   std::uint64_t switches_ = 0;
   std::uint64_t stops_ = 0;
-  std::map<LineId, std::size_t> waiting_bytes_;
+  std::map<LineId, Queue> queues_;  ///< those that are not empty
+  LineId last_served_ = 0;
   std::vector<LineId> woken_;
-  std::deque<Waiting> waiting_;
   std::optional<Asked> asked_;
   std::string outbox_;
   std::int64_t busy_until_us_ = 0;  ///< when the last bit of all bytes so far has left

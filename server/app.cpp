@@ -108,6 +108,7 @@ App::~App() {
   cell_.freeze();
   monitor_port_.stop();
   io_.shutdown();
+  lines_.drop();
 }
 
 ExitCode App::run() {

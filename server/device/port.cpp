@@ -9,6 +9,7 @@
 
 #include "cell/failure.hpp"
 #include "server/device/serial_device.hpp"
+#include "server/net/interrupted.hpp"
 #include "server/net/spawn.hpp"
 #include "server/net/wall_clock.hpp"
 
@@ -114,8 +115,8 @@ void DevicePort::write() {
   const bool is_stopped = std::exchange(stops_, link.stops()) != link.stops();
   if (is_stopped) discard_output(port_.native_handle());
   while (!link.outbox().empty()) {
-    const auto count = ::write(port_.native_handle(), link.outbox().data(), link.outbox().size());
-    if (count < 0 && errno == EINTR) continue;
+    const auto count = retry_interrupted(
+        [&] { return ::write(port_.native_handle(), link.outbox().data(), link.outbox().size()); });
     if (count < 0 && errno == EAGAIN) return await_room();
     if (count < 0) return lose(std::strerror(errno));
     cell_.apply(DeviceOut{static_cast<std::size_t>(count)}, wall_now());

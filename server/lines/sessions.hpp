@@ -26,7 +26,7 @@ class LineSessions final : public LineTransports {
   /// `acted` is called after each input, and when a line has opened or closed.
   LineSessions(asio::io_context& io, Cell& cell, std::function<void()> acted);
 
-  /// read_arrived() asks this source for new clients, too. It must outlive the sessions.
+  /// read_arrived() asks this source for new clients, too. It must outlive its sessions.
   void add(LineSource& source) { sources_.push_back(&source); }
 
   /// Opens a line, which has its turns from now on. nullopt if the system refuses to watch the
@@ -65,6 +65,8 @@ class LineSessions final : public LineTransports {
   bool is_empty() const { return sessions_.empty(); }
   /// Closes the remaining sessions at once.
   void abort();
+  /// Destroys the remaining sessions without a report, before the objects that they refer to.
+  void drop() { sessions_.clear(); }
 
  private:
   using Sessions = std::map<LineId, std::shared_ptr<LineSession>>;

@@ -4,22 +4,14 @@
 
 #include <cerrno>
 
+#include "server/net/interrupted.hpp"
+
 namespace xr3 {
-namespace {
-
-template <class Call>
-::ssize_t until_uninterrupted(const Call& call) {
-  ::ssize_t count = call();
-  while (count < 0 && errno == EINTR) count = call();
-  return count;
-}
-
-}  // namespace
 
 // The error is EIO as soon as no program has the slave open and all bytes are read.
 std::size_t PtyStream::read(std::span<char> into) {
   const auto count =
-      until_uninterrupted([&] { return ::read(terminal_.master(), into.data(), into.size()); });
+      retry_interrupted([&] { return ::read(terminal_.master(), into.data(), into.size()); });
   if (count > 0) return static_cast<std::size_t>(count);
   if (count == 0 || errno == EIO)
     note_ended();
@@ -31,7 +23,7 @@ std::size_t PtyStream::read(std::span<char> into) {
 std::size_t PtyStream::write(std::string_view bytes) {
   if (has_ended()) return bytes.size();
   const auto count =
-      until_uninterrupted([&] { return ::write(terminal_.master(), bytes.data(), bytes.size()); });
+      retry_interrupted([&] { return ::write(terminal_.master(), bytes.data(), bytes.size()); });
   if (count >= 0) return static_cast<std::size_t>(count);
   if (errno == EIO) return bytes.size();
   if (errno != EAGAIN) note_lost();

@@ -6,6 +6,8 @@
 #include <array>
 #include <cerrno>
 
+#include "server/net/interrupted.hpp"
+
 namespace xr3 {
 namespace {
 
@@ -16,14 +18,6 @@ int released(tcp::socket socket) {
 }
 
 bool must_wait() { return errno == EAGAIN || errno == EWOULDBLOCK; }
-
-/// Repeats a system call while signals interrupt it.
-template <class Call>
-ssize_t retry_interrupted(const Call& call) {
-  ssize_t count = call();
-  while (count < 0 && errno == EINTR) count = call();
-  return count;
-}
 
 // If unread input were left, close() would reset the connection, and replies that are still on
 // their way would be lost.

@@ -19,8 +19,11 @@ class DeviceLinkTest : public testing::Test {
 
   /// The bytes that leave now.
   std::string leaving() {
-    const std::string bytes(link_.outbox());
-    link_.sent(bytes.size());
+    std::string bytes;
+    while (!link_.outbox().empty()) {
+      bytes += link_.outbox();
+      link_.sent(link_.outbox().size(), now_);
+    }
     return bytes;
   }
   /// The line whose inquiry a byte answers now; 0: none.
@@ -47,10 +50,10 @@ TEST_F(DeviceLinkTest, NothingLeavesBehindAnInquiryBeforeItsReply) {
   link_.add(kOne, kAskE, now_);
   EXPECT_EQ(leaving(), "E?");
   EXPECT_EQ(answer(), kOne);
-  EXPECT_EQ(leaving(), "E+5\rI");
-  EXPECT_EQ(answer(), kTwo);
-  EXPECT_EQ(leaving(), "E?");
+  EXPECT_EQ(leaving(), "E+5\rE?");
   EXPECT_EQ(answer(), kOne);
+  EXPECT_EQ(leaving(), "I");
+  EXPECT_EQ(answer(), kTwo);
   EXPECT_EQ(leaving(), "");
 }
 
@@ -75,6 +78,7 @@ TEST_F(DeviceLinkTest, AnInquiryIsForgottenHalfASecondAfterItsLastBit) {
 TEST_F(DeviceLinkTest, TheDeadlineCountsTheBytesBeforeTheInquiry) {
   for (int i = 0; i < 100; ++i) link_.add(kOne, kMoveE, now_);
   link_.add(kOne, kAskE, now_);
+  leaving();
   EXPECT_EQ(link_.deadline(), 961);  // 402 bytes of 11 bits
 }
 
@@ -99,6 +103,23 @@ TEST_F(DeviceLinkTest, ALineWithManyCommandsWaits) {
   EXPECT_EQ(leaving().size(), DeviceLink::kMaxWaiting);
   EXPECT_EQ(link_.take_woken(), std::vector<LineId>{kTwo});
   EXPECT_TRUE(link_.accepts(kTwo));
+}
+
+TEST_F(DeviceLinkTest, AFloodIsBoundedAlthoughNobodyAsks) {
+  std::size_t added = 0;
+  for (; link_.accepts(kOne); ++added) link_.add(kOne, kMoveE, now_);
+  EXPECT_LE(added * 4, DeviceLink::kFullOutbox + DeviceLink::kMaxWaiting + 4);
+  EXPECT_LE(link_.outbox().size(), DeviceLink::kFullOutbox + 4);
+  EXPECT_EQ(leaving().size(), added * 4);
+  EXPECT_EQ(link_.take_woken(), std::vector<LineId>{kOne});
+}
+
+TEST_F(DeviceLinkTest, LinesTakeTurns) {
+  while (link_.accepts(kOne)) link_.add(kOne, kMoveE, now_);
+  link_.add(kTwo, kAskE, now_);
+  const std::string bytes = leaving();
+  EXPECT_LE(bytes.find("E?"), DeviceLink::kFullOutbox + 4) << "not behind all of the other line";
+  EXPECT_EQ(answer(), kTwo);
 }
 
 TEST_F(DeviceLinkTest, AStopDropsWhatWaits) {
