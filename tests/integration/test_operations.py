@@ -26,6 +26,7 @@ one turn of a line | server/lines/session.cpp | kFairTime | 1000
 unread replies of a line | cell/serial_line.hpp | kFullOutbox | 1024
 replies that an RFC 2217 client has suspended | cell/serial_line.hpp | kFullOutbox | 1024
 replies that `step` and `run_until` wait for, per line | server/lines/session.hpp | kMaxAnswered | 1048576
+commands of a line that wait for the physical controller | cell/device_link.hpp | kMaxWaiting
 warnings in the log, per line and simulated second | cell/warning_limiter.hpp | kMaxNotesPerSecond
 monitor connections | server/net/socket_limits.hpp | connections
 a request | protocol/monitor/request.hpp | kMaxMessageBytes | 1024
