@@ -145,6 +145,7 @@ class Cell {
   void emit_device(DeviceNews news, DeviceNote note = {});
   void expire_inquiries();
   void compare_mirror(const Command& inquiry, std::uint8_t reply);
+  void stop_simulated_joints();
   bool loses_mirror(const EventBody& event);
   void record_out(const WirePlace& out, const SerialLine& line, std::size_t unsent);
   void emit(std::optional<LineId> line, CellNote note);

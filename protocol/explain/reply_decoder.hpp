@@ -14,7 +14,7 @@
 
 namespace xr3 {
 
-/// What a client knows about the robot whose replies it reads.
+/// The properties of the robot that the decoding of its replies needs.
 struct ReplyContext {
   static constexpr int kLabels = 8;
 

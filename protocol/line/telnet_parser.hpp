@@ -11,7 +11,7 @@
 
 namespace xr3 {
 
-/// What a byte of the stream completes.
+/// The item that a byte of the stream completes.
 struct TelnetItem {
   enum class Kind : std::uint8_t { kNothing, kData, kCommand, kOption, kSubnegotiation };
   Kind kind = Kind::kNothing;

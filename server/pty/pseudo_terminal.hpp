@@ -9,7 +9,7 @@
 
 namespace xr3 {
 
-/// What a program has set on the slave side. The frame is not there: the driver drops it.
+/// The settings of a program on the slave side, without the frame, which the driver drops.
 struct PtyModes {
   std::uint32_t baud = 0;
   bool is_cooked = false;  ///< it echoes, or edits lines: replies come back as commands

@@ -10,7 +10,7 @@
 namespace xr3 {
 namespace {
 
-/// What a request does.
+/// Carries out a request.
 struct Act {
   TermSession& session;
   TermConsole& console;

@@ -45,7 +45,7 @@ void TermSession::start() {
   spawn_loop(context_.get_executor(), "term", write_loop());
 }
 
-// --- What is to be sent.
+// --- The queue of sources to send.
 
 void TermSession::send(std::string_view bytes) {
   const bool goes_on = !sources_.empty() && !sources_.back().file && !sources_.back().is_break;

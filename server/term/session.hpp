@@ -18,7 +18,7 @@
 
 namespace xr3 {
 
-/// What a session reports.
+/// Receives the reports of a session.
 class TermListener {
  public:
   TermListener() = default;

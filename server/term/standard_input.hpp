@@ -1,4 +1,4 @@
-// Standard input for coroutines, whatever it is: a terminal, a pipe, a file or a device. Its file
+// Standard input for coroutines: a terminal, a pipe, a file or a device. Its file
 // description stays blocking, because other processes may share it.
 #pragma once
 

@@ -266,6 +266,14 @@ TEST_F(MirrorTest, TheSimulationCarriesOutTheCommandsToo) {
   EXPECT_EQ(count('E'), 5);
 }
 
+TEST_F(MirrorTest, AStopStopsTheSimulationToo) {
+  send(1, "A@E+100\r");
+  pass(100);
+  EXPECT_FALSE(cell_.is_at_rest());
+  call(call::StopDevice{});
+  EXPECT_TRUE(cell_.is_at_rest());
+}
+
 TEST_F(MirrorTest, CommandsOfTheSimulatorActThereAlone) {
   send(1, "A@E+5\r");
   pass(1000);
