@@ -94,7 +94,7 @@ call::Outcome Cell::carry_out(const call::SetRate& rate, WallNs now) {
 call::Outcome Cell::carry_out(const call::Step& step, WallNs now) {
   if (clock_.mode() != ClockMode::kManual) return clock_running("step");
   const Tick start = state().tick;
-  simulation_.advance_to(start + step.ticks);
+  advance_to(start + step.ticks);
   after_manual_advance(start, now);
   return call::Done{};
 }
@@ -104,9 +104,9 @@ call::Outcome Cell::carry_out(const call::RunUntil& run, WallNs now) {
   const Tick start = state().tick;
   const Tick limit = start + run.max_ticks;
   if (run.tick) {
-    simulation_.advance_to(std::min(limit, *run.tick));
+    advance_to(std::min(limit, *run.tick));
   } else {
-    simulation_.run_to_rest(limit);
+    run_to_rest(limit);
   }
   after_manual_advance(start, now);
   const bool reached = run.tick ? state().tick >= *run.tick : is_at_rest();
@@ -122,6 +122,7 @@ void Cell::after_manual_advance(Tick start, WallNs now) {
 call::Outcome Cell::carry_out(const call::Reset&, WallNs now) {
   begin_epoch("reset", now, [this] {
     simulation_.reset();
+    simulation_.install_faults(initial_faults_);
     for (auto& [id, line] : lines_) line.reset();
   });
   return call::Done{};
@@ -137,6 +138,9 @@ void Cell::begin_epoch(std::string_view call, WallNs now, const std::function<vo
   if (device_ && state().enabled && device_->is_engaged()) device_->engage(false);
   ++epoch_;
   clock_.set_tick(state().tick, now);
+  restart_lines();
+  for (auto& [id, line] : lines_) line.begin_epoch(state().tick);
+  if (device_) device_->begin_epoch(state().tick);
   emit(std::nullopt, note);
   const bool is_same =
       old_model->workcell() == model().workcell() && are_same_things(old_blocks, state().blocks);

@@ -50,9 +50,11 @@ Applied Cell::take_in(const Input& input, WallNs now) {
 void Cell::advance(WallNs now) {
   if (is_frozen_) return;
   const Tick before = state().tick;
+  const bool is_real = clock_.mode() == ClockMode::kReal;
   // Simulated time stops at the maximum integer of the protocol, after some 285,000 years.
-  simulation_.advance_to(std::min(clock_.at(now), monitor::kMaxInteger));
-  if (state().tick == before) return;
+  const std::size_t acted = advance_to(std::min(clock_.at(now), monitor::kMaxInteger),
+                                       is_real ? kMaxDueBytes : kEveryByte);
+  if (state().tick == before && acted == 0) return;
   counters_.ticks += static_cast<std::uint64_t>(state().tick - before);
   ++revision_;
   emit_time_events();
@@ -68,7 +70,8 @@ void Cell::emit_time_events() {
 Snapshot Cell::snapshot() const {
   std::optional<DeviceStatus> device;
   if (device_)
-    device = {device_->path(), device_->is_open(), device_->bytes_out(), device_->bytes_in()};
+    device = {device_->path(), device_->is_open(), device_->is_engaged(), device_->bytes_out(),
+              device_->bytes_in()};
   return {epoch_, clock_.mode(), clock_.rate(), model_rev_, state(), std::move(device)};
 }
 
@@ -89,6 +92,18 @@ std::optional<std::uint64_t> Cell::bytes_in(LineId line) const {
 
 // --- Lines.
 
+std::vector<LineId> Cell::take_woken_lines() {
+  std::vector<LineId> all = std::exchange(woken_, {});
+  if (device_) {
+    const std::vector<LineId> accepting = device_->take_woken();
+    all.insert(all.end(), accepting.begin(), accepting.end());
+  }
+  std::ranges::sort(all);
+  const auto repeated = std::ranges::unique(all);
+  all.erase(repeated.begin(), repeated.end());
+  return all;
+}
+
 Applied Cell::handle(const LineOpened& opened, WallNs) {
   if (opened.is_probe) {
     probe_line_.emplace(model().profile(), opened.kind, opened.peer, state().tick);
@@ -100,6 +115,8 @@ Applied Cell::handle(const LineOpened& opened, WallNs) {
   emit(id, LineOpenedNote{opened.kind, opened.peer});
   const bool is_for_device = device_ && device_->is_engaged();
   if (device_) lines_.at(id).connect(*device_, id);
+  if (!device_ && opened.kind != LineKind::kMonitor) lines_.at(id).expose(id, state());
+  if (line_speed_ && opened.kind != LineKind::kMonitor) lines_.at(id).set_speed(*line_speed_);
   if (!state().enabled && !is_for_device) emit(id, disabled_note());
   Applied applied;
   applied.line = id;
@@ -110,6 +127,7 @@ Applied Cell::handle(const LineSettings& reported, WallNs) {
   SerialLine* line = open_line(reported.line);
   if (line == nullptr) return {};
   const bool is_news = line->set_settings(reported.settings, reported.is_cooked);
+  schedule(reported.line, *line);
   if (is_news) emit(reported.line, cooked_note());
   return {};
 }
@@ -126,6 +144,7 @@ Applied Cell::handle(const BytesIn& in, WallNs) {
     if (count == 0 || line->is_not_a_robot_program()) break;
     if (taken < in.bytes.size() && in.is_enough && in.is_enough()) break;
   }
+  schedule(in.line, *line);
   emit_all(in.line, warnings_.finish(in.line, state().tick));
   Applied applied;
   applied.bytes_taken = taken;
@@ -148,11 +167,15 @@ std::size_t Cell::receive_piece(LineId id, SerialLine& line, std::string_view by
   const WirePlace out{epoch_, state().tick, id, line.output_end()};
   const std::optional<TelnetFilter> telnet = line.telnet();
   const std::size_t unsent = line.outbox().size();
+  const bool waits = line.is_paced() && line.is_data(bytes.front());
   exchanges_.clear();
   const std::size_t taken = line.receive(bytes, simulation_, exchanges_);
   if (taken == 0) return 0;
   counters_.bytes_in += taken;
-  fill_in(wires_.push(), in, bytes.substr(0, taken), telnet, exchanges_, simulation_);
+  emit_fault_events(id, line);
+  if (waits && !line.is_not_a_robot_program()) return taken;  // recorded when they act
+  fill_in(wires_.push(), in, bytes.substr(0, taken), telnet, exchanges_, simulation_,
+          device_.has_value());
   record_out(out, line, unsent);
   emit_exchanges(id, line);
   return taken;
@@ -167,7 +190,10 @@ void Cell::record_out(const WirePlace& out, const SerialLine& line, std::size_t 
 }
 
 Applied Cell::handle(const BytesOut& out, WallNs) {
-  if (SerialLine* line = open_line(out.line)) line->sent(out.count);
+  SerialLine* line = open_line(out.line);
+  if (line == nullptr) return {};
+  line->sent(out.count, micros_at(state().tick));
+  schedule(out.line, *line);
   return {};
 }
 
@@ -177,8 +203,10 @@ Applied Cell::handle(const InputEnded& ended, WallNs) {
   const WirePlace out{epoch_, state().tick, ended.line, line->output_end()};
   const std::size_t unsent = line->outbox().size();
   exchanges_.clear();
-  line->end_input();
+  line->end_input(micros_at(state().tick));
+  if (!line->next_reply(state())) line->discard_held_back();  // no end of the fault is known
   if (ended.line != kProbeLine) record_out(out, *line, unsent);
+  schedule(ended.line, *line);
   return {};
 }
 
@@ -187,8 +215,12 @@ Applied Cell::handle(const LineClosed& closed, WallNs) {
     probe_line_.reset();
     return {};
   }
-  const SerialLine* line = find_line(closed.line);
+  SerialLine* line = open_line(closed.line);
   if (line == nullptr) return {};
+  agenda_.forget(closed.line);
+  exchanges_.clear();
+  record_acted(closed.line, *line);
+  record_departed(closed.line, *line);
   emit_all(closed.line, warnings_.forget(closed.line));
   ++counters_.of(closed.reason);
   emit(closed.line, LineClosedNote{closed.reason, line->bytes_in(), line->bytes_out()});
@@ -223,7 +255,8 @@ void Cell::emit_machine_events(std::optional<LineId> line, Events events) {
     if (const Warning* warning = std::get_if<Warning>(&event.body))
       ++counters_.warnings[code_of(warning->code)];
     const bool is_lost = loses_mirror(event.body);
-    emit_at(event.tick, line, std::move(event.body));
+    note_fault(event.body);
+    emit_at(event.tick, line, note_of(std::move(event.body)));
     if (is_lost) emit_device(DeviceNews::kMirrorLost);
   }
 }
@@ -247,7 +280,7 @@ void Cell::emit_exchanges(LineId id, SerialLine& line) {
       }
       emit_all(id, warnings_.finish(id, event.tick));
       const bool is_lost = loses_mirror(event.body);
-      emit(id, std::move(event.body));
+      emit(id, note_of(std::move(event.body)));
       if (is_lost) emit_device(DeviceNews::kMirrorLost);
     }
   }

@@ -6,11 +6,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cell/agenda.hpp"
 #include "cell/counters.hpp"
 #include "cell/input.hpp"
 #include "cell/mirror.hpp"
@@ -37,9 +39,25 @@ class Cell {
   /// Preconditions: no line is open, the clock is real at rate 1, and there was no device.
   /// `is_mirrored`: the simulation carries the commands out, too, and is compared with the device.
   void connect_device(std::string path, const SerialSettings& settings, bool is_mirrored = false);
+  /// Sets the faults with which the cell starts, and to which a reset returns. Precondition: no
+  /// line is open, and the robot has the joints.
+  void set_faults(FaultPlan plan);
+
   /// nullptr: none.
   const DeviceLink* device() const { return device_ ? &*device_ : nullptr; }
-  /// Lines that have a reply of the device, or accept bytes again because it has taken some.
+
+  /// From now on, the bytes of lines take time, except on those of the monitor and the probe.
+  /// Preconditions: no line is open, and there is no device.
+  void set_line_speed(const LineSpeed& speed);
+  /// The tick at which the next byte of a line is due; nullopt: none is.
+  std::optional<Tick> next_due() const;
+  /// The tick by which time must have advanced even if nobody asks for anything: a byte is due, or
+  /// a fault begins or ends. At most kMaxSleep ahead; nullopt: none.
+  std::optional<Tick> next_wake() const;
+  static constexpr Tick kMaxSleep = Tick{3600} * kTickHz;
+
+  /// Lines with replies that the transport does not know of, that accept bytes again, or that have
+  /// nothing under way any more; in order, each once.
   std::vector<LineId> take_woken_lines();
 
   const std::string& name() const { return name_; }
@@ -69,7 +87,8 @@ class Cell {
   Snapshot snapshot() const;
   /// The camera image, rendered at most once per state; nullptr if the workcell has no camera.
   ImagePtr camera_image() { return simulation_.camera_image(); }
-  bool is_at_rest() const { return simulation_.is_at_rest(); }
+  /// Nothing moves, and no byte of a line is due.
+  bool is_at_rest() const { return simulation_.is_at_rest() && agenda_.empty(); }
   /// Whether time alone can produce events: the clock is real, and a motor runs or suppressed
   /// warnings have not been reported yet.
   bool has_news_to_come() const {
@@ -94,15 +113,23 @@ class Cell {
   std::optional<std::uint64_t> bytes_in(LineId line) const;
   static constexpr std::size_t kRememberedLines = 1024;
 
+  /// Maximum number of bytes of lines that act in one advance of real time. Others that are due
+  /// act in the next one, later than they should, so that no advance takes long.
+  static constexpr std::size_t kMaxDueBytes = 256;
+
   /// Maximum number of named snapshots.
   static constexpr std::size_t kMaxSnapshots = 16;
 
   const CellCounters& counters() const { return counters_; }
 
  private:
+  static constexpr std::size_t kEveryByte = std::numeric_limits<std::size_t>::max();
+
   SerialLine* open_line(LineId line);
   Applied take_in(const Input& input, WallNs now);
   void advance(WallNs now);
+  std::size_t advance_to(Tick target, std::size_t max_bytes = kEveryByte);
+  void run_to_rest(Tick limit);
   Applied handle(const LineOpened& opened, WallNs now);
   Applied handle(const LineSettings& reported, WallNs now);
   Applied handle(const BytesIn& in, WallNs now);
@@ -132,6 +159,8 @@ class Cell {
   call::Outcome carry_out(const call::ReplaceWorkcell& replace, WallNs now);
   call::Outcome carry_out(const call::SaveSnapshot& save, WallNs now);
   call::Outcome carry_out(const call::LoadSnapshot& load, WallNs now);
+  call::Outcome carry_out(const call::SetFault& set, WallNs now);
+  call::Outcome carry_out(const call::ClearFault& clear, WallNs now);
 
   void begin_epoch(std::string_view call, WallNs now, const std::function<void()>& change);
   void after_manual_advance(Tick start, WallNs now);
@@ -139,15 +168,28 @@ class Cell {
   void placed_block(std::string_view call, std::size_t block);
   ModelPtr model_with(const Workcell& workcell) const;
 
+  std::optional<Tick> next_due_until(Tick limit) const;
+  void act_due();
+  void act_input(LineId id, SerialLine& line, Micros now);
+  void send_reply(LineId id, SerialLine& line, Micros now);
+  void record_acted(LineId id, SerialLine& line);
+  void record_departed(LineId id, SerialLine& line);
+  void release_replies(LineId id, SerialLine& line, Micros now);
+  void schedule(LineId id, const SerialLine& line);
+  void schedule_all();
+  void restart_lines();
   Applied take_unseen(SerialLine& line, std::string_view bytes);
   std::size_t receive_piece(LineId id, SerialLine& line, std::string_view bytes);
   void deliver(LineId line, std::uint8_t reply, const Command& inquiry);
   void emit_device(DeviceNews news, DeviceNote note = {});
+  CellNote note_of(EventBody event) const;
   void expire_inquiries();
   void compare_mirror(const Command& inquiry, std::uint8_t reply);
   void stop_simulated_joints();
   bool loses_mirror(const EventBody& event);
   void record_out(const WirePlace& out, const SerialLine& line, std::size_t unsent);
+  void emit_fault_events(LineId id, SerialLine& line);
+  void note_fault(const EventBody& event);
   void emit(std::optional<LineId> line, CellNote note);
   void emit_machine_events(std::optional<LineId> line, Events events);
   void emit_time_events();
@@ -163,6 +205,9 @@ class Cell {
   Epoch epoch_ = 0;
   int model_rev_ = 1;
   std::uint64_t revision_ = 1;
+  FaultPlan initial_faults_;
+  std::optional<LineSpeed> line_speed_;
+  Agenda agenda_;
   std::optional<DeviceLink> device_;  ///< before the lines, which refer to it
   std::optional<Mirror> mirror_;
   std::vector<LineId> woken_;

@@ -10,18 +10,10 @@
 namespace xr3 {
 
 void Cell::connect_device(std::string path, const SerialSettings& settings, bool is_mirrored) {
-  assert(!device_ && lines_.empty());
+  assert(!device_ && lines_.empty() && !line_speed_);
   assert(clock_.mode() == ClockMode::kReal && clock_.rate() == Rate{});
   device_.emplace(std::move(path), settings, is_mirrored);
   if (is_mirrored) mirror_.emplace();
-}
-
-std::vector<LineId> Cell::take_woken_lines() {
-  std::vector<LineId> all = std::exchange(woken_, {});
-  if (!device_) return all;
-  const std::vector<LineId> accepting = device_->take_woken();
-  all.insert(all.end(), accepting.begin(), accepting.end());
-  return all;
 }
 
 void Cell::emit_device(DeviceNews news, DeviceNote note) {
@@ -30,16 +22,24 @@ void Cell::emit_device(DeviceNews news, DeviceNote note) {
   emit(std::nullopt, std::move(note));
 }
 
+/// The machine does not know that commands go to a device while it is disabled.
+CellNote Cell::note_of(EventBody event) const {
+  const auto* changed = std::get_if<EnabledChanged>(&event);
+  if (!device_ || changed == nullptr) return event;
+  return HandoverNote{changed->enabled, device_->path(), device_->is_open(),
+                      device_->is_mirrored()};
+}
+
 Applied Cell::handle(const DeviceOpened&, WallNs) {
   assert(device_);
-  device_->set_open(true);
+  device_->set_open(true, state().tick);
   emit_device(DeviceNews::kOpened);
   return {};
 }
 
 Applied Cell::handle(const DeviceLost& lost, WallNs) {
   assert(device_);
-  device_->set_open(false);
+  device_->set_open(false, state().tick);
   DeviceNote note;
   note.why = lost.why;
   emit_device(DeviceNews::kLost, std::move(note));

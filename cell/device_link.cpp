@@ -17,6 +17,11 @@ int bits_per_byte(const SerialSettings& settings) {
          (frame.stop_bits == StopBits::kOne ? 1 : 2);
 }
 
+std::int64_t time_us(std::size_t bytes, const SerialSettings& settings) {
+  const auto bits = static_cast<std::int64_t>(bytes) * bits_per_byte(settings);
+  return bits * kUsPerSecond / settings.baud;
+}
+
 Tick tick_after(std::int64_t us) { return (us + kUsPerTick - 1) / kUsPerTick; }
 
 }  // namespace
@@ -26,8 +31,9 @@ DeviceLink::DeviceLink(std::string path, const SerialSettings& settings, bool is
   assert(settings.baud > 0);
 }
 
-void DeviceLink::set_open(bool is_open) {
+void DeviceLink::set_open(bool is_open, Tick now) {
   is_open_ = is_open;
+  opened_ = now;
   drop();
 }
 
@@ -89,10 +95,11 @@ void DeviceLink::send_next(Tick now) {
 }
 
 void DeviceLink::send(std::string_view bytes, Tick now) {
-  const auto bits = static_cast<std::int64_t>(bytes.size()) * bits_per_byte(settings_);
-  busy_until_us_ =
-      std::max(busy_until_us_, now * kUsPerTick) + bits * kUsPerSecond / settings_.baud;
+  const std::int64_t now_us = now * kUsPerTick;
+  busy_until_us_ = std::min(std::max(busy_until_us_, now_us) + time_us(bytes.size(), settings_),
+                            now_us + time_us(kMaxHeld, settings_));
   outbox_ += bytes;
+  last_ = bytes;
 }
 
 std::optional<DeviceLink::Asked> DeviceLink::receive(Tick now) {
@@ -115,9 +122,13 @@ std::optional<DeviceLink::Asked> DeviceLink::expire(Tick now) {
   return silent;
 }
 
+// An inquiry is the last of the outbox. If it has left, its reply may come: it must not be taken for
+// that of the next inquiry.
 void DeviceLink::stop(Tick now) {
   ++stops_;
+  const auto answered_later = outbox_.empty() ? asked_ : std::nullopt;
   drop();
+  asked_ = answered_later;
   if (is_open_) send(stop_all_joints(), now);
 }
 

@@ -28,6 +28,9 @@ class DeviceLink {
 
   /// Further commands wait while the outbox has this many bytes.
   static constexpr std::size_t kFullOutbox = 64;
+  /// No more bytes than these are on their way: the system's buffer and the outbox. A device that
+  /// takes bytes faster than its settings say, such as a pseudo-terminal, has received them before.
+  static constexpr std::size_t kMaxHeld = 4096 + kFullOutbox;
 
   /// An inquiry of a line: nullopt for the line if it has closed meanwhile.
   struct Asked {
@@ -42,11 +45,18 @@ class DeviceLink {
   const SerialSettings& settings() const { return settings_; }
   bool is_mirrored() const { return is_mirrored_; }
   bool is_open() const { return is_open_; }
+  /// In the current epoch: its first tick if the device was there before. nullopt while it is not.
+  std::optional<Tick> opened_tick() const {
+    return is_open_ ? std::optional(opened_) : std::nullopt;
+  }
   std::uint64_t bytes_in() const { return bytes_in_; }
   std::uint64_t bytes_out() const { return bytes_out_; }
 
   /// The device is there, or has vanished. Everything that waits is dropped.
-  void set_open(bool is_open);
+  void set_open(bool is_open, Tick now = 0);
+  void begin_epoch(Tick first) { opened_ = first; }
+  /// The bytes of the last command for the device; empty before the first.
+  const std::string& last() const { return last_; }
 
   /// Whether commands of the lines go to the device: a command has disabled the simulator.
   bool is_engaged() const { return is_engaged_; }
@@ -108,6 +118,8 @@ class DeviceLink {
   SerialSettings settings_;
   bool is_mirrored_;
   bool is_open_ = false;
+  Tick opened_ = 0;
+  std::string last_;
   bool is_engaged_ = false;
   std::uint64_t switches_ = 0;
   std::uint64_t stops_ = 0;

@@ -4,121 +4,116 @@
 #include <utility>
 
 namespace xr3 {
-namespace {
-
-// A port of 7 data bits would make another character of it.
-constexpr std::uint8_t kFirstByteOf8Bits = 0x80;
-
-}  // namespace
 
 std::size_t SerialLine::receive(std::string_view bytes, Simulation& simulation,
                                 std::vector<Exchange>& exchanges) {
   released_.clear();
+  const Effects effects{simulation, exchanges, micros_at(simulation.tick())};
+  const bool was_paced = is_paced();
+  const bool was_data = !bytes.empty() && is_data(bytes.front());
   std::size_t taken = 0;
   while (taken < bytes.size() && accepts(bytes[taken]) && !is_not_a_robot_program_) {
+    if (is_paced() != was_paced || (was_paced && is_data(bytes[taken]) != was_data)) break;
     const auto byte = static_cast<std::uint8_t>(bytes[taken++]);
-    const std::uint64_t offset = bytes_in_++;
-    if (!is_network()) {  // no detection, no telnet
-      act_on(byte, offset, simulation, exchanges);
-      continue;
-    }
-    const Detection detection = guard_ == Guard::kOff ? Detection::kPass : detector_.feed(byte);
-    is_not_a_robot_program_ = detection == Detection::kNotARobotProgram;
-    if (detection != Detection::kPass) continue;
-    if (!detector_.held().empty()) {
-      const std::string held = detector_.release();
-      for (std::size_t i = 0; i < held.size(); ++i) {
-        act(static_cast<std::uint8_t>(held[i]), offset - held.size() + i, simulation, exchanges);
-      }
-    }
-    act(byte, offset, simulation, exchanges);
+    receive_byte(byte, bytes_in_++, effects);
   }
   return taken;
 }
 
-void SerialLine::act(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
-                     std::vector<Exchange>& exchanges) {
-  const TelnetInput input = telnet_.feed(byte, outbox_);
-  if (input.data) act_on(*input.data, offset, simulation, exchanges);
-  if (input.replies != ReplyControl::kNone) control(input.replies);
+void SerialLine::receive_byte(std::uint8_t byte, std::uint64_t offset, const Effects& effects) {
+  if (!is_network()) return take_data(byte, offset, effects);  // no detection, no telnet
+  const Detection detection = guard_ == Guard::kOff ? Detection::kPass : detector_.feed(byte);
+  is_not_a_robot_program_ = detection == Detection::kNotARobotProgram;
+  if (detection != Detection::kPass) return;
+  if (!detector_.held().empty()) {
+    const std::string held = detector_.release();
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      filter(static_cast<std::uint8_t>(held[i]), offset - held.size() + i, effects);
+    }
+  }
+  filter(byte, offset, effects);
 }
 
-void SerialLine::act_on(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
-                        std::vector<Exchange>& exchanges) {
+void SerialLine::filter(std::uint8_t byte, std::uint64_t offset, const Effects& effects) {
+  const TelnetInput input = telnet_.feed(byte, outbox_);
+  if (input.data) return take_data(*input.data, offset, effects);
+  if (speed_) update_pace();
+  if (input.control != BufferControl::kNone) control(input.control, effects.now);
+}
+
+void SerialLine::take_data(std::uint8_t byte, std::uint64_t offset, const Effects& effects) {
+  if (!pace_) return act_on(byte, offset, effects);
+  pace_->add_input({byte, offset}, effects.now);
+}
+
+void SerialLine::act_on(std::uint8_t byte, std::uint64_t offset, const Effects& effects) {
   if (device_ != nullptr) {
     drop_unfinished();
-    if (device_->is_engaged()) return act_on_device(byte, offset, simulation, exchanges);
+    if (device_->is_engaged()) return act_on_device(byte, offset, effects);
   }
+  if (!faults_) return execute(byte, offset, effects);
+  if (faults_->take_power_cycle(effects.simulation.state())) endpoint_.reset();
+  if (faults_->passes_input(effects.simulation.state())) return execute(byte, offset, effects);
+  for (const char each : faults_->receive(byte, effects.simulation))
+    execute(static_cast<std::uint8_t>(each), offset, effects);
+  if (is_cut()) drop_input();
+}
+
+void SerialLine::execute(std::uint8_t byte, std::uint64_t offset, const Effects& effects) {
+  Simulation& simulation = effects.simulation;
   const bool was_enabled = simulation.state().enabled;
   std::string replies;
-  endpoint_.feed(byte, offset, simulation, replies, exchanges);
+  endpoint_.feed(byte, offset, simulation, replies, effects.exchanges);
   if (device_ != nullptr && was_enabled && !simulation.state().enabled) device_->engage(true);
-  if (replies.empty()) return;
   // A byte completes at most one inquiry, and that is the last exchange.
-  Exchange& exchange = exchanges.back();
+  if (!replies.empty()) answer(std::move(replies), effects.exchanges.back(), effects);
+}
+
+void SerialLine::answer(std::string replies, Exchange& exchange, const Effects& effects) {
+  if (faults_ && !leaves_now(replies, exchange, effects)) return;
+  if (pace_) return pace_->add_reply(replies, answer_of(exchange), effects.now);
   if (hold_.is_on()) return hold_.add(replies, answer_of(exchange));
   exchange.reply_from = output_end();
   send(replies);
   exchange.reply_to = output_end();
 }
 
-// Commands that were unfinished when the simulator was switched must not be completed afterwards.
-void SerialLine::drop_unfinished() {
-  if (std::exchange(seen_switches_, device_->switches()) == device_->switches()) return;
-  endpoint_.reset();
-  device_parser_ = RhinoParser(Profile::kMark3);
-}
-
-void SerialLine::act_on_device(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
-                               std::vector<Exchange>& exchanges) {
-  std::vector<Parsed> parsed;
-  device_parser_.feed(byte, offset, parsed);
-  for (Parsed& item : parsed) {
-    Exchange& exchange = exchanges.emplace_back(Exchange{std::move(item), NoReply{}, {}, 0, 0});
-    auto& what = exchange.parsed.what;
-    const Command* command = std::get_if<Command>(&what);
-    if (command != nullptr && std::holds_alternative<ToggleSimulator>(*command)) {
-      simulation.execute(*command);
-      exchange.events = simulation.take_events();
-      device_->engage(false);
-    } else if (command != nullptr && for_device(*command)) {
-      exchange.is_for_device = true;
-      device_->add(id_, *command, simulation.state().tick);
-      if (device_->is_mirrored()) imitate(*command, exchange, simulation);
-    } else if (command != nullptr && device_->is_mirrored()) {
-      imitate(*command, exchange, simulation);
-    } else if (command != nullptr || byte >= kFirstByteOf8Bits) {
-      what = Problem{ProblemCode::kNotForDevice, Subject::kNone};
-    }
-  }
-}
-
-/// The reply is discarded: that of the device counts, and the commands that only the simulator has
-/// are not answered by a physical controller.
-void SerialLine::imitate(const Command& command, Exchange& exchange, Simulation& simulation) {
-  simulation.execute(command);
-  exchange.events = simulation.take_events();
-}
-
-void SerialLine::deliver(std::uint8_t reply, const Command& inquiry) {
-  released_.clear();
-  const std::string bytes(1, static_cast<char>(reply));
-  const wire::FromDevice meaning{inquiry, reply};
-  if (hold_.is_on()) return hold_.add(bytes, meaning);
-  const std::uint64_t from = output_end();
-  send(bytes);
-  released_.push_back({from, output_end(), meaning});
-}
-
-void SerialLine::control(ReplyControl replies) {
-  switch (replies) {
-    case ReplyControl::kNone: break;
-    case ReplyControl::kSuspend:
-      if (!has_input_ended_) hold_.begin();
+void SerialLine::control(BufferControl control, Micros now) {
+  switch (control) {
+    case BufferControl::kNone: break;
+    case BufferControl::kSuspend:
+      if (!has_input_ended_) suspend(now);
       break;
-    case ReplyControl::kResume: release(); break;
-    case ReplyControl::kDrop: hold_.discard(); break;
+    case BufferControl::kResume: resume(now); break;
+    case BufferControl::kDropReplies: drop_replies(now); break;
+    case BufferControl::kDropInput: drop_input(); break;
+    case BufferControl::kDropBoth:
+      drop_replies(now);
+      drop_input();
+      break;
   }
+}
+
+void SerialLine::suspend(Micros now) {
+  if (pace_) return pace_->halt(Direction::kOut, true, now);
+  hold_.begin();
+}
+
+void SerialLine::resume(Micros now) {
+  if (pace_) return pace_->halt(Direction::kOut, false, now);
+  release();
+}
+
+void SerialLine::drop_replies(Micros now) {
+  hold_.discard();
+  discard_held_back();
+  if (!pace_) return;
+  pace_->discard_replies();
+  update_input_halt(now);
+}
+
+void SerialLine::drop_input() {
+  if (pace_) pace_->discard_input();
 }
 
 void SerialLine::release() {
@@ -130,10 +125,10 @@ void SerialLine::release() {
   }
 }
 
-void SerialLine::end_input() {
+void SerialLine::end_input(Micros now) {
   released_.clear();
   has_input_ended_ = true;
-  release();
+  resume(now);
 }
 
 void SerialLine::send(std::string_view replies) { telnet_.encode(replies, outbox_); }
@@ -145,10 +140,11 @@ LineKind SerialLine::kind() const {
 
 // A large image is sent in many pieces. To keep the cost linear, the unsent bytes move to the front
 // only when they are no more than the sent ones.
-void SerialLine::sent(std::size_t count) {
+void SerialLine::sent(std::size_t count, Micros now) {
   assert(count <= outbox().size());
   sent_ += count;
   bytes_out_ += count;
+  update_input_halt(now);
   if (sent_ < outbox_.size() - sent_) return;
   outbox_.erase(0, sent_);
   sent_ = 0;

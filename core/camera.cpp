@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "core/camera_sight.hpp"
+#include "core/camera/sight.hpp"
 
 namespace xr3 {
 namespace {

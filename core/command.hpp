@@ -60,6 +60,7 @@ struct QueryInputs {
 };
 /// `L M N O`: auxiliary port 1 or 2 on or off.
 struct SetAuxiliary {
+  static constexpr int kPorts = 2;
   int port;
   bool on;
   bool operator==(const SetAuxiliary&) const = default;

@@ -4,6 +4,7 @@
 
 #include "core/carousel.hpp"
 #include "core/coupling.hpp"
+#include "core/faults/faults.hpp"
 #include "core/grasp.hpp"
 #include "core/kinematics.hpp"
 #include "core/motor.hpp"
@@ -26,6 +27,7 @@ namespace {
 
 State derived(const Model& model, State state) {
   Events ignored;
+  refresh_faults(model, state);
   const Positions now = positions(model, state.motors);
   assert(are_within_limits(model, now));
   for (int i = 0; i < model.motor_count(); ++i) set_error(state.motor(i), state.motor(i).error);

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/faults/fault.hpp"
 #include "core/units.hpp"
 
 namespace xr3 {
@@ -116,9 +117,23 @@ struct Warning {
   bool operator==(const Warning&) const = default;
 };
 
+enum class FaultPhase : std::uint8_t { kSet, kCleared, kBegan, kEnded, kEffect };
+
+/// News of a fault on demand; see core/faults.
+struct FaultNews {
+  std::string fault;  ///< its name
+  FaultKind kind = FaultKind::kByteDropped;
+  FaultPhase phase = FaultPhase::kEffect;
+  std::uint64_t effects = 0;  ///< so far, this one included
+  char label = 0;             ///< the joint concerned; 0: none
+  std::int64_t at = 0;        ///< of an effect: the motor's count, or the offset of the byte
+  std::uint32_t line = 0;     ///< line_disconnected at a tick: the line, 0 for all
+  bool operator==(const FaultNews&) const = default;
+};
+
 using EventBody =
     std::variant<MoveTaken, Reached, MotorBlocked, Stalled, SwitchChanged, Grasped, Released, Homed,
-                 OutputChanged, InputChanged, AuxiliaryChanged, EnabledChanged, Warning>;
+                 OutputChanged, InputChanged, AuxiliaryChanged, EnabledChanged, Warning, FaultNews>;
 
 struct Event {
   Tick tick = 0;

@@ -4,6 +4,8 @@
 #include <cstdlib>
 
 #include "core/coupling.hpp"
+#include "core/faults/camera_faults.hpp"
+#include "core/faults/motor_faults.hpp"
 #include "core/home.hpp"
 #include "core/invariants.hpp"
 #include "core/kinematics.hpp"
@@ -12,15 +14,6 @@
 
 namespace xr3 {
 namespace {
-
-std::uint8_t with_bit(std::uint8_t bits, int number, bool set) {
-  const unsigned mask = 1U << static_cast<unsigned>(number - 1);
-  return static_cast<std::uint8_t>(set ? bits | mask : bits & ~mask);
-}
-
-bool has_bit(std::uint8_t bits, int number) {
-  return (bits >> static_cast<unsigned>(number - 1) & 1U) != 0;
-}
 
 class Executor {
  public:
@@ -59,31 +52,23 @@ class Executor {
     return SignedError{motor != nullptr ? motor->error : std::int8_t{0}};
   }
   Reply operator()(const QuerySwitch& query) {
-    const MotorState* motor = find(query.label);
-    return SwitchState{motor != nullptr && motor->switch_closed};
+    if (find(query.label) == nullptr) return SwitchState{false};
+    return SwitchState{reads_closed(model_, state_, model_.index_of(query.label))};
   }
   Reply operator()(const QuerySwitchesI&) { return switch_bits(model_, state_, 'I'); }
   Reply operator()(const QuerySwitchesJ&) { return switch_bits(model_, state_, 'J'); }
   Reply operator()(const QueryInputs&) { return switch_bits(model_, state_, 'K'); }
 
   Reply operator()(const SetAuxiliary& set) {
-    if (has_bit(state_.io.auxiliary, set.port) != set.on) emit(AuxiliaryChanged{set.port, set.on});
-    state_.io.auxiliary = with_bit(state_.io.auxiliary, set.port, set.on);
+    set_auxiliary(state_, set.port, set.on, events_);
     return NoReply{};
   }
   Reply operator()(const SetOutput& set) {
-    if (has_bit(state_.io.outputs, set.line) != set.high) emit(OutputChanged{set.line, set.high});
-    state_.io.outputs = with_bit(state_.io.outputs, set.line, set.high);
+    set_output(state_, set.line, set.high, events_);
     return NoReply{};
   }
   Reply operator()(const ControllerReset&) {
-    for (int i = 0; i < model_.motor_count(); ++i) {
-      set_error(state_.motor(i), 0);
-      state_.motor(i).speed = static_cast<std::uint8_t>(model_.motor(i).drive.speed_counts_per_s);
-    }
-    for (int line = 1; line <= 8; ++line) (*this)(SetOutput{line, false});
-    for (int port = 1; port <= 2; ++port) (*this)(SetAuxiliary{port, false});
-    counters_changed();
+    reset_controller(model_, state_, events_);
     return NoReply{};
   }
 
@@ -125,15 +110,15 @@ class Executor {
     return NoReply{};
   }
   Reply operator()(const CameraImage&) {
-    if (!has_pixel(0, 0)) return NoReply{};
+    if (!uses_pixel(0, 0)) return NoReply{};
     return CameraRows{camera_.image(model_, state_)};
   }
   Reply operator()(const CameraRow& row) {
-    if (!has_pixel(0, row.row)) return NoReply{};
+    if (!uses_pixel(0, row.row)) return NoReply{};
     return CameraRows{std::make_shared<const Image>(camera_.row(model_, state_, row.row))};
   }
   Reply operator()(const CameraPixel& pixel) {
-    if (!has_pixel(pixel.column, pixel.row)) return NoReply{};
+    if (!uses_pixel(pixel.column, pixel.row)) return NoReply{};
     return PixelValue{camera_.pixel(model_, state_, pixel.column, pixel.row)};
   }
 
@@ -149,12 +134,14 @@ class Executor {
     update_blocked(model_, state_, positions(model_, state_.motors), events_);
   }
 
-  // Whether there is a camera with such a pixel. If not, emits a warning.
-  bool has_pixel(int column, int row) {
+  // Whether there is a camera with such a pixel. If not, emits a warning; if so, faults of the
+  // camera have their effect.
+  bool uses_pixel(int column, int row) {
     const auto& camera = model_.workcell().camera;
     const bool has =
         camera && column >= 0 && column < camera->pixels_x && row >= 0 && row < camera->pixels_y;
     if (!has) emit(Warning{WarningCode::kBadCameraArgument, 'A', 0, 0, {}});
+    if (has) add_camera_effects(model_, state_, events_);
     return has;
   }
 
@@ -167,13 +154,6 @@ class Executor {
 };
 
 }  // namespace
-
-void set_input(State& state, int line, bool high, Events& events) {
-  assert(line >= 1 && line <= 8);
-  if (has_bit(state.io.inputs, line) == high) return;
-  state.io.inputs = with_bit(state.io.inputs, line, high);
-  events.push_back({state.tick, InputChanged{line, high}});
-}
 
 Reply execute(const Model& model, State& state, const Command& command, Events& events,
               CameraCache& camera) {

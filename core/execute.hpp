@@ -2,7 +2,7 @@
 // lines change the state only through execute().
 #pragma once
 
-#include "core/camera_cache.hpp"
+#include "core/camera/cache.hpp"
 #include "core/command.hpp"
 #include "core/event.hpp"
 #include "core/model.hpp"
@@ -18,8 +18,5 @@ Reply execute(const Model& model, State& state, const Command& command, Events& 
 
 /// Whether the command only reads the camera, and so changes nothing that the camera sees.
 bool is_camera_inquiry(const Command& command);
-
-/// Sets input line 1...8 from outside.
-void set_input(State& state, int line, bool high, Events& events);
 
 }  // namespace xr3

@@ -1,9 +1,11 @@
 #include "core/grasp.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
+#include <utility>
 
 #include "core/carousel.hpp"
 #include "core/placement.hpp"
@@ -146,6 +148,24 @@ void release(const Model& model, State& state, const Positions& positions, Event
   find_riders(model, state);
   events.push_back({state.tick, Released{block.name, block.centroid_um, block.yaw_udeg}});
   warn_of_placement(model, state, index, events);
+}
+
+bool drop(const Model& model, State& state, const Positions& positions, Events& events) {
+  assert(state.held);
+  const Held held = *state.held;
+  Block& block = state.blocks[held.block];
+  const Block at_grasp = std::exchange(block, as_released(model, state, held, positions));
+  state.held.reset();
+  const Micrometres height_um = height_above_support_um(model, state, held.block);
+  if (2 * height_um <= block.size_um.z) {
+    block = at_grasp;
+    state.held = held;
+    return false;
+  }
+  block.centroid_um.z -= height_um;
+  find_riders(model, state);
+  events.push_back({state.tick, Released{block.name, block.centroid_um, block.yaw_udeg}});
+  return true;
 }
 
 void warn_of_touch(const Model& model, const State& state, const Positions& positions,

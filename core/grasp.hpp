@@ -59,6 +59,10 @@ bool can_hold(const Model& model, const Block& block, const Held& held);
 void warn_of_touch(const Model& model, const State& state, const Positions& positions,
                    Events& events);
 
+/// Lets the held block fall out of the jaws, onto what is below it, if that is further away than
+/// half of its height; otherwise the jaws would hold it again. Returns whether it fell.
+bool drop(const Model& model, State& state, const Positions& positions, Events& events);
+
 /// Releases the held block, see as_released(), and warns if it lies badly, see
 /// warn_of_placement(). Does nothing if none is held.
 void release(const Model& model, State& state, const Positions& positions, Events& events);

@@ -38,6 +38,17 @@ State initial_state(const Model& model) {
   return state;
 }
 
+void reset_controller(const Model& model, State& state, Events& events) {
+  for (int i = 0; i < model.motor_count(); ++i) {
+    set_error(state.motor(i), 0);
+    state.motor(i).speed = static_cast<std::uint8_t>(model.motor(i).drive.speed_counts_per_s);
+  }
+  for (int line = 1; line <= SetOutput::kLines; ++line) set_output(state, line, false, events);
+  for (int port = 1; port <= SetAuxiliary::kPorts; ++port)
+    set_auxiliary(state, port, false, events);
+  update_blocked(model, state, positions(model, state.motors), events);
+}
+
 void go_home(const Model& model, State& state, Events& events) {
   if (state.held) release(model, state, positions(model, state.motors), events);
   stand_at_home(model, state);

@@ -49,6 +49,15 @@ class Image {
   }
   static constexpr int kWordBits = 64;
 
+  /// Calls fill(std::span<std::uint64_t>) for the words of a row; bits after the last pixel are
+  /// then set to 0.
+  template <class Fill>
+  void set_words(int row, const Fill& fill) {
+    const std::span<std::uint64_t> words(&word(0, row), words_a_row_);
+    fill(words);
+    words.back() &= kAll >> (kBits - 1 - static_cast<unsigned>(width_ - 1) % kBits);
+  }
+
   /// One row as an image one pixel high.
   Image row_image(int row) const {
     Image cut(width_, 1);

@@ -4,6 +4,8 @@
 
 #include "core/carousel.hpp"
 #include "core/coupling.hpp"
+#include "core/faults/faults.hpp"
+#include "core/faults/motor_faults.hpp"
 #include "core/grasp.hpp"
 #include "core/kinematics.hpp"
 #include "core/motor.hpp"
@@ -28,8 +30,9 @@ const char* broken_in_motor(const Model& model, const State& state, const Positi
   const Blocked expected =
       motor.error == 0 ? Blocked::kNo : obstacle(model, state, positions, index);
   if (motor.blocked != expected) return "a motor is blocked exactly where something obstructs it";
-  if (motor.switch_closed != is_closed(model.motor(index), motor.count))
-    return "a microswitch follows from its motor's count";
+  const bool is_at_switch = is_closed(model.motor(index), motor.count);
+  if (motor.switch_closed != with_stuck_switch(state, index, is_at_switch))
+    return "a microswitch follows from its motor's count, unless it is stuck";
   return nullptr;
 }
 
@@ -63,6 +66,20 @@ const char* broken_in_riders(const Model& model, const State& state) {
     next = rider.block + 1;
   }
   return nullptr;
+}
+
+const char* broken_in_faults(const Model& model, const State& state) {
+  if (state.faults.all.empty()) {
+    return state.faults.now == FaultsInForce{} ? nullptr : "without faults none is in force";
+  }
+  if (state.faults.all.size() > kMaxFaults) return "the number of faults is bounded";
+  State again;
+  again.tick = state.tick;
+  again.faults = state.faults;
+  refresh_faults(model, again);
+  return again.faults == state.faults
+             ? nullptr
+             : "the faults in force follow from the tick and their effects";
 }
 
 bool is_component(int value) { return std::abs(value) <= kMaxViewComponent; }
@@ -99,6 +116,7 @@ const char* broken_invariant(const Model& model, const State& state) {
   if (const char* broken = broken_in_limits(model, now)) return broken;
   if (const char* broken = broken_in_grasp(model, state)) return broken;
   if (const char* broken = broken_in_riders(model, state)) return broken;
+  if (const char* broken = broken_in_faults(model, state)) return broken;
   if (const char* broken = broken_in_display(state.display)) return broken;
   return broken_in_path(state.tip_path);
 }

@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "core/faults/motor_faults.hpp"
+
 namespace xr3 {
 namespace {
 
@@ -34,17 +36,21 @@ MotorBlocked blocked_event(const Model& model, const State& state, const Positio
   return event;
 }
 
-void make_count(const Model& model, State& state, Positions& positions, int index) {
+void make_count(const Model& model, State& state, Positions& positions, int index, Events& events) {
   MotorState& motor = state.motor(index);
   const int direction = sign(motor.error);
+  const bool is_lost = loses_count(model, state, index, events);
   motor.count += direction;
   turn(model, positions, index, direction);
-  set_error(motor, static_cast<std::int8_t>(motor.error - direction));
+  if (!is_lost) set_error(motor, static_cast<std::int8_t>(motor.error - direction));
 }
 
 // Adds one tick of phase. Returns true if a count is due.
-bool gathers_a_count(MotorState& motor) {
+bool gathers_a_count(State& state, int index) {
+  MotorState& motor = state.motor(index);
   if (!is_running(motor)) return false;
+  const std::uint8_t pace = pace_of(state, index);
+  if (pace != kFullPace && running_ticks(pace, state.tick - 1, state.tick) == 0) return false;
   motor.phase = static_cast<std::int16_t>(motor.phase + motor.speed);
   if (motor.phase < kPhasePerCount) return false;
   motor.phase = static_cast<std::int16_t>(motor.phase - kPhasePerCount);
@@ -52,11 +58,13 @@ bool gathers_a_count(MotorState& motor) {
 }
 
 // Makes the tool's count unless it would squeeze a block.
-void turn_tool(const Model& model, State& state, Positions& positions, MotorTickResult& turned) {
+void turn_tool(const Model& model, State& state, Positions& positions, MotorTickResult& turned,
+               Events& events) {
   const int tool = model.tool_index();
   turned.opened = opens_jaws(model, sign(state.motor(tool).error));
   if (!turned.opened) turned.jaws = next_closing(model, state, positions);
-  if (turned.jaws.kind != JawContact::Kind::kHolds) make_count(model, state, positions, tool);
+  if (turned.jaws.kind != JawContact::Kind::kHolds)
+    make_count(model, state, positions, tool, events);
 }
 
 }  // namespace
@@ -81,17 +89,18 @@ Blocked obstacle(const Model& model, const State& state, const Positions& positi
   return limited ? Blocked::kLimit : Blocked::kNo;
 }
 
-MotorTickResult turn_motors(const Model& model, State& state, Positions& positions) {
+MotorTickResult turn_motors(const Model& model, State& state, Positions& positions,
+                            Events& events) {
   MotorTickResult turned;
   for (int i = 0; i < model.motor_count(); ++i) {
-    if (!gathers_a_count(state.motor(i))) continue;
+    if (!gathers_a_count(state, i)) continue;
     if (obstacle(model, state, positions, i) != Blocked::kNo) continue;  // see update_blocked()
     turned.any = true;
     if (i == model.tool_index()) {
-      turn_tool(model, state, positions, turned);
+      turn_tool(model, state, positions, turned, events);
       continue;
     }
-    make_count(model, state, positions, i);
+    make_count(model, state, positions, i, events);
     (i == model.carousel_index() ? turned.table : turned.joint) = true;
   }
   return turned;

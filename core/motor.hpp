@@ -43,8 +43,9 @@ struct MotorTickResult {
 };
 
 /// One tick of every motor: joints from the base, the tool, then the carousel. The check of each
-/// count sees the counts already made in this tick. Updates `positions`.
-MotorTickResult turn_motors(const Model& model, State& state, Positions& positions);
+/// count sees the counts already made in this tick. Updates `positions`. The events are those of
+/// faults.
+MotorTickResult turn_motors(const Model& model, State& state, Positions& positions, Events& events);
 
 /// Recomputes which motors are blocked and appends an event for each newly blocked one. To be
 /// called after counts were made or error counters changed.

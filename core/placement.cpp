@@ -122,6 +122,10 @@ Micrometres footprint_overlap_um(const Block& a, const Block& b) {
   return least;
 }
 
+Micrometres height_above_support_um(const Model& model, const State& state, std::size_t block) {
+  return bottom_um(state.blocks[block]) - placement_of(model, state, block).support_um;
+}
+
 void warn_of_overlap(const Model& model, const State& state, std::size_t block, Events& events) {
   const Placement placement = placement_of(model, state, block);
   if (!overlaps_anything(placement)) return;

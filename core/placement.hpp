@@ -24,6 +24,10 @@ inline Micrometres top_um(const Block& block) { return bottom_um(block) + block.
 /// one of them would have to move. 0 if they touch, negative if they are apart.
 Micrometres footprint_overlap_um(const Block& a, const Block& b);
 
+/// How far the underside of the block is above what is below it: another block, the carousel or the
+/// work surface. Precondition: the block exists and is not held.
+Micrometres height_above_support_um(const Model& model, const State& state, std::size_t block);
+
 /// Warns if the block overlaps others, or the carousel (`blocks_overlap`), by more than the
 /// tolerance, horizontally and vertically. A held block is not considered. Precondition: the block
 /// exists and is not held.

@@ -3,16 +3,21 @@
 #pragma once
 
 #include <cassert>
+#include <string>
+#include <string_view>
 #include <utility>
 
-#include "core/camera_cache.hpp"
+#include "core/camera/cache.hpp"
 #include "core/command.hpp"
 #include "core/event.hpp"
 #include "core/execute.hpp"
+#include "core/faults/faults.hpp"
+#include "core/faults/line_faults.hpp"
 #include "core/home.hpp"
 #include "core/model.hpp"
 #include "core/state.hpp"
 #include "core/step.hpp"
+#include "core/switches.hpp"
 #include "core/workcell_edit.hpp"
 
 namespace xr3 {
@@ -52,7 +57,10 @@ class Simulation {
   /// Restores the initial state of the model, at tick 0.
   void reset() { restore(initial_state(*model_)); }
   /// Continues from another state of this model.
-  void restore(State state) { edit() = std::move(state); }
+  void restore(State state) {
+    edit() = std::move(state);
+    refresh_faults(*model_, state_);
+  }
   /// Continues from a state with its own workcell. Precondition: same robot and profile.
   void restore(ModelPtr model, State state) {
     assert(is_same_machine(*model));
@@ -63,6 +71,29 @@ class Simulation {
   State& edit() {
     camera_.touch();
     return state_;
+  }
+  /// Replaces all faults; see faults.hpp for this and the next two.
+  void install_faults(const FaultPlan& plan) {
+    edit();
+    xr3::install_faults(*model_, state_, plan, events_);
+  }
+  void set_fault(Fault fault) {
+    edit();
+    xr3::set_fault(*model_, state_, std::move(fault), events_);
+  }
+  bool clear_faults(std::string_view name) {
+    edit();
+    return xr3::clear_faults(*model_, state_, name, events_);
+  }
+  /// What arrives of the bytes that a line carries; see line_faults.hpp.
+  Carried carry_input(const LinePlace& place, std::uint8_t byte) {
+    return xr3::carry_input(*model_, state_, place, byte, events_);
+  }
+  Carried carry_reply(const LinePlace& place, std::string_view reply) {
+    return xr3::carry_reply(*model_, state_, place, reply, events_);
+  }
+  std::string stray_bytes(const LinePlace& place) {
+    return xr3::stray_bytes(*model_, state_, place, events_);
   }
   /// Continues in another workcell. Precondition: same robot and profile.
   void replace_workcell(ModelPtr model) {

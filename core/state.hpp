@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/event.hpp"
+#include "core/faults/fault_state.hpp"
 #include "core/model.hpp"
 #include "core/units.hpp"
 
@@ -97,6 +98,7 @@ struct State {
   std::vector<Rider> riders;  ///< in the order of their blocks; none without a carousel
   bool jaws_warned = false;   ///< jaws_too_narrow was already reported for the current closing
   TipPath tip_path;
+  Faults faults;
   bool operator==(const State&) const = default;
 
   MotorState& motor(int index) { return motors[static_cast<std::size_t>(index)]; }

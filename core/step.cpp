@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "core/carousel.hpp"
 #include "core/coupling.hpp"
+#include "core/faults/faults.hpp"
+#include "core/faults/grip_faults.hpp"
+#include "core/faults/motor_faults.hpp"
 #include "core/grasp.hpp"
 #include "core/invariants.hpp"
 #include "core/kinematics.hpp"
@@ -32,31 +36,41 @@ void emit_reached(const Model& model, const State& state, const Motors& before, 
   }
 }
 
-// Number of ticks, at most `limit`, before some motor makes a count.
+// The tick in which a running motor makes its next count, if no fault begins or ends before.
+Tick tick_of_count(const State& state, int index) {
+  const Tick running = ticks_to_count(state.motor(index));
+  const std::uint8_t pace = pace_of(state, index);
+  return pace == kFullPace ? state.tick + running : tick_after_running(pace, state.tick, running);
+}
+
+// Number of ticks, at most `limit`, before some motor makes a count or a fault begins or ends.
 Tick quiet_ticks(const Model& model, const State& state, Tick limit) {
+  Tick next = std::min(state.tick + limit + 1, state.faults.now.next_stop);
   for (int i = 0; i < model.motor_count(); ++i) {
-    const MotorState& motor = state.motor(i);
-    if (is_running(motor)) limit = std::min(limit, ticks_to_count(motor) - 1);
+    if (is_running(state.motor(i))) next = std::min(next, tick_of_count(state, i));
   }
-  return limit;
+  return next - 1 - state.tick;
 }
 
 void coast(const Model& model, State& state, Tick ticks) {
   if (ticks == 0) return;
-  state.tick += ticks;
+  const Tick from = std::exchange(state.tick, state.tick + ticks);
   for (int i = 0; i < model.motor_count(); ++i) {
     MotorState& motor = state.motor(i);
-    if (is_running(motor))
-      motor.phase = static_cast<std::int16_t>(motor.phase + ticks * motor.speed);
+    if (!is_running(motor)) continue;
+    const std::uint8_t pace = pace_of(state, i);
+    const Tick running = pace == kFullPace ? ticks : running_ticks(pace, from, state.tick);
+    motor.phase = static_cast<std::int16_t>(motor.phase + running * motor.speed);
   }
 }
 
 void tick(const Model& model, State& state, Events& events) {
   ++state.tick;
+  if (state.tick >= state.faults.now.next_stop) pass_fault_stop(model, state, events);
   if (state.stall != Stall::kNo) return;
   const Motors before = state.motors;
   Positions positions = xr3::positions(model, state.motors);
-  const MotorTickResult turned = turn_motors(model, state, positions);
+  const MotorTickResult turned = turn_motors(model, state, positions, events);
   if (turned.joint) {
     const PointUm tip = tool_tip(model, positions);
     if (const Stall why = stall_at(model, state, positions, tip); why != Stall::kNo) {
@@ -71,6 +85,7 @@ void tick(const Model& model, State& state, Events& events) {
     update_switches(model, state, events);
     update_grasp(model, state, positions, turned.jaws, turned.opened, events);
   }
+  if (turned.joint) slip_grip(model, state, positions, events);
   emit_reached(model, state, before, events);
   if (has_arrived(state, before, model.tool_index()) && !turned.opened)
     warn_of_touch(model, state, positions, events);
@@ -82,7 +97,7 @@ void tick(const Model& model, State& state, Events& events) {
 bool is_at_rest(const Model& model, const State& state) {
   if (state.stall != Stall::kNo) return true;
   for (int i = 0; i < model.motor_count(); ++i) {
-    if (is_running(state.motor(i))) return false;
+    if (will_run(state, i)) return false;
   }
   return true;
 }
@@ -103,7 +118,13 @@ bool run_to_rest(const Model& model, State& state, Tick target, Events& events) 
 }
 
 bool advance_to(const Model& model, State& state, Tick target, Events& events) {
-  const bool changed = run_to_rest(model, state, target, events);
+  bool changed = run_to_rest(model, state, target, events);
+  while (state.faults.now.next_stop <= target && state.tick < target) {
+    state.tick = state.faults.now.next_stop - 1;
+    step(model, state, events);
+    run_to_rest(model, state, target, events);
+    changed = true;
+  }
   state.tick = std::max(state.tick, target);
   return changed;
 }

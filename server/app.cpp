@@ -88,6 +88,7 @@ App::App(const ServeOptions& options, ModelPtr model, std::string token)
       limits_(socket_limits(options)),
       memory_(io_, options.max_memory_mib << 20, [this] { return close_greediest(); }),
       lines_(io_, cell_, [this] { acted(); }),
+      due_timer_(io_, cell_, [this] { acted(); }),
       robot_port_(io_, cell_, lines_,
                   {limits_.lines, options.guard, peer_counts(limits_.lines, limits_.per_address)}),
       ptys_(io_, lines_),
@@ -97,6 +98,7 @@ App::App(const ServeOptions& options, ModelPtr model, std::string token)
           limits_),
       service_manager_(io_, service_environment(), [this] { return robot_probe_.failure(); }),
       signals_(io_, SIGINT, SIGTERM) {
+  if (options_.line_speed) cell_.set_line_speed(*options_.line_speed);
   lines_.limit_memory(memory_);
   monitor_port_.limit_memory(memory_);
 }
@@ -162,7 +164,7 @@ void App::open_terminals() {
 
 void App::open_device() {
   if (!options_.device) return;
-  device_.emplace(io_, cell_, lines_, options_.device->path, options_.device->settings,
+  device_.emplace(io_, cell_, options_.device->path, options_.device->settings,
                   options_.is_mirrored, [this] { acted(); });
   with_option_source(options_.option_sources, "--serial", [&] { device_->open(); });
 }
@@ -203,6 +205,8 @@ void App::await_signal() {
 
 void App::acted() {
   if (stage_ == Stage::kEnded) return;
+  for (const LineId line : cell_.take_woken_lines()) lines_.wake(line);
+  due_timer_.update();
   if (device_) device_->pump();
   if (stage_ != Stage::kDraining) return monitor_port_.acted();
   if (lines_.is_empty() && monitor_port_.is_empty()) drain_limit_.cancel();
@@ -224,6 +228,7 @@ void App::stop() {
   const WallNs deadline = wall_now() + kDrainLimit;
   robot_port_.close();
   ptys_.close();
+  due_timer_.close();
   if (device_) device_->close();
   lines_.close(deadline - kDrainLimit / 2);
   monitor_port_.close(deadline);

@@ -9,6 +9,7 @@
 #include "cell/cell.hpp"
 #include "server/device/port.hpp"
 #include "server/files/port_file.hpp"
+#include "server/lines/due_timer.hpp"
 #include "server/monitor_port/access.hpp"
 #include "server/monitor_port/port.hpp"
 #include "server/net/asio.hpp"
@@ -40,6 +41,9 @@ class App {
   App(const App&) = delete;
   App& operator=(const App&) = delete;
   ~App();
+
+  /// The faults of the start; see Cell::set_faults().
+  void set_faults(FaultPlan plan) { cell_.set_faults(std::move(plan)); }
 
   /// Serves until SIGTERM, SIGINT or SIGHUP, then sends pending replies and returns kGood. An
   /// exception from any loop or handler ends it at once: it is logged, and the result is kBroken.
@@ -88,6 +92,7 @@ class App {
   SocketLimits limits_;
   MemoryLimit memory_;
   LineSessions lines_;
+  DueTimer due_timer_;
   RobotPort robot_port_;
   PtyPort ptys_;
   std::optional<DevicePort> device_;

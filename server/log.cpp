@@ -140,12 +140,13 @@ spdlog::sink_ptr open_sink(const std::string& file) {
   }
 }
 
-// Events of the machine are debug messages, except those that a user must see: stalls, and warnings
-// that no command caused.
+// Events of the machine are debug messages, except those that a user must see: stalls, faults,
+// and warnings that no command caused.
 spdlog::level::level_enum level_of(const CellNote& note) {
   const auto* body = std::get_if<EventBody>(&note);
   const bool matters = body == nullptr || std::holds_alternative<Stalled>(*body) ||
-                       std::holds_alternative<Warning>(*body);
+                       std::holds_alternative<Warning>(*body) ||
+                       std::holds_alternative<FaultNews>(*body);
   return matters ? spdlog::level::info : spdlog::level::debug;
 }
 
@@ -155,7 +156,8 @@ std::string before(const CellEvent& event, std::string_view code) {
   const std::string at = " @" + std::to_string(event.tick) + ": ";
   const bool is_named = !std::holds_alternative<EventBody>(event.note) &&
                         !std::holds_alternative<ProblemNote>(event.note) &&
-                        !std::holds_alternative<SuppressedNote>(event.note);
+                        !std::holds_alternative<SuppressedNote>(event.note) &&
+                        !std::holds_alternative<HandoverNote>(event.note);
   if (is_named) return "cell" + at;
   const std::string where = event.line ? "line " + std::to_string(*event.line) : "cell";
   return where + at + std::string(code) + ": ";

@@ -9,6 +9,7 @@
 #include <exception>
 #include <iostream>
 
+#include "protocol/files/faults.hpp"
 #include "protocol/json/finding.hpp"
 #include "server/app.hpp"
 #include "server/commands/check.hpp"
@@ -36,6 +37,13 @@ void warn_of_open_token(const TokenSource& source) {
   }
 }
 
+FaultPlan load_fault_file(const ServeOptions& options, const Model& model) {
+  const DataFile file = with_option_source(options.option_sources, "--fault", [&] {
+    return find_data_file(options.fault_file, "faults");
+  });
+  return load_faults(file.text, file.path, model.labels());
+}
+
 ExitCode serve(const ServeOptions& options) {
   std::signal(SIGPIPE, SIG_IGN);
   with_option_source(options.option_sources, "--log-file",
@@ -45,7 +53,9 @@ ExitCode serve(const ServeOptions& options) {
                                                [&] { return read_token(options.token); });
   const ModelPtr model =
       load_model({options.robot, options.workcell, options.profile, options.option_sources});
-  return App(options, model, token).run();
+  App app(options, model, token);
+  if (!options.fault_file.empty()) app.set_faults(load_fault_file(options, *model));
+  return app.run();
 }
 
 ExitCode fail(ExitCode code, const std::string& message) {

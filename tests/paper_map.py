@@ -20,8 +20,8 @@ RUNNERS = {
     "tests/web/viewer_test.mjs": ["integration.viewer"],
     "tests/bench/fanout.cpp": ["bench.fanout"],
 }
-# Files of other suites: `./test --soak` and `./test --clients`.
-OUTSIDE = ("tests/web/", "tests/clients")
+# Files of other suites: `./test --soak`, `./test --clients` and `./test --lines`.
+OUTSIDE = ("tests/web/", "tests/clients", "tests/lines")
 
 
 def cells(line):

@@ -39,10 +39,11 @@ enum class LineCloseReason : std::uint8_t {
   kError,
   kShutdown,
   kDisconnected,  ///< by the monitor's line_disconnect
-  kMemory,        ///< it held the most when the memory was exhausted; the last one
+  kMemory,        ///< it held the most when the memory was exhausted
+  kFault,         ///< by a fault on demand; the last one
 };
 inline constexpr std::size_t kLineCloseReasons =
-    static_cast<std::size_t>(LineCloseReason::kMemory) + 1;
+    static_cast<std::size_t>(LineCloseReason::kFault) + 1;
 
 /// Bytes that were not executed. `count` consecutive ones with the same code are one note.
 struct ProblemNote {
@@ -82,6 +83,15 @@ struct EpochNote {
   Tick from_tick = 0;
 };
 
+/// In a cell with a physical controller: the simulator was enabled or disabled. In a cell without one
+/// this is EnabledChanged.
+struct HandoverNote {
+  bool enabled = true;
+  std::string device;  ///< its path
+  bool is_open = true;
+  bool is_mirrored = false;
+};
+
 /// News of the physical controller behind the lines.
 enum class DeviceNews : std::uint8_t {
   kOpened,
@@ -100,8 +110,9 @@ struct DeviceNote {
   std::uint64_t count = 0;  ///< of kUnasked: the number of bytes
 };
 
-using CellNote = std::variant<EventBody, ProblemNote, SuppressedNote, LineOpenedNote,
-                              LineClosedNote, ClockNote, ModelNote, EpochNote, DeviceNote>;
+using CellNote =
+    std::variant<EventBody, ProblemNote, SuppressedNote, LineOpenedNote, LineClosedNote, ClockNote,
+                 ModelNote, EpochNote, HandoverNote, DeviceNote>;
 
 struct CellEvent {
   Epoch epoch = 0;

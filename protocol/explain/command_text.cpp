@@ -74,6 +74,11 @@ struct Commands {
     return {"soft_home", "soft home: every joint at its home value, counters 0, no stall"};
   }
   CommandText operator()(const ToggleSimulator&) const {
+    if (executed.has_device) {
+      return {"toggle_simulator",
+              executed.is_on ? "simulator enabled: the device gets no command"
+                             : "simulator disabled: commands go to the device from now on"};
+    }
     return {"toggle_simulator", executed.is_on
                                     ? "simulator enabled"
                                     : "simulator disabled: only A@ is executed from now on"};

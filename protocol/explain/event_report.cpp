@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "protocol/explain/diagnostic.hpp"
+#include "protocol/explain/fault_text.hpp"
 #include "protocol/json/values.hpp"
 
 namespace xr3 {
@@ -130,6 +131,7 @@ std::string_view reason_text(LineCloseReason reason) {
     case LineCloseReason::kError: return "lost";
     case LineCloseReason::kShutdown: return "closed: the server stops";
     case LineCloseReason::kDisconnected: return "closed by the monitor's line_disconnect";
+    case LineCloseReason::kFault: return "closed by a fault on demand";
     case LineCloseReason::kMemory:
       return "closed: the server needs more memory than --max-memory, and this client has the most "
              "unread replies";
@@ -214,6 +216,15 @@ struct MachineEvents {
         e.enabled ? "the simulator is enabled" : "the simulator is disabled; only A@ is executed",
         {{"enabled", e.enabled}}};
   }
+  EventReport operator()(const FaultNews& e) const {
+    return {"fault",
+            code_of(e.kind),
+            xr3::text_of(e),
+            {{"fault", e.fault},
+             {"phase", code_of(e.phase)},
+             {"effects", e.effects},
+             {"joint", e.label != 0 ? Json(text_of(e.label)) : Json(nullptr)}}};
+  }
   EventReport operator()(const Warning& e) const {
     return {"warning", code_of(e.code), text_of(e, model), warning_json(nullptr, nullptr, 1)};
   }
@@ -272,7 +283,11 @@ struct CellEvents {
                 " of epoch " + std::to_string(event.epoch),
             {{"from_epoch", note.from_epoch}, {"from_tick", note.from_tick}}};
   }
-
+  EventReport operator()(const HandoverNote& note) const {
+    EventReport of_machine = report(EnabledChanged{note.enabled}, model);
+    of_machine.message = text_of(note);
+    return of_machine;
+  }
   EventReport operator()(const DeviceNote& note) const {
     return {"device",
             code_for(note.news),
@@ -312,6 +327,12 @@ struct CellEvents {
     }
     return "";
   }
+  static std::string text_of(const HandoverNote& note) {
+    if (note.enabled) return "the simulator is enabled; device " + note.device + " gets no command";
+    const std::string text = "the simulator is disabled; commands go to device " + note.device;
+    if (!note.is_open) return text + ", which is not there: they are dropped";
+    return note.is_mirrored ? text + ", and the simulation carries them out, too" : text;
+  }
   static std::string text_of(const ClockNote& note) {
     const std::string by = " (" + std::string(note.call) + ")";
     if (note.mode == ClockMode::kReal) return "time runs at " + rate_text(note.rate) + by;
@@ -342,6 +363,7 @@ std::string_view code_of(LineCloseReason reason) {
     case LineCloseReason::kShutdown: return "shutdown";
     case LineCloseReason::kDisconnected: return "disconnected";
     case LineCloseReason::kMemory: return "memory";
+    case LineCloseReason::kFault: return "fault";
   }
   return "";
 }

@@ -13,12 +13,15 @@ namespace {
 
 constexpr std::string_view kTelnet = "telnet";
 
-/// `a?` is answered by the counts to go, from a blank on; the bits of the switches depend on how the
-/// arm is wired.
-std::string value_text(const wire::FromDevice& reply) {
-  const std::string hex = hexadecimal(std::string(1, static_cast<char>(reply.byte)));
-  const bool is_error = std::holds_alternative<QueryError>(reply.inquiry) && reply.byte >= ' ';
-  return is_error ? std::to_string(reply.byte - ' ') + " counts to go" : hex + " hex";
+/// As the reply of a simulated Mark III with the switches of this robot.
+std::string value_text(const wire::FromDevice& reply, const Model& model) {
+  const std::string byte(1, static_cast<char>(reply.byte));
+  ReplyContext device = context_of(model);
+  device.profile = Profile::kMark3;
+  const auto answered = decode_reply(reply.inquiry, byte, device);
+  if (answered) return reply_text(*answered, device).phrase;
+  return hexadecimal(byte) + " hex, which is no reply to " +
+         readable(for_device(reply.inquiry)->bytes);
 }
 
 struct Explainer {
@@ -65,9 +68,7 @@ struct Explainer {
     return explanation("to_device", "to the device: " + readable(for_device(sent.command)->bytes));
   }
   Explanation operator()(const wire::FromDevice& reply) const {
-    return explanation("from_device", "the device answers " +
-                                          readable(for_device(reply.inquiry)->bytes) + ": " +
-                                          value_text(reply));
+    return explanation("from_device", "from the device: " + value_text(reply, model));
   }
   Explanation operator()(const wire::MoreAnswers& more) const {
     return explanation("more_replies", std::to_string(more.count) + " more replies that were held");

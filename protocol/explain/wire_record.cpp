@@ -68,7 +68,7 @@ void add_command(std::vector<Item>& items, const Exchange& exchange, const Comma
                  const Simulation& machine) {
   const auto [from, to] = std::pair(exchange.parsed.from, exchange.parsed.to);
   const MoveTaken* move = move_in(exchange);
-  Executed executed{command, std::nullopt, false};
+  Executed executed{command, std::nullopt};
   if (move != nullptr) executed.counter = static_cast<std::int8_t>(move->error);
   items.push_back({from, to, executed});
   bool is_reported = false;
@@ -86,8 +86,8 @@ void add_command(std::vector<Item>& items, const Exchange& exchange, const Comma
   if (why.stall != Stall::kNo || why.blocked != Blocked::kNo) items.push_back({from, to, why});
 }
 
-// Sets is_on of each toggle, going back from the state after the last byte.
-void settle_toggles(std::vector<Item>& items, const State& after) {
+// Sets the members of each toggle, going back from the state after the last byte.
+void settle_toggles(std::vector<Item>& items, const State& after, bool has_device) {
   bool display = after.display.on;
   bool erase = after.display.erase;
   bool enabled = after.enabled;
@@ -100,6 +100,7 @@ void settle_toggles(std::vector<Item>& items, const State& after) {
     if (std::holds_alternative<ToggleSimulator>(executed->command)) toggled = &enabled;
     if (toggled == nullptr) continue;
     executed->is_on = *toggled;
+    executed->has_device = has_device;
     *toggled = !*toggled;
   }
 }
@@ -119,7 +120,7 @@ struct WithoutImage {
 
 void fill_in(WireRecord& record, const WirePlace& place, std::string_view bytes,
              const std::optional<TelnetFilter>& before, const std::vector<Exchange>& exchanges,
-             const Simulation& machine) {
+             const Simulation& machine, bool has_device) {
   begin(record, Direction::kIn, place, bytes, kMaxShownIn);
   record.telnet = before;
   for (const Exchange& exchange : exchanges) {
@@ -132,7 +133,7 @@ void fill_in(WireRecord& record, const WirePlace& place, std::string_view bytes,
       add_command(record.items, exchange, std::get<Command>(exchange.parsed.what), machine);
     }
   }
-  settle_toggles(record.items, machine.state());
+  settle_toggles(record.items, machine.state(), has_device);
 }
 
 void fill_out(WireRecord& record, const WirePlace& place, std::string_view bytes,

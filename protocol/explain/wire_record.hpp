@@ -29,6 +29,7 @@ struct Executed {
   Command command;
   std::optional<std::int8_t> counter;  ///< of a Move: the joint's error counter after it
   bool is_on = false;                  ///< of a toggle: the new value
+  bool has_device = false;             ///< of ToggleSimulator: commands go there while disabled
 };
 
 /// Bytes that were not executed. Consecutive single bytes with the same problem are one item.
@@ -122,9 +123,10 @@ struct WirePlace {
 /// Fills `record` for received bytes: at most kMaxShownIn, as the transport delivered them.
 /// `before` is the line's telnet filter before these bytes, or nullopt if it has none. `exchanges`
 /// are those that the bytes completed, and `machine` is in the state after them, at the same tick.
+/// `has_device`: a physical controller is behind the lines.
 void fill_in(WireRecord& record, const WirePlace& place, std::string_view bytes,
              const std::optional<TelnetFilter>& before, const std::vector<Exchange>& exchanges,
-             const Simulation& machine);
+             const Simulation& machine, bool has_device = false);
 
 /// Fills `record` for bytes sent: any number, as passed to the transport. They are the replies to
 /// `exchanges`, replies that had been held and are `released` now, and telnet bytes.

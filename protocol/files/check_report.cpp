@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "protocol/files/faults.hpp"
 #include "protocol/files/robot.hpp"
 #include "protocol/files/summary.hpp"
 #include "protocol/files/workcell.hpp"
@@ -30,11 +31,29 @@ CheckResult workcell_result(std::string_view text, const std::string& file, cons
   return result;
 }
 
+std::string labels_of(const Robot& robot) {
+  std::string labels(1, robot.tool.drive.label);
+  for (const Joint& joint : robot.joints) labels += joint.drive.label;
+  if (robot.carousel) labels += robot.carousel->drive.label;
+  return labels;
+}
+
+CheckResult faults_result(std::string_view text, const std::string& file, const Robot* robot) {
+  CheckResult result;
+  result.kind = DataKind::kFaults;
+  FaultsReading reading = read_faults(text, file, robot != nullptr ? labels_of(*robot) : "");
+  result.findings = std::move(reading.findings);
+  result.faults = std::move(reading.plan);
+  if (result.faults) result.summary = faults_summary(*result.faults);
+  return result;
+}
+
 CheckResult unknown_result(const std::string& file) {
   CheckResult result;
   result.findings.push_back(
-      {Severity::kError, file, 1, 0, "", "neither a robot nor a workcell",
-       "a robot, with \"joints\" and \"tool\", or a workcell, with \"workspace\" and \"blocks\""});
+      {Severity::kError, file, 1, 0, "", "neither a robot nor a workcell nor faults",
+       std::string(description_of(DataKind::kRobot)) + "; " + description_of(DataKind::kWorkcell) +
+           "; or " + description_of(DataKind::kFaults)});
   return result;
 }
 
@@ -45,6 +64,7 @@ CheckResult check_text(std::string_view text, const std::string& file, Profile p
   switch (kind_of(JsonSource(text, file).root())) {
     case DataKind::kRobot: return robot_result(text, file, profile);
     case DataKind::kWorkcell: return workcell_result(text, file, robot);
+    case DataKind::kFaults: return faults_result(text, file, robot);
     case DataKind::kUnknown: break;
   }
   return unknown_result(file);

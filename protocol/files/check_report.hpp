@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/faults/fault.hpp"
 #include "core/model.hpp"
 #include "core/robot.hpp"
 #include "core/workcell.hpp"
@@ -21,13 +22,13 @@ struct CheckResult {
   std::string summary;  ///< lines, each with a line feed; empty if there are errors
   std::optional<Robot> robot;
   std::optional<Workcell> workcell;
+  std::optional<FaultPlan> faults;
 
   bool is_good() const { return !has_errors(findings); }
 };
 
-/// Checks the text of a file: with `joints` it is a robot, with `workspace` or `blocks` a workcell.
-/// The profile determines the range of switches without a width. If `robot` is given, a workcell is
-/// also checked against its tool. Never throws.
+/// Checks the text of any data file, see kind_of(). The profile determines the range of switches
+/// without a width. Checks a workcell against the robot's tool, faults against its joints.
 CheckResult check_text(std::string_view text, const std::string& file, Profile profile,
                        const Robot* robot = nullptr);
 

@@ -6,16 +6,25 @@ DataKind kind_of(JsonValue root) {
   if (!root.is_object()) return DataKind::kUnknown;
   if (root.find("joints")) return DataKind::kRobot;
   if (root.find("workspace") || root.find("blocks")) return DataKind::kWorkcell;
-  return DataKind::kUnknown;
+  return root.find("faults") ? DataKind::kFaults : DataKind::kUnknown;
 }
 
-void refuse_kind(JsonValue root, DataKind other, const std::string& file) {
-  if (kind_of(root) != other) return;
-  const bool is_robot = other == DataKind::kRobot;
-  const char* found = is_robot ? "a robot" : "a workcell";
-  const char* allowed = is_robot ? "a workcell, with \"workspace\" and \"blocks\""
-                                 : "a robot, with \"joints\" and \"tool\"";
-  throw DataError({{Severity::kError, file, 1, 0, "", found, allowed}});
+const char* description_of(DataKind kind) {
+  switch (kind) {
+    case DataKind::kRobot: return "a robot, with \"joints\" and \"tool\"";
+    case DataKind::kWorkcell: return "a workcell, with \"workspace\" and \"blocks\"";
+    case DataKind::kFaults: return "a fault file, with \"faults\"";
+    case DataKind::kUnknown: break;
+  }
+  return "";
+}
+
+void refuse_other_kinds(JsonValue root, DataKind wanted, const std::string& file) {
+  const DataKind kind = kind_of(root);
+  if (kind == wanted || kind == DataKind::kUnknown) return;
+  const std::string description = description_of(kind);
+  const std::string found = description.substr(0, description.find(','));
+  throw DataError({{Severity::kError, file, 1, 0, "", found, description_of(wanted)}});
 }
 
 }  // namespace xr3

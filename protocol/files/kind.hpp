@@ -1,4 +1,4 @@
-// Tells robot files and workcell files apart.
+// Tells robot files, workcell files and fault files apart.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,17 @@
 
 namespace xr3 {
 
-enum class DataKind : std::uint8_t { kUnknown, kRobot, kWorkcell };
+enum class DataKind : std::uint8_t { kUnknown, kRobot, kWorkcell, kFaults };
 
-/// With `joints` it is a robot, with `workspace` or `blocks` a workcell.
+/// With `joints` it is a robot, with `workspace` or `blocks` a workcell, with `faults` a list of
+/// faults.
 DataKind kind_of(JsonValue root);
 
 /// The only finding of a file of the other kind: one sentence says more than a list of all members
-/// that it lacks. Throws DataError if the file is of the kind `other`.
-void refuse_kind(JsonValue root, DataKind other, const std::string& file);
+/// that it lacks. Throws DataError if the file is of another known kind than `wanted`.
+void refuse_other_kinds(JsonValue root, DataKind wanted, const std::string& file);
+
+/// What a file of a kind is: `a robot, with "joints" and "tool"`.
+const char* description_of(DataKind kind);
 
 }  // namespace xr3

@@ -186,7 +186,7 @@ const Members<Robot>& robot_members() {
 
 RobotReading read_robot(std::string_view text, const std::string& file) try {
   const JsonSource source(text, file);
-  refuse_kind(source.root(), DataKind::kWorkcell, file);
+  refuse_other_kinds(source.root(), DataKind::kRobot, file);
   Reading reading(source);
   Robot robot;
   read_object(Place{reading, source.root()}, robot_members(), robot);

@@ -75,7 +75,7 @@ std::optional<Workcell> read_workcell(Reading& reading, const Robot* robot,
 WorkcellReading read_workcell(std::string_view text, const std::string& file, const Robot* robot,
                               std::size_t first_reach) try {
   const JsonSource source(text, file);
-  refuse_kind(source.root(), DataKind::kRobot, file);
+  refuse_other_kinds(source.root(), DataKind::kWorkcell, file);
   Reading reading(source);
   std::optional<Workcell> workcell = read_workcell(reading, robot, first_reach);
   return {std::move(workcell), reading.take_findings()};

@@ -62,12 +62,12 @@ Codec<double> scaled_number(Range range, std::string_view kind, bool is_length) 
 
 }  // namespace
 
-Reading::Reading(const JsonSource& source)
+Reading::Reading(const JsonSource& source, Unit unit)
     : source_(&source), root_(source.root()), most_(kMaxFindings) {
   source.document().for_each_duplicate([this](JsonValue member) {
     if (keeps_error()) keep(member, describe_duplicate(member), "each member once");
   });
-  take_unit();
+  if (unit == Unit::kOfDocument) take_unit();
 }
 
 Reading::Reading(JsonValue root, Unit unit) : root_(root), most_(kMaxOfValue) {

@@ -22,7 +22,7 @@ inline constexpr double kMmPerInch = 25.4;
 /// Maximum length in a file, so that squares of micrometres remain exact integers.
 inline constexpr double kMaxLengthMm = 1e5;
 
-/// The length unit of a value: mm, or the `length_unit` of its root.
+/// The length unit of a value: mm, or the `length_unit` of its root, which must have one.
 enum class Unit : std::uint8_t { kMm, kOfDocument };
 
 /// The context for reading one document: its root, its length unit, and the findings so far. Stores
@@ -33,8 +33,8 @@ class Reading {
   static constexpr std::size_t kMaxPointerLength = 200;
   static constexpr std::size_t kMaxNameLength = 200;
 
-  /// Reports the source's duplicate members. The root's `length_unit` is the length unit.
-  explicit Reading(const JsonSource& source);
+  /// Reports the source's duplicate members.
+  explicit Reading(const JsonSource& source, Unit unit = Unit::kOfDocument);
   /// For a value that is not from a file: every line is 1, pointers begin at the value, warnings
   /// are dropped, and duplicates are not reported.
   Reading(JsonValue root, Unit unit);

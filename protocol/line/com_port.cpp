@@ -23,8 +23,12 @@ constexpr std::array<std::uint8_t, 3> kName = {'x', 'r', '3'};
 /// Carrier 80, ring 40, DSR 20, CTS 10; the low bits would say what has changed.
 constexpr std::uint8_t kModemState = 0xb0;
 
-constexpr std::uint8_t kPurgeReplies = 1;
-constexpr std::uint8_t kPurgeBoth = 3;
+/// The bit of the line state.
+constexpr std::uint8_t kParityError = 0x04;
+
+/// By the value of PURGE-DATA from 1.
+constexpr std::array kPurges = {BufferControl::kDropReplies, BufferControl::kDropInput,
+                                BufferControl::kDropBoth};
 
 /// The values of SET-CONTROL: the one that asks, and those that set.
 struct Control {
@@ -58,33 +62,39 @@ std::uint8_t set_from_1(Value& setting, std::uint8_t value, Value max) {
 
 }  // namespace
 
-ReplyControl ComPort::handle(Bytes request, std::string& answers) {
+BufferControl ComPort::handle(Bytes request, std::string& answers) {
   if (request.size() == 1 && request[0] == com_port::kSignature)
     append_answer(answers, com_port::kSignature, kName);
-  if (request.empty() || !is_valid(request)) return ReplyControl::kNone;
+  if (request.empty() || !is_valid(request)) return BufferControl::kNone;
   const std::uint8_t code = request[0];
   const Bytes value = request.subspan(1);
   switch (code) {
     case com_port::kSetBaudRate: set_baud(value, answers); break;
     case com_port::kNotifyModemState: append_modem_state(answers); break;
-    case com_port::kFlowControlSuspend: return ReplyControl::kSuspend;
-    case com_port::kFlowControlResume: return ReplyControl::kResume;
+    case com_port::kFlowControlSuspend: return BufferControl::kSuspend;
+    case com_port::kFlowControlResume: return BufferControl::kResume;
     case com_port::kPurgeData: {
       append_answer(answers, code, value);
-      const bool drops = value[0] == kPurgeReplies || value[0] == kPurgeBoth;
-      return drops ? ReplyControl::kDrop : ReplyControl::kNone;
+      const bool is_known = value[0] >= 1 && value[0] <= kPurges.size();
+      return is_known ? kPurges[value[0] - 1U] : BufferControl::kNone;
     }
     default: {
       const std::array answer = {set(code, value[0])};
       append_answer(answers, code, answer);
     }
   }
-  return ReplyControl::kNone;
+  return BufferControl::kNone;
 }
 
 void ComPort::append_modem_state(std::string& answers) {
   constexpr std::array value = {kModemState};
   append_answer(answers, com_port::kNotifyModemState, value);
+}
+
+void ComPort::append_parity_error(std::string& answers) const {
+  constexpr std::array value = {kParityError};
+  if ((line_state_mask_ & kParityError) != 0)
+    append_answer(answers, com_port::kNotifyLineState, value);
 }
 
 void ComPort::set_baud(Bytes value, std::string& answers) {
@@ -105,6 +115,7 @@ std::uint8_t ComPort::set(std::uint8_t code, std::uint8_t value) {
     case com_port::kSetParity: return set_from_1(frame_.parity, value, Parity::kSpace);
     case com_port::kSetStopSize: return set_from_1(frame_.stop_bits, value, StopBits::kOneAndAHalf);
     case com_port::kSetControl: return set_control(value);
+    case com_port::kSetLineStateMask: return line_state_mask_ = value;
     default: return value;  // a mask: the states that it selects never change
   }
 }

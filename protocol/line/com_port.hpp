@@ -12,12 +12,14 @@
 
 namespace xr3 {
 
-/// A client's request about the replies that it has not received yet.
-enum class ReplyControl : std::uint8_t {
+/// A client's request about the bytes that are under way in either direction.
+enum class BufferControl : std::uint8_t {
   kNone,
-  kSuspend,  ///< hold replies from now on
-  kResume,   ///< send what is held
-  kDrop,     ///< forget what is held
+  kSuspend,      ///< hold replies from now on
+  kResume,       ///< send what is held
+  kDropReplies,  ///< forget the replies that the client has not received yet
+  kDropInput,    ///< forget the bytes that have not reached the controller yet
+  kDropBoth,
 };
 
 class ComPort {
@@ -29,10 +31,13 @@ class ComPort {
   /// Handles a request: the code and its value, without the bytes around them. Appends the answer;
   /// there is none to an unknown request or one of a wrong length. A setting is answered with
   /// the value asked for, a question with the value in effect.
-  ReplyControl handle(std::span<const std::uint8_t> request, std::string& answers);
+  BufferControl handle(std::span<const std::uint8_t> request, std::string& answers);
 
   /// Appends NOTIFY-MODEMSTATE: CTS, DSR and carrier are on, ring is off, and nothing has changed.
   static void append_modem_state(std::string& answers);
+
+  /// Appends NOTIFY-LINESTATE with a parity error, unless the client has set a mask without it.
+  void append_parity_error(std::string& answers) const;
 
   /// The client's settings; until it sets them, those of the Mark III controller.
   SerialSettings settings() const;
@@ -47,6 +52,7 @@ class ComPort {
 
   std::uint32_t baud_ = kDefaultBaud;
   SerialFrame frame_;  ///< without flow control
+  std::uint8_t line_state_mask_ = 0xFF;
   /// The values in effect of SET-CONTROL: flow control out, break, DTR, RTS, flow control in.
   std::array<std::uint8_t, 5> controls_{1, 6, 8, 11, 14};
 };

@@ -16,6 +16,7 @@ enum Code : std::uint8_t {
   kSetParity = 3,
   kSetStopSize = 4,
   kSetControl = 5,
+  kNotifyLineState = 6,
   kNotifyModemState = 7,
   kFlowControlSuspend = 8,
   kFlowControlResume = 9,

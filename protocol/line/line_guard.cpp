@@ -14,7 +14,7 @@ constexpr char kDelete = '\x7f';
 // --- HTTP (RFC 9110, section 5.6.2, and RFC 9112, section 3).
 
 constexpr std::array kUrlBeginnings = {"/"sv,      "http://"sv, "https://"sv,
-                                 "ftp://"sv, "ws://"sv,   "wss://"sv};
+                                       "ftp://"sv, "ws://"sv,   "wss://"sv};
 
 bool is_letter_or_digit(char c) {
   return ('0' <= c && c <= '9') || ('A' <= c && c <= 'Z') || ('a' <= c && c <= 'z');

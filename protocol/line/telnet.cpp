@@ -23,21 +23,21 @@ TelnetInput TelnetFilter::feed(std::uint8_t byte, std::string& answers) {
 }
 
 // After COM-PORT has been switched off, no RESUME can come.
-ReplyControl TelnetFilter::negotiate(const TelnetItem& item, std::string& answers) {
+BufferControl TelnetFilter::negotiate(const TelnetItem& item, std::string& answers) {
   is_telnet_ = true;
   const bool had_com_port = has_com_port();
   const bool client_had_it = options_.is_on(kPeer, telnet::kComPort);
   options_.negotiate(item.byte, item.option, answers);
   const bool client_has_it = options_.is_on(kPeer, telnet::kComPort);
   if (client_has_it && !client_had_it) ComPort::append_modem_state(answers);
-  return had_com_port && !has_com_port() ? ReplyControl::kResume : ReplyControl::kNone;
+  return had_com_port && !has_com_port() ? BufferControl::kResume : BufferControl::kNone;
 }
 
-ReplyControl TelnetFilter::end_subnegotiation(std::string& answers) {
+BufferControl TelnetFilter::end_subnegotiation(std::string& answers) {
   is_telnet_ = true;
   const std::span<const std::uint8_t> kept = parser_.subnegotiation();
   const bool is_request = !kept.empty() && kept[0] == telnet::kComPort && has_com_port();
-  if (!is_request) return ReplyControl::kNone;
+  if (!is_request) return BufferControl::kNone;
   return com_port_.handle(kept.subspan(1), answers);
 }
 

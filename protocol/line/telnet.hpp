@@ -15,10 +15,10 @@
 
 namespace xr3 {
 
-/// The result of one byte from the client: data, a command about the replies, or neither.
+/// The result of one byte from the client: data, a command about bytes under way, or neither.
 struct TelnetInput {
   std::optional<std::uint8_t> data;  ///< for the controller
-  ReplyControl replies = ReplyControl::kNone;
+  BufferControl control = BufferControl::kNone;
 };
 
 class TelnetFilter {
@@ -40,11 +40,16 @@ class TelnetFilter {
   /// Appends reply bytes in the client's encoding: FF is doubled for telnet.
   void encode(std::string_view replies, std::string& out) const;
 
+  /// Tells the client, if it has a serial port, that the next byte had a parity error.
+  void report_parity_error(std::string& out) const {
+    if (has_com_port()) com_port_.append_parity_error(out);
+  }
+
   bool operator==(const TelnetFilter&) const = default;
 
  private:
-  ReplyControl negotiate(const TelnetItem& item, std::string& answers);
-  ReplyControl end_subnegotiation(std::string& answers);
+  BufferControl negotiate(const TelnetItem& item, std::string& answers);
+  BufferControl end_subnegotiation(std::string& answers);
 
   TelnetParser parser_;
   bool is_telnet_ = false;

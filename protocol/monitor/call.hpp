@@ -86,10 +86,19 @@ struct LoadSnapshot {
   std::string name;
   SavedCellPtr saved;  ///< used if `name` is empty
 };
+/// Adds a fault, or replaces the one with its name.
+struct SetFault {
+  Fault fault;
+  std::optional<std::uint64_t> seed;  ///< of all faults; nullopt: unchanged
+};
+/// Removes a fault, or all faults.
+struct ClearFault {
+  std::string name;  ///< empty: all
+};
 
 using Call = std::variant<Pause, Resume, SetRate, Step, RunUntil, Reset, Home, Key, StopDevice,
                           AlignMirror, SetInput, AddBlock, MoveBlock, RemoveBlock, ReplaceWorkcell,
-                          SaveSnapshot, LoadSnapshot>;
+                          SaveSnapshot, LoadSnapshot, SetFault, ClearFault>;
 
 /// A call that was executed.
 struct Done {

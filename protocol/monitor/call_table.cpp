@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "protocol/files/block.hpp"
+#include "protocol/files/faults.hpp"
 #include "protocol/files/workcell.hpp"
 #include "protocol/monitor/key_arguments.hpp"
 #include "protocol/monitor/saved_cell.hpp"
@@ -208,6 +209,25 @@ CallValue read_snapshot_load(ArgsReader& args) {
   return call::LoadSnapshot{"", std::make_shared<const SavedCell>(*std::move(saved))};
 }
 
+// --- Faults.
+
+CallValue read_fault_set(ArgsReader& args) {
+  call::SetFault set;
+  const JsonValue value = document(args, "fault", Presence::kRequired,
+                                   "an object in the form of a fault file's faults");
+  set.seed = args.coded("seed", data::fault_seed(), Presence::kOptional);
+  if (!value) return set;
+  data::Reading reading(value, data::Unit::kMm);
+  set.fault = read_fault(reading).value_or(Fault{});
+  args.findings().add_errors(reading, "");
+  return set;
+}
+
+CallValue read_fault_clear(ArgsReader& args) {
+  auto name = args.coded("name", data::text(1, Fault::kMaxName), Presence::kOptional);
+  return call::ClearFault{std::move(name).value_or("")};
+}
+
 // --- Description.
 
 CallValue read_describe(ArgsReader& args) {
@@ -246,7 +266,11 @@ constexpr std::array kForms = {
              read_snapshot_save},
     CallForm{"snapshot_load", "Begins a new epoch with a saved state and workcell.",
              read_snapshot_load},
-    CallForm{"lines", "Lists the open serial lines.", read_nothing<ListLines>},
+    CallForm{"fault_set", "Adds a fault, or replaces the one with its name.", read_fault_set},
+    CallForm{"fault_list", "Lists the faults and their effects so far.", read_nothing<ListFaults>},
+    CallForm{"fault_clear", "Removes a fault, or all.", read_fault_clear},
+    CallForm{"lines", "Lists the open serial lines, and the physical controller.",
+             read_nothing<ListLines>},
     CallForm{"line_disconnect", "Closes a serial line.", read_line_disconnect},
     CallForm{"key", "Runs a function of the controller's command mode.", read_key},
     CallForm{"describe", "Lists the calls and their arguments.", read_describe},

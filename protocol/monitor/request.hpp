@@ -82,6 +82,7 @@ struct Send {
   std::string bytes;
 };
 struct ListLines {};
+struct ListFaults {};
 struct DisconnectLine {
   std::uint32_t line = 0;
 };
@@ -92,7 +93,7 @@ struct Describe {
 
 struct CallRequest {
   std::string fn;
-  std::variant<call::Call, Send, ListLines, DisconnectLine, Describe> call;
+  std::variant<call::Call, Send, ListLines, ListFaults, DisconnectLine, Describe> call;
   std::optional<After> after;  ///< step and run_until only
   Fields fields;               ///< step and run_until only: members of the state in the result
 };

@@ -10,6 +10,7 @@
 #include "core/motor.hpp"
 #include "protocol/files/block.hpp"
 #include "protocol/files/workcell.hpp"
+#include "protocol/monitor/saved_faults.hpp"
 
 namespace xr3 {
 namespace {
@@ -150,7 +151,8 @@ Members<State> saved_state_members() {
       optional("held", &State::held, object(held_members())),
       optional("riders", &State::riders, list(object(rider_members()), 0, kMaxBlocks)),
       required("jaws_warned", &State::jaws_warned, boolean()),
-      required("tip_path", &State::tip_path, object(tip_path_members()))};
+      required("tip_path", &State::tip_path, object(tip_path_members())),
+      optional("faults", &State::faults, saved_faults())};
 }
 
 /// A workcell in the form of its file; the rules of workcell files apply.
@@ -235,6 +237,7 @@ std::optional<SavedCell> read_saved_cell(Reading& reading) {
   check_held(saved.state, reading);
   check_riders(saved.state, reading);
   check_path(saved.state.tip_path, reading);
+  check_saved_faults(saved.state.faults, "/state/faults", reading);
   return reading.has_errors() ? std::nullopt : std::optional(std::move(saved));
 }
 

@@ -79,6 +79,15 @@ void check_riders(const Model& model, const std::vector<Rider>& riders,
   }
 }
 
+void check_fault_joints(const Model& model, const Faults& faults, std::vector<Detail>& details) {
+  for (std::size_t i = 0; i < faults.all.size(); ++i) {
+    const char joint = faults.all[i].fault.joint;
+    if (joint == 0 || model.index_of(joint) >= 0) continue;
+    details.push_back({child_pointer("/state/faults/all", i) + "/fault/joint",
+                       std::string(1, joint), "a joint of the robot: one of " + model.labels()});
+  }
+}
+
 // --- Derived values: errors give the required value and the reason.
 
 Json blocked_name(Blocked blocked) {
@@ -235,6 +244,7 @@ std::vector<Detail> validate(const Model& model, const SavedCell& saved) {
   check_others(model, state.motors, details);
   if (state.held) check_grasp(model, *state.held, details);
   check_riders(model, state.riders, details);
+  check_fault_joints(model, state.faults, details);
   if (!details.empty()) return details;  // the checks below need valid positions
   // The cell may be in another workcell than the saved one.
   const Model there(model.robot(), saved.workcell, model.profile());

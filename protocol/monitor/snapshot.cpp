@@ -174,6 +174,7 @@ Json device_json(const StateView& view) {
   const DeviceStatus& device = *view.snapshot.device;
   return {{"path", device.path},
           {"open", device.is_open},
+          {"engaged", device.is_engaged},
           {"bytes_out", device.bytes_out},
           {"bytes_in", device.bytes_in}};
 }

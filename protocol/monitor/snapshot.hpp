@@ -20,6 +20,7 @@ namespace xr3 {
 struct DeviceStatus {
   std::string path;
   bool is_open = false;
+  bool is_engaged = false;  ///< commands of the lines go to it
   std::uint64_t bytes_out = 0;
   std::uint64_t bytes_in = 0;
   bool operator==(const DeviceStatus&) const = default;

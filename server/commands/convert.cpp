@@ -64,6 +64,8 @@ ExitCode convert_file(const ConvertOptions& options) {
       check_either_form(in.text, in.path, Profile::kPaper, robot ? &*robot : nullptr);
   std::cerr << to_text(data.findings);
   if (!data.is_good()) return ExitCode::kBadInput;
+  if (data.faults)
+    return refuse(options.in + ": found a fault file; only robots and workcells have two forms");
   const Existing existing = options.force ? Existing::kReplace : Existing::kKeep;
   const bool is_written =
       write_file_atomically(options.out, text_in(*form, data), existing,

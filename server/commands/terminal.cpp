@@ -17,7 +17,8 @@
 #define NCURSES_WIDECHAR 1
 #include <curses.h>
 #include <term.h>
-#undef columns  // (a macro of term.h)
+#undef columns  // (macros of term.h)
+#undef lines
 
 namespace xr3 {
 namespace {
@@ -80,7 +81,7 @@ int environment_size(const char* name, int otherwise) {
 
 /// Terminfo numbers F1...F12 with Alt from 49 on.
 watch::Key key_of(int code) {
-  constexpr int kRubout = 0x7F;
+  constexpr int kLastByte = 0xFF;  // above, the codes of ncurses begin
   constexpr int kFunctionKeys = 12;
   constexpr int kFirstWithAlt = 49;
   if (code == KEY_BACKSPACE) return {'\b', 0, false};
@@ -88,7 +89,7 @@ watch::Key key_of(int code) {
   if (code > KEY_F0 && code <= KEY_F(kFunctionKeys)) return {0, code - KEY_F0, false};
   const int with_alt = code - KEY_F(kFirstWithAlt) + 1;
   if (with_alt >= 1 && with_alt <= kFunctionKeys) return {0, with_alt, true};
-  return {code <= kRubout ? static_cast<char>(code) : '\0', 0, false};
+  return {code <= kLastByte ? static_cast<char>(code) : '\0', 0, false};
 }
 
 }  // namespace

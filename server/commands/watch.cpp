@@ -16,6 +16,7 @@
 #include "server/monitor_port/token.hpp"
 #include "server/net/spawn.hpp"
 #include "tools/watch/screen.hpp"
+#include "tools/watch/token_prompt.hpp"
 
 namespace xr3 {
 namespace {
@@ -25,13 +26,14 @@ using watch::Link;
 using watch::Page;
 
 constexpr std::chrono::seconds kBeforeReconnect{1};
+constexpr std::chrono::seconds kLinesEvery{1};
 constexpr std::chrono::seconds kOnceAtMost{15};
 
 watch::Wish wish_of(const WatchOptions& options, watch::Interest interest) {
   TokenSource source = NoToken{};
   if (is_token_in_environment()) source = TokenInEnvironment{};
   if (!options.token_file.empty()) source = TokenFile{options.token_file};
-  return {options.cell, read_token(source), interest};
+  return {options.cell, read_token(source), interest, options.shows_lines};
 }
 
 Letters letters_of(const WatchOptions& options, Letters otherwise) {
@@ -52,11 +54,13 @@ class Watcher {
       : model_(wish_of(options, watch::Interest::kOn)),
         connection_(context, options, model_),
         before_next_try_(context),
+        refresh_(context),
         signals_(context, SIGINT, SIGTERM, SIGHUP),
         resizes_(context, SIGWINCH),
         keyboard_(context),
         terminal_(letters_of(options, letters_of_locale()), colors_of(options)) {
     link_.address = options.address;
+    is_lines_open_ = options.shows_lines;
   }
 
   void start(asio::io_context& context) {
@@ -74,16 +78,19 @@ class Watcher {
   asio::awaitable<void> stay_connected() {
     while (!is_stopping_) {
       show();
-      link_.trouble = co_await connection_.run([this] {
-        link_.phase = Link::Phase::kLive;
-        show();
-      });
+      link_.trouble = co_await connection_.run([this] { show_news(); });
       link_.phase = Link::Phase::kTrying;
       if (is_stopping_) break;
       show();
       before_next_try_.expires_after(kBeforeReconnect);
       co_await before_next_try_.async_wait(kAwait);
     }
+  }
+
+  void show_news() {
+    const bool is_new = std::exchange(link_.phase, Link::Phase::kLive) != Link::Phase::kLive;
+    if (is_new) refresh_lines();
+    show();
   }
 
   asio::awaitable<void> await_resizes() {
@@ -109,19 +116,46 @@ class Watcher {
   }
 
   void press(const watch::Key& key) {
+    const Page before = page();
+    if (token_prompt_.is_open()) {
+      if (auto token = token_prompt_.press(key)) connection_.send(model_.unlock(*std::move(token)));
+    } else {
+      press_in_page(key);
+    }
+    if (page() != before) refresh_lines();
+    show();
+  }
+
+  void press_in_page(const watch::Key& key) {
     const watch::CommandMode::Outcome outcome = command_mode_.press(key, model_.known().display);
     if (outcome.call) act(*outcome.call);
     if (!outcome.is_taken && !key.is_alt) press_letter(key.letter);
-    show();
   }
 
   void press_letter(char letter) {
     constexpr char kEscape = '\x1B';
     static const std::map<char, Action> actions{
         {' ', Action::kPauseOrResume}, {'.', Action::kStep}, {'>', Action::kStepSecond}};
+    if (letter == kEscape && page() == Page::kLines) return toggle_lines();
     if (letter == 'q' || letter == kEscape) return stop();
     if (letter == '?') is_help_open_ = !is_help_open_;
+    if (letter == 'l') toggle_lines();
+    if (letter == 't' && !model_.known().has_control) token_prompt_.open();
     if (const auto action = actions.find(letter); action != actions.end()) act(action->second);
+  }
+
+  void toggle_lines() {
+    if (page() == Page::kLines || page() == Page::kCell) is_lines_open_ = !is_lines_open_;
+  }
+
+  /// Asks for the lines now and then once a second, while their page is on the screen.
+  void refresh_lines() {
+    if (is_stopping_ || page() != Page::kLines) return;
+    if (const auto request = model_.ask_lines()) connection_.send(*request);
+    refresh_.expires_after(kLinesEvery);
+    refresh_.async_wait([this](ErrorCode cancelled) {
+      if (!cancelled) refresh_lines();
+    });
   }
 
   void act(const auto& wanted) {
@@ -131,14 +165,17 @@ class Watcher {
 
   Page page() const {
     if (is_help_open_) return Page::kHelp;
-    return command_mode_.is_menu_open() ? Page::kMenu : Page::kCell;
+    if (command_mode_.is_menu_open()) return Page::kMenu;
+    return is_lines_open_ ? Page::kLines : Page::kCell;
   }
 
   void show() {
     if (is_stopping_) return;
     const TerminalSize size = terminal_size();
-    terminal_.show(watch::watch_screen(model_.known(), link_, page(), size.rows, size.columns,
-                                       command_mode_.prompt()));
+    const std::string prompt =
+        token_prompt_.is_open() ? token_prompt_.text() : command_mode_.prompt();
+    terminal_.show(
+        watch::watch_screen(model_.known(), link_, page(), size.rows, size.columns, prompt));
   }
 
   /// Cancels everything pending, so that the event loop ends.
@@ -146,6 +183,7 @@ class Watcher {
     is_stopping_ = true;
     connection_.close();
     before_next_try_.cancel();
+    refresh_.cancel();
     signals_.cancel();
     resizes_.cancel();
     keyboard_.close();
@@ -154,6 +192,7 @@ class Watcher {
   watch::WatchModel model_;
   WatchConnection connection_;
   asio::steady_timer before_next_try_;
+  asio::steady_timer refresh_;  ///< of the serial lines
   // Before the terminal: ncurses does not replace signal handlers that exist already.
   asio::signal_set signals_;
   asio::signal_set resizes_;
@@ -161,7 +200,9 @@ class Watcher {
   Terminal terminal_;
   Link link_;
   watch::CommandMode command_mode_;
+  watch::TokenPrompt token_prompt_;
   bool is_help_open_ = false;
+  bool is_lines_open_ = false;
   bool is_stopping_ = false;
 };
 
@@ -194,12 +235,14 @@ ExitCode watch_once(const WatchOptions& options) {
     return fail(ExitCode::kNoServer,
                 trouble.empty() ? options.address + " does not answer" : trouble);
   }
-  if (!model.known().state) return fail(ExitCode::kBadInput, model.known().last_message);
+  const bool lacks_lines = options.shows_lines && !model.known().lines;
+  if (!model.known().state || lacks_lines)
+    return fail(ExitCode::kBadInput, model.known().last_message);
   const Link link{Link::Phase::kLive, options.address, ""};
   const TerminalSize size = terminal_size();
-  std::cout << text_of(
-      watch::watch_screen(model.known(), link, Page::kPrint, size.rows, size.columns),
-      letters_of(options, Letters::kUnicode));
+  const Page page = options.shows_lines ? Page::kPrintLines : Page::kPrint;
+  std::cout << text_of(watch::watch_screen(model.known(), link, page, size.rows, size.columns),
+                       letters_of(options, Letters::kUnicode));
   return ExitCode::kGood;
 }
 

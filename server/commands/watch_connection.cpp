@@ -38,7 +38,7 @@ asio::awaitable<std::string> WatchConnection::run(std::function<void()> on_news)
     const std::string_view bytes = co_await socket->read();
     if (bytes.empty() || !feed(bytes)) break;
     has_heard_ = true;
-    if (!is_greeted && !model_.known().cell.empty()) {
+    if (!is_greeted && !model_.known().server.empty()) {
       is_greeted = true;
       ask_for_life();
     }

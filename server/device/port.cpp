@@ -20,11 +20,10 @@ constexpr const char* kDeviceName = "the device";
 
 }  // namespace
 
-DevicePort::DevicePort(asio::io_context& io, Cell& cell, LineSessions& lines, std::string path,
+DevicePort::DevicePort(asio::io_context& io, Cell& cell, std::string path,
                        const SerialSettings& settings, bool is_mirrored,
                        std::function<void()> acted)
     : cell_(cell),
-      lines_(lines),
       path_(std::move(path)),
       settings_(settings),
       acted_(std::move(acted)),
@@ -100,11 +99,10 @@ void DevicePort::lose(const std::string& why) {
   acted_();
 }
 
-// A line that gets a turn may lead here again.
+// A port that is lost meanwhile leads here again.
 void DevicePort::pump() {
   if (is_closing_ || std::exchange(is_pumping_, true)) return;
   write();
-  for (const LineId line : cell_.take_woken_lines()) lines_.wake(line);
   await_deadline();
   is_pumping_ = false;
 }
@@ -127,7 +125,7 @@ void DevicePort::await_room() {
   if (std::exchange(waits_for_room_, true)) return;
   port_.async_wait(asio::posix::stream_descriptor::wait_write, [this](ErrorCode error) {
     waits_for_room_ = false;
-    if (!error) vital(kDeviceName, [this] { pump(); });
+    if (!error) vital(kDeviceName, [this] { acted_(); });
   });
 }
 

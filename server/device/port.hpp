@@ -10,7 +10,6 @@
 
 #include "cell/cell.hpp"
 #include "server/device/uucp_lock.hpp"
-#include "server/lines/sessions.hpp"
 #include "server/net/asio.hpp"
 
 namespace xr3 {
@@ -20,16 +19,16 @@ class DevicePort {
   /// A port that has vanished is tried again this often.
   static constexpr std::chrono::milliseconds kReopenEvery{500};
 
-  /// Connects the cell with a device. `acted` is called after each input; it calls pump(). `cell` and `lines` must outlive the port.
-  DevicePort(asio::io_context& io, Cell& cell, LineSessions& lines, std::string path,
-             const SerialSettings& settings, bool is_mirrored, std::function<void()> acted);
+  /// Connects the cell, which must outlive the port, with a device. `acted` is called after each
+  /// input; it calls pump().
+  DevicePort(asio::io_context& io, Cell& cell, std::string path, const SerialSettings& settings,
+             bool is_mirrored, std::function<void()> acted);
   DevicePort(const DevicePort&) = delete;
   DevicePort& operator=(const DevicePort&) = delete;
 
   /// Opens the device and serves it from now on. Throws SerialDeviceError.
   void open();
-  /// Writes what is due, and gives turns to lines that can go on. To be called after each input of
-  /// the cell.
+  /// Writes what is due. To be called after each input of the cell.
   void pump();
   /// Serves no longer. Nothing is sent.
   void close();
@@ -45,7 +44,6 @@ class DevicePort {
   void await_deadline();
 
   Cell& cell_;
-  LineSessions& lines_;
   std::string path_;
   SerialSettings settings_;
   std::function<void()> acted_;

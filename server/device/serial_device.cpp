@@ -5,6 +5,7 @@
 #include <sys/file.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -89,6 +90,16 @@ tcflag_t bits_of_frame(const SerialFrame& frame) {
   return bits;
 }
 
+// A pseudo-terminal has no frame. The C library of Debian refuses one with EINVAL, but only in a
+// request that changes nothing else, such as that of the second program on it.
+bool is_without_frame(int device, int error) {
+  constexpr unsigned kFirstPtsMajor = 136;
+  constexpr unsigned kLastPtsMajor = 143;
+  struct stat status {};
+  if (error != EINVAL || ::fstat(device, &status) != 0) return false;
+  return major(status.st_rdev) >= kFirstPtsMajor && major(status.st_rdev) <= kLastPtsMajor;
+}
+
 // Without HUPCL, DTR stays on at the end: a controller that watches it is not reset.
 void set_up(int device, const std::string& path, const SerialSettings& settings) {
   const auto speed = speeds().find(settings.baud);
@@ -106,7 +117,9 @@ void set_up(int device, const std::string& path, const SerialSettings& settings)
   if (frame.flow == FlowControl::kSoftware) state.c_iflag |= kSoftwareFlow;
   ::cfsetispeed(&state, speed->second);
   ::cfsetospeed(&state, speed->second);
-  if (::tcsetattr(device, TCSANOW, &state) != 0) refuse_open(path, errno);
+  if (::tcsetattr(device, TCSANOW, &state) != 0 && !is_without_frame(device, errno)) {
+    refuse_open(path, errno);
+  }
 }
 
 }  // namespace

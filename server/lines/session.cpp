@@ -98,6 +98,7 @@ void LineSession::act(std::string_view bytes, const Turn& turn) {
   if (!stream_->is_open()) return;
   if (context_.cell.find_line(id_)->is_not_a_robot_program())
     return close(LineCloseReason::kNotARobotProgram);
+  if (context_.cell.find_line(id_)->is_cut()) return end_by_fault();
   if (taken < bytes.size()) keep(bytes.substr(taken));
 }
 
@@ -117,6 +118,12 @@ void LineSession::keep(std::string_view bytes) {
   }
 }
 
+// What has acted is still answered; no more bytes are read.
+void LineSession::end_by_fault() {
+  if (!std::exchange(has_ended_, true)) end_ = LineCloseReason::kFault;
+  pending_.clear();
+}
+
 void LineSession::act_on_pending(const Turn& turn) {
   const std::string bytes = std::exchange(pending_, {});
   act(bytes, turn);
@@ -129,13 +136,22 @@ void LineSession::report_settings() {
 void LineSession::end_input() {
   if (context_.cell.find_line(id_)->has_input_ended()) return;
   context_.cell.apply(InputEnded{id_}, wall_now());
+  context_.acted(id_);
+}
+
+// The replies to bytes that have arrived leave before the line is closed.
+void LineSession::end_unless_under_way(const SerialLine& line) {
+  if (line.is_drained() || end_ == LineCloseReason::kShutdown) close(end_);
 }
 
 // Sends as much as the stream accepts now, and applies the bytes that waited for room in the outbox.
 LineSession::Left LineSession::flush(const Turn& turn) {
   if (!stream_->is_open()) return Left::kWaits;
+  if (context_.cell.find_line(id_)->is_cut()) end_by_fault();
   if (has_ended_) end_input();
   const SerialLine& line = *context_.cell.find_line(id_);  // exists while the stream is open
+  if (is_broken_ && (line.is_paced() || line.holds_replies())) close(LineCloseReason::kError);
+  if (!stream_->is_open()) return Left::kWaits;
   const auto accepts_pending = [&] { return !pending_.empty() && line.accepts(pending_.front()); };
   while (!line.outbox().empty() || !pending_.empty()) {
     if (line.outbox().empty() && !accepts_pending()) {  // suspended replies, or the device
@@ -146,13 +162,15 @@ LineSession::Left LineSession::flush(const Turn& turn) {
     if (stream_->is_lost()) close(LineCloseReason::kError);
     if (!stream_->is_open()) return Left::kWaits;
     context_.cell.apply(BytesOut{id_, count}, wall_now());
+    if (line.is_paced()) context_.acted(id_);  // bytes may act again
+    if (!stream_->is_open()) return Left::kWaits;
     if (count == 0 && !line.outbox().empty()) return Left::kWaits;
     if (accepts_pending()) act_on_pending(turn);
     if (!stream_->is_open()) return Left::kWaits;
     const bool is_done = line.outbox().empty() && pending_.empty();
     if (!is_done && is_over(turn)) return Left::kSome;
   }
-  if (has_ended_) close(end_);
+  if (has_ended_) end_unless_under_way(line);
   return stream_->is_open() ? Left::kNothing : Left::kWaits;
 }
 

@@ -39,6 +39,8 @@ class LineSession {
 
   /// The stream has ended or is broken: the next turns read to the end.
   void note_end() { is_ending_ = true; }
+  /// The stream is broken. Bytes that are not due yet are dropped with the line.
+  void note_loss() { is_broken_ = true; }
 
   /// Sends what can be sent, then reads and applies bytes up to the limits of a turn. Returns
   /// whether there may be more to do now.
@@ -80,6 +82,8 @@ class LineSession {
   void keep(std::string_view bytes);
   void act_on_pending(const Turn& turn);
   void end_input();
+  void end_by_fault();
+  void end_unless_under_way(const SerialLine& line);
   void report_settings();
 
   std::unique_ptr<LineStream> stream_;
@@ -90,7 +94,8 @@ class LineSession {
   std::uint64_t load_ = 0;
   std::string pending_;     ///< read, but not applied because the outbox was full
   bool is_ending_ = false;  ///< the stream ends after the bytes that have arrived
-  bool has_ended_ = false;  ///< no more bytes will be read
+  bool is_broken_ = false;
+  bool has_ended_ = false;                                ///< no more bytes will be read
   LineCloseReason end_ = LineCloseReason::kClientClosed;  ///< the reason, once has_ended_
 };
 

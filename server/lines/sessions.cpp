@@ -147,10 +147,11 @@ void LineSessions::run_lightest(WallNs time) {
 // A line has its turn at once if no other one goes before it.
 void LineSessions::take_news() {
   const WallNs end = wall_now() + kNewsEvery;
-  for (const auto& [line, is_end] : watch_.news()) {
+  for (const auto& [line, is_end, is_loss] : watch_.news()) {
     const auto found = sessions_.find(line);
     if (found == sessions_.end()) continue;
     if (is_end) found->second->note_end();
+    if (is_loss) found->second->note_loss();
     const std::uint64_t load = found->second->load();
     const bool is_now = !turns_.contains(line) && turns_.is_next(load) && wall_now() < end;
     is_now ? run_turn(line) : turns_.add(line, load);

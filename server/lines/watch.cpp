@@ -44,7 +44,7 @@ std::span<const LineWatch::News> LineWatch::news() {
   for (; static_cast<int>(filled) < count; ++filled) {
     const epoll_event& event = events_[filled];
     const bool is_end = (event.events & (EPOLLRDHUP | EPOLLHUP | EPOLLERR)) != 0;
-    news_[filled] = {event.data.u32, is_end};
+    news_[filled] = {event.data.u32, is_end, (event.events & EPOLLERR) != 0};
   }
   return {news_.data(), filled};
 }

@@ -19,7 +19,8 @@ class LineWatch {
   /// A line has received bytes, has become writable, or has ended.
   struct News {
     LineId line = 0;
-    bool is_end = false;  ///< end of stream or broken connection: read to the end
+    bool is_end = false;   ///< end of stream or broken connection: read to the end
+    bool is_loss = false;  ///< broken connection
   };
 
   /// Throws boost::system::system_error if no descriptor is left.

@@ -9,6 +9,7 @@
 #include "protocol/explain/event_report.hpp"
 #include "protocol/monitor/call_table.hpp"
 #include "protocol/monitor/saved_cell.hpp"
+#include "protocol/monitor/saved_faults.hpp"
 #include "protocol/monitor/snapshot.hpp"
 #include "server/monitor_port/service.hpp"
 #include "server/net/wall_clock.hpp"
@@ -26,6 +27,12 @@ bool moves_time(const monitor::CallRequest& wanted) {
   const auto* call = std::get_if<call::Call>(&wanted.call);
   return call != nullptr && (std::holds_alternative<call::Step>(*call) ||
                              std::holds_alternative<call::RunUntil>(*call));
+}
+
+bool concerns_faults(const monitor::CallRequest& wanted) {
+  const auto* call = std::get_if<call::Call>(&wanted.call);
+  return call != nullptr && (std::holds_alternative<call::SetFault>(*call) ||
+                             std::holds_alternative<call::ClearFault>(*call));
 }
 
 monitor::RequestError no_such_line(LineId line) {
@@ -73,10 +80,12 @@ struct LineEntry {
   std::string peer;
   Tick opened_tick;
   std::uint64_t bytes_in;
+  std::uint64_t bytes_acted;
   std::uint64_t bytes_out;
   std::uint64_t warnings;
   RawBytes last;
   std::optional<SerialSettings> serial;
+  std::optional<SerialSettings> speed;
 };
 
 LineEntry entry_of(LineId id, const SerialLine& line) {
@@ -85,19 +94,36 @@ LineEntry entry_of(LineId id, const SerialLine& line) {
           line.peer(),
           line.opened_tick(),
           line.bytes_in(),
+          line.bytes_acted(),
           line.bytes_out(),
           line.warnings(),
           line.last(),
-          line.settings()};
+          line.settings(),
+          line.speed()};
 }
 
 Json line_json(const LineEntry& line) {
-  Json entry = {{"line", line.id},           {"kind", name_of(line.kind)},
-                {"peer", line.peer},         {"opened_tick", line.opened_tick},
-                {"bytes_in", line.bytes_in}, {"bytes_out", line.bytes_out},
-                {"warnings", line.warnings}, {"last", readable(line.last.view())}};
+  Json entry = {{"line", line.id},
+                {"kind", name_of(line.kind)},
+                {"peer", line.peer},
+                {"opened_tick", line.opened_tick},
+                {"bytes_in", line.bytes_in},
+                {"bytes_acted", line.bytes_acted},
+                {"bytes_out", line.bytes_out},
+                {"warnings", line.warnings},
+                {"last", readable(line.last.view())}};
   if (line.serial) entry["serial"] = text_of(*line.serial);
+  if (line.speed) entry["speed"] = text_of(*line.speed);
   return entry;
+}
+
+/// The physical controller, as `lines` shows it beside the lines: it has no number.
+Json device_line_json(const DeviceLink& device) {
+  const auto opened = device.opened_tick();
+  return {{"kind", name_of(LineKind::kDevice)}, {"peer", device.path()},
+          {"open", device.is_open()},           {"opened_tick", opened ? Json(*opened) : Json()},
+          {"bytes_in", device.bytes_in()},      {"bytes_out", device.bytes_out()},
+          {"last", readable(device.last())},    {"serial", text_of(device.settings())}};
 }
 
 /// The name under which a snapshot is saved or loaded; empty: inline.
@@ -156,11 +182,19 @@ MonitorService::Answer MonitorService::carry_out_call(MonitorSession& session,
   if (std::holds_alternative<call::Call>(wanted.call)) return call_cell(request);
   if (std::holds_alternative<monitor::Send>(wanted.call)) return send(session, request);
   if (std::holds_alternative<monitor::ListLines>(wanted.call)) return list_lines(request);
+  if (std::holds_alternative<monitor::ListFaults>(wanted.call))
+    return at_once(monitor::result(request.id, value_with_faults()));
   if (std::holds_alternative<monitor::DisconnectLine>(wanted.call))
     return at_once(disconnect(request));
   Json value = value_now();
   value.update(monitor::description(std::get<monitor::Describe>(wanted.call).fn));
   return at_once(monitor::result(request.id, value));
+}
+
+Json MonitorService::value_with_faults() const {
+  Json value = value_now();
+  add_fault_list(cell_.state(), value);
+  return value;
 }
 
 // --- Calls of the cell.
@@ -196,6 +230,7 @@ MonitorService::Answer MonitorService::done(const monitor::Request& request,
   Json value = value_now();
   if (done.reached) value["reached"] = *done.reached;
   if (done.ran_ticks) value["ran_ticks"] = *done.ran_ticks;
+  if (concerns_faults(wanted)) return at_once(monitor::result(request.id, value_with_faults()));
   const bool is_large = cell_.state().blocks.size() > FrameMaker::kMaxBlocksAtOnce;
   if (moves_time(wanted)) {
     return {[id = request.id, fields = wanted.fields, model = cell_.model_ptr(),
@@ -254,7 +289,9 @@ MonitorService::Answer MonitorService::list_lines(const monitor::Request& reques
   std::vector<LineEntry> lines;
   for (const auto& [id, line] : cell_.lines()) lines.push_back(entry_of(id, line));
   const bool is_long = lines.size() > kMaxLinesAtOnce;
-  return {[id = request.id, value = value_now(), lines = std::move(lines)]() mutable {
+  Json value = value_now();
+  if (cell_.device() != nullptr) value["device"] = device_line_json(*cell_.device());
+  return {[id = request.id, value = std::move(value), lines = std::move(lines)]() mutable {
             Json& list = value["lines"] = Json::array();
             for (const LineEntry& line : lines) list.push_back(line_json(line));
             return monitor::result(id, value);

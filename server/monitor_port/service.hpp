@@ -98,6 +98,7 @@ class MonitorService {
   Answer done(const monitor::Request& request, const call::Done& done);
   /// Epoch and tick, the first members of the value of each call.
   Json value_now() const;
+  Json value_with_faults() const;
 
   asio::io_context& io_;
   Cell& cell_;

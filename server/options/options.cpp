@@ -30,11 +30,13 @@ constexpr const char* kFooter =
 
 void add_check(CLI::App& app, CheckOptions& options) {
   CLI::App& check =
-      *app.add_subcommand("check", "validate robot and workcell files and summarise them");
+      *app.add_subcommand("check", "validate robot, workcell and fault files and summarise them");
   check.add_option("files", options.files, "the files: JSON, or the paper's plain form")
       ->type_name("FILE")
       ->required();
-  check.add_option("--robot", options.robot, "check workcells against this robot's tool")
+  check
+      .add_option("--robot", options.robot,
+                  "check workcells against this robot's tool, and faults against its joints")
       ->type_name("NAME|FILE");
   add_profile(check, options.profile);
 }
@@ -202,6 +204,22 @@ DeviceChoice parse_device(const std::string& text) {
                                 "/dev/ttyUSB0:9600-7e2");
   }
   return {text.substr(0, colon), *settings};
+}
+
+LineSpeed parse_line_speed(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const std::string speed = text.substr(0, colon);
+  const auto settings = parse_serial_settings(speed);
+  const bool is_complete =
+      settings && settings->frame && settings->frame->flow == FlowControl::kNone;
+  if (speed != "auto" && !is_complete) {
+    throw std::invalid_argument(text +
+                                ": a line speed is speed, data bits, parity and stop bits such as "
+                                "9600-7e2, or auto, either "
+                                "with :FACTOR");
+  }
+  const Rate factor = colon == std::string::npos ? Rate{} : parse_rate(text.substr(colon + 1));
+  return {settings, factor};
 }
 
 std::uint32_t parse_mode(const std::string& text) {

@@ -12,6 +12,7 @@
 #include "core/sim_clock.hpp"
 #include "core/state.hpp"
 #include "protocol/line/line_guard.hpp"
+#include "protocol/line/line_speed.hpp"
 #include "protocol/line/serial_settings.hpp"
 #include "server/exit_code.hpp"
 #include "server/monitor_port/token.hpp"
@@ -47,6 +48,8 @@ struct ServeOptions {
   ClockChoice clock;
   std::size_t max_lines = 1024;
   Guard guard = Guard::kNormal;
+  std::string fault_file;               ///< name or path; empty: none
+  std::optional<LineSpeed> line_speed;  ///< nullopt: bytes take no time
   std::optional<DeviceChoice> device;
   bool is_mirrored = false;         ///< the simulation imitates the device
   std::vector<std::string> ptys;    ///< paths of pseudo-terminals
@@ -122,6 +125,10 @@ Guard parse_guard(const std::string& text);
 /// `DEVICE` or `DEVICE:9600-7e2`; the settings of a Mark III if none are given. A path may contain
 /// colons. Throws std::invalid_argument.
 DeviceChoice parse_device(const std::string& text);
+
+/// `9600-7e2` or `auto`, either with `:FACTOR`, 0.001...100000. Throws std::invalid_argument, with
+/// the allowed values.
+LineSpeed parse_line_speed(const std::string& text);
 
 /// The rights of a file, in octal: 0660. Throws std::invalid_argument.
 std::uint32_t parse_mode(const std::string& text);

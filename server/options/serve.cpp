@@ -81,6 +81,16 @@ void add_device(CLI::App& serve, ServeOptions& options) {
            "with --serial: the simulation carries out the commands of the device, too");
 }
 
+void add_line_speed(CLI::App& serve, ServeOptions& options) {
+  serve
+      .add_option_function<std::string>(
+          "--line-speed",
+          [&options](const std::string& text) { options.line_speed = parse_line_speed(text); },
+          "time that bytes of serial lines take, by these settings or those of the client")
+      ->type_name("9600-7e2|auto[:FACTOR]")
+      ->check(parses(parse_line_speed, ""));
+}
+
 void add_ptys(CLI::App& serve, ServeOptions& options) {
   serve
       .add_option("--pty", options.ptys,
@@ -127,6 +137,10 @@ void add_serve(CLI::App& app, ServeOptions& options) {
   serve
       .add_option("--workcell", options.workcell,
                   "workcell: a name, or a file (default: the one named after the robot)")
+      ->type_name("NAME|FILE");
+  serve
+      .add_option("--fault", options.fault_file,
+                  "faults of the robot and its lines: a name, or a file")
       ->type_name("NAME|FILE");
   serve
       .add_option("--listen", options.listen,
@@ -177,6 +191,7 @@ void add_serve(CLI::App& app, ServeOptions& options) {
       ->type_name("strict|normal|off")
       ->check(parses(parse_guard, ""));
   add_device(serve, options);
+  add_line_speed(serve, options);
   add_ptys(serve, options);
   serve
       .add_option("--port-file", options.port_file,
@@ -206,9 +221,15 @@ Options checked_serve(ServeOptions options) {
   if (!is_safe) return refuse_listen(options);
   if (options.is_mirrored && !options.device)
     return refuse(source_of(options.option_sources, "--mirror") + " needs --serial DEVICE");
+  if (options.device && !options.fault_file.empty())
+    return refuse(source_of(options.option_sources, "--fault") +
+                  " cannot be used with --serial: faults are for the simulation, not for an arm");
   if (options.device && !(options.clock == ClockChoice{}))
     return refuse(source_of(options.option_sources, "--serial") +
                   " needs --clock real: a physical arm does not run faster or wait");
+  if (options.device && options.line_speed)
+    return refuse(source_of(options.option_sources, "--line-speed") +
+                  " cannot be used with --serial: the arm's port has a speed of its own");
   if (options.device && !is_loopback(options.listen) && !has_token)
     return refuse(source_of(options.option_sources, "--serial") +
                   " with --listen beyond this machine needs a token, also with --insecure");

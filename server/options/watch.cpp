@@ -33,8 +33,9 @@ void add_watch(CLI::App& app, WatchOptions& options) {
       ->type_name("NAME");
   watch
       .add_option("--token-file", options.token_file,
-                  "file with the token, needed by keys that make calls (default: XR3_TOKEN)")
+                  "file with the server's token (default: XR3_TOKEN); the key t asks for it")
       ->type_name("FILE");
+  watch.add_flag("--lines", options.shows_lines, "begin with the serial lines, as the key l");
   watch.add_flag("--once", options.is_once, "print one screen as text and exit");
   watch.add_flag("--no-color", options.is_plain, "no colours; NO_COLOR does the same");
   watch.add_flag("--ascii", options.is_ascii, "use only ASCII characters");

@@ -11,11 +11,12 @@ struct WatchOptions {
   std::string address = "localhost:9601";  ///< HOST, HOST:PORT or [IPv6]:PORT, as given
   std::string host = "localhost";
   std::string port = "9601";
-  std::string cell;        ///< empty: the server's first
-  std::string token_file;  ///< empty: the token in XR3_TOKEN, if any
-  bool is_once = false;    ///< print one screen as text, then exit
-  bool is_plain = false;   ///< no colours
-  bool is_ascii = false;   ///< ASCII characters only
+  std::string cell;          ///< empty: the server's first
+  std::string token_file;    ///< empty: the token in XR3_TOKEN, if any
+  bool is_once = false;      ///< print one screen as text, then exit
+  bool shows_lines = false;  ///< begin with the serial lines
+  bool is_plain = false;     ///< no colours
+  bool is_ascii = false;     ///< ASCII characters only
 };
 
 /// The subcommand `watch` with its options.

@@ -23,10 +23,12 @@ namespace {
   throw FileError("a pseudo-terminal cannot be " + what + ": " + std::strerror(errno));
 }
 
+// IGNBRK has no effect, since there is no break. Programs that make a port raw clear it. Without
+// this change, the C library of Debian would refuse their 7 bits or parity with EINVAL.
 void make_raw(int master) {
   struct termios2 modes {};
   if (::ioctl(master, TCGETS2, &modes) != 0) fail_to("read");
-  modes.c_iflag = 0;
+  modes.c_iflag = IGNBRK;
   modes.c_oflag = 0;
   modes.c_lflag = 0;
   modes.c_cflag = B9600 | CS8 | CREAD | CLOCAL;
@@ -76,6 +78,11 @@ bool PseudoTerminal::has_client() const {
   ::pollfd state{master_, POLLIN, 0};
   if (::poll(&state, 1, 0) < 0) return false;
   return (state.revents & POLLIN) != 0 || (state.revents & POLLHUP) == 0;
+}
+
+bool PseudoTerminal::has_room() const {
+  ::pollfd state{master_, POLLOUT, 0};
+  return ::poll(&state, 1, 0) != 0;
 }
 
 // The master reports POLLHUP only after the slave has been open once, and the slave alone can

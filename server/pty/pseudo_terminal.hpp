@@ -31,6 +31,8 @@ class PseudoTerminal {
 
   /// Whether a program has the slave open, or has left bytes that are not read yet.
   bool has_client() const;
+  /// Whether a write could take a byte, or would find that no program has the slave open.
+  bool has_room() const;
   /// Makes the slave as a program expects a serial port: raw, 9600 baud, and without replies that
   /// the last program has not read. Bytes from a program are kept. Throws FileError.
   void prepare() const;

@@ -23,6 +23,7 @@ class PtyStream final : public LineStream {
   const PseudoTerminal& terminal_;
   PtyModes modes_;
   bool is_closed_ = false;
+  bool was_full_ = false;  ///< the last write took nothing
 };
 
 }  // namespace xr3

@@ -93,6 +93,8 @@ std::string TermSession::next_chunk() {
     std::string chunk = source.file ? next_of_file(source) : source.bytes.substr(0, kMaxChunk);
     if (!source.file) source.bytes.erase(0, chunk.size());
     if (!chunk.empty()) return chunk;
+    // The report of the end stands below the replies.
+    if (source.file && decoder_.unanswered() > 0) return {};
     report_sent_file(source);
     sources_.pop_front();
   }

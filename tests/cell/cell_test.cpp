@@ -262,6 +262,19 @@ TEST(Cell, ALineOpenedWhileDisabledGetsAProblem) {
   EXPECT_EQ(lab.send(2, "A@E?"), " ");
 }
 
+TEST(Cell, ALineIsNotOlderThanTheEpoch) {
+  Lab lab;
+  lab.call(call::Step{100});
+  lab.open(1);
+  lab.call(call::Step{100});
+  lab.call(call::SaveSnapshot{"later"});
+  EXPECT_EQ(lab.cell.find_line(1)->opened_tick(), 100);
+  lab.call(call::Reset{});
+  EXPECT_EQ(lab.cell.find_line(1)->opened_tick(), 0);
+  lab.call(call::LoadSnapshot{"later", nullptr});
+  EXPECT_EQ(lab.cell.find_line(1)->opened_tick(), 200);
+}
+
 TEST(Cell, AClosedLineTakesNoBytes) {
   Lab lab;
   lab.open(1);

@@ -82,6 +82,15 @@ TEST_F(DeviceLinkTest, TheDeadlineCountsTheBytesBeforeTheInquiry) {
   EXPECT_EQ(link_.deadline(), 961);  // 402 bytes of 11 bits
 }
 
+TEST_F(DeviceLinkTest, ADeviceThatIsFasterThanItsSettingsDelaysADeadlineByOneBuffer) {
+  for (int i = 0; i < 5000; ++i) {
+    link_.add(kOne, kMoveE, now_);
+    EXPECT_EQ(leaving(), "E+5\r");
+  }
+  link_.add(kOne, kAskE, now_);
+  EXPECT_EQ(link_.deadline(), 5267);  // 4160 bytes of 11 bits
+}
+
 TEST_F(DeviceLinkTest, ALineThatLeavesGetsNoReply) {
   link_.add(kOne, kAskE, now_);
   link_.add(kOne, kMoveE, now_);
@@ -130,6 +139,17 @@ TEST_F(DeviceLinkTest, AStopDropsWhatWaits) {
   EXPECT_EQ(leaving(), "AXBXCXDXEXFXGXHX");
   EXPECT_EQ(answer(), 0) << "the inquiry has not left";
   EXPECT_EQ(link_.stops(), 1U);
+}
+
+TEST_F(DeviceLinkTest, AStopKeepsAnInquiryThatHasLeft) {
+  link_.add(kOne, kAskE, now_);
+  EXPECT_EQ(leaving(), "E?");
+  link_.stop(now_);
+  link_.add(kTwo, kAskE, now_);
+  EXPECT_EQ(leaving(), "AXBXCXDXEXFXGXHX") << "the other inquiry waits";
+  EXPECT_EQ(answer(), kOne);
+  EXPECT_EQ(leaving(), "E?");
+  EXPECT_EQ(answer(), kTwo);
 }
 
 TEST_F(DeviceLinkTest, AnAbsentDeviceGetsNothing) {

@@ -57,6 +57,21 @@ class DeviceTest : public testing::Test {
     return all;
   }
   using Codes = std::vector<std::string>;
+  /// The sentences of the events since the last call.
+  std::vector<std::string> sentences() {
+    std::vector<std::string> all;
+    for (const CellEvent& event : events_)
+      all.emplace_back(event_json(event, cell_.model())["message"]);
+    events_.clear();
+    return all;
+  }
+  /// The explanations of the last record of the lines.
+  std::vector<std::string> explained() {
+    const Json record = Json::parse(*cell_.wires().at(cell_.wires().next() - 1));
+    std::vector<std::string> all;
+    for (const Json& each : record["parsed"]) all.emplace_back(each["message"]);
+    return all;
+  }
 
   WallNs now_ = 0;
   std::vector<CellEvent> events_;
@@ -173,7 +188,7 @@ TEST_F(DeviceTest, AFloodWaitsUntilTheDeviceHasTakenIt) {
   EXPECT_TRUE(cell_.find_line(2)->accepts('E'));
   answer("1");
   EXPECT_TRUE(cell_.find_line(1)->accepts('E'));
-  EXPECT_EQ(cell_.take_woken_lines(), (std::vector<LineId>{1, 1}));
+  EXPECT_EQ(cell_.take_woken_lines(), std::vector<LineId>{1});
 }
 
 TEST_F(DeviceTest, StopWorksInEveryState) {
@@ -234,17 +249,61 @@ TEST_F(DeviceTest, TheStateTellsOfTheDevice) {
   send(1, "A@E?");
   leaving();
   answer("1");
-  EXPECT_EQ(cell_.snapshot().device, (DeviceStatus{"/dev/ttyUSB0", true, 2, 1}));
+  EXPECT_EQ(cell_.snapshot().device, (DeviceStatus{"/dev/ttyUSB0", true, true, 2, 1}));
 }
 
 TEST_F(DeviceTest, RecordsTellWhatWentToTheDeviceAndCameFromIt) {
+  using Texts = std::vector<std::string>;
   send(1, "A@E?");
+  EXPECT_EQ(explained(), (Texts{"simulator disabled: commands go to the device from now on",
+                                "to the device: E?"}));
   leaving();
   answer("-");
-  const auto last = [&] { return *cell_.wires().at(cell_.wires().next() - 1); };
-  EXPECT_NE(last().find("the device answers E?: 13 counts to go"), std::string::npos) << last();
+  EXPECT_EQ(explained(), Texts{"from the device: E: 13 counts to go"});
   send(1, "E-5\r");
-  EXPECT_NE(last().find(R"(to the device: E-5\\r)"), std::string::npos) << last();
+  EXPECT_EQ(explained(), Texts{R"(to the device: E-5\r)"});
+  send(1, "A@");
+  EXPECT_EQ(explained(), Texts{"simulator enabled: the device gets no command"});
+}
+
+TEST_F(DeviceTest, ItsRepliesAreExplainedAsThoseOfASimulatedMark3) {
+  send(1, "A@");
+  const auto explained_reply = [&](const char* inquiry, const char* reply) {
+    send(1, inquiry);
+    leaving();
+    answer(reply);
+    return explained().front();
+  };
+  EXPECT_EQ(explained_reply("F?", "!"), "from the device: F: 1 count to go");
+  EXPECT_EQ(explained_reply("I", "\x5d"), "from the device: microswitches closed: D");
+  EXPECT_EQ(explained_reply("J", "\x2e"),
+            "from the device: microswitches closed: A; input lines high: 5, 6");
+  EXPECT_EQ(explained_reply("K", "!"), "from the device: input lines high: 1");
+  EXPECT_EQ(explained_reply("K", "z"), "from the device: 7a hex, which is no reply to K");
+}
+
+TEST_F(DeviceTest, EventsTellWhoGetsTheCommands) {
+  using Texts = std::vector<std::string>;
+  send(1, "A@A@");
+  EXPECT_EQ(sentences(), (Texts{"the simulator is disabled; commands go to device /dev/ttyUSB0",
+                                "the simulator is enabled; device /dev/ttyUSB0 gets no command"}));
+  cell_.apply(DeviceLost{"unplugged"}, now_);
+  events_.clear();
+  call(call::Key{ToggleSimulator{}});
+  EXPECT_EQ(sentences(), (Texts{"the simulator is disabled; commands go to device /dev/ttyUSB0, "
+                                "which is not there: they are dropped"}));
+}
+
+TEST_F(DeviceTest, KnowsWhenItCameAndItsLastCommand) {
+  EXPECT_EQ(cell_.device()->opened_tick(), 0);
+  EXPECT_EQ(cell_.device()->last(), "");
+  cell_.apply(DeviceLost{"unplugged"}, now_);
+  EXPECT_EQ(cell_.device()->opened_tick(), std::nullopt);
+  pass(70);
+  cell_.apply(DeviceOpened{}, now_);
+  EXPECT_EQ(cell_.device()->opened_tick(), 70);
+  send(1, "A@E+5\rF?");
+  EXPECT_EQ(cell_.device()->last(), "F?");
 }
 
 // --- The simulation beside the device.

@@ -23,7 +23,7 @@ TEST(SerialLine, AFullOutboxStopsInputUntilItIsEmpty) {
   EXPECT_EQ(taken, SerialLine::kFullOutbox - 1);
   EXPECT_TRUE(one.line.is_full());
   EXPECT_EQ(one.receive("?"), 0U);
-  one.line.sent(10);
+  one.line.sent(10, 0);
   EXPECT_EQ(one.receive("?"), 1U);
 }
 
@@ -37,7 +37,7 @@ TEST(SerialLine, AnOutboxSentInPiecesLosesNothing) {
     EXPECT_EQ(one.line.output_end(), expected.size());
     const std::string piece(one.line.outbox().substr(0, static_cast<std::size_t>(counts % 4)));
     sent += piece;
-    one.line.sent(piece.size());
+    one.line.sent(piece.size(), 0);
     EXPECT_EQ(one.line.bytes_out(), sent.size());
   }
   EXPECT_EQ(sent + std::string(one.line.outbox()), expected);
@@ -50,7 +50,7 @@ TEST(SerialLine, CountsTransportBytes) {
       "E?");
   EXPECT_EQ(one.line.bytes_in(), 9U);
   EXPECT_EQ(one.line.outbox(), "\xff\xfb\x06%");
-  one.line.sent(4);
+  one.line.sent(4, 0);
   EXPECT_EQ(one.line.bytes_out(), 4U);
 }
 
@@ -111,7 +111,7 @@ struct SuspendedLine : OneLine {
   }
   std::string fetch() {
     std::string bytes(line.outbox());
-    line.sent(bytes.size());
+    line.sent(bytes.size(), 0);
     return bytes;
   }
 };
@@ -159,7 +159,7 @@ TEST(SuspendedReplies, ReadingGoesOnUntilTheHoldIsFull) {
 TEST(SuspendedReplies, LeaveAtTheEndOfTheInput) {
   SuspendedLine one;
   one.receive("E?");
-  one.line.end_input();
+  one.line.end_input(0);
   EXPECT_EQ(one.fetch(), " ");
   one.receive(kSuspend + "E?");
   EXPECT_EQ(one.fetch(), " ") << "nobody can resume them";

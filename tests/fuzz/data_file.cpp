@@ -1,11 +1,12 @@
-// Fuzzes the loaders of robot and workcell files: any text gives a value or findings; an accepted
-// file gives a model that runs, and is equal after writing and reading.
+// Fuzzes the loaders of robot, workcell and fault files: any text gives a value or findings; an
+// accepted file gives a model that runs, and is equal after writing and reading.
 //
 // Input: the first byte selects the kind of file, the rest is its text.
 #include <string_view>
 #include <utility>
 
 #include "core/simulation.hpp"
+#include "protocol/files/faults.hpp"
 #include "protocol/files/robot.hpp"
 #include "protocol/files/workcell.hpp"
 #include "tests/fuzz/common/fuzz.hpp"
@@ -45,6 +46,34 @@ void read_as_workcell(std::string_view text) {
   exercise(test::robot_named("rhino-xr3"), std::move(*reading.workcell));
 }
 
+// A few moves, inquiries and images with these faults, and the lines' bytes through them.
+void exercise(const FaultPlan& plan) {
+  Simulation simulation(std::make_shared<const Model>(
+      test::robot_named("rhino-xr3"), test::workcell_named("rhino-xr3"), Profile::kMark3));
+  simulation.install_faults(plan);
+  for (const int counts : {100, -128, 5}) {
+    for (char label = 'A'; label <= 'F'; ++label) simulation.execute(Move{label, counts});
+    simulation.advance_to(simulation.tick() + 300);
+    simulation.execute(QuerySwitchesI{});
+    simulation.execute(CameraImage{});
+    for (std::uint64_t i = 0; i < 9; ++i) simulation.carry_input({1, LineSide::kIn, i}, 'E');
+    simulation.carry_reply({2, LineSide::kOut, 7}, "reply");
+    simulation.stray_bytes({2, LineSide::kIn, 0});
+  }
+  simulation.run_to_rest(simulation.tick() + 10'000);
+  simulation.clear_faults("");
+}
+
+void read_as_faults(std::string_view text) {
+  FaultsReading reading = read_faults(text, "faults.json", "ABCDEF");
+  require(reading.plan.has_value() != has_errors(reading.findings), "faults, or why not");
+  if (!reading.plan) return;
+  const std::string written = faults_to_json(*reading.plan).dump();
+  require(read_faults(written, "faults.json").plan == reading.plan,
+          "the faults written and read again");
+  exercise(*reading.plan);
+}
+
 }  // namespace
 
 const std::size_t kMaxInput = 0;
@@ -52,6 +81,7 @@ const std::size_t kMaxInput = 0;
 void run(std::string_view input, Effort /*all inputs are alike*/) {
   if (input.empty()) return;
   const std::string_view text = input.substr(1);
+  if (input[0] == 'f') return read_as_faults(text);
   input[0] % 2 == 0 ? read_as_robot(text) : read_as_workcell(text);
 }
 

@@ -2,14 +2,13 @@
 // their limits, blocked marks and phases follow from the counters, the machine comes to rest in
 // time, and state and replies do not depend on the division of bytes and time.
 //
-// Input: the first byte selects the profile; then chunks that begin with a byte c: c < 0x40 sends
-// the next c + 1 bytes on line 1, c < 0x80 the next c - 0x3f on line 2, else (c - 0x7f)^2 ticks
-// pass.
+// Input: the first byte selects the profile; then chunks as in common/chunks.hpp.
 #include <algorithm>
 #include <string>
 #include <vector>
 
 #include "core/motor.hpp"
+#include "tests/fuzz/common/chunks.hpp"
 #include "tests/fuzz/common/fuzz.hpp"
 #include "tests/support/rig.hpp"
 #include "tests/support/wire.hpp"
@@ -17,35 +16,9 @@
 namespace xr3::fuzz {
 namespace {
 
-struct Chunk {
-  int wire = 0;  ///< 0: time passes
-  std::string_view bytes;
-  Tick ticks = 0;
-};
-
 constexpr Tick kMaxTicks = 500'000;  // more only take time
 constexpr Tick kMaxQuickTicks = 1000;
 constexpr std::size_t kRestInterval = 64;
-
-/// The chunks of an input, in total at most `most` ticks.
-std::vector<Chunk> chunks_of(std::string_view input, Tick most) {
-  std::vector<Chunk> chunks;
-  while (!input.empty()) {
-    const auto c = static_cast<unsigned char>(input[0]);
-    input.remove_prefix(1);
-    if (c >= 0x80) {
-      const Tick root = c - 0x7f;
-      const Tick ticks = std::min(most, root * root);
-      chunks.push_back({0, {}, ticks});
-      most -= ticks;
-      continue;
-    }
-    const std::size_t size = std::min<std::size_t>(input.size(), (c & 0x3fU) + 1);
-    chunks.push_back({c < 0x40 ? 1 : 2, input.substr(0, size), 0});
-    input.remove_prefix(size);
-  }
-  return chunks;
-}
 
 struct Cell {
   explicit Cell(ModelPtr model)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes the fuzzers' seeds: transcripts for fuzz_line, data files for fuzz_data_file, one request of
+"""Writes the fuzzers' seeds: transcripts for fuzz_line and fuzz_line_speed, data files for fuzz_data_file, one request of
 each kind for fuzz_monitor_request, short streams for the fuzzers of byte streams, and the inputs that
 `minimise` keeps in corpus/NAME.txt, one a line in base64.
 
@@ -86,7 +86,12 @@ def saved_cell(workcell):
              "stall": "no", "below_surface": False, "enabled": True, "display": display,
              "io": {"inputs": 1, "outputs": 2, "auxiliary": 3}, "blocks": [block],
              "held": {"block": 0, "quarter_turns": 1, "grasped_at": [0] * 8}, "jaws_warned": False,
-             "tip_path": {"points": [[238100, 0, 320700], [238000, 0, 320700]], "oldest": 0}}
+             "tip_path": {"points": [[238100, 0, 320700], [238000, 0, 320700]], "oldest": 0},
+             "faults": {"seed": 1, "power_cycles": 2, "slipped": 4, "all": [
+                 {"fault": {"name": "s", "kind": "switch_bouncing", "joint": "E", "at_tick": 4, "ticks": 90},
+                  "effects": 1, "bounce_tick": 4, "news_second": 0, "news": 1},
+                 {"fault": {"name": "t", "kind": "encoder_slip", "joint": "F", "probability": 0.5},
+                  "effects": 0, "news_second": 0, "news": 0}]}}
     return {"robot_hash": "sha256:1", "workcell": workcell, "state": state}
 
 
@@ -101,6 +106,9 @@ def calls(workcell):
         "block_move": {"name": "a", "xyz_mm": [1, 2, 3]}, "block_remove": {"name": "a"},
         "workcell": {"workcell": workcell}, "snapshot_save": {"inline": True},
         "snapshot_load": {"snapshot": saved_cell(workcell)}, "line_disconnect": {"line": 1},
+        "fault_set": {"fault": {"name": "a", "kind": "byte_flipped", "line": "any", "direction": "out", "bit": 3,
+                                "probability": 0.01, "from_tick": 5, "count": 7}, "seed": 3},
+        "fault_clear": {"name": "a"},
         "describe": {"fn": "step"},
     }
 
@@ -142,9 +150,11 @@ def kept():
 
 def made():
     """(fuzzer, name, input) of all other seeds."""
-    for name, text in files("tests/transcripts/*.txt"):
-        yield "line", name, line_input(text.decode())
-    for kind, first in (("robots", b"\0"), ("workcells", b"\1")):
+    for index, (name, text) in enumerate(files("tests/transcripts/*.txt")):
+        data = line_input(text.decode())
+        yield "line", name, data
+        yield "line_speed", name, bytes([index % 8]) + data[1:]
+    for kind, first in (("robots", b"\0"), ("workcells", b"\1"), ("faults", b"f")):
         for name, text in files(f"data/{kind}/*.json"):
             yield "data_file", f"{kind}-{name}", first + text
     for name, request in requests():

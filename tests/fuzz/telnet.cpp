@@ -51,7 +51,7 @@ class Conversation {
 
   /// The client sends no more and receives everything.
   void finish() {
-    line_.end_input();
+    line_.end_input(0);
     check_bounds();
     require(line_.held_bytes() == 0, "nothing is held after the end of the input");
     fetch_all();
@@ -74,7 +74,7 @@ class Conversation {
     if (line_.is_full()) return;
     require(!line_.accepts(next), "a line takes every byte that it accepts");
     require(line_.held_bytes() >= ReplyHold::kFull, "a line waits only with a full hold");
-    line_.end_input();
+    line_.end_input(0);
   }
   void check_bounds() const {
     require(line_.held_bytes() < ReplyHold::kFull + kMaxReply, "the hold is bounded");
@@ -83,7 +83,7 @@ class Conversation {
   void fetch(std::size_t count) {
     count = std::min(count, line_.outbox().size());
     received_ += line_.outbox().substr(0, count);
-    line_.sent(count);
+    line_.sent(count, 0);
   }
 
   Simulation simulation_;

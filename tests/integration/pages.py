@@ -104,3 +104,4 @@ def write_files(folder):
     run_xr3("convert", "my-arm.json", "my-arm.txt", cwd=folder)
     (folder / "lab.dat").touch()
     (folder / "lab.toml").write_text(shown_file("options.md", "toml"), encoding="utf-8")
+    (folder / "faults.json").write_text(shown_file("faults.md", "json"), encoding="utf-8")

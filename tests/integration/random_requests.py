@@ -59,6 +59,8 @@ class Asker:
             "snapshot_save": lambda: self.one_of({"name": self.one_of("a", "b", "c" * 64)}, {"inline": True}),
             "snapshot_load": lambda: self.one_of({"name": self.one_of("a", "b", "z")},
                                                  {"snapshot": self.chance.choice(self.snapshots)}),
+            "fault_set": lambda: {"fault": self.fault(), **self.maybe(seed=count(0, 9))},
+            "fault_clear": lambda: self.maybe(name=self.one_of("a", "b", "c")),
             "line_disconnect": lambda: {"line": count(0, 5)},
             "key": lambda: {"function": self.chance.choice(FUNCTIONS),
                             **self.maybe(value=self.one_of(3, [1, 2, 3], [0, 0, 0], 300))},
@@ -82,6 +84,17 @@ class Asker:
                     **self.maybe(work_surface=self.length(), surface_stalls=True, camera={
                         "location": [290, 0, 1000], "field": [384, 384], "pixels": [self.chance.randint(0, 40), 30]})}
         return self.spoiled(workcell) if self.chance.random() < 0.3 else workcell
+
+    def fault(self):
+        """A fault, mostly valid."""
+        kinds = {"byte_flipped": {"line": "any"}, "reply_lost": {}, "stray_byte": {"byte": 88}, "power_cycle": {},
+                 "motor_stuck": {"joint": "E"}, "motor_slow": {"joint": "F", "percent": 7}, "grip_slip": {},
+                 "encoder_slip": {"joint": "E"}, "switch_stuck_open": {"joint": "D"}, "camera_offset": {"rows": 3},
+                 "switch_stuck_closed": {"joint": "G"}, "switch_bouncing": {"joint": "E"}, "camera_noise": {}}
+        kind = self.chance.choice(list(kinds))
+        trigger = self.one_of({"at_tick": self.chance.randint(0, 5000)}, {"probability": 0.2}, {"from_tick": 5})
+        return {"name": self.one_of("a", "b", "c"), "kind": kind, **kinds[kind], **trigger,
+                **self.maybe(ticks=self.chance.randint(0, 3000))}
 
     def spoiled(self, members):
         """A copy with an odd, an additional or a missing member, at any depth."""

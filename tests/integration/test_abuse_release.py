@@ -16,11 +16,13 @@ import abuse  # noqa: E402 (needs the folder above)
 import catalogue  # noqa: E402
 from attack import Attack, Measured  # noqa: E402
 
-TIMED = ("lines.images/shipped", "lines.trickle/shipped", "lines.storm/shipped", "http.state/shipped",
-         "http.slowloris/shipped", "json.churn/shipped", "json.wrong-tokens/shipped", "websocket.fragments/shipped")
+TIMED = ("lines.images/shipped", "lines.trickle/shipped", "lines.storm/shipped", "pty.moves", "device.moves",
+         "http.state/shipped", "http.slowloris/shipped", "json.churn/shipped", "json.wrong-tokens/shipped",
+         "websocket.fragments/shipped")
 COUNTED = ("memory.lines/camera", "memory.json-images/camera", "memory.websocket-unfinished/shipped",
-           "memory.followers/shipped", "full.cpu", "full.health-checks", "crowd.silent", "log.warnings-fast",
-           "log.strangers")
+           "memory.followers/shipped", "memory.pty-images", "memory.device-moves", "pty.unread-images", "full.cpu",
+           "full.health-checks", "crowd.silent", "log.warnings-fast", "log.strangers", "log.pty-cooked",
+           "log.device-unasked")
 WIDER = 10
 
 

@@ -121,6 +121,12 @@ class ADeviceByHand(unittest.TestCase):
             self.assertEqual(2, result.returncode)
             self.assertRegex(result.stderr, "in use by another program")
 
+    def test_a_pseudo_terminal_that_had_the_settings_before(self):
+        with Controller() as controller:
+            for settings in "9600-7e2", "9600-7e2", "9600-7e1", "9600-8n1", "9600-8e1":
+                with self.subTest(settings), Server("--serial", f"{controller.path}:{settings}", clock="real") as xr3:
+                    self.assertEqual(b" ", bytes([xr3.line().ask("E?")]))
+
     def test_device_stop(self):
         with self.served() as (controller, xr3), xr3.monitor() as monitor:
             line = xr3.line()
@@ -132,6 +138,21 @@ class ADeviceByHand(unittest.TestCase):
             self.assertEqual(STOP, controller.arrived(len(STOP)))
             self.assertLess(time.monotonic() - start, 0.5, "20 ms on a machine that has nothing else to do")
             self.assertFalse(controller.has_bytes(), "what waited is dropped")
+
+    def test_a_reply_that_comes_after_a_stop(self):
+        with self.served() as (controller, xr3), xr3.monitor() as monitor:
+            one, two = xr3.line(), xr3.line()
+            disable(xr3, one)
+            one.send("E?")
+            controller.arrived(2)
+            monitor.call("device_stop")
+            two.send("F?")
+            self.assertEqual(STOP, controller.arrived(len(STOP)))
+            controller.answer(b"1")
+            self.assertEqual(b"1", one.read(1), "not the line that asked last")
+            self.assertEqual(b"F?", controller.arrived(2))
+            controller.answer(b"2")
+            self.assertEqual(b"2", two.read(1))
 
     def test_a_device_that_does_not_answer(self):
         with self.served() as (controller, xr3), xr3.monitor() as monitor:
@@ -160,10 +181,40 @@ class ADeviceByHand(unittest.TestCase):
             line.read(1)
             state = monitor.get()
             self.assertFalse(state["enabled"])
-            self.assertEqual({"path": controller.path, "open": True, "bytes_out": 2, "bytes_in": 1}, state["device"])
+            self.assertEqual({"path": controller.path, "open": True, "engaged": True, "bytes_out": 2, "bytes_in": 1},
+                             state["device"])
             messages = [each["message"] for record in monitor.recall("line") for each in record["parsed"]]
             self.assertIn("to the device: E?", messages)
-            self.assertIn("the device answers E?: 13 counts to go", messages)
+            self.assertIn("from the device: E: 13 counts to go", messages)
+
+    def test_a_loaded_snapshot_does_not_open_the_way_to_the_device(self):
+        with self.served() as (_, xr3), xr3.monitor() as monitor:
+            line = xr3.line()
+            disable(xr3, line)
+            self.assertTrue(monitor.get("device")["device"]["engaged"])
+            snapshot = monitor.call("snapshot_save", inline=True)["snapshot"]
+            monitor.call("reset")
+            monitor.call("snapshot_load", snapshot=snapshot)
+            state = monitor.get()
+            self.assertEqual((False, False), (state["enabled"], state["device"]["engaged"]))
+
+    def test_the_call_lines_lists_the_device_beside_the_lines(self):
+        with self.served() as (controller, xr3), xr3.monitor() as monitor:
+            line = xr3.line()
+            disable(xr3, line)
+            line.send("E+5\rE?")
+            controller.arrived(6)
+            controller.answer(b"-")
+            line.read(1)
+            value = monitor.call("lines")
+            device = value["device"]
+            opened = device.pop("opened_tick")
+            self.assertLessEqual(opened, value["tick"])
+            self.assertEqual({"kind": "device", "peer": controller.path, "open": True, "bytes_in": 1, "bytes_out": 6,
+                              "last": "E?", "serial": "9600-7e2"}, device)
+            self.assertEqual(["tcp"], [each["kind"] for each in value["lines"]])
+        with Server() as xr3, xr3.monitor() as monitor:
+            self.assertNotIn("device", monitor.call("lines"))
 
     def test_a_flood_is_slowed_and_nothing_is_lost(self):
         with self.served() as (controller, xr3):

@@ -5,6 +5,7 @@ schedules the process. All cases are observed at the same time, each with its ow
 import contextlib
 import os
 import select
+import tempfile
 import time
 import unittest
 
@@ -34,6 +35,7 @@ class Case:
     def __init__(self, *options, clock="real", viewers=0):
         self.server = Server(*options, clock=clock)
         self.viewer_count = viewers
+        self.program = None
 
     def __enter__(self):
         self.server.__enter__()
@@ -48,6 +50,8 @@ class Case:
         return self
 
     def __exit__(self, *problem):
+        if self.program is not None:
+            os.close(self.program)
         for monitor in [self.monitor, *self.viewers]:
             monitor.close()
         self.server.__exit__(*problem)
@@ -55,6 +59,16 @@ class Case:
     def sockets(self):
         clients = [self.monitor, *self.viewers, self.asked, self.begun, self.mute]
         return [client.socket for client in clients]
+
+    def leave_replies_unread(self):
+        """A program writes to the pseudo-terminal until nothing is taken any more, and reads nothing."""
+        self.program = os.open(self.server.ptys[0], os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
+        while select.select([], [self.program], [], LAST_TIMER_S)[1]:
+            try:
+                os.write(self.program, b"E?" * 1000)
+            except BlockingIOError:  # less room than one write needs
+                break
+        return self
 
     def move_while_time_runs(self, moves):
         """Sends moves with the clock running and waits until they are done."""
@@ -77,6 +91,7 @@ class Idle(unittest.TestCase):
     def test_a_robot_at_rest_does_not_wake_up(self):
         with contextlib.ExitStack() as stack:
             case = lambda *options, **more: stack.enter_context(Case(*options, **more))
+            folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="xr3-"))
             cases = {
                 "at the soft home": case(),
                 "in fast time": case(clock="real:1000"),
@@ -86,6 +101,8 @@ class Idle(unittest.TestCase):
                 "as mark3": case("--compat", "mark3"),
                 "after a move": case(clock="real:100").move_while_time_runs("E+20\rF+50\rD-9\r"),
                 "at a limit": case().move_in_standing_time("A+127\r"),
+                "with a pseudo-terminal": case("--pty", f"{folder}/free"),
+                "with unread replies": case("--pty", f"{folder}/rhino").leave_replies_unread(),
                 "stalled": case().move_in_standing_time("E-120\r", "E-120\r", "E-120\r"),
             }
             self.assertIsNotNone(cases["stalled"].monitor.get("stalled")["stalled"])

@@ -26,6 +26,8 @@ one turn of a line | server/lines/session.cpp | kFairTime | 1000
 unread replies of a line | cell/serial_line.hpp | kFullOutbox | 1024
 replies that an RFC 2217 client has suspended | cell/serial_line.hpp | kFullOutbox | 1024
 replies that `step` and `run_until` wait for, per line | server/lines/session.hpp | kMaxAnswered | 1048576
+bytes of a line that have not acted yet | cell/line_pace.hpp | kMaxInput
+bytes of all lines that act in one advance of real time | cell/cell.hpp | kMaxDueBytes
 commands of a line that wait for the physical controller | cell/device_link.hpp | kMaxWaiting
 warnings in the log, per line and simulated second | cell/warning_limiter.hpp | kMaxNotesPerSecond
 monitor connections | server/net/socket_limits.hpp | connections
@@ -46,6 +48,8 @@ an HTTP connection between requests | server/http/session.cpp | kKeptAlive
 bytes of a `send` call | protocol/monitor/call_table.cpp | kMaxSent
 waiting of a call with `after` | protocol/monitor/request.hpp | kMaxWithinMs | 1000
 named snapshots | cell/cell.hpp | kMaxSnapshots
+faults on demand | core/faults/fault.hpp | kMaxFaults
+events of the effects of a fault | core/faults/faults.hpp | kMaxFaultNews
 blocks of a workcell | core/workcell.hpp | kMaxBlocks
 rows of the camera's image that the blocks take, counted for each block | core/camera.hpp | kMaxCameraRows
 pixels of a camera | protocol/files/workcell.cpp | kMaxPixels

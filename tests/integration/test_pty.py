@@ -83,7 +83,7 @@ class APort(Ptys):
     def test_a_port_is_raw_at_9600(self):
         with self.server(), Port(self.path) as port:
             iflag, oflag, cflag, lflag, ispeed, ospeed, _ = port.modes()
-            self.assertEqual((0, 0, 0), (iflag, oflag, lflag))
+            self.assertEqual((termios.IGNBRK, 0, 0), (iflag, oflag, lflag))
             self.assertEqual(termios.CS8 | termios.CREAD | termios.CLOCAL, cflag & ~termios.CBAUD)
             self.assertEqual((termios.B9600, termios.B9600), (ispeed, ospeed))
 
@@ -122,7 +122,8 @@ class APort(Ptys):
 
     @unittest.skipUnless(serial, "pyserial is not installed (Debian package python3-serial)")
     def test_pyserial(self):
-        for settings in ({"bytesize": 7, "parity": "E", "stopbits": 2}, {}, {"baudrate": 115200}, {"exclusive": True}):
+        for settings in ({"bytesize": 7, "parity": "E", "stopbits": 2}, {}, {"baudrate": 115200}, {"exclusive": True},
+                         {"bytesize": 7, "parity": "E"}, {"parity": "E"}, {"bytesize": 7}):
             with self.subTest(settings), self.server(), serial.Serial(self.path, timeout=DEADLINE_S, **settings) as port:
                 port.write(INQUIRY)
                 self.assertEqual(REPLY, port.read(1))

@@ -21,6 +21,7 @@ BEYOND_A_SCHEMA = {
     "robot-home-inch",
     "robot-labels-twice", "robot-masks-clash", "robot-names", "robot-switch-beyond", "robot-too-long",
     "robot-too-many-counts",
+    "fault-members", "fault-names", "fault-triggers",
     "workcell-camera-low", "workcell-camera-reached", "workcell-names", "workcell-surface",
 }
 
@@ -56,7 +57,7 @@ def validator(kind):
     return jsonschema.Draft7Validator(schema)
 
 
-VALIDATORS = {kind: validator(kind) for kind in ("robot", "workcell")}
+VALIDATORS = {kind: validator(kind) for kind in ("robot", "workcell", "fault")}
 
 
 def errors_of(path, kind):

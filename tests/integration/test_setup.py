@@ -30,6 +30,8 @@ FEDORA_TEST = {"clang", "compiler-rt", "gtest-devel", "gmock-devel", "google-ben
                "python3-websockets", "python3-pyte", "python3-pyserial", "telnet", "netcat", "curl", "chromium"}
 FEDORA_43_NODE = {"nodejs", "nodejs-npm"}
 FEDORA_44_NODE = {"nodejs24-bin", "nodejs24-npm-bin", "nodejs22-bin", "nodejs22-npm-bin"}
+FEDORA_LINES = {"python3", "python3-fastjsonschema", "putty", "picocom", "minicom", "socat", "dosbox-staging", "nasm",
+                "qemu-system-x86-core", "octave", "octave-instrument-control"}
 FEDORA_LINT = {"clang", "clang-tools-extra", "ShellCheck"}
 
 DPKG_QUERY = 'sed "s/^/ii  /" "$STUBS/installed"'
@@ -156,9 +158,9 @@ class Setup(unittest.TestCase):
                                   for name in names} for names in (installed, offered)), *groups)
 
     def test_fedora(self):
-        offered = FEDORA_SERVER | FEDORA_43_NODE | FEDORA_TEST | FEDORA_LINT | {"llvm"}
+        offered = FEDORA_SERVER | FEDORA_43_NODE | FEDORA_TEST | FEDORA_LINES | FEDORA_LINT | {"llvm"}
         for group, expected in (("server", FEDORA_SERVER), ("build", FEDORA_SERVER),  # (node and npm: stubs)
-                                ("lint", FEDORA_SERVER | FEDORA_LINT)):
+                                ("lines", FEDORA_SERVER | FEDORA_LINES), ("lint", FEDORA_SERVER | FEDORA_LINT)):
             with self.subTest(group):
                 code, said, packages = self.fedora([], offered, group)
                 self.assertEqual((0, sorted(expected)), (code, sorted(packages)), said)

@@ -334,6 +334,23 @@ class Console(unittest.TestCase):
                 terminal.press("\x03\x04")
                 self.check_end(terminal)
 
+    def test_the_end_of_a_file_is_reported_below_its_replies(self):
+        with tempfile.NamedTemporaryFile() as file, listener() as (server, peer), console(peer) as terminal:
+            file.write(b"E?F?")
+            file.flush()
+            robot, _ = server.accept()
+            with robot:
+                terminal.wait_text("connected")
+                terminal.press(f"~s {file.name}\r")
+                self.assertEqual(b"E?F?", robot.recv(4, socket.MSG_WAITALL))
+                robot.sendall(b"!")
+                terminal.wait_text("E: 1 count to go")
+                self.assertNotIn("sent ", terminal.text())
+                robot.sendall(b'"')
+                terminal.wait_for(lambda text: re.search(r"F: 2 counts to go\nsent \S+: 4 bytes", text))
+                terminal.press("~.")
+                self.check_end(terminal)
+
     def test_hexadecimal(self):
         with Server() as xr3, console(address(xr3), "--hex") as terminal:
             terminal.wait_text("connected")

@@ -115,6 +115,61 @@ class Watch(unittest.TestCase):
                 self.assertTrue(monitor.look("display")["on"])
                 self.leave(terminal)
 
+    def test_shows_the_serial_lines(self):
+        with Server("--pty", self.path()) as xr3, xr3.monitor() as monitor, watch(xr3.monitor_port) as terminal:
+            terminal.wait_text("l lines")
+            terminal.press("l")
+            terminal.wait_text("No serial line is open.")
+            line = xr3.line()
+            line.send("E+5\r")
+            monitor.step(65_000, after=line)
+            terminal.wait_for(lambda text: re.search(
+                r"^ +1  tcp +127\.0\.0\.1:\d+ +1 min 5 s +4 +0 +E\+5\\r$", text, re.MULTILINE))
+            descriptor = os.open(self.path(), os.O_RDWR | os.O_NOCTTY)
+            terminal.wait_for(lambda text: re.search(r"^ +2  pty .* 0 s +0 +0  9600$", text, re.MULTILINE))
+            os.close(descriptor)
+            line.ask("E?")
+            terminal.wait_for(lambda text: re.search(r" 6 +1 .*E\?$", text, re.MULTILINE) and " pty " not in text)
+            terminal.press("?")
+            terminal.wait_text("who is connected")
+            terminal.press("?")
+            terminal.wait_text("E?")
+            terminal.press("\x1b")
+            terminal.wait_text("-90.00 deg")
+            self.leave(terminal)
+
+    def path(self):
+        if not hasattr(self, "folder"):
+            self.folder = tempfile.TemporaryDirectory()
+            self.addCleanup(self.folder.cleanup)
+        return str(pathlib.Path(self.folder.name, "rhino"))
+
+    def test_shows_the_device(self):
+        with Server("--compat", "mark3", "--pty", self.path()) as arm:
+            with Server("--serial", self.path(), clock="real") as xr3, watch(xr3.monitor_port, "--lines") as terminal:
+                terminal.wait_for(lambda text: re.search(r"^ +device .*rhino .* 0 +0  9600-7e2$", text, re.MULTILINE))
+                line = xr3.line()
+                line.send("A@E?")
+                line.read(1)
+                terminal.wait_for(lambda text: re.search(r"^ +device .* 1 +2 +9600-7e2 +E\?$", text, re.MULTILINE))
+                terminal.press("l")
+                terminal.wait_text(f"disabled: commands go to device {self.path()}")
+                terminal.press("l")
+                arm.stop()
+                terminal.wait_text("not there")
+                terminal.press("l")
+                terminal.wait_text("is not there; commands are dropped")
+                self.leave(terminal)
+
+    def test_once_prints_the_lines(self):
+        with Server() as xr3:
+            line = xr3.line()
+            line.ask("E?")
+            done = run_xr3("watch", "--once", "--lines", f"localhost:{xr3.monitor_port}")
+            self.assertEqual((0, ""), (done.returncode, done.stderr))
+            self.assertRegex(done.stdout, r"\n +line +kind +peer +age +in +out +last\n +1 +tcp ")
+            self.assertNotIn("quit", done.stdout)
+
     def test_shows_a_stall(self):
         with Server(clock="real:50") as xr3, watch(xr3.monitor_port) as terminal:
             terminal.wait_text("rests")
@@ -222,20 +277,74 @@ class Watch(unittest.TestCase):
         self.assertEqual("", done.stdout)
         return done.returncode
 
+    def token_file(self, token=TOKEN):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        file = pathlib.Path(folder.name, "token")
+        file.write_text(token + "\n", encoding="utf-8")
+        file.chmod(0o600)
+        return file
+
+    def type_token(self, terminal, token, end="\r"):
+        terminal.press("t")
+        terminal.wait_text("token, not shown: 0 characters")
+        terminal.press(token)
+        text = terminal.wait_text(f"{len(token)} characters")
+        self.assertNotIn(token[:6], text)
+        terminal.press(end)
+        terminal.wait_for(lambda text: "not shown" not in text)
+
+    def test_the_token_can_be_typed_and_is_never_shown(self):
+        with Server("--token-file", self.token_file()) as xr3, watch(xr3.monitor_port) as terminal:
+            terminal.wait_text("t token   read only")
+            terminal.press("l")
+            terminal.wait_text("The list of serial lines needs the server's token.")
+            self.type_token(terminal, TOKEN[:-1])
+            terminal.wait_text("the server refuses this token: press t")
+            self.type_token(terminal, TOKEN, "\x1b")
+            self.assertIn("The list of serial lines needs", terminal.text())
+            self.type_token(terminal, TOKEN)
+            terminal.wait_text("No serial line is open.")
+            terminal.wait_text("space resume")
+            self.leave(terminal)
+
+    def test_a_private_server_shows_nothing_without_the_token(self):
+        with Server("--token-file", self.token_file(), "--private") as xr3:
+            with watch(xr3.monitor_port) as terminal:
+                terminal.wait_text("Press t and type it, or start xr3 watch with --token-file FILE")
+                self.type_token(terminal, TOKEN)
+                terminal.wait_text("-90.00 deg")
+                self.leave(terminal)
+            wrong = str(self.token_file("a wrong token of 30 letters"))
+            with watch(xr3.monitor_port, "--token-file", wrong) as terminal:
+                terminal.wait_text("the server refuses this token")
+                self.type_token(terminal, TOKEN)
+                terminal.wait_text("-90.00 deg")
+                self.leave(terminal)
+            address = f"localhost:{xr3.monitor_port}"
+            self.assertEqual(2, self.refused(address, "shows nothing without its token: see --token-file"))
+            self.assertEqual(2, self.refused(address, "refuses this token", "--token-file", wrong))
+
+    def test_once_needs_the_token_for_the_lines_only(self):
+        with Server("--token-file", self.token_file()) as xr3:
+            address = f"localhost:{xr3.monitor_port}"
+            self.assertEqual(0, run_xr3("watch", "--once", address).returncode)
+            self.assertEqual(2, self.refused(address, "the call lines needs the token: see --token-file", "--lines"))
+            done = run_xr3("watch", "--once", "--lines", address, env={**os.environ, "XR3_TOKEN": TOKEN})
+            self.assertEqual((0, ""), (done.returncode, done.stderr))
+            self.assertIn("No serial line is open.", done.stdout)
+
     def test_keys_need_the_token(self):
-        with tempfile.TemporaryDirectory() as folder:
-            file = pathlib.Path(folder, "token")
-            file.write_text(TOKEN + "\n", encoding="ascii")
-            file.chmod(0o600)
-            with Server("--token-file", file) as xr3:
-                with watch(xr3.monitor_port) as terminal:
-                    terminal.wait_text("read only")
-                    terminal.press("h")
-                    terminal.wait_text("--token-file")
-                with watch(xr3.monitor_port, "--token-file", str(file)) as terminal:
-                    terminal.wait_text("space resume")
-                with watch(xr3.monitor_port, environment={"XR3_TOKEN": TOKEN}) as terminal:
-                    terminal.wait_text("space resume")
+        file = self.token_file()
+        with Server("--token-file", file) as xr3:
+            with watch(xr3.monitor_port) as terminal:
+                terminal.wait_text("read only")
+                terminal.press("h")
+                terminal.wait_text("this key needs the token: press t, or use --token-file FILE or XR3_TOKEN")
+            with watch(xr3.monitor_port, "--token-file", str(file)) as terminal:
+                terminal.wait_text("space resume")
+            with watch(xr3.monitor_port, environment={"XR3_TOKEN": TOKEN}) as terminal:
+                terminal.wait_text("space resume")
 
 
 if __name__ == "__main__":

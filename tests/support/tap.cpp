@@ -33,7 +33,7 @@ void Tap::receive(std::string_view bytes) {
   line_.receive(bytes, simulation_, exchanges_);
   fill_in(records_.emplace_back(), in, bytes, before, exchanges_, simulation_);
   const std::string sent(line_.outbox());
-  line_.sent(sent.size());
+  line_.sent(sent.size(), 0);
   received_ += sent;
   if (!sent.empty()) fill_out(records_.emplace_back(), out, sent, exchanges_, line_.released());
 }

@@ -35,6 +35,15 @@ constexpr const char* kWarned = R"({"op":"event","cell":"main","epoch":2,"seq":4
   "event":"warning","line":4,"code":"number_out_of_range","message":"B+200: too far; ignored",
   "offset":0,"hex":"42","count":3})";
 
+constexpr const char* kLines = R"({"op":"result","id":"lines","ok":true,"value":{
+  "epoch":2,"tick":12345,"lines":[
+    {"line":3,"kind":"tcp","peer":"127.0.0.1:51022","opened_tick":2345,"bytes_in":12,
+     "bytes_out":1,"warnings":0,"last":"E?"},
+    {"line":14,"kind":"pty","peer":"/home/student/rhino","opened_tick":12000,"bytes_in":1234567,
+     "bytes_out":7,"warnings":0,"last":"A*12,34*","serial":"9600-7e2"}],
+  "device":{"kind":"device","peer":"/dev/ttyUSB0","open":false,"opened_tick":null,"bytes_in":0,
+            "bytes_out":0,"last":"","serial":"9600-7e2"}}})";
+
 /// Joins the lines of a text: a message is one line.
 std::string one_line(std::string text) {
   std::erase(text, '\n');
@@ -56,6 +65,8 @@ std::string watched_state(const std::string& from, const std::string& to) {
   if (at == std::string::npos) throw std::invalid_argument(from + " is not in the state");
   return state.replace(at, from.size(), to);
 }
+
+std::string watched_lines() { return one_line(kLines); }
 
 std::vector<std::string> watched_messages() {
   return {one_line(kModel), watched_state(),  one_line(kImage),

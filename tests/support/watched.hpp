@@ -15,6 +15,9 @@ std::vector<std::string> watched_messages();
 /// The state with `from`, which must be present, replaced by `to`.
 std::string watched_state(const std::string& from = "", const std::string& to = "");
 
+/// The result of the call `lines`: a device that is not there, a TCP connection and a terminal.
+std::string watched_lines();
+
 /// A model that has handled all of these messages.
 watch::WatchModel watched_model(watch::Wish wish = {});
 

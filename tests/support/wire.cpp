@@ -13,7 +13,7 @@ void Wire::send(std::string_view bytes, Simulation& simulation) {
 
 std::string Wire::received() {
   std::string bytes(line_.outbox());
-  line_.sent(bytes.size());
+  line_.sent(bytes.size(), 0);
   return bytes;
 }
 

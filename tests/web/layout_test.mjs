@@ -50,15 +50,18 @@ for (const colorScheme of ["dark", "light"]) {
     }, { colorScheme }));
 }
 
+/** In the page: the controls that a finger would miss, with their sizes. */
+const tooSmall = () => [...document.querySelectorAll("[type=checkbox], [data-block], .blocks button, #workcell-panel button")]
+  .map((each) => [each.dataset.block ?? (each.id || each.textContent), each.getBoundingClientRect()])
+  .filter(([, { width, height }]) => width > 0 && Math.min(width, height) < 23.9).map(([name, { width, height }]) => `${name}: ${width}×${height}`);
+
 const kTablets = [{ width: 1024, height: 768 }, { width: 768, height: 1024 }];
 for (const viewport of kTablets) {
   test(`${viewport.width}×${viewport.height}: checkboxes and blocks are large enough for touch, and the plan fills its panel`, () =>
     withPage(["--clock", "manual"], async (page) => {
       await page.click("#tab-workcell");
-      const small = await page.evaluate(() => [...document.querySelectorAll("[type=checkbox], [data-block], .blocks button, #workcell-panel button")]
-        .map((each) => [each.dataset.block ?? (each.id || each.textContent), each.getBoundingClientRect()])
-        .filter(([, { width, height }]) => width > 0 && Math.min(width, height) < 23.9).map(([name, { width, height }]) => `${name}: ${width}×${height}`));
-      assert.deepEqual(small, []);
+      await page.waitForFunction(`(${tooSmall})().length === 0`).catch(() => {});  // the plan takes its size after the click
+      assert.deepEqual(await page.evaluate(tooSmall), []);
       const used = await page.evaluate(() => {
         const [plan, space] = ["#plan", "#plan .space"].map((each) => document.querySelector(each).getBoundingClientRect());
         return space.width / plan.width;

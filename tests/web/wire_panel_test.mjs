@@ -38,7 +38,7 @@ test("a warning of the machine stands between the bytes and is not counted", () 
     await rest();
     const row = page.locator("#wire li.warning");
     await row.waitFor();
-    assert.match(await row.textContent(), /^@\d+ released_in_air: block cube was released 310.7 mm above the work surface/);
+    assert.match(await row.textContent(), /^@\d+ released_in_air: block cube was released 270.7 mm above block red/);
     await says(page, /^2 messages$/);
     await page.fill("#wire-filter", "cube");
     await says(page, /^0 of 2 messages$/);

@@ -10,10 +10,14 @@ namespace {
 
 constexpr const char* kAuthId = "auth";
 constexpr const char* kKeyId = "key";
+constexpr const char* kLinesId = "lines";
 constexpr const char* kLastId = "last";
 constexpr int kMaxStatesPerS = 20;
 constexpr int kMaxImagesPerS = 10;
 constexpr int kStepTicks = 10;
+
+constexpr const char* kHowToUnlock = "press t, or use --token-file FILE or XR3_TOKEN";
+constexpr const char* kHowToUnlockOnce = "see --token-file and XR3_TOKEN";
 
 /// All but the drawing.
 const std::vector<std::string> kDisplayFields{"on",           "view",          "erase",
@@ -31,7 +35,7 @@ std::string WatchModel::request(Json members) const {
 
 // One byte is enough to select JSON. If the peer is a serial line instead, it moves nothing.
 std::string WatchModel::opening() {
-  is_opened_ = has_sent_token_ = false;
+  is_opened_ = has_sent_token_ = is_asking_lines_ = false;
   return "{";
 }
 
@@ -71,11 +75,13 @@ std::vector<std::string> WatchModel::handle_hello(const Json& message) {
   known_.tick_hz = std::max<std::int64_t>(known_.tick_hz, 1);
   read_clock(member(message, "clock"), known_);
   known_.has_control = value_of<std::string>(message, "access") == "control";
-  const bool is_locked = value_of<std::string>(message, "access") == "none";
-  return first_requests(member(message, "channels"), is_locked);
+  known_.is_locked = value_of<std::string>(message, "access") == "none";
+  if (known_.is_locked && wish_.token.empty())
+    known_.last_message = "this server shows nothing without its token: " + how_to_unlock();
+  return first_requests(member(message, "channels"));
 }
 
-std::vector<std::string> WatchModel::first_requests(const Json& channels, bool is_locked) {
+std::vector<std::string> WatchModel::first_requests(const Json& channels) {
   const bool is_once = wish_.interest == Interest::kOnce;
   std::vector<std::string> requests;
   if (!std::exchange(is_opened_, true)) requests.emplace_back("\"op\":\"ping\"}\n");
@@ -91,9 +97,12 @@ std::vector<std::string> WatchModel::first_requests(const Json& channels, bool i
   if (!is_once) state_options["max_hz"] = kMaxStatesPerS;
   if (!is_once) image_options["max_hz"] = kMaxImagesPerS;
 
-  if (!wish_.token.empty() && !std::exchange(has_sent_token_, true))
-    requests.push_back(request({{"op", "auth"}, {"id", kAuthId}, {"token", wish_.token}}));
-  if (is_locked && !wish_.token.empty()) return requests;  // another `hello` follows
+  if (!wish_.token.empty() && !std::exchange(has_sent_token_, true)) requests.push_back(auth());
+  const std::string last = Json{{"op", "ping"}, {"id", kLastId}}.dump() + "\n";
+  if (known_.is_locked) {  // with the token, another `hello` follows
+    if (wish_.token.empty()) requests.push_back(last);
+    return requests;
+  }
   add(op, "model", Json{{"fields", {"robot"}}});
   add(op, "state", state_options);
   Json display_options{{"fields", kDisplayFields}};
@@ -103,8 +112,8 @@ std::vector<std::string> WatchModel::first_requests(const Json& channels, bool i
   // Subscribe first, then get earlier events: an event that arrives both ways has the same seq.
   if (!is_once) add("sub", "event", Json::object());
   add("get", "event", Json::object());
-  // Without the cell, so that it is answered even if there is no such cell.
-  requests.push_back(Json{{"op", "ping"}, {"id", kLastId}}.dump() + "\n");
+  if (is_once && wish_.wants_lines) requests.push_back(call(kLinesId, "lines", Json::object()));
+  requests.push_back(last);  // without the cell: it is answered even if there is no such cell
   return requests;
 }
 
@@ -144,27 +153,59 @@ void WatchModel::handle_event(const Json& message) {
 }
 
 void WatchModel::handle_result(const Json& message) {
-  if (value_of<bool>(message, "ok")) {
-    const Json& value = member(message, "value");
-    // A step that changes only the time does not publish a state.
-    read(value, "epoch", known_.epoch);
-    read(value, "tick", known_.tick);
-    const auto access = value_of<std::string>(value, "access");
-    if (!access.empty()) known_.has_control = access == "control";
-    return;
-  }
+  const bool is_of_lines = member(message, "id") == kLinesId;
+  if (is_of_lines) is_asking_lines_ = false;
+  if (!value_of<bool>(message, "ok")) return handle_refusal(message);
+  const Json& value = member(message, "value");
+  // A step that changes only the time does not publish a state.
+  read(value, "epoch", known_.epoch);
+  read(value, "tick", known_.tick);
+  if (is_of_lines) known_.lines = read_lines(value);
+  const auto access = value_of<std::string>(value, "access");
+  if (access.empty()) return;
+  known_.has_control = access == "control";
+  known_.last_message.clear();
+}
+
+void WatchModel::handle_refusal(const Json& message) {
   const Json& error = member(message, "error");
-  if (value_of<std::string>(error, "code") == "no_camera") return;
+  const auto code = value_of<std::string>(error, "code");
+  if (code == "no_camera") return;
   known_.last_message = value_of<std::string>(error, "message", "the server refused a request");
+  if (code == "token_required") known_.last_message += ": " + how_to_unlock();
+  if (member(message, "id") != kAuthId) return;
+  wish_.token.clear();  // wrong tokens end the connection in the long run
+  known_.last_message = "the server refuses this token: " + how_to_unlock();
+  if (known_.is_locked) is_complete_ = true;
+}
+
+/// Names no key where there is none.
+std::string WatchModel::how_to_unlock() const {
+  return wish_.interest == Interest::kOnce ? kHowToUnlockOnce : kHowToUnlock;
 }
 
 bool WatchModel::may_call() {
-  known_.last_message = known_.has_control ? "" : "control keys need a token: see --token-file";
+  known_.last_message = known_.has_control ? "" : "this key needs the token: " + how_to_unlock();
   return known_.has_control;
 }
 
-std::string WatchModel::call(const char* fn, Json args) const {
-  return request({{"op", "call"}, {"id", kKeyId}, {"fn", fn}, {"args", std::move(args)}});
+std::string WatchModel::call(const char* id, const char* fn, Json args) const {
+  return request({{"op", "call"}, {"id", id}, {"fn", fn}, {"args", std::move(args)}});
+}
+
+std::optional<std::string> WatchModel::ask_lines() {
+  if (!known_.has_control || std::exchange(is_asking_lines_, true)) return {};
+  return call(kLinesId, "lines", Json::object());
+}
+
+std::string WatchModel::unlock(std::string token) {
+  wish_.token = std::move(token);
+  has_sent_token_ = true;
+  return auth();
+}
+
+std::string WatchModel::auth() const {
+  return request({{"op", "auth"}, {"id", kAuthId}, {"token", wish_.token}});
 }
 
 std::optional<std::string> WatchModel::ask(const FunctionCall& function) {
@@ -172,18 +213,18 @@ std::optional<std::string> WatchModel::ask(const FunctionCall& function) {
   Json args{{"function", function.function}};
   if (function.value.size() == 1) args["value"] = function.value[0];
   if (function.value.size() > 1) args["value"] = function.value;
-  return call("key", std::move(args));
+  return call(kKeyId, "key", std::move(args));
 }
 
 std::optional<std::string> WatchModel::ask(Action action) {
   if (!may_call()) return {};
   // No fields: the state arrives by its channel.
   const auto step = [&](std::int64_t ticks) {
-    return call("step", {{"ticks", ticks}, {"fields", Json::array()}});
+    return call(kKeyId, "step", {{"ticks", ticks}, {"fields", Json::array()}});
   };
   switch (action) {
     case Action::kPauseOrResume:
-      return call(known_.mode == ClockMode::kReal ? "pause" : "resume", Json::object());
+      return call(kKeyId, known_.mode == ClockMode::kReal ? "pause" : "resume", Json::object());
     case Action::kStep: return step(kStepTicks);
     case Action::kStepSecond: return step(known_.tick_hz);
   }

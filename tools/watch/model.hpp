@@ -25,6 +25,7 @@ struct Wish {
   std::string cell;
   std::string token;
   Interest interest = Interest::kOn;
+  bool wants_lines = false;  ///< Interest::kOnce: the serial lines, too
 };
 
 /// An action triggered by a key.
@@ -51,6 +52,13 @@ class WatchModel {
   /// The same for a function of command mode.
   std::optional<std::string> ask(const FunctionCall& call);
 
+  /// The request for the serial lines. nullopt without permission for calls, or while the last one
+  /// is not answered.
+  std::optional<std::string> ask_lines();
+  /// The request for access with this token, which is kept for later connections unless the server
+  /// refuses it.
+  std::string unlock(std::string token);
+
   const Known& known() const { return known_; }
   /// For Interest::kOnce: all data has been received.
   bool is_complete() const { return is_complete_; }
@@ -59,13 +67,16 @@ class WatchModel {
 
  private:
   std::vector<std::string> handle_hello(const Json& message);
-  std::vector<std::string> first_requests(const Json& channels, bool is_locked);
+  std::vector<std::string> first_requests(const Json& channels);
   void handle_state(const Json& message);
   void handle_model(const Json& message);
   void handle_event(const Json& message);
   void handle_result(const Json& message);
+  void handle_refusal(const Json& message);
   bool may_call();
-  std::string call(const char* fn, Json args) const;
+  std::string how_to_unlock() const;
+  std::string auth() const;
+  std::string call(const char* id, const char* fn, Json args) const;
   std::string request(Json members) const;
   bool is_of_our_cell(const Json& message) const;
 
@@ -73,6 +84,7 @@ class WatchModel {
   Known known_;
   bool is_opened_ = false;       ///< the request that opening() begins is complete
   bool has_sent_token_ = false;  ///< on this connection
+  bool is_asking_lines_ = false;
   bool is_complete_ = false;
   bool has_left_ = false;
 };

@@ -58,7 +58,7 @@ void paint_blocks(TextScreen& screen, const TextArea& area, const std::vector<Bl
 
 TextStyle style_of(const Note& note) {
   if (note.kind == "stalled") return TextStyle::kBad;
-  const bool is_warning = note.kind == "warning" || note.kind == "blocked";
+  const bool is_warning = note.kind == "warning" || note.kind == "blocked" || note.kind == "fault";
   return is_warning ? TextStyle::kWarning : TextStyle::kPlain;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "tools/text/screen.hpp"
 #include "tools/watch/watched_cell.hpp"
@@ -23,6 +24,14 @@ void paint_blocks_and_lines(TextScreen& screen, const TextArea& area, const Stat
 
 /// A rule, then the latest notes, the newest at the bottom.
 void paint_notes(TextScreen& screen, const TextArea& area, const Known& known);
+
+/// A heading and a row for each line. Columns that do not fit are left out, as are rows: the last
+/// one then shows their number.
+void paint_serial_lines(TextScreen& screen, const TextArea& area, const Known& known,
+                        const std::vector<LineEntry>& lines);
+
+/// A duration, such as "3 min 20 s".
+std::string age_text(std::int64_t seconds);
 
 /// A rule, then the image in half blocks, two pixels per cell, shrunk to fit.
 void paint_image(TextScreen& screen, const TextArea& area, const Image& image);

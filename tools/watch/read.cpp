@@ -41,6 +41,21 @@ Block read_block(const Json& object) {
   return block;
 }
 
+LineEntry read_line(const Json& object) {
+  LineEntry line;
+  if (member(object, "line").is_number_integer())
+    line.number = value_of<std::int64_t>(object, "line");
+  read(object, "kind", line.kind);
+  read(object, "peer", line.peer);
+  if (member(object, "opened_tick").is_number_integer())
+    line.opened = value_of<std::int64_t>(object, "opened_tick");
+  read(object, "bytes_in", line.bytes_in);
+  read(object, "bytes_out", line.bytes_out);
+  read(object, "serial", line.settings);
+  read(object, "last", line.last);
+  return line;
+}
+
 template <class Value>
 std::vector<Value> read_each(const Json& object, const char* name, Value (*read_one)(const Json&)) {
   std::vector<Value> values;
@@ -87,7 +102,18 @@ State read_state(const Json& message) {
   read(io, "aux", state.aux);
   read(message, "stalled", state.stalled);
   read(message, "enabled", state.is_enabled);
+  const Json& device = member(message, "device");
+  if (device.is_object())
+    state.device = {value_of<std::string>(device, "path"), value_of<bool>(device, "open"),
+                    value_of<bool>(device, "engaged")};
   return state;
+}
+
+std::vector<LineEntry> read_lines(const Json& value) {
+  std::vector<LineEntry> lines = read_each<LineEntry>(value, "lines", read_line);
+  const Json& device = member(value, "device");
+  if (device.is_object()) lines.insert(lines.begin(), read_line(device));
+  return lines;
 }
 
 Display read_display(const Json& message) {

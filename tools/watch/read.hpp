@@ -24,6 +24,8 @@ inline constexpr std::size_t kMaxPixels = 4096;
 
 /// Reads a `state` message.
 State read_state(const Json& message);
+/// Reads the value of the call `lines`.
+std::vector<LineEntry> read_lines(const Json& value);
 /// Reads a `display` message.
 Display read_display(const Json& message);
 /// Reads the member `clock` of `state` and `hello`.

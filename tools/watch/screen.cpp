@@ -28,6 +28,8 @@ constexpr std::array kHelp{
     "h                home, like A$ on a line: also clears a stall",
     "m  Alt -         the menu of the controller's functions: display, view, status",
     "                 line, simulator; each has a letter and most have Alt F1 to F6",
+    "l                the serial lines: who is connected, with bytes and settings",
+    "t                type the token of the server, if it needs one",
     "?                show or leave this page",
     "",
     "A bar shows the position of a joint between its limits.",
@@ -65,11 +67,11 @@ void paint_title(TextScreen& screen, const Known& known, const Link& link) {
 
 std::string keys_text(const Known& known) {
   const bool is_standing = known.mode == ClockMode::kManual;
-  std::string keys = "q quit   ? help   m menu";
+  std::string keys = "q quit   ? help   m menu   l lines";
   if (known.has_control) {
     keys += is_standing ? "   space resume   . step   h home" : "   space pause   h home";
-  } else if (!known.cell.empty()) {
-    keys += "   read only";
+  } else if (!known.server.empty()) {
+    keys += known.is_locked ? "   t token" : "   t token   read only";
   }
   return keys;
 }
@@ -77,7 +79,8 @@ std::string keys_text(const Known& known) {
 /// The prompt; without one the keys, or instead of them the server's last message.
 void paint_footer(TextScreen& screen, const Known& known, Page page, const std::string& prompt) {
   if (!prompt.empty()) return paint_ends(screen, screen.rows() - 1, prompt, "", TextStyle::kTitle);
-  const std::string keys = page == Page::kPrint ? "" : keys_text(known);
+  const bool is_printed = page == Page::kPrint || page == Page::kPrintLines;
+  const std::string keys = is_printed ? "" : keys_text(known);
   const bool has_message = !known.last_message.empty();
   paint_ends(screen, screen.rows() - 1, has_message ? known.last_message : keys,
              has_message ? "" : known.server, TextStyle::kTitle);
@@ -89,6 +92,13 @@ std::string stall_text(const std::string& stall) {
   return stall;
 }
 
+/// Who gets the commands while the simulator is disabled.
+std::string disabled_text(const std::optional<Device>& device) {
+  if (!device || !device->is_engaged) return "disabled: only A@ is executed";
+  if (device->is_there) return "disabled: commands go to device " + device->path;
+  return "disabled: device " + device->path + " is not there; commands are dropped";
+}
+
 /// The most important notice; empty if there is none.
 std::string banner_text(const State& state, const Link& link) {
   if (link.phase != Link::Phase::kLive) {
@@ -98,7 +108,7 @@ std::string banner_text(const State& state, const Link& link) {
   if (!state.stalled.empty()) {
     return "STALLED: " + stall_text(state.stalled) + "; h (or A$, or reset) clears it";
   }
-  return state.is_enabled ? "" : "disabled: only A@ is executed";
+  return state.is_enabled ? "" : disabled_text(state.device);
 }
 
 void paint_lines(TextScreen& screen, const std::vector<std::string>& lines) {
@@ -111,7 +121,11 @@ void paint_lines(TextScreen& screen, const std::vector<std::string>& lines) {
   }
 }
 
-void paint_waiting(TextScreen& screen, const Link& link) {
+void paint_waiting(TextScreen& screen, const Known& known, const Link& link) {
+  if (link.phase == Link::Phase::kLive && known.is_locked)
+    return paint_lines(screen, {"This server shows nothing without its token.", "",
+                                "Press t and type it, or start xr3 watch with --token-file FILE,",
+                                "or with the token in XR3_TOKEN."});
   if (link.phase == Link::Phase::kLive)
     return paint_lines(screen, {"waiting for the robot's state"});
   if (link.trouble.empty()) return paint_lines(screen, {"connecting to " + link.address});
@@ -210,13 +224,18 @@ void paint_narrow(TextScreen& screen, const TextArea& area, const Known& known,
   }
 }
 
-void paint_state(TextScreen& screen, const Known& known, const State& state, const Link& link) {
+/// Returns the area between the banner, if there is one, and the footer.
+TextArea paint_banner(TextScreen& screen, const State& state, const Link& link) {
   TextArea area{1, 1, std::max(0, screen.rows() - 2), std::max(0, screen.columns() - 2)};
   const std::string banner = banner_text(state, link);
-  if (!banner.empty() && area.rows > 0) {
-    screen.put(area.row++, area.column, banner, TextStyle::kBad, area.columns);
-    --area.rows;
-  }
+  if (banner.empty() || area.rows == 0) return area;
+  screen.put(area.row++, area.column, banner, TextStyle::kBad, area.columns);
+  --area.rows;
+  return area;
+}
+
+void paint_state(TextScreen& screen, const Known& known, const State& state, const Link& link) {
+  TextArea area = paint_banner(screen, state, link);
   if (known.display && !known.display->status_text.empty() && area.rows > 0) {
     --area.rows;
     screen.put(area.row + area.rows, area.column, known.display->status_text, TextStyle::kStrong,
@@ -230,6 +249,21 @@ void paint_state(TextScreen& screen, const Known& known, const State& state, con
   }
 }
 
+void paint_lines_page(TextScreen& screen, const Known& known, const State& state,
+                      const Link& link) {
+  const TextArea area = paint_banner(screen, state, link);
+  if (!known.has_control)
+    return paint_lines(screen, {"The list of serial lines needs the server's token.", "",
+                                "Press t and type it, or start xr3 watch with --token-file FILE,",
+                                "or with the token in XR3_TOKEN."});
+  if (!known.lines) return paint_lines(screen, {"waiting for the list of serial lines"});
+  if (known.lines->empty())
+    return paint_lines(
+        screen, {"No serial line is open.", "",
+                 "Connect a robot program to the robot port (usually 9600), or run xr3 term."});
+  paint_serial_lines(screen, area, known, *known.lines);
+}
+
 }  // namespace
 
 TextScreen watch_screen(const Known& known, const Link& link, Page page, int rows, int columns,
@@ -239,10 +273,12 @@ TextScreen watch_screen(const Known& known, const Link& link, Page page, int row
     paint_lines(screen, {kHelp.begin(), kHelp.end()});
   } else if (page == Page::kMenu) {
     paint_lines(screen, menu_lines(known.display, !known.state || known.state->is_enabled));
-  } else if (known.state) {
-    paint_state(screen, known, *known.state, link);
+  } else if (!known.state) {
+    paint_waiting(screen, known, link);
+  } else if (page == Page::kLines || page == Page::kPrintLines) {
+    paint_lines_page(screen, known, *known.state, link);
   } else {
-    paint_waiting(screen, link);
+    paint_state(screen, known, *known.state, link);
   }
   paint_title(screen, known, link);
   paint_footer(screen, known, page, prompt);

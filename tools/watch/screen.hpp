@@ -18,9 +18,9 @@ struct Link {
   std::string trouble;  ///< why there is no connection; empty: not known yet
 };
 
-/// The page on the screen: the cell, the help page, the menu of command mode, or the cell without a
-/// line of keys (for printing).
-enum class Page : std::uint8_t { kCell, kHelp, kMenu, kPrint };
+/// The page on the screen: the cell, the help page, the menu of command mode, or the serial lines;
+/// or the cell or the lines without a line of keys, for printing.
+enum class Page : std::uint8_t { kCell, kHelp, kMenu, kLines, kPrint, kPrintLines };
 
 /// Any size is allowed. A `prompt` replaces the line of keys. After the connection is lost the last data stay on the screen, with a
 /// notice.

@@ -45,6 +45,13 @@ struct Block {
   bool is_held = false;
 };
 
+/// A physical controller behind the lines.
+struct Device {
+  std::string path;
+  bool is_there = false;
+  bool is_engaged = false;  ///< commands of the lines go to it
+};
+
 /// The channel `state`.
 struct State {
   std::vector<Axis> joints;  ///< from the base
@@ -55,6 +62,19 @@ struct State {
   std::vector<bool> aux;
   std::string stalled;  ///< "protected_region", "work_surface"; empty: not stalled
   bool is_enabled = true;
+  std::optional<Device> device;  ///< none: the server has no --serial
+};
+
+/// A serial line, or the physical controller, in the result of the call `lines`.
+struct LineEntry {
+  std::optional<std::int64_t> number;  ///< none: the physical controller
+  std::string kind;
+  std::string peer;                    ///< or the path of a device
+  std::optional<std::int64_t> opened;  ///< its tick; none: the physical controller is not there
+  std::int64_t bytes_in = 0;
+  std::int64_t bytes_out = 0;
+  std::string settings;  ///< of the serial port; empty: not known
+  std::string last;      ///< the last command
 };
 
 /// The channel `display`: the settings of command mode, and the status line.
@@ -100,6 +120,7 @@ struct Known {
   std::string cell;
   std::string robot;
   bool has_control = false;  ///< the server accepts our calls
+  bool is_locked = false;    ///< the server shows nothing without the token
   std::int64_t epoch = 0;
   std::int64_t tick = 0;
   std::int64_t tick_hz = 1000;
@@ -110,6 +131,8 @@ struct Known {
   std::optional<Display> display;
   std::optional<Image> image;          ///< none: no camera, or no image received yet
   std::map<std::int64_t, Note> notes;  ///< the latest ones, by seq
+  /// The physical controller first, if there is one. None before the first answer of `lines`.
+  std::optional<std::vector<LineEntry>> lines;
   /// The server's last message for the user: an error or the text of `bye`.
   std::string last_message;
 };

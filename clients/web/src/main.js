@@ -12,6 +12,7 @@ import { DeviceNotice } from "./panels/device_notice.js";
 import { DigitalLines } from "./panels/digital_lines.js";
 import { byId, setText } from "./lib/dom.js";
 import { JointTable } from "./panels/joints.js";
+import { LinesPanel } from "./panels/lines_panel.js";
 import { tip } from "./lib/kinematics.js";
 import { NoScene } from "./scene/no_scene.js";
 import { PaperView } from "./panels/paper_view.js";
@@ -54,8 +55,16 @@ const scene = makeScene(byId("solid"));
 const paper = new PaperView(byId("paper-canvas"));
 const joints = new JointTable(byId("joints"));
 const camera = new CameraPanel(byId("camera"), byId("camera-caption"));
-const lines = new DigitalLines({ setInput: (i, value) => call("input", { input: i + 1, value }) });
-const wire = new WirePanel({ list: byId("wire"), filter: byId("wire-filter"), count: byId("wire-count"), status: byId("wire-status") });
+const digitalLines = new DigitalLines({ setInput: (i, value) => call("input", { input: i + 1, value }) });
+const wire = new WirePanel({
+  list: byId("wire"), filter: byId("wire-filter"), count: byId("wire-count"), status: byId("wire-status"), source: byId("wire-source"),
+  onSource: (source) => lines.setChosen(source?.key ?? null),
+});
+const lines = new LinesPanel({
+  host: byId("lines-panel"), table: byId("lines-table"), body: byId("lines"), note: byId("lines-note"),
+  ask: () => connection.call("lines"), mayCall, tickNow: () => (known.state ? timeBar.tickNow() : 0), hz: () => known.hello?.tick_hz ?? 1000,
+  onChoose: showWireOf,
+});
 const consolePanel = new ConsolePanel({
   form: byId("console-form"), input: byId("console-input"), log: byId("console-log"), jog: byId("jog"), step: byId("jog-step"),
   send: (text) => connection.call("send", { text }), getState: (fields) => connection.get("state", { fields }), onError: showError,
@@ -74,7 +83,7 @@ new CommandMode({ run, toggleMenu: () => menu.toggle(), known });
 byId("home").onclick = () => call("home");
 byId("reset").onclick = () => call("reset");
 byId("outlines").onchange = (event) => camera.setOutlines(event.target.checked);
-wireTabs();
+const chooseTab = wireTabs((panel) => panel === "lines-panel" && lines.show());
 wireWireBar(wire);
 wireWorkcellBar(workcell);
 
@@ -86,6 +95,13 @@ function makeScene(host) {
     console.warn(error);
     return new NoScene(host);
   }
+}
+
+/** Shows the bytes of a row of the lines' table. */
+function showWireOf(entry) {
+  wire.setSource(entry);
+  chooseTab("tab-wire");
+  byId("wire-source").focus();
 }
 
 // --- Messages from the server.
@@ -107,6 +123,7 @@ function takeHello(hello) {
   setText(byId("robot-name"), hello.robot.name + (hello.compat === "paper" ? "" : ` (${hello.compat})`));
   access.set(hello.access);
   consolePanel.restart();
+  lines.show();
   if (before) wire.reconnected(isSooner(hello, before));
   recallWire();
 }
@@ -122,7 +139,9 @@ const isSooner = (a, b) => a.epoch < b.epoch || (a.epoch === b.epoch && a.tick <
 // If this fails (no token yet, or connection lost), it is repeated after the next hello or Unlock.
 async function recallWire() {
   const messages = await connection.recall("line").catch(() => null);
-  if (messages && wire.recall(messages)) scene.clearPath();
+  if (!messages || !wire.recall(messages)) return;
+  scene.clearPath();
+  wire.setSource(null); // the numbers are those of other lines now
 }
 
 // Results of subscriptions: with --private the server refuses them until it receives the token.
@@ -132,6 +151,7 @@ function takeResult({ error }) {
 
 function readAgain() {
   recallWire(); // before new `line` messages arrive
+  lines.show();
   connection.renew();
 }
 
@@ -147,7 +167,7 @@ function takeState(state) {
   known.state = state;
   known.arrival = performance.now();
   if (known.model) for (const panel of [scene, joints, camera, workcell]) panel.setState(state);
-  for (const panel of [timeBar, lines, alarm, device]) panel.setState(state);
+  for (const panel of [timeBar, digitalLines, alarm, device]) panel.setState(state);
   showTool(state);
   menu.show();
 }
@@ -161,6 +181,7 @@ function takeDisplay(display) {
 function takeLine(message) {
   wire.take(message);
   consolePanel.explain(message);
+  lines.touch();
 }
 
 // Skipped frames of other channels do no harm; missed `line` messages leave a gap in the wire
@@ -169,11 +190,15 @@ function takeLag(lag) {
   if (lag.channel === "line") wire.lag(lag);
 }
 
+const kOfLines = new Set(["line_open", "line_close", "device", "epoch"]);
+
 function takeEvent(event) {
   if (event.event === "epoch") scene.clearPath();
   if (event.event === "homed" || event.event === "epoch") scene.jump();
   if (event.event === "clock" && known.state) takeClock(event);
+  if (kOfLines.has(event.event)) lines.touch();
   if (event.line === null && (event.event === "warning" || event.event === "device")) wire.warn(event);
+  if (event.event === "fault") wire.warn(event);
 }
 
 // The event arrives before the next state and has the tick at which the new speed took effect.

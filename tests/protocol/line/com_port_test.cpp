@@ -14,16 +14,16 @@ using std::string_view_literals::operator""sv;
 
 struct Answer {
   std::string bytes;  ///< code and value in hex, without IAC SB 44 and IAC SE
-  ReplyControl replies;
+  BufferControl control;
 };
 
 Answer ask(ComPort& port, std::string_view request) {
   const std::vector<std::uint8_t> bytes(request.begin(), request.end());
   std::string out;
-  const ReplyControl replies = port.handle(bytes, out);
-  if (out.empty()) return {"", replies};
+  const BufferControl control = port.handle(bytes, out);
+  if (out.empty()) return {"", control};
   EXPECT_TRUE(out.starts_with("\xff\xfa\x2c") && out.ends_with("\xff\xf0")) << hexadecimal(out);
-  return {hexadecimal(std::string_view(out).substr(3, out.size() - 5)), replies};
+  return {hexadecimal(std::string_view(out).substr(3, out.size() - 5)), control};
 }
 
 struct RequestRow {
@@ -96,19 +96,19 @@ TEST(ComPort, IgnoresUnknownRequestsAndWrongLengths) {
         "\xff\x01"sv}) {
     const Answer answer = ask(port, request);
     EXPECT_EQ(answer.bytes, "") << hexadecimal(request);
-    EXPECT_EQ(answer.replies, ReplyControl::kNone) << hexadecimal(request);
+    EXPECT_EQ(answer.control, BufferControl::kNone) << hexadecimal(request);
   }
   EXPECT_EQ(port, ComPort());
 }
 
-TEST(ComPort, ControlsTheReplies) {
+TEST(ComPort, ControlsTheBytesUnderWay) {
   ComPort port;
-  EXPECT_EQ(ask(port, "\x08").replies, ReplyControl::kSuspend);
-  EXPECT_EQ(ask(port, "\x09").replies, ReplyControl::kResume);
-  EXPECT_EQ(ask(port, "\x0c\x01").replies, ReplyControl::kDrop);
-  EXPECT_EQ(ask(port, "\x0c\x02").replies, ReplyControl::kNone);
-  EXPECT_EQ(ask(port, "\x0c\x03").replies, ReplyControl::kDrop);
-  EXPECT_EQ(ask(port, "\x07").replies, ReplyControl::kNone);
+  EXPECT_EQ(ask(port, "\x08").control, BufferControl::kSuspend);
+  EXPECT_EQ(ask(port, "\x09").control, BufferControl::kResume);
+  EXPECT_EQ(ask(port, "\x0c\x01").control, BufferControl::kDropReplies);
+  EXPECT_EQ(ask(port, "\x0c\x02").control, BufferControl::kDropInput);
+  EXPECT_EQ(ask(port, "\x0c\x03").control, BufferControl::kDropBoth);
+  EXPECT_EQ(ask(port, "\x07").control, BufferControl::kNone);
 }
 
 TEST(ComPort, RemembersTheSettings) {

@@ -18,7 +18,7 @@ using std::string_view_literals::operator""sv;
 struct Filtered {
   std::string data;
   std::string answers;
-  std::vector<ReplyControl> replies;
+  std::vector<BufferControl> controls;
 };
 
 Filtered filter_all(TelnetFilter& filter, std::string_view bytes) {
@@ -28,7 +28,7 @@ Filtered filter_all(TelnetFilter& filter, std::string_view bytes) {
     const TelnetInput input = filter.feed(static_cast<std::uint8_t>(byte), filtered.answers);
     EXPECT_EQ(input.data.has_value(), is_data);
     if (input.data) filtered.data.push_back(static_cast<char>(*input.data));
-    if (input.replies != ReplyControl::kNone) filtered.replies.push_back(input.replies);
+    if (input.control != BufferControl::kNone) filtered.controls.push_back(input.control);
   }
   return filtered;
 }
@@ -225,18 +225,18 @@ TEST(Rfc2217, OtherSubnegotiationsAreIgnored) {
 
 TEST(Rfc2217, SuspendsAndResumesReplies) {
   TelnetFilter line = with_com_port();
-  using enum ReplyControl;
-  EXPECT_EQ(filter_all(line, requests_of("08|09|0c 01|0c 02|0c 03")).replies,
-            (std::vector{kSuspend, kResume, kDrop, kDrop}));
+  using enum BufferControl;
+  EXPECT_EQ(filter_all(line, requests_of("08|09|0c 01|0c 02|0c 03")).controls,
+            (std::vector{kSuspend, kResume, kDropReplies, kDropInput, kDropBoth}));
 }
 
 TEST(Rfc2217, TheEndOfTheOptionResumesReplies) {
   TelnetFilter line = with_com_port();
   filter_all(line, bytes_of("ff fd 2c"));
-  EXPECT_EQ(filter_all(line, bytes_of("ff fc 2c")).replies.size(), 0U) << "one side is still on";
+  EXPECT_EQ(filter_all(line, bytes_of("ff fc 2c")).controls.size(), 0U) << "one side is still on";
   const Filtered off = filter_all(line, bytes_of("ff fe 2c"));
   EXPECT_EQ(off.answers, bytes_of("ff fc 2c"));
-  EXPECT_EQ(off.replies, std::vector{ReplyControl::kResume});
+  EXPECT_EQ(off.controls, std::vector{BufferControl::kResume});
   EXPECT_FALSE(line.settings());
 }
 

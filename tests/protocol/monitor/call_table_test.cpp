@@ -177,6 +177,25 @@ TEST(MonitorCalls, ParsesLinesAndLineDisconnect) {
   }
 }
 
+TEST(MonitorCalls, ParsesFaults) {
+  const auto set = call_of<call::SetFault>(
+      "fault_set",
+      R"({"fault":{"name":"jam","kind":"motor_slow","joint":"E","percent":5,"at_tick":9},"seed":4})");
+  EXPECT_EQ(set.fault.name, "jam");
+  EXPECT_EQ(set.fault.percent, 5U);
+  EXPECT_EQ(set.seed, 4U);
+  EXPECT_EQ(wrong_in("fault_set", "{}"), Pointers{"/args/fault"});
+  EXPECT_EQ(
+      wrong_in("fault_set", R"({"fault":{"name":"","kind":"motor_slow","at_tick":-1},"seed":-1})"),
+      (Pointers{"/args/seed", "/name", "/at_tick"}));
+  EXPECT_EQ(wrong_in("fault_set", R"({"fault":{"name":"x","kind":"motor_stuck","at_tick":1}})"),
+            Pointers{"/joint"});
+  other_of<ListFaults>("fault_list", "{}");
+  EXPECT_EQ(call_of<call::ClearFault>("fault_clear", R"({"name":"jam"})").name, "jam");
+  EXPECT_EQ(call_of<call::ClearFault>("fault_clear", "{}").name, "");
+  EXPECT_EQ(wrong_in("fault_clear", R"({"name":""})"), Pointers{"/args/name"});
+}
+
 TEST(MonitorCalls, AcceptsKeysOfCommandMode) {
   const auto command = [](const std::string& args) {
     return call_of<call::Key>("key", args).command;

@@ -144,5 +144,26 @@ TEST(EventJson, Enabled) {
             R"("message":"the simulator is disabled; only A@ is executed","enabled":false})");
 }
 
+TEST(EventJson, EnabledWithADevice) {
+  const auto message = [](const HandoverNote& note) {
+    const Json event = event_json({0, 1, LineId{3}, note}, *test::rhino());
+    EXPECT_EQ(event["event"], "enabled");
+    EXPECT_EQ(event["code"], note.enabled ? "enabled" : "disabled");
+    EXPECT_EQ(event["enabled"], note.enabled);
+    return event["message"].get<std::string>();
+  };
+  EXPECT_EQ(message({true, "/dev/arm"}),
+            "the simulator is enabled; device /dev/arm gets no command");
+  EXPECT_EQ(message({false, "/dev/arm"}),
+            "the simulator is disabled; commands go to device /dev/arm");
+  EXPECT_EQ(
+      message({false, "/dev/arm", false}),
+      "the simulator is disabled; commands go to device /dev/arm, which is not there: they are "
+      "dropped");
+  EXPECT_EQ(message({false, "/dev/arm", true, true}),
+            "the simulator is disabled; commands go to device /dev/arm, and the simulation carries "
+            "them out, too");
+}
+
 }  // namespace
 }  // namespace xr3

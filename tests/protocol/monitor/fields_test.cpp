@@ -51,12 +51,14 @@ TEST(MonitorFields, EventsHaveTheFieldsOfAllKinds) {
       EventBody{InputChanged{1, true}},
       EventBody{AuxiliaryChanged{1, true}},
       EventBody{EnabledChanged{true}},
+      EventBody{FaultNews{}},
       ProblemNote{},
       LineOpenedNote{},
       LineClosedNote{},
       ClockNote{"pause", ClockMode::kManual, {}},
       ModelNote{"block_add", "red", 2},
       EpochNote{"reset", 0, 7},
+      HandoverNote{},
       DeviceNote{},
   };
   Json all = Json::object();

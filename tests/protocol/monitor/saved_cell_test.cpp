@@ -185,6 +185,67 @@ TEST(SavedCellJson, AMachineContinuesFromIt) {
   EXPECT_EQ(one.state(), other.state());
 }
 
+Fault slip_of(char joint) {
+  Fault fault;
+  fault.name = "slip";
+  fault.kind = FaultKind::kEncoderSlip;
+  fault.joint = joint;
+  fault.chance = 123'456'789;
+  fault.from_tick = 0;
+  return fault;
+}
+
+Fault stuck_switch() {
+  Fault fault;
+  fault.name = "stuck";
+  fault.kind = FaultKind::kSwitchStuckClosed;
+  fault.joint = 'D';
+  fault.at_tick = 100;
+  fault.ticks = 500;
+  return fault;
+}
+
+TEST(SavedCellJson, AMachineWithFaultsContinuesFromIt) {
+  const ModelPtr model = test::rhino();
+  Simulation one(model);
+  one.install_faults({5, {slip_of('E'), stuck_switch()}});
+  one.execute(Move{'E', 100});
+  one.advance_to(300);
+  ASSERT_GT(one.state().faults.all[0].effects, 0U);
+  const SavedCell saved{"sha256:1", model->workcell(), one.state()};
+  const SavedCellReading reading = read_again(saved);
+  ASSERT_TRUE(reading.saved) << to_text(reading.findings);
+  EXPECT_TRUE(monitor::validate(*model, *reading.saved).empty());
+  Simulation other(model);
+  other.restore(reading.saved->state);
+  EXPECT_EQ(one.state(), other.state());
+  one.take_events();
+  one.advance_to(2000);
+  other.advance_to(2000);
+  EXPECT_EQ(one.state(), other.state());
+  EXPECT_EQ(one.events(), other.events());
+}
+
+TEST(SavedCellJson, RejectsFaultsThatAFileMayNotHave) {
+  Simulation one(test::rhino());
+  one.install_faults({5, {slip_of('E'), stuck_switch()}});
+  SavedCell saved{"sha256:1", test::bare_workcell(), one.state()};
+  saved.state.faults.all[1].fault.name = "slip";
+  saved.state.faults.all[1].fault.count = 3;
+  Strings pointers;
+  for (const Finding& finding : read_again(saved).findings) pointers.push_back(finding.pointer);
+  EXPECT_EQ(pointers,
+            (Strings{"/state/faults/all/1/fault/count", "/state/faults/all/1/fault/count"}));
+}
+
+TEST(SavedCellJson, FaultsOfJointsThatTheRobotLacksAreInvalid) {
+  SavedCell saved{"sha256:1", test::bare_workcell(), initial_state(*test::rhino())};
+  saved.state.faults.all.push_back({slip_of('G')});
+  const auto details = monitor::validate(*test::rhino(), saved);
+  ASSERT_EQ(details.size(), 1U);
+  EXPECT_EQ(details[0].pointer, "/state/faults/all/0/fault/joint");
+}
+
 TEST(SavedCellJson, AFullPathFitsAMessage) {
   SavedCell saved = at_home();
   saved.workcell.blocks = test::workcell_named("rhino-hundred").blocks;

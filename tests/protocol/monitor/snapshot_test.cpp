@@ -55,8 +55,9 @@ TEST(SnapshotJson, ShowsTheRhinoAtSoftHome) {
 
 TEST(SnapshotJson, ShowsThePhysicalController) {
   Snapshot snapshot = snapshot_of(initial_state(*test::rhino()));
-  snapshot.device = {"/dev/ttyUSB0", true, 7, 2};
-  const std::string expected = R"({"path":"/dev/ttyUSB0","open":true,"bytes_out":7,"bytes_in":2})";
+  snapshot.device = {"/dev/ttyUSB0", true, false, 7, 2};
+  const std::string expected =
+      R"({"path":"/dev/ttyUSB0","open":true,"engaged":false,"bytes_out":7,"bytes_in":2})";
   EXPECT_EQ(state_json(*test::rhino(), snapshot)["device"].dump(), expected);
   EXPECT_EQ(StateEncoder().encode(*test::rhino(), snapshot).back(),
             std::pair(std::string("device"), expected));

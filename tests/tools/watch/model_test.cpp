@@ -182,6 +182,73 @@ TEST(WatchModel, KeysWithoutTheTokenNameTheOption) {
   model.handle(test::watched_hello("read"));
   EXPECT_FALSE(model.ask(FunctionCall{"home", {}}));
   EXPECT_THAT(model.known().last_message, HasSubstr("--token-file"));
+  EXPECT_FALSE(model.ask_lines());
+}
+
+constexpr const char* kWrongToken =
+    R"({"op":"result","id":"auth","ok":false,"error":{"code":"bad_token","message":"no"}})";
+
+TEST(WatchModel, ATypedTokenIsKeptUntilItIsRefused) {
+  WatchModel model({});
+  model.handle(test::watched_hello("read"));
+  EXPECT_THAT(model.unlock("sixteen letters!"), HasSubstr(R"("token":"sixteen letters!")"));
+  model.opening();
+  EXPECT_THAT(joined(model.handle(test::watched_hello("read"))), HasSubstr("sixteen letters!"));
+  model.handle(kWrongToken);
+  EXPECT_THAT(model.known().last_message, HasSubstr("refuses this token: press t"));
+  model.opening();
+  EXPECT_THAT(joined(model.handle(test::watched_hello("read"))), Not(HasSubstr("auth")));
+}
+
+TEST(WatchModel, APrivateServerIsNotAskedWithoutTheToken) {
+  constexpr const char* kHello = R"({"op":"hello","access":"none","channels":["state"]})";
+  WatchModel model({"", "", Interest::kOnce});
+  EXPECT_THAT(model.handle(kHello), ElementsAre(HasSubstr("ping"), HasSubstr("\"last\"")));
+  EXPECT_THAT(model.known().last_message, HasSubstr("see --token-file and XR3_TOKEN"));
+  WatchModel wrong({"", "sixteen letters!", Interest::kOnce});
+  wrong.handle(kHello);
+  EXPECT_FALSE(wrong.is_complete());
+  wrong.handle(kWrongToken);
+  EXPECT_TRUE(wrong.is_complete());
+}
+
+TEST(WatchModel, ReadsTheLinesAndTheDevice) {
+  WatchModel model = test::watched_model();
+  EXPECT_THAT(*model.ask_lines(), HasSubstr(R"("fn":"lines")"));
+  EXPECT_FALSE(model.ask_lines()) << "one request at a time";
+  model.handle(test::watched_lines());
+  ASSERT_EQ(model.known().lines->size(), 3U);
+  const LineEntry& device = model.known().lines->at(0);
+  EXPECT_EQ(device.number, std::nullopt);
+  EXPECT_EQ(device.kind, "device");
+  EXPECT_EQ(device.opened, std::nullopt);
+  const LineEntry& line = model.known().lines->at(1);
+  EXPECT_EQ(line.number, 3);
+  EXPECT_EQ(line.peer, "127.0.0.1:51022");
+  EXPECT_EQ(line.opened, 2345);
+  EXPECT_EQ(line.bytes_in, 12);
+  EXPECT_EQ(line.bytes_out, 1);
+  EXPECT_EQ(line.settings, "");
+  EXPECT_EQ(line.last, "E?");
+  EXPECT_EQ(model.known().lines->at(2).settings, "9600-7e2");
+  EXPECT_TRUE(model.ask_lines());
+  model.opening();
+  EXPECT_TRUE(model.ask_lines()) << "an answer will not come any more";
+}
+
+TEST(WatchModel, OnceAsksForTheLinesIfTheyAreWanted) {
+  WatchModel model({"", "", Interest::kOnce, true});
+  const auto requests = model.handle(test::watched_hello());
+  EXPECT_THAT(requests.at(requests.size() - 2), HasSubstr(R"("fn":"lines")"));
+}
+
+TEST(WatchModel, ReadsTheDevice) {
+  WatchModel model = test::watched_model();
+  EXPECT_FALSE(model.known().state->device);
+  model.handle(test::watched_state("\"enabled\":true",
+                                   R"("enabled":false,"device":{"path":"/dev/arm","open":true})"));
+  EXPECT_EQ(model.known().state->device->path, "/dev/arm");
+  EXPECT_TRUE(model.known().state->device->is_there);
 }
 
 TEST(WatchModel, ShowsAnErrorUntilTheNextKey) {
@@ -215,7 +282,9 @@ TEST(WatchModel, SurvivesMalformedMessages) {
         "{\"op\":\"state\",\"joints\":[7,null,{\"label\":3,\"count\":1.5}],\"tool\":null}",
         "{\"op\":\"model\",\"robot\":{\"joints\":[{\"limits\":[1]},{\"limits\":[\"a\",2]},7]}}",
         "{\"op\":\"event\",\"seq\":\"x\",\"line\":{}}", "{\"op\":\"result\"}",
-        "{\"op\":\"result\",\"ok\":true,\"value\":[]}", "{\"op\":\"image\",\"rows\":{}}",
+        "{\"op\":\"result\",\"ok\":true,\"value\":[]}",
+        "{\"op\":\"result\",\"id\":\"lines\",\"ok\":true,\"value\":{\"lines\":[7],\"device\":1}}",
+        "{\"op\":\"image\",\"rows\":{}}",
         "{\"op\":\"hello\",\"channels\":\"state\",\"tick_hz\":0,\"robot\":[]}"}) {
     WatchModel model = test::watched_model();
     EXPECT_NO_THROW(model.handle(line)) << line;

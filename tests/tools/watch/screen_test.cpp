@@ -55,8 +55,62 @@ TEST(WatchScreen, OtherPagesMatchTheGoldens) {
                 "watch-help");
 }
 
+Known with_lines() {
+  WatchModel model = test::watched_model();
+  model.handle(test::watched_lines());
+  return model.known();
+}
+
+std::string lines_text(const Known& known, int rows, int columns, const Link& link = live()) {
+  return text_of(watch_screen(known, link, Page::kLines, rows, columns), Letters::kUnicode);
+}
+
+TEST(WatchScreen, LinesMatchTheGoldens) {
+  expect_golden(lines_text(with_lines(), 24, 100), "watch-lines-100x24");
+  expect_golden(lines_text(with_lines(), 8, 60), "watch-lines-60x8");
+}
+
+TEST(WatchScreen, LinesThatDoNotFitAreCounted) {
+  Known known = with_lines();
+  known.lines->resize(20, known.lines->at(1));
+  EXPECT_THAT(lines_text(known, 10, 100), HasSubstr("\n and 14 more\n"));
+  EXPECT_THAT(lines_text(known, 23, 100), Not(HasSubstr("more")));
+}
+
+TEST(WatchScreen, LinesSayWhatToDoWithoutAnyAndWithoutTheToken) {
+  Known known = with_lines();
+  known.lines->clear();
+  EXPECT_THAT(lines_text(known, 24, 80), HasSubstr("run xr3 term"));
+  EXPECT_THAT(lines_text(known, 24, 80, gone()), HasSubstr("retrying"));
+  known.has_control = false;
+  EXPECT_THAT(lines_text(known, 24, 80), HasSubstr("Press t and type it"));
+}
+
+TEST(WatchScreen, AgesHaveTheTwoLargestUnits) {
+  EXPECT_EQ(age_text(-1), "0 s");
+  EXPECT_EQ(age_text(59), "59 s");
+  EXPECT_EQ(age_text(60), "1 min 0 s");
+  EXPECT_EQ(age_text(3599), "59 min 59 s");
+  EXPECT_EQ(age_text(2 * 3600 + 5 * 60 + 59), "2 h 5 min");
+  EXPECT_EQ(age_text(100 * 86400 + 7199), "100 d 1 h");
+}
+
+TEST(WatchScreen, ShowsWhoGetsTheCommandsWhileDisabled) {
+  const auto banner = [](const std::string& device) {
+    return text(with_state("\"enabled\":true", "\"enabled\":false,\"device\":" + device), 24, 80);
+  };
+  EXPECT_THAT(banner("null"), HasSubstr("disabled: only A@ is executed"));
+  EXPECT_THAT(banner(R"({"path":"/dev/arm","open":true,"engaged":false})"),
+              HasSubstr("disabled: only A@ is executed"))
+      << "a snapshot has disabled the simulator";
+  EXPECT_THAT(banner(R"({"path":"/dev/arm","open":true,"engaged":true})"),
+              HasSubstr("disabled: commands go to device /dev/arm"));
+  EXPECT_THAT(banner(R"({"path":"/dev/arm","open":false,"engaged":true})"),
+              HasSubstr("/dev/arm is not there; commands are dropped"));
+}
+
 TEST(WatchScreen, DrawsEverySize) {
-  Known known = test::watched_model().known();
+  Known known = with_lines();
   for (int rows = 1; rows < 40; ++rows) {
     for (int columns = 1; columns < 210; columns += 7) {
       const TextScreen screen = watch_screen(known, live(), Page::kCell, rows, columns);
@@ -64,6 +118,7 @@ TEST(WatchScreen, DrawsEverySize) {
       ASSERT_EQ(screen.columns(), columns);
       watch_screen(known, gone(), Page::kCell, rows, columns);
       watch_screen(known, live(), Page::kHelp, rows, columns);
+      watch_screen(known, live(), Page::kLines, rows, columns);
       watch_screen({}, gone(), Page::kCell, rows, columns);
     }
   }

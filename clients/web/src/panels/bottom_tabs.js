@@ -6,15 +6,17 @@ import { colorOptions } from "./workcell_panel.js";
 
 const kTurnDegrees = 5;
 
-/** Makes each tab show its panel. */
-export function wireTabs() {
+/** Makes each tab show its panel, and calls `onShow(id of the panel)`. Returns a function that chooses a tab. */
+export function wireTabs(onShow) {
   const tabs = [...document.querySelectorAll("[role=tab]")];
-  rove(tabs, (chosen) => {
+  const { choose } = rove(tabs, (chosen) => {
     for (const tab of tabs) {
       tab.setAttribute("aria-selected", String(tab === chosen));
       byId(tab.getAttribute("aria-controls")).hidden = tab !== chosen;
     }
+    onShow(chosen.getAttribute("aria-controls"));
   });
+  return (id) => choose(byId(id));
 }
 
 /** Connects the buttons of the wire panel. */
@@ -27,6 +29,10 @@ export function wireWireBar(wire) {
   byId("wire-clear").onclick = () => wire.clear();
   byId("wire-copy").onclick = () => wire.copy();
   byId("wire-save").onclick = () => wire.save();
+  byId("wire-source").onclick = () => {
+    wire.setSource(null);
+    byId("wire-filter").focus();
+  };
 }
 
 /** Connects the buttons of the workcell panel. */

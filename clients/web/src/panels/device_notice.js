@@ -4,7 +4,9 @@ import { setText } from "../lib/dom.js";
 /** The sentence for a state with a device. */
 const sentenceOf = ({ enabled, device }) => {
   if (!device.open) return `Device ${device.path} is not there: commands for it are dropped.`;
-  return enabled ? `Device ${device.path} is connected; commands act in the simulation.` : `Commands go to the arm at ${device.path}.`;
+  if (device.engaged) return `Commands go to the arm at ${device.path}.`;
+  return enabled ? `Device ${device.path} is connected; commands act in the simulation.`
+    : `Device ${device.path} is connected; the simulator is disabled, and only A@ is executed.`;
 };
 
 export class DeviceNotice {
@@ -18,6 +20,6 @@ export class DeviceNotice {
     this.host.hidden = !state.device;
     if (!state.device) return;
     setText(this.text, sentenceOf(state));
-    this.host.classList.toggle("is-live", state.device.open && !state.enabled);
+    this.host.classList.toggle("is-live", state.device.open && state.device.engaged);
   }
 }

@@ -12,9 +12,15 @@ const kThereAgain = "The connection was lost and restored.";
 /** Equal for two messages with the same `seq` only if they are the same message. */
 const printOf = ({ epoch, tick, line, dir, offset, hex }) => [epoch, tick, line, dir, offset, hex].join();
 
+/** Whether a message is of a source: of one line, or of the traffic with the physical controller. */
+const isOf = (source, message) =>
+  source.line ? message.line === source.line : message.parsed.some(({ code }) => isOfDevice(code));
+
 export class WirePanel {
-  constructor({ list, filter, count, status }) {
-    Object.assign(this, { list, filter, count, status });
+  /** `source` is a button that names the chosen source of bytes; `onSource(source)` is called when it changes. */
+  constructor({ list, filter, count, status, source, onSource }) {
+    Object.assign(this, { list, filter, count, status, sourceButton: source, onSource });
+    this.source = null;
     this.messages = [];
     this.#forget();
     this.reconnection = null; // the reconnection that has no row yet
@@ -49,6 +55,17 @@ export class WirePanel {
   /** A warning of the machine that no bytes caused: between the bytes, at its time. */
   warn({ tick, code, message }) {
     this.#put({ note: `@${tick} ${code}: ${message}`, kind: "warning" });
+  }
+
+  /** Shows only the bytes of one entry of `lines`; null: all. */
+  setSource(source) {
+    this.source = source;
+    const name = source && (source.line ? `line ${source.line}` : "device");
+    setText(this.sourceButton, name ? `${name} ✕` : "");
+    this.sourceButton.setAttribute("aria-label", name ? `Only ${name} is shown: show all lines` : "Show all lines");
+    this.sourceButton.hidden = !name;
+    this.onSource(source);
+    this.#refresh();
   }
 
   setPaused(isPaused) {
@@ -110,6 +127,7 @@ export class WirePanel {
   }
 
   #matches(message) {
+    if (this.source && (message.note ? message.kind === "warning" : !isOf(this.source, message))) return false;
     const wanted = this.filter.value.trim().toLowerCase();
     return !wanted || transcriptLine(message).toLowerCase().includes(wanted);
   }
@@ -147,7 +165,7 @@ export class WirePanel {
   #countText() {
     const all = counted(this.messages.filter((message) => !message.note).length, "message");
     if (this.messages.length === 0) return this.isPaused ? all : "No bytes yet: connect to the robot port or use the console.";
-    return this.filter.value.trim() ? `${this.list.querySelectorAll("li:not(.lag, .mark, .warning)").length} of ${all}` : all;
+    return this.filter.value.trim() || this.source ? `${this.list.querySelectorAll("li:not(.lag, .mark, .warning)").length} of ${all}` : all;
   }
 
   transcript() {

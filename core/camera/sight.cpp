@@ -1,4 +1,4 @@
-#include "core/camera_sight.hpp"
+#include "core/camera/sight.hpp"
 
 #include <algorithm>
 #include <cassert>

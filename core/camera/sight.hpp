@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/camera_fill.hpp"
+#include "core/camera/fill.hpp"
 #include "core/model.hpp"
 #include "core/state.hpp"
 

@@ -1,9 +1,10 @@
-#include "core/camera_cache.hpp"
+#include "core/camera/cache.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "core/camera.hpp"
+#include "core/faults/camera_faults.hpp"
 
 namespace xr3 {
 namespace {
@@ -16,6 +17,15 @@ constexpr int kMaxParts = 2;
 
 ImagePtr CameraCache::image(const Model& model, const State& state) {
   compare(model, state);
+  ImagePtr clean = clean_image(model, state);
+  if (!state.faults.now.on_camera) return clean;
+  if (!faulty_ || faulty_tick_ != state.tick)
+    faulty_ = std::make_shared<const Image>(with_camera_faults(state, *clean));
+  faulty_tick_ = state.tick;
+  return faulty_;
+}
+
+ImagePtr CameraCache::clean_image(const Model& model, const State& state) {
   if (whole_) return whole_;
   if (!resting_) draw_resting(model, state);
   whole_ = resting_;
@@ -29,11 +39,14 @@ ImagePtr CameraCache::image(const Model& model, const State& state) {
 
 Image CameraCache::row(const Model& model, const State& state, int row) {
   compare(model, state);
+  if (state.faults.now.on_camera)
+    return row_with_camera_faults(state, *clean_image(model, state), row);
   if (!needs_only_a_part()) return image(model, state)->row_image(row);
   return camera_row(model, state, row);
 }
 
 bool CameraCache::pixel(const Model& model, const State& state, int column, int row) {
+  if (state.faults.now.on_camera) return this->row(model, state, row).at(column, 0);
   compare(model, state);
   if (!needs_only_a_part()) return image(model, state)->at(column, row);
   return camera_pixel(model, state, column, row);
@@ -50,6 +63,7 @@ bool CameraCache::needs_only_a_part() {
 
 void CameraCache::compare(const Model& model, const State& state) {
   if (std::exchange(is_compared_, true)) return;
+  faulty_.reset();
   if (!is_same_scene(model, state)) {
     keep_scene(model, state);
     resting_.reset();

@@ -1,13 +1,13 @@
 // Caches the camera's last image, so that it is rendered once per state, however often it is
-// requested. An image is a pure function of camera, work surface and blocks, so the cache never
-// changes a result; it is not part of the state.
+// requested. An image is a pure function of camera, work surface, blocks, and faults of the camera
+// at a tick, so the cache never changes a result; it is not part of the state.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "core/camera_sight.hpp"
+#include "core/camera/sight.hpp"
 #include "core/image.hpp"
 #include "core/model.hpp"
 #include "core/state.hpp"
@@ -21,7 +21,7 @@ class CameraCache {
   /// blocks.
   void touch() { is_compared_ = false; }
 
-  /// camera_image(), shared.
+  /// camera_image() with the faults of the camera, shared.
   ImagePtr image(const Model& model, const State& state);
   /// camera_row(); copied from the whole image if it is cached.
   Image row(const Model& model, const State& state, int row);
@@ -46,6 +46,7 @@ class CameraCache {
     std::optional<std::uint32_t> held;  ///< the block that is not at rest
   };
 
+  ImagePtr clean_image(const Model& model, const State& state);
   static bool is_at(const Block& block, const Place& place);
   bool is_same_scene(const Model& model, const State& state) const;
   void keep_scene(const Model& model, const State& state);
@@ -55,8 +56,10 @@ class CameraCache {
 
   std::optional<Scene> scene_;
   std::optional<BlockCorners> held_corners_;
-  ImagePtr resting_;          ///< the blocks of the scene without the held one, or nullptr
-  ImagePtr whole_;            ///< the whole image, or nullptr
+  ImagePtr resting_;  ///< the blocks of the scene without the held one, or nullptr
+  ImagePtr whole_;    ///< the whole image, or nullptr
+  ImagePtr faulty_;   ///< the whole image with faults of the camera at faulty_tick_
+  Tick faulty_tick_ = 0;
   bool is_compared_ = false;  ///< with the current model and state
   int parts_ = 0;             ///< rows drawn separately in this scene
   std::uint64_t renders_ = 0;

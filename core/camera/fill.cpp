@@ -1,4 +1,4 @@
-#include "core/camera_fill.hpp"
+#include "core/camera/fill.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -1,5 +1,5 @@
 // The cached camera image equals a new one, and is rendered only when it must be.
-#include "core/camera_cache.hpp"
+#include "core/camera/cache.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

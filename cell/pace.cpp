@@ -1,0 +1,141 @@
+// Bytes of the lines that take time: they act, or leave, when they are due.
+#include <algorithm>
+#include <cassert>
+
+#include "cell/cell.hpp"
+
+namespace xr3 {
+
+void Cell::set_line_speed(const LineSpeed& speed) {
+  assert(lines_.empty() && !device_);
+  line_speed_ = speed;
+}
+
+std::optional<Tick> Cell::next_due() const {
+  if (agenda_.empty()) return std::nullopt;
+  return first_tick_after(agenda_.first().at);
+}
+
+std::optional<Tick> Cell::next_due_until(Tick limit) const {
+  const std::optional<Tick> due = next_due();
+  return due && *due <= limit ? due : std::nullopt;
+}
+
+/// Advances time; at most `max_bytes` bytes that become due act. Returns their number.
+std::size_t Cell::advance_to(Tick target, std::size_t max_bytes) {
+  std::size_t acted = 0;
+  while (acted < max_bytes) {
+    const std::optional<Tick> due = next_due_until(target);
+    if (!due) break;
+    simulation_.advance_to(*due);
+    emit_time_events();
+    if (!next_due_until(target)) break;  // a fault has cut the line
+    if (next_due() > state().tick) continue;
+    act_due();
+    ++acted;
+  }
+  simulation_.advance_to(target);
+  return acted;
+}
+
+/// Advances time until nothing moves and no byte is due, but not beyond `limit`.
+void Cell::run_to_rest(Tick limit) {
+  while (const std::optional<Tick> due = next_due_until(limit)) advance_to(*due);
+  if (agenda_.empty()) return simulation_.run_to_rest(limit);
+  simulation_.advance_to(limit);  // a byte is due after the limit
+}
+
+/// The earliest byte acts. One that is late acts now: its reply does not leave before now, either.
+void Cell::act_due() {
+  const Due due = agenda_.first();
+  const bool is_late = first_tick_after(due.at) < state().tick;
+  const Micros now = is_late ? micros_at(state().tick) : due.at;
+  SerialLine& line = *open_line(due.line);
+  exchanges_.clear();
+  if (due.direction == Direction::kIn) {
+    act_input(due.line, line, now);
+  } else if (line.is_reply_released(state())) {
+    release_replies(due.line, line, now);
+  } else if (line.due(Direction::kOut)) {
+    send_reply(due.line, line, now);
+  }
+  schedule(due.line, line);
+}
+
+// A command is one record, with the bytes before it that did nothing, and so is what has arrived of
+// an unfinished one.
+void Cell::act_input(LineId id, SerialLine& line, Micros now) {
+  if (!line.acted().is_followed_by(line.next_offset())) record_acted(id, line);
+  line.act_due(now, simulation_, exchanges_);
+  emit_fault_events(id, line);
+  const bool is_last = line.input_under_way() == 0;
+  if (!exchanges_.empty() || is_last || line.acted().bytes.size() >= kMaxShownIn)
+    record_acted(id, line);
+  emit_exchanges(id, line);
+  if (is_last) emit_all(id, warnings_.finish(id, state().tick));
+  const bool has_room = line.input_under_way() == LinePace::kMaxInput / 2;
+  if (has_room || line.is_drained()) woken_.push_back(id);
+}
+
+void Cell::send_reply(LineId id, SerialLine& line, Micros now) {
+  if (!line.departed().is_followed_by(line.output_end())) record_departed(id, line);
+  line.send_due(now);
+  ++counters_.bytes_out;
+  if (!line.released().empty() || line.departed().bytes.size() >= kMaxShownOut)
+    record_departed(id, line);
+  woken_.push_back(id);
+}
+
+void Cell::record_acted(LineId id, SerialLine& line) {
+  ByteRun& run = line.acted();
+  if (run.empty()) return;
+  fill_in(wires_.push(), {epoch_, state().tick, id, run.from}, run.bytes, std::nullopt, exchanges_,
+          simulation_);
+  run.bytes.clear();
+}
+
+void Cell::record_departed(LineId id, SerialLine& line) {
+  ByteRun& run = line.departed();
+  if (run.empty()) return;
+  fill_out(wires_.push(), {epoch_, state().tick, id, run.from}, run.bytes, {}, line.released());
+  run.bytes.clear();
+}
+
+/// Replies that a fault has held back leave, at the speed of the line.
+void Cell::release_replies(LineId id, SerialLine& line, Micros now) {
+  record_departed(id, line);
+  const WirePlace out{epoch_, state().tick, id, line.output_end()};
+  const std::size_t unsent = line.outbox().size();
+  exchanges_.clear();
+  line.release_replies(state(), now);
+  record_out(out, line, unsent);
+  woken_.push_back(id);
+}
+
+void Cell::schedule(LineId id, const SerialLine& line) {
+  if (!line_speed_ && agenda_.empty() && !line.holds_replies()) return;
+  agenda_.set(id, Direction::kIn, line.due(Direction::kIn));
+  agenda_.set(id, Direction::kOut, line.next_reply(state()));
+}
+
+void Cell::schedule_all() {
+  for (const auto& [id, line] : lines_) schedule(id, line);
+}
+
+std::optional<Tick> Cell::next_wake() const {
+  const std::optional<Tick> due = next_due();
+  const Tick stop = state().faults.now.next_stop;
+  if (stop == kNoTick) return due;
+  const Tick wake = std::min(stop, state().tick + kMaxSleep);
+  return due ? std::min(*due, wake) : wake;
+}
+
+/// Time has jumped: the bytes under way are due in the new epoch.
+void Cell::restart_lines() {
+  for (auto& [id, line] : lines_) {
+    line.restart(micros_at(state().tick));
+    schedule(id, line);
+  }
+}
+
+}  // namespace xr3

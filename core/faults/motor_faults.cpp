@@ -1,0 +1,62 @@
+#include "core/faults/motor_faults.hpp"
+
+#include "core/faults/chance.hpp"
+#include "core/faults/faults.hpp"
+
+namespace xr3 {
+namespace {
+
+bool is_of(const FaultState& each, FaultKind kind, char label) {
+  return each.fault.kind == kind && each.fault.joint == label;
+}
+
+bool is_bouncing(const FaultState& each, char label, Tick tick) {
+  return is_of(each, FaultKind::kSwitchBouncing, label) && each.is_on && each.bounce_tick &&
+         tick - *each.bounce_tick < each.fault.bounce_ms;
+}
+
+}  // namespace
+
+bool loses_count(const Model& model, State& state, int motor, Events& events) {
+  Faults& faults = state.faults;
+  if (!has_motor(faults.now.slipping | faults.slipped, motor)) return false;
+  const auto bit = static_cast<MotorBits>(1U << static_cast<unsigned>(motor));
+  const bool was_lost = has_motor(faults.slipped, motor);
+  faults.slipped = static_cast<MotorBits>(faults.slipped & ~bit);
+  if (was_lost) return false;
+  const char label = model.motor(motor).drive.label;
+  const auto count = state.motor(motor).count;
+  const auto number = static_cast<std::uint64_t>(std::int64_t{count});
+  for (FaultState& each : faults.all) {
+    if (!is_of(each, FaultKind::kEncoderSlip, label)) continue;
+    if (!acts_on(state, each, static_cast<std::uint64_t>(label), number)) continue;
+    faults.slipped |= bit;
+    add_effect(model, state, each, label, count, events);
+    return true;
+  }
+  return false;
+}
+
+void begin_bounce(const Model& model, State& state, int motor, Events& events) {
+  if (!has_motor(state.faults.now.bouncing, motor)) return;
+  const char label = model.motor(motor).drive.label;
+  for (FaultState& each : state.faults.all) {
+    if (!each.is_on || !is_of(each, FaultKind::kSwitchBouncing, label)) continue;
+    each.bounce_tick = state.tick;
+    add_effect(model, state, each, label, state.motor(motor).count, events);
+  }
+}
+
+bool reads_closed(const Model& model, const State& state, int motor) {
+  bool closed = state.motor(motor).switch_closed;
+  if (!has_motor(state.faults.now.bouncing, motor)) return closed;
+  const char label = model.motor(motor).drive.label;
+  for (const FaultState& each : state.faults.all) {
+    if (!is_bouncing(each, label, state.tick)) continue;
+    const auto tick = static_cast<std::uint64_t>(state.tick);
+    closed ^= (chance_hash(each.salt, static_cast<std::uint64_t>(label), tick) & 1U) != 0;
+  }
+  return closed;
+}
+
+}  // namespace xr3

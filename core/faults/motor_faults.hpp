@@ -1,0 +1,55 @@
+// The effects of faults on motors, encoders and microswitches. Every function costs one comparison
+// if there are no such faults.
+#pragma once
+
+#include "core/event.hpp"
+#include "core/model.hpp"
+#include "core/motor.hpp"
+#include "core/state.hpp"
+
+namespace xr3 {
+
+/// The number of the ticks (from, to] in which a motor of this pace runs: they are spread evenly
+/// over all ticks.
+constexpr Tick running_ticks(std::uint8_t pace, Tick from, Tick to) {
+  return to * pace / kFullPace - from * pace / kFullPace;
+}
+
+/// The first tick after `from` by which a motor of this pace has run for `ticks` ticks, at least 1.
+/// kNoTick if it does not run.
+constexpr Tick tick_after_running(std::uint8_t pace, Tick from, Tick ticks) {
+  if (pace == 0) return kNoTick;
+  return ((from * pace / kFullPace + ticks) * kFullPace + pace - 1) / pace;
+}
+
+inline std::uint8_t pace_of(const State& state, int motor) {
+  return state.faults.now.pace[static_cast<std::size_t>(motor)];
+}
+
+inline bool has_motor(MotorBits bits, int motor) {
+  return (bits >> static_cast<unsigned>(motor) & 1U) != 0;
+}
+
+/// The motor will make counts without new input, unless the robot is stalled.
+inline bool will_run(const State& state, int motor) {
+  return is_running(state.motor(motor)) && !has_motor(state.faults.now.stuck_for_good, motor);
+}
+
+/// Whether a motor's encoder misses the count that it makes now: the motor turns, but its error
+/// counter does not learn of it. At most every second count is missed, so that no motor runs for
+/// ever. Counts the effect.
+bool loses_count(const Model& model, State& state, int motor, Events& events);
+
+/// What a microswitch is taken for, if its contact is `is_closed`: it may be stuck.
+inline bool with_stuck_switch(const State& state, int motor, bool is_closed) {
+  const FaultsInForce& now = state.faults.now;
+  return (is_closed || has_motor(now.closed, motor)) && !has_motor(now.open, motor);
+}
+
+/// To be called when a microswitch has changed: it may begin to bounce.
+void begin_bounce(const Model& model, State& state, int motor, Events& events);
+
+/// What the controller reads of a microswitch at this tick: it may bounce.
+bool reads_closed(const Model& model, const State& state, int motor);
+
+}  // namespace xr3

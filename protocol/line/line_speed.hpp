@@ -1,0 +1,53 @@
+// The speed of the serial lines: how long a character takes, from the settings of a serial port.
+// Exact integers, so that a line takes the same time on every machine.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/sim_clock.hpp"
+#include "core/units.hpp"
+#include "protocol/line/serial_settings.hpp"
+
+namespace xr3 {
+
+/// Microseconds of simulated time since tick 0 of the epoch.
+using Micros = std::int64_t;
+inline constexpr Micros kMicrosPerTick = 1'000'000 / kTickHz;
+
+constexpr Micros micros_at(Tick tick) { return tick * kMicrosPerTick; }
+
+/// The first tick at or after this moment. Precondition: it is not negative.
+constexpr Tick first_tick_after(Micros moment) {
+  return moment / kMicrosPerTick + (moment % kMicrosPerTick > 0 ? 1 : 0);
+}
+
+/// The speed that all lines of a robot have.
+struct LineSpeed {
+  std::optional<SerialSettings> settings;  ///< nullopt: those that the client of the line sets
+  Rate factor;                             ///< characters take the factor-th part of their time
+
+  bool operator==(const LineSpeed&) const = default;
+};
+
+/// The time of a character with start, data, parity and stop bits.
+class CharacterTime {
+ public:
+  /// A frame that is not known counts as that of the Mark III controller. Precondition: a speed
+  /// above 0.
+  CharacterTime(const SerialSettings& settings, Rate factor);
+
+  /// The time of `count` characters, one after the other, rounded down to whole microseconds.
+  Micros of(std::int64_t count) const;
+
+  bool operator==(const CharacterTime&) const = default;
+
+ private:
+  int half_bits_;
+  std::uint32_t baud_;
+  Rate factor_;
+};
+
+}  // namespace xr3

@@ -1,0 +1,37 @@
+#include "server/lines/due_timer.hpp"
+
+#include <utility>
+
+#include "cell/failure.hpp"
+#include "server/net/wall_clock.hpp"
+
+namespace xr3 {
+
+DueTimer::DueTimer(asio::io_context& io, Cell& cell, std::function<void()> acted)
+    : cell_(cell), acted_(std::move(acted)), timer_(io) {}
+
+// With the manual clock, a call advances the cell.
+void DueTimer::update() {
+  const std::optional<Tick> due = cell_.next_wake();
+  if (!due || is_closed_ || cell_.clock().mode() == ClockMode::kManual) return;
+  const WallNs moment = cell_.clock().when(*due);
+  if (waits_until_ && *waits_until_ <= moment) return;
+  waits_until_ = moment;
+  timer_.expires_at(as_time_point(moment));
+  timer_.async_wait([this](ErrorCode cancelled) {
+    if (!cancelled) vital("the serial lines", [this] { advance(); });
+  });
+}
+
+void DueTimer::advance() {
+  waits_until_.reset();
+  cell_.catch_up(wall_now());
+  acted_();
+}
+
+void DueTimer::close() {
+  is_closed_ = true;
+  timer_.cancel();
+}
+
+}  // namespace xr3

@@ -1,0 +1,31 @@
+// Advances the cell when a byte of a line is due, if nothing else does so before.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "cell/cell.hpp"
+#include "server/net/asio.hpp"
+
+namespace xr3 {
+
+class DueTimer {
+ public:
+  /// `acted` is called after the cell has advanced.
+  DueTimer(asio::io_context& io, Cell& cell, std::function<void()> acted);
+
+  /// Waits for the byte that is due next. To be called after each input of the cell.
+  void update();
+  void close();
+
+ private:
+  void advance();
+
+  Cell& cell_;
+  std::function<void()> acted_;
+  asio::steady_timer timer_;
+  std::optional<WallNs> waits_until_;
+  bool is_closed_ = false;
+};
+
+}  // namespace xr3
