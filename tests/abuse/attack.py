@@ -13,6 +13,7 @@ import time
 import typing
 
 from cells import BOUND_MS, SHIPPED, Cell
+from serial_ports import NoPort
 from support import DEADLINE_S, SHUTDOWN_S, Server
 
 FOLDER = pathlib.Path(__file__).parent
@@ -42,7 +43,9 @@ class Attack:
 class Beside:
     """The wait that 99 of 100 replies of another line keep, beside a load. The load goes on when SIGTERM stops the
     server, which must take at most two seconds. `crowd`: the load is many connections that are busy at once, each as
-    light as the other line, so that this has to wait for its turn among them."""
+    light as the other line, so that this has to wait for its turn among them. `port`: a serial port of the server.
+    `victim`: `line`, or `session` for pings on the monitor port, where the inquiries of a line go to a device.
+    `own_bound`: instead of the usual one."""
     name: str
     load: typing.Callable
     cell: str = SHIPPED
@@ -50,16 +53,22 @@ class Beside:
     options: tuple = ()
     unit: str = "ms"
     crowd: bool = False
+    port: typing.Callable = NoPort
+    victim: str = "line"
+    own_bound: float | None = None
 
     @property
     def bound(self):
+        if self.own_bound is not None:
+            return self.own_bound
         return CROWD_MS if self.crowd else BOUND_MS[self.cell]
 
     def measure(self):
-        with Cell(self.cell) as options, Server(*options, *self.options, clock=self.clock) as xr3:
-            with load_process(self.name, xr3) as load:
+        with Cell(self.cell) as options, self.port() as port, \
+                Server(*options, *port.options, *self.options, clock=self.clock) as xr3:
+            with load_process(self.name, xr3, port) as load:
                 before, started = cpu_s(xr3.pid), time.monotonic()
-                figures = ask_beside(xr3)
+                figures = ask_beside(xr3, self.victim)
                 if load.poll() is not None:
                     raise AssertionError(f"the load has ended: {last_line(load)}")
                 busy = (cpu_s(xr3.pid) - before) / (time.monotonic() - started)
@@ -84,8 +93,9 @@ def cpu_s(pid):
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
-def ask_beside(xr3):
-    done = subprocess.run([sys.executable, FOLDER / "victim.py", *map(str, (xr3.robot_port, xr3.pid, MEASURED_S))],
+def ask_beside(xr3, victim="line"):
+    port = xr3.robot_port if victim == "line" else xr3.monitor_port
+    done = subprocess.run([sys.executable, FOLDER / "victim.py", *map(str, (port, xr3.pid, MEASURED_S)), victim],
                           stdout=subprocess.PIPE, check=True)
     return json.loads(done.stdout)
 
@@ -95,10 +105,12 @@ def last_line(process):
 
 
 @contextlib.contextmanager
-def load_process(name, xr3):
+def load_process(name, xr3, port=NoPort()):
     """Runs the load of an attack until the end of the block."""
-    process = subprocess.Popen([sys.executable, FOLDER / "load.py", name, str(xr3.robot_port), str(xr3.monitor_port)],
+    arguments = map(str, (name, xr3.robot_port, xr3.monitor_port, *port.arguments))
+    process = subprocess.Popen([sys.executable, FOLDER / "load.py", *arguments], pass_fds=port.descriptors,
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    port.hand_over()
     with process:
         try:
             if not select.select([process.stdout], [], [], 3 * DEADLINE_S)[0] or not process.stdout.readline():

@@ -1,15 +1,17 @@
 """All attacks, by name."""
 
 import connections
+import devices
 import http_requests
 import json_requests
 import lines
 import logs
 import memory
+import ptys
 import websocket
 
-ATTACKS = [attack for theme in (lines, http_requests, json_requests, websocket, memory, connections, logs)
-           for attack in theme.ATTACKS]
+THEMES = (lines, ptys, devices, http_requests, json_requests, websocket, memory, connections, logs)
+ATTACKS = [attack for theme in THEMES for attack in theme.ATTACKS]
 
 
 def find(name):

@@ -10,6 +10,7 @@ import http_requests
 import json_requests
 import lines
 from attack import Measured, load_process
+from serial_ports import NoPort
 from support import Server
 from target import call
 
@@ -27,11 +28,13 @@ class Logged:
     options: tuple = ()
     bound: float = 1.0
     unit: str = "MB/s"
+    port: typing.Callable = NoPort
 
     def measure(self):
-        with tempfile.TemporaryDirectory() as folder:
+        with tempfile.TemporaryDirectory() as folder, self.port() as port:
             path = pathlib.Path(folder, "xr3.log")
-            with Server("--log-file", path, *self.options, clock=self.clock) as xr3, load_process(self.name, xr3):
+            with Server("--log-file", path, *port.options, *self.options, clock=self.clock) as xr3, \
+                    load_process(self.name, xr3, port):
                 before = written(folder)
                 select.select([], [], [], MEASURED_S)
                 rate = (written(folder) - before) / MEGABYTE / MEASURED_S

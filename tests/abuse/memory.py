@@ -5,13 +5,14 @@ and calls that change the workcell nothing that stays."""
 import contextlib
 import itertools
 import select
+import time
 
 import websocket
 from attack import MIB, Attack, Measured, cpu_s
 from cells import CAMERA, HUNDRED, LARGEST, SHIPPED, Cell, block, workcell
 from json_requests import INVALID, largest_workcell_call, permutation
 from lines import MOVES
-from support import Server
+from support import DEADLINE_S, Server
 from target import Target, call, get, json_line
 
 GREEDY = 64
@@ -30,8 +31,10 @@ def peak_mib(xr3):
 
 def settle(xr3):
     """Waits until the server works no more."""
-    before = -1.0
+    before, ends = -1.0, time.monotonic() + 3 * DEADLINE_S
     while (now := cpu_s(xr3.pid)) != before:
+        if time.monotonic() > ends:
+            raise AssertionError("the server does not come to rest")
         before = now
         select.select([], [], [], QUIET_S)
 

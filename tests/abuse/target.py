@@ -48,10 +48,12 @@ def get(path, *fields):
 
 
 class Target:
-    """The ports of a server, and how to flood them."""
+    """The ports of a server, and how to flood them. `path` is its pseudo-terminal or its device, and `device` the
+    descriptor of the device's end."""
 
-    def __init__(self, robot_port, monitor_port):
+    def __init__(self, robot_port, monitor_port, path=None, device=None):
         self.robot_port, self.monitor_port = robot_port, monitor_port
+        self.path, self.device = path, device and int(device)
         self._is_ready = False
 
     def ready(self):

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
-"""A well-behaved client in a process of its own: sends an inquiry each millisecond, whether or not the replies to
-the earlier ones have arrived. Prints how long the replies took, and how long the server worked meanwhile: its processor
-time does not depend on other programs on the machine. Usage: victim.py PORT PID SECONDS"""
+"""A well-behaved client in a process of its own: sends an inquiry each millisecond, or a ping each five milliseconds,
+whether or not the replies to the earlier ones have arrived. Prints how long the replies took, and how long the server
+worked meanwhile: its processor time does not depend on other programs on the machine.
+Usage: victim.py PORT PID SECONDS line|session"""
 
 import collections
 import ctypes
@@ -14,7 +15,6 @@ import struct
 import sys
 import time
 
-EVERY_NS = 1_000_000
 PATIENCE_NS = 60 * 10**9
 SO_TIMESTAMPNS = 35
 PERF_EVENT_OPEN = {"x86_64": 298, "aarch64": 241}
@@ -38,12 +38,26 @@ class Line:
     """Receives replies with the time of their arrival in the kernel, before this process is awake. The line has had its
     first reply: a new connection waits in the kernel behind those that came before it."""
 
+    EVERY_NS = 1_000_000
+    REQUEST = b"E?"
+    FIRST_REPLIES = 1
+
     def __init__(self, port):
         self.socket = socket.create_connection(("127.0.0.1", port))
         self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self.socket.setsockopt(socket.SOL_SOCKET, SO_TIMESTAMPNS, 1)
-        self.socket.sendall(b"E?")
-        self.read()
+        self.send()
+        first = 0
+        while first < self.FIRST_REPLIES:
+            first += self.read()[0]
+
+    def send(self):
+        self.socket.sendall(self.REQUEST)
+
+    @staticmethod
+    def count(data):
+        """The number of replies in the data."""
+        return len(data)
 
     def read(self):
         """(number of replies, time of arrival)"""
@@ -53,13 +67,26 @@ class Line:
         for level, kind, value in notes:
             if (level, kind) == (socket.SOL_SOCKET, SO_TIMESTAMPNS):
                 seconds, nanoseconds = struct.unpack("qq", value)
-                return len(data), seconds * 10**9 + nanoseconds
-        return len(data), time.time_ns()
+                return self.count(data), seconds * 10**9 + nanoseconds
+        return self.count(data), time.time_ns()
 
 
-def waits_ns(port, pid, seconds):
+class Session(Line):
+    """The same on the monitor port, with pings, of which a turn of the server handles one. The first reply is
+    `hello`."""
+
+    EVERY_NS = 5_000_000
+    REQUEST = b'{"op":"ping"}\n'
+    FIRST_REPLIES = 2
+
+    @staticmethod
+    def count(data):
+        return data.count(b"\n")
+
+
+def waits_ns(line, pid, seconds):
     """For each reply: its time, and the server's processor time meanwhile."""
-    line, worked = Line(port), processor_clock(pid)
+    worked = processor_clock(pid)
     sent, waits = collections.deque(), []
     due = time.time_ns()
     ends = due + int(seconds * 10**9)
@@ -68,8 +95,8 @@ def waits_ns(port, pid, seconds):
             return waits + [(now - each, 0) for each, _ in sent]
         if due <= now < ends:
             sent.append((time.time_ns(), worked()))
-            line.socket.sendall(b"E?")
-            due = max(due + EVERY_NS, now)
+            line.send()
+            due = max(due + line.EVERY_NS, now)
         left_s = (due - time.time_ns()) / 1e9 if now < ends else 1.0
         if select.select([line.socket], [], [], max(left_s, 0))[0]:
             work = worked()
@@ -89,7 +116,8 @@ def quantiles(values):
 
 def main():
     gc.disable()
-    waits = waits_ns(int(sys.argv[1]), int(sys.argv[2]), float(sys.argv[3]))
+    _, port, pid, seconds, kind = sys.argv
+    waits = waits_ns((Line if kind == "line" else Session)(int(port)), int(pid), float(seconds))
     print(json.dumps({"waits": quantiles(wait for wait, _ in waits), "work": quantiles(work for _, work in waits)}))
 
 
