@@ -34,6 +34,9 @@ PRIVATE_PATH = re.compile(
     r"(?:^|[^\w.])/(?:work|farm)/|\.\./shared"
     r"|\bregistry\.[a-z]+\.(?:org|com)|\b(?:deb|security)\.[a-z]+\.org")
 
+# scripts/emscripten compiles these libraries with Debian 12's libc++, which has no such algorithms.
+PORTABLE = ("core", "protocol", "cell")
+NOT_IN_LIBCXX = re.compile(r"\b(?:std::ranges::\w+\(|(?:std|ranges)::views::)")
 
 CONSTANT = re.compile(r"^(?:inline )?(?:constexpr|const)\b[^()=;{]*?\b(k[A-Z]\w*)(?= =|\{|\[)", re.MULTILINE)
 
@@ -82,6 +85,8 @@ def breaches(path, text):
         reason = include and (forbidden(folder, *include.groups()) or joins_separate(path, include[1]))
         if reason:
             yield f"{path}:{number}: {reason}"
+        if folder in PORTABLE and NOT_IN_LIBCXX.search(line):
+            yield f"{path}:{number}: {folder} may not use algorithms of std::ranges; Emscripten's libc++ lacks them"
     if folder in RULES and len(lines) > MAX_LINES:
         yield f"{path}:{len(lines)}: longer than {MAX_LINES} lines"
 
