@@ -189,7 +189,7 @@ class Turns(unittest.TestCase):
             self.assertEqual("%", monitor.call("send", text="E+7\rE?")["text"])
             line = xr3.line()
             line.send("E?")
-            self.assertEqual('"', monitor.call("send", text="E?")["text"])
+            self.assertEqual('#', monitor.call("send", text="E?")["text"])
             with xr3.monitor() as other:
                 with self.assertRaisesRegex(MonitorError, "line_waits"):
                     other.call("send", text="E?")
