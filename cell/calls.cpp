@@ -19,6 +19,11 @@ call::Refused clock_running(std::string_view call) {
           "call pause first, or start with --clock manual"};
 }
 
+call::Refused no_rate() {
+  return {"no_rate", "the byte clock has no rate: time moves with the bytes of the lines",
+          "start with --clock real to set a rate"};
+}
+
 call::Refused has_device() {
   return {"has_device", "time cannot be changed while a device is connected",
           "start the server without --serial to control time"};
@@ -78,7 +83,7 @@ call::Outcome Cell::carry_out(const call::Pause&, WallNs now) {
 }
 
 call::Outcome Cell::carry_out(const call::Resume&, WallNs now) {
-  const bool is_new = clock_.mode() != ClockMode::kReal;
+  const bool is_new = clock_.mode() != clock_.running_mode();
   clock_.resume(now);
   if (is_new) emit(std::nullopt, ClockNote{"resume", clock_.mode(), clock_.rate()});
   return call::Done{};
@@ -86,13 +91,14 @@ call::Outcome Cell::carry_out(const call::Resume&, WallNs now) {
 
 call::Outcome Cell::carry_out(const call::SetRate& rate, WallNs now) {
   if (device_) return has_device();
+  if (clock_.running_mode() == ClockMode::kBytes) return no_rate();
   clock_.set_rate(rate.rate, now);
   emit(std::nullopt, ClockNote{"rate", clock_.mode(), clock_.rate()});
   return call::Done{};
 }
 
 call::Outcome Cell::carry_out(const call::Step& step, WallNs now) {
-  if (clock_.mode() != ClockMode::kManual) return clock_running("step");
+  if (clock_.mode() == ClockMode::kReal) return clock_running("step");
   const Tick start = state().tick;
   advance_to(start + step.ticks);
   after_manual_advance(start, now);
@@ -100,7 +106,7 @@ call::Outcome Cell::carry_out(const call::Step& step, WallNs now) {
 }
 
 call::Outcome Cell::carry_out(const call::RunUntil& run, WallNs now) {
-  if (clock_.mode() != ClockMode::kManual) return clock_running("run_until");
+  if (clock_.mode() == ClockMode::kReal) return clock_running("run_until");
   const Tick start = state().tick;
   const Tick limit = start + run.max_ticks;
   if (run.tick) {
@@ -138,6 +144,7 @@ void Cell::begin_epoch(std::string_view call, WallNs now, const std::function<vo
   if (device_ && state().enabled && device_->is_engaged()) device_->engage(false);
   ++epoch_;
   clock_.set_tick(state().tick, now);
+  restart_bytes();
   restart_lines();
   for (auto& [id, line] : lines_) line.begin_epoch(state().tick);
   if (device_) device_->begin_epoch(state().tick);

@@ -29,7 +29,9 @@ Cell::Cell(std::string name, ModelPtr model, SimClock clock, CellEventSink sink)
                                                {name_, record.epoch, seq, record.tick},
                                                monitor::text_of(wire_json(record, this->model())));
              }),
-      sink_(std::move(sink)) {}
+      sink_(std::move(sink)) {
+  if (clock_.running_mode() == ClockMode::kBytes) transcript_.emplace();
+}
 
 Applied Cell::apply(const Input& input, WallNs now) {
   return vital("the cell", [&] { return take_in(input, now); });
@@ -44,11 +46,14 @@ Applied Cell::take_in(const Input& input, WallNs now) {
   if (is_frozen_) return {};
   advance(now);
   ++revision_;
-  return std::visit([&](const auto& each) { return handle(each, now); }, input);
+  Applied applied = std::visit([&](const auto& each) { return handle(each, now); }, input);
+  pass_delays();
+  return applied;
 }
 
 void Cell::advance(WallNs now) {
   if (is_frozen_) return;
+  if (is_moved_by_bytes()) return pass_delays();
   const Tick before = state().tick;
   const bool is_real = clock_.mode() == ClockMode::kReal;
   // Simulated time stops at the maximum integer of the protocol, after some 285,000 years.
@@ -116,7 +121,9 @@ Applied Cell::handle(const LineOpened& opened, WallNs) {
   if (device_) lines_.at(id).connect(*device_, id);
   if (!device_ && opened.kind != LineKind::kMonitor) lines_.at(id).expose(id, state());
   if (line_speed_ && opened.kind != LineKind::kMonitor) lines_.at(id).set_speed(*line_speed_);
+  if (transcript_) lines_.at(id).listen(*this, id);
   if (!state().enabled && !is_for_device) emit(id, disabled_note());
+  if (line_before(id)) announce_wait(id);
   Applied applied;
   applied.line = id;
   return applied;
@@ -125,6 +132,7 @@ Applied Cell::handle(const LineOpened& opened, WallNs) {
 Applied Cell::handle(const LineSettings& reported, WallNs) {
   SerialLine* line = open_line(reported.line);
   if (line == nullptr) return {};
+  note_settings(*line, reported.settings);
   const bool is_news = line->set_settings(reported.settings, reported.is_cooked);
   schedule(reported.line, *line);
   if (is_news) emit(reported.line, cooked_note());
@@ -135,10 +143,13 @@ Applied Cell::handle(const BytesIn& in, WallNs) {
   SerialLine* line = open_line(in.line);
   if (line == nullptr) return {};
   if (in.line == kProbeLine) return take_unseen(*line, in.bytes);
+  if (line_before(in.line)) return {};
   if (line->bytes_in() == 0 && line->is_network()) line->examine(in.bytes);
   std::size_t taken = 0;
   while (taken < in.bytes.size()) {
-    const std::size_t count = receive_piece(in.line, *line, in.bytes.substr(taken, kMaxShownIn));
+    const std::string_view piece = in.bytes.substr(taken, kMaxShownIn);
+    const std::size_t count = is_moved_by_bytes() ? receive_timed(in.line, *line, piece)
+                                                  : receive_piece(in.line, *line, piece);
     taken += count;
     if (count == 0 || line->is_not_a_robot_program()) break;
     if (taken < in.bytes.size() && in.is_enough && in.is_enough()) break;
@@ -226,7 +237,10 @@ Applied Cell::handle(const LineClosed& closed, WallNs) {
   if (device_) device_->forget(closed.line);
   closed_bytes_in_[closed.line] = line->bytes_in();
   if (closed_bytes_in_.size() > kRememberedLines) closed_bytes_in_.erase(closed_bytes_in_.begin());
+  const bool was_current = current_line() == closed.line;
   lines_.erase(closed.line);
+  note_end(closed.line, closed.reason);
+  if (was_current || lines_.empty()) end_turn(closed.reason);
   return {};
 }
 
@@ -234,6 +248,7 @@ Applied Cell::handle(const call::Call& call, WallNs now) {
   Applied applied;
   applied.outcome = std::visit([&](const auto& each) { return carry_out(each, now); }, call);
   emit_time_events();
+  if (std::holds_alternative<call::Done>(applied.outcome)) note_call(call);
   return applied;
 }
 
@@ -260,8 +275,9 @@ void Cell::emit_machine_events(std::optional<LineId> line, Events events) {
   }
 }
 
-void Cell::emit_exchanges(LineId id, SerialLine& line) {
-  for (Exchange& exchange : exchanges_) {
+void Cell::emit_exchanges(LineId id, SerialLine& line, std::size_t first) {
+  for (std::size_t i = first; i < exchanges_.size(); ++i) {
+    Exchange& exchange = exchanges_[i];
     line.note(exchange.parsed.raw);
     if (const Problem* problem = std::get_if<Problem>(&exchange.parsed.what)) {
       line.note_warning();

@@ -13,9 +13,12 @@
 #include <vector>
 
 #include "cell/agenda.hpp"
+#include "cell/byte_clock.hpp"
 #include "cell/counters.hpp"
 #include "cell/input.hpp"
+#include "cell/line_listener.hpp"
 #include "cell/mirror.hpp"
+#include "cell/transcript.hpp"
 #include "cell/warning_limiter.hpp"
 #include "core/sim_clock.hpp"
 #include "core/simulation.hpp"
@@ -28,7 +31,7 @@ namespace xr3 {
 
 using CellEventSink = std::function<void(const CellEvent&, const Model&)>;
 
-class Cell {
+class Cell final : private LineListener {
  public:
   /// Adds every event to the ring and passes it to `sink`, which may be empty.
   Cell(std::string name, ModelPtr model, SimClock clock, CellEventSink sink);
@@ -45,6 +48,29 @@ class Cell {
 
   /// nullptr: none.
   const DeviceLink* device() const { return device_ ? &*device_ : nullptr; }
+
+  /// From now on, the byte clock has these rules; see byte_clock.hpp. `speed` only sets the time of
+  /// a character. Preconditions: no line is open, the clock was made by SimClock::bytes(), and the
+  /// lines have no speed.
+  void set_byte_clock(const ByteClockSettings& settings,
+                      const std::optional<LineSpeed>& speed = {});
+  /// nullptr: time does not follow bytes.
+  const ByteClock* byte_clock() const { return byte_clock_ ? &*byte_clock_ : nullptr; }
+  /// What the byte clock has of the next tick, 0...999 microseconds; 0 without it. With epoch and
+  /// tick it is the whole time of the cell.
+  Micros clock_remainder() const { return byte_clock_ ? byte_clock_->remainder() : 0; }
+  /// Precondition: there is a byte clock.
+  void set_clock_remainder(Micros remainder) { byte_clock_->set_remainder(remainder); }
+  /// The line that a line waits for: with the byte clock, one line is obeyed at a time, and others
+  /// are not read. nullopt: it does not wait, or is not open.
+  std::optional<LineId> line_before(LineId line) const;
+  /// The line that is obeyed now; nullopt: none is open, or all are obeyed together.
+  std::optional<LineId> current_line() const;
+  /// The settings that give a line's bytes their time; nullopt: they take none.
+  std::optional<SerialSettings> speed_of(const SerialLine& line) const;
+  /// What the lines have received and sent in this epoch; nullptr without a clock
+  /// that was made by SimClock::bytes().
+  const Transcript* transcript() const { return transcript_ ? &*transcript_ : nullptr; }
 
   /// From now on, the bytes of lines take time, except on those of the monitor and the probe.
   /// Preconditions: no line is open, and there is no device.
@@ -136,6 +162,7 @@ class Cell {
   Applied handle(const BytesOut& out, WallNs now);
   Applied handle(const InputEnded& ended, WallNs now);
   Applied handle(const LineClosed& closed, WallNs now);
+  Applied handle(const LineSilent& silent, WallNs now);
   Applied handle(const DeviceOpened&, WallNs now);
   Applied handle(const DeviceLost& lost, WallNs now);
   Applied handle(const DeviceIn& in, WallNs now);
@@ -168,6 +195,24 @@ class Cell {
   void placed_block(std::string_view call, std::size_t block);
   ModelPtr model_with(const Workcell& workcell) const;
 
+  bool is_moved_by_bytes() const { return clock_.mode() == ClockMode::kBytes && byte_clock_; }
+  void byte_comes(LineId line, std::uint8_t byte) override;
+  void command_comes(LineId line, const Command& command) override;
+  void reply_leaves(LineId line, std::string_view reply) override;
+  Micros character_time(const SerialLine& line) const;
+  std::size_t receive_timed(LineId id, SerialLine& line, std::string_view bytes);
+  void pass(Micros time);
+  void pass_delays();
+  void rest();
+  void announce_wait(LineId line);
+  void end_turn(LineCloseReason reason);
+  void note_end(LineId line, LineCloseReason reason);
+  void note_call(const call::Call& call);
+  void note_settings(const SerialLine& line, const SerialSettings& reported);
+  void restart_bytes();
+  void mark(TranscriptMark mark);
+  void after_bytes(Tick start);
+
   std::optional<Tick> next_due_until(Tick limit) const;
   void act_due();
   void act_input(LineId id, SerialLine& line, Micros now);
@@ -194,7 +239,7 @@ class Cell {
   void emit_machine_events(std::optional<LineId> line, Events events);
   void emit_time_events();
   void emit_at(Tick tick, std::optional<LineId> line, CellNote note);
-  void emit_exchanges(LineId id, SerialLine& line);
+  void emit_exchanges(LineId id, SerialLine& line, std::size_t first = 0);
   void emit_all(LineId line, std::vector<CellNote> notes);
   void warn(LineId line, const Parsed& parsed, std::string_view code,
             const std::function<std::string()>& message);
@@ -207,6 +252,8 @@ class Cell {
   std::uint64_t revision_ = 1;
   FaultPlan initial_faults_;
   std::optional<LineSpeed> line_speed_;
+  std::optional<ByteClock> byte_clock_;
+  std::optional<Transcript> transcript_;
   Agenda agenda_;
   std::optional<DeviceLink> device_;  ///< before the lines, which refer to it
   std::optional<Mirror> mirror_;
@@ -222,6 +269,7 @@ class Cell {
   };
   std::map<std::string, NamedSnapshot> snapshots_;
   std::vector<Exchange> exchanges_;  ///< of the bytes being received; reuses its memory
+  std::size_t emitted_ = 0;          ///< of exchanges_, while bytes move time
   WarningLimiter warnings_;
   /// Converted to text on request, with the current model. The text of an event depends only on the
   /// robot, which never changes. Storing a model for each event would pin changed workcells.

@@ -33,8 +33,8 @@ struct LineSettings {
 struct BytesIn {
   LineId line = 0;
   std::string_view bytes;
-  /// Called between pieces of kMaxShownIn bytes; if true, the remaining bytes are not taken. May be
-  /// empty.
+  /// Called between pieces of kMaxShownIn bytes, with the byte clock between commands; if true, the
+  /// remaining bytes are not taken. May be empty.
   std::function<bool()> is_enough = {};
 };
 
@@ -54,6 +54,11 @@ struct InputEnded {
 struct LineClosed {
   LineId line = 0;
   LineCloseReason reason = LineCloseReason::kClientClosed;
+};
+
+/// With the byte clock: no byte has come on the line for `settle_ms` of wall time.
+struct LineSilent {
+  LineId line = 0;
 };
 
 /// The physical controller's port is open. Precondition of this and the following inputs: the cell
@@ -76,7 +81,7 @@ struct DeviceOut {
 };
 
 using Input = std::variant<LineOpened, LineSettings, BytesIn, BytesOut, InputEnded, LineClosed,
-                           DeviceOpened, DeviceLost, DeviceIn, DeviceOut, call::Call>;
+                           LineSilent, DeviceOpened, DeviceLost, DeviceIn, DeviceOut, call::Call>;
 
 /// The result of an input: the number of the opened line, the number of bytes taken, or the outcome
 /// of the call.

@@ -47,6 +47,10 @@ void SerialLine::take_data(std::uint8_t byte, std::uint64_t offset, const Effect
 }
 
 void SerialLine::act_on(std::uint8_t byte, std::uint64_t offset, const Effects& effects) {
+  if (listener_ != nullptr) {
+    listener_->byte_comes(id_, byte);
+    if (is_cut()) return;
+  }
   if (device_ != nullptr) {
     drop_unfinished();
     if (device_->is_engaged()) return act_on_device(byte, offset, effects);
@@ -63,10 +67,21 @@ void SerialLine::execute(std::uint8_t byte, std::uint64_t offset, const Effects&
   Simulation& simulation = effects.simulation;
   const bool was_enabled = simulation.state().enabled;
   std::string replies;
-  endpoint_.feed(byte, offset, simulation, replies, effects.exchanges);
+  for (Parsed& item : endpoint_.parse(byte, offset, was_enabled)) {
+    if (!announce(item)) return;
+    endpoint_.execute(std::move(item), simulation, replies, effects.exchanges);
+  }
   if (device_ != nullptr && was_enabled && !simulation.state().enabled) device_->engage(true);
   // A byte completes at most one inquiry, and that is the last exchange.
   if (!replies.empty()) answer(std::move(replies), effects.exchanges.back(), effects);
+}
+
+/// Returns whether the line still obeys: a fault may cut it in the time that passes.
+bool SerialLine::announce(const Parsed& item) {
+  const auto* command = std::get_if<Command>(&item.what);
+  if (listener_ == nullptr || command == nullptr) return true;
+  listener_->command_comes(id_, *command);
+  return !is_cut();
 }
 
 void SerialLine::answer(std::string replies, Exchange& exchange, const Effects& effects) {
@@ -131,7 +146,16 @@ void SerialLine::end_input(Micros now) {
   resume(now);
 }
 
-void SerialLine::send(std::string_view replies) { telnet_.encode(replies, outbox_); }
+void SerialLine::send(std::string_view replies) {
+  telnet_.encode(replies, outbox_);
+  if (listener_ != nullptr) listener_->reply_leaves(id_, replies);
+}
+
+void SerialLine::listen(LineListener& listener, LineId own) {
+  assert(device_ == nullptr);
+  listener_ = &listener;
+  id_ = own;
+}
 
 LineKind SerialLine::kind() const {
   if (telnet_.has_com_port()) return LineKind::kRfc2217;

@@ -14,6 +14,7 @@
 #include "cell/byte_run.hpp"
 #include "cell/device_link.hpp"
 #include "cell/line_faults.hpp"
+#include "cell/line_listener.hpp"
 #include "cell/line_pace.hpp"
 #include "cell/reply_hold.hpp"
 #include "core/simulation.hpp"
@@ -53,6 +54,9 @@ class SerialLine {
   /// From now on, whole commands go to a device while the simulator is disabled. The link must
   /// outlive the line; `own` is the line's number.
   void connect(DeviceLink& link, LineId own);
+  /// From now on, the listener hears of the bytes of data. It must outlive the line; `own` is the
+  /// line's number. Precondition: no device is connected.
+  void listen(LineListener& listener, LineId own);
   /// From now on, bytes take their time. Preconditions: no byte has arrived, and no device is
   /// connected.
   void set_speed(const LineSpeed& speed);
@@ -192,6 +196,7 @@ class SerialLine {
   void take_data(std::uint8_t byte, std::uint64_t offset, const Effects& effects);
   void act_on(std::uint8_t byte, std::uint64_t offset, const Effects& effects);
   void execute(std::uint8_t byte, std::uint64_t offset, const Effects& effects);
+  bool announce(const Parsed& item);
   void answer(std::string replies, Exchange& exchange, const Effects& effects);
   bool leaves_now(std::string& reply, const Exchange& exchange, const Effects& effects);
   void leave(const DelayedReply& reply, Micros now);
@@ -216,9 +221,10 @@ class SerialLine {
   TelnetFilter telnet_;
   RhinoEndpoint endpoint_;
   DeviceLink* device_ = nullptr;  ///< none if null
-  LineId id_ = 0;                 ///< for device_
+  LineId id_ = 0;                 ///< for device_ and listener_
   RhinoParser device_parser_{Profile::kMark3};
   std::uint64_t seen_switches_ = 0;   ///< of device_
+  LineListener* listener_ = nullptr;  ///< none if null
   std::optional<LineFaults> faults_;  ///< none: faults do not concern the line
   ReplyHold hold_;                    ///< without a pace: that holds the replies itself
   std::optional<LineSpeed> speed_;    ///< nullopt: bytes take no time

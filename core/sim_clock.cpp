@@ -12,7 +12,7 @@ constexpr Wide kNsMillionthsPerTick = Wide{1'000'000'000 / kTickHz} * 1'000'000;
 }  // namespace
 
 Tick SimClock::at(WallNs now) const {
-  if (mode_ == ClockMode::kManual || now <= since_) return base_;
+  if (mode_ != ClockMode::kReal || now <= since_) return base_;
   return base_ + static_cast<Tick>(Wide{now - since_} * rate_.millionths / kNsMillionthsPerTick);
 }
 
@@ -31,10 +31,11 @@ void SimClock::pause(WallNs now) {
 void SimClock::resume(WallNs now) {
   base_ = at(now);
   since_ = now;
-  mode_ = ClockMode::kReal;
+  mode_ = running_mode_;
 }
 
 void SimClock::set_rate(Rate rate, WallNs now) {
+  assert(running_mode_ == ClockMode::kReal);
   set_tick(at(now), now);
   rate_ = rate;
 }

@@ -20,8 +20,23 @@ constexpr std::chrono::milliseconds kAbortLimit{200};
 constexpr std::size_t kReserveBytes = std::size_t{256} * 1024;
 
 SimClock start_clock(const ClockChoice& choice) {
-  return choice.mode == ClockMode::kManual ? SimClock::manual()
-                                           : SimClock::real(choice.rate, wall_now());
+  switch (choice.mode) {
+    case ClockMode::kReal: break;
+    case ClockMode::kManual: return SimClock::manual();
+    case ClockMode::kBytes: return SimClock::bytes();
+  }
+  return SimClock::real(choice.rate, wall_now());
+}
+
+void start_byte_clock(const ServeOptions& options, Cell& cell) {
+  ByteClockSettings settings = options.clock.bytes;
+  settings.has_concurrent_lines = options.has_concurrent_lines;
+  cell.set_byte_clock(settings, options.line_speed);
+  if (!is_quicker_than_a_count(*cell.byte_clock(), cell.model())) return;
+  spdlog::warn(
+      "the byte clock lets less time pass for an inquiry than the slowest motor needs for a count: "
+      "a program that compares two replies may take a moving joint for stuck; raise INQUIRY_MS of "
+      "--clock bytes:INQUIRY_MS");
 }
 
 ListenError listen_error(const std::string& what, const tcp::endpoint& endpoint, ErrorCode error) {
@@ -89,6 +104,7 @@ App::App(const ServeOptions& options, ModelPtr model, std::string token)
       memory_(io_, options.max_memory_mib << 20, [this] { return close_greediest(); }),
       lines_(io_, cell_, [this] { acted(); }),
       due_timer_(io_, cell_, [this] { acted(); }),
+      silence_timer_(io_, cell_, lines_, [this] { acted(); }),
       robot_port_(io_, cell_, lines_,
                   {limits_.lines, options.guard, peer_counts(limits_.lines, limits_.per_address)}),
       ptys_(io_, lines_),
@@ -98,7 +114,11 @@ App::App(const ServeOptions& options, ModelPtr model, std::string token)
           limits_),
       service_manager_(io_, service_environment(), [this] { return robot_probe_.failure(); }),
       signals_(io_, SIGINT, SIGTERM) {
-  if (options_.line_speed) cell_.set_line_speed(*options_.line_speed);
+  if (options_.clock.mode == ClockMode::kBytes) {
+    start_byte_clock(options_, cell_);
+  } else if (options_.line_speed) {
+    cell_.set_line_speed(*options_.line_speed);
+  }
   lines_.limit_memory(memory_);
   monitor_port_.limit_memory(memory_);
 }
@@ -207,6 +227,7 @@ void App::acted() {
   if (stage_ == Stage::kEnded) return;
   for (const LineId line : cell_.take_woken_lines()) lines_.wake(line);
   due_timer_.update();
+  silence_timer_.update();
   if (device_) device_->pump();
   if (stage_ != Stage::kDraining) return monitor_port_.acted();
   if (lines_.is_empty() && monitor_port_.is_empty()) drain_limit_.cancel();
@@ -229,6 +250,7 @@ void App::stop() {
   robot_port_.close();
   ptys_.close();
   due_timer_.close();
+  silence_timer_.close();
   if (device_) device_->close();
   lines_.close(deadline - kDrainLimit / 2);
   monitor_port_.close(deadline);

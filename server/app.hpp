@@ -10,6 +10,7 @@
 #include "server/device/port.hpp"
 #include "server/files/port_file.hpp"
 #include "server/lines/due_timer.hpp"
+#include "server/lines/silence_timer.hpp"
 #include "server/monitor_port/access.hpp"
 #include "server/monitor_port/port.hpp"
 #include "server/net/asio.hpp"
@@ -93,6 +94,7 @@ class App {
   MemoryLimit memory_;
   LineSessions lines_;
   DueTimer due_timer_;
+  SilenceTimer silence_timer_;
   RobotPort robot_port_;
   PtyPort ptys_;
   std::optional<DevicePort> device_;

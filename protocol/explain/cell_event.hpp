@@ -66,6 +66,10 @@ struct LineClosedNote {
   std::uint64_t bytes_in = 0;
   std::uint64_t bytes_out = 0;
 };
+/// With the byte clock: a line waits, unread, for another one, or its turn begins.
+struct LineTurnNote {
+  LineId waits_for = 0;  ///< 0: its turn begins
+};
 struct ClockNote {
   std::string_view call;  ///< pause, resume or rate
   ClockMode mode = ClockMode::kReal;
@@ -111,8 +115,8 @@ struct DeviceNote {
 };
 
 using CellNote =
-    std::variant<EventBody, ProblemNote, SuppressedNote, LineOpenedNote, LineClosedNote, ClockNote,
-                 ModelNote, EpochNote, HandoverNote, DeviceNote>;
+    std::variant<EventBody, ProblemNote, SuppressedNote, LineOpenedNote, LineClosedNote,
+                 LineTurnNote, ClockNote, ModelNote, EpochNote, HandoverNote, DeviceNote>;
 
 struct CellEvent {
   Epoch epoch = 0;

@@ -266,6 +266,13 @@ struct CellEvents {
             line() + " " + std::string(reason_text(note.reason)),
             {{"bytes_in", note.bytes_in}, {"bytes_out", note.bytes_out}}};
   }
+  EventReport operator()(const LineTurnNote& note) const {
+    const bool waits = note.waits_for != 0;
+    return {"line_turn",
+            waits ? "line_waits" : "line_turn",
+            waits ? waits_text(note.waits_for) : "the turn of " + line() + " begins",
+            {{"waits_for", waits ? Json(note.waits_for) : Json(nullptr)}}};
+  }
   EventReport operator()(const ClockNote& note) const {
     return {"clock", note.call, text_of(note), {{"clock", clock_json(note.mode, note.rate)}}};
   }
@@ -333,8 +340,14 @@ struct CellEvents {
     if (!note.is_open) return text + ", which is not there: they are dropped";
     return note.is_mirrored ? text + ", and the simulation carries them out, too" : text;
   }
+  std::string waits_text(LineId before) const {
+    const std::string first = "line " + std::to_string(before);
+    return line() + " waits, unread, until " + first + " is closed: the byte clock obeys one line" +
+           " at a time; line_disconnect closes " + first + ", --concurrent-lines obeys all";
+  }
   static std::string text_of(const ClockNote& note) {
     const std::string by = " (" + std::string(note.call) + ")";
+    if (note.mode == ClockMode::kBytes) return "time moves with the bytes of the lines" + by;
     if (note.mode == ClockMode::kReal) return "time runs at " + rate_text(note.rate) + by;
     if (note.call != "rate") return "time is paused" + by;
     return "time is paused; it will run at " + rate_text(note.rate) + by;

@@ -19,6 +19,17 @@ ProblemNote cooked_note() {
           1};
 }
 
+ProblemNote hurry_note(char label) {
+  return {"byte_clock_hurry",
+          std::string(1, label) +
+              " gets another motion command before it has arrived, and no inquiry came since: a "
+              "program that sleeps instead of asking needs --clock real; the byte clock stands "
+              "while it sleeps",
+          0,
+          {},
+          1};
+}
+
 ProblemNote silent_note(const Command& inquiry) {
   return {"device_silent",
           "the device has not answered " + readable(for_device(inquiry)->bytes) +

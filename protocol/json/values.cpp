@@ -12,6 +12,15 @@ namespace {
 constexpr std::array<double, 10> kPowersOfTen = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
 constexpr double kMaxExactInteger = 9007199254740992.0;  // 2^53: doubles above are integers
 
+std::string_view name_of(ClockMode mode) {
+  switch (mode) {
+    case ClockMode::kReal: return "real";
+    case ClockMode::kManual: return "manual";
+    case ClockMode::kBytes: return "bytes";
+  }
+  return "";
+}
+
 }  // namespace
 
 // An integer divided by a power of ten is the double nearest to that decimal number, so it is
@@ -26,8 +35,7 @@ double rounded(double value, int decimals) {
 }
 
 Json clock_json(ClockMode mode, Rate rate) {
-  return {{"mode", mode == ClockMode::kReal ? "real" : "manual"},
-          {"rate", static_cast<double>(rate.millionths) / 1e6}};
+  return {{"mode", name_of(mode)}, {"rate", static_cast<double>(rate.millionths) / 1e6}};
 }
 
 Json point_json(const PointUm& point) {

@@ -31,11 +31,16 @@ CharacterTime::CharacterTime(const SerialSettings& settings, Rate factor)
 }
 
 // A rate of 10^6 millionths is the factor 1.
-Micros CharacterTime::of(std::int64_t count) const {
+Micros CharacterTime::of(std::int64_t count) const { return half_micros_of(count) / 2; }
+
+Micros CharacterTime::rounded() const { return (half_micros_of(1) + 1) / 2; }
+
+/// In halves of a microsecond, rounded down.
+std::int64_t CharacterTime::half_micros_of(std::int64_t count) const {
   constexpr WideMicros kMicrosPerSecond = 1'000'000;
   constexpr WideMicros kMillionths = 1'000'000;
   const WideMicros dividend = WideMicros{count} * half_bits_ * kMicrosPerSecond * kMillionths;
-  return static_cast<Micros>(dividend / (WideMicros{2} * baud_ * factor_.millionths));
+  return static_cast<std::int64_t>(dividend / (WideMicros{baud_} * factor_.millionths));
 }
 
 }  // namespace xr3

@@ -42,9 +42,15 @@ class CharacterTime {
   /// The time of `count` characters, one after the other, rounded down to whole microseconds.
   Micros of(std::int64_t count) const;
 
+  /// The time of one character, rounded to the nearest microsecond; half a microsecond is rounded
+  /// up.
+  Micros rounded() const;
+
   bool operator==(const CharacterTime&) const = default;
 
  private:
+  std::int64_t half_micros_of(std::int64_t count) const;
+
   int half_bits_;
   std::uint32_t baud_;
   Rate factor_;

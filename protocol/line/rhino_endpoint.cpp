@@ -8,20 +8,28 @@ namespace xr3 {
 
 void RhinoEndpoint::feed(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
                          std::string& replies, std::vector<Exchange>& exchanges) {
+  for (Parsed& item : parse(byte, offset, simulation.state().enabled))
+    execute(std::move(item), simulation, replies, exchanges);
+}
+
+std::vector<Parsed>& RhinoEndpoint::parse(std::uint8_t byte, std::uint64_t offset, bool enabled) {
   parsed_.clear();
-  if (simulation.state().enabled) {
+  if (enabled) {
     parser_.feed(byte, offset, parsed_);
   } else {
     parser_.feed_disabled(byte, offset, parsed_);
   }
-  for (Parsed& item : parsed_) {
-    Exchange& exchange = exchanges.emplace_back(Exchange{std::move(item), NoReply{}, {}, 0, 0});
-    const Command* command = std::get_if<Command>(&exchange.parsed.what);
-    if (command == nullptr) continue;
-    exchange.reply = simulation.execute(*command);
-    append_reply(exchange.reply, profile_, replies);
-    if (!simulation.events().empty()) exchange.events = simulation.take_events();
-  }
+  return parsed_;
+}
+
+void RhinoEndpoint::execute(Parsed item, Simulation& simulation, std::string& replies,
+                            std::vector<Exchange>& exchanges) const {
+  Exchange& exchange = exchanges.emplace_back(Exchange{std::move(item), NoReply{}, {}, 0, 0});
+  const Command* command = std::get_if<Command>(&exchange.parsed.what);
+  if (command == nullptr) return;
+  exchange.reply = simulation.execute(*command);
+  append_reply(exchange.reply, profile_, replies);
+  if (!simulation.events().empty()) exchange.events = simulation.take_events();
 }
 
 }  // namespace xr3

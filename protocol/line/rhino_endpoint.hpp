@@ -33,6 +33,13 @@ class RhinoEndpoint {
   void feed(std::uint8_t byte, std::uint64_t offset, Simulation& simulation, std::string& replies,
             std::vector<Exchange>& exchanges);
 
+  /// The first half of feed(): what the byte completes, in order, at most three items. Valid until
+  /// the next call. `enabled`: the simulator is.
+  std::vector<Parsed>& parse(std::uint8_t byte, std::uint64_t offset, bool enabled);
+  /// The second half of feed(), for one of these items.
+  void execute(Parsed item, Simulation& simulation, std::string& replies,
+               std::vector<Exchange>& exchanges) const;
+
   /// Discards an incomplete command.
   void reset() { parser_ = RhinoParser(profile_); }
 

@@ -240,13 +240,13 @@ CallValue read_describe(ArgsReader& args) {
 
 constexpr std::array kForms = {
     CallForm{"pause", "Stops simulated time; the clock is then manual.", read_nothing<call::Pause>},
-    CallForm{"resume", "Makes simulated time follow the wall clock again.",
+    CallForm{"resume", "Makes simulated time follow the wall clock, or the byte clock, again.",
              read_nothing<call::Resume>},
     CallForm{"rate", "Sets the number of simulated seconds per second.", read_rate},
-    CallForm{"step", "Advances simulated time by a number of ticks; needs the manual clock.",
+    CallForm{"step", "Advances simulated time by a number of ticks; not with a real clock.",
              read_step, Time::kMoves},
     CallForm{"run_until",
-             "Advances simulated time until nothing moves or to a tick; needs the manual clock.",
+             "Advances simulated time until nothing moves or to a tick; not with a real clock.",
              read_run_until, Time::kMoves},
     CallForm{"reset", "Begins a new epoch with the initial state of the files.",
              read_nothing<call::Reset>},
@@ -272,6 +272,9 @@ constexpr std::array kForms = {
     CallForm{"lines", "Lists the open serial lines, and the physical controller.",
              read_nothing<ListLines>},
     CallForm{"line_disconnect", "Closes a serial line.", read_line_disconnect},
+    CallForm{"transcript",
+             "Gives a digest of all bytes of the lines in this epoch, and of the state.",
+             read_nothing<ReadTranscript>},
     CallForm{"key", "Runs a function of the controller's command mode.", read_key},
     CallForm{"describe", "Lists the calls and their arguments.", read_describe},
 };

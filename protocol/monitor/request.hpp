@@ -86,6 +86,7 @@ struct ListFaults {};
 struct DisconnectLine {
   std::uint32_t line = 0;
 };
+struct ReadTranscript {};
 /// The description of a call and its args; nullopt: of all calls.
 struct Describe {
   std::optional<std::string> fn;
@@ -93,7 +94,8 @@ struct Describe {
 
 struct CallRequest {
   std::string fn;
-  std::variant<call::Call, Send, ListLines, ListFaults, DisconnectLine, Describe> call;
+  std::variant<call::Call, Send, ListLines, ListFaults, DisconnectLine, ReadTranscript, Describe>
+      call;
   std::optional<After> after;  ///< step and run_until only
   Fields fields;               ///< step and run_until only: members of the state in the result
 };

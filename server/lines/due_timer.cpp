@@ -10,10 +10,10 @@ namespace xr3 {
 DueTimer::DueTimer(asio::io_context& io, Cell& cell, std::function<void()> acted)
     : cell_(cell), acted_(std::move(acted)), timer_(io) {}
 
-// With the manual clock, a call advances the cell.
+// With the manual clock, a call advances the cell, and with the byte clock, each input does.
 void DueTimer::update() {
   const std::optional<Tick> due = cell_.next_wake();
-  if (!due || is_closed_ || cell_.clock().mode() == ClockMode::kManual) return;
+  if (!due || is_closed_ || cell_.clock().mode() != ClockMode::kReal) return;
   const WallNs moment = cell_.clock().when(*due);
   if (waits_until_ && *waits_until_ <= moment) return;
   waits_until_ = moment;

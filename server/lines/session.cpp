@@ -22,6 +22,9 @@ constexpr WallNs kFairTime = 150'000;
 // The capacity of a receive buffer. read_arrived() reads no more, even if the client keeps writing.
 constexpr std::size_t kMaxArrivedBytes = 16 * 1024 * 1024;
 
+// Maximum time of read_arrived() if bytes move time: then each may cost as much as a step of time.
+constexpr WallNs kArrivedTime = 2'000'000;
+
 constexpr std::uint64_t kAllOutput = std::numeric_limits<std::uint64_t>::max();
 
 }  // namespace
@@ -51,8 +54,11 @@ std::size_t LineSession::fair_share() const {
 bool LineSession::read_arrived() {
   if (!stream_->is_open()) return false;
   const std::uint64_t output = context_.cell.find_line(id_)->output_end();
-  return work({kMaxArrivedBytes, output + kMaxAnswered, kNever}) == Left::kSome;
+  const WallNs end = moves_time() ? wall_now() + kArrivedTime : kNever;
+  return work({kMaxArrivedBytes, output + kMaxAnswered, end}) == Left::kSome;
 }
+
+bool LineSession::moves_time() const { return context_.cell.clock().mode() == ClockMode::kBytes; }
 
 // Does not read while replies are unsent, so that a client must read its replies. Reads at least
 // once, however late it is: else a line would never be read on a machine that is too slow.
@@ -89,10 +95,11 @@ void LineSession::act(std::string_view bytes, const Turn& turn) {
   if (bytes.empty()) return;
   report_settings();
   const auto is_enough = [&turn] { return wall_now() >= turn.end; };
-  const std::size_t taken =
-      context_.cell.apply(BytesIn{id_, bytes, is_enough}, wall_now()).bytes_taken;
+  const WallNs start = wall_now();
+  const std::size_t taken = context_.cell.apply(BytesIn{id_, bytes, is_enough}, start).bytes_taken;
   note(context_.memory, held_bytes());
   note_load(taken, held_bytes());
+  if (moves_time()) load_ += static_cast<std::uint64_t>(wall_now() - start);
   source_.line_acted(id_);
   context_.acted(id_);
   if (!stream_->is_open()) return;
@@ -148,6 +155,7 @@ void LineSession::end_unless_under_way(const SerialLine& line) {
 LineSession::Left LineSession::flush(const Turn& turn) {
   if (!stream_->is_open()) return Left::kWaits;
   if (context_.cell.find_line(id_)->is_cut()) end_by_fault();
+  if (!has_ended_ && context_.cell.line_before(id_)) return Left::kWaits;
   if (has_ended_) end_input();
   const SerialLine& line = *context_.cell.find_line(id_);  // exists while the stream is open
   if (is_broken_ && (line.is_paced() || line.holds_replies())) close(LineCloseReason::kError);

@@ -50,7 +50,8 @@ class LineSession {
   std::uint64_t load() const { return load_; }
 
   /// Applies every byte that has arrived, until replies wait for the client or exceed kMaxAnswered
-  /// bytes. Returns whether there may be more to do now.
+  /// bytes; with the byte clock, only those of a limited time, and none of a line that waits.
+  /// Returns whether there may be more to do now.
   bool read_arrived();
   static constexpr std::size_t kMaxAnswered = 1024 * 1024;
 
@@ -75,6 +76,7 @@ class LineSession {
   Left work(Turn turn);
   Left flush(const Turn& turn);
   bool is_over(const Turn& turn) const;
+  bool moves_time() const;
   std::size_t fair_share() const;
   void note_load(std::uint64_t bytes_in, std::uint64_t bytes_out);
   std::size_t read(std::size_t most);

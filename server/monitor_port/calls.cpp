@@ -22,6 +22,7 @@ using std::chrono::milliseconds;
 // Longer answers are made in the worker. A line takes some 10 us, a byte of the replies to `send` some 20 ns.
 constexpr std::size_t kMaxLinesAtOnce = 50;
 constexpr std::size_t kMaxReplyBytesAtOnce = 4096;
+constexpr WallNs kMaxSendTime = 2'000'000;
 
 bool moves_time(const monitor::CallRequest& wanted) {
   const auto* call = std::get_if<call::Call>(&wanted.call);
@@ -40,6 +41,15 @@ monitor::RequestError no_such_line(LineId line) {
           "no_such_line",
           "line " + std::to_string(line) + " is not open",
           "lines are numbered from 1 as they are opened",
+          {}};
+}
+
+monitor::RequestError line_waits(LineId current) {
+  const std::string line = "line " + std::to_string(current);
+  return {{},
+          "line_waits",
+          "the byte clock obeys one line at a time, and " + line + " is open",
+          "close " + line + ", also by line_disconnect, or start with --concurrent-lines",
           {}};
 }
 
@@ -86,9 +96,10 @@ struct LineEntry {
   RawBytes last;
   std::optional<SerialSettings> serial;
   std::optional<SerialSettings> speed;
+  std::optional<LineId> waits_for;
 };
 
-LineEntry entry_of(LineId id, const SerialLine& line) {
+LineEntry entry_of(const Cell& cell, LineId id, const SerialLine& line) {
   return {id,
           line.kind(),
           line.peer(),
@@ -99,7 +110,8 @@ LineEntry entry_of(LineId id, const SerialLine& line) {
           line.warnings(),
           line.last(),
           line.settings(),
-          line.speed()};
+          cell.speed_of(line),
+          cell.line_before(id)};
 }
 
 Json line_json(const LineEntry& line) {
@@ -114,6 +126,7 @@ Json line_json(const LineEntry& line) {
                 {"last", readable(line.last.view())}};
   if (line.serial) entry["serial"] = text_of(*line.serial);
   if (line.speed) entry["speed"] = text_of(*line.speed);
+  if (line.waits_for) entry["waits_for"] = *line.waits_for;
   return entry;
 }
 
@@ -147,8 +160,8 @@ MonitorService::Answer MonitorService::at_once(const monitor::Message& message) 
 
 asio::awaitable<void> MonitorService::call(MonitorSession& session, monitor::Request request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  const bool in_manual_clock = cell_.clock().mode() == ClockMode::kManual;
-  if (wanted.after && in_manual_clock) {  // the real clock is refused below, without waiting
+  const bool in_real_clock = cell_.clock().mode() == ClockMode::kReal;
+  if (wanted.after && !in_real_clock) {  // the real clock is refused below, without waiting
     Error error = co_await wait_for(*wanted.after);
     if (error) {
       session.client().send(refused(request.id, *std::move(error)));
@@ -186,6 +199,7 @@ MonitorService::Answer MonitorService::carry_out_call(MonitorSession& session,
     return at_once(monitor::result(request.id, value_with_faults()));
   if (std::holds_alternative<monitor::DisconnectLine>(wanted.call))
     return at_once(disconnect(request));
+  if (std::holds_alternative<monitor::ReadTranscript>(wanted.call)) return transcript(request);
   Json value = value_now();
   value.update(monitor::description(std::get<monitor::Describe>(wanted.call).fn));
   return at_once(monitor::result(request.id, value));
@@ -263,13 +277,19 @@ MonitorService::Answer MonitorService::send(MonitorSession& session,
   const std::string& bytes = std::get<monitor::Send>(wanted.call).bytes;
   const std::optional<LineId> open_line = session.own_line();
   const bool is_open = open_line && cell_.find_line(*open_line) != nullptr;
+  const std::optional<LineId> current = cell_.current_line();
+  if (current && (!is_open || current != open_line))
+    return at_once(refused(request.id, line_waits(*current)));
   const LineId id = is_open
                         ? *open_line
                         : cell_.apply(LineOpened{"monitor", LineKind::kMonitor}, wall_now()).line;
   if (!is_open) session.set_own_line(id);
-  // Camera images can fill the outbox. The client sends the rest of the bytes with the next call,
-  // so that no call takes long.
-  const std::size_t taken = cell_.apply(BytesIn{id, bytes}, wall_now()).bytes_taken;
+  // Camera images can fill the outbox, and with the byte clock each byte takes work. The client
+  // sends the rest of the bytes with the next call, so that no call takes long.
+  const bool moves_time = cell_.clock().mode() == ClockMode::kBytes;
+  const WallNs end = moves_time ? wall_now() + kMaxSendTime : kNever;
+  const auto is_enough = [end] { return wall_now() >= end; };
+  const std::size_t taken = cell_.apply(BytesIn{id, bytes, is_enough}, wall_now()).bytes_taken;
   std::string replies(cell_.find_line(id)->outbox());
   cell_.apply(BytesOut{id, replies.size()}, wall_now());
   Json value = value_now();
@@ -287,7 +307,7 @@ MonitorService::Answer MonitorService::send(MonitorSession& session,
 MonitorService::Answer MonitorService::list_lines(const monitor::Request& request) {
   cell_.catch_up(wall_now());
   std::vector<LineEntry> lines;
-  for (const auto& [id, line] : cell_.lines()) lines.push_back(entry_of(id, line));
+  for (const auto& [id, line] : cell_.lines()) lines.push_back(entry_of(cell_, id, line));
   const bool is_long = lines.size() > kMaxLinesAtOnce;
   Json value = value_now();
   if (cell_.device() != nullptr) value["device"] = device_line_json(*cell_.device());

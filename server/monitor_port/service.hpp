@@ -94,6 +94,7 @@ class MonitorService {
   Answer call_cell(monitor::Request& request);
   Answer send(MonitorSession& session, const monitor::Request& request);
   Answer list_lines(const monitor::Request& request);
+  Answer transcript(const monitor::Request& request);
   monitor::Message disconnect(const monitor::Request& request);
   Answer done(const monitor::Request& request, const call::Done& done);
   /// Epoch and tick, the first members of the value of each call.

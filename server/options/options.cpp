@@ -166,6 +166,41 @@ Leave leave(const CLI::App& app, const CLI::ParseError& error,
   return {ExitCode::kGood, out.str(), err.str()};
 }
 
+/// A whole number in this range; nullopt: none.
+std::optional<std::int64_t> whole_number(std::string_view text, std::int64_t low,
+                                         std::int64_t high) {
+  std::int64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
+  return is_number && low <= number && number <= high ? std::optional(number) : std::nullopt;
+}
+
+/// `INQUIRY_MS[,settle=MS]`, which begins at `from`.
+ByteClockSettings parse_byte_clock(const std::string& text, std::size_t from) {
+  constexpr std::string_view kSettle = "settle=";
+  using Limits = ByteClockSettings;
+  const std::string_view rules = std::string_view(text).substr(from);
+  const std::size_t comma = rules.find(',');
+  const auto inquiry = whole_number(rules.substr(0, comma), 0, Limits::kMaxInquiryMs);
+  ByteClockSettings settings;
+  bool is_good = inquiry.has_value();
+  if (comma != std::string_view::npos) {
+    const std::string_view rest = rules.substr(comma + 1);
+    if (rest.starts_with(kSettle))
+      settings.settle_ms =
+          whole_number(rest.substr(kSettle.size()), Limits::kMinSettleMs, Limits::kMaxSettleMs);
+    is_good = is_good && settings.settle_ms;
+  }
+  if (!is_good) {
+    throw std::invalid_argument(
+        text + ": the byte clock is bytes:INQUIRY_MS, 0..." +
+        std::to_string(Limits::kMaxInquiryMs) + ", or bytes:INQUIRY_MS,settle=MS, " +
+        std::to_string(Limits::kMinSettleMs) + "..." + std::to_string(Limits::kMaxSettleMs));
+  }
+  settings.inquiry_ms = *inquiry;
+  return settings;
+}
+
 }  // namespace
 
 Rate parse_rate(const std::string& text) {
@@ -231,10 +266,16 @@ std::uint32_t parse_mode(const std::string& text) {
 }
 
 ClockChoice parse_clock(const std::string& text) {
-  if (text == "manual") return {ClockMode::kManual, Rate{}};
-  if (text == "real") return {ClockMode::kReal, Rate{}};
-  if (text.starts_with("real:")) return {ClockMode::kReal, parse_rate(text.substr(5))};
-  throw std::invalid_argument(text + ": a clock is real, real:FACTOR or manual");
+  constexpr std::string_view kBytes = "bytes:";
+  if (text == "manual") return {ClockMode::kManual, Rate{}, {}};
+  if (text == "real") return {ClockMode::kReal, Rate{}, {}};
+  if (text.starts_with("real:")) return {ClockMode::kReal, parse_rate(text.substr(5)), {}};
+  if (text == "bytes") return {ClockMode::kBytes, Rate{}, {}};
+  if (text.starts_with(kBytes))
+    return {ClockMode::kBytes, Rate{}, parse_byte_clock(text, kBytes.size())};
+  throw std::invalid_argument(text +
+                              ": a clock is real, real:FACTOR, manual, or "
+                              "bytes[:INQUIRY_MS[,settle=MS]]");
 }
 
 ViewVector parse_view(const std::string& text) {

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "cell/byte_clock.hpp"
 #include "core/model.hpp"
 #include "core/sim_clock.hpp"
 #include "core/state.hpp"
@@ -25,10 +26,12 @@
 
 namespace xr3 {
 
-/// The initial clock: real, at a rate, or manual, advanced only by the monitor.
+/// The initial clock: real, at a rate, or manual, advanced only by the monitor, or that of the
+/// bytes.
 struct ClockChoice {
   ClockMode mode = ClockMode::kReal;
   Rate rate;
+  ByteClockSettings bytes;  ///< has_concurrent_lines is an option of its own
   bool operator==(const ClockChoice&) const = default;
 };
 
@@ -46,6 +49,7 @@ struct ServeOptions {
   std::uint16_t monitor_port = 9601;  ///< 0: any free port
   Profile profile = Profile::kPaper;
   ClockChoice clock;
+  bool has_concurrent_lines = false;  ///< with the byte clock: all lines are obeyed together
   std::size_t max_lines = 1024;
   Guard guard = Guard::kNormal;
   std::string fault_file;               ///< name or path; empty: none
@@ -116,7 +120,7 @@ using Options = std::variant<ServeOptions, CheckOptions, DrawOptions, KinOptions
 /// Never throws and never prints.
 Options parse_options(int argc, const char* const* argv);
 
-/// `real`, `real:FACTOR` or `manual`. Throws std::invalid_argument, with the allowed values.
+/// `real`, `real:FACTOR`, `manual` or `bytes[:INQUIRY_MS[,settle=MS]]`. Throws std::invalid_argument, with the allowed values.
 ClockChoice parse_clock(const std::string& text);
 
 /// `strict`, `normal` or `off`. Throws std::invalid_argument, with the allowed values.

@@ -164,9 +164,11 @@ void add_serve(CLI::App& app, ServeOptions& options) {
   serve
       .add_option_function<std::string>(
           "--clock", [&options](const std::string& text) { options.clock = parse_clock(text); },
-          "real (default), real:FACTOR to run faster or slower, or manual: the monitor steps time")
-      ->type_name("real[:FACTOR]|manual")
+          "real (default), FACTOR times as fast; manual: by the monitor; bytes: by the programs")
+      ->type_name("real[:FACTOR]|manual|bytes[:INQUIRY_MS[,settle=MS]]")
       ->check(parses(parse_clock, ""));
+  add_flag(serve, "--concurrent-lines", options.has_concurrent_lines,
+           "with --clock bytes: all lines are obeyed together, not one at a time");
   serve
       .add_option("--max-lines", options.max_lines,
                   "maximum number of open robot connections; further ones are closed at once")
@@ -227,6 +229,13 @@ Options checked_serve(ServeOptions options) {
   if (options.device && !(options.clock == ClockChoice{}))
     return refuse(source_of(options.option_sources, "--serial") +
                   " needs --clock real: a physical arm does not run faster or wait");
+  if (options.has_concurrent_lines && options.clock.mode != ClockMode::kBytes)
+    return refuse(source_of(options.option_sources, "--concurrent-lines") +
+                  " needs --clock bytes: with the other clocks all lines are obeyed together");
+  if (options.has_concurrent_lines && options.clock.bytes.settle_ms)
+    return refuse(
+        source_of(options.option_sources, "--concurrent-lines") +
+        " cannot be used with settle=: the silence of one line says nothing of the others");
   if (options.device && options.line_speed)
     return refuse(source_of(options.option_sources, "--line-speed") +
                   " cannot be used with --serial: the arm's port has a speed of its own");

@@ -69,6 +69,19 @@ TEST(SimClock, KeepsItsTickWhilePaused) {
   EXPECT_EQ(clock.at(101 * kSecond), 4000) << "at its previous rate";
 }
 
+TEST(SimClock, ResumeReturnsToTheModeOfTheStart) {
+  SimClock clock = SimClock::bytes(5);
+  EXPECT_EQ(clock.mode(), ClockMode::kBytes);
+  EXPECT_EQ(clock.at(100 * kSecond), 5) << "wall time does not move it";
+  clock.set_tick(7, kSecond);
+  clock.pause(2 * kSecond);
+  EXPECT_EQ(clock.mode(), ClockMode::kManual);
+  clock.resume(3 * kSecond);
+  EXPECT_EQ(clock.mode(), ClockMode::kBytes);
+  EXPECT_EQ(clock.at(100 * kSecond), 7);
+  EXPECT_EQ(SimClock::manual().running_mode(), ClockMode::kReal);
+}
+
 TEST(SimClock, ASecondPauseOrResumeChangesNothing) {
   SimClock clock = SimClock::real({}, 0);
   clock.pause(kSecond);

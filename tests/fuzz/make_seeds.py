@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes the fuzzers' seeds: transcripts for fuzz_line and fuzz_line_speed, data files for fuzz_data_file, one request of
+"""Writes the fuzzers' seeds: transcripts for fuzz_line, fuzz_line_speed and fuzz_byte_clock, data files for fuzz_data_file, one request of
 each kind for fuzz_monitor_request, short streams for the fuzzers of byte streams, and the inputs that
 `minimise` keeps in corpus/NAME.txt, one a line in base64.
 
@@ -154,6 +154,7 @@ def made():
         data = line_input(text.decode())
         yield "line", name, data
         yield "line_speed", name, bytes([index % 8]) + data[1:]
+        yield "byte_clock", name, bytes([index % 8]) + data[1:]
     for kind, first in (("robots", b"\0"), ("workcells", b"\1"), ("faults", b"f")):
         for name, text in files(f"data/{kind}/*.json"):
             yield "data_file", f"{kind}-{name}", first + text

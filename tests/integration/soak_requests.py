@@ -20,7 +20,7 @@ def one(seed):
     try:
         robot, workcell = ROBOTS[seed % 4]
         ask(unittest.TestCase(), seed, REQUESTS, "--robot", robot, "--workcell", workcell,
-            "--compat", ["paper", "mark3"][seed // 4 % 2], clock="manual" if seed // 8 % 4 else "real:20")
+            "--compat", ["paper", "mark3"][seed // 4 % 2], clock=["real:20", "manual", "bytes", "manual"][seed // 8 % 4])
     except Exception as error:  # of any kind: the message must contain the seed
         return f"seed {seed}: {error!r}"[:2000]
     return ""

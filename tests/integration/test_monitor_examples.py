@@ -13,7 +13,7 @@ from support import ROOT, Server, connect
 from test_transcripts import unescaped
 
 DOCUMENT = pathlib.Path(ROOT, "docs", "monitor-messages.md")
-COMMAND = re.compile(r"\$ ((?:\w+=\S+ )*)xr3 serve --clock manual")
+COMMAND = re.compile(r"\$ ((?:\w+=\S+ )*)xr3 serve --clock (manual|bytes)")
 REPEATED = re.compile(r"(.*) \((\d+) times\)")
 PEER = re.compile(r"127\.0\.0\.1:\d+")  # differs from run to run
 
@@ -22,8 +22,9 @@ class Player:
     """One block of the document: a server, a client of its monitor port, and a serial line."""
 
     def __init__(self, command):
-        environment = dict(pair.split("=") for pair in COMMAND.fullmatch(command)[1].split())
-        self.server = Server("--log-level", "error", environment=environment)
+        settings, clock = COMMAND.fullmatch(command).groups()
+        environment = dict(pair.split("=") for pair in settings.split())
+        self.server = Server("--log-level", "error", clock=clock, environment=environment)
 
     def __enter__(self):
         self.server.__enter__()

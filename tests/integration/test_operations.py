@@ -28,6 +28,10 @@ replies that an RFC 2217 client has suspended | cell/serial_line.hpp | kFullOutb
 replies that `step` and `run_until` wait for, per line | server/lines/session.hpp | kMaxAnswered | 1048576
 bytes of a line that have not acted yet | cell/line_pace.hpp | kMaxInput
 bytes of all lines that act in one advance of real time | cell/cell.hpp | kMaxDueBytes
+time before an inquiry (`--clock bytes`) | cell/byte_clock.hpp | kMaxInquiryMs | 1000
+a run to rest (`--clock bytes`) | cell/cell.hpp | kMaxSleep
+a `send`, or the bytes before a `step` (`--clock bytes`) | server/monitor_port/calls.cpp | kMaxSendTime | 1000000
+a `send`, or the bytes before a `step` (`--clock bytes`) | server/lines/session.cpp | kArrivedTime | 1000000
 commands of a line that wait for the physical controller | cell/device_link.hpp | kMaxWaiting
 warnings in the log, per line and simulated second | cell/warning_limiter.hpp | kMaxNotesPerSecond
 monitor connections | server/net/socket_limits.hpp | connections

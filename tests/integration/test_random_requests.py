@@ -16,6 +16,11 @@ class RandomRequests(unittest.TestCase):
             with self.subTest(seed=seed):
                 ask(self, seed, 500, clock="real:50")
 
+    def test_with_the_byte_clock(self):
+        for seed in range(150, 153):
+            with self.subTest(seed=seed):
+                ask(self, seed, 500, clock="bytes")
+
     def test_other_robots(self):
         for seed, options in ((200, ("--robot", "adept-one")),
                               (201, ("--robot", "intelledex-660", "--compat", "mark3")),

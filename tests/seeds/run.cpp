@@ -151,6 +151,11 @@ ServeOptions Run::serve_options() {
     options.line_speed = parse_line_speed(
         random_.any_of({"9600-7e2:100", "115200-8n1:1000", "300-8n1:100000", "auto:100"}));
   }
+  if (!world_.is_manual && random_.chance(200)) {
+    options.clock =
+        parse_clock(random_.any_of({"bytes", "bytes:0", "bytes:500", "bytes:20,settle=50"}));
+    options.has_concurrent_lines = !options.clock.bytes.settle_ms && random_.chance(300);
+  }
   if (random_.chance(100)) options.max_lines = random_.between(1, 4);
   if (random_.chance(100)) kernel_.max_descriptors = random_.between(40, 60);
   if (random_.chance(50)) options.max_memory_mib = random_.between(2, 6);

@@ -23,3 +23,14 @@ test("screen readers do not announce texts that change ten times a second", () =
   withPage([], async (page) => {
     for (const id of ["clock", "status-text"]) assert.equal(await page.getAttribute(`#${id}`, "aria-live"), "off");
   }));
+
+test("with the byte clock the time of the last message stands, and there is no speed", () =>
+  withPage(["--clock", "bytes"], async (page) => {
+    await page.waitForFunction(() => window.xr3.known.state?.clock.mode === "bytes");
+    assert.equal(await page.isDisabled("#rate"), true);
+    assert.equal(await page.isDisabled("#step"), false);
+    assert.equal(await page.textContent("#pause"), "Pause");
+    const before = await page.textContent("#clock");
+    await page.waitForTimeout(400);
+    assert.equal(await page.textContent("#clock"), before);
+  }));

@@ -53,6 +53,8 @@ LineEntry read_line(const Json& object) {
   read(object, "bytes_out", line.bytes_out);
   read(object, "serial", line.settings);
   read(object, "last", line.last);
+  if (member(object, "waits_for").is_number_integer())
+    line.last = "waits for line " + std::to_string(value_of<std::int64_t>(object, "waits_for"));
   return line;
 }
 
@@ -134,8 +136,10 @@ Display read_display(const Json& message) {
 
 void read_clock(const Json& clock, Known& known) {
   if (!clock.is_object()) return;
-  const bool is_manual = value_of<std::string>(clock, "mode") == "manual";
-  known.mode = is_manual ? ClockMode::kManual : ClockMode::kReal;
+  const auto mode = value_of<std::string>(clock, "mode");
+  known.mode = mode == "manual"  ? ClockMode::kManual
+               : mode == "bytes" ? ClockMode::kBytes
+                                 : ClockMode::kReal;
   read(clock, "rate", known.rate);
 }
 

@@ -48,9 +48,17 @@ void paint_ends(TextScreen& screen, int row, const std::string& left, const std:
   if (at > after + 1) screen.put(row, at, right, style, width);
 }
 
+std::string mode_text(const Known& known) {
+  switch (known.mode) {
+    case ClockMode::kReal: return "real x " + plain_number(known.rate, 6);
+    case ClockMode::kManual: return "manual";
+    case ClockMode::kBytes: return "bytes";
+  }
+  return "";
+}
+
 std::string clock_text(const Known& known, int columns) {
-  const std::string mode =
-      known.mode == ClockMode::kManual ? "manual" : "real x " + plain_number(known.rate, 6);
+  const std::string mode = mode_text(known);
   const std::string time = "   " + seconds_text(known.tick, known.tick_hz);
   if (columns < kTickWidth) return mode + time;
   return mode + "   epoch " + std::to_string(known.epoch) + "   tick " +

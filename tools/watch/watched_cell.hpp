@@ -74,7 +74,7 @@ struct LineEntry {
   std::int64_t bytes_in = 0;
   std::int64_t bytes_out = 0;
   std::string settings;  ///< of the serial port; empty: not known
-  std::string last;      ///< the last command
+  std::string last;      ///< the last command, or for whom the line waits
 };
 
 /// The channel `display`: the settings of command mode, and the status line.
@@ -112,7 +112,7 @@ struct Note {
   std::int64_t times = 1;
 };
 
-enum class ClockMode : std::uint8_t { kReal, kManual };
+enum class ClockMode : std::uint8_t { kReal, kManual, kBytes };
 
 /// Everything received. `cell` is empty before the `hello` message, `state` before the first state.
 struct Known {

@@ -190,7 +190,7 @@ function takeLag(lag) {
   if (lag.channel === "line") wire.lag(lag);
 }
 
-const kOfLines = new Set(["line_open", "line_close", "device", "epoch"]);
+const kOfLines = new Set(["line_open", "line_close", "line_turn", "device", "epoch"]);
 
 function takeEvent(event) {
   if (event.event === "epoch") scene.clearPath();

@@ -36,5 +36,14 @@ TEST(LineSpeed, AFactorMakesItFasterOrSlower) {
   EXPECT_EQ(time_of("1-8e2", kMillion), 12 * kMillion * kMillion);
 }
 
+TEST(LineSpeed, ACharacterIsRoundedToTheNearestMicrosecond) {
+  const auto rounded = [](const char* settings, std::int64_t factor) {
+    return CharacterTime(*parse_serial_settings(settings), Rate{factor}).rounded();
+  };
+  EXPECT_EQ(rounded("9600-7e2", 1'000'000), 1'146) << "1145.83";
+  EXPECT_EQ(rounded("300-8n1", 1'000'000), 33'333) << "33333.33";
+  EXPECT_EQ(rounded("4000000-8n1", 1'000'000), 3) << "2.5";
+}
+
 }  // namespace
 }  // namespace xr3

@@ -191,6 +191,7 @@ TEST(MonitorCalls, ParsesFaults) {
   EXPECT_EQ(wrong_in("fault_set", R"({"fault":{"name":"x","kind":"motor_stuck","at_tick":1}})"),
             Pointers{"/joint"});
   other_of<ListFaults>("fault_list", "{}");
+  other_of<ReadTranscript>("transcript", "{}");
   EXPECT_EQ(call_of<call::ClearFault>("fault_clear", R"({"name":"jam"})").name, "jam");
   EXPECT_EQ(call_of<call::ClearFault>("fault_clear", "{}").name, "");
   EXPECT_EQ(wrong_in("fault_clear", R"({"name":""})"), Pointers{"/args/name"});

@@ -102,7 +102,21 @@ TEST(EventJson, LinesOpenAndClose) {
             R"("message":"line 4 closed by its client","bytes_in":12,"bytes_out":3})");
 }
 
+TEST(EventJson, LinesWaitAndHaveTheirTurn) {
+  EXPECT_EQ(shown(LineTurnNote{1}, 4),
+            R"({"event":"line_turn","line":4,"code":"line_waits",)"
+            R"("message":"line 4 waits, unread, until line 1 is closed: the byte clock obeys one )"
+            R"(line at a time; line_disconnect closes line 1, --concurrent-lines obeys all",)"
+            R"("waits_for":1})");
+  EXPECT_EQ(shown(LineTurnNote{}, 4), R"({"event":"line_turn","line":4,"code":"line_turn",)"
+                                      R"("message":"the turn of line 4 begins","waits_for":null})");
+}
+
 TEST(EventJson, TheClock) {
+  EXPECT_EQ(shown(ClockNote{"resume", ClockMode::kBytes, {}}),
+            R"({"event":"clock","line":null,"code":"resume",)"
+            R"~("message":"time moves with the bytes of the lines (resume)",)~"
+            R"("clock":{"mode":"bytes","rate":1.0}})");
   EXPECT_EQ(shown(ClockNote{"pause", ClockMode::kManual, {}}),
             R"~({"event":"clock","line":null,"code":"pause","message":"time is paused (pause)",)~"
             R"("clock":{"mode":"manual","rate":1.0}})");

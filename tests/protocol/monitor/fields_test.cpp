@@ -55,6 +55,7 @@ TEST(MonitorFields, EventsHaveTheFieldsOfAllKinds) {
       ProblemNote{},
       LineOpenedNote{},
       LineClosedNote{},
+      LineTurnNote{1},
       ClockNote{"pause", ClockMode::kManual, {}},
       ModelNote{"block_add", "red", 2},
       EpochNote{"reset", 0, 7},

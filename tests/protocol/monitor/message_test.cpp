@@ -23,7 +23,8 @@ TEST(MonitorMessage, Hello) {
       R"("calls":["pause","resume","rate","step","run_until","reset","home","device_stop",)"
       R"("mirror_align","send","input",)"
       R"("block_add","block_move","block_remove","workcell","snapshot_save","snapshot_load",)"
-      R"("fault_set","fault_list","fault_clear","lines","line_disconnect","key","describe"],)"
+      R"("fault_set","fault_list","fault_clear","lines","line_disconnect","transcript",)"
+      R"("key","describe"],)"
       R"("limits":{"message_bytes":262144,"depth":32,"max_hz":60}})");
 }
 

@@ -100,6 +100,16 @@ TEST(Options, RecognisesLoopbackAddresses) {
     EXPECT_FALSE(is_loopback(address)) << address;
 }
 
+TEST(Options, TheByteClock) {
+  EXPECT_EQ(parse_clock("bytes"), (ClockChoice{ClockMode::kBytes, Rate{}, {}}));
+  EXPECT_EQ(parse_clock("bytes:5").bytes.inquiry_ms, 5);
+  EXPECT_EQ(parse_clock("bytes:0").bytes.settle_ms, std::nullopt);
+  EXPECT_EQ(parse_clock("bytes:20,settle=500").bytes.settle_ms, 500);
+  const auto options = std::get<ServeOptions>(
+      parse({"serve", "--clock", "bytes", "--concurrent-lines", "--line-speed", "300-8n1"}));
+  EXPECT_TRUE(options.has_concurrent_lines);
+}
+
 TEST(Options, RejectsInvalidArgumentsWithAMessage) {
   const std::initializer_list<std::initializer_list<const char*>> wrong = {
       {},
@@ -110,6 +120,17 @@ TEST(Options, RejectsInvalidArgumentsWithAMessage) {
       {"serve", "--clock", "fast"},
       {"serve", "--clock", "real:0"},
       {"serve", "--clock", "real:1e9"},
+      {"serve", "--clock", "bytes:"},
+      {"serve", "--clock", "bytes:-1"},
+      {"serve", "--clock", "bytes:60001"},
+      {"serve", "--clock", "bytes:20x"},
+      {"serve", "--clock", "bytes:20,"},
+      {"serve", "--clock", "bytes:20,settle=9"},
+      {"serve", "--clock", "bytes:20,settle=600001"},
+      {"serve", "--clock", "bytes:20,rest=5"},
+      {"serve", "--clock", "bytes", "--serial", "/dev/ttyUSB0"},
+      {"serve", "--concurrent-lines"},
+      {"serve", "--clock", "bytes:20,settle=50", "--concurrent-lines"},
       {"serve", "--max-lines", "0"},
       {"serve", "--log-level", "loud"},
       {"serve", "extra"},

@@ -212,6 +212,18 @@ TEST(WatchModel, APrivateServerIsNotAskedWithoutTheToken) {
   EXPECT_TRUE(wrong.is_complete());
 }
 
+TEST(WatchModel, ReadsTheByteClockAndLinesThatWait) {
+  WatchModel model = test::watched_model();
+  model.handle(test::watched_state("\"mode\":\"real\"", "\"mode\":\"bytes\""));
+  EXPECT_EQ(model.known().mode, ClockMode::kBytes);
+  EXPECT_THAT(*model.ask(Action::kPauseOrResume), HasSubstr(R"("fn":"pause")"));
+  EXPECT_TRUE(model.ask_lines());
+  std::string lines = test::watched_lines();
+  lines.replace(lines.find(R"("last":"E?")"), 11, R"("last":"","waits_for":2)");
+  model.handle(lines);
+  EXPECT_EQ(model.known().lines->at(1).last, "waits for line 2");
+}
+
 TEST(WatchModel, ReadsTheLinesAndTheDevice) {
   WatchModel model = test::watched_model();
   EXPECT_THAT(*model.ask_lines(), HasSubstr(R"("fn":"lines")"));

@@ -82,7 +82,7 @@ export class LinesPanel {
     setText(cells.in, String(entry.bytes_in));
     setText(cells.out, String(entry.bytes_out));
     setText(cells.settings, entry.serial ?? "");
-    setText(cells.last, entry.last);
+    setText(cells.last, entry.waits_for ? `waits for line ${entry.waits_for}` : entry.last);
     row.classList.toggle("is-lost", entry.opened_tick === null);
   }
 

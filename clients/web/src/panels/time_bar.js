@@ -25,9 +25,10 @@ export class TimeBar {
     this.allow();
   }
 
-  /** Enables Step only with the manual clock and with control access. */
+  /** Enables Step only without a real clock, the speed only without the byte clock, and both with control access. */
   allow() {
-    byId("step").disabled = this.known.state?.clock.mode !== "manual" || !this.mayCall();
+    byId("rate").disabled = this.known.state?.clock.mode === "bytes" || !this.mayCall();
+    byId("step").disabled = this.known.state?.clock.mode === "real" || !this.mayCall();
   }
 
   #showRate(wanted) {
@@ -49,7 +50,7 @@ export class TimeBar {
 
   tickNow() {
     const { state, hello, arrival } = this.known;
-    if (state.clock.mode === "manual") return state.tick;
+    if (state.clock.mode !== "real") return state.tick; // a call or a byte moves it, and a message follows
     return Math.floor(state.tick + ((performance.now() - arrival) / 1000) * state.clock.rate * hello.tick_hz);
   }
 }

@@ -1,0 +1,41 @@
+// The monitor's call `transcript`.
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "server/monitor_port/service.hpp"
+#include "server/net/wall_clock.hpp"
+
+namespace xr3 {
+namespace {
+
+monitor::RequestError no_transcript(const monitor::RequestId& id) {
+  return {
+      id, "no_transcript", "only the byte clock has a transcript", "start with --clock bytes", {}};
+}
+
+Json marks_json(const TranscriptSummary& summary) {
+  Json marks = Json::array();
+  for (const TranscriptMark mark : summary.marks) marks.push_back(name_of(mark));
+  return marks;
+}
+
+}  // namespace
+
+MonitorService::Answer MonitorService::transcript(const monitor::Request& request) {
+  cell_.catch_up(wall_now());
+  if (cell_.transcript() == nullptr) return at_once(monitor::result(no_transcript(request.id)));
+  const bool is_large = cell_.state().blocks.size() > FrameMaker::kMaxBlocksAtOnce;
+  return {
+      [id = request.id, summary = cell_.transcript()->summary(), model = cell_.model_ptr(),
+       state = cell_.state(), remainder = cell_.clock_remainder(), value = value_now()]() mutable {
+        value["sha256"] = transcript_digest(summary, *model, state, remainder);
+        value["lines"] = summary.lines;
+        value["bytes_in"] = summary.bytes_in;
+        value["bytes_out"] = summary.bytes_out;
+        value["marks"] = marks_json(summary);
+        return monitor::result(id, value);
+      },
+      is_large};
+}
+
+}  // namespace xr3
