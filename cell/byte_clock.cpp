@@ -23,15 +23,6 @@ char moved_joint(const Command& command) {
 
 SerialSettings usual_line_settings() { return {kDefaultBaud, SerialFrame{}}; }
 
-bool is_inquiry(const Command& command) {
-  return std::holds_alternative<QueryError>(command) ||
-         std::holds_alternative<QuerySignedError>(command) ||
-         std::holds_alternative<QuerySwitch>(command) ||
-         std::holds_alternative<QuerySwitchesI>(command) ||
-         std::holds_alternative<QuerySwitchesJ>(command) ||
-         std::holds_alternative<QueryInputs>(command) || is_camera_inquiry(command);
-}
-
 ByteClock::ByteClock(const ByteClockSettings& settings, const std::optional<LineSpeed>& speed)
     : settings_(settings),
       factor_(speed ? speed->factor : Rate{}),

@@ -31,9 +31,6 @@ struct ByteClockSettings {
 /// bits.
 SerialSettings usual_line_settings();
 
-/// Whether a command has a reply, if its joint exists.
-bool is_inquiry(const Command& command);
-
 class ByteClock {
  public:
   /// `speed` sets the time of a character; nullopt: usual_line_settings().

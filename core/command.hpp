@@ -9,6 +9,43 @@
 
 namespace xr3 {
 
+// --- Replies. Each inquiry names the type of its own: Answer.
+
+/// Reply to `a?`: |error counter|, 0...128.
+struct ErrorMagnitude {
+  int counts;
+  bool operator==(const ErrorMagnitude&) const = default;
+};
+/// Reply to `aT`.
+struct SignedError {
+  std::int8_t counts;
+  bool operator==(const SignedError&) const = default;
+};
+/// Reply to `aV`.
+struct SwitchState {
+  bool closed;
+  bool operator==(const SwitchState&) const = default;
+};
+/// Reply to `I`, `J`, `K`: the bits of closed switches and, separately, of high input lines.
+/// `fitted` has the bits of all switches that the robot has.
+struct SwitchBits {
+  std::uint8_t closed = 0;
+  std::uint8_t fitted = 0;
+  std::uint8_t inputs = 0;
+  char inquiry = 'I';  ///< 'I', 'J' or 'K'
+  bool operator==(const SwitchBits&) const = default;
+};
+/// Reply to `A**` and `A*r*`: the complete image or one row.
+struct CameraRows {
+  ImagePtr image;  ///< never null
+  bool operator==(const CameraRows& other) const { return *image == *other.image; }
+};
+/// Reply to `A*c,r*`.
+struct PixelValue {
+  bool set;
+  bool operator==(const PixelValue&) const = default;
+};
+
 // --- Motion and inquiry (paper, Table VI). Labels are 'A'...'H'.
 
 /// Add counts to the joint's error counter.
@@ -33,29 +70,35 @@ struct Stop {
 };
 /// `a?`: the distance still to go.
 struct QueryError {
+  using Answer = ErrorMagnitude;
   char label;
   bool operator==(const QueryError&) const = default;
 };
 /// `aT`: the error counter with its sign.
 struct QuerySignedError {
+  using Answer = SignedError;
   char label;
   bool operator==(const QuerySignedError&) const = default;
 };
 /// `aV`: the joint's microswitch.
 struct QuerySwitch {
+  using Answer = SwitchState;
   char label;
   bool operator==(const QuerySwitch&) const = default;
 };
 /// `I`: switches of joints C...H.
 struct QuerySwitchesI {
+  using Answer = SwitchBits;
   bool operator==(const QuerySwitchesI&) const = default;
 };
 /// `J`: switches of joints A and B, input lines 5-8.
 struct QuerySwitchesJ {
+  using Answer = SwitchBits;
   bool operator==(const QuerySwitchesJ&) const = default;
 };
 /// `K`: input lines 1-4.
 struct QueryInputs {
+  using Answer = SwitchBits;
   bool operator==(const QueryInputs&) const = default;
 };
 /// `L M N O`: auxiliary port 1 or 2 on or off.
@@ -122,15 +165,18 @@ struct ToggleFunctionKeys {
 };
 /// `A**`: the complete binary image.
 struct CameraImage {
+  using Answer = CameraRows;
   bool operator==(const CameraImage&) const = default;
 };
 /// `A*r*`: one row, from 0 at the top.
 struct CameraRow {
+  using Answer = CameraRows;
   int row;
   bool operator==(const CameraRow&) const = default;
 };
 /// `A*c,r*`: one pixel.
 struct CameraPixel {
+  using Answer = PixelValue;
   int column;
   int row;
   bool operator==(const CameraPixel&) const = default;
@@ -142,46 +188,18 @@ using Command = std::variant<Move, SetSpeed, Stop, QueryError, QuerySignedError,
                              ToggleSimulator, SetRefreshPeriod, ToggleErasing, SelectStatus,
                              ToggleFunctionKeys, CameraImage, CameraRow, CameraPixel>;
 
-// --- Replies. Only inquiries have one.
+/// A command with a reply, of the type that it names.
+template <class Each>
+concept Inquiry = requires { typename Each::Answer; };
+
+/// Whether a command has a reply, if its joint exists.
+inline bool is_inquiry(const Command& command) {
+  return std::visit([]<class Each>(const Each&) { return Inquiry<Each>; }, command);
+}
 
 struct NoReply {
   bool operator==(const NoReply&) const = default;
 };
-/// Reply to `a?`: |error counter|, 0...128.
-struct ErrorMagnitude {
-  int counts;
-  bool operator==(const ErrorMagnitude&) const = default;
-};
-/// Reply to `aT`.
-struct SignedError {
-  std::int8_t counts;
-  bool operator==(const SignedError&) const = default;
-};
-/// Reply to `aV`.
-struct SwitchState {
-  bool closed;
-  bool operator==(const SwitchState&) const = default;
-};
-/// Reply to `I`, `J`, `K`: the bits of closed switches and, separately, of high input lines.
-/// `fitted` has the bits of all switches that the robot has.
-struct SwitchBits {
-  std::uint8_t closed = 0;
-  std::uint8_t fitted = 0;
-  std::uint8_t inputs = 0;
-  char inquiry = 'I';  ///< 'I', 'J' or 'K'
-  bool operator==(const SwitchBits&) const = default;
-};
-/// Reply to `A**` and `A*r*`: the complete image or one row.
-struct CameraRows {
-  ImagePtr image;  ///< never null
-  bool operator==(const CameraRows& other) const { return *image == *other.image; }
-};
-/// Reply to `A*c,r*`.
-struct PixelValue {
-  bool set;
-  bool operator==(const PixelValue&) const = default;
-};
-
 /// The replies, with `Rows` for rows of the camera's image.
 template <class Rows>
 using ReplyWith =

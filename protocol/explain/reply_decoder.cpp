@@ -50,15 +50,9 @@ struct SizeOf {
     if (!context.camera) return 1;
     return pixel.column < context.camera->width && pixel.row < context.camera->height ? 1 : 0;
   }
-  std::optional<std::size_t> operator()(const QueryError&) const { return 1; }
-  std::optional<std::size_t> operator()(const QuerySignedError&) const { return 1; }
-  std::optional<std::size_t> operator()(const QuerySwitch&) const { return 1; }
-  std::optional<std::size_t> operator()(const QuerySwitchesI&) const { return 1; }
-  std::optional<std::size_t> operator()(const QuerySwitchesJ&) const { return 1; }
-  std::optional<std::size_t> operator()(const QueryInputs&) const { return 1; }
-  template <class Silent>
-  std::optional<std::size_t> operator()(const Silent&) const {
-    return 0;
+  template <class Each>
+  std::optional<std::size_t> operator()(const Each&) const {
+    return Inquiry<Each> ? 1 : 0;
   }
 };
 
@@ -88,18 +82,23 @@ struct ReplyOf {
   }
 
   // mark3 clears the top bit of 128 and up. The byte 32 is then 0 or 128 to go, most often 0.
-  DecodedReply operator()(const QueryError&) const {
+  DecodedReply decoded(const ErrorMagnitude*) const {
     const bool is_cut = is_inverted() && byte() < kReplyBase;
     const int counts = byte() - kReplyBase + (is_cut ? kSevenBitValues : 0);
     if (counts < 0 || counts > kMaxErrorMagnitude) return NoReply{};
     return ErrorMagnitude{counts};
   }
-  DecodedReply operator()(const QuerySignedError&) const {
+  DecodedReply decoded(const SignedError*) const {
     return SignedError{static_cast<std::int8_t>(bytes[0])};
   }
-  DecodedReply operator()(const QuerySwitch&) const {
+  DecodedReply decoded(const SwitchState*) const {
     if (byte() > 1) return NoReply{};
     return SwitchState{(byte() == 1) != is_inverted()};
+  }
+  DecodedReply decoded(const PixelValue*) const {
+    const auto sent = value(1);
+    if (!sent) return NoReply{};
+    return PixelValue{*sent == 1};
   }
   DecodedReply operator()(const QuerySwitchesI&) const { return switches('I', kSwitchesOfI, 0); }
   DecodedReply operator()(const QuerySwitchesJ&) const {
@@ -108,11 +107,6 @@ struct ReplyOf {
   DecodedReply operator()(const QueryInputs&) const { return switches('K', 0, kInputsOfK); }
   DecodedReply operator()(const CameraImage&) const { return picture(context.camera->height); }
   DecodedReply operator()(const CameraRow&) const { return picture(1); }
-  DecodedReply operator()(const CameraPixel&) const {
-    const auto sent = value(1);
-    if (!sent) return NoReply{};
-    return PixelValue{*sent == 1};
-  }
   DecodedReply picture(int rows) const {
     const bool is_printable = std::all_of(bytes.begin(), bytes.end(), [](char byte) {
       return byte >= kReplyBase && byte < kReplyBase + (1 << kPixelsPerReplyByte);
@@ -120,9 +114,13 @@ struct ReplyOf {
     if (!is_printable) return NoReply{};
     return PictureSize{context.camera->width, rows};
   }
-  template <class Silent>
-  DecodedReply operator()(const Silent&) const {
-    return NoReply{};
+  /// Of any other command. The type of the reply tells what its byte means.
+  template <class Each>
+  DecodedReply operator()(const Each&) const {
+    if constexpr (Inquiry<Each>)
+      return decoded(static_cast<const typename Each::Answer*>(nullptr));
+    else
+      return NoReply{};
   }
 };
 

@@ -4,11 +4,10 @@ import select
 import time
 import unittest
 
-from monitor_schema import messages
+from monitor_schema import load, messages
 from support import MonitorError, Server, connect, counts, machine, motors
 
-STATE = {"op", "cell", "epoch", "seq", "tick", "clock", "joints", "tool", "blocks", "switches", "io", "moving",
-         "stalled", "enabled", "model_rev"}
+STATE = set(load("monitor-v1")["$defs"]["state"]["properties"]) - {"id", "device"}  # the whole state
 MOTOR = {"label", "count", "error", "value", "unit", "speed", "switch", "moving", "blocked"}
 TOOL = MOTOR | {"opening_mm", "xyz_mm", "rotation", "configuration", "net_roll_deg", "holding"}
 

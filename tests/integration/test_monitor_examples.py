@@ -15,6 +15,7 @@ from test_transcripts import unescaped
 DOCUMENT = pathlib.Path(ROOT, "docs", "monitor-messages.md")
 COMMAND = re.compile(r"\$ ((?:\w+=\S+ )*)xr3 serve --clock (manual|bytes)")
 REPEATED = re.compile(r"(.*) \((\d+) times\)")
+CALLS = re.compile(r'("op":"hello".*"calls":\["pause"),.*?\]')  # their list grows
 PEER = re.compile(r"127\.0\.0\.1:\d+")  # differs from run to run
 
 
@@ -52,7 +53,8 @@ class Player:
     def read(self):
         text, self.greeting = self.greeting or self.file.readline(), b""
         monitor_schema.check(json.loads(text), is_whole=False)
-        return PEER.sub("127.0.0.1:51022", text.decode().rstrip("\n"))
+        shown = CALLS.sub(r"\1,...]", text.decode().rstrip("\n"))
+        return PEER.sub("127.0.0.1:51022", shown)
 
 
 def played():

@@ -4,17 +4,21 @@ A parser calls `execute(command, *arguments)` at the byte with which the command
 ignored. It knows nothing of the robot or of the profile.
 """
 
+import json
+import pathlib
 import re
 
 JOINTS = "ABCDEFGH"
 BLANKS = " \0"
 DIGITS = "0123456789"
 ARGUMENT_BYTES = DIGITS + "+-," + BLANKS
-ONE_BYTE = {"I": "query_switches_i", "J": "query_switches_j", "K": "query_inputs", "Q": "controller_reset",
-            "L": "auxiliary_1_on", "M": "auxiliary_1_off", "N": "auxiliary_2_on", "O": "auxiliary_2_off"}
-OF_A_JOINT = {"X": "stop", "?": "query_error", "T": "query_signed_error", "V": "query_switch"}
-OF_A_LINE = {"P": "output_high", "R": "output_low"}
-ENVIRONMENT = {"$": "soft_home", "@": "toggle_simulator", "#": "toggle_display", "|": "toggle_erasing"}
+DATA = pathlib.Path(__file__).parents[2] / "data/commands.json"
+FORMS = {command["form"]: command["name"] for part in json.loads(DATA.read_text(encoding="utf-8")).values()
+         if isinstance(part, list) for command in part}
+ONE_BYTE = {form: name for form, name in FORMS.items() if len(form) == 1}
+OF_A_JOINT = {form[1]: name for form, name in FORMS.items() if re.fullmatch("a[^a-z]", form)}
+OF_A_LINE = {form[0]: name for form, name in FORMS.items() if re.fullmatch("[A-Z]n", form)}
+ENVIRONMENT = {form[1]: name for form, name in FORMS.items() if re.fullmatch("A[^a-z]", form)}
 WITH_ARGUMENTS = "!.%*"
 
 

@@ -6,7 +6,10 @@ favour moves during moves, wraps of error counters, limits, coupled joints, swit
 almost commands.
 """
 
+import json
 import random
+
+from .parser import DATA
 
 ALPHABET = b"AAABCDEFGHIJKLMNOPQRSTVX00112345678999+-+-??!!..,%**|#$ \r\n\0@abcdefz_~\x80"
 ENDS = ["\r", "\r", "\n", " ", "\r\n", "\0", "", "", ";"]
@@ -18,6 +21,8 @@ COMMANDS = ["I", "J", "K", "AI", "AJ", "L", "M", "N", "O", "Q", "A#", "A|", "A$"
             "A%7", "A%\r", "A**", "A*0*", "A*4*", "A*5*", "A*3,2*", "A*10,0*", "A*9,4*", "A*,*", "A*1\r", "P1", "P8",
             "P9", "P0", "P\r", "P 3", "R\x004", "R1", "R8", "R5", "R", "P", "A ", "A", "A5$", "A$A$",
             "A@A@", "AA@a@", "A $", "A! 1, 2 ,- 3!", "A. 6 ", "A* 3 , 2 *", "A % 2"]
+COMMANDS += [command["example"] for part in json.loads(DATA.read_text(encoding="utf-8")).values()
+             if isinstance(part, list) for command in part]
 AFTER_A_LABEL = ["--5\r", "+ 5 ", "-\r5\r", "+X", "- X3 ", "-+3 ", "5 5 ", "5+5\r", "+5-3\r", "+200 5 ", "300S5 ", "0S",
                  "255S", "256S", "254S", "1S", "+5S", "5 S", "S5 ", "SX", "z5 ", "=+3 ", "zZ3 ", "z?5 ", "P95 ", "5P1",
                  "Px5 ", "5A$", "+0\r", "-0 ", "-128\r", "+127\r", "A#5 ", "$", "5\x00?", "+1\x004 "]

@@ -10,6 +10,7 @@
 
 #include "core/kinematics.hpp"
 #include "protocol/explain/command_text.hpp"
+#include "protocol/explain/reply_decoder.hpp"
 #include "protocol/json/source.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/rig.hpp"
@@ -334,6 +335,29 @@ TEST(Explain, EveryDocumentedCommandHasACode) {
   }
   EXPECT_EQ(obeyed, named);
   EXPECT_GT(named.size(), 20U);
+}
+
+// A client decodes every reply: reply_decoder.cpp is the inverse of rhino_reply.cpp.
+TEST(Explain, EveryDocumentedReplyIsDecoded) {
+  const ModelPtr model = seeing_rhino();
+  const ReplyContext context = context_of(*model);
+  const Json commands = Json::parse(test::project_file("data/commands.json"));
+  for (const auto& [part, list] : commands.items()) {
+    if (!list.is_array()) continue;
+    for (const Json& command : list) {
+      Tap tap(model);
+      tap.send(command["example"].get<std::string>() + "\r");
+      const std::string& reply = tap.received();
+      EXPECT_EQ(reply.empty(), command["reply"].is_null()) << command["form"];
+      for (const wire::Item& item : tap.records().front().items) {
+        const auto* done = std::get_if<wire::Executed>(&item.what);
+        if (done == nullptr) continue;
+        ASSERT_EQ(reply_size(done->command, context), reply.size()) << command["form"];
+        if (!reply.empty())
+          EXPECT_TRUE(decode_reply(done->command, reply, context)) << command["form"];
+      }
+    }
+  }
 }
 
 /// The names of the commands in `bytes`, each with a comma behind it; problems are skipped.

@@ -20,12 +20,9 @@ TEST(MonitorMessage, Hello) {
       R"("tick_hz":1000,"clock":{"mode":"real","rate":1.0},"compat":"paper",)"
       R"("robot":{"name":"Rhino XR-3","joints":["F","E","D","C","B"],"tool":"A"},"access":"control",)"
       R"("channels":["state","image","event","line","display","model"],)"
-      R"("calls":["pause","resume","rate","step","run_until","reset","home","device_stop",)"
-      R"("mirror_align","send","input",)"
-      R"("block_add","block_move","block_remove","workcell","snapshot_save","snapshot_load",)"
-      R"("fault_set","fault_list","fault_clear","lines","line_disconnect","transcript",)"
-      R"("key","describe"],)"
-      R"("limits":{"message_bytes":262144,"depth":32,"max_hz":60}})");
+      R"("calls":)" +
+          Json(calls()).dump() + "," +
+          R"("limits":{"message_bytes":262144,"depth":32,"max_hz":60}})");
 }
 
 TEST(MonitorMessage, HelloNamesCellsAndProfile) {
