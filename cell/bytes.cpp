@@ -34,7 +34,7 @@ void Cell::set_byte_clock(const ByteClockSettings& settings,
 // --- Turns. Lines have their turns in the order in which they were opened.
 
 std::optional<LineId> Cell::current_line() const {
-  if (!byte_clock_ || byte_clock_->settings().has_concurrent_lines || lines_.empty())
+  if (!byte_clock_ || bytes().settings().has_concurrent_lines || lines_.empty())
     return std::nullopt;
   return lines_.begin()->first;
 }
@@ -43,8 +43,6 @@ std::optional<LineId> Cell::line_before(LineId line) const {
   const std::optional<LineId> current = current_line();
   return line != kProbeLine && current != line && lines_.contains(line) ? current : std::nullopt;
 }
-
-void Cell::announce_wait(LineId line) { emit(line, LineTurnNote{*line_before(line)}); }
 
 /// The line that was obeyed, or the last one, has closed: the robot runs to rest, and the next line
 /// has its turn. So nothing depends on whether that line was opened before or after.
@@ -60,17 +58,16 @@ void Cell::end_turn(LineCloseReason reason) {
 // --- Time.
 
 Micros Cell::character_time(const SerialLine& line) const {
-  return byte_clock_->character_time(byte_clock_->follows_clients() ? line.settings()
-                                                                    : std::nullopt);
+  return bytes().character_time(bytes().follows_clients() ? line.settings() : std::nullopt);
 }
 
 std::optional<SerialSettings> Cell::speed_of(const SerialLine& line) const {
-  return byte_clock_ ? byte_clock_->settings_of(line.settings()) : line.speed();
+  return byte_clock_ ? bytes().settings_of(line.settings()) : line.speed();
 }
 
 /// Time passes, as long as the byte clock says.
 void Cell::pass(Micros time) {
-  const Tick ticks = byte_clock_->take_ticks(time);
+  const Tick ticks = bytes().take_ticks(time);
   if (ticks == 0) return;
   const Tick start = state().tick;
   simulation_.advance_to(std::min(start + ticks, monitor::kMaxInteger));
@@ -90,7 +87,7 @@ void Cell::after_bytes(Tick start) {
 void Cell::pass_delays() {
   if (!is_moved_by_bytes() || is_frozen_) return;
   for (;;) {
-    pass(byte_clock_->take_owed());
+    pass(bytes().take_owed());
     const std::optional<Tick> due = next_due();
     if (!due) return;
     const Tick start = state().tick;
@@ -117,11 +114,10 @@ Applied Cell::handle(const LineSilent& silent, WallNs) {
 }
 
 void Cell::restart_bytes() {
-  if (byte_clock_) byte_clock_->restart();
+  if (byte_clock_) bytes().restart();
   if (!transcript_) return;
   transcript_->restart();
-  if (byte_clock_ && byte_clock_->settings().has_concurrent_lines)
-    mark(TranscriptMark::kArrivalOrder);
+  if (byte_clock_ && bytes().settings().has_concurrent_lines) mark(TranscriptMark::kArrivalOrder);
   if (!lines_.empty()) mark(TranscriptMark::kNotBytesAlone);  // what has acted depends on time
 }
 
@@ -132,8 +128,9 @@ void Cell::byte_comes(LineId id, std::uint8_t byte) {
   if (is_moved_by_bytes()) {
     emit_exchanges(id, *open_line(id), emitted_);
     emitted_ = exchanges_.size();
-    pass(byte_clock_->take_owed() + character_time(*line));
+    pass(bytes().take_owed() + character_time(*line));
   }
+  assert(transcript_);
   if (!line->is_cut()) transcript_->add_in(id, state().tick, byte);
 }
 
@@ -143,9 +140,9 @@ void Cell::command_comes(LineId id, const Command& command) {
   if (is_inquiry(command)) {
     emit_exchanges(id, line, emitted_);
     emitted_ = exchanges_.size();
-    pass(byte_clock_->take_owed() + byte_clock_->inquiry_time());
+    pass(bytes().take_owed() + bytes().inquiry_time());
   }
-  if (!byte_clock_->note_command(command, model(), state())) return;
+  if (!bytes().note_command(command, model(), state())) return;
   line.note_warning();
   ProblemNote note =
       hurry_note(std::holds_alternative<Move>(command) ? std::get<Move>(command).label
@@ -155,9 +152,10 @@ void Cell::command_comes(LineId id, const Command& command) {
 }
 
 void Cell::reply_leaves(LineId id, std::string_view reply) {
+  assert(transcript_);
   transcript_->add_out(id, state().tick, reply);
   if (is_moved_by_bytes())
-    byte_clock_->owe(static_cast<Micros>(reply.size()) * character_time(*find_line(id)));
+    bytes().owe(static_cast<Micros>(reply.size()) * character_time(*find_line(id)));
 }
 
 /// As receive_piece(), but of bytes that move time: those up to the end of a command, or of what
@@ -206,7 +204,7 @@ void Cell::note_call(const call::Call& call) {
 
 /// The port of a pseudo-terminal has other settings. Which bytes have acted before depends on time.
 void Cell::note_settings(const SerialLine& line, const SerialSettings& reported) {
-  const bool is_late = byte_clock_ && byte_clock_->follows_clients() && line.bytes_acted() > 0;
+  const bool is_late = byte_clock_ && bytes().follows_clients() && line.bytes_acted() > 0;
   if (is_late && line.settings() != reported) mark(TranscriptMark::kNotBytesAlone);
 }
 

@@ -123,7 +123,7 @@ Applied Cell::handle(const LineOpened& opened, WallNs) {
   if (line_speed_ && opened.kind != LineKind::kMonitor) lines_.at(id).set_speed(*line_speed_);
   if (transcript_) lines_.at(id).listen(*this, id);
   if (!state().enabled && !is_for_device) emit(id, disabled_note());
-  if (line_before(id)) announce_wait(id);
+  if (const std::optional<LineId> before = line_before(id)) emit(id, LineTurnNote{*before});
   Applied applied;
   applied.line = id;
   return applied;

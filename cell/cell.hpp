@@ -4,6 +4,7 @@
 // argument.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -60,7 +61,7 @@ class Cell final : private LineListener {
   /// tick it is the whole time of the cell.
   Micros clock_remainder() const { return byte_clock_ ? byte_clock_->remainder() : 0; }
   /// Precondition: there is a byte clock.
-  void set_clock_remainder(Micros remainder) { byte_clock_->set_remainder(remainder); }
+  void set_clock_remainder(Micros remainder) { bytes().set_remainder(remainder); }
   /// The line that a line waits for: with the byte clock, one line is obeyed at a time, and others
   /// are not read. nullopt: it does not wait, or is not open.
   std::optional<LineId> line_before(LineId line) const;
@@ -195,6 +196,11 @@ class Cell final : private LineListener {
   void placed_block(std::string_view call, std::size_t block);
   ModelPtr model_with(const Workcell& workcell) const;
 
+  ByteClock& bytes() {
+    assert(byte_clock_);
+    return *byte_clock_;
+  }
+  const ByteClock& bytes() const { return const_cast<Cell&>(*this).bytes(); }
   bool is_moved_by_bytes() const { return clock_.mode() == ClockMode::kBytes && byte_clock_; }
   void byte_comes(LineId line, std::uint8_t byte) override;
   void command_comes(LineId line, const Command& command) override;
@@ -204,7 +210,6 @@ class Cell final : private LineListener {
   void pass(Micros time);
   void pass_delays();
   void rest();
-  void announce_wait(LineId line);
   void end_turn(LineCloseReason reason);
   void note_end(LineId line, LineCloseReason reason);
   void note_call(const call::Call& call);

@@ -37,7 +37,7 @@ bool SilenceTimer::is_moving() const {
 }
 
 WallNs SilenceTimer::due() const {
-  return since_ + *cell_.byte_clock()->settings().settle_ms * kNsPerMs;
+  return since_ + cell_.byte_clock()->settings().settle_ms.value_or(0) * kNsPerMs;
 }
 
 void SilenceTimer::wait() {
@@ -55,7 +55,7 @@ void SilenceTimer::look() {
   is_waiting_ = false;
   if (!is_needed() || !is_moving()) return;
   if (wall_now() < due()) return wait();
-  cell_.apply(LineSilent{*last_.line}, wall_now());
+  cell_.apply(LineSilent{last_.line.value_or(0)}, wall_now());
   acted_();
 }
 
