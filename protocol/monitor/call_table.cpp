@@ -271,6 +271,7 @@ constexpr std::array kForms = {
     CallForm{"fault_clear", "Removes a fault, or all.", read_fault_clear},
     CallForm{"lines", "Lists the open serial lines, and the physical controller.",
              read_nothing<ListLines>},
+    CallForm{"cells", "Lists the cells of the server.", read_nothing<ListCells>},
     CallForm{"line_disconnect", "Closes a serial line.", read_line_disconnect},
     CallForm{"transcript",
              "Gives a digest of all bytes of the lines in this epoch, and of the state.",

@@ -21,21 +21,22 @@ Json marks_json(const TranscriptSummary& summary) {
 
 }  // namespace
 
-MonitorService::Answer MonitorService::transcript(const monitor::Request& request) {
-  cell_.catch_up(wall_now());
-  if (cell_.transcript() == nullptr) return at_once(monitor::result(no_transcript(request.id)));
-  const bool is_large = cell_.state().blocks.size() > FrameMaker::kMaxBlocksAtOnce;
-  return {
-      [id = request.id, summary = cell_.transcript()->summary(), model = cell_.model_ptr(),
-       state = cell_.state(), remainder = cell_.clock_remainder(), value = value_now()]() mutable {
-        value["sha256"] = transcript_digest(summary, *model, state, remainder);
-        value["lines"] = summary.lines;
-        value["bytes_in"] = summary.bytes_in;
-        value["bytes_out"] = summary.bytes_out;
-        value["marks"] = marks_json(summary);
-        return monitor::result(id, value);
-      },
-      is_large};
+MonitorService::Answer MonitorService::transcript(HostedCell& at, const monitor::Request& request) {
+  Cell& cell = at.cell();
+  cell.catch_up(wall_now());
+  if (cell.transcript() == nullptr) return at_once(monitor::result(no_transcript(request.id)));
+  const bool is_large = cell.state().blocks.size() > FrameMaker::kMaxBlocksAtOnce;
+  return {[id = request.id, summary = cell.transcript()->summary(), model = cell.model_ptr(),
+           state = cell.state(), remainder = cell.clock_remainder(),
+           value = value_now(cell)]() mutable {
+            value["sha256"] = transcript_digest(summary, *model, state, remainder);
+            value["lines"] = summary.lines;
+            value["bytes_in"] = summary.bytes_in;
+            value["bytes_out"] = summary.bytes_out;
+            value["marks"] = marks_json(summary);
+            return monitor::result(id, value);
+          },
+          is_large};
 }
 
 }  // namespace xr3

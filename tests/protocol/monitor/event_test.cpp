@@ -112,6 +112,15 @@ TEST(EventJson, LinesWaitAndHaveTheirTurn) {
                                       R"("message":"the turn of line 4 begins","waits_for":null})");
 }
 
+TEST(EventJson, CellsOpenAndClose) {
+  EXPECT_EQ(
+      shown(CellOpenedNote{"c3"}),
+      R"({"event":"cell_opened","line":null,"code":"cell_opened","message":"cell c3 opened"})");
+  EXPECT_EQ(
+      shown(CellClosedNote{"c3"}),
+      R"({"event":"cell_closed","line":null,"code":"cell_closed","message":"cell c3 closed"})");
+}
+
 TEST(EventJson, TheClock) {
   EXPECT_EQ(shown(ClockNote{"resume", ClockMode::kBytes, {}}),
             R"({"event":"clock","line":null,"code":"resume",)"
