@@ -110,9 +110,15 @@ struct DeviceNote {
   std::uint64_t count = 0;  ///< of kUnasked: the number of bytes
 };
 
+/// The recording of the cell has ended, and the cell goes on.
+struct RecordingNote {
+  std::string path;  ///< of its file
+  std::string why;
+};
+
 using CellNote =
     std::variant<EventBody, ProblemNote, SuppressedNote, LineOpenedNote, LineClosedNote, ClockNote,
-                 ModelNote, EpochNote, HandoverNote, DeviceNote>;
+                 ModelNote, EpochNote, HandoverNote, DeviceNote, RecordingNote>;
 
 struct CellEvent {
   Epoch epoch = 0;

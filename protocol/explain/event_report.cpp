@@ -294,6 +294,12 @@ struct CellEvents {
             text_of(note),
             {{"device", note.path}, {"hex", hexadecimal(note.raw.view())}, {"count", note.count}}};
   }
+  EventReport operator()(const RecordingNote& note) const {
+    return {"recording",
+            "recording_failed",
+            "the recording has ended, and the robot goes on: " + note.path + ": " + note.why,
+            {{"file", note.path}}};
+  }
 
  private:
   static std::string_view code_for(DeviceNews news) {

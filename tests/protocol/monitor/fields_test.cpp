@@ -60,6 +60,7 @@ TEST(MonitorFields, EventsHaveTheFieldsOfAllKinds) {
       EpochNote{"reset", 0, 7},
       HandoverNote{},
       DeviceNote{},
+      RecordingNote{},
   };
   Json all = Json::object();
   for (const CellNote& note : notes)
