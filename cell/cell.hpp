@@ -16,6 +16,7 @@
 #include "cell/counters.hpp"
 #include "cell/input.hpp"
 #include "cell/mirror.hpp"
+#include "cell/recording/input_log.hpp"
 #include "cell/warning_limiter.hpp"
 #include "core/sim_clock.hpp"
 #include "core/simulation.hpp"
@@ -79,6 +80,31 @@ class Cell {
   /// Advances time to `now` and emits the events of that time. Throws as apply() does.
   void catch_up(WallNs now);
 
+  /// From now on, the log is told of every input and what else the cell depends on; nullptr: nobody
+  /// is. It must outlive the cell or be removed.
+  void set_log(InputLog* log) { log_ = log; }
+  /// For a replay: from now on time passes only by this function, to `tick`, and at most `max_bytes`
+  /// bytes that become due act. Inputs act at the current tick; their wall time must be 0. A tick in
+  /// the past means now. Throws as apply() does.
+  void replay_to(Tick tick, std::size_t max_bytes = kEveryByte);
+  /// Ends a replay: time passes by the clock again, from the current tick at `now`.
+  void end_replay(WallNs now);
+
+  /// Everything that the cell's future depends on beside its inputs, as a value.
+  struct Checkpoint;
+  /// Precondition: there is no device.
+  Checkpoint checkpoint() const;
+  /// Continues from a checkpoint of a cell with the same robot, profile, line speed and faults of the
+  /// start, as a replay: inputs that follow have the same effect as on that cell. Events and records
+  /// of lines stay. Precondition: there is no device.
+  void restore(const Checkpoint& checkpoint);
+  /// The number of bytes of lines that have acted, or left, because they became due.
+  std::uint64_t acts() const { return acts_; }
+  /// The number of the line that was opened last; 0: none.
+  LineId last_line() const { return last_line_; }
+  const std::optional<LineSpeed>& line_speed() const { return line_speed_; }
+  const FaultPlan& initial_faults() const { return initial_faults_; }
+
   /// Disables apply() and catch_up(), for the end of the process.
   void freeze() { is_frozen_ = true; }
 
@@ -119,15 +145,21 @@ class Cell {
 
   /// Maximum number of named snapshots.
   static constexpr std::size_t kMaxSnapshots = 16;
+  /// A snapshot under a name. The workcell, which may be large, is shared with the cell and others.
+  struct NamedSnapshot {
+    ModelPtr model;
+    State state;
+  };
+
+  static constexpr std::size_t kEveryByte = std::numeric_limits<std::size_t>::max();
 
   const CellCounters& counters() const { return counters_; }
 
  private:
-  static constexpr std::size_t kEveryByte = std::numeric_limits<std::size_t>::max();
-
   SerialLine* open_line(LineId line);
   Applied take_in(const Input& input, WallNs now);
   void advance(WallNs now);
+  void pass_time(Tick target, std::size_t max_bytes);
   std::size_t advance_to(Tick target, std::size_t max_bytes = kEveryByte);
   void run_to_rest(Tick limit);
   Applied handle(const LineOpened& opened, WallNs now);
@@ -140,6 +172,7 @@ class Cell {
   Applied handle(const DeviceLost& lost, WallNs now);
   Applied handle(const DeviceIn& in, WallNs now);
   Applied handle(const DeviceOut& out, WallNs now);
+  Applied handle(const RecordingFailed& failed, WallNs now);
   Applied handle(const call::Call& call, WallNs now);
 
   call::Outcome carry_out(const call::Pause&, WallNs now);
@@ -169,7 +202,7 @@ class Cell {
   ModelPtr model_with(const Workcell& workcell) const;
 
   std::optional<Tick> next_due_until(Tick limit) const;
-  void act_due();
+  bool act_due();
   void act_input(LineId id, SerialLine& line, Micros now);
   void send_reply(LineId id, SerialLine& line, Micros now);
   void record_acted(LineId id, SerialLine& line);
@@ -188,6 +221,7 @@ class Cell {
   void stop_simulated_joints();
   bool loses_mirror(const EventBody& event);
   void record_out(const WirePlace& out, const SerialLine& line, std::size_t unsent);
+  void log_output(LineId id, const SerialLine& line, std::size_t unsent);
   void emit_fault_events(LineId id, SerialLine& line);
   void note_fault(const EventBody& event);
   void emit(std::optional<LineId> line, CellNote note);
@@ -215,11 +249,6 @@ class Cell {
   LineId last_line_ = 0;
   std::optional<SerialLine> probe_line_;
   std::map<LineId, std::uint64_t> closed_bytes_in_;  ///< of closed lines; the lowest goes first
-  /// A snapshot under a name. The workcell, which may be large, is shared with the cell and others.
-  struct NamedSnapshot {
-    ModelPtr model;
-    State state;
-  };
   std::map<std::string, NamedSnapshot> snapshots_;
   std::vector<Exchange> exchanges_;  ///< of the bytes being received; reuses its memory
   WarningLimiter warnings_;
@@ -229,6 +258,9 @@ class Cell {
   monitor::Ring<WireRecord> wires_;
   CellCounters counters_;
   CellEventSink sink_;
+  InputLog* log_ = nullptr;
+  std::uint64_t acts_ = 0;
+  bool is_replayed_ = false;
   bool is_frozen_ = false;
 };
 
