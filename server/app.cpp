@@ -83,7 +83,10 @@ App::App(const ServeOptions& options, ModelPtr model, std::string token)
     : options_(options),
       fresh_token_(std::holds_alternative<FreshToken>(options.token) ? token : ""),
       reserve_(std::make_unique<char[]>(kReserveBytes)),
-      cell_("main", std::move(model), start_clock(options.clock), log_event),
+      cell_("main", std::move(model), start_clock(options.clock),
+            [this](const CellEvent& event, const Model& its) {
+              if (!is_replaying_) log_event(event, its);
+            }),
       policy_(access_rules(options, std::move(token))),
       limits_(socket_limits(options)),
       memory_(io_, options.max_memory_mib << 20, [this] { return close_greediest(); }),
@@ -117,10 +120,23 @@ ExitCode App::run() {
   return_freed_blocks();
   listen();
   open_terminals();
+  connect_device();
+  start_recording();
   open_device();
   await_signal();
   announce();
-  return serve();
+  const ExitCode code = serve();
+  if (recording_ && code == ExitCode::kGood) recording_->finish();
+  return code;
+}
+
+void App::begin_with(const std::function<void(Cell&)>& replay) {
+  is_replaying_ = true;
+  replay(cell_);
+  while (!cell_.lines().empty())
+    cell_.apply(LineClosed{cell_.lines().begin()->first, LineCloseReason::kShutdown}, 0);
+  is_replaying_ = false;
+  cell_.end_replay(wall_now());
 }
 
 ExitCode App::serve() {
@@ -162,10 +178,22 @@ void App::open_terminals() {
                      [&] { ptys_.serve(options_.ptys, options_.pty_mode); });
 }
 
-void App::open_device() {
+void App::connect_device() {
   if (!options_.device) return;
   device_.emplace(io_, cell_, options_.device->path, options_.device->settings,
                   options_.is_mirrored, [this] { acted(); });
+}
+
+void App::start_recording() {
+  if (options_.record.empty()) return;
+  with_option_source(options_.option_sources, "--record", [&] {
+    recording_.emplace(io_, cell_, options_.record, std::uint64_t{options_.record_max_mib} << 20U,
+                       [this] { acted(); });
+  });
+}
+
+void App::open_device() {
+  if (!device_) return;
   with_option_source(options_.option_sources, "--serial", [&] { device_->open(); });
 }
 

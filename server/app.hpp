@@ -18,6 +18,7 @@
 #include "server/net/socket_limits.hpp"
 #include "server/options/options.hpp"
 #include "server/pty/port.hpp"
+#include "server/recording/recording.hpp"
 #include "server/robot_port/port.hpp"
 #include "server/robot_port/probe.hpp"
 
@@ -45,6 +46,10 @@ class App {
   /// The faults of the start; see Cell::set_faults().
   void set_faults(FaultPlan plan) { cell_.set_faults(std::move(plan)); }
 
+  /// Lets `replay` bring the fresh cell, to which it may apply inputs, to the state with which this
+  /// server begins. Its lines are closed after it, and its events are not logged.
+  void begin_with(const std::function<void(Cell&)>& replay);
+
   /// Serves until SIGTERM, SIGINT or SIGHUP, then sends pending replies and returns kGood. An
   /// exception from any loop or handler ends it at once: it is logged, and the result is kBroken.
   /// Throws ListenError, and FileError if a file or pseudo-terminal cannot be made.
@@ -69,6 +74,8 @@ class App {
   ExitCode break_off(const char* what);
   void listen();
   void open_terminals();
+  void connect_device();
+  void start_recording();
   void open_device();
   void announce();
   void announce_token(std::uint16_t monitor_port) const;
@@ -87,7 +94,9 @@ class App {
   std::unique_ptr<char[]> reserve_;
   Loop io_;
   Stage stage_ = Stage::kStarting;
+  bool is_replaying_ = false;
   Cell cell_;
+  std::optional<Recording> recording_;
   AccessPolicy policy_;
   SocketLimits limits_;
   MemoryLimit memory_;
