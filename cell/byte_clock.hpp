@@ -9,23 +9,10 @@
 #include "core/command.hpp"
 #include "core/model.hpp"
 #include "core/state.hpp"
+#include "protocol/line/byte_clock_settings.hpp"
 #include "protocol/line/line_speed.hpp"
 
 namespace xr3 {
-
-struct ByteClockSettings {
-  static constexpr std::int64_t kMaxInquiryMs = 60'000;
-  static constexpr std::int64_t kMinSettleMs = 10;
-  static constexpr std::int64_t kMaxSettleMs = 600'000;
-
-  std::int64_t inquiry_ms = 20;  ///< pass before each inquiry, 0...kMaxInquiryMs
-  /// So much wall time of silence on the current line runs the robot to rest; the server measures
-  /// it. nullopt: silence has no effect.
-  std::optional<std::int64_t> settle_ms = std::nullopt;
-  bool has_concurrent_lines = false;  ///< all lines are obeyed, not one at a time
-
-  bool operator==(const ByteClockSettings&) const = default;
-};
 
 /// The settings of a line whose speed nobody has set: 9600 baud, 7 data bits, even parity, 2 stop
 /// bits.
@@ -37,6 +24,8 @@ class ByteClock {
   explicit ByteClock(const ByteClockSettings& settings, const std::optional<LineSpeed>& speed = {});
 
   const ByteClockSettings& settings() const { return settings_; }
+  /// The speed that gives characters their time.
+  LineSpeed speed() const { return {fixed_, factor_}; }
   Micros inquiry_time() const { return settings_.inquiry_ms * kMicrosPerMs; }
   /// Whether the client of a line sets the time of its characters.
   bool follows_clients() const { return !fixed_; }

@@ -51,23 +51,44 @@ Applied Cell::take_in(const Input& input, WallNs now) {
   if (is_frozen_) return {};
   advance(now);
   ++revision_;
+  if (log_ != nullptr) log_->begin(*this, input);
   Applied applied = std::visit([&](const auto& each) { return handle(each, now); }, input);
   pass_delays();
+  if (log_ != nullptr) log_->end(*this, input, applied);
   return applied;
 }
 
 void Cell::advance(WallNs now) {
-  if (is_frozen_) return;
+  if (is_frozen_ || is_replayed_) return;
   if (is_moved_by_bytes()) return pass_delays();
-  const Tick before = state().tick;
   const bool is_real = clock_.mode() == ClockMode::kReal;
   // Simulated time stops at the maximum integer of the protocol, after some 285,000 years.
-  const std::size_t acted = advance_to(std::min(clock_.at(now), monitor::kMaxInteger),
-                                       is_real ? kMaxDueBytes : kEveryByte);
+  const Tick target = std::min(clock_.at(now), monitor::kMaxInteger);
+  if (log_ != nullptr) log_->before_advance(*this);
+  pass_time(target, is_real ? kMaxDueBytes : kEveryByte);
+  if (log_ != nullptr) log_->after_advance(*this, next_due_until(target).has_value());
+}
+
+void Cell::pass_time(Tick target, std::size_t max_bytes) {
+  const Tick before = state().tick;
+  const std::size_t acted = advance_to(target, max_bytes);
   if (state().tick == before && acted == 0) return;
   counters_.ticks += static_cast<std::uint64_t>(state().tick - before);
   ++revision_;
   emit_time_events();
+}
+
+void Cell::replay_to(Tick tick, std::size_t max_bytes) {
+  vital("the cell", [&] {
+    is_replayed_ = true;
+    pass_time(std::min(tick, monitor::kMaxInteger), max_bytes);
+    clock_.set_tick(state().tick, 0);
+  });
+}
+
+void Cell::end_replay(WallNs now) {
+  is_replayed_ = false;
+  clock_.set_tick(state().tick, now);
 }
 
 // Emits the machine's events, and the reports of suppressed warnings that are due.
@@ -203,11 +224,18 @@ void Cell::record_out(const WirePlace& out, const SerialLine& line, std::size_t 
   if (added.empty()) return;
   counters_.bytes_out += added.size();
   fill_out(wires_.push(), out, added, exchanges_, line.released());
+  log_output(out.line, line, unsent);
+}
+
+/// Tells the log of the bytes that the line has added to its outbox after the first `unsent` ones.
+void Cell::log_output(LineId id, const SerialLine& line, std::size_t unsent) {
+  if (log_ != nullptr) log_->output(*this, id, line.outbox().substr(unsent));
 }
 
 Applied Cell::handle(const BytesOut& out, WallNs) {
   SerialLine* line = open_line(out.line);
   if (line == nullptr) return {};
+  if (log_ != nullptr) log_->sent(*this, out);
   line->sent(out.count, micros_at(state().tick));
   schedule(out.line, *line);
   return {};
@@ -247,6 +275,11 @@ Applied Cell::handle(const LineClosed& closed, WallNs) {
   lines_.erase(closed.line);
   note_end(closed.line, closed.reason);
   if (was_current || lines_.empty()) end_turn(closed.reason);
+  return {};
+}
+
+Applied Cell::handle(const RecordingFailed& failed, WallNs) {
+  emit(std::nullopt, RecordingNote{failed.path, failed.why});
   return {};
 }
 

@@ -19,6 +19,7 @@
 #include "cell/input.hpp"
 #include "cell/line_listener.hpp"
 #include "cell/mirror.hpp"
+#include "cell/recording/input_log.hpp"
 #include "cell/transcript.hpp"
 #include "cell/warning_limiter.hpp"
 #include "core/sim_clock.hpp"
@@ -108,6 +109,31 @@ class Cell final : private LineListener {
   /// Advances time to `now` and emits the events of that time. Throws as apply() does.
   void catch_up(WallNs now);
 
+  /// From now on, the log is told of every input and what else the cell depends on; nullptr: nobody
+  /// is. It must outlive the cell or be removed.
+  void set_log(InputLog* log) { log_ = log; }
+  /// For a replay: from now on time passes only by this function, to `tick`, and at most `max_bytes`
+  /// bytes that become due act. Inputs act at the current tick; their wall time must be 0. A tick in
+  /// the past means now. Throws as apply() does.
+  void replay_to(Tick tick, std::size_t max_bytes = kEveryByte);
+  /// Ends a replay: time passes by the clock again, from the current tick at `now`.
+  void end_replay(WallNs now);
+
+  /// Everything that the cell's future depends on beside its inputs, as a value.
+  struct Checkpoint;
+  /// Precondition: there is no device.
+  Checkpoint checkpoint() const;
+  /// Continues from a checkpoint of a cell with the same robot, profile, line speed and faults of the
+  /// start, as a replay: inputs that follow have the same effect as on that cell. Events and records
+  /// of lines stay. Precondition: there is no device.
+  void restore(const Checkpoint& checkpoint);
+  /// The number of bytes of lines that have acted, or left, because they became due.
+  std::uint64_t acts() const { return acts_; }
+  /// The number of the line that was opened last; 0: none.
+  LineId last_line() const { return last_line_; }
+  const std::optional<LineSpeed>& line_speed() const { return line_speed_; }
+  const FaultPlan& initial_faults() const { return initial_faults_; }
+
   /// Disables apply() and catch_up(), for the end of the process.
   void freeze() { is_frozen_ = true; }
 
@@ -151,6 +177,13 @@ class Cell final : private LineListener {
 
   /// Maximum number of named snapshots.
   static constexpr std::size_t kMaxSnapshots = 16;
+  /// A snapshot under a name. The workcell, which may be large, is shared with the cell and others.
+  struct NamedSnapshot {
+    ModelPtr model;
+    State state;
+  };
+
+  static constexpr std::size_t kEveryByte = std::numeric_limits<std::size_t>::max();
 
   const CellCounters& counters() const { return counters_; }
 
@@ -162,11 +195,10 @@ class Cell final : private LineListener {
   void report_closed() { emit(std::nullopt, CellClosedNote{name_}); }
 
  private:
-  static constexpr std::size_t kEveryByte = std::numeric_limits<std::size_t>::max();
-
   SerialLine* open_line(LineId line);
   Applied take_in(const Input& input, WallNs now);
   void advance(WallNs now);
+  void pass_time(Tick target, std::size_t max_bytes);
   std::size_t advance_to(Tick target, std::size_t max_bytes = kEveryByte);
   void run_to_rest(Tick limit);
   Applied handle(const LineOpened& opened, WallNs now);
@@ -180,6 +212,7 @@ class Cell final : private LineListener {
   Applied handle(const DeviceLost& lost, WallNs now);
   Applied handle(const DeviceIn& in, WallNs now);
   Applied handle(const DeviceOut& out, WallNs now);
+  Applied handle(const RecordingFailed& failed, WallNs now);
   Applied handle(const call::Call& call, WallNs now);
 
   call::Outcome carry_out(const call::Pause&, WallNs now);
@@ -231,7 +264,7 @@ class Cell final : private LineListener {
   void after_bytes(Tick start);
 
   std::optional<Tick> next_due_until(Tick limit) const;
-  void act_due();
+  bool act_due();
   void act_input(LineId id, SerialLine& line, Micros now);
   void send_reply(LineId id, SerialLine& line, Micros now);
   void record_acted(LineId id, SerialLine& line);
@@ -250,6 +283,7 @@ class Cell final : private LineListener {
   void stop_simulated_joints();
   bool loses_mirror(const EventBody& event);
   void record_out(const WirePlace& out, const SerialLine& line, std::size_t unsent);
+  void log_output(LineId id, const SerialLine& line, std::size_t unsent);
   void emit_fault_events(LineId id, SerialLine& line);
   void note_fault(const EventBody& event);
   void emit(std::optional<LineId> line, CellNote note);
@@ -279,11 +313,6 @@ class Cell final : private LineListener {
   LineId last_line_ = 0;
   std::optional<SerialLine> probe_line_;
   std::map<LineId, std::uint64_t> closed_bytes_in_;  ///< of closed lines; the lowest goes first
-  /// A snapshot under a name. The workcell, which may be large, is shared with the cell and others.
-  struct NamedSnapshot {
-    ModelPtr model;
-    State state;
-  };
   std::map<std::string, NamedSnapshot> snapshots_;
   std::vector<Exchange> exchanges_;  ///< of the bytes being received; reuses its memory
   std::size_t emitted_ = 0;          ///< of exchanges_, while bytes move time
@@ -295,6 +324,9 @@ class Cell final : private LineListener {
   CellCounters counters_;
   std::optional<Tick> last_input_tick_;
   CellEventSink sink_;
+  InputLog* log_ = nullptr;
+  std::uint64_t acts_ = 0;
+  bool is_replayed_ = false;
   bool is_frozen_ = false;
 };
 

@@ -146,4 +146,14 @@ void DeviceLink::sent(std::size_t count, Tick now) {
   send_next(now);
 }
 
+void DeviceLink::write_state(StateWriter& out) const {
+  out.add(is_open_, is_engaged_, switches_, stops_, last_served_, outbox_, busy_until_us_,
+          bytes_in_, bytes_out_, asked_.has_value(), queues_.size());
+  if (asked_) out.add(asked_->line, for_device(asked_->command)->bytes);
+  for (const auto& [line, queue] : queues_) {
+    out.add(line, queue.commands.size());
+    for (const Waiting& each : queue.commands) out.add(each.line, each.encoded.bytes);
+  }
+}
+
 }  // namespace xr3

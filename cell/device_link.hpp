@@ -16,6 +16,7 @@
 #include "protocol/explain/cell_event.hpp"
 #include "protocol/line/device_command.hpp"
 #include "protocol/line/serial_settings.hpp"
+#include "protocol/line/state_writer.hpp"
 
 namespace xr3 {
 
@@ -95,6 +96,8 @@ class DeviceLink {
   /// Removes the first `count` bytes of the outbox, which may get new ones. Precondition:
   /// count <= outbox().size().
   void sent(std::size_t count, Tick now);
+
+  void write_state(StateWriter& out) const;
 
  private:
   struct Waiting {

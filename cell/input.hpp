@@ -80,8 +80,16 @@ struct DeviceOut {
   std::size_t count = 0;
 };
 
-using Input = std::variant<LineOpened, LineSettings, BytesIn, BytesOut, InputEnded, LineClosed,
-                           LineSilent, DeviceOpened, DeviceLost, DeviceIn, DeviceOut, call::Call>;
+/// The recording of the cell's inputs has ended before the cell has. For the event; it changes
+/// nothing.
+struct RecordingFailed {
+  std::string path;  ///< of its file
+  std::string why;
+};
+
+using Input =
+    std::variant<LineOpened, LineSettings, BytesIn, BytesOut, InputEnded, LineClosed, LineSilent,
+                 DeviceOpened, DeviceLost, DeviceIn, DeviceOut, RecordingFailed, call::Call>;
 
 /// The result of an input: the number of the opened line, the number of bytes taken, or the outcome
 /// of the call.

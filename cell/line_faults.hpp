@@ -13,6 +13,7 @@
 #include "core/simulation.hpp"
 #include "protocol/explain/cell_event.hpp"
 #include "protocol/explain/wire_record.hpp"
+#include "protocol/line/state_writer.hpp"
 
 namespace xr3 {
 
@@ -86,6 +87,11 @@ class LineFaults {
 
   /// Removes and returns the events of the faults, in order.
   Events take_events() { return std::exchange(events_, {}); }
+
+  void write_state(StateWriter& out) const {
+    out.add(power_cycles_, received_, replied_, is_cut_, waiting_.size());
+    for (const DelayedReply& reply : waiting_) out.add(reply.due, reply.bytes);
+  }
 
  private:
   void keep_events(Simulation& simulation);

@@ -84,6 +84,12 @@ void LinePace::halt(Direction direction, bool is_halted, Micros now) {
   start(direction, now);
 }
 
+void LinePace::write_state(StateWriter& out) const {
+  out.add(input_.size(), input_clock_, is_input_halted_);
+  for (const ReceivedByte& each : input_) out.add(each.byte, each.offset);
+  out.add(std::string(replies_.begin(), replies_.end()), taken_, reply_clock_, are_replies_halted_);
+}
+
 void LinePace::restart(Micros now) {
   for (Transmitter* clock : {&input_clock_, &reply_clock_}) clock->stop();
   for (const Direction direction : {Direction::kIn, Direction::kOut}) start(direction, now);

@@ -70,6 +70,9 @@ class LinePace {
   /// Time has jumped to `now`: the bytes under way start again.
   void restart(Micros now);
 
+  /// Without the meaning of replies, which no byte depends on.
+  void write_state(StateWriter& out) const;
+
  private:
   /// The end of a reply in the queue, or of several with one meaning.
   struct ReplyEnd {

@@ -31,8 +31,7 @@ std::size_t Cell::advance_to(Tick target, std::size_t max_bytes) {
     emit_time_events();
     if (!next_due_until(target)) break;  // a fault has cut the line
     if (next_due() > state().tick) continue;
-    act_due();
-    ++acted;
+    if (act_due()) ++acted;
   }
   simulation_.advance_to(target);
   return acted;
@@ -46,20 +45,26 @@ void Cell::run_to_rest(Tick limit) {
 }
 
 /// The earliest byte acts. One that is late acts now: its reply does not leave before now, either.
-void Cell::act_due() {
+/// Returns false if a fault has made it due later.
+bool Cell::act_due() {
   const Due due = agenda_.first();
   const bool is_late = first_tick_after(due.at) < state().tick;
   const Micros now = is_late ? micros_at(state().tick) : due.at;
   SerialLine& line = *open_line(due.line);
   exchanges_.clear();
+  bool has_acted = true;
   if (due.direction == Direction::kIn) {
     act_input(due.line, line, now);
   } else if (line.is_reply_released(state())) {
     release_replies(due.line, line, now);
-  } else if (line.due(Direction::kOut)) {
+  } else if (const auto at = line.due(Direction::kOut); at && *at <= due.at) {
     send_reply(due.line, line, now);
+  } else {
+    has_acted = false;
   }
+  if (has_acted) ++acts_;
   schedule(due.line, line);
+  return has_acted;
 }
 
 // A command is one record, with the bytes before it that did nothing, and so is what has arrived of
@@ -79,8 +84,10 @@ void Cell::act_input(LineId id, SerialLine& line, Micros now) {
 
 void Cell::send_reply(LineId id, SerialLine& line, Micros now) {
   if (!line.departed().is_followed_by(line.output_end())) record_departed(id, line);
+  const std::size_t unsent = line.outbox().size();
   line.send_due(now);
   ++counters_.bytes_out;
+  log_output(id, line, unsent);
   if (!line.released().empty() || line.departed().bytes.size() >= kMaxShownOut)
     record_departed(id, line);
   woken_.push_back(id);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "protocol/explain/wire_record.hpp"
+#include "protocol/line/state_writer.hpp"
 
 namespace xr3 {
 
@@ -36,6 +37,8 @@ class ReplyHold {
   void discard() { held_ = {}; }
   /// Returns the replies, which the caller must send, and ends the hold.
   HeldReplies end();
+
+  void write_state(StateWriter& out) const { out.add(is_on_, held_.bytes); }
 
  private:
   bool is_on_ = false;

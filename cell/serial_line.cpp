@@ -162,6 +162,12 @@ LineKind SerialLine::kind() const {
   return telnet_.is_telnet() ? LineKind::kTelnet : kind_;
 }
 
+void SerialLine::write_state(StateWriter& out) const {
+  out.add(kind_, guard_, detector_, is_not_a_robot_program_, telnet_, endpoint_.parser(),
+          device_parser_, seen_switches_, faults_, hold_, pace_, has_input_ended_, is_cooked_,
+          settings_ ? text_of(*settings_) : "", bytes_in_, output_end());
+}
+
 // A large image is sent in many pieces. To keep the cost linear, the unsent bytes move to the front
 // only when they are no more than the sent ones.
 void SerialLine::sent(std::size_t count, Micros now) {

@@ -24,6 +24,7 @@
 #include "protocol/line/line_speed.hpp"
 #include "protocol/line/rhino_endpoint.hpp"
 #include "protocol/line/serial_settings.hpp"
+#include "protocol/line/state_writer.hpp"
 #include "protocol/line/telnet.hpp"
 
 namespace xr3 {
@@ -178,6 +179,10 @@ class SerialLine {
   std::uint64_t bytes_out() const { return bytes_out_; }
   /// The offset of the next output byte, after all bytes of the outbox.
   std::uint64_t output_end() const { return bytes_out_ + outbox().size(); }
+
+  /// What the line's next bytes depend on; how much of the output the transport has sent does not
+  /// belong to it.
+  void write_state(StateWriter& out) const;
 
  private:
   /// The machine and the record that received bytes act on.

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "protocol/line/line_speed.hpp"
+#include "protocol/line/state_writer.hpp"
 
 namespace xr3 {
 
@@ -28,6 +29,12 @@ class Transmitter {
 
   /// Characters take this time from the one under way on.
   void set_time(const CharacterTime& time);
+
+  /// The time of characters follows from the settings of the line.
+  void write_state(StateWriter& out) const {
+    out.add(is_busy_);
+    if (is_busy_) out.add(start_, characters_);
+  }
 
  private:
   CharacterTime time_;

@@ -20,6 +20,8 @@ constexpr std::chrono::milliseconds kAbortLimit{200};
 constexpr std::size_t kReserveBytes = std::size_t{256} * 1024;
 // The part of the memory that the rings of all cells may have together: an eighth.
 constexpr std::size_t kRingsPart = 8;
+// The file of a cell in the folder of recordings.
+constexpr const char* kRecordingEnd = ".xr3rec";
 constexpr std::size_t kAddressesOfPort = 2;  // 127.0.0.1 and ::1
 
 ListenError listen_error(const std::string& what, const tcp::endpoint& endpoint, ErrorCode error) {
@@ -121,10 +123,25 @@ ExitCode App::run() {
   return_freed_blocks();
   listen();
   open_terminals();
+  connect_device();
+  start_recordings();
   open_device();
   await_signal();
   announce();
-  return serve();
+  const ExitCode code = serve();
+  if (code != ExitCode::kGood) return code;
+  for (const CellPtr& each : cells_.all()) each->finish_recording();
+  return code;
+}
+
+void App::begin_with(const std::function<void(Cell&)>& replay) {
+  is_replaying_ = true;
+  Cell& cell = first().cell();
+  replay(cell);
+  while (!cell.lines().empty())
+    cell.apply(LineClosed{cell.lines().begin()->first, LineCloseReason::kShutdown}, 0);
+  is_replaying_ = false;
+  cell.end_replay(wall_now());
 }
 
 ExitCode App::serve() {
@@ -172,9 +189,28 @@ void App::open_terminals() {
                      [&] { first().serve_terminals(options_.ptys, options_.pty_mode); });
 }
 
+void App::connect_device() {
+  if (options_.device) first().connect_device(*options_.device, options_.is_mirrored);
+}
+
+void App::start_recordings() {
+  if (options_.record.empty()) return;
+  with_option_source(options_.option_sources, "--record", [&] {
+    if (has_many_cells(options_)) make_private_folder(options_.record);
+    for (const CellPtr& each : cells_.all()) record(*each);
+  });
+}
+
+/// A folder has a file for each of several cells.
+void App::record(HostedCell& cell) {
+  const std::string file = has_many_cells(options_)
+                               ? options_.record + "/" + cell.name() + kRecordingEnd
+                               : options_.record;
+  cell.record(file, std::uint64_t{options_.record_max_mib} << 20U);
+}
+
 void App::open_device() {
   if (!options_.device) return;
-  first().connect_device(*options_.device, options_.is_mirrored);
   with_option_source(options_.option_sources, "--serial", [&] { first().open_device(); });
 }
 

@@ -48,6 +48,10 @@ class App {
   App& operator=(const App&) = delete;
   ~App();
 
+  /// Lets `replay` bring the first cell, fresh, to which it may apply inputs, to the state with which
+  /// this server begins. Its lines are closed after it, and its events are not logged.
+  void begin_with(const std::function<void(Cell&)>& replay);
+
   /// Serves until SIGTERM, SIGINT or SIGHUP, then sends pending replies and returns kGood. An
   /// exception from any loop or handler ends it at once: it is logged, and the result is kBroken.
   /// Throws ListenError, and FileError if a file or pseudo-terminal cannot be made.
@@ -72,6 +76,10 @@ class App {
   ExitCode break_off(const char* what);
   void listen();
   void open_terminals();
+  void connect_device();
+  void start_recordings();
+  void record(HostedCell& cell);
+  void record_connection(HostedCell& cell);
   void open_device();
   void announce();
   void announce_token(std::uint16_t monitor_port) const;
@@ -106,6 +114,7 @@ class App {
   std::unique_ptr<char[]> reserve_;
   Loop io_;
   Stage stage_ = Stage::kStarting;
+  bool is_replaying_ = false;
   AccessPolicy policy_;
   SocketLimits limits_;
   MemoryLimit memory_;

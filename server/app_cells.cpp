@@ -53,8 +53,8 @@ RobotPort& App::first_port() const { return *(probe_cell_ ? *probe_cell_ : first
 
 CellPtr App::make_cell(const std::string& name, const CellSeed& seed, const std::string& token) {
   const std::string shown = has_many_cells(options_) ? name : "";
-  const auto log = [shown](const CellEvent& event, const Model& model) {
-    log_event(event, model, shown);
+  const auto log = [this, shown](const CellEvent& event, const Model& model) {
+    if (!is_replaying_) log_event(event, model, shown);
   };
   CellPtr cell =
       HostedCell::make(context_, {name, seed.model, start_clock(options_.clock), log, token});
@@ -113,9 +113,20 @@ void App::serve_connections() {
 CellPtr App::open_for_connection(const std::string& name) {
   CellPtr cell = make_cell(name, seeds_.front(), cell_token(options_));
   cells_.add(cell);
+  record_connection(*cell);
   cell->cell().report_opened();
   cell->acted();
   return cell;
+}
+
+// A robot goes on without its recording.
+void App::record_connection(HostedCell& cell) {
+  if (options_.record.empty()) return;
+  try {
+    record(cell);
+  } catch (const FileError& error) {
+    spdlog::error("{}", error.what());
+  }
 }
 
 // Handlers that wait in the event loop may refer to the cell, so it is released after them.
@@ -126,6 +137,7 @@ void App::close_cell(const CellPtr& cell) {
     cell->cell().apply(LineClosed{of_monitor.begin()->first, LineCloseReason::kDisconnected},
                        wall_now());
   cell->cell().report_closed();
+  cell->finish_recording();
   monitor_port_.service().forget(*cell);
   cells_.remove(*cell);
   cell->retire();

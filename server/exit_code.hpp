@@ -10,6 +10,7 @@ enum class ExitCode : int {
   kPortInUse = 3,  ///< another program has the port or device
   kNoServer = 4,   ///< no server or robot answers, or it is not ready
   kBroken = 5,     ///< the server failed while it ran; the log has the reason
+  kDifferent = 8,  ///< a replay differs from its recording
 };
 
 constexpr int as_int(ExitCode code) { return static_cast<int>(code); }

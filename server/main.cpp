@@ -21,6 +21,7 @@
 #include "server/commands/draw.hpp"
 #include "server/commands/healthcheck.hpp"
 #include "server/commands/kin.hpp"
+#include "server/commands/replay.hpp"
 #include "server/commands/watch.hpp"
 #include "server/commands/workcell.hpp"
 #include "server/files/data_files.hpp"
@@ -66,8 +67,14 @@ std::vector<CellSeed> load_seeds(const ServeOptions& options) {
   return seeds;
 }
 
-ExitCode serve(const ServeOptions& options) {
+/// A broken connection, or a file that reaches its limit, is an error of the call, not the end.
+void ignore_signals_of_writing() {
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+ExitCode serve(const ServeOptions& options) {
+  ignore_signals_of_writing();
   with_option_source(options.option_sources, "--log-file",
                      [&] { start_log(options.log_level, options.log_file); });
   warn_of_open_token(options.token);
@@ -75,6 +82,12 @@ ExitCode serve(const ServeOptions& options) {
                                                [&] { return read_token(options.token); });
   App app(options, load_seeds(options), token);
   return app.run();
+}
+
+ExitCode replay(const ReplayCommand& command) {
+  if (!command.replay.is_serving) return replay_file(command.replay);
+  ignore_signals_of_writing();
+  return replay_and_serve(command);
 }
 
 ExitCode fail(ExitCode code, const std::string& message) {
@@ -92,6 +105,7 @@ struct Command {
   ExitCode operator()(const WatchOptions& options) const { return watch_cell(options); }
   ExitCode operator()(const TermOptions& options) const { return run_term(options); }
   ExitCode operator()(const HealthOptions& options) const { return check_health(options); }
+  ExitCode operator()(const ReplayCommand& command) const { return replay(command); }
   ExitCode operator()(const Leave& leave) const {
     std::cout << leave.to_stdout;
     std::cerr << leave.to_stderr;

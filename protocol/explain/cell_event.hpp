@@ -123,9 +123,16 @@ struct DeviceNote {
   std::uint64_t count = 0;  ///< of kUnasked: the number of bytes
 };
 
-using CellNote = std::variant<EventBody, ProblemNote, SuppressedNote, LineOpenedNote,
-                              LineClosedNote, LineTurnNote, ClockNote, ModelNote, EpochNote,
-                              HandoverNote, DeviceNote, CellOpenedNote, CellClosedNote>;
+/// The recording of the cell has ended, and the cell goes on.
+struct RecordingNote {
+  std::string path;  ///< of its file
+  std::string why;
+};
+
+using CellNote =
+    std::variant<EventBody, ProblemNote, SuppressedNote, LineOpenedNote, LineClosedNote,
+                 LineTurnNote, ClockNote, ModelNote, EpochNote, HandoverNote, DeviceNote,
+                 CellOpenedNote, CellClosedNote, RecordingNote>;
 
 struct CellEvent {
   Epoch epoch = 0;

@@ -7,33 +7,14 @@
 
 #include "protocol/explain/diagnostic.hpp"
 #include "protocol/explain/fault_text.hpp"
+#include "protocol/explain/warning_text.hpp"
 #include "protocol/json/values.hpp"
 
 namespace xr3 {
 namespace {
 
-std::string number(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
-}
-
 const char* unit_of(const Model& model, char label) {
   return model.is_length(model.index_of(label)) ? "mm" : "deg";
-}
-
-std::string text_of(char label) { return {label}; }
-
-/// Letters in the order of the alphabet, consecutive ones as A...F: `A...D, G`.
-std::string runs_of(const std::string& letters) {
-  std::string text;
-  for (std::size_t i = 0; i < letters.size(); ++i) {
-    const bool continues = i > 0 && letters[i] == letters[i - 1] + 1;
-    const bool ends = i + 1 == letters.size() || letters[i + 1] != letters[i] + 1;
-    if (!continues) text += (i > 0 ? ", " : "") + text_of(letters[i]);
-    if (continues && ends) text += "..." + text_of(letters[i]);
-  }
-  return text;
 }
 
 Json io_json(const char* which, int number, bool value) {
@@ -50,75 +31,13 @@ Json warning_json(Json offset, Json hex, int count) {
   return {{"offset", std::move(offset)}, {"hex", std::move(hex)}, {"count", count}};
 }
 
-std::string camera_text(const Model& model) {
-  const auto& camera = model.workcell().camera;
-  if (!camera) return "this workcell has no camera; not answered";
-  return "the camera has columns 0..." + std::to_string(camera->pixels_x - 1) + " and rows 0..." +
-         std::to_string(camera->pixels_y - 1) + "; not answered";
-}
-
-// The explanation of a line's bytes knows no names; see wire::WarningRaised.
-std::string block_text(const std::string& name, const char* without_name) {
-  return name.empty() ? without_name : "block " + name;
-}
-
-/// Whether the warning is about the carousel: its label says so.
-bool is_of_carousel(const Warning& warning, const Model& model) {
-  return model.carousel() && model.index_of(warning.label) == model.carousel_index();
-}
-
-std::string air_text(const Warning& warning, const Model& model) {
-  const char* surface = warning.block.empty()            ? "what is below it"
-                        : is_of_carousel(warning, model) ? "the carousel"
-                                                         : "the work surface";
-  return block_text(warning.block, "the block") + " was released " +
-         number(mm(Micrometres{warning.value})) + " mm above " +
-         block_text(warning.other, surface) + " and stays in the air: release it lower";
-}
-
-std::string overlap_text(const Warning& warning, const Model& model) {
-  if (is_of_carousel(warning, model)) {
-    return block_text(warning.block, "the block") +
-           " overlaps the carousel: put it on its top or beside it";
-  }
-  const int more = warning.value - 1;
-  return block_text(warning.block, "the block") + " overlaps " +
-         block_text(warning.other, "another block") +
-         (more > 0 ? " and " + std::to_string(more) + " more" : "") + ": put it where no block is";
-}
-
-std::string text_of(const Warning& warning, const Model& model) {
-  const std::string label = text_of(warning.label);
-  switch (warning.code) {
-    case WarningCode::kCounterOverflow:
-      return label + signed_number(warning.value) + ": the 8-bit error counter wrapped to " +
-             std::to_string(warning.limit) + "; wait until " + label +
-             " is nearer to its target before sending more";
-    case WarningCode::kNoSuchJoint:
-      return label + ": this robot has no such joint; it has " + runs_of(model.labels());
-    case WarningCode::kBadCameraArgument: return camera_text(model);
-    case WarningCode::kJawsTooNarrow:
-      return "the jaws are already narrower than block " + warning.block +
-             ": open them before closing on it";
-    case WarningCode::kJawsTouch:
-      return "the jaws stopped at the width of block " + warning.block +
-             " and do not hold it: close them further";
-    case WarningCode::kBelowSurface:
-      return std::string("the tool tip passed under the work surface") +
-             (model.carousel() ? " or the top of the carousel" : "");
-    case WarningCode::kReleasedInAir: return air_text(warning, model);
-    case WarningCode::kBlocksOverlap: return overlap_text(warning, model);
-  }
-  return "";
-}
-
 std::string text_of(const MotorBlocked& e, const Model& model) {
   const std::string left = ", " + std::to_string(std::abs(e.error)) + " counts short";
   if (e.why == Blocked::kBlock) return "the jaws are closed on a block" + left;
   const std::string limit = std::string(e.upper ? "upper" : "lower") + " limit of " +
-                            number(e.limit) + " " + unit_of(model, e.by);
-  if (e.by == e.label) return text_of(e.label) + " is at its " + limit + left;
-  return text_of(e.label) + " is blocked because it would move " + e.by + " past its " + limit +
+                            short_number(e.limit) + " " + unit_of(model, e.by);
+  if (e.by == e.label) return letter_text(e.label) + " is at its " + limit + left;
+  return letter_text(e.label) + " is blocked because it would move " + e.by + " past its " + limit +
          left;
 }
 
@@ -150,27 +69,27 @@ struct MachineEvents {
   const Model& model;
 
   EventReport operator()(const MoveTaken& e) const {
-    return {
-        "move",
-        "move",
-        text_of(e.label) + " " + signed_number(e.counts) + ": counter " + std::to_string(e.error),
-        {{"joint", text_of(e.label)}, {"counts", e.counts}, {"error", e.error}}};
+    return {"move",
+            "move",
+            letter_text(e.label) + " " + signed_number(e.counts) + ": counter " +
+                std::to_string(e.error),
+            {{"joint", letter_text(e.label)}, {"counts", e.counts}, {"error", e.error}}};
   }
   EventReport operator()(const Reached& e) const {
     return {"reached",
             "reached",
-            text_of(e.label) + " has reached its target",
-            {{"joint", text_of(e.label)}, {"count", e.count}}};
+            letter_text(e.label) + " has reached its target",
+            {{"joint", letter_text(e.label)}, {"count", e.count}}};
   }
   EventReport operator()(const MotorBlocked& e) const {
     const bool at_limit = e.why == Blocked::kLimit;
     return {"blocked",
             at_limit ? "limit" : "block",
             text_of(e, model),
-            {{"joint", text_of(e.label)},
+            {{"joint", letter_text(e.label)},
              {"count", e.count},
              {"error", e.error},
-             {"by", text_of(at_limit ? e.by : e.label)}}};
+             {"by", letter_text(at_limit ? e.by : e.label)}}};
   }
   EventReport operator()(const Stalled& e) const {
     const bool by_region = e.why == Stall::kProtectedRegion;
@@ -183,8 +102,8 @@ struct MachineEvents {
   EventReport operator()(const SwitchChanged& e) const {
     return {"switch",
             "switch",
-            "the microswitch of " + text_of(e.label) + (e.closed ? " closed" : " opened"),
-            {{"joint", text_of(e.label)}, {"closed", e.closed}, {"count", e.count}}};
+            "the microswitch of " + letter_text(e.label) + (e.closed ? " closed" : " opened"),
+            {{"joint", letter_text(e.label)}, {"closed", e.closed}, {"count", e.count}}};
   }
   EventReport operator()(const Grasped& e) const {
     return {"grasped", "grasped", "the jaws hold block " + e.block,
@@ -223,7 +142,7 @@ struct MachineEvents {
             {{"fault", e.fault},
              {"phase", code_of(e.phase)},
              {"effects", e.effects},
-             {"joint", e.label != 0 ? Json(text_of(e.label)) : Json(nullptr)}}};
+             {"joint", e.label != 0 ? Json(letter_text(e.label)) : Json(nullptr)}}};
   }
   EventReport operator()(const Warning& e) const {
     return {"warning", code_of(e.code), text_of(e, model), warning_json(nullptr, nullptr, 1)};
@@ -306,6 +225,12 @@ struct CellEvents {
             code_for(note.news),
             text_of(note),
             {{"device", note.path}, {"hex", hexadecimal(note.raw.view())}, {"count", note.count}}};
+  }
+  EventReport operator()(const RecordingNote& note) const {
+    return {"recording",
+            "recording_failed",
+            "the recording has ended, and the robot goes on: " + note.path + ": " + note.why,
+            {{"file", note.path}}};
   }
 
  private:

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "protocol/line/serial_settings.hpp"
+#include "protocol/line/state_writer.hpp"
 
 namespace xr3 {
 
@@ -43,6 +44,9 @@ class ComPort {
   SerialSettings settings() const;
 
   bool operator==(const ComPort&) const = default;
+  void write_state(StateWriter& out) const {
+    out.add(text_of(settings()), line_state_mask_, controls_);
+  }
 
  private:
   void set_baud(std::span<const std::uint8_t> value, std::string& answers);

@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "protocol/line/state_writer.hpp"
+
 namespace xr3 {
 
 enum class Detection : std::uint8_t {
@@ -32,6 +34,7 @@ class HttpTlsDetector {
   static constexpr std::size_t kMaxHeld = 40;  // "CONNECT " and the host without port
 
   bool operator==(const HttpTlsDetector&) const = default;
+  void write_state(StateWriter& out) const { out.add(held_, detection_); }
 
  private:
   std::string held_;

@@ -12,6 +12,7 @@
 
 #include "core/command.hpp"
 #include "core/model.hpp"
+#include "protocol/line/state_writer.hpp"
 
 namespace xr3 {
 
@@ -81,6 +82,11 @@ class RhinoParser {
   void feed_disabled(std::uint8_t byte, std::uint64_t offset, std::vector<Parsed>& out);
 
   bool operator==(const RhinoParser&) const = default;
+  void write_state(StateWriter& out) const {
+    out.add(mode_, label_, opener_, skips_numbers_, list_is_bad_, list_size_, number_.sign,
+            number_.digits, number_.ended, number_.modulo_256, number_.magnitude, list_, offset_,
+            from_, to_, raw_.view());
+  }
 
  private:
   enum class Mode : std::uint8_t { kIdle, kNumber, kOutput, kView, kCamera, kPeriod, kStatus };

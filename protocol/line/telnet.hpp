@@ -46,6 +46,7 @@ class TelnetFilter {
   }
 
   bool operator==(const TelnetFilter&) const = default;
+  void write_state(StateWriter& out) const { out.add(parser_, is_telnet_, options_, com_port_); }
 
  private:
   BufferControl negotiate(const TelnetItem& item, std::string& answers);

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string>
 
+#include "protocol/line/state_writer.hpp"
+
 namespace xr3 {
 
 class TelnetOptions {
@@ -29,6 +31,7 @@ class TelnetOptions {
   bool is_asked(Side side, std::uint8_t option) const;
 
   bool operator==(const TelnetOptions&) const = default;
+  void write_state(StateWriter& out) const { out.add(peer_.on, peer_.asked, own_.on, own_.asked); }
 
  private:
   // A bit for each accepted option.

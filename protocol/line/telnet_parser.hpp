@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 
+#include "protocol/line/state_writer.hpp"
 #include "protocol/line/telnet_codes.hpp"
 
 namespace xr3 {
@@ -42,6 +43,7 @@ class TelnetParser {
   }
 
   bool operator==(const TelnetParser&) const = default;
+  void write_state(StateWriter& out) const { out.add(mode_, verb_, length_, kept_, kept_bytes_); }
 
  private:
   enum class Mode : std::uint8_t {

@@ -230,6 +230,11 @@ Json saved_cell_to_json(const SavedCell& saved) {
   return write_object(saved, saved_cell_members());
 }
 
+Json saved_state_to_json(const State& state) {
+  static const Members<State> members = saved_state_members();
+  return write_object(state, members);
+}
+
 std::optional<SavedCell> read_saved_cell(Reading& reading) {
   SavedCell saved;
   read_object(Place{reading, reading.root()}, saved_cell_members(), saved);

@@ -19,6 +19,9 @@ namespace xr3 {
 /// microdegrees.
 Json saved_cell_to_json(const SavedCell& saved);
 
+/// The member `state` alone.
+Json saved_state_to_json(const State& state);
+
 /// The result of reading a saved cell. `saved` is set unless a finding is an error.
 struct SavedCellReading {
   std::optional<SavedCell> saved;

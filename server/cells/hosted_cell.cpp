@@ -44,6 +44,14 @@ void HostedCell::connect_device(const DeviceChoice& device, bool is_mirrored) {
                   [this] { acted(); });
 }
 
+void HostedCell::record(std::string path, std::uint64_t max_bytes) {
+  recording_.emplace(context_.io, cell_, std::move(path), max_bytes, [this] { acted(); });
+}
+
+void HostedCell::finish_recording() {
+  if (recording_) recording_->finish();
+}
+
 void HostedCell::acted() {
   if (is_frozen_) return;
   for (const LineId line : cell_.take_woken_lines()) lines_.wake(line);

@@ -20,6 +20,7 @@
 #include "server/net/worker.hpp"
 #include "server/options/options.hpp"
 #include "server/pty/port.hpp"
+#include "server/recording/recording.hpp"
 #include "server/robot_port/port.hpp"
 
 namespace xr3 {
@@ -81,6 +82,12 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   /// Throws SerialDeviceError. Precondition: connect_device() was called.
   void open_device() { device_->open(); }
 
+  /// Records the cell in this new file; see recording.hpp. Throws FileError. Preconditions: no input
+  /// has acted, and the device, if there will be one, is connected.
+  void record(std::string path, std::uint64_t max_bytes);
+  /// The cell gets no more input.
+  void finish_recording();
+
   /// An input of the cell has acted: serves its lines and subscribers.
   void acted();
 
@@ -108,6 +115,7 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   CellContext& context_;
   std::string token_;
   Cell cell_;
+  std::optional<Recording> recording_;
   LineSessions lines_;
   DueTimer due_timer_;
   SilenceTimer silence_timer_;

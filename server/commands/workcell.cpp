@@ -24,14 +24,14 @@ constexpr const char* kUsualRobot = "rhino-xr3";
 
 /// Reads standard input by lines, until its end or a signal to stop. At most one instance at a
 /// time.
-class Input {
+class KeyboardInput {
  public:
   enum class End : std::uint8_t { kNone, kOfInput, kSignal };
 
-  Input();
-  ~Input();
-  Input(const Input&) = delete;
-  Input& operator=(const Input&) = delete;
+  KeyboardInput();
+  ~KeyboardInput();
+  KeyboardInput(const KeyboardInput&) = delete;
+  KeyboardInput& operator=(const KeyboardInput&) = delete;
 
   /// The next line without its line end; nullopt after the last one.
   std::optional<std::string> line();
@@ -53,32 +53,32 @@ class Input {
   End end_ = End::kNone;
 };
 
-volatile std::sig_atomic_t Input::stopped = 0;
-volatile std::sig_atomic_t Input::nothing = -1;
+volatile std::sig_atomic_t KeyboardInput::stopped = 0;
+volatile std::sig_atomic_t KeyboardInput::nothing = -1;
 
-Input::Input() {
+KeyboardInput::KeyboardInput() {
   stopped = 0;
   nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   struct sigaction action {};
-  action.sa_handler = &Input::stop;
+  action.sa_handler = &KeyboardInput::stop;
   for (const int signal : kSignals) ::sigaction(signal, &action, nullptr);
 }
 
-Input::~Input() {
+KeyboardInput::~KeyboardInput() {
   for (const int signal : kSignals) std::signal(signal, SIG_DFL);
   ::close(nothing);
 }
 
 /// Signal handler. The signal interrupts a blocked read; a read that is just about to block gets
 /// the end of /dev/null instead.
-void Input::stop(int signal) {
+void KeyboardInput::stop(int signal) {
   const int before = errno;
   stopped = signal;
   ::dup2(nothing, STDIN_FILENO);
   errno = before;
 }
 
-void Input::read_more() {
+void KeyboardInput::read_more() {
   char bytes[4096];
   const ::ssize_t count = ::read(STDIN_FILENO, bytes, sizeof bytes);
   if (stopped != 0) {
@@ -90,14 +90,14 @@ void Input::read_more() {
   }
 }
 
-std::string Input::take(std::size_t length, std::size_t line_end) {
+std::string KeyboardInput::take(std::size_t length, std::size_t line_end) {
   std::string line = text_.substr(0, length);
   text_.erase(0, length + line_end);
   return line;
 }
 
 /// Text after the last line end of a pipe is a line, too.
-std::optional<std::string> Input::line() {
+std::optional<std::string> KeyboardInput::line() {
   while (end_ == End::kNone) {
     const std::size_t end = text_.find('\n');
     if (end != std::string::npos) return take(end, 1);
@@ -175,11 +175,12 @@ DialogueTurn write(const WorkcellOptions& options, const DialogueTurn& turn,
 }
 
 /// Passes a line to the dialogue. Piped input is echoed as if it were typed.
-DialogueTurn handle_line(Input& input, WorkcellDialogue& dialogue) {
+DialogueTurn handle_line(KeyboardInput& input, WorkcellDialogue& dialogue) {
   const std::optional<std::string> line = input.line();
   if (!line) {
     show("\n");
-    return dialogue.leave(input.end() == Input::End::kSignal ? "Interrupted" : "End of input");
+    return dialogue.leave(input.end() == KeyboardInput::End::kSignal ? "Interrupted"
+                                                                     : "End of input");
   }
   if (!input.is_terminal()) show(*line + "\n");
   return dialogue.handle(*line);
@@ -189,14 +190,14 @@ DialogueTurn handle_line(Input& input, WorkcellDialogue& dialogue) {
 
 ExitCode edit_workcell(const WorkcellOptions& options) {
   WorkcellDialogue dialogue(start_of(options));
-  Input input;
+  KeyboardInput input;
   DialogueTurn turn = dialogue.begin();
   show(turn.text);
   while (!turn.is_over) {
     turn = turn.file_text ? write(options, turn, dialogue) : handle_line(input, dialogue);
     show(turn.text);
   }
-  const bool is_lost = input.end() != Input::End::kNone && dialogue.has_unsaved();
+  const bool is_lost = input.end() != KeyboardInput::End::kNone && dialogue.has_unsaved();
   return is_lost ? ExitCode::kBadInput : ExitCode::kGood;
 }
 

@@ -24,7 +24,8 @@ constexpr const char* kFooter =
     "Exit codes: 0 success; 1 internal error; 2 invalid arguments or an invalid file;\n"
     "            3 a port or device is in use; 4 xr3 watch or xr3 term finds no server, an\n"
     "            inquiry by xr3 term has no reply, or xr3 healthcheck finds no server that is\n"
-    "            ready; 5 the server failed while running (see its log).\n"
+    "            ready; 5 the server failed while running (see its log); 8 xr3 replay found a\n"
+    "            difference.\n"
     "Try: xr3 serve, then in another terminal: xr3 term (or telnet localhost 9600), and type\n"
     "     E+50, Enter and E?";
 
@@ -201,6 +202,15 @@ ByteClockSettings parse_byte_clock(const std::string& text, std::size_t from) {
   return settings;
 }
 
+Options checked_replay(ReplayCommand command) {
+  if (!command.replay.is_serving) return command;
+  const bool has_token = !std::holds_alternative<NoToken>(command.server.token);
+  if (!has_token && is_token_in_environment()) command.server.token = TokenInEnvironment{};
+  Options checked = checked_serve(command.server);
+  if (std::holds_alternative<Leave>(checked)) return checked;
+  return command;
+}
+
 }  // namespace
 
 Rate parse_rate(const std::string& text) {
@@ -312,6 +322,8 @@ Options parse_options(int argc, const char* const* argv) {
   add_term(app, term);
   HealthOptions health;
   add_health(app, health);
+  ReplayCommand replay;
+  add_replay(app, replay.replay, replay.server);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -325,6 +337,7 @@ Options parse_options(int argc, const char* const* argv) {
   if (app.got_subcommand("watch")) return watch;
   if (app.got_subcommand("term")) return term;
   if (app.got_subcommand("healthcheck")) return health;
+  if (app.got_subcommand("replay")) return checked_replay(std::move(replay));
   return checked_serve(std::move(serve));
 }
 

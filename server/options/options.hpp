@@ -20,6 +20,7 @@
 #include "server/options/cells.hpp"
 #include "server/options/healthcheck.hpp"
 #include "server/options/option_sources.hpp"
+#include "server/options/replay.hpp"
 #include "server/options/term.hpp"
 #include "server/options/watch.hpp"
 #include "tools/drawing/drawing.hpp"
@@ -68,6 +69,8 @@ struct ServeOptions {
   std::size_t max_per_address = 0;  ///< 0: the default
   std::size_t max_memory_mib = 512;
   std::string port_file;  ///< empty: none
+  std::string record;     ///< the file of the recording; empty: none
+  std::size_t record_max_mib = 1024;
   std::string log_level = "info";
   std::string log_file;  ///< empty: standard error
   TokenSource token;
@@ -119,6 +122,12 @@ struct WorkcellOptions {
   std::string from;   ///< name or path of a workcell to start from; may be empty
 };
 
+/// `xr3 replay`; `server` is for going on after it.
+struct ReplayCommand {
+  ReplayOptions replay;
+  ServeOptions server;
+};
+
 /// Print and exit: help was requested, or the arguments are invalid.
 struct Leave {
   ExitCode code = ExitCode::kGood;
@@ -126,8 +135,9 @@ struct Leave {
   std::string to_stderr;
 };
 
-using Options = std::variant<ServeOptions, CheckOptions, DrawOptions, KinOptions, ConvertOptions,
-                             WorkcellOptions, WatchOptions, TermOptions, HealthOptions, Leave>;
+using Options =
+    std::variant<ServeOptions, CheckOptions, DrawOptions, KinOptions, ConvertOptions,
+                 WorkcellOptions, WatchOptions, TermOptions, HealthOptions, ReplayCommand, Leave>;
 
 /// Never throws and never prints.
 Options parse_options(int argc, const char* const* argv);

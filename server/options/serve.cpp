@@ -46,33 +46,6 @@ void add_names(CLI::App& serve, const std::string& name, std::vector<std::string
       ->check(CLI::Validator(check, ""));
 }
 
-void add_access(CLI::App& serve, ServeOptions& options) {
-  serve
-      .add_option_function<std::string>(
-          "--token-file",
-          [&options](const std::string& path) {
-            if (std::holds_alternative<NoToken>(options.token)) options.token = TokenFile{path};
-          },
-          "file with the token that monitor calls need (or use XR3_TOKEN); at least 16 characters")
-      ->type_name("FILE");
-  // Added after --token-file, so that it replaces a file named by the environment.
-  serve
-      .add_option_function<std::string>(
-          "--token", [&options](const std::string&) { options.token = FreshToken{}; },
-          "auto: generate a token for this run, printed on standard error; excludes --token-file")
-      ->type_name("auto")
-      ->check(CLI::Validator(check_token_word, ""))
-      ->configurable(false);
-  add_flag(serve, "--private", options.is_private, "reading needs the token, too");
-  add_names(serve, "--allow-host", options.allow_hosts, "NAME",
-            "host name that browsers may use for this machine; several with commas", check_host);
-  add_names(serve, "--allow-origin", options.allow_origins, "ORIGIN",
-            "origin of pages that may connect, such as https://page.lab; several with commas",
-            check_origin);
-  add_flag(serve, "--insecure", options.is_insecure,
-           "allow other machines without a token: anyone who can connect can control the robot");
-}
-
 void add_device(CLI::App& serve, ServeOptions& options) {
   serve
       .add_option_function<std::string>(
@@ -125,6 +98,19 @@ void add_line_speed(CLI::App& serve, ServeOptions& options) {
           "time that bytes of serial lines take, by these settings or those of the client")
       ->type_name("9600-7e2|auto[:FACTOR]")
       ->check(parses(parse_line_speed, ""));
+}
+
+void add_recording(CLI::App& serve, ServeOptions& options) {
+  serve
+      .add_option("--record", options.record,
+                  "record all inputs and replies in this new file, for xr3 replay")
+      ->type_name("FILE");
+  serve
+      .add_option("--record-max", options.record_max_mib,
+                  "maximum size of the recording in MiB; the robot goes on without it")
+      ->type_name("MIB")
+      ->check(whole_number_between(1, kMaxMemoryMib))
+      ->capture_default_str();
 }
 
 void add_ptys(CLI::App& serve, ServeOptions& options) {
@@ -201,19 +187,7 @@ void complete(CLI::App& serve, ServeOptions& options) {
 
 }  // namespace
 
-void add_serve(CLI::App& app, ServeOptions& options) {
-  CLI::App& serve = *app.add_subcommand("serve", "start a robot and its controller");
-  serve.add_option("--robot", options.robot, "robot: a name, or a file")
-      ->type_name("NAME|FILE")
-      ->capture_default_str();
-  serve
-      .add_option("--workcell", options.workcell,
-                  "workcell: a name, or a file (default: the one named after the robot)")
-      ->type_name("NAME|FILE");
-  serve
-      .add_option("--fault", options.fault_file,
-                  "faults of the robot and its lines: a name, or a file")
-      ->type_name("NAME|FILE");
+void add_ports(CLI::App& serve, ServeOptions& options) {
   serve
       .add_option("--listen", options.listen,
                   "address to listen on; any except loopback needs a token or --insecure")
@@ -232,6 +206,68 @@ void add_serve(CLI::App& app, ServeOptions& options) {
       ->type_name("PORT")
       ->check(CLI::Validator(check_port, ""))
       ->capture_default_str();
+}
+
+void add_port_file(CLI::App& serve, ServeOptions& options) {
+  serve
+      .add_option("--port-file", options.port_file,
+                  "write the ports to this file as JSON when the server is ready")
+      ->type_name("FILE");
+}
+
+void add_log(CLI::App& serve, ServeOptions& options) {
+  serve.add_option("--log-level", options.log_level, "trace, debug, info, warn, error or off")
+      ->type_name("L")
+      ->check(CLI::IsMember(kLogLevels).description(""))
+      ->capture_default_str();
+  serve
+      .add_option("--log-file", options.log_file,
+                  "write the log to this file, rotated at 10 MB, at most 5 files; else to standard "
+                  "error")
+      ->type_name("FILE");
+}
+
+void add_access(CLI::App& serve, ServeOptions& options) {
+  serve
+      .add_option_function<std::string>(
+          "--token-file",
+          [&options](const std::string& path) {
+            if (std::holds_alternative<NoToken>(options.token)) options.token = TokenFile{path};
+          },
+          "file with the token that monitor calls need (or use XR3_TOKEN); at least 16 characters")
+      ->type_name("FILE");
+  // Added after --token-file, so that it replaces a file named by the environment.
+  serve
+      .add_option_function<std::string>(
+          "--token", [&options](const std::string&) { options.token = FreshToken{}; },
+          "auto: generate a token for this run, printed on standard error; excludes --token-file")
+      ->type_name("auto")
+      ->check(CLI::Validator(check_token_word, ""))
+      ->configurable(false);
+  add_flag(serve, "--private", options.is_private, "reading needs the token, too");
+  add_names(serve, "--allow-host", options.allow_hosts, "NAME",
+            "host name that browsers may use for this machine; several with commas", check_host);
+  add_names(serve, "--allow-origin", options.allow_origins, "ORIGIN",
+            "origin of pages that may connect, such as https://page.lab; several with commas",
+            check_origin);
+  add_flag(serve, "--insecure", options.is_insecure,
+           "allow other machines without a token: anyone who can connect can control the robot");
+}
+
+void add_serve(CLI::App& app, ServeOptions& options) {
+  CLI::App& serve = *app.add_subcommand("serve", "start a robot and its controller");
+  serve.add_option("--robot", options.robot, "robot: a name, or a file")
+      ->type_name("NAME|FILE")
+      ->capture_default_str();
+  serve
+      .add_option("--workcell", options.workcell,
+                  "workcell: a name, or a file (default: the one named after the robot)")
+      ->type_name("NAME|FILE");
+  serve
+      .add_option("--fault", options.fault_file,
+                  "faults of the robot and its lines: a name, or a file")
+      ->type_name("NAME|FILE");
+  add_ports(serve, options);
   add_cells(serve, options);
   add_profile(serve, options.profile);
   serve
@@ -268,19 +304,9 @@ void add_serve(CLI::App& app, ServeOptions& options) {
   add_device(serve, options);
   add_line_speed(serve, options);
   add_ptys(serve, options);
-  serve
-      .add_option("--port-file", options.port_file,
-                  "write the ports to this file as JSON when the server is ready")
-      ->type_name("FILE");
-  serve.add_option("--log-level", options.log_level, "trace, debug, info, warn, error or off")
-      ->type_name("L")
-      ->check(CLI::IsMember(kLogLevels).description(""))
-      ->capture_default_str();
-  serve
-      .add_option("--log-file", options.log_file,
-                  "write the log to this file, rotated at 10 MB, at most 5 files; else to standard "
-                  "error")
-      ->type_name("FILE");
+  add_port_file(serve, options);
+  add_recording(serve, options);
+  add_log(serve, options);
   add_access(serve, options);
   add_config(serve, options.config);
   read_environment(serve, {"--token"});

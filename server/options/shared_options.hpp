@@ -43,6 +43,13 @@ void add_profile(CLI::App& command, Profile& profile);
 /// Adds a flag. In the environment and in a config file it has a value, such as true.
 void add_flag(CLI::App& command, const std::string& name, bool& value, const std::string& what);
 
+/// Options of `serve` that a replay that goes on has, too: addresses and ports, the file with the
+/// ports, the log, and who may use the monitor port.
+void add_ports(CLI::App& serve, ServeOptions& options);
+void add_port_file(CLI::App& serve, ServeOptions& options);
+void add_log(CLI::App& serve, ServeOptions& options);
+void add_access(CLI::App& serve, ServeOptions& options);
+
 /// The subcommand `serve` with its options.
 void add_serve(CLI::App& app, ServeOptions& options);
 

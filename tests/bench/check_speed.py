@@ -16,6 +16,9 @@ import sys
 LEAST = {"six_motors/0": 8_000, "one_motor": 40_000}
 
 
+MOST_SECONDS = 10
+
+
 def best_runs(bench):
     command = [bench, f"--benchmark_filter=^({'|'.join(LEAST)})$", "--benchmark_min_time=0.2",
                "--benchmark_repetitions=5", "--benchmark_format=json"]
@@ -27,11 +30,22 @@ def best_runs(bench):
     return best
 
 
+def seconds_of_replay(bench):
+    command = [bench, "--benchmark_filter=^replay_of_an_hour", "--benchmark_format=json"]
+    output = subprocess.run(command, check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    run, = json.loads(output.stdout)["benchmarks"]
+    assert not run.get("error_occurred"), run
+    return run["cpu_time"] / {"ns": 1e9, "us": 1e6, "ms": 1e3, "s": 1}[run["time_unit"]]
+
+
 def main():
     best = best_runs(sys.argv[1])
+    seconds = seconds_of_replay(sys.argv[1])
+    print(f"an hour of 50 inquiries a second is replayed in {seconds:.2f} s (at most {MOST_SECONDS})")
     for name, speed in best.items():
         print(f"{name}: {speed:,.0f} times real time (at least {LEAST[name]:,})")
-    return 0 if all(speed >= LEAST[name] for name, speed in best.items()) else 1
+    is_fast = all(speed >= LEAST[name] for name, speed in best.items())
+    return 0 if is_fast and seconds <= MOST_SECONDS else 1
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
-"""Writes the fuzzers' seeds: transcripts for fuzz_line, fuzz_line_speed and fuzz_byte_clock, data files for fuzz_data_file, one request of
-each kind for fuzz_monitor_request, short streams for the fuzzers of byte streams, and the inputs that
+"""Writes the fuzzers' seeds: transcripts for fuzz_line, fuzz_line_speed and fuzz_byte_clock, data files for
+fuzz_data_file, one request of each kind for fuzz_monitor_request, sessions for fuzz_recording, short streams for the
+fuzzers of byte streams, and the inputs that
 `minimise` keeps in corpus/NAME.txt, one a line in base64.
 
     make_seeds.py FOLDER [--made]  writes FOLDER/NAME/* for each fuzzer NAME; --made: without corpus/
@@ -140,6 +141,26 @@ def packed(folder):
     return [line for line, size in zip(lines, sizes) if size <= MOST_PACKED]
 
 
+def recordings():
+    """(name, entries of a recording) without checks, see recording.cpp."""
+    opened = {"tick": 0, "line": 1, "open": "tcp", "peer": "127.0.0.1:5000", "guard": "normal"}
+    session = [opened, {"tick": 5, "line": 1, "in": "E+60\r"}, {"tick": 90, "line": 1, "in": "E?", "out": "V"},
+               {"tick": 95, "line": 1, "in": "E?D?", "taken": 2, "unsent": 1},
+               {"tick": 99, "line": 1, "settings": "9600-7e2", "cooked": True}, {"tick": 99, "line": 1, "unsent": 0},
+               {"tick": 10_001, "hash": "sha256:0"}, {"tick": 10_001, "line": 1, "input_ended": True},
+               {"tick": 10_002, "line": 1, "close": "client_closed"}, {"tick": 10_002, "end": "limit"}]
+    yield "session", 0, session
+    yield "paced", 2, [opened, {"tick": 0, "line": 1, "in": "E?" * 200}, {"tick": 3, "acted": 2, "behind": True},
+                       {"tick": 9, "acted": 5, "behind": False}, {"tick": 12, "line": 1, "out": " "}]
+    yield "device", 4, [{"tick": 0, "device": "opened"}, opened, {"tick": 1, "line": 1, "in": "A@E?"},
+                        {"tick": 2, "device_out": 2}, {"tick": 4, "device_in": "%"}, {"tick": 600, "device": "silent"},
+                        {"tick": 700, "device": "lost", "why": "unplugged"}]
+    for request in (request for _, request in requests() if request.get("op") == "call"):
+        call = {"tick": 0, "call": request["fn"], "args": request.get("args", {})}
+        yield request["fn"], 1, [opened, {"tick": 0, "line": 1, "in": "E+9\r"}, call,
+                                 {"epoch": 1, "tick": 0, "line": 1, "in": "E?"}]
+
+
 def kept():
     """(fuzzer, name, input) of corpus/NAME.txt."""
     for name, text in files("tests/fuzz/corpus/*.txt"):
@@ -160,6 +181,8 @@ def made():
             yield "data_file", f"{kind}-{name}", first + text
     for name, request in requests():
         yield "monitor_request", name, json.dumps(request).encode()
+    for name, choice, entries in recordings():
+        yield "recording", name, bytes([choice]) + "".join(json.dumps(entry) + "\n" for entry in entries).encode()
     yield from streams()
 
 

@@ -34,7 +34,7 @@ KINDS = {
     "shows_a_screen": r"(build/release/)?xr3 watch( .*)?",
     "opens_a_line": r"(build/release/)?xr3 term( .*)?",
     "asks_for_health": r"xr3 healthcheck( .*)?",
-    "has_help": r"xr3 (check|convert|draw|kin|workcell)",
+    "has_help": r"xr3 (check|convert|draw|kin|replay|workcell)",
     "opens_the_editor": r"xr3 workcell .*",
     "exits_with_0": r"xr3 --version|build/release/xr3 serve --help|ulimit -n|ss -ltnp",
     "runs_the_checkout": r"\./run( .*)?",

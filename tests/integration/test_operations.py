@@ -51,6 +51,7 @@ head of an HTTP request | server/http/wire.hpp | kMaxFields
 head of an HTTP request | server/http/session.cpp | kMaxHeadTime
 head of an HTTP request | server/http/wire.hpp | kMaxTargetBytes | 1024
 an HTTP connection between requests | server/http/session.cpp | kKeptAlive
+a recording | server/options/options.hpp | record_max_mib
 bytes of a `send` call | protocol/monitor/call_table.cpp | kMaxSent
 waiting of a call with `after` | protocol/monitor/request.hpp | kMaxWithinMs | 1000
 named snapshots | cell/cell.hpp | kMaxSnapshots

@@ -63,6 +63,7 @@ TEST(MonitorFields, EventsHaveTheFieldsOfAllKinds) {
       DeviceNote{},
       CellOpenedNote{"c1"},
       CellClosedNote{"c1"},
+      RecordingNote{},
   };
   Json all = Json::object();
   for (const CellNote& note : notes)

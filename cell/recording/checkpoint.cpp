@@ -1,0 +1,50 @@
+#include "cell/recording/checkpoint.hpp"
+
+#include <cassert>
+
+namespace xr3 {
+
+Cell::Checkpoint Cell::checkpoint() const {
+  assert(!device_);
+  return {model_ptr(),
+          state(),
+          epoch_,
+          model_rev_,
+          clock_.mode(),
+          clock_.rate(),
+          clock_.running_mode(),
+          byte_clock_,
+          transcript_,
+          agenda_,
+          lines_,
+          last_line_,
+          snapshots_,
+          acts_};
+}
+
+// The revision goes on, so that nobody takes the old state for the new one.
+void Cell::restore(const Checkpoint& from) {
+  assert(!device_);
+  simulation_.restore(from.model, from.state);
+  epoch_ = from.epoch;
+  model_rev_ = from.model_rev;
+  clock_ = from.running_mode == ClockMode::kBytes ? SimClock::bytes(from.state.tick)
+                                                  : SimClock::real(from.rate, 0, from.state.tick);
+  byte_clock_ = from.byte_clock;
+  transcript_ = from.transcript;
+  if (from.mode == ClockMode::kManual) clock_.pause(0);
+  agenda_ = from.agenda;
+  lines_ = from.lines;
+  if (transcript_) {
+    for (auto& [id, line] : lines_) line.listen(*this, id);
+  }
+  last_line_ = from.last_line;
+  snapshots_ = from.snapshots;
+  acts_ = from.acts;
+  woken_.clear();
+  warnings_ = {};
+  is_replayed_ = true;
+  ++revision_;
+}
+
+}  // namespace xr3

@@ -1,0 +1,30 @@
+// A cell's continuing state as a value, from which recorded inputs can be repeated bit-identically.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "cell/cell.hpp"
+
+namespace xr3 {
+
+struct Cell::Checkpoint {
+  ModelPtr model;
+  State state;
+  Epoch epoch = 0;
+  int model_rev = 1;
+  ClockMode mode = ClockMode::kReal;
+  Rate rate;
+  ClockMode running_mode = ClockMode::kReal;
+  std::optional<ByteClock> byte_clock;
+  std::optional<Transcript> transcript;
+  Agenda agenda;
+  std::map<LineId, SerialLine> lines;
+  LineId last_line = 0;
+  std::map<std::string, NamedSnapshot> snapshots;
+  std::uint64_t acts = 0;
+};
+
+}  // namespace xr3

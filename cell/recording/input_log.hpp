@@ -1,0 +1,36 @@
+// What a cell tells of all that its state depends on: its inputs, and how time has passed between
+// them where that matters. Implementations record it; they must not change the cell.
+#pragma once
+
+#include <string_view>
+
+#include "cell/input.hpp"
+
+namespace xr3 {
+
+class Cell;
+
+class InputLog {
+ public:
+  InputLog() = default;
+  InputLog(const InputLog&) = delete;
+  InputLog& operator=(const InputLog&) = delete;
+  virtual ~InputLog() = default;
+
+  /// Time has advanced to the tick of an input, which acts next. Not for BytesOut.
+  virtual void begin(const Cell& cell, const Input& input) = 0;
+  /// The input has acted.
+  virtual void end(const Cell& cell, const Input& input, const Applied& applied) = 0;
+  /// A transport has sent bytes, which the line's outbox still has.
+  virtual void sent(const Cell& cell, const BytesOut& out) = 0;
+  /// A line, not the probe's, has added these bytes to its outbox.
+  virtual void output(const Cell& cell, LineId line, std::string_view bytes) = 0;
+  /// Time is about to advance, and has advanced. `is_behind`: bytes that are due have not acted,
+  /// because too many were.
+  virtual void before_advance(const Cell& cell) = 0;
+  virtual void after_advance(const Cell& cell, bool is_behind) = 0;
+  /// The physical controller has not answered in time.
+  virtual void expired(const Cell& cell) = 0;
+};
+
+}  // namespace xr3

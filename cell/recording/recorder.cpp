@@ -1,0 +1,213 @@
+#include "cell/recording/recorder.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace xr3 {
+namespace {
+
+using namespace recording;  // NOLINT: the entries have distinct names
+
+/// One advance of time adds less than the other half to an outbox.
+constexpr std::size_t kNearlyFull = SerialLine::kFullOutbox / 2;
+
+LineId line_of(const Input& input) {
+  return std::visit(
+      [](const auto& each) -> LineId {
+        if constexpr (requires { each.line; }) return each.line;
+        return 0;
+      },
+      input);
+}
+
+bool is_of_line(const Input& input) {
+  return std::holds_alternative<BytesIn>(input) || std::holds_alternative<LineSettings>(input) ||
+         std::holds_alternative<InputEnded>(input) || std::holds_alternative<LineClosed>(input) ||
+         std::holds_alternative<LineSilent>(input);
+}
+
+bool opens_probe(const Input& input) {
+  const auto* opened = std::get_if<LineOpened>(&input);
+  return opened != nullptr && opened->is_probe;
+}
+
+}  // namespace
+
+recording::Header recording_header(const Cell& cell, std::string program) {
+  Header header;
+  header.program = std::move(program);
+  header.state_format = kStateFormat;
+  header.cell = cell.name();
+  header.model = cell.model_ptr();
+  header.mode = cell.clock().mode();
+  header.rate = cell.clock().rate();
+  header.line_speed = cell.line_speed();
+  if (const ByteClock* bytes = cell.byte_clock()) {
+    header.byte_clock = bytes->settings();
+    header.line_speed = bytes->speed();
+  }
+  if (!(cell.initial_faults() == FaultPlan{})) header.faults = cell.initial_faults();
+  if (const DeviceLink* device = cell.device())
+    header.device = {device->path(), device->settings(), device->is_mirrored()};
+  return header;
+}
+
+/// The entry of each kind of input; nullopt: there is none.
+struct Recorder::EntryMaker {
+  Recorder& recorder;
+  const Cell& cell;
+  const Applied& applied;
+
+  MaybeBody operator()(const LineOpened& opened) const {
+    return LineBegin{applied.line, opened.peer, opened.kind, opened.guard};
+  }
+  MaybeBody operator()(const LineSettings& reported) const {
+    return LineSetup{reported.line, reported.settings, reported.is_cooked};
+  }
+  /// The first bytes may have been refused.
+  MaybeBody operator()(const BytesIn& in) const {
+    const bool is_refused = cell.find_line(in.line)->is_not_a_robot_program();
+    if (applied.bytes_taken == 0 && !is_refused) return std::nullopt;
+    recorder.sent_.erase(in.line);
+    const std::string_view bytes =
+        recorder.is_first_ ? in.bytes : in.bytes.substr(0, applied.bytes_taken);
+    return LineInput{in.line, std::string(bytes), applied.bytes_taken, recorder.unsent_,
+                     recorder.take_replies(in.line)};
+  }
+  MaybeBody operator()(const BytesOut&) const { return std::nullopt; }
+  MaybeBody operator()(const InputEnded& ended) const { return LineInputEnd{ended.line}; }
+  MaybeBody operator()(const LineSilent& silent) const { return LineSilence{silent.line}; }
+  MaybeBody operator()(const LineClosed& closed) const {
+    recorder.sent_.erase(closed.line);
+    return LineEnd{closed.line, closed.reason};
+  }
+  MaybeBody operator()(const DeviceOpened&) const { return DeviceFound{}; }
+  MaybeBody operator()(const DeviceLost& lost) const { return DeviceGone{lost.why}; }
+  MaybeBody operator()(const DeviceIn& in) const { return DeviceInput{std::string(in.bytes)}; }
+  MaybeBody operator()(const DeviceOut& out) const {
+    return out.count > 0 ? MaybeBody(DeviceSent{out.count}) : std::nullopt;
+  }
+  MaybeBody operator()(const RecordingFailed&) const { return std::nullopt; }
+  MaybeBody operator()(const call::Call& call) const {
+    if (!std::holds_alternative<call::Done>(applied.outcome)) return std::nullopt;
+    return CallMade{call};
+  }
+};
+
+// --- The log of the cell.
+
+void Recorder::begin(const Cell& cell, const Input& input) {
+  input_at_ = now(cell);
+  if (input_at_.epoch != hashed_.epoch || input_at_.tick / kHashEvery > hashed_.tick / kHashEvery)
+    add_hash(cell);
+  if (std::holds_alternative<call::Call>(input)) {
+    while (!sent_.empty()) report_unsent(cell, sent_.begin()->first);
+  }
+  const LineId id = line_of(input);
+  const SerialLine* line = cell.find_line(id);
+  is_open_ = line != nullptr && id != kProbeLine;
+  if (!is_open_) return;
+  if (std::holds_alternative<LineSettings>(input) && cell.line_speed()) report_unsent(cell, id);
+  if (std::holds_alternative<BytesIn>(input)) {
+    unsent_ = line->outbox().size();
+    is_first_ = line->bytes_in() == 0;
+  }
+}
+
+void Recorder::end(const Cell& cell, const Input& input, const Applied& applied) {
+  if (is_of_line(input) ? is_open_ : !opens_probe(input)) {
+    if (auto body = std::visit(EntryMaker{*this, cell, applied}, input))
+      add(input_at_, *std::move(body));
+  }
+  add_outputs();
+}
+
+/// A line that was full may go on now. While bytes are late, their order matters, too.
+void Recorder::sent(const Cell& cell, const BytesOut& out) {
+  const SerialLine* line = cell.find_line(out.line);
+  const bool matters = line->is_full() || is_behind_;
+  if (out.line == kProbeLine || !line->is_paced() || (out.count == 0 && !matters)) return;
+  if (matters) {
+    sent_.erase(out.line);
+    return add(now(cell), LineUnsent{out.line, line->outbox().size() - out.count});
+  }
+  sent_[out.line] += out.count;
+  note_unsent(cell, out.line);
+}
+
+void Recorder::output(const Cell& cell, LineId line, std::string_view bytes) {
+  const At at = now(cell);
+  while (!bytes.empty()) {
+    Entry* last = outputs_.empty() ? nullptr : &outputs_.back();
+    Replies* run = last == nullptr ? nullptr : &std::get<Replies>(last->body);
+    const bool is_run = run != nullptr && run->line == line && last->tick == at.tick &&
+                        last->epoch == at.epoch && run->bytes.size() < kMaxReplies;
+    if (!is_run) {
+      outputs_.push_back({at.epoch, at.tick, 0, Replies{line, ""}});
+      run = &std::get<Replies>(outputs_.back().body);
+    }
+    const std::string_view piece = bytes.substr(0, kMaxReplies - run->bytes.size());
+    run->bytes += piece;
+    bytes.remove_prefix(piece.size());
+  }
+  note_unsent(cell, line);
+}
+
+void Recorder::before_advance(const Cell& cell) {
+  while (!nearly_full_.empty()) report_unsent(cell, *nearly_full_.begin());
+}
+
+// While bytes are late, it matters how many have acted before each input.
+void Recorder::after_advance(const Cell& cell, bool is_behind) {
+  if (is_behind || is_behind_) add(now(cell), Late{cell.acts(), is_behind});
+  is_behind_ = is_behind;
+  add_outputs();
+}
+
+void Recorder::expired(const Cell& cell) { add(now(cell), DeviceSilent{}); }
+
+// --- Entries.
+
+recording::Entry Recorder::end_of(const Cell& cell, std::string why) {
+  const At at = now(cell);
+  return {at.epoch, at.tick, at.us, End{hasher_.hash(cell), std::move(why)}};
+}
+
+void Recorder::add(const At& at, recording::Body body) {
+  sink_({at.epoch, at.tick, at.us, std::move(body)});
+}
+
+void Recorder::add_hash(const Cell& cell) {
+  hashed_ = now(cell);
+  add(hashed_, StateHash{hasher_.hash(cell)});
+}
+
+void Recorder::add_outputs() {
+  for (Entry& entry : outputs_) sink_(std::move(entry));
+  outputs_.clear();
+}
+
+/// The replies of the line to the input that acts, as far as they fit into its entry.
+std::string Recorder::take_replies(LineId line) {
+  if (outputs_.empty()) return {};
+  auto& first = std::get<Replies>(outputs_.front().body);
+  if (first.line != line || outputs_.front().tick != input_at_.tick) return {};
+  std::string bytes = std::move(first.bytes);
+  outputs_.erase(outputs_.begin());
+  return bytes;
+}
+
+void Recorder::report_unsent(const Cell& cell, LineId id) {
+  sent_.erase(id);
+  nearly_full_.erase(id);
+  const SerialLine* line = cell.find_line(id);
+  if (line != nullptr) add(now(cell), LineUnsent{id, line->outbox().size()});
+}
+
+void Recorder::note_unsent(const Cell& cell, LineId id) {
+  const auto found = sent_.find(id);
+  if (found == sent_.end()) return;
+  if (cell.find_line(id)->outbox().size() + found->second >= kNearlyFull) nearly_full_.insert(id);
+}
+
+}  // namespace xr3

@@ -1,0 +1,83 @@
+// Turns what a cell tells its log into the entries of a recording, in the order in which a replay
+// needs them. Without I/O; a file writer or a memory keeps the entries.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cell/cell.hpp"
+#include "cell/recording/input_log.hpp"
+#include "cell/recording/state_hash.hpp"
+#include "protocol/recording/entry.hpp"
+#include "protocol/recording/header.hpp"
+
+namespace xr3 {
+
+/// What a recording of this cell must begin with. Preconditions: no input has acted yet, and the
+/// device, if there will be one, is connected.
+recording::Header recording_header(const Cell& cell, std::string program);
+
+class Recorder : public InputLog {
+ public:
+  using Sink = std::function<void(recording::Entry)>;
+
+  /// The first input past each multiple of this tick is recorded with the digest of the state.
+  static constexpr Tick kHashEvery = 10'000;
+  /// Replies are split into entries of at most so many bytes.
+  static constexpr std::size_t kMaxReplies = std::size_t{256} * 1024;
+
+  explicit Recorder(Sink sink) : sink_(std::move(sink)) {}
+
+  /// Whether bytes that are due have not acted yet: no moment for a checkpoint.
+  bool is_behind() const { return is_behind_; }
+
+  /// The last entry: the recording ends at the cell's current tick.
+  recording::Entry end_of(const Cell& cell, std::string why);
+
+  void begin(const Cell& cell, const Input& input) override;
+  void end(const Cell& cell, const Input& input, const Applied& applied) override;
+  void sent(const Cell& cell, const BytesOut& out) override;
+  void output(const Cell& cell, LineId line, std::string_view bytes) override;
+  void before_advance(const Cell& cell) override;
+  void after_advance(const Cell& cell, bool is_behind) override;
+  void expired(const Cell& cell) override;
+
+ private:
+  struct At {
+    Epoch epoch = 0;
+    Tick tick = 0;
+    int us = 0;
+  };
+  struct EntryMaker;
+  using MaybeBody = std::optional<recording::Body>;
+
+  static At now(const Cell& cell) {
+    return {cell.epoch(), cell.state().tick, static_cast<int>(cell.clock_remainder())};
+  }
+  void add(const At& at, recording::Body body);
+  void add_hash(const Cell& cell);
+  void add_outputs();
+  std::string take_replies(LineId line);
+  void report_unsent(const Cell& cell, LineId line);
+  void note_unsent(const Cell& cell, LineId line);
+
+  Sink sink_;
+  StateHasher hasher_;
+  At hashed_{0, 0, 0};
+  bool is_behind_ = false;
+  At input_at_;                            ///< of the input that acts
+  std::size_t unsent_ = 0;                 ///< of its line, before it
+  bool is_first_ = false;                  ///< it is the first read of its line
+  bool is_open_ = false;                   ///< its line, which the recording has, is open
+  std::vector<recording::Entry> outputs_;  ///< not added yet
+  /// Bytes that transports have sent and that are not reported, of paced lines: only those depend on
+  /// when their outbox is full.
+  std::map<LineId, std::size_t> sent_;
+  std::set<LineId> nearly_full_;  ///< lines of sent_ whose outbox might seem full in a replay
+};
+
+}  // namespace xr3

@@ -1,0 +1,220 @@
+#include "cell/recording/replayer.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace xr3 {
+namespace {
+
+using namespace recording;  // NOLINT: the entries have distinct names
+
+std::string number(std::uint64_t value) { return std::to_string(value); }
+
+}  // namespace
+
+std::string to_text(const Difference& difference) {
+  std::string text =
+      "epoch " + std::to_string(difference.epoch) + ", tick " + std::to_string(difference.tick);
+  if (difference.line) text += ", line " + std::to_string(*difference.line);
+  return text + ": " + difference.what + ": expected " + difference.expected + ", found " +
+         difference.found;
+}
+
+SimClock replay_clock(const recording::Header& header) {
+  if (header.mode == ClockMode::kBytes) return SimClock::bytes();
+  SimClock clock = SimClock::real(header.rate, 0);
+  if (header.mode == ClockMode::kManual) clock.pause(0);
+  return clock;
+}
+
+void prepare_replay(Cell& cell, const recording::Header& header) {
+  if (header.byte_clock) {
+    cell.set_byte_clock(*header.byte_clock, header.line_speed);
+  } else if (header.line_speed) {
+    cell.set_line_speed(*header.line_speed);
+  }
+  if (header.faults) cell.set_faults(*header.faults);
+  if (header.device)
+    cell.connect_device(header.device->path, header.device->settings, header.device->is_mirrored);
+}
+
+Replayer::Replayer(Cell& cell, bool compares_hashes)
+    : cell_(cell), compares_hashes_(compares_hashes) {
+  cell_.set_log(this);
+  cell_.replay_to(cell_.state().tick, 0);
+}
+
+Replayer::~Replayer() { cell_.set_log(nullptr); }
+
+void Replayer::sample_every(Tick every, std::function<void(const Cell&)> sample) {
+  assert(every > 0);
+  every_ = every;
+  sample_ = std::move(sample);
+  next_sample_ = now();
+}
+
+void Replayer::output(const Cell& cell, LineId line, std::string_view bytes) {
+  if (!bytes.empty()) replies_[line].push_back({cell.state().tick, std::string(bytes)});
+}
+
+Replayer::Result Replayer::difference(std::string what, std::string expected, std::string found,
+                                      std::optional<LineId> line) const {
+  return Difference{cell_.epoch(),   cell_.state().tick,  line,
+                    std::move(what), std::move(expected), std::move(found)};
+}
+
+// --- Entries.
+
+Replayer::Result Replayer::apply(const recording::Entry& entry) {
+  if (is_stopped_) return std::nullopt;
+  if (stop_ && ReplayTime{entry.epoch, entry.tick} > *stop_) {
+    is_stopped_ = true;
+    return std::nullopt;
+  }
+  return carry_on(entry);
+}
+
+/// What an entry does to the cell, when time has come to it.
+struct Replayer::Applier {
+  Replayer& replayer;
+  const recording::Entry& entry;
+
+  Result operator()(const LineBegin& begin) const {
+    const auto opened = apply(LineOpened{begin.peer, begin.kind, false, begin.guard});
+    if (opened.line == begin.line) return std::nullopt;
+    return replayer.difference("number of the line that opens", number(begin.line),
+                               number(opened.line));
+  }
+  Result operator()(const LineSetup& setup) const {
+    if (auto closed = closed_line(setup.line)) return closed;
+    apply(LineSettings{setup.line, setup.settings, setup.is_cooked});
+    return std::nullopt;
+  }
+  Result operator()(const LineInput& input) const {
+    if (auto closed = closed_line(input.line)) return closed;
+    if (auto other = replayer.leave_unsent(input.line, input.unsent)) return other;
+    const SerialLine& line = *replayer.cell_.find_line(input.line);
+    const std::uint64_t end = line.bytes_in() + input.taken;
+    const auto taken =
+        apply(BytesIn{input.line, input.bytes, [&] { return line.bytes_in() >= end; }}).bytes_taken;
+    if (taken != input.taken)
+      return replayer.difference("bytes taken", number(input.taken), number(taken), input.line);
+    return replayer.compare_replies(input.line, entry.tick, input.replies);
+  }
+  Result operator()(const LineUnsent& left) const {
+    if (auto closed = closed_line(left.line)) return closed;
+    return replayer.leave_unsent(left.line, left.unsent);
+  }
+  Result operator()(const LineInputEnd& end) const {
+    if (auto closed = closed_line(end.line)) return closed;
+    apply(InputEnded{end.line});
+    return std::nullopt;
+  }
+  Result operator()(const LineSilence& silence) const {
+    if (auto closed = closed_line(silence.line)) return closed;
+    apply(LineSilent{silence.line});
+    return std::nullopt;
+  }
+  Result operator()(const LineEnd& end) const {
+    if (auto closed = closed_line(end.line)) return closed;
+    apply(LineClosed{end.line, end.reason});
+    return std::nullopt;
+  }
+  Result operator()(const CallMade& made) const { return replayer.make_call(made.call); }
+  Result operator()(const DeviceFound&) const { return with_device(DeviceOpened{}); }
+  Result operator()(const DeviceGone& gone) const { return with_device(DeviceLost{gone.why}); }
+  Result operator()(const DeviceInput& in) const { return with_device(DeviceIn{in.bytes}); }
+  Result operator()(const DeviceSent& sent) const {
+    const DeviceLink* device = replayer.cell_.device();
+    const std::size_t waiting = device == nullptr ? 0 : device->outbox().size();
+    if (sent.count > waiting)
+      return replayer.difference("bytes for the device", "at least " + number(sent.count),
+                                 number(waiting));
+    return with_device(DeviceOut{sent.count});
+  }
+  Result operator()(const StateHash& state) const { return replayer.compare_hash(state.hash); }
+  Result operator()(const End& end) const {
+    return end.hash.empty() ? std::nullopt : replayer.compare_hash(end.hash);
+  }
+  Result operator()(const DeviceSilent&) const { return std::nullopt; }  // time has passed
+  Result operator()(const Late&) const { return std::nullopt; }          // likewise
+  Result operator()(const Replies& replies) const {
+    return replayer.compare_replies(replies.line, entry.tick, replies.bytes);
+  }
+
+ private:
+  Applied apply(const Input& input) const {
+    ++replayer.inputs_;
+    return replayer.cell_.apply(input, 0);
+  }
+  Result with_device(const Input& input) const {
+    if (replayer.cell_.device() == nullptr)
+      return replayer.difference("device", "one in the first line", "none");
+    apply(input);
+    return std::nullopt;
+  }
+  Result closed_line(LineId line) const {
+    if (replayer.cell_.find_line(line) != nullptr) return std::nullopt;
+    return replayer.difference("line", "open", "closed", line);
+  }
+};
+
+Replayer::Result Replayer::carry_on(const recording::Entry& entry) {
+  const bool is_output = std::holds_alternative<Replies>(entry.body);
+  if (!is_output || entry.tick > cell_.state().tick) {
+    if (auto other = pass_to(entry)) return other;
+  }
+  if (!is_output && entry.us != cell_.clock_remainder())
+    return difference("microseconds", std::to_string(entry.us),
+                      std::to_string(cell_.clock_remainder()));
+  const auto* end = std::get_if<End>(&entry.body);
+  const bool is_cut = end != nullptr && end->hash.empty();  // replies may be missing
+  if (!is_output && !is_cut && !std::holds_alternative<Late>(entry.body)) {
+    if (auto other = refuse_other_replies()) return other;
+  }
+  return std::visit(Applier{*this, entry}, entry.body);
+}
+
+// --- Time.
+
+Replayer::Result Replayer::pass_to(const recording::Entry& entry) {
+  if (entry.epoch != cell_.epoch())
+    return difference("epoch", std::to_string(entry.epoch), std::to_string(cell_.epoch()));
+  const Tick tick = cell_.state().tick;
+  const auto* late = std::get_if<Late>(&entry.body);
+  const bool may_pass =
+      cell_.clock().mode() == ClockMode::kReal && (late != nullptr || !is_behind_);
+  if (entry.tick < tick || (entry.tick > tick && !may_pass))
+    return difference("time", "tick " + std::to_string(entry.tick), "tick " + std::to_string(tick));
+  if (late == nullptr) {
+    if (!is_behind_) pass(entry.tick);
+    return std::nullopt;
+  }
+  if (late->acts >= cell_.acts()) cell_.replay_to(entry.tick, late->acts - cell_.acts());
+  is_behind_ = late->is_behind;
+  if (cell_.acts() == late->acts) return std::nullopt;
+  return difference("paced bytes that have acted", number(late->acts), number(cell_.acts()));
+}
+
+/// Time passes in a replay that is not behind.
+void Replayer::pass(Tick tick) {
+  while (every_ > 0 && next_sample_.epoch == cell_.epoch() && next_sample_.tick <= tick) {
+    cell_.replay_to(next_sample_.tick);
+    sample();
+  }
+  cell_.replay_to(tick);
+}
+
+/// Takes the sample that is due, and plans the next one.
+void Replayer::sample() {
+  sample_(cell_);
+  next_sample_ = {cell_.epoch(), (cell_.state().tick / every_ + 1) * every_};
+}
+
+void Replayer::run_to_stop() {
+  if (!stop_ || stop_->epoch != cell_.epoch() || is_behind_) return;
+  if (cell_.clock().mode() == ClockMode::kReal) pass(std::max(stop_->tick, cell_.state().tick));
+}
+
+}  // namespace xr3

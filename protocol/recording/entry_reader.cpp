@@ -1,0 +1,253 @@
+// Reads entries of a recording: a table of all members, and one of the kinds of entries.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "protocol/explain/event_report.hpp"
+#include "protocol/monitor/request.hpp"
+#include "protocol/recording/byte_text.hpp"
+#include "protocol/recording/call_json.hpp"
+#include "protocol/recording/entry_json.hpp"
+
+namespace xr3::recording {
+namespace {
+
+using namespace data;  // NOLINT: keeps the tables below readable
+
+constexpr std::size_t kMaxBytes = std::size_t{8} << 20U;
+constexpr std::size_t kMaxText = 8192;
+constexpr int kMaxMicros = 999;
+
+enum class Device : std::uint8_t { kOpened, kLost, kSilent };
+
+/// All members that an entry can have.
+struct Raw {
+  std::optional<Epoch> epoch;
+  Tick tick = 0;
+  std::optional<int> us;
+  std::optional<LineId> line;
+  std::optional<LineKind> open;
+  std::optional<std::string> peer;
+  std::optional<Guard> guard;
+  std::optional<SerialSettings> settings;
+  std::optional<bool> cooked;
+  std::optional<std::string> in;
+  std::optional<std::size_t> taken;
+  std::optional<std::size_t> unsent;
+  std::optional<std::string> out;
+  std::optional<bool> input_ended;
+  std::optional<bool> silent;
+  std::optional<LineCloseReason> close;
+  std::optional<Device> device;
+  std::optional<std::string> why;
+  std::optional<std::string> device_in;
+  std::optional<std::size_t> device_out;
+  std::optional<std::uint64_t> acted;
+  std::optional<bool> behind;
+  std::optional<std::string> hash;
+  std::optional<std::string> end;
+  JsonValue call;
+  JsonValue args;
+  std::string check;
+};
+
+Codec<SerialSettings> line_settings() {
+  Codec<SerialSettings> codec;
+  codec.allowed = "settings such as \"9600-7e2\" or \"9600\"";
+  codec.read = [allowed = codec.allowed](const Place& place, SerialSettings& settings) {
+    const auto read =
+        place.value.is_text() ? parse_serial_settings(place.value.text(kMaxText)) : std::nullopt;
+    return read ? (settings = *read, true) : place.refuse(allowed);
+  };
+  return codec;
+}
+
+Codec<LineKind> line_kind() {
+  std::vector<std::pair<std::string, LineKind>> names;
+  for (const LineKind kind :
+       {LineKind::kTcp, LineKind::kPty, LineKind::kDevice, LineKind::kMonitor})
+    names.emplace_back(xr3::name_of(kind), kind);
+  return choice(std::move(names));
+}
+
+Codec<LineCloseReason> close_reason() {
+  std::vector<std::pair<std::string, LineCloseReason>> names;
+  for (std::size_t i = 0; i < kLineCloseReasons; ++i) {
+    const auto reason = static_cast<LineCloseReason>(i);
+    names.emplace_back(code_of(reason), reason);
+  }
+  return choice(std::move(names));
+}
+
+/// A value that is read later.
+Member<Raw> raw_member(const char* name, JsonValue Raw::*field) {
+  return {name, false, "",
+          [field](const Place& place, Raw& raw) { return raw.*field = place.value, true; },
+          [](const Raw&) -> std::optional<Json> { return std::nullopt; }};
+}
+
+const Members<Raw>& raw_members() {
+  constexpr std::int64_t kMost = monitor::kMaxInteger;
+  static const Members<Raw> members = {
+      required("tick", &Raw::tick, integer<Tick>(0, kMost)),
+      optional("line", &Raw::line, integer<LineId>(1, UINT32_MAX)),
+      optional("in", &Raw::in, byte_text(kMaxBytes)),
+      optional("out", &Raw::out, byte_text(kMaxBytes)),
+      optional("epoch", &Raw::epoch, integer<Epoch>(0, kMost)),
+      optional("us", &Raw::us, whole_number(1, kMaxMicros)),
+      optional("open", &Raw::open, line_kind()),
+      optional("peer", &Raw::peer, byte_text(kMaxText)),
+      optional("guard", &Raw::guard,
+               choice<Guard>(
+                   {{"off", Guard::kOff}, {"normal", Guard::kNormal}, {"strict", Guard::kStrict}})),
+      optional("settings", &Raw::settings, line_settings()),
+      optional("cooked", &Raw::cooked, boolean()),
+      optional("taken", &Raw::taken, integer<std::size_t>(0, kMaxBytes)),
+      optional("unsent", &Raw::unsent, integer<std::size_t>(0, kMost)),
+      optional("input_ended", &Raw::input_ended, boolean()),
+      optional("silent", &Raw::silent, boolean()),
+      optional("close", &Raw::close, close_reason()),
+      optional(
+          "device", &Raw::device,
+          choice<Device>(
+              {{"opened", Device::kOpened}, {"lost", Device::kLost}, {"silent", Device::kSilent}})),
+      optional("why", &Raw::why, byte_text(kMaxText)),
+      optional("device_in", &Raw::device_in, byte_text(kMaxBytes)),
+      optional("device_out", &Raw::device_out, integer<std::size_t>(1, kMost)),
+      optional("acted", &Raw::acted, integer<std::uint64_t>(0, kMost)),
+      optional("behind", &Raw::behind, boolean()),
+      optional("hash", &Raw::hash, text(1, kMaxText)),
+      optional("end", &Raw::end, text(1, kMaxText)),
+      raw_member("call", &Raw::call),
+      raw_member("args", &Raw::args),
+      optional("c", &Raw::check, text(0, kMaxText))};
+  return members;
+}
+
+/// A kind of entry: the member that shows it, those that it needs, and those that it may have, beside
+/// tick, epoch and us.
+struct EntryForm {
+  std::string_view shown_by;
+  std::vector<std::string_view> needs;
+  std::vector<std::string_view> allows;
+  std::optional<Body> (*make)(Raw&, Reading&);
+};
+
+std::optional<Body> make_input(Raw& raw, Reading& reading) {
+  LineInput input{*raw.line, *std::move(raw.in), 0, raw.unsent.value_or(0),
+                  std::move(raw.out).value_or("")};
+  input.taken = raw.taken.value_or(input.bytes.size());
+  if (input.taken <= input.bytes.size()) return input;
+  reading.refuse("/taken", std::to_string(input.taken),
+                 "at most the " + std::to_string(input.bytes.size()) + " bytes of in");
+  return std::nullopt;
+}
+
+std::optional<Body> make_call(Raw& raw, Reading& reading) {
+  auto call = read_call_json({reading, raw.call}, raw.args);
+  if (!call) return std::nullopt;
+  return CallMade{*std::move(call)};
+}
+
+std::optional<Body> make_device(Raw& raw, Reading&) {
+  if (*raw.device == Device::kOpened) return DeviceFound{};
+  if (*raw.device == Device::kSilent) return DeviceSilent{};
+  return DeviceGone{std::move(raw.why).value_or("")};
+}
+
+using MaybeBody = std::optional<Body>;
+
+MaybeBody make_begin(Raw& raw, Reading&) {
+  return LineBegin{*raw.line, *std::move(raw.peer), *raw.open, *raw.guard};
+}
+MaybeBody make_setup(Raw& raw, Reading&) {
+  return LineSetup{*raw.line, *raw.settings, *raw.cooked};
+}
+MaybeBody make_input_end(Raw& raw, Reading&) { return LineInputEnd{*raw.line}; }
+MaybeBody make_silence(Raw& raw, Reading&) { return LineSilence{*raw.line}; }
+MaybeBody make_line_end(Raw& raw, Reading&) { return LineEnd{*raw.line, *raw.close}; }
+MaybeBody make_device_input(Raw& raw, Reading&) { return DeviceInput{*std::move(raw.device_in)}; }
+MaybeBody make_device_sent(Raw& raw, Reading&) { return DeviceSent{*raw.device_out}; }
+MaybeBody make_late(Raw& raw, Reading&) { return Late{*raw.acted, *raw.behind}; }
+MaybeBody make_end(Raw& raw, Reading&) {
+  return End{std::move(raw.hash).value_or(""), *std::move(raw.end)};
+}
+MaybeBody make_hash(Raw& raw, Reading&) { return StateHash{*std::move(raw.hash)}; }
+MaybeBody make_replies(Raw& raw, Reading&) { return Replies{*raw.line, *std::move(raw.out)}; }
+MaybeBody make_unsent(Raw& raw, Reading&) { return LineUnsent{*raw.line, *raw.unsent}; }
+
+/// The first form whose member is there counts.
+const std::vector<EntryForm>& entry_forms() {
+  static const std::vector<EntryForm> forms = {
+      {"in", {"line", "in"}, {"taken", "unsent", "out"}, make_input},
+      {"out", {"line", "out"}, {}, make_replies},
+      {"open", {"line", "open", "peer", "guard"}, {}, make_begin},
+      {"settings", {"line", "settings", "cooked"}, {}, make_setup},
+      {"input_ended", {"line", "input_ended"}, {}, make_input_end},
+      {"silent", {"line", "silent"}, {}, make_silence},
+      {"close", {"line", "close"}, {}, make_line_end},
+      {"unsent", {"line", "unsent"}, {}, make_unsent},
+      {"call", {"call", "args"}, {}, make_call},
+      {"device", {"device"}, {"why"}, make_device},
+      {"device_in", {"device_in"}, {}, make_device_input},
+      {"device_out", {"device_out"}, {}, make_device_sent},
+      {"acted", {"acted", "behind"}, {}, make_late},
+      {"end", {"end"}, {"hash"}, make_end},
+      {"hash", {"hash"}, {}, make_hash}};
+  return forms;
+}
+
+bool is_among(JsonValue name, const std::vector<std::string_view>& names) {
+  return std::any_of(names.begin(), names.end(),
+                     [&](std::string_view each) { return name.is(each); });
+}
+
+const EntryForm* form_of(JsonValue root) {
+  for (const EntryForm& form : entry_forms()) {
+    if (root.find(form.shown_by)) return &form;
+  }
+  return nullptr;
+}
+
+/// Reports members that this kind of entry does not have, and needed ones that are missing.
+bool has_form(const EntryForm& form, Reading& reading) {
+  static const std::vector<std::string_view> kCommon = {"tick", "epoch", "us", "c"};
+  const JsonValue root = reading.root();
+  for (const std::string_view name : form.needs) {
+    if (!root.find(name))
+      reading.refuse("/" + std::string(name), "", "a value beside " + std::string(form.shown_by));
+  }
+  for (const JsonValue member : root) {
+    const JsonValue name = member.name();
+    if (is_among(name, kCommon) || is_among(name, form.needs) || is_among(name, form.allows))
+      continue;
+    reading.refuse(member.pointer_from(root), shown(member),
+                   "no such member beside " + std::string(form.shown_by));
+  }
+  return !reading.has_errors();
+}
+
+std::string form_names() {
+  std::vector<std::string> names;
+  for (const EntryForm& form : entry_forms()) names.emplace_back(form.shown_by);
+  return "one of the members " + detail::quoted_names(names);
+}
+
+}  // namespace
+
+std::optional<Entry> read_entry(Reading& reading, Epoch epoch) {
+  Raw raw;
+  if (!read_object(Place{reading, reading.root()}, raw_members(), raw)) return std::nullopt;
+  const EntryForm* form = form_of(reading.root());
+  if (form == nullptr) {
+    reading.refuse("", "an entry without them", form_names());
+    return std::nullopt;
+  }
+  if (!has_form(*form, reading)) return std::nullopt;
+  auto body = form->make(raw, reading);
+  if (!body || reading.has_errors()) return std::nullopt;
+  return Entry{raw.epoch.value_or(epoch), raw.tick, raw.us.value_or(0), *std::move(body)};
+}
+
+}  // namespace xr3::recording

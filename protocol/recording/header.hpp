@@ -1,0 +1,51 @@
+// The first line of a recording as a value: what a cell must be made of so that it continues in the
+// same way, and the versions of what follows. Independent of files and the cell.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "core/faults/fault_state.hpp"
+#include "core/model.hpp"
+#include "core/sim_clock.hpp"
+#include "protocol/json/codec.hpp"
+#include "protocol/line/byte_clock_settings.hpp"
+#include "protocol/line/line_speed.hpp"
+#include "protocol/line/serial_settings.hpp"
+
+namespace xr3::recording {
+
+/// The version of the format of recordings.
+inline constexpr int kFormat = 1;
+
+/// A physical controller behind the simulator. Its bytes are in the recording.
+struct RecordedDevice {
+  std::string path;
+  SerialSettings settings;
+  bool is_mirrored = false;
+};
+
+struct Header {
+  std::string program;   ///< name and version
+  int state_format = 0;  ///< of the digests, see cell/recording/state_hash.hpp
+  std::string cell;      ///< its name
+  ModelPtr model;
+  ClockMode mode = ClockMode::kReal;
+  Rate rate;
+  std::optional<ByteClockSettings> byte_clock;  ///< if the mode is kBytes
+  std::optional<LineSpeed> line_speed;          ///< with a byte clock, only the time of a character
+  std::optional<FaultPlan> faults;
+  std::optional<RecordedDevice> device;
+};
+
+Json header_to_json(const Header& header);
+
+/// Reads what header_to_json() has made, beside a member `c`; errors go to the reading. Whether the
+/// parts fit together is checked, too.
+std::optional<Header> read_header(data::Reading& reading);
+
+/// The version of the format that a first line claims; nullopt if it is no recording's.
+std::optional<int> format_of(JsonValue line);
+
+}  // namespace xr3::recording

@@ -1,0 +1,43 @@
+// The file of a recording: only new files, readable by their owner alone, and never larger than
+// allowed. Lines are collected, and written together without waiting for the disk.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace xr3 {
+
+/// Makes a folder for several recordings, for this user alone, unless it exists. Throws FileError.
+void make_private_folder(const std::string& path);
+
+class RecordingFile {
+ public:
+  /// Makes the file. Throws FileError, also if there is one already.
+  explicit RecordingFile(std::string path);
+  RecordingFile(const RecordingFile&) = delete;
+  RecordingFile& operator=(const RecordingFile&) = delete;
+  /// Writes what is left, and closes the file.
+  ~RecordingFile();
+
+  /// Adds a whole line.
+  void add(std::string_view line);
+  /// Writes what has been added. After a failure the file ends with its last whole line, if possible.
+  void flush();
+
+  bool has_unwritten() const { return !unwritten_.empty(); }
+  /// The size of the file when everything is written.
+  std::uint64_t size() const { return written_ + unwritten_.size(); }
+  const std::string& path() const { return path_; }
+  /// Why nothing more is written; empty if it is.
+  const std::string& failure() const { return failure_; }
+
+ private:
+  std::string path_;
+  int file_;
+  std::string unwritten_;
+  std::uint64_t written_ = 0;
+  std::string failure_;
+};
+
+}  // namespace xr3

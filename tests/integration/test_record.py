@@ -1,0 +1,249 @@
+"""Recordings: what a real server writes while it runs, and what `xr3 replay` makes of it."""
+
+import csv
+import json
+import pathlib
+import stat
+import tempfile
+import time
+import unittest
+
+from support import DEADLINE_S, ROOT, XR3, MonitorError, Server, run_xr3
+
+POLLS = 300
+LIMIT_KIB = 24  # stands for a full disk
+
+
+class Recordings(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.file = self.folder / "session.xr3"
+
+    def entries(self, file=None):
+        """The header and the entries, without a last line that is incomplete."""
+        text = (file or self.file).read_text(encoding="ascii")
+        return [json.loads(line) for line in text.split("\n")[:-1]]
+
+    def replay(self, *options, code=0, file=None):
+        done = run_xr3("replay", file or self.file, *options)
+        self.assertEqual(code, done.returncode, done.stderr)
+        return done
+
+    def wait_for_entry(self, xr3, is_wanted):
+        deadline = time.monotonic() + DEADLINE_S
+        with xr3.monitor() as monitor:
+            while not any(map(is_wanted, self.entries())):
+                self.assertLess(time.monotonic(), deadline, self.file.read_text(encoding="ascii")[-2000:])
+                monitor.request("ping")
+
+    def state_of(self, monitor):
+        return {name: value for name, value in monitor.get().items() if name not in ("op", "id", "seq")}
+
+    def replayed_state(self, *options):
+        message = json.loads(self.replay("--print", "state", *options).stdout)
+        return {name: value for name, value in message.items() if name not in ("op", "id", "seq")}
+
+    # --- Sessions.
+
+    def test_a_session_with_calls_and_faults_comes_to_the_same_state(self):
+        with Server("--record", self.file, "--fault", "worn-arm") as xr3, xr3.monitor() as monitor:
+            line = xr3.line()
+            line.send("E+60\rC-30\r")
+            monitor.step(400, after=line)
+            line.ask("E?")
+            monitor.call("send", text="D?")
+            monitor.call("snapshot_save", name="early")
+            inline = monitor.call("snapshot_save", inline=True)["snapshot"]
+            monitor.call("fault_set", fault={"name": "jam", "kind": "motor_stuck", "joint": "E", "at_tick": 500,
+                                             "ticks": 300})
+            monitor.call("run_until", idle=True, max_ticks=60_000)
+            with self.assertRaises(MonitorError):
+                monitor.call("block_remove", name="none")
+            workcell = json.loads(pathlib.Path(ROOT, "data/workcells/rhino-xr3.json").read_text(encoding="utf-8"))
+            workcell["blocks"] = workcell["blocks"][:1]
+            monitor.call("workcell", workcell=workcell)
+            monitor.call("snapshot_load", name="early")
+            monitor.call("snapshot_load", snapshot=inline)
+            monitor.call("key", function="view", value=[1, 2, 3])
+            line.send("B+20\r")
+            monitor.step(123, after=line)
+            state = self.state_of(monitor)
+        self.assertEqual(state, self.replayed_state())
+        header, *entries = self.entries()
+        self.assertEqual((1, "paper", "manual"), (header["xr3_recording"], header["profile"], header["clock"]["mode"]))
+        self.assertEqual({"Rhino XR-3"}, {header["robot"]["name"]})
+        self.assertIn("faults", header)
+        self.assertEqual("stopped", entries[-1]["end"])
+        self.assertNotIn("none", [entry.get("args", {}).get("name") for entry in entries])
+
+    def test_real_time_with_a_line_speed(self):
+        options = "--record", self.file, "--line-speed", "9600-7e2", "--compat", "mark3"
+        with Server(*options, clock="real:20") as xr3:
+            first, second = xr3.line(), xr3.line()
+            first.send("E+60\r")
+            for i in range(40):
+                second.ask("E?")
+                first.send("C-2\r" if i % 2 else "\xff\xfd\x03C+2\r".encode("latin-1"))
+            first.finish_sending()
+            first.read_to_end()
+        self.assertIn("everything is as recorded", self.replay().stderr)
+        self.assertTrue(any("out" in entry and "in" not in entry for entry in self.entries()[1:]))
+
+    def test_real_time_polls_take_little_room(self):
+        with Server("--record", self.file, clock="real") as xr3:
+            line = xr3.line()
+            line.send("E+100\r")
+            for _ in range(POLLS):
+                line.ask("E?")
+        polls = [row for row in self.file.read_text(encoding="ascii").splitlines() if '"in":"E?"' in row]
+        self.assertIn(len(polls), (POLLS - 1, POLLS))  # the first may arrive with the move
+        self.assertLess(sum(map(len, polls)) / POLLS, 60)
+        self.replay()
+
+    def test_a_client_that_is_refused_is_recorded(self):
+        with Server("--record", self.file, clock="real") as xr3:
+            line = xr3.line()
+            line.send("GET / HTTP/1.1\r\nHost: x\r\n\r\n")
+            line.read_to_end()
+        self.assertIn("stranger", [entry.get("close") for entry in self.entries()])
+        self.replay()
+
+    # --- The file.
+
+    def test_the_file_is_new_and_private(self):
+        with Server("--record", self.file):
+            self.assertEqual(0o600, stat.S_IMODE(self.file.stat().st_mode))
+        before = self.file.read_bytes()
+        ports = "--robot-port", "0", "--monitor-port", "0"
+        done = run_xr3("serve", *ports, "--record", self.file)
+        self.assertEqual(2, done.returncode)
+        self.assertIn("exists already", done.stderr)
+        self.assertEqual(before, self.file.read_bytes())
+        link = self.folder / "link"
+        link.symlink_to(self.folder / "target")
+        self.assertEqual(2, run_xr3("serve", *ports, "--record", link).returncode)
+        self.assertFalse((self.folder / "target").exists())
+
+    def test_a_killed_server_leaves_a_valid_recording(self):
+        with Server("--record", self.file, clock="real") as xr3:
+            line = xr3.line()
+            line.send("E+50\r")
+            line.ask("E?")
+            line.ask("D?")
+            self.wait_for_entry(xr3, lambda entry: entry.get("in") == "D?")
+            xr3.process.kill()
+            xr3.process.wait()
+        self.assertIn("was cut off", self.replay().stderr)
+
+    def test_every_cut_is_accepted_and_every_change_found(self):
+        with Server("--record", self.file) as xr3, xr3.monitor() as monitor:
+            line = xr3.line()
+            line.send("E+5\rE?")
+            monitor.step(20, after=line)
+        data = self.file.read_bytes()
+        first = data.index(b"\n") + 1
+        other = self.folder / "other.xr3"
+        for size in (first, first + 1, (first + len(data)) // 2, len(data) - 1):
+            other.write_bytes(data[:size])
+            self.replay(file=other)
+        for place in (5, first // 2, first - 1, first + 3, (first + len(data)) // 2, len(data) - 5, len(data) - 1):
+            other.write_bytes(data[:place] + bytes([data[place] ^ 2]) + data[place + 1:])
+            done = self.replay(file=other, code=2)
+            number = data.count(b"\n", 0, place) + 1
+            self.assertTrue(done.stderr.startswith(f"{other}:{number}: "), (place, done.stderr))
+
+    def test_a_full_disk_ends_the_recording_and_not_the_robot(self):
+        limited = ["bash", "-c", f'ulimit -f {LIMIT_KIB}; exec "$@"', "bash", XR3, "serve"]
+        with Server("--record", self.file, command=limited, clock="real") as xr3:
+            self.talk_until_the_recording_fails(xr3, "File too large")
+        self.assertLessEqual(self.file.stat().st_size, LIMIT_KIB << 10)
+        self.assertTrue(self.file.read_bytes().endswith(b"\n"))
+        self.assertIn("was cut off", self.replay().stderr)
+
+    def test_the_maximum_size_ends_the_recording(self):
+        with Server("--record", self.file, "--record-max", "1", clock="real") as xr3:
+            self.talk_until_the_recording_fails(xr3, "reached its maximum of 1 MiB", "x" * 3000)
+        self.assertLessEqual(self.file.stat().st_size, 1 << 20)
+        self.assertEqual("limit", self.entries()[-1]["end"])
+        self.replay()
+
+    def talk_until_the_recording_fails(self, xr3, why, junk=""):
+        line = xr3.line()
+        line.ask("E?")
+        with xr3.monitor() as monitor:
+            failed = []
+            deadline = time.monotonic() + DEADLINE_S
+            while not failed:
+                self.assertLess(time.monotonic(), deadline)
+                line.send(junk)
+                line.ask("E?")
+                failed = [event for event in monitor.recall("event", since=0)
+                          if event["code"] == "recording_failed"]
+            self.assertEqual(str(self.file), failed[0]["file"])
+            self.assertIn(why, failed[0]["message"])
+            self.assertEqual(ord(" "), line.ask("E?"))
+        xr3.wait_log("the recording has ended, and the robot goes on")
+
+    # --- Options of replay.
+
+    def test_options_of_replay(self):
+        states = {}
+        with Server("--record", self.file) as xr3, xr3.monitor() as monitor:
+            line = xr3.line()
+            line.send("E+60\r")
+            for _ in range(4):
+                monitor.step(100, after=line)
+                states[monitor.get()["tick"]] = self.state_of(monitor)
+            monitor.call("reset")
+            line.send("C+5\rA%3")
+            monitor.step(250, after=line)
+            states["1:250"] = self.state_of(monitor)
+        for tick, state in states.items():
+            self.assertEqual(state, self.replayed_state("--until", tick))
+        self.assertEqual(150, self.replayed_state("--until", "150")["tick"])
+        self.assertIn("has no tick 5000", self.replay("--until", "5000", code=2).stderr)
+        self.assertIn("C", self.replay("--print", "status").stdout)
+        table, picture = self.folder / "joints.csv", self.folder / "end.svg"
+        self.replay("--csv", table, "--every", "50", "--svg", picture)
+        self.assertIn("<svg", picture.read_text(encoding="utf-8"))
+        rows = list(csv.DictReader(table.read_text(encoding="utf-8").splitlines()))
+        self.assertEqual([("0", str(tick)) for tick in range(0, 401, 50)]
+                         + [("1", str(tick)) for tick in range(0, 251, 50)],
+                         [(row["epoch"], row["tick"]) for row in rows])
+        joint = next(joint for joint in states[200]["joints"] if joint["label"] == "E")
+        row = next(row for row in rows if row["tick"] == "200")
+        self.assertEqual((joint["count"], joint["value"]), (int(row["E_count"]), float(row["E_deg"])))
+
+    def test_serve_goes_on_from_the_end(self):
+        with Server("--record", self.file) as xr3, xr3.monitor() as monitor:
+            line = xr3.line()
+            line.send("E+60\r")
+            monitor.step(200, after=line)
+            monitor.call("snapshot_save", name="kept")
+            state = self.state_of(monitor)
+        server = Server(command=[XR3, "replay", self.file, "--serve"])
+        at = server.options.index("--clock")
+        del server.options[at:at + 2]
+        with server as xr3, xr3.monitor() as monitor:
+            self.assertEqual(state, self.state_of(monitor))
+            line = xr3.line()
+            line.number = 2
+            line.ask("E?")
+            monitor.step(10_000)
+            self.assertEqual(ord(" "), line.ask("E?"))
+            monitor.call("snapshot_load", name="kept")
+            self.assertEqual(200, monitor.get()["tick"])
+
+    def test_what_is_no_recording(self):
+        other = self.folder / "other"
+        for text in "", "{}\n", "hello\n", '{"xr3_recording":9}\n', '{"xr3_recording":1,"c":"AAAA"}\n':
+            other.write_text(text, encoding="ascii")
+            self.assertTrue(self.replay(file=other, code=2).stderr)
+        self.assertIn("No such file", self.replay(file=self.folder / "none", code=2).stderr)
+        self.assertIn("directory", self.replay(file=self.folder, code=2).stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

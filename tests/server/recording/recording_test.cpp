@@ -1,0 +1,87 @@
+#include "server/recording/recording.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "server/files/data_files.hpp"
+#include "server/net/wall_clock.hpp"
+#include "tests/support/models.hpp"
+#include "tests/support/recorded.hpp"
+
+namespace xr3 {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kMiB = 1U << 20U;
+
+class CellRecording : public testing::Test {
+ protected:
+  CellRecording()
+      : cell_("main", test::rhino(), SimClock::manual(),
+              [this](const CellEvent& event, const Model&) {
+                if (const auto* note = std::get_if<RecordingNote>(&event.note))
+                  failures_.push_back(note->why);
+              }) {
+    std::string name = (fs::temp_directory_path() / "xr3-recording-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~CellRecording() override { fs::remove_all(folder_); }
+
+  std::string path() const { return (folder_ / "a").string(); }
+  std::string text() const { return read_file(path()).text; }
+  void ask(std::string_view bytes) {
+    cell_.apply(BytesIn{1, bytes}, 0);
+    cell_.apply(BytesOut{1, cell_.find_line(1)->outbox().size()}, 0);
+  }
+
+  fs::path folder_;
+  asio::io_context io_;
+  std::vector<std::string> failures_;
+  Cell cell_;
+  int acted_ = 0;
+};
+
+TEST_F(CellRecording, IsWrittenSoonAndIsWholeAtTheEnd) {
+  {
+    Recording recording(io_, cell_, path(), kMiB, [this] { ++acted_; });
+    const std::string header = text();
+    EXPECT_EQ(io_.poll(), 0U) << "no timer without input";
+    io_.restart();
+    cell_.apply(LineOpened{"test"}, 0);
+    ask("E?");
+    EXPECT_EQ(text(), header);
+    EXPECT_EQ(io_.run(), 1U) << "one timer for both";
+    EXPECT_NE(text().find(R"("in":"E?")"), std::string::npos);
+    recording.finish();
+  }
+  cell_.apply(LineOpened{"later"}, 0);
+  const auto replayed = test::replay(text());
+  EXPECT_FALSE(replayed.difference);
+  EXPECT_EQ(replayed.inputs, 2U);
+  EXPECT_NE(text().find(R"("end":"stopped")"), std::string::npos);
+}
+
+TEST_F(CellRecording, EndsAtItsMaximumSizeWithAnEvent) {
+  Recording recording(io_, cell_, path(), 30'000, [this] { ++acted_; });
+  cell_.apply(LineOpened{"test", LineKind::kPty}, 0);
+  for (int i = 0; i < 2000; ++i) ask("E?");
+  io_.run();
+  EXPECT_EQ(failures_.size(), 1U);
+  EXPECT_EQ(acted_, 1);
+  EXPECT_LE(text().size(), 30'000U);
+  EXPECT_GT(text().size(), 29'000U);
+  EXPECT_FALSE(test::replay(text()).difference);
+  recording.finish();
+  EXPECT_NE(text().find(R"("end":"limit")"), std::string::npos);
+}
+
+TEST_F(CellRecording, AHeaderThatDoesNotFitIsRefused) {
+  EXPECT_THROW(Recording(io_, cell_, path(), 1000, [] {}), FileError);
+  EXPECT_THROW(Recording(io_, cell_, (folder_ / "none" / "a").string(), kMiB, [] {}), FileError);
+}
+
+}  // namespace
+}  // namespace xr3
