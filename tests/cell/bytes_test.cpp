@@ -295,6 +295,17 @@ TEST(ByteClockCell, ObeysOneLineAtATime) {
   EXPECT_EQ(lab.marks(), kNoMarks);
 }
 
+TEST(ByteClockCell, NothingMovesWhileNoLineIsOpen) {
+  ByteLab lab;
+  const LineId line = lab.open();
+  lab.apply(call::Pause{});
+  lab.send(line, "E+100\r");
+  lab.close(line);
+  EXPECT_EQ(lab.motor('E').count, 0) << "time is paused";
+  lab.apply(call::Resume{});
+  EXPECT_EQ(lab.motor('E').count, 100);
+}
+
 TEST(ByteClockCell, ConcurrentLinesAreObeyedTogether) {
   ByteLab lab({.has_concurrent_lines = true});
   const LineId first = lab.open();
