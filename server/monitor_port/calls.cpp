@@ -77,6 +77,31 @@ std::optional<monitor::RequestError> validate_snapshot(const Model& model, const
                                std::move(details)};
 }
 
+monitor::RequestError too_many_lines() {
+  return {{},
+          "limit",
+          "this client has lines of its own in 64 cells",
+          "close one by line_disconnect, or use another connection",
+          {}};
+}
+
+monitor::RequestError no_memory() {
+  return {{},
+          "limit",
+          "the server has allocated more than --max-memory",
+          "remove blocks, or restart the server",
+          {}};
+}
+
+/// Whether a call can make a cell larger for good.
+bool enlarges(const call::Call& call) {
+  const auto* save = std::get_if<call::SaveSnapshot>(&call);
+  return std::holds_alternative<call::AddBlock>(call) ||
+         std::holds_alternative<call::ReplaceWorkcell>(call) ||
+         std::holds_alternative<call::LoadSnapshot>(call) ||
+         (save != nullptr && !save->name.empty());
+}
+
 monitor::Message refused(const monitor::RequestId& id, monitor::RequestError error) {
   error.id = id;
   return monitor::result(error);
@@ -177,6 +202,10 @@ asio::awaitable<void> MonitorService::call(CellPtr at, MonitorSession& session,
     }
   }
   co_await making_long_.until_free();
+  if (at->is_retired()) {
+    session.client().send(monitor::result(monitor::unknown_cell(request, visible_cells(session))));
+    co_return;
+  }
   Answer answer = carry_out_call(*at, session, request);
   at->acted();
   monitor::Message message;
@@ -232,12 +261,19 @@ MonitorService::Answer MonitorService::call_cell(HostedCell& at, monitor::Reques
   if (const auto error = monitor::limit_ticks(request, cell.state().tick))
     return at_once(monitor::result(*error));
   const auto& call = std::get<call::Call>(wanted.call);
+  if (!may_enlarge(call)) return at_once(refused(request.id, no_memory()));
   if (auto error = validate_snapshot(cell.model(), call))
     return at_once(refused(request.id, *std::move(error)));
   const Applied applied = cell.apply(call, wall_now());
   if (const auto* no = std::get_if<call::Refused>(&applied.outcome))
     return at_once(refused(request.id, {{}, no->code, no->message, no->hint, {}}));
   return done(at, request, std::get<call::Done>(applied.outcome));
+}
+
+/// One cell is bounded by its own limits; many together are bounded here.
+bool MonitorService::may_enlarge(const call::Call& call) const {
+  const bool is_bounded = memory_ != nullptr && !cells_.is_single();
+  return !is_bounded || !enlarges(call) || !memory_->is_exceeded();
 }
 
 MonitorService::Answer MonitorService::done(HostedCell& at, const monitor::Request& request,
@@ -277,11 +313,15 @@ std::optional<LineId> MonitorService::open_own_line(const HostedCell& at, Monito
   return known->second;
 }
 
-LineId MonitorService::own_line(HostedCell& at, MonitorSession& session) {
-  if (const std::optional<LineId> open = open_own_line(at, session)) return *open;
+std::optional<LineId> MonitorService::own_line(HostedCell& at, MonitorSession& session) {
+  if (const std::optional<LineId> open = open_own_line(at, session)) return open;
   std::map<std::string, LineId>& lines = session.own_lines();
-  if (lines.size() > cells_.size())
-    std::erase_if(lines, [this](const auto& line) { return !cells_.find(line.first); });
+  const auto is_closed = [this](const auto& line) {
+    const CellPtr cell = cells_.find(line.first);
+    return !cell || cell->cell().find_line(line.second) == nullptr;
+  };
+  if (lines.size() >= kMaxOwnLines) std::erase_if(lines, is_closed);
+  if (lines.size() >= kMaxOwnLines) return std::nullopt;
   const LineId opened = at.cell().apply(LineOpened{"monitor", LineKind::kMonitor}, wall_now()).line;
   lines[at.name()] = opened;
   return opened;
@@ -295,7 +335,9 @@ MonitorService::Answer MonitorService::send(HostedCell& at, MonitorSession& sess
   if (const std::optional<LineId> current = cell.current_line();
       current && current != open_own_line(at, session))
     return at_once(refused(request.id, line_waits(*current)));
-  const LineId id = own_line(at, session);
+  const std::optional<LineId> line = own_line(at, session);
+  if (!line) return at_once(refused(request.id, too_many_lines()));
+  const LineId id = *line;
   // Camera images can fill the outbox, and with the byte clock each byte takes work. The client
   // sends the rest of the bytes with the next call, so that no call takes long.
   const bool moves_time = cell.clock().mode() == ClockMode::kBytes;

@@ -220,6 +220,44 @@ TEST_F(FeedTest, SendsAnswersFirstThenTheChannelsInTurn) {
   EXPECT_EQ(messages, (Strings{"answer", "1:1", "line1", "2:2", "line2"}));
 }
 
+TEST_F(FeedTest, TheLastMessagesOfAClosingCellAreSent) {
+  Client client;
+  client.follow_feed("main", to(Channel::kEvent), feed);
+  client.follow_feed("other", to(Channel::kEvent), feed);
+  publish(3);
+  client.finish("main");
+  EXPECT_FALSE(client.follows("main"));
+  EXPECT_TRUE(client.follows("other"));
+  EXPECT_EQ(client.subscriptions(), 1U);
+  client.finish("other");
+  Strings messages;
+  while (const Message message = client.next_output(0)) messages.push_back(*message);
+  EXPECT_EQ(messages, (Strings{"1:1", "2:2", "3:3", "1:1", "2:2", "3:3"}));
+}
+
+TEST_F(FeedTest, ASlowClientOfAClosingCellGetsALagAndTheLastMessage) {
+  Client client;
+  client.follow_feed("main", to(Channel::kEvent), feed);
+  publish(20);
+  client.finish("main");
+  Strings messages;
+  while (const Message message = client.next_output(0)) messages.push_back(*message);
+  EXPECT_EQ(messages, (Strings{R"({"op":"lag","cell":"main","channel":"event","missed":19,)"
+                               R"("from_seq":1,"to_seq":19})",
+                               "20:20"}));
+}
+
+TEST_F(FeedTest, ADestroyedRingHasNoFurtherMessages) {
+  auto own = std::make_shared<Ring<int>>(
+      4, [](const int&, std::int64_t seq) { return text(std::to_string(seq)); });
+  FeedSubscription sub("main", to(Channel::kEvent), own, stats);
+  own->push();
+  EXPECT_TRUE(sub.has_output());
+  own.reset();
+  EXPECT_FALSE(sub.has_output());
+  EXPECT_EQ(sub.next_output(), nullptr);
+}
+
 TEST_F(FeedTest, AGetReturnsMessagesWithItsId) {
   const auto events = std::make_shared<Ring<int>>(4, [](const int&, std::int64_t seq) {
     return channel_message(Channel::kEvent, {"main", 0, seq, 0}, R"({"event":"x"})");
