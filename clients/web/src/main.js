@@ -17,6 +17,7 @@ import { tip } from "./lib/kinematics.js";
 import { NoScene } from "./scene/no_scene.js";
 import { PaperView } from "./panels/paper_view.js";
 import { textOf } from "./lib/refusal.js";
+import { PlotPanel } from "./panels/plot_panel.js";
 import { Scene } from "./scene/scene.js";
 import { Stage } from "./panels/stage.js";
 import { TimeBar } from "./panels/time_bar.js";
@@ -65,6 +66,7 @@ const lines = new LinesPanel({
   ask: () => connection.call("lines"), mayCall, tickNow: () => (known.state ? timeBar.tickNow() : 0), hz: () => known.hello?.tick_hz ?? 1000,
   onChoose: showWireOf,
 });
+const plots = new PlotPanel({ host: byId("plots-panel"), tickNow: () => (known.state ? timeBar.tickNow() : 0), hz: () => known.hello?.tick_hz ?? 1000 });
 const consolePanel = new ConsolePanel({
   form: byId("console-form"), input: byId("console-input"), log: byId("console-log"), jog: byId("jog"), step: byId("jog-step"),
   send: (text) => connection.call("send", { text }), getState: (fields) => connection.get("state", { fields }), onError: showError,
@@ -83,7 +85,10 @@ new CommandMode({ run, toggleMenu: () => menu.toggle(), known });
 byId("home").onclick = () => call("home");
 byId("reset").onclick = () => call("reset");
 byId("outlines").onchange = (event) => camera.setOutlines(event.target.checked);
-const chooseTab = wireTabs((panel) => panel === "lines-panel" && lines.show());
+const chooseTab = wireTabs((panel) => {
+  if (panel === "lines-panel") lines.show();
+  if (panel === "plots-panel") plots.show();
+});
 wireWireBar(wire);
 wireWorkcellBar(workcell);
 
@@ -119,6 +124,7 @@ function takeHello(hello) {
   const before = known.hello && (known.state ?? known.hello);
   known.hello = hello;
   scene.jump();
+  plots.reconnected();
   document.title = `${hello.robot.name} – xr3`;
   setText(byId("robot-name"), hello.robot.name + (hello.compat === "paper" ? "" : ` (${hello.compat})`));
   access.set(hello.access);
@@ -157,7 +163,7 @@ function readAgain() {
 
 function takeModel(model) {
   known.model = model;
-  for (const panel of [scene, joints, camera, consolePanel, workcell]) panel.setModel(model);
+  for (const panel of [scene, joints, camera, consolePanel, workcell, plots]) panel.setModel(model);
   access.apply();
   if (known.state) takeState(known.state);
 }
@@ -166,7 +172,7 @@ function takeState(state) {
   known.firstStateMs ??= performance.now();
   known.state = state;
   known.arrival = performance.now();
-  if (known.model) for (const panel of [scene, joints, camera, workcell]) panel.setState(state);
+  if (known.model) for (const panel of [scene, joints, camera, workcell, plots]) panel.setState(state);
   for (const panel of [timeBar, digitalLines, alarm, device]) panel.setState(state);
   showTool(state);
   menu.show();
@@ -193,6 +199,7 @@ function takeLag(lag) {
 const kOfLines = new Set(["line_open", "line_close", "device", "epoch"]);
 
 function takeEvent(event) {
+  plots.note(event);
   if (event.event === "epoch") scene.clearPath();
   if (event.event === "homed" || event.event === "epoch") scene.jump();
   if (event.event === "clock" && known.state) takeClock(event);
@@ -224,6 +231,7 @@ function showTool({ tool }) {
 function setTheme(name) {
   document.documentElement.dataset.theme = name;
   scene.setTheme(name);
+  plots.setTheme();
 }
 byId("theme").onclick = () => setTheme(document.documentElement.dataset.theme === "dark" ? "light" : "dark");
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
@@ -240,7 +248,7 @@ connection.open();
 
 // For tests and screenshots.
 window.xr3 = {
-  known, transcriptLine, scene, paper,
+  known, transcriptLine, scene, paper, plots,
   call, disconnect: () => connection.socket?.close(),
   step: (ticks) => call("step", { ticks, fields: [] }),
   tip: () => known.model && tip(known.model.robot, known.state.joints.map((joint) => joint.value)),
