@@ -12,7 +12,7 @@ class Viewer(unittest.TestCase):
     def test_every_page_test(self):
         tests = sorted(glob.glob(os.path.join(ROOT, "tests", "web", "*_test.mjs")))
         run = subprocess.run(["node", "--test", "--test-concurrency=1", "--test-reporter=spec", *tests],
-                             timeout=900, check=False, cwd=ROOT)
+                             timeout=1500, check=False, cwd=ROOT)
         self.assertEqual(0, run.returncode)
 
 

@@ -20,6 +20,7 @@ import { textOf } from "./lib/refusal.js";
 import { PlotPanel } from "./panels/plot_panel.js";
 import { Scene } from "./scene/scene.js";
 import { Stage } from "./panels/stage.js";
+import { TeachPanel } from "./panels/teach_panel.js";
 import { TimeBar } from "./panels/time_bar.js";
 import { WirePanel } from "./panels/wire_panel.js";
 import { transcriptLine } from "./lib/wire_text.js";
@@ -50,8 +51,12 @@ async function call(fn, args = {}) {
 
 // --- The panels.
 
-const access = new Access({ connection, showMessage, onError: showError, onChange: () => timeBar.allow(), onUnlocked: readAgain });
+const access = new Access({ connection, showMessage, onError: showError, onChange: allow, onUnlocked: readAgain });
 const mayCall = () => access.mayCall;
+function allow() {
+  timeBar.allow();
+  teach.allow();
+}
 const scene = makeScene(byId("solid"));
 const paper = new PaperView(byId("paper-canvas"));
 const joints = new JointTable(byId("joints"));
@@ -71,6 +76,9 @@ const consolePanel = new ConsolePanel({
   form: byId("console-form"), input: byId("console-input"), log: byId("console-log"), jog: byId("jog"), step: byId("jog-step"),
   send: (text) => connection.call("send", { text }), getState: (fields) => connection.get("state", { fields }), onError: showError,
 });
+const teach = new TeachPanel({
+  host: byId("teach-panel"), send: (text) => consolePanel.transmit(text), getState: (fields) => connection.get("state", { fields }), mayCall, onError: showError,
+});
 const workcell = new WorkcellPanel({
   host: byId("workcell-panel"), call: (fn, args) => connection.call(fn, args), getModel: () => connection.get("model"), mayCall: () => access.mayCall, onError: showError,
 });
@@ -88,6 +96,8 @@ byId("outlines").onchange = (event) => camera.setOutlines(event.target.checked);
 const chooseTab = wireTabs((panel) => {
   if (panel === "lines-panel") lines.show();
   if (panel === "plots-panel") plots.show();
+  if (panel === "console-panel") byId("console-panel").append(byId("jog-controls"));
+  if (panel === "teach-panel") document.querySelector(".teach").append(byId("jog-controls"));
 });
 wireWireBar(wire);
 wireWorkcellBar(workcell);
@@ -163,7 +173,7 @@ function readAgain() {
 
 function takeModel(model) {
   known.model = model;
-  for (const panel of [scene, joints, camera, consolePanel, workcell, plots]) panel.setModel(model);
+  for (const panel of [scene, joints, camera, consolePanel, workcell, plots, teach]) panel.setModel(model);
   access.apply();
   if (known.state) takeState(known.state);
 }
@@ -248,7 +258,7 @@ connection.open();
 
 // For tests and screenshots.
 window.xr3 = {
-  known, transcriptLine, scene, paper, plots,
+  known, transcriptLine, scene, paper, plots, teach,
   call, disconnect: () => connection.socket?.close(),
   step: (ticks) => call("step", { ticks, fields: [] }),
   tip: () => known.model && tip(known.model.robot, known.state.joints.map((joint) => joint.value)),

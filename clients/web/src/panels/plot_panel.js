@@ -1,7 +1,7 @@
 // The plots panel: joint values, counts or counters and the tip over simulated time, with a window, pause,
 // values under the cursor, and a CSV file. It records always, and draws only while it is on the screen.
 import { byId, download, el, isSame, setText } from "../lib/dom.js";
-import { motorFiles } from "../lib/motors.js";
+import { motorFiles, unitOf } from "../lib/motors.js";
 import { plotCsv } from "../lib/plot_csv.js";
 import { PlotHistory } from "../lib/plot_history.js";
 import { PlotView } from "./plot_view.js";
@@ -12,7 +12,6 @@ const kTipColor = 1;
 const kLongStep = 10; // samples, with Shift
 const kWays = { ArrowLeft: -1, ArrowRight: 1, Home: -Infinity, End: Infinity };
 
-const unitOf = ({ variable, kind }) => (variable === "d" || kind === "parallel" ? "mm" : "deg");
 const numberText = (value, unit) => (unit ? `${value.toFixed(unit === "deg" ? 2 : 1)}${unit === "deg" ? "°" : " mm"}` : String(value)).replace("-", "−");
 
 export class PlotPanel {
