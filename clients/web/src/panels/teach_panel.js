@@ -89,15 +89,13 @@ export class TeachPanel {
   allow() {
     const { isPlaying } = this.player;
     const [has, isChosen] = [this.points.length > 0, this.chosen !== null];
+    const mayPlay = !isPlaying && this.mayCall();
     const enabled = {
-      record: !isPlaying && this.points.length < kMaxPoints, "play-one": !isPlaying && isChosen, "play-next": !isPlaying && has, "play-all": !isPlaying && has,
+      record: !isPlaying && this.points.length < kMaxPoints, "play-one": mayPlay && isChosen, "play-next": mayPlay && has, "play-all": mayPlay && has,
       "play-stop": isPlaying, "point-up": isChosen && this.chosen > 0, "point-down": isChosen && this.chosen < this.points.length - 1,
       "point-overwrite": !isPlaying && isChosen, "point-remove": isChosen, "points-undo": this.store.back.length > 0, "points-save": has, "program-save": has,
     };
-    for (const [id, is] of Object.entries(enabled)) {
-      const button = this.#part(id);
-      if (!("locked" in button.dataset)) button.disabled = !is || (button.dataset.call !== undefined && !this.mayCall());
-    }
+    for (const [id, is] of Object.entries(enabled)) this.#part(id).disabled = !is;
   }
 
   #say(text) {
