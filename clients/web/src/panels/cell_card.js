@@ -14,7 +14,7 @@ export class CellCard {
     this.peer = el("span.peer");
     this.robot = el("span.robot");
     this.link = el("a", { href: pathOfCell(name) }, this.picture, this.title, this.state, this.peer, this.robot);
-    this.element = el("li.card", {}, this.link);
+    this.element = el("div.card", { role: "listitem" }, this.link);
     this.element.dataset.cell = name;
     this.canvas = null;
     this.drawn = null; // the cell as it is shown

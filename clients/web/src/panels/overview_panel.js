@@ -1,11 +1,14 @@
-// The overview of all cells: cards, a search, an order, totals. Only cards on the screen are drawn and have
-// a canvas; canvases are passed on from cards that leave the screen.
+// The overview of all cells: cards, a search, an order, totals. Cards lie in groups of a few rows, since a
+// browser follows some dozens of groups on their way across the screen more easily than a thousand cards. Only
+// groups on the screen are drawn and have canvases, which are passed on from those that leave it.
 import { CellList } from "../lib/cell_list.js";
 import { byId, el, setText } from "../lib/dom.js";
 import { SmallPicture } from "../lib/small_picture.js";
 import { CellCard, kPicture } from "./cell_card.js";
 
 const kSortEveryMs = 2000;
+const kRows = 4; // of a group
+const kCardPx = { width: 216, height: 230, gap: 10 }; // the least width; the height and the gap as in overview.css
 const kMargin = "200px"; // around the screen, so that pictures are there when they come into sight
 const kMaxSpare = 32;
 
@@ -17,7 +20,9 @@ export class OverviewPanel {
     Object.assign(this, { host, getModel, getTokens });
     this.list = new CellList();
     this.cards = new Map();
-    this.seen = new Set(); // names of the cards on the screen
+    this.groups = []; // the elements of the groups
+    this.seenGroups = new Set(); // those on the screen
+    this.seen = new Set(); // names of the cards in them
     this.dirty = new Set(); // of those, the ones to be drawn
     this.pictures = new Map(); // by the name of the robot; null while its model is asked for
     this.spare = [];
@@ -25,7 +30,12 @@ export class OverviewPanel {
     this.observer = new IntersectionObserver((entries) => this.#cross(entries), { rootMargin: kMargin });
     byId("overview-search").oninput = () => this.#arrange();
     byId("overview-order").onchange = () => this.#arrange();
+    new ResizeObserver(() => this.#columnsOf(host) !== this.columns && this.#arrange()).observe(host);
     setInterval(() => this.#sortAgain(), kSortEveryMs);
+  }
+
+  #columnsOf({ clientWidth }) {
+    return Math.max(1, Math.floor((clientWidth + kCardPx.gap) / (kCardPx.width + kCardPx.gap)));
   }
 
   /** Takes a message of the channel `overview`. */
@@ -45,14 +55,11 @@ export class OverviewPanel {
     const card = new CellCard(name);
     this.cards.set(name, card);
     card.setToken(this.tokens.get(name));
-    this.observer.observe(card.element);
   }
 
   #remove(name) {
-    const card = this.cards.get(name);
-    this.observer.unobserve(card.element);
     this.#leave(name);
-    card.element.remove();
+    this.cards.get(name).element.remove();
     this.cards.delete(name);
   }
 
@@ -60,10 +67,17 @@ export class OverviewPanel {
 
   #cross(entries) {
     for (const { target, isIntersecting } of entries) {
-      const { cell } = target.dataset;
-      if (isIntersecting) this.#enter(cell);
-      else this.#leave(cell);
+      if (isIntersecting) this.seenGroups.add(target);
+      else this.seenGroups.delete(target);
     }
+    this.#look();
+  }
+
+  /** Cards of groups on the screen get their canvases, and others lose them. */
+  #look() {
+    const names = new Set([...this.seenGroups].flatMap((group) => [...group.children].map(({ dataset }) => dataset.cell)));
+    for (const name of this.seen) if (!names.has(name)) this.#leave(name);
+    for (const name of names) this.#enter(name);
     this.#schedule();
   }
 
@@ -147,21 +161,50 @@ export class OverviewPanel {
 
   #arrange() {
     const names = this.list.names(byId("overview-search").value, this.order);
-    let next = this.host.firstElementChild;
+    this.columns = this.#columnsOf(this.host);
+    this.host.style.setProperty("--columns", this.columns);
+    const size = this.columns * kRows;
+    this.#setGroups(Math.ceil(names.length / size));
+    this.groups.forEach((group, i) => this.#fill(group, names.slice(i * size, (i + 1) * size)));
+    this.found = names.length;
+    this.#look();
+    this.#showTotals();
+  }
+
+  #setGroups(count) {
+    while (this.groups.length > count) {
+      const group = this.groups.pop();
+      this.observer.unobserve(group);
+      this.seenGroups.delete(group);
+      group.remove();
+    }
+    while (this.groups.length < count) {
+      const group = el("div.cards", { role: "none" });
+      this.groups.push(group);
+      this.host.append(group);
+      this.observer.observe(group);
+    }
+  }
+
+  /** Puts these cards into a group, in this order; its size is known before it is laid out. */
+  #fill(group, names) {
+    const rows = Math.ceil(names.length / this.columns);
+    group.style.containIntrinsicBlockSize = `${rows * (kCardPx.height + kCardPx.gap) - kCardPx.gap}px`;
+    let next = group.firstElementChild;
     for (const name of names) {
       const { element } = this.cards.get(name);
       if (element === next) next = next.nextElementSibling;
-      else this.host.insertBefore(element, next);
+      else group.insertBefore(element, next);
     }
     while (next) {
       const after = next.nextElementSibling;
-      next.remove(); // not among the found ones
+      next.remove(); // it goes to another group, or was not found
       next = after;
     }
-    this.#showTotals(names.length);
   }
 
-  #showTotals(found = this.host.childElementCount) {
+  #showTotals() {
+    const { found = 0 } = this;
     const { all, moving, stalled, holding, connected } = this.list.totals();
     const of = found < all ? `${found} of ${all}` : String(all);
     setText(byId("overview-totals"), `${of} ${all === 1 ? "robot" : "robots"}: ${moving} moving, ${stalled} stalled, ${holding} holding a block, ${connected} with a program`);
