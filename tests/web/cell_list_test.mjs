@@ -26,8 +26,8 @@ test("names are sorted as numbers are", () => assert.deepEqual(listOf(cell("10")
 
 test("by activity: stalled, moving, then what changed last", () => {
   const list = listOf(cell("a"), cell("b"), cell("c"), cell("d"));
-  list.take({ whole: false, cells: [cell("c", { tick: 1 })], closed: [] });
   list.take({ whole: false, cells: [cell("d", { moving: true }), cell("b", { stalled: "protected_region" })], closed: [] });
+  list.take({ whole: false, cells: [cell("c", { tick: 1 })], closed: [] });
   assert.deepEqual(list.names("", "activity"), ["b", "d", "c", "a"]);
 });
 

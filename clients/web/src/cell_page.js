@@ -226,6 +226,7 @@ function takeEvent(event) {
   if (event.event === "homed" || event.event === "epoch") scene.jump();
   if (event.event === "clock" && known.state) takeClock(event);
   if (kOfLines.has(event.event)) lines.touch();
+  if (event.event === "cell_closed") showMessage("This robot is gone: its program has closed the connection, and nobody came back.");
   if (event.line === null && (event.event === "warning" || event.event === "device")) wire.warn(event);
   if (event.event === "fault") wire.warn(event);
 }
