@@ -1,5 +1,5 @@
-"""Programs that were taught on the page: runs two tests of tests/web/teach_programs_test.mjs in real Chromium against
-this xr3. soak_viewer.py runs them for every robot and profile."""
+"""Programs that were taught on the page: runs some tests of tests/web/programs/teach_programs_test.mjs in real
+Chromium against this xr3. soak_viewer.py runs them for every robot and profile."""
 # labels: serial
 
 import os
@@ -10,7 +10,7 @@ import unittest
 from browser import MISSING
 from support import ROOT
 
-SCRIPTS = os.path.join(ROOT, "tests", "web")
+SCRIPTS = os.path.join(ROOT, "tests", "web", "programs")
 PATTERN = "rhino-xr3, paper|plain bytes|stalls"
 
 
@@ -19,8 +19,8 @@ class Teach(unittest.TestCase):
     def test_exported_programs(self):
         for program in ("node", "cc"):
             self.assertTrue(shutil.which(program), f"{program} is not installed (scripts/setup test)")
-        run = subprocess.run(["node", "--test", "--test-concurrency=1", "--test-reporter=spec", f"--test-name-pattern={PATTERN}",
-                              os.path.join(SCRIPTS, "teach_programs_test.mjs")],
+        run = subprocess.run(["node", "--test", "--test-concurrency=1", "--test-reporter=spec",
+                              f"--test-name-pattern={PATTERN}", os.path.join(SCRIPTS, "teach_programs_test.mjs")],
                              capture_output=True, text=True, timeout=280, check=False, cwd=ROOT)
         print(run.stdout[-6000:] if run.returncode else run.stdout[-1500:])
         self.assertEqual(0, run.returncode, run.stderr[-3000:])

@@ -1,8 +1,8 @@
 // The list of cells behind the overview: what messages change, search and order.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { CellList, peerText, stateTexts } from "../../clients/web/src/lib/cell_list.js";
-import { cellOfPath, isOverview, pathOfCell } from "../../clients/web/src/lib/place.js";
+import { CellList, peerText, stateTexts } from "../../../clients/web/src/lib/cell_list.js";
+import { cellOfPath, isOverview, pathOfCell } from "../../../clients/web/src/lib/place.js";
 
 const cell = (name, change = {}) => ({ name, robot: "Rhino XR-3", robot_port: 9701, lines: 0, peer: null, moving: false, stalled: null, holding: null, last_input_tick: null, epoch: 0, tick: 0, joints: [], tool: 0, ...change });
 const listOf = (...cells) => {

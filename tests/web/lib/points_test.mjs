@@ -1,7 +1,7 @@
 // Taught points: the list, and the strict reader of their file.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { freshName, pointOf, pointsText, readPoints, withChange, withMoved, withoutPoint, withPoint, WrongPoints } from "../../clients/web/src/lib/points.js";
+import { freshName, pointOf, pointsText, readPoints, withChange, withMoved, withoutPoint, withPoint, WrongPoints } from "../../../clients/web/src/lib/points.js";
 
 const kRobot = { name: "Rhino", labels: ["F", "E"] };
 const point = (name, F = 0, rest = {}) => ({ name, joints: { F, E: -4 }, jaws: { count: 3, grip: false }, speed_percent: 100, pause_s: 0, ...rest });

@@ -7,7 +7,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, test } from "node:test";
 import { promisify } from "node:util";
-import { close, root, serve, type, withPage } from "./bench.mjs";
+import { close, root, serve, type, withPage } from "../bench.mjs";
 
 const run = promisify(execFile);
 const folder = mkdtempSync(join(tmpdir(), "xr3-"));

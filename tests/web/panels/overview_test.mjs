@@ -1,7 +1,7 @@
 // The overview in Chromium, with a monitor played by the test: cards, search, order, and pictures only where seen.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, ofThePage, open, serve } from "./bench.mjs";
+import { close, ofThePage, open, serve } from "../bench.mjs";
 import { cellNamed, playClass } from "./class.mjs";
 
 let server;

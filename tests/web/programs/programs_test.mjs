@@ -2,13 +2,13 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { byteProgram } from "../../clients/web/src/programs/byte_program.js";
-import { cProgram } from "../../clients/web/src/programs/c_program.js";
-import { slug } from "../../clients/web/src/programs/program.js";
-import { pythonPackage } from "../../clients/web/src/programs/python_package.js";
-import { pythonSockets } from "../../clients/web/src/programs/python_sockets.js";
+import { byteProgram } from "../../../clients/web/src/programs/byte_program.js";
+import { cProgram } from "../../../clients/web/src/programs/c_program.js";
+import { slug } from "../../../clients/web/src/programs/program.js";
+import { pythonPackage } from "../../../clients/web/src/programs/python_package.js";
+import { pythonSockets } from "../../../clients/web/src/programs/python_sockets.js";
 
-const robot = (name) => JSON.parse(readFileSync(new URL(`../../data/robots/${name}.json`, import.meta.url)));
+const robot = (name) => JSON.parse(readFileSync(new URL(`../../../data/robots/${name}.json`, import.meta.url)));
 const kRhino = robot("rhino-xr3");
 const point = (name, change = {}, rest = {}) => ({
   name, joints: { F: 0, E: 0, D: 0, C: 0, B: 0, ...change }, jaws: { count: 0, grip: false }, speed_percent: 100, pause_s: 0, ...rest,

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { connect } from "node:net";
 import { after, test } from "node:test";
-import { close, ofThePage, open, ready, serve, type } from "./bench.mjs";
+import { close, ofThePage, open, ready, serve, type } from "../bench.mjs";
 import { ask } from "./class.mjs";
 
 after(close);

@@ -1,6 +1,6 @@
 // Measures the frames of the overview while it scrolls through 1,000 cards, a tenth of whose robots move at 4 Hz.
 // Prints the frame times; exit code 1 if fewer than 30 frames a second were drawn.
-import { close, kWithoutWebGl, open, serve } from "./bench.mjs";
+import { close, kWithoutWebGl, open, serve } from "../bench.mjs";
 import { cellNamed, playClass } from "./class.mjs";
 
 const kCells = 1000;

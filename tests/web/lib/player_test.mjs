@@ -1,7 +1,7 @@
 // The player against a robot in memory: what it sends, how it waits, and where it stops.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Player, Stopped } from "../../clients/web/src/lib/player.js";
+import { Player, Stopped } from "../../../clients/web/src/lib/player.js";
 
 const kFile = { joints: [{ label: "F", speed: 100 }, { label: "E", speed: 200 }], tool: { label: "A", speed: 60, direction: 1, precision: 1, home: 50, limits: [0, 60] } };
 

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, test } from "node:test";
-import { call, close, ready, type, withPage } from "./bench.mjs";
+import { call, close, ready, type, withPage } from "../bench.mjs";
 
 after(close);
 

@@ -2,9 +2,9 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { gripTarget, jawsOf, kStride, moveText, speedAt, speedText, strides } from "../../clients/web/src/lib/stride.js";
+import { gripTarget, jawsOf, kStride, moveText, speedAt, speedText, strides } from "../../../clients/web/src/lib/stride.js";
 
-const robot = (name) => JSON.parse(readFileSync(new URL(`../../data/robots/${name}.json`, import.meta.url)));
+const robot = (name) => JSON.parse(readFileSync(new URL(`../../../data/robots/${name}.json`, import.meta.url)));
 
 test("strides add up to the way, and none is too long", () => {
   for (const way of [{ F: 449, E: -625, B: 1 }, { A: -60 }, { F: 61, E: -61 }, { F: 0 }, { C: 7 }]) {

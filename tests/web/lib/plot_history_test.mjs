@@ -1,8 +1,8 @@
 // The samples of the plots and their CSV file.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { PlotHistory, kMaxMarks } from "../../clients/web/src/lib/plot_history.js";
-import { plotCsv } from "../../clients/web/src/lib/plot_csv.js";
+import { PlotHistory, kMaxMarks } from "../../../clients/web/src/lib/plot_history.js";
+import { plotCsv } from "../../../clients/web/src/lib/plot_csv.js";
 
 /** A state of a robot with one joint, F, at this count; half a degree a count. */
 const state = (tick, count, { epoch = 0, moving = false, error = 0 } = {}) => ({
