@@ -76,7 +76,7 @@ export async function open(url, { flags = kFlags, ...options } = {}) {
   return page;
 }
 /** Waits until the page has received and drawn model and state. */
-export const ready = (page) => page.waitForFunction(() => window.xr3?.known.model && window.xr3?.known.state && window.xr3?.tipDrawn());
+export const ready = (page) => page.waitForFunction(() => window.xr3?.known?.model && window.xr3.known.state && window.xr3?.tipDrawn());
 
 /** Closes the browser and kills servers that failed tests have left running. */
 export async function close() {

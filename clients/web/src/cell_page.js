@@ -131,19 +131,25 @@ function take(message) {
 
 function takeHello(hello) {
   if (hello.access === "none") return takeLocked();
-  if (isOverview(location.pathname, hello)) return location.reload(); // the token has shown that there are more cells
+  if (isOverview(location.pathname, hello)) return showOverview(hello);
   const isOwn = !connection.cell || hello.cell === connection.cell; // else its robot and its time are another cell's
   const before = isOwn && known.hello && (known.state ?? known.hello);
   known.hello = hello;
   scene.jump();
   plots.reconnected();
   if (isOwn) showName(hello.robot.name);
-  byId("all-cells").hidden = hello.cells.length < 2;
+  byId("all-cells").hidden = !isOverview("/", hello);
   access.set(hello.access);
   consolePanel.restart();
   lines.show();
   if (before) wire.reconnected(isSooner(hello, before));
   recallWire();
+}
+
+/** The token has shown that there are many cells, or another server is there now. */
+function showOverview({ access: level }) {
+  access.set(level); // keeps the token
+  location.reload();
 }
 
 /** The robot's name, with the cell and the profile if they are not the usual ones. */

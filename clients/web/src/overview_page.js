@@ -4,6 +4,7 @@ import { connection, earlyRefusals, firstHello, showConnection } from "./start.j
 import { Access } from "./panels/access.js";
 import { Alarm } from "./panels/alarm.js";
 import { byId, setText } from "./lib/dom.js";
+import { isOverview } from "./lib/place.js";
 import { OverviewPanel } from "./panels/overview_panel.js";
 import { textOf } from "./lib/refusal.js";
 import { onTheme } from "./lib/theme.js";
@@ -25,8 +26,14 @@ const overview = new OverviewPanel({
   getTokens: async () => new Map((await connection.call("cells")).cells.map(({ name, token }) => [name, token])),
 });
 
+/** Another server may be there now, of one cell. */
+function takeHello(hello) {
+  access.set(hello.access);
+  if (hello.access !== "none" && !isOverview(location.pathname, hello)) location.reload();
+}
+
 const takers = {
-  hello: (hello) => access.set(hello.access),
+  hello: takeHello,
   overview: (message) => overview.take(message),
   bye: (message) => alarm.showMessage(message.message),
   result: ({ error }) => error && showError(error),
@@ -34,7 +41,7 @@ const takers = {
 
 connection.handlers = { onMessage: (message) => takers[message.op]?.(message), onStatus: showConnection, onTokenRefused: (error) => access.refused(error) };
 for (const error of earlyRefusals) access.refused(error);
-takers.hello(await firstHello);
+takeHello(await firstHello);
 connection.follow("overview", { max_hz: 4 });
 onTheme(() => overview.renew());
 document.addEventListener("visibilitychange", () => document.hidden || overview.renew());

@@ -55,5 +55,6 @@ test("addresses of cells, and which page a hello asks for", () => {
   for (const path of ["/", "/cell/", "/cell/a b", "/cell/a/b", `/cell/${"x".repeat(33)}`]) assert.equal(cellOfPath(path), null);
   const hello = { access: "read", cell: "1", cells: ["1", "2"] };
   assert.ok(isOverview("/", hello) && isOverview("/", { ...hello, cell: null, cells: [] }));
-  assert.ok(!isOverview("/cell/2", hello) && !isOverview("/", { ...hello, cells: ["1"] }) && !isOverview("/", { access: "none" }));
+  assert.ok(isOverview("/", { ...hello, cells: ["c1"], cell: "c1" }), "one connection has a robot, and more may come");
+  assert.ok(!isOverview("/cell/2", hello) && !isOverview("/", { ...hello, cells: ["main"], cell: "main" }) && !isOverview("/", { access: "none" }));
 });

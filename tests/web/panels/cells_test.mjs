@@ -100,6 +100,30 @@ test("a student's token opens only the student's robot", () =>
     await page.waitForSelector("#message:has-text('There is no robot 1')");
   }, kToken));
 
+test("unlocking a private server of many cells leads to the overview", () =>
+  withServer(["--cells", "2", "--private"], "", async (page) => {
+    await page.waitForSelector("body.no-access");
+    await page.click("#unlock");
+    await page.fill("#token", kToken);
+    await page.click("#ask-token button[value=ok]");
+    await page.waitForFunction(() => document.querySelectorAll(".card .copy").length === 2);
+  }, kToken));
+
+test("the page follows another server at its address", async () => {
+  const one = await serve();
+  const page = await open(one.url);
+  await ready(page);
+  await one.stop("SIGKILL");
+  const ports = ["--robot-port", "0", "--monitor-port", String(one.monitor)];
+  const many = await serve(...ports, "--cells", "2");
+  await page.waitForSelector(".card");
+  await many.stop("SIGKILL");
+  const again = await serve(...ports);
+  await ready(page);
+  await page.context().close();
+  await again.stop();
+});
+
 test("the teacher's token opens the overview, with a link for each student", () =>
   withServer(["--cells", "2", "--private"], `#token=${kToken}`, async (page, server) => {
     await page.waitForFunction(() => document.querySelectorAll(".card .copy").length === 2);

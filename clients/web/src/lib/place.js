@@ -12,6 +12,8 @@ export function cellOfPath(path) {
 
 export const pathOfCell = (name) => `${kCellPath}${encodeURIComponent(name)}`;
 
+/** Whether a server with this `hello` has many cells; the only cell of another one is called `main`. */
+const hasManyCells = ({ cells }) => cells.length !== 1 || cells[0] !== "main";
+
 /** Whether the page at this path shows an overview, given the server's `hello`. */
-export const isOverview = (path, hello) =>
-  hello.access !== "none" && cellOfPath(path) === null && (hello.cell === null || hello.cells.length > 1);
+export const isOverview = (path, hello) => hello.access !== "none" && cellOfPath(path) === null && hasManyCells(hello);
