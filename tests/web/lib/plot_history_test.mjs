@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { PlotHistory, kMaxMarks } from "../../../clients/web/src/lib/plot_history.js";
 import { plotCsv } from "../../../clients/web/src/lib/plot_csv.js";
+import { numberText, sampleText, timeText } from "../../../clients/web/src/lib/plot_text.js";
 
 /** A state of a robot with one joint, F, at this count; half a degree a count. */
 const state = (tick, count, { epoch = 0, moving = false, error = 0 } = {}) => ({
@@ -99,4 +100,14 @@ test("the file has a row for each sample, with units and marks", () => {
     "0,1000,1,0.5,50.8,1,0,0,0,1,0,300,", "0,2000,2,1,50.8,2,0,0,0,2,0,300,",
     '0,3000,3,2,50.8,4,0,0,0,4,0,300,"release a, b"', "1,0,0,0,50.8,0,0,0,0,0,0,300,", "",
   ]);
+});
+
+test("texts: values with units, the reading of a sample with its events, and each epoch's own seconds", () => {
+  const history = historyOf(state(1000, -3, { moving: true }));
+  history.mark({ event: "stalled", epoch: 0, tick: 1000, message: "stalled" });
+  history.add(state(0, 0, { epoch: 1 }));
+  assert.deepEqual([numberText(-1.5, "deg"), numberText(2, "mm"), numberText(-12, "")], ["−1.50°", "2.0 mm", "−12"]);
+  assert.equal(sampleText(history.sample(0), [{ key: "F value", label: "F", unit: "deg" }], history.marks), "epoch 0, 1.000 s: F −1.50°; stalled");
+  assert.deepEqual([timeText(history, -0.5), timeText(history, 0), timeText(history, 2.25), timeText(history, -3)], ["1 s", "0 s", "2.25 s", ""]);
+  assert.deepEqual(history.borders().map(({ text, x }) => [text, x]), [["epoch 1", 0]]);
 });

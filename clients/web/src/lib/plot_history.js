@@ -193,4 +193,10 @@ export class PlotHistory {
       return part && mark.tick >= this.ticks[this.#at(part.from)] ? [{ ...mark, x: mark.tick / this.hz + part.shift }] : [];
     });
   }
+
+  /** Marks where an epoch, or another run of the server, begins. */
+  borders() {
+    return this.timeline().slice(1).filter(({ isNewTime }) => isNewTime)
+      .map(({ epoch, from, shift }) => ({ kind: "epoch", text: `epoch ${epoch}`, x: this.sample(from).seconds + shift }));
+  }
 }

@@ -4,6 +4,7 @@ import { byId, download, el, isSame, setText } from "../lib/dom.js";
 import { motorFiles, unitOf } from "../lib/motors.js";
 import { plotCsv } from "../lib/plot_csv.js";
 import { PlotHistory } from "../lib/plot_history.js";
+import { numberText, sampleText, timeText } from "../lib/plot_text.js";
 import { PlotView } from "./plot_view.js";
 
 const kEveryMs = 100; // while time passes without a change
@@ -12,7 +13,6 @@ const kTipColor = 1;
 const kLongStep = 10; // samples, with Shift
 const kWays = { ArrowLeft: -1, ArrowRight: 1, Home: -Infinity, End: Infinity };
 
-const numberText = (value, unit) => (unit ? `${value.toFixed(unit === "deg" ? 2 : 1)}${unit === "deg" ? "°" : " mm"}` : String(value)).replace("-", "−");
 
 export class PlotPanel {
   /** `tickNow()` is the current tick, extrapolated; `hz()` its frequency. */
@@ -100,13 +100,16 @@ export class PlotPanel {
   #view(name, id, all) {
     const series = all.map((each) => ({ ...each, isShown: this.#isShown(each) }));
     if (this[name]) return this[name].setSeries(series);
-    const timeText = (x) => this.#timeText(x);
-    this[name] = new PlotView({ host: byId(id), series, timeText, onCursor: (i) => this.#hover(i) });
+    this[name] = new PlotView({ host: byId(id), series, timeText: (x) => timeText(this.history, x), onCursor: (i) => this.#hover(i) });
   }
 
   // A series keeps its switch when another kind is chosen.
   #isShown({ label }) {
     return !this.hidden.has(label);
+  }
+
+  #shownSeries() {
+    return [...this.joints, ...this.tip].filter((each) => this.#isShown(each));
   }
 
   #legend(view, each, i) {
@@ -188,7 +191,7 @@ export class PlotPanel {
     this.#extend(xs, ys, numbers, range[1]);
     this.numbers = numbers;
     this.xs = xs;
-    const marks = [...this.history.placedMarks(), ...this.#borders()].filter(({ x }) => x >= range[0] && x <= range[1]);
+    const marks = [...this.history.placedMarks(), ...this.history.borders()].filter(({ x }) => x >= range[0] && x <= range[1]);
     this.jointView.draw([xs, ...ys.slice(0, this.joints.length)], range, marks);
     this.tipView.draw([xs, ...ys.slice(this.joints.length)], range, marks);
     this.#follow();
@@ -202,20 +205,6 @@ export class PlotPanel {
     xs.push(high);
     numbers.push(numbers.at(-1));
     for (const column of ys) column.push(column.at(-1));
-  }
-
-  #borders() {
-    const { history } = this;
-    return history.timeline().slice(1).filter(({ isNewTime }) => isNewTime)
-      .map(({ epoch, from, shift }) => ({ kind: "epoch", text: `epoch ${epoch}`, x: history.sample(from).seconds + shift }));
-  }
-
-  /** The time of a place on the axis, in its own epoch. */
-  #timeText(x) {
-    const place = ({ from, shift }) => this.history.sample(from).seconds + shift;
-    const part = this.history.timeline().findLast((each) => place(each) <= x);
-    const seconds = part ? x - part.shift : x;
-    return seconds < -1e-6 ? "" : `${Number(seconds.toFixed(2))} s`;
   }
 
   // --- The cursor: values of the sample under it, by pointer or by keys.
@@ -264,14 +253,7 @@ export class PlotPanel {
     const isKept = this.cursor !== null && this.cursor >= history.first;
     const sample = history.sample(isKept ? this.cursor : history.length - 1);
     for (const { key, unit, output } of [...this.joints, ...this.tip]) setText(output, numberText(sample.of(key), unit));
-    setText(byId("plot-at"), isKept ? this.#textOf(sample) : "");
-  }
-
-  #textOf(sample) {
-    const shown = [...this.joints, ...this.tip].filter((each) => this.#isShown(each));
-    const values = shown.map(({ key, label, unit }) => `${label} ${numberText(sample.of(key), unit)}`);
-    const marks = this.history.marks.filter(({ part, tick }) => part === sample.part && tick === sample.tick).map(({ message }) => message);
-    return [`epoch ${sample.epoch}, ${sample.seconds.toFixed(3)} s: ${values.join(", ")}`, ...marks].join("; ");
+    setText(byId("plot-at"), isKept ? sampleText(sample, this.#shownSeries(), history.marks) : "");
   }
 
   // --- Buttons.

@@ -1,19 +1,13 @@
 // The teach pendant: records the pose as points while jogging, edits and plays them, keeps them as a file
 // and exports them as programs.
-import { download, el, isSame, setText } from "../lib/dom.js";
+import { isSame, setText } from "../lib/dom.js";
 import { motorFiles } from "../lib/motors.js";
 import { Player, Stopped } from "../lib/player.js";
 import { PointStore } from "../lib/point_store.js";
 import { freshName, isName, isPause, isSpeed, kMaxName, kMaxPauseS, kMaxPoints, pointOf, withChange, withMoved, withoutPoint, withPoint } from "../lib/points.js";
-import { byteProgram } from "../programs/byte_program.js";
-import { cProgram } from "../programs/c_program.js";
-import { slug } from "../programs/program.js";
-import { pythonPackage } from "../programs/python_package.js";
-import { pythonSockets } from "../programs/python_sockets.js";
+import { PointFiles } from "./point_files.js";
 import { PointTable } from "./point_table.js";
 
-const kExports = { package: pythonPackage, sockets: pythonSockets, c: cProgram, bytes: byteProgram };
-const kMaxShown = 12; // of the wrong places of a file
 const kEmpty = "No points yet. Jog the arm to a place, then press Record.";
 
 export class TeachPanel {
@@ -30,7 +24,7 @@ export class TeachPanel {
     });
     this.#buttons();
     this.#form();
-    this.#files();
+    this.files = new PointFiles({ host, store: this.store, getRobot: () => this.robot, onRead: () => this.#wasRead() });
   }
 
   #part(id) {
@@ -192,6 +186,12 @@ export class TeachPanel {
     this.onError(new Error(allowed));
   }
 
+  #wasRead() {
+    Object.assign(this, { chosen: null, reached: null });
+    this.#show();
+    this.#say(`${this.points.length} points were read. Undo brings the earlier ones back.`);
+  }
+
   // --- Playing.
 
   /** The point after the one that was reached last, or the first. */
@@ -223,45 +223,5 @@ export class TeachPanel {
     this.chosen = i;
     this.#show();
     this.#say(`Reached ${text}.`);
-  }
-
-  // --- Files.
-
-  #files() {
-    this.#on("points-save", () => download(`${slug(this.robot.name)}-points.json`, this.store.text(), "application/json"));
-    this.#part("points-load").onchange = async ({ target }) => {
-      if (target.files[0]) await this.load(target.files[0]);
-      target.value = "";
-    };
-    this.#on("program-save", () => this.#export());
-    this.#part("program-kind").onchange = () => (this.#part("program-notes").hidden = true);
-  }
-
-  async load(file) {
-    this.#part("points-problems").hidden = true;
-    try {
-      Object.assign(this, { chosen: null, reached: null });
-      await this.store.open(file);
-      this.#say(`${this.points.length} points were read. Undo brings the earlier ones back.`);
-    } catch (error) {
-      this.#list(file.name, error);
-    }
-  }
-
-  #list(name, { message, details = [] }) {
-    const close = el("button", { type: "button", onclick: () => (this.#part("points-problems").hidden = true) }, "Close");
-    const items = details.slice(0, kMaxShown).map(({ pointer, found, allowed }) => el("li", {}, el("code", {}, pointer), `: expected ${allowed}, found ${found}`));
-    const more = details.length > kMaxShown ? [el("li", {}, `and ${details.length - kMaxShown} more`)] : [];
-    this.#part("points-problems").replaceChildren(el("p", {}, `${name} was not read: ${message}`), el("ul", {}, ...items, ...more), close);
-    this.#part("points-problems").hidden = false;
-  }
-
-  #export() {
-    const { name, text, notes, companion } = kExports[this.#part("program-kind").value](this.robot, this.points);
-    download(name, text);
-    const second = companion && el("button", { type: "button", id: "program-companion", onclick: () => download(companion.name, companion.text) }, `Download ${companion.what}`);
-    this.#part("program-notes").replaceChildren(...notes.split("\n").map((line) => el("p", {}, line)), ...(second ? [second] : []));
-    this.#part("program-notes").hidden = false;
-    this.#part("program-notes").scrollIntoView({ block: "nearest" });
   }
 }
