@@ -101,9 +101,8 @@ std::vector<LineId> Cell::take_woken_lines() {
     const std::vector<LineId> accepting = device_->take_woken();
     all.insert(all.end(), accepting.begin(), accepting.end());
   }
-  std::ranges::sort(all);
-  const auto repeated = std::ranges::unique(all);
-  all.erase(repeated.begin(), repeated.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
 

@@ -1,5 +1,7 @@
 #include "cell/digest.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "protocol/files/robot.hpp"
 
 namespace xr3 {

@@ -49,8 +49,9 @@ void make_count(const Model& model, State& state, Positions& positions, int inde
 bool gathers_a_count(State& state, int index) {
   MotorState& motor = state.motor(index);
   if (!is_running(motor)) return false;
-  const std::uint8_t pace = pace_of(state, index);
-  if (pace != kFullPace && running_ticks(pace, state.tick - 1, state.tick) == 0) return false;
+  const std::uint8_t percent = speed_percent_of(state, index);
+  if (percent != kFullSpeed && running_ticks(percent, state.tick - 1, state.tick) == 0)
+    return false;
   motor.phase = static_cast<std::int16_t>(motor.phase + motor.speed);
   if (motor.phase < kPhasePerCount) return false;
   motor.phase = static_cast<std::int16_t>(motor.phase - kPhasePerCount);

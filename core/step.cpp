@@ -39,8 +39,9 @@ void emit_reached(const Model& model, const State& state, const Motors& before, 
 // The tick in which a running motor makes its next count, if no fault begins or ends before.
 Tick tick_of_count(const State& state, int index) {
   const Tick running = ticks_to_count(state.motor(index));
-  const std::uint8_t pace = pace_of(state, index);
-  return pace == kFullPace ? state.tick + running : tick_after_running(pace, state.tick, running);
+  const std::uint8_t percent = speed_percent_of(state, index);
+  return percent == kFullSpeed ? state.tick + running
+                               : tick_after_running(percent, state.tick, running);
 }
 
 // Number of ticks, at most `limit`, before some motor makes a count or a fault begins or ends.
@@ -58,8 +59,8 @@ void coast(const Model& model, State& state, Tick ticks) {
   for (int i = 0; i < model.motor_count(); ++i) {
     MotorState& motor = state.motor(i);
     if (!is_running(motor)) continue;
-    const std::uint8_t pace = pace_of(state, i);
-    const Tick running = pace == kFullPace ? ticks : running_ticks(pace, from, state.tick);
+    const std::uint8_t percent = speed_percent_of(state, i);
+    const Tick running = percent == kFullSpeed ? ticks : running_ticks(percent, from, state.tick);
     motor.phase = static_cast<std::int16_t>(motor.phase + running * motor.speed);
   }
 }

@@ -34,8 +34,13 @@ PRIVATE_PATH = re.compile(
     r"(?:^|[^\w.])/(?:work|farm)/|\.\./shared"
     r"|\bregistry\.[a-z]+\.(?:org|com)|\b(?:deb|security)\.[a-z]+\.org")
 
+# scripts/emscripten compiles these libraries with Debian 12's libc++, which has no such algorithms.
+PORTABLE = ("core", "protocol", "cell")
+NOT_IN_LIBCXX = re.compile(r"\b(?:std::ranges::\w+\(|(?:std|ranges)::views::)")
 
 CONSTANT = re.compile(r"^(?:inline )?(?:constexpr|const)\b[^()=;{]*?\b(k[A-Z]\w*)(?= =|\{|\[)", re.MULTILINE)
+
+NAMED_FILE = re.compile(r"//.*?\b([\w/]+\.[ch]pp)\b")
 
 
 def project_files():
@@ -82,6 +87,8 @@ def breaches(path, text):
         reason = include and (forbidden(folder, *include.groups()) or joins_separate(path, include[1]))
         if reason:
             yield f"{path}:{number}: {reason}"
+        if folder in PORTABLE and NOT_IN_LIBCXX.search(line):
+            yield f"{path}:{number}: {folder} may not use algorithms of std::ranges; Emscripten's libc++ lacks them"
     if folder in RULES and len(lines) > MAX_LINES:
         yield f"{path}:{len(lines)}: longer than {MAX_LINES} lines"
 
@@ -112,6 +119,16 @@ def hidden_constants(texts):
                     yield f"{path}: {name} has the name of a constant in {shared[name]}"
 
 
+def named_files_that_are_missing(texts):
+    """Files that a comment names but that do not exist, such as those that were renamed."""
+    existing = {"/" + path for path in texts}
+    for path, text in texts.items():
+        for number, line in enumerate(text.splitlines() if path.startswith(tuple(RULES)) else (), 1):
+            for name in NAMED_FILE.findall(line):
+                if not any(each.endswith("/" + name) for each in existing) and not name.startswith("nlohmann/"):
+                    yield f"{path}:{number}: there is no {name}"
+
+
 def main():
     files = project_files()
     found = list(crowded_folders(files))
@@ -121,6 +138,7 @@ def main():
             texts[path] = file.read()
         found.extend(breaches(path, texts[path]))
     found.extend(hidden_constants(texts))
+    found.extend(named_files_that_are_missing(texts))
     for breach in found:
         print(breach)
     print(f"{len(files)} files read, {len(found)} violations")

@@ -1,5 +1,5 @@
 // The camera's view of one block: its corners in the base frame, and their projection onto the work
-// surface. camera.hpp renders whole images, camera_cache.hpp caches them.
+// surface. camera.hpp renders whole images, cache.hpp caches them.
 #pragma once
 
 #include <array>

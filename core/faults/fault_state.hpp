@@ -13,7 +13,7 @@
 
 namespace xr3 {
 
-inline constexpr std::uint8_t kFullPace = 100;
+inline constexpr std::uint8_t kFullSpeed = 100;
 
 /// A fault with its history.
 struct FaultState {
@@ -35,10 +35,11 @@ using MotorBits = std::uint8_t;
 
 /// Derived from the faults and the tick: see refresh_faults().
 struct FaultsInForce {
-  std::array<std::uint8_t, kMaxMotors> pace = full_pace();  ///< per cent of each motor's speed
-  MotorBits stuck_for_good = 0;                             ///< pace 0 without an end
-  MotorBits slipping = 0;  ///< a fault may lose counts of their encoders
-  MotorBits open = 0;      ///< switches that are stuck
+  /// Of each motor's own speed.
+  std::array<std::uint8_t, kMaxMotors> speed_percent = full_speed();
+  MotorBits stuck_for_good = 0;  ///< 0 per cent without an end
+  MotorBits slipping = 0;        ///< a fault may lose counts of their encoders
+  MotorBits open = 0;            ///< switches that are stuck
   MotorBits closed = 0;
   MotorBits bouncing = 0;
   bool on_lines = false;     ///< some fault concerns a line
@@ -47,10 +48,10 @@ struct FaultsInForce {
   Tick next_stop = kNoTick;  ///< the next tick at which a fault begins or ends
   bool operator==(const FaultsInForce&) const = default;
 
-  static constexpr std::array<std::uint8_t, kMaxMotors> full_pace() {
-    std::array<std::uint8_t, kMaxMotors> pace{};
-    pace.fill(kFullPace);
-    return pace;
+  static constexpr std::array<std::uint8_t, kMaxMotors> full_speed() {
+    std::array<std::uint8_t, kMaxMotors> percents{};
+    percents.fill(kFullSpeed);
+    return percents;
   }
 };
 

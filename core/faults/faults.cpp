@@ -27,17 +27,18 @@ void add_stop(FaultsInForce& now, Tick tick, Tick stop) {
   if (stop > tick) now.next_stop = std::min(now.next_stop, stop);
 }
 
-void add_pace(FaultsInForce& now, const FaultState& fault, int motor, std::uint8_t pace) {
-  auto& least = now.pace[static_cast<std::size_t>(motor)];
-  least = std::min(least, pace);
-  if (pace == 0 && fault.fault.end() == kNoTick) now.stuck_for_good |= bit_of(motor);
+void add_speed_percent(FaultsInForce& now, const FaultState& fault, int motor,
+                       std::uint8_t percent) {
+  auto& least = now.speed_percent[static_cast<std::size_t>(motor)];
+  least = std::min(least, percent);
+  if (percent == 0 && fault.fault.end() == kNoTick) now.stuck_for_good |= bit_of(motor);
 }
 
 void add_lasting(FaultsInForce& now, const FaultState& fault, int motor) {
   switch (fault.fault.kind) {
-    case FaultKind::kMotorStuck: return add_pace(now, fault, motor, 0);
+    case FaultKind::kMotorStuck: return add_speed_percent(now, fault, motor, 0);
     case FaultKind::kMotorSlow:
-      return add_pace(now, fault, motor, static_cast<std::uint8_t>(fault.fault.percent));
+      return add_speed_percent(now, fault, motor, static_cast<std::uint8_t>(fault.fault.percent));
     case FaultKind::kSwitchStuckOpen: now.open |= bit_of(motor); break;
     case FaultKind::kSwitchStuckClosed: now.closed |= bit_of(motor); break;
     case FaultKind::kSwitchBouncing: now.bouncing |= bit_of(motor); break;

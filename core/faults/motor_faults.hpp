@@ -9,21 +9,21 @@
 
 namespace xr3 {
 
-/// The number of the ticks (from, to] in which a motor of this pace runs: they are spread evenly
+/// The number of the ticks (from, to] in which a motor of this speed runs: they are spread evenly
 /// over all ticks.
-constexpr Tick running_ticks(std::uint8_t pace, Tick from, Tick to) {
-  return to * pace / kFullPace - from * pace / kFullPace;
+constexpr Tick running_ticks(std::uint8_t percent, Tick from, Tick to) {
+  return to * percent / kFullSpeed - from * percent / kFullSpeed;
 }
 
-/// The first tick after `from` by which a motor of this pace has run for `ticks` ticks, at least 1.
+/// The first tick after `from` by which a motor of this speed has run for `ticks` ticks, at least 1.
 /// kNoTick if it does not run.
-constexpr Tick tick_after_running(std::uint8_t pace, Tick from, Tick ticks) {
-  if (pace == 0) return kNoTick;
-  return ((from * pace / kFullPace + ticks) * kFullPace + pace - 1) / pace;
+constexpr Tick tick_after_running(std::uint8_t percent, Tick from, Tick ticks) {
+  if (percent == 0) return kNoTick;
+  return ((from * percent / kFullSpeed + ticks) * kFullSpeed + percent - 1) / percent;
 }
 
-inline std::uint8_t pace_of(const State& state, int motor) {
-  return state.faults.now.pace[static_cast<std::size_t>(motor)];
+inline std::uint8_t speed_percent_of(const State& state, int motor) {
+  return state.faults.now.speed_percent[static_cast<std::size_t>(motor)];
 }
 
 inline bool has_motor(MotorBits bits, int motor) {

@@ -114,7 +114,7 @@ struct ReplyOf {
     return PixelValue{*sent == 1};
   }
   DecodedReply picture(int rows) const {
-    const bool is_printable = std::ranges::all_of(bytes, [](char byte) {
+    const bool is_printable = std::all_of(bytes.begin(), bytes.end(), [](char byte) {
       return byte >= kReplyBase && byte < kReplyBase + (1 << kPixelsPerReplyByte);
     });
     if (!is_printable) return NoReply{};

@@ -146,7 +146,8 @@ void fill_out(WireRecord& record, const WirePlace& place, std::string_view bytes
   }
   if (released.empty()) return;
   record.items.insert(record.items.end(), released.begin(), released.end());
-  std::ranges::sort(record.items, {}, &Item::from);
+  std::sort(record.items.begin(), record.items.end(),
+            [](const Item& a, const Item& b) { return a.from < b.from; });
 }
 
 wire::Answered answer_of(const Exchange& exchange) {

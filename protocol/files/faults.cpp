@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "protocol/explain/fault_text.hpp"
-#include "protocol/files/fault_rules.hpp"
+#include "protocol/files/fault_consistency.hpp"
 #include "protocol/files/kind.hpp"
 
 namespace xr3 {

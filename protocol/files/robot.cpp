@@ -6,7 +6,7 @@
 #include "protocol/files/drive.hpp"
 #include "protocol/files/kind.hpp"
 #include "protocol/files/outline.hpp"
-#include "protocol/files/robot_rules.hpp"
+#include "protocol/files/robot_consistency.hpp"
 #include "protocol/json/codec.hpp"
 
 namespace xr3 {

@@ -5,7 +5,7 @@
 
 #include "protocol/files/block.hpp"
 #include "protocol/files/kind.hpp"
-#include "protocol/files/workcell_rules.hpp"
+#include "protocol/files/workcell_consistency.hpp"
 
 namespace xr3 {
 namespace {

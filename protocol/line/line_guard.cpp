@@ -27,12 +27,13 @@ bool is_in_method(char c) {
 
 /// A method of any name, a blank and a target.
 bool is_request(std::string_view chunk) {
-  const auto method =
-      static_cast<std::size_t>(std::ranges::find_if_not(chunk, is_in_method) - chunk.begin());
+  const auto method = static_cast<std::size_t>(
+      std::find_if_not(chunk.begin(), chunk.end(), is_in_method) - chunk.begin());
   if (method > kMaxMethod) return true;
   if (method == 0 || method == chunk.size() || chunk[method] != ' ') return false;
   const std::string_view target = chunk.substr(method + 1);
-  return std::ranges::any_of(kUrlBeginnings, [&](auto begin) { return target.starts_with(begin); });
+  return std::any_of(kUrlBeginnings.begin(), kUrlBeginnings.end(),
+                     [&](auto begin) { return target.starts_with(begin); });
 }
 
 // --- Binary protocols.
@@ -44,8 +45,8 @@ constexpr std::array kSignatures = {"\x21\x12\xa4\x42"sv, "\x16\x03\x00"sv, "\x1
                                     "\x16\xfe\xfd"sv,     "\x16\xfe\xff"sv};
 
 bool has_signature(std::string_view chunk) {
-  return std::ranges::any_of(kSignatures,
-                             [&](auto sign) { return chunk.find(sign) != std::string_view::npos; });
+  return std::any_of(kSignatures.begin(), kSignatures.end(),
+                     [&](auto sign) { return chunk.find(sign) != std::string_view::npos; });
 }
 
 bool is_text(char c) {
@@ -54,7 +55,7 @@ bool is_text(char c) {
 
 /// Neither text nor telnet. A telnet client may begin with commands, which contain any bytes.
 bool is_binary(std::string_view chunk) {
-  return !chunk.starts_with(kTelnetCommand) && !std::ranges::all_of(chunk, is_text);
+  return !chunk.starts_with(kTelnetCommand) && !std::all_of(chunk.begin(), chunk.end(), is_text);
 }
 
 }  // namespace

@@ -24,10 +24,16 @@ MIB = 1 << 20
 
 @dataclasses.dataclass(frozen=True)
 class Measured:
-    """The figure that a bound limits, others for the reader, and the least that it would be on an idle machine."""
+    """The figure that a bound limits, others for the reader, the least that it would be on an idle machine, and the
+    figure of a bystander, which the server does not concern."""
     value: float
     note: str = ""
     least: float | None = None
+    bystander: float = 0
+
+    def is_disturbed(self, bound):
+        """The bound is exceeded, and the machine was busy with something else."""
+        return self.value > bound and self.bystander > bound / 2
 
 
 @dataclasses.dataclass(frozen=True)
@@ -76,10 +82,12 @@ class Beside:
                 code = xr3.stop(within_s=SHUTDOWN_S)
             if code != 0:
                 raise AssertionError(f"the server ended with {code}")
-        waits, work = figures["waits"], figures["work"]
+        waits, work, bystander = figures["waits"], figures["work"], figures["bystander"]
         return Measured(waits["p99"], f"p50 {waits['p50']:.2f}, max {waits['max']:.1f}; the server's work p99 "
-                                      f"{work['p99']:.2f}, max {work['max']:.1f}; {busy:.0%} of a core, {peak:.0f} MiB",
-                        work["p99"])
+                                      f"{work['p99']:.2f}, max {work['max']:.1f}; a bystander's "
+                                      f"{bystander['p99']:.2f}, max {bystander['max']:.1f}; {busy:.0%} of a core, "
+                                      f"{peak:.0f} MiB",
+                        work["p99"], bystander["p99"])
 
 
 def beside(name, load, *cells, **more):

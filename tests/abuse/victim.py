@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """A well-behaved client in a process of its own: sends an inquiry each millisecond, or a ping each five milliseconds,
-whether or not the replies to the earlier ones have arrived. Prints how long the replies took, and how long the server
-worked meanwhile: its processor time does not depend on other programs on the machine.
+whether or not the replies to the earlier ones have arrived. Prints how long the replies took, how long the server
+worked meanwhile (its processor time does not depend on other programs on the machine), and how long the slower
+bystander took: on each core, an idle program echoes what it gets.
 Usage: victim.py PORT PID SECONDS line|session"""
 
 import collections
@@ -9,12 +10,15 @@ import ctypes
 import gc
 import json
 import os
+import pathlib
 import select
 import socket
 import struct
+import subprocess
 import sys
 import time
 
+ECHO = pathlib.Path(__file__).with_name("echo.py")
 PATIENCE_NS = 60 * 10**9
 SO_TIMESTAMPNS = 35
 PERF_EVENT_OPEN = {"x86_64": 298, "aarch64": 241}
@@ -84,27 +88,61 @@ class Session(Line):
         return data.count(b"\n")
 
 
-def waits_ns(line, pid, seconds):
-    """For each reply: its time, and the server's processor time meanwhile."""
-    worked = processor_clock(pid)
-    sent, waits = collections.deque(), []
-    due = time.time_ns()
-    ends = due + int(seconds * 10**9)
-    while (now := time.time_ns()) < ends or sent:
+class Bystander(Line):
+    """The same from an idle process on one core that does not know the server: what it waits, the machine costs."""
+
+    EVERY_NS = 2_000_000
+    REQUEST = b"?"
+
+    def __init__(self, core):
+        self.process = subprocess.Popen([sys.executable, ECHO, str(core)], stdout=subprocess.PIPE)
+        super().__init__(int(self.process.stdout.readline()))
+
+    def end(self):
+        self.process.kill()
+        self.process.communicate()
+
+
+class Probe:
+    """A line, its inquiries that wait for their replies, and for each reply its time and what `worked` advanced by
+    meanwhile."""
+
+    def __init__(self, line, worked=lambda: 0):
+        self.line, self.worked = line, worked
+        self.sent, self.waits = collections.deque(), []
+        self.due = time.time_ns()
+
+    def send(self, now):
+        self.sent.append((time.time_ns(), self.worked()))
+        self.line.send()
+        self.due = max(self.due + self.line.EVERY_NS, now)
+
+    def read(self):
+        work = self.worked()
+        count, arrived = self.line.read()
+        for _ in range(count):
+            sent_at, worked_before = self.sent.popleft()
+            self.waits.append((arrived - sent_at, min(work - worked_before, arrived - sent_at)))
+
+    def give_up(self, now):
+        self.waits += [(now - each, 0) for each, _ in self.sent]
+
+
+def measure(probes, seconds):
+    """Lets the probes ask for so long, and waits for the last replies."""
+    ends = time.time_ns() + int(seconds * 10**9)
+    by_socket = {each.line.socket: each for each in probes}
+    while (now := time.time_ns()) < ends or any(each.sent for each in probes):
         if now > ends + PATIENCE_NS:
-            return waits + [(now - each, 0) for each, _ in sent]
-        if due <= now < ends:
-            sent.append((time.time_ns(), worked()))
-            line.send()
-            due = max(due + line.EVERY_NS, now)
-        left_s = (due - time.time_ns()) / 1e9 if now < ends else 1.0
-        if select.select([line.socket], [], [], max(left_s, 0))[0]:
-            work = worked()
-            count, arrived = line.read()
-            for _ in range(count):
-                sent_at, worked_before = sent.popleft()
-                waits.append((arrived - sent_at, min(work - worked_before, arrived - sent_at)))
-    return waits
+            for each in probes:
+                each.give_up(now)
+            return
+        for each in probes:
+            if each.due <= now < ends:
+                each.send(now)
+        left_s = (min(each.due for each in probes) - time.time_ns()) / 1e9 if now < ends else 1.0
+        for readable in select.select(list(by_socket), [], [], max(left_s, 0))[0]:
+            by_socket[readable].read()
 
 
 def quantiles(values):
@@ -117,8 +155,15 @@ def quantiles(values):
 def main():
     gc.disable()
     _, port, pid, seconds, kind = sys.argv
-    waits = waits_ns((Line if kind == "line" else Session)(int(port)), int(pid), float(seconds))
-    print(json.dumps({"waits": quantiles(wait for wait, _ in waits), "work": quantiles(work for _, work in waits)}))
+    server = Probe((Line if kind == "line" else Session)(int(port)), processor_clock(int(pid)))
+    bystanders = [Probe(Bystander(core)) for core in os.sched_getaffinity(0)]
+    measure([server, *bystanders], float(seconds))
+    for each in bystanders:
+        each.line.end()
+    waits, work = zip(*server.waits)
+    print(json.dumps({"waits": quantiles(waits), "work": quantiles(work),
+                      "bystander": max((quantiles(wait for wait, _ in each.waits) for each in bystanders),
+                                       key=lambda each: each["p99"])}))
 
 
 if __name__ == "__main__":

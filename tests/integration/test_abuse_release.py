@@ -47,18 +47,20 @@ class Short(unittest.TestCase):
 
 
 class Verdicts(unittest.TestCase):
-    def verdict(self, *values, bound=10):
-        """Whether the report of an attack with these values, one a round, says that the bound is kept."""
-        rounds = iter(values)
+    def verdict(self, *values, bound=10, rounds=None):
+        """Whether the report of an attack with these values, one a round, says that the bound is kept. A pair is a
+        value beside that of a bystander."""
+        measurements = iter(values)
 
         def measure():
-            value = next(rounds)
+            value = next(measurements)
             if value is None:
                 raise AssertionError("the server is gone\nand its log")
-            return Measured(value, "note")
+            value, bystander = value if isinstance(value, tuple) else (value, 0)
+            return Measured(value, "note", bystander=bystander)
 
         with contextlib.redirect_stdout(io.StringIO()) as printed:
-            is_kept = abuse.report(Attack("name", bound, "ms", measure), len(values))
+            is_kept = abuse.report(Attack("name", bound, "ms", measure), rounds or len(values))
         self.assertIn(" ok " if is_kept else " FAILED ", printed.getvalue())
         return is_kept
 
@@ -68,6 +70,15 @@ class Verdicts(unittest.TestCase):
 
     def test_a_round_that_fails_breaks_the_bound(self):
         self.assertFalse(self.verdict(1, None))
+
+    def test_a_round_on_a_busy_machine_is_repeated(self):
+        self.assertTrue(self.verdict((11, 6), 10, 2, rounds=2))
+        self.assertFalse(self.verdict((11, 6), 10, 11, rounds=2))
+        self.assertFalse(self.verdict((11, 5), 10, rounds=2))
+        self.assertTrue(self.verdict((10, 50), 2, rounds=2))
+
+    def test_a_machine_that_stays_busy_breaks_the_bound(self):
+        self.assertFalse(self.verdict(*[(11, 6)] * 20, rounds=2))
 
     def test_names_are_unique(self):
         names = [attack.name for attack in catalogue.ATTACKS]

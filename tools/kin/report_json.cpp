@@ -1,4 +1,4 @@
-// The reports of `xr3 kin` as JSON; declared in kin_report.hpp.
+// The reports of `xr3 kin` as JSON; declared in report.hpp.
 #include <nlohmann/json.hpp>
 
 #include "protocol/monitor/snapshot.hpp"

@@ -1,4 +1,4 @@
-// Reads messages of the monitor port into the values of watch_known.hpp. A member that is missing
+// Reads messages of the monitor port into the values of watched_cell.hpp. A member that is missing
 // or has another type leaves its value unchanged: the server may be older or newer than this
 // client.
 #pragma once

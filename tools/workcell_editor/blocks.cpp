@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "protocol/files/workcell_rules.hpp"
+#include "protocol/files/workcell_consistency.hpp"
 #include "tools/workcell_editor/dialogue.hpp"
 
 namespace xr3 {

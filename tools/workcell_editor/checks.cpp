@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "protocol/files/workcell.hpp"
-#include "protocol/files/workcell_rules.hpp"
+#include "protocol/files/workcell_consistency.hpp"
 #include "protocol/text/table.hpp"
 #include "tools/workcell_editor/items.hpp"
 

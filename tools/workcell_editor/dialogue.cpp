@@ -1,5 +1,5 @@
-// The engine and the menu. Questions about blocks are in workcell_dialogue_blocks.cpp, all others
-// in workcell_dialogue_room.cpp.
+// The engine and the menu. Questions about blocks are in blocks.cpp, all others in
+// room.cpp.
 #include "tools/workcell_editor/dialogue.hpp"
 
 #include <algorithm>

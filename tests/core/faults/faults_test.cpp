@@ -103,12 +103,12 @@ TEST(Faults, ASlowMotorMayOutlastTheUsualBoundOfRest) {
 }
 
 TEST(Faults, RunningTicksAreSpreadEvenly) {
-  for (int pace = 1; pace <= 100; ++pace) {
-    const auto each = static_cast<std::uint8_t>(pace);
+  for (int percent = 1; percent <= 100; ++percent) {
+    const auto each = static_cast<std::uint8_t>(percent);
     Tick running = 0;
     for (Tick tick = 1; tick <= 500; ++tick) {
       running += running_ticks(each, tick - 1, tick);
-      ASSERT_EQ(running, tick * pace / 100);
+      ASSERT_EQ(running, tick * percent / 100);
     }
     for (Tick from = 0; from < 120; ++from) {
       for (Tick wanted = 1; wanted < 20; ++wanted) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/model.hpp"
-#include "protocol/files/robot_rules.hpp"
+#include "protocol/files/robot_consistency.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3 {

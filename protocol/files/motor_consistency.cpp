@@ -1,4 +1,4 @@
-#include "protocol/files/motor_rules.hpp"
+#include "protocol/files/motor_consistency.hpp"
 
 #include <algorithm>
 #include <cmath>

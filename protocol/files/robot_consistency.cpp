@@ -1,4 +1,4 @@
-#include "protocol/files/robot_rules.hpp"
+#include "protocol/files/robot_consistency.hpp"
 
 #include <set>
 #include <string>
@@ -8,7 +8,7 @@
 #include "core/kinematics.hpp"
 #include "core/model.hpp"
 #include "core/stall.hpp"
-#include "protocol/files/motor_rules.hpp"
+#include "protocol/files/motor_consistency.hpp"
 #include "protocol/text/table.hpp"
 
 namespace xr3 {

@@ -1,4 +1,4 @@
-#include "protocol/files/fault_rules.hpp"
+#include "protocol/files/fault_consistency.hpp"
 
 #include <algorithm>
 #include <array>

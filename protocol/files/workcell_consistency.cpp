@@ -1,4 +1,4 @@
-#include "protocol/files/workcell_rules.hpp"
+#include "protocol/files/workcell_consistency.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
