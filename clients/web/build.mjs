@@ -21,7 +21,8 @@ await build({
 });
 await copyFile(path("src/index.html"), path("dist/index.html"));
 await copyFile(path("src/icon.svg"), path("dist/assets/icon.svg"));
-await copyFile(path("node_modules/three/LICENSE"), path("dist/assets/three-license.txt"));
+for (const library of ["three", "uplot"])
+  await copyFile(path(`node_modules/${library}/LICENSE`), path(`dist/assets/${library}-license.txt`));
 
 const { size } = await stat(path("dist/assets/main.js"));
 await readFile(path("dist/index.html"));

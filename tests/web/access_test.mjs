@@ -98,5 +98,5 @@ test("a locked file input is invisible and its label is dimmed", () =>
     await page.click("#tab-workcell");
     const opacity = (selector) => page.evaluate((s) => getComputedStyle(document.querySelector(s)).opacity, selector);
     assert.equal(await opacity("#workcell-load"), "0");
-    assert.ok(Number(await opacity(".file")) < 1);
+    assert.ok(Number(await opacity("#workcell-panel .file")) < 1);
   }));

@@ -58,9 +58,12 @@ export async function call(port, fn, args = {}) {
   return text.split("\n").filter(Boolean).map((line) => JSON.parse(line)).find((message) => message.op === "result");
 }
 
+/** For measurements of pages without WebGL: the software that stands in for a graphics card costs most of the time. */
+export const kWithoutWebGl = ["--no-sandbox", "--disable-gpu"];
+
 let browser;
-export async function open(url, options = {}) {
-  browser ??= await chromium.launch({ executablePath: "/usr/bin/chromium", args: kFlags });
+export async function open(url, { flags = kFlags, ...options } = {}) {
+  browser ??= await chromium.launch({ executablePath: "/usr/bin/chromium", args: flags });
   const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, ...options });
   const page = await context.newPage();
   page.setDefaultTimeout(kDeadlineMs);
@@ -73,7 +76,7 @@ export async function open(url, options = {}) {
   return page;
 }
 /** Waits until the page has received and drawn model and state. */
-export const ready = (page) => page.waitForFunction(() => window.xr3?.known.model && window.xr3?.known.state && window.xr3?.tipDrawn());
+export const ready = (page) => page.waitForFunction(() => window.xr3?.known?.model && window.xr3.known.state && window.xr3?.tipDrawn());
 
 /** Closes the browser and kills servers that failed tests have left running. */
 export async function close() {

@@ -111,8 +111,12 @@ for (const viewport of kSizes) {
         await page.click("#tab-workcell");
         await page.focus("[data-block]");
         await inSight(page, "#workcell-panel button, #workcell-panel .file, #plan");
+        await page.click("#tab-teach");
+        await inSight(page, "#teach-panel .bar button, #teach-panel .jog button");
+        await page.click("#tab-plots");
+        await inSight(page, "#plots-panel button, #plots-panel label, #plots-panel .canvas");
         await page.click("#tab-console");
-        await inSight(page, "#console-panel button, #console-input");
+        await inSight(page, "#console-panel button, #console-input, [role=tab]");
         assert.ok((await page.locator("#console-input").boundingBox()).width > 120);
         assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), "too wide");
       }, { viewport });

@@ -1,18 +1,20 @@
 // Makes screenshots for the docs, and the frames of a short film: the Rhino picks up and carries a
 // block. Usage: node pictures.mjs DOCS_FOLDER FRAMES_FOLDER, with XR3 set to the path of the
 // executable.
+import { connect } from "node:net";
 import { close, open, ready, serve, type } from "./bench.mjs";
+import { ask } from "./panels/class.mjs";
 
 const [docs, frames] = process.argv.slice(2);
 const kSize = { width: 1280, height: 720 };
 
-async function still(robot, colorScheme, act) {
+async function still(robot, colorScheme, act, name = `viewer-${robot}`) {
   const server = await serve("--robot", robot);
   const page = await open(server.url, { viewport: kSize, colorScheme });
   await ready(page);
   await act(page, server);
   await page.waitForTimeout(400);
-  await page.screenshot({ path: `${docs}/viewer-${robot}.png` });
+  await page.screenshot({ path: `${docs}/${name}.png` });
   await page.context().close();
   await server.stop();
 }
@@ -26,6 +28,45 @@ const move = (text) => async (page, server) => {
 await still("rhino-xr3", "light", move("F+90\rE+60\rD-30\rC+20\rE?I"));
 await still("adept-one", "dark", move("E+110\rD-120\rC+90\rE?"));
 await still("intelledex-660", "light", move("G-120\rF+100\rE-90\rF?"));
+
+// The panels for teaching and plots, and the overview of a class.
+const teach = async (page, server) => {
+  await page.click("#tab-teach");
+  for (const text of ["A+16\r", "E+121\rD-120\r", "E+121\rD-120\r", "F+60\rB+90\r"]) {
+    await type(server.robot, text);
+    await server.rest();
+    const { length } = await page.$$("#points tr");
+    await page.click("#record");
+    await page.waitForFunction((before) => document.querySelectorAll("#points tr").length > before, length);
+  }
+  await page.fill("#point-name", "above the blue block");
+  await page.keyboard.press("Tab");
+};
+const plots = async (page, server) => {
+  await page.click("#tab-plots");
+  for (const text of ["F+90\rE+60\r", "D-90\rC+40\rA-30\r", "F-60\rB+90\r"]) {
+    await type(server.robot, text);
+    await server.rest();
+  }
+};
+await still("rhino-xr3", "light", teach, "viewer-teach");
+await still("rhino-xr3", "light", plots, "viewer-plots");
+
+const school = await serve("--cells", "24", "--cell", "9=adept-one,adept-one", "--cell", "14=intelledex-660,intelledex-660");
+const { value } = await ask(school.monitor, { op: "call", fn: "cells", args: {} });
+const all = await open(school.url, { viewport: kSize });
+await all.waitForSelector(".card canvas");
+await all.selectOption("#overview-order", "name");
+const programs = value.cells.filter((_, i) => i % 3 === 0).map(({ robot_port }) => connect(robot_port, "127.0.0.1"));
+programs.forEach((program, i) => program.write(`E+${20 + 9 * i}\rD-${10 + 8 * i}\r`));
+await all.waitForSelector(".card.moving");
+await all.waitForSelector(".card.moving", { state: "detached" });
+programs.forEach((program, i) => i % 2 === 0 && program.write(`F${i % 4 === 0 ? "+" : "-"}120\r`));
+await all.waitForFunction((count) => document.querySelectorAll(".card.moving").length > count, 2);
+await all.screenshot({ path: `${docs}/viewer-overview.png` });
+for (const program of programs) program.destroy();
+await all.context().close();
+await school.stop();
 
 // The film: with the manual clock, one step per frame. Counts are from
 // `xr3 kin --pose 262,0,20 --down 90`.

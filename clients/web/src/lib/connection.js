@@ -8,6 +8,8 @@ const kAnswerWithinMs = 15000;
 const kQuietMs = 5000; // of silence before a ping
 const kPongWithinMs = 5000;
 
+const kOfCells = new Set(["get", "call"]); // the requests of `request` that concern a cell
+
 const bytesOf = (text) => new TextEncoder().encode(text).length;
 const kib = (bytes) => `${Math.ceil(bytes / 1024)} KiB`;
 
@@ -22,6 +24,7 @@ export class Connection {
     this.url = url;
     this.handlers = handlers;
     this.token = "";
+    this.cell = null; // the cell that requests concern; null: the server's default
     this.subscriptions = new Map();
     this.pending = new Map();
     this.lastId = 0;
@@ -107,7 +110,11 @@ export class Connection {
 
   /** Sends all subscriptions again, for example after a token has given access to them. */
   renew() {
-    for (const subscription of this.subscriptions.values()) this.#send(JSON.stringify(subscription));
+    for (const subscription of this.subscriptions.values()) this.#send(JSON.stringify({ ...this.#ofCell(), ...subscription }));
+  }
+
+  #ofCell() {
+    return this.cell === null ? {} : { cell: this.cell };
   }
 
   // --- Sending.
@@ -124,7 +131,7 @@ export class Connection {
    */
   request(message, { channel, collects, onEach, withinMs = kAnswerWithinMs } = {}) {
     const id = ++this.lastId;
-    const text = JSON.stringify({ ...message, id });
+    const text = JSON.stringify({ ...(kOfCells.has(message.op) ? this.#ofCell() : {}), ...message, id });
     return new Promise((resolve, reject) => {
       if (this.socket?.readyState !== WebSocket.OPEN) return reject(new Error("not connected"));
       if (this.#isTooBig(text)) return reject(this.#tooBig(text));
@@ -168,7 +175,7 @@ export class Connection {
   follow(channel, options = {}) {
     const subscription = { op: "sub", channel, ...options };
     this.subscriptions.set(channel, subscription);
-    this.#send(JSON.stringify(subscription));
+    this.#send(JSON.stringify({ ...this.#ofCell(), ...subscription }));
   }
 
   /** The messages in the server's ring buffer of `event` or `line`, oldest first. */

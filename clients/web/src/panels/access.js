@@ -2,7 +2,7 @@
 // An element with `data-call` changes the server; all other controls are never locked.
 import { byId, setText } from "../lib/dom.js";
 import { kReadOnly } from "../lib/refusal.js";
-import { keep, kept, takeFromAddress } from "../lib/token.js";
+import { keep, takeFromAddress } from "../lib/token.js";
 
 const kTokenRequired = "This server requires a token: press Unlock.";
 const kAsks = {
@@ -18,7 +18,6 @@ export class Access {
   constructor({ connection, showMessage, onError, onChange, onUnlocked }) {
     Object.assign(this, { connection, showMessage, onError, onChange, onUnlocked });
     this.access = "control"; // until `hello` arrives
-    connection.token = takeFromAddress() ?? kept();
     addEventListener("hashchange", () => this.#fromAddress());
     byId("unlock").onclick = () => this.#ask();
     byId("ask-token").onclose = () => this.#answered();

@@ -36,16 +36,20 @@ export class ConsolePanel {
     Object.assign(this, { line: null, passed: { in: 0, out: 0 }, rows: [], early: [], awaited: 0 });
   }
 
-  /** Sends text as bytes and shows it with the reply. */
-  async send(text) {
+  /** Sends text as bytes and shows it with the reply, or the error. */
+  send(text) {
+    return this.transmit(text).catch(this.onError);
+  }
+
+  /** Sends text as bytes and shows it with the reply. Rejects if the server refuses them or is away. */
+  async transmit(text) {
     const sent = text.replaceAll("−", "-");
     ++this.awaited;
     try {
       this.#show(sent, await this.sendBytes(sent));
-    } catch (error) {
-      this.onError(error);
+    } finally {
+      this.awaited = Math.max(0, this.awaited - 1);
     }
-    this.awaited = Math.max(0, this.awaited - 1);
   }
 
   #show(sent, { line, text: reply, hex }) {

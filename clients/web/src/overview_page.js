@@ -1,0 +1,50 @@
+// The page `/` of a server with several cells: the overview. It uses the channel `overview`, the calls
+// `cells` and `get model`, and no other.
+import { connection, earlyRefusals, firstHello, showConnection } from "./start.js";
+import { Access } from "./panels/access.js";
+import { Alarm } from "./panels/alarm.js";
+import { byId, setText } from "./lib/dom.js";
+import { isOverview } from "./lib/place.js";
+import { OverviewPanel } from "./panels/overview_panel.js";
+import { textOf } from "./lib/refusal.js";
+import { onTheme } from "./lib/theme.js";
+
+document.body.classList.add("is-overview");
+byId("cell-page").hidden = true;
+byId("overview").hidden = false;
+document.title = "All robots – xr3";
+setText(byId("robot-name"), "all robots");
+
+const alarm = new Alarm({ line: byId("alarm"), places: [byId("overview-message")] });
+const showError = (error) => alarm.showMessage(textOf(error));
+const access = new Access({
+  connection, showMessage: (text) => alarm.showMessage(text), onError: showError, onChange: () => {}, onUnlocked: () => location.reload(),
+});
+const overview = new OverviewPanel({
+  host: byId("cards"),
+  getModel: (cell) => connection.get("model", { cell }),
+  getTokens: async () => new Map((await connection.call("cells")).cells.map(({ name, token }) => [name, token])),
+});
+
+/** Another server may be there now, of one cell. */
+function takeHello(hello) {
+  access.set(hello.access);
+  if (hello.access !== "none" && !isOverview(location.pathname, hello)) location.reload();
+}
+
+const takers = {
+  hello: takeHello,
+  overview: (message) => overview.take(message),
+  bye: (message) => alarm.showMessage(message.message),
+  result: ({ error }) => error && showError(error),
+};
+
+connection.handlers = { onMessage: (message) => takers[message.op]?.(message), onStatus: showConnection, onTokenRefused: (error) => access.refused(error) };
+for (const error of earlyRefusals) access.refused(error);
+takeHello(await firstHello);
+connection.follow("overview", { max_hz: 4 });
+onTheme(() => overview.renew());
+document.addEventListener("visibilitychange", () => document.hidden || overview.renew());
+
+// For tests.
+window.xr3 = { overview };
