@@ -1,0 +1,138 @@
+"""Runs what deploy/kubernetes describes, with the image of this checkout, by `podman kube play`. played.py tells what
+is replaced, because podman does not know it."""
+
+import os
+import pathlib
+import re
+import socket
+import time
+import unittest
+
+from containers import IMAGE, USER, inspect
+from manifests import DEPARTMENTS, TOKEN, objects_of
+from played import Played
+from test_reach import get
+from xr3 import MonitorError
+
+MOST_SHUTDOWN_S = 2.0
+CLASS = "xr3-class-pod-0"
+ROBOTS = ("Rhino XR-3", "Adept One", "Intelledex 660")
+
+
+def play(name):
+    return Played(objects_of(name), f"localhost/{IMAGE}:latest")
+
+
+def ask(port, command=b"E?", length=1):
+    """The reply of a robot port to an inquiry on a new line."""
+    with socket.create_connection(("127.0.0.1", port), timeout=20) as line:
+        line.sendall(command)
+        return line.recv(length)
+
+
+@unittest.skipUnless("XR3_ENGINE" in os.environ, "docker does not play manifests")
+class Play(unittest.TestCase):
+    """Plays a folder of deploy/kubernetes once for all tests of a class."""
+
+    folder = None
+
+    @classmethod
+    def setUpClass(cls):
+        if cls is Play:
+            raise unittest.SkipTest("has no folder")
+        cls.played = play(cls.folder).__enter__()
+        cls.addClassCleanup(cls.played.__exit__)
+
+    def check_refused(self, pod, token=None):
+        with self.played.monitor(pod) as monitor, self.assertRaises(MonitorError) as refused:
+            if token:
+                monitor.request("auth", token=token)
+            monitor.call("pause")
+        return refused.exception.code
+
+    def check_steers(self, pod, token):
+        with self.played.monitor(pod, token) as monitor:
+            monitor.call("pause")
+            monitor.call("resume")
+
+
+class OneClass(Play):
+    folder = "class"
+
+    def test_every_probe_succeeds(self):
+        for kind in "startupProbe", "readinessProbe", "livenessProbe":
+            with self.subTest(kind):
+                self.assertTrue(self.played.probe(CLASS, kind))
+
+    def test_liveness_is_asked_for_by_address(self):
+        """The kubelet's Host is the IP address of the pod; browsers may use the name of the Service."""
+        page = f"http://127.0.0.1:{self.played.ports[CLASS]['monitor']}"
+        for host, code in (("10.42.0.17:9601", 200), ("[fd00::17]:9601", 200), ("xr3-class-monitor:9601", 200),
+                           ("xr3-class-monitor.lab.svc.cluster.local:9601", 403)):
+            with self.subTest(host):
+                self.assertEqual(code, get(page + "/healthz", host)[0])
+
+    def test_a_robot_answers(self):
+        self.assertEqual(b" ", ask(self.played.ports[CLASS]["robot"]))
+
+    def test_calls_need_the_token(self):
+        self.assertEqual("token_required", self.check_refused(CLASS))
+        self.check_steers(CLASS, TOKEN)
+
+    def test_has_no_privileges(self):
+        process = pathlib.Path("/proc", str(self.played.process(CLASS)))
+        status = dict(re.findall(r"^(\w+):\s*(.*)$", (process / "status").read_text(encoding="ascii"), re.M))
+        self.assertEqual("xr3", status["Name"])
+        self.assertEqual([USER] * 4, status["Uid"].split())
+        self.assertEqual([USER] * 4, status["Gid"].split())
+        for capabilities in ("CapInh", "CapPrm", "CapEff", "CapBnd", "CapAmb"):
+            self.assertEqual(0, int(status[capabilities], 16), capabilities)
+        self.assertEqual("1", status["NoNewPrivs"])
+        self.assertRegex((process / "mounts").read_text(encoding="ascii"), r"(?m)^\S+ / \S+ ro,")
+
+    def test_is_limited(self):
+        limits = inspect(self.played.container(CLASS), ".HostConfig")
+        self.assertEqual(1 << 30, limits["Memory"])
+        self.assertEqual(2 * limits["CpuPeriod"], limits["CpuQuota"])
+
+
+class Stop(unittest.TestCase):
+    @unittest.skipUnless("XR3_ENGINE" in os.environ, "docker does not play manifests")
+    def test_a_pod_ends_in_time(self):
+        with play("class") as played, played.monitor(CLASS) as monitor:
+            start = time.monotonic()
+            code = played.stop(CLASS)
+            took = time.monotonic() - start
+            bye = monitor.read()
+        print(f"\nthe pod stops in {took:.1f} s; it has {played.grace_s} s")
+        self.assertEqual((0, "bye", "shutdown"), (code, bye["op"], bye["why"]))
+        self.assertLess(took, MOST_SHUTDOWN_S)
+
+
+class Departments(Play):
+    folder = "departments"
+    pods = [f"xr3-{i}" for i in range(len(DEPARTMENTS))]
+
+    def test_each_has_its_robot(self):
+        for pod, name in zip(self.pods, ROBOTS):
+            with self.subTest(pod), self.played.monitor(pod) as monitor:
+                self.assertEqual(name, monitor.hello["robot"]["name"])
+                self.assertEqual(b" ", ask(self.played.ports[pod]["robot"]))
+
+    def test_each_has_its_token(self):
+        for pod, name in zip(self.pods, DEPARTMENTS):
+            with self.subTest(pod):
+                self.check_steers(pod, f"{TOKEN}: {name}")
+                self.assertEqual("token_required", self.check_refused(pod))
+                for other in set(DEPARTMENTS) - {name}:
+                    self.assertEqual("bad_token", self.check_refused(pod, f"{TOKEN}: {other}"))
+
+    def test_every_probe_succeeds(self):
+        for pod in self.pods:
+            for kind in "startupProbe", "readinessProbe", "livenessProbe":
+                with self.subTest(f"{kind} of {pod}"):
+                    self.assertTrue(self.played.probe(pod, kind))
+
+
+if __name__ == "__main__":
+    unittest.main()
