@@ -149,7 +149,7 @@ class Played:
         return inspect(self.container(pod), ".State.Pid")
 
     def stop(self, pod):
-        """Stops a pod as the kubelet does: SIGTERM, and SIGKILL after the time of the manifest. (`podman kube down`
-        of podman 4.3 sends only SIGKILL.) Returns the exit code."""
-        docker("pod", "stop", "--time", self.grace_s, pod)
+        """Stops the container as the kubelet does: SIGTERM, and SIGKILL after the time of the manifest; the network of
+        the pod stays. (`podman kube down` of podman 4.3 sends only SIGKILL.) Returns the exit code."""
+        docker("stop", "--time", self.grace_s, self.container(pod))
         return inspect(self.container(pod), ".State.ExitCode")

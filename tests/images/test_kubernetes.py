@@ -104,7 +104,7 @@ class Stop(unittest.TestCase):
             code = played.stop(CLASS)
             took = time.monotonic() - start
             bye = monitor.read()
-        print(f"\nthe pod stops in {took:.1f} s; it has {played.grace_s} s")
+        print(f"\nthe container stops in {took:.1f} s; it has {played.grace_s} s")
         self.assertEqual((0, "bye", "shutdown"), (code, bye["op"], bye["why"]))
         self.assertLess(took, MOST_SHUTDOWN_S)
 

@@ -1,14 +1,18 @@
 """Tests of the manifests in deploy/kubernetes: `kubectl kustomize` accepts them, they agree with the schemas of
 Kubernetes (tests/images/kubernetes, if npm can fetch them), and with the rules of manifests.py."""
 
+import base64
 import copy
 import json
 import pathlib
+import re
 import subprocess
 import unittest
 
+import yaml
+
 from engine import quiet
-from manifests import FOLDER, ROOT, faults, kustomize, objects_of, of_kind, pod_of, sources
+from manifests import FOLDER, ROOT, TOKEN, faults, kustomize, objects_of, of_kind, pod_of, sources
 
 CHECK = ROOT / "tests" / "images" / "kubernetes"
 NAMES = ("class", "departments")
@@ -142,6 +146,56 @@ class Schemas(unittest.TestCase):
                 broken = copy.deepcopy(objects)
                 change(broken)
                 self.assertIn(fault, "\n".join(schema_faults(broken)))
+
+
+class Readme(unittest.TestCase):
+    text = (FOLDER / "README.md").read_text(encoding="utf-8")
+
+    def test_example_of_a_second_class(self):
+        """The class of the example keeps to the rules, has its own token, and admits one more network."""
+        example, = re.findall(r"^```yaml\n(.*?)^```", self.text, re.DOTALL | re.MULTILINE)
+        with sources() as folder:
+            (folder / "class-b").mkdir()
+            (folder / "class-b" / "kustomization.yaml").write_text(example, encoding="utf-8")
+            (folder / "class-b" / "token").write_text(f"{TOKEN}: b", encoding="utf-8")
+            done = kustomize(folder / "class-b")
+        if "cannot unmarshal object into Go struct field" in done.stderr:
+            self.skipTest("kubectl is older than 1.21")
+        self.assertEqual((0, ""), (done.returncode, done.stderr))
+        objects = list(yaml.safe_load_all(done.stdout))
+        self.assertEqual([], faults(objects))
+        self.assertEqual({"class-b"}, {thing["metadata"]["namespace"] for thing in objects})
+        secret, = of_kind(objects, "Secret")
+        self.assertEqual(f"{TOKEN}: b", base64.b64decode(secret["data"]["token"]).decode())
+        policy, = of_kind(objects, "NetworkPolicy")
+        self.assertEqual([{"podSelector": {}}, {"ipBlock": {"cidr": "192.0.2.0/24"}}],
+                         policy["spec"]["ingress"][0]["from"])
+        for service in of_kind(objects, "Service"):
+            self.assertEqual(("LoadBalancer", "Local"),
+                             (service["spec"]["type"], service["spec"]["externalTrafficPolicy"]))
+
+    def test_commands(self):
+        """Every line of the fences: kubectl knows the command and its options, and the objects exist."""
+        fences = re.findall(r"^```sh\n(.*?)^```", self.text, re.DOTALL | re.MULTILINE)
+        commands = [line.split() for fence in fences for line in fence.splitlines()]
+        self.assertGreater(len(commands), 7)
+        objects = {f"{thing['kind'].lower()}/{thing['metadata']['name']}" for thing in objects_of("class")}
+        for words in commands:
+            with self.subTest(" ".join(words)):
+                self.assertIn(words[0], ("kubectl", "docker", "head"))
+                for path in (word for word in words if word.startswith(("deploy/", "docker/"))):
+                    self.assertTrue((ROOT / path).exists() or path == "deploy/kubernetes/class/token", path)
+                for name in (word for word in words if word.startswith(("deployment/", "service/"))):
+                    self.assertIn(name, objects)
+                if words[0] == "kubectl":
+                    self.check_options(words)
+
+    def check_options(self, words):
+        verbs = [word for word in words[1:3] if word.isalpha() or word == "port-forward"]
+        shown = subprocess.run(["kubectl", *verbs, "--help"], capture_output=True, text=True, check=True,
+                               timeout=DEADLINE_S).stdout + "--namespace -n"
+        for option in (word for word in words if word.startswith("-")):
+            self.assertRegex(shown, rf"(?m)(^| ){option}\b")
 
 
 def container(objects):
