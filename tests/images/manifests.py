@@ -127,6 +127,10 @@ def selector_faults(objects):
         for name, labels, _ in created:
             if not any(selects(thing["spec"][member]["matchLabels"], labels) for thing in of_kind(objects, kind)):
                 yield f"{name} has no {kind}"
+    for name, labels, pod in created:
+        if not all(selects(spread["labelSelector"]["matchLabels"], labels)
+                   for spread in pod.get("topologySpreadConstraints", [])):
+            yield f"{name} is spread by the labels of others"
     for policy in of_kind(objects, "NetworkPolicy"):
         if set(policy["spec"]["policyTypes"]) != {"Ingress", "Egress"} or "egress" in policy["spec"]:
             yield "a NetworkPolicy allows connections of the server to others"
