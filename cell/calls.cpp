@@ -137,6 +137,7 @@ void Cell::begin_epoch(std::string_view call, WallNs now, const std::function<vo
   change();
   if (device_ && state().enabled && device_->is_engaged()) device_->engage(false);
   ++epoch_;
+  last_input_tick_.reset();
   clock_.set_tick(state().tick, now);
   restart_lines();
   for (auto& [id, line] : lines_) line.begin_epoch(state().tick);

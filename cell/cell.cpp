@@ -13,7 +13,8 @@
 
 namespace xr3 {
 
-Cell::Cell(std::string name, ModelPtr model, SimClock clock, CellEventSink sink)
+Cell::Cell(std::string name, ModelPtr model, SimClock clock, CellEventSink sink,
+           monitor::RingBudget* budget)
     : name_(std::move(name)),
       simulation_(std::move(model)),
       clock_(clock),
@@ -22,13 +23,15 @@ Cell::Cell(std::string name, ModelPtr model, SimClock clock, CellEventSink sink)
                 return monitor::channel_message(monitor::Channel::kEvent,
                                                 {name_, event.epoch, seq, event.tick},
                                                 monitor::text_of(event_json(event, this->model())));
-              }),
+              },
+              budget, kEventHeap),
       wires_(kMaxWires,
              [this](const WireRecord& record, std::int64_t seq) {
                return monitor::channel_message(monitor::Channel::kLine,
                                                {name_, record.epoch, seq, record.tick},
                                                monitor::text_of(wire_json(record, this->model())));
-             }),
+             },
+             budget, kWireHeap),
       sink_(std::move(sink)) {}
 
 Applied Cell::apply(const Input& input, WallNs now) {
@@ -135,6 +138,7 @@ Applied Cell::handle(const BytesIn& in, WallNs) {
   SerialLine* line = open_line(in.line);
   if (line == nullptr) return {};
   if (in.line == kProbeLine) return take_unseen(*line, in.bytes);
+  last_input_tick_ = state().tick;
   if (line->bytes_in() == 0 && line->is_network()) line->examine(in.bytes);
   std::size_t taken = 0;
   while (taken < in.bytes.size()) {

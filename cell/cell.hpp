@@ -30,8 +30,10 @@ using CellEventSink = std::function<void(const CellEvent&, const Model&)>;
 
 class Cell {
  public:
-  /// Adds every event to the ring and passes it to `sink`, which may be empty.
-  Cell(std::string name, ModelPtr model, SimClock clock, CellEventSink sink);
+  /// Adds every event to the ring and passes it to `sink`, which may be empty. `budget` is that of
+  /// the rings and must outlive the cell; null: none.
+  Cell(std::string name, ModelPtr model, SimClock clock, CellEventSink sink,
+       monitor::RingBudget* budget = nullptr);
   Cell(const Cell&) = delete;
   Cell& operator=(const Cell&) = delete;
 
@@ -102,6 +104,9 @@ class Cell {
   monitor::Feed& wires() { return wires_; }
   static constexpr std::size_t kMaxEvents = 4096;
   static constexpr std::size_t kMaxWires = 1024;
+  /// Estimates of the memory of an event and a record outside of their slots, with their text.
+  static constexpr std::size_t kEventHeap = 256;
+  static constexpr std::size_t kWireHeap = 768;
 
   /// nullptr if closed.
   const SerialLine* find_line(LineId line) const;
@@ -121,6 +126,13 @@ class Cell {
   static constexpr std::size_t kMaxSnapshots = 16;
 
   const CellCounters& counters() const { return counters_; }
+
+  /// The tick at which a byte last arrived on a line; nullopt: none has in this epoch.
+  std::optional<Tick> last_input_tick() const { return last_input_tick_; }
+
+  /// Emits the event that the running server has opened the cell, or is about to close it.
+  void report_opened() { emit(std::nullopt, CellOpenedNote{name_}); }
+  void report_closed() { emit(std::nullopt, CellClosedNote{name_}); }
 
  private:
   static constexpr std::size_t kEveryByte = std::numeric_limits<std::size_t>::max();
@@ -228,6 +240,7 @@ class Cell {
   monitor::Ring<CellEvent> events_;
   monitor::Ring<WireRecord> wires_;
   CellCounters counters_;
+  std::optional<Tick> last_input_tick_;
   CellEventSink sink_;
   bool is_frozen_ = false;
 };

@@ -27,6 +27,7 @@ struct ChannelCounters {
 struct PortCounters {
   std::uint64_t refused = 0;          ///< beyond the maximum number
   std::uint64_t accept_failures = 0;  ///< attempts that failed, such as without descriptors
+  std::uint64_t other_peers = 0;      ///< closed since another address has the port
 };
 
 struct CellCounters {
@@ -43,7 +44,12 @@ struct CellCounters {
   std::uint64_t wrong_tokens = 0;                       ///< of monitor clients
   PortCounters robot_port;
   PortCounters monitor_port;
+  std::uint64_t cells_open = 0;  ///< now
+  std::uint64_t cells_total = 0;
   std::int64_t loop_lag_ns = 0;  ///< the greatest of the last minute, see server/net/loop_lag
+
+  /// Adds the counts of a cell: of its lines, commands, warnings and ticks.
+  CellCounters& operator+=(const CellCounters& cell);
 
   std::uint64_t& of(const Command& command) { return commands[command.index()]; }
   std::uint64_t& of(LineCloseReason reason) {

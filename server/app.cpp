@@ -18,11 +18,9 @@ constexpr WallNs kDrainLimit = 1'000'000'000;
 constexpr std::chrono::milliseconds kAbortLimit{200};
 // Enough memory to log one message.
 constexpr std::size_t kReserveBytes = std::size_t{256} * 1024;
-
-SimClock start_clock(const ClockChoice& choice) {
-  return choice.mode == ClockMode::kManual ? SimClock::manual()
-                                           : SimClock::real(choice.rate, wall_now());
-}
+// The part of the memory that the rings of all cells may have together: an eighth.
+constexpr std::size_t kRingsPart = 8;
+constexpr std::size_t kAddressesOfPort = 2;  // 127.0.0.1 and ::1
 
 ListenError listen_error(const std::string& what, const tcp::endpoint& endpoint, ErrorCode error) {
   if (error == asio::error::address_in_use) {
@@ -56,18 +54,23 @@ AccessRules access_rules(const ServeOptions& options, std::string token) {
           std::move(token)};
 }
 
+asio::ip::address address_of(const std::string& listen) {
+  return asio::ip::make_address(listen == "localhost" ? "127.0.0.1" : listen);
+}
+
 // nohup starts a program with SIGHUP ignored, so that it survives the end of the terminal.
 bool is_ignored(int signal) {
   struct sigaction action {};
   return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
 }
 
-SocketLimits socket_limits(const ServeOptions& options) {
+SocketLimits socket_limits(const ServeOptions& options, std::size_t cells) {
   SocketLimits wanted;
   wanted.lines = options.max_lines;
   wanted.per_address = options.max_per_address;
   const std::size_t descriptors = raise_descriptor_limit();
-  const SocketLimits limits = divide_descriptors(descriptors, wanted);
+  const std::size_t listeners = cells > 1 ? kAddressesOfPort * (cells - 1) : 0;
+  const SocketLimits limits = divide_descriptors(descriptors, wanted, listeners);
   if (limits.connections < wanted.connections) {
     spdlog::warn(
         "the limit of {} open files allows only {} lines and {} monitor connections; raise it with "
@@ -79,38 +82,38 @@ SocketLimits socket_limits(const ServeOptions& options) {
 
 }  // namespace
 
-App::App(const ServeOptions& options, ModelPtr model, std::string token)
+App::App(const ServeOptions& options, std::vector<CellSeed> seeds, std::string token)
     : options_(options),
+      plans_(plan_cells(options)),
+      seeds_(std::move(seeds)),
       fresh_token_(std::holds_alternative<FreshToken>(options.token) ? token : ""),
       reserve_(std::make_unique<char[]>(kReserveBytes)),
-      cell_("main", std::move(model), start_clock(options.clock), log_event),
       policy_(access_rules(options, std::move(token))),
-      limits_(socket_limits(options)),
+      limits_(socket_limits(options, plans_.size())),
       memory_(io_, options.max_memory_mib << 20, [this] { return close_greediest(); }),
-      lines_(io_, cell_, [this] { acted(); }),
-      due_timer_(io_, cell_, [this] { acted(); }),
-      robot_port_(io_, cell_, lines_,
-                  {limits_.lines, options.guard, peer_counts(limits_.lines, limits_.per_address)}),
-      ptys_(io_, lines_),
-      robot_probe_(io_, robot_port_),
+      rings_((options.max_memory_mib << 20) / kRingsPart),
+      context_{io_, turns_, worker_, [this](HostedCell& cell) { acted(cell); }, &rings_},
       monitor_port_(
-          io_, cell_, lines_, policy_, [this] { return not_ready(); }, [this] { acted(); },
+          io_, cells_, worker_, policy_, [this] { return not_ready(); }, [this] { ended(); },
           limits_),
-      service_manager_(io_, service_environment(), [this] { return robot_probe_.failure(); }),
+      service_manager_(io_, service_environment(), [this] { return robot_probe_->failure(); }),
       signals_(io_, SIGINT, SIGTERM) {
-  if (options_.line_speed) cell_.set_line_speed(*options_.line_speed);
-  lines_.limit_memory(memory_);
+  turns_.limit_memory(memory_);
   monitor_port_.limit_memory(memory_);
+  monitor_port_.service().count_more([this](CellCounters& counters) { count_more(counters); });
+  options_.is_cell_per_connection ? serve_connections() : open_planned();
+  robot_probe_.emplace(io_, first_port());
 }
 
 // Destroys waiting handlers and coroutines before the members that they refer to. The cell may be
 // half changed, so it is frozen first and ignores the inputs of the sessions that end here.
 App::~App() {
   stage_ = Stage::kEnded;
-  cell_.freeze();
-  monitor_port_.stop();
+  for (const CellPtr& each : cells_.all()) each->freeze();
+  if (probe_cell_) probe_cell_->freeze();
+  worker_.stop();
   io_.shutdown();
-  lines_.drop();
+  for (const CellPtr& each : cells_.all()) each->lines().drop();
 }
 
 ExitCode App::run() {
@@ -125,7 +128,7 @@ ExitCode App::run() {
 
 ExitCode App::serve() {
   try {
-    while (io_.run_one() > 0) lines_.run_due_turns();
+    while (io_.run_one() > 0) turns_.run_due_turns();
     return ExitCode::kGood;
   } catch (const std::exception& failure) {
     return break_off(failure.what());
@@ -143,41 +146,45 @@ ExitCode App::break_off(const char* what) {
 
 asio::awaitable<std::string> App::not_ready() {
   if (stage_ != Stage::kReady) co_return "the server is starting or stopping";
-  std::string trouble = co_await robot_probe_.trouble();
+  std::string trouble = co_await robot_probe_->trouble();
   co_return trouble;
 }
 
 void App::listen() {
+  for (std::size_t i = 0; i < plans_.size(); ++i)
+    listen_on_cell(*cells_.find(plans_[i].name), plans_[i].port);
+  if (probe_cell_) listen_on_cell(*probe_cell_, options_.robot_port);
   const bool is_local = options_.listen == "localhost";
-  const auto address = asio::ip::make_address(is_local ? "127.0.0.1" : options_.listen);
-  listen_on(robot_port_, "robot", {address, options_.robot_port});
-  listen_on(monitor_port_, "monitor", {address, options_.monitor_port});
-  if (!is_local) return;
-  listen_too(robot_port_, "robot", options_.robot_port != 0);
-  listen_too(monitor_port_, "monitor", options_.monitor_port != 0);
+  listen_on(monitor_port_, "monitor", {address_of(options_.listen), options_.monitor_port});
+  if (is_local) listen_too(monitor_port_, "monitor", options_.monitor_port != 0);
+}
+
+void App::listen_on_cell(HostedCell& cell, std::uint16_t port) {
+  const std::string what = plans_.size() > 1 ? "cell " + cell.name() + ": robot" : "robot";
+  listen_on(*cell.port(), what, {address_of(options_.listen), port});
+  if (options_.listen == "localhost") listen_too(*cell.port(), what, port != 0);
 }
 
 void App::open_terminals() {
+  if (options_.ptys.empty()) return;
   with_option_source(options_.option_sources, "--pty",
-                     [&] { ptys_.serve(options_.ptys, options_.pty_mode); });
+                     [&] { first().serve_terminals(options_.ptys, options_.pty_mode); });
 }
 
 void App::open_device() {
   if (!options_.device) return;
-  device_.emplace(io_, cell_, options_.device->path, options_.device->settings,
-                  options_.is_mirrored, [this] { acted(); });
-  with_option_source(options_.option_sources, "--serial", [&] { device_->open(); });
+  first().connect_device(*options_.device, options_.is_mirrored);
+  with_option_source(options_.option_sources, "--serial", [&] { first().open_device(); });
 }
 
 // Called when everything is ready: programs may connect as soon as they see this line or the file.
 void App::announce() {
   stage_ = Stage::kReady;
-  const tcp::endpoint robot = robot_port_.endpoint();
+  const tcp::endpoint robot = robot_endpoint();
   const tcp::endpoint monitor = monitor_port_.endpoint();
   if (!options_.port_file.empty()) {
     with_option_source(options_.option_sources, "--port-file", [&] {
-      const ServedPorts ports{robot.port(), monitor.port(), fresh_token_};
-      port_file_.emplace(options_.port_file, ports);
+      port_file_.emplace(options_.port_file, served_ports());
     });
   }
   announce_token(monitor.port());
@@ -203,20 +210,21 @@ void App::await_signal() {
   });
 }
 
-void App::acted() {
-  if (stage_ == Stage::kEnded) return;
-  for (const LineId line : cell_.take_woken_lines()) lines_.wake(line);
-  due_timer_.update();
-  if (device_) device_->pump();
-  if (stage_ != Stage::kDraining) return monitor_port_.acted();
-  if (lines_.is_empty() && monitor_port_.is_empty()) drain_limit_.cancel();
+void App::acted(HostedCell& cell) {
+  stage_ == Stage::kDraining ? ended() : monitor_port_.service().acted(cell);
+}
+
+/// A line or a connection may have ended.
+void App::ended() {
+  const bool is_over = turns_.is_empty() && monitor_port_.is_empty();
+  if (stage_ == Stage::kDraining && is_over) drain_limit_.cancel();
 }
 
 std::size_t App::close_greediest() {
-  const std::size_t of_lines = lines_.most_held();
+  const std::size_t of_lines = turns_.most_held();
   const std::size_t of_monitor = monitor_port_.most_held();
   if (of_lines == 0 && of_monitor == 0) return 0;
-  of_lines > of_monitor ? lines_.close_greediest() : monitor_port_.close_greediest();
+  of_lines > of_monitor ? turns_.close_greediest() : monitor_port_.close_greediest();
   return std::max(of_lines, of_monitor);
 }
 
@@ -226,16 +234,16 @@ void App::stop() {
   service_manager_.stopping();
   port_file_.reset();
   const WallNs deadline = wall_now() + kDrainLimit;
-  robot_port_.close();
-  ptys_.close();
-  due_timer_.close();
-  if (device_) device_->close();
-  lines_.close(deadline - kDrainLimit / 2);
+  if (connection_cells_) connection_cells_->close();
+  if (probe_cell_) probe_cell_->close();
+  for (const CellPtr& each : cells_.all()) each->close(deadline - kDrainLimit / 2);
+  turns_.close();
   monitor_port_.close(deadline);
-  if (lines_.is_empty() && monitor_port_.is_empty()) return;
+  if (turns_.is_empty() && monitor_port_.is_empty()) return;
   drain_limit_.expires_at(as_time_point(deadline));
   drain_limit_.async_wait([this](ErrorCode cancelled) {
-    lines_.abort();  // no effect if the wait was cancelled: all have ended
+    // No effect if the wait was cancelled: all have ended.
+    for (const CellPtr& each : cells_.all()) each->lines().abort();
     monitor_port_.abort();
     if (!cancelled) end_soon();
   });

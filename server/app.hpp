@@ -1,15 +1,16 @@
-// The process: one io_context, one cell, two ports, signals, and an orderly shutdown.
+// The process: one io_context, the cells, their ports, signals, and an orderly shutdown.
 #pragma once
 
 #include <boost/asio/signal_set.hpp>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "cell/cell.hpp"
-#include "server/device/port.hpp"
+#include "server/cells/connection_cells.hpp"
+#include "server/cells/registry.hpp"
 #include "server/files/port_file.hpp"
-#include "server/lines/due_timer.hpp"
+#include "server/lines/turns.hpp"
 #include "server/monitor_port/access.hpp"
 #include "server/monitor_port/port.hpp"
 #include "server/net/asio.hpp"
@@ -17,11 +18,15 @@
 #include "server/net/service_manager.hpp"
 #include "server/net/socket_limits.hpp"
 #include "server/options/options.hpp"
-#include "server/pty/port.hpp"
-#include "server/robot_port/port.hpp"
 #include "server/robot_port/probe.hpp"
 
 namespace xr3 {
+
+/// What a cell begins with: one for each cell of the start, or one for all cells of connections.
+struct CellSeed {
+  ModelPtr model;
+  std::optional<FaultPlan> faults;
+};
 
 /// The server cannot listen on a port.
 class ListenError : public std::runtime_error {
@@ -35,15 +40,13 @@ class ListenError : public std::runtime_error {
 
 class App {
  public:
-  /// `token`: as read from the source in the options; empty: none.
-  App(const ServeOptions& options, ModelPtr model, std::string token);
+  /// `seeds`: of the cells of plan_cells(), or with --cell-per-connection one for every cell.
+  /// `token`: as read from the source in the options; empty: none. Throws CellPlanError.
+  App(const ServeOptions& options, std::vector<CellSeed> seeds, std::string token);
 
   App(const App&) = delete;
   App& operator=(const App&) = delete;
   ~App();
-
-  /// The faults of the start; see Cell::set_faults().
-  void set_faults(FaultPlan plan) { cell_.set_faults(std::move(plan)); }
 
   /// Serves until SIGTERM, SIGINT or SIGHUP, then sends pending replies and returns kGood. An
   /// exception from any loop or handler ends it at once: it is logged, and the result is kBroken.
@@ -51,7 +54,7 @@ class App {
   ExitCode run();
 
   /// Valid once run() has begun to serve.
-  tcp::endpoint robot_endpoint() const { return robot_port_.endpoint(); }
+  tcp::endpoint robot_endpoint() const { return first_port().endpoint(); }
   tcp::endpoint monitor_endpoint() const { return monitor_port_.endpoint(); }
   /// For posting work to the event loop.
   asio::io_context::executor_type executor() { return io_.get_executor(); }
@@ -75,28 +78,45 @@ class App {
   void await_signal();
   void stop();
   void end_soon();
-  void acted();
+  /// The port that is named first, and that the probe asks.
+  RobotPort& first_port() const;
+  HostedCell& first() const { return *cells_.all().front(); }
+  void open_planned();
+  void serve_connections();
+  CellPtr make_cell(const std::string& name, const CellSeed& seed, const std::string& token);
+  CellPtr open_for_connection(const std::string& name);
+  void close_cell(const CellPtr& cell);
+  RobotPortRules port_rules() const;
+  void listen_on_cell(HostedCell& cell, std::uint16_t port);
+  ServedPorts served_ports() const;
+  void count_more(CellCounters& counters) const;
+  void acted(HostedCell& cell);
+  void ended();
   std::size_t close_greediest();
   asio::awaitable<std::string> not_ready();
 
   enum class Stage : std::uint8_t { kStarting, kReady, kDraining, kEnded };
 
   ServeOptions options_;
+  std::vector<CellPlan> plans_;
+  std::vector<CellSeed> seeds_;
   std::string fresh_token_;  ///< generated for this run, to be printed; else empty
   /// Freed before a failure is logged, since memory may be exhausted.
   std::unique_ptr<char[]> reserve_;
   Loop io_;
   Stage stage_ = Stage::kStarting;
-  Cell cell_;
   AccessPolicy policy_;
   SocketLimits limits_;
   MemoryLimit memory_;
-  LineSessions lines_;
-  DueTimer due_timer_;
-  RobotPort robot_port_;
-  PtyPort ptys_;
-  std::optional<DevicePort> device_;
-  RobotProbe robot_probe_;
+  monitor::RingBudget rings_;
+  LineTurns turns_{io_};
+  Worker worker_;
+  CellContext context_;
+  CellRegistry cells_;
+  /// With --cell-per-connection: the cell of the probe, which nobody sees. It has the robot port.
+  CellPtr probe_cell_;
+  std::optional<ConnectionCells> connection_cells_;
+  std::optional<RobotProbe> robot_probe_;
   MonitorPort monitor_port_;
   ServiceManager service_manager_;
   asio::signal_set signals_;

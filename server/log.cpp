@@ -185,11 +185,13 @@ void start_log(const std::string& level, const std::string& file) {
   spdlog::set_default_logger(std::move(logger));
 }
 
-void log_event(const CellEvent& event, const Model& model) {
+void log_event(const CellEvent& event, const Model& model, const std::string& cell) {
   const auto level = level_of(event.note);
   if (!spdlog::should_log(level)) return;
   const EventReport about = report(event, model);
-  spdlog::log(level, "{}{}{}", before(event, about.code), about.message, behind(event.note));
+  const std::string of_cell = cell.empty() ? "" : "cell " + cell + ": ";
+  spdlog::log(level, "{}{}{}{}", of_cell, before(event, about.code), about.message,
+              behind(event.note));
 }
 
 }  // namespace xr3

@@ -23,7 +23,7 @@ inline constexpr std::size_t kMaxLogFiles = 5;
 void start_log(const std::string& level, const std::string& file);
 
 /// Logs an event of a cell: the machine's events at debug, except stalls and warnings; all others
-/// at info.
-void log_event(const CellEvent& event, const Model& model);
+/// at info. `cell` is its name; empty if it is the only one.
+void log_event(const CellEvent& event, const Model& model, const std::string& cell = {});
 
 }  // namespace xr3

@@ -8,6 +8,10 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "protocol/files/faults.hpp"
 #include "protocol/json/finding.hpp"
@@ -37,11 +41,30 @@ void warn_of_open_token(const TokenSource& source) {
   }
 }
 
-FaultPlan load_fault_file(const ServeOptions& options, const Model& model) {
+std::optional<FaultPlan> load_fault_file(const ServeOptions& options, const Model& model) {
+  if (options.fault_file.empty()) return std::nullopt;
   const DataFile file = with_option_source(options.option_sources, "--fault", [&] {
     return find_data_file(options.fault_file, "faults");
   });
   return load_faults(file.text, file.path, model.labels());
+}
+
+/// The seeds of the cells; cells of the same files share a model.
+std::vector<CellSeed> load_seeds(const ServeOptions& options) {
+  std::vector<CellPlan> plans = plan_cells(options);
+  if (plans.empty()) plans.push_back({"", options.robot, options.workcell, 0});
+  std::map<std::pair<std::string, std::string>, CellSeed> loaded;
+  std::vector<CellSeed> seeds;
+  for (const CellPlan& plan : plans) {
+    CellSeed& seed = loaded[{plan.robot, plan.workcell}];
+    if (!seed.model) {
+      seed.model =
+          load_model({plan.robot, plan.workcell, options.profile, options.option_sources});
+      seed.faults = load_fault_file(options, *seed.model);
+    }
+    seeds.push_back(seed);
+  }
+  return seeds;
 }
 
 ExitCode serve(const ServeOptions& options) {
@@ -51,10 +74,7 @@ ExitCode serve(const ServeOptions& options) {
   warn_of_open_token(options.token);
   const std::string token = with_option_source(options.option_sources, "--token-file",
                                                [&] { return read_token(options.token); });
-  const ModelPtr model =
-      load_model({options.robot, options.workcell, options.profile, options.option_sources});
-  App app(options, model, token);
-  if (!options.fault_file.empty()) app.set_faults(load_fault_file(options, *model));
+  App app(options, load_seeds(options), token);
   return app.run();
 }
 

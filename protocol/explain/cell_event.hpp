@@ -83,6 +83,15 @@ struct EpochNote {
   Tick from_tick = 0;
 };
 
+/// The running server has opened the cell.
+struct CellOpenedNote {
+  std::string cell;  ///< its name
+};
+/// The running server closes the cell. No event of it follows.
+struct CellClosedNote {
+  std::string cell;
+};
+
 /// In a cell with a physical controller: the simulator was enabled or disabled. In a cell without one
 /// this is EnabledChanged.
 struct HandoverNote {
@@ -112,7 +121,7 @@ struct DeviceNote {
 
 using CellNote =
     std::variant<EventBody, ProblemNote, SuppressedNote, LineOpenedNote, LineClosedNote, ClockNote,
-                 ModelNote, EpochNote, HandoverNote, DeviceNote>;
+                 ModelNote, EpochNote, HandoverNote, DeviceNote, CellOpenedNote, CellClosedNote>;
 
 struct CellEvent {
   Epoch epoch = 0;

@@ -283,6 +283,12 @@ struct CellEvents {
                 " of epoch " + std::to_string(event.epoch),
             {{"from_epoch", note.from_epoch}, {"from_tick", note.from_tick}}};
   }
+  EventReport operator()(const CellOpenedNote& note) const {
+    return {"cell_opened", "cell_opened", "cell " + note.cell + " opened", Json::object()};
+  }
+  EventReport operator()(const CellClosedNote& note) const {
+    return {"cell_closed", "cell_closed", "cell " + note.cell + " closed", Json::object()};
+  }
   EventReport operator()(const HandoverNote& note) const {
     EventReport of_machine = report(EnabledChanged{note.enabled}, model);
     of_machine.message = text_of(note);

@@ -271,6 +271,7 @@ constexpr std::array kForms = {
     CallForm{"fault_clear", "Removes a fault, or all.", read_fault_clear},
     CallForm{"lines", "Lists the open serial lines, and the physical controller.",
              read_nothing<ListLines>},
+    CallForm{"cells", "Lists the cells of the server.", read_nothing<ListCells>},
     CallForm{"line_disconnect", "Closes a serial line.", read_line_disconnect},
     CallForm{"key", "Runs a function of the controller's command mode.", read_key},
     CallForm{"describe", "Lists the calls and their arguments.", read_describe},

@@ -8,6 +8,8 @@
 namespace xr3::monitor {
 namespace {
 
+constexpr std::int64_t kMaxFinal = 16;  // messages of a channel of a cell that closes
+
 RequestError too_long() {
   return {{},
           "too_long",
@@ -21,7 +23,7 @@ RequestError too_long() {
 // --- Input.
 
 std::optional<Request> Client::handle(std::string_view message) {
-  return accept(read_request(message, cells_));
+  return accept(read_request(message));
 }
 
 std::optional<Request> Client::accept(RequestReading reading) {
@@ -40,7 +42,7 @@ void Client::send(Message message) {
 }
 
 std::size_t Client::held_bytes() const {
-  std::size_t bytes = reply_queue_bytes_;
+  std::size_t bytes = reply_queue_bytes_ + (overview_ ? overview_->waiting_bytes() : 0);
   for (const auto& [where, followed] : followed_) {
     if (const auto* frames = std::get_if<FrameSubscription>(&followed))
       bytes += frames->waiting_bytes();
@@ -48,18 +50,20 @@ std::size_t Client::held_bytes() const {
   return bytes;
 }
 
-void Client::replay(Feed& feed, const std::string& cell, const Get& get, const RequestId& id) {
-  const std::int64_t wanted = get.since.value_or(feed.next() - kMaxRecalled);
-  const Subscribe from{get.selection, {}, {}, std::max(wanted, feed.first())};
+void Client::replay(const std::shared_ptr<Feed>& feed, const std::string& cell, const Get& get,
+                    const RequestId& id) {
+  const std::int64_t wanted = get.since.value_or(feed->next() - kMaxRecalled);
+  const Subscribe from{get.selection, {}, {}, std::max(wanted, feed->first())};
   if (!close_reason_)
     reply_queue_.emplace_back(
-        Replay{{cell, from, feed, stats_of(get.selection.channel)}, feed.next(), id});
+        Replay{{cell, from, feed, stats_of(get.selection.channel)}, feed->next(), id});
 }
 
 void Client::end(CloseReason why) {
   send(bye(why));
   if (!close_reason_) close_reason_ = why;
   followed_.clear();
+  overview_.reset();
   last_turn_ = nullptr;
 }
 
@@ -71,8 +75,10 @@ void Client::end(LineFault fault) {
 Message Client::next_answer() {
   while (!reply_queue_.empty()) {
     if (auto* replay = std::get_if<Replay>(&reply_queue_.front())) {
-      if (replay->from.position() < replay->end)
-        return with_id(replay->from.next_output(), replay->id);
+      if (replay->from.position() < replay->end) {
+        if (const Message message = replay->from.next_output())
+          return with_id(message, replay->id);
+      }
       reply_queue_.pop_front();
       continue;
     }
@@ -95,7 +101,8 @@ FrameSubscription& Client::follow_frames(const std::string& cell, const Subscrib
   return std::get<FrameSubscription>(entry->second);
 }
 
-void Client::follow_feed(const std::string& cell, const Subscribe& wanted, Feed& feed) {
+void Client::follow_feed(const std::string& cell, const Subscribe& wanted,
+                         const std::shared_ptr<Feed>& feed) {
   followed_.insert_or_assign(
       {cell, wanted.selection.channel},
       FeedSubscription(cell, wanted, feed, stats_of(wanted.selection.channel)));
@@ -108,8 +115,26 @@ void Client::unfollow(const std::string& cell, Channel channel) {
   followed_.erase(found);
 }
 
+void Client::finish(const std::string& cell) {
+  for (std::size_t i = 0; i < kChannels; ++i) {
+    const auto channel = static_cast<Channel>(i);
+    const auto found = followed_.find({cell, channel});
+    if (found == followed_.end()) continue;
+    if (auto* feed = std::get_if<FeedSubscription>(&found->second)) {
+      feed->skip_to_last(kMaxFinal);
+      while (Message message = feed->next_output()) send(std::move(message));
+    }
+    unfollow(cell, channel);
+  }
+}
+
+bool Client::follows(const std::string& cell) const {
+  const auto first = followed_.lower_bound({cell, Channel::kState});
+  return first != followed_.end() && first->first.first == cell;
+}
+
 bool Client::has_output(FrameNumber now) const {
-  if (!reply_queue_.empty()) return true;
+  if (!reply_queue_.empty() || (overview_ && overview_->is_waiting())) return true;
   return std::any_of(followed_.begin(), followed_.end(), [now](const auto& entry) {
     if (const auto* frames = std::get_if<FrameSubscription>(&entry.second))
       return frames->has_output(now);
@@ -119,6 +144,7 @@ bool Client::has_output(FrameNumber now) const {
 
 Message Client::next_output(FrameNumber now) {
   if (Message answer = next_answer()) return answer;
+  if (overview_ && overview_->is_waiting()) return overview_->next_output();
   return next_followed(now);
 }
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,8 +27,7 @@ class Client {
   static constexpr std::size_t kMaxAnswers = 256;
   static constexpr std::size_t kMaxAnswerBytes = 256 * 1024;
 
-  /// `cells` are the cells that a request may name, the default first.
-  explicit Client(std::vector<std::string> cells) : cells_(std::move(cells)) {}
+  Client() = default;
   Client(const Client&) = delete;
   Client& operator=(const Client&) = delete;
 
@@ -41,7 +41,8 @@ class Client {
   void send(Message message);
   /// Queues the messages that a `get` asks for from a ring, each with the id. One `lag` reports
   /// those that have been overwritten by the time they are sent.
-  void replay(Feed& feed, const std::string& cell, const Get& get, const RequestId& id);
+  void replay(const std::shared_ptr<Feed>& feed, const std::string& cell, const Get& get,
+              const RequestId& id);
   /// Appends `bye` to the reply queue and ends all subscriptions.
   void end(CloseReason why);
   /// Ends because of an invalid line.
@@ -60,23 +61,40 @@ class Client {
 
   /// Subscribes to a channel of a cell; replaces an earlier subscription to it.
   FrameSubscription& follow_frames(const std::string& cell, const Subscribe& wanted);
-  void follow_feed(const std::string& cell, const Subscribe& wanted, Feed& feed);
+  void follow_feed(const std::string& cell, const Subscribe& wanted,
+                   const std::shared_ptr<Feed>& feed);
   void unfollow(const std::string& cell, Channel channel);
-  bool follows_anything() const { return !followed_.empty(); }
+  /// The cell closes: ends all subscriptions to it. Of each channel without loss, the messages that
+  /// are not sent yet go to the reply queue: all if they are few, else a `lag` and the last one.
+  void finish(const std::string& cell);
+  bool follows_anything() const { return !followed_.empty() || overview_; }
+  bool follows(const std::string& cell) const;
+  bool follows(const std::string& cell, Channel channel) const {
+    return followed_.contains({cell, channel});
+  }
 
-  /// Calls `visit(FrameSubscription&)` for each subscription to a latest-wins channel.
+  /// Calls `visit(FrameSubscription&)` for each subscription to a latest-wins channel of the cell.
   template <class Visit>
-  void for_each_frame_subscription(const Visit& visit) {
-    for (auto& [where, followed] : followed_) {
-      if (auto* frames = std::get_if<FrameSubscription>(&followed)) visit(*frames);
+  void for_each_frame_subscription(const std::string& cell, const Visit& visit) {
+    for (auto each = followed_.lower_bound({cell, Channel::kState});
+         each != followed_.end() && each->first.first == cell; ++each) {
+      if (auto* frames = std::get_if<FrameSubscription>(&each->second)) visit(*frames);
     }
   }
+
+  /// Subscribes to the overview of all cells; replaces an earlier subscription to it.
+  void follow_overview(MilliHz max_millihz) {
+    overview_.emplace(max_millihz, stats_of(Channel::kOverview));
+  }
+  void unfollow_overview() { overview_.reset(); }
+  /// nullptr: not subscribed.
+  OverviewSubscription* overview() { return overview_ ? &*overview_ : nullptr; }
 
   /// Calls `bring(object)` with the first object that the next frame will access. `bring` may use
   /// its address only.
   template <class Bring>
   void prefetch(const Bring& bring) const {
-    if (follows_anything()) bring(*followed_.begin());
+    if (!followed_.empty()) bring(*followed_.begin());
   }
 
   /// Statistics per channel, indexed by Channel.
@@ -104,11 +122,11 @@ class Client {
   Message next_answer();
   Message next_followed(FrameNumber now);
 
-  std::vector<std::string> cells_;
   std::deque<std::variant<Message, Replay>> reply_queue_;
   std::size_t reply_queue_bytes_ = 0;
   std::array<ChannelStats, kChannels> channel_stats_{};
   std::map<Where, Followed> followed_;
+  std::optional<OverviewSubscription> overview_;
   const Where* last_turn_ = nullptr;  ///< the key of the channel that was served last
   std::optional<CloseReason> close_reason_;
 };

@@ -1,14 +1,16 @@
 // Channels without loss (event, line): a ring buffer keeps the latest messages, numbered over the
-// cell's lifetime. A subscription is a cursor into it. A message is converted to text when first
+// cell's lifetime, and grows as it is filled. A subscription is a cursor into it. A message is converted to text when first
 // requested.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <utility>
 #include <vector>
 
 #include "protocol/monitor/message.hpp"
+#include "protocol/monitor/ring_budget.hpp"
 
 namespace xr3::monitor {
 
@@ -24,42 +26,85 @@ class Feed {
   virtual Message at(std::int64_t seq) = 0;
 };
 
+/// A ring that grows from nothing to its capacity, as far as the budget allows; then it overwrites
+/// its oldest messages.
 template <class Value>
-class Ring : public Feed {
+class Ring final : public Feed, private RingBudget::Member {
  public:
   using ToMessage = std::function<Message(const Value& value, std::int64_t seq)>;
 
-  /// `most`, above 0, is the capacity.
-  Ring(std::size_t most, ToMessage to_message) : slots_(most), to_message_(std::move(to_message)) {}
+  /// `most`, above 0, is the capacity. `heap_bytes` is an estimate of the memory of a message
+  /// outside of its slot. `budget` must outlive the ring; null: none.
+  Ring(std::size_t most, ToMessage to_message, RingBudget* budget = nullptr,
+       std::size_t heap_bytes = 0)
+      : most_(most),
+        slot_bytes_(sizeof(Slot) + heap_bytes),
+        to_message_(std::move(to_message)),
+        budget_(budget) {}
+  Ring(const Ring&) = delete;
+  Ring& operator=(const Ring&) = delete;
+  ~Ring() override {
+    if (budget_ != nullptr) budget_->release(*this);
+  }
 
-  /// Adds a value and returns its slot, which still holds the overwritten value. The caller must
+  /// Adds a value and returns its slot, which may still hold the overwritten value. The caller must
   /// fill it at once.
   Value& push() {
+    if (count() >= slots_.size()) grow();
+    if (count() >= slots_.size()) ++first_;
     Slot& slot = slot_of(next_++);
     slot.text.reset();
     return slot.value;
   }
 
-  std::int64_t first() const override {
-    const auto most = static_cast<std::int64_t>(slots_.size());
-    return next_ > most ? next_ - most : 1;
-  }
+  std::int64_t first() const override { return first_; }
   std::int64_t next() const override { return next_; }
   Message at(std::int64_t seq) override {
     Slot& slot = slot_of(seq);
     if (!slot.text) slot.text = to_message_(slot.value, seq);
     return slot.text;
   }
+  /// The number of messages for which there is memory now.
+  std::size_t capacity() const { return slots_.size(); }
 
  private:
   struct Slot {
     Value value;
     Message text;
   };
-  Slot& slot_of(std::int64_t seq) { return slots_[static_cast<std::size_t>(seq) % slots_.size()]; }
+  static constexpr std::size_t kLeast = 16;
 
+  std::size_t count() const { return static_cast<std::size_t>(next_ - first_); }
+  Slot& slot_of(std::int64_t seq) { return slots_[static_cast<std::size_t>(seq) % slots_.size()]; }
+  std::size_t bytes() const override { return slots_.size() * slot_bytes_; }
+
+  // The first places are always granted: without them nothing could be stored.
+  void grow() {
+    if (slots_.size() >= most_) return;
+    const std::size_t wanted = std::min(most_, std::max(kLeast, 2 * slots_.size()));
+    const auto necessity =
+        slots_.empty() ? RingBudget::Necessity::kVital : RingBudget::Necessity::kUseful;
+    if (budget_ == nullptr || budget_->grant(*this, wanted * slot_bytes_, necessity))
+      resize(wanted);
+  }
+  void shrink() override {
+    if (slots_.size() > kLeast) resize(std::max(kLeast, slots_.size() / 2));
+  }
+  /// Keeps the latest messages.
+  void resize(std::size_t size) {
+    std::vector<Slot> slots(size);
+    first_ = std::max(first_, next_ - static_cast<std::int64_t>(size));
+    for (std::int64_t seq = first_; seq < next_; ++seq)
+      slots[static_cast<std::size_t>(seq) % size] = std::move(slot_of(seq));
+    slots_ = std::move(slots);
+  }
+
+  std::size_t most_;
+  std::size_t slot_bytes_;
   std::vector<Slot> slots_;
   ToMessage to_message_;
+  RingBudget* budget_;
+  std::int64_t first_ = 1;
   std::int64_t next_ = 1;
 };
 

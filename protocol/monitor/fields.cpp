@@ -15,21 +15,22 @@ std::vector<std::string> event_members() {
 }
 
 /// Indexed by Channel.
-const std::array<std::vector<std::string>, 6>& members() {
-  static const std::array<std::vector<std::string>, 6> lists = {{
+const std::array<std::vector<std::string>, kChannels>& members() {
+  static const std::array<std::vector<std::string>, kChannels> lists = {{
       state_members(),
       {"width", "height", "encoding", "rows"},
       {"on", "view", "erase", "period_ticks", "function_keys", "extents_mm", "polylines", "status"},
       {"rev", "robot", "workcell", "hash"},
       event_members(),
       {"line", "dir", "offset", "hex", "text", "bytes", "parsed"},
+      {"whole", "cells", "closed"},
   }};
   return lists;
 }
 
 /// Indexed by Channel.
-constexpr std::array<std::string_view, 6> kNames = {"state", "image", "display",
-                                                    "model", "event", "line"};
+constexpr std::array<std::string_view, kChannels> kNames = {
+    "state", "image", "display", "model", "event", "line", "overview"};
 
 std::size_t index_of(Channel channel) { return static_cast<std::size_t>(channel); }
 
@@ -44,7 +45,7 @@ std::optional<Channel> channel_named(std::string_view name) {
 }
 
 bool is_latest_wins(Channel channel) {
-  return channel != Channel::kEvent && channel != Channel::kLine;
+  return channel < Channel::kEvent;
 }
 
 const std::vector<std::string>& members_of(Channel channel) { return members()[index_of(channel)]; }
@@ -53,7 +54,7 @@ const std::vector<std::string>& channels() {
   using enum Channel;
   static const std::vector<std::string> listed = [] {
     std::vector<std::string> names;
-    for (const Channel each : {kState, kImage, kEvent, kLine, kDisplay, kModel})
+    for (const Channel each : {kState, kImage, kEvent, kLine, kDisplay, kModel, kOverview})
       names.emplace_back(name_of(each));
     return names;
   }();

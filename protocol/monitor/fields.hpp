@@ -19,7 +19,8 @@ std::optional<Channel> channel_named(std::string_view name);
 /// The names of all channels, as listed in `hello`.
 const std::vector<std::string>& channels();
 
-/// A latest-wins channel skips messages for slow clients. The others, event and line, report a lag.
+/// A latest-wins channel of a cell skips messages for slow clients. The other channels of a cell,
+/// event and line, report a lag. `overview` is none of either.
 bool is_latest_wins(Channel channel);
 
 /// The members of the channel's messages except op, cell, epoch, seq and tick, which are always

@@ -7,7 +7,7 @@
 namespace xr3::monitor {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kLineBlanks = " \t\r\n";
 
 std::string_view without_cr(std::string_view line) {
   if (line.ends_with('\r')) line.remove_suffix(1);
@@ -41,7 +41,7 @@ std::optional<std::string_view> LineSplitter::next() {
 }
 
 void LineSplitter::skip_blanks() {
-  begin_ = std::min(bytes_.find_first_not_of(kBlanks, begin_), bytes_.size());
+  begin_ = std::min(bytes_.find_first_not_of(kLineBlanks, begin_), bytes_.size());
   scanned_ = std::max(scanned_, begin_);
 }
 

@@ -42,19 +42,20 @@ const char* name_of(Access access) {
   return "";
 }
 
-/// The members of `hello` that describe the cell.
+/// The members of `hello` that describe the cell; null without one.
 Json cell_members(const Greeting& greeting) {
-  const CellTime& now = greeting.now;
-  return {
-      {"cell", greeting.cells.front()},
-      {"cells", greeting.cells},
-      {"epoch", now.epoch},
-      {"tick", now.tick},
-      {"tick_hz", kTickHz},
-      {"clock", clock_json(now.mode, now.rate)},
-      {"compat", greeting.model.profile() == Profile::kPaper ? "paper" : "mark3"},
-      {"robot", robot_json(greeting.model)},
-  };
+  Json members = {{"cell", nullptr}, {"cells", greeting.cells}, {"epoch", nullptr},
+                  {"tick", nullptr}, {"tick_hz", kTickHz},      {"clock", nullptr},
+                  {"compat", nullptr}, {"robot", nullptr}};
+  if (!greeting.cell) return members;
+  const auto& [name, model, now] = *greeting.cell;
+  members["cell"] = name;
+  members["epoch"] = now.epoch;
+  members["tick"] = now.tick;
+  members["clock"] = clock_json(now.mode, now.rate);
+  members["compat"] = model.profile() == Profile::kPaper ? "paper" : "mark3";
+  members["robot"] = robot_json(model);
+  return members;
 }
 
 Json details_json(const std::vector<Detail>& details) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,12 +32,19 @@ struct CellTime {
   Rate rate;
 };
 
-/// The contents of `hello`. `server` is name and version; `cells` has the default first.
+/// The cell of a client's requests that name none.
+struct GreetedCell {
+  std::string name;
+  const Model& model;
+  CellTime now;
+};
+
+/// The contents of `hello`. `server` is name and version; `cells` are those that the client may
+/// name; `cell` is one of them, or nullopt.
 struct Greeting {
   std::string server;
   std::vector<std::string> cells;
-  const Model& model;
-  CellTime now;
+  std::optional<GreetedCell> cell;
   Access access = Access::kControl;
 };
 /// Without access it describes only the server, not the cell.

@@ -5,11 +5,11 @@ namespace {
 
 using std::string_view_literals::operator""sv;
 
-constexpr auto kBlanks = " \t\r\n"sv;
+constexpr auto kOpeningBlanks = " \t\r\n"sv;
 constexpr auto kByteOrderMark = "\xEF\xBB\xBF"sv;
 constexpr char kTlsHandshake = 0x16;
 
-bool is_blank(char byte) { return kBlanks.find(byte) != std::string_view::npos; }
+bool is_blank(char byte) { return kOpeningBlanks.find(byte) != std::string_view::npos; }
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include "protocol/monitor/arguments.hpp"
 #include "protocol/monitor/call_table.hpp"
 #include "protocol/monitor/fields.hpp"
+#include "protocol/monitor/message.hpp"
 #include "protocol/monitor/message_syntax.hpp"
 #include "protocol/monitor/request_error.hpp"
 
@@ -78,6 +79,7 @@ Auth read_auth(ArgsReader& members) {
 }
 
 Selection read_selection(Channel channel, ArgsReader& members) {
+  if (channel == Channel::kOverview) return {channel, {}, Encoding::kRows};
   Selection selection{channel, members.fields("fields", channel), Encoding::kRows};
   if (channel != Channel::kImage) return selection;
   const auto encoding =
@@ -88,7 +90,7 @@ Selection read_selection(Channel channel, ArgsReader& members) {
 }
 
 std::optional<std::int64_t> read_since(Channel channel, ArgsReader& members) {
-  if (is_latest_wins(channel)) return std::nullopt;
+  if (is_latest_wins(channel) || channel == Channel::kOverview) return std::nullopt;
   return members.integer("since", 0, kMaxInteger, Presence::kOptional);
 }
 
@@ -107,8 +109,8 @@ Subscribe read_subscribe(Channel channel, ArgsReader& members) {
 /// Reads the id, then the members that belong to the op.
 class RequestReader {
  public:
-  RequestReader(const JsonDocument& document, const std::vector<std::string>& cells)
-      : cells_(cells), members_(document.root(), "", findings_) {
+  explicit RequestReader(const JsonDocument& document)
+      : members_(document.root(), "", findings_) {
     refuse_duplicates(document, findings_);
   }
 
@@ -125,8 +127,10 @@ class RequestReader {
     const JsonValue op = members_.ask("op");
     if (!names_one(op, ops())) return unknown(request_.id, "op", op, ops());
     const JsonValue cell = members_.ask("cell");
-    if (cell && !names_one(cell, cells_)) return unknown(request_.id, "cell", cell, cells_);
-    request_.cell = cell ? cell.text() : cells_.front();
+    if (cell && !cell.is_text())
+      return RequestError{request_.id, "unknown_cell", "there is no cell " + quoted(cell),
+                          "a cell is named by a text; hello lists the names", {}};
+    if (cell) request_.cell = cell.text();
     return read_op(op.text());
   }
 
@@ -158,7 +162,6 @@ class RequestReader {
     return std::nullopt;
   }
 
-  const std::vector<std::string>& cells_;
   Findings findings_;
   ArgsReader members_;
   Request request_;
@@ -178,11 +181,11 @@ std::optional<RequestId> id_of(JsonValue value) {
   return std::nullopt;
 }
 
-RequestReading read_request(std::string_view message, const std::vector<std::string>& cells) {
+RequestReading read_request(std::string_view message) {
   if (auto error = refuse_text(message)) return *std::move(error);
   const JsonDocument document(message);
   if (auto error = refuse_document(document)) return *std::move(error);
-  return RequestReader(document, cells).read();
+  return RequestReader(document).read();
 }
 
 std::optional<RequestError> limit_ticks(Request& request, Tick now) {
@@ -200,6 +203,27 @@ std::optional<RequestError> limit_ticks(Request& request, Tick now) {
     findings.keep("/args/ticks", step->ticks,
                   "a whole number 0..." + std::to_string(room) + ": no tick lies beyond 2^53-1");
   return findings.error(request.id);
+}
+
+RequestError unknown_cell(const Request& request, const std::vector<std::string>& known) {
+  constexpr std::size_t kMaxListed = 8;
+  constexpr std::size_t kMaxSearched = 256;  // a comparison takes some 1 us
+  if (known.empty()) return {request.id, "unknown_cell", "there is no cell", "open one first", {}};
+  std::vector<std::string> listed = known;
+  if (listed.size() > kMaxListed) listed.resize(kMaxListed);
+  std::string hint = "there is " + one_of(listed);
+  if (known.size() > kMaxListed) hint = "the call cells lists them; for example " + one_of(listed);
+  if (!request.cell)
+    return {request.id, "unknown_cell", "the request names no cell, and hello had none", hint, {}};
+  const std::string& name = *request.cell;
+  const bool is_searched = known.size() > 1 && known.size() <= kMaxSearched;
+  const std::string nearest =
+      is_searched && name.size() <= kMaxIdBytes ? data::nearest_name(name, known) : "";
+  if (!nearest.empty()) hint += "; perhaps \"" + nearest + "\" was meant";
+  const std::string shown = name.size() <= kMaxIdBytes
+                                ? text_of(Json(name))
+                                : "of " + std::to_string(name.size()) + " bytes";
+  return {request.id, "unknown_cell", "there is no cell " + shown, hint, {}};
 }
 
 std::string one_of(const std::vector<std::string>& names) {

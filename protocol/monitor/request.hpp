@@ -27,9 +27,10 @@ inline constexpr int kMaxWithinMs = 60'000;
 /// monostate if a request has no id or an invalid one.
 using RequestId = std::variant<std::monostate, std::int64_t, std::string>;
 
-/// The channels. The first four are latest-wins; `event` and `line` deliver every message.
-enum class Channel : std::uint8_t { kState, kImage, kDisplay, kModel, kEvent, kLine };
-inline constexpr std::size_t kChannels = 6;
+/// The channels. The first four are latest-wins; `event` and `line` deliver every message;
+/// `overview` shows all cells together.
+enum class Channel : std::uint8_t { kState, kImage, kDisplay, kModel, kEvent, kLine, kOverview };
+inline constexpr std::size_t kChannels = 7;
 
 /// Encoding of an image: per row a text of 0 and 1, or run lengths that begin with zeros.
 enum class Encoding : std::uint8_t { kRows, kRle };
@@ -52,6 +53,8 @@ struct Auth {
 using MilliHz = int;
 inline constexpr MilliHz kMaxMilliHz = 60'000;
 inline constexpr MilliHz kMinMilliHz = 100;
+/// The highest rate of `overview`.
+inline constexpr MilliHz kMaxOverviewMilliHz = 4'000;
 
 struct Subscribe {
   Selection selection;
@@ -82,6 +85,7 @@ struct Send {
   std::string bytes;
 };
 struct ListLines {};
+struct ListCells {};
 struct ListFaults {};
 struct DisconnectLine {
   std::uint32_t line = 0;
@@ -93,14 +97,14 @@ struct Describe {
 
 struct CallRequest {
   std::string fn;
-  std::variant<call::Call, Send, ListLines, ListFaults, DisconnectLine, Describe> call;
+  std::variant<call::Call, Send, ListLines, ListCells, ListFaults, DisconnectLine, Describe> call;
   std::optional<After> after;  ///< step and run_until only
   Fields fields;               ///< step and run_until only: members of the state in the result
 };
 
 struct Request {
   RequestId id;
-  std::string cell;
+  std::optional<std::string> cell;  ///< as given, of any size; nullopt: the one of `hello`
   std::variant<Ping, Auth, Subscribe, Unsubscribe, Get, CallRequest> what;
 };
 
@@ -114,8 +118,13 @@ const std::vector<std::string>& ops();
 /// The id in a member `id`; nullopt if it is invalid. A missing member or null means no id.
 std::optional<RequestId> id_of(JsonValue value);
 
-/// Parses a message. `cells` are the cells that it may name, the default first. Never throws.
-RequestReading read_request(std::string_view message, const std::vector<std::string>& cells);
+/// Parses a message. Never throws.
+RequestReading read_request(std::string_view message);
+
+/// The error of a request that names a cell that the client does not know, or that names none
+/// although its `hello` had none. `known` are the cells that it may name: at most a few near ones
+/// are in the hint.
+RequestError unknown_cell(const Request& request, const std::vector<std::string>& known);
 
 /// Keeps simulated time within kMaxInteger ticks: shortens a run_until to end at the last tick, and
 /// returns an error for a step past it.

@@ -39,15 +39,6 @@ Json blocked_json(Blocked blocked) {
   return nullptr;
 }
 
-Json stall_json(Stall stall) {
-  switch (stall) {
-    case Stall::kNo: return nullptr;
-    case Stall::kProtectedRegion: return "protected_region";
-    case Stall::kWorkSurface: return "work_surface";
-  }
-  return nullptr;
-}
-
 Json bits_json(unsigned bits, int count) {
   Json list = Json::array();
   for (int i = 0; i < count; ++i) list.push_back((bits >> static_cast<unsigned>(i) & 1U) != 0);
@@ -202,6 +193,15 @@ bool has_member(const StateMember& member, const Snapshot& snapshot) {
 }
 
 }  // namespace
+
+Json stall_json(Stall stall) {
+  switch (stall) {
+    case Stall::kNo: return nullptr;
+    case Stall::kProtectedRegion: return "protected_region";
+    case Stall::kWorkSurface: return "work_surface";
+  }
+  return nullptr;
+}
 
 const std::vector<std::string>& state_members() {
   static const std::vector<std::string> names = [] {

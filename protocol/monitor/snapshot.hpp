@@ -40,6 +40,9 @@ struct Snapshot {
 /// Names of the top-level members that a client has selected; nullopt: all members.
 using Fields = std::optional<std::vector<std::string>>;
 
+/// `protected_region`, `work_surface`, or null.
+Json stall_json(Stall stall);
+
 /// The members of `state` that can be selected, in order.
 const std::vector<std::string>& state_members();
 

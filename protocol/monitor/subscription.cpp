@@ -64,25 +64,45 @@ Message FrameSubscription::next_output(FrameNumber now) {
   return message;
 }
 
+// --- The overview.
+
+void OverviewSubscription::offer(Message message, std::int64_t seq, FrameNumber now) {
+  waiting_ = std::move(message);
+  seen_ = seq;
+  due_ = next_slot(now, max_millihz_);
+}
+
+Message OverviewSubscription::next_output() {
+  if (waiting_) ++stats_->sent;
+  return std::exchange(waiting_, nullptr);
+}
+
 // --- Channels without loss.
 
-FeedSubscription::FeedSubscription(std::string cell, const Subscribe& wanted, Feed& feed,
-                                   ChannelStats& stats)
-    : cell_(std::move(cell)), wanted_(wanted), feed_(&feed), tally_(&stats), next_(feed.next()) {
-  if (wanted.since) next_ = std::clamp<std::int64_t>(*wanted.since, 1, feed.next());
+FeedSubscription::FeedSubscription(std::string cell, const Subscribe& wanted,
+                                   const std::shared_ptr<Feed>& feed, ChannelStats& stats)
+    : cell_(std::move(cell)), wanted_(wanted), feed_(feed), tally_(&stats), next_(feed->next()) {
+  if (wanted.since) next_ = std::clamp<std::int64_t>(*wanted.since, 1, feed->next());
+}
+
+void FeedSubscription::skip_to_last(std::int64_t most) {
+  const std::shared_ptr<Feed> feed = feed_.lock();
+  if (feed && feed->next() - next_ > most) skipped_to_ = feed->next() - 1;
 }
 
 Message FeedSubscription::next_output() {
-  const std::int64_t first = feed_->first();
+  const std::shared_ptr<Feed> feed = feed_.lock();
+  if (!feed) return nullptr;
+  const std::int64_t first = std::max(feed->first(), skipped_to_);
   if (next_ < first) {
     const Missed missed{first - next_, next_, first - 1};
     tally_->overwritten += static_cast<std::uint64_t>(missed.count);
     next_ = first;
     return lag(cell_, wanted_.selection.channel, missed);
   }
-  if (!has_output()) return nullptr;
+  if (next_ >= feed->next()) return nullptr;
   ++tally_->sent;
-  return with_fields(feed_->at(next_++), wanted_.selection.fields);
+  return with_fields(feed->at(next_++), wanted_.selection.fields);
 }
 
 }  // namespace xr3::monitor

@@ -86,25 +86,59 @@ class FrameSubscription {
   ChannelStats* tally_;
 };
 
-/// A subscription to a channel without loss: a cursor into its ring.
+/// The subscription of a client to `overview`: one slot. A message in it shows all changes since the
+/// one sent before, so the next one is made when the slot is empty.
+class OverviewSubscription {
+ public:
+  /// `stats` must outlive it.
+  OverviewSubscription(MilliHz max_millihz, ChannelStats& stats)
+      : max_millihz_(max_millihz), stats_(&stats) {}
+
+  /// The seq of the last message offered; 0: none.
+  std::int64_t seen() const { return seen_; }
+  bool is_waiting() const { return waiting_ != nullptr; }
+  std::size_t waiting_bytes() const { return waiting_ ? waiting_->size() : 0; }
+  bool is_due(FrameNumber now) const { return now >= due_; }
+  /// Precondition: !is_waiting().
+  void offer(Message message, std::int64_t seq, FrameNumber now);
+  /// The message in the slot, or nullptr.
+  Message next_output();
+
+ private:
+  MilliHz max_millihz_;
+  ChannelStats* stats_;
+  Message waiting_;
+  std::int64_t seen_ = 0;
+  FrameNumber due_ = 0;
+};
+
+/// A subscription to a channel without loss: a cursor into its ring. When the ring is destroyed,
+/// with its cell, it has no further message.
 class FeedSubscription {
  public:
-  /// `feed` and `stats` must outlive it. Starts at `since`, or at the next message.
-  FeedSubscription(std::string cell, const Subscribe& wanted, Feed& feed, ChannelStats& stats);
+  /// `stats` must outlive it. Starts at `since`, or at the next message.
+  FeedSubscription(std::string cell, const Subscribe& wanted, const std::shared_ptr<Feed>& feed,
+                   ChannelStats& stats);
 
   const Subscribe& wanted() const { return wanted_; }
-  bool has_output() const { return next_ < feed_->next(); }
+  bool has_output() const {
+    const std::shared_ptr<Feed> feed = feed_.lock();
+    return feed && next_ < feed->next();
+  }
   /// The next message, or a `lag` if messages have been overwritten in the ring, or nullptr.
   Message next_output();
+  /// If more than `most` messages wait, all but the last count as overwritten.
+  void skip_to_last(std::int64_t most);
   /// The seq of the next message.
   std::int64_t position() const { return next_; }
 
  private:
   std::string cell_;
   Subscribe wanted_;
-  Feed* feed_;
+  std::weak_ptr<Feed> feed_;
   ChannelStats* tally_;
   std::int64_t next_;
+  std::int64_t skipped_to_ = 0;  ///< messages before it are not sent
 };
 
 }  // namespace xr3::monitor

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <limits>
@@ -19,7 +20,18 @@ std::string to_text(const ServedPorts& ports) {
   nlohmann::ordered_json json{
       {"robot", ports.robot}, {"monitor", ports.monitor}, {"pid", ::getpid()}};
   if (!ports.token.empty()) json["token"] = ports.token;
+  json["cells"] = nlohmann::ordered_json::array();
+  for (const ServedCell& cell : ports.cells) {
+    nlohmann::ordered_json entry{{"name", cell.name}, {"robot", cell.robot}};
+    if (!cell.token.empty()) entry["token"] = cell.token;
+    json["cells"].push_back(std::move(entry));
+  }
   return json.dump() + "\n";
+}
+
+bool has_tokens(const ServedPorts& ports) {
+  return !ports.token.empty() ||
+         std::ranges::any_of(ports.cells, [](const auto& cell) { return !cell.token.empty(); });
 }
 
 int create(const std::string& path, ::mode_t rights) {
@@ -30,7 +42,7 @@ int create(const std::string& path, ::mode_t rights) {
 
 PortFile::PortFile(std::string path, const ServedPorts& ports) : path_(std::move(path)) {
   constexpr ::mode_t kOwner = S_IRUSR | S_IWUSR;
-  const ::mode_t rights = ports.token.empty() ? kOwner | S_IRGRP | S_IROTH : kOwner;
+  const ::mode_t rights = has_tokens(ports) ? kOwner : kOwner | S_IRGRP | S_IROTH;
   const std::string draft = path_ + "." + std::to_string(::getpid());
   write(draft, to_text(ports), rights);
   if (::rename(draft.c_str(), path_.c_str()) == 0) return;

@@ -6,20 +6,29 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace xr3 {
+
+/// A cell that is served from the start.
+struct ServedCell {
+  std::string name;
+  std::uint16_t robot = 0;
+  std::string token;  ///< of this cell; empty: none
+};
 
 struct ServedPorts {
   std::uint16_t robot = 0;
   std::uint16_t monitor = 0;
   std::string token;  ///< generated for this run; empty: none
+  std::vector<ServedCell> cells;
 };
 
 /// A port file that exists as long as this object.
 class PortFile {
  public:
-  /// Writes {"robot":9600,"monitor":9601,"pid":...}, with the token if there is one; then only the
-  /// owner could read the file at any time. Replaces a symbolic link instead of following it.
+  /// Writes {"robot":9600,"monitor":9601,"pid":...,"cells":[{"name":"main","robot":9600}]}, with the
+  /// tokens if there are any; then only the owner could read the file at any time. Replaces a symbolic link instead of following it.
   /// Throws FileError if it cannot be written.
   PortFile(std::string path, const ServedPorts& ports);
   PortFile(const PortFile&) = delete;

@@ -59,7 +59,7 @@ class Page {
   void add(std::vector<ClientMetric::Label> labels, double value) {
     ClientMetric metric;
     metric.label = std::move(labels);
-    metric.label.insert(metric.label.begin(), {"cell", cell_});
+    if (!cell_.empty()) metric.label.insert(metric.label.begin(), {"cell", cell_});
     metric.counter.value = value;
     metric.gauge.value = value;
     families_.back().metric.push_back(std::move(metric));
@@ -104,6 +104,11 @@ void add_lines(Page& page, const CellCounters& counters) {
   page.counter("bytes_out_total", "Bytes sent on serial lines.", number(counters.bytes_out));
 }
 
+void add_cells(Page& page, const CellCounters& counters) {
+  page.gauge("cells", "Open cells.", number(counters.cells_open));
+  page.counter("cells_opened_total", "Cells opened since the start.", number(counters.cells_total));
+}
+
 void add_commands(Page& page, const CellCounters& counters) {
   page.begin("commands_total", "Commands executed, by kind.", MetricType::Counter);
   for (std::size_t i = 0; i < kCommandKinds; ++i)
@@ -124,6 +129,9 @@ void add_refusals(Page& page, const CellCounters& counters) {
   const PortCounters& monitor = counters.monitor_port;
   page.counter("lines_refused_total", "Connections of the robot port beyond its limit of lines.",
                number(robot.refused));
+  page.counter("other_peers_total",
+               "Connections of a robot port that belongs to another address (--bind-peer).",
+               number(robot.other_peers));
   page.counter("viewers_refused_total", "Connections of the monitor port beyond its limit.",
                number(monitor.refused));
   page.begin("accept_failures_total", "Failed attempts to accept a connection, by port.",
@@ -163,6 +171,7 @@ void add_sessions(Page& page, const CellCounters& counters) {
 std::string metrics_text(const std::string& cell, const CellCounters& counters,
                          const ProcessStats& process) {
   Page page(cell);
+  add_cells(page, counters);
   add_lines(page, counters);
   add_commands(page, counters);
   add_time(page, counters);

@@ -23,13 +23,14 @@ namespace {
 
 using http::Answer;
 using http::Request;
+using Revision = http::CellBodies::Revision;
 template <class Key>
 using Recipe = typename http::BodyMaker<Key>::Recipe;
 
 constexpr std::string_view kHealth = "/healthz";
 constexpr std::string_view kReady = "/readyz";
 constexpr std::string_view kAssets = "/assets/";
-constexpr std::size_t kMaxViews = 8;
+constexpr std::string_view kCellPage = "/cell/";
 constexpr std::string_view kIcon = "/assets/icon.svg";
 
 // The page if the viewer was not built. Without styles: the Content-Security-Policy forbids inline
@@ -77,6 +78,14 @@ bool is_websocket_key(std::string_view key) {
          key.find_first_not_of(kLetters) == key.size() - 2;
 }
 
+Answer unknown_cell(const CellRegistry& cells) {
+  const std::string hint = cells.is_empty() ? "there is no cell now"
+                           : cells.is_single()
+                               ? "there is " + cells.all().front()->name()
+                               : "such as " + cells.all().front()->name() + "; hello lists all";
+  return http::error(404, "unknown_cell", "there is no such cell", hint);
+}
+
 Answer upgrade_required() {
   Answer answer = http::error(426, "upgrade_required", "/ws speaks WebSocket, version 13",
                               "connect with a WebSocket client; subprotocol xr3.v1");
@@ -87,17 +96,12 @@ Answer upgrade_required() {
 
 }  // namespace
 
-HttpResources::HttpResources(Cell& cell, MonitorService& service, const AccessPolicy& policy,
+HttpResources::HttpResources(MonitorService& service, const AccessPolicy& policy,
                              NotReady not_ready, Count count)
-    : cell_(cell),
-      service_(service),
+    : service_(service),
       policy_(policy),
       not_ready_(std::move(not_ready)),
       count_(std::move(count)),
-      bitmap_(service.io(), service.worker()),
-      png_(service.io(), service.worker()),
-      workcell_(service.io(), service.worker()),
-      robot_(service.io(), service.worker()),
       schema_(service.io(), service.worker()) {}
 
 // --- Access.
@@ -178,20 +182,26 @@ asio::awaitable<Answer> HttpResources::answer(const Request& request) {
     if (route.path != path) continue;
     if (route.kind != Route::Kind::kServer && policy_.is_private())
       co_return http::token_required();
-    const auto cell = request.parameter("cell");
-    if (route.kind == Route::Kind::kCell && cell && *cell != cell_.name()) {
-      co_return http::error(404, "unknown_cell", "there is no such cell",
-                            "there is " + cell_.name());
-    }
-    if (route.kind == Route::Kind::kCell) cell_.catch_up(wall_now());
-    co_return co_await (this->*route.show)(request);
+    CellPtr at = route.kind == Route::Kind::kCell ? cell_of(request) : nullptr;
+    if (route.kind == Route::Kind::kCell && !at) co_return unknown_cell(service_.cells());
+    if (at) at->cell().catch_up(wall_now());
+    co_return co_await (this->*route.show)(std::move(at), request);
   }
   co_return page(request);
 }
 
+/// The cell in the query, or the first one; nullptr if there is none.
+CellPtr HttpResources::cell_of(const Request& request) const {
+  const auto name = request.parameter("cell");
+  if (name) return service_.cells().find(*name);
+  return service_.cells().is_empty() ? nullptr : service_.cells().all().front();
+}
+
 Answer HttpResources::page(const Request& request) const {
   const std::string_view path = request.path();
-  const bool is_root = path == "/";
+  const bool is_of_cell =
+      path.starts_with(kCellPage) && is_cell_name(path.substr(kCellPage.size()));
+  const bool is_root = path == "/" || is_of_cell;
   const bool is_icon = path == "/favicon.ico";  // requested by browsers for the tab
   const bool is_page = is_root || is_icon || path.starts_with(kAssets);
   if (!is_page) return http::not_found("there is nothing here");
@@ -204,22 +214,24 @@ Answer HttpResources::page(const Request& request) const {
 
 // --- The server.
 
-asio::awaitable<Answer> HttpResources::health(Request) {
+asio::awaitable<Answer> HttpResources::health(CellPtr, Request) {
   co_return http::text(http::Body::of_static("ok\n"));
 }
 
-asio::awaitable<Answer> HttpResources::readiness(Request) {
+asio::awaitable<Answer> HttpResources::readiness(CellPtr, Request) {
   const std::string trouble = co_await not_ready_();
   if (trouble.empty()) co_return http::text(http::Body::of_static("ok\n"));
   co_return http::error(503, "not_ready", trouble, "try again, or start it again");
 }
 
-asio::awaitable<Answer> HttpResources::metrics(Request) {
-  cell_.catch_up(wall_now());
-  co_return Answer{200, kMetricsType, metrics_text(cell_.name(), count_(), process_stats()), {}};
+asio::awaitable<Answer> HttpResources::metrics(CellPtr, Request) {
+  CellRegistry& cells = service_.cells();
+  co_await service_.overview().summaries();  // advances all cells, but not all at once
+  const std::string cell = cells.is_single() ? cells.all().front()->name() : "";
+  co_return Answer{200, kMetricsType, metrics_text(cell, count_(), process_stats()), {}};
 }
 
-asio::awaitable<Answer> HttpResources::schema(Request) {
+asio::awaitable<Answer> HttpResources::schema(CellPtr, Request) {
   const auto read = [] {
     return read_file(data_folder() / "schema" / "monitor-v1.schema.json").text;
   };
@@ -234,61 +246,57 @@ asio::awaitable<Answer> HttpResources::schema(Request) {
 
 // --- The cell.
 
-asio::awaitable<Answer> HttpResources::state(Request) {
+asio::awaitable<Answer> HttpResources::state(CellPtr at, Request) {
   const std::optional<monitor::Frame> frame =
-      co_await service_.current_frame({monitor::Channel::kState, {}, {}});
-  if (state_of_ != frame->message) {
-    state_ = http::Body(*frame->message + "\n");
-    state_of_ = frame->message;
-  }
-  co_return http::json(state_);
+      co_await service_.current_frame(at, {monitor::Channel::kState, {}, {}});
+  co_return http::json(at->bodies().state(frame->message));
 }
 
-asio::awaitable<Answer> HttpResources::robot(Request) {
-  const http::BodyMaker<const Robot*>::Now now = [this]() -> Recipe<const Robot*> {
-    const ModelPtr model = cell_.model_ptr();
+asio::awaitable<Answer> HttpResources::robot(CellPtr at, Request) {
+  const http::BodyMaker<const Robot*>::Now now = [at]() -> Recipe<const Robot*> {
+    const ModelPtr model = at->cell().model_ptr();
     return {&model->robot(), [model] { return json_text(robot_to_json(model->robot())); }};
   };
-  const http::Body body = co_await robot_.get(now);
+  const http::Body body = co_await at->bodies().robot.get(now);
   co_return http::json(body);
 }
 
-asio::awaitable<Answer> HttpResources::workcell(Request) {
-  const http::BodyMaker<Revision>::Now now = [this]() -> Recipe<Revision> {
-    cell_.catch_up(wall_now());
-    return {cell_.revision(), [model = cell_.model_ptr(), state = cell_.state()] {
+asio::awaitable<Answer> HttpResources::workcell(CellPtr at, Request) {
+  const http::BodyMaker<Revision>::Now now = [at]() -> Recipe<Revision> {
+    at->cell().catch_up(wall_now());
+    return {at->cell().revision(), [model = at->cell().model_ptr(), state = at->cell().state()] {
               return json_text(workcell_to_json(workcell_now(*model, state)));
             }};
   };
-  const http::Body body = co_await workcell_.get(now);
+  const http::Body body = co_await at->bodies().workcell.get(now);
   co_return http::json(body);
 }
 
-asio::awaitable<Answer> HttpResources::bitmap(Request) {
-  if (!cell_.model().workcell().camera) co_return no_camera();
-  const http::BodyMaker<ImagePtr>::Now now = [this]() -> Recipe<ImagePtr> {
-    cell_.catch_up(wall_now());
-    const ImagePtr image = cell_.camera_image();
+asio::awaitable<Answer> HttpResources::bitmap(CellPtr at, Request) {
+  if (!at->cell().model().workcell().camera) co_return no_camera();
+  const http::BodyMaker<ImagePtr>::Now now = [at]() -> Recipe<ImagePtr> {
+    at->cell().catch_up(wall_now());
+    const ImagePtr image = at->cell().camera_image();
     return {image, [image] { return image ? to_pbm(*image) : ""; }};
   };
-  const http::Body body = co_await bitmap_.get(now);
+  const http::Body body = co_await at->bodies().bitmap.get(now);
   co_return Answer{200, "image/x-portable-bitmap", body, {}};
 }
 
-asio::awaitable<Answer> HttpResources::png(Request) {
-  if (!cell_.model().workcell().camera) co_return no_camera();
-  const http::BodyMaker<ImagePtr>::Now now = [this]() -> Recipe<ImagePtr> {
-    cell_.catch_up(wall_now());
-    const ImagePtr image = cell_.camera_image();
+asio::awaitable<Answer> HttpResources::png(CellPtr at, Request) {
+  if (!at->cell().model().workcell().camera) co_return no_camera();
+  const http::BodyMaker<ImagePtr>::Now now = [at]() -> Recipe<ImagePtr> {
+    at->cell().catch_up(wall_now());
+    const ImagePtr image = at->cell().camera_image();
     return {image, [image] { return image ? to_png(*image) : ""; }};
   };
-  const http::Body body = co_await png_.get(now);
+  const http::Body body = co_await at->bodies().png.get(now);
   co_return Answer{200, "image/png", body, {}};
 }
 
-asio::awaitable<Answer> HttpResources::view(Request request) {
+asio::awaitable<Answer> HttpResources::view(CellPtr at, Request request) {
   const auto vector = request.parameter("vector");
-  ViewVector from = cell_.state().display.view;
+  ViewVector from = at->cell().state().display.view;
   try {
     if (vector) from = parse_view(*vector);
   } catch (const std::invalid_argument&) {
@@ -296,23 +304,15 @@ asio::awaitable<Answer> HttpResources::view(Request request) {
                           "a view is three whole numbers from -9 to 9, not all 0",
                           "/view.svg?vector=1,1,1");
   }
-  const http::BodyMaker<Revision>::Now now = [this, from]() -> Recipe<Revision> {
-    cell_.catch_up(wall_now());
-    return {cell_.revision(), [from, model = cell_.model_ptr(), state = cell_.state()] {
+  const http::BodyMaker<Revision>::Now now = [at, from]() -> Recipe<Revision> {
+    at->cell().catch_up(wall_now());
+    return {at->cell().revision(), [from, model = at->cell().model_ptr(), state = at->cell().state()] {
               return to_svg(drawing(*model, state, from, kUsualPictureWidthPx));
             }};
   };
-  const auto maker = view_maker(from);  // kept while it makes the body
+  const auto maker = at->bodies().view(from);  // kept while it makes the body
   const http::Body body = co_await maker->get(now);
   co_return Answer{200, "image/svg+xml", body, {}};
-}
-
-std::shared_ptr<http::BodyMaker<HttpResources::Revision>> HttpResources::view_maker(
-    const ViewVector& from) {
-  if (views_.size() >= kMaxViews) views_.clear();
-  auto& maker = views_[{from.x, from.y, from.z}];
-  if (!maker) maker = std::make_shared<http::BodyMaker<Revision>>(service_.io(), service_.worker());
-  return maker;
 }
 
 }  // namespace xr3

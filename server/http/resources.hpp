@@ -1,11 +1,8 @@
-// The HTTP resources of the monitor port: the current cell, pictures of it, health and metrics of
+// The HTTP resources of the monitor port: the cells now, pictures of them, health and metrics of
 // the server, and the viewer's files. Read-only. Independent of connections.
 #pragma once
 
-#include <array>
 #include <functional>
-#include <map>
-#include <memory>
 #include <optional>
 #include <string_view>
 
@@ -28,8 +25,7 @@ class HttpResources {
   using Count = std::function<CellCounters()>;
 
   /// The references must outlive it. `not_ready` is called for /readyz, `count` for /metrics.
-  HttpResources(Cell& cell, MonitorService& service, const AccessPolicy& policy, NotReady not_ready,
-                Count count);
+  HttpResources(MonitorService& service, const AccessPolicy& policy, NotReady not_ready, Count count);
 
   /// From this wall time on requests get the error `not_ready`.
   void close_at(WallNs deadline) { deadline_ = deadline; }
@@ -48,42 +44,32 @@ class HttpResources {
   static std::optional<http::Answer> refuse_websocket(const http::Request& request);
 
  private:
-  using Show = asio::awaitable<http::Answer> (HttpResources::*)(http::Request);
+  /// The cell is null for a resource of the server.
+  using Show = asio::awaitable<http::Answer> (HttpResources::*)(CellPtr, http::Request);
   struct Route;
   static const Route kRoutes[];
 
   http::Answer page(const http::Request& request) const;
 
-  asio::awaitable<http::Answer> health(http::Request request);
-  asio::awaitable<http::Answer> readiness(http::Request request);
-  asio::awaitable<http::Answer> metrics(http::Request request);
-  asio::awaitable<http::Answer> state(http::Request request);
-  asio::awaitable<http::Answer> robot(http::Request request);
-  asio::awaitable<http::Answer> workcell(http::Request request);
-  asio::awaitable<http::Answer> schema(http::Request request);
-  asio::awaitable<http::Answer> bitmap(http::Request request);
-  asio::awaitable<http::Answer> png(http::Request request);
-  asio::awaitable<http::Answer> view(http::Request request);
+  asio::awaitable<http::Answer> health(CellPtr at, http::Request request);
+  asio::awaitable<http::Answer> readiness(CellPtr at, http::Request request);
+  asio::awaitable<http::Answer> metrics(CellPtr at, http::Request request);
+  asio::awaitable<http::Answer> state(CellPtr at, http::Request request);
+  asio::awaitable<http::Answer> robot(CellPtr at, http::Request request);
+  asio::awaitable<http::Answer> workcell(CellPtr at, http::Request request);
+  asio::awaitable<http::Answer> schema(CellPtr at, http::Request request);
+  asio::awaitable<http::Answer> bitmap(CellPtr at, http::Request request);
+  asio::awaitable<http::Answer> png(CellPtr at, http::Request request);
+  asio::awaitable<http::Answer> view(CellPtr at, http::Request request);
 
-  using Revision = std::uint64_t;  ///< of the cell
+  CellPtr cell_of(const http::Request& request) const;
 
-  std::shared_ptr<http::BodyMaker<Revision>> view_maker(const ViewVector& from);
-
-  Cell& cell_;
   MonitorService& service_;
   const AccessPolicy& policy_;
   NotReady not_ready_;
   Count count_;
   WallNs deadline_ = kNever;
-  monitor::Message state_of_;  ///< the message whose text is `state_`
-  http::Body state_;
-  http::BodyMaker<ImagePtr> bitmap_;
-  http::BodyMaker<ImagePtr> png_;
-  http::BodyMaker<Revision> workcell_;
-  http::BodyMaker<const Robot*> robot_;
   http::BodyMaker<bool> schema_;  ///< its bytes depend on nothing
-  /// Of each point of view, at most kMaxViews: one more discards all that nobody waits for.
-  std::map<std::array<int, 3>, std::shared_ptr<http::BodyMaker<Revision>>> views_;
 };
 
 }  // namespace xr3

@@ -7,6 +7,7 @@
 #include <new>
 #include <utility>
 
+#include "server/lines/turns.hpp"
 #include "server/net/wall_clock.hpp"
 
 namespace xr3 {
@@ -65,9 +66,9 @@ LineSession::Left LineSession::work(Turn turn) {
     if (!has_more || has_ended_) return Left::kNothing;
     if (turn.most_read == 0 || (has_read && is_over(turn))) return Left::kSome;
     has_read = true;
-    const std::size_t wanted = std::min(turn.most_read, context_.scratch.size());
+    const std::size_t wanted = std::min(turn.most_read, context_.turns.scratch().size());
     const std::size_t count = read(wanted);
-    act({context_.scratch.data(), count}, turn);
+    act({context_.turns.scratch().data(), count}, turn);
     has_more = count == wanted || (is_ending_ && count > 0);
     turn.most_read -= count;
   }
@@ -79,7 +80,7 @@ bool LineSession::is_over(const Turn& turn) const {
 
 // Reads into the scratch buffer. 0: no bytes now, or, if has_ended_, no more at all.
 std::size_t LineSession::read(std::size_t most) {
-  const std::size_t count = stream_->read(context_.scratch.first(most));
+  const std::size_t count = stream_->read(context_.turns.scratch().first(most));
   has_ended_ = stream_->has_ended();
   if (stream_->is_lost()) close(LineCloseReason::kError);
   return count;
@@ -91,7 +92,7 @@ void LineSession::act(std::string_view bytes, const Turn& turn) {
   const auto is_enough = [&turn] { return wall_now() >= turn.end; };
   const std::size_t taken =
       context_.cell.apply(BytesIn{id_, bytes, is_enough}, wall_now()).bytes_taken;
-  note(context_.memory, held_bytes());
+  note(context_.turns.memory(), held_bytes());
   note_load(taken, held_bytes());
   source_.line_acted(id_);
   context_.acted(id_);

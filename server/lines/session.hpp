@@ -4,25 +4,24 @@
 
 #include <functional>
 #include <memory>
-#include <span>
 #include <string>
 
 #include "cell/cell.hpp"
 #include "server/lines/source.hpp"
 #include "server/lines/stream.hpp"
-#include "server/net/memory_limit.hpp"
 #include "server/net/peer_counts.hpp"
 
 namespace xr3 {
 
-/// Shared by all sessions.
+class LineTurns;
+
+/// Shared by all sessions of a cell.
 struct LineSessionContext {
   Cell& cell;
-  std::span<char> scratch;            ///< buffer for one read
+  LineTurns& turns;
   std::function<void(LineId)> acted;  ///< called after bytes have acted
   /// Called when the stream is closed; may release the session.
   std::function<void(LineId, LineCloseReason)> ended;
-  MemoryLimit* memory = nullptr;  ///< none if null
 };
 
 class LineSession {

@@ -9,7 +9,7 @@ namespace {
 // The first class has a few inquiries a turn, the last one images or endless commands.
 constexpr std::array<std::uint64_t, 3> kBounds = {2'000, 8'000, 32'000};
 
-bool has_lines(const std::deque<LineId>& lines) { return !lines.empty(); }
+bool has_lines(const std::deque<SessionNumber>& lines) { return !lines.empty(); }
 
 }  // namespace
 
@@ -19,7 +19,7 @@ std::size_t TurnQueue::class_of(std::uint64_t load) {
   return static_cast<std::size_t>(above - kBounds.begin());
 }
 
-void TurnQueue::add(LineId line, std::uint64_t load) {
+void TurnQueue::add(SessionNumber line, std::uint64_t load) {
   if (members_.insert(line).second) classes_[class_of(load)].push_back(line);
 }
 
@@ -28,19 +28,19 @@ bool TurnQueue::is_next(std::uint64_t load) const {
   return std::none_of(classes_.begin(), end, has_lines);
 }
 
-LineId TurnQueue::take(Class& lines) {
-  const LineId line = lines.front();
+SessionNumber TurnQueue::take(Class& lines) {
+  const SessionNumber line = lines.front();
   lines.pop_front();
   members_.erase(line);
   return line;
 }
 
-LineId TurnQueue::take_lightest() {
+SessionNumber TurnQueue::take_lightest() {
   assert(!empty());
   return take(*std::find_if(classes_.begin(), classes_.end(), has_lines));
 }
 
-LineId TurnQueue::take_heaviest() {
+SessionNumber TurnQueue::take_heaviest() {
   assert(!empty());
   return take(*std::find_if(classes_.rbegin(), classes_.rend(), has_lines));
 }

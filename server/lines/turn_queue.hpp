@@ -7,35 +7,36 @@
 #include <deque>
 #include <set>
 
-#include "protocol/explain/cell_event.hpp"
-
 namespace xr3 {
+
+/// Numbers the sessions of all cells while they are open; a line's own number counts per cell.
+using SessionNumber = std::uint32_t;
 
 class TurnQueue {
  public:
   /// Adds a line behind those of about the same load (an estimate of its latest turns in
   /// nanoseconds). No effect if it waits already.
-  void add(LineId line, std::uint64_t load);
-  bool contains(LineId line) const { return members_.contains(line); }
+  void add(SessionNumber line, std::uint64_t load);
+  bool contains(SessionNumber line) const { return members_.contains(line); }
   bool empty() const { return members_.empty(); }
   /// Whether a line of this load would have its turn at once.
   bool is_next(std::uint64_t load) const;
 
   /// Removes the line that waits longest of those with the least load. Precondition: not empty.
-  LineId take_lightest();
+  SessionNumber take_lightest();
   /// Removes the line that waits longest of those with the most load, so that these are not
   /// forgotten. Precondition: not empty.
-  LineId take_heaviest();
+  SessionNumber take_heaviest();
 
  private:
   static constexpr std::size_t kClasses = 4;
-  using Class = std::deque<LineId>;
+  using Class = std::deque<SessionNumber>;
 
   static std::size_t class_of(std::uint64_t load);
-  LineId take(Class& lines);
+  SessionNumber take(Class& lines);
 
   std::array<Class, kClasses> classes_;
-  std::set<LineId> members_;
+  std::set<SessionNumber> members_;
 };
 
 }  // namespace xr3

@@ -16,10 +16,10 @@ int new_set() {
 
 LineWatch::LineWatch(asio::io_context& io) : set_(io, new_set()) {}
 
-bool LineWatch::add(int descriptor, LineId line) {
+bool LineWatch::add(int descriptor, SessionNumber session) {
   epoll_event event{};
   event.events = EPOLLIN | EPOLLOUT | EPOLLRDHUP | EPOLLET;
-  event.data.u32 = line;
+  event.data.u32 = session;
   if (::epoll_ctl(set_.native_handle(), EPOLL_CTL_ADD, descriptor, &event) == 0) return true;
   return errno == EEXIST &&
          ::epoll_ctl(set_.native_handle(), EPOLL_CTL_MOD, descriptor, &event) == 0;

@@ -9,7 +9,7 @@
 #include <boost/asio/posix/stream_descriptor.hpp>
 #include <span>
 
-#include "protocol/explain/cell_event.hpp"
+#include "server/lines/turn_queue.hpp"
 #include "server/net/asio.hpp"
 
 namespace xr3 {
@@ -18,7 +18,7 @@ class LineWatch {
  public:
   /// A line has received bytes, has become writable, or has ended.
   struct News {
-    LineId line = 0;
+    SessionNumber session = 0;
     bool is_end = false;   ///< end of stream or broken connection: read to the end
     bool is_loss = false;  ///< broken connection
   };
@@ -28,10 +28,10 @@ class LineWatch {
   LineWatch(const LineWatch&) = delete;
   LineWatch& operator=(const LineWatch&) = delete;
 
-  /// Adds a descriptor, or gives one that was added before to another line, as that of a
+  /// Adds a descriptor, or gives one that was added before to another session, as that of a
   /// pseudo-terminal. Events before this call are reported, too. Closing the descriptor removes it.
   /// Returns false if the system refuses.
-  bool add(int descriptor, LineId line);
+  bool add(int descriptor, SessionNumber session);
 
   /// Waits for news. Returns false if closed. Throws boost::system::system_error.
   asio::awaitable<bool> wait();

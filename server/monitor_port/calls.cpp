@@ -1,4 +1,4 @@
-// The monitor's calls: on the cell, on serial lines, and `describe`.
+// The monitor's calls on a cell and its serial lines.
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -7,7 +7,6 @@
 #include "cell/digest.hpp"
 #include "protocol/explain/diagnostic.hpp"
 #include "protocol/explain/event_report.hpp"
-#include "protocol/monitor/call_table.hpp"
 #include "protocol/monitor/saved_cell.hpp"
 #include "protocol/monitor/saved_faults.hpp"
 #include "protocol/monitor/snapshot.hpp"
@@ -126,6 +125,15 @@ Json device_line_json(const DeviceLink& device) {
           {"last", readable(device.last())},    {"serial", text_of(device.settings())}};
 }
 
+/// Epoch and tick, the first members of the value of each call.
+Json value_now(const Cell& cell) { return {{"epoch", cell.epoch()}, {"tick", cell.state().tick}}; }
+
+Json value_with_faults(const Cell& cell) {
+  Json value = value_now(cell);
+  add_fault_list(cell.state(), value);
+  return value;
+}
+
 /// The name under which a snapshot is saved or loaded; empty: inline.
 std::string snapshot_name(const call::Call& call) {
   const auto* save = std::get_if<call::SaveSnapshot>(&call);
@@ -145,19 +153,20 @@ MonitorService::Answer MonitorService::at_once(const monitor::Message& message) 
   return {[message] { return message; }};
 }
 
-asio::awaitable<void> MonitorService::call(MonitorSession& session, monitor::Request request) {
+asio::awaitable<void> MonitorService::call(CellPtr at, MonitorSession& session,
+                                           monitor::Request request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  const bool in_manual_clock = cell_.clock().mode() == ClockMode::kManual;
+  const bool in_manual_clock = at->cell().clock().mode() == ClockMode::kManual;
   if (wanted.after && in_manual_clock) {  // the real clock is refused below, without waiting
-    Error error = co_await wait_for(*wanted.after);
+    Error error = co_await wait_for(*at, *wanted.after);
     if (error) {
       session.client().send(refused(request.id, *std::move(error)));
       co_return;
     }
   }
   co_await making_long_.until_free();
-  Answer answer = carry_out_call(session, request);
-  acted_();
+  Answer answer = carry_out_call(*at, session, request);
+  at->acted();
   monitor::Message message;
   if (answer.is_long) {
     message = co_await make_long(std::move(answer));
@@ -176,65 +185,59 @@ asio::awaitable<monitor::Message> MonitorService::make_long(Answer answer) {
 }
 
 // Not a coroutine: the call takes effect before anything else runs.
-MonitorService::Answer MonitorService::carry_out_call(MonitorSession& session,
+MonitorService::Answer MonitorService::carry_out_call(HostedCell& at, MonitorSession& session,
                                                       monitor::Request& request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  if (std::holds_alternative<call::Call>(wanted.call)) return call_cell(request);
-  if (std::holds_alternative<monitor::Send>(wanted.call)) return send(session, request);
-  if (std::holds_alternative<monitor::ListLines>(wanted.call)) return list_lines(request);
+  if (std::holds_alternative<call::Call>(wanted.call)) return call_cell(at, request);
+  if (std::holds_alternative<monitor::Send>(wanted.call)) return send(at, session, request);
+  if (std::holds_alternative<monitor::ListLines>(wanted.call)) return list_lines(at, request);
   if (std::holds_alternative<monitor::ListFaults>(wanted.call))
-    return at_once(monitor::result(request.id, value_with_faults()));
-  if (std::holds_alternative<monitor::DisconnectLine>(wanted.call))
-    return at_once(disconnect(request));
-  Json value = value_now();
-  value.update(monitor::description(std::get<monitor::Describe>(wanted.call).fn));
-  return at_once(monitor::result(request.id, value));
-}
-
-Json MonitorService::value_with_faults() const {
-  Json value = value_now();
-  add_fault_list(cell_.state(), value);
-  return value;
+    return at_once(monitor::result(request.id, value_with_faults(at.cell())));
+  return at_once(disconnect(at, request));
 }
 
 // --- Calls of the cell.
 
-asio::awaitable<MonitorService::Error> MonitorService::wait_for(monitor::After after) {
-  const bool arrived =
-      co_await lines_.wait_for_bytes(after.line, after.bytes_in, milliseconds(after.within_ms));
-  if (!cell_.bytes_in(after.line)) co_return no_such_line(after.line);
+asio::awaitable<MonitorService::Error> MonitorService::wait_for(HostedCell& at,
+                                                                monitor::After after) {
+  const Cell& cell = at.cell();
+  const bool arrived = co_await at.transports().wait_for_bytes(after.line, after.bytes_in,
+                                                               milliseconds(after.within_ms));
+  if (!cell.bytes_in(after.line)) co_return no_such_line(after.line);
   if (arrived) co_return std::nullopt;
-  if (cell_.find_line(after.line) == nullptr) co_return no_such_line(after.line);
-  co_return timeout(after, cell_.bytes_in(after.line).value_or(0));
+  if (cell.find_line(after.line) == nullptr) co_return no_such_line(after.line);
+  co_return timeout(after, cell.bytes_in(after.line).value_or(0));
 }
 
 // Not a coroutine: nothing may run between reading the bytes that have arrived and the call that
 // must see their effect.
-MonitorService::Answer MonitorService::call_cell(monitor::Request& request) {
+MonitorService::Answer MonitorService::call_cell(HostedCell& at, monitor::Request& request) {
+  Cell& cell = at.cell();
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  if (moves_time(wanted)) lines_.read_arrived();
-  if (const auto error = monitor::limit_ticks(request, cell_.state().tick))
+  if (moves_time(wanted)) at.transports().read_arrived();
+  if (const auto error = monitor::limit_ticks(request, cell.state().tick))
     return at_once(monitor::result(*error));
   const auto& call = std::get<call::Call>(wanted.call);
-  if (auto error = validate_snapshot(cell_.model(), call))
+  if (auto error = validate_snapshot(cell.model(), call))
     return at_once(refused(request.id, *std::move(error)));
-  const Applied applied = cell_.apply(call, wall_now());
+  const Applied applied = cell.apply(call, wall_now());
   if (const auto* no = std::get_if<call::Refused>(&applied.outcome))
     return at_once(refused(request.id, {{}, no->code, no->message, no->hint, {}}));
-  return done(request, std::get<call::Done>(applied.outcome));
+  return done(at, request, std::get<call::Done>(applied.outcome));
 }
 
-MonitorService::Answer MonitorService::done(const monitor::Request& request,
+MonitorService::Answer MonitorService::done(HostedCell& at, const monitor::Request& request,
                                             const call::Done& done) {
+  const Cell& cell = at.cell();
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  Json value = value_now();
+  Json value = value_now(cell);
   if (done.reached) value["reached"] = *done.reached;
   if (done.ran_ticks) value["ran_ticks"] = *done.ran_ticks;
-  if (concerns_faults(wanted)) return at_once(monitor::result(request.id, value_with_faults()));
-  const bool is_large = cell_.state().blocks.size() > FrameMaker::kMaxBlocksAtOnce;
+  if (concerns_faults(wanted)) return at_once(monitor::result(request.id, value_with_faults(cell)));
+  const bool is_large = cell.state().blocks.size() > FrameMaker::kMaxBlocksAtOnce;
   if (moves_time(wanted)) {
-    return {[id = request.id, fields = wanted.fields, model = cell_.model_ptr(),
-             now = cell_.snapshot(), value]() mutable {
+    return {[id = request.id, fields = wanted.fields, model = cell.model_ptr(),
+             now = cell.snapshot(), value]() mutable {
               value["state"] = state_json(*model, now, fields);
               return monitor::result(id, value);
             },
@@ -251,28 +254,32 @@ MonitorService::Answer MonitorService::done(const monitor::Request& request,
           is_large};
 }
 
-Json MonitorService::value_now() const {
-  return {{"epoch", cell_.epoch()}, {"tick", cell_.state().tick}};
-}
-
 // --- Serial lines.
 
-MonitorService::Answer MonitorService::send(MonitorSession& session,
+LineId MonitorService::own_line(HostedCell& at, MonitorSession& session) {
+  std::map<std::string, LineId>& lines = session.own_lines();
+  const auto known = lines.find(at.name());
+  if (known != lines.end() && at.cell().find_line(known->second) != nullptr) return known->second;
+  if (lines.size() > cells_.size())
+    std::erase_if(lines, [this](const auto& line) { return !cells_.find(line.first); });
+  const LineId opened =
+      at.cell().apply(LineOpened{"monitor", LineKind::kMonitor}, wall_now()).line;
+  lines[at.name()] = opened;
+  return opened;
+}
+
+MonitorService::Answer MonitorService::send(HostedCell& at, MonitorSession& session,
                                             const monitor::Request& request) {
+  Cell& cell = at.cell();
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   const std::string& bytes = std::get<monitor::Send>(wanted.call).bytes;
-  const std::optional<LineId> open_line = session.own_line();
-  const bool is_open = open_line && cell_.find_line(*open_line) != nullptr;
-  const LineId id = is_open
-                        ? *open_line
-                        : cell_.apply(LineOpened{"monitor", LineKind::kMonitor}, wall_now()).line;
-  if (!is_open) session.set_own_line(id);
+  const LineId id = own_line(at, session);
   // Camera images can fill the outbox. The client sends the rest of the bytes with the next call,
   // so that no call takes long.
-  const std::size_t taken = cell_.apply(BytesIn{id, bytes}, wall_now()).bytes_taken;
-  std::string replies(cell_.find_line(id)->outbox());
-  cell_.apply(BytesOut{id, replies.size()}, wall_now());
-  Json value = value_now();
+  const std::size_t taken = cell.apply(BytesIn{id, bytes}, wall_now()).bytes_taken;
+  std::string replies(cell.find_line(id)->outbox());
+  cell.apply(BytesOut{id, replies.size()}, wall_now());
+  Json value = value_now(cell);
   value["line"] = id;
   if (taken < bytes.size()) value["taken"] = taken;
   const bool is_long = replies.size() > kMaxReplyBytesAtOnce;
@@ -284,13 +291,14 @@ MonitorService::Answer MonitorService::send(MonitorSession& session,
           is_long};
 }
 
-MonitorService::Answer MonitorService::list_lines(const monitor::Request& request) {
-  cell_.catch_up(wall_now());
+MonitorService::Answer MonitorService::list_lines(HostedCell& at, const monitor::Request& request) {
+  Cell& cell = at.cell();
+  cell.catch_up(wall_now());
   std::vector<LineEntry> lines;
-  for (const auto& [id, line] : cell_.lines()) lines.push_back(entry_of(id, line));
+  for (const auto& [id, line] : cell.lines()) lines.push_back(entry_of(id, line));
   const bool is_long = lines.size() > kMaxLinesAtOnce;
-  Json value = value_now();
-  if (cell_.device() != nullptr) value["device"] = device_line_json(*cell_.device());
+  Json value = value_now(cell);
+  if (cell.device() != nullptr) value["device"] = device_line_json(*cell.device());
   return {[id = request.id, value = std::move(value), lines = std::move(lines)]() mutable {
             Json& list = value["lines"] = Json::array();
             for (const LineEntry& line : lines) list.push_back(line_json(line));
@@ -299,13 +307,14 @@ MonitorService::Answer MonitorService::list_lines(const monitor::Request& reques
           is_long};
 }
 
-monitor::Message MonitorService::disconnect(const monitor::Request& request) {
+monitor::Message MonitorService::disconnect(HostedCell& at, const monitor::Request& request) {
+  Cell& cell = at.cell();
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   const LineId id = std::get<monitor::DisconnectLine>(wanted.call).line;
-  if (cell_.find_line(id) == nullptr) return refused(request.id, no_such_line(id));
-  if (!lines_.disconnect(id))
-    cell_.apply(LineClosed{id, LineCloseReason::kDisconnected}, wall_now());
-  return monitor::result(request.id, value_now());
+  if (cell.find_line(id) == nullptr) return refused(request.id, no_such_line(id));
+  if (!at.transports().disconnect(id))
+    cell.apply(LineClosed{id, LineCloseReason::kDisconnected}, wall_now());
+  return monitor::result(request.id, value_now(cell));
 }
 
 }  // namespace xr3

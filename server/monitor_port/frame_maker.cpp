@@ -44,11 +44,17 @@ bool FrameMaker::is_any_slow() const {
   return is_slow(Channel::kState) || is_slow(Channel::kImage);
 }
 
+FrameCache& FrameMaker::frames() {
+  if (!frames_) frames_ = std::make_unique<FrameCache>(cell_.name());
+  return *frames_;
+}
+
 const Frame* FrameMaker::at_once(const Selection& selection) {
   assert(!is_slow(selection.channel));
   const Channel channel = selection.channel;
-  if (!frames_.is_current(channel, cell_.revision())) frames_.show(frame_source(cell_, channel));
-  return frames_.frame(selection);
+  if (!frames().is_current(channel, cell_.revision()))
+    frames_->show(frame_source(cell_, channel));
+  return frames_->frame(selection);
 }
 
 asio::awaitable<std::optional<Frame>> FrameMaker::get(Selection selection) {
@@ -65,11 +71,11 @@ asio::awaitable<std::vector<SelectedFrame>> FrameMaker::make(std::vector<Selecti
   co_await making_.until_free();
   const Exclusive::Hold hold(making_);
   cell_.catch_up(wall_now());
-  auto work = [this, sources = new_sources(selections), wanted = std::move(selections)] {
-    for (const FrameSource& source : sources) frames_.show(source);
+  auto work = [cache = &frames(), sources = new_sources(selections), wanted = std::move(selections)] {
+    for (const FrameSource& source : sources) cache->show(source);
     std::vector<SelectedFrame> frames;
     for (const Selection& selection : wanted)
-      frames.emplace_back(selection, frame_of(frames_, selection));
+      frames.emplace_back(selection, frame_of(*cache, selection));
     return frames;
   };
   std::vector<SelectedFrame> made = co_await worker_.run(std::move(work));
@@ -81,7 +87,7 @@ std::vector<FrameSource> FrameMaker::new_sources(const std::vector<Selection>& s
   std::vector<FrameSource> sources;
   for (const Selection& selection : selections) {
     const Channel channel = selection.channel;
-    if (frames_.is_current(channel, cell_.revision()) || shows_channel(sources, channel)) continue;
+    if (frames().is_current(channel, cell_.revision()) || shows_channel(sources, channel)) continue;
     sources.push_back(frame_source(cell_, channel));
   }
   return sources;

@@ -2,6 +2,7 @@
 // in the worker, so that nobody else waits for them.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -25,7 +26,7 @@ class FrameMaker {
 
   /// The references must outlive it.
   FrameMaker(asio::io_context& io, Cell& cell, Worker& worker)
-      : cell_(cell), worker_(worker), frames_(cell.name()), making_(io) {}
+      : cell_(cell), worker_(worker), making_(io) {}
 
   /// Whether the frames of a channel come from the worker now.
   bool is_slow(monitor::Channel channel) const;
@@ -43,11 +44,14 @@ class FrameMaker {
   asio::awaitable<std::vector<SelectedFrame>> make(std::vector<monitor::Selection> selections);
 
  private:
+  FrameCache& frames();
   std::vector<FrameSource> new_sources(const std::vector<monitor::Selection>& selections);
 
   Cell& cell_;
   Worker& worker_;
-  FrameCache frames_;  ///< accessed by the worker only while making_ is held, else by the loop only
+  /// Accessed by the worker only while making_ is held, else by the loop only. Made when the first
+  /// frame is asked for, since most cells are not watched.
+  std::unique_ptr<FrameCache> frames_;
   Exclusive making_;
 };
 

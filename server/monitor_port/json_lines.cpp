@@ -8,7 +8,7 @@
 namespace xr3 {
 namespace {
 
-constexpr auto kNoDeadline = std::chrono::steady_clock::time_point::max();
+constexpr auto kNoProgressDeadline = std::chrono::steady_clock::time_point::max();
 // Limits of one write: the number of messages, and the bytes after which no message is added.
 constexpr std::size_t kMaxBatch = 16;
 constexpr std::size_t kBatchBytes = 64 * 1024;
@@ -29,7 +29,7 @@ std::shared_ptr<JsonLines> JsonLines::greet(std::shared_ptr<MonitorSocket> socke
 }
 
 JsonLines::JsonLines(std::shared_ptr<MonitorSocket> socket, MonitorService&)
-    : socket_(std::move(socket)), progress_(socket_->executor(), kNoDeadline) {}
+    : socket_(std::move(socket)), progress_(socket_->executor(), kNoProgressDeadline) {}
 
 // --- In.
 

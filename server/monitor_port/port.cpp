@@ -7,21 +7,21 @@
 
 namespace xr3 {
 
-MonitorPort::MonitorPort(asio::io_context& io, Cell& cell, LineTransports& lines,
+MonitorPort::MonitorPort(asio::io_context& io, CellRegistry& cells, Worker& worker,
                          const AccessPolicy& policy, HttpResources::NotReady not_ready,
-                         const std::function<void()>& acted, const SocketLimits& limits)
+                         const std::function<void()>& ended, const SocketLimits& limits)
     : max_connections_(limits.connections),
       peers_(peer_counts(limits.connections, limits.per_address)),
-      service_(io, cell, lines, policy, acted),
-      resources_(cell, service_, policy, std::move(not_ready), [this] { return counters(); }),
+      service_(io, cells, worker, policy),
+      resources_(service_, policy, std::move(not_ready), [this] { return counters(); }),
       context_{service_, resources_, nullptr, [this] { report_tls(); },
-               [this, acted](const std::shared_ptr<MonitorConnection>& connection) {
+               [this, ended](const std::shared_ptr<MonitorConnection>& connection) {
                  std::erase(connections_, connection);
                  has_logged_full_ = false;
-                 acted();
+                 ended();
                }},
       listener_(io, "the monitor port", [this](tcp::socket socket) { open(std::move(socket)); }),
-      refusals_(resources_, limits.refusals, acted) {}
+      refusals_(resources_, limits.refusals, ended) {}
 
 ErrorCode MonitorPort::listen(const tcp::endpoint& endpoint) { return listener_.listen(endpoint); }
 

@@ -5,12 +5,11 @@
 #include <memory>
 #include <vector>
 
-#include "cell/cell.hpp"
+#include "server/cells/registry.hpp"
 #include "server/http/resources.hpp"
 #include "server/monitor_port/connection.hpp"
 #include "server/monitor_port/refusals.hpp"
 #include "server/net/asio.hpp"
-#include "server/net/line_transports.hpp"
 #include "server/net/listener.hpp"
 #include "server/net/socket_limits.hpp"
 #include "server/net/wall_clock.hpp"
@@ -19,11 +18,13 @@ namespace xr3 {
 
 class MonitorPort {
  public:
-  /// `not_ready` is called for /readyz; `acted` after each call on the cell, and when a connection
-  /// has ended. Connections beyond the limit can only ask for /healthz and /readyz.
-  MonitorPort(asio::io_context& io, Cell& cell, LineTransports& lines, const AccessPolicy& policy,
-              HttpResources::NotReady not_ready, const std::function<void()>& acted,
+  /// `not_ready` is called for /readyz; `ended` when a connection has ended. Connections beyond the
+  /// limit can only ask for /healthz and /readyz. The references must outlive the port.
+  MonitorPort(asio::io_context& io, CellRegistry& cells, Worker& worker, const AccessPolicy& policy,
+              HttpResources::NotReady not_ready, const std::function<void()>& ended,
               const SocketLimits& limits);
+
+  MonitorService& service() { return service_; }
 
   /// Binds and starts to accept; endpoint() is then valid. Returns the error.
   ErrorCode listen(const tcp::endpoint& endpoint);
@@ -34,12 +35,7 @@ class MonitorPort {
   void close(WallNs deadline = kNever);
   /// Closes every connection now.
   void abort();
-  /// Stops the worker's thread, for the end of the process.
-  void stop() { service_.worker().stop(); }
   bool is_empty() const { return connections_.empty() && refusals_.is_empty(); }
-
-  /// An input of the cell has acted: serves the subscribers.
-  void acted() { service_.acted(); }
 
   /// Counts the connections towards a limit of memory, which must outlive the port.
   void limit_memory(MemoryLimit& limit) { context_.memory = &limit; }

@@ -23,7 +23,54 @@ constexpr std::chrono::milliseconds kWrongTokenDelay{200};
 constexpr std::size_t kMaxParsedAtOnce = 4096;
 constexpr WallNs kTokenLogEvery = 1'000'000'000;
 
+using AllChannelStats = std::array<monitor::ChannelStats, monitor::kChannels>;
+
 bool is_feed(Channel channel) { return channel == Channel::kEvent || channel == Channel::kLine; }
+
+/// The ring of a channel without loss, which keeps its cell.
+std::shared_ptr<monitor::Feed> feed_of(HostedCell& at, Channel channel) {
+  return at.share(channel == Channel::kEvent ? at.cell().events() : at.cell().wires());
+}
+
+void merge(AllChannelStats& sum, const AllChannelStats& more) {
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    sum[i].sent += more[i].sent;
+    sum[i].overwritten += more[i].overwritten;
+  }
+}
+
+/// Adds the statistics of a cell and its lines.
+void merge(CellCounters& sum, const HostedCell& at) {
+  sum += at.cell().counters();
+  sum.lines_open += at.cell().lines().size();
+  const PortCounters port = at.port_counters();
+  sum.robot_port.refused += port.refused;
+  sum.robot_port.accept_failures += port.accept_failures;
+  sum.robot_port.other_peers += port.other_peers;
+}
+
+bool is_overview(const monitor::Request& request) {
+  constexpr Channel kOverview = Channel::kOverview;
+  if (const auto* sub = std::get_if<monitor::Subscribe>(&request.what))
+    return sub->selection.channel == kOverview;
+  if (const auto* unsub = std::get_if<monitor::Unsubscribe>(&request.what))
+    return unsub->channel == kOverview;
+  const auto* get = std::get_if<monitor::Get>(&request.what);
+  return get != nullptr && get->selection.channel == kOverview;
+}
+
+template <class Call>
+bool is_call(const monitor::Request& request) {
+  const auto* wanted = std::get_if<monitor::CallRequest>(&request.what);
+  return wanted != nullptr && std::holds_alternative<Call>(wanted->call);
+}
+
+/// Whether a request is about one cell, so that it must have one.
+bool concerns_a_cell(const monitor::Request& request) {
+  return !std::holds_alternative<monitor::Ping>(request.what) &&
+         !std::holds_alternative<monitor::Auth>(request.what) && !is_overview(request) &&
+         !is_call<monitor::ListCells>(request) && !is_call<monitor::Describe>(request);
+}
 
 monitor::RequestError no_camera(const monitor::RequestId& id) {
   return {id,
@@ -43,7 +90,7 @@ monitor::RequestError token_required(const monitor::RequestId& id, const std::st
 
 std::optional<monitor::RequestError> check_access(const MonitorSession& session,
                                                   const monitor::Heading& heading) {
-  if (session.access() == Access::kControl) return std::nullopt;
+  if (session.highest_access() == Access::kControl) return std::nullopt;
   if (heading.op == "call")
     return token_required(heading.id, heading.fn.empty() ? "a call" : "the call " + heading.fn);
   const bool reads = heading.op == "sub" || heading.op == "get";
@@ -70,16 +117,14 @@ Json terms(const std::string& cell, const monitor::Subscribe& wanted, std::int64
 
 }  // namespace
 
-MonitorService::MonitorService(asio::io_context& io, Cell& cell, LineTransports& lines,
-                               const AccessPolicy& policy, std::function<void()> acted)
+MonitorService::MonitorService(asio::io_context& io, CellRegistry& cells, Worker& worker,
+                               const AccessPolicy& policy)
     : io_(io),
-      cell_(cell),
-      lines_(lines),
+      cells_(cells),
+      worker_(worker),
       policy_(policy),
-      acted_(std::move(acted)),
-      frames_(io, cell, worker_),
-      subscribers_(io, cell, frames_, [this] { lines_.run_turns(); }),
-      lag_(io, [this] { return cell_.has_news_to_come(); }),
+      overview_(io, cells, [this] { between(); }),
+      lag_(io, [this] { return cells_.has_news_to_come(); }),
       making_long_(io) {}
 
 // --- Sessions.
@@ -90,52 +135,107 @@ Access MonitorService::first_access() const {
 }
 
 void MonitorService::remove(MonitorSession& session) {
-  subscribers_.remove(session);
-  const std::optional<LineId> line = session.own_line();
-  if (!line) return;
-  try {
-    cell_.apply(LineClosed{*line, LineCloseReason::kClientClosed}, wall_now());
-    acted_();
-  } catch (const VitalFailure& failure) {  // must not leave a destructor
-    asio::post(io_, [failure] { throw failure; });
+  std::erase(sessions_, &session);
+  overview_.remove(session);
+  while (!session.hubs().empty()) session.hubs().back()->remove(session);
+  merge(gone_sessions_, session.client().channel_stats());
+  for (const auto& [name, line] : session.own_lines()) {
+    const CellPtr at = cells_.find(name);
+    if (!at) continue;
+    try {
+      at->cell().apply(LineClosed{line, LineCloseReason::kClientClosed}, wall_now());
+      at->acted();
+    } catch (const VitalFailure& failure) {  // must not leave a destructor
+      asio::post(io_, [failure] { throw failure; });
+    }
   }
 }
 
-monitor::Message MonitorService::hello(const MonitorSession& session) {
-  cell_.catch_up(wall_now());
-  const monitor::CellTime now{cell_.epoch(), cell_.state().tick, cell_.clock().mode(),
-                              cell_.clock().rate()};
-  return monitor::hello({"xr3 " XR3_VERSION, cells(), cell_.model(), now, session.access()});
+std::vector<std::string> MonitorService::visible_cells(const MonitorSession& session) const {
+  std::vector<std::string> names;
+  for (const CellPtr& each : cells_.all())
+    if (may_see(session, *each)) names.push_back(each->name());
+  return names;
+}
+
+monitor::Message MonitorService::hello(MonitorSession& session) {
+  monitor::Greeting greeting{"xr3 " XR3_VERSION, visible_cells(session), {},
+                             session.highest_access()};
+  session.set_own_cell(std::nullopt);
+  if (greeting.cells.empty()) return monitor::hello(greeting);
+  session.set_own_cell(greeting.cells.front());
+  Cell& cell = cells_.find(greeting.cells.front())->cell();
+  cell.catch_up(wall_now());
+  const monitor::CellTime now{cell.epoch(), cell.state().tick, cell.clock().mode(),
+                              cell.clock().rate()};
+  greeting.cell.emplace(monitor::GreetedCell{cell.name(), cell.model(), now});
+  return monitor::hello(greeting);
 }
 
 asio::awaitable<std::optional<monitor::Frame>> MonitorService::current_frame(
-    monitor::Selection selection) {
-  cell_.catch_up(wall_now());
-  std::optional<monitor::Frame> frame = co_await frames_.get(std::move(selection));
+    CellPtr at, monitor::Selection selection) {
+  at->cell().catch_up(wall_now());
+  std::optional<monitor::Frame> frame = co_await at->frames().get(std::move(selection));
   co_return frame;
 }
 
-void MonitorService::acted() {
+void MonitorService::acted(HostedCell& cell) {
   note_work();
-  subscribers_.acted();
+  overview_.acted(cell);
 }
 
 void MonitorService::stop() {
-  subscribers_.stop();
+  overview_.stop();
+  for (const CellPtr& each : cells_.all()) each->stop_subscribers();
   lag_.stop();
 }
 
+void MonitorService::keep_counters(const HostedCell& cell) { merge(gone_cells_, cell); }
+
 CellCounters MonitorService::counters() const {
-  CellCounters counters = cell_.counters();
-  counters.lines_open = cell_.lines().size();
-  counters.monitor_sessions = subscribers_.size();
+  CellCounters counters = gone_cells_;
+  counters.lines_open = 0;
+  for (const CellPtr& each : cells_.all()) merge(counters, *each);
+  counters.cells_open = cells_.size();
+  counters.cells_total = cells_.total();
+  if (count_more_) count_more_(counters);
+  counters.monitor_sessions = sessions_.size();
   counters.wrong_tokens = wrong_tokens_;
-  counters.robot_port = lines_.counters();
   counters.loop_lag_ns = lag_.max_at(wall_now());
-  const SubscriberHub::AllChannelStats channel_stats = subscribers_.channel_stats();
+  AllChannelStats channel_stats = gone_sessions_;
+  for (MonitorSession* session : sessions_) merge(channel_stats, session->client().channel_stats());
   for (std::size_t i = 0; i < channel_stats.size(); ++i)
     counters.channels.at(i) = {channel_stats[i].sent, channel_stats[i].overwritten};
   return counters;
+}
+
+// --- Cells.
+
+/// The subscribers get what is left of its events; a slow one gets a `lag` and the last event.
+void MonitorService::forget(HostedCell& cell) {
+  overview_.forget(cell);
+  const std::vector<MonitorSession*> sessions = cell.hub().sessions();
+  for (MonitorSession* session : sessions) {
+    session->client().finish(cell.name());
+    cell.hub().remove(*session);
+    session->wake();
+  }
+  keep_counters(cell);
+}
+
+void MonitorService::between() {
+  if (!cells_.is_empty()) cells_.all().front()->transports().run_turns();
+}
+
+bool MonitorService::may_see(const MonitorSession& session, const HostedCell& cell) const {
+  return session.access() != Access::kNone || session.is_granted(cell.name());
+}
+
+CellPtr MonitorService::find_cell(const MonitorSession& session,
+                                  const monitor::Request& request) const {
+  const std::optional<std::string>& name = request.cell ? request.cell : session.own_cell();
+  CellPtr at = name ? cells_.find(*name) : nullptr;
+  return at && may_see(session, *at) ? at : nullptr;
 }
 
 // --- Requests.
@@ -147,7 +247,7 @@ MonitorService::Error MonitorService::refuse(const MonitorSession& session,
 }
 
 asio::awaitable<monitor::RequestReading> MonitorService::read(std::string_view message) {
-  const auto parse = [message, cells = cells()] { return monitor::read_request(message, cells); };
+  const auto parse = [message] { return monitor::read_request(message); };
   if (message.size() <= kMaxParsedAtOnce) co_return parse();
   co_return co_await worker_.run(parse);
 }
@@ -156,18 +256,38 @@ asio::awaitable<void> MonitorService::carry_out(MonitorSession& session, monitor
   note_work();
   if (const Error error = check_access(session, monitor::heading_of(request))) {
     session.client().send(monitor::result(*error));
+    co_return;
+  }
+  const bool is_auth = std::holds_alternative<monitor::Auth>(request.what);  // sees nothing yet
+  CellPtr at = find_cell(session, request);
+  if (!at && !is_auth && (request.cell || concerns_a_cell(request))) {
+    session.client().send(monitor::result(monitor::unknown_cell(request, visible_cells(session))));
   } else if (std::holds_alternative<monitor::Ping>(request.what)) {
     session.client().send(monitor::pong(request.id));
-  } else if (std::holds_alternative<monitor::Auth>(request.what)) {
+  } else if (is_auth) {
     co_await authorize(session, std::move(request));
-  } else if (std::holds_alternative<monitor::Subscribe>(request.what)) {
-    co_await subscribe(session, std::move(request));
-  } else if (std::holds_alternative<monitor::Unsubscribe>(request.what)) {
-    unsubscribe(session, request);
-  } else if (std::holds_alternative<monitor::Get>(request.what)) {
-    co_await show(session, std::move(request));
+  } else if (is_overview(request)) {
+    co_await carry_out_overview(session, std::move(request));
+  } else if (is_call<monitor::ListCells>(request)) {
+    co_await list_cells(session, std::move(request));
+  } else if (is_call<monitor::Describe>(request)) {
+    describe(std::move(at), session, request);
   } else {
-    co_await call(session, std::move(request));
+    co_await carry_out_at(std::move(at), session, std::move(request));
+  }
+}
+
+/// Carries out a request that concerns a cell, which `at` keeps meanwhile.
+asio::awaitable<void> MonitorService::carry_out_at(CellPtr at, MonitorSession& session,
+                                                   monitor::Request request) {
+  if (std::holds_alternative<monitor::Subscribe>(request.what)) {
+    co_await subscribe(std::move(at), session, std::move(request));
+  } else if (std::holds_alternative<monitor::Unsubscribe>(request.what)) {
+    unsubscribe(*at, session, request);
+  } else if (std::holds_alternative<monitor::Get>(request.what)) {
+    co_await show(std::move(at), session, std::move(request));
+  } else {
+    co_await call(std::move(at), session, std::move(request));
   }
 }
 
@@ -178,6 +298,13 @@ asio::awaitable<void> MonitorService::authorize(MonitorSession& session, monitor
     session.grant(Access::kControl);
     session.client().send(monitor::result(request.id, {{"access", "control"}}));
     if (had_no_access) session.client().send(hello(session));
+    co_return;
+  }
+  if (const CellPtr cell = cells_.find_by_token(std::get<monitor::Auth>(request.what).token)) {
+    session.grant(cell->name());
+    session.client().send(
+        monitor::result(request.id, {{"access", "control"}, {"cell", cell->name()}}));
+    if (session.access() == Access::kNone) session.client().send(hello(session));
     co_return;
   }
   note_wrong_token();
@@ -202,46 +329,53 @@ void MonitorService::note_wrong_token() {
 
 // --- Channels.
 
-monitor::Feed& MonitorService::feed(Channel channel) {
-  return channel == Channel::kEvent ? cell_.events() : cell_.wires();
-}
-
-asio::awaitable<void> MonitorService::subscribe(MonitorSession& session, monitor::Request request) {
+asio::awaitable<void> MonitorService::subscribe(CellPtr at, MonitorSession& session,
+                                                monitor::Request request) {
   const auto& wanted = std::get<monitor::Subscribe>(request.what);
   const Channel channel = wanted.selection.channel;
   if (is_feed(channel)) {
-    cell_.catch_up(wall_now());
-    const std::int64_t next = feed(channel).next();
+    at->cell().catch_up(wall_now());
+    const std::shared_ptr<monitor::Feed> feed = feed_of(*at, channel);
+    const std::int64_t next = feed->next();
     const std::int64_t since = std::clamp<std::int64_t>(wanted.since.value_or(next), 1, next);
-    session.client().send(monitor::result(request.id, terms(request.cell, wanted, since)));
-    session.client().follow_feed(request.cell, wanted, feed(channel));
+    session.client().send(monitor::result(request.id, terms(at->name(), wanted, since)));
+    session.client().follow_feed(at->name(), wanted, feed);
   } else {
-    const std::optional<monitor::Frame> frame = co_await current_frame(wanted.selection);
+    const std::optional<monitor::Frame> frame = co_await current_frame(at, wanted.selection);
+    if (at->is_retired()) {
+      session.client().send(
+          monitor::result(monitor::unknown_cell(request, visible_cells(session))));
+      co_return;
+    }
     if (!frame) {
       session.client().send(monitor::result(no_camera(request.id)));
       co_return;
     }
-    session.client().send(monitor::result(request.id, terms(request.cell, wanted, 0)));
-    session.client().follow_frames(request.cell, wanted).offer(*frame, subscribers_.now());
+    session.client().send(monitor::result(request.id, terms(at->name(), wanted, 0)));
+    session.client().follow_frames(at->name(), wanted).offer(*frame, at->hub().now());
   }
-  subscribers_.acted();
+  at->hub().add(session);
+  at->hub().acted();
 }
 
-void MonitorService::unsubscribe(MonitorSession& session, const monitor::Request& request) {
+void MonitorService::unsubscribe(HostedCell& at, MonitorSession& session,
+                                 const monitor::Request& request) {
   const Channel channel = std::get<monitor::Unsubscribe>(request.what).channel;
-  session.client().unfollow(request.cell, channel);
+  session.client().unfollow(at.name(), channel);
+  if (!session.client().follows(at.name())) at.hub().remove(session);
   session.client().send(monitor::result(request.id, Json::object()));
 }
 
-asio::awaitable<void> MonitorService::show(MonitorSession& session, monitor::Request request) {
+asio::awaitable<void> MonitorService::show(CellPtr at, MonitorSession& session,
+                                           monitor::Request request) {
   const auto& get = std::get<monitor::Get>(request.what);
   if (is_feed(get.selection.channel)) {
-    cell_.catch_up(wall_now());
-    session.client().replay(feed(get.selection.channel), request.cell, get, request.id);
+    at->cell().catch_up(wall_now());
+    session.client().replay(feed_of(*at, get.selection.channel), at->name(), get, request.id);
     session.client().send(monitor::result(request.id, Json::object()));
     co_return;
   }
-  const std::optional<monitor::Frame> frame = co_await current_frame(get.selection);
+  const std::optional<monitor::Frame> frame = co_await current_frame(at, get.selection);
   session.client().send(frame ? monitor::with_id(frame->message, request.id)
                               : monitor::result(no_camera(request.id)));
 }

@@ -1,4 +1,4 @@
-// Carries out the requests of monitor sessions on the cell, and queues the answers. All sessions
+// Carries out the requests of monitor sessions on the cells, and queues the answers. All sessions
 // share one service, which is independent of their transport (JSON lines or WebSocket).
 #pragma once
 
@@ -12,12 +12,11 @@
 #include "protocol/monitor/message.hpp"
 #include "protocol/monitor/request_error.hpp"
 #include "server/monitor_port/access.hpp"
-#include "server/monitor_port/frame_maker.hpp"
+#include "server/cells/registry.hpp"
+#include "server/monitor_port/overview.hpp"
 #include "server/monitor_port/session.hpp"
-#include "server/monitor_port/subscribers.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/exclusive.hpp"
-#include "server/net/line_transports.hpp"
 #include "server/net/loop_lag.hpp"
 #include "server/net/wall_clock.hpp"
 #include "server/net/worker.hpp"
@@ -26,21 +25,24 @@ namespace xr3 {
 
 class MonitorService {
  public:
-  /// `acted` is called after each call. The references must outlive the service.
-  MonitorService(asio::io_context& io, Cell& cell, LineTransports& lines,
-                 const AccessPolicy& policy, std::function<void()> acted);
+  /// The references must outlive the service.
+  MonitorService(asio::io_context& io, CellRegistry& cells, Worker& worker,
+                 const AccessPolicy& policy);
 
-  std::vector<std::string> cells() const { return {cell_.name()}; }
+  CellRegistry& cells() { return cells_; }
+  Overview& overview() { return overview_; }
 
   // --- Sessions.
 
-  void add(MonitorSession& session) { subscribers_.add(session); }
-  /// Also closes the session's own line.
+  void add(MonitorSession& session) { sessions_.push_back(&session); }
+  /// Also closes the session's own lines.
   void remove(MonitorSession& session);
   Access first_access() const;
   /// The first message of a session. Without access it describes only the server, and is sent again
   /// after the token.
-  monitor::Message hello(const MonitorSession& session);
+  monitor::Message hello(MonitorSession& session);
+  /// The names of the cells that the session may see.
+  std::vector<std::string> visible_cells(const MonitorSession& session) const;
 
   /// The error if the session lacks the access for this request; else nullopt, even if the request
   /// is invalid. Parses only the heading, so that requests without access are cheap.
@@ -54,31 +56,46 @@ class MonitorService {
   /// the coroutine.
   asio::awaitable<void> carry_out(MonitorSession& session, monitor::Request request);
 
-  /// The current frame of the cell; nullopt for an image if there is no camera.
-  asio::awaitable<std::optional<monitor::Frame>> current_frame(monitor::Selection selection);
+  /// The current frame of a cell; nullopt for an image if there is no camera.
+  asio::awaitable<std::optional<monitor::Frame>> current_frame(CellPtr at,
+                                                               monitor::Selection selection);
 
-  /// An input of the cell has acted: serves the subscribers, and measures the event loop.
-  void acted();
+  /// An input of a cell has acted: shows it in the overview, and measures the event loop.
+  void acted(HostedCell& cell);
   /// The server has work to do for a client: measures the event loop.
   void note_work() { lag_.note_work(); }
-  SubscriberHub& subscribers() { return subscribers_; }
+  /// A cell is about to close: its subscriptions end, and its statistics remain in counters().
+  void forget(HostedCell& cell);
   asio::io_context& io() { return io_; }
   Worker& worker() { return worker_; }
   /// For the end of the process: starts no timer any more, except for waiting requests.
   void stop();
 
-  /// The statistics of the cell, the lines, the sessions and the event loop.
+  /// `count` adds what neither the cells nor the sessions count.
+  void count_more(std::function<void(CellCounters&)> count) { count_more_ = std::move(count); }
+  /// The statistics of all cells together, of their lines, the sessions and the event loop.
   CellCounters counters() const;
 
  private:
+  void keep_counters(const HostedCell& cell);
   using Error = std::optional<monitor::RequestError>;
 
   asio::awaitable<void> authorize(MonitorSession& session, monitor::Request request);
   void note_wrong_token();
-  asio::awaitable<void> subscribe(MonitorSession& session, monitor::Request request);
-  void unsubscribe(MonitorSession& session, const monitor::Request& request);
-  asio::awaitable<void> show(MonitorSession& session, monitor::Request request);
-  monitor::Feed& feed(monitor::Channel channel);
+  void between();
+  bool may_see(const MonitorSession& session, const HostedCell& cell) const;
+  /// The cell of a request; nullptr if the session does not know it.
+  CellPtr find_cell(const MonitorSession& session, const monitor::Request& request) const;
+  asio::awaitable<void> carry_out_overview(MonitorSession& session, monitor::Request request);
+  asio::awaitable<void> list_cells(MonitorSession& session, monitor::Request request);
+  void describe(CellPtr at, MonitorSession& session, const monitor::Request& request);
+  asio::awaitable<void> carry_out_at(CellPtr at, MonitorSession& session,
+                                     monitor::Request request);
+  /// The session's own line of a cell, which a first `send` opens.
+  LineId own_line(HostedCell& at, MonitorSession& session);
+  asio::awaitable<void> subscribe(CellPtr at, MonitorSession& session, monitor::Request request);
+  void unsubscribe(HostedCell& at, MonitorSession& session, const monitor::Request& request);
+  asio::awaitable<void> show(CellPtr at, MonitorSession& session, monitor::Request request);
 
   /// The answer to a call that has taken effect. `make` is pure work on copies.
   struct Answer {
@@ -88,30 +105,29 @@ class MonitorService {
   static Answer at_once(const monitor::Message& message);
   asio::awaitable<monitor::Message> make_long(Answer answer);
 
-  asio::awaitable<void> call(MonitorSession& session, monitor::Request request);
-  asio::awaitable<Error> wait_for(monitor::After after);
-  Answer carry_out_call(MonitorSession& session, monitor::Request& request);
-  Answer call_cell(monitor::Request& request);
-  Answer send(MonitorSession& session, const monitor::Request& request);
-  Answer list_lines(const monitor::Request& request);
-  monitor::Message disconnect(const monitor::Request& request);
-  Answer done(const monitor::Request& request, const call::Done& done);
-  /// Epoch and tick, the first members of the value of each call.
-  Json value_now() const;
-  Json value_with_faults() const;
+  asio::awaitable<void> call(CellPtr at, MonitorSession& session, monitor::Request request);
+  static asio::awaitable<Error> wait_for(HostedCell& at, monitor::After after);
+  Answer carry_out_call(HostedCell& at, MonitorSession& session, monitor::Request& request);
+  static Answer call_cell(HostedCell& at, monitor::Request& request);
+  Answer send(HostedCell& at, MonitorSession& session, const monitor::Request& request);
+  static Answer list_lines(HostedCell& at, const monitor::Request& request);
+  static monitor::Message disconnect(HostedCell& at, const monitor::Request& request);
+  static Answer done(HostedCell& at, const monitor::Request& request, const call::Done& done);
 
   asio::io_context& io_;
-  Cell& cell_;
-  LineTransports& lines_;
+  CellRegistry& cells_;
+  Worker& worker_;
   const AccessPolicy& policy_;
-  std::function<void()> acted_;
-  FrameMaker frames_;
   std::uint64_t wrong_tokens_ = 0;
   WallNs next_token_log_ = 0;  ///< earliest time of the next message about wrong tokens
-  SubscriberHub subscribers_;
+  std::vector<MonitorSession*> sessions_;
+  /// The statistics of removed sessions, by monitor::Channel, and of closed cells.
+  std::array<monitor::ChannelStats, monitor::kChannels> gone_sessions_{};
+  CellCounters gone_cells_;
+  std::function<void(CellCounters&)> count_more_;
+  Overview overview_;
   LoopLag lag_;
   Exclusive making_long_;  ///< an answer to a call; meanwhile calls wait
-  Worker worker_;
 };
 
 }  // namespace xr3

@@ -1,5 +1,6 @@
 #include "server/monitor_port/session.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "server/monitor_port/service.hpp"
@@ -7,7 +8,7 @@
 namespace xr3 {
 
 MonitorSession::MonitorSession(MonitorService& service, MessageSink& sink)
-    : service_(service), client_(service.cells()), sink_(sink), access_(service.first_access()) {
+    : service_(service), sink_(sink), access_(service.first_access()) {
   client_.send(service_.hello(*this));
   service_.add(*this);  // last: if anything throws, the session is not registered
 }
@@ -24,8 +25,16 @@ asio::awaitable<void> MonitorSession::handle(std::string_view message) {
 }
 
 monitor::Message MonitorSession::next_output() {
-  return client_.next_output(service_.subscribers().now());
+  return client_.next_output(SubscriberHub::wall_frame());
 }
+
+bool MonitorSession::join(SubscriberHub& hub) {
+  if (std::ranges::find(hubs_, &hub) != hubs_.end()) return false;
+  hubs_.push_back(&hub);
+  return true;
+}
+
+void MonitorSession::leave(SubscriberHub& hub) { std::erase(hubs_, &hub); }
 
 void MonitorSession::prefetch(Depth depth) const {
   if (depth == Depth::kItself) return xr3::prefetch(this);

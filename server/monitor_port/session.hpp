@@ -2,9 +2,12 @@
 // messages out. The destructor closes the line that the session has opened.
 #pragma once
 
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cell/serial_line.hpp"
 #include "protocol/monitor/client.hpp"
@@ -13,7 +16,9 @@
 
 namespace xr3 {
 
+class HostedCell;
 class MonitorService;
+class SubscriberHub;
 
 using monitor::Access;
 
@@ -57,14 +62,31 @@ class MonitorSession {
   /// Prefetches the memory, at one depth, that serving this session will access.
   void prefetch(Depth depth) const;
 
+  /// The access to the server as a whole.
   Access access() const { return access_; }
   void grant(Access access) { access_ = access; }
+  /// Grants control of one cell, by its token.
+  void grant(const std::string& cell) { granted_.insert(cell); }
+  bool is_granted(const std::string& cell) const { return granted_.contains(cell); }
+  /// The cells whose tokens the client has given.
+  const std::set<std::string>& granted() const { return granted_; }
+  /// The most that the session may do with any cell.
+  Access highest_access() const { return granted_.empty() ? access_ : Access::kControl; }
+
+  /// The cell of requests that name none, as in the last `hello`; nullopt: none.
+  const std::optional<std::string>& own_cell() const { return own_cell_; }
+  void set_own_cell(std::optional<std::string> cell) { own_cell_ = std::move(cell); }
+
+  /// Notes that the session is in a hub. Returns false if it was before.
+  bool join(SubscriberHub& hub);
+  void leave(SubscriberHub& hub);
+  const std::vector<SubscriberHub*>& hubs() const { return hubs_; }
+
   /// Counts a wrong token; returns how many there were.
   int note_wrong_token() { return ++wrong_tokens_; }
 
-  /// The line opened by its first `send`.
-  std::optional<LineId> own_line() const { return own_line_; }
-  void set_own_line(LineId line) { own_line_ = line; }
+  /// The lines opened by its first `send` to each cell.
+  std::map<std::string, LineId>& own_lines() { return own_lines_; }
 
  private:
   MonitorService& service_;
@@ -72,7 +94,10 @@ class MonitorSession {
   MessageSink& sink_;
   Access access_;
   int wrong_tokens_ = 0;
-  std::optional<LineId> own_line_;
+  std::set<std::string> granted_;
+  std::optional<std::string> own_cell_;
+  std::vector<SubscriberHub*> hubs_;  ///< of the cells that it follows
+  std::map<std::string, LineId> own_lines_;
 };
 
 }  // namespace xr3

@@ -33,20 +33,7 @@ WallNs start_of(monitor::FrameNumber frame) {
          (rest * kSecond + monitor::kFramesPerSecond - 1) / monitor::kFramesPerSecond;
 }
 
-void add(SubscriberHub::AllChannelStats& sum, const SubscriberHub::AllChannelStats& more) {
-  for (std::size_t i = 0; i < sum.size(); ++i) {
-    sum[i].sent += more[i].sent;
-    sum[i].overwritten += more[i].overwritten;
-  }
-}
-
 }  // namespace
-
-SubscriberHub::AllChannelStats SubscriberHub::channel_stats() const {
-  AllChannelStats sum = gone_;
-  for (MonitorSession* session : sessions_) xr3::add(sum, session->client().channel_stats());
-  return sum;
-}
 
 // Converts seconds and the fraction separately, since the product of all nanoseconds would
 // overflow.
@@ -56,12 +43,20 @@ monitor::FrameNumber SubscriberHub::wall_frame() {
          wall % kSecond * monitor::kFramesPerSecond / kSecond;
 }
 
+SubscriberHub::~SubscriberHub() {
+  for (MonitorSession* session : sessions_) session->leave(*this);
+}
+
+void SubscriberHub::add(MonitorSession& session) {
+  if (session.join(*this)) sessions_.push_back(&session);
+}
+
 void SubscriberHub::remove(MonitorSession& session) {
   const auto found = std::find(sessions_.begin(), sessions_.end(), &session);
   if (found == sessions_.end()) return;
   const auto index = static_cast<std::size_t>(found - sessions_.begin());
   sessions_.erase(found);
-  xr3::add(gone_, session.client().channel_stats());
+  session.leave(*this);
   if (index < next_) --next_;
 }
 
@@ -139,7 +134,8 @@ void SubscriberHub::go_on() {
   if (is_stopped_ || next_ >= sessions_.size()) return end_round();
   std::vector<monitor::Selection> selections = select_slow_frames();
   if (selections.empty()) return serve_some();
-  spawn_loop(io_.get_executor(), "the subscribers", make_and_serve(std::move(selections)));
+  spawn_loop(io_.get_executor(), "the subscribers",
+             make_and_serve(std::move(selections), keep_()));
 }
 
 /// The frames that the worker has to make for the next sessions, without those whose clients have
@@ -157,15 +153,18 @@ std::vector<monitor::Selection> SubscriberHub::select_slow_frames() {
   const std::size_t most = std::min(kFairShare, sessions_.size() - next_);
   for (share_ = 0; share_ < most && selections.size() < kMaxMade; ++share_) {
     MonitorSession& session = *sessions_[next_ + share_];
-    if (!session.is_blocked()) session.client().for_each_frame_subscription(select);
+    if (!session.is_blocked()) session.client().for_each_frame_subscription(cell_.name(), select);
   }
   return selections;
 }
 
-asio::awaitable<void> SubscriberHub::make_and_serve(std::vector<monitor::Selection> selections) {
+// `kept` outlives the coroutine.
+asio::awaitable<void> SubscriberHub::make_and_serve(std::vector<monitor::Selection> selections,
+                                                    std::shared_ptr<void> kept) {
   std::vector<SelectedFrame> made = co_await frames_.make(std::move(selections));
   made_ = std::move(made);
   serve_some();
+  static_cast<void>(kept);
 }
 
 void SubscriberHub::serve_some() {
@@ -190,12 +189,13 @@ void SubscriberHub::prefetch() const {
 
 void SubscriberHub::serve(MonitorSession& session) {
   bool has_frame = false;
-  session.client().for_each_frame_subscription([&, this](monitor::FrameSubscription& subscription) {
+  const auto offer_due = [&, this](monitor::FrameSubscription& subscription) {
     const bool is_settled = subscription.is_due(frame_) && offer_frame(subscription);
     is_settled_ = is_settled_ && is_settled;
     due_ = std::min(due_, subscription.due());
     has_frame = has_frame || subscription.is_waiting();
-  });
+  };
+  session.client().for_each_frame_subscription(cell_.name(), offer_due);
   if (has_frame || session.client().has_output(frame_)) session.wake();
 }
 

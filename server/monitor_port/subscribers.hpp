@@ -1,4 +1,4 @@
-// The monitor sessions of a cell, and the schedule for serving them: on a grid of 1/60 s, at the
+// The monitor sessions that follow a cell, and the schedule for serving them: on a grid of 1/60 s, at the
 // points where a subscription is due, only while a subscribed channel may have changed. A few
 // sessions are served at a time, so that a robot line never waits for a thousand of them. The
 // sessions of a large cell wait for the worker, which makes their frames. Without
@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -25,30 +26,40 @@ class SubscriberHub {
   static constexpr std::size_t kFairShare = 64;
 
   /// The references must outlive it. `between` is called after every few sessions, for work that
-  /// must not wait for all of them.
-  SubscriberHub(asio::io_context& io, Cell& cell, FrameMaker& frames, std::function<void()> between)
-      : io_(io), timer_(io), cell_(cell), frames_(frames), between_(std::move(between)) {}
+  /// must not wait for all of them. `keep` returns what must exist while the worker makes frames.
+  SubscriberHub(asio::io_context& io, Cell& cell, FrameMaker& frames, std::function<void()> between,
+                std::function<std::shared_ptr<void>()> keep)
+      : io_(io),
+        timer_(io),
+        cell_(cell),
+        frames_(frames),
+        between_(std::move(between)),
+        keep_(std::move(keep)) {}
+  SubscriberHub(const SubscriberHub&) = delete;
+  SubscriberHub& operator=(const SubscriberHub&) = delete;
+  /// Removes all sessions.
+  ~SubscriberHub();
 
-  void add(MonitorSession& session) { sessions_.push_back(&session); }
+  /// The session follows a channel of the cell from now on. No effect if it did before.
+  void add(MonitorSession& session);
+  /// No effect unless it was added.
   void remove(MonitorSession& session);
 
   /// The cell or a subscription has changed: serves all sessions at the next point of the grid.
   void acted();
   void stop();
 
-  /// The current point of the grid; during a round, the point of the round.
+  /// The current point of the grid.
+  static monitor::FrameNumber wall_frame();
+  /// The same; during a round, the point of the round.
   monitor::FrameNumber now() const { return is_serving_ ? frame_ : wall_frame(); }
 
   std::size_t size() const { return sessions_.size(); }
-
-  /// The statistics of all sessions since the server started, by monitor::Channel.
-  using AllChannelStats = std::array<monitor::ChannelStats, monitor::kChannels>;
-  AllChannelStats channel_stats() const;
+  const std::vector<MonitorSession*>& sessions() const { return sessions_; }
 
  private:
   enum class Wake : std::uint8_t { kNone, kSecond, kFrame };
 
-  static monitor::FrameNumber wall_frame();
   void wake_soon();
   void arm(Wake wake, WallNs when);
   void arm_second();
@@ -58,7 +69,8 @@ class SubscriberHub {
   void begin_round();
   void go_on();
   std::vector<monitor::Selection> select_slow_frames();
-  asio::awaitable<void> make_and_serve(std::vector<monitor::Selection> selections);
+  asio::awaitable<void> make_and_serve(std::vector<monitor::Selection> selections,
+                                       std::shared_ptr<void> kept);
   void serve_some();
   void prefetch() const;
   void serve(MonitorSession& session);
@@ -73,6 +85,7 @@ class SubscriberHub {
   Cell& cell_;
   FrameMaker& frames_;
   std::function<void()> between_;
+  std::function<std::shared_ptr<void>()> keep_;
   std::vector<MonitorSession*> sessions_;
   Wake armed_ = Wake::kNone;
   monitor::FrameNumber armed_frame_ = 0;  ///< if armed_ is kFrame
@@ -85,7 +98,6 @@ class SubscriberHub {
   std::size_t share_ = 0;            ///< number of sessions to be served next
   std::vector<SelectedFrame> made_;  ///< by the worker, for these sessions
   monitor::FrameNumber frame_ = -1;  ///< of the last round
-  AllChannelStats gone_{};           ///< of removed sessions
 };
 
 }  // namespace xr3

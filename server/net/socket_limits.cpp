@@ -15,9 +15,10 @@ constexpr std::size_t kMinRefusals = 4;
 
 }  // namespace
 
-SocketLimits divide_descriptors(std::size_t descriptors, const SocketLimits& wanted) {
+SocketLimits divide_descriptors(std::size_t descriptors, const SocketLimits& wanted,
+                                std::size_t listeners) {
   const std::size_t sum = wanted.lines + wanted.connections + wanted.refusals;
-  const std::size_t free = descriptors - std::min(descriptors, kOwnDescriptors);
+  const std::size_t free = descriptors - std::min(descriptors, kOwnDescriptors + listeners);
   if (sum <= free) return wanted;
   const auto part = [&](std::size_t count) { return std::max<std::size_t>(1, count * free / sum); };
   return {part(wanted.lines), part(wanted.connections),

@@ -16,8 +16,10 @@ struct SocketLimits {
 };
 
 /// Divides this many descriptors: all of `wanted` if there are enough, else a proportional part. A
-/// few are left for the process itself, its own probe, and health checks.
-SocketLimits divide_descriptors(std::size_t descriptors, const SocketLimits& wanted);
+/// few are left for the process itself, its own probe, and health checks, and `listeners` for the
+/// robot ports of further cells.
+SocketLimits divide_descriptors(std::size_t descriptors, const SocketLimits& wanted,
+                                std::size_t listeners = 0);
 
 /// Counts with this limit for each address. 0: three quarters of the places of the port for other
 /// machines, and no limit for this one.

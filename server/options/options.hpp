@@ -16,6 +16,7 @@
 #include "protocol/line/serial_settings.hpp"
 #include "server/exit_code.hpp"
 #include "server/monitor_port/token.hpp"
+#include "server/options/cells.hpp"
 #include "server/options/healthcheck.hpp"
 #include "server/options/option_sources.hpp"
 #include "server/options/term.hpp"
@@ -44,6 +45,12 @@ struct ServeOptions {
   std::string listen = "localhost";   ///< localhost: 127.0.0.1 and, with IPv6, ::1
   std::uint16_t robot_port = 9600;    ///< 0: any free port
   std::uint16_t monitor_port = 9601;  ///< 0: any free port
+  std::size_t cells = 0;              ///< 0: one, with the name main
+  std::vector<CellChoice> cell_choices;
+  bool is_cell_per_connection = false;
+  std::size_t max_cells = 1000;
+  double linger_s = 60;  ///< how long a cell or the owner of its port is kept after its last line
+  bool binds_peer = false;
   Profile profile = Profile::kPaper;
   ClockChoice clock;
   std::size_t max_lines = 1024;
@@ -67,6 +74,11 @@ struct ServeOptions {
   std::string config;  ///< a config file; empty: none
   OptionSources option_sources;
 };
+
+/// Whether there are, or may be, several cells.
+inline bool has_many_cells(const ServeOptions& options) {
+  return options.cells > 0 || !options.cell_choices.empty() || options.is_cell_per_connection;
+}
 
 struct CheckOptions {
   std::vector<std::string> files;

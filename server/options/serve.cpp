@@ -1,4 +1,5 @@
 // The options of `xr3 serve`, and the check that they are consistent.
+#include <algorithm>
 #include <utility>
 
 #include "protocol/monitor/http_guard.hpp"
@@ -12,6 +13,8 @@ namespace {
 
 const std::vector<std::string> kLogLevels{"trace", "debug", "info", "warn", "error", "off"};
 constexpr int kMaxLines = 20000;
+constexpr int kMaxCells = 10000;
+constexpr double kMaxLingerS = 86400;
 constexpr int kMinMemoryMib = 64;
 constexpr int kMaxMemoryMib = 1 << 20;
 
@@ -81,6 +84,39 @@ void add_device(CLI::App& serve, ServeOptions& options) {
            "with --serial: the simulation carries out the commands of the device, too");
 }
 
+void add_cells(CLI::App& serve, ServeOptions& options) {
+  serve
+      .add_option("--cells", options.cells,
+                  "serve N robots, the cells 1 to N, on consecutive ports from 9701 on")
+      ->type_name("N")
+      ->check(whole_number_between(1, kMaxCells));
+  serve
+      .add_option_function<std::vector<std::string>>(
+          "--cell",
+          [&options](const std::vector<std::string>& texts) {
+            options.cell_choices.clear();
+            for (const std::string& text : texts) options.cell_choices.push_back(parse_cell(text));
+          },
+          "a cell with its own robot and workcell, and perhaps port; repeatable")
+      ->type_name("NAME=ROBOT,WORKCELL[,PORT]")
+      ->allow_extra_args(false)
+      ->check(parses(parse_cell, ""));
+  add_flag(serve, "--cell-per-connection", options.is_cell_per_connection,
+           "each connection of the robot port gets a cell of its own");
+  serve.add_option("--max-cells", options.max_cells, "maximum number of cells")
+      ->type_name("N")
+      ->check(whole_number_between(1, kMaxCells))
+      ->capture_default_str();
+  serve
+      .add_option("--linger", options.linger_s,
+                  "seconds that a cell of one connection, or the owner of a port, is kept after it")
+      ->type_name("SECONDS")
+      ->check(number_between(0, kMaxLingerS))
+      ->capture_default_str();
+  add_flag(serve, "--bind-peer", options.binds_peer,
+           "the first address that speaks on a robot port keeps it; others are disconnected");
+}
+
 void add_line_speed(CLI::App& serve, ServeOptions& options) {
   serve
       .add_option_function<std::string>(
@@ -117,6 +153,41 @@ Leave refuse_listen(const ServeOptions& options) {
       "--insecure (XR3_INSECURE=1)");
 }
 
+bool is_set(const CLI::App& command, const std::string& name) {
+  return command.get_option(name)->count() > 0;
+}
+
+// Defaults that depend on the number of cells.
+void complete_cells(const CLI::App& serve, ServeOptions& options) {
+  constexpr std::size_t kLinesOfEach = 4;
+  const std::size_t count = options.cells + options.cell_choices.size();
+  if (count == 0) return;
+  if (!is_set(serve, "--robot-port")) options.robot_port = kFirstOfManyPorts;
+  if (!is_set(serve, "--max-lines"))
+    options.max_lines = std::min<std::size_t>(
+        kMaxLines, std::max(options.max_lines, kLinesOfEach * count));
+}
+
+std::optional<Leave> refuse_cells(const ServeOptions& options) {
+  const auto named = [&](const char* name) { return source_of(options.option_sources, name); };
+  const bool is_listed = options.cells > 0 || !options.cell_choices.empty();
+  if (options.is_cell_per_connection && is_listed)
+    return refuse(named("--cell-per-connection") + " cannot be used with --cells or --cell");
+  if (options.is_cell_per_connection && options.binds_peer)
+    return refuse(named("--bind-peer") +
+                  " cannot be used with --cell-per-connection: there each client has its own cell");
+  if (has_many_cells(options) && !options.ptys.empty())
+    return refuse(named("--pty") + " needs a server of one cell: leave out --cells and --cell");
+  if (has_many_cells(options) && options.device)
+    return refuse(named("--serial") + " needs a server of one cell: leave out --cells and --cell");
+  try {
+    plan_cells(options);
+  } catch (const CellPlanError& error) {
+    return refuse(error.what());
+  }
+  return std::nullopt;
+}
+
 // Called after CLI11 has read arguments and environment; the config file has lower precedence.
 void complete(CLI::App& serve, ServeOptions& options) {
   if (is_argument(serve, "--token") && is_argument(serve, "--token-file"))
@@ -125,6 +196,7 @@ void complete(CLI::App& serve, ServeOptions& options) {
   const bool has_token = !std::holds_alternative<NoToken>(options.token);
   if (!has_token && is_token_in_environment()) options.token = TokenInEnvironment{};
   read_config(serve, options.config, OtherKeys::kRefuse, options.option_sources);
+  complete_cells(serve, options);
 }
 
 }  // namespace
@@ -160,6 +232,7 @@ void add_serve(CLI::App& app, ServeOptions& options) {
       ->type_name("PORT")
       ->check(CLI::Validator(check_port, ""))
       ->capture_default_str();
+  add_cells(serve, options);
   add_profile(serve, options.profile);
   serve
       .add_option_function<std::string>(
@@ -230,6 +303,7 @@ Options checked_serve(ServeOptions options) {
   if (options.device && options.line_speed)
     return refuse(source_of(options.option_sources, "--line-speed") +
                   " cannot be used with --serial: the arm's port has a speed of its own");
+  if (auto refused = refuse_cells(options)) return *std::move(refused);
   if (options.device && !is_loopback(options.listen) && !has_token)
     return refuse(source_of(options.option_sources, "--serial") +
                   " with --listen beyond this machine needs a token, also with --insecure");

@@ -16,13 +16,22 @@ std::string name_of(const tcp::socket& socket) {
   return error ? "unknown" : to_text(peer);
 }
 
+// A name such as localhost leads to 127.0.0.1 or ::1, as the client likes.
+asio::ip::address this_machine_as_one(const asio::ip::address& peer) {
+  if (peer == asio::ip::address_v6::loopback()) return asio::ip::address_v4::loopback();
+  return peer;
+}
+
+constexpr WallNs kOtherPeerLogEvery = 1'000'000'000;
+
 }  // namespace
 
 RobotPort::RobotPort(asio::io_context& io, Cell& cell, LineSessions& lines, RobotPortRules rules)
     : cell_(cell),
       lines_(lines),
       rules_(std::move(rules)),
-      listener_(io, "the robot port", [this](tcp::socket socket) { open(std::move(socket)); }) {
+      listener_(io, "the robot port", [this](tcp::socket socket) { open(std::move(socket)); }),
+      release_(io) {
   lines_.add(*this);
 }
 
@@ -30,14 +39,27 @@ ErrorCode RobotPort::listen(const tcp::endpoint& endpoint) { return listener_.li
 
 void RobotPort::open(tcp::socket socket) {
   const bool is_probe = this->is_probe(socket);
+  if (!is_probe && rules_.divert) return rules_.divert(std::move(socket));
   if (is_full()) lines_.take_news();       // a client may have closed its line without our notice
   if (is_full()) return refuse(is_probe);  // closed without a byte
-  const asio::ip::address peer = peer_address(socket);
-  auto place = rules_.peers.take(peer);
-  if (!place && !is_probe) return refuse_peer(peer);
+  const asio::ip::address address = peer_address(socket);
+  const asio::ip::address peer = this_machine_as_one(address);
+  if (!is_probe && is_owned_by_other(peer)) return refuse_other(peer);
+  auto place = rules_.peers.take(address);
+  if (!place && !is_probe) return refuse_peer(address);
   const LineOpened opened{name_of(socket), LineKind::kTcp, is_probe, rules_.guard};
   if (!is_probe) ++open_;
-  lines_.open(*this, std::make_unique<RobotSocket>(std::move(socket)), opened, std::move(place));
+  const auto line = lines_.open(*this, std::make_unique<RobotSocket>(std::move(socket)), opened,
+                                std::move(place));
+  if (is_probe || !line || !rules_.owner_lingers) return;
+  peers_of_lines_.emplace(*line, peer);
+  release_.cancel();
+}
+
+void RobotPort::close() {
+  is_closed_ = true;
+  listener_.close();
+  release_.cancel();
 }
 
 void RobotPort::refuse(bool is_probe) {
@@ -60,8 +82,42 @@ void RobotPort::refuse_peer(const asio::ip::address& peer) {
       peer.to_string());
 }
 
+// --- The owner of the port.
+
+void RobotPort::refuse_other(const asio::ip::address& peer) {
+  ++other_peers_;
+  const WallNs now = wall_now();
+  if (now < next_other_log_) return;
+  next_other_log_ = now + kOtherPeerLogEvery;
+  spdlog::warn(
+      "cell {}: {} is disconnected: {} has the robot port (--bind-peer); {} since the start",
+      cell_.name(), peer.to_string(), owner_->to_string(), other_peers_);
+}
+
+/// The lines of other addresses end before any byte of them acts.
+void RobotPort::become_owner(const asio::ip::address& peer) {
+  owner_ = peer;
+  for (const auto& [line, its_peer] : std::map(peers_of_lines_)) {
+    if (its_peer == peer) continue;
+    refuse_other(its_peer);
+    lines_.disconnect(line);
+  }
+}
+
+void RobotPort::release_later() {
+  if (is_closed_) return;
+  release_.expires_after(std::chrono::nanoseconds(*rules_.owner_lingers));
+  release_.async_wait([this](ErrorCode cancelled) {
+    if (!cancelled && peers_of_lines_.empty()) owner_.reset();
+  });
+}
+
 void RobotPort::line_acted(LineId line) {
-  if (line != kProbeLine) return;
+  if (line != kProbeLine) {
+    const auto peer = peers_of_lines_.find(line);
+    if (peer != peers_of_lines_.end() && !owner_) become_owner(peer->second);
+    return;
+  }
   probe_progress_ = cell_.state().enabled ? ProbeProgress::kTaken : ProbeProgress::kIgnored;
 }
 
@@ -70,6 +126,7 @@ void RobotPort::line_ended(LineId line, LineCloseReason) {
   assert(open_ > 0);
   --open_;
   has_logged_full_ = has_logged_peer_ = false;
+  if (peers_of_lines_.erase(line) > 0 && peers_of_lines_.empty() && owner_) release_later();
 }
 
 void RobotPort::expect_probe(const tcp::endpoint& from) {

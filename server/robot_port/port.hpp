@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 
 #include "cell/counters.hpp"
 #include "server/lines/sessions.hpp"
 #include "server/net/listener.hpp"
 #include "server/net/peer_counts.hpp"
+#include "server/net/wall_clock.hpp"
 
 namespace xr3 {
 
@@ -24,6 +27,11 @@ struct RobotPortRules {
   std::size_t max_lines;  ///< further connections are closed without a byte
   Guard guard = Guard::kNormal;
   PeerCounts peers = PeerCounts();
+  /// The first address that speaks keeps the port until it had no line for so long; nullopt: the
+  /// port is for everybody (--bind-peer).
+  std::optional<WallNs> owner_lingers = {};
+  /// Takes over all connections but the probe's; may be empty.
+  std::function<void(tcp::socket)> divert = {};
 };
 
 class RobotPort final : public LineSource {
@@ -36,13 +44,17 @@ class RobotPort final : public LineSource {
   ErrorCode listen(const tcp::endpoint& endpoint);
   tcp::endpoint endpoint() const { return listener_.endpoint(); }
   /// Accepts no further connection.
-  void close() { listener_.close(); }
+  void close();
 
   void accept_arrived() override { listener_.accept_pending(); }
   void line_acted(LineId line) override;
   void line_ended(LineId line, LineCloseReason) override;
 
-  PortCounters counters() const override { return {refused_, listener_.failures()}; }
+  PortCounters counters() const override {
+    return {refused_, listener_.failures(), other_peers_};
+  }
+  /// The address that keeps the port; nullopt: none.
+  const std::optional<asio::ip::address>& owner() const { return owner_; }
 
   /// The next connection from this endpoint is the server's own probe and becomes kProbeLine. It is
   /// refused if the limit of lines is reached, but does not count as a line.
@@ -57,6 +69,10 @@ class RobotPort final : public LineSource {
   bool is_full() const { return open_ >= rules_.max_lines; }
   void refuse(bool is_probe);
   void refuse_peer(const asio::ip::address& peer);
+  void refuse_other(const asio::ip::address& peer);
+  bool is_owned_by_other(const asio::ip::address& peer) const { return owner_ && *owner_ != peer; }
+  void become_owner(const asio::ip::address& peer);
+  void release_later();
 
   Cell& cell_;
   LineSessions& lines_;
@@ -66,6 +82,12 @@ class RobotPort final : public LineSource {
   bool has_logged_full_ = false;
   bool has_logged_peer_ = false;
   std::uint64_t refused_ = 0;
+  std::optional<asio::ip::address> owner_;
+  std::map<LineId, asio::ip::address> peers_of_lines_;  ///< with --bind-peer
+  asio::steady_timer release_;                          ///< of the owner
+  std::uint64_t other_peers_ = 0;  ///< connections that were closed since another address has the port
+  WallNs next_other_log_ = 0;
+  bool is_closed_ = false;
   std::optional<tcp::endpoint> probe_from_;  ///< of the expected probe, until it is accepted
   ProbeProgress probe_progress_ = ProbeProgress::kUnseen;
 };

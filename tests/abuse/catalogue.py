@@ -6,11 +6,12 @@ import http_requests
 import json_requests
 import lines
 import logs
+import many_cells
 import memory
 import ptys
 import websocket
 
-THEMES = (lines, ptys, devices, http_requests, json_requests, websocket, memory, connections, logs)
+THEMES = (lines, ptys, devices, http_requests, json_requests, websocket, memory, connections, logs, many_cells)
 ATTACKS = [attack for theme in THEMES for attack in theme.ATTACKS]
 
 

@@ -56,7 +56,7 @@ void load(const SavedCell& saved) {
 
 /// The heading, read before the message is parsed, agrees with the parsed request.
 void check(const Request& request, std::string_view text) {
-  require(request.cell == "main", "the only cell");
+  require(!request.cell || request.cell->size() <= text.size(), "a cell that was named");
   const Heading before = heading_of(text);
   const Heading after = heading_of(request);
   require(before.id == after.id || before.id == RequestId(), "the heading's id, unless it is long");
@@ -83,7 +83,7 @@ void check(const RequestError& error) {
 const std::size_t kMaxInput = 2048;
 
 void run(std::string_view input, Effort /*all inputs are alike*/) {
-  const RequestReading reading = read_request(input, {"main"});
+  const RequestReading reading = read_request(input);
   if (const auto* request = std::get_if<Request>(&reading)) check(*request, input);
   if (const auto* error = std::get_if<RequestError>(&reading)) check(*error);
 }

@@ -191,7 +191,7 @@ void Run::check_rest(std::int64_t before) {
 void Run::serve(const ServeOptions& options, ModelPtr model) {
   const Inside inside;
   try {
-    App app(options, std::move(model), {});
+    App app(options, {{std::move(model), {}}}, {});
     code_ = app.run();
   } catch (const std::bad_alloc&) {
     code_ = ExitCode::kInternal;  // main() reports it

@@ -72,7 +72,7 @@ std::pair<ExitCode, std::string> ending(const Work& work) {
   std::thread clients;
   ExitCode code = ExitCode::kGood;
   {
-    App app(options, test::rhino(), "");
+    App app(options, {{test::rhino(), {}}}, "");
     asio::post(app.executor(), [&] {
       clients = std::thread([&] {
         crowd.come(app.robot_endpoint().port(), app.monitor_endpoint().port());

@@ -27,14 +27,19 @@ class Monitor:
     """A connection to the monitor port. Use it in a `with` statement, or call close(). `hello` is
     the server's first message, or its first after the token if reading needs the token.
 
+    `cell` is the name of the cell of all requests that name none themselves, on a server of
+    several robots; by default the one that `hello` names.
+
     Host and port default to XR3_HOST and XR3_MONITOR_PORT, else localhost and 9601. The token, if
     the server requires one, defaults to XR3_TOKEN. All operations raise OSError if the connection
     is lost, and TimeoutError if the server is silent for timeout_s; the connection remains usable
     after a TimeoutError."""
 
     def __init__(self, host: Optional[str] = None, port: Union[int, str, None] = None, *,
-                 token: Optional[str] = None, timeout_s: float = 30.0) -> None:
+                 token: Optional[str] = None, cell: Optional[str] = None,
+                 timeout_s: float = 30.0) -> None:
         self._timeout_s = timeout_s
+        self.cell = cell
         self._socket = connect(host, port, "XR3_MONITOR_PORT", 9601, timeout_s)
         self._received = b""  # bytes of an incomplete line
         self._last_id = 0
@@ -92,6 +97,8 @@ class Monitor:
         """Sends a request and returns its response. Drops messages of subscriptions that arrive in
         between. Raises MonitorError if the server refuses."""
         self._last_id += 1
+        if self.cell is not None and op != "auth":
+            members.setdefault("cell", self.cell)
         self._send({"op": op, "id": self._last_id, **members})
         answer = self.read()
         while answer.get("id") != self._last_id:

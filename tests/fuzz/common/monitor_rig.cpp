@@ -92,14 +92,14 @@ MonitorRig& MonitorRig::closed() {
 }
 
 MonitorRig::MonitorRig(Reading reading)
-    : cell_("main", test::rhino(), SimClock::manual(), {}),
-      policy_({{}, reading, kToken}),
-      service_(io_, cell_, lines_, policy_, [] {}),
+    : policy_({{}, reading, kToken}),
+      service_(io_, host_.cells, host_.worker, policy_),
       resources_(
-          cell_, service_, policy_, []() -> asio::awaitable<std::string> { co_return ""; },
+          service_, policy_, []() -> asio::awaitable<std::string> { co_return ""; },
           [this] { return service_.counters(); }),
       context_{service_, resources_, nullptr, [] {},
                [this](const std::shared_ptr<MonitorConnection>&) { is_over_ = true; }} {
+  host_.add(test::rhino());
   spdlog::set_default_logger(
       std::make_shared<spdlog::logger>("fuzz", std::make_shared<FailingSink>()));
 }

@@ -6,14 +6,13 @@
 #include <string>
 #include <string_view>
 
-#include "cell/cell.hpp"
 #include "server/http/resources.hpp"
 #include "server/monitor_port/access.hpp"
 #include "server/monitor_port/connection.hpp"
 #include "server/monitor_port/service.hpp"
 #include "server/net/asio.hpp"
-#include "server/net/line_transports.hpp"
 #include "tests/fuzz/common/pieces.hpp"
+#include "tests/support/cell_host.hpp"
 
 namespace xr3::fuzz {
 
@@ -34,18 +33,6 @@ class MonitorRig {
   http::Answer answer(const http::Request& request);
 
  private:
-  /// No line is open, and none receives a byte.
-  class NoLines final : public LineTransports {
-   public:
-    void read_arrived() override {}
-    void run_turns() override {}
-    asio::awaitable<bool> wait_for_bytes(LineId, std::uint64_t,
-                                         std::chrono::milliseconds) override {
-      co_return false;
-    }
-    bool disconnect(LineId) override { return false; }
-    PortCounters counters() const override { return {}; }
-  };
   class Peer;
 
   explicit MonitorRig(Reading reading);
@@ -59,9 +46,8 @@ class MonitorRig {
 
   asio::io_context io_{1};
   asio::io_context waiting_{1};  ///< for wait_for_worker(): in io_ only the server's handlers count
-  Cell cell_;
+  test::CellHost host_{io_};
   AccessPolicy policy_;
-  NoLines lines_;
   MonitorService service_;
   HttpResources resources_;
   MonitorConnectionContext context_;

@@ -58,7 +58,7 @@ class Pipe {
 
   ProtocolDetector detector_;
   LineSplitter lines_;
-  Client client_{{"main"}};
+  Client client_;
   int calls_ = 0;
 };
 
@@ -160,7 +160,7 @@ TEST(MonitorClient, RepliesInOrder) {
   Pipe pipe;
   pipe.send(ping(1) + "\n" + ping(2) + "\r\n{\n" + ping(3));
   pipe.end();
-  const std::string broken = *result(std::get<RequestError>(read_request("{", {"main"}))) + "\n";
+  const std::string broken = *result(std::get<RequestError>(read_request("{"))) + "\n";
   EXPECT_EQ(pipe.received(), pong_line(1) + pong_line(2) + broken + pong_line(3));
   EXPECT_FALSE(pipe.has_ended());
 }
@@ -221,7 +221,7 @@ TEST(MonitorClient, TheDivisionOfTheInputDoesNotMatter) {
 
 TEST(MonitorClient, AFullQueueStopsRequests) {
   LineSplitter lines;
-  Client client({"main"});
+  Client client;
   for (int i = 0; i < 300; ++i) lines.feed(ping(i) + "\n");
   int answered = 0;
   const auto serve = [&] {
@@ -244,7 +244,7 @@ TEST(MonitorClient, AFullQueueStopsRequests) {
 
 TEST(MonitorClient, ErrorsFillTheQueue) {
   LineSplitter lines;
-  Client client({"main"});
+  Client client;
   for (int i = 0; i < 300; ++i) lines.feed("{]\n");
   lines.feed("help\n");
   EXPECT_FALSE(next_request(lines, client));
@@ -258,7 +258,7 @@ TEST(MonitorClient, ErrorsFillTheQueue) {
 }
 
 TEST(MonitorClient, BytesFillTheQueue) {
-  Client client({"main"});
+  Client client;
   client.send(std::make_shared<const std::string>(Client::kMaxAnswerBytes, 'x'));
   EXPECT_TRUE(client.is_full());
   client.end(CloseReason::kShutdown);  // `bye` is always queued

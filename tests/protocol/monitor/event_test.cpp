@@ -102,6 +102,13 @@ TEST(EventJson, LinesOpenAndClose) {
             R"("message":"line 4 closed by its client","bytes_in":12,"bytes_out":3})");
 }
 
+TEST(EventJson, CellsOpenAndClose) {
+  EXPECT_EQ(shown(CellOpenedNote{"c3"}),
+            R"({"event":"cell_opened","line":null,"code":"cell_opened","message":"cell c3 opened"})");
+  EXPECT_EQ(shown(CellClosedNote{"c3"}),
+            R"({"event":"cell_closed","line":null,"code":"cell_closed","message":"cell c3 closed"})");
+}
+
 TEST(EventJson, TheClock) {
   EXPECT_EQ(shown(ClockNote{"pause", ClockMode::kManual, {}}),
             R"~({"event":"clock","line":null,"code":"pause","message":"time is paused (pause)",)~"

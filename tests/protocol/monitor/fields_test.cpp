@@ -60,6 +60,8 @@ TEST(MonitorFields, EventsHaveTheFieldsOfAllKinds) {
       EpochNote{"reset", 0, 7},
       HandoverNote{},
       DeviceNote{},
+      CellOpenedNote{"c1"},
+      CellClosedNote{"c1"},
   };
   Json all = Json::object();
   for (const CellNote& note : notes)
@@ -76,6 +78,7 @@ TEST(MonitorFields, FindsChannelsByName) {
   EXPECT_FALSE(is_latest_wins(Channel::kEvent));
   EXPECT_FALSE(is_latest_wins(Channel::kLine));
   EXPECT_TRUE(is_latest_wins(Channel::kModel));
+  EXPECT_FALSE(is_latest_wins(Channel::kOverview));
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ TEST(MonitorHeading, OfAParsedRequestEqualsThatOfItsText) {
   for (const std::string text :
        {R"({"op":"call","id":7,"fn":"step","args":{"ticks":1}})",
         R"({"op":"get","channel":"state"})", R"({"op":"sub","id":"x","channel":"event"})"}) {
-    const RequestReading reading = read_request(text, {"main"});
+    const RequestReading reading = read_request(text);
     expect_same(heading_of(std::get<Request>(reading)), heading_of(text), text);
   }
 }

@@ -15,22 +15,22 @@ namespace {
 TEST(MonitorMessage, Hello) {
   const ModelPtr model = test::rhino();
   EXPECT_EQ(
-      *hello({"xr3 0.1.0", {"main"}, *model, {}}),
+      *hello({"xr3 0.1.0", {"main"}, GreetedCell{"main", *model, {}}}),
       R"({"op":"hello","proto":1,"server":"xr3 0.1.0","cell":"main","cells":["main"],"epoch":0,"tick":0,)"
       R"("tick_hz":1000,"clock":{"mode":"real","rate":1.0},"compat":"paper",)"
       R"("robot":{"name":"Rhino XR-3","joints":["F","E","D","C","B"],"tool":"A"},"access":"control",)"
-      R"("channels":["state","image","event","line","display","model"],)"
+      R"("channels":["state","image","event","line","display","model","overview"],)"
       R"("calls":["pause","resume","rate","step","run_until","reset","home","device_stop",)"
       R"("mirror_align","send","input",)"
       R"("block_add","block_move","block_remove","workcell","snapshot_save","snapshot_load",)"
-      R"("fault_set","fault_list","fault_clear","lines","line_disconnect","key","describe"],)"
+      R"("fault_set","fault_list","fault_clear","lines","cells","line_disconnect","key","describe"],)"
       R"("limits":{"message_bytes":262144,"depth":32,"max_hz":60}})");
 }
 
 TEST(MonitorMessage, HelloNamesCellsAndProfile) {
   const ModelPtr model = test::rhino(Profile::kMark3);
   const CellTime now{.epoch = 4, .tick = 77, .mode = ClockMode::kManual, .rate = {}};
-  const Json json = Json::parse(*hello({"xr3", {"a", "b"}, *model, now}));
+  const Json json = Json::parse(*hello({"xr3", {"a", "b"}, GreetedCell{"a", *model, now}}));
   EXPECT_EQ(json["cell"], "a");
   EXPECT_EQ(json["cells"].dump(), R"(["a","b"])");
   EXPECT_EQ(json["compat"], "mark3");
@@ -41,7 +41,7 @@ TEST(MonitorMessage, HelloNamesCellsAndProfile) {
 
 TEST(MonitorMessage, HelloWithoutAccessDescribesTheServerOnly) {
   const ModelPtr model = test::rhino();
-  const Json json = Json::parse(*hello({"xr3", {"main"}, *model, {}, Access::kNone}));
+  const Json json = Json::parse(*hello({"xr3", {"main"}, GreetedCell{"main", *model, {}}, Access::kNone}));
   EXPECT_EQ(json["access"], "none");
   EXPECT_TRUE(json.contains("limits"));
   for (const char* member : {"cell", "cells", "epoch", "tick", "clock", "compat", "robot"})

@@ -140,14 +140,14 @@ std::vector<Shape> shapes() {
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
 TEST(RequestMemory, IsAtMostEightTimesTheMessage) {
-  read_request(R"({"op":"call","fn":"describe"})", {"main"});  // creates static tables
-  read_request(R"({"op":"call","fn":"workcell","args":{"workcell":{}}})", {"main"});
-  read_request(R"({"op":"call","fn":"snapshot_load","args":{"snapshot":{}}})", {"main"});
+  read_request(R"({"op":"call","fn":"describe"})");  // creates static tables
+  read_request(R"({"op":"call","fn":"workcell","args":{"workcell":{}}})");
+  read_request(R"({"op":"call","fn":"snapshot_load","args":{"snapshot":{}}})");
   for (const Shape& shape : shapes()) {
     ASSERT_LE(shape.text.size(), kMaxMessageBytes) << shape.name;
     const auto started = std::chrono::steady_clock::now();
     const test::Allocations allocations;
-    RequestReading reading = read_request(shape.text, {"main"});
+    RequestReading reading = read_request(shape.text);
     std::size_t answer = 0;
     if (const auto* error = std::get_if<RequestError>(&reading)) answer = result(*error)->size();
     const std::size_t peak = allocations.peak();

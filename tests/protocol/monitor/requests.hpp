@@ -14,7 +14,6 @@
 
 namespace xr3::monitor {
 
-inline const std::vector<std::string> kCells = {"main", "second"};
 
 using Pointers = std::vector<std::string>;
 
@@ -33,14 +32,14 @@ inline std::string words_of(const RequestError& error) {
 }
 
 inline Request good(const std::string& text) {
-  RequestReading reading = read_request(text, kCells);
+  RequestReading reading = read_request(text);
   const auto* error = std::get_if<RequestError>(&reading);
   EXPECT_EQ(error, nullptr) << text << ": " << (error == nullptr ? "" : words_of(*error));
   return error == nullptr ? std::get<Request>(std::move(reading)) : Request{};
 }
 
 inline RequestError bad(const std::string& text) {
-  RequestReading reading = read_request(text, kCells);
+  RequestReading reading = read_request(text);
   const auto* error = std::get_if<RequestError>(&reading);
   EXPECT_NE(error, nullptr) << text;
   return error == nullptr ? RequestError{} : *error;

@@ -151,7 +151,7 @@ class FeedTest : public testing::Test {
   FeedSubscription follow(std::optional<std::int64_t> since = {}) {
     Subscribe wanted = to(Channel::kEvent);
     wanted.since = since;
-    return {"main", wanted, ring, stats};
+    return {"main", wanted, feed, stats};
   }
   static Strings all(FeedSubscription& sub) {
     Strings messages;
@@ -161,10 +161,12 @@ class FeedTest : public testing::Test {
 
   ChannelStats stats;
   int made = 0;
-  Ring<int> ring{4, [this](const int& value, std::int64_t seq) {
-                   ++made;
-                   return text(std::to_string(seq) + ":" + std::to_string(value));
-                 }};
+  const std::shared_ptr<Ring<int>> feed =
+      std::make_shared<Ring<int>>(4, [this](const int& value, std::int64_t seq) {
+        ++made;
+        return text(std::to_string(seq) + ":" + std::to_string(value));
+      });
+  Ring<int>& ring = *feed;
 };
 
 TEST_F(FeedTest, StartsNowOrAtASeq) {
@@ -204,14 +206,14 @@ TEST_F(FeedTest, FormatsMessagesOnceAndOnlyForSubscribers) {
 }
 
 TEST_F(FeedTest, SendsAnswersFirstThenTheChannelsInTurn) {
-  Client client({"main"});
-  Ring<int> lines(4,
-                  [](const int&, std::int64_t seq) { return text("line" + std::to_string(seq)); });
-  client.follow_feed("main", to(Channel::kEvent), ring);
+  Client client;
+  const auto lines = std::make_shared<Ring<int>>(
+      4, [](const int&, std::int64_t seq) { return text("line" + std::to_string(seq)); });
+  client.follow_feed("main", to(Channel::kEvent), feed);
   client.follow_feed("main", to(Channel::kLine), lines);
   publish(2);
-  lines.push();
-  lines.push();
+  lines->push();
+  lines->push();
   client.send(text("answer"));
   Strings messages;
   while (const Message message = client.next_output(0)) messages.push_back(*message);
@@ -219,17 +221,17 @@ TEST_F(FeedTest, SendsAnswersFirstThenTheChannelsInTurn) {
 }
 
 TEST_F(FeedTest, AGetReturnsMessagesWithItsId) {
-  Ring<int> events(4, [](const int&, std::int64_t seq) {
+  const auto events = std::make_shared<Ring<int>>(4, [](const int&, std::int64_t seq) {
     return channel_message(Channel::kEvent, {"main", 0, seq, 0}, R"({"event":"x"})");
   });
-  for (int i = 0; i < 3; ++i) events.push();
-  Client client({"main"});
+  for (int i = 0; i < 3; ++i) events->push();
+  Client client;
   Get get;
   get.selection.channel = Channel::kEvent;
   get.since = 2;
   client.replay(events, "main", get, std::int64_t{5});
   client.send(text("result"));
-  events.push();  // too late for the reply
+  events->push();  // too late for the reply
   Strings messages;
   while (const Message message = client.next_output(0)) messages.push_back(*message);
   const std::string head = R"({"op":"event","id":5,"cell":"main","epoch":0,"seq":)";

@@ -12,7 +12,7 @@
 #include "protocol/files/workcell.hpp"
 #include "protocol/json/source.hpp"
 #include "server/http/resources.hpp"
-#include "server/robot_port/port.hpp"
+#include "tests/support/cell_host.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3 {
@@ -58,13 +58,13 @@ class HttpTest : public testing::Test {
   std::string status_of(const std::string& request) { return answer(request).substr(9, 3); }
 
   asio::io_context io_{1};
-  Cell cell_{"main", test::rhino(), SimClock::manual(), {}};
+  test::CellHost host_{io_};
+  HostedCell& hosted_ = host_.add(test::rhino());
+  Cell& cell_ = hosted_.cell();
   AccessPolicy policy_;
   std::string trouble_;
-  LineSessions lines_{io_, cell_, [] {}};
-  RobotPort robot_port_{io_, cell_, lines_, {16}};
-  MonitorService service_{io_, cell_, lines_, policy_, [] {}};
-  HttpResources resources_{cell_, service_, policy_,
+  MonitorService service_{io_, host_.cells, host_.worker, policy_};
+  HttpResources resources_{service_, policy_,
                            [this]() -> asio::awaitable<std::string> { co_return trouble_; },
                            [this] { return service_.counters(); }};
 };
@@ -313,8 +313,11 @@ TEST_F(HttpTest, WithoutACameraThereIsNoImage) {
 TEST_F(HttpTest, ServesImages) {
   const auto with_camera = std::make_shared<const Model>(
       test::robot_named("rhino-xr3"), test::workcell_named("rhino-xr3"), Profile::kPaper);
-  Cell cell("main", with_camera, SimClock::manual(), {});
-  HttpResources resources(cell, service_, policy_,
+  test::CellHost host(io_);
+  host.add(with_camera);
+  MonitorService service(io_, host.cells, host.worker, policy_);
+  service.stop();
+  HttpResources resources(service, policy_,
                           []() -> asio::awaitable<std::string> { co_return std::string(); }, {});
   const auto show = [&](const std::string& target) {
     std::string body;

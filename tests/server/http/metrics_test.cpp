@@ -101,7 +101,14 @@ TEST(Metrics, EveryCounterHasASample) {
     ASSERT_TRUE(samples.contains(name)) << name;
     EXPECT_EQ(samples.at(name), value) << name;
   }
-  EXPECT_EQ(samples.size(), 17 + kLineCloseReasons + kCommandKinds + 1 + 2 * kChannels);
+  EXPECT_EQ(samples.size(), 20 + kLineCloseReasons + kCommandKinds + 1 + 2 * kChannels);
+}
+
+TEST(Metrics, SumsOfManyCellsNameNoCell) {
+  const auto samples = parsed(metrics_text("", some_counters(), kProcess));
+  EXPECT_EQ(samples.at("xr3_lines_total"), 7);
+  EXPECT_EQ(samples.at(R"(xr3_commands_total{kind="move"})"), 9);
+  for (const auto& [name, value] : samples) EXPECT_EQ(name.find("cell="), std::string::npos) << name;
 }
 
 TEST(Metrics, WhatTheSystemDoesNotTellIsAbsent) {

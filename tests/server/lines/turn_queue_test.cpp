@@ -22,7 +22,7 @@ TEST(TurnQueue, LightLinesGoFirst) {
 
 TEST(TurnQueue, LinesOfAboutTheSameLoadTakeTurns) {
   TurnQueue turns;
-  for (const LineId line : {7U, 5U, 6U}) turns.add(line, kLight + line);
+  for (const SessionNumber line : {7U, 5U, 6U}) turns.add(line, kLight + line);
   EXPECT_EQ(turns.take_lightest(), 7U);
   turns.add(7, kLight);
   EXPECT_EQ(turns.take_lightest(), 5U);

@@ -13,7 +13,7 @@
 
 #include "cell/failure.hpp"
 #include "protocol/json/source.hpp"
-#include "server/robot_port/port.hpp"
+#include "tests/support/cell_host.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/tcp_client.hpp"
 
@@ -34,6 +34,7 @@ class MonitorPortTest : public testing::Test {
   ~MonitorPortTest() override {
     robot_port_.close();
     lines_.close();
+    host_.turns.close();
     monitor_port_.close();
     lines_.abort();
     monitor_port_.abort();
@@ -54,17 +55,20 @@ class MonitorPortTest : public testing::Test {
   asio::io_context io_{1};
   bool fails_ = false;
   bool is_broken_ = false;  ///< a failure has left the loop: its session stays
-  Cell cell_{"main", test::rhino(), SimClock::manual(), [this](const CellEvent&, const Model&) {
-               if (fails_) throw std::bad_alloc();
-             }};
+  test::CellHost host_{io_};
+  HostedCell& hosted_ =
+      host_.add(test::rhino(), "main", [this](const CellEvent&, const Model&) {
+        if (fails_) throw std::bad_alloc();
+      });
+  Cell& cell_ = hosted_.cell();
+  LineSessions& lines_ = hosted_.lines();
+  RobotPort& robot_port_ = hosted_.add_port({16});
   std::string trouble_;
   int acted_ = 0;
-  LineSessions lines_{io_, cell_, [] {}};
-  RobotPort robot_port_{io_, cell_, lines_, {16}};
   AccessPolicy policy_;
   MonitorPort monitor_port_{io_,
-                            cell_,
-                            lines_,
+                            host_.cells,
+                            host_.worker,
                             policy_,
                             [this]() -> asio::awaitable<std::string> { co_return trouble_; },
                             [this] { ++acted_; },

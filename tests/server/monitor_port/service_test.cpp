@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "server/net/wall_clock.hpp"
-#include "server/robot_port/port.hpp"
+#include "tests/support/cell_host.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3 {
@@ -86,15 +86,15 @@ class MonitorServiceTest : public testing::Test {
   void send(const std::string& bytes) {
     if (line_ == 0) line_ = cell_.apply(LineOpened{"test"}, wall_now()).line;
     cell_.apply(BytesIn{line_, bytes}, wall_now());
-    service_.subscribers().acted();
+    hosted_.acted();
   }
 
   asio::io_context io_{1};
-  Cell cell_{"main", test::rhino(), SimClock::manual(), {}};
-  LineSessions lines_{io_, cell_, [] {}};
-  RobotPort robot_port_{io_, cell_, lines_, {16}};
+  test::CellHost host_{io_};
+  HostedCell& hosted_ = host_.add(test::rhino());
+  Cell& cell_ = hosted_.cell();
   AccessPolicy policy_;
-  MonitorService service_{io_, cell_, lines_, policy_, [this] { service_.subscribers().acted(); }};
+  MonitorService service_{io_, host_.cells, host_.worker, policy_};
   NullSink sink_;
   MonitorSession one_{service_, sink_};
   LineId line_ = 0;
@@ -110,6 +110,123 @@ TEST_F(MonitorServiceTest, SubReturnsItsSettingsAndThenTheFirstFrame) {
       R"({"cell":"main","channel":"state","max_hz":20.0,"on_change":true,"fields":["moving"]})");
   EXPECT_EQ(answers[1].dump(),
             R"({"op":"state","cell":"main","epoch":0,"seq":1,"tick":0,"moving":false})");
+}
+
+// --- Several cells.
+
+TEST_F(MonitorServiceTest, ARequestGoesToTheCellThatItNames) {
+  HostedCell& second = host_.add(test::rhino(), "second");
+  read(one_);
+  answer(one_, R"({"op":"call","id":1,"cell":"second","fn":"reset","args":{}})");
+  EXPECT_EQ(second.cell().epoch(), 1);
+  EXPECT_EQ(cell_.epoch(), 0);
+  EXPECT_EQ(answer(one_, R"({"op":"get","channel":"model","cell":"second"})")["cell"], "second");
+  EXPECT_EQ(answer(one_, R"({"op":"get","channel":"model"})")["cell"], "main");
+}
+
+TEST_F(MonitorServiceTest, AnUnknownCellIsAnError) {
+  read(one_);
+  const Json error = answer(one_, R"({"op":"ping","id":4,"cell":"third"})")["error"];
+  EXPECT_EQ(error["code"], "unknown_cell");
+  EXPECT_EQ(error["message"], R"(there is no cell "third")");
+  EXPECT_EQ(error["hint"], R"(there is "main")");
+  host_.add(test::rhino(), "first");
+  EXPECT_EQ(answer(one_, R"({"op":"ping","cell":"frist"})")["error"]["hint"],
+            R"(there is "main" or "first"; perhaps "first" was meant)");
+}
+
+TEST_F(MonitorServiceTest, ASubscriptionGetsTheMessagesOfItsCell) {
+  HostedCell& second = host_.add(test::rhino(), "second");
+  read(one_);
+  ask(one_, R"({"op":"sub","channel":"event","cell":"second"})");
+  send("E+5\r");
+  io_.restart();
+  io_.run_for(50ms);
+  EXPECT_TRUE(read(one_).empty());
+  EXPECT_EQ(second.hub().size(), 1U);
+  EXPECT_EQ(hosted_.hub().size(), 0U);
+  second.cell().apply(LineOpened{"test"}, wall_now());
+  second.acted();
+  EXPECT_EQ(wait(one_).front()["cell"], "second");
+  ask(one_, R"({"op":"unsub","channel":"event","cell":"second"})");
+  EXPECT_EQ(second.hub().size(), 0U);
+}
+
+TEST_F(MonitorServiceTest, TheSubscriptionsOfAClosedCellEndWithItsLastEvent) {
+  HostedCell& second = host_.add(test::rhino(), "second");
+  const CellPtr kept = second.shared_from_this();
+  read(one_);
+  ask(one_, R"({"op":"sub","channel":"event","cell":"second"})");
+  ask(one_, R"({"op":"sub","channel":"state","cell":"second"})");
+  second.cell().report_closed();
+  service_.forget(second);
+  host_.cells.remove(second);
+  kept->retire();
+  const std::vector<Json> rest = read(one_);
+  ASSERT_EQ(rest.size(), 1U);
+  EXPECT_EQ(rest[0]["event"], "cell_closed");
+  EXPECT_FALSE(one_.follows_anything());
+  EXPECT_EQ(kept->hub().size(), 0U);
+  EXPECT_EQ(answer(one_, R"({"op":"ping","cell":"second"})")["error"]["code"], "unknown_cell");
+}
+
+TEST_F(MonitorServiceTest, CountersAreSumsAndKeepThoseOfClosedCells) {
+  HostedCell& second = host_.add(test::rhino(), "second");
+  const CellPtr kept = second.shared_from_this();
+  second.cell().apply(LineOpened{"test"}, wall_now());
+  send("E?");
+  EXPECT_EQ(service_.counters().lines_total, 2U);
+  EXPECT_EQ(service_.counters().lines_open, 2U);
+  service_.forget(second);
+  host_.cells.remove(second);
+  kept->retire();
+  EXPECT_EQ(service_.counters().lines_total, 2U);
+  EXPECT_EQ(service_.counters().lines_open, 1U);
+  EXPECT_EQ(service_.counters().cells_open, 1U);
+  EXPECT_EQ(service_.counters().cells_total, 2U);
+}
+
+TEST_F(MonitorServiceTest, WithoutACellOnlyTheServerAnswers) {
+  host_.cells.remove(hosted_);
+  MonitorSession other(service_, sink_);
+  const std::vector<Json> hello = read(other);
+  EXPECT_TRUE(hello.at(0)["cell"].is_null());
+  EXPECT_TRUE(hello.at(0)["robot"].is_null());
+  EXPECT_EQ(answer(other, R"({"op":"ping","id":1})")["op"], "pong");
+  EXPECT_TRUE(call(other, "describe")["value"]["tick"].is_null());
+  const Json error = answer(other, R"({"op":"get","channel":"state"})")["error"];
+  EXPECT_EQ(error["code"], "unknown_cell");
+}
+
+TEST_F(MonitorServiceTest, TheOverviewShowsAllCellsAndThenChanges) {
+  HostedCell& second = host_.add(test::rhino(), "second");
+  host_.acted = [this](HostedCell& cell) { service_.overview().acted(cell); };
+  read(one_);
+  const std::vector<Json> answers = ask(one_, R"({"op":"sub","channel":"overview"})");
+  ASSERT_EQ(answers.size(), 2U);
+  EXPECT_TRUE(answers[1]["whole"]);
+  EXPECT_EQ(answers[1]["cells"].size(), 2U);
+  second.cell().apply(LineOpened{"test"}, wall_now());
+  second.acted();
+  const Json change = wait(one_).back();
+  EXPECT_FALSE(change["whole"]);
+  ASSERT_EQ(change["cells"].size(), 1U);
+  EXPECT_EQ(change["cells"][0]["name"], "second");
+  EXPECT_EQ(change["cells"][0]["lines"], 1);
+  const CellPtr kept = second.shared_from_this();
+  service_.forget(second);
+  host_.cells.remove(second);
+  kept->retire();
+  EXPECT_EQ(wait(one_).back()["closed"].dump(), R"(["second"])");
+}
+
+TEST_F(MonitorServiceTest, AtRestTheOverviewIsIdle) {
+  ask(one_, R"({"op":"sub","channel":"overview"})");
+  io_.restart();
+  io_.run_for(700ms);
+  read(one_);
+  io_.restart();
+  EXPECT_EQ(io_.run_for(300ms), 0U);
 }
 
 TEST_F(MonitorServiceTest, SendsOnlyChanges) {

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "server/robot_port/port.hpp"
+#include "tests/support/cell_host.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3 {
@@ -71,11 +71,10 @@ class WebsocketTest : public testing::Test {
   std::string rest() { return until("the end"); }
 
   asio::io_context io_{1};
-  Cell cell_{"main", test::rhino(), SimClock::manual(), {}};
+  test::CellHost host_{io_};
+  HostedCell& hosted_ = host_.add(test::rhino());
   AccessPolicy policy_;
-  LineSessions lines_{io_, cell_, [] {}};
-  RobotPort robot_port_{io_, cell_, lines_, {16}};
-  MonitorService service_{io_, cell_, lines_, policy_, [] {}};
+  MonitorService service_{io_, host_.cells, host_.worker, policy_};
   tcp::socket client_{io_};
   std::shared_ptr<MonitorSocket> server_;
   std::shared_ptr<Websocket> websocket_;

@@ -21,6 +21,12 @@ TEST(SocketLimits, LeaveSomeDescriptorsToTheProcess) {
   }
 }
 
+TEST(SocketLimits, LeaveDescriptorsToTheListenersOfManyCells) {
+  const SocketLimits limits = divide_descriptors(4096, kWanted, 2000);
+  EXPECT_EQ(limits.lines, 998U);
+  EXPECT_LE(limits.lines + limits.connections + limits.refusals, 4096U - 2000U);
+}
+
 TEST(SocketLimits, AreAtLeastOne) {
   for (const std::size_t descriptors : {0U, 16U, 32U, 33U, 40U}) {
     const SocketLimits limits = divide_descriptors(descriptors, kWanted);

@@ -40,6 +40,7 @@ class RobotPortTest : public testing::Test {
     port_.close();
     lines_.close();
     lines_.abort();
+    turns_.close();
     io_.run();  // returns: nothing of the port is left
   }
 
@@ -73,7 +74,8 @@ class RobotPortTest : public testing::Test {
              SimClock::manual(), [this](const CellEvent&, const Model&) {
                if (fails_) throw std::bad_alloc();
              }};
-  LineSessions lines_{io_, cell_, [] {}};
+  LineTurns turns_{io_};
+  LineSessions lines_{turns_, cell_, [] {}};
   RobotPort port_{io_, cell_, lines_, {kMaxLines, Guard::kOff}};
 };
 
@@ -203,6 +205,72 @@ TEST_F(RobotPortTest, ClosingSendsPendingReplies) {
   lines_.close();
   EXPECT_EQ(client.rest(), "%");
   EXPECT_TRUE(lines_.is_empty());
+}
+
+// --- The owner of the port.
+
+class OwnedPortTest : public testing::Test {
+ protected:
+  OwnedPortTest() { EXPECT_FALSE(port_.listen({asio::ip::address_v4::loopback(), 0})); }
+  ~OwnedPortTest() override {
+    port_.close();
+    lines_.close();
+    lines_.abort();
+    turns_.close();
+    io_.restart();
+    io_.run();
+  }
+  /// A client with another address than Client has.
+  tcp::socket stranger() {
+    tcp::socket socket(io_);
+    socket.open(tcp::v4());
+    socket.bind({asio::ip::make_address("127.0.0.2"), 0});
+    socket.connect(port_.endpoint());
+    return socket;
+  }
+  void settle() {
+    io_.restart();
+    while (io_.poll() > 0) {
+    }
+  }
+
+  asio::io_context io_{1};
+  Cell cell_{"main", test::rhino(), SimClock::manual(), {}};
+  LineTurns turns_{io_};
+  LineSessions lines_{turns_, cell_, [] {}};
+  RobotPort port_{io_, cell_, lines_, {kMaxLines, Guard::kNormal, PeerCounts(), WallNs{0}}};
+};
+
+TEST_F(OwnedPortTest, TheFirstAddressThatSpeaksKeepsThePort) {
+  tcp::socket silent = stranger();
+  Client first(io_, port_.endpoint());
+  settle();
+  EXPECT_EQ(cell_.lines().size(), 2U);
+  EXPECT_FALSE(port_.owner());
+  first.send("E?");
+  EXPECT_EQ(first.bytes(1), " ");
+  EXPECT_EQ(port_.owner(), asio::ip::address_v4::loopback());
+  EXPECT_EQ(cell_.lines().size(), 1U) << "the line that has not spoken is closed";
+  tcp::socket late = stranger();
+  settle();
+  EXPECT_EQ(cell_.lines().size(), 1U);
+  EXPECT_EQ(port_.counters().other_peers, 2U);
+}
+
+TEST_F(OwnedPortTest, IsFreeAgainAfterTheLastLine) {
+  {
+    Client first(io_, port_.endpoint());
+    first.send("E?");
+    EXPECT_EQ(first.bytes(1), " ");
+  }
+  for (int i = 0; i < 100 && port_.owner(); ++i) {
+    io_.restart();
+    io_.run_for(std::chrono::milliseconds(20));
+  }
+  EXPECT_FALSE(port_.owner());
+  tcp::socket other = stranger();
+  settle();
+  EXPECT_EQ(cell_.lines().size(), 1U);
 }
 
 // --- Failures.

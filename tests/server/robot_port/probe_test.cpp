@@ -29,6 +29,7 @@ class RobotProbeTest : public testing::Test {
     port_.close();
     lines_.close();
     lines_.abort();
+    turns_.close();
     io_.restart();
     io_.run_for(5s);
   }
@@ -78,7 +79,8 @@ class RobotProbeTest : public testing::Test {
   int acted_ = 0;
   Cell cell_{"main", test::rhino(), SimClock::manual(),
              [this](const CellEvent& event, const Model&) { told_.push_back(event); }};
-  LineSessions lines_{io_, cell_, [this] { ++acted_; }};
+  LineTurns turns_{io_};
+  LineSessions lines_{turns_, cell_, [this] { ++acted_; }};
   RobotPort port_{io_, cell_, lines_, {kProbeLines}};
 };
 
@@ -145,7 +147,8 @@ TEST_F(RobotProbeTest, ReportsAClosedPort) {
 TEST_F(RobotProbeTest, APortThatDoesNotAnswerTimesOut) {
   asio::io_context stuck{1};  // never runs: connections wait in the kernel
   Cell cell("main", test::rhino(), SimClock::manual(), {});
-  LineSessions lines(stuck, cell, [] {});
+  LineTurns turns(stuck);
+  LineSessions lines(turns, cell, [] {});
   RobotPort port(stuck, cell, lines, {kProbeLines});
   EXPECT_FALSE(port.listen({asio::ip::make_address("127.0.0.1"), 0}));
   RobotProbe probe(io_, port);

@@ -1,0 +1,73 @@
+#include "protocol/monitor/overview.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "core/motor.hpp"
+#include "core/step.hpp"
+#include "protocol/json/values.hpp"
+#include "protocol/monitor/snapshot.hpp"
+
+namespace xr3::monitor {
+namespace {
+
+constexpr int kDecimals = 1;
+
+template <class Value>
+Json json_or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json();
+}
+
+}  // namespace
+
+CellSummary machine_summary(const Model& model, const State& state) {
+  CellSummary cell;
+  cell.robot = model.robot().name;
+  cell.is_moving = !is_at_rest(model, state);
+  cell.stall = state.stall;
+  if (state.held) cell.holding = state.blocks[state.held->block].name;
+  cell.tick = state.tick;
+  const Positions at = positions(model, state.motors);
+  const auto variable = [&](int index) {
+    return rounded(model.variable(index, at[static_cast<std::size_t>(index)]), kDecimals);
+  };
+  for (int k = 0; k < model.joint_count(); ++k) cell.joints.push_back(variable(k));
+  if (model.carousel()) cell.joints.push_back(variable(model.carousel_index()));
+  cell.tool = variable(model.tool_index());
+  return cell;
+}
+
+Json summary_json(const CellSummary& cell) {
+  return {{"name", cell.name},
+          {"robot", cell.robot},
+          {"robot_port", json_or_null(cell.robot_port)},
+          {"lines", cell.lines},
+          {"peer", json_or_null(cell.peer)},
+          {"moving", cell.is_moving},
+          {"stalled", stall_json(cell.stall)},
+          {"holding", json_or_null(cell.holding)},
+          {"last_input_tick", json_or_null(cell.last_input_tick)},
+          {"epoch", cell.epoch},
+          {"tick", cell.tick},
+          {"joints", cell.joints},
+          {"tool", cell.tool}};
+}
+
+bool is_news(const CellSummary& before, const CellSummary& now) {
+  const auto shown = [](const CellSummary& cell) {
+    return std::tie(cell.name, cell.robot, cell.robot_port, cell.lines, cell.peer, cell.is_moving,
+                    cell.stall, cell.holding, cell.last_input_tick, cell.epoch, cell.joints,
+                    cell.tool);
+  };
+  return shown(before) != shown(now);
+}
+
+Message overview_message(std::int64_t seq, bool is_whole, const std::vector<std::string>& cells,
+                         const std::vector<std::string>& closed) {
+  std::string text = R"({"op":"overview","seq":)" + std::to_string(seq);
+  text.append(R"(,"whole":)").append(is_whole ? "true" : "false").append(R"(,"cells":[)");
+  for (std::size_t i = 0; i < cells.size(); ++i) text.append(i > 0 ? "," : "").append(cells[i]);
+  text.append(R"(],"closed":)").append(text_of(Json(closed))).append("}");
+  return std::make_shared<const std::string>(std::move(text));
+}
+
+}  // namespace xr3::monitor

@@ -1,0 +1,90 @@
+// The cells of `--cell-per-connection`: each connection of the robot port gets a cell when its first
+// byte may act, and the cell goes some time after its line. A client of HTTP or TLS gets none.
+#pragma once
+
+#include <array>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "protocol/line/http_tls_detector.hpp"
+#include "protocol/line/line_guard.hpp"
+#include "server/cells/hosted_cell.hpp"
+#include "server/net/asio.hpp"
+#include "server/net/peer_counts.hpp"
+#include "server/net/wall_clock.hpp"
+
+namespace xr3 {
+
+struct ConnectionCellsRules {
+  std::size_t max_lines = 1024;  ///< connections, also those that have not sent a byte
+  std::size_t max_cells = 1000;  ///< also those that linger
+  WallNs linger = 0;             ///< how long a cell is kept after its line
+  Guard guard = Guard::kNormal;
+  PeerCounts peers = PeerCounts();
+};
+
+class ConnectionCells {
+ public:
+  using Open = std::function<CellPtr(const std::string& name)>;
+  using Close = std::function<void(const CellPtr& cell)>;
+
+  /// `open` makes a cell and adds it to the registry; `close` removes one.
+  ConnectionCells(asio::io_context& io, ConnectionCellsRules rules, Open open, Close close);
+  ConnectionCells(const ConnectionCells&) = delete;
+  ConnectionCells& operator=(const ConnectionCells&) = delete;
+
+  ~ConnectionCells();
+
+  /// Takes over a connection, which must be non-blocking.
+  void take(tcp::socket socket);
+  /// Takes no further connection; those that wait for their first byte are closed.
+  void close();
+
+  /// Connections beyond a limit.
+  std::uint64_t refused() const { return refused_; }
+  /// Connections that were no robot programs, and so got no cell.
+  std::uint64_t turned_away() const { return turned_away_; }
+  /// The connections that have not sent a byte that may act.
+  std::size_t waiting() const { return waiting_.size(); }
+
+ private:
+  struct Client;
+  class Guest;
+  using ClientPtr = std::shared_ptr<Client>;
+  enum class First : std::uint8_t { kNothing, kRobot, kOther, kEnd };
+
+  asio::awaitable<void> await_first_byte(ClientPtr client);
+  First look(Client& client);
+  First judge(Client& client, std::string_view bytes) const;
+  void settle(Client& client, First first);
+  void serve(Client& client);
+  void refuse(const char* why);
+  void line_ended(Guest& guest);
+  void close_cell(const HostedCell* cell);
+  void arm();
+  void close_due();
+
+  asio::io_context& io_;
+  ConnectionCellsRules rules_;
+  Open open_;
+  Close close_;
+  std::set<ClientPtr> waiting_;
+  std::map<const HostedCell*, std::unique_ptr<Guest>> guests_;
+  /// Cells without a line, with the time at which they go: the longest-lingering first.
+  std::deque<std::pair<WallNs, const HostedCell*>> lingering_;
+  asio::steady_timer timer_;
+  std::array<char, kFirstChunk> scratch_{};
+  std::uint64_t last_ = 0;  ///< the number of the last cell
+  std::size_t lines_ = 0;   ///< open lines
+  std::uint64_t refused_ = 0;
+  std::uint64_t turned_away_ = 0;
+  WallNs next_log_ = 0;
+  bool is_closing_ = false;
+};
+
+}  // namespace xr3

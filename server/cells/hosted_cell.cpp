@@ -1,0 +1,80 @@
+#include "server/cells/hosted_cell.hpp"
+
+#include <utility>
+
+namespace xr3 {
+
+HostedCell::HostedCell(CellContext& context, CellParts parts)
+    : context_(context),
+      token_(std::move(parts.token)),
+      cell_(std::move(parts.name), std::move(parts.model), parts.clock, std::move(parts.sink),
+            context.rings),
+      lines_(context.turns, cell_, [this] { acted(); }),
+      due_timer_(context.io, cell_, [this] { acted(); }),
+      frames_(context.io, cell_, context.worker),
+      hub_(
+          context.io, cell_, frames_, [this] { context_.turns.run_turns(); },
+          [this] { return weak_from_this().lock(); }) {}
+
+// The sessions give back their places at the port, which is destroyed before the sessions.
+HostedCell::~HostedCell() {
+  freeze();
+  lines_.drop();
+}
+
+http::CellBodies& HostedCell::bodies() {
+  if (!bodies_) bodies_ = std::make_unique<http::CellBodies>(context_.io, context_.worker);
+  return *bodies_;
+}
+
+RobotPort& HostedCell::add_port(RobotPortRules rules) {
+  port_ = std::make_unique<RobotPort>(context_.io, cell_, lines_, std::move(rules));
+  return *port_;
+}
+
+void HostedCell::serve_terminals(const std::vector<std::string>& paths, ::mode_t rights) {
+  if (paths.empty()) return;
+  ptys_ = std::make_unique<PtyPort>(context_.io, lines_);
+  ptys_->serve(paths, rights);
+}
+
+void HostedCell::connect_device(const DeviceChoice& device, bool is_mirrored) {
+  device_.emplace(context_.io, cell_, device.path, device.settings, is_mirrored,
+                  [this] { acted(); });
+}
+
+void HostedCell::acted() {
+  if (is_frozen_) return;
+  for (const LineId line : cell_.take_woken_lines()) lines_.wake(line);
+  due_timer_.update();
+  if (device_) device_->pump();
+  hub_.acted();
+  context_.acted(*this);
+}
+
+void HostedCell::close_ports() {
+  if (port_) port_->close();
+  if (ptys_) ptys_->close();
+  due_timer_.close();
+  if (device_) device_->close();
+}
+
+void HostedCell::close(WallNs deadline) {
+  close_ports();
+  lines_.close(deadline);
+}
+
+void HostedCell::retire() {
+  is_retired_ = true;
+  close_ports();
+  freeze();
+  lines_.close();
+  hub_.stop();
+}
+
+void HostedCell::freeze() {
+  is_frozen_ = true;
+  cell_.freeze();
+}
+
+}  // namespace xr3

@@ -1,0 +1,122 @@
+// A cell with everything of the server that belongs to it alone: its serial lines, its ports, its
+// timer, and the frames and subscribers of its channels.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cell/cell.hpp"
+#include "server/device/port.hpp"
+#include "server/http/cell_bodies.hpp"
+#include "server/lines/due_timer.hpp"
+#include "server/lines/sessions.hpp"
+#include "server/monitor_port/frame_maker.hpp"
+#include "server/monitor_port/subscribers.hpp"
+#include "server/net/asio.hpp"
+#include "server/net/worker.hpp"
+#include "server/options/options.hpp"
+#include "server/pty/port.hpp"
+#include "server/robot_port/port.hpp"
+
+namespace xr3 {
+
+class HostedCell;
+using CellPtr = std::shared_ptr<HostedCell>;
+
+/// Shared by all cells of the process; must outlive them.
+struct CellContext {
+  asio::io_context& io;
+  LineTurns& turns;
+  Worker& worker;
+  std::function<void(HostedCell&)> acted;  ///< called after each input of a cell
+  monitor::RingBudget* rings = nullptr;    ///< of the rings of all cells; null: no limit
+};
+
+/// The parts with which a cell begins.
+struct CellParts {
+  std::string name;
+  ModelPtr model;
+  SimClock clock;
+  CellEventSink sink;  ///< may be empty
+  std::string token = {};  ///< of this cell; empty: none
+};
+
+class HostedCell : public std::enable_shared_from_this<HostedCell> {
+ public:
+  /// Not by std::make_shared: a weak pointer would keep the whole memory.
+  static CellPtr make(CellContext& context, CellParts parts) {
+    return CellPtr(new HostedCell(context, std::move(parts)));
+  }
+  HostedCell(const HostedCell&) = delete;
+  HostedCell& operator=(const HostedCell&) = delete;
+  /// Lines that are still open end without a report.
+  ~HostedCell();
+
+  const std::string& name() const { return cell_.name(); }
+  /// Empty: it has none.
+  const std::string& token() const { return token_; }
+  Cell& cell() { return cell_; }
+  const Cell& cell() const { return cell_; }
+  LineSessions& lines() { return lines_; }
+  /// The lines, as far as the calls of the monitor need them.
+  LineTransports& transports() { return lines_; }
+  /// Clients that its ports did not serve.
+  PortCounters port_counters() const { return lines_.counters(); }
+  FrameMaker& frames() { return frames_; }
+  SubscriberHub& hub() { return hub_; }
+  http::CellBodies& bodies();
+
+  /// Its own robot port; to be called once.
+  RobotPort& add_port(RobotPortRules rules);
+  /// nullptr: it has none.
+  RobotPort* port() const { return port_.get(); }
+  /// Serves pseudo-terminals. Throws FileError.
+  void serve_terminals(const std::vector<std::string>& paths, ::mode_t rights);
+  /// Connects a physical controller, which open_device() opens; see Cell::connect_device().
+  void connect_device(const DeviceChoice& device, bool is_mirrored);
+  /// Throws SerialDeviceError. Precondition: connect_device() was called.
+  void open_device() { device_->open(); }
+
+  /// An input of the cell has acted: serves its lines and subscribers.
+  void acted();
+
+  /// Accepts no further clients; the lines end as LineSessions::close() says.
+  void close_ports();
+  void close(WallNs deadline = kNever);
+  /// Arms no timer any more for the subscribers, and ends their subscriptions.
+  void stop_subscribers() { hub_.stop(); }
+  /// The cell is closed for good: nothing of it arms a timer any more. Whoever still holds it may use
+  /// it, without effect on anybody. Precondition: no line is open.
+  void retire();
+  bool is_retired() const { return is_retired_; }
+  /// Ignores all further inputs, for the end of the process.
+  void freeze();
+
+  /// A shared pointer to one of its parts, which keeps the cell.
+  template <class Part>
+  std::shared_ptr<Part> share(Part& part) {
+    return {shared_from_this(), &part};
+  }
+
+ private:
+  HostedCell(CellContext& context, CellParts parts);
+
+  CellContext& context_;
+  std::string token_;
+  Cell cell_;
+  LineSessions lines_;
+  DueTimer due_timer_;
+  std::unique_ptr<RobotPort> port_;
+  std::unique_ptr<PtyPort> ptys_;
+  std::optional<DevicePort> device_;
+  FrameMaker frames_;
+  SubscriberHub hub_;
+  std::unique_ptr<http::CellBodies> bodies_;
+  bool is_retired_ = false;
+  bool is_frozen_ = false;
+};
+
+}  // namespace xr3

@@ -1,0 +1,89 @@
+// The subscribers of the channel `overview`, and what they have yet to see. At most kPerSecond
+// rounds a second look at the cells that have acted or move; all subscribers of equal rights share
+// the bytes of a message. The rounds take a tenth of the time at most, and at rest none runs.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "protocol/monitor/overview.hpp"
+#include "server/cells/registry.hpp"
+#include "server/monitor_port/session.hpp"
+#include "server/net/asio.hpp"
+#include "server/net/wall_clock.hpp"
+
+namespace xr3 {
+
+/// What the overview shows of a cell now; advances the cell.
+monitor::CellSummary summary_of(HostedCell& at);
+
+class Overview {
+ public:
+  static constexpr int kPerSecond = 4;
+
+  /// `between` is called between a few cells or sessions, for work that must not wait.
+  Overview(asio::io_context& io, CellRegistry& cells, std::function<void()> between);
+  Overview(const Overview&) = delete;
+  Overview& operator=(const Overview&) = delete;
+
+  /// The session is subscribed from now on; its first message shows all cells that it may see.
+  void add(MonitorSession& session);
+  /// No effect unless it was added.
+  void remove(MonitorSession& session);
+
+  /// An input of the cell has acted, or it is new.
+  void acted(HostedCell& cell);
+  /// The cell closes.
+  void forget(const HostedCell& cell);
+  void stop();
+
+  /// A message with all cells that the session may see.
+  monitor::Message whole(const MonitorSession& session,
+                         const std::vector<monitor::CellSummary>& cells) const;
+  /// The summaries of all cells, as of moments after this call.
+  asio::awaitable<std::vector<monitor::CellSummary>> summaries();
+
+ private:
+  /// A cell as the subscribers see it.
+  struct Shown {
+    monitor::CellSummary summary;
+    std::string text;
+    std::int64_t version = 0;
+  };
+  using Cells = std::set<HostedCell*>;
+
+  void begin();
+  asio::awaitable<void> run();
+  asio::awaitable<void> look_at_cells();
+  asio::awaitable<void> serve_sessions();
+  asio::awaitable<void> pause_if_long(WallNs& since);
+  void look_at(HostedCell& cell);
+  void serve(MonitorSession& session);
+  monitor::Message message_for(const MonitorSession& session, std::int64_t since);
+  monitor::Message make(std::int64_t since, const MonitorSession* only_granted_of) const;
+
+  asio::io_context& io_;
+  CellRegistry& cells_;
+  std::function<void()> between_;
+  asio::steady_timer timer_;  ///< of the next round; cancelled to look at once
+  std::vector<MonitorSession*> sessions_;
+  std::size_t next_ = 0;  ///< index of the session to be served next
+  Cells changed_;         ///< to be looked at in the next round
+  Cells now_;             ///< to be looked at in this round
+  std::map<HostedCell*, Shown> shown_;
+  std::map<std::int64_t, HostedCell*> by_version_;
+  std::deque<std::pair<std::int64_t, std::string>> closed_;  ///< the latest, with their versions
+  std::int64_t forgotten_ = 0;  ///< the version of the last closed cell that is not in closed_
+  std::int64_t version_ = 1;
+  std::map<std::int64_t, monitor::Message> made_;  ///< in this round, by the version before
+  bool is_behind_ = false;                         ///< a session has yet to be served
+  bool is_running_ = false;
+  bool is_stopped_ = false;
+};
+
+}  // namespace xr3

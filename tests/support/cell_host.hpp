@@ -1,0 +1,32 @@
+// What hosted cells share in a server, for tests: turns, worker and registry.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "server/cells/registry.hpp"
+
+namespace xr3::test {
+
+struct CellHost {
+  explicit CellHost(asio::io_context& loop)
+      : io(loop), context{io, turns, worker, [this](HostedCell& cell) { acted(cell); }} {}
+
+  /// Adds a cell with a manual clock.
+  HostedCell& add(ModelPtr model, const std::string& name = "main", CellEventSink sink = {}) {
+    CellPtr cell =
+        HostedCell::make(context, {name, std::move(model), SimClock::manual(), std::move(sink)});
+    cells.add(cell);
+    return *cell;
+  }
+
+  asio::io_context& io;
+  LineTurns turns{io};
+  Worker worker;
+  std::function<void(HostedCell&)> acted = [](HostedCell&) {};
+  CellContext context;
+  CellRegistry cells;
+};
+
+}  // namespace xr3::test
