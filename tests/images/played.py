@@ -142,8 +142,8 @@ class Played:
         done = docker("logs", self.container(pod))
         return done.stdout + done.stderr
 
-    def monitor(self, pod, token=None):
-        return Monitor("127.0.0.1", self.ports[pod]["monitor"], token=token)
+    def monitor(self, pod, token=None, **options):
+        return Monitor("127.0.0.1", self.ports[pod]["monitor"], token=token, **options)
 
     def process(self, pod):
         return inspect(self.container(pod), ".State.Pid")

@@ -1,6 +1,7 @@
 """Runs what deploy/kubernetes describes, with the image of this checkout, by `podman kube play`. played.py tells what
 is replaced, because podman does not know it."""
 
+import contextlib
 import os
 import pathlib
 import re
@@ -23,13 +24,6 @@ def play(name):
     return Played(objects_of(name), f"localhost/{IMAGE}:latest")
 
 
-def ask(port, command=b"E?", length=1):
-    """The reply of a robot port to an inquiry on a new line."""
-    with socket.create_connection(("127.0.0.1", port), timeout=20) as line:
-        line.sendall(command)
-        return line.recv(length)
-
-
 @unittest.skipUnless("XR3_ENGINE" in os.environ, "docker does not play manifests")
 class Play(unittest.TestCase):
     """Plays a folder of deploy/kubernetes once for all tests of a class."""
@@ -43,15 +37,33 @@ class Play(unittest.TestCase):
         cls.played = play(cls.folder).__enter__()
         cls.addClassCleanup(cls.played.__exit__)
 
-    def check_refused(self, pod, token=None):
-        with self.played.monitor(pod) as monitor, self.assertRaises(MonitorError) as refused:
+    def line(self, pod):
+        """A new connection to the robot port."""
+        return socket.create_connection(("127.0.0.1", self.played.ports[pod]["robot"]), timeout=20)
+
+    @contextlib.contextmanager
+    def student(self, pod):
+        """The name of the cell of a student who has just connected."""
+        before = self.cells(pod)
+        with self.line(pod) as line:
+            line.sendall(b"E?")
+            self.assertEqual(b" ", line.recv(1))
+            cell, = self.cells(pod) - before
+            yield cell
+
+    def cells(self, pod):
+        with self.played.monitor(pod) as monitor:
+            return set(monitor.hello["cells"])
+
+    def check_refused(self, pod, token=None, **options):
+        with self.played.monitor(pod, **options) as monitor, self.assertRaises(MonitorError) as refused:
             if token:
                 monitor.request("auth", token=token)
             monitor.call("pause")
         return refused.exception.code
 
-    def check_steers(self, pod, token):
-        with self.played.monitor(pod, token) as monitor:
+    def check_steers(self, pod, token, **options):
+        with self.played.monitor(pod, token, **options) as monitor:
             monitor.call("pause")
             monitor.call("resume")
 
@@ -72,12 +84,21 @@ class OneClass(Play):
             with self.subTest(host):
                 self.assertEqual(code, get(page + "/healthz", host)[0])
 
-    def test_a_robot_answers(self):
-        self.assertEqual(b" ", ask(self.played.ports[CLASS]["robot"]))
+    def test_each_connection_has_a_robot_of_its_own(self):
+        with self.line(CLASS) as one, self.line(CLASS) as other:
+            one.sendall(b"E+90\rE?")
+            other.sendall(b"E?")
+            self.assertEqual((b"z", b" "), (one.recv(1), other.recv(1)))
+
+    def test_a_probe_makes_no_robot(self):
+        before = self.cells(CLASS)
+        self.assertTrue(self.played.probe(CLASS, "readinessProbe"))
+        self.assertLessEqual(self.cells(CLASS), before)
 
     def test_calls_need_the_token(self):
-        self.assertEqual("token_required", self.check_refused(CLASS))
-        self.check_steers(CLASS, TOKEN)
+        with self.student(CLASS) as cell:
+            self.assertEqual("token_required", self.check_refused(CLASS, cell=cell))
+            self.check_steers(CLASS, TOKEN, cell=cell)
 
     def test_has_no_privileges(self):
         process = pathlib.Path("/proc", str(self.played.process(CLASS)))
@@ -113,19 +134,20 @@ class Departments(Play):
     folder = "departments"
     pods = [f"xr3-{i}" for i in range(len(DEPARTMENTS))]
 
-    def test_each_has_its_robot(self):
-        for pod, name in zip(self.pods, ROBOTS):
-            with self.subTest(pod), self.played.monitor(pod) as monitor:
-                self.assertEqual(name, monitor.hello["robot"]["name"])
-                self.assertEqual(b" ", ask(self.played.ports[pod]["robot"]))
+    def test_each_has_its_robots(self):
+        for pod, department, robot in zip(self.pods, DEPARTMENTS, ROBOTS):
+            with self.subTest(pod), self.student(pod) as cell, \
+                    self.played.monitor(pod, f"{TOKEN}: {department}") as monitor:
+                cells = monitor.request("call", fn="cells", args={})["value"]["cells"]
+                self.assertEqual({cell: robot}, {one["name"]: one["robot"] for one in cells if one["lines"] > 0})
 
     def test_each_has_its_token(self):
-        for pod, name in zip(self.pods, DEPARTMENTS):
-            with self.subTest(pod):
-                self.check_steers(pod, f"{TOKEN}: {name}")
-                self.assertEqual("token_required", self.check_refused(pod))
-                for other in set(DEPARTMENTS) - {name}:
-                    self.assertEqual("bad_token", self.check_refused(pod, f"{TOKEN}: {other}"))
+        for pod, department in zip(self.pods, DEPARTMENTS):
+            with self.subTest(pod), self.student(pod) as cell:
+                self.check_steers(pod, f"{TOKEN}: {department}", cell=cell)
+                self.assertEqual("token_required", self.check_refused(pod, cell=cell))
+                for other in set(DEPARTMENTS) - {department}:
+                    self.assertEqual("bad_token", self.check_refused(pod, f"{TOKEN}: {other}", cell=cell))
 
     def test_every_probe_succeeds(self):
         for pod in self.pods:
