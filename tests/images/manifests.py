@@ -197,8 +197,9 @@ def state_faults(objects):
     for workload in of_kind(objects, "StatefulSet"):
         if workload["spec"].get("updateStrategy") != {"type": "OnDelete"}:
             yield "an update stops every department"
-        if workload["spec"]["serviceName"] not in {service["metadata"]["name"] for service in of_kind(objects, "Service")
-                                                   if service["spec"].get("clusterIP") == "None"}:
+        headless = {service["metadata"]["name"] for service in of_kind(objects, "Service")
+                    if service["spec"].get("clusterIP") == "None"}
+        if workload["spec"]["serviceName"] not in headless:
             yield "the StatefulSet has no headless Service"
     for budget in of_kind(objects, "PodDisruptionBudget"):
         if budget["spec"].get("maxUnavailable") != 0:

@@ -1,4 +1,5 @@
-"""deploy/kubernetes: the server of this build accepts the options of the manifests. `./test --images` tests the rest."""
+"""deploy/kubernetes: the server of this build accepts the options of the manifests. `./test --images` tests
+the rest."""
 
 import pathlib
 import re
