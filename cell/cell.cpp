@@ -18,20 +18,22 @@ Cell::Cell(std::string name, ModelPtr model, SimClock clock, CellEventSink sink,
     : name_(std::move(name)),
       simulation_(std::move(model)),
       clock_(clock),
-      events_(kMaxEvents,
-              [this](const CellEvent& event, std::int64_t seq) {
-                return monitor::channel_message(monitor::Channel::kEvent,
-                                                {name_, event.epoch, seq, event.tick},
-                                                monitor::text_of(event_json(event, this->model())));
-              },
-              budget, kEventHeap),
-      wires_(kMaxWires,
-             [this](const WireRecord& record, std::int64_t seq) {
-               return monitor::channel_message(monitor::Channel::kLine,
-                                               {name_, record.epoch, seq, record.tick},
-                                               monitor::text_of(wire_json(record, this->model())));
-             },
-             budget, kWireHeap),
+      events_(
+          kMaxEvents,
+          [this](const CellEvent& event, std::int64_t seq) {
+            return monitor::channel_message(monitor::Channel::kEvent,
+                                            {name_, event.epoch, seq, event.tick},
+                                            monitor::text_of(event_json(event, this->model())));
+          },
+          budget, kEventHeap),
+      wires_(
+          kMaxWires,
+          [this](const WireRecord& record, std::int64_t seq) {
+            return monitor::channel_message(monitor::Channel::kLine,
+                                            {name_, record.epoch, seq, record.tick},
+                                            monitor::text_of(wire_json(record, this->model())));
+          },
+          budget, kWireHeap),
       sink_(std::move(sink)) {}
 
 Applied Cell::apply(const Input& input, WallNs now) {

@@ -183,9 +183,8 @@ void App::announce() {
   const tcp::endpoint robot = robot_endpoint();
   const tcp::endpoint monitor = monitor_port_.endpoint();
   if (!options_.port_file.empty()) {
-    with_option_source(options_.option_sources, "--port-file", [&] {
-      port_file_.emplace(options_.port_file, served_ports());
-    });
+    with_option_source(options_.option_sources, "--port-file",
+                       [&] { port_file_.emplace(options_.port_file, served_ports()); });
   }
   announce_token(monitor.port());
   std::cout << "LISTENING robot=" << to_text(robot) << " monitor=" << to_text(monitor);

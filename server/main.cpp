@@ -58,8 +58,7 @@ std::vector<CellSeed> load_seeds(const ServeOptions& options) {
   for (const CellPlan& plan : plans) {
     CellSeed& seed = loaded[{plan.robot, plan.workcell}];
     if (!seed.model) {
-      seed.model =
-          load_model({plan.robot, plan.workcell, options.profile, options.option_sources});
+      seed.model = load_model({plan.robot, plan.workcell, options.profile, options.option_sources});
       seed.faults = load_fault_file(options, *seed.model);
     }
     seeds.push_back(seed);

@@ -76,8 +76,7 @@ Message Client::next_answer() {
   while (!reply_queue_.empty()) {
     if (auto* replay = std::get_if<Replay>(&reply_queue_.front())) {
       if (replay->from.position() < replay->end) {
-        if (const Message message = replay->from.next_output())
-          return with_id(message, replay->id);
+        if (const Message message = replay->from.next_output()) return with_id(message, replay->id);
       }
       reply_queue_.pop_front();
       continue;

@@ -29,8 +29,8 @@ const std::array<std::vector<std::string>, kChannels>& members() {
 }
 
 /// Indexed by Channel.
-constexpr std::array<std::string_view, kChannels> kNames = {
-    "state", "image", "display", "model", "event", "line", "overview"};
+constexpr std::array<std::string_view, kChannels> kNames = {"state", "image", "display", "model",
+                                                            "event", "line",  "overview"};
 
 std::size_t index_of(Channel channel) { return static_cast<std::size_t>(channel); }
 
@@ -44,9 +44,7 @@ std::optional<Channel> channel_named(std::string_view name) {
   return static_cast<Channel>(found - kNames.begin());
 }
 
-bool is_latest_wins(Channel channel) {
-  return channel < Channel::kEvent;
-}
+bool is_latest_wins(Channel channel) { return channel < Channel::kEvent; }
 
 const std::vector<std::string>& members_of(Channel channel) { return members()[index_of(channel)]; }
 

@@ -44,8 +44,8 @@ const char* name_of(Access access) {
 
 /// The members of `hello` that describe the cell; null without one.
 Json cell_members(const Greeting& greeting) {
-  Json members = {{"cell", nullptr}, {"cells", greeting.cells}, {"epoch", nullptr},
-                  {"tick", nullptr}, {"tick_hz", kTickHz},      {"clock", nullptr},
+  Json members = {{"cell", nullptr},   {"cells", greeting.cells}, {"epoch", nullptr},
+                  {"tick", nullptr},   {"tick_hz", kTickHz},      {"clock", nullptr},
                   {"compat", nullptr}, {"robot", nullptr}};
   if (!greeting.cell) return members;
   const auto& [name, model, now] = *greeting.cell;

@@ -17,9 +17,9 @@ namespace xr3::monitor {
 /// What the overview shows of a cell.
 struct CellSummary {
   std::string name;
-  std::string robot;              ///< name of the robot
-  std::optional<int> robot_port;  ///< nullopt: the cell has no port of its own
-  std::size_t lines = 0;          ///< open lines
+  std::string robot;                ///< name of the robot
+  std::optional<int> robot_port;    ///< nullopt: the cell has no port of its own
+  std::size_t lines = 0;            ///< open lines
   std::optional<std::string> peer;  ///< of the line opened last; nullopt without a line
   bool is_moving = false;
   Stall stall = Stall::kNo;

@@ -109,8 +109,7 @@ Subscribe read_subscribe(Channel channel, ArgsReader& members) {
 /// Reads the id, then the members that belong to the op.
 class RequestReader {
  public:
-  explicit RequestReader(const JsonDocument& document)
-      : members_(document.root(), "", findings_) {
+  explicit RequestReader(const JsonDocument& document) : members_(document.root(), "", findings_) {
     refuse_duplicates(document, findings_);
   }
 
@@ -128,8 +127,11 @@ class RequestReader {
     if (!names_one(op, ops())) return unknown(request_.id, "op", op, ops());
     const JsonValue cell = members_.ask("cell");
     if (cell && !cell.is_text())
-      return RequestError{request_.id, "unknown_cell", "there is no cell " + quoted(cell),
-                          "a cell is named by a text; hello lists the names", {}};
+      return RequestError{request_.id,
+                          "unknown_cell",
+                          "there is no cell " + quoted(cell),
+                          "a cell is named by a text; hello lists the names",
+                          {}};
     if (cell) request_.cell = cell.text();
     return read_op(op.text());
   }

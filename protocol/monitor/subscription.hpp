@@ -99,6 +99,11 @@ class OverviewSubscription {
   bool is_waiting() const { return waiting_ != nullptr; }
   std::size_t waiting_bytes() const { return waiting_ ? waiting_->size() : 0; }
   bool is_due(FrameNumber now) const { return now >= due_; }
+  /// The next message will show all cells.
+  void restart() {
+    seen_ = 0;
+    waiting_.reset();
+  }
   /// Precondition: !is_waiting().
   void offer(Message message, std::int64_t seq, FrameNumber now);
   /// The message in the slot, or nullptr.

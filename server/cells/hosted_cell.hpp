@@ -40,7 +40,7 @@ struct CellParts {
   std::string name;
   ModelPtr model;
   SimClock clock;
-  CellEventSink sink;  ///< may be empty
+  CellEventSink sink;      ///< may be empty
   std::string token = {};  ///< of this cell; empty: none
 };
 

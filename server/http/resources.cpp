@@ -306,7 +306,8 @@ asio::awaitable<Answer> HttpResources::view(CellPtr at, Request request) {
   }
   const http::BodyMaker<Revision>::Now now = [at, from]() -> Recipe<Revision> {
     at->cell().catch_up(wall_now());
-    return {at->cell().revision(), [from, model = at->cell().model_ptr(), state = at->cell().state()] {
+    return {at->cell().revision(),
+            [from, model = at->cell().model_ptr(), state = at->cell().state()] {
               return to_svg(drawing(*model, state, from, kUsualPictureWidthPx));
             }};
   };

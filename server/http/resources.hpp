@@ -25,7 +25,8 @@ class HttpResources {
   using Count = std::function<CellCounters()>;
 
   /// The references must outlive it. `not_ready` is called for /readyz, `count` for /metrics.
-  HttpResources(MonitorService& service, const AccessPolicy& policy, NotReady not_ready, Count count);
+  HttpResources(MonitorService& service, const AccessPolicy& policy, NotReady not_ready,
+                Count count);
 
   /// From this wall time on requests get the error `not_ready`.
   void close_at(WallNs deadline) { deadline_ = deadline; }

@@ -3,7 +3,6 @@
 #include <nettle/memops.h>
 #include <nettle/sha2.h>
 
-
 namespace xr3 {
 TokenDigest digest_of_token(std::string_view token) {
   static_assert(std::tuple_size_v<TokenDigest> == SHA256_DIGEST_SIZE);

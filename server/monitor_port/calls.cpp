@@ -262,8 +262,7 @@ LineId MonitorService::own_line(HostedCell& at, MonitorSession& session) {
   if (known != lines.end() && at.cell().find_line(known->second) != nullptr) return known->second;
   if (lines.size() > cells_.size())
     std::erase_if(lines, [this](const auto& line) { return !cells_.find(line.first); });
-  const LineId opened =
-      at.cell().apply(LineOpened{"monitor", LineKind::kMonitor}, wall_now()).line;
+  const LineId opened = at.cell().apply(LineOpened{"monitor", LineKind::kMonitor}, wall_now()).line;
   lines[at.name()] = opened;
   return opened;
 }

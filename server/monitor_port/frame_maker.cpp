@@ -52,8 +52,7 @@ FrameCache& FrameMaker::frames() {
 const Frame* FrameMaker::at_once(const Selection& selection) {
   assert(!is_slow(selection.channel));
   const Channel channel = selection.channel;
-  if (!frames().is_current(channel, cell_.revision()))
-    frames_->show(frame_source(cell_, channel));
+  if (!frames().is_current(channel, cell_.revision())) frames_->show(frame_source(cell_, channel));
   return frames_->frame(selection);
 }
 
@@ -71,7 +70,8 @@ asio::awaitable<std::vector<SelectedFrame>> FrameMaker::make(std::vector<Selecti
   co_await making_.until_free();
   const Exclusive::Hold hold(making_);
   cell_.catch_up(wall_now());
-  auto work = [cache = &frames(), sources = new_sources(selections), wanted = std::move(selections)] {
+  auto work = [cache = &frames(), sources = new_sources(selections),
+               wanted = std::move(selections)] {
     for (const FrameSource& source : sources) cache->show(source);
     std::vector<SelectedFrame> frames;
     for (const Selection& selection : wanted)

@@ -54,6 +54,12 @@ void Overview::remove(MonitorSession& session) {
   timer_.cancel();
 }
 
+void Overview::restart(MonitorSession& session) {
+  if (session.client().overview() == nullptr) return;
+  session.client().overview()->restart();
+  begin();
+}
+
 void Overview::acted(HostedCell& cell) {
   if (sessions_.empty() || cell.is_retired()) return;
   const bool was_quiet = changed_.empty() && !is_behind_;
@@ -91,8 +97,7 @@ void Overview::begin() {
   if (shown_.empty())
     for (const CellPtr& each : cells_.all()) changed_.insert(each.get());
   timer_.cancel();
-  if (!std::exchange(is_running_, true))
-    spawn_loop(io_.get_executor(), "the overview", run());
+  if (!std::exchange(is_running_, true)) spawn_loop(io_.get_executor(), "the overview", run());
 }
 
 asio::awaitable<void> Overview::run() {

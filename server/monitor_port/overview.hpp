@@ -35,6 +35,8 @@ class Overview {
   void add(MonitorSession& session);
   /// No effect unless it was added.
   void remove(MonitorSession& session);
+  /// The session may see more cells than before: if it is subscribed, its next message shows all.
+  void restart(MonitorSession& session);
 
   /// An input of the cell has acted, or it is new.
   void acted(HostedCell& cell);

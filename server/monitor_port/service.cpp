@@ -159,8 +159,8 @@ std::vector<std::string> MonitorService::visible_cells(const MonitorSession& ses
 }
 
 monitor::Message MonitorService::hello(MonitorSession& session) {
-  monitor::Greeting greeting{"xr3 " XR3_VERSION, visible_cells(session), {},
-                             session.highest_access()};
+  monitor::Greeting greeting{
+      "xr3 " XR3_VERSION, visible_cells(session), {}, session.highest_access()};
   session.set_own_cell(std::nullopt);
   if (greeting.cells.empty()) return monitor::hello(greeting);
   session.set_own_cell(greeting.cells.front());
@@ -298,6 +298,7 @@ asio::awaitable<void> MonitorService::authorize(MonitorSession& session, monitor
     session.grant(Access::kControl);
     session.client().send(monitor::result(request.id, {{"access", "control"}}));
     if (had_no_access) session.client().send(hello(session));
+    if (had_no_access) overview_.restart(session);
     co_return;
   }
   if (const CellPtr cell = cells_.find_by_token(std::get<monitor::Auth>(request.what).token)) {
@@ -305,6 +306,7 @@ asio::awaitable<void> MonitorService::authorize(MonitorSession& session, monitor
     session.client().send(
         monitor::result(request.id, {{"access", "control"}, {"cell", cell->name()}}));
     if (session.access() == Access::kNone) session.client().send(hello(session));
+    overview_.restart(session);
     co_return;
   }
   note_wrong_token();

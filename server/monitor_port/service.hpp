@@ -11,8 +11,8 @@
 #include "cell/cell.hpp"
 #include "protocol/monitor/message.hpp"
 #include "protocol/monitor/request_error.hpp"
-#include "server/monitor_port/access.hpp"
 #include "server/cells/registry.hpp"
+#include "server/monitor_port/access.hpp"
 #include "server/monitor_port/overview.hpp"
 #include "server/monitor_port/session.hpp"
 #include "server/net/asio.hpp"
@@ -89,8 +89,7 @@ class MonitorService {
   asio::awaitable<void> carry_out_overview(MonitorSession& session, monitor::Request request);
   asio::awaitable<void> list_cells(MonitorSession& session, monitor::Request request);
   void describe(CellPtr at, MonitorSession& session, const monitor::Request& request);
-  asio::awaitable<void> carry_out_at(CellPtr at, MonitorSession& session,
-                                     monitor::Request request);
+  asio::awaitable<void> carry_out_at(CellPtr at, MonitorSession& session, monitor::Request request);
   /// The session's own line of a cell, which a first `send` opens.
   LineId own_line(HostedCell& at, MonitorSession& session);
   asio::awaitable<void> subscribe(CellPtr at, MonitorSession& session, monitor::Request request);

@@ -134,8 +134,7 @@ void SubscriberHub::go_on() {
   if (is_stopped_ || next_ >= sessions_.size()) return end_round();
   std::vector<monitor::Selection> selections = select_slow_frames();
   if (selections.empty()) return serve_some();
-  spawn_loop(io_.get_executor(), "the subscribers",
-             make_and_serve(std::move(selections), keep_()));
+  spawn_loop(io_.get_executor(), "the subscribers", make_and_serve(std::move(selections), keep_()));
 }
 
 /// The frames that the worker has to make for the next sessions, without those whose clients have

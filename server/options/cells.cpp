@@ -14,8 +14,9 @@ constexpr std::size_t kMaxPort = 65535;
 
 [[noreturn]] void refuse_cell(const std::string& text) {
   throw std::invalid_argument(
-      text + ": a cell is NAME=ROBOT,WORKCELL or NAME=ROBOT,WORKCELL,PORT; a name has 1 to 32 "
-             "letters, digits, _ and -");
+      text +
+      ": a cell is NAME=ROBOT,WORKCELL or NAME=ROBOT,WORKCELL,PORT; a name has 1 to 32 "
+      "letters, digits, _ and -");
 }
 
 /// The part before the next comma, which is removed from `text`.
@@ -43,12 +44,11 @@ void assign_ports(const ServeOptions& options, std::vector<CellPlan>& plans) {
   for (std::size_t i = 0; i < plans.size(); ++i) {
     const auto chosen = std::ranges::find(options.cell_choices, plans[i].name, &CellChoice::name);
     const bool has_own = chosen != options.cell_choices.end() && chosen->port;
-    const std::size_t port = has_own ? *chosen->port
+    const std::size_t port = has_own                   ? *chosen->port
                              : options.robot_port == 0 ? 0
                                                        : options.robot_port + i;
     if (port > kMaxPort) {
-      throw CellPlanError("cell " + plans[i].name + " would have the port " +
-                          std::to_string(port) +
+      throw CellPlanError("cell " + plans[i].name + " would have the port " + std::to_string(port) +
                           ", but 65535 is the highest: choose a lower --robot-port, or 0");
     }
     plans[i].port = static_cast<std::uint16_t>(port);
@@ -62,8 +62,8 @@ void refuse_clashes(const ServeOptions& options, const std::vector<CellPlan>& pl
     if (plan.port == 0) continue;
     const auto [owner, is_free] = owners.emplace(plan.port, "cell " + plan.name);
     if (is_free) continue;
-    throw CellPlanError("cell " + plan.name + " and " + owner->second + " would both have the port " +
-                        std::to_string(plan.port) +
+    throw CellPlanError("cell " + plan.name + " and " + owner->second +
+                        " would both have the port " + std::to_string(plan.port) +
                         ": choose another --robot-port or --monitor-port, or 0 for free ones");
   }
 }
@@ -106,8 +106,8 @@ std::vector<CellPlan> plan_cells(const ServeOptions& options) {
   std::vector<CellPlan> plans = named_plans(options);
   if (plans.empty()) return {{"main", options.robot, options.workcell, options.robot_port}};
   if (plans.size() > options.max_cells) {
-    throw CellPlanError("these are " + std::to_string(plans.size()) + " cells, but --max-cells is " +
-                        std::to_string(options.max_cells));
+    throw CellPlanError("these are " + std::to_string(plans.size()) +
+                        " cells, but --max-cells is " + std::to_string(options.max_cells));
   }
   assign_ports(options, plans);
   refuse_clashes(options, plans);

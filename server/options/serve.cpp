@@ -164,8 +164,8 @@ void complete_cells(const CLI::App& serve, ServeOptions& options) {
   if (count == 0) return;
   if (!is_set(serve, "--robot-port")) options.robot_port = kFirstOfManyPorts;
   if (!is_set(serve, "--max-lines"))
-    options.max_lines = std::min<std::size_t>(
-        kMaxLines, std::max(options.max_lines, kLinesOfEach * count));
+    options.max_lines =
+        std::min<std::size_t>(kMaxLines, std::max(options.max_lines, kLinesOfEach * count));
 }
 
 std::optional<Leave> refuse_cells(const ServeOptions& options) {

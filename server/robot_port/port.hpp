@@ -50,9 +50,7 @@ class RobotPort final : public LineSource {
   void line_acted(LineId line) override;
   void line_ended(LineId line, LineCloseReason) override;
 
-  PortCounters counters() const override {
-    return {refused_, listener_.failures(), other_peers_};
-  }
+  PortCounters counters() const override { return {refused_, listener_.failures(), other_peers_}; }
   /// The address that keeps the port; nullopt: none.
   const std::optional<asio::ip::address>& owner() const { return owner_; }
 
@@ -85,7 +83,8 @@ class RobotPort final : public LineSource {
   std::optional<asio::ip::address> owner_;
   std::map<LineId, asio::ip::address> peers_of_lines_;  ///< with --bind-peer
   asio::steady_timer release_;                          ///< of the owner
-  std::uint64_t other_peers_ = 0;  ///< connections that were closed since another address has the port
+  std::uint64_t other_peers_ =
+      0;  ///< connections that were closed since another address has the port
   WallNs next_other_log_ = 0;
   bool is_closed_ = false;
   std::optional<tcp::endpoint> probe_from_;  ///< of the expected probe, until it is accepted

@@ -367,6 +367,17 @@ class Tokens(unittest.TestCase):
             self.assertNotIn("token", cells[0])
             self.assertEqual(["2"], [cell["name"] for cell in monitor.look("overview")["cells"]])
 
+    def test_a_client_may_give_several_tokens(self):
+        with self.xr3.monitor() as monitor:
+            monitor.request("auth", token=self.tokens["2"])
+            monitor.read()
+            monitor.subscribe("overview")
+            self.assertEqual(["2"], [cell["name"] for cell in monitor.read()["cells"]])
+            monitor.request("auth", token=self.tokens["1"])
+            messages = monitor.read_until(lambda message: message["op"] == "overview")
+            self.assertEqual(["1", "2"], messages[0]["cells"])
+            self.assertEqual(["1", "2"], sorted(cell["name"] for cell in messages[-1]["cells"]))
+
     def test_the_main_token_opens_all_and_reads_the_others(self):
         with self.xr3.monitor() as monitor:
             monitor.request("auth", token=TOKEN)

@@ -50,7 +50,7 @@ class Start(unittest.TestCase):
                 greeting = process.stdout.readline()
                 process.terminate()
             ports = json.loads(text)
-            self.assertEqual({"robot", "monitor", "pid"}, set(ports))
+            self.assertEqual({"robot", "monitor", "pid", "cells"}, set(ports))
             self.assertEqual(process.pid, ports["pid"])
             self.assertIn(b"robot=127.0.0.1:%d monitor=127.0.0.1:%d\n" % (ports["robot"], ports["monitor"]),
                           greeting)

@@ -103,10 +103,12 @@ TEST(EventJson, LinesOpenAndClose) {
 }
 
 TEST(EventJson, CellsOpenAndClose) {
-  EXPECT_EQ(shown(CellOpenedNote{"c3"}),
-            R"({"event":"cell_opened","line":null,"code":"cell_opened","message":"cell c3 opened"})");
-  EXPECT_EQ(shown(CellClosedNote{"c3"}),
-            R"({"event":"cell_closed","line":null,"code":"cell_closed","message":"cell c3 closed"})");
+  EXPECT_EQ(
+      shown(CellOpenedNote{"c3"}),
+      R"({"event":"cell_opened","line":null,"code":"cell_opened","message":"cell c3 opened"})");
+  EXPECT_EQ(
+      shown(CellClosedNote{"c3"}),
+      R"({"event":"cell_closed","line":null,"code":"cell_closed","message":"cell c3 closed"})");
 }
 
 TEST(EventJson, TheClock) {

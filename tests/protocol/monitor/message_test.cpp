@@ -41,7 +41,8 @@ TEST(MonitorMessage, HelloNamesCellsAndProfile) {
 
 TEST(MonitorMessage, HelloWithoutAccessDescribesTheServerOnly) {
   const ModelPtr model = test::rhino();
-  const Json json = Json::parse(*hello({"xr3", {"main"}, GreetedCell{"main", *model, {}}, Access::kNone}));
+  const Json json =
+      Json::parse(*hello({"xr3", {"main"}, GreetedCell{"main", *model, {}}, Access::kNone}));
   EXPECT_EQ(json["access"], "none");
   EXPECT_TRUE(json.contains("limits"));
   for (const char* member : {"cell", "cells", "epoch", "tick", "clock", "compat", "robot"})

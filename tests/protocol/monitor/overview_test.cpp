@@ -52,6 +52,10 @@ TEST(Overview, ASlotHasOneMessage) {
   EXPECT_NE(sub.next_output(), nullptr);
   EXPECT_FALSE(sub.is_waiting());
   EXPECT_EQ(stats.sent, 1U);
+  sub.offer(overview_message(4, false, {}, {}), 4, 200);
+  sub.restart();
+  EXPECT_FALSE(sub.is_waiting());
+  EXPECT_EQ(sub.seen(), 0);
 }
 
 }  // namespace

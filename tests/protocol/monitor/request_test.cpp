@@ -142,8 +142,8 @@ TEST(MonitorRequest, ReportsEveryInvalidMemberOfASubscription) {
 }
 
 TEST(MonitorRequest, AnErrorListsTheChannels) {
-  EXPECT_EQ(channels(),
-            (std::vector<std::string>{"state", "image", "event", "line", "display", "model", "overview"}));
+  EXPECT_EQ(channels(), (std::vector<std::string>{"state", "image", "event", "line", "display",
+                                                  "model", "overview"}));
 }
 
 TEST(MonitorRequest, IgnoresUnknownMembers) {

@@ -14,7 +14,6 @@
 
 namespace xr3::monitor {
 
-
 using Pointers = std::vector<std::string>;
 
 inline Pointers pointers_of(const RequestError& error) {

@@ -269,8 +269,7 @@ TEST(SavedCellJson, ACellThatFitsARequestCanBeSentBack) {
   for (std::size_t i = 0; i < saved.state.blocks.size(); ++i)
     saved.state.blocks[i].name = std::to_string(10'000'000 + i);
   ASSERT_TRUE(monitor::fits_a_request(saved));
-  const auto reading =
-      monitor::read_request(before + saved_cell_to_json(saved).dump() + "}}");
+  const auto reading = monitor::read_request(before + saved_cell_to_json(saved).dump() + "}}");
   EXPECT_TRUE(std::holds_alternative<monitor::Request>(reading));
 }
 

@@ -108,7 +108,8 @@ TEST(Metrics, SumsOfManyCellsNameNoCell) {
   const auto samples = parsed(metrics_text("", some_counters(), kProcess));
   EXPECT_EQ(samples.at("xr3_lines_total"), 7);
   EXPECT_EQ(samples.at(R"(xr3_commands_total{kind="move"})"), 9);
-  for (const auto& [name, value] : samples) EXPECT_EQ(name.find("cell="), std::string::npos) << name;
+  for (const auto& [name, value] : samples)
+    EXPECT_EQ(name.find("cell="), std::string::npos) << name;
 }
 
 TEST(Metrics, WhatTheSystemDoesNotTellIsAbsent) {

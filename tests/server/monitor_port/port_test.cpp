@@ -56,10 +56,9 @@ class MonitorPortTest : public testing::Test {
   bool fails_ = false;
   bool is_broken_ = false;  ///< a failure has left the loop: its session stays
   test::CellHost host_{io_};
-  HostedCell& hosted_ =
-      host_.add(test::rhino(), "main", [this](const CellEvent&, const Model&) {
-        if (fails_) throw std::bad_alloc();
-      });
+  HostedCell& hosted_ = host_.add(test::rhino(), "main", [this](const CellEvent&, const Model&) {
+    if (fails_) throw std::bad_alloc();
+  });
   Cell& cell_ = hosted_.cell();
   LineSessions& lines_ = hosted_.lines();
   RobotPort& robot_port_ = hosted_.add_port({16});

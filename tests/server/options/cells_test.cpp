@@ -12,9 +12,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-CellPlan plan(const std::string& name, std::uint16_t port) {
-  return {name, "rhino-xr3", "", port};
-}
+CellPlan plan(const std::string& name, std::uint16_t port) { return {name, "rhino-xr3", "", port}; }
 
 std::string problem(const ServeOptions& options) {
   try {
@@ -43,8 +41,9 @@ TEST(Cells, NamedCellsReplaceNumberedOnesOrFollowThem) {
   options.cells = 2;
   options.robot_port = 9701;
   options.cell_choices = {parse_cell("x=adept-one,flat.json,9999"), parse_cell("1=adept-one,")};
-  EXPECT_THAT(plan_cells(options), ElementsAre(CellPlan{"1", "adept-one", "", 9701}, plan("2", 9702),
-                                               CellPlan{"x", "adept-one", "flat.json", 9999}));
+  EXPECT_THAT(plan_cells(options),
+              ElementsAre(CellPlan{"1", "adept-one", "", 9701}, plan("2", 9702),
+                          CellPlan{"x", "adept-one", "flat.json", 9999}));
 }
 
 TEST(Cells, PortsMayNotClashOrBeTooHigh) {
@@ -75,8 +74,8 @@ TEST(Cells, AChoiceHasANameARobotAndPerhapsAWorkcellAndAPort) {
   EXPECT_EQ(parse_cell("A_b-9=r,w"), (CellChoice{"A_b-9", "r", "w", {}}));
   EXPECT_EQ(parse_cell("a=r,,0"), (CellChoice{"a", "r", "", std::uint16_t{0}}));
   EXPECT_EQ(parse_cell("a=r,w,9800"), (CellChoice{"a", "r", "w", std::uint16_t{9800}}));
-  for (const char* bad : {"", "a", "=r", "a=", "a b=r", "a=r,w,x", "a=r,w,65536", "a=r,w,", "a=r,w,1,2",
-                          "abcdefghijklmnopqrstuvwxyz0123456=r"})
+  for (const char* bad : {"", "a", "=r", "a=", "a b=r", "a=r,w,x", "a=r,w,65536", "a=r,w,",
+                          "a=r,w,1,2", "abcdefghijklmnopqrstuvwxyz0123456=r"})
     EXPECT_THROW(parse_cell(bad), std::invalid_argument) << bad;
 }
 
