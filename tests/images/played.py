@@ -1,4 +1,4 @@
-"""Plays manifests with `podman kube play`, which knows Pods, Deployments, ConfigMaps and claims. What podman 4.3 does
+"""Plays manifests with `podman kube play`, which knows Pods, Deployments and ConfigMaps. What podman 4.3 does
 not know is replaced by the nearest thing that it knows: a StatefulSet by the pods that it would create, a Secret
 by a ConfigMap, $(POD_NAME) by its value; Services, budgets and policies are left out. The tests run the probes, as
 the kubelet would, because podman runs them with a shell, which the image does not have."""
@@ -21,18 +21,17 @@ PROBE_S = 0.1
 
 
 def playable(objects, image):
-    """The objects for podman: ConfigMaps and claims first, then pods; and the ports of this machine for each pod, by
-    its name and the name of the port."""
+    """The objects for podman: ConfigMaps first, then pods; and the ports of this machine for each pod, by its name and
+    the name of the port."""
     maps = [without_secret(thing) for thing in of_kind(copy.deepcopy(objects), "ConfigMap", "Secret")]
-    claims, runnable, ports = [], [], {}
+    runnable, ports = [], {}
     for workload in of_kind(copy.deepcopy(objects), "Deployment", "StatefulSet"):
         pods = [workload] if workload["kind"] == "Deployment" else list(stateful_pods(workload))
         for pod in pods:
             name = f"{pod['metadata']['name']}-pod-0" if pod is workload else pod["metadata"]["name"]
             ports[name] = adapt(pod["spec"] if pod["kind"] == "Pod" else pod_of(pod), image)
         runnable += pods
-        claims += stateful_claims(workload)
-    return maps + claims + runnable, ports
+    return maps + runnable, ports
 
 
 def without_secret(thing):
@@ -59,27 +58,14 @@ def adapt(pod, image):
 
 
 def stateful_pods(workload):
-    """The pods that Kubernetes creates for a StatefulSet, each with the claims of its own."""
+    """The pods that Kubernetes creates for a StatefulSet."""
     for i in range(workload["spec"]["replicas"]):
         name = f"{workload['metadata']['name']}-{i}"
         pod = copy.deepcopy(pod_of(workload))
-        pod["volumes"] += [{"name": claim["metadata"]["name"], "persistentVolumeClaim": {
-            "claimName": f"{claim['metadata']['name']}-{name}"}} for claim in templates(workload)]
         for container in pod["containers"]:
             container["args"] = [argument.replace("$(POD_NAME)", name) for argument in container["args"]]
         metadata = {"name": name, "labels": dict(workload["spec"]["template"]["metadata"]["labels"])}
         yield {"apiVersion": "v1", "kind": "Pod", "metadata": metadata, "spec": pod}
-
-
-def stateful_claims(workload):
-    for i in range(workload["spec"]["replicas"]):
-        for claim in templates(workload):
-            metadata = {"name": f"{claim['metadata']['name']}-{workload['metadata']['name']}-{i}"}
-            yield {"apiVersion": "v1", "kind": "PersistentVolumeClaim", "metadata": metadata, "spec": claim["spec"]}
-
-
-def templates(workload):
-    return workload["spec"].get("volumeClaimTemplates", [])
 
 
 class Played:
@@ -90,8 +76,7 @@ class Played:
         self.probes = {kind: probe for workload in of_kind(objects, "Deployment", "StatefulSet")
                        for kind, probe in pod_of(workload)["containers"][0].items() if kind.endswith("Probe")}
         self.grace_s = pod_of(of_kind(objects, "Deployment", "StatefulSet")[0])["terminationGracePeriodSeconds"]
-        self.volumes = [thing["metadata"]["name"] for thing in self.objects
-                        if thing["kind"] in ("ConfigMap", "PersistentVolumeClaim")]
+        self.volumes = [thing["metadata"]["name"] for thing in of_kind(self.objects, "ConfigMap")]
         self.folder = tempfile.TemporaryDirectory()
         self.file = pathlib.Path(self.folder.name, "pods.yaml")
 
