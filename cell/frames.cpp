@@ -76,6 +76,17 @@ const monitor::Frame* FrameCache::frame(const monitor::Selection& selection) {
   });
 }
 
+std::size_t FrameCache::trim() {
+  std::size_t bytes = 0;
+  for (ChannelCache& cache : caches_) {
+    for (const EncodedFrame& each : cache.encoded)
+      bytes += each.frame.message ? each.frame.message->size() : 0;
+    cache.encoded = {};
+    for (MemberTexts& members : cache.image_members) members = {};
+  }
+  return bytes;
+}
+
 void FrameCache::show(const FrameSource& source) {
   vital("the frames", [&] { update(source, cache_of(source.channel)); });
 }

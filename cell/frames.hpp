@@ -42,6 +42,9 @@ class FrameCache {
   /// called for the channel.
   const monitor::Frame* frame(const monitor::Selection& selection);
 
+  /// Discards the encoded frames, which frame() makes again. Returns the bytes of their messages.
+  std::size_t trim();
+
  private:
   /// The latest frame, encoded for one selection.
   struct EncodedFrame {

@@ -220,6 +220,7 @@ void App::ended() {
 }
 
 std::size_t App::close_greediest() {
+  if (const std::size_t trimmed = trim_frames()) return trimmed;
   const std::size_t of_lines = turns_.most_held();
   const std::size_t of_monitor = monitor_port_.most_held();
   if (of_lines == 0 && of_monitor == 0) return 0;

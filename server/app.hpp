@@ -93,6 +93,7 @@ class App {
   void acted(HostedCell& cell);
   void ended();
   std::size_t close_greediest();
+  std::size_t trim_frames();
   asio::awaitable<std::string> not_ready();
 
   enum class Stage : std::uint8_t { kStarting, kReady, kDraining, kEnded };

@@ -107,6 +107,14 @@ void App::count_more(CellCounters& counters) const {
   counters.of(LineCloseReason::kNotARobotProgram) += connection_cells_->turned_away();
 }
 
+/// The frames of one cell are few; those of many together may be much.
+std::size_t App::trim_frames() {
+  std::size_t bytes = 0;
+  if (!cells_.is_single())
+    for (const CellPtr& each : cells_.all()) bytes += each->frames().trim();
+  return bytes;
+}
+
 ServedPorts App::served_ports() const {
   ServedPorts ports{robot_endpoint().port(), monitor_endpoint().port(), fresh_token_, {}};
   for (const CellPlan& plan : plans_) {

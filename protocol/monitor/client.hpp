@@ -68,6 +68,8 @@ class Client {
   /// are not sent yet go to the reply queue: all if they are few, else a `lag` and the last one.
   void finish(const std::string& cell);
   bool follows_anything() const { return !followed_.empty() || overview_; }
+  /// The number of subscriptions to channels of cells.
+  std::size_t subscriptions() const { return followed_.size(); }
   bool follows(const std::string& cell) const;
   bool follows(const std::string& cell, Channel channel) const {
     return followed_.contains({cell, channel});

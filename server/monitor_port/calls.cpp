@@ -67,6 +67,31 @@ std::optional<monitor::RequestError> validate_snapshot(const Model& model, const
                                std::move(details)};
 }
 
+monitor::RequestError too_many_lines() {
+  return {{},
+          "limit",
+          "this client has lines of its own in 64 cells",
+          "close one by line_disconnect, or use another connection",
+          {}};
+}
+
+monitor::RequestError no_memory() {
+  return {{},
+          "limit",
+          "the server has allocated more than --max-memory",
+          "remove blocks, or restart the server",
+          {}};
+}
+
+/// Whether a call can make a cell larger for good.
+bool enlarges(const call::Call& call) {
+  const auto* save = std::get_if<call::SaveSnapshot>(&call);
+  return std::holds_alternative<call::AddBlock>(call) ||
+         std::holds_alternative<call::ReplaceWorkcell>(call) ||
+         std::holds_alternative<call::LoadSnapshot>(call) ||
+         (save != nullptr && !save->name.empty());
+}
+
 monitor::Message refused(const monitor::RequestId& id, monitor::RequestError error) {
   error.id = id;
   return monitor::result(error);
@@ -165,6 +190,10 @@ asio::awaitable<void> MonitorService::call(CellPtr at, MonitorSession& session,
     }
   }
   co_await making_long_.until_free();
+  if (at->is_retired()) {
+    session.client().send(monitor::result(monitor::unknown_cell(request, visible_cells(session))));
+    co_return;
+  }
   Answer answer = carry_out_call(*at, session, request);
   at->acted();
   monitor::Message message;
@@ -218,12 +247,19 @@ MonitorService::Answer MonitorService::call_cell(HostedCell& at, monitor::Reques
   if (const auto error = monitor::limit_ticks(request, cell.state().tick))
     return at_once(monitor::result(*error));
   const auto& call = std::get<call::Call>(wanted.call);
+  if (!may_enlarge(call)) return at_once(refused(request.id, no_memory()));
   if (auto error = validate_snapshot(cell.model(), call))
     return at_once(refused(request.id, *std::move(error)));
   const Applied applied = cell.apply(call, wall_now());
   if (const auto* no = std::get_if<call::Refused>(&applied.outcome))
     return at_once(refused(request.id, {{}, no->code, no->message, no->hint, {}}));
   return done(at, request, std::get<call::Done>(applied.outcome));
+}
+
+/// One cell is bounded by its own limits; many together are bounded here.
+bool MonitorService::may_enlarge(const call::Call& call) const {
+  const bool is_bounded = memory_ != nullptr && !cells_.is_single();
+  return !is_bounded || !enlarges(call) || !memory_->is_exceeded();
 }
 
 MonitorService::Answer MonitorService::done(HostedCell& at, const monitor::Request& request,
@@ -256,12 +292,16 @@ MonitorService::Answer MonitorService::done(HostedCell& at, const monitor::Reque
 
 // --- Serial lines.
 
-LineId MonitorService::own_line(HostedCell& at, MonitorSession& session) {
+std::optional<LineId> MonitorService::own_line(HostedCell& at, MonitorSession& session) {
   std::map<std::string, LineId>& lines = session.own_lines();
   const auto known = lines.find(at.name());
   if (known != lines.end() && at.cell().find_line(known->second) != nullptr) return known->second;
-  if (lines.size() > cells_.size())
-    std::erase_if(lines, [this](const auto& line) { return !cells_.find(line.first); });
+  const auto is_closed = [this](const auto& line) {
+    const CellPtr cell = cells_.find(line.first);
+    return !cell || cell->cell().find_line(line.second) == nullptr;
+  };
+  if (lines.size() >= kMaxOwnLines) std::erase_if(lines, is_closed);
+  if (lines.size() >= kMaxOwnLines) return std::nullopt;
   const LineId opened = at.cell().apply(LineOpened{"monitor", LineKind::kMonitor}, wall_now()).line;
   lines[at.name()] = opened;
   return opened;
@@ -272,7 +312,9 @@ MonitorService::Answer MonitorService::send(HostedCell& at, MonitorSession& sess
   Cell& cell = at.cell();
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   const std::string& bytes = std::get<monitor::Send>(wanted.call).bytes;
-  const LineId id = own_line(at, session);
+  const std::optional<LineId> line = own_line(at, session);
+  if (!line) return at_once(refused(request.id, too_many_lines()));
+  const LineId id = *line;
   // Camera images can fill the outbox. The client sends the rest of the bytes with the next call,
   // so that no call takes long.
   const std::size_t taken = cell.apply(BytesIn{id, bytes}, wall_now()).bytes_taken;

@@ -40,6 +40,9 @@ class FrameMaker {
   /// The frame as of a moment after this call; nullopt for an image if there is no camera.
   asio::awaitable<std::optional<monitor::Frame>> get(monitor::Selection selection);
 
+  /// Discards frames that can be made again, unless the worker is making some. Returns their bytes.
+  std::size_t trim() { return frames_ && !making_.is_held() ? frames_->trim() : 0; }
+
   /// Makes the frames of some selections in the worker, all as of one moment after this call.
   asio::awaitable<std::vector<SelectedFrame>> make(std::vector<monitor::Selection> selections);
 

@@ -38,7 +38,10 @@ class MonitorPort {
   bool is_empty() const { return connections_.empty() && refusals_.is_empty(); }
 
   /// Counts the connections towards a limit of memory, which must outlive the port.
-  void limit_memory(MemoryLimit& limit) { context_.memory = &limit; }
+  void limit_memory(MemoryLimit& limit) {
+    context_.memory = &limit;
+    service_.limit_memory(limit);
+  }
   /// The most bytes that one connection holds.
   std::size_t most_held() const;
   /// Closes the connection that holds the most bytes. Precondition: most_held() > 0.

@@ -80,6 +80,14 @@ monitor::RequestError no_camera(const monitor::RequestId& id) {
           {}};
 }
 
+monitor::RequestError too_many_subscriptions(const monitor::RequestId& id) {
+  return {id,
+          "limit",
+          "this client has 256 subscriptions",
+          "end one by unsub, or subscribe to the channel overview, which shows all cells",
+          {}};
+}
+
 monitor::RequestError token_required(const monitor::RequestId& id, const std::string& what) {
   return {id,
           "token_required",
@@ -335,6 +343,11 @@ asio::awaitable<void> MonitorService::subscribe(CellPtr at, MonitorSession& sess
                                                 monitor::Request request) {
   const auto& wanted = std::get<monitor::Subscribe>(request.what);
   const Channel channel = wanted.selection.channel;
+  const bool is_new = !session.client().follows(at->name(), channel);
+  if (is_new && session.client().subscriptions() >= kMaxSubscriptions) {
+    session.client().send(monitor::result(too_many_subscriptions(request.id)));
+    co_return;
+  }
   if (is_feed(channel)) {
     at->cell().catch_up(wall_now());
     const std::shared_ptr<monitor::Feed> feed = feed_of(*at, channel);

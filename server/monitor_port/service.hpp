@@ -18,6 +18,7 @@
 #include "server/net/asio.hpp"
 #include "server/net/exclusive.hpp"
 #include "server/net/loop_lag.hpp"
+#include "server/net/memory_limit.hpp"
 #include "server/net/wall_clock.hpp"
 #include "server/net/worker.hpp"
 
@@ -71,6 +72,13 @@ class MonitorService {
   /// For the end of the process: starts no timer any more, except for waiting requests.
   void stop();
 
+  /// From now on, calls that enlarge one of several cells are refused beyond a limit of memory, which
+  /// must outlive the service.
+  void limit_memory(MemoryLimit& limit) { memory_ = &limit; }
+  /// Beyond this number a session gets no further subscription, or line of its own.
+  static constexpr std::size_t kMaxSubscriptions = 256;
+  static constexpr std::size_t kMaxOwnLines = 64;
+
   /// `count` adds what neither the cells nor the sessions count.
   void count_more(std::function<void(CellCounters&)> count) { count_more_ = std::move(count); }
   /// The statistics of all cells together, of their lines, the sessions and the event loop.
@@ -91,7 +99,9 @@ class MonitorService {
   void describe(CellPtr at, MonitorSession& session, const monitor::Request& request);
   asio::awaitable<void> carry_out_at(CellPtr at, MonitorSession& session, monitor::Request request);
   /// The session's own line of a cell, which a first `send` opens.
-  LineId own_line(HostedCell& at, MonitorSession& session);
+  /// nullopt: it has too many of other cells.
+  std::optional<LineId> own_line(HostedCell& at, MonitorSession& session);
+  bool may_enlarge(const call::Call& call) const;
   asio::awaitable<void> subscribe(CellPtr at, MonitorSession& session, monitor::Request request);
   void unsubscribe(HostedCell& at, MonitorSession& session, const monitor::Request& request);
   asio::awaitable<void> show(CellPtr at, MonitorSession& session, monitor::Request request);
@@ -107,7 +117,7 @@ class MonitorService {
   asio::awaitable<void> call(CellPtr at, MonitorSession& session, monitor::Request request);
   static asio::awaitable<Error> wait_for(HostedCell& at, monitor::After after);
   Answer carry_out_call(HostedCell& at, MonitorSession& session, monitor::Request& request);
-  static Answer call_cell(HostedCell& at, monitor::Request& request);
+  Answer call_cell(HostedCell& at, monitor::Request& request);
   Answer send(HostedCell& at, MonitorSession& session, const monitor::Request& request);
   static Answer list_lines(HostedCell& at, const monitor::Request& request);
   static monitor::Message disconnect(HostedCell& at, const monitor::Request& request);
@@ -116,6 +126,7 @@ class MonitorService {
   asio::io_context& io_;
   CellRegistry& cells_;
   Worker& worker_;
+  MemoryLimit* memory_ = nullptr;  ///< none if null
   const AccessPolicy& policy_;
   std::uint64_t wrong_tokens_ = 0;
   WallNs next_token_log_ = 0;  ///< earliest time of the next message about wrong tokens

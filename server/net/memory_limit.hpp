@@ -28,6 +28,9 @@ class MemoryLimit {
   /// the memory is measured, in the next turn of the event loop.
   void note(std::size_t bytes);
 
+  /// Whether more is allocated now. Takes some microseconds.
+  bool is_exceeded() const { return allocated_bytes() > max_bytes_; }
+
   static constexpr std::size_t kBytesApart = std::size_t{4} * 1024 * 1024;
 
  private:

@@ -21,6 +21,8 @@ open lines | server/net/socket_limits.hpp | lines
 open lines | server/options/serve.cpp | kMaxLines
 cells | server/options/options.hpp | max_cells
 cells | server/options/serve.cpp | kMaxCells
+subscriptions of a monitor client, and lines of its own by `send` | server/monitor_port/service.hpp | kMaxSubscriptions
+subscriptions of a monitor client, and lines of its own by `send` | server/monitor_port/service.hpp | kMaxOwnLines
 memory of the process | server/options/options.hpp | max_memory_mib
 first bytes of a line that are examined together | protocol/line/line_guard.hpp | kFirstChunk
 one turn of a line | server/lines/session.cpp | kFairShare

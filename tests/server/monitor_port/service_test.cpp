@@ -170,6 +170,25 @@ TEST_F(MonitorServiceTest, TheSubscriptionsOfAClosedCellEndWithItsLastEvent) {
   EXPECT_EQ(answer(one_, R"({"op":"ping","cell":"second"})")["error"]["code"], "unknown_cell");
 }
 
+TEST_F(MonitorServiceTest, ACallThatWaitsForAClosedCellFails) {
+  HostedCell& second = host_.add(test::rhino(), "second");
+  const CellPtr kept = second.shared_from_this();
+  const LineId line = second.cell().apply(LineOpened{"test"}, wall_now()).line;
+  read(one_);
+  EXPECT_TRUE(
+      ask(one_, R"({"op":"call","id":1,"cell":"second","fn":"step","args":{"ticks":1,"after":)"
+                R"({"line":)" +
+                    std::to_string(line) + R"(,"bytes_in":9,"within_ms":60000}}})")
+          .empty());
+  second.cell().apply(LineClosed{line, LineCloseReason::kDisconnected}, wall_now());
+  service_.forget(second);
+  host_.cells.remove(second);
+  kept->retire();
+  const std::vector<Json> answers = wait(one_);
+  ASSERT_EQ(answers.size(), 1U);
+  EXPECT_FALSE(answers[0]["ok"]);
+}
+
 TEST_F(MonitorServiceTest, CountersAreSumsAndKeepThoseOfClosedCells) {
   HostedCell& second = host_.add(test::rhino(), "second");
   const CellPtr kept = second.shared_from_this();
@@ -184,6 +203,35 @@ TEST_F(MonitorServiceTest, CountersAreSumsAndKeepThoseOfClosedCells) {
   EXPECT_EQ(service_.counters().lines_open, 1U);
   EXPECT_EQ(service_.counters().cells_open, 1U);
   EXPECT_EQ(service_.counters().cells_total, 2U);
+}
+
+TEST_F(MonitorServiceTest, ManyCellsTogetherAreBoundedByTheMemory) {
+  MemoryLimit limit(io_, 1, [] { return 0; });
+  service_.limit_memory(limit);
+  read(one_);
+  EXPECT_TRUE(call(one_, "snapshot_save", R"({"name":"a"})")["ok"])
+      << "one cell has its own limits";
+  host_.add(test::rhino(), "second");
+  EXPECT_EQ(call(one_, "snapshot_save", R"({"name":"b"})")["error"]["code"], "limit");
+  EXPECT_TRUE(call(one_, "reset")["ok"]);
+  EXPECT_TRUE(call(one_, "snapshot_save", R"({"inline":true})")["ok"]);
+}
+
+TEST_F(MonitorServiceTest, ASessionHasAFewLinesAndSubscriptions) {
+  for (std::size_t i = 0; i < MonitorService::kMaxSubscriptions; ++i)
+    host_.add(test::rhino(), std::to_string(i));
+  read(one_);
+  const auto at = [](std::size_t cell) { return R"(,"cell":")" + std::to_string(cell) + "\"}"; };
+  for (std::size_t i = 0; i < MonitorService::kMaxSubscriptions; ++i)
+    EXPECT_TRUE(ask(one_, R"({"op":"sub","channel":"event")" + at(i)).at(0)["ok"]);
+  EXPECT_EQ(answer(one_, R"({"op":"sub","channel":"line")" + at(0))["error"]["code"], "limit");
+  EXPECT_TRUE(answer(one_, R"({"op":"sub","channel":"event")" + at(0))["ok"]) << "it replaces one";
+  const std::string send = R"({"op":"call","fn":"send","args":{"text":""})";
+  for (std::size_t i = 0; i < MonitorService::kMaxOwnLines; ++i) ask(one_, send + at(i));
+  const std::string more = send + at(MonitorService::kMaxOwnLines);
+  EXPECT_EQ(answer(one_, more)["error"]["code"], "limit");
+  host_.cells.find("0")->cell().apply(LineClosed{1, LineCloseReason::kDisconnected}, wall_now());
+  EXPECT_TRUE(ask(one_, more).at(0)["ok"]) << "events follow";
 }
 
 TEST_F(MonitorServiceTest, WithoutACellOnlyTheServerAnswers) {
