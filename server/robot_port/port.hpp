@@ -83,8 +83,7 @@ class RobotPort final : public LineSource {
   std::optional<asio::ip::address> owner_;
   std::map<LineId, asio::ip::address> peers_of_lines_;  ///< with --bind-peer
   asio::steady_timer release_;                          ///< of the owner
-  std::uint64_t other_peers_ =
-      0;  ///< connections that were closed since another address has the port
+  std::uint64_t other_peers_ = 0;  ///< connections closed since another address has the port
   WallNs next_other_log_ = 0;
   bool is_closed_ = false;
   std::optional<tcp::endpoint> probe_from_;  ///< of the expected probe, until it is accepted
