@@ -11,7 +11,7 @@ FENCE = re.compile(r"^ *```.*?^ *```$", re.DOTALL | re.MULTILINE)
 CODE = re.compile(r"(?<!`)`([^`]+)`(?!`)")
 PROGRAMS = set("""
 apt apt-get awk bash buildah cargo cat chmod cmake cp ctest curl docker docker-compose dpkg echo env g++ gcc
-gdb git head ip java javac journalctl kill make mkdir mv nano nc ncat netcat nice node nohup npm npx octave
+gdb git head ip java javac journalctl kill kubectl make mkdir mv nano nc ncat netcat nice node nohup npm npx octave
 octave-cli openssl perl pip pip3 pipx pkill podman printf python python3 rm rustc sed seeds sh socat ss ssh
 sudo systemctl systemd-analyze systemd-run tail tar taskset tee telnet timeout touch ulimit unzip wget xr3 yes
 """.split())
@@ -28,7 +28,8 @@ class Command(typing.NamedTuple):
 def pages():
     root = pathlib.Path(ROOT)
     tops = [root / name for name in ("README.md", "SECURITY.md", "CONTRIBUTING.md")]
-    return [*tops, root / "docker" / "README.md", *sorted((root / "docs").rglob("*.md")),
+    tops += [root / "docker" / "README.md", root / "deploy" / "kubernetes" / "README.md"]
+    return [*tops, *sorted((root / "docs").rglob("*.md")),
             *sorted(path for path in (root / "clients").rglob("*.md") if "node_modules" not in path.parts)]
 
 

@@ -1,4 +1,4 @@
-"""Every command in the text of README.md, CONTRIBUTING.md, SECURITY.md, docs, docker and clients. Each is of one
+"""Every command in the text of README.md, CONTRIBUTING.md, SECURITY.md, docs, docker, deploy and clients. Each is of one
 of the kinds below and runs as its kind says: unchanged, or with other ports, files and values for placeholders.
 Of a command that would change the machine, or that needs an engine or a long time, its parts are checked:
 options, scripts, presets, files, packages and units. (The commands in fences: test_docs.py.)"""
@@ -50,6 +50,7 @@ KINDS = {
     "names_packages": r"(apt-get install|gcc|g\+\+|rustc|octave) [a-z+].*",
     "is_of_the_image": r"docker (build|exec|run|stop)( .*)?",
     "is_of_the_tests_of_images": r"buildah bud --format docker|rm -rf build/images",
+    "is_of_the_cluster": r"kubectl .*|podman kube \w+",
     "names_the_unit": r"(sudo )?(systemctl|systemd-analyze|journalctl) .*",
     "runs_an_example": r"(make|\./|build/|python3 |node |octave-cli |java -cp build |javac ).*",
 }
@@ -284,6 +285,12 @@ class Commands(unittest.TestCase):
         self.assertTrue(pathlib.Path(ROOT, "deploy", "systemd", "xr3.service").exists())
         if shutil.which(words[0]):
             self.assertRegex(self.run_to_end([words[0], "--help"]), rf"(?m)^ +{words[1]}\b")
+
+    def is_of_the_cluster(self, command):
+        """There is no cluster here: the command exists, where it is installed. `./test --images` tests the fences."""
+        words = command.text.split()
+        if shutil.which(words[0]):
+            self.assertIn("Usage:", self.run_to_end([*words, "--help"]))
 
     def runs_an_example(self, command):
         """In a copy of the client's folder, after the commands in the fences of its page."""
