@@ -8,7 +8,7 @@ import tempfile
 import time
 import unittest
 
-from support import DEADLINE_S, ROOT, XR3, MonitorError, Server, run_xr3
+from support import DEADLINE_S, ROOT, XR3, MonitorError, Server, counts, run_xr3
 
 POLLS = 300
 LIMIT_KIB = 24  # stands for a full disk
@@ -90,6 +90,44 @@ class Recordings(unittest.TestCase):
             first.read_to_end()
         self.assertIn("everything is as recorded", self.replay().stderr)
         self.assertTrue(any("out" in entry and "in" not in entry for entry in self.entries()[1:]))
+
+    def test_the_byte_clock(self):
+        options = "--record", self.file, "--fault", "noisy-line"
+        with Server(*options, clock="bytes:20,settle=10") as xr3, xr3.monitor() as monitor:
+            with xr3.line() as line:
+                line.send("E+60\rE?D-20\rI")
+                line.read(2)
+                self.wait_for_entry(xr3, lambda entry: entry.get("silent"))
+            with xr3.line() as line:
+                line.send("C+5\rC?")
+                line.read(1)
+            monitor.call("pause")
+            monitor.step(77)
+            monitor.call("resume")
+            state = self.state_of(monitor)
+        self.assertEqual(state, self.replayed_state())
+        header, *entries = self.entries()
+        self.assertEqual({"inquiry_ms": 20, "settle_ms": 10, "concurrent_lines": False}, header["byte_clock"])
+        self.assertTrue(any("us" in entry for entry in entries))
+
+    def test_each_of_several_cells_has_a_file(self):
+        with Server("--record", self.folder / "class", "--cells", "2") as xr3, xr3.monitor() as monitor:
+            for cell, moves in (("1", "E+10\r"), ("2", "E+20\r")):
+                monitor.request("call", cell=cell, fn="send", args={"text": moves})
+                monitor.request("call", cell=cell, fn="run_until", args={"idle": True, "max_ticks": 60_000})
+        self.assertEqual(0o700, stat.S_IMODE((self.folder / "class").stat().st_mode))
+        for cell, count in (("1", "E10"), ("2", "E20")):
+            done = self.replay("--print", "state", file=self.folder / "class" / f"{cell}.xr3rec")
+            self.assertEqual(count, counts(json.loads(done.stdout)))
+
+    def test_each_cell_of_a_connection_has_a_file(self):
+        with Server("--record", self.folder / "class", "--cell-per-connection") as xr3:
+            for _ in range(2):
+                with xr3.line() as line:
+                    line.ask("E?")
+        for cell in ("c1", "c2"):
+            file = self.folder / "class" / f"{cell}.xr3rec"
+            self.assertIn("everything is as recorded", self.replay(file=file).stderr)
 
     def test_real_time_polls_take_little_room(self):
         with Server("--record", self.file, clock="real") as xr3:

@@ -26,6 +26,7 @@ std::vector<Body> all_bodies() {
           LineInput{4'294'967'295, every_byte(), 3, 5, every_byte()},
           LineUnsent{1, 70'000},
           LineInputEnd{1},
+          LineSilence{1},
           LineEnd{1, LineCloseReason::kFault},
           LineEnd{1, LineCloseReason::kNotARobotProgram},
           CallMade{call::Step{5}},

@@ -51,6 +51,28 @@ TEST(RecordingHeader, TheModelOfEveryShippedRobotIsTheSameAfterwards) {
   }
 }
 
+TEST(RecordingHeader, TheByteClockSurvivesTheRoundTrip) {
+  for (const std::optional<std::int64_t> settle_ms : {std::optional<std::int64_t>(), {250}}) {
+    Header header = full_header("rhino-xr3");
+    header.mode = ClockMode::kBytes;
+    header.byte_clock = ByteClockSettings{35, settle_ms, true};
+    const auto read = header_of(header_to_json(header));
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->mode, ClockMode::kBytes);
+    EXPECT_EQ(read->byte_clock, header.byte_clock);
+  }
+}
+
+TEST(RecordingHeader, TheByteClockNeedsItsRulesAndNoOtherClockHasThem) {
+  Json json = header_to_json(full_header("rhino-xr3"));
+  json["clock"]["mode"] = "bytes";
+  EXPECT_FALSE(header_of(json));
+  json["byte_clock"] = {{"inquiry_ms", 20}, {"concurrent_lines", false}};
+  EXPECT_TRUE(header_of(json));
+  json["clock"]["mode"] = "manual";
+  EXPECT_FALSE(header_of(json));
+}
+
 TEST(RecordingHeader, ADeviceSurvivesTheRoundTrip) {
   Header header = full_header("rhino-xr3");
   header.mode = ClockMode::kReal;
