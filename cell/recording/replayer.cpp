@@ -162,7 +162,11 @@ struct Replayer::Applier {
 
 Replayer::Result Replayer::carry_on(const recording::Entry& entry) {
   const bool is_output = std::holds_alternative<Replies>(entry.body);
-  if (!is_output || entry.tick > cell_.state().tick) {
+  // What became due at this tick acts before the next input, but after a transport has sent.
+  const ReplayTime time{entry.epoch, entry.tick};
+  const bool is_sent = std::holds_alternative<LineUnsent>(entry.body);
+  const bool has_passed = is_output ? time < now() : is_sent && time == now();
+  if (!has_passed) {
     if (auto other = pass_to(entry)) return other;
   }
   if (!is_output && entry.us != cell_.clock_remainder())

@@ -15,6 +15,7 @@ import yaml
 from containers import docker, inspect
 from manifests import of_kind, pod_of
 from test_compose import free_ports
+from test_image import instant
 from xr3 import Monitor
 
 PROBE_S = 0.1
@@ -135,6 +136,10 @@ class Played:
 
     def stop(self, pod):
         """Stops the container as the kubelet does: SIGTERM, and SIGKILL after the time of the manifest; the network of
-        the pod stays. (`podman kube down` of podman 4.3 sends only SIGKILL.) Returns the exit code."""
+        the pod stays. (`podman kube down` of podman 4.3 sends only SIGKILL.) Returns the exit code, and the seconds
+        from the signal to the end, by the log and the engine."""
         docker("stop", "--time", self.grace_s, self.container(pod))
-        return inspect(self.container(pod), ".State.ExitCode")
+        done = docker("logs", "--timestamps", self.container(pod))
+        signalled, = (line for line in (done.stdout + done.stderr).splitlines() if "signal 15: stopping" in line)
+        state = inspect(self.container(pod), ".State")
+        return state["ExitCode"], instant(state["FinishedAt"]) - instant(signalled)

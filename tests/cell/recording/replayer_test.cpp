@@ -152,7 +152,7 @@ TEST(Replayer, AHostileRecordingDoesNotHarmIt) {
   EXPECT_NE(difference_after(recorded,
                              [](Entry& entry) {
                                if (std::holds_alternative<LineInput>(entry.body)) {
-                                 entry.tick = INT64_MAX / 2;
+                                 entry.tick = (Tick{1} << 53) - 1;
                                  std::get<LineInput>(entry.body).bytes = "";
                                }
                              }),

@@ -114,9 +114,9 @@ TEST(RecordedCall, ValuesAreExact) {
   const auto workcell = back(call::ReplaceWorkcell{full_workcell()});
   EXPECT_EQ(std::get<call::ReplaceWorkcell>(workcell).workcell, full_workcell());
   for (const Microdegrees yaw : {1, -1, 123'456'789, 179'999'999}) {
-    const auto move = back(call::MoveBlock{"x", PointUm{yaw, 5, -yaw / 7}, yaw});
+    const auto move = back(call::MoveBlock{"x", PointUm{yaw / 10, 5, -yaw / 7}, yaw});
     EXPECT_EQ(std::get<call::MoveBlock>(move).yaw_udeg, yaw);
-    EXPECT_EQ(std::get<call::MoveBlock>(move).centroid_um, (PointUm{yaw, 5, -yaw / 7}));
+    EXPECT_EQ(std::get<call::MoveBlock>(move).centroid_um, (PointUm{yaw / 10, 5, -yaw / 7}));
   }
 }
 

@@ -83,7 +83,7 @@ TEST_F(ConnectionCellsTest, ACellAppearsWithTheFirstByteThatActs) {
   one.send("GE");
   settle();
   EXPECT_EQ(names(), "") << "it may be a browser";
-  one.send("?");
+  one.send("?E?");
   EXPECT_EQ(one.bytes(1), " ");
   EXPECT_EQ(names(), "c1 ");
   EXPECT_EQ(connections_.waiting(), 0U);
