@@ -36,7 +36,11 @@ TEST(StateHash, DependsOnTheModelAndTheClocksRemainder) {
   StateHasher hasher;
   EXPECT_NE(hasher.hash(cell), hasher.hash(other));
   EXPECT_EQ(hasher.hash(cell), StateHasher().hash(cell));
-  EXPECT_NE(hasher.hash(cell), hasher.hash(cell, 1));
+  Cell timed("main", test::rhino(), SimClock::bytes(), {});
+  timed.set_byte_clock({});
+  const std::string before = hasher.hash(timed);
+  timed.set_clock_remainder(1);
+  EXPECT_NE(hasher.hash(timed), before);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 
 bool asks_for_frame(const std::string& message) {
   if (message.find("get") == message.npos && message.find('\\') == message.npos) return false;
-  const auto reading = monitor::read_request(message, {"main"});
+  const auto reading = monitor::read_request(message);
   const auto* request = std::get_if<monitor::Request>(&reading);
   const auto* get = request == nullptr ? nullptr : std::get_if<monitor::Get>(&request->what);
   if (get == nullptr) return false;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/home.hpp"
+#include "protocol/monitor/call_table.hpp"
 #include "protocol/monitor/request_error.hpp"
 #include "tests/support/models.hpp"
 
