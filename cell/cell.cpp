@@ -64,7 +64,6 @@ void Cell::advance(WallNs now) {
   const bool is_real = clock_.mode() == ClockMode::kReal;
   // Simulated time stops at the maximum integer of the protocol, after some 285,000 years.
   const Tick target = std::min(clock_.at(now), monitor::kMaxInteger);
-  if (log_ != nullptr) log_->before_advance(*this);
   pass_time(target, is_real ? kMaxDueBytes : kEveryByte);
   if (log_ != nullptr) log_->after_advance(*this, next_due_until(target).has_value());
 }

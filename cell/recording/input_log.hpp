@@ -25,9 +25,7 @@ class InputLog {
   virtual void sent(const Cell& cell, const BytesOut& out) = 0;
   /// A line, not the probe's, has added these bytes to its outbox.
   virtual void output(const Cell& cell, LineId line, std::string_view bytes) = 0;
-  /// Time is about to advance, and has advanced. `is_behind`: bytes that are due have not acted,
-  /// because too many were.
-  virtual void before_advance(const Cell& cell) = 0;
+  /// Time has advanced. `is_behind`: bytes that are due have not acted, because too many were.
   virtual void after_advance(const Cell& cell, bool is_behind) = 0;
   /// The physical controller has not answered in time.
   virtual void expired(const Cell& cell) = 0;

@@ -8,9 +8,6 @@ namespace {
 
 using namespace recording;  // NOLINT: the entries have distinct names
 
-/// One advance of time adds less than the other half to an outbox.
-constexpr std::size_t kNearlyFull = SerialLine::kFullOutbox / 2;
-
 LineId line_of(const Input& input) {
   return std::visit(
       [](const auto& each) -> LineId {
@@ -68,7 +65,6 @@ struct Recorder::EntryMaker {
   MaybeBody operator()(const BytesIn& in) const {
     const bool is_refused = cell.find_line(in.line)->is_not_a_robot_program();
     if (applied.bytes_taken == 0 && !is_refused) return std::nullopt;
-    recorder.sent_.erase(in.line);
     const std::string_view bytes =
         recorder.is_first_ ? in.bytes : in.bytes.substr(0, applied.bytes_taken);
     return LineInput{in.line, std::string(bytes), applied.bytes_taken, recorder.unsent_,
@@ -78,7 +74,6 @@ struct Recorder::EntryMaker {
   MaybeBody operator()(const InputEnded& ended) const { return LineInputEnd{ended.line}; }
   MaybeBody operator()(const LineSilent& silent) const { return LineSilence{silent.line}; }
   MaybeBody operator()(const LineClosed& closed) const {
-    recorder.sent_.erase(closed.line);
     return LineEnd{closed.line, closed.reason};
   }
   MaybeBody operator()(const DeviceOpened&) const { return DeviceFound{}; }
@@ -100,14 +95,10 @@ void Recorder::begin(const Cell& cell, const Input& input) {
   input_at_ = now(cell);
   if (input_at_.epoch != hashed_.epoch || input_at_.tick / kHashEvery > hashed_.tick / kHashEvery)
     add_hash(cell);
-  if (std::holds_alternative<call::Call>(input)) {
-    while (!sent_.empty()) report_unsent(cell, sent_.begin()->first);
-  }
   const LineId id = line_of(input);
   const SerialLine* line = cell.find_line(id);
   is_open_ = line != nullptr && id != kProbeLine;
   if (!is_open_) return;
-  if (std::holds_alternative<LineSettings>(input) && cell.line_speed()) report_unsent(cell, id);
   if (std::holds_alternative<BytesIn>(input)) {
     unsent_ = line->outbox().size();
     is_first_ = line->bytes_in() == 0;
@@ -122,17 +113,12 @@ void Recorder::end(const Cell& cell, const Input& input, const Applied& applied)
   add_outputs();
 }
 
-/// A line that was full may go on now. While bytes are late, their order matters, too.
+/// When a paced line is full, and goes on, depends on what its transport has sent.
 void Recorder::sent(const Cell& cell, const BytesOut& out) {
-  const SerialLine* line = cell.find_line(out.line);
-  const bool matters = line->is_full() || is_behind_;
-  if (out.line == kProbeLine || !line->is_paced() || (out.count == 0 && !matters)) return;
-  if (matters) {
-    sent_.erase(out.line);
-    return add(now(cell), LineUnsent{out.line, line->outbox().size() - out.count});
-  }
-  sent_[out.line] += out.count;
-  note_unsent(cell, out.line);
+  const SerialLine& line = *cell.find_line(out.line);
+  if (out.line == kProbeLine || !line.is_paced()) return;
+  if (out.count == 0 && !line.is_full() && !is_behind_) return;
+  add(now(cell), LineUnsent{out.line, line.outbox().size() - out.count});
 }
 
 void Recorder::output(const Cell& cell, LineId line, std::string_view bytes) {
@@ -150,11 +136,6 @@ void Recorder::output(const Cell& cell, LineId line, std::string_view bytes) {
     run->bytes += piece;
     bytes.remove_prefix(piece.size());
   }
-  note_unsent(cell, line);
-}
-
-void Recorder::before_advance(const Cell& cell) {
-  while (!nearly_full_.empty()) report_unsent(cell, *nearly_full_.begin());
 }
 
 // While bytes are late, it matters how many have acted before each input.
@@ -195,19 +176,6 @@ std::string Recorder::take_replies(LineId line) {
   std::string bytes = std::move(first.bytes);
   outputs_.erase(outputs_.begin());
   return bytes;
-}
-
-void Recorder::report_unsent(const Cell& cell, LineId id) {
-  sent_.erase(id);
-  nearly_full_.erase(id);
-  const SerialLine* line = cell.find_line(id);
-  if (line != nullptr) add(now(cell), LineUnsent{id, line->outbox().size()});
-}
-
-void Recorder::note_unsent(const Cell& cell, LineId id) {
-  const auto found = sent_.find(id);
-  if (found == sent_.end()) return;
-  if (cell.find_line(id)->outbox().size() + found->second >= kNearlyFull) nearly_full_.insert(id);
 }
 
 }  // namespace xr3

@@ -3,9 +3,7 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -42,7 +40,6 @@ class Recorder : public InputLog {
   void end(const Cell& cell, const Input& input, const Applied& applied) override;
   void sent(const Cell& cell, const BytesOut& out) override;
   void output(const Cell& cell, LineId line, std::string_view bytes) override;
-  void before_advance(const Cell& cell) override;
   void after_advance(const Cell& cell, bool is_behind) override;
   void expired(const Cell& cell) override;
 
@@ -62,8 +59,6 @@ class Recorder : public InputLog {
   void add_hash(const Cell& cell);
   void add_outputs();
   std::string take_replies(LineId line);
-  void report_unsent(const Cell& cell, LineId line);
-  void note_unsent(const Cell& cell, LineId line);
 
   Sink sink_;
   StateHasher hasher_;
@@ -74,10 +69,6 @@ class Recorder : public InputLog {
   bool is_first_ = false;                  ///< it is the first read of its line
   bool is_open_ = false;                   ///< its line, which the recording has, is open
   std::vector<recording::Entry> outputs_;  ///< not added yet
-  /// Bytes that transports have sent and that are not reported, of paced lines: only those depend on
-  /// when their outbox is full.
-  std::map<LineId, std::size_t> sent_;
-  std::set<LineId> nearly_full_;  ///< lines of sent_ whose outbox might seem full in a replay
 };
 
 }  // namespace xr3

@@ -66,7 +66,6 @@ class Replayer : private InputLog {
   void end(const Cell&, const Input&, const Applied&) override {}
   void sent(const Cell&, const BytesOut&) override {}
   void output(const Cell& cell, LineId line, std::string_view bytes) override;
-  void before_advance(const Cell&) override {}
   void after_advance(const Cell&, bool) override {}
   void expired(const Cell&) override {}
 

@@ -100,7 +100,8 @@ TEST(RecordingHeader, PartsThatDoNotFitAreRefusedWithTheirPointer) {
   EXPECT_EQ(pointer([](Json& json) { json["workcell"].erase("blocks"); }), "/workcell/blocks");
   EXPECT_EQ(pointer([](Json& json) { json["faults"]["faults"][0]["joint"] = "H"; }),
             "/faults/faults/0/joint");
-  EXPECT_EQ(pointer([](Json& json) { json["clock"]["mode"] = "bytes"; }), "/clock/mode");
+  EXPECT_EQ(pointer([](Json& json) { json["clock"]["mode"] = "bytes"; }), "/byte_clock");
+  EXPECT_EQ(pointer([](Json& json) { json["clock"]["mode"] = "sundial"; }), "/clock/mode");
   EXPECT_EQ(pointer([](Json& json) {
               json["device"] = {{"path", "x"}, {"settings", "9600-7e2"}, {"mirrored", false}};
             }),
