@@ -162,10 +162,12 @@ struct Replayer::Applier {
 
 Replayer::Result Replayer::carry_on(const recording::Entry& entry) {
   const bool is_output = std::holds_alternative<Replies>(entry.body);
-  // What became due at this tick acts before the next input, but after a transport has sent.
+  // What became due at this tick acts before the next input, but after a transport has sent, and
+  // not before the end, which is no input.
   const ReplayTime time{entry.epoch, entry.tick};
-  const bool is_sent = std::holds_alternative<LineUnsent>(entry.body);
-  const bool has_passed = is_output ? time < now() : is_sent && time == now();
+  const bool is_no_input =
+      std::holds_alternative<LineUnsent>(entry.body) || std::holds_alternative<End>(entry.body);
+  const bool has_passed = is_output ? time < now() : is_no_input && time == now();
   if (!has_passed) {
     if (auto other = pass_to(entry)) return other;
   }

@@ -361,7 +361,7 @@ TEST(Replayer, RepeatsAPacedLineWhoseClientDoesNotRead) {
   WallNs now = 0;
   for (int i = 0; i < 3000; ++i) {
     now += kReplayMs / 4;
-    cell.apply(BytesIn{1, std::string(60, '?')}, now);
+    cell.apply(BytesIn{1, i == 0 ? "E?" : std::string(60, '?')}, now);
     if (i % 700 == 650) {
       const std::size_t waiting = cell.find_line(1)->outbox().size();
       cell.apply(BytesOut{1, waiting / 2}, now);
