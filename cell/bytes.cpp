@@ -107,7 +107,7 @@ void Cell::rest() {
 
 Applied Cell::handle(const LineSilent& silent, WallNs) {
   const bool moves_time = is_moved_by_bytes() && current_line() == silent.line;
-  if (!moves_time || simulation_.is_at_rest()) return {};
+  if (!moves_time || is_in_past_ || simulation_.is_at_rest()) return {};
   mark(TranscriptMark::kSilence);
   rest();
   return {};

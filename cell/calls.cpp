@@ -85,6 +85,7 @@ call::Outcome Cell::carry_out(const call::Pause&, WallNs now) {
 call::Outcome Cell::carry_out(const call::Resume&, WallNs now) {
   const bool is_new = clock_.mode() != clock_.running_mode();
   clock_.resume(now);
+  end_past();
   if (is_new) emit(std::nullopt, ClockNote{"resume", clock_.mode(), clock_.rate()});
   return call::Done{};
 }
@@ -255,7 +256,10 @@ call::Outcome Cell::carry_out(const call::SaveSnapshot& save, WallNs) {
     return call::Refused{"limit", "the snapshot exceeds the maximum size of a request, 256 KiB",
                          "save under a name"};
   }
-  if (!save.name.empty()) snapshots_[save.name] = {model_ptr(), state()};
+  if (!save.name.empty()) {
+    snapshots_[save.name] =
+        std::make_shared<const MachineSnapshot>(MachineSnapshot{model_ptr(), state()});
+  }
   return call::Done{{}, {}, saved};
 }
 
@@ -263,9 +267,10 @@ call::Outcome Cell::carry_out(const call::LoadSnapshot& load, WallNs now) {
   if (!load.saved) {
     const auto found = snapshots_.find(load.name);
     if (found == snapshots_.end()) return no_such_snapshot(load.name);
-    const NamedSnapshot snapshot = found->second;
-    begin_epoch("snapshot_load", now, [&] { simulation_.restore(snapshot.model, snapshot.state); });
-    return call::Done{{}, {}, saved_cell(*snapshot.model, snapshot.state)};
+    const MachineSnapshotPtr snapshot = found->second;
+    begin_epoch("snapshot_load", now,
+                [&] { simulation_.restore(snapshot->model, snapshot->state); });
+    return call::Done{{}, {}, saved_cell(*snapshot->model, snapshot->state)};
   }
   const SavedCell& saved = *load.saved;
   if (saved.robot_hash != robot_hash(model())) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cell/failure.hpp"
+#include "cell/rewind.hpp"
 #include "protocol/explain/diagnostic.hpp"
 #include "protocol/explain/event_report.hpp"
 #include "protocol/explain/line_notes.hpp"
@@ -14,7 +15,7 @@
 namespace xr3 {
 
 Cell::Cell(std::string name, ModelPtr model, SimClock clock, CellEventSink sink,
-           monitor::RingBudget* budget)
+           monitor::ByteBudget* budget)
     : name_(std::move(name)),
       simulation_(std::move(model)),
       clock_(clock),
@@ -51,10 +52,10 @@ Applied Cell::take_in(const Input& input, WallNs now) {
   if (is_frozen_) return {};
   advance(now);
   ++revision_;
-  if (log_ != nullptr) log_->begin(*this, input);
+  for (InputLog* log : logs_) log->begin(*this, input);
   Applied applied = std::visit([&](const auto& each) { return handle(each, now); }, input);
   pass_delays();
-  if (log_ != nullptr) log_->end(*this, input, applied);
+  for (InputLog* log : logs_) log->end(*this, input, applied);
   return applied;
 }
 
@@ -65,7 +66,7 @@ void Cell::advance(WallNs now) {
   // Simulated time stops at the maximum integer of the protocol, after some 285,000 years.
   const Tick target = std::min(clock_.at(now), monitor::kMaxInteger);
   pass_time(target, is_real ? kMaxDueBytes : kEveryByte);
-  if (log_ != nullptr) log_->after_advance(*this, next_due_until(target).has_value());
+  for (InputLog* log : logs_) log->after_advance(*this, next_due_until(target).has_value());
 }
 
 void Cell::pass_time(Tick target, std::size_t max_bytes) {
@@ -168,7 +169,7 @@ Applied Cell::handle(const BytesIn& in, WallNs) {
   SerialLine* line = open_line(in.line);
   if (line == nullptr) return {};
   if (in.line == kProbeLine) return take_unseen(*line, in.bytes);
-  if (line_before(in.line)) return {};
+  if (is_unread(in.line)) return {};
   last_input_tick_ = state().tick;
   if (line->bytes_in() == 0 && line->is_network()) line->examine(in.bytes);
   std::size_t taken = 0;
@@ -228,13 +229,13 @@ void Cell::record_out(const WirePlace& out, const SerialLine& line, std::size_t 
 
 /// Tells the log of the bytes that the line has added to its outbox after the first `unsent` ones.
 void Cell::log_output(LineId id, const SerialLine& line, std::size_t unsent) {
-  if (log_ != nullptr) log_->output(*this, id, line.outbox().substr(unsent));
+  for (InputLog* log : logs_) log->output(*this, id, line.outbox().substr(unsent));
 }
 
 Applied Cell::handle(const BytesOut& out, WallNs) {
   SerialLine* line = open_line(out.line);
   if (line == nullptr) return {};
-  if (log_ != nullptr) log_->sent(*this, out);
+  for (InputLog* log : logs_) log->sent(*this, out);
   line->sent(out.count, micros_at(state().tick));
   schedule(out.line, *line);
   return {};
@@ -284,6 +285,10 @@ Applied Cell::handle(const RecordingFailed& failed, WallNs) {
 
 Applied Cell::handle(const call::Call& call, WallNs now) {
   Applied applied;
+  if (is_in_past_ && !leaves_past_alone(call)) {
+    applied.outcome = in_the_past();
+    return applied;
+  }
   applied.outcome = std::visit([&](const auto& each) { return carry_out(each, now); }, call);
   emit_time_events();
   if (std::holds_alternative<call::Done>(applied.outcome)) note_call(call);

@@ -38,7 +38,7 @@ class Cell final : private LineListener {
   /// Adds every event to the ring and passes it to `sink`, which may be empty. `budget` is that of
   /// the rings and must outlive the cell; null: none.
   Cell(std::string name, ModelPtr model, SimClock clock, CellEventSink sink,
-       monitor::RingBudget* budget = nullptr);
+       monitor::ByteBudget* budget = nullptr);
   Cell(const Cell&) = delete;
   Cell& operator=(const Cell&) = delete;
 
@@ -109,9 +109,11 @@ class Cell final : private LineListener {
   /// Advances time to `now` and emits the events of that time. Throws as apply() does.
   void catch_up(WallNs now);
 
-  /// From now on, the log is told of every input and what else the cell depends on; nullptr: nobody
-  /// is. It must outlive the cell or be removed.
-  void set_log(InputLog* log) { log_ = log; }
+  /// From now on, the log is told of every input and what else the cell depends on. It must outlive
+  /// the cell or be removed, not while it is told of something.
+  void add_log(InputLog& log) { logs_.push_back(&log); }
+  /// No effect if it is not there.
+  void remove_log(const InputLog& log) { std::erase(logs_, &log); }
   /// For a replay: from now on time passes only by this function, to `tick`, and at most `max_bytes`
   /// bytes that become due act. Inputs act at the current tick; their wall time must be 0. A tick in
   /// the past means now. Throws as apply() does.
@@ -133,6 +135,16 @@ class Cell final : private LineListener {
   LineId last_line() const { return last_line_; }
   const std::optional<LineSpeed>& line_speed() const { return line_speed_; }
   const FaultPlan& initial_faults() const { return initial_faults_; }
+
+  /// The cell was taken back: time stands, lines are not read, and calls that change the cell are
+  /// refused with `in_the_past`, until the call `resume`.
+  bool is_in_past() const { return is_in_past_; }
+  /// Whether the bytes of an open line wait: for another line, or because the cell is in the past.
+  bool is_unread(LineId line) const {
+    return line != kProbeLine && (is_in_past_ || line_before(line));
+  }
+  /// The model of this robot and profile with another workcell.
+  ModelPtr model_with(const Workcell& workcell) const;
 
   /// Disables apply() and catch_up(), for the end of the process.
   void freeze() { is_frozen_ = true; }
@@ -177,11 +189,6 @@ class Cell final : private LineListener {
 
   /// Maximum number of named snapshots.
   static constexpr std::size_t kMaxSnapshots = 16;
-  /// A snapshot under a name. The workcell, which may be large, is shared with the cell and others.
-  struct NamedSnapshot {
-    ModelPtr model;
-    State state;
-  };
 
   static constexpr std::size_t kEveryByte = std::numeric_limits<std::size_t>::max();
 
@@ -212,6 +219,7 @@ class Cell final : private LineListener {
   Applied handle(const DeviceLost& lost, WallNs now);
   Applied handle(const DeviceIn& in, WallNs now);
   Applied handle(const DeviceOut& out, WallNs now);
+  Applied handle(const Rewind& rewind, WallNs now);
   Applied handle(const RecordingFailed& failed, WallNs now);
   Applied handle(const call::Call& call, WallNs now);
 
@@ -239,7 +247,8 @@ class Cell final : private LineListener {
   void after_manual_advance(Tick start, WallNs now);
   void changed_model(std::string_view call, const std::string& name);
   void placed_block(std::string_view call, std::size_t block);
-  ModelPtr model_with(const Workcell& workcell) const;
+  static bool leaves_past_alone(const call::Call& call);
+  void end_past();
 
   ByteClock& bytes() {
     assert(byte_clock_);
@@ -313,7 +322,7 @@ class Cell final : private LineListener {
   LineId last_line_ = 0;
   std::optional<SerialLine> probe_line_;
   std::map<LineId, std::uint64_t> closed_bytes_in_;  ///< of closed lines; the lowest goes first
-  std::map<std::string, NamedSnapshot> snapshots_;
+  std::map<std::string, MachineSnapshotPtr> snapshots_;
   std::vector<Exchange> exchanges_;  ///< of the bytes being received; reuses its memory
   std::size_t emitted_ = 0;          ///< of exchanges_, while bytes move time
   WarningLimiter warnings_;
@@ -324,9 +333,10 @@ class Cell final : private LineListener {
   CellCounters counters_;
   std::optional<Tick> last_input_tick_;
   CellEventSink sink_;
-  InputLog* log_ = nullptr;
+  std::vector<InputLog*> logs_;
   std::uint64_t acts_ = 0;
   bool is_replayed_ = false;
+  bool is_in_past_ = false;
   bool is_frozen_ = false;
 };
 

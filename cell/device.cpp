@@ -83,7 +83,7 @@ void Cell::deliver(LineId id, std::uint8_t reply, const Command& inquiry) {
 
 void Cell::expire_inquiries() {
   while (const auto silent = device_->expire(state().tick)) {
-    if (log_ != nullptr) log_->expired(*this);
+    for (InputLog* log : logs_) log->expired(*this);
     if (!silent->line) continue;
     open_line(*silent->line)->note_warning();
     emit(*silent->line, silent_note(silent->command));

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
 
+#include "cell/recording/replay_time.hpp"
 #include "cell/serial_line.hpp"
+#include "core/model.hpp"
 #include "protocol/monitor/call.hpp"
 
 namespace xr3 {
@@ -80,6 +83,20 @@ struct DeviceOut {
   std::size_t count = 0;
 };
 
+/// State and workcell of a cell.
+struct MachineSnapshot {
+  ModelPtr model;
+  State state;
+};
+using MachineSnapshotPtr = std::shared_ptr<const MachineSnapshot>;
+
+/// The cell is taken back to a state of its past, with the same robot and profile: see
+/// Cell::is_in_past(). Precondition: it has no device.
+struct Rewind {
+  MachineSnapshotPtr past;
+  ReplayTime from{};  ///< the time of that state, for the history
+};
+
 /// The recording of the cell's inputs has ended before the cell has. For the event; it changes
 /// nothing.
 struct RecordingFailed {
@@ -87,9 +104,16 @@ struct RecordingFailed {
   std::string why;
 };
 
-using Input =
-    std::variant<LineOpened, LineSettings, BytesIn, BytesOut, InputEnded, LineClosed, LineSilent,
-                 DeviceOpened, DeviceLost, DeviceIn, DeviceOut, RecordingFailed, call::Call>;
+using Input = std::variant<LineOpened, LineSettings, BytesIn, BytesOut, InputEnded, LineClosed,
+                           LineSilent, DeviceOpened, DeviceLost, DeviceIn, DeviceOut, Rewind,
+                           RecordingFailed, call::Call>;
+
+/// The open line of an input; kProbeLine if it has none.
+LineId line_of(const Input& input);
+/// Whether it is an input of an open line.
+bool is_of_line(const Input& input);
+/// Whether it concerns only the line of the probe.
+bool is_of_probe(const Input& input);
 
 /// The result of an input: the number of the opened line, the number of bytes taken, or the outcome
 /// of the call.

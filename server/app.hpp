@@ -119,7 +119,7 @@ class App {
   AccessPolicy policy_;
   SocketLimits limits_;
   MemoryLimit memory_;
-  monitor::RingBudget rings_;
+  monitor::ByteBudget rings_;
   LineTurns turns_{io_};
   Worker worker_;
   CellContext context_;

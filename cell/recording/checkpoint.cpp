@@ -19,7 +19,8 @@ Cell::Checkpoint Cell::checkpoint() const {
           lines_,
           last_line_,
           snapshots_,
-          acts_};
+          acts_,
+          is_in_past_};
 }
 
 // The revision goes on, so that nobody takes the old state for the new one.
@@ -41,6 +42,7 @@ void Cell::restore(const Checkpoint& from) {
   last_line_ = from.last_line;
   snapshots_ = from.snapshots;
   acts_ = from.acts;
+  is_in_past_ = from.is_in_past;
   woken_.clear();
   warnings_ = {};
   is_replayed_ = true;

@@ -23,8 +23,9 @@ struct Cell::Checkpoint {
   Agenda agenda;
   std::map<LineId, SerialLine> lines;
   LineId last_line = 0;
-  std::map<std::string, NamedSnapshot> snapshots;
+  std::map<std::string, MachineSnapshotPtr> snapshots;
   std::uint64_t acts = 0;
+  bool is_in_past = false;
 };
 
 }  // namespace xr3

@@ -52,7 +52,7 @@ Replayer::Result Replayer::refuse_other_replies() const {
 }
 
 Replayer::Result Replayer::compare_hash(const std::string& expected) {
-  if (!compares_hashes_) return std::nullopt;
+  if (compared_ != Compared::kAll) return std::nullopt;
   const std::string found = hasher_.hash(cell_);
   return found == expected ? std::nullopt : difference("digest of the state", expected, found);
 }

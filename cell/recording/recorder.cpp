@@ -3,30 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "cell/digest.hpp"
+
 namespace xr3 {
 namespace {
 
 using namespace recording;  // NOLINT: the entries have distinct names
-
-LineId line_of(const Input& input) {
-  return std::visit(
-      [](const auto& each) -> LineId {
-        if constexpr (requires { each.line; }) return each.line;
-        return 0;
-      },
-      input);
-}
-
-bool is_of_line(const Input& input) {
-  return std::holds_alternative<BytesIn>(input) || std::holds_alternative<LineSettings>(input) ||
-         std::holds_alternative<InputEnded>(input) || std::holds_alternative<LineClosed>(input) ||
-         std::holds_alternative<LineSilent>(input);
-}
-
-bool opens_probe(const Input& input) {
-  const auto* opened = std::get_if<LineOpened>(&input);
-  return opened != nullptr && opened->is_probe;
-}
 
 }  // namespace
 
@@ -83,6 +65,11 @@ struct Recorder::EntryMaker {
     return out.count > 0 ? MaybeBody(DeviceSent{out.count}) : std::nullopt;
   }
   MaybeBody operator()(const RecordingFailed&) const { return std::nullopt; }
+  MaybeBody operator()(const Rewind& rewind) const {
+    const MachineSnapshot& past = *rewind.past;
+    return Rewound{std::make_shared<const SavedCell>(
+        SavedCell{robot_hash(*past.model), past.model->workcell(), past.state})};
+  }
   MaybeBody operator()(const call::Call& call) const {
     if (!std::holds_alternative<call::Done>(applied.outcome)) return std::nullopt;
     return CallMade{call};
@@ -93,8 +80,9 @@ struct Recorder::EntryMaker {
 
 void Recorder::begin(const Cell& cell, const Input& input) {
   input_at_ = now(cell);
-  if (input_at_.epoch != hashed_.epoch || input_at_.tick / kHashEvery > hashed_.tick / kHashEvery)
-    add_hash(cell);
+  const bool is_hash_due =
+      input_at_.epoch != hashed_.epoch || input_at_.tick / kHashEvery > hashed_.tick / kHashEvery;
+  if (is_hash_due && contents_ == Contents::kAll) add_hash(cell);
   const LineId id = line_of(input);
   const SerialLine* line = cell.find_line(id);
   is_open_ = line != nullptr && id != kProbeLine;
@@ -106,7 +94,7 @@ void Recorder::begin(const Cell& cell, const Input& input) {
 }
 
 void Recorder::end(const Cell& cell, const Input& input, const Applied& applied) {
-  if (is_of_line(input) ? is_open_ : !opens_probe(input)) {
+  if (is_of_line(input) ? is_open_ : !is_of_probe(input)) {
     if (auto body = std::visit(EntryMaker{*this, cell, applied}, input))
       add(input_at_, *std::move(body));
   }
@@ -122,6 +110,7 @@ void Recorder::sent(const Cell& cell, const BytesOut& out) {
 }
 
 void Recorder::output(const Cell& cell, LineId line, std::string_view bytes) {
+  if (contents_ == Contents::kInputs) return;
   const At at = now(cell);
   while (!bytes.empty()) {
     Entry* last = outputs_.empty() ? nullptr : &outputs_.back();

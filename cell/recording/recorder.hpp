@@ -28,7 +28,11 @@ class Recorder : public InputLog {
   /// Replies are split into entries of at most so many bytes.
   static constexpr std::size_t kMaxReplies = std::size_t{256} * 1024;
 
-  explicit Recorder(Sink sink) : sink_(std::move(sink)) {}
+  /// What is recorded: all, or without what is only for comparison, the replies and digests.
+  enum class Contents : std::uint8_t { kAll, kInputs };
+
+  explicit Recorder(Sink sink, Contents contents = Contents::kAll)
+      : sink_(std::move(sink)), contents_(contents) {}
 
   /// Whether bytes that are due have not acted yet: no moment for a checkpoint.
   bool is_behind() const { return is_behind_; }
@@ -61,6 +65,7 @@ class Recorder : public InputLog {
   std::string take_replies(LineId line);
 
   Sink sink_;
+  Contents contents_;
   StateHasher hasher_;
   At hashed_{0, 0, 0};
   bool is_behind_ = false;

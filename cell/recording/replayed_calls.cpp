@@ -32,6 +32,21 @@ Replayer::Result Replayer::make_call(const call::Call& call) {
   return difference("call", "accepted", "refused: " + refused->message);
 }
 
+Replayer::Result Replayer::rewind(const SavedCell& saved) {
+  const bool is_same = saved.robot_hash == robot_hash(cell_.model());
+  const auto details =
+      is_same ? monitor::validate(cell_.model(), saved) : std::vector<monitor::Detail>{};
+  if (!is_same || !details.empty())
+    return difference("seek", "a state that fits the robot",
+                      is_same ? "another at " + details[0].pointer : "one of another robot");
+  ++inputs_;
+  auto past = std::make_shared<const MachineSnapshot>(
+      MachineSnapshot{cell_.model_with(saved.workcell), saved.state});
+  cell_.apply(Rewind{std::move(past), {}}, 0);
+  next_sample_ = now();
+  return std::nullopt;
+}
+
 /// The last tick to which a call may let time pass.
 Tick Replayer::tick_limit(Tick wanted) const {
   const bool is_limited = stop_ && stop_->epoch == cell_.epoch();

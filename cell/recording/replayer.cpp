@@ -39,13 +39,12 @@ void prepare_replay(Cell& cell, const recording::Header& header) {
     cell.connect_device(header.device->path, header.device->settings, header.device->is_mirrored);
 }
 
-Replayer::Replayer(Cell& cell, bool compares_hashes)
-    : cell_(cell), compares_hashes_(compares_hashes) {
-  cell_.set_log(this);
+Replayer::Replayer(Cell& cell, Compared compared) : cell_(cell), compared_(compared) {
+  cell_.add_log(*this);
   cell_.replay_to(cell_.state().tick, 0);
 }
 
-Replayer::~Replayer() { cell_.set_log(nullptr); }
+Replayer::~Replayer() { cell_.remove_log(*this); }
 
 void Replayer::sample_every(Tick every, std::function<void(const Cell&)> sample) {
   assert(every > 0);
@@ -55,7 +54,8 @@ void Replayer::sample_every(Tick every, std::function<void(const Cell&)> sample)
 }
 
 void Replayer::output(const Cell& cell, LineId line, std::string_view bytes) {
-  if (!bytes.empty()) replies_[line].push_back({cell.state().tick, std::string(bytes)});
+  if (bytes.empty() || compared_ == Compared::kNothing) return;
+  replies_[line].push_back({cell.state().tick, std::string(bytes)});
 }
 
 Replayer::Result Replayer::difference(std::string what, std::string expected, std::string found,
@@ -94,10 +94,8 @@ struct Replayer::Applier {
   Result operator()(const LineInput& input) const {
     if (auto closed = closed_line(input.line)) return closed;
     if (auto other = replayer.leave_unsent(input.line, input.unsent)) return other;
-    const SerialLine& line = *replayer.cell_.find_line(input.line);
-    const std::uint64_t end = line.bytes_in() + input.taken;
-    const auto taken =
-        apply(BytesIn{input.line, input.bytes, [&] { return line.bytes_in() >= end; }}).bytes_taken;
+    const std::size_t taken = replayer.take(input);
+    if (replayer.is_stopped_) return std::nullopt;
     if (taken != input.taken)
       return replayer.difference("bytes taken", number(input.taken), number(taken), input.line);
     return replayer.compare_replies(input.line, entry.tick, input.replies);
@@ -121,6 +119,7 @@ struct Replayer::Applier {
     apply(LineClosed{end.line, end.reason});
     return std::nullopt;
   }
+  Result operator()(const Rewound& rewound) const { return replayer.rewind(*rewound.saved); }
   Result operator()(const CallMade& made) const { return replayer.make_call(made.call); }
   Result operator()(const DeviceFound&) const { return with_device(DeviceOpened{}); }
   Result operator()(const DeviceGone& gone) const { return with_device(DeviceLost{gone.why}); }
@@ -180,6 +179,28 @@ Replayer::Result Replayer::carry_on(const recording::Entry& entry) {
     if (auto other = refuse_other_replies()) return other;
   }
   return std::visit(Applier{*this, entry}, entry.body);
+}
+
+/// Applies the bytes of an input, and returns how many were taken. If they take time, and come to the
+/// time to stop, the rest is left.
+std::size_t Replayer::take(const recording::LineInput& input) {
+  ++inputs_;
+  const SerialLine& line = *cell_.find_line(input.line);
+  const std::uint64_t begin = line.bytes_in();
+  const std::uint64_t end = begin + input.taken;
+  const bool may_stop =
+      stop_ && stop_->epoch == cell_.epoch() && cell_.clock().mode() == ClockMode::kBytes;
+  const std::size_t piece =
+      may_stop && begin > 0 ? 1 : std::max<std::size_t>(1, input.bytes.size());
+  for (std::size_t at = 0; at < input.bytes.size(); at += piece) {
+    const auto bytes = std::string_view(input.bytes).substr(at, piece);
+    const auto is_enough = [&] { return line.bytes_in() >= end; };
+    if (cell_.apply(BytesIn{input.line, bytes, is_enough}, 0).bytes_taken < bytes.size()) break;
+    if (line.bytes_in() >= end) break;
+    is_stopped_ = may_stop && cell_.state().tick >= stop_->tick;
+    if (is_stopped_) break;
+  }
+  return line.bytes_in() - begin;
 }
 
 // --- Time.

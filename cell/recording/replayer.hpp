@@ -12,6 +12,7 @@
 #include "cell/cell.hpp"
 #include "cell/recording/difference.hpp"
 #include "cell/recording/input_log.hpp"
+#include "cell/recording/replay_time.hpp"
 #include "cell/recording/state_hash.hpp"
 #include "protocol/recording/entry.hpp"
 #include "protocol/recording/header.hpp"
@@ -24,19 +25,15 @@ void prepare_replay(Cell& cell, const recording::Header& header);
 /// The clock of that cell.
 SimClock replay_clock(const recording::Header& header);
 
-/// A time of a recording.
-struct ReplayTime {
-  Epoch epoch = 0;
-  Tick tick = 0;
-  auto operator<=>(const ReplayTime&) const = default;
-};
+/// What a replay compares with its entries: replies and digests; replies, because the digests have
+/// another version's format; or nothing, because the entries hold only inputs.
+enum class Compared : std::uint8_t { kAll, kReplies, kNothing };
 
 class Replayer : private InputLog {
  public:
   /// `cell` must be prepared, or restored from a checkpoint after which no byte was late, and outlive
-  /// the replayer. `compares_hashes`: the digests have this
-  /// version's format.
-  Replayer(Cell& cell, bool compares_hashes);
+  /// the replayer.
+  Replayer(Cell& cell, Compared compared);
   ~Replayer() override;
 
   /// Calls `sample` at the multiples of `every` ticks of each epoch, as far as time passes, before
@@ -77,6 +74,7 @@ class Replayer : private InputLog {
   void pass(Tick tick);
   void sample();
   Result make_call(const call::Call& call);
+  Result rewind(const SavedCell& saved);
   Result step(const call::Step& step);
   Result run_until(const call::RunUntil& run);
   Tick tick_limit(Tick wanted) const;
@@ -84,9 +82,10 @@ class Replayer : private InputLog {
   Result refuse_other_replies() const;
   Result compare_hash(const std::string& expected);
   Result leave_unsent(LineId line, std::size_t unsent);
+  std::size_t take(const recording::LineInput& input);
 
   Cell& cell_;
-  bool compares_hashes_;
+  Compared compared_;
   StateHasher hasher_;
   bool is_behind_ = false;
   bool is_stopped_ = false;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "protocol/monitor/message.hpp"
-#include "protocol/monitor/ring_budget.hpp"
+#include "protocol/monitor/byte_budget.hpp"
 
 namespace xr3::monitor {
 
@@ -29,13 +29,13 @@ class Feed {
 /// A ring that grows from nothing to its capacity, as far as the budget allows; then it overwrites
 /// its oldest messages.
 template <class Value>
-class Ring final : public Feed, private RingBudget::Member {
+class Ring final : public Feed, private ByteBudget::Member {
  public:
   using ToMessage = std::function<Message(const Value& value, std::int64_t seq)>;
 
   /// `most`, above 0, is the capacity. `heap_bytes` is an estimate of the memory of a message
   /// outside of its slot. `budget` must outlive the ring; null: none.
-  Ring(std::size_t most, ToMessage to_message, RingBudget* budget = nullptr,
+  Ring(std::size_t most, ToMessage to_message, ByteBudget* budget = nullptr,
        std::size_t heap_bytes = 0)
       : most_(most),
         slot_bytes_(sizeof(Slot) + heap_bytes),
@@ -83,7 +83,7 @@ class Ring final : public Feed, private RingBudget::Member {
     if (slots_.size() >= most_) return;
     const std::size_t wanted = std::min(most_, std::max(kLeast, 2 * slots_.size()));
     const auto necessity =
-        slots_.empty() ? RingBudget::Necessity::kVital : RingBudget::Necessity::kUseful;
+        slots_.empty() ? ByteBudget::Necessity::kVital : ByteBudget::Necessity::kUseful;
     if (budget_ == nullptr || budget_->grant(*this, wanted * slot_bytes_, necessity))
       resize(wanted);
   }
@@ -103,7 +103,7 @@ class Ring final : public Feed, private RingBudget::Member {
   std::size_t slot_bytes_;
   std::vector<Slot> slots_;
   ToMessage to_message_;
-  RingBudget* budget_;
+  ByteBudget* budget_;
   std::int64_t first_ = 1;
   std::int64_t next_ = 1;
 };

@@ -65,6 +65,11 @@ struct CallMade {
   call::Call call;
 };
 
+/// The cell was taken back to this state, as by the call `seek`.
+struct Rewound {
+  SavedCellPtr saved;
+};
+
 struct DeviceFound {};
 struct DeviceGone {
   std::string why;
@@ -104,8 +109,8 @@ struct End {
 };
 
 using Body = std::variant<LineBegin, LineSetup, LineInput, LineUnsent, LineInputEnd, LineSilence,
-                          LineEnd, CallMade, DeviceFound, DeviceGone, DeviceInput, DeviceSent,
-                          DeviceSilent, Late, Replies, StateHash, End>;
+                          LineEnd, CallMade, Rewound, DeviceFound, DeviceGone, DeviceInput,
+                          DeviceSent, DeviceSilent, Late, Replies, StateHash, End>;
 
 struct Entry {
   Epoch epoch = 0;

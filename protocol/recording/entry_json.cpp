@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocol/explain/event_report.hpp"
+#include "protocol/monitor/saved_cell.hpp"
 #include "protocol/recording/byte_text.hpp"
 #include "protocol/recording/call_json.hpp"
 
@@ -78,6 +79,9 @@ struct EntryWriter {
     const CallJson call = call_to_json(made.call);
     append_bytes(json, "call", call.fn);
     json += ",\"args\":" + call.args.dump(-1, ' ', true);
+  }
+  void operator()(const Rewound& rewound) const {
+    json += ",\"seek\":" + saved_cell_to_json(*rewound.saved).dump(-1, ' ', true);
   }
   void operator()(const DeviceFound&) const { append_bytes(json, "device", "opened"); }
   void operator()(const DeviceGone& gone) const {

@@ -6,6 +6,7 @@
 
 #include "protocol/explain/event_report.hpp"
 #include "protocol/monitor/request.hpp"
+#include "protocol/monitor/saved_cell.hpp"
 #include "protocol/recording/byte_text.hpp"
 #include "protocol/recording/call_json.hpp"
 #include "protocol/recording/entry_json.hpp"
@@ -49,6 +50,7 @@ struct Raw {
   std::optional<std::string> end;
   JsonValue call;
   JsonValue args;
+  JsonValue seek;
   std::string check;
 };
 
@@ -121,6 +123,7 @@ const Members<Raw>& raw_members() {
       optional("end", &Raw::end, text(1, kMaxText)),
       raw_member("call", &Raw::call),
       raw_member("args", &Raw::args),
+      raw_member("seek", &Raw::seek),
       optional("c", &Raw::check, text(0, kMaxText))};
   return members;
 }
@@ -148,6 +151,15 @@ std::optional<Body> make_call(Raw& raw, Reading& reading) {
   auto call = read_call_json({reading, raw.call}, raw.args);
   if (!call) return std::nullopt;
   return CallMade{*std::move(call)};
+}
+
+std::optional<Body> make_seek(Raw& raw, Reading& reading) {
+  Reading inner(raw.seek, Unit::kMm);
+  auto saved = read_saved_cell(inner);
+  for (const Finding& finding : inner.take_findings())
+    reading.refuse("/seek" + finding.pointer, finding.found, finding.allowed);
+  if (!saved) return std::nullopt;
+  return Rewound{std::make_shared<const SavedCell>(*std::move(saved))};
 }
 
 std::optional<Body> make_device(Raw& raw, Reading&) {
@@ -189,6 +201,7 @@ const std::vector<EntryForm>& entry_forms() {
       {"close", {"line", "close"}, {}, make_line_end},
       {"unsent", {"line", "unsent"}, {}, make_unsent},
       {"call", {"call", "args"}, {}, make_call},
+      {"seek", {"seek"}, {}, make_seek},
       {"device", {"device"}, {"why"}, make_device},
       {"device_in", {"device_in"}, {}, make_device_input},
       {"device_out", {"device_out"}, {}, make_device_sent},

@@ -34,7 +34,7 @@ struct CellContext {
   LineTurns& turns;
   Worker& worker;
   std::function<void(HostedCell&)> acted;  ///< called after each input of a cell
-  monitor::RingBudget* rings = nullptr;    ///< of the rings of all cells; null: no limit
+  monitor::ByteBudget* rings = nullptr;    ///< of the rings of all cells; null: no limit
 };
 
 /// The parts with which a cell begins.

@@ -92,7 +92,7 @@ class ReplayRun {
       note("the digests of the state are not compared: they have format " +
            std::to_string(header_.state_format) + ", and this version of xr3 makes format " +
            std::to_string(kStateFormat));
-    Replayer replayer(cell, compares);
+    Replayer replayer(cell, compares ? Compared::kAll : Compared::kReplies);
     if (options_.until) replayer.stop_at(*options_.until);
     std::optional<ReplayTable> table;
     if (!options_.csv.empty()) {

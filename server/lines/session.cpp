@@ -156,7 +156,7 @@ void LineSession::end_unless_under_way(const SerialLine& line) {
 LineSession::Left LineSession::flush(const Turn& turn) {
   if (!stream_->is_open()) return Left::kWaits;
   if (context_.cell.find_line(id_)->is_cut()) end_by_fault();
-  if (!has_ended_ && context_.cell.line_before(id_)) return Left::kWaits;
+  if (!has_ended_ && context_.cell.is_unread(id_)) return Left::kWaits;
   if (has_ended_) end_input();
   const SerialLine& line = *context_.cell.find_line(id_);  // exists while the stream is open
   if (is_broken_ && (line.is_paced() || line.holds_replies())) close(LineCloseReason::kError);

@@ -31,10 +31,10 @@ Recording::Recording(asio::io_context& io, Cell& cell, std::string path, std::ui
       recorder_([this](recording::Entry entry) { add(std::move(entry)); }),
       timer_(io) {
   begin_file();
-  cell_.set_log(&recorder_);
+  cell_.add_log(recorder_);
 }
 
-Recording::~Recording() { cell_.set_log(nullptr); }
+Recording::~Recording() { cell_.remove_log(recorder_); }
 
 // The first line shows at once whether the file can be written.
 void Recording::begin_file() {
@@ -92,13 +92,13 @@ void Recording::fail(std::string why) {
 }
 
 void Recording::report(const std::string& why) {
-  cell_.set_log(nullptr);
+  cell_.remove_log(recorder_);
   cell_.apply(RecordingFailed{file_.path(), why}, wall_now());
   acted_();
 }
 
 void Recording::finish() {
-  cell_.set_log(nullptr);
+  cell_.remove_log(recorder_);
   timer_.cancel();
   if (std::exchange(is_over_, true)) return;
   file_.add(writer_.line(recorder_.end_of(cell_, "stopped")));

@@ -67,7 +67,7 @@ void replay_lines(std::string_view text, unsigned choice) {
   const recording::Header header = header_for(choice);
   Cell cell(header.cell, header.model, replay_clock(header), {});
   prepare_replay(cell, header);
-  Replayer replayer(cell, true);
+  Replayer replayer(cell, Compared::kAll);
   Epoch epoch = 0;
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));

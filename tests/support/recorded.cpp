@@ -13,7 +13,7 @@ RecordedCell::RecordedCell(ModelPtr model, const CellSetup& setup)
   if (!setup.faults.faults.empty()) cell.set_faults(setup.faults);
   if (setup.has_device) cell.connect_device("/dev/arm", *parse_serial_settings("9600-7e2"));
   text_ = writer_.line(recording_header(cell, "xr3 test"));
-  cell.set_log(&recorder_);
+  cell.add_log(recorder_);
 }
 
 std::string RecordedCell::text() {
@@ -40,7 +40,8 @@ Replayed replay(const std::string& text, std::optional<ReplayTime> until) {
   Replayed result;
   result.program = header->program;
   {
-    Replayer replayer(cell, header->state_format == kStateFormat);
+    const bool compares = header->state_format == kStateFormat;
+    Replayer replayer(cell, compares ? Compared::kAll : Compared::kReplies);
     if (until) replayer.stop_at(*until);
     for (;;) {
       std::optional<recording::Entry> entry = reader.next();

@@ -37,7 +37,7 @@ TEST(Checkpoint, InputsHaveTheSameEffectAfterIt) {
   for (int times = 0; times < 2; ++times) {  // the second time from where the first has come to
     other.restore(checkpoint);
     EXPECT_EQ(StateHasher().hash(other), middle);
-    Replayer replayer(other, true);
+    Replayer replayer(other, Compared::kAll);
     for (std::size_t i = before; i < recorded.entries().size(); ++i) {
       const auto difference = replayer.apply(recorded.entries()[i]);
       ASSERT_FALSE(difference) << to_text(*difference);

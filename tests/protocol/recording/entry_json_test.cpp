@@ -30,6 +30,7 @@ std::vector<Body> all_bodies() {
           LineEnd{1, LineCloseReason::kFault},
           LineEnd{1, LineCloseReason::kNotARobotProgram},
           CallMade{call::Step{5}},
+          Rewound{std::make_shared<const SavedCell>(SavedCell{"sha256:1", {}, {}})},
           DeviceFound{},
           DeviceGone{"unplugged: \xe9"},
           DeviceInput{"%"},

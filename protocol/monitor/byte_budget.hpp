@@ -1,6 +1,6 @@
-// The memory that the rings of all cells may have together. A ring grows as it is filled; when the
-// budget is used up, the largest ring gives half of its places, with its oldest messages, to a
-// smaller one that wants to grow. So busy cells share the memory, and a cell at rest needs none.
+// The memory that the growing parts of all cells, such as their rings, may have together. When the
+// budget is used up, the largest part gives half of its bytes, the oldest, to a smaller one that
+// wants to grow. So busy cells share the memory, and a cell at rest needs none.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,13 @@
 
 namespace xr3::monitor {
 
-class RingBudget {
+class ByteBudget {
  public:
-  explicit RingBudget(std::size_t max_bytes) : max_bytes_(max_bytes) {}
-  RingBudget(const RingBudget&) = delete;
-  RingBudget& operator=(const RingBudget&) = delete;
+  explicit ByteBudget(std::size_t max_bytes) : max_bytes_(max_bytes) {}
+  ByteBudget(const ByteBudget&) = delete;
+  ByteBudget& operator=(const ByteBudget&) = delete;
 
-  /// A ring, as far as the budget knows it.
+  /// A part that grows, as far as the budget knows it.
   class Member {
    public:
     /// The bytes that it has.

@@ -1,5 +1,5 @@
 // Rings grow as they are filled, and share a budget of memory.
-#include "protocol/monitor/ring_budget.hpp"
+#include "protocol/monitor/byte_budget.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ Message number_text(const int& value, std::int64_t seq) {
 
 constexpr std::size_t kMost = 256;
 
-Ring<int> ring(RingBudget* budget = nullptr) { return Ring<int>(kMost, number_text, budget); }
+Ring<int> ring(ByteBudget* budget = nullptr) { return Ring<int>(kMost, number_text, budget); }
 
 void fill(Ring<int>& ring, int count) {
   for (int i = 0; i < count; ++i) ring.push() = static_cast<int>(ring.next());
@@ -47,9 +47,9 @@ TEST(Ring, GrowsToItsCapacityAndThenOverwrites) {
   expect_sound(all);
 }
 
-TEST(RingBudget, TheLargestRingGivesItsOldestMessages) {
+TEST(ByteBudget, TheLargestRingGivesItsOldestMessages) {
   Ring<int> sample = ring();
-  RingBudget measure(1'000'000);
+  ByteBudget measure(1'000'000);
   std::size_t one_slot = 0;
   {
     Ring<int> measured = ring(&measure);
@@ -57,7 +57,7 @@ TEST(RingBudget, TheLargestRingGivesItsOldestMessages) {
     one_slot = measure.used_bytes() / measured.capacity();
   }
   EXPECT_EQ(measure.used_bytes(), 0U) << "a destroyed ring gives its memory back";
-  RingBudget budget(one_slot * 256);
+  ByteBudget budget(one_slot * 256);
   Ring<int> greedy = ring(&budget);
   fill(greedy, 256);
   EXPECT_EQ(greedy.capacity(), 256U);
@@ -76,8 +76,8 @@ TEST(RingBudget, TheLargestRingGivesItsOldestMessages) {
   EXPECT_EQ(budget.used_bytes(), one_slot * 256);
 }
 
-TEST(RingBudget, EveryRingHasAFewPlaces) {
-  RingBudget none(0);
+TEST(ByteBudget, EveryRingHasAFewPlaces) {
+  ByteBudget none(0);
   std::vector<std::unique_ptr<Ring<int>>> rings;
   for (int i = 0; i < 3; ++i) {
     rings.push_back(std::make_unique<Ring<int>>(kMost, number_text, &none));
@@ -89,8 +89,8 @@ TEST(RingBudget, EveryRingHasAFewPlaces) {
   EXPECT_EQ(none.used_bytes(), 0U);
 }
 
-TEST(RingBudget, SharesWhatThereIs) {
-  RingBudget budget(64 * 1024);
+TEST(ByteBudget, SharesWhatThereIs) {
+  ByteBudget budget(64 * 1024);
   std::vector<std::unique_ptr<Ring<int>>> rings;
   for (int i = 0; i < 40; ++i) {
     rings.push_back(std::make_unique<Ring<int>>(kMost, number_text, &budget));

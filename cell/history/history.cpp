@@ -1,0 +1,302 @@
+#include "cell/history/history.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+
+#include "cell/history/heap_size.hpp"
+
+namespace xr3 {
+namespace {
+
+// Asked of the budget at once beyond what is needed now.
+constexpr std::size_t kMoreBytes = 4096;
+
+/// The value of `last`, if it is equal, so that it is stored once; else a copy.
+template <class Value>
+std::shared_ptr<const Value> shared(Value&& value, const std::shared_ptr<const Value>* last) {
+  if (last != nullptr && **last == value) return *last;
+  return std::make_shared<const Value>(std::forward<Value>(value));
+}
+
+KeptCheckpoint keep(Cell::Checkpoint all, const KeptCheckpoint* last) {
+  KeptCheckpoint kept;
+  kept.blocks = shared(std::exchange(all.state.blocks, {}), last ? &last->blocks : nullptr);
+  kept.path = shared(std::exchange(all.state.tip_path, {}), last ? &last->path : nullptr);
+  kept.rest = std::move(all);
+  return kept;
+}
+
+std::size_t fixed_bytes_of(const Cell::Checkpoint& rest) {
+  constexpr std::size_t kNode = 64;
+  std::size_t bytes = sizeof(HistoryPart) + rest.snapshots.size() * kNode;
+  for (const auto& [id, line] : rest.lines)
+    bytes += sizeof(SerialLine) + kNode + line.outbox().size() + line.held_bytes();
+  return bytes;
+}
+
+std::shared_ptr<HistoryPart> joined(const HistoryPart& first, const HistoryPart& second) {
+  auto both = std::make_shared<HistoryPart>(first);
+  both->moved += second.moved;
+  second.inputs.for_each([&](const recording::Entry& entry) {
+    both->inputs.add(entry);
+    return true;
+  });
+  return both;
+}
+
+std::shared_ptr<HistoryPart> cut(const HistoryPart& part, const ReplayTime& end) {
+  auto rest = std::make_shared<HistoryPart>(part);
+  rest->inputs = {};
+  part.inputs.for_each([&](const recording::Entry& entry) {
+    const bool is_kept = ReplayTime{entry.epoch, entry.tick} <= end;
+    if (is_kept) rest->inputs.add(entry);
+    return is_kept;
+  });
+  return rest;
+}
+
+}  // namespace
+
+Cell::Checkpoint KeptCheckpoint::whole() const {
+  Cell::Checkpoint all = rest;
+  all.state.blocks = *blocks;
+  all.state.tip_path = *path;
+  return all;
+}
+
+History::History(Cell& cell, Tick longest, monitor::ByteBudget& budget)
+    : cell_(cell),
+      longest_(longest),
+      budget_(budget),
+      recorder_([this](recording::Entry entry) { add(std::move(entry)); },
+                Recorder::Contents::kInputs) {
+  assert(longest > 0 && cell.device() == nullptr);
+  cell_.add_log(*this);
+}
+
+History::~History() {
+  cell_.remove_log(*this);
+  budget_.release(*this);
+}
+
+// --- What it covers.
+
+std::vector<EpochSpan> History::epochs() const {
+  std::vector<EpochSpan> all(epochs_.begin(), epochs_.end());
+  if (!all.empty()) all.back().to = cell_.state().tick;
+  return all;
+}
+
+bool History::covers(const ReplayTime& time) const {
+  const std::vector<EpochSpan> all = epochs();
+  return std::any_of(all.begin(), all.end(), [&time](const EpochSpan& span) {
+    return span.epoch == time.epoch && span.from <= time.tick && time.tick <= span.to;
+  });
+}
+
+// The last part still grows, so it is copied.
+HistoryPartPtr History::part_before(const ReplayTime& time) const {
+  if (!covers(time)) return nullptr;
+  const auto after = std::upper_bound(
+      parts_.begin(), parts_.end(), time,
+      [](const ReplayTime& wanted, const Part& part) { return wanted < part->from(); });
+  assert(after != parts_.begin());
+  const Part& part = *std::prev(after);
+  return part == parts_.back() ? std::make_shared<const HistoryPart>(*part) : part;
+}
+
+// --- Inputs.
+
+void History::begin(const Cell& cell, const Input& input) {
+  before_ = now();
+  note_motion();
+  if (is_checkpoint_due() && !is_of_probe(input) && !recorder_.is_behind()) begin_part();
+  recorder_.begin(cell, input);
+}
+
+void History::end(const Cell& cell, const Input& input, const Applied& applied) {
+  const auto* rewind = std::get_if<Rewind>(&input);
+  if (rewind == nullptr) recorder_.end(cell, input, applied);
+  note_epoch(before_);
+  if (rewind != nullptr) go_back(rewind->from);
+  if (back_at_ && !cell.is_in_past()) drop_future();
+  note_motion();
+  settle();
+}
+
+void History::sent(const Cell& cell, const BytesOut& out) { recorder_.sent(cell, out); }
+
+void History::output(const Cell& cell, LineId line, std::string_view bytes) {
+  recorder_.output(cell, line, bytes);
+}
+
+void History::after_advance(const Cell& cell, bool is_behind) {
+  recorder_.after_advance(cell, is_behind);
+}
+
+void History::expired(const Cell& cell) { recorder_.expired(cell); }
+
+void History::add(recording::Entry entry) {
+  if (parts_.empty()) return;  // only the probe has acted
+  InputTape& inputs = parts_.back()->inputs;
+  used_ -= inputs.bytes();
+  inputs.add(std::move(entry));
+  used_ += inputs.bytes();
+}
+
+/// Counts the time since the last input in which something may have moved.
+void History::note_motion() {
+  const bool is_at_rest = cell_.is_at_rest();
+  const bool is_same_epoch = last_.epoch == cell_.epoch();
+  if (!parts_.empty() && is_same_epoch && !(was_at_rest_ && is_at_rest))
+    parts_.back()->moved += cell_.state().tick - last_.tick;
+  was_at_rest_ = is_at_rest;
+  last_ = now();
+}
+
+// --- Parts and epochs.
+
+bool History::is_checkpoint_due() const {
+  if (parts_.empty()) return true;
+  const HistoryPart& part = *parts_.back();
+  return part.from().epoch != cell_.epoch() || part.moved >= kMovedTicks ||
+         part.inputs.size() >= kInputs || part.inputs.bytes() >= kInputBytes;
+}
+
+void History::begin_part() {
+  auto part = std::make_shared<HistoryPart>();
+  part->start = keep(cell_.checkpoint(), parts_.empty() ? nullptr : &parts_.back()->start);
+  part->fixed_bytes = fixed_bytes_of(part->start.rest);
+  if (epochs_.empty()) epochs_.push_back({cell_.epoch(), cell_.state().tick, 0});
+  parts_.push_back(std::move(part));
+  recount();
+  drop_old();
+}
+
+/// If an input has begun an epoch, the one before ended at `before`.
+void History::note_epoch(const ReplayTime& before) {
+  if (epochs_.empty() || before.epoch == cell_.epoch()) return;
+  epochs_.back().to = before.tick;
+  epochs_.push_back({cell_.epoch(), cell_.state().tick, 0});
+}
+
+// --- Rewind. An epoch of the past is left without a trace if the cell is taken elsewhere from it.
+
+void History::go_back(const ReplayTime& from) {
+  ReplayTime target = from;
+  if (back_at_ && epochs_.size() > 1) {
+    const Epoch left = epochs_[epochs_.size() - 2].epoch;
+    if (from.epoch == left) target = *back_at_;
+    epochs_.erase(std::prev(epochs_.end(), 2));
+    std::erase_if(parts_, [left](const Part& part) { return part->from().epoch == left; });
+  }
+  back_at_ = target;
+  begin_part();
+}
+
+void History::drop_future() {
+  const ReplayTime end = *std::exchange(back_at_, std::nullopt);
+  const Epoch current = cell_.epoch();
+  std::erase_if(parts_, [&](const Part& part) {
+    return part->from() > end && part->from().epoch != current;
+  });
+  std::erase_if(epochs_, [&](const EpochSpan& span) {
+    return span.epoch > end.epoch && span.epoch != current;
+  });
+  for (EpochSpan& span : epochs_)
+    if (span.epoch == end.epoch) span.to = end.tick;
+  const auto last = std::find_if(parts_.rbegin(), parts_.rend(),
+                                 [&](const Part& part) { return part->from() <= end; });
+  if (last != parts_.rend()) *last = cut(**last, end);
+  recount();
+}
+
+// --- Memory.
+
+/// Asks for the memory that it has come to use, or gives some back.
+void History::settle() {
+  if (used_ <= granted_) return;
+  if (budget_.grant(*this, used_ + kMoreBytes)) {
+    granted_ = used_ + kMoreBytes;
+    return;
+  }
+  while (used_ > granted_) drop_oldest();
+}
+
+void History::shrink() {
+  const std::size_t wanted = granted_ / 2;
+  while (used_ > wanted && join_densest()) {
+  }
+  while (used_ > wanted) drop_oldest();
+  granted_ = wanted;
+}
+
+/// Counts shared parts once.
+void History::recount() {
+  used_ = 0;
+  const HistoryPart* last = nullptr;
+  for (const Part& part : parts_) {
+    used_ += part->fixed_bytes + part->inputs.bytes();
+    if (last == nullptr || last->start.blocks != part->start.blocks)
+      used_ += heap_of(*part->start.blocks);
+    if (last == nullptr || last->start.path != part->start.path)
+      used_ += heap_of(*part->start.path);
+    last = part.get();
+  }
+}
+
+/// Drops what is older than the longest time.
+void History::drop_old() {
+  Tick kept = 0;
+  for (const EpochSpan& span : epochs()) kept += span.to - span.from;
+  while (parts_.size() > 1) {
+    const ReplayTime from = parts_.front()->from();
+    const ReplayTime next = parts_[1]->from();
+    const Tick end = next.epoch == from.epoch ? next.tick : epochs_.front().to;
+    kept -= end - from.tick;
+    if (kept < longest_) return;
+    drop_oldest();
+  }
+}
+
+void History::drop_oldest() {
+  if (parts_.size() <= 1) return forget();
+  parts_.pop_front();
+  const ReplayTime from = parts_.front()->from();
+  while (epochs_.front().epoch < from.epoch) epochs_.pop_front();
+  epochs_.front().from = from.tick;
+  recount();
+}
+
+/// Joins the two adjacent parts that have the fewest inputs together. Returns false if no two may
+/// be joined.
+bool History::join_densest() {
+  std::size_t best = parts_.size();
+  std::size_t fewest = kJoinedInputs + 1;
+  for (std::size_t i = 0; i + 2 < parts_.size(); ++i) {
+    const HistoryPart& first = *parts_[i];
+    const HistoryPart& second = *parts_[i + 1];
+    const std::size_t inputs = first.inputs.size() + second.inputs.size();
+    const bool is_allowed = first.from().epoch == second.from().epoch &&
+                            first.moved + second.moved <= kJoinedTicks &&
+                            first.inputs.bytes() + second.inputs.bytes() <= kInputBytes;
+    if (!is_allowed || inputs >= fewest) continue;
+    best = i;
+    fewest = inputs;
+  }
+  if (best == parts_.size()) return false;
+  parts_[best] = joined(*parts_[best], *parts_[best + 1]);
+  parts_.erase(std::next(parts_.begin(), static_cast<std::ptrdiff_t>(best) + 1));
+  recount();
+  return true;
+}
+
+void History::forget() {
+  parts_.clear();
+  epochs_.clear();
+  back_at_.reset();
+  used_ = 0;
+}
+
+}  // namespace xr3

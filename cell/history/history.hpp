@@ -1,0 +1,122 @@
+// The past of a cell, from which each of its moments can be made again: checkpoints, and the inputs
+// after each. A checkpoint is taken before an input, after some motion or many inputs, so nothing
+// wakes an idle cell, and no moment is far from a checkpoint. Blocks and paths that have not changed
+// are shared. Without I/O and wall time.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "cell/history/input_tape.hpp"
+#include "cell/recording/checkpoint.hpp"
+#include "cell/recording/recorder.hpp"
+#include "cell/recording/replay_time.hpp"
+#include "protocol/monitor/byte_budget.hpp"
+
+namespace xr3 {
+
+/// A checkpoint whose large parts are shared with others.
+struct KeptCheckpoint {
+  Cell::Checkpoint rest;  ///< without the following parts
+  std::shared_ptr<const std::vector<Block>> blocks;
+  std::shared_ptr<const TipPath> path;
+
+  Cell::Checkpoint whole() const;
+};
+
+/// A part of a history: what the cell was, and its inputs up to the next part.
+struct HistoryPart {
+  KeptCheckpoint start;
+  InputTape inputs;
+  Tick moved = 0;               ///< time in which something may have moved
+  std::size_t fixed_bytes = 0;  ///< an estimate of the memory of `start`, without shared parts
+
+  ReplayTime from() const { return {start.rest.epoch, start.rest.state.tick}; }
+};
+using HistoryPartPtr = std::shared_ptr<const HistoryPart>;
+
+/// The times of one epoch that a history covers, both included.
+struct EpochSpan {
+  Epoch epoch = 0;
+  Tick from = 0;
+  Tick to = 0;
+};
+
+class History final : private InputLog, private monitor::ByteBudget::Member {
+ public:
+  /// A checkpoint is taken after so much motion, so many inputs or bytes of inputs.
+  static constexpr Tick kMovedTicks = 10 * kTickHz;
+  static constexpr std::size_t kInputs = 4096;
+  static constexpr std::size_t kInputBytes = std::size_t{512} * 1024;
+  /// When memory is short, parts are joined up to these limits; then the oldest are dropped.
+  static constexpr Tick kJoinedTicks = 4 * kMovedTicks;
+  static constexpr std::size_t kJoinedInputs = 2 * kInputs;
+
+  /// Keeps the past `longest` ticks of the cell from now on, within a budget that all histories
+  /// share. Preconditions: longest > 0, and the cell has no device. Cell and budget must outlive the
+  /// history.
+  History(Cell& cell, Tick longest, monitor::ByteBudget& budget);
+  History(const History&) = delete;
+  History& operator=(const History&) = delete;
+  ~History() override;
+
+  /// The times that can be made again, the oldest epoch first; empty before the first input.
+  /// While the cell is in the past, the future that it may still return to is among them.
+  std::vector<EpochSpan> epochs() const;
+  bool covers(const ReplayTime& time) const;
+  /// The part from which a time can be made again: see past.hpp. It can be used by another thread.
+  /// nullptr: the history does not cover that time.
+  HistoryPartPtr part_before(const ReplayTime& time) const;
+
+  /// An estimate of its memory.
+  std::size_t used_bytes() const { return used_; }
+  /// The number of its parts.
+  std::size_t parts() const { return parts_.size(); }
+
+ private:
+  using Part = std::shared_ptr<HistoryPart>;
+
+  void begin(const Cell& cell, const Input& input) override;
+  void end(const Cell& cell, const Input& input, const Applied& applied) override;
+  void sent(const Cell& cell, const BytesOut& out) override;
+  void output(const Cell& cell, LineId line, std::string_view bytes) override;
+  void after_advance(const Cell& cell, bool is_behind) override;
+  void expired(const Cell& cell) override;
+
+  std::size_t bytes() const override { return granted_; }
+  void shrink() override;
+
+  ReplayTime now() const { return {cell_.epoch(), cell_.state().tick}; }
+  void add(recording::Entry entry);
+  bool is_checkpoint_due() const;
+  void begin_part();
+  void note_motion();
+  void note_epoch(const ReplayTime& before);
+  void go_back(const ReplayTime& from);
+  void drop_future();
+  void settle();
+  void recount();
+  void drop_old();
+  void drop_oldest();
+  bool join_densest();
+  void forget();
+
+  Cell& cell_;
+  Tick longest_;
+  monitor::ByteBudget& budget_;
+  Recorder recorder_;
+  std::deque<Part> parts_;
+  std::deque<EpochSpan> epochs_;  ///< the last one goes on: its `to` is not valid
+  ReplayTime last_;               ///< the end of the last input
+  ReplayTime before_;             ///< the begin of the input that acts
+  bool was_at_rest_ = true;
+  std::optional<ReplayTime> back_at_;  ///< the cell is in the past, at this time of the history
+  std::size_t used_ = 0;
+  std::size_t granted_ = 0;
+};
+
+}  // namespace xr3

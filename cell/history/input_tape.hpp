@@ -1,0 +1,41 @@
+// The inputs of a part of a cell's history, in little memory: an ordinary poll of a line takes some
+// ten bytes.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "protocol/recording/entry.hpp"
+
+namespace xr3 {
+
+class InputTape {
+ public:
+  /// Replies and digests of an entry are not kept. Precondition: its time is not before that of the
+  /// entry added last.
+  void add(recording::Entry entry);
+
+  /// Calls `use` for each entry, in order, until it returns false.
+  void for_each(const std::function<bool(const recording::Entry&)>& use) const;
+
+  /// The number of entries.
+  std::size_t size() const { return size_; }
+  /// An estimate of its memory.
+  std::size_t bytes() const { return bytes_.capacity() + other_bytes_; }
+
+ private:
+  struct Reader;
+  bool is_short(const recording::Entry& entry) const;
+  void put(std::uint64_t number);
+
+  std::string bytes_;                     ///< inputs of lines, and marks for the others
+  std::vector<recording::Entry> others_;  ///< in order
+  std::size_t other_bytes_ = 0;
+  std::size_t size_ = 0;
+  Epoch epoch_ = 0;  ///< of the entries in bytes_
+  Tick tick_ = 0;    ///< of the last one there
+};
+
+}  // namespace xr3

@@ -1,0 +1,23 @@
+#include "cell/history/past.hpp"
+
+#include "cell/recording/replayer.hpp"
+
+namespace xr3 {
+
+Past make_past(const recording::Header& header, const HistoryPart& part, const ReplayTime& time) {
+  Past past;
+  past.cell =
+      std::make_unique<Cell>(header.cell, header.model, replay_clock(header), CellEventSink{});
+  prepare_replay(*past.cell, header);
+  past.cell->restore(part.start.whole());
+  Replayer replayer(*past.cell, Compared::kNothing);
+  replayer.stop_at(time);
+  part.inputs.for_each([&](const recording::Entry& entry) {
+    past.difference = replayer.apply(entry);
+    return !past.difference && !replayer.is_stopped();
+  });
+  replayer.run_to_stop();
+  return past;
+}
+
+}  // namespace xr3

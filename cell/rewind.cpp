@@ -1,0 +1,38 @@
+// A cell that was taken back to its past: it shows that state, and waits for the call `resume`.
+#include "cell/rewind.hpp"
+
+#include <cassert>
+
+#include "cell/cell.hpp"
+
+namespace xr3 {
+
+call::Refused in_the_past() {
+  return {"in_the_past", "the robot was taken back to its past, and waits",
+          "call resume to go on from here, which drops what came after, or seek another time"};
+}
+
+bool Cell::leaves_past_alone(const call::Call& call) {
+  return std::holds_alternative<call::Resume>(call) ||
+         std::holds_alternative<call::SaveSnapshot>(call);
+}
+
+Applied Cell::handle(const Rewind& rewind, WallNs now) {
+  assert(!device_);
+  carry_out(call::Pause{}, now);
+  begin_epoch("seek", now, [&] {
+    simulation_.restore(rewind.past->model, rewind.past->state);
+    for (auto& [id, line] : lines_) line.reset();
+  });
+  is_in_past_ = true;
+  return {};
+}
+
+/// Bytes of the lines are read again.
+void Cell::end_past() {
+  if (!is_in_past_) return;
+  is_in_past_ = false;
+  for (const auto& [id, line] : lines_) woken_.push_back(id);
+}
+
+}  // namespace xr3

@@ -1,0 +1,193 @@
+#include "cell/history/history.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/models.hpp"
+
+namespace xr3 {
+namespace {
+
+constexpr WallNs kHistoryMs = 1'000'000;
+constexpr std::size_t kAmple = std::size_t{64} << 20U;
+
+/// A cell with a history and a line.
+struct Kept {
+  explicit Kept(Tick longest = 3'600'000, std::size_t budget_bytes = kAmple)
+      : budget(budget_bytes),
+        cell("main", test::rhino(), SimClock::real({}, 0), {}),
+        history(cell, longest, budget) {
+    cell.apply(LineOpened{"test"}, 0);
+  }
+  /// Sends bytes at a millisecond.
+  void send(int ms, std::string_view bytes) {
+    cell.apply(BytesIn{1, bytes}, ms * kHistoryMs);
+    cell.apply(BytesOut{1, cell.find_line(1)->outbox().size()}, ms * kHistoryMs);
+  }
+  void call(int ms, call::Call call) { cell.apply(Input{std::move(call)}, ms * kHistoryMs); }
+  /// Takes the cell back to a time of which only the tick matters here.
+  void rewind(int ms, const ReplayTime& time) {
+    State state = cell.state();
+    state.tick = time.tick;
+    auto past = std::make_shared<const MachineSnapshot>(MachineSnapshot{cell.model_ptr(), state});
+    cell.apply(Rewind{past, time}, ms * kHistoryMs);
+  }
+  /// The epochs as `epoch:from-to`.
+  std::string spans() const {
+    std::string text;
+    for (const EpochSpan& span : history.epochs())
+      text += (text.empty() ? "" : " ") + std::to_string(span.epoch) + ":" +
+              std::to_string(span.from) + "-" + std::to_string(span.to);
+    return text;
+  }
+
+  monitor::ByteBudget budget;
+  Cell cell;
+  History history;
+};
+
+TEST(History, BeginsWithTheFirstInput) {
+  monitor::ByteBudget budget(kAmple);
+  Cell cell("main", test::rhino(), SimClock::real({}, 0), {});
+  const History history(cell, 1000, budget);
+  cell.apply(LineOpened{"probe", LineKind::kTcp, true}, 0);
+  cell.apply(BytesIn{kProbeLine, "E?"}, 0);
+  cell.catch_up(500 * kHistoryMs);
+  EXPECT_TRUE(history.epochs().empty());
+  EXPECT_EQ(budget.used_bytes(), 0U);
+  EXPECT_EQ(history.part_before({0, 0}), nullptr);
+  cell.apply(LineOpened{"test"}, 700 * kHistoryMs);
+  cell.catch_up(900 * kHistoryMs);
+  EXPECT_FALSE(history.covers({0, 699}));
+  EXPECT_TRUE(history.covers({0, 700}));
+  EXPECT_TRUE(history.covers({0, 900}));
+  EXPECT_FALSE(history.covers({0, 901}));
+  EXPECT_FALSE(history.covers({1, 800}));
+}
+
+TEST(History, ACheckpointComesAfterMotionOrManyInputs) {
+  Kept kept;
+  for (int ms = 1; ms < 60'000; ms += 100) kept.send(ms, "E?");
+  EXPECT_EQ(kept.history.parts(), 1U) << "nothing moves";
+  for (int ms = 60'000; ms < 120'000; ms += 1000)
+    kept.send(ms, ms % 2000 == 0 ? "E+99\r" : "E-99\r");
+  EXPECT_GE(kept.history.parts(), 5U);
+  EXPECT_LE(kept.history.parts(), 7U);
+  const std::size_t before = kept.history.parts();
+  for (int i = 0; i < 10'000; ++i) kept.send(130'000, "E?");
+  EXPECT_EQ(kept.history.parts(), before + 3) << "one for the motion, two for the inputs";
+}
+
+TEST(History, UnchangedBlocksAreShared) {
+  Kept kept;
+  for (int ms = 1; ms < 60'000; ms += 500) kept.send(ms, ms % 1000 == 1 ? "E+99\r" : "E-99\r");
+  const HistoryPartPtr first = kept.history.part_before({0, 0});
+  const HistoryPartPtr last = kept.history.part_before({0, kept.cell.state().tick});
+  ASSERT_NE(first->from(), last->from());
+  EXPECT_EQ(first->start.blocks, last->start.blocks);
+  EXPECT_EQ(first->start.path, last->start.path);
+  EXPECT_EQ(first->start.whole().state.blocks, kept.cell.state().blocks);
+}
+
+TEST(History, TheLongestTimeIsKept) {
+  Kept kept(30'000);
+  for (int ms = 1; ms <= 200'001; ms += 500) kept.send(ms, ms % 1000 == 1 ? "E+99\r" : "E-99\r");
+  const auto spans = kept.history.epochs();
+  ASSERT_EQ(spans.size(), 1U);
+  EXPECT_LE(spans[0].from, 170'001) << "all of the wanted time";
+  EXPECT_GE(spans[0].from, 150'001) << "and not much more";
+}
+
+TEST(History, EpochsFollowEachOther) {
+  Kept kept;
+  kept.send(100, "E+9\r");
+  kept.call(500, call::Reset{});
+  kept.send(800, "E+9\r");
+  kept.call(900, call::Reset{});
+  kept.cell.catch_up(1000 * kHistoryMs);
+  EXPECT_EQ(kept.spans(), "0:0-500 1:0-400 2:0-100");
+  EXPECT_EQ(kept.history.part_before({1, 399})->from(), (ReplayTime{1, 300}));
+  EXPECT_EQ(kept.history.part_before({1, 299})->from(), (ReplayTime{0, 0}));
+}
+
+TEST(History, TheFutureIsKeptUntilResume) {
+  Kept kept;
+  kept.send(100, "E+9\r");
+  kept.send(600, "E-9\r");
+  kept.rewind(1000, {0, 200});
+  EXPECT_EQ(kept.spans(), "0:0-1000 1:200-200");
+  kept.rewind(1500, {0, 900});
+  EXPECT_EQ(kept.spans(), "0:0-1000 2:900-900");
+  kept.rewind(1500, {2, 900});
+  EXPECT_EQ(kept.spans(), "0:0-1000 3:900-900") << "where it is already";
+  kept.rewind(1600, {0, 300});
+  kept.call(2000, call::Resume{});
+  kept.cell.catch_up(2100 * kHistoryMs);
+  EXPECT_EQ(kept.spans(), "0:0-300 4:300-400");
+  const HistoryPartPtr part = kept.history.part_before({0, 300});
+  std::size_t inputs = 0;
+  part->inputs.for_each([&](const recording::Entry& entry) {
+    EXPECT_LE(entry.tick, 300);
+    return ++inputs, true;
+  });
+  EXPECT_EQ(inputs, 2U) << "the line and its first bytes";
+}
+
+TEST(History, StaysInItsBudget) {
+  constexpr std::size_t kSmall = 200'000;
+  Kept kept(3'600'000'000, kSmall);
+  for (int ms = 1; ms < 900'000; ms += 20) kept.send(ms, ms % 40 == 1 ? "E+1\r" : "E-1\r?");
+  EXPECT_LE(kept.history.used_bytes(), kSmall);
+  EXPECT_LE(kept.budget.used_bytes(), kSmall);
+  EXPECT_GT(kept.history.used_bytes(), kSmall / 4);
+  const auto spans = kept.history.epochs();
+  ASSERT_EQ(spans.size(), 1U);
+  EXPECT_GT(spans[0].from, 0);
+  EXPECT_LT(spans[0].from, 890'000);
+}
+
+TEST(History, CellsShareTheBudget) {
+  constexpr std::size_t kSmall = 400'000;
+  monitor::ByteBudget budget(kSmall);
+  Cell busy("busy", test::rhino(), SimClock::real({}, 0), {});
+  Cell other("other", test::rhino(), SimClock::real({}, 0), {});
+  const History of_busy(busy, 3'600'000'000, budget);
+  const History of_other(other, 3'600'000'000, budget);
+  busy.apply(LineOpened{"test"}, 0);
+  for (int ms = 1; ms < 900'000; ms += 10)
+    busy.apply(BytesIn{1, ms % 20 == 1 ? "E+1\r" : "E-1\r"}, ms * kHistoryMs);
+  other.apply(LineOpened{"test"}, 900'000 * kHistoryMs);
+  for (int i = 0; i < 1000; ++i) other.apply(BytesIn{1, "E+1\r"}, (900'000 + i) * kHistoryMs);
+  EXPECT_TRUE(of_other.covers({0, 900'000}));
+  EXPECT_TRUE(of_busy.covers({0, busy.state().tick}));
+  EXPECT_LE(of_busy.used_bytes() + of_other.used_bytes(), kSmall);
+}
+
+/// The history of a cell that moves for a while, with the bytes that it needs.
+void move_for_a_while(Cell& cell) {
+  cell.apply(LineOpened{"test"}, 0);
+  for (int ms = 1; ms < 400'000; ms += 500)
+    cell.apply(BytesIn{1, ms % 1000 == 1 ? "E+99\r" : "E-99\r"}, ms * kHistoryMs);
+}
+
+TEST(History, IsThinnedBeforeItIsDropped) {
+  monitor::ByteBudget ample(kAmple);
+  Cell first("main", test::rhino(), SimClock::real({}, 0), {});
+  const History whole(first, 3'600'000'000, ample);
+  move_for_a_while(first);
+  ASSERT_GT(whole.parts(), 30U);
+  monitor::ByteBudget budget(ample.used_bytes());
+  Cell cell("main", test::rhino(), SimClock::real({}, 0), {});
+  const History history(cell, 3'600'000'000, budget);
+  move_for_a_while(cell);
+  ASSERT_EQ(history.parts(), whole.parts());
+  struct Other : monitor::ByteBudget::Member {
+    std::size_t bytes() const override { return 0; }
+    void shrink() override {}
+  } other;
+  ASSERT_TRUE(budget.grant(other, budget.used_bytes() / 4));
+  EXPECT_LT(history.parts(), whole.parts());
+  EXPECT_TRUE(history.covers({0, 0})) << "fewer parts, the same time";
+}
+
+}  // namespace
+}  // namespace xr3
