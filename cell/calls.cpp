@@ -83,9 +83,11 @@ call::Outcome Cell::carry_out(const call::Pause&, WallNs now) {
 }
 
 call::Outcome Cell::carry_out(const call::Resume&, WallNs now) {
+  const bool was_in_past = is_in_past_;
+  end_past();
+  if (was_in_past && was_manual_) return call::Done{};
   const bool is_new = clock_.mode() != clock_.running_mode();
   clock_.resume(now);
-  end_past();
   if (is_new) emit(std::nullopt, ClockNote{"resume", clock_.mode(), clock_.rate()});
   return call::Done{};
 }

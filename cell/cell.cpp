@@ -103,7 +103,8 @@ Snapshot Cell::snapshot() const {
   if (device_)
     device = {device_->path(), device_->is_open(), device_->is_engaged(), device_->bytes_out(),
               device_->bytes_in()};
-  return {epoch_, clock_.mode(), clock_.rate(), model_rev_, state(), std::move(device)};
+  return {epoch_,  clock_.mode(),     clock_.rate(), model_rev_,
+          state(), std::move(device), is_in_past_};
 }
 
 const SerialLine* Cell::find_line(LineId line) const {
@@ -299,6 +300,13 @@ Applied Cell::handle(const call::Call& call, WallNs now) {
 
 void Cell::emit(std::optional<LineId> line, CellNote note) {
   emit_at(state().tick, line, std::move(note));
+}
+
+std::vector<CellEvent> Cell::latest_events() const {
+  std::vector<CellEvent> latest;
+  for (std::int64_t seq = events_.first(); seq < events_.next(); ++seq)
+    latest.push_back(events_.value_at(seq));
+  return latest;
 }
 
 void Cell::emit_at(Tick tick, std::optional<LineId> line, CellNote note) {

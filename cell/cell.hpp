@@ -137,7 +137,7 @@ class Cell final : private LineListener {
   const FaultPlan& initial_faults() const { return initial_faults_; }
 
   /// The cell was taken back: time stands, lines are not read, and calls that change the cell are
-  /// refused with `in_the_past`, until the call `resume`.
+  /// refused with `in_the_past`, until the call `resume`. The clock is then as it was before.
   bool is_in_past() const { return is_in_past_; }
   /// Whether the bytes of an open line wait: for another line, or because the cell is in the past.
   bool is_unread(LineId line) const {
@@ -167,6 +167,8 @@ class Cell final : private LineListener {
   /// The latest events, and the latest bytes of the lines with their interpretation.
   monitor::Feed& events() { return events_; }
   monitor::Feed& wires() { return wires_; }
+  /// Copies of the latest events, the oldest first.
+  std::vector<CellEvent> latest_events() const;
   static constexpr std::size_t kMaxEvents = 4096;
   static constexpr std::size_t kMaxWires = 1024;
   /// Estimates of the memory of an event and a record outside of their slots, with their text.
@@ -337,6 +339,7 @@ class Cell final : private LineListener {
   std::uint64_t acts_ = 0;
   bool is_replayed_ = false;
   bool is_in_past_ = false;
+  bool was_manual_ = false;  ///< the clock, before the cell was taken back
   bool is_frozen_ = false;
 };
 

@@ -19,6 +19,7 @@ bool Cell::leaves_past_alone(const call::Call& call) {
 
 Applied Cell::handle(const Rewind& rewind, WallNs now) {
   assert(!device_);
+  if (!is_in_past_) was_manual_ = clock_.mode() == ClockMode::kManual;
   carry_out(call::Pause{}, now);
   begin_epoch("seek", now, [&] {
     simulation_.restore(rewind.past->model, rewind.past->state);

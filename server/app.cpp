@@ -20,6 +20,8 @@ constexpr std::chrono::milliseconds kAbortLimit{200};
 constexpr std::size_t kReserveBytes = std::size_t{256} * 1024;
 // The part of the memory that the rings of all cells may have together: an eighth.
 constexpr std::size_t kRingsPart = 8;
+// The memory that the histories of all cells may have together: 64 MiB, or an eighth.
+constexpr std::size_t kHistoryBytes = std::size_t{64} * 1024 * 1024;
 // The file of a cell in the folder of recordings.
 constexpr const char* kRecordingEnd = ".xr3rec";
 constexpr std::size_t kAddressesOfPort = 2;  // 127.0.0.1 and ::1
@@ -94,15 +96,20 @@ App::App(const ServeOptions& options, std::vector<CellSeed> seeds, std::string t
       limits_(socket_limits(options, plans_.size())),
       memory_(io_, options.max_memory_mib << 20, [this] { return close_greediest(); }),
       rings_((options.max_memory_mib << 20) / kRingsPart),
-      context_{io_, turns_, worker_, [this](HostedCell& cell) { acted(cell); }, &rings_},
+      histories_(std::min(kHistoryBytes, (options.max_memory_mib << 20) / kRingsPart)),
+      context_{io_,     turns_,     worker_, [this](HostedCell& cell) { acted(cell); },
+               &rings_, &histories_},
       monitor_port_(
           io_, cells_, worker_, policy_, [this] { return not_ready(); }, [this] { ended(); },
           limits_),
+      branch_cells_(io_, linger_of(options_), [this](const CellPtr& cell) { close_cell(cell); }),
       service_manager_(io_, service_environment(), [this] { return robot_probe_->failure(); }),
       signals_(io_, SIGINT, SIGTERM) {
   turns_.limit_memory(memory_);
   monitor_port_.limit_memory(memory_);
   monitor_port_.service().count_more([this](CellCounters& counters) { count_more(counters); });
+  monitor_port_.service().branch_by(
+      [this](HostedCell& of, MachineSnapshotPtr past) { return open_branch(of, std::move(past)); });
   check_byte_clock();
   options_.is_cell_per_connection ? serve_connections() : open_planned();
   robot_probe_.emplace(io_, first_port());
@@ -125,6 +132,7 @@ ExitCode App::run() {
   open_terminals();
   connect_device();
   start_recordings();
+  keep_histories();
   open_device();
   await_signal();
   announce();
@@ -271,6 +279,7 @@ void App::stop() {
   service_manager_.stopping();
   port_file_.reset();
   const WallNs deadline = wall_now() + kDrainLimit;
+  branch_cells_.stop();
   if (connection_cells_) connection_cells_->close();
   if (probe_cell_) probe_cell_->close();
   for (const CellPtr& each : cells_.all()) each->close(deadline - kDrainLimit / 2);

@@ -5,8 +5,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "server/cells/branch_cells.hpp"
 #include "server/cells/connection_cells.hpp"
 #include "server/cells/registry.hpp"
 #include "server/files/port_file.hpp"
@@ -37,6 +39,9 @@ class ListenError : public std::runtime_error {
  private:
   ExitCode code_;
 };
+
+/// How long cells of connections, and branches, are kept without use.
+WallNs linger_of(const ServeOptions& options);
 
 class App {
  public:
@@ -80,6 +85,10 @@ class App {
   void start_recordings();
   void record(HostedCell& cell);
   void record_connection(HostedCell& cell);
+  void keep_histories();
+  void keep_history(HostedCell& cell);
+  std::variant<CellPtr, call::Refused> open_branch(HostedCell& of, MachineSnapshotPtr past);
+  CellPtr make_branch(const std::string& name, HostedCell& of, const MachineSnapshotPtr& past);
   void open_device();
   void announce();
   void announce_token(std::uint16_t monitor_port) const;
@@ -120,6 +129,7 @@ class App {
   SocketLimits limits_;
   MemoryLimit memory_;
   monitor::ByteBudget rings_;
+  monitor::ByteBudget histories_;
   LineTurns turns_{io_};
   Worker worker_;
   CellContext context_;
@@ -129,6 +139,7 @@ class App {
   std::optional<ConnectionCells> connection_cells_;
   std::optional<RobotProbe> robot_probe_;
   MonitorPort monitor_port_;
+  BranchCells branch_cells_;
   ServiceManager service_manager_;
   asio::signal_set signals_;
   std::optional<PortFile> port_file_;

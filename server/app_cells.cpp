@@ -38,16 +38,22 @@ void start_time(const ServeOptions& options, Cell& cell) {
   }
 }
 
-WallNs linger_of(const ServeOptions& options) {
-  return static_cast<WallNs>(options.linger_s * kNsPerSecond);
-}
-
 /// The token of one cell; empty unless reading needs a token and there are several cells.
 std::string cell_token(const ServeOptions& options) {
   return options.is_private && has_many_cells(options) ? read_token(FreshToken{}) : "";
 }
 
+call::Refused too_many_cells(std::size_t most) {
+  return {"limit", "there are " + std::to_string(most) + " cells already",
+          "raise --max-cells, or close a cell: a branch goes some time after its last line and "
+          "subscriber (--linger)"};
+}
+
 }  // namespace
+
+WallNs linger_of(const ServeOptions& options) {
+  return static_cast<WallNs>(options.linger_s * kNsPerSecond);
+}
 
 RobotPort& App::first_port() const { return *(probe_cell_ ? *probe_cell_ : first()).port(); }
 
@@ -114,6 +120,7 @@ CellPtr App::open_for_connection(const std::string& name) {
   CellPtr cell = make_cell(name, seeds_.front(), cell_token(options_));
   cells_.add(cell);
   record_connection(*cell);
+  keep_history(*cell);
   cell->cell().report_opened();
   cell->acted();
   return cell;
@@ -127,6 +134,50 @@ void App::record_connection(HostedCell& cell) {
   } catch (const FileError& error) {
     spdlog::error("{}", error.what());
   }
+}
+
+// --- The past.
+
+void App::keep_histories() {
+  for (const CellPtr& each : cells_.all()) keep_history(*each);
+}
+
+void App::keep_history(HostedCell& cell) {
+  if (options_.history_ticks > 0 && cell.cell().device() == nullptr)
+    cell.keep_history(options_.history_ticks);
+}
+
+std::variant<CellPtr, call::Refused> App::open_branch(HostedCell& of, MachineSnapshotPtr past) {
+  if (cells_.size() >= options_.max_cells) return too_many_cells(cells_.size());
+  std::string name = branch_cells_.next_name();
+  while (cells_.find(name)) name = branch_cells_.next_name();
+  const CellPtr cell = make_branch(name, of, past);
+  try {
+    listen_on_cell(*cell, 0);
+  } catch (const ListenError& error) {
+    cell->retire();
+    asio::post(io_, [cell] {});
+    return call::Refused{"limit", error.what(), "close another cell or connection"};
+  }
+  cells_.note_dynamic();
+  cells_.add(cell);
+  branch_cells_.add(cell);
+  cell->cell().report_opened();
+  cell->acted();
+  return cell;
+}
+
+// It goes on at once. Its recording, if any, begins with the state from the past.
+CellPtr App::make_branch(const std::string& name, HostedCell& of, const MachineSnapshotPtr& past) {
+  const FaultPlan& faults = of.cell().initial_faults();
+  const CellSeed seed{past->model, faults.faults.empty() ? std::nullopt : std::optional(faults)};
+  CellPtr cell = make_cell(name, seed, cell_token(options_));
+  cell->add_port(port_rules());
+  if (has_many_cells(options_)) record_connection(*cell);
+  keep_history(*cell);
+  cell->cell().apply(Rewind{past, {}}, wall_now());
+  cell->cell().apply(Input{call::Call{call::Resume{}}}, wall_now());
+  return cell;
 }
 
 // Handlers that wait in the event loop may refer to the cell, so it is released after them.

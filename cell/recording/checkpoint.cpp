@@ -20,7 +20,8 @@ Cell::Checkpoint Cell::checkpoint() const {
           last_line_,
           snapshots_,
           acts_,
-          is_in_past_};
+          is_in_past_,
+          was_manual_};
 }
 
 // The revision goes on, so that nobody takes the old state for the new one.
@@ -43,6 +44,7 @@ void Cell::restore(const Checkpoint& from) {
   snapshots_ = from.snapshots;
   acts_ = from.acts;
   is_in_past_ = from.is_in_past;
+  was_manual_ = from.was_manual;
   woken_.clear();
   warnings_ = {};
   is_replayed_ = true;

@@ -26,6 +26,7 @@ struct Cell::Checkpoint {
   std::map<std::string, MachineSnapshotPtr> snapshots;
   std::uint64_t acts = 0;
   bool is_in_past = false;
+  bool was_manual = false;
 };
 
 }  // namespace xr3

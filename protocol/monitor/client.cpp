@@ -97,7 +97,19 @@ FrameSubscription& Client::follow_frames(const std::string& cell, const Subscrib
   const auto entry =
       followed_.emplace(where, FrameSubscription(cell, wanted, stats_of(wanted.selection.channel)))
           .first;
-  return std::get<FrameSubscription>(entry->second);
+  auto& frames = std::get<FrameSubscription>(entry->second);
+  if (holds_frames(cell)) frames.hold();
+  return frames;
+}
+
+void Client::hold_frames(const std::string& cell) {
+  held_.insert(cell);
+  for_each_frame_subscription(cell, [](FrameSubscription& frames) { frames.hold(); });
+}
+
+void Client::release_frames(const std::string& cell) {
+  if (held_.erase(cell) == 0) return;
+  for_each_frame_subscription(cell, [](FrameSubscription& frames) { frames.release(); });
 }
 
 void Client::follow_feed(const std::string& cell, const Subscribe& wanted,
@@ -115,6 +127,7 @@ void Client::unfollow(const std::string& cell, Channel channel) {
 }
 
 void Client::finish(const std::string& cell) {
+  held_.erase(cell);
   for (std::size_t i = 0; i < kChannels; ++i) {
     const auto channel = static_cast<Channel>(i);
     const auto found = followed_.find({cell, channel});

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -67,6 +68,13 @@ class Client {
   /// The cell closes: ends all subscriptions to it. Of each channel without loss, the messages that
   /// are not sent yet go to the reply queue: all if they are few, else a `lag` and the last one.
   void finish(const std::string& cell);
+  /// From now on, no frame of the cell is sent, also of later subscriptions: the client looks at the
+  /// past. Messages of channels without loss go on.
+  void hold_frames(const std::string& cell);
+  /// Ends hold_frames().
+  void release_frames(const std::string& cell);
+  bool holds_frames(const std::string& cell) const { return held_.contains(cell); }
+
   bool follows_anything() const { return !followed_.empty() || overview_; }
   /// The number of subscriptions to channels of cells.
   std::size_t subscriptions() const { return followed_.size(); }
@@ -128,6 +136,7 @@ class Client {
   std::size_t reply_queue_bytes_ = 0;
   std::array<ChannelStats, kChannels> channel_stats_{};
   std::map<Where, Followed> followed_;
+  std::set<std::string> held_;  ///< cells
   std::optional<OverviewSubscription> overview_;
   const Where* last_turn_ = nullptr;  ///< the key of the channel that was served last
   std::optional<CloseReason> close_reason_;

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "protocol/monitor/message.hpp"
 #include "protocol/monitor/byte_budget.hpp"
+#include "protocol/monitor/message.hpp"
 
 namespace xr3::monitor {
 
@@ -63,6 +63,10 @@ class Ring final : public Feed, private ByteBudget::Member {
     Slot& slot = slot_of(seq);
     if (!slot.text) slot.text = to_message_(slot.value, seq);
     return slot.text;
+  }
+  /// The value of a message. Requires first() <= seq < next().
+  const Value& value_at(std::int64_t seq) const {
+    return slots_[static_cast<std::size_t>(seq) % slots_.size()].value;
   }
   /// The number of messages for which there is memory now.
   std::size_t capacity() const { return slots_.size(); }

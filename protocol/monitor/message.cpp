@@ -89,6 +89,13 @@ ByeText text_of_reason(CloseReason why) {
   return {"internal", ""};
 }
 
+/// The same message with more members behind `op`.
+Message with_members(const Message& message, const std::string& members) {
+  std::string text = *message;
+  text.insert(text.find(','), members);
+  return std::make_shared<const std::string>(std::move(text));
+}
+
 }  // namespace
 
 std::string text_of(const Json& json) {
@@ -135,10 +142,11 @@ Message channel_message(Channel channel, const ChannelHead& head, std::string_vi
 
 Message with_id(const Message& message, const RequestId& id) {
   if (std::holds_alternative<std::monostate>(id)) return message;
-  const std::size_t behind_op = message->find(',');
-  std::string text = message->substr(0, behind_op);
-  text.append(R"(,"id":)").append(text_of(id_json(id))).append(*message, behind_op);
-  return std::make_shared<const std::string>(std::move(text));
+  return with_members(message, R"(,"id":)" + text_of(id_json(id)));
+}
+
+Message as_past(const Message& message, const RequestId& id) {
+  return with_id(with_members(message, R"(,"past":true)"), id);
 }
 
 Message with_fields(const Message& message, const Fields& fields) {

@@ -70,6 +70,9 @@ Message channel_message(Channel channel, const ChannelHead& head, std::string_vi
 /// The same message as the reply to a `get`: with the id, if there is one.
 Message with_id(const Message& message, const RequestId& id);
 
+/// The same as a reply that shows the past: with `"past":true`, too.
+Message as_past(const Message& message, const RequestId& id);
+
 /// The same message with only the selected members and those that are always included.
 Message with_fields(const Message& message, const Fields& fields);
 

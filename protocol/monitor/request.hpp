@@ -91,6 +91,26 @@ struct DisconnectLine {
   std::uint32_t line = 0;
 };
 struct ReadTranscript {};
+struct ReadHistory {};
+/// A time of the cell's history.
+struct PastTime {
+  std::optional<std::int64_t> epoch;  ///< nullopt: the current one
+  Tick tick = 0;
+};
+/// Shows the past to this client, which gets no frames of the present until Live.
+struct Look {
+  PastTime at;
+  std::vector<Selection> selections;  ///< of latest-wins channels
+};
+struct Live {};
+/// Takes the cell back.
+struct Seek {
+  PastTime at;
+};
+/// Opens a new cell that begins with that time.
+struct Branch {
+  PastTime at;
+};
 /// The description of a call and its args; nullopt: of all calls.
 struct Describe {
   std::optional<std::string> fn;
@@ -99,7 +119,7 @@ struct Describe {
 struct CallRequest {
   std::string fn;
   std::variant<call::Call, Send, ListLines, ListCells, ListFaults, DisconnectLine, ReadTranscript,
-               Describe>
+               ReadHistory, Look, Live, Seek, Branch, Describe>
       call;
   std::optional<After> after;  ///< step and run_until only
   Fields fields;               ///< step and run_until only: members of the state in the result

@@ -175,7 +175,12 @@ struct StateMember {
   Json (*value)(const StateView&);
 };
 constexpr std::array<StateMember, 11> kMembers = {{
-    {"clock", [](const StateView& v) { return clock_json(v.snapshot.mode, v.snapshot.rate); }},
+    {"clock",
+     [](const StateView& v) {
+       Json clock = clock_json(v.snapshot.mode, v.snapshot.rate);
+       if (v.snapshot.is_in_past) clock["past"] = true;
+       return clock;
+     }},
     {"joints", joints_json},
     {"tool", tool_json},
     {"blocks", blocks_json},

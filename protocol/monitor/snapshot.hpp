@@ -34,6 +34,7 @@ struct Snapshot {
   int model_rev = 1;  ///< counts the changes of the workcell since the start
   State state;
   std::optional<DeviceStatus> device;
+  bool is_in_past = false;  ///< the cell was taken back, and waits
   bool operator==(const Snapshot&) const = default;
 };
 

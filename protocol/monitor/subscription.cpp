@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <utility>
 
 namespace xr3::monitor {
@@ -23,7 +24,21 @@ ContentId content_id(std::string_view content) {
 
 // --- Latest-wins channels.
 
+void FrameSubscription::hold() {
+  is_held_ = true;
+  due_ = std::numeric_limits<FrameNumber>::max();
+  waiting_ = {};
+  missed_ = {};
+}
+
+void FrameSubscription::release() {
+  is_held_ = false;
+  due_ = 0;
+  sent_ = {};
+}
+
 void FrameSubscription::offer(const Frame& frame, FrameNumber now) {
+  if (is_held_) return;
   due_ = next_slot(now, std::max(wanted_.max_millihz, kMinCheckMilliHz));
   if (wanted_.on_change && waiting_.message && frame.content == waiting_.content) return;
   const bool is_old = wanted_.on_change && frame.content == sent_;
@@ -43,6 +58,7 @@ void FrameSubscription::miss_waiting() {
 }
 
 bool FrameSubscription::is_settled(const Frame& current) const {
+  if (is_held_) return true;
   if (!wanted_.on_change || missed_.count > 0) return false;
   return current.content == (waiting_.message ? waiting_.content : sent_);
 }

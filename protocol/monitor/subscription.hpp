@@ -58,14 +58,20 @@ class FrameSubscription {
   FrameNumber due() const { return due_; }
   bool is_due(FrameNumber now) const { return now >= due_; }
 
-  /// Stores a frame in the slot, unless on_change is set and nothing has changed.
+  /// From now on, no frame is offered or sent.
+  void hold();
+  /// Ends hold(): the next frame is sent even if nothing has changed.
+  void release();
+
+  /// Stores a frame in the slot, unless on_change is set and nothing has changed, or it is held.
   void offer(const Frame& frame, FrameNumber now);
   /// The slot holds a frame.
   bool is_waiting() const { return waiting_.message != nullptr; }
   /// The bytes of the frame in the slot.
   std::size_t waiting_bytes() const { return is_waiting() ? waiting_.message->size() : 0; }
 
-  /// With on_change: the client has or will receive this content, and no `lag` is pending.
+  /// With on_change: the client has or will receive this content, and no `lag` is pending. A held
+  /// subscription is settled.
   bool is_settled(const Frame& current) const;
 
   /// The next message to send, or nullptr: first a `lag` (at most one per second), then the frame.
@@ -81,6 +87,7 @@ class FrameSubscription {
   Frame waiting_;
   ContentId sent_;  ///< content of the last frame sent
   FrameNumber due_ = 0;
+  bool is_held_ = false;
   FrameNumber last_lag_ = -kFramesPerSecond;
   Missed missed_;
   ChannelStats* tally_;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cell/cell.hpp"
+#include "cell/history/history.hpp"
 #include "server/device/port.hpp"
 #include "server/http/cell_bodies.hpp"
 #include "server/lines/due_timer.hpp"
@@ -33,8 +34,9 @@ struct CellContext {
   asio::io_context& io;
   LineTurns& turns;
   Worker& worker;
-  std::function<void(HostedCell&)> acted;  ///< called after each input of a cell
-  monitor::ByteBudget* rings = nullptr;    ///< of the rings of all cells; null: no limit
+  std::function<void(HostedCell&)> acted;    ///< called after each input of a cell
+  monitor::ByteBudget* rings = nullptr;      ///< of the rings of all cells; null: no limit
+  monitor::ByteBudget* histories = nullptr;  ///< of the histories of all cells
 };
 
 /// The parts with which a cell begins.
@@ -88,6 +90,12 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   /// The cell gets no more input.
   void finish_recording();
 
+  /// From now on, the cell's past is kept for so long. Preconditions: it has no device, and the
+  /// context has a budget.
+  void keep_history(Tick longest) { history_.emplace(cell_, longest, *context_.histories); }
+  /// nullptr: none is kept.
+  const History* history() const { return history_ ? &*history_ : nullptr; }
+
   /// An input of the cell has acted: serves its lines and subscribers.
   void acted();
 
@@ -116,6 +124,7 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   std::string token_;
   Cell cell_;
   std::optional<Recording> recording_;
+  std::optional<History> history_;
   LineSessions lines_;
   DueTimer due_timer_;
   SilenceTimer silence_timer_;

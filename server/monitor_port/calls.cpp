@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cell/digest.hpp"
+#include "cell/rewind.hpp"
 #include "protocol/explain/diagnostic.hpp"
 #include "protocol/explain/event_report.hpp"
 #include "protocol/monitor/saved_cell.hpp"
@@ -27,6 +28,15 @@ bool moves_time(const monitor::CallRequest& wanted) {
   const auto* call = std::get_if<call::Call>(&wanted.call);
   return call != nullptr && (std::holds_alternative<call::Step>(*call) ||
                              std::holds_alternative<call::RunUntil>(*call));
+}
+
+bool concerns_past(const monitor::CallRequest& wanted) {
+  const auto& call = wanted.call;
+  return std::holds_alternative<monitor::ReadHistory>(call) ||
+         std::holds_alternative<monitor::Look>(call) ||
+         std::holds_alternative<monitor::Live>(call) ||
+         std::holds_alternative<monitor::Seek>(call) ||
+         std::holds_alternative<monitor::Branch>(call);
 }
 
 bool concerns_faults(const monitor::CallRequest& wanted) {
@@ -193,6 +203,10 @@ MonitorService::Answer MonitorService::at_once(const monitor::Message& message) 
 asio::awaitable<void> MonitorService::call(CellPtr at, MonitorSession& session,
                                            monitor::Request request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
+  if (concerns_past(wanted)) {
+    co_await call_past(std::move(at), session, std::move(request));
+    co_return;
+  }
   const bool in_real_clock = at->cell().clock().mode() == ClockMode::kReal;
   if (wanted.after && !in_real_clock) {  // the real clock is refused below, without waiting
     Error error = co_await wait_for(*at, *wanted.after);
@@ -332,6 +346,10 @@ MonitorService::Answer MonitorService::send(HostedCell& at, MonitorSession& sess
   Cell& cell = at.cell();
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   const std::string& bytes = std::get<monitor::Send>(wanted.call).bytes;
+  if (cell.is_in_past()) {
+    const call::Refused no = in_the_past();
+    return at_once(refused(request.id, {{}, no.code, no.message, no.hint, {}}));
+  }
   if (const std::optional<LineId> current = cell.current_line();
       current && current != open_own_line(at, session))
     return at_once(refused(request.id, line_waits(*current)));

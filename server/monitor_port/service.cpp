@@ -133,7 +133,8 @@ MonitorService::MonitorService(asio::io_context& io, CellRegistry& cells, Worker
       policy_(policy),
       overview_(io, cells, [this] { between(); }),
       lag_(io, [this] { return cells_.has_news_to_come(); }),
-      making_long_(io) {}
+      making_long_(io),
+      making_past_(io) {}
 
 // --- Sessions.
 

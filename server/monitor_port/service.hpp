@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "cell/cell.hpp"
@@ -78,6 +79,12 @@ class MonitorService {
   /// From now on, calls that enlarge one of several cells are refused beyond a limit of memory, which
   /// must outlive the service.
   void limit_memory(MemoryLimit& limit) { memory_ = &limit; }
+  /// Opens the cells of the call `branch`: a cell that begins with this state of another one, or
+  /// the refusal.
+  using OpenBranch =
+      std::function<std::variant<CellPtr, call::Refused>(HostedCell& of, MachineSnapshotPtr past)>;
+  void branch_by(OpenBranch open) { open_branch_ = std::move(open); }
+
   /// Beyond this number a session gets no further subscription, or line of its own.
   static constexpr std::size_t kMaxSubscriptions = 256;
   static constexpr std::size_t kMaxOwnLines = 64;
@@ -120,6 +127,14 @@ class MonitorService {
   asio::awaitable<monitor::Message> make_long(Answer answer);
 
   asio::awaitable<void> call(CellPtr at, MonitorSession& session, monitor::Request request);
+  struct Moment;
+  asio::awaitable<void> call_past(CellPtr at, MonitorSession& session, monitor::Request request);
+  asio::awaitable<void> list_history(CellPtr at, MonitorSession& session, monitor::RequestId id);
+  asio::awaitable<std::optional<Moment>> make_moment(CellPtr at, MonitorSession& session,
+                                                     monitor::Request request,
+                                                     std::vector<monitor::Selection> selections);
+  void end_look(HostedCell& at, MonitorSession& session, const monitor::RequestId& id);
+  Answer open_branch(HostedCell& at, const Moment& moment, const monitor::RequestId& id);
   static asio::awaitable<Error> wait_for(HostedCell& at, monitor::After after);
   Answer carry_out_call(HostedCell& at, MonitorSession& session, monitor::Request& request);
   Answer call_cell(HostedCell& at, monitor::Request& request);
@@ -144,6 +159,8 @@ class MonitorService {
   Overview overview_;
   LoopLag lag_;
   Exclusive making_long_;  ///< an answer to a call; meanwhile calls wait
+  Exclusive making_past_;  ///< a time of a cell's past; meanwhile others who look wait
+  OpenBranch open_branch_;
 };
 
 }  // namespace xr3

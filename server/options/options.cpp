@@ -275,6 +275,23 @@ std::uint32_t parse_mode(const std::string& text) {
   throw std::invalid_argument(text + ": a mode has three octal digits, as in 0660");
 }
 
+Tick parse_duration(const std::string& text) {
+  constexpr Tick kMost = 24 * 3600;
+  Tick number = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, number);
+  const std::string_view unit(end, static_cast<std::size_t>(last - end));
+  Tick seconds = 0;
+  if (unit == "s") seconds = 1;
+  if (unit == "m") seconds = 60;
+  if (unit == "h") seconds = 3600;
+  const bool is_zero = number == 0 && unit.empty();
+  const bool is_good = error == std::errc() && number >= 0 && number <= kMost && seconds > 0 &&
+                       number * seconds <= kMost;
+  if (is_zero || is_good) return number * seconds * kTickHz;
+  throw std::invalid_argument(text + ": a time such as 90s, 10m or 1h, at most 24h, or 0");
+}
+
 ClockChoice parse_clock(const std::string& text) {
   constexpr std::string_view kBytes = "bytes:";
   if (text == "manual") return {ClockMode::kManual, Rate{}, {}};

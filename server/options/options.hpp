@@ -71,6 +71,7 @@ struct ServeOptions {
   std::string port_file;  ///< empty: none
   std::string record;     ///< the file of the recording; empty: none
   std::size_t record_max_mib = 1024;
+  Tick history_ticks = 3600 * kTickHz;  ///< how long the past is kept; 0: not at all
   std::string log_level = "info";
   std::string log_file;  ///< empty: standard error
   TokenSource token;
@@ -158,6 +159,9 @@ LineSpeed parse_line_speed(const std::string& text);
 
 /// The rights of a file, in octal: 0660. Throws std::invalid_argument.
 std::uint32_t parse_mode(const std::string& text);
+
+/// A time such as `90s`, `10m`, `1h`, or 0, in ticks, up to 24 hours. Throws std::invalid_argument.
+Tick parse_duration(const std::string& text);
 
 /// `x,y,z`, integers -9...9, not all 0. Throws std::invalid_argument, with the allowed values.
 ViewVector parse_view(const std::string& text);

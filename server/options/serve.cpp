@@ -102,8 +102,9 @@ void add_line_speed(CLI::App& serve, ServeOptions& options) {
 
 void add_recording(CLI::App& serve, ServeOptions& options) {
   serve
-      .add_option("--record", options.record,
-                  "record all inputs and replies in this new file, for xr3 replay; several cells: a folder")
+      .add_option(
+          "--record", options.record,
+          "record all inputs and replies in this new file, for xr3 replay; several cells: a folder")
       ->type_name("FILE");
   serve
       .add_option("--record-max", options.record_max_mib,
@@ -111,6 +112,17 @@ void add_recording(CLI::App& serve, ServeOptions& options) {
       ->type_name("MIB")
       ->check(whole_number_between(1, kMaxMemoryMib))
       ->capture_default_str();
+}
+
+void add_history(CLI::App& serve, ServeOptions& options) {
+  serve
+      .add_option_function<std::string>(
+          "--history",
+          [&options](const std::string& text) { options.history_ticks = parse_duration(text); },
+          "how long the past of a cell is kept, to look at it and to go back; 0: not at all "
+          "(default: 1h)")
+      ->type_name("90s|10m|1h|0")
+      ->check(parses(parse_duration, ""));
 }
 
 void add_ptys(CLI::App& serve, ServeOptions& options) {
@@ -306,6 +318,7 @@ void add_serve(CLI::App& app, ServeOptions& options) {
   add_ptys(serve, options);
   add_port_file(serve, options);
   add_recording(serve, options);
+  add_history(serve, options);
   add_log(serve, options);
   add_access(serve, options);
   add_config(serve, options.config);

@@ -79,6 +79,16 @@ TEST(Rewind, ResumeReadsTheLinesAgainWithEmptyParsers) {
   EXPECT_EQ(cell.state().tick, 500);
 }
 
+TEST(Rewind, AManualClockStaysManual) {
+  Moved moved(SimClock::manual());
+  for (int times = 0; times < 2; ++times) moved.cell.apply(Rewind{moved.then, {}}, 0);
+  EXPECT_EQ(moved.refusal(call::Resume{}), "");
+  EXPECT_FALSE(moved.cell.is_in_past());
+  EXPECT_EQ(moved.cell.clock().mode(), ClockMode::kManual);
+  EXPECT_EQ(moved.refusal(call::Resume{}), "");
+  EXPECT_EQ(moved.cell.clock().mode(), ClockMode::kReal) << "only this one is about the clock";
+}
+
 TEST(Rewind, TheByteClockGoesOnFromTheWholeTick) {
   Cell cell("main", test::rhino(), SimClock::bytes(), {});
   cell.set_byte_clock({});

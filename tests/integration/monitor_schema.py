@@ -14,7 +14,8 @@ import fastjsonschema
 ROOT = pathlib.Path(os.environ.get("XR3_ROOT", pathlib.Path(__file__).parents[2]))
 FOLDER = ROOT / "data/schema"
 ALWAYS = ["op", "cell", "epoch", "seq", "tick"]  # present for every selection of `fields`
-SOMETIMES = {("state", "device"), ("state_members", "device")}  # only with --serial
+SOMETIMES = {("state", "device"), ("state_members", "device"),  # only with --serial
+             *((op, "past") for op in ("state", "image", "display", "model"))}  # only in the answer to a look
 CHOOSABLE = "state_members"  # the state inside a result, where `fields` selects all members
 
 

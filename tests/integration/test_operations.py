@@ -53,6 +53,7 @@ head of an HTTP request | server/http/wire.hpp | kMaxFields
 head of an HTTP request | server/http/session.cpp | kMaxHeadTime
 head of an HTTP request | server/http/wire.hpp | kMaxTargetBytes | 1024
 an HTTP connection between requests | server/http/session.cpp | kKeptAlive
+the history of all cells | server/app.cpp | kHistoryBytes | 1048576
 a recording | server/options/options.hpp | record_max_mib
 bytes of a `send` call | protocol/monitor/call_table.cpp | kMaxSent
 waiting of a call with `after` | protocol/monitor/request.hpp | kMaxWithinMs | 1000

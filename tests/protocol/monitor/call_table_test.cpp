@@ -192,6 +192,19 @@ TEST(MonitorCalls, ParsesFaults) {
             Pointers{"/joint"});
   other_of<ListFaults>("fault_list", "{}");
   other_of<ReadTranscript>("transcript", "{}");
+  other_of<ReadHistory>("history", "{}");
+  other_of<Live>("live", "{}");
+  EXPECT_EQ(other_of<Look>("look", R"({"tick":5})").selections.size(), 1U);
+  const Look look = other_of<Look>(
+      "look", R"({"tick":5,"epoch":2,"channels":["image","state"],"encoding":"rle"})");
+  EXPECT_EQ(look.at.tick, 5);
+  EXPECT_EQ(look.at.epoch, 2);
+  ASSERT_EQ(look.selections.size(), 2U);
+  EXPECT_EQ(look.selections[0].encoding, Encoding::kRle);
+  EXPECT_EQ(look.selections[1].channel, Channel::kState);
+  EXPECT_EQ(other_of<Seek>("seek", R"({"tick":7})").at.tick, 7);
+  EXPECT_EQ(other_of<Seek>("seek", R"({"tick":7})").at.epoch, std::nullopt);
+  EXPECT_EQ(other_of<Branch>("branch", R"({"tick":7,"epoch":1})").at.epoch, 1);
   EXPECT_EQ(call_of<call::ClearFault>("fault_clear", R"({"name":"jam"})").name, "jam");
   EXPECT_EQ(call_of<call::ClearFault>("fault_clear", "{}").name, "");
   EXPECT_EQ(wrong_in("fault_clear", R"({"name":""})"), Pointers{"/args/name"});

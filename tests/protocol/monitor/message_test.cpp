@@ -92,6 +92,14 @@ TEST(MonitorMessage, StateWithAndWithoutId) {
             R"({"op":"state","cell":"main","epoch":1,"seq":91,"tick":0})");
 }
 
+TEST(MonitorMessage, AFrameOfThePast) {
+  const Message frame = channel_message(Channel::kState, {"main", 1, 91, 0}, "{}");
+  EXPECT_EQ(*as_past(frame, std::int64_t{5}),
+            R"({"op":"state","id":5,"past":true,"cell":"main","epoch":1,"seq":91,"tick":0})");
+  EXPECT_EQ(*as_past(frame, {}),
+            R"({"op":"state","past":true,"cell":"main","epoch":1,"seq":91,"tick":0})");
+}
+
 TEST(MonitorMessage, CloseReason) {
   EXPECT_EQ(*bye(CloseReason::kShutdown),
             R"({"op":"bye","why":"shutdown","message":"the server is stopping"})");

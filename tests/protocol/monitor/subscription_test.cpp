@@ -51,6 +51,42 @@ TEST(FrameSubscription, SendsOnlyChanges) {
   EXPECT_FALSE(sub.is_settled(frame(4, "c")));
 }
 
+TEST(FrameSubscription, AHeldOneSendsNothing) {
+  ChannelStats stats;
+  FrameSubscription sub("main", to(Channel::kState), stats);
+  sub.offer(frame(1, "a"), 0);
+  EXPECT_EQ(all(sub, 0), Strings{"1"});
+  sub.offer(frame(2, "b"), 1);
+  sub.hold();
+  EXPECT_FALSE(sub.is_due(1'000'000));
+  EXPECT_TRUE(sub.is_settled(frame(3, "c")));
+  sub.offer(frame(3, "c"), 2);
+  EXPECT_EQ(all(sub, 100), Strings{}) << "nor a lag";
+  sub.release();
+  EXPECT_TRUE(sub.is_due(3));
+  EXPECT_FALSE(sub.is_settled(frame(4, "a")));
+  sub.offer(frame(4, "a"), 3);
+  EXPECT_EQ(all(sub, 3), Strings{"4"}) << "although the client had this content before";
+}
+
+TEST(MonitorClient, HoldsTheFramesOfOneCell) {
+  Client client;
+  client.follow_frames("one", to(Channel::kState)).offer(frame(1, "a"), 0);
+  client.follow_frames("two", to(Channel::kState)).offer(frame(2, "b"), 0);
+  client.hold_frames("one");
+  client.follow_frames("one", to(Channel::kImage)).offer(frame(3, "c"), 0);
+  EXPECT_EQ(shown(client.next_output(0)), "2");
+  EXPECT_EQ(shown(client.next_output(0)), "-");
+  client.release_frames("one");
+  client.for_each_frame_subscription("one",
+                                     [](FrameSubscription& each) { each.offer(frame(4, "d"), 1); });
+  EXPECT_EQ(shown(client.next_output(1)), "4");
+  EXPECT_EQ(shown(client.next_output(1)), "4");
+  client.hold_frames("one");
+  client.finish("one");
+  EXPECT_FALSE(client.holds_frames("one")) << "a later cell may have this name";
+}
+
 TEST(FrameSubscription, WithoutOnChangeSendsEveryFrame) {
   ChannelStats stats;
   FrameSubscription sub("main", to(Channel::kState, kMaxMilliHz, false), stats);

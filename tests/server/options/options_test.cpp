@@ -37,6 +37,18 @@ TEST(Options, ServeAcceptsEveryOption) {
   EXPECT_EQ(options.port_file, "p.json");
 }
 
+TEST(Options, TheHistoryIsATime) {
+  EXPECT_EQ(std::get<ServeOptions>(parse({"serve"})).history_ticks, 3'600'000);
+  EXPECT_EQ(parse_duration("90s"), 90'000);
+  EXPECT_EQ(parse_duration("10m"), 600'000);
+  EXPECT_EQ(parse_duration("24h"), 86'400'000);
+  EXPECT_EQ(parse_duration("0"), 0);
+  EXPECT_EQ(parse_duration("0s"), 0);
+  for (const char* wrong :
+       {"", "1", "h", "-1s", "25h", "86401s", "9999999999h", "1.5h", "1h ", "1d"})
+    EXPECT_THROW(parse_duration(wrong), std::invalid_argument) << wrong;
+}
+
 TEST(Options, ADeviceHasTheSettingsOfAMark3UnlessOthersAreGiven) {
   const auto device = [](const std::string& text) {
     return *std::get<ServeOptions>(parse({"serve", "--serial", text.c_str()})).device;

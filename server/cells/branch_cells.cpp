@@ -1,0 +1,48 @@
+#include "server/cells/branch_cells.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace xr3 {
+namespace {
+
+constexpr WallNs kCheckEvery = 1'000'000'000;
+
+bool is_used(HostedCell& cell) {
+  return !cell.cell().lines().empty() || !cell.hub().sessions().empty();
+}
+
+}  // namespace
+
+void BranchCells::add(CellPtr cell) {
+  members_.push_back({std::move(cell), wall_now()});
+  if (members_.size() == 1) arm();
+}
+
+void BranchCells::stop() {
+  is_stopped_ = true;
+  timer_.cancel();
+}
+
+void BranchCells::arm() {
+  if (members_.empty() || is_stopped_) return;
+  timer_.expires_at(
+      as_time_point(wall_now() + std::min(kCheckEvery, std::max<WallNs>(linger_, 1))));
+  timer_.async_wait([this](ErrorCode cancelled) {
+    if (!cancelled) close_unused();
+  });
+}
+
+void BranchCells::close_unused() {
+  const WallNs now = wall_now();
+  std::vector<CellPtr> unused;
+  for (Member& each : members_) {
+    if (is_used(*each.cell)) each.used = now;
+    if (now - each.used >= linger_) unused.push_back(each.cell);
+  }
+  std::erase_if(members_, [&](const Member& each) { return now - each.used >= linger_; });
+  for (const CellPtr& cell : unused) close_(cell);
+  arm();
+}
+
+}  // namespace xr3
