@@ -36,11 +36,13 @@ void BranchCells::arm() {
 void BranchCells::close_unused() {
   const WallNs now = wall_now();
   std::vector<CellPtr> unused;
-  for (Member& each : members_) {
-    if (is_used(*each.cell)) each.used = now;
-    if (now - each.used >= linger_) unused.push_back(each.cell);
-  }
-  std::erase_if(members_, [&](const Member& each) { return now - each.used >= linger_; });
+  std::erase_if(members_, [&](Member& each) {
+    const bool is_in_use = is_used(*each.cell);
+    if (is_in_use) each.used = now;
+    const bool goes = !is_in_use && now - each.used >= linger_;
+    if (goes) unused.push_back(each.cell);
+    return goes;
+  });
   for (const CellPtr& cell : unused) close_(cell);
   arm();
 }

@@ -285,7 +285,7 @@ Tick parse_duration(const std::string& text) {
   if (unit == "s") seconds = 1;
   if (unit == "m") seconds = 60;
   if (unit == "h") seconds = 3600;
-  const bool is_zero = number == 0 && unit.empty();
+  const bool is_zero = error == std::errc() && number == 0 && unit.empty();
   const bool is_good = error == std::errc() && number >= 0 && number <= kMost && seconds > 0 &&
                        number * seconds <= kMost;
   if (is_zero || is_good) return number * seconds * kTickHz;

@@ -23,8 +23,8 @@ Past past_at(const Cell& cell, const History& history, const ReplayTime& time) {
   return make_past(recording_header(cell, ""), *history.part_before(time), time);
 }
 
-/// The states that a cell has had at the ends of its inputs. Where several inputs act at one tick,
-/// the last counts.
+/// The states that a cell has had after its inputs and advances. Of several at one tick, the last
+/// counts.
 class States : public InputLog {
  public:
   explicit States(Cell& cell) : cell_(cell) { cell.add_log(*this); }
@@ -34,13 +34,13 @@ class States : public InputLog {
 
  private:
   void begin(const Cell&, const Input&) override {}
-  void end(const Cell& cell, const Input&, const Applied&) override {
-    all[{cell.epoch(), cell.state().tick}] = cell.state();
-  }
+  void end(const Cell& cell, const Input&, const Applied&) override { note(cell); }
   void sent(const Cell&, const BytesOut&) override {}
   void output(const Cell&, LineId, std::string_view) override {}
-  void after_advance(const Cell&, bool) override {}
+  void after_advance(const Cell& cell, bool) override { note(cell); }
   void expired(const Cell&) override {}
+
+  void note(const Cell& cell) { all[{cell.epoch(), cell.state().tick}] = cell.state(); }
 
   Cell& cell_;
 };

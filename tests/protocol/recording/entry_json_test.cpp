@@ -5,6 +5,7 @@
 #include <set>
 
 #include "protocol/json/document.hpp"
+#include "tests/support/models.hpp"
 
 namespace xr3::recording {
 namespace {
@@ -30,7 +31,7 @@ std::vector<Body> all_bodies() {
           LineEnd{1, LineCloseReason::kFault},
           LineEnd{1, LineCloseReason::kNotARobotProgram},
           CallMade{call::Step{5}},
-          Rewound{std::make_shared<const SavedCell>(SavedCell{"sha256:1", {}, {}})},
+          Rewound{std::make_shared<const SavedCell>(SavedCell{"sha256:1", test::bare_workcell(), {}})},
           DeviceFound{},
           DeviceGone{"unplugged: \xe9"},
           DeviceInput{"%"},
