@@ -203,7 +203,7 @@ class Readme(unittest.TestCase):
         objects = {f"{thing['kind'].lower()}/{thing['metadata']['name']}" for thing in objects_of("class")}
         for words in commands:
             with self.subTest(" ".join(words)):
-                self.assertIn(words[0], ("kubectl", "docker", "head", "python3", "./run"))
+                self.assertIn(words[0], ("kubectl", "docker", "head", "cmake", "./run", "build/release/bench_cells"))
                 for path in (word for word in words if word.startswith(("deploy/", "docker/", "tests/", "./"))):
                     self.assertTrue((ROOT / path).exists() or path == "deploy/kubernetes/class/token", path)
                 for name in (word for word in words if word.startswith(("deployment/", "service/"))):
