@@ -204,16 +204,18 @@ void App::connect_device() {
 void App::start_recordings() {
   if (options_.record.empty()) return;
   with_option_source(options_.option_sources, "--record", [&] {
-    if (has_many_cells(options_)) make_private_folder(options_.record);
+    if (has_many_cells(options_)) {
+      run_folder_ = make_run_folder(options_.record, std::chrono::system_clock::now());
+      spdlog::info("the cells are recorded in {}", run_folder_);
+    }
     for (const CellPtr& each : cells_.all()) record(*each);
   });
 }
 
-/// A folder has a file for each of several cells.
+/// Each of several cells has a file in the folder of this run.
 void App::record(HostedCell& cell) {
-  const std::string file = has_many_cells(options_)
-                               ? options_.record + "/" + cell.name() + kRecordingEnd
-                               : options_.record;
+  const std::string file =
+      run_folder_.empty() ? options_.record : run_folder_ + "/" + cell.name() + kRecordingEnd;
   cell.record(file, std::uint64_t{options_.record_max_mib} << 20U);
 }
 

@@ -125,6 +125,7 @@ class App {
   Loop io_;
   Stage stage_ = Stage::kStarting;
   bool is_replaying_ = false;
+  std::string run_folder_;  ///< of the recordings of several cells; else empty
   AccessPolicy policy_;
   SocketLimits limits_;
   MemoryLimit memory_;

@@ -247,8 +247,8 @@ asio::awaitable<Answer> HttpResources::schema(CellPtr, Request) {
 // --- The cell.
 
 asio::awaitable<Answer> HttpResources::state(CellPtr at, Request) {
-  const std::optional<monitor::Frame> frame =
-      co_await service_.current_frame(at, {monitor::Channel::kState, {}, {}});
+  monitor::Selection whole{monitor::Channel::kState, {}, {}};
+  const std::optional<monitor::Frame> frame = co_await service_.current_frame(at, std::move(whole));
   co_return http::json(at->bodies().state(frame->message));
 }
 

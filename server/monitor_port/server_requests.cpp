@@ -60,15 +60,17 @@ asio::awaitable<void> MonitorService::list_cells(MonitorSession& session,
     entries.push_back({std::move(each), knows_all ? at->token() : ""});
   }
   const bool is_long = entries.size() > kMaxCellsAtOnce;
-  const auto make = [id = request.id, entries = std::move(entries)] {
-    return cells_message(id, entries);
-  };
+  Answer answer{
+      [id = request.id, entries = std::move(entries)] { return cells_message(id, entries); },
+      is_long};
+  monitor::Message message;
   if (is_long) {
     co_await making_long_.until_free();
-    session.client().send(co_await make_long({make, true}));
+    message = co_await make_long(std::move(answer));
   } else {
-    session.client().send(make());
+    message = answer.make();
   }
+  session.client().send(std::move(message));
 }
 
 /// Epoch and tick are those of the cell; null without one.

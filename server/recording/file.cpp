@@ -4,8 +4,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
+#include <ctime>
 #include <utility>
 
 #include "server/files/data_files.hpp"
@@ -15,6 +17,8 @@ namespace {
 
 // With so much collected, it is written at once.
 constexpr std::size_t kMaxUnwritten = std::size_t{256} * 1024;
+// Servers that start to record into one folder within one second.
+constexpr int kMaxRunsOfASecond = 100;
 
 int new_file(const std::string& path) {
   constexpr ::mode_t kOwnerOnly = S_IRUSR | S_IWUSR;
@@ -27,14 +31,40 @@ int new_file(const std::string& path) {
   throw FileError(path + ": the recording cannot be written: " + std::strerror(errno));
 }
 
+bool is_folder(const std::string& path) {
+  struct stat found {};
+  return ::stat(path.c_str(), &found) == 0 && S_ISDIR(found.st_mode);
+}
+
+/// Makes a folder for this user alone. False if there is something with its name. Throws FileError.
+bool make_private_folder(const std::string& path) {
+  if (::mkdir(path.c_str(), S_IRWXU) == 0) return true;
+  if (errno == EEXIST) return false;
+  throw FileError(path + ": the folder of the recordings cannot be made: " + std::strerror(errno));
+}
+
+std::string run_name(std::chrono::system_clock::time_point start) {
+  const std::time_t seconds = std::chrono::system_clock::to_time_t(start);
+  std::tm utc{};
+  std::array<char, 32> text{};
+  ::gmtime_r(&seconds, &utc);
+  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%dT%H-%M-%SZ", &utc)};
+}
+
 }  // namespace
 
-void make_private_folder(const std::string& path) {
-  if (::mkdir(path.c_str(), S_IRWXU) == 0) return;
-  struct stat found {};
-  const bool is_folder = ::stat(path.c_str(), &found) == 0 && S_ISDIR(found.st_mode);
-  if (errno == EEXIST && is_folder) return;
-  throw FileError(path + ": the folder of the recordings cannot be made: " + std::strerror(errno));
+std::string make_run_folder(const std::string& folder,
+                            std::chrono::system_clock::time_point start) {
+  if (!make_private_folder(folder) && !is_folder(folder))
+    throw FileError(folder + ": is a file; several cells record into a folder");
+  const std::string path = folder + "/" + run_name(start);
+  if (make_private_folder(path)) return path;
+  for (int run = 2; run <= kMaxRunsOfASecond; ++run) {
+    const std::string next = path + "-" + std::to_string(run);
+    if (make_private_folder(next)) return next;
+  }
+  throw FileError(path + ": more than " + std::to_string(kMaxRunsOfASecond) +
+                  " servers have started to record here in one second; start again");
 }
 
 RecordingFile::RecordingFile(std::string path) : path_(std::move(path)), file_(new_file(path_)) {}

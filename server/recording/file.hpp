@@ -2,14 +2,17 @@
 // allowed. Lines are collected, and written together without waiting for the disk.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace xr3 {
 
-/// Makes a folder for several recordings, for this user alone, unless it exists. Throws FileError.
-void make_private_folder(const std::string& path);
+/// Makes `folder` unless it exists, and in it a new folder for the recordings of one run, named
+/// after the time of its start in UTC: 2026-11-23T15-29-49Z, or …Z-2 if that exists. Both are for
+/// this user alone. Returns the path of the new folder. Throws FileError.
+std::string make_run_folder(const std::string& folder, std::chrono::system_clock::time_point start);
 
 class RecordingFile {
  public:

@@ -57,14 +57,28 @@ def pod_of(workload):
     return workload["spec"]["template"]["spec"]
 
 
+def claims_of(workload):
+    """The names of the volumes that Kubernetes claims for each pod of a StatefulSet."""
+    return [claim["metadata"]["name"] for claim in workload["spec"].get("volumeClaimTemplates", [])]
+
+
+def with_claims(workload, name):
+    """The pod of this name, with the volumes that Kubernetes adds for the claims."""
+    pod = pod_of(workload)
+    added = [{"name": claim, "persistentVolumeClaim": {"claimName": f"{claim}-{name}"}}
+             for claim in claims_of(workload)]
+    return {**pod, "volumes": pod.get("volumes", []) + added}
+
+
 def pods(objects):
-    """(name, labels, specification) of every pod that the workloads create, with the labels that Kubernetes adds."""
+    """(name, labels, specification) of every pod that the workloads create, with the labels and the volumes that
+    Kubernetes adds."""
     for workload in of_kind(objects, *WORKLOADS):
         labels = workload["spec"]["template"]["metadata"]["labels"]
         for i in range(workload["spec"]["replicas"]):
             name = f"{workload['metadata']['name']}-{i}"
             added = {"statefulset.kubernetes.io/pod-name": name} if workload["kind"] == "StatefulSet" else {}
-            yield name, {**labels, **added}, pod_of(workload)
+            yield name, {**labels, **added}, with_claims(workload, name)
 
 
 def selects(selector, labels):
@@ -155,25 +169,77 @@ def port_faults(objects):
             yield f"a probe names one of the ports {sorted(probed)}, the pod has {sorted(names)}"
 
 
+def claims(objects):
+    """The names of all claims, with those that Kubernetes makes for a StatefulSet."""
+    made = {f"{claim}-{workload['metadata']['name']}-{i}" for workload in of_kind(objects, "StatefulSet")
+            for claim in claims_of(workload) for i in range(workload["spec"]["replicas"])}
+    return made | {claim["metadata"]["name"] for claim in of_kind(objects, "PersistentVolumeClaim")}
+
+
+def source_of(volume):
+    """The name of the ConfigMap, Secret or claim of a volume."""
+    return volume.get("configMap", {}).get("name") or volume.get("secret", {}).get("secretName") or \
+        volume.get("persistentVolumeClaim", {}).get("claimName")
+
+
+def mounted(mount, name, files):
+    """The folder of a mount in the pod of this name, and the files there."""
+    if "subPathExpr" not in mount:
+        return mount["mountPath"], files
+    path = pathlib.PurePosixPath(mount["mountPath"])
+    return str(path.parent), {path.name} if mount["subPathExpr"].replace("$(POD_NAME)", name) in files else set()
+
+
 def reference_faults(objects):
-    """Volumes are mounted, and ConfigMaps, Secrets and files that options name exist."""
+    """Volumes are mounted, and ConfigMaps, Secrets, claims and files that options name exist."""
     maps = {thing["metadata"]["name"]: set(thing["data"]) for thing in of_kind(objects, "ConfigMap", "Secret")}
     for name, _, pod in pods(objects):
         files, volumes = {}, {volume["name"]: volume for volume in pod["volumes"]}
         for container in pod["containers"]:
-            mounts = {mount["name"]: mount["mountPath"] for mount in container["volumeMounts"]}
+            mounts = {mount["name"]: mount for mount in container["volumeMounts"]}
             if set(volumes) != set(mounts):
                 yield f"{name} mounts {sorted(mounts)} and has the volumes {sorted(volumes)}"
             for volume in volumes.keys() & mounts.keys():
-                source = volumes[volume].get("configMap", {}).get("name") or \
-                    volumes[volume].get("secret", {}).get("secretName")
-                if source not in maps:
+                source = source_of(volumes[volume])
+                if source not in maps.keys() | claims(objects):
                     yield f"{name} mounts {source}, which does not exist"
-                files[mounts[volume]] = maps.get(source, set())
+                if "persistentVolumeClaim" not in volumes[volume]:
+                    folder, found = mounted(mounts[volume], name, maps.get(source, set()))
+                    files[folder] = found
             for option in container["args"]:
                 path = pathlib.PurePosixPath(option.partition("=")[2].replace("$(POD_NAME)", name))
                 if str(path.parent) in files and path.name not in files[str(path.parent)]:
                     yield f"{name}: {option}: {path} does not exist"
+
+
+def token_faults(objects):
+    """A container can read its own token, and no other one."""
+    for name, _, pod in pods(objects):
+        secrets = {volume["name"]: volume["secret"] for volume in pod["volumes"] if "secret" in volume}
+        for mount in (mount for container in pod["containers"] for mount in container["volumeMounts"]):
+            if mount["name"] in secrets:
+                secret, = (thing for thing in of_kind(objects, "Secret")
+                           if thing["metadata"]["name"] == secrets[mount["name"]]["secretName"])
+                if len(secret.get("data", {})) > 1 and mount.get("subPathExpr") != "$(POD_NAME)":
+                    yield f"{name} can read the tokens of others"
+
+
+def recording_faults(objects):
+    """The recordings are in a folder of a volume that stays, which the user of the server may write."""
+    for name, _, pod in pods(objects):
+        kept = {volume["name"] for volume in pod["volumes"] if "persistentVolumeClaim" in volume}
+        rewritten = pod.get("securityContext", {}).get("fsGroupChangePolicy") != "OnRootMismatch"
+        for container in pod["containers"]:
+            folders = {pathlib.PurePosixPath(mount["mountPath"]) for mount in container["volumeMounts"]
+                       if mount["name"] in kept and not mount.get("readOnly")}
+            recorded = [pathlib.PurePosixPath(option.partition("=")[2]) for option in container["args"]
+                        if option.startswith("--record=")]
+            if len(recorded) != 1 or recorded[0].parent not in folders:
+                yield f"{name} records nothing that stays"
+        if pod.get("securityContext", {}).get("fsGroup") != pod.get("securityContext", {}).get("runAsGroup"):
+            yield f"{name} cannot write its volumes"
+        if rewritten:
+            yield f"{name}: each start makes all recordings readable for the group"
 
 
 def name_faults(objects):
@@ -204,7 +270,8 @@ def state_faults(objects):
             yield "a pod may be evicted"
 
 
-RULES = (pod_faults, container_faults, selector_faults, port_faults, reference_faults, name_faults, state_faults)
+RULES = (pod_faults, container_faults, selector_faults, port_faults, reference_faults, token_faults,
+         recording_faults, name_faults, state_faults)
 
 
 def faults(objects):

@@ -1,6 +1,7 @@
 """Plays manifests with `podman kube play`, which knows Pods, Deployments and ConfigMaps. What podman 4.3 does
-not know is replaced by the nearest thing that it knows: a StatefulSet by the pods that it would create, a Secret
-by a ConfigMap, $(POD_NAME) by its value; Services, budgets and policies are left out. The tests run the probes, as
+not know is replaced by the nearest thing that it knows: a StatefulSet by the pods and claims that it would create, a
+Secret by a ConfigMap, one file of a Secret by a ConfigMap of this file, $(POD_NAME) by its value, the group of a volume
+by its owner; Services, budgets and policies are left out. The tests run the probes, as
 the kubelet would, because podman runs them with a shell, which the image does not have."""
 
 import base64
@@ -12,25 +13,31 @@ import urllib.request
 
 import yaml
 
-from containers import docker, inspect
-from manifests import of_kind, pod_of
+from containers import USER, docker, inspect
+from manifests import claims, of_kind, pod_of, with_claims
 from test_compose import free_ports
 from test_image import instant
 from xr3 import Monitor
 
 PROBE_S = 0.1
+OWNER = {f"volume.podman.io/{who}": USER for who in ("uid", "gid")}
 
 
 def playable(objects, image):
-    """The objects for podman: ConfigMaps first, then pods; and the ports of this machine for each pod, by its name and
-    the name of the port."""
+    """The objects for podman: ConfigMaps and claims first, then pods; and the ports of this machine for each pod, by its
+    name and the name of the port."""
     maps = [without_secret(thing) for thing in of_kind(copy.deepcopy(objects), "ConfigMap", "Secret")]
+    maps += [{"apiVersion": "v1", "kind": "PersistentVolumeClaim", "metadata": {"name": name, "annotations": OWNER},
+              "spec": {"accessModes": ["ReadWriteOnce"], "resources": {"requests": {"storage": "1Gi"}}}}
+             for name in sorted(claims(objects))]
     runnable, ports = [], {}
     for workload in of_kind(copy.deepcopy(objects), "Deployment", "StatefulSet"):
         pods = [workload] if workload["kind"] == "Deployment" else list(stateful_pods(workload))
         for pod in pods:
             name = f"{pod['metadata']['name']}-pod-0" if pod is workload else pod["metadata"]["name"]
-            ports[name] = adapt(pod["spec"] if pod["kind"] == "Pod" else pod_of(pod), image)
+            spec = pod["spec"] if pod["kind"] == "Pod" else pod_of(pod)
+            ports[name] = adapt(spec, image)
+            maps += maps_of_files(spec, name, maps)
         runnable += pods
     return maps + runnable, ports
 
@@ -58,11 +65,28 @@ def adapt(pod, image):
     return {port["name"]: port["hostPort"] for port in pod["containers"][0]["ports"]}
 
 
+def maps_of_files(pod, name, maps):
+    """A ConfigMap for each mount of one file of a ConfigMap, which replaces that mount."""
+    found = []
+    for mount in (mount for container in pod["containers"] for mount in container["volumeMounts"]):
+        wanted = mount.pop("subPathExpr", None)
+        if wanted is None:
+            continue
+        volume, = (volume for volume in pod["volumes"] if volume["name"] == mount["name"])
+        whole, = (thing for thing in maps if thing["metadata"]["name"] == volume["configMap"]["name"])
+        folder, _, file = mount["mountPath"].rpartition("/")
+        mount["mountPath"] = folder
+        volume["configMap"] = {"name": f"{mount['name']}-{name}"}
+        found.append({**whole, "metadata": {"name": f"{mount['name']}-{name}"},
+                      "data": {file: whole["data"][wanted.replace("$(POD_NAME)", name)]}})
+    return found
+
+
 def stateful_pods(workload):
     """The pods that Kubernetes creates for a StatefulSet."""
     for i in range(workload["spec"]["replicas"]):
         name = f"{workload['metadata']['name']}-{i}"
-        pod = copy.deepcopy(pod_of(workload))
+        pod = copy.deepcopy(with_claims(workload, name))
         for container in pod["containers"]:
             container["args"] = [argument.replace("$(POD_NAME)", name) for argument in container["args"]]
         metadata = {"name": name, "labels": dict(workload["spec"]["template"]["metadata"]["labels"])}
@@ -77,7 +101,8 @@ class Played:
         self.probes = {kind: probe for workload in of_kind(objects, "Deployment", "StatefulSet")
                        for kind, probe in pod_of(workload)["containers"][0].items() if kind.endswith("Probe")}
         self.grace_s = pod_of(of_kind(objects, "Deployment", "StatefulSet")[0])["terminationGracePeriodSeconds"]
-        self.volumes = [thing["metadata"]["name"] for thing in of_kind(self.objects, "ConfigMap")]
+        self.volumes = [thing["metadata"]["name"] for thing in of_kind(self.objects, "ConfigMap",
+                                                                       "PersistentVolumeClaim")]
         self.folder = tempfile.TemporaryDirectory()
         self.file = pathlib.Path(self.folder.name, "pods.yaml")
 

@@ -2,13 +2,14 @@
 is replaced, because podman does not know it."""
 
 import contextlib
+import json
 import os
 import pathlib
 import re
 import socket
 import unittest
 
-from containers import IMAGE, USER, inspect
+from containers import IMAGE, USER, docker, inspect
 from manifests import DEPARTMENTS, TOKEN, objects_of
 from played import Played
 from test_reach import get
@@ -114,6 +115,41 @@ class OneClass(Play):
         limits = inspect(self.played.container(CLASS), ".HostConfig")
         self.assertEqual(1 << 30, limits["Memory"])
         self.assertEqual(2 * limits["CpuPeriod"], limits["CpuQuota"])
+
+
+class Recordings(unittest.TestCase):
+    @unittest.skipUnless("XR3_ENGINE" in os.environ, "docker does not play manifests")
+    def test_stay_when_a_pod_goes_and_bring_the_robot_back(self):
+        """The command of README.md, in a pod that has started anew, repeats what the first one recorded."""
+        with play("class") as played:
+            self.talk(played)
+            played.stop(CLASS)
+            first, = self.runs(played)
+            docker("start", played.container(CLASS))
+            played.wait_started(CLASS)
+            self.talk(played)
+            self.assertEqual(first, self.runs(played)[0])
+            self.assertEqual(2, len(set(self.runs(played))))
+            done = docker("exec", played.container(CLASS), "/usr/bin/xr3", "replay", f"{first}/c1.xr3rec",
+                          "--print", "state")
+            self.assertIn("everything is as recorded", done.stderr)
+            count, = (joint["count"] for joint in json.loads(done.stdout)["joints"] if joint["label"] == "E")
+            self.assertNotEqual(0, count)
+
+    @staticmethod
+    def talk(played):
+        """One line, which moves its robot until a count has passed."""
+        with socket.create_connection(("127.0.0.1", played.ports[CLASS]["robot"]), timeout=20) as line:
+            line.sendall(b"E+30\r")
+            asked = b""
+            while asked in (b"", b">"):  # 30 counts to go
+                line.sendall(b"E?")
+                asked = line.recv(1)
+
+    @staticmethod
+    def runs(played):
+        """The folders of the recordings, by the log of all starts."""
+        return re.findall(r"the cells are recorded in (\S+)", played.log(CLASS))
 
 
 class Stop(unittest.TestCase):

@@ -12,7 +12,7 @@ import unittest
 import yaml
 
 from engine import quiet
-from manifests import FOLDER, ROOT, TOKEN, faults, kustomize, objects_of, of_kind, pod_of, sources
+from manifests import FOLDER, ROOT, TOKEN, claims, faults, kustomize, objects_of, of_kind, pod_of, sources
 
 CHECK = ROOT / "tests" / "images" / "kubernetes"
 NAMES = ("class", "departments")
@@ -77,17 +77,20 @@ POD = ("spec", "template", "spec")
 CONTAINER = (*POD, "containers", 0)
 MEMBERS = {
     ("Deployment", "StatefulSet"): (
-        *((*POD, "securityContext", member) for member in ("runAsNonRoot", "runAsUser", "seccompProfile")),
+        *((*POD, "securityContext", member) for member in ("runAsNonRoot", "runAsUser", "seccompProfile", "fsGroup",
+                                                           "fsGroupChangePolicy")),
         *((*POD, member) for member in ("automountServiceAccountToken", "enableServiceLinks",
                                         "terminationGracePeriodSeconds")),
         *((*CONTAINER, member) for member in ("startupProbe", "readinessProbe", "livenessProbe", "resources")),
         *((*CONTAINER, "resources", member) for member in ("limits", "requests")),
         *((*CONTAINER, "securityContext", member)
           for member in ("allowPrivilegeEscalation", "readOnlyRootFilesystem", "capabilities")),
-        (*CONTAINER, "ports", 0), (*CONTAINER, "volumeMounts", 0), (*CONTAINER, "image"), (*POD, "volumes", 0),
+        (*CONTAINER, "ports", 0), *((*CONTAINER, "volumeMounts", i) for i in range(3)), (*CONTAINER, "args", 3), (*CONTAINER, "image"), (*POD, "volumes", 0),
         ("spec", "template", "metadata", "labels", "app.kubernetes.io/component")),
     ("Deployment",): (("spec", "strategy"),),
-    ("StatefulSet",): (("spec", "updateStrategy"), ("spec", "serviceName")),
+    ("StatefulSet",): (("spec", "updateStrategy"), ("spec", "serviceName"), ("spec", "volumeClaimTemplates", 0),
+                       (*CONTAINER, "volumeMounts", 1, "subPathExpr")),
+    ("PersistentVolumeClaim",): (("metadata", "name"),),
     ("Service",): (("spec", "selector", "app.kubernetes.io/name"),),
     ("PodDisruptionBudget",): (("spec", "maxUnavailable"),
                                ("spec", "selector", "matchLabels", "app.kubernetes.io/component")),
@@ -117,6 +120,23 @@ def spoil(objects, path):
         del parent[path[-1]]
 
 
+class PodOfRecordings(unittest.TestCase):
+    """recordings-pod.yaml mounts the volume of the class with the rights of the class."""
+
+    def test_has_the_volume_and_the_rights_of_the_class(self):
+        pod = yaml.safe_load((FOLDER / "recordings-pod.yaml").read_text(encoding="utf-8"))["spec"]
+        objects = objects_of("class")
+        server = pod_of(of_kind(objects, "Deployment")[0])
+        self.assertEqual(server["securityContext"], pod["securityContext"])
+        self.assertEqual(container(objects)["securityContext"], pod["containers"][0]["securityContext"])
+        self.assertEqual([False, False], [pod["automountServiceAccountToken"], pod["enableServiceLinks"]])
+        mount, = pod["containers"][0]["volumeMounts"]
+        self.assertIn(mount, container(objects)["volumeMounts"])
+        volume, = pod["volumes"]
+        self.assertIn(volume, server["volumes"])
+        self.assertIn(volume["persistentVolumeClaim"]["claimName"], claims(objects))
+
+
 class Schemas(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -131,6 +151,7 @@ class Schemas(unittest.TestCase):
         for name in NAMES:
             with self.subTest(name):
                 self.assertEqual([], schema_faults(objects_of(name)))
+        self.assertEqual([], schema_faults([yaml.safe_load((FOLDER / "recordings-pod.yaml").read_text("utf-8"))]))
 
     def test_faults_are_found(self):
         """An unknown member, a value that is not allowed, a wrong type, and a kind that does not exist."""
@@ -182,7 +203,7 @@ class Readme(unittest.TestCase):
         objects = {f"{thing['kind'].lower()}/{thing['metadata']['name']}" for thing in objects_of("class")}
         for words in commands:
             with self.subTest(" ".join(words)):
-                self.assertIn(words[0], ("kubectl", "docker", "head", "python3", "./run"))
+                self.assertIn(words[0], ("kubectl", "docker", "head", "cmake", "./run", "build/release/bench_cells"))
                 for path in (word for word in words if word.startswith(("deploy/", "docker/", "tests/", "./"))):
                     self.assertTrue((ROOT / path).exists() or path == "deploy/kubernetes/class/token", path)
                 for name in (word for word in words if word.startswith(("deployment/", "service/"))):
@@ -194,6 +215,7 @@ class Readme(unittest.TestCase):
         verbs = [word for word in words[1:3] if word.isalpha() or word == "port-forward"]
         shown = subprocess.run(["kubectl", *verbs, "--help"], capture_output=True, text=True, check=True,
                                timeout=DEADLINE_S).stdout + "--namespace -n"
+        words = words[:words.index("--")] if "--" in words else words  # the rest is for the container
         for option in (word for word in words if word.startswith("-")):
             self.assertRegex(shown, rf"(?m)(^| ){option}\b")
 

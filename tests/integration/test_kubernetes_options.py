@@ -4,9 +4,10 @@ the rest."""
 import pathlib
 import re
 import tempfile
+import time
 import unittest
 
-from support import ROOT, Server, run_xr3
+from support import DEADLINE_S, ROOT, XR3, Server, run_xr3
 
 FOLDER = pathlib.Path(ROOT, "deploy", "kubernetes")
 WORKLOADS = (FOLDER / "class" / "deployment.yaml", FOLDER / "departments" / "statefulset.yaml")
@@ -27,6 +28,40 @@ class Options(unittest.TestCase):
                         self.assertEqual("read", monitor.hello["access"])
                         self.assertEqual("result", monitor.request("auth", token=TOKEN)["op"])
                     self.assertNotIn("warn", xr3.log())
+
+    def test_a_robot_comes_back_by_the_command_of_the_page(self):
+        """With another path, other ports and another token file. The recording is that of a server that was killed."""
+        page = (FOLDER / "README.md").read_text(encoding="utf-8")
+        command, = re.findall(r"^kubectl exec .* -- /usr/bin/xr3 (replay .*--serve.*)$", page, re.MULTILINE)
+        with tempfile.TemporaryDirectory() as folder:
+            token = pathlib.Path(folder, "token")
+            token.write_text(TOKEN, encoding="utf-8")
+            token.chmod(0o440)
+            recordings = pathlib.Path(folder, "recordings")
+            with Server("--config", str(FOLDER / "class" / "xr3.toml"), "--record", str(recordings), "--token-file",
+                        str(token), clock="real") as xr3, xr3.line() as line:
+                line.send("E+30\r")
+                while (reply := chr(line.ask("E?"))) == ">":  # 30 counts to go
+                    pass
+                self.wait_for(recordings, f'"in":"E?","out":"{reply}"')
+                xr3.process.kill()
+                xr3.process.wait()
+            file, = recordings.glob("*/c1.xr3rec")
+            words = command.split()
+            for word, value in ((r".*\.xr3rec", file), (r"9700|9701", "0"), (r"/run/secrets/xr3/token", token)):
+                words = [str(value) if re.fullmatch(word, each) else each for each in words]
+            server = Server(command=[XR3, *words])
+            server.options.clear()
+            with server as xr3, xr3.monitor() as monitor:
+                monitor.request("auth", token=TOKEN)
+                joint, = (joint for joint in monitor.get()["joints"] if joint["label"] == "E")
+                self.assertNotEqual(0, joint["count"])
+                monitor.call("pause")
+
+    def wait_for(self, recordings, text):
+        deadline = time.monotonic() + DEADLINE_S
+        while not any(text in path.read_text(encoding="ascii") for path in recordings.glob("*/c1.xr3rec")):
+            self.assertLess(time.monotonic(), deadline)
 
     def test_arguments_are_known(self):
         known = set(re.findall(r"--[\w-]+", run_xr3("serve", "--help").stdout))

@@ -1,5 +1,6 @@
 """Recordings: what a real server writes while it runs, and what `xr3 replay` makes of it."""
 
+import contextlib
 import csv
 import json
 import pathlib
@@ -110,14 +111,19 @@ class Recordings(unittest.TestCase):
         self.assertEqual({"inquiry_ms": 20, "settle_ms": 10, "concurrent_lines": False}, header["byte_clock"])
         self.assertTrue(any("us" in entry for entry in entries))
 
+    def runs(self, folder):
+        """The folders of the runs of a server, in the order of their start."""
+        return sorted(folder.iterdir(), key=lambda path: path.stat().st_ctime_ns)
+
     def test_each_of_several_cells_has_a_file(self):
         with Server("--record", self.folder / "class", "--cells", "2") as xr3, xr3.monitor() as monitor:
             for cell, moves in (("1", "E+10\r"), ("2", "E+20\r")):
                 monitor.request("call", cell=cell, fn="send", args={"text": moves})
                 monitor.request("call", cell=cell, fn="run_until", args={"idle": True, "max_ticks": 60_000})
         self.assertEqual(0o700, stat.S_IMODE((self.folder / "class").stat().st_mode))
+        run, = self.runs(self.folder / "class")
         for cell, count in (("1", "E10"), ("2", "E20")):
-            done = self.replay("--print", "state", file=self.folder / "class" / f"{cell}.xr3rec")
+            done = self.replay("--print", "state", file=run / f"{cell}.xr3rec")
             self.assertEqual(count, counts(json.loads(done.stdout)))
 
     def test_each_cell_of_a_connection_has_a_file(self):
@@ -125,9 +131,47 @@ class Recordings(unittest.TestCase):
             for _ in range(2):
                 with xr3.line() as line:
                     line.ask("E?")
-        for cell in ("c1", "c2"):
-            file = self.folder / "class" / f"{cell}.xr3rec"
+        run, = self.runs(self.folder / "class")
+        self.assertEqual(["c1.xr3rec", "c2.xr3rec"], sorted(path.name for path in run.iterdir()))
+        for file in run.iterdir():
             self.assertIn("everything is as recorded", self.replay(file=file).stderr)
+
+    def test_a_restart_keeps_the_recordings_and_records(self):
+        """A second server with the same options starts, while the first one may still run, and writes other files."""
+        for options in (["--cells", "2"], ["--cell-per-connection"]):
+            with self.subTest(options):
+                folder = self.folder / options[0].strip("-")
+                with self.recorded_cell(folder, "E+10\r", *options) as run:
+                    file, = (path for path in run.iterdir() if path.stem in ("1", "c1"))
+                before = file.read_bytes()
+                for _ in range(2):
+                    with self.recorded_cell(folder, "E+20\r", *options):
+                        pass
+                runs = self.runs(folder)
+                self.assertEqual(3, len(runs))
+                self.assertEqual(before, file.read_bytes())
+                for run, count in zip(runs, ("E10", "E20", "E20")):
+                    done = self.replay("--print", "state", file=run / file.name)
+                    self.assertEqual(count, counts(json.loads(done.stdout)))
+
+    @contextlib.contextmanager
+    def recorded_cell(self, folder, moves, *options):
+        """A server whose first cell has done these moves; the value is the folder that its log names."""
+        with Server("--record", folder, *options) as xr3, xr3.line() as line:
+            line.ask(moves + "E?")
+            with xr3.monitor() as monitor:
+                monitor.request("call", cell=monitor.hello["cells"][0], fn="run_until",
+                                args={"idle": True, "max_ticks": 60_000})
+            run = self.runs(folder)[-1]
+            xr3.wait_log(f"the cells are recorded in {run}")
+            yield run
+
+    def test_the_folder_of_several_cells_is_no_file(self):
+        self.file.write_text("kept", encoding="ascii")
+        done = run_xr3("serve", "--robot-port", "0", "--monitor-port", "0", "--cells", "2", "--record", self.file)
+        self.assertEqual(2, done.returncode)
+        self.assertIn("is a file; several cells record into a folder", done.stderr)
+        self.assertEqual("kept", self.file.read_text(encoding="ascii"))
 
     def test_real_time_polls_take_little_room(self):
         with Server("--record", self.file, clock="real") as xr3:
