@@ -1,13 +1,9 @@
-// The monitor's calls on a cell and its serial lines.
+// The monitor's calls on a cell.
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <utility>
-#include <vector>
 
 #include "cell/digest.hpp"
-#include "cell/rewind.hpp"
-#include "protocol/explain/diagnostic.hpp"
-#include "protocol/explain/event_report.hpp"
 #include "protocol/monitor/saved_cell.hpp"
 #include "protocol/monitor/saved_faults.hpp"
 #include "protocol/monitor/snapshot.hpp"
@@ -18,11 +14,6 @@ namespace xr3 {
 namespace {
 
 using std::chrono::milliseconds;
-
-// Longer answers are made in the worker. A line takes some 10 us, a byte of the replies to `send` some 20 ns.
-constexpr std::size_t kMaxLinesAtOnce = 50;
-constexpr std::size_t kMaxReplyBytesAtOnce = 4096;
-constexpr WallNs kMaxSendTime = 2'000'000;
 
 bool moves_time(const monitor::CallRequest& wanted) {
   const auto* call = std::get_if<call::Call>(&wanted.call);
@@ -43,23 +34,6 @@ bool concerns_faults(const monitor::CallRequest& wanted) {
   const auto* call = std::get_if<call::Call>(&wanted.call);
   return call != nullptr && (std::holds_alternative<call::SetFault>(*call) ||
                              std::holds_alternative<call::ClearFault>(*call));
-}
-
-monitor::RequestError no_such_line(LineId line) {
-  return {{},
-          "no_such_line",
-          "line " + std::to_string(line) + " is not open",
-          "lines are numbered from 1 as they are opened",
-          {}};
-}
-
-monitor::RequestError line_waits(LineId current) {
-  const std::string line = "line " + std::to_string(current);
-  return {{},
-          "line_waits",
-          "the byte clock obeys one line at a time, and " + line + " is open",
-          "close " + line + ", also by line_disconnect, or start with --concurrent-lines",
-          {}};
 }
 
 monitor::RequestError timeout(const monitor::After& after, std::uint64_t bytes_in) {
@@ -87,14 +61,6 @@ std::optional<monitor::RequestError> validate_snapshot(const Model& model, const
                                std::move(details)};
 }
 
-monitor::RequestError too_many_lines() {
-  return {{},
-          "limit",
-          "this client has lines of its own in 64 cells",
-          "close one by line_disconnect, or use another connection",
-          {}};
-}
-
 monitor::RequestError no_memory() {
   return {{},
           "limit",
@@ -110,67 +76,6 @@ bool enlarges(const call::Call& call) {
          std::holds_alternative<call::ReplaceWorkcell>(call) ||
          std::holds_alternative<call::LoadSnapshot>(call) ||
          (save != nullptr && !save->name.empty());
-}
-
-monitor::Message refused(const monitor::RequestId& id, monitor::RequestError error) {
-  error.id = id;
-  return monitor::result(error);
-}
-
-/// A line as the call `lines` shows it.
-struct LineEntry {
-  LineId id;
-  LineKind kind;
-  std::string peer;
-  Tick opened_tick;
-  std::uint64_t bytes_in;
-  std::uint64_t bytes_acted;
-  std::uint64_t bytes_out;
-  std::uint64_t warnings;
-  RawBytes last;
-  std::optional<SerialSettings> serial;
-  std::optional<SerialSettings> speed;
-  std::optional<LineId> waits_for;
-};
-
-LineEntry entry_of(const Cell& cell, LineId id, const SerialLine& line) {
-  return {id,
-          line.kind(),
-          line.peer(),
-          line.opened_tick(),
-          line.bytes_in(),
-          line.bytes_acted(),
-          line.bytes_out(),
-          line.warnings(),
-          line.last(),
-          line.settings(),
-          cell.speed_of(line),
-          cell.line_before(id)};
-}
-
-Json line_json(const LineEntry& line) {
-  Json entry = {{"line", line.id},
-                {"kind", name_of(line.kind)},
-                {"peer", line.peer},
-                {"opened_tick", line.opened_tick},
-                {"bytes_in", line.bytes_in},
-                {"bytes_acted", line.bytes_acted},
-                {"bytes_out", line.bytes_out},
-                {"warnings", line.warnings},
-                {"last", readable(line.last.view())}};
-  if (line.serial) entry["serial"] = text_of(*line.serial);
-  if (line.speed) entry["speed"] = text_of(*line.speed);
-  if (line.waits_for) entry["waits_for"] = *line.waits_for;
-  return entry;
-}
-
-/// The physical controller, as `lines` shows it beside the lines: it has no number.
-Json device_line_json(const DeviceLink& device) {
-  const auto opened = device.opened_tick();
-  return {{"kind", name_of(LineKind::kDevice)}, {"peer", device.path()},
-          {"open", device.is_open()},           {"opened_tick", opened ? Json(*opened) : Json()},
-          {"bytes_in", device.bytes_in()},      {"bytes_out", device.bytes_out()},
-          {"last", readable(device.last())},    {"serial", text_of(device.settings())}};
 }
 
 Json value_with_faults(const Cell& cell) {
@@ -193,6 +98,11 @@ void add_saved(const SavedCell& cell, const std::string& name, bool is_inline, J
 }
 
 }  // namespace
+
+monitor::Message refused(const monitor::RequestId& id, monitor::RequestError error) {
+  error.id = id;
+  return monitor::result(error);
+}
 
 Json value_now(const Cell& cell) { return {{"epoch", cell.epoch()}, {"tick", cell.state().tick}}; }
 
@@ -316,90 +226,6 @@ MonitorService::Answer MonitorService::done(HostedCell& at, const monitor::Reque
             return monitor::result(id, value);
           },
           is_large};
-}
-
-// --- Serial lines.
-
-std::optional<LineId> MonitorService::open_own_line(const HostedCell& at, MonitorSession& session) {
-  const std::map<std::string, LineId>& lines = session.own_lines();
-  const auto known = lines.find(at.name());
-  if (known == lines.end() || at.cell().find_line(known->second) == nullptr) return std::nullopt;
-  return known->second;
-}
-
-std::optional<LineId> MonitorService::own_line(HostedCell& at, MonitorSession& session) {
-  if (const std::optional<LineId> open = open_own_line(at, session)) return open;
-  std::map<std::string, LineId>& lines = session.own_lines();
-  const auto is_closed = [this](const auto& line) {
-    const CellPtr cell = cells_.find(line.first);
-    return !cell || cell->cell().find_line(line.second) == nullptr;
-  };
-  if (lines.size() >= kMaxOwnLines) std::erase_if(lines, is_closed);
-  if (lines.size() >= kMaxOwnLines) return std::nullopt;
-  const LineId opened = at.cell().apply(LineOpened{"monitor", LineKind::kMonitor}, wall_now()).line;
-  lines[at.name()] = opened;
-  return opened;
-}
-
-MonitorService::Answer MonitorService::send(HostedCell& at, MonitorSession& session,
-                                            const monitor::Request& request) {
-  Cell& cell = at.cell();
-  const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  const std::string& bytes = std::get<monitor::Send>(wanted.call).bytes;
-  if (cell.is_in_past()) {
-    const call::Refused no = in_the_past();
-    return at_once(refused(request.id, {{}, no.code, no.message, no.hint, {}}));
-  }
-  if (const std::optional<LineId> current = cell.current_line();
-      current && current != open_own_line(at, session))
-    return at_once(refused(request.id, line_waits(*current)));
-  const std::optional<LineId> line = own_line(at, session);
-  if (!line) return at_once(refused(request.id, too_many_lines()));
-  const LineId id = *line;
-  // Camera images can fill the outbox, and with the byte clock each byte takes work. The client
-  // sends the rest of the bytes with the next call, so that no call takes long.
-  const bool moves_time = cell.clock().mode() == ClockMode::kBytes;
-  const WallNs end = moves_time ? wall_now() + kMaxSendTime : kNever;
-  const auto is_enough = [end] { return wall_now() >= end; };
-  const std::size_t taken = cell.apply(BytesIn{id, bytes, is_enough}, wall_now()).bytes_taken;
-  std::string replies(cell.find_line(id)->outbox());
-  cell.apply(BytesOut{id, replies.size()}, wall_now());
-  Json value = value_now(cell);
-  value["line"] = id;
-  if (taken < bytes.size()) value["taken"] = taken;
-  const bool is_long = replies.size() > kMaxReplyBytesAtOnce;
-  return {[id = request.id, value, replies = std::move(replies)]() mutable {
-            value["hex"] = hexadecimal(replies);
-            value["text"] = readable(replies);
-            return monitor::result(id, value);
-          },
-          is_long};
-}
-
-MonitorService::Answer MonitorService::list_lines(HostedCell& at, const monitor::Request& request) {
-  Cell& cell = at.cell();
-  cell.catch_up(wall_now());
-  std::vector<LineEntry> lines;
-  for (const auto& [id, line] : cell.lines()) lines.push_back(entry_of(cell, id, line));
-  const bool is_long = lines.size() > kMaxLinesAtOnce;
-  Json value = value_now(cell);
-  if (cell.device() != nullptr) value["device"] = device_line_json(*cell.device());
-  return {[id = request.id, value = std::move(value), lines = std::move(lines)]() mutable {
-            Json& list = value["lines"] = Json::array();
-            for (const LineEntry& line : lines) list.push_back(line_json(line));
-            return monitor::result(id, value);
-          },
-          is_long};
-}
-
-monitor::Message MonitorService::disconnect(HostedCell& at, const monitor::Request& request) {
-  Cell& cell = at.cell();
-  const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  const LineId id = std::get<monitor::DisconnectLine>(wanted.call).line;
-  if (cell.find_line(id) == nullptr) return refused(request.id, no_such_line(id));
-  if (!at.transports().disconnect(id))
-    cell.apply(LineClosed{id, LineCloseReason::kDisconnected}, wall_now());
-  return monitor::result(request.id, value_now(cell));
 }
 
 }  // namespace xr3

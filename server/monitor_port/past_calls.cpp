@@ -60,11 +60,6 @@ const monitor::PastTime& time_of(const monitor::Request& request) {
   return std::get<monitor::Branch>(call).at;
 }
 
-monitor::Message refusal(const monitor::RequestId& id, monitor::RequestError error) {
-  error.id = id;
-  return monitor::result(error);
-}
-
 // --- The history.
 
 /// Whether a time bar should show it: not the ordinary course of motion.
@@ -152,7 +147,7 @@ asio::awaitable<void> MonitorService::call_past(CellPtr at, MonitorSession& sess
     co_return;
   }
   if (at->history() == nullptr) {
-    session.client().send(refusal(id, no_history(*at)));
+    session.client().send(refused(id, no_history(*at)));
     co_return;
   }
   if (std::holds_alternative<monitor::ReadHistory>(call)) {
@@ -187,7 +182,7 @@ asio::awaitable<std::optional<MonitorService::Moment>> MonitorService::make_mome
   const monitor::PastTime& wanted = time_of(request);
   const ReplayTime time{wanted.epoch.value_or(at->cell().epoch()), wanted.tick};
   const auto refuse = [&](monitor::RequestError error) {
-    session.client().send(refusal(request.id, std::move(error)));
+    session.client().send(refused(request.id, std::move(error)));
   };
   co_await making_past_.until_free();
   const Exclusive::Hold hold(making_past_);
@@ -244,7 +239,7 @@ MonitorService::Answer MonitorService::open_branch(HostedCell& at, const Moment&
                                                    const monitor::RequestId& id) {
   const auto opened = open_branch_(at, moment.machine);
   if (const auto* no = std::get_if<call::Refused>(&opened))
-    return at_once(refusal(id, {{}, no->code, no->message, no->hint, {}}));
+    return at_once(refused(id, {{}, no->code, no->message, no->hint, {}}));
   const CellPtr& cell = std::get<CellPtr>(opened);
   Json value = value_now(cell->cell());
   value["cell"] = cell->name();

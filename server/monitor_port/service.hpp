@@ -28,6 +28,11 @@ namespace xr3 {
 /// Epoch and tick, the first members of the value of each call.
 Json value_now(const Cell& cell);
 
+/// The answer with an error.
+monitor::Message refused(const monitor::RequestId& id, monitor::RequestError error);
+/// The error of a request that names a line that is not open.
+monitor::RequestError no_such_line(LineId line);
+
 class MonitorService {
  public:
   /// The references must outlive the service.

@@ -119,8 +119,7 @@ void add_history(CLI::App& serve, ServeOptions& options) {
       .add_option_function<std::string>(
           "--history",
           [&options](const std::string& text) { options.history_ticks = parse_duration(text); },
-          "how long the past of a cell is kept, to look at it and to go back; 0: not at all "
-          "(default: 1h)")
+          "how long the past of a cell is kept, to look at it and go back to it (default: 1h)")
       ->type_name("90s|10m|1h|0")
       ->check(parses(parse_duration, ""));
 }

@@ -7,7 +7,7 @@ import unittest
 from monitor_schema import load, messages
 from support import MonitorError, Server, connect, counts, machine, motors
 
-STATE = set(load("monitor-v1")["$defs"]["state"]["properties"]) - {"id", "device"}  # the whole state
+STATE = set(load("monitor-v1")["$defs"]["state"]["properties"]) - {"id", "device", "past"}  # the whole state
 MOTOR = {"label", "count", "error", "value", "unit", "speed", "switch", "moving", "blocked"}
 TOOL = MOTOR | {"opening_mm", "xyz_mm", "rotation", "configuration", "net_roll_deg", "holding"}
 

@@ -17,6 +17,7 @@ COMMAND = re.compile(r"\$ ((?:\w+=\S+ )*)xr3 serve --clock (manual|bytes)")
 REPEATED = re.compile(r"(.*) \((\d+) times\)")
 CALLS = re.compile(r'("op":"hello".*"calls":\["pause"),.*?\]')  # their list grows
 PEER = re.compile(r"127\.0\.0\.1:\d+")  # differs from run to run
+FREE_PORT = re.compile(r'("cell":"b1","robot_port":)\d+')  # likewise
 
 
 class Player:
@@ -54,7 +55,7 @@ class Player:
         text, self.greeting = self.greeting or self.file.readline(), b""
         monitor_schema.check(json.loads(text), is_whole=False)
         shown = CALLS.sub(r"\1,...]", text.decode().rstrip("\n"))
-        return PEER.sub("127.0.0.1:51022", shown)
+        return FREE_PORT.sub(r"\g<1>40123", PEER.sub("127.0.0.1:51022", shown))
 
 
 def played():
