@@ -1,4 +1,5 @@
 // The overhead camera's binary image with its axes, optionally with the outlines of the blocks.
+import { withRuns } from "../lib/image_rows.js";
 import { mmPerUnit } from "../lib/kinematics.js";
 import { CameraPointer } from "./camera_pointer.js";
 
@@ -35,7 +36,8 @@ export class CameraPanel {
     this.#draw();
   }
 
-  setImage(image) {
+  setImage(message) {
+    const image = withRuns(message);
     this.image = image;
     this.pointer.setImage(image);
     this.#updateCaption();
