@@ -56,7 +56,6 @@ async function call(fn, args = {}) {
 
 const lock = new ControlLock({ onChange: allow });
 const access = new Access({ connection, lock, onError: showError, onUnlocked: readAgain });
-const mayCall = () => lock.isFree;
 const isOpen = () => byId("connection").dataset.state === "open";
 function allow() {
   timeBar.allow();
@@ -85,10 +84,10 @@ const teach = new TeachPanel({
   host: byId("teach-panel"), send: (text) => consolePanel.transmit(text), getState: (fields) => connection.get("state", { fields }), lock, onError: showError,
 });
 const workcell = new WorkcellPanel({
-  host: byId("workcell-panel"), call: (fn, args) => connection.call(fn, args), getModel: () => connection.get("model"), mayCall, onError: showError,
+  host: byId("workcell-panel"), call: (fn, args) => connection.call(fn, args), getModel: () => connection.get("model"), mayCall: () => lock.isFree, onError: showError,
 });
 const timeBar = new TimeBar({
-  known, call, mayCall, isOpen, onTick: (tick) => paper.tick(tick),
+  known, call, lock, isOpen, onTick: (tick) => paper.tick(tick),
 });
 const rewind = new Rewind({ call: (fn, args) => connection.call(fn, args), isOpen, lock, onError: showError });
 const menu = new CommandMenu({ known, call, lock, showMessage });
@@ -291,7 +290,7 @@ connection.follow("event");
 
 // For tests and screenshots.
 window.xr3 = {
-  known, transcriptLine, scene, paper, plots, teach, rewind,
+  known, transcriptLine, scene, paper, plots, teach,
   call, disconnect: () => connection.socket?.close(),
   step: (ticks) => call("step", { ticks, fields: [] }),
   tip: () => known.model && tip(known.model.robot, known.state.joints.map((joint) => joint.value)),

@@ -1,7 +1,7 @@
 // A past for tests of the time bar: the page's connection goes to a real server, but the calls of rewind are answered here,
 // with frames of that server in which the first joint tells the moment.
 import assert from "node:assert/strict";
-import { close, ofThePage, open, ready, serve } from "../bench.mjs";
+import { close, kDeadlineMs, ofThePage, open, ready, serve } from "../bench.mjs";
 
 const kChannels = new Set(["state", "model", "image", "display"]);
 
@@ -80,12 +80,28 @@ function pastFrame(message, { id, epoch, tick }) {
 }
 const bitsOf = (runs) => runs.map((run, i) => String(i % 2).repeat(run)).join("");
 
-/** Runs `act(page, played, server)` on a page with a played past and an open time bar. */
-export async function withPast(options, act, pageOptions) {
+/** Waits until the condition is true. */
+export async function until(is) {
+  const deadline = Date.now() + kDeadlineMs;
+  while (!is()) {
+    assert.ok(Date.now() < deadline, String(is));
+    await new Promise((resolve) => setTimeout(resolve, 5));
+  }
+}
+
+/** Lets time pass for the page, if `clock` is played, and waits until the server has read what it has sent then. */
+export async function pass(page, ms) {
+  await page.clock.fastForward(ms);
+  await page.evaluate(() => window.xr3.call("fault_list"));
+}
+
+/** Runs `act(page, played, server)` on a page with a played past and an open time bar; `playsClock`: for `pass`. */
+export async function withPast(options, act, { playsClock = false, ...pageOptions } = {}) {
   const server = await serve(...options);
   const page = await open("about:blank", pageOptions);
   try {
     const played = await playPast(page);
+    if (playsClock) await page.clock.install();
     await page.goto(server.url);
     await ready(page);
     await page.click("#rewind");

@@ -3,15 +3,16 @@
 import { byId, el, setText } from "../lib/dom.js";
 
 const kStepTicks = 100;
+const kStepTitle = "100 ms of simulated time";
 const kClockEveryMs = 100;
 
 export class TimeBar {
   /**
-   * `call(fn, args)` calls the server; `isOpen()` and `mayCall()` report connection and access;
+   * `call(fn, args)` calls the server; `isOpen()` reports the connection; `lock` is the page's ControlLock;
    * `onTick(tick)` is called with the extrapolated tick. `known.past` is the state of the past that the page shows.
    */
-  constructor({ known, call, isOpen, mayCall, onTick }) {
-    Object.assign(this, { known, mayCall, onTick });
+  constructor({ known, call, isOpen, lock, onTick }) {
+    Object.assign(this, { known, lock, onTick });
     byId("pause").onclick = () => call(known.state?.clock.mode === "manual" ? "resume" : "pause");
     byId("step").onclick = () => call("step", { ticks: kStepTicks, fields: [] });
     byId("rate").onchange = (event) => call("rate", { factor: Number(event.target.value) });
@@ -25,10 +26,11 @@ export class TimeBar {
     this.allow();
   }
 
-  /** Enables Step only without a real clock, the speed only without the byte clock, and both with control access. */
+  /** Enables Step only without a real clock, the speed only without the byte clock, and both unless they are locked. */
   allow() {
-    byId("rate").disabled = this.known.state?.clock.mode === "bytes" || !this.mayCall();
-    byId("step").disabled = this.known.state?.clock.mode === "real" || !this.mayCall();
+    byId("rate").disabled = this.known.state?.clock.mode === "bytes" || !this.lock.isFree;
+    byId("step").disabled = this.known.state?.clock.mode === "real" || !this.lock.isFree;
+    byId("step").title = this.lock.reason ?? kStepTitle;
   }
 
   #showRate(wanted) {

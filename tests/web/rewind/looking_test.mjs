@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { type } from "../bench.mjs";
-import { close, countAt, kEvents, withPast } from "./played_past.mjs";
+import { close, countAt, kEvents, pass, until, withPast } from "./played_past.mjs";
 
 after(close);
 
@@ -53,7 +53,7 @@ test("while it is dragged at most one look is under way, and the last place wins
     await page.waitForFunction(() => Math.abs(document.querySelector("#past-slider").valueAsNumber - 10_000) < 100);
     assert.equal(played.asked("look").length, 1);
     played.release();
-    while (played.held.length === 0) await page.waitForTimeout(10);
+    await until(() => played.held.length > 0);
     assert.equal(played.asked("look").length, 2);
     const wanted = await page.$eval(slider, (each) => each.valueAsNumber);
     assert.equal(played.asked("look")[1].tick, wanted);
@@ -140,7 +140,7 @@ test("the clock of the header and the picture stand at the moment, and the plots
     assert.equal(await page.textContent("#clock"), "5.000 s");
     await type(server.robot, "F+30\r");
     await server.rest();
-    await page.waitForTimeout(300); // the clock would have been shown three times
+    await pass(page, 1000);
     assert.equal(await page.textContent("#clock"), "5.000 s");
     const glide = await page.evaluate(() => window.xr3.scene.motion.glide);
     assert.equal(glide.duration, 0);
@@ -155,7 +155,7 @@ test("the clock of the header and the picture stand at the moment, and the plots
     const counts = await samples();
     assert.ok(counts.every(([each]) => each !== countAt(5000)), String(counts));
     assert.notEqual(counts.at(-1)[1], counts[length - 1][1], "the line has a gap");
-  }));
+  }, { playsClock: true }));
 
 test("the path of the tool, the named view and the size of the picture stay as they were", () =>
   withPast(["--clock", "manual"], async (page) => {
