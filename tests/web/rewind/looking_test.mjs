@@ -174,6 +174,43 @@ test("the path of the tool, the named view and the size of the picture stay as t
     assert.equal(await pieces(), drawn);
   }));
 
+test("a block in the hand is drawn where it was, at every moment", () =>
+  withPast(["--clock", "manual"], async (page, played) => {
+    const at = (tick) => [300 - tick / 1000, tick / 500, 200];
+    played.alters = (frame) => {
+      if (frame.op === "state") Object.assign(frame.blocks[0], { held: true, xyz_mm: at(frame.tick) });
+      return frame;
+    };
+    const { name } = await page.evaluate(() => window.xr3.known.state.blocks[0]);
+    await page.focus(slider);
+    for (const [key, tick] of [["Home", 0], ["PageUp", 5000], ["PageUp", 10_000]]) {
+      await page.keyboard.press(key);
+      await page.waitForFunction(([block, xyz]) => window.xr3.blockDrawn(block).every((v, i) => Math.abs(v - xyz[i]) < 0.01), [name, at(tick)]);
+    }
+  }));
+
+test("the blocks of the past are shown, and then those of the present again", () =>
+  withPast(["--clock", "manual"], async (page, played) => {
+    const { workcell } = await page.evaluate(() => window.xr3.known.model);
+    const [gone, ...rest] = workcell.blocks;
+    played.alters = (frame) => {
+      if (frame.op === "state") frame.blocks = frame.blocks.filter(({ name }) => name !== gone.name);
+      if (frame.op === "model") frame.workcell.blocks = rest;
+      return frame;
+    };
+    const names = (count) => page.waitForFunction((wanted) => document.querySelectorAll("#plan [data-block]").length === wanted, count);
+    await page.click("#tab-workcell");
+    await names(workcell.blocks.length);
+    await page.focus(slider);
+    await page.keyboard.press("Home");
+    await names(rest.length);
+    await page.waitForFunction((name) => window.xr3.blockDrawn(name) === null, gone.name);
+    assert.equal(await page.evaluate((name) => window.xr3.known.model.workcell.blocks.some((block) => block.name === name), gone.name), true);
+    await page.keyboard.press("Escape");
+    await names(workcell.blocks.length);
+    await page.waitForFunction((name) => window.xr3.blockDrawn(name) !== null, gone.name);
+  }));
+
 test("a lost connection ends the look", () =>
   withPast(["--clock", "manual"], async (page, played) => {
     await page.focus(slider);

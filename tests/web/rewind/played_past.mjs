@@ -18,11 +18,12 @@ export const kHistory = {
 export const countAt = (tick) => Math.floor(tick / 100);
 
 /**
- * Answers the calls of rewind on the page's connections. Returns { requests, history, answers, holds, send, cut }: `history` is the value of
- * the call, `answers[fn](args)` another answer to a call (it may throw an error response), `holds` lets looks wait for `release()`.
+ * Answers the calls of rewind on the page's connections. Returns { requests, history, answers, alters, holds, send, cut }: `history` is the value of
+ * the call, `answers[fn](args)` another answer to a call (it may throw an error response), `holds` lets looks wait for `release()`,
+ * and `alters(frame)` returns another frame of the past.
  */
 export async function playPast(page) {
-  const played = { requests: [], history: structuredClone(kHistory), answers: {}, held: [], sockets: 0 };
+  const played = { requests: [], history: structuredClone(kHistory), answers: {}, alters: (frame) => frame, held: [], sockets: 0 };
   const latest = new Map(); // of the server's messages by channel
   await page.routeWebSocket(/\/ws$/, (socket) => {
     const server = socket.connectToServer();
@@ -41,7 +42,7 @@ export async function playPast(page) {
     const frames = {
       look({ tick, epoch, channels }, id) {
         isLooking = true;
-        for (const op of channels) if (latest.has(op)) toPage(pastFrame(latest.get(op), { id, epoch, tick }));
+        for (const op of channels) if (latest.has(op)) toPage(played.alters(pastFrame(latest.get(op), { id, epoch, tick })));
         return { epoch, tick };
       },
       live() {
