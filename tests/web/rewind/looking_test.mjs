@@ -164,9 +164,9 @@ test("the path of the tool, the named view and the size of the picture stay as t
     const pieces = () => page.evaluate(() => window.xr3.scene.path.pieces);
     const [before, drawn] = [await eye(), await pieces()];
     await page.focus(slider);
-    for (const key of ["PageDown", "PageDown", "Home", "ArrowRight"]) await page.keyboard.press(key);
-    await looksAt(page, "0:00.100 of epoch 0.");
-    await page.waitForFunction((from) => Math.abs(window.xr3.tipDrawn()[1] - from) > 0.3, await page.evaluate(() => window.xr3.known.state.tool.xyz_mm[1]));
+    for (const key of ["PageDown", "Home", "PageUp"]) await page.keyboard.press(key);
+    await looksAt(page, "0:05.000 of epoch 0.");
+    await page.waitForFunction((from) => Math.abs(window.xr3.tipDrawn()[1] - from) > 5, await page.evaluate(() => window.xr3.known.state.tool.xyz_mm[1]));
     await page.keyboard.press("Escape");
     await isLive(page);
     await page.waitForFunction(() => Math.abs(window.xr3.tipDrawn()[1] - window.xr3.known.state.tool.xyz_mm[1]) < 0.01);
@@ -194,21 +194,59 @@ test("the blocks of the past are shown, and then those of the present again", ()
     const { workcell } = await page.evaluate(() => window.xr3.known.model);
     const [gone, ...rest] = workcell.blocks;
     played.alters = (frame) => {
-      if (frame.op === "state") frame.blocks = frame.blocks.filter(({ name }) => name !== gone.name);
-      if (frame.op === "model") frame.workcell.blocks = rest;
+      if (frame.op === "state") frame.blocks = [{ ...frame.blocks[1], name: "early" }, ...frame.blocks.filter(({ name }) => name !== gone.name)];
+      if (frame.op === "model") frame.workcell.blocks = [{ ...gone, name: "early" }, ...rest];
       return frame;
     };
-    const names = (count) => page.waitForFunction((wanted) => document.querySelectorAll("#plan [data-block]").length === wanted, count);
+    played.silent = ["model"];
+    const names = (blocks) => page.waitForFunction((wanted) => String([...document.querySelectorAll("#plan [data-block]")].map((each) => each.dataset.block).sort()) === wanted,
+      String(blocks.map(({ name }) => name).sort()));
     await page.click("#tab-workcell");
-    await names(workcell.blocks.length);
+    await names(workcell.blocks);
     await page.focus(slider);
     await page.keyboard.press("Home");
-    await names(rest.length);
+    await names([...rest, { name: "early" }]);
     await page.waitForFunction((name) => window.xr3.blockDrawn(name) === null, gone.name);
     assert.equal(await page.evaluate((name) => window.xr3.known.model.workcell.blocks.some((block) => block.name === name), gone.name), true);
     await page.keyboard.press("Escape");
-    await names(workcell.blocks.length);
+    await names(workcell.blocks);
     await page.waitForFunction((name) => window.xr3.blockDrawn(name) !== null, gone.name);
+  }));
+
+test("a jog button that is held does not go on under the lock", () =>
+  withPast(["--clock", "real:0.5"], async (page, played, server) => {
+    await page.click("#tab-console");
+    await page.hover("#jog button[aria-label^='base'][aria-label$='up']");
+    await page.mouse.down();
+    await page.waitForFunction(() => window.xr3.known.state.joints[0].count > 3);
+    await page.$eval(slider, (each) => {
+      each.value = "100";
+      each.dispatchEvent(new Event("input"));
+    });
+    await page.waitForSelector("#jog button:disabled");
+    const { joints: [{ count: before }], tick } = await server.state();
+    for (let now = tick; now < tick + 1500; now = (await server.state()).tick);
+    await server.rest();
+    const { count: after } = (await server.state()).joints[0];
+    assert.ok(after - before < 30, `${before} ${after}`); // in a second and a half it would be 80
+  }));
+
+test("the wire frames of the past leave no path", () =>
+  withPast(["--clock", "manual"], async (page) => {
+    await page.click("#view-paper");
+    await page.keyboard.press("p");
+    await page.waitForFunction(() => window.xr3.known.display?.erase === false);
+    const frames = () => page.evaluate(() => window.xr3.paper.frames.length);
+    await page.focus(slider);
+    for (const [key, text] of [["Home", "0:00.000 of epoch 0."], ["PageUp", "0:05.000 of epoch 0."], ["PageUp", "0:10.000 of epoch 0."]]) {
+      await page.keyboard.press(key);
+      await looksAt(page, text);
+      assert.equal(await frames(), 1);
+    }
+    await page.keyboard.press("Escape");
+    await isLive(page);
+    await page.waitForFunction(() => !window.xr3.paper.display.past);
+    assert.equal(await frames(), 1);
   }));
 
 test("a lost connection ends the look", () =>

@@ -18,12 +18,12 @@ export const kHistory = {
 export const countAt = (tick) => Math.floor(tick / 100);
 
 /**
- * Answers the calls of rewind on the page's connections. Returns { requests, history, answers, alters, holds, send, cut }: `history` is the value of
+ * Answers the calls of rewind on the page's connections. Returns { requests, history, answers, alters, silent, holds, send, cut }: `history` is the value of
  * the call, `answers[fn](args)` another answer to a call (it may throw an error response), `holds` lets looks wait for `release()`,
- * and `alters(frame)` returns another frame of the past.
+ * `alters(frame)` returns another frame of the past, and the channels `silent` do not come again in the present.
  */
 export async function playPast(page) {
-  const played = { requests: [], history: structuredClone(kHistory), answers: {}, alters: (frame) => frame, held: [], sockets: 0 };
+  const played = { requests: [], history: structuredClone(kHistory), answers: {}, alters: (frame) => frame, held: [], silent: [], sockets: 0 };
   const latest = new Map(); // of the server's messages by channel
   await page.routeWebSocket(/\/ws$/, (socket) => {
     const server = socket.connectToServer();
@@ -47,7 +47,7 @@ export async function playPast(page) {
       },
       live() {
         isLooking = false;
-        setTimeout(() => latest.forEach(toPage));
+        setTimeout(() => [...latest.values()].filter(({ op }) => !played.silent.includes(op)).forEach(toPage));
         return { epoch: played.history.epoch, tick: played.history.tick };
       },
       history: () => played.history,

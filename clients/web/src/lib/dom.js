@@ -71,7 +71,7 @@ export function whileHeld(button, act, everyMs = 60) {
   const start = () => {
     if (timer || button.disabled) return;
     act(true);
-    timer = setInterval(() => (button.isConnected && !button.disabled ? again() : stop()), everyMs);
+    timer = setInterval(() => (button.isConnected ? again() : stop()), everyMs);
   };
   button.addEventListener("pointerdown", (event) => {
     if (event.button === 0) start();
