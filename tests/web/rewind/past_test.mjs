@@ -59,7 +59,7 @@ test("the goal is the latest wish, also before it is shown", async () => {
 test("a look asks for all that the page shows, and its place is the one of the answer", async () => {
   const { past, answer, asked } = played();
   past.look({ epoch: 3, tick: 40, kind: "stall" });
-  assert.deepEqual(asked("look"), [{ fn: "look", epoch: 3, tick: 40, channels: ["model", "state", "image", "display"] }]);
+  assert.deepEqual(asked("look"), [{ fn: "look", epoch: 3, tick: 40, channels: ["model", "state", "image", "display"], encoding: "rle" }]);
   await answer({ epoch: 3, tick: 46 }); // the byte clock moves with whole inputs
   assert.deepEqual(past.place, { epoch: 3, tick: 46 });
   past.look({ epoch: 3, tick: 40 });

@@ -76,10 +76,8 @@ export async function playPast(page) {
 function pastFrame(message, { id, epoch, tick }) {
   const frame = { ...structuredClone(message), id, epoch, tick, past: true };
   if (frame.op === "state") Object.assign(frame.joints[0], { count: countAt(tick), value: tick / 1000 });
-  if (frame.op === "image" && frame.encoding === "rle") Object.assign(frame, { encoding: "rows", rows: frame.rows.map(bitsOf) });
   return frame;
 }
-const bitsOf = (runs) => runs.map((run, i) => String(i % 2).repeat(run)).join("");
 
 /** Waits until the condition is true. */
 export async function until(is) {

@@ -1,5 +1,4 @@
 // The overhead camera's binary image with its axes, optionally with the outlines of the blocks.
-import { withRuns } from "../lib/image_rows.js";
 import { mmPerUnit } from "../lib/kinematics.js";
 import { CameraPointer } from "./camera_pointer.js";
 
@@ -36,8 +35,7 @@ export class CameraPanel {
     this.#draw();
   }
 
-  setImage(message) {
-    const image = withRuns(message);
+  setImage(image) {
     this.image = image;
     this.pointer.setImage(image);
     this.#updateCaption();

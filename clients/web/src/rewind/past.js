@@ -3,7 +3,7 @@
 // Independent of the page.
 import { isSamePlace } from "./axis.js";
 
-const kChannels = ["model", "state", "image", "display"];
+const kShown = { channels: ["model", "state", "image", "display"], encoding: "rle" };
 const kLive = "live";
 
 /** Why there is no history at all, and none will be while this server runs. */
@@ -102,7 +102,7 @@ export class Past {
   async #fulfil(wish) {
     try {
       if (wish === kLive) await this.call("live", {});
-      const shown = wish === kLive ? null : await this.call("look", { ...wish, channels: kChannels });
+      const shown = wish === kLive ? null : await this.call("look", { ...wish, ...kShown });
       this.place = shown && { epoch: shown.epoch, tick: shown.tick };
     } catch (error) {
       if (this.asked === wish) this.asked = null;
