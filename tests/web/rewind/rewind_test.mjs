@@ -25,11 +25,16 @@ async function moveTwice(page, server) {
 /** Opens the bar and looks at a tick of the first epoch. */
 async function lookAt(page, tick) {
   await page.click("#rewind");
-  await page.waitForFunction((least) => document.querySelector("#past-slider").valueAsNumber > least, tick);
+  await page.waitForSelector(`${slider}:enabled`);
+  await lookAtOpen(page, tick);
+}
+
+async function lookAtOpen(page, tick) {
+  const { epochs } = await page.evaluate(() => window.xr3.call("history"));
   await page.$eval(slider, (each, value) => {
     each.value = String(value);
     each.dispatchEvent(new Event("input"));
-  }, tick);
+  }, tick - epochs[0].from);
 }
 
 test("the page shows a moment of the past while the robot goes on, and the present again", () =>
@@ -91,13 +96,6 @@ test("continue from here takes the robot back; Resume goes on from there, to the
     await shows(page, 45);
   }));
 
-async function lookAtOpen(page, tick) {
-  await page.$eval(slider, (each, value) => {
-    each.value = String(value);
-    each.dispatchEvent(new Event("input"));
-  }, tick);
-}
-
 test("a branch goes on as a robot of its own, and its link opens it", () =>
   withPage([], async (page, server) => {
     const between = await moveTwice(page, server);
@@ -116,11 +114,11 @@ test("a branch goes on as a robot of its own, and its link opens it", () =>
 
 test("the link to a branch has its token on a private server", async () => {
   process.env.XR3_TOKEN = "the-token-of-a-teacher";
-  const server = await serve("--private");
+  const server = await serve("--cells", "2", "--private");
   delete process.env.XR3_TOKEN;
-  const page = await open(`${server.url}#token=the-token-of-a-teacher`);
+  const page = await open(`${server.url}cell/1#token=the-token-of-a-teacher`);
   await ready(page);
-  await type(server.robot, "F+40\r");
+  await page.evaluate(() => window.xr3.call("send", { text: "F+40\r" }));
   await shows(page, 40);
   await page.click("#rewind");
   await page.waitForSelector(`${slider}:enabled`);
@@ -133,7 +131,7 @@ test("the link to a branch has its token on a private server", async () => {
   assert.match(address, /^\/cell\/\w+#token=.+$/);
   const student = await open(new URL(address, server.url).href);
   await ready(student);
-  await shows(student, 0);
+  await shows(student, 40); // the first moment has the command already
   await student.waitForSelector("body:not(.read-only)");
   for (const each of [page, student]) {
     assert.deepEqual(ofThePage(each), []);
