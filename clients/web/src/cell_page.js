@@ -8,6 +8,7 @@ import { CameraPanel } from "./panels/camera_panel.js";
 import { CommandMenu } from "./panels/command_menu.js";
 import { CommandMode } from "./lib/command_mode.js";
 import { ConsolePanel } from "./panels/console_panel.js";
+import { ControlLock } from "./panels/control_lock.js";
 import { DeviceNotice } from "./panels/device_notice.js";
 import { DigitalLines } from "./panels/digital_lines.js";
 import { byId, setText } from "./lib/dom.js";
@@ -16,9 +17,11 @@ import { LinesPanel } from "./panels/lines_panel.js";
 import { tip } from "./lib/kinematics.js";
 import { NoScene } from "./scene/no_scene.js";
 import { PaperView } from "./panels/paper_view.js";
+import { PastFrames } from "./rewind/past_frames.js";
 import { isOverview } from "./lib/place.js";
 import { textOf } from "./lib/refusal.js";
 import { PlotPanel } from "./panels/plot_panel.js";
+import { Rewind } from "./rewind/rewind.js";
 import { Scene } from "./scene/scene.js";
 import { Stage } from "./panels/stage.js";
 import { TeachPanel } from "./panels/teach_panel.js";
@@ -28,7 +31,7 @@ import { WirePanel } from "./panels/wire_panel.js";
 import { transcriptLine } from "./lib/wire_text.js";
 import { WorkcellPanel } from "./panels/workcell_panel.js";
 
-const known = {}; // the newest hello, model, state and display, and the arrival time of the state
+const known = {}; // the newest hello, model, state and display, the arrival time of the state, and the state of the past that is shown
 
 // --- Connection and calls.
 
@@ -51,8 +54,9 @@ async function call(fn, args = {}) {
 
 // --- The panels.
 
-const access = new Access({ connection, showMessage, onError: showError, onChange: allow, onUnlocked: readAgain });
-const mayCall = () => access.mayCall;
+const lock = new ControlLock({ onChange: allow });
+const access = new Access({ connection, lock, onError: showError, onUnlocked: readAgain });
+const isOpen = () => byId("connection").dataset.state === "open";
 function allow() {
   timeBar.allow();
   teach.allow();
@@ -68,7 +72,7 @@ const wire = new WirePanel({
 });
 const lines = new LinesPanel({
   host: byId("lines-panel"), table: byId("lines-table"), body: byId("lines"), note: byId("lines-note"),
-  ask: () => connection.call("lines"), mayCall, tickNow: () => (known.state ? timeBar.tickNow() : 0), hz: () => known.hello?.tick_hz ?? 1000,
+  ask: () => connection.call("lines"), mayCall: () => access.mayCall, tickNow: () => (known.state ? timeBar.tickNow() : 0), hz: () => known.hello?.tick_hz ?? 1000,
   onChoose: showWireOf,
 });
 const plots = new PlotPanel({ host: byId("plots-panel"), tickNow: () => (known.state ? timeBar.tickNow() : 0), hz: () => known.hello?.tick_hz ?? 1000 });
@@ -77,15 +81,16 @@ const consolePanel = new ConsolePanel({
   send: (text) => connection.call("send", { text }), getState: (fields) => connection.get("state", { fields }), onError: showError,
 });
 const teach = new TeachPanel({
-  host: byId("teach-panel"), send: (text) => consolePanel.transmit(text), getState: (fields) => connection.get("state", { fields }), mayCall, onError: showError,
+  host: byId("teach-panel"), send: (text) => consolePanel.transmit(text), getState: (fields) => connection.get("state", { fields }), lock, onError: showError,
 });
 const workcell = new WorkcellPanel({
-  host: byId("workcell-panel"), call: (fn, args) => connection.call(fn, args), getModel: () => connection.get("model"), mayCall: () => access.mayCall, onError: showError,
+  host: byId("workcell-panel"), call: (fn, args) => connection.call(fn, args), getModel: () => connection.get("model"), mayCall: () => lock.isFree, onError: showError,
 });
 const timeBar = new TimeBar({
-  known, call, mayCall, isOpen: () => byId("connection").dataset.state === "open", onTick: (tick) => paper.tick(tick),
+  known, call, lock, isOpen, onTick: (tick) => paper.tick(tick),
 });
-const menu = new CommandMenu({ known, call, access });
+const rewind = new Rewind({ call: (fn, args) => connection.call(fn, args), isOpen, lock, onError: showError });
+const menu = new CommandMenu({ known, call, lock, showMessage });
 const run = (name) => menu.run(name);
 const stage = new Stage({ scene, paper, call, run, follow: (options) => connection.follow("display", options) });
 new CommandMode({ run, toggleMenu: () => menu.toggle(), known });
@@ -121,7 +126,16 @@ function showWireOf(entry) {
 
 // --- Messages from the server.
 
+const views = [scene, joints, camera, workcell]; // of model and state
+const pastFrames = new PastFrames({
+  known, onEnter: () => plots.leave(), onLeave: () => scene.jump(),
+  show: {
+    model: (model) => views.forEach((view) => view.setModel(model)), state: showPast, image: (m) => camera.setImage(m), display: (m) => stage.setDisplay(m),
+  },
+});
+
 function take(message) {
+  if (pastFrames.take(message)) return;
   const takers = {
     hello: takeHello, model: takeModel, state: takeState, display: takeDisplay, image: (m) => camera.setImage(m),
     line: takeLine, event: takeEvent, lag: takeLag, bye: (m) => showMessage(m.message), result: takeResult,
@@ -143,6 +157,7 @@ function takeHello(hello) {
   consolePanel.restart();
   lines.show();
   if (before) wire.reconnected(isSooner(hello, before));
+  rewind.reconnected();
   recallWire();
 }
 
@@ -191,8 +206,8 @@ function readAgain() {
 function takeModel(model) {
   known.model = model;
   if (known.hello) showName(model.robot.name);
-  for (const panel of [scene, joints, camera, consolePanel, workcell, plots, teach]) panel.setModel(model);
-  access.apply();
+  for (const panel of [...views, consolePanel, plots, teach]) panel.setModel(model);
+  lock.apply();
   if (known.state) takeState(known.state);
 }
 
@@ -200,10 +215,17 @@ function takeState(state) {
   known.firstStateMs ??= performance.now();
   known.state = state;
   known.arrival = performance.now();
-  if (known.model) for (const panel of [scene, joints, camera, workcell, plots]) panel.setState(state);
+  if (known.model) for (const panel of [...views, plots]) panel.setState(state);
   for (const panel of [timeBar, digitalLines, alarm, device]) panel.setState(state);
+  rewind.setPresent(state);
   showTool(state);
   menu.show();
+}
+
+function showPast(state) {
+  for (const panel of [...views, digitalLines, alarm]) panel.setState(state);
+  timeBar.follow();
+  showTool(state);
 }
 
 function takeDisplay(display) {
@@ -228,6 +250,7 @@ const kOfLines = new Set(["line_open", "line_close", "line_turn", "device", "epo
 
 function takeEvent(event) {
   plots.note(event);
+  rewind.note(event);
   if (event.event === "epoch") scene.clearPath();
   if (event.event === "homed" || event.event === "epoch") scene.jump();
   if (event.event === "clock" && known.state) takeClock(event);
@@ -242,6 +265,7 @@ function takeClock({ clock, tick }) {
   known.state = { ...known.state, clock, tick };
   known.arrival = performance.now();
   timeBar.setState(known.state);
+  rewind.setPresent(known.state);
 }
 
 function showTool({ tool }) {

@@ -3,6 +3,7 @@
 import { connection, earlyRefusals, firstHello, showConnection } from "./start.js";
 import { Access } from "./panels/access.js";
 import { Alarm } from "./panels/alarm.js";
+import { ControlLock } from "./panels/control_lock.js";
 import { byId, setText } from "./lib/dom.js";
 import { isOverview } from "./lib/place.js";
 import { OverviewPanel } from "./panels/overview_panel.js";
@@ -18,7 +19,7 @@ setText(byId("robot-name"), "all robots");
 const alarm = new Alarm({ line: byId("alarm"), places: [byId("overview-message")] });
 const showError = (error) => alarm.showMessage(textOf(error));
 const access = new Access({
-  connection, showMessage: (text) => alarm.showMessage(text), onError: showError, onChange: () => {}, onUnlocked: () => location.reload(),
+  connection, lock: new ControlLock(), onError: showError, onUnlocked: () => location.reload(),
 });
 const overview = new OverviewPanel({
   host: byId("cards"),

@@ -111,3 +111,13 @@ test("texts: values with units, the reading of a sample with its events, and eac
   assert.deepEqual([timeText(history, -0.5), timeText(history, 0), timeText(history, 2.25), timeText(history, -3)], ["1 s", "0 s", "2.25 s", ""]);
   assert.deepEqual(history.borders().map(({ text, x }) => [text, x]), [["epoch 1", 0]]);
 });
+
+test("events of an epoch that began and ended while no states came have no mark in the next one", () => {
+  const history = historyOf(state(0, 0), state(100, 4));
+  history.break();
+  history.mark({ event: "grasped", epoch: 1, tick: 7000, message: "the jaws hold block green" });
+  history.mark({ event: "stalled", epoch: 2, tick: 400, message: "a stall" });
+  history.add(state(300, 0, { epoch: 2 }));
+  history.add(state(500, 5, { epoch: 2 }));
+  assert.deepEqual(history.placedMarks().map(({ text }) => text), ["stall"]);
+});

@@ -18,7 +18,7 @@ export const kStatusNames = ["blank", "tool configuration", "joint variables", "
 // Controls that use letter keys themselves: text inputs and lists, but not checkboxes.
 const kTakesLetters = `textarea, select, [contenteditable],
   input:not([type="checkbox"], [type="radio"], [type="range"], [type="file"], [type="button"])`;
-const isTyping = (target) => target.closest?.(kTakesLetters);
+export const isTyping = (target) => target.closest?.(kTakesLetters);
 
 /**
  * Removes the focus from a list after a selection by mouse, so that keys reach command mode again.

@@ -190,7 +190,7 @@ export class PlotHistory {
     const timeline = this.timeline();
     return this.marks.flatMap((mark) => {
       const part = timeline[mark.part - this.firstPart];
-      return part && mark.tick >= this.ticks[this.#at(part.from)] ? [{ ...mark, x: mark.tick / this.hz + part.shift }] : [];
+      return part?.epoch === mark.epoch && mark.tick >= this.ticks[this.#at(part.from)] ? [{ ...mark, x: mark.tick / this.hz + part.shift }] : [];
     });
   }
 

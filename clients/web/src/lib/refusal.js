@@ -7,6 +7,8 @@ export const kReadOnly = "This page is read-only: press Unlock and enter the tok
 const kOfThePage = {
   token_required: kReadOnly,
   bad_token: "Wrong token. After five wrong tokens the server closes the connection.",
+  no_history: "This server keeps no history of this robot. Start it with --history 1h, and without a physical controller, to look back.",
+  in_the_past: "The robot was taken back in time, and programs wait. Press Resume first.",
 };
 
 const short = (text) => (text.length > kMaxLetters ? `${text.slice(0, kMaxLetters)}…` : text);

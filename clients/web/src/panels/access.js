@@ -1,10 +1,9 @@
-// Access control: takes the token from the address or the dialog and locks controls that need it.
-// An element with `data-call` changes the server; all other controls are never locked.
+// Access control: takes the token from the address or the dialog, and locks the controls that need it.
 import { byId, setText } from "../lib/dom.js";
 import { kReadOnly } from "../lib/refusal.js";
 import { keep, takeFromAddress } from "../lib/token.js";
 
-const kTokenRequired = "This server requires a token: press Unlock.";
+const kWhy = { read: kReadOnly, none: "This server requires a token: press Unlock." };
 const kAsks = {
   read: "You can watch without a token. To control the robot, enter the token that the server was started with.",
   none: "This server requires its token even for reading. Enter the token that it was started with.",
@@ -12,11 +11,10 @@ const kAsks = {
 
 export class Access {
   /**
-   * `showMessage(text)` shows a message to the user; `onChange()` is called when the access changes, and
-   * `onUnlocked()` when the server has accepted a token.
+   * `lock` is the page's ControlLock; `onUnlocked()` is called when the server has accepted a token.
    */
-  constructor({ connection, showMessage, onError, onChange, onUnlocked }) {
-    Object.assign(this, { connection, showMessage, onError, onChange, onUnlocked });
+  constructor({ connection, lock, onError, onUnlocked }) {
+    Object.assign(this, { connection, lock, onError, onUnlocked });
     this.access = "control"; // until `hello` arrives
     addEventListener("hashchange", () => this.#fromAddress());
     byId("unlock").onclick = () => this.#ask();
@@ -28,11 +26,6 @@ export class Access {
     return this.access === "control";
   }
 
-  /** Tells the user why a function is locked. */
-  explain() {
-    this.showMessage(this.access === "none" ? kTokenRequired : kReadOnly);
-  }
-
   /** `access` is "control", "read", or "none" if even reading needs the token. */
   set(access) {
     this.access = access;
@@ -40,17 +33,7 @@ export class Access {
     document.body.classList.toggle("read-only", !this.mayCall);
     document.body.classList.toggle("no-access", access === "none");
     byId("unlock").hidden = this.mayCall;
-    this.apply();
-    this.onChange();
-  }
-
-  /**
-   * Locks new controls, or unlocks all controls that this class has locked. Controls that are
-   * disabled for another reason stay disabled.
-   */
-  apply() {
-    if (this.mayCall) for (const control of document.querySelectorAll("[data-locked]")) unlock(control);
-    else for (const control of document.querySelectorAll("[data-call]:not(:disabled)")) lock(control);
+    this.lock.set("access", kWhy[access] ?? null);
   }
 
   /** Called when the server has rejected the token that was sent on connecting. */
@@ -86,13 +69,4 @@ export class Access {
       this.onError(error);
     }
   }
-}
-
-function lock(control) {
-  control.disabled = true;
-  control.dataset.locked = "";
-}
-function unlock(control) {
-  control.disabled = false;
-  delete control.dataset.locked;
 }

@@ -7,9 +7,9 @@ const kPeriodsInHalfSeconds = [1, 2, 6, 20];
 const kTicksInHalfSecond = 500;
 
 export class CommandMenu {
-  /** `call(fn, args)` calls the server; `access` is the page's Access. */
-  constructor({ known, call, access }) {
-    Object.assign(this, { known, call, access });
+  /** `call(fn, args)` calls the server; `lock` is the page's ControlLock, and `showMessage(text)` shows its reason. */
+  constructor({ known, call, lock, showMessage }) {
+    Object.assign(this, { known, call, lock, showMessage });
     this.asks = { home: () => call("home"), view: () => this.#askView(), status: () => this.#nextStatus(), period: () => this.#nextPeriod() };
     byId("menu-button").onclick = () => this.toggle();
     byId("functions").replaceChildren(...kFunctions.map((each) => this.#entry(each)));
@@ -17,7 +17,7 @@ export class CommandMenu {
 
   /** Runs a function, or explains why it is locked. */
   run(name) {
-    if (!this.access.mayCall) this.access.explain();
+    if (!this.lock.isFree) this.showMessage(this.lock.reason);
     else if (this.asks[name]) this.asks[name]();
     else this.#key(name);
   }

@@ -34,7 +34,7 @@ export class PaperView {
   }
 
   setDisplay(display) {
-    const turned = !this.display || this.display.on !== display.on || this.display.erase !== display.erase ||
+    const turned = !this.display || display.past || this.display.past || this.display.on !== display.on || this.display.erase !== display.erase ||
       String(this.display.view) !== String(display.view) || String(this.display.extents_mm) !== String(display.extents_mm);
     this.display = display;
     if (turned) this.frames = [];

@@ -68,6 +68,12 @@ export class PlotPanel {
     if (this.robot && this.history.mark(event)) this.#schedule();
   }
 
+  /** No states come until the page shows the present again: the plots stand still, and the lines have a gap. */
+  leave() {
+    this.isRunning = false;
+    this.history.break();
+  }
+
   /** The connection was lost meanwhile. */
   reconnected() {
     this.history.break();

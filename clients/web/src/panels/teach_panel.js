@@ -13,10 +13,10 @@ const kEmpty = "No points yet. Jog the arm to a place, then press Record.";
 export class TeachPanel {
   /**
    * `send(text)` sends bytes on the page's serial line and rejects if that fails; `getState(fields)` gets the state;
-   * `mayCall()` tells whether the page may move the robot; `onError(error)` shows an error.
+   * `lock` is the page's ControlLock; `onError(error)` shows an error.
    */
-  constructor({ host, send, getState, mayCall, onError }) {
-    Object.assign(this, { host, getState, mayCall, onError, chosen: null, reached: null });
+  constructor({ host, send, getState, lock, onError }) {
+    Object.assign(this, { host, getState, lock, onError, chosen: null, reached: null });
     this.player = new Player({ send, getState });
     this.store = new PointStore({ onChange: () => this.#show(), onError });
     this.table = new PointTable({
@@ -83,13 +83,16 @@ export class TeachPanel {
   allow() {
     const { isPlaying } = this.player;
     const [has, isChosen] = [this.points.length > 0, this.chosen !== null];
-    const mayPlay = !isPlaying && this.mayCall();
+    const mayPlay = !isPlaying && this.lock.isFree;
+    const mayRecord = !isPlaying && this.lock.reasonOf("look") === null; // else another pose than the shown one
     const enabled = {
-      record: !isPlaying && this.points.length < kMaxPoints, "play-one": mayPlay && isChosen, "play-next": mayPlay && has, "play-all": mayPlay && has,
+      record: mayRecord && this.points.length < kMaxPoints, "play-one": mayPlay && isChosen, "play-next": mayPlay && has, "play-all": mayPlay && has,
       "play-stop": isPlaying, "point-up": isChosen && this.chosen > 0, "point-down": isChosen && this.chosen < this.points.length - 1,
-      "point-overwrite": !isPlaying && isChosen, "point-remove": isChosen, "points-undo": this.store.back.length > 0, "points-save": has, "program-save": has,
+      "point-overwrite": mayRecord && isChosen, "point-remove": isChosen, "points-undo": this.store.back.length > 0, "points-save": has, "program-save": has,
     };
     for (const [id, is] of Object.entries(enabled)) this.#part(id).disabled = !is;
+    for (const id of ["play-one", "play-next", "play-all"]) this.#part(id).title = this.lock.reason ?? "";
+    for (const id of ["record", "point-overwrite"]) this.#part(id).title = this.lock.reasonOf("look") ?? "";
   }
 
   #say(text) {

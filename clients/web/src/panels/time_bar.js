@@ -1,34 +1,36 @@
 // The time controls of the header: clock, pause, step and speed. Extrapolates the current tick
-// between two messages.
+// between two messages, but shows no other tick than that of the past while the page shows it.
 import { byId, el, setText } from "../lib/dom.js";
 
 const kStepTicks = 100;
+const kStepTitle = "100 ms of simulated time";
 const kClockEveryMs = 100;
 
 export class TimeBar {
   /**
-   * `call(fn, args)` calls the server; `isOpen()` and `mayCall()` report connection and access;
-   * `onTick(tick)` is called with the extrapolated tick.
+   * `call(fn, args)` calls the server; `isOpen()` reports the connection; `lock` is the page's ControlLock;
+   * `onTick(tick)` is called with the extrapolated tick. `known.past` is the state of the past that the page shows.
    */
-  constructor({ known, call, isOpen, mayCall, onTick }) {
-    Object.assign(this, { known, mayCall, onTick });
+  constructor({ known, call, isOpen, lock, onTick }) {
+    Object.assign(this, { known, lock, onTick });
     byId("pause").onclick = () => call(known.state?.clock.mode === "manual" ? "resume" : "pause");
     byId("step").onclick = () => call("step", { ticks: kStepTicks, fields: [] });
     byId("rate").onchange = (event) => call("rate", { factor: Number(event.target.value) });
-    setInterval(() => known.state && isOpen() && this.#follow(), kClockEveryMs);
+    setInterval(() => known.state && isOpen() && this.follow(), kClockEveryMs);
   }
 
   setState({ clock, tick }) {
     setText(byId("pause"), clock.mode === "manual" ? "Resume" : "Pause");
     this.#showRate(clock.rate);
-    this.#showTick(tick);
+    this.#showTick(this.known.past?.tick ?? tick);
     this.allow();
   }
 
-  /** Enables Step only without a real clock, the speed only without the byte clock, and both with control access. */
+  /** Enables Step only without a real clock, the speed only without the byte clock, and both unless they are locked. */
   allow() {
-    byId("rate").disabled = this.known.state?.clock.mode === "bytes" || !this.mayCall();
-    byId("step").disabled = this.known.state?.clock.mode === "real" || !this.mayCall();
+    byId("rate").disabled = this.known.state?.clock.mode === "bytes" || !this.lock.isFree;
+    byId("step").disabled = this.known.state?.clock.mode === "real" || !this.lock.isFree;
+    byId("step").title = this.lock.reason ?? kStepTitle;
   }
 
   #showRate(wanted) {
@@ -42,12 +44,15 @@ export class TimeBar {
     setText(byId("clock"), `${(tick / this.known.hello.tick_hz).toFixed(3)} s`);
   }
 
-  #follow() {
+  /** Shows the time of this moment. */
+  follow() {
+    if (this.known.past) return this.#showTick(this.known.past.tick);
     const tick = this.tickNow();
     this.#showTick(tick);
     this.onTick(tick);
   }
 
+  /** The tick of the present. */
   tickNow() {
     const { state, hello, arrival } = this.known;
     if (state.clock.mode !== "real") return state.tick; // a call or a byte moves it, and a message follows

@@ -61,6 +61,11 @@ export class Blocks {
     mesh.matrixWorldNeedsUpdate = true;
   }
 
+  /** Forgets how held blocks lie in the hand: the next state is not reached by a motion. */
+  letGo() {
+    for (const mesh of this.group.children) mesh.userData.inTool = null;
+  }
+
   /** The drawn position of a block in mm, or null. */
   drawn(name) {
     const mesh = this.group.getObjectByName(name);

@@ -35,8 +35,9 @@ export class Motion {
     this.mustJump = true;
   }
 
-  /** Takes a state; returns "begin" (a new epoch or server), "jump" or "move". */
+  /** Takes a state; returns "begin" (a new epoch or server), "jump" or "move". One of the past is no motion. */
   take(state) {
+    if (state.past) return this.#show(state);
     const now = performance.now();
     const how = this.#howTo(state);
     const to = motorsOf(state).map(({ value }) => value);
@@ -44,6 +45,14 @@ export class Motion {
     this.glide = { from: [...this.values], to, since: now, duration };
     Object.assign(this, { state, arrival: now, mustJump: false });
     return how;
+  }
+
+  // The present goes on from its own last state.
+  #show(state) {
+    const to = motorsOf(state).map(({ value }) => value);
+    this.glide = { from: to, to, since: 0, duration: 0 };
+    this.mustJump = true;
+    return "jump";
   }
 
   #howTo(state) {

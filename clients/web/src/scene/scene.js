@@ -113,6 +113,7 @@ export class Scene {
     const how = this.motion.take(state);
     if (how === "begin") this.path.clear();
     if (how === "jump") this.path.lift();
+    if (how !== "move") this.blocks.letGo();
     if (how === "begin") this.#lookAgain();
     this.#wake();
   }

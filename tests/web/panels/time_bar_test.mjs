@@ -1,7 +1,7 @@
 // The clock in the header.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, withPage } from "./bench.mjs";
+import { close, withPage } from "../bench.mjs";
 
 after(close);
 

@@ -1,0 +1,142 @@
+// The slider over the kept history, the borders of its epochs below it and the marks of its events above it.
+// Reports what the user wants to see; asks the server nothing.
+import { el, isSame, setText } from "../lib/dom.js";
+import { rove } from "../lib/roving_focus.js";
+import { Axis, placeText } from "./axis.js";
+import { kKinds, marksOf } from "./event_marks.js";
+
+const kStep = 100; // ticks
+const kPage = 5000;
+const kWays = {
+  ArrowLeft: -kStep, ArrowDown: -kStep, ArrowRight: kStep, ArrowUp: kStep, PageDown: -kPage, PageUp: kPage, Home: -Infinity, End: Infinity,
+};
+const kMarkPx = 24; // what a finger hits
+const kLeastEpoch = 0.01; // of the width; shorter ones have no text
+
+export class HistoryBar {
+  /**
+   * `slider`, `output`, `marks` and `epochs` are its elements. `onUse()` is called when the user takes the slider, `onLook(place)`
+   * for each place that the user goes to, and `onLive()` at the right end, which is the present.
+   */
+  constructor({ slider, output, marks, epochs, onUse, onLook, onLive }) {
+    Object.assign(this, { slider, output, marks, epochs, onUse, onLook, onLive });
+    this.axis = new Axis([]);
+    this.events = [];
+    this.place = null;
+    this.buttons = new Map();
+    this.#listen();
+    new ResizeObserver(() => this.#drawMarks()).observe(marks);
+  }
+
+  #listen() {
+    const { slider } = this;
+    slider.addEventListener("focus", () => this.onUse());
+    slider.addEventListener("pointerdown", () => this.#hold());
+    for (const end of ["pointerup", "pointercancel"]) addEventListener(end, () => this.#release(), true);
+    slider.addEventListener("input", () => this.#goTo(slider.valueAsNumber));
+    slider.addEventListener("keydown", (event) => this.#key(event));
+  }
+
+  // While the slider is held, its axis stands still under the pointer.
+  #hold() {
+    if (this.slider.disabled) return;
+    this.isHeld = true;
+    this.onUse();
+  }
+  #release() {
+    if (!this.isHeld) return;
+    this.isHeld = false;
+    if (this.slider.valueAsNumber >= this.axis.length) this.onLive();
+    this.#draw();
+  }
+
+  // --- From the server.
+
+  /** `history` is the value of the call `history`, or null. */
+  setHistory(history) {
+    this.next = { axis: new Axis(history?.epochs ?? []), events: history?.events ?? [] };
+    this.slider.disabled = this.next.axis.parts.length === 0;
+    this.#draw();
+  }
+
+  /** The place that the user wants to see, or null for the present. */
+  setPlace(place) {
+    this.place = place;
+    this.#draw();
+  }
+
+  // --- Drawing.
+
+  #draw() {
+    if (this.isHeld) return;
+    const { next } = this;
+    this.next = null;
+    const isNew = next && !isSame({ axis: this.axis, events: this.events }, next);
+    if (isNew) Object.assign(this, next);
+    const { axis, slider, place } = this;
+    slider.max = String(axis.length);
+    slider.value = String((place && axis.at(place)) ?? axis.length);
+    this.#describe(place);
+    if (isNew) this.#drawEpochs();
+    if (isNew) this.#drawMarks();
+  }
+
+  #describe(place) {
+    const text = place ? placeText(place) : "Live";
+    this.slider.setAttribute("aria-valuetext", place ? text : "the present");
+    setText(this.output, text);
+  }
+
+  #drawEpochs() {
+    const { length, parts } = this.axis;
+    const shown = length > 0 ? parts.filter(({ from, to }) => (to - from) / length >= kLeastEpoch) : [];
+    this.epochs.replaceChildren(...shown.map(({ epoch, from, to, at }) =>
+      el("span", { style: `left:${(at / length) * 100}%;width:${((to - from) / length) * 100}%` }, `epoch ${epoch}`)));
+  }
+
+  // A mark keeps its element, and so the focus, while the axis grows.
+  #drawMarks() {
+    const marks = marksOf(this.events, this.axis, Math.floor(this.marks.clientWidth / kMarkPx));
+    const before = this.buttons;
+    this.buttons = new Map(marks.map((mark) => [mark.key, before.get(mark.key) ?? this.#button(mark)]));
+    const buttons = [...this.buttons.values()];
+    for (const [key, button] of before) if (this.buttons.get(key) !== button) button.remove();
+    marks.forEach((mark, i) => {
+      this.#place(buttons[i], mark);
+      if (this.marks.children[i] !== buttons[i]) this.marks.insertBefore(buttons[i], this.marks.children[i] ?? null);
+    });
+    rove(buttons, (_, i) => this.onLook({ epoch: marks[i].epoch, tick: marks[i].tick }));
+    const reached = buttons.find((button) => button.tabIndex === 0) ?? buttons.at(-1);
+    for (const button of buttons) button.tabIndex = button === reached ? 0 : -1;
+  }
+
+  #button({ kind }) {
+    return el("button.event-mark", { type: "button", tabIndex: -1, "data-kind": kind }, el("span", { "aria-hidden": "true" }, kKinds[kind].sign));
+  }
+  #place(button, { at, title }) {
+    button.style.left = `${at * 100}%`;
+    button.title = title;
+    button.setAttribute("aria-label", title);
+  }
+
+  // --- The user.
+
+  #key(event) {
+    const way = kWays[event.key];
+    if (way === undefined || event.altKey || event.ctrlKey || event.metaKey) return;
+    event.preventDefault();
+    this.#goTo(Math.min(Math.max(this.slider.valueAsNumber + way, 0), this.axis.length));
+  }
+
+  // Dragged to the right end, it is the present only when the user lets it go there.
+  #goTo(x) {
+    this.slider.value = String(x);
+    if (x >= this.axis.length && !this.isHeld) {
+      this.#describe(null);
+      return this.onLive();
+    }
+    const place = this.axis.placeAt(x);
+    this.#describe(place);
+    this.onLook(place);
+  }
+}
