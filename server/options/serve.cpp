@@ -102,9 +102,9 @@ void add_line_speed(CLI::App& serve, ServeOptions& options) {
 
 void add_recording(CLI::App& serve, ServeOptions& options) {
   serve
-      .add_option("--record", options.record,
-                  "record all inputs and replies in this new file, for xr3 replay; several cells: "
-                  "in this folder")
+      .add_option(
+          "--record", options.record,
+          "record all inputs and replies in this new file, or for several cells in this folder")
       ->type_name("FILE");
   serve
       .add_option("--record-max", options.record_max_mib,
