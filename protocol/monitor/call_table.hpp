@@ -1,24 +1,14 @@
-// The table of calls: name, purpose, and the function that reads the args into a value. The same
-// function yields the description of the args. Independent of the cell.
+// The table of calls. The function that reads the args of a call yields their description, too.
+// Independent of the cell.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "protocol/monitor/arguments.hpp"
-#include "protocol/monitor/request.hpp"
+#include "protocol/monitor/calls/form.hpp"
 
 namespace xr3::monitor {
-
-using CallValue = decltype(CallRequest::call);
-
-struct CallForm {
-  std::string_view fn;
-  std::string_view purpose;  ///< one sentence
-  CallValue (*read)(ArgsReader&);
-  enum class Time : std::uint8_t { kStays, kMoves } time = Time::kStays;  ///< kMoves: after, fields
-};
 
 /// The names of all calls, as listed in `hello`.
 const std::vector<std::string>& calls();
@@ -28,6 +18,13 @@ const CallForm* find_call(std::string_view fn);
 
 /// Reads the args of a `call` request; `members` reads the members of the request.
 CallRequest read_call(const CallForm& form, ArgsReader& members);
+
+/// Name and args of a call that a cell executes, as in a request.
+struct WrittenCall {
+  std::string_view fn;
+  Json args;
+};
+WrittenCall written(const call::Call& call);
 
 /// `{"calls":[{"fn","purpose","args":[{"name","required","allowed"}]}]}` of one call, or of all.
 Json description(const std::optional<std::string>& fn);

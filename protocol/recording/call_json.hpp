@@ -1,4 +1,4 @@
-// Calls as JSON: the exact inverse of the readers in protocol/monitor/call_table.cpp.
+// Reads the calls of a recording, which monitor::written() has made.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,14 +10,7 @@
 
 namespace xr3::recording {
 
-/// Name and arguments, as in a request of the monitor port.
-struct CallJson {
-  std::string fn;
-  Json args;
-};
-CallJson call_to_json(const call::Call& call);
-
-/// Reads what call_to_json() has made. `args` may be empty: no arguments. Reports errors at `fn`
+/// Reads what monitor::written() has made. `args` may be empty: no arguments. Reports errors at `fn`
 /// and in `args`.
 std::optional<call::Call> read_call_json(const data::Place& fn, JsonValue args);
 

@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "protocol/explain/event_report.hpp"
+#include "protocol/monitor/call_table.hpp"
 #include "protocol/monitor/saved_cell.hpp"
 #include "protocol/recording/byte_text.hpp"
-#include "protocol/recording/call_json.hpp"
 
 namespace xr3::recording {
 namespace {
@@ -76,7 +76,7 @@ struct EntryWriter {
     append_bytes(json, "close", code_of(end.reason));
   }
   void operator()(const CallMade& made) const {
-    const CallJson call = call_to_json(made.call);
+    const monitor::WrittenCall call = monitor::written(made.call);
     append_bytes(json, "call", call.fn);
     json += ",\"args\":" + call.args.dump(-1, ' ', true);
   }

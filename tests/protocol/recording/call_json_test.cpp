@@ -6,6 +6,7 @@
 
 #include "core/home.hpp"
 #include "protocol/json/document.hpp"
+#include "protocol/monitor/call_table.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3::recording {
@@ -84,7 +85,7 @@ std::optional<call::Call> read_back(const std::string& text, Findings* findings 
 }
 
 std::string text_of_call(const call::Call& call) {
-  const CallJson json = call_to_json(call);
+  const monitor::WrittenCall json = monitor::written(call);
   return Json{{"call", json.fn}, {"args", json.args}}.dump(-1, ' ', true);
 }
 

@@ -1,5 +1,6 @@
-#include "protocol/monitor/key_arguments.hpp"
+#include "protocol/monitor/calls/key.hpp"
 
+#include <utility>
 #include <vector>
 
 namespace xr3::monitor {
@@ -59,6 +60,33 @@ Command command_of(Function function, ArgsReader& args) {
   return ToggleDisplay{};
 }
 
+/// The arguments of `key`, for each command that it has.
+struct KeyWriter {
+  Json operator()(const ToggleDisplay&) const { return key("display"); }
+  Json operator()(const SetViewVector& view) const {
+    return key("view", Json{view.x, view.y, view.z});
+  }
+  Json operator()(const SoftHome&) const { return key("home"); }
+  Json operator()(const SelectStatus& status) const { return key("status", status.option); }
+  Json operator()(const ToggleSimulator&) const { return key("enabled"); }
+  Json operator()(const ToggleFunctionKeys&) const { return key("function_keys"); }
+  Json operator()(const SetRefreshPeriod& period) const {
+    return key("period", period.half_seconds);
+  }
+  Json operator()(const ToggleErasing&) const { return key("path"); }
+  template <class Other>
+  Json operator()(const Other&) const {
+    return key("");  // no reader makes such a call
+  }
+
+ private:
+  static Json key(const char* function, Json value = {}) {
+    Json args = {{"function", function}};
+    if (!value.is_null()) args["value"] = std::move(value);
+    return args;
+  }
+};
+
 }  // namespace
 
 CallValue read_key(ArgsReader& args) {
@@ -69,5 +97,7 @@ CallValue read_key(ArgsReader& args) {
   if (!chosen) return call::Key{ToggleDisplay{}};
   return call::Key{command_of(*chosen, args)};
 }
+
+Json write_key(const call::Key& key) { return std::visit(KeyWriter{}, key.command); }
 
 }  // namespace xr3::monitor
