@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
+#include <map>
+#include <utility>
 
 #include "cell/history/heap_size.hpp"
 
@@ -27,10 +29,11 @@ KeptCheckpoint keep(Cell::Checkpoint all, const KeptCheckpoint* last) {
   return kept;
 }
 
-std::size_t fixed_bytes_of(const Cell::Checkpoint& rest) {
+/// An estimate of the memory of lines with their queues.
+std::size_t bytes_of(const std::map<LineId, SerialLine>& lines) {
   constexpr std::size_t kNode = 64;
-  std::size_t bytes = sizeof(HistoryPart) + rest.snapshots.size() * kNode;
-  for (const auto& [id, line] : rest.lines)
+  std::size_t bytes = 0;
+  for (const auto& [id, line] : lines)
     bytes += sizeof(SerialLine) + kNode + line.outbox().size() + line.held_bytes();
   return bytes;
 }
@@ -84,7 +87,7 @@ History::~History() {
 
 std::vector<EpochSpan> History::epochs() const {
   std::vector<EpochSpan> all(epochs_.begin(), epochs_.end());
-  if (!all.empty()) all.back().to = cell_.state().tick;
+  if (!all.empty() && retry_in_ == 0) all.back().to = cell_.state().tick;
   return all;
 }
 
@@ -111,7 +114,7 @@ HistoryPartPtr History::part_before(const ReplayTime& time) const {
 void History::begin(const Cell& cell, const Input& input) {
   before_ = now();
   note_motion();
-  if (is_checkpoint_due() && !is_of_probe(input) && !recorder_.is_behind()) begin_part();
+  if (is_checkpoint_due() && !is_of_probe(input) && !recorder_.is_behind()) try_part();
   recorder_.begin(cell, input);
 }
 
@@ -138,7 +141,7 @@ void History::after_advance(const Cell& cell, bool is_behind) {
 void History::expired(const Cell& cell) { recorder_.expired(cell); }
 
 void History::add(recording::Entry entry) {
-  if (parts_.empty()) return;  // only the probe has acted
+  if (parts_.empty() || retry_in_ > 0) return;  // only the probe has acted, or there is a gap
   InputTape& inputs = parts_.back()->inputs;
   used_ -= inputs.bytes();
   inputs.add(std::move(entry));
@@ -158,17 +161,29 @@ void History::note_motion() {
 // --- Parts and epochs.
 
 bool History::is_checkpoint_due() const {
-  if (parts_.empty()) return true;
+  if (parts_.empty() || retry_in_ > 0) return true;
   const HistoryPart& part = *parts_.back();
   return part.from().epoch != cell_.epoch() || part.moved >= kMovedTicks ||
          part.inputs.size() >= kInputs || part.inputs.bytes() >= kInputBytes;
 }
 
+void History::try_part() {
+  if (retry_in_ > 1) return void(--retry_in_);
+  bytes_of(cell_.lines()) > kMaxQueues ? pause() : begin_part();
+}
+
+/// Nothing is kept for a while. The last span ends here.
+void History::pause() {
+  if (!epochs_.empty() && retry_in_ == 0) epochs_.back().to = cell_.state().tick;
+  retry_in_ = kRetryInputs;
+}
+
 void History::begin_part() {
   auto part = std::make_shared<HistoryPart>();
   part->start = keep(cell_.checkpoint(), parts_.empty() ? nullptr : &parts_.back()->start);
-  part->fixed_bytes = fixed_bytes_of(part->start.rest);
-  if (epochs_.empty()) epochs_.push_back({cell_.epoch(), cell_.state().tick, 0});
+  part->fixed_bytes = sizeof(HistoryPart) + bytes_of(part->start.rest.lines);
+  const bool is_gap = std::exchange(retry_in_, 0) > 0;
+  if (epochs_.empty() || is_gap) epochs_.push_back({cell_.epoch(), cell_.state().tick, 0});
   parts_.push_back(std::move(part));
   recount();
   drop_old();
@@ -176,7 +191,7 @@ void History::begin_part() {
 
 /// If an input has begun an epoch, the one before ended at `before`.
 void History::note_epoch(const ReplayTime& before) {
-  if (epochs_.empty() || before.epoch == cell_.epoch()) return;
+  if (epochs_.empty() || retry_in_ > 0 || before.epoch == cell_.epoch()) return;
   epochs_.back().to = before.tick;
   epochs_.push_back({cell_.epoch(), cell_.state().tick, 0});
 }
@@ -185,14 +200,14 @@ void History::note_epoch(const ReplayTime& before) {
 
 void History::go_back(const ReplayTime& from) {
   ReplayTime target = from;
-  if (back_at_ && epochs_.size() > 1) {
-    const Epoch left = epochs_[epochs_.size() - 2].epoch;
+  if (back_at_) {
+    const Epoch left = before_.epoch;
     if (from.epoch == left) target = *back_at_;
-    epochs_.erase(std::prev(epochs_.end(), 2));
+    std::erase_if(epochs_, [left](const EpochSpan& span) { return span.epoch == left; });
     std::erase_if(parts_, [left](const Part& part) { return part->from().epoch == left; });
   }
   back_at_ = target;
-  begin_part();
+  try_part();
 }
 
 void History::drop_future() {
@@ -202,10 +217,10 @@ void History::drop_future() {
     return part->from() > end && part->from().epoch != current;
   });
   std::erase_if(epochs_, [&](const EpochSpan& span) {
-    return span.epoch > end.epoch && span.epoch != current;
+    return ReplayTime{span.epoch, span.from} > end && span.epoch != current;
   });
   for (EpochSpan& span : epochs_)
-    if (span.epoch == end.epoch) span.to = end.tick;
+    if (span.epoch == end.epoch) span.to = std::min(span.to, end.tick);
   const auto last = std::find_if(parts_.rbegin(), parts_.rend(),
                                  [&](const Part& part) { return part->from() <= end; });
   if (last != parts_.rend()) *last = cut(**last, end);
@@ -221,7 +236,10 @@ void History::settle() {
     granted_ = used_ + kMoreBytes;
     return;
   }
-  while (used_ > granted_) drop_oldest();
+  while (used_ > granted_ && parts_.size() > 1) drop_oldest();
+  if (used_ <= granted_) return;
+  forget();  // one part is more than its share
+  retry_in_ = kRetryInputs;
 }
 
 void History::shrink() {
@@ -246,26 +264,28 @@ void History::recount() {
   }
 }
 
+/// The time that is covered from a moment on.
+Tick History::covered_from(const ReplayTime& begin) const {
+  Tick covered = 0;
+  for (const EpochSpan& span : epochs()) {
+    const Tick from = span.epoch == begin.epoch ? std::max(span.from, begin.tick) : span.from;
+    if (span.epoch >= begin.epoch && span.to > from) covered += span.to - from;
+  }
+  return covered;
+}
+
 /// Drops what is older than the longest time.
 void History::drop_old() {
-  Tick kept = 0;
-  for (const EpochSpan& span : epochs()) kept += span.to - span.from;
-  while (parts_.size() > 1) {
-    const ReplayTime from = parts_.front()->from();
-    const ReplayTime next = parts_[1]->from();
-    const Tick end = next.epoch == from.epoch ? next.tick : epochs_.front().to;
-    kept -= end - from.tick;
-    if (kept < longest_) return;
-    drop_oldest();
-  }
+  while (parts_.size() > 1 && covered_from(parts_[1]->from()) >= longest_) drop_oldest();
 }
 
 void History::drop_oldest() {
   if (parts_.size() <= 1) return forget();
   parts_.pop_front();
   const ReplayTime from = parts_.front()->from();
-  while (epochs_.front().epoch < from.epoch) epochs_.pop_front();
-  epochs_.front().from = from.tick;
+  while (epochs_.size() > 1 && ReplayTime{epochs_[1].epoch, epochs_[1].from} <= from)
+    epochs_.pop_front();
+  epochs_.front().from = std::max(epochs_.front().from, from.tick);
   recount();
 }
 

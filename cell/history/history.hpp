@@ -52,6 +52,10 @@ class History final : private InputLog, private monitor::ByteBudget::Member {
   static constexpr Tick kMovedTicks = 10 * kTickHz;
   static constexpr std::size_t kInputs = 4096;
   static constexpr std::size_t kInputBytes = std::size_t{512} * 1024;
+  /// A checkpoint with more bytes in the queues of its lines is not taken: the history has a gap until
+  /// they are shorter. Whether they are is looked at after so many inputs.
+  static constexpr std::size_t kMaxQueues = std::size_t{2} * 1024 * 1024;
+  static constexpr std::size_t kRetryInputs = 256;
   /// When memory is short, parts are joined up to these limits; then the oldest are dropped.
   static constexpr Tick kJoinedTicks = 4 * kMovedTicks;
   static constexpr std::size_t kJoinedInputs = 2 * kInputs;
@@ -64,7 +68,8 @@ class History final : private InputLog, private monitor::ByteBudget::Member {
   History& operator=(const History&) = delete;
   ~History() override;
 
-  /// The times that can be made again, the oldest epoch first; empty before the first input.
+  /// The times that can be made again, the oldest first; empty before the first input. An epoch with a
+  /// gap has several.
   /// While the cell is in the past, the future that it may still return to is among them.
   std::vector<EpochSpan> epochs() const;
   bool covers(const ReplayTime& time) const;
@@ -93,13 +98,16 @@ class History final : private InputLog, private monitor::ByteBudget::Member {
   ReplayTime now() const { return {cell_.epoch(), cell_.state().tick}; }
   void add(recording::Entry entry);
   bool is_checkpoint_due() const;
+  void try_part();
   void begin_part();
+  void pause();
   void note_motion();
   void note_epoch(const ReplayTime& before);
   void go_back(const ReplayTime& from);
   void drop_future();
   void settle();
   void recount();
+  Tick covered_from(const ReplayTime& begin) const;
   void drop_old();
   void drop_oldest();
   bool join_densest();
@@ -114,6 +122,7 @@ class History final : private InputLog, private monitor::ByteBudget::Member {
   ReplayTime last_;               ///< the end of the last input
   ReplayTime before_;             ///< the begin of the input that acts
   bool was_at_rest_ = true;
+  std::size_t retry_in_ = 0;           ///< above 0: nothing is kept until so many inputs have come
   std::optional<ReplayTime> back_at_;  ///< the cell is in the past, at this time of the history
   std::size_t used_ = 0;
   std::size_t granted_ = 0;

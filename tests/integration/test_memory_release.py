@@ -113,13 +113,15 @@ class Rings(unittest.TestCase):
     def test_events_keep_no_workcells(self):
         """Each of the last 4,096 events kept the model of its time: 4,000 calls took 475 MiB."""
         workcell = json.loads(pathlib.Path(ROOT, "data/workcells/rhino-hundred.json").read_text(encoding="utf-8"))
-        with Server("--log-level", "error") as xr3, xr3.monitor() as monitor:
-            for _ in range(10):
-                monitor.call("workcell", workcell=workcell)
-            before = peak(xr3)
-            for _ in range(4000):
-                monitor.call("workcell", workcell=workcell)
-            self.assertLess(peak(xr3) - before, 4 * MIB)
+        for history, bound in (("0", 4 * MIB), ("1h", 80 * MIB)):  # a history keeps calls, in 64 MiB
+            with self.subTest(history=history), Server("--log-level", "error", "--history", history) as xr3, \
+                    xr3.monitor() as monitor:
+                for _ in range(10):
+                    monitor.call("workcell", workcell=workcell)
+                before = peak(xr3)
+                for _ in range(6000):
+                    monitor.call("workcell", workcell=workcell)
+                self.assertLess(peak(xr3) - before, bound)
 
 
 class Files(unittest.TestCase):

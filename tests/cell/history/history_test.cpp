@@ -132,6 +132,50 @@ TEST(History, TheFutureIsKeptUntilResume) {
   EXPECT_EQ(inputs, 2U) << "the line and its first bytes";
 }
 
+TEST(History, LongQueuesMakeAGap) {
+  monitor::ByteBudget budget(kAmple);
+  Cell cell("main", test::rhino(), SimClock::real({}, 0), {});
+  cell.set_line_speed({parse_serial_settings("300-8n1"), {}});
+  const History history(cell, 3'600'000, budget);
+  const LineId monitor = cell.apply(LineOpened{"monitor", LineKind::kMonitor}, 0).line;
+  std::vector<LineId> full;
+  std::size_t waiting = 0;
+  while (waiting <= History::kMaxQueues) {
+    full.push_back(cell.apply(LineOpened{"test", LineKind::kPty}, 0).line);
+    const std::size_t taken =
+        cell.apply(BytesIn{full.back(), std::string(5000, 'x')}, 0).bytes_taken;
+    ASSERT_GT(taken, 0U);
+    waiting += taken;
+  }
+  const auto poll_until = [&](int ms) {
+    for (int each = static_cast<int>(cell.state().tick) + 1; each <= ms; ++each) {
+      for (int i = 0; i < 10; ++i) cell.apply(BytesIn{monitor, "E?"}, each * kHistoryMs);
+      cell.apply(BytesOut{monitor, 10}, each * kHistoryMs);
+    }
+  };
+  poll_until(600);  // 6,000 inputs
+  EXPECT_TRUE(history.covers({0, 0}));
+  EXPECT_FALSE(history.covers({0, 599}));
+  for (const LineId line : full)
+    cell.apply(LineClosed{line, LineCloseReason::kError}, 600 * kHistoryMs);
+  poll_until(700);
+  EXPECT_TRUE(history.covers({0, 700}));
+  EXPECT_FALSE(history.covers({0, 599}));
+  ASSERT_EQ(history.epochs().size(), 2U);
+  EXPECT_EQ(history.part_before({0, 700})->from().tick, history.epochs()[1].from);
+}
+
+TEST(History, TriesRarelyIfOnePartIsTooMuch) {
+  monitor::ByteBudget budget(100);
+  Cell cell("main", test::rhino(), SimClock::real({}, 0), {});
+  const History history(cell, 3'600'000, budget);
+  cell.apply(LineOpened{"test"}, 0);
+  for (int ms = 1; ms < 5000; ++ms) cell.apply(BytesIn{1, "E?"}, ms * kHistoryMs);
+  EXPECT_EQ(history.parts(), 0U);
+  EXPECT_EQ(history.used_bytes(), 0U);
+  EXPECT_TRUE(history.epochs().empty());
+}
+
 TEST(History, StaysInItsBudget) {
   constexpr std::size_t kSmall = 200'000;
   Kept kept(3'600'000'000, kSmall);
