@@ -15,7 +15,8 @@ STUDENTS = 200
 MINUTES = 10.0
 ASK_EVERY_S = 0.2
 LIST_EVERY_S = 20
-HISTORY = "30s"  # full after a quarter of the time
+HISTORY = "30s"
+MEMORY_MIB = 96  # rings and histories may have an eighth each, which is full after a quarter of the time
 MOST_GROWTH = 1.1
 
 
@@ -59,7 +60,8 @@ def main():
     seconds = 60 * (float(sys.argv[1]) if len(sys.argv) > 1 else MINUTES)
     _, most = resource.getrlimit(resource.RLIMIT_NOFILE)
     resource.setrlimit(resource.RLIMIT_NOFILE, (most, most))
-    options = ("--cells", STUDENTS, "--history", HISTORY, "--max-per-address", 10_000, "--log-level", "error")
+    options = ("--cells", STUDENTS, "--history", HISTORY, "--max-memory", MEMORY_MIB,
+               "--max-per-address", 10_000, "--log-level", "error")
     with Server(*options, clock="real") as xr3, xr3.monitor() as monitor:
         ports = {each["name"]: each["robot_port"] for each in monitor.call("cells")["cells"]}
         students = [Student(xr3, number, ports[str(number)]) for number in range(1, STUDENTS + 1)]
