@@ -65,17 +65,19 @@ void Cell::advance(WallNs now) {
   const bool is_real = clock_.mode() == ClockMode::kReal;
   // Simulated time stops at the maximum integer of the protocol, after some 285,000 years.
   const Tick target = std::min(clock_.at(now), monitor::kMaxInteger);
-  pass_time(target, is_real ? kMaxDueBytes : kEveryByte);
-  for (InputLog* log : logs_) log->after_advance(*this, next_due_until(target).has_value());
+  const bool is_behind = pass_time(target, is_real ? kMaxDueBytes : kEveryByte);
+  for (InputLog* log : logs_) log->after_advance(*this, is_behind);
 }
 
-void Cell::pass_time(Tick target, std::size_t max_bytes) {
+/// Returns whether bytes that were due have not acted, because too many were.
+bool Cell::pass_time(Tick target, std::size_t max_bytes) {
   const Tick before = state().tick;
-  const std::size_t acted = advance_to(target, max_bytes);
-  if (state().tick == before && acted == 0) return;
+  const Advanced advanced = advance_to(target, max_bytes);
+  if (state().tick == before && advanced.acted == 0) return advanced.is_behind;
   counters_.ticks += static_cast<std::uint64_t>(state().tick - before);
   ++revision_;
   emit_time_events();
+  return advanced.is_behind || next_due_until(target);
 }
 
 void Cell::replay_to(Tick tick, std::size_t max_bytes) {

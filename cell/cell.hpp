@@ -60,8 +60,8 @@ class Cell final : private LineListener {
                       const std::optional<LineSpeed>& speed = {});
   /// nullptr: time does not follow bytes.
   const ByteClock* byte_clock() const { return byte_clock_ ? &*byte_clock_ : nullptr; }
-  /// What the byte clock has of the next tick, 0...999 microseconds; 0 without it. With epoch and
-  /// tick it is the whole time of the cell.
+  /// The part of the next tick that has passed on the byte clock, 0...999 microseconds; 0 without
+  /// it. Epoch, tick and remainder are the whole time of the cell.
   Micros clock_remainder() const { return byte_clock_ ? byte_clock_->remainder() : 0; }
   /// Precondition: there is a byte clock.
   void set_clock_remainder(Micros remainder) { bytes().set_remainder(remainder); }
@@ -72,8 +72,7 @@ class Cell final : private LineListener {
   std::optional<LineId> current_line() const;
   /// The settings that give a line's bytes their time; nullopt: they take none.
   std::optional<SerialSettings> speed_of(const SerialLine& line) const;
-  /// What the lines have received and sent in this epoch; nullptr without a clock
-  /// that was made by SimClock::bytes().
+  /// The transcript of this epoch; nullptr unless the clock was made by SimClock::bytes().
   const Transcript* transcript() const { return transcript_ ? &*transcript_ : nullptr; }
 
   /// From now on, the bytes of lines take time, except on those of the monitor and the probe.
@@ -109,8 +108,8 @@ class Cell final : private LineListener {
   /// Advances time to `now` and emits the events of that time. Throws as apply() does.
   void catch_up(WallNs now);
 
-  /// From now on, the log is told of every input and what else the cell depends on. It must outlive
-  /// the cell or be removed, not while it is told of something.
+  /// Calls the log for each input and for everything else on which the state depends. The log must
+  /// outlive the cell or be removed. A call of the log must neither add nor remove one.
   void add_log(InputLog& log) { logs_.push_back(&log); }
   /// No effect if it is not there.
   void remove_log(const InputLog& log) { std::erase(logs_, &log); }
@@ -207,8 +206,12 @@ class Cell final : private LineListener {
   SerialLine* open_line(LineId line);
   Applied take_in(const Input& input, WallNs now);
   void advance(WallNs now);
-  void pass_time(Tick target, std::size_t max_bytes);
-  std::size_t advance_to(Tick target, std::size_t max_bytes = kEveryByte);
+  struct Advanced {
+    std::size_t acted;  ///< number of bytes
+    bool is_behind;     ///< more bytes were due than might act
+  };
+  bool pass_time(Tick target, std::size_t max_bytes);
+  Advanced advance_to(Tick target, std::size_t max_bytes = kEveryByte);
   void run_to_rest(Tick limit);
   Applied handle(const LineOpened& opened, WallNs now);
   Applied handle(const LineSettings& reported, WallNs now);

@@ -21,8 +21,8 @@ std::optional<Tick> Cell::next_due_until(Tick limit) const {
   return due && *due <= limit ? due : std::nullopt;
 }
 
-/// Advances time; at most `max_bytes` bytes that become due act. Returns their number.
-std::size_t Cell::advance_to(Tick target, std::size_t max_bytes) {
+/// Advances time; at most `max_bytes` bytes that become due act.
+Cell::Advanced Cell::advance_to(Tick target, std::size_t max_bytes) {
   std::size_t acted = 0;
   while (acted < max_bytes) {
     const std::optional<Tick> due = next_due_until(target);
@@ -33,8 +33,9 @@ std::size_t Cell::advance_to(Tick target, std::size_t max_bytes) {
     if (next_due() > state().tick) continue;
     if (act_due()) ++acted;
   }
+  const bool is_behind = next_due_until(target).has_value();
   simulation_.advance_to(target);
-  return acted;
+  return {acted, is_behind};
 }
 
 /// Advances time until nothing moves and no byte is due, but not beyond `limit`.

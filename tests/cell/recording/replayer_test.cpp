@@ -205,6 +205,21 @@ TEST(Replayer, RepeatsAnAdvanceInWhichTooManyBytesWereDue) {
   EXPECT_EQ(replayed.hash, StateHasher().hash(recorded.cell));
 }
 
+TEST(Replayer, RepeatsACutOfALineWhoseBytesWereLate) {
+  RecordedCell recorded(shipped_rhino(),
+                        {SimClock::real({}, 0), LineSpeed{parse_serial_settings("9600-7e2"), {}}});
+  open_line(recorded.cell, 0);
+  Fault fault{.name = "cut", .kind = FaultKind::kLineDisconnected};
+  fault.at_tick = 900;
+  recorded.cell.apply(Input{call::Call{call::SetFault{fault, std::nullopt}}}, 0);
+  recorded.cell.apply(BytesIn{1, "C" + std::string(3000, '?')}, 0);
+  recorded.cell.catch_up(4000 * kReplayMs);
+  EXPECT_EQ(recorded.cell.acts(), Cell::kMaxDueBytes);
+  const auto replayed = replay(recorded.text());
+  EXPECT_EQ(replayed.difference ? to_text(*replayed.difference) : "", "");
+  EXPECT_EQ(replayed.hash, StateHasher().hash(recorded.cell));
+}
+
 TEST(Replayer, RepeatsAPacedLineWhoseClientDoesNotRead) {
   RecordedCell recorded(
       shipped_rhino(),
