@@ -88,7 +88,8 @@ class App {
   void keep_histories();
   void keep_history(HostedCell& cell);
   std::variant<CellPtr, call::Refused> open_branch(HostedCell& of, MachineSnapshotPtr past);
-  CellPtr make_branch(const std::string& name, HostedCell& of, const MachineSnapshotPtr& past);
+  CellPtr make_branch(const std::string& name, HostedCell& of, const MachineSnapshot& past);
+  void begin_branch(HostedCell& cell, MachineSnapshotPtr past);
   void open_device();
   void announce();
   void announce_token(std::uint16_t monitor_port) const;

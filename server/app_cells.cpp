@@ -151,7 +151,7 @@ std::variant<CellPtr, call::Refused> App::open_branch(HostedCell& of, MachineSna
   if (cells_.size() >= options_.max_cells) return too_many_cells(cells_.size());
   std::string name = branch_cells_.next_name();
   while (cells_.find(name)) name = branch_cells_.next_name();
-  const CellPtr cell = make_branch(name, of, past);
+  const CellPtr cell = make_branch(name, of, *past);
   try {
     listen_on_cell(*cell, 0);
   } catch (const ListenError& error) {
@@ -159,6 +159,7 @@ std::variant<CellPtr, call::Refused> App::open_branch(HostedCell& of, MachineSna
     asio::post(io_, [cell] {});
     return call::Refused{"limit", error.what(), "close another cell or connection"};
   }
+  begin_branch(*cell, std::move(past));
   cells_.note_dynamic();
   cells_.add(cell);
   branch_cells_.add(cell);
@@ -167,17 +168,20 @@ std::variant<CellPtr, call::Refused> App::open_branch(HostedCell& of, MachineSna
   return cell;
 }
 
-// It goes on at once. Its recording, if any, begins with the state from the past.
-CellPtr App::make_branch(const std::string& name, HostedCell& of, const MachineSnapshotPtr& past) {
+CellPtr App::make_branch(const std::string& name, HostedCell& of, const MachineSnapshot& past) {
   const FaultPlan& faults = of.cell().initial_faults();
-  const CellSeed seed{past->model, faults.faults.empty() ? std::nullopt : std::optional(faults)};
+  const CellSeed seed{past.model, faults.faults.empty() ? std::nullopt : std::optional(faults)};
   CellPtr cell = make_cell(name, seed, cell_token(options_));
   cell->add_port(port_rules());
-  if (has_many_cells(options_)) record_connection(*cell);
-  keep_history(*cell);
-  cell->cell().apply(Rewind{past, {}}, wall_now());
-  cell->cell().apply(Input{call::Call{call::Resume{}}}, wall_now());
   return cell;
+}
+
+// The cell goes on at once. Its recording, if any, begins with the state from the past.
+void App::begin_branch(HostedCell& cell, MachineSnapshotPtr past) {
+  if (has_many_cells(options_)) record_connection(cell);
+  keep_history(cell);
+  cell.cell().apply(Rewind{std::move(past), {}}, wall_now());
+  cell.cell().apply(Input{call::Call{call::Resume{}}}, wall_now());
 }
 
 // Handlers that wait in the event loop may refer to the cell, so it is released after them.

@@ -38,6 +38,15 @@ std::size_t bytes_of(const std::map<LineId, SerialLine>& lines) {
   return bytes;
 }
 
+/// The memory of a part, without what it shares with `neighbour`; nullptr: it has none.
+std::size_t bytes_of(const HistoryPart& part, const HistoryPart* neighbour) {
+  const KeptCheckpoint* other = neighbour == nullptr ? nullptr : &neighbour->start;
+  std::size_t bytes = part.fixed_bytes + part.inputs.bytes();
+  if (other == nullptr || other->blocks != part.start.blocks) bytes += heap_of(*part.start.blocks);
+  if (other == nullptr || other->path != part.start.path) bytes += heap_of(*part.start.path);
+  return bytes;
+}
+
 std::shared_ptr<HistoryPart> joined(const HistoryPart& first, const HistoryPart& second) {
   auto both = std::make_shared<HistoryPart>(first);
   both->moved += second.moved;
@@ -46,6 +55,12 @@ std::shared_ptr<HistoryPart> joined(const HistoryPart& first, const HistoryPart&
     return true;
   });
   return both;
+}
+
+bool may_join(const HistoryPart& first, const HistoryPart& second) {
+  return first.from().epoch == second.from().epoch &&
+         first.moved + second.moved <= History::kJoinedTicks &&
+         first.inputs.size() + second.inputs.size() <= History::kJoinedInputs;
 }
 
 std::shared_ptr<HistoryPart> cut(const HistoryPart& part, const ReplayTime& end) {
@@ -184,8 +199,9 @@ void History::begin_part() {
   part->fixed_bytes = sizeof(HistoryPart) + bytes_of(part->start.rest.lines);
   const bool is_gap = std::exchange(retry_in_, 0) > 0;
   if (epochs_.empty() || is_gap) epochs_.push_back({cell_.epoch(), cell_.state().tick, 0});
+  used_ += bytes_of(*part, parts_.empty() ? nullptr : parts_.back().get());
   parts_.push_back(std::move(part));
-  recount();
+  limit_parts();
   drop_old();
 }
 
@@ -205,6 +221,7 @@ void History::go_back(const ReplayTime& from) {
     if (from.epoch == left) target = *back_at_;
     std::erase_if(epochs_, [left](const EpochSpan& span) { return span.epoch == left; });
     std::erase_if(parts_, [left](const Part& part) { return part->from().epoch == left; });
+    recount();
   }
   back_at_ = target;
   try_part();
@@ -244,8 +261,7 @@ void History::settle() {
 
 void History::shrink() {
   const std::size_t wanted = granted_ / 2;
-  while (used_ > wanted && join_densest()) {
-  }
+  join_dense();
   while (used_ > wanted) drop_oldest();
   granted_ = wanted;
 }
@@ -255,13 +271,15 @@ void History::recount() {
   used_ = 0;
   const HistoryPart* last = nullptr;
   for (const Part& part : parts_) {
-    used_ += part->fixed_bytes + part->inputs.bytes();
-    if (last == nullptr || last->start.blocks != part->start.blocks)
-      used_ += heap_of(*part->start.blocks);
-    if (last == nullptr || last->start.path != part->start.path)
-      used_ += heap_of(*part->start.path);
+    used_ += bytes_of(*part, last);
     last = part.get();
   }
+}
+
+void History::limit_parts() {
+  if (parts_.size() <= kMaxParts) return;
+  join_dense();
+  while (parts_.size() > kMaxParts) drop_oldest();
 }
 
 /// The time that is covered from a moment on.
@@ -281,35 +299,26 @@ void History::drop_old() {
 
 void History::drop_oldest() {
   if (parts_.size() <= 1) return forget();
+  used_ -= bytes_of(*parts_[0], parts_[1].get());
   parts_.pop_front();
   const ReplayTime from = parts_.front()->from();
   while (epochs_.size() > 1 && ReplayTime{epochs_[1].epoch, epochs_[1].from} <= from)
     epochs_.pop_front();
   epochs_.front().from = std::max(epochs_.front().from, from.tick);
-  recount();
 }
 
-/// Joins the two adjacent parts that have the fewest inputs together. Returns false if no two may
-/// be joined.
-bool History::join_densest() {
-  std::size_t best = parts_.size();
-  std::size_t fewest = kJoinedInputs + 1;
-  for (std::size_t i = 0; i + 2 < parts_.size(); ++i) {
-    const HistoryPart& first = *parts_[i];
-    const HistoryPart& second = *parts_[i + 1];
-    const std::size_t inputs = first.inputs.size() + second.inputs.size();
-    const bool is_allowed = first.from().epoch == second.from().epoch &&
-                            first.moved + second.moved <= kJoinedTicks &&
-                            first.inputs.bytes() + second.inputs.bytes() <= kInputBytes;
-    if (!is_allowed || inputs >= fewest) continue;
-    best = i;
-    fewest = inputs;
+/// Joins adjacent parts with few inputs, in one pass. The last part stays as it is.
+void History::join_dense() {
+  std::deque<Part> kept;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const bool is_last = i + 1 == parts_.size();
+    if (!kept.empty() && !is_last && may_join(*kept.back(), *parts_[i]))
+      kept.back() = joined(*kept.back(), *parts_[i]);
+    else
+      kept.push_back(parts_[i]);
   }
-  if (best == parts_.size()) return false;
-  parts_[best] = joined(*parts_[best], *parts_[best + 1]);
-  parts_.erase(std::next(parts_.begin(), static_cast<std::ptrdiff_t>(best) + 1));
+  parts_ = std::move(kept);
   recount();
-  return true;
 }
 
 void History::forget() {

@@ -56,9 +56,11 @@ class History final : private InputLog, private monitor::ByteBudget::Member {
   /// they are shorter. Whether they are is looked at after so many inputs.
   static constexpr std::size_t kMaxQueues = std::size_t{2} * 1024 * 1024;
   static constexpr std::size_t kRetryInputs = 256;
-  /// When memory is short, parts are joined up to these limits; then the oldest are dropped.
+  /// When memory is short, or there are too many parts, parts are joined up to these limits, which
+  /// bound the work; then the oldest are dropped.
+  static constexpr std::size_t kMaxParts = 2048;
   static constexpr Tick kJoinedTicks = 4 * kMovedTicks;
-  static constexpr std::size_t kJoinedInputs = 2 * kInputs;
+  static constexpr std::size_t kJoinedInputs = 256;
 
   /// Keeps the past `longest` ticks of the cell from now on, within a budget that all histories
   /// share. Preconditions: longest > 0, and the cell has no device. Cell and budget must outlive the
@@ -68,9 +70,9 @@ class History final : private InputLog, private monitor::ByteBudget::Member {
   History& operator=(const History&) = delete;
   ~History() override;
 
-  /// The times that can be made again, the oldest first; empty before the first input. An epoch with a
-  /// gap has several.
-  /// While the cell is in the past, the future that it may still return to is among them.
+  /// The times that can be made again, the oldest first; empty before the first input. An epoch with
+  /// a gap has several. While the cell is in the past, they include the future to which it may still
+  /// return.
   std::vector<EpochSpan> epochs() const;
   bool covers(const ReplayTime& time) const;
   /// The part from which a time can be made again: see past.hpp. It can be used by another thread.
@@ -107,10 +109,11 @@ class History final : private InputLog, private monitor::ByteBudget::Member {
   void drop_future();
   void settle();
   void recount();
+  void limit_parts();
   Tick covered_from(const ReplayTime& begin) const;
   void drop_old();
   void drop_oldest();
-  bool join_densest();
+  void join_dense();
   void forget();
 
   Cell& cell_;

@@ -1,5 +1,5 @@
-// What a cell tells of all that its state depends on: its inputs, and how time has passed between
-// them where that matters. Implementations record it; they must not change the cell.
+// The interface of a log of a cell. The cell reports its inputs, and how time has passed between them
+// where its state depends on that. A log must not change the cell.
 #pragma once
 
 #include <string_view>

@@ -15,7 +15,7 @@
 
 namespace xr3 {
 
-/// What a recording of this cell must begin with. Preconditions: no input has acted yet, and the
+/// The header of a recording of this cell. Preconditions: no input has acted yet, and the
 /// device, if there will be one, is connected.
 recording::Header recording_header(const Cell& cell, std::string program);
 
@@ -28,7 +28,7 @@ class Recorder : public InputLog {
   /// Replies are split into entries of at most so many bytes.
   static constexpr std::size_t kMaxReplies = std::size_t{256} * 1024;
 
-  /// What is recorded: all, or without what is only for comparison, the replies and digests.
+  /// kInputs leaves out replies and digests, which a replay only compares.
   enum class Contents : std::uint8_t { kAll, kInputs };
 
   explicit Recorder(Sink sink, Contents contents = Contents::kAll)

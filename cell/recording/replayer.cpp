@@ -75,7 +75,7 @@ Replayer::Result Replayer::apply(const recording::Entry& entry) {
   return carry_on(entry);
 }
 
-/// What an entry does to the cell, when time has come to it.
+/// Applies an entry to the cell, after time has passed to its tick.
 struct Replayer::Applier {
   Replayer& replayer;
   const recording::Entry& entry;

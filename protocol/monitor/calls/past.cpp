@@ -1,4 +1,5 @@
 // The calls on the past: `history`, `look`, `live`, `seek` and `branch`.
+#include <set>
 #include <utility>
 
 #include "protocol/monitor/calls/form.hpp"
@@ -31,7 +32,7 @@ CallValue read_look(ArgsReader& args) {
       data::choice<Encoding>({{"rows", Encoding::kRows}, {"rle", Encoding::kRle}});
   const Encoding encoding =
       args.coded("encoding", encodings, Presence::kOptional).value_or(Encoding::kRows);
-  for (const Channel channel : channels) {
+  for (const Channel channel : std::set<Channel>(channels.begin(), channels.end())) {
     const bool is_image = channel == Channel::kImage;
     look.selections.push_back({channel, {}, is_image ? encoding : Encoding::kRows});
   }

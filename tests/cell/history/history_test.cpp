@@ -165,6 +165,18 @@ TEST(History, LongQueuesMakeAGap) {
   EXPECT_EQ(history.part_before({0, 700})->from().tick, history.epochs()[1].from);
 }
 
+TEST(History, TheNumberOfPartsIsLimited) {
+  Kept kept;
+  for (int ms = 1; ms <= 3 * static_cast<int>(History::kMaxParts); ++ms)
+    kept.call(ms, call::Reset{});
+  EXPECT_LE(kept.history.parts(), History::kMaxParts);
+  EXPECT_TRUE(kept.history.covers({kept.cell.epoch(), kept.cell.state().tick}));
+  EXPECT_FALSE(kept.history.covers({0, 0}));
+  EXPECT_EQ(kept.history.part_before({kept.cell.epoch() - 5, 0})->from().epoch,
+            kept.cell.epoch() - 6)
+      << "a part begins with the input after the call";
+}
+
 TEST(History, TriesRarelyIfOnePartIsTooMuch) {
   monitor::ByteBudget budget(100);
   Cell cell("main", test::rhino(), SimClock::real({}, 0), {});

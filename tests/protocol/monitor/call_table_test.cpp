@@ -200,8 +200,10 @@ TEST(MonitorCalls, ParsesFaults) {
   EXPECT_EQ(look.at.tick, 5);
   EXPECT_EQ(look.at.epoch, 2);
   ASSERT_EQ(look.selections.size(), 2U);
-  EXPECT_EQ(look.selections[0].encoding, Encoding::kRle);
-  EXPECT_EQ(look.selections[1].channel, Channel::kState);
+  EXPECT_EQ(look.selections[0].channel, Channel::kState);
+  EXPECT_EQ(look.selections[1].encoding, Encoding::kRle);
+  const Look twice = other_of<Look>("look", R"({"tick":5,"channels":["image","image"]})");
+  EXPECT_EQ(twice.selections.size(), 1U) << "an image is sent once";
   EXPECT_EQ(other_of<Seek>("seek", R"({"tick":7})").at.tick, 7);
   EXPECT_EQ(other_of<Seek>("seek", R"({"tick":7})").at.epoch, std::nullopt);
   EXPECT_EQ(other_of<Branch>("branch", R"({"tick":7,"epoch":1})").at.epoch, 1);
