@@ -99,7 +99,8 @@ def shown_file(name, language):
 def write_files(folder):
     """Makes the files in `folder` that commands of the documentation name."""
     data = pathlib.Path(ROOT, "data")
-    (folder / "data").symlink_to(data)
+    for name in "data", "docs":
+        (folder / name).symlink_to(pathlib.Path(ROOT, name))
     shutil.copy(data / "robots" / "rhino-xr3.json", folder / "my-arm.json")
     shutil.copy(data / "workcells" / "rhino-xr3.json", folder / "lab.json")
     run_xr3("convert", "my-arm.json", "my-arm.txt", cwd=folder)

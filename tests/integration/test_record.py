@@ -48,6 +48,12 @@ class Recordings(unittest.TestCase):
 
     # --- Sessions.
 
+    def test_the_session_in_the_docs_is_repeated(self):
+        done = self.replay("--print", "state", file=pathlib.Path(ROOT, "docs/find-and-pick.xr3rec"))
+        self.assertIn("everything is as recorded", done.stderr)
+        red, = (block for block in json.loads(done.stdout)["blocks"] if block["name"] == "red")
+        self.assertLess(max(abs(a - b) for a, b in zip(red["xyz_mm"], (392, 60, 20))), 2)
+
     def test_a_session_with_calls_and_faults_comes_to_the_same_state(self):
         with Server("--record", self.file, "--fault", "worn-arm") as xr3, xr3.monitor() as monitor:
             line = xr3.line()

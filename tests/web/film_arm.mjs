@@ -2,17 +2,15 @@
 // a second xr3 stands in. A frame is two pictures, NNNN-l.png (the program and the arm) and NNNN-r.png (the page);
 // the file `delays` has its duration in 1/100 s. Usage: node film_arm.mjs FRAMES_FOLDER, with XR3 set to the
 // path of the executable.
-import { spawn } from "node:child_process";
-import { once } from "node:events";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { call, close, open, ready, root, serve } from "./bench.mjs";
+import { call, close, open, ready, serve } from "./bench.mjs";
+import { film, runPython } from "./film.mjs";
 
 const [frames] = process.argv.slice(2);
 const kPage = { width: 1280, height: 740 };
 const kPane = { width: 330, height: kPage.height };
-const kMinMs = 110; // between two frames
 
 const kProgram = `import xr3
 
@@ -47,7 +45,6 @@ await pane.evaluate((text) => (document.querySelector("#listing").textContent = 
 
 // --- The camera.
 
-const times = [];
 let isRolling = true;
 let output = "";
 let left = { shown: null, picture: null }; // the last picture of the pane
@@ -65,21 +62,12 @@ async function shootPane() {
   left = { shown, picture: await pane.screenshot() };
   return left.picture;
 }
-/** Saves each picture that the browser makes of the page anyway, with the latest picture of the pane. */
+/** Films the page, with the latest picture of the pane beside each frame. */
 async function roll() {
   await shootPane();
-  const camera = await page.context().newCDPSession(page);
-  camera.on("Page.screencastFrame", ({ data, sessionId }) => {
-    camera.send("Page.screencastFrameAck", { sessionId });
-    if (Date.now() - (times.at(-1) ?? 0) < kMinMs) return;
-    const name = join(frames, String(times.length + 1).padStart(4, "0"));
-    times.push(Date.now());
-    writeFileSync(`${name}-r.png`, Buffer.from(data, "base64"));
-    writeFileSync(`${name}-l.png`, left.picture);
-  });
-  await camera.send("Page.startScreencast", { format: "png" });
+  const end = await film(page, frames, { suffix: "-r", each: (name) => writeFileSync(`${name}-l.png`, left.picture) });
   while (isRolling) await shootPane();
-  await camera.send("Page.stopScreencast");
+  await end();
 }
 
 // --- The scene.
@@ -89,13 +77,7 @@ const pause = (ms) => page.waitForTimeout(ms);
 
 async function runProgram() {
   say("$ python3 wave.py\n");
-  const child = spawn("python3", ["-u", join(folder, "wave.py"), "localhost", String(server.robot)], {
-    env: { ...process.env, PYTHONPATH: `${root}clients/python` }, stdio: ["ignore", "pipe", "inherit"],
-  });
-  const ended = once(child, "exit");
-  for await (const text of child.stdout) say(String(text));
-  const [code] = await ended;
-  if (code !== 0) throw new Error(`wave.py: exit code ${code}`);
+  await runPython(join(folder, "wave.py"), server.robot, say);
 }
 
 const rolling = roll();
@@ -111,11 +93,7 @@ await runProgram();
 await pause(2200);
 isRolling = false;
 await rolling;
-times.push(Date.now());
 
-const delays = times.slice(1).map((time, i) => Math.round((time - times[i]) / 10));
-writeFileSync(join(frames, "delays"), delays.join("\n") + "\n");
-console.log(`${delays.length} frames, ${delays.reduce((a, b) => a + b) / 100} s`);
 await page.context().close();
 await pane.context().close();
 await server.stop();
