@@ -139,6 +139,14 @@ class Setup(unittest.TestCase):
         self.assertEqual(0, code, said)
         self.assertIn("librapidcheck-dev", packages)
 
+    def test_the_emulator_of_aarch64_has_two_names(self):
+        names = {"qemu-user-static", "qemu-user"}
+        for offered, expected in ((names, "qemu-user-static"), ({"qemu-user"}, "qemu-user")):
+            code, said, packages = self.setup_with([], (self.usual - names) | versioned(DEBIAN_13) | offered, "portable")
+            self.assertEqual(0, code, said)
+            self.assertEqual({expected}, names & set(packages))
+            self.assertLess({"g++-aarch64-linux-gnu", "emscripten", "g++", "clang-19"}, set(packages))
+
     def test_ubuntu_22_has_an_old_boost(self):
         self.system = UBUNTU.format("22.04.5 LTS")
         offered = (self.usual | versioned(UBUNTU_22)) - {"prometheus-cpp-dev"}
