@@ -4,7 +4,7 @@ import { spawn } from "node:child_process";
 import { once } from "node:events";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { root } from "./bench.mjs";
+import { root } from "../bench.mjs";
 
 const kMinMs = 110; // between two frames
 

@@ -1,11 +1,11 @@
 // Makes the frames of docs/real-arm.gif: one program drives the simulation, then the arm behind it, for which
 // a second xr3 stands in. A frame is two pictures, NNNN-l.png (the program and the arm) and NNNN-r.png (the page);
-// the file `delays` has its duration in 1/100 s. Usage: node film_arm.mjs FRAMES_FOLDER, with XR3 set to the
+// the file `delays` has its duration in 1/100 s. Usage: node arm.mjs FRAMES_FOLDER, with XR3 set to the
 // path of the executable.
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { call, close, open, ready, serve } from "./bench.mjs";
+import { call, close, open, ready, serve } from "../bench.mjs";
 import { film, runPython } from "./film.mjs";
 
 const [frames] = process.argv.slice(2);
