@@ -41,7 +41,11 @@ CountRange closed_range(const Microswitch& microswitch, Profile profile) {
 }
 
 Model::Model(Robot robot, Workcell workcell, Profile profile)
-    : robot_(std::move(robot)), workcell_(std::move(workcell)), profile_(profile) {
+    : robot_(std::move(robot)),
+      workcell_(std::move(workcell)),
+      profile_(profile),
+      joint_count_(static_cast<int>(robot_.joints.size())),
+      motor_count_(joint_count_ + (robot_.carousel ? 2 : 1)) {
   for (const Joint& joint : robot_.joints) motors_.push_back(motor_model(joint.drive, profile));
   motors_.push_back(motor_model(robot_.tool.drive, profile));
   if (robot_.carousel) {

@@ -71,12 +71,12 @@ class Model {
   const Workcell& workcell() const { return workcell_; }
   Profile profile() const { return profile_; }
 
-  int joint_count() const { return static_cast<int>(robot_.joints.size()); }
+  int joint_count() const { return joint_count_; }
   /// One motor per joint, from the base, then the tool's, then the carousel's.
-  int motor_count() const { return joint_count() + (carousel_ ? 2 : 1); }
-  int tool_index() const { return joint_count(); }
+  int motor_count() const { return motor_count_; }
+  int tool_index() const { return joint_count_; }
   /// -1 without a carousel.
-  int carousel_index() const { return carousel_ ? joint_count() + 1 : -1; }
+  int carousel_index() const { return carousel_ ? joint_count_ + 1 : -1; }
 
   const MotorModel& motor(int index) const { return motors_[static_cast<std::size_t>(index)]; }
   /// Index of the motor with this label, or -1.
@@ -128,6 +128,8 @@ class Model {
   Workcell workcell_;
   Profile profile_;
   std::vector<MotorModel> motors_;
+  int joint_count_;  ///< a member, as is motor_count_, because loops of every tick ask for it
+  int motor_count_;
   std::array<std::vector<CoupledJoint>, kMaxMotors> driven_;
   std::array<std::array<std::int8_t, kMaxMotors>, kMaxMotors> gain_{};
   std::vector<SinCosTable> thetas_;
