@@ -36,10 +36,12 @@ MotorBlocked blocked_event(const Model& model, const State& state, const Positio
   return event;
 }
 
-void make_count(const Model& model, State& state, Positions& positions, int index, Events& events) {
+void make_count(const Model& model, State& state, Positions& positions, int index,
+                MotorTickResult& turned, Events& events) {
   MotorState& motor = state.motor(index);
   const int direction = sign(motor.error);
-  const bool is_lost = loses_count(model, state, index, events);
+  const bool is_lost = may_lose_count(state, index) && loses_count(model, state, index, events);
+  turned.counted |= bit_of(index);
   motor.count += direction;
   turn(model, positions, index, direction);
   if (!is_lost) set_error(motor, static_cast<std::int8_t>(motor.error - direction));
@@ -65,7 +67,7 @@ void turn_tool(const Model& model, State& state, Positions& positions, MotorTick
   turned.opened = opens_jaws(model, sign(state.motor(tool).error));
   if (!turned.opened) turned.jaws = next_closing(model, state, positions);
   if (turned.jaws.kind != JawContact::Kind::kHolds)
-    make_count(model, state, positions, tool, events);
+    make_count(model, state, positions, tool, turned, events);
 }
 
 }  // namespace
@@ -101,7 +103,7 @@ MotorTickResult turn_motors(const Model& model, State& state, Positions& positio
       turn_tool(model, state, positions, turned, events);
       continue;
     }
-    make_count(model, state, positions, i, events);
+    make_count(model, state, positions, i, turned, events);
     (i == model.carousel_index() ? turned.table : turned.joint) = true;
   }
   return turned;

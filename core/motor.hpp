@@ -35,11 +35,12 @@ Blocked obstacle(const Model& model, const State& state, const Positions& positi
 
 /// The result of one tick of all motors.
 struct MotorTickResult {
-  bool any = false;     ///< a count was made, or the jaws met a block
-  bool joint = false;   ///< a joint moved, not only tool or carousel
-  bool table = false;   ///< the carousel turned
-  bool opened = false;  ///< the tool's motor made an opening count
-  JawContact jaws;      ///< what the tool's closing count met
+  MotorBits counted = 0;  ///< the motors that made a count
+  bool any = false;       ///< a count was made, or the jaws met a block; if not, nothing follows
+  bool joint = false;     ///< a joint moved, not only tool or carousel
+  bool table = false;     ///< the carousel turned
+  bool opened = false;    ///< the tool's motor made an opening count
+  JawContact jaws;        ///< what the tool's closing count met
 };
 
 /// One tick of every motor: joints from the base, the tool, then the carousel. The check of each

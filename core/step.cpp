@@ -25,13 +25,14 @@ void stall(State& state, const Motors& before, Stall why, Events& events) {
   events.push_back({state.tick, Stalled{why}});
 }
 
-bool has_arrived(const State& state, const Motors& before, int motor) {
-  return state.motor(motor).error == 0 && before[static_cast<std::size_t>(motor)].error != 0;
+bool has_arrived(const State& state, const MotorTickResult& turned, int motor) {
+  return has_motor(turned.counted, motor) && state.motor(motor).error == 0;
 }
 
-void emit_reached(const Model& model, const State& state, const Motors& before, Events& events) {
+void emit_reached(const Model& model, const State& state, const MotorTickResult& turned,
+                  Events& events) {
   for (int i = 0; i < model.motor_count(); ++i) {
-    if (!has_arrived(state, before, i)) continue;
+    if (!has_arrived(state, turned, i)) continue;
     events.push_back({state.tick, Reached{model.motor(i).drive.label, state.motor(i).count}});
   }
 }
@@ -72,6 +73,7 @@ void tick(const Model& model, State& state, Events& events) {
   const Motors before = state.motors;
   Positions positions = xr3::positions(model, state.motors);
   const MotorTickResult turned = turn_motors(model, state, positions, events);
+  if (!turned.any) return;
   if (turned.joint) {
     const PointUm tip = tool_tip(model, positions);
     if (const Stall why = stall_at(model, state, positions, tip); why != Stall::kNo) {
@@ -82,13 +84,11 @@ void tick(const Model& model, State& state, Events& events) {
     if (!state.display.erase) state.tip_path.add(tip);
   }
   if (turned.table) carry_riders(model, state);
-  if (turned.any) {
-    update_switches(model, state, events);
-    update_grasp(model, state, positions, turned.jaws, turned.opened, events);
-  }
+  update_switches(model, state, events, turned.counted);
+  update_grasp(model, state, positions, turned.jaws, turned.opened, events);
   if (turned.joint) slip_grip(model, state, positions, events);
-  emit_reached(model, state, before, events);
-  if (has_arrived(state, before, model.tool_index()) && !turned.opened)
+  emit_reached(model, state, turned, events);
+  if (has_arrived(state, turned, model.tool_index()) && !turned.opened)
     warn_of_touch(model, state, positions, events);
   update_blocked(model, state, positions, events);
 }
@@ -109,13 +109,12 @@ void step(const Model& model, State& state, Events& events) {
 }
 
 bool run_to_rest(const Model& model, State& state, Tick target, Events& events) {
-  bool changed = false;
-  while (state.tick < target && !is_at_rest(model, state)) {
-    changed = true;
+  if (state.tick >= target || is_at_rest(model, state)) return false;
+  do {
     coast(model, state, quiet_ticks(model, state, target - state.tick));
     if (state.tick < target) step(model, state, events);
-  }
-  return changed;
+  } while (state.tick < target && !is_at_rest(model, state));
+  return true;
 }
 
 bool advance_to(const Model& model, State& state, Tick target, Events& events) {

@@ -42,8 +42,9 @@ bool is_closed(const MotorModel& motor, Counts count) {
   return count >= motor.closed.low && count <= motor.closed.high;
 }
 
-void update_switches(const Model& model, State& state, Events& events) {
+void update_switches(const Model& model, State& state, Events& events, MotorBits motors) {
   for (int i = 0; i < model.motor_count(); ++i) {
+    if (!has_motor(motors, i)) continue;
     MotorState& motor = state.motor(i);
     const bool closed = with_stuck_switch(state, i, is_closed(model.motor(i), motor.count));
     if (closed == motor.switch_closed) continue;

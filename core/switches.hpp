@@ -15,9 +15,10 @@ bool is_asked_for(char label, char inquiry);
 /// Whether the microswitch of a motor is closed at this count; see closed_range().
 bool is_closed(const MotorModel& motor, Counts count);
 
-/// Recomputes every switch and appends an event for each change. A switch that is stuck by a fault
-/// does not follow its motor.
-void update_switches(const Model& model, State& state, Events& events);
+/// Recomputes the switches of these motors and appends an event for each change. A switch that is
+/// stuck by a fault does not follow its motor.
+void update_switches(const Model& model, State& state, Events& events,
+                     MotorBits motors = kAllMotors);
 
 /// Switches output line 1...8.
 void set_output(State& state, int line, bool high, Events& events);

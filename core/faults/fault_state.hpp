@@ -32,6 +32,15 @@ struct FaultState {
 
 /// Bit i is motor i.
 using MotorBits = std::uint8_t;
+static_assert(kMaxMotors <= 8, "one bit of MotorBits for each motor");
+inline constexpr MotorBits kAllMotors = 0xff;
+
+constexpr MotorBits bit_of(int motor) {
+  return static_cast<MotorBits>(1U << static_cast<unsigned>(motor));
+}
+constexpr bool has_motor(MotorBits bits, int motor) {
+  return (bits >> static_cast<unsigned>(motor) & 1U) != 0;
+}
 
 /// Derived from the faults and the tick: see refresh_faults().
 struct FaultsInForce {

@@ -11,10 +11,6 @@
 namespace xr3 {
 namespace {
 
-static_assert(kMaxMotors <= 8, "one bit of MotorBits for each motor");
-
-MotorBits bit_of(int motor) { return static_cast<MotorBits>(1U << static_cast<unsigned>(motor)); }
-
 bool lasts(const Fault& fault) { return traits_of(fault.kind).manner == FaultManner::kLasting; }
 
 /// Whether it acts at its first tick, without an occasion.

@@ -19,8 +19,8 @@ bool is_bouncing(const FaultState& each, char label, Tick tick) {
 
 bool loses_count(const Model& model, State& state, int motor, Events& events) {
   Faults& faults = state.faults;
-  if (!has_motor(faults.now.slipping | faults.slipped, motor)) return false;
-  const auto bit = static_cast<MotorBits>(1U << static_cast<unsigned>(motor));
+  if (!may_lose_count(state, motor)) return false;
+  const MotorBits bit = bit_of(motor);
   const bool was_lost = has_motor(faults.slipped, motor);
   faults.slipped = static_cast<MotorBits>(faults.slipped & ~bit);
   if (was_lost) return false;

@@ -26,13 +26,14 @@ inline std::uint8_t speed_percent_of(const State& state, int motor) {
   return state.faults.now.speed_percent[static_cast<std::size_t>(motor)];
 }
 
-inline bool has_motor(MotorBits bits, int motor) {
-  return (bits >> static_cast<unsigned>(motor) & 1U) != 0;
-}
-
 /// The motor will make counts without new input, unless the robot is stalled.
 inline bool will_run(const State& state, int motor) {
   return is_running(state.motor(motor)) && !has_motor(state.faults.now.stuck_for_good, motor);
+}
+
+/// Whether loses_count() may return true.
+inline bool may_lose_count(const State& state, int motor) {
+  return has_motor(state.faults.now.slipping | state.faults.slipped, motor);
 }
 
 /// Whether a motor's encoder misses the count that it makes now: the motor turns, but its error

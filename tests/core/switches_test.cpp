@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/home.hpp"
 #include "tests/support/rig.hpp"
 
 namespace xr3 {
@@ -100,6 +101,21 @@ TEST(Switches, MatchTheirCountsAtTheStart) {
   const Rig rig(test::model_of(robot));
   EXPECT_TRUE(rig.motor('F').switch_closed);
   EXPECT_FALSE(rig.motor('E').switch_closed);
+}
+
+TEST(Switches, AreUpdatedForTheGivenMotorsOnly) {
+  const ModelPtr model = roomy_rhino();
+  State state = initial_state(*model);
+  for (int i = 0; i < model->motor_count(); ++i) {
+    const CountRange closed = model->motor(i).closed;
+    state.motor(i).count = closed.low > 0 ? closed.low : closed.high;
+  }
+  Events events;
+  update_switches(*model, state, events, bit_of(1));
+  for (int i = 0; i < model->motor_count(); ++i) EXPECT_EQ(state.motor(i).switch_closed, i == 1);
+  ASSERT_EQ(events.size(), 1U);
+  update_switches(*model, state, events);
+  EXPECT_EQ(events.size(), static_cast<std::size_t>(model->motor_count()));
 }
 
 TEST(Switches, BitsOfIAndJFollowLabelAndMask) {
