@@ -19,19 +19,14 @@ Micrometres opening_um(const Model& model, Counts tool_position) {
   return micrometres(opening_mm(model, tool_position));
 }
 
-/// The tip in the block's own frame.
-PointUm tip_in_block(const Block& block, const PointUm& tip) {
+// The height comes first: it is without a sine, and it rules most blocks out.
+bool contains(const Block& block, const PointUm& tip) {
+  if (2 * std::abs(tip.z - block.centroid_um.z) > block.size_um.z) return false;
   const auto [sin, cos] = sin_cos_deg(degrees(block.yaw_udeg));
   const auto dx = static_cast<double>(tip.x - block.centroid_um.x) / kMicrometresPerMm;
   const auto dy = static_cast<double>(tip.y - block.centroid_um.y) / kMicrometresPerMm;
-  return {micrometres(cos * dx + sin * dy), micrometres(cos * dy - sin * dx),
-          tip.z - block.centroid_um.z};
-}
-
-bool contains(const Block& block, const PointUm& tip) {
-  const PointUm p = tip_in_block(block, tip);
-  return 2 * std::abs(p.x) <= block.size_um.x && 2 * std::abs(p.y) <= block.size_um.y &&
-         2 * std::abs(p.z) <= block.size_um.z;
+  return 2 * std::abs(micrometres(cos * dx + sin * dy)) <= block.size_um.x &&
+         2 * std::abs(micrometres(cos * dy - sin * dx)) <= block.size_um.y;
 }
 
 Micrometres squared_distance(const PointUm& a, const PointUm& b) {
