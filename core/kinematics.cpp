@@ -55,7 +55,9 @@ Transform mount_transform(const Model& model) {
 }
 
 std::vector<Transform> base_transforms(const Model& model, const Positions& positions) {
-  std::vector<Transform> chain{mount_transform(model)};
+  std::vector<Transform> chain;
+  chain.reserve(static_cast<std::size_t>(model.joint_count()) + 1);
+  chain.push_back(mount_transform(model));
   for (int k = 0; k < model.joint_count(); ++k) {
     chain.push_back(chain.back() * link_transform(model, k, at(positions, k)));
   }

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "core/grasp.hpp"
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr int kRingCorners = 24;
 constexpr double kTableThicknessMm = 12;
+constexpr std::size_t kWiresPerBlock = 4;
 
 Eigen::Vector3d vector(const PointMm& p) { return {p.x, p.y, p.z}; }
 
@@ -22,14 +24,14 @@ Eigen::Vector3d carried(const Transform& pose, const Eigen::Vector3d& p) {
 template <class Place>
 void add_outline(std::vector<Wire>& wires, const std::string& part, int color,
                  const std::vector<OutlinePoint>& points, Place place) {
-  Wire wire{part, color, {}};
+  std::vector<Eigen::Vector3d> drawn;
   const auto lift_pen = [&] {
-    if (wire.points.size() >= 2) wires.push_back(wire);
-    wire.points.clear();
+    if (drawn.size() >= 2) wires.push_back({part, color, drawn});
+    drawn.clear();
   };
   for (const OutlinePoint& point : points) {
     if (!point.draw) lift_pen();
-    wire.points.push_back(place(vector(point.p_mm)));
+    drawn.push_back(place(vector(point.p_mm)));
   }
   lift_pen();
 }
@@ -100,18 +102,19 @@ void add_box(std::vector<Wire>& wires, const Block& block, const Transform& pose
                                               corner(1, 1, -1), corner(-1, 1, -1)};
   const std::array<Eigen::Vector3d, 4> top{corner(-1, -1, 1), corner(1, -1, 1), corner(1, 1, 1),
                                            corner(-1, 1, 1)};
-  Wire round{"block:" + block.name, block.color, {bottom.begin(), bottom.end()}};
-  round.points.push_back(bottom[0]);
-  round.points.insert(round.points.end(), top.begin(), top.end());
-  round.points.push_back(top[0]);
-  wires.push_back(round);
+  const std::string part = "block:" + block.name;
+  wires.push_back({part,
+                   block.color,
+                   {bottom[0], bottom[1], bottom[2], bottom[3], bottom[0],  //
+                    top[0], top[1], top[2], top[3], top[0]}});
   for (std::size_t i = 1; i < bottom.size(); ++i) {
-    wires.push_back({round.part, block.color, {bottom[i], top[i]}});
+    wires.push_back({part, block.color, {bottom[i], top[i]}});
   }
 }
 
-void append(std::vector<Wire>& wires, const std::vector<Wire>& more) {
-  wires.insert(wires.end(), more.begin(), more.end());
+void append(std::vector<Wire>& wires, std::vector<Wire> more) {
+  wires.insert(wires.end(), std::make_move_iterator(more.begin()),
+               std::make_move_iterator(more.end()));
 }
 
 Eigen::Vector3d point_mm(const PointUm& p) { return {mm(p.x), mm(p.y), mm(p.z)}; }
@@ -138,6 +141,7 @@ std::vector<Wire> robot_wires(const Model& model, const Positions& positions) {
 
 std::vector<Wire> block_wires(const Model& model, const State& state) {
   std::vector<Wire> wires;
+  wires.reserve(kWiresPerBlock * state.blocks.size());
   for (std::size_t i = 0; i < state.blocks.size(); ++i) {
     add_box(wires, state.blocks[i], block_pose(model, state, i));
   }
@@ -170,8 +174,10 @@ Wire surface_wire(const Workcell& workcell) {
 
 std::vector<FlatWire> projected(const View& view, const std::vector<Wire>& wires) {
   std::vector<FlatWire> flat;
+  flat.reserve(wires.size());
   for (const Wire& wire : wires) {
     flat.push_back({wire.part, wire.color, {}});
+    flat.back().points.reserve(wire.points.size());
     for (const Eigen::Vector3d& p : wire.points) flat.back().points.push_back(projected(view, p));
   }
   return flat;
