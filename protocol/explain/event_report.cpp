@@ -17,17 +17,17 @@ const char* unit_of(const Model& model, char label) {
   return model.is_length(model.index_of(label)) ? "mm" : "deg";
 }
 
-Json io_json(const char* which, int number, bool value) {
+Json::object_t io_members(const char* which, int number, bool value) {
   return {{which, number}, {"value", value}};
 }
 
-Json block_json(const std::string& name, const PointUm& centroid, Microdegrees yaw) {
+Json::object_t block_members(const std::string& name, const PointUm& centroid, Microdegrees yaw) {
   return {{"block", name},
           {"xyz_mm", point_json(centroid)},
           {"yaw_deg", rounded(degrees(yaw), kDegreeDecimals)}};
 }
 
-Json warning_json(Json offset, Json hex, int count) {
+Json::object_t warning_members(Json offset, Json hex, int count) {
   return {{"offset", std::move(offset)}, {"hex", std::move(hex)}, {"count", count}};
 }
 
@@ -93,11 +93,12 @@ struct MachineEvents {
   }
   EventReport operator()(const Stalled& e) const {
     const bool by_region = e.why == Stall::kProtectedRegion;
-    return {"stalled", by_region ? "protected_region" : "work_surface",
+    return {"stalled",
+            by_region ? "protected_region" : "work_surface",
             std::string(by_region ? "the tool would enter the protected region"
                                   : "the tool would pass under the work surface") +
                 "; A$ or reset clears the stall",
-            Json::object()};
+            {}};
   }
   EventReport operator()(const SwitchChanged& e) const {
     return {"switch",
@@ -107,26 +108,24 @@ struct MachineEvents {
   }
   EventReport operator()(const Grasped& e) const {
     return {"grasped", "grasped", "the jaws hold block " + e.block,
-            block_json(e.block, e.centroid_um, e.yaw_udeg)};
+            block_members(e.block, e.centroid_um, e.yaw_udeg)};
   }
   EventReport operator()(const Released& e) const {
     return {"released", "released", "block " + e.block + " released",
-            block_json(e.block, e.centroid_um, e.yaw_udeg)};
+            block_members(e.block, e.centroid_um, e.yaw_udeg)};
   }
-  EventReport operator()(const Homed&) const {
-    return {"homed", "homed", "soft home", Json::object()};
-  }
+  EventReport operator()(const Homed&) const { return {"homed", "homed", "soft home", {}}; }
   EventReport operator()(const OutputChanged& e) const {
     return {"io", "io", "output " + std::to_string(e.line) + (e.high ? " is high" : " is low"),
-            io_json("output", e.line, e.high)};
+            io_members("output", e.line, e.high)};
   }
   EventReport operator()(const InputChanged& e) const {
     return {"io", "io", "input " + std::to_string(e.line) + (e.high ? " is high" : " is low"),
-            io_json("input", e.line, e.high)};
+            io_members("input", e.line, e.high)};
   }
   EventReport operator()(const AuxiliaryChanged& e) const {
     return {"io", "io", "auxiliary port " + std::to_string(e.port) + (e.on ? " is on" : " is off"),
-            io_json("aux", e.port, e.on)};
+            io_members("aux", e.port, e.on)};
   }
   EventReport operator()(const EnabledChanged& e) const {
     return {
@@ -145,7 +144,7 @@ struct MachineEvents {
              {"joint", e.label != 0 ? Json(letter_text(e.label)) : Json(nullptr)}}};
   }
   EventReport operator()(const Warning& e) const {
-    return {"warning", code_of(e.code), text_of(e, model), warning_json(nullptr, nullptr, 1)};
+    return {"warning", code_of(e.code), text_of(e, model), warning_members(nullptr, nullptr, 1)};
   }
 };
 
@@ -166,12 +165,12 @@ struct CellEvents {
   }
   EventReport operator()(const ProblemNote& note) const {
     return {"warning", note.code, note.message,
-            warning_json(note.offset, hexadecimal(note.raw.view()), note.count)};
+            warning_members(note.offset, hexadecimal(note.raw.view()), note.count)};
   }
   EventReport operator()(const SuppressedNote& note) const {
     return {"warning", "suppressed",
             std::to_string(note.count) + " more warnings of this line in that simulated second",
-            warning_json(nullptr, nullptr, note.count)};
+            warning_members(nullptr, nullptr, note.count)};
   }
   EventReport operator()(const LineOpenedNote& note) const {
     return {"line_open",
@@ -210,10 +209,10 @@ struct CellEvents {
             {{"from_epoch", note.from_epoch}, {"from_tick", note.from_tick}}};
   }
   EventReport operator()(const CellOpenedNote& note) const {
-    return {"cell_opened", "cell_opened", "cell " + note.cell + " opened", Json::object()};
+    return {"cell_opened", "cell_opened", "cell " + note.cell + " opened", {}};
   }
   EventReport operator()(const CellClosedNote& note) const {
-    return {"cell_closed", "cell_closed", "cell " + note.cell + " closed", Json::object()};
+    return {"cell_closed", "cell_closed", "cell " + note.cell + " closed", {}};
   }
   EventReport operator()(const HandoverNote& note) const {
     EventReport of_machine = report(EnabledChanged{note.enabled}, model);

@@ -17,7 +17,7 @@ struct EventReport {
   std::string_view event;  ///< the kind, such as `blocked` or `warning`
   std::string_view code;   ///< stable, such as `limit` or `counter_overflow`
   std::string message;     ///< one sentence
-  Json members;            ///< an object with the members that only this kind has
+  Json::object_t members;  ///< those that only this kind has
 };
 
 /// The report about an event of the machine. `model` gives units and limits.
