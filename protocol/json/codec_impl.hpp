@@ -96,7 +96,8 @@ Codec<std::vector<V>> list(Codec<V> item, std::size_t min_count, std::size_t max
     return is_good;
   };
   codec.write = [write = item.write](const std::vector<V>& values) {
-    Json array = Json::array();
+    Json::array_t array;
+    array.reserve(values.size());
     for (const V& value : values) array.push_back(write(value));
     return array;
   };
@@ -180,7 +181,8 @@ bool read_object(const Place& place, const Members<T>& members, T& object) {
 
 template <class T>
 Json write_object(const T& object, const Members<T>& members) {
-  Json json = Json::object();
+  Json::object_t json;
+  json.reserve(members.size());  // an object that grows copies its members
   for (const Member<T>& member : members) {
     if (auto value = member.write(object)) json[member.name] = *std::move(value);
   }

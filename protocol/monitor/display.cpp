@@ -20,11 +20,15 @@ Json flat_json(const Eigen::Vector2d& p) {
 }
 
 Json polyline_json(const FlatWire& wire) {
-  Json points = Json::array();
+  Json::array_t points;
+  points.reserve(wire.points.size());
   for (const Eigen::Vector2d& p : wire.points) points.push_back(flat_json(p));
-  return {{"part", wire.part},
-          {"color", color_hex(wire.color, Background::kDark)},
-          {"points", std::move(points)}};
+  Json::object_t members;
+  members.reserve(3);  // an object that grows copies its members
+  members["part"] = wire.part;
+  members["color"] = color_hex(wire.color, Background::kDark);
+  members["points"] = std::move(points);
+  return members;
 }
 
 Json polylines_json(const View& view, const Model& model, const State& state) {

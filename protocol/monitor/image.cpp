@@ -67,8 +67,8 @@ Json row_json(const Image& image, int row, monitor::Encoding encoding) {
     append_pixels(image, row, pixels);
     return pixels;
   }
-  Json runs = Json::array();
-  each_run(image, row, [&runs](int length) { runs.push_back(length); });
+  Json::array_t runs;
+  each_run(image, row, [&runs](int length) { runs.emplace_back(length); });
   return runs;
 }
 
@@ -98,10 +98,11 @@ Json frame_json(const Image& image, monitor::Encoding encoding) {
 }  // namespace
 
 Json image_json(const Image& image, monitor::Encoding encoding) {
+  Json::array_t rows;
+  rows.reserve(static_cast<std::size_t>(image.height()));
+  for (int row = 0; row < image.height(); ++row) rows.push_back(row_json(image, row, encoding));
   Json members = frame_json(image, encoding);
-  for (int row = 0; row < image.height(); ++row) {
-    members["rows"].push_back(row_json(image, row, encoding));
-  }
+  members["rows"] = std::move(rows);
   return members;
 }
 

@@ -7,22 +7,33 @@
 #include "protocol/explain/explain.hpp"
 
 namespace xr3 {
+namespace {
+
+Json explanation_json(Explanation& of) {
+  Json::object_t members;
+  members.reserve(4);  // an object that grows copies its members
+  members["from"] = of.from;
+  members["to"] = of.to;
+  members["code"] = of.code;
+  members["message"] = std::move(of.message);
+  return members;
+}
+
+}  // namespace
 
 Json wire_json(const WireRecord& record, const Model& model) {
-  Json parsed = Json::array();
-  for (Explanation& each : explain(record, model)) {
-    parsed.push_back({{"from", each.from},
-                      {"to", each.to},
-                      {"code", each.code},
-                      {"message", std::move(each.message)}});
-  }
-  return {{"line", record.line},
-          {"dir", record.direction == Direction::kIn ? "in" : "out"},
-          {"offset", record.offset},
-          {"hex", hexadecimal(record.shown)},
-          {"text", readable(record.shown)},
-          {"bytes", record.bytes},
-          {"parsed", std::move(parsed)}};
+  Json::array_t parsed;
+  for (Explanation& each : explain(record, model)) parsed.push_back(explanation_json(each));
+  Json::object_t members;
+  members.reserve(7);
+  members["line"] = record.line;
+  members["dir"] = record.direction == Direction::kIn ? "in" : "out";
+  members["offset"] = record.offset;
+  members["hex"] = hexadecimal(record.shown);
+  members["text"] = readable(record.shown);
+  members["bytes"] = record.bytes;
+  members["parsed"] = std::move(parsed);
+  return members;
 }
 
 }  // namespace xr3

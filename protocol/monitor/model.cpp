@@ -20,10 +20,13 @@ Workcell workcell_now(const Model& model, const State& state) {
 }
 
 Json model_json(const Model& model, const State& state, int rev, std::string_view hash) {
-  return {{"rev", rev},
-          {"robot", robot_to_json(model.robot())},
-          {"workcell", workcell_to_json(workcell_now(model, state))},
-          {"hash", hash}};
+  Json::object_t members;
+  members.reserve(4);  // an object that grows copies its members
+  members["rev"] = rev;
+  members["robot"] = robot_to_json(model.robot());
+  members["workcell"] = workcell_to_json(workcell_now(model, state));
+  members["hash"] = hash;
+  return members;
 }
 
 }  // namespace xr3
