@@ -67,9 +67,9 @@ void SerialLine::execute(std::uint8_t byte, std::uint64_t offset, const Effects&
   Simulation& simulation = effects.simulation;
   const bool was_enabled = simulation.state().enabled;
   std::string replies;
-  for (Parsed& item : endpoint_.parse(byte, offset, was_enabled)) {
+  for (const Parsed& item : endpoint_.parse(byte, offset, was_enabled)) {
     if (!announce(item)) return;
-    endpoint_.execute(std::move(item), simulation, replies, effects.exchanges);
+    endpoint_.execute(item, simulation, replies, effects.exchanges);
   }
   if (device_ != nullptr && was_enabled && !simulation.state().enabled) device_->engage(true);
   // A byte completes at most one inquiry, and that is the last exchange.

@@ -31,6 +31,16 @@ void begin(WireRecord& record, Direction direction, const WirePlace& place, std:
   record.items.clear();
 }
 
+// Adds an item to be filled in place: a copy of what was written just before costs more than all the
+// rest of a short record.
+template <class What>
+What& add_item(std::vector<Item>& items, std::uint64_t from, std::uint64_t to) {
+  Item& item = items.emplace_back();
+  item.from = from;
+  item.to = to;
+  return item.what.emplace<What>();
+}
+
 // Problems that skip a single byte. They are merged, as a client may send megabytes of garbage.
 bool is_junk(const Problem& problem) {
   return problem.code == ProblemCode::kUnknownByte ||
@@ -68,9 +78,9 @@ void add_command(std::vector<Item>& items, const Exchange& exchange, const Comma
                  const Simulation& machine) {
   const auto [from, to] = std::pair(exchange.parsed.from, exchange.parsed.to);
   const MoveTaken* move = move_in(exchange);
-  Executed executed{command, std::nullopt};
+  auto& executed = add_item<Executed>(items, from, to);
+  executed.command = command;
   if (move != nullptr) executed.counter = static_cast<std::int8_t>(move->error);
-  items.push_back({from, to, executed});
   bool is_reported = false;
   for (const Event& event : exchange.events) {
     if (const auto* warning = std::get_if<Warning>(&event.body)) {
@@ -105,16 +115,24 @@ void settle_toggles(std::vector<Item>& items, const State& after, bool has_devic
   }
 }
 
-/// A reply without its image.
+/// Assigns a reply without its image.
 struct WithoutImage {
-  ReplyWith<PictureSize> operator()(const CameraRows& rows) const {
-    return PictureSize{rows.image->width(), rows.image->height()};
+  ReplyWith<PictureSize>& target;
+
+  void operator()(const CameraRows& rows) const {
+    target = PictureSize{rows.image->width(), rows.image->height()};
   }
   template <class Small>
-  ReplyWith<PictureSize> operator()(const Small& reply) const {
-    return reply;
+  void operator()(const Small& reply) const {
+    target = reply;
   }
 };
+
+void set_answer(Answered& answered, const Exchange& exchange) {
+  assert(!std::holds_alternative<NoReply>(exchange.reply));
+  answered.command = std::get<Command>(exchange.parsed.what);
+  std::visit(WithoutImage{answered.reply}, exchange.reply);
+}
 
 }  // namespace
 
@@ -142,7 +160,7 @@ void fill_out(WireRecord& record, const WirePlace& place, std::string_view bytes
   record.telnet.reset();
   for (const Exchange& exchange : exchanges) {
     if (exchange.reply_from == exchange.reply_to) continue;
-    record.items.push_back({exchange.reply_from, exchange.reply_to, answer_of(exchange)});
+    set_answer(add_item<Answered>(record.items, exchange.reply_from, exchange.reply_to), exchange);
   }
   if (released.empty()) return;
   record.items.insert(record.items.end(), released.begin(), released.end());
@@ -151,8 +169,9 @@ void fill_out(WireRecord& record, const WirePlace& place, std::string_view bytes
 }
 
 wire::Answered answer_of(const Exchange& exchange) {
-  assert(!std::holds_alternative<NoReply>(exchange.reply));
-  return {std::get<Command>(exchange.parsed.what), std::visit(WithoutImage{}, exchange.reply)};
+  Answered answered;
+  set_answer(answered, exchange);
+  return answered;
 }
 
 }  // namespace xr3

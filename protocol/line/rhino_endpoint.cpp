@@ -1,18 +1,17 @@
 #include "protocol/line/rhino_endpoint.hpp"
 
-#include <utility>
-
 #include "protocol/line/rhino_reply.hpp"
 
 namespace xr3 {
 
 void RhinoEndpoint::feed(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
                          std::string& replies, std::vector<Exchange>& exchanges) {
-  for (Parsed& item : parse(byte, offset, simulation.state().enabled))
-    execute(std::move(item), simulation, replies, exchanges);
+  for (const Parsed& item : parse(byte, offset, simulation.state().enabled))
+    execute(item, simulation, replies, exchanges);
 }
 
-std::vector<Parsed>& RhinoEndpoint::parse(std::uint8_t byte, std::uint64_t offset, bool enabled) {
+const std::vector<Parsed>& RhinoEndpoint::parse(std::uint8_t byte, std::uint64_t offset,
+                                                bool enabled) {
   parsed_.clear();
   if (enabled) {
     parser_.feed(byte, offset, parsed_);
@@ -22,9 +21,10 @@ std::vector<Parsed>& RhinoEndpoint::parse(std::uint8_t byte, std::uint64_t offse
   return parsed_;
 }
 
-void RhinoEndpoint::execute(Parsed item, Simulation& simulation, std::string& replies,
+void RhinoEndpoint::execute(const Parsed& item, Simulation& simulation, std::string& replies,
                             std::vector<Exchange>& exchanges) const {
-  Exchange& exchange = exchanges.emplace_back(Exchange{std::move(item), NoReply{}, {}, 0, 0});
+  Exchange& exchange = exchanges.emplace_back();
+  exchange.parsed = item;
   const Command* command = std::get_if<Command>(&exchange.parsed.what);
   if (command == nullptr) return;
   exchange.reply = simulation.execute(*command);

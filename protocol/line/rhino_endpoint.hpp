@@ -35,9 +35,9 @@ class RhinoEndpoint {
 
   /// The first half of feed(): what the byte completes, in order, at most three items. Valid until
   /// the next call. `enabled`: the simulator is.
-  std::vector<Parsed>& parse(std::uint8_t byte, std::uint64_t offset, bool enabled);
+  const std::vector<Parsed>& parse(std::uint8_t byte, std::uint64_t offset, bool enabled);
   /// The second half of feed(), for one of these items.
-  void execute(Parsed item, Simulation& simulation, std::string& replies,
+  void execute(const Parsed& item, Simulation& simulation, std::string& replies,
                std::vector<Exchange>& exchanges) const;
 
   /// Discards an incomplete command.
