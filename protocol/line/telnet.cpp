@@ -10,8 +10,7 @@ using enum TelnetOptions::Side;
 
 static_assert(TelnetParser::kMaxKept == 1 + ComPort::kMaxRequest + 1);
 
-TelnetInput TelnetFilter::feed(std::uint8_t byte, std::string& answers) {
-  const TelnetItem item = parser_.feed(byte);
+TelnetInput TelnetFilter::handle(const TelnetItem& item, std::string& answers) {
   switch (item.kind) {
     case TelnetItem::Kind::kNothing: return {};
     case TelnetItem::Kind::kData: return {item.byte};

@@ -24,7 +24,11 @@ struct TelnetInput {
 class TelnetFilter {
  public:
   /// Handles a byte from the client. Appends the answers of the telnet protocol to `answers`.
-  TelnetInput feed(std::uint8_t byte, std::string& answers);
+  TelnetInput feed(std::uint8_t byte, std::string& answers) {
+    const TelnetItem item = parser_.feed(byte);
+    if (item.kind == TelnetItem::Kind::kData) return {item.byte};
+    return handle(item, answers);
+  }
 
   /// Whether feed() would return this byte as data.
   bool is_data(std::uint8_t byte) const { return parser_.is_data(byte); }
@@ -49,6 +53,8 @@ class TelnetFilter {
   void write_state(StateWriter& out) const { out.add(parser_, is_telnet_, options_, com_port_); }
 
  private:
+  /// The rest of feed(): it is apart because almost every byte is data.
+  TelnetInput handle(const TelnetItem& item, std::string& answers);
   BufferControl negotiate(const TelnetItem& item, std::string& answers);
   BufferControl end_subnegotiation(std::string& answers);
 
