@@ -24,6 +24,7 @@ TOKEN = "a token of the tests"
 COMMANDS = {"python": "cd /clients/python && python3 {}.py", "c": "/clients/c/build/{}"}
 BY_NAME = ROOT / "tests" / "images" / "by_name.py"
 AT_ONCE = 3
+PROFILE = "paper"  # that of a server without options
 
 
 def get(url, host=None):
@@ -133,7 +134,7 @@ class SecondContainer(unittest.TestCase):
                 command = COMMANDS[language].format(example)
                 printed = self.network.student("sh", "-c", command,
                                                options=["-e", f"XR3_HOST={robot.name}"]).stdout
-                examples.check_output(example, printed)
+                examples.check_output(example, PROFILE, printed)
                 examples.check_outcome(monitor, examples.OUTCOMES[example], blocks)
 
 
