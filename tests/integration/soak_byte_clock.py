@@ -1,6 +1,6 @@
 """A thousand runs of an unmodified camera pick-and-place program in each of two languages with the byte clock, half
-of them beside full load, must have one transcript for each language (byte_clock_runs.py). Two clients in one cell with
-the manual clock must have one, too. Many servers run in parallel, because the programs mostly pause.
+of them beside full load, must have one transcript for each language (byte_clock_runs.py). As many runs of two clients
+in one cell with the manual clock must have one, too. Many servers run in parallel, because the programs mostly pause.
 
     soak_byte_clock.py [RUNS]
 """
@@ -18,6 +18,7 @@ from support import Server, machine
 RUNS = 1000
 RUNS_A_SERVER = 10
 WORKERS = 20
+TWO_CLIENTS = "two clients, manual clock"
 
 
 def two_clients(count):
@@ -44,10 +45,11 @@ def soak(runs):
     build()
     half = max(runs // 2 // RUNS_A_SERVER, 1) * RUNS_A_SERVER
     found = counted(half, RUNS_A_SERVER, WORKERS)
+    found[TWO_CLIENTS] = two_clients(half)
     with full_load():
         for language, digests in counted(half, RUNS_A_SERVER, WORKERS).items():
             found[language] += digests
-        found["two clients, manual clock"] = two_clients(max(runs // 10, 1))
+        found[TWO_CLIENTS] += two_clients(half)
     for kind, digests in found.items():
         for digest, count in digests.most_common():
             print(f"{count:6} runs  {kind}  {digest}")
