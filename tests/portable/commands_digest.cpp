@@ -64,9 +64,9 @@ xr3::ModelPtr model(const std::string& data, const std::string& name) {
                                             xr3::Profile::kPaper);
 }
 
-/// Random commands, most of them moves and inquiries. mt19937 gives the same numbers everywhere; the
-/// distributions of the standard library do not. Every number is drawn in a statement of its own,
-/// because compilers evaluate the operands of + in different orders.
+/// Random commands, most of them moves and inquiries, the same on every machine. mt19937 gives the
+/// same numbers everywhere, but the distributions of the standard library differ. Each statement
+/// draws only one number, because compilers evaluate the operands of + in different orders.
 class Commands {
  public:
   std::string next() {

@@ -212,9 +212,11 @@ TEST(Replayer, RepeatsACutOfALineWhoseBytesWereLate) {
   Fault fault{.name = "cut", .kind = FaultKind::kLineDisconnected};
   fault.at_tick = 900;
   recorded.cell.apply(Input{call::Call{call::SetFault{fault, std::nullopt}}}, 0);
-  recorded.cell.apply(BytesIn{1, "C" + std::string(3000, '?')}, 0);
+  std::string moves;
+  for (int i = 0; i < 750; ++i) moves += "E+1\r";
+  recorded.cell.apply(BytesIn{1, moves}, 0);
   recorded.cell.catch_up(4000 * kReplayMs);
-  EXPECT_EQ(recorded.cell.acts(), Cell::kMaxDueBytes);
+  EXPECT_EQ(recorded.cell.acts(), Cell::kMaxDueBytes) << "so 64 moves, of some 200 before the cut";
   const auto replayed = replay(recorded.text());
   EXPECT_EQ(replayed.difference ? to_text(*replayed.difference) : "", "");
   EXPECT_EQ(replayed.hash, StateHasher().hash(recorded.cell));
