@@ -5,6 +5,7 @@ the exit of a process, a line of the log) with a deadline. Only a failing test w
 """
 
 import collections
+import errno
 import json
 import os
 import re
@@ -210,7 +211,12 @@ class Line:
             self.socket.settimeout(DEADLINE_S)
 
     def finish_sending(self):
-        self.socket.shutdown(socket.SHUT_WR)
+        """Closes the sending side; nothing to do if the server has closed the connection with a reset already."""
+        try:
+            self.socket.shutdown(socket.SHUT_WR)
+        except OSError as error:
+            if error.errno != errno.ENOTCONN:
+                raise
 
     def abort(self):
         """Closes with a TCP reset."""
