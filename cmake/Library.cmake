@@ -1,10 +1,9 @@
 # xr3_together(<variable> <name> <source>...): the sources to compile for <source>..., which are absolute
-# paths below the project. With XR3_TOGETHER these are files that include up to eight sources of
-# one folder each, so that the compiler parses the headers of eight files once
-# (docs/decisions/0018-compile-together.md). CMake's own UNITY_BUILD writes absolute paths into such files, and ccache
-# then shares nothing between two checkouts.
-option(XR3_TOGETHER "Compile the sources of a folder together" ON)
-set(XR3_MOST_TOGETHER 8)
+# paths below the project. With XR3_TOGETHER these are files that include up to XR3_MOST_TOGETHER neighbouring sources
+# each, so that the compiler parses the headers of many files once (docs/decisions/0018-compile-together.md). CMake's
+# own UNITY_BUILD writes absolute paths into such files, and ccache then shares nothing between two checkouts.
+option(XR3_TOGETHER "Compile the sources of a library together" ON)
+set(XR3_MOST_TOGETHER 12)
 if(XR3_TOGETHER AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ takes an included source for a header, in which it warns of types from anonymous namespaces.
   add_compile_options(-Wno-subobject-linkage)
@@ -16,21 +15,21 @@ function(xr3_together variable name)
     return()
   endif()
   cmake_path(GET CMAKE_CURRENT_FUNCTION_LIST_DIR PARENT_PATH root)
-  set(folder "")
-  foreach(source ${ARGN} end)
-    cmake_path(GET source PARENT_PATH its_folder)
-    list(LENGTH includes count)
-    if(count GREATER 0 AND (NOT its_folder STREQUAL folder OR count EQUAL XR3_MOST_TOGETHER))
-      list(LENGTH files number)
-      set(file "${CMAKE_CURRENT_BINARY_DIR}/together/${name}_${number}.cpp")
-      list(JOIN includes "" text)
-      file(CONFIGURE OUTPUT "${file}" CONTENT "${text}" @ONLY)
-      list(APPEND files "${file}")
-      set(includes "")
-    endif()
-    set(folder "${its_folder}")
-    cmake_path(RELATIVE_PATH source BASE_DIRECTORY "${root}")
-    list(APPEND includes "#include \"${source}\"\n")
+  list(LENGTH ARGN total)
+  # Groups of nearly one size: the last one is not a small one.
+  math(EXPR groups "(${total} + ${XR3_MOST_TOGETHER} - 1) / ${XR3_MOST_TOGETHER}")
+  foreach(number RANGE 1 ${groups})
+    math(EXPR first "${total} * (${number} - 1) / ${groups}")
+    math(EXPR count "${total} * ${number} / ${groups} - ${first}")
+    list(SUBLIST ARGN ${first} ${count} group)
+    set(text "")
+    foreach(source ${group})
+      cmake_path(RELATIVE_PATH source BASE_DIRECTORY "${root}")
+      string(APPEND text "#include \"${source}\"\n")
+    endforeach()
+    set(file "${CMAKE_CURRENT_BINARY_DIR}/together/${name}_${number}.cpp")
+    file(CONFIGURE OUTPUT "${file}" CONTENT "${text}" @ONLY)
+    list(APPEND files "${file}")
   endforeach()
   set(${variable} ${files} PARENT_SCOPE)
 endfunction()

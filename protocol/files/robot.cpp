@@ -15,7 +15,6 @@ namespace {
 using namespace data;  // NOLINT: keeps the tables below readable
 
 constexpr double kMaxAngleDeg = 1e6;
-constexpr std::size_t kMaxParts = 16;
 constexpr std::size_t kMaxTerms = 16;
 
 const Range kAngle{-kMaxAngleDeg, kMaxAngleDeg, false, "degrees"};
@@ -70,7 +69,7 @@ Members<Tool> tool_members() {
   members.push_back(
       optional("finger_length", &Tool::finger_length_mm, length({0, kMaxLengthMm, true})));
   members.push_back(
-      defaulted("parts", &Tool::parts, list(object(tool_part_members()), 0, kMaxParts)));
+      defaulted("parts", &Tool::parts, list(object(tool_part_members()), 0, kMaxToolParts)));
   return members;
 }
 

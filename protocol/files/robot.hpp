@@ -12,6 +12,9 @@
 
 namespace xr3 {
 
+/// The parts of a tool that a robot file may list.
+inline constexpr std::size_t kMaxToolParts = 16;
+
 /// The result of reading a robot file. `robot` is set unless a finding is an error; the findings
 /// are sorted by line.
 struct RobotReading {

@@ -15,7 +15,7 @@ namespace {
 
 // Maximum number of bytes of one line per turn, so that a flood leaves time for the other lines.
 // Garbage costs more than 100 ns a byte, since every piece of it is reported.
-constexpr std::size_t kFairShare = 256;
+constexpr std::size_t kBytesATurn = 256;
 // Maximum time of one line per turn: an image costs a thousand times as much as the byte that
 // requests it. A turn can exceed it by one piece of 64 bytes, or by one full outbox. The clock does
 // not affect the state: it only decides which bytes act now and which in the next turn.
@@ -49,7 +49,7 @@ bool LineSession::run_turn() {
 // The first bytes are examined together; the time of the turn is limited all the same.
 std::size_t LineSession::fair_share() const {
   const bool is_first = stream_->is_open() && context_.cell.find_line(id_)->bytes_in() == 0;
-  return is_first ? kFirstChunk : kFairShare;
+  return is_first ? kFirstChunk : kBytesATurn;
 }
 
 bool LineSession::read_arrived() {

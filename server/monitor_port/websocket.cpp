@@ -26,7 +26,7 @@ constexpr std::chrono::milliseconds kMaxCloseTime{500};
 // While the client has yet to accept a message of this size, it gets no further answers.
 constexpr std::size_t kLongMessage = std::size_t{64} * 1024;
 // Requests handled before yielding to the event loop.
-constexpr int kFairShare = 64;
+constexpr int kRequestsATurn = 64;
 
 /// The stream below Beast. Records when the connection last accepted bytes.
 class Wire {
@@ -183,7 +183,7 @@ asio::awaitable<void> BeastWebsocket::read_messages() {
     const auto text = received_.cdata();
     co_await session_->handle({static_cast<const char*>(text.data()), text.size()});
     received_.clear();
-    if (taken % kFairShare == 0) co_await asio::post(socket_->executor(), asio::use_awaitable);
+    if (taken % kRequestsATurn == 0) co_await asio::post(socket_->executor(), asio::use_awaitable);
   }
 }
 

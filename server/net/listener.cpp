@@ -17,7 +17,7 @@ namespace {
 constexpr std::chrono::milliseconds kRetryAfter{100};
 
 // Connections accepted in one turn of the event loop, so that others need not wait for a thousand.
-constexpr int kFairShare = 16;
+constexpr int kConnectionsATurn = 16;
 
 // TCP keepalive: a dead peer is detected 60 s after its last byte.
 constexpr int kIdleSeconds = 30;
@@ -86,7 +86,8 @@ void Listener::accept_pending() {
 
 bool Listener::accept_some(tcp::acceptor& acceptor) {
   ErrorCode error;
-  for (int i = 0; i < kFairShare && acceptor.is_open() && !error; ++i) error = accept_one(acceptor);
+  for (int i = 0; i < kConnectionsATurn && acceptor.is_open() && !error; ++i)
+    error = accept_one(acceptor);
   const bool is_done = !error || error == asio::error::would_block ||
                        error == asio::error::try_again || !acceptor.is_open();
   if (!is_done) note_failure(error);

@@ -70,7 +70,7 @@ Rig holding(Workcell workcell = test::bare_workcell()) {
 }
 
 /// The smallest angle between two yaws, degrees.
-double apart(double a, double b) { return std::abs(std::remainder(a - b, 360.0)); }
+double angle_between(double a, double b) { return std::abs(std::remainder(a - b, 360.0)); }
 
 // --- A closing count without enough room turns the block flat.
 
@@ -106,14 +106,14 @@ TEST_P(TurnsFlat, TurnsABlockThatDoesNotFitToTheNearestQuarter) {
     close_jaws(rig, 1);
     EXPECT_EQ(block(rig).centroid_um == before.centroid_um, !flat_already)
         << "turned but not moved";
-    EXPECT_LT(apart(degrees(block(rig).yaw_udeg), roll + 90 * quarters), kHairDeg) << delta;
+    EXPECT_LT(angle_between(degrees(block(rig).yaw_udeg), roll + 90 * quarters), kHairDeg) << delta;
     close_jaws(rig);
     const Micrometres flat = quarters % 2 == 0 ? 30'000 : 40'000;
     EXPECT_GE(opening(rig), flat) << delta;
     EXPECT_LT(opening(rig), flat + 794) << delta;
     ASSERT_TRUE(rig.state().held) << delta;
     EXPECT_EQ(block(rig).centroid_um, tip(rig)) << "held, its centroid is at the tip";
-    EXPECT_LT(apart(degrees(block(rig).yaw_udeg), roll + 90 * quarters), kHairDeg) << delta;
+    EXPECT_LT(angle_between(degrees(block(rig).yaw_udeg), roll + 90 * quarters), kHairDeg) << delta;
   }
 }
 
@@ -125,7 +125,7 @@ TEST(Grasp, JawsNarrowerThanABlocksLengthDoNotGraspIt) {
   close_jaws(rig);
   ASSERT_TRUE(rig.state().held);
   EXPECT_GE(opening(rig), 60'000);
-  EXPECT_LT(apart(degrees(block(rig).yaw_udeg), 180), kHairDeg);
+  EXPECT_LT(angle_between(degrees(block(rig).yaw_udeg), 180), kHairDeg);
 
   Rig narrower = over({block_at(kPlace, 90 + 50.0, slender)});
   narrower.stand_at({{'E', 449}, {'D', -625}, {'A', 5}});  // 54.77 mm
@@ -440,7 +440,8 @@ TEST(Grasp, AReleasedBlockIsUprightAtTheTipWithTheNetRollAsYaw) {
       rig.travel('A', 1);
       ASSERT_FALSE(rig.state().held) << c.what;
       EXPECT_EQ(block(rig).centroid_um, tip(rig)) << c.what;
-      EXPECT_LT(apart(degrees(block(rig).yaw_udeg), net_roll(rig) + 90 * quarters), kHairDeg)
+      EXPECT_LT(angle_between(degrees(block(rig).yaw_udeg), net_roll(rig) + 90 * quarters),
+                kHairDeg)
           << c.what;
       EXPECT_EQ(block_pose(rig.model(), rig.state(), 0)(2, 2), 1.0) << "upright: " << c.what;
       const Block there = block(rig);
@@ -457,7 +458,7 @@ TEST(Grasp, AYawStaysWithinHalfATurn) {
     rig.travel('A', 1);
     EXPECT_GT(block(rig).yaw_udeg, -180'000'000) << roll;
     EXPECT_LE(block(rig).yaw_udeg, 180'000'000) << roll;
-    EXPECT_LT(apart(degrees(block(rig).yaw_udeg), 90 - 0.3125 * roll), kHairDeg) << roll;
+    EXPECT_LT(angle_between(degrees(block(rig).yaw_udeg), 90 - 0.3125 * roll), kHairDeg) << roll;
   }
 }
 

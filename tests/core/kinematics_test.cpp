@@ -23,13 +23,13 @@ using test::robot_named;
 
 constexpr double kGoldenMm = 1e-4;
 
-struct Golden {
+struct GoldenTip {
   const char* robot;
   std::initializer_list<LabelledCount> counts;
   Eigen::Vector3d tip_mm;
 };
 
-const Golden kTips[] = {
+const GoldenTip kTips[] = {
     {"rhino-xr3", {}, {238.1, 0, 320.7}},
     {"rhino-xr3",
      {{'F', 90}, {'E', 40}, {'D', -60}, {'C', 30}, {'B', 48}},
@@ -47,7 +47,7 @@ const Golden kTips[] = {
 };
 
 TEST(Kinematics, TipsOfThreeRobots) {
-  for (const Golden& golden : kTips) {
+  for (const GoldenTip& golden : kTips) {
     const ModelPtr model = model_of(robot_named(golden.robot));
     const Eigen::Vector3d tip =
         tool_transform(*model, positions_at(*model, golden.counts)).block<3, 1>(0, 3);

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/model.hpp"
 
@@ -12,6 +13,10 @@ namespace xr3::test {
 /// The text of a file of the checkout, such as "data/robots/rhino-xr3.json". Throws if there is
 /// none.
 std::string project_file(std::string_view path);
+
+/// The names of the robots in data/robots.
+inline const std::vector<std::string> kShippedRobots = {"rhino-xr3", "adept-one", "intelledex-660",
+                                                        "rhino-xr3-accessories"};
 
 /// data/robots/NAME.json.
 const Robot& robot_named(std::string_view name);

@@ -11,12 +11,12 @@ namespace {
 
 constexpr int kJsonDecimals = 9;
 
-Json number(double value) { return rounded(value, kJsonDecimals); }
+Json json_number(double value) { return rounded(value, kJsonDecimals); }
 
 template <class Vector>
 Json vector_json(const Vector& vector) {
   Json list = Json::array();
-  for (Eigen::Index i = 0; i < vector.size(); ++i) list.push_back(number(vector(i)));
+  for (Eigen::Index i = 0; i < vector.size(); ++i) list.push_back(json_number(vector(i)));
   return list;
 }
 
@@ -29,7 +29,7 @@ Json matrix_json(const Matrix& matrix) {
 }
 
 Json error_json(const PoseError& error) {
-  return {{"mm", number(error.mm)}, {"deg", number(error.deg)}};
+  return {{"mm", json_number(error.mm)}, {"deg", json_number(error.deg)}};
 }
 
 Json names_json(const Model& model, int index) {
@@ -40,10 +40,10 @@ Json names_json(const Model& model, int index) {
 
 Json motor_json(const Model& model, int index, const KinMotor& motor) {
   Json json = names_json(model, index);
-  json["value"] = number(motor.variable);
+  json["value"] = json_number(motor.variable);
   json["count"] = motor.count;
   json["position"] = motor.position;
-  json["value_at_position"] = number(motor.rounded);
+  json["value_at_position"] = json_number(motor.rounded);
   json["counts_past_limit"] = motor.past_limit;
   return json;
 }
@@ -56,8 +56,8 @@ Json tool_json(const KinPose& pose) {
           {"approach", vector_json(rotation.col(2))},
           {"yaw_pitch_roll_deg", vector_json(yaw_pitch_roll_deg(rotation))},
           {"configuration", vector_json(pose.w)},
-          {"net_roll_deg", number(pose.net_roll_deg)},
-          {"opening_mm", number(pose.opening_mm)},
+          {"net_roll_deg", json_number(pose.net_roll_deg)},
+          {"opening_mm", json_number(pose.opening_mm)},
           {"in_protected_region", pose.in_protected_region},
           {"rounded_error", error_json(pose.rounded)}};
 }
@@ -75,7 +75,7 @@ Json beyond_json(const Model& model, const std::vector<LimitExcess>& beyond) {
   for (const LimitExcess& excess : beyond) {
     Json json = names_json(model, excess.joint);
     json["counts"] = excess.counts;
-    json["amount"] = number(excess.amount);
+    json["amount"] = json_number(excess.amount);
     list.push_back(std::move(json));
   }
   return list;
@@ -83,7 +83,7 @@ Json beyond_json(const Model& model, const std::vector<LimitExcess>& beyond) {
 
 Json solution_json(const Model& model, const InverseSolution& solution) {
   Json values = Json::array();
-  for (const double variable : solution.variables) values.push_back(number(variable));
+  for (const double variable : solution.variables) values.push_back(json_number(variable));
   return {{"branch", solution.branch},
           {"values", std::move(values)},
           {"counts", counts_json(model, solution.counts.motors)},
@@ -100,7 +100,7 @@ Json target_json(const ToolTarget& target) {
   if (target.kind == TargetKind::kPose) json["rotation"] = matrix_json(target.rotation);
   if (target.kind == TargetKind::kTip) return json;
   json["approach"] = vector_json(target.approach());
-  if (target.kind == TargetKind::kPointing) json["last_joint"] = number(target.last);
+  if (target.kind == TargetKind::kPointing) json["last_joint"] = json_number(target.last);
   return json;
 }
 
@@ -108,8 +108,8 @@ Json refusal_json(const InverseResult& result) {
   if (result.refusal == InverseRefusal::kNo) return nullptr;
   return {{"code", refusal_code(result.refusal)},
           {"message", refusal_sentence(result)},
-          {"off_mm", number(result.off_mm)},
-          {"off_deg", number(result.off_deg)}};
+          {"off_mm", json_number(result.off_mm)},
+          {"off_deg", json_number(result.off_deg)}};
 }
 
 Json freedoms_json(const InverseResult& result) {

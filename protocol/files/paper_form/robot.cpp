@@ -1,5 +1,7 @@
 // Reads and writes robot files in plain form (paper, Section III-A and Table II); declared in
 // paper_form.hpp.
+#include "protocol/files/robot.hpp"
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -14,7 +16,6 @@ namespace {
 
 using namespace paper;  // NOLINT: keeps the tables below readable
 
-constexpr std::size_t kMaxParts = 16;
 constexpr std::size_t kMaxPoints = 4096;
 constexpr std::size_t kMaxPairs = 16;
 constexpr double kUsualFingerInches = 2;
@@ -178,7 +179,7 @@ void default_hinges(Reader& reader) {
 void read_tool(Reader& reader) {
   reader.open("/tool", kToolExtras);
   read_rows(reader, kToolRows, "/tool");
-  const std::size_t parts = reader.count(kPartsTitle, "/tool/parts", kMaxParts);
+  const std::size_t parts = reader.count(kPartsTitle, "/tool/parts", kMaxToolParts);
   reader.close();
   read_outlines(reader, "/tool/parts", parts, kPartRow, kPartExtras);
 }

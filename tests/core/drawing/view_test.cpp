@@ -34,14 +34,14 @@ TEST(View, EveryVectorHasAPerpendicularPlane) {
   }
 }
 
-struct Golden {
+struct GoldenView {
   ViewVector vector;
   Eigen::Vector3d p;
   Eigen::Vector2d seen;
 };
 
 TEST(View, MatchesFiguresComputedByHand) {
-  const Golden goldens[] = {
+  const GoldenView goldens[] = {
       {{1, 1, 1}, {0, 0, 3}, {0, 6 / kRoot6}},
       {{1, 1, 1}, {2, 0, 0}, {-2 / kRoot2, -2 / kRoot6}},  // x to the left
       {{1, 1, 1}, {0, 2, 0}, {2 / kRoot2, -2 / kRoot6}},   // y to the right
@@ -52,7 +52,7 @@ TEST(View, MatchesFiguresComputedByHand) {
       {{0, 0, 9}, {1, 2, 3}, {1, 2}},    // from above, as on a map
       {{0, 0, -1}, {1, 2, 3}, {-1, 2}},  // from below
   };
-  for (const Golden& golden : goldens) {
+  for (const GoldenView& golden : goldens) {
     const Eigen::Vector2d seen = projected(view_along(golden.vector), golden.p);
     EXPECT_LT(distance(seen, golden.seen), kTiny) << golden.p.transpose();
   }

@@ -175,12 +175,12 @@ TEST(Inverse, SolvesAHundredMillimetresAboveEveryPick) {
   }
 }
 
-struct Golden {
+struct GoldenPick {
   const char* robot;
   std::initializer_list<LabelledCount> counts;
 };
 
-const Golden kGoldens[] = {
+const GoldenPick kGoldens[] = {
     {kRhino, {}},
     {kRhino, {{'F', 90}, {'E', 40}, {'D', -60}, {'C', 30}, {'B', 48}}},
     {kRhino, {{'F', 90}, {'E', 40}, {'D', 60}, {'C', -30}, {'B', 48}}},
@@ -192,7 +192,7 @@ const Golden kGoldens[] = {
 };
 
 TEST(Inverse, PublishedPosesAndConfigurationsGiveTheirCounts) {
-  for (const Golden& golden : kGoldens) {
+  for (const GoldenPick& golden : kGoldens) {
     const Model& model = *model_named(golden.robot);
     const Positions positions = positions_at(model, golden.counts);
     const JointVariables variables = variables_at(model, positions);

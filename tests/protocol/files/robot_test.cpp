@@ -14,9 +14,6 @@
 namespace xr3 {
 namespace {
 
-const std::vector<std::string> kRobots = {"rhino-xr3", "adept-one", "intelledex-660",
-                                          "rhino-xr3-accessories"};
-
 std::string robot_file(const std::string& name) { return "data/robots/" + name + ".json"; }
 
 Robot shipped(const std::string& name) {
@@ -60,7 +57,7 @@ TEST(RobotJson, AMountIsReadAndWritten) {
 }
 
 TEST(RobotJson, ShippedFilesHaveNoFindings) {
-  for (const std::string& name : kRobots) {
+  for (const std::string& name : test::kShippedRobots) {
     const RobotReading reading = read_robot(test::project_file(robot_file(name)), name);
     EXPECT_EQ(to_text(reading.findings), "");
     EXPECT_TRUE(reading.robot.has_value());
@@ -120,7 +117,7 @@ TEST(RobotJson, ReadsACarouselInInches) {
 }
 
 TEST(RobotJson, EveryFrameHasAnOutline) {
-  for (const std::string& name : kRobots) {
+  for (const std::string& name : test::kShippedRobots) {
     const Robot robot = shipped(name);
     ASSERT_EQ(robot.links.size(), robot.joints.size() + 1);
     for (const Outline& link : robot.links) EXPECT_GT(link.points.size(), 10U) << name;
@@ -132,7 +129,7 @@ TEST(RobotJson, EveryFrameHasAnOutline) {
 // front of the hinge, along the approach, towards -y: the finger that closes from there has the
 // side +1.
 TEST(RobotJson, FingersTouchWhenTheJawsAreClosed) {
-  for (const std::string& name : kRobots) {
+  for (const std::string& name : test::kShippedRobots) {
     const Tool tool = shipped(name).tool;
     const double opens = tool.kind == ToolKind::kParallel ? 1 : -1;
     for (const ToolPart& part : tool.parts) {
@@ -144,7 +141,7 @@ TEST(RobotJson, FingersTouchWhenTheJawsAreClosed) {
 }
 
 TEST(RobotJson, RoundTrip) {
-  for (const std::string& name : kRobots) {
+  for (const std::string& name : test::kShippedRobots) {
     const Robot robot = shipped(name);
     const Json json = robot_to_json(robot);
     EXPECT_EQ(load_robot(json.dump(2), name), robot);
@@ -153,7 +150,7 @@ TEST(RobotJson, RoundTrip) {
 }
 
 TEST(RobotJson, WritesTheMembersOfTheShippedFiles) {
-  for (const std::string& name : kRobots) {
+  for (const std::string& name : test::kShippedRobots) {
     const std::string text = test::project_file(robot_file(name));
     EXPECT_EQ(robot_to_json(shipped(name)).dump(), Json::parse(text).dump());
   }

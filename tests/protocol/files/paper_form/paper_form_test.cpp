@@ -16,8 +16,6 @@
 namespace xr3 {
 namespace {
 
-const std::vector<std::string> kRobots = {"rhino-xr3", "adept-one", "intelledex-660",
-                                          "rhino-xr3-accessories"};
 const std::vector<std::string> kWorkcells = {"rhino-xr3", "rhino-hundred", "adept-one",
                                              "intelledex-660"};
 
@@ -66,7 +64,7 @@ CheckResult check(const std::string& text) {
 }
 
 TEST(PaperForm, ShippedRobotsRoundTrip) {
-  for (const std::string& name : kRobots) {
+  for (const std::string& name : test::kShippedRobots) {
     const Robot& robot = test::robot_named(name);
     const std::string text = robot_to_paper_form(robot);
     const RobotReading reading = read_paper_robot(text, name);
@@ -139,7 +137,7 @@ std::string any_text(std::size_t least) {
 
 /// A shipped robot with random changes that the rules allow.
 Robot any_robot() {
-  Robot robot = test::robot_named(*rc::gen::elementOf(kRobots));
+  Robot robot = test::robot_named(*rc::gen::elementOf(test::kShippedRobots));
   robot.name = any_text(1);
   robot.notes = any_text(0);
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
@@ -402,7 +400,7 @@ TEST(PaperForm, DistinguishesJsonFromThePlainForm) {
 }
 
 TEST(JsonText, RoundTripsInShortLines) {
-  for (const std::string& name : kRobots) {
+  for (const std::string& name : test::kShippedRobots) {
     const std::string text = json_text(robot_to_json(test::robot_named(name)));
     EXPECT_EQ(load_robot(text, name), test::robot_named(name));
     EXPECT_NE(text.find("\n  \"joints\": [\n    {\n      \"label\": "), std::string::npos);
