@@ -8,10 +8,11 @@ import lines
 import logs
 import many_cells
 import memory
+import past
 import ptys
 import websocket
 
-THEMES = (lines, ptys, devices, http_requests, json_requests, websocket, memory, connections, logs, many_cells)
+THEMES = (lines, ptys, devices, http_requests, json_requests, websocket, memory, connections, logs, many_cells, past)
 ATTACKS = [attack for theme in THEMES for attack in theme.ATTACKS]
 
 

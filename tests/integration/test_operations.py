@@ -25,7 +25,7 @@ subscriptions of a monitor client, and lines of its own by `send` | server/monit
 subscriptions of a monitor client, and lines of its own by `send` | server/monitor_port/service.hpp | kMaxOwnLines
 memory of the process | server/options/options.hpp | max_memory_mib
 first bytes of a line that are examined together | protocol/line/line_guard.hpp | kFirstChunk
-one turn of a line | server/lines/session.cpp | kFairShare
+one turn of a line | server/lines/session.cpp | kBytesATurn
 one turn of a line | server/lines/session.cpp | kFairTime | 1000
 unread replies of a line | cell/serial_line.hpp | kFullOutbox | 1024
 replies that an RFC 2217 client has suspended | cell/serial_line.hpp | kFullOutbox | 1024
