@@ -70,7 +70,7 @@ void Cell::pass(Micros time) {
   const Tick ticks = bytes().take_ticks(time);
   if (ticks == 0) return;
   const Tick start = state().tick;
-  simulation_.advance_to(std::min(start + ticks, monitor::kMaxInteger));
+  simulate_to(std::min(start + ticks, monitor::kMaxInteger));
   after_bytes(start);
 }
 

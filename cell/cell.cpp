@@ -315,6 +315,7 @@ void Cell::emit_at(Tick tick, std::optional<LineId> line, CellNote note) {
   CellEvent& event = events_.push();
   event = {epoch_, tick, line, std::move(note)};
   if (sink_) sink_(event, model());
+  for (CellWatcher* watcher : watchers_) watcher->event(*this, event);
 }
 
 void Cell::emit_machine_events(std::optional<LineId> line, Events events) {

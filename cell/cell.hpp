@@ -22,6 +22,7 @@
 #include "cell/recording/input_log.hpp"
 #include "cell/transcript.hpp"
 #include "cell/warning_limiter.hpp"
+#include "cell/judge/watcher.hpp"
 #include "core/sim_clock.hpp"
 #include "core/simulation.hpp"
 #include "protocol/explain/cell_event.hpp"
@@ -113,6 +114,11 @@ class Cell final : private LineListener {
   void add_log(InputLog& log) { logs_.push_back(&log); }
   /// No effect if it is not there.
   void remove_log(const InputLog& log) { std::erase(logs_, &log); }
+  /// From now on, the watcher sees events and ticks. It must outlive the cell, or end_watch() be
+  /// called. A watcher must neither add nor remove one while it is called.
+  void watch(CellWatcher& watcher) { watchers_.push_back(&watcher); }
+  /// No effect if it does not watch.
+  void end_watch(const CellWatcher& watcher) { std::erase(watchers_, &watcher); }
   /// For a replay: from now on time passes only by this function, to `tick`, and at most `max_bytes`
   /// bytes that become due act. Inputs act at the current tick; their wall time must be 0. A tick in
   /// the past means now. Throws as apply() does.
@@ -213,6 +219,8 @@ class Cell final : private LineListener {
   bool pass_time(Tick target, std::size_t max_bytes);
   Advanced advance_to(Tick target, std::size_t max_bytes = kEveryByte);
   void run_to_rest(Tick limit);
+  void simulate_to(Tick target);
+  void simulate_to_rest(Tick limit);
   Applied handle(const LineOpened& opened, WallNs now);
   Applied handle(const LineSettings& reported, WallNs now);
   Applied handle(const BytesIn& in, WallNs now);
@@ -339,6 +347,7 @@ class Cell final : private LineListener {
   std::optional<Tick> last_input_tick_;
   CellEventSink sink_;
   std::vector<InputLog*> logs_;
+  std::vector<CellWatcher*> watchers_;
   std::uint64_t acts_ = 0;
   bool is_replayed_ = false;
   bool is_in_past_ = false;

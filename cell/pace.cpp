@@ -27,22 +27,40 @@ Cell::Advanced Cell::advance_to(Tick target, std::size_t max_bytes) {
   while (acted < max_bytes) {
     const std::optional<Tick> due = next_due_until(target);
     if (!due) break;
-    simulation_.advance_to(*due);
+    simulate_to(*due);
     emit_time_events();
     if (!next_due_until(target)) break;  // a fault has cut the line
     if (next_due() > state().tick) continue;
     if (act_due()) ++acted;
   }
   const bool is_behind = next_due_until(target).has_value();
-  simulation_.advance_to(target);
+  simulate_to(target);
   return {acted, is_behind};
 }
 
 /// Advances time until nothing moves and no byte is due, but not beyond `limit`.
 void Cell::run_to_rest(Tick limit) {
   while (const std::optional<Tick> due = next_due_until(limit)) advance_to(*due);
-  if (agenda_.empty()) return simulation_.run_to_rest(limit);
-  simulation_.advance_to(limit);  // a byte is due after the limit
+  if (agenda_.empty()) return simulate_to_rest(limit);
+  simulate_to(limit);  // a byte is due after the limit
+}
+
+/// Advances the machine; a watcher sees each tick in which something may move.
+void Cell::simulate_to(Tick target) {
+  if (watchers_.empty()) return simulation_.advance_to(target);
+  simulate_to_rest(target);
+  if (state().tick >= target) return;
+  simulation_.advance_to(target);
+  for (CellWatcher* watcher : watchers_) watcher->after_tick(*this);
+}
+
+/// Advances the machine until nothing moves, but not beyond `limit`.
+void Cell::simulate_to_rest(Tick limit) {
+  if (watchers_.empty()) return simulation_.run_to_rest(limit);
+  while (state().tick < limit && !simulation_.is_at_rest()) {
+    simulation_.advance_to(state().tick + 1);
+    for (CellWatcher* watcher : watchers_) watcher->after_tick(*this);
+  }
 }
 
 /// The earliest byte acts. One that is late acts now: its reply does not leave before now, either.

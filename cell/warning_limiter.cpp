@@ -19,6 +19,7 @@ std::vector<CellNote> WarningLimiter::add(LineId line, Tick tick, ProblemNote no
   PerLine& of_line = lines_[line];
   std::vector<CellNote> due = begin_second(of_line, tick);
   end_run(of_line, due);
+  note.first_tick = tick;
   of_line.run = std::move(note);
   return due;
 }

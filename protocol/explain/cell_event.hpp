@@ -52,6 +52,7 @@ struct ProblemNote {
   std::uint64_t offset = 0;
   RawBytes raw;
   int count = 1;
+  Tick first_tick = 0;  ///< of the first one; the note may come later, after the last one
 };
 /// `count` warnings of a line were suppressed in this simulated second.
 struct SuppressedNote {

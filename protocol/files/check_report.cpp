@@ -6,6 +6,7 @@
 #include "protocol/files/robot.hpp"
 #include "protocol/files/summary.hpp"
 #include "protocol/files/workcell.hpp"
+#include "protocol/goals/file.hpp"
 #include "protocol/json/source.hpp"
 
 namespace xr3 {
@@ -48,12 +49,22 @@ CheckResult faults_result(std::string_view text, const std::string& file, const 
   return result;
 }
 
+CheckResult goals_result(std::string_view text, const std::string& file) {
+  CheckResult result;
+  result.kind = DataKind::kGoals;
+  GoalsReading reading = read_goals(text, file);
+  result.findings = std::move(reading.findings);
+  if (reading.list) result.summary = goals_summary(*reading.list);
+  return result;
+}
+
 CheckResult unknown_result(const std::string& file) {
   CheckResult result;
   result.findings.push_back(
-      {Severity::kError, file, 1, 0, "", "neither a robot nor a workcell nor faults",
+      {Severity::kError, file, 1, 0, "", "neither a robot nor a workcell, faults or goals",
        std::string(description_of(DataKind::kRobot)) + "; " + description_of(DataKind::kWorkcell) +
-           "; or " + description_of(DataKind::kFaults)});
+           "; " + description_of(DataKind::kFaults) + "; or " +
+           description_of(DataKind::kGoals)});
   return result;
 }
 
@@ -65,6 +76,7 @@ CheckResult check_text(std::string_view text, const std::string& file, Profile p
     case DataKind::kRobot: return robot_result(text, file, profile);
     case DataKind::kWorkcell: return workcell_result(text, file, robot);
     case DataKind::kFaults: return faults_result(text, file, robot);
+    case DataKind::kGoals: return goals_result(text, file);
     case DataKind::kUnknown: break;
   }
   return unknown_result(file);

@@ -6,7 +6,8 @@ DataKind kind_of(JsonValue root) {
   if (!root.is_object()) return DataKind::kUnknown;
   if (root.find("joints")) return DataKind::kRobot;
   if (root.find("workspace") || root.find("blocks")) return DataKind::kWorkcell;
-  return root.find("faults") ? DataKind::kFaults : DataKind::kUnknown;
+  if (root.find("faults")) return DataKind::kFaults;
+  return root.find("goals") ? DataKind::kGoals : DataKind::kUnknown;
 }
 
 const char* description_of(DataKind kind) {
@@ -14,6 +15,7 @@ const char* description_of(DataKind kind) {
     case DataKind::kRobot: return "a robot, with \"joints\" and \"tool\"";
     case DataKind::kWorkcell: return "a workcell, with \"workspace\" and \"blocks\"";
     case DataKind::kFaults: return "a fault file, with \"faults\"";
+    case DataKind::kGoals: return "a goals file, with \"goals\"";
     case DataKind::kUnknown: break;
   }
   return "";

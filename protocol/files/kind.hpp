@@ -1,4 +1,4 @@
-// Tells robot files, workcell files and fault files apart.
+// Tells robot, workcell, fault and goals files apart.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 namespace xr3 {
 
-enum class DataKind : std::uint8_t { kUnknown, kRobot, kWorkcell, kFaults };
+enum class DataKind : std::uint8_t { kUnknown, kRobot, kWorkcell, kFaults, kGoals };
 
 /// With `joints` it is a robot, with `workspace` or `blocks` a workcell, with `faults` a list of
-/// faults.
+/// faults, with `goals` one of goals.
 DataKind kind_of(JsonValue root);
 
 /// The only finding of a file of the other kind: one sentence says more than a list of all members

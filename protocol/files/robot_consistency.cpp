@@ -150,7 +150,7 @@ void check_net_roll(const Robot& robot, Reading& reading) {
   }
 }
 
-std::string mm_text(const PointUm& p) {
+std::string tip_text(const PointUm& p) {
   return "(" + number_text(mm(p.x)) + ", " + number_text(mm(p.y)) + ", " + number_text(mm(p.z)) +
          ") mm";
 }
@@ -159,7 +159,7 @@ void check_tip(const Model& model, const Positions& at, const std::string& home,
   const PointUm tip = tool_tip(model, at);
   if (!is_in_protected_region(model, at, tip)) return;
   reading.refuse("/protected_region",
-                 "the tool tip at the " + home + " home, " + mm_text(tip) + ", inside it",
+                 "the tool tip at the " + home + " home, " + tip_text(tip) + ", inside it",
                  "a region that leaves both homes out");
 }
 

@@ -23,7 +23,7 @@ constexpr double kRadiansPerDegree = kPi / 180.0;
 
 std::string block_pointer(std::size_t index) { return "/blocks/" + std::to_string(index); }
 
-std::string number_text(double length_mm) { return data::number_json(length_mm).dump(); }
+std::string length_text(double length_mm) { return data::number_json(length_mm).dump(); }
 
 /// The footprint of a block on the table, and its bottom and top, in mm.
 struct Shape {
@@ -137,10 +137,10 @@ void warn_of_height(const Workcell& workcell, const Robot* robot, const std::vec
     const double height = shapes[i].bottom - ground.z;
     const auto carries = [&](const Shape& lower) { return stands_on(shapes[i], lower); };
     if (height < -kTouchMm) {
-      warn(reading, i, "a block that reaches " + number_text(-height) + " mm under " + ground.name,
-           "a bottom at z = " + number_text(ground.z) + " or above");
+      warn(reading, i, "a block that reaches " + length_text(-height) + " mm under " + ground.name,
+           "a bottom at z = " + length_text(ground.z) + " or above");
     } else if (height > kTouchMm && std::none_of(shapes.begin(), shapes.end(), carries)) {
-      warn(reading, i, "a block that floats " + number_text(height) + " mm above " + ground.name,
+      warn(reading, i, "a block that floats " + length_text(height) + " mm above " + ground.name,
            "a bottom on the surface or on a block");
     }
   }
@@ -159,8 +159,8 @@ void warn_of_workspace(const Workcell& workcell, const std::vector<Shape>& shape
                          shape.top > mm(space.z_um) + kTouchMm;
     if (outside) {
       warn(reading, i, "a block that is partly outside the workspace",
-           "x 0 to " + number_text(mm(space.x_um)) + ", y -" + number_text(mm(space.y_um)) +
-               " to " + number_text(mm(space.y_um)) + ", z up to " + number_text(mm(space.z_um)) +
+           "x 0 to " + length_text(mm(space.x_um)) + ", y -" + length_text(mm(space.y_um)) +
+               " to " + length_text(mm(space.y_um)) + ", z up to " + length_text(mm(space.z_um)) +
                " mm");
     }
   }
@@ -172,8 +172,8 @@ void warn_of_width(const Workcell& workcell, const Robot& robot, Reading& readin
     const Block& block = workcell.blocks[i];
     const double narrow = mm(std::min(block.size_um.x, block.size_um.y));
     if (narrow < widest) continue;
-    warn(reading, i, "a block " + number_text(narrow) + " mm wide",
-         "less than " + number_text(std::round(widest * 1000) / 1000) +
+    warn(reading, i, "a block " + length_text(narrow) + " mm wide",
+         "less than " + length_text(std::round(widest * 1000) / 1000) +
              " mm, the jaws' widest opening");
   }
 }
@@ -210,8 +210,8 @@ void check_surface(const Workcell& workcell, Reading& reading) {
   if (!reading.is_sound("/work_surface") || !reading.is_sound("/workspace/z")) return;
   if (workcell.work_surface_um < workcell.workspace.z_um) return;
   reading.report(
-      Severity::kError, "/work_surface", number_text(mm(workcell.work_surface_um)),
-      "less than the workspace's z, " + number_text(mm(workcell.workspace.z_um)) + " mm");
+      Severity::kError, "/work_surface", length_text(mm(workcell.work_surface_um)),
+      "less than the workspace's z, " + length_text(mm(workcell.workspace.z_um)) + " mm");
 }
 
 /// The camera must be above the work surface; in perspective, above every block, too.
@@ -220,8 +220,8 @@ void check_camera(const Workcell& workcell, Reading& reading) {
   const double height = mm(workcell.camera->location_um.z);
   const bool surface_known = reading.is_sound("/work_surface");
   if (surface_known && workcell.camera->location_um.z <= workcell.work_surface_um) {
-    reading.report(Severity::kError, "/camera/location/2", number_text(height),
-                   "above the work surface, " + number_text(mm(workcell.work_surface_um)) + " mm");
+    reading.report(Severity::kError, "/camera/location/2", length_text(height),
+                   "above the work surface, " + length_text(mm(workcell.work_surface_um)) + " mm");
   }
   if (workcell.camera->projection != Projection::kPerspective) return;
   for (std::size_t i = 0; i < workcell.blocks.size(); ++i) {
@@ -229,8 +229,8 @@ void check_camera(const Workcell& workcell, Reading& reading) {
     const Shape shape(workcell.blocks[i]);
     if (shape.top < height) continue;
     reading.report(Severity::kError, block_pointer(i),
-                   "a block whose top, " + number_text(shape.top) + " mm, reaches the camera",
-                   "tops below " + number_text(height) + " mm");
+                   "a block whose top, " + length_text(shape.top) + " mm, reaches the camera",
+                   "tops below " + length_text(height) + " mm");
   }
 }
 

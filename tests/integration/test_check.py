@@ -62,6 +62,16 @@ class Check(unittest.TestCase):
                 self.assertEqual((2, ""), (done.returncode, done.stdout))
                 self.assertIn(file.name, done.stderr)
 
+    def test_exec_refuses_broken_goals(self):
+        """With the findings of `check`, before the program starts."""
+        files = [file for file in BROKEN if file.name.startswith("goal")]
+        self.assertGreaterEqual(len(files), 10)
+        for file in files:
+            with self.subTest(file.name):
+                done = run_xr3("exec", "--goals", file, "--", "echo", "started")
+                self.assertEqual((2, ""), (done.returncode, done.stdout))
+                self.assertTrue(done.stderr.endswith(run_xr3("check", file).stderr), done.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

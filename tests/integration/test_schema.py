@@ -22,6 +22,7 @@ BEYOND_A_SCHEMA = {
     "robot-labels-twice", "robot-masks-clash", "robot-names", "robot-switch-beyond", "robot-too-long",
     "robot-too-many-counts",
     "fault-members", "fault-names", "fault-triggers",
+    "goal-places",
     "workcell-camera-low", "workcell-camera-reached", "workcell-names", "workcell-surface",
 }
 
@@ -57,7 +58,7 @@ def validator(kind):
     return jsonschema.Draft7Validator(schema)
 
 
-VALIDATORS = {kind: validator(kind) for kind in ("robot", "workcell", "fault")}
+VALIDATORS = {kind: validator(kind) for kind in ("robot", "workcell", "fault", "goal")}
 
 
 def errors_of(path, kind):

@@ -3,6 +3,7 @@ a Rhino with its Mark III controller understands, except where a method says oth
 """
 
 import operator
+import os
 import socket
 import sys
 import time
@@ -18,7 +19,7 @@ SPACE = 32  # added to one-byte replies: a blank means 0
 STRIDE = 60  # maximum counts of one move: the 8-bit error counter must not overflow
 CLOSING = 100  # counts that close the jaws from any opening
 LIFT_MM = 100.0  # height above a block for approach and departure
-POLL_S = 0.05  # pause between two questions
+POLL_S = 0.05  # pause between two questions, unless XR3_POLL_MS says otherwise
 # A joint counts as stopped if its counter is the same for this many questions, over 2 s: the
 # slowest speed is one count per second, and the simulator's clock may run slowly.
 STANDS_AFTER = 40
@@ -28,6 +29,10 @@ FAR = 1600  # more counts than any joint has from a limit to its switch
 MARGIN = 40  # counts by which a switch may stay closed longer than Switch.width says
 WHY_IT_STANDS = ("Is it blocked at a limit, or stalled? Is a block in the jaws? Is the clock "
                  "paused or slow? Look at the page or at `xr3 watch`")
+
+
+def _poll_s() -> float:
+    return float(os.environ.get("XR3_POLL_MS", 1000 * POLL_S)) / 1000
 
 
 class RobotError(Exception):
@@ -44,11 +49,12 @@ class Robot:
     and TimeoutError if an answer does not arrive within timeout_s.
 
     A joint counts as stopped if its counter is the same for STANDS_AFTER questions, with `pause()`
-    between two of them: by default POLL_S, so 2 s in total."""
+    between two of them: by default POLL_S, so 2 s in total, or XR3_POLL_MS milliseconds. `xr3 exec` sets this
+    variable to 0 where simulated time follows the questions."""
 
     def __init__(self, host: Optional[str] = None, port: Union[int, str, None] = None, *,
                  arm: Arm = RHINO_XR3, camera: Optional[Camera] = None, timeout_s: float = 10.0,
-                 pause: Callable[[], None] = lambda: time.sleep(POLL_S)) -> None:
+                 pause: Callable[[], None] = lambda: time.sleep(_poll_s())) -> None:
         self.arm = arm
         self.camera = camera or CAMERAS.get(arm.name) or Camera()
         self.at: Counts = dict.fromkeys(arm.labels, 0)

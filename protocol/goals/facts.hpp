@@ -1,0 +1,48 @@
+// What a judge must know of a run beside its end: collected while the run goes on, by
+// cell/judge. Values only.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/event.hpp"
+#include "core/units.hpp"
+
+namespace xr3 {
+
+/// A problem that was reported, with the number of times.
+struct RunProblem {
+  Tick tick = 0;  ///< of the first time
+  std::string code;
+  std::string message;  ///< of the first time
+  std::uint64_t count = 0;
+};
+
+/// Where a goal for the whole run was first missed.
+struct Breach {
+  Tick tick = 0;
+  std::string block;  ///< empty: it was the tool tip
+  PointUm at;
+};
+
+struct RunFacts {
+  /// Maximum number of each; further ones are only counted.
+  static constexpr std::size_t kMaxHappenings = 10'000;
+  static constexpr std::size_t kMaxProblems = 100;
+
+  std::vector<std::string> happenings;  ///< "grasped NAME" and "released NAME", in order
+  std::optional<Stall> stall;           ///< the first one
+  Tick stall_tick = 0;
+  std::optional<Tick>
+      soft_home_tick;  ///< of the first time that the controller's soft home was used
+  std::vector<RunProblem> problems;
+  std::uint64_t problem_count = 0;
+  Tick last_count_tick = 0;  ///< 0: no motor made a count
+  std::uint64_t bytes = 0;   ///< that the lines have received
+  Micrometres tip_path_um = 0;
+  std::vector<std::optional<Breach>> breaches;  ///< one for each goal
+};
+
+}  // namespace xr3

@@ -1,0 +1,34 @@
+// Judges a run by its goals: compares them with the state at the end and with the facts of the run.
+// Independent of how the run came about.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/model.hpp"
+#include "core/state.hpp"
+#include "protocol/goals/facts.hpp"
+#include "protocol/goals/goal.hpp"
+
+namespace xr3 {
+
+/// The judgement of one goal. The texts are parts of sentences for a student.
+struct GoalResult {
+  bool is_met = false;
+  int points = 1;        ///< of the goal
+  std::string kind;      ///< as in the goals file
+  std::string expected;  ///< such as `block red at x 400, y 0 mm, within 5 mm`
+  std::string found;     ///< such as `it is at x 262, y 0, z 20 mm, 138 mm away`
+  std::string hint;      ///< the author's, or a general one; empty if the goal is met
+};
+
+/// One result for each goal, in order. Precondition: `facts` was collected for these goals, and
+/// `end` is a state of the model.
+std::vector<GoalResult> judge(const GoalList& list, const Model& model, const State& end,
+                              const RunFacts& facts);
+
+/// The points of the goals that are met, and of all goals.
+int points_of(const std::vector<GoalResult>& results);
+int max_points_of(const std::vector<GoalResult>& results);
+
+}  // namespace xr3
