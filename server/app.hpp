@@ -11,6 +11,7 @@
 #include "server/cells/branch_cells.hpp"
 #include "server/cells/connection_cells.hpp"
 #include "server/cells/registry.hpp"
+#include "server/cells/seed.hpp"
 #include "server/files/port_file.hpp"
 #include "server/lines/turns.hpp"
 #include "server/monitor_port/access.hpp"
@@ -23,12 +24,6 @@
 #include "server/robot_port/probe.hpp"
 
 namespace xr3 {
-
-/// What a cell begins with: one for each cell of the start, or one for all cells of connections.
-struct CellSeed {
-  ModelPtr model;
-  std::optional<FaultPlan> faults;
-};
 
 /// The server cannot listen on a port.
 class ListenError : public std::runtime_error {

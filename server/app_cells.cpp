@@ -15,29 +15,6 @@ namespace {
 
 constexpr double kNsPerSecond = 1e9;
 
-SimClock start_clock(const ClockChoice& choice) {
-  switch (choice.mode) {
-    case ClockMode::kReal: break;
-    case ClockMode::kManual: return SimClock::manual();
-    case ClockMode::kBytes: return SimClock::bytes();
-  }
-  return SimClock::real(choice.rate, wall_now());
-}
-
-ByteClockSettings byte_clock_settings(const ServeOptions& options) {
-  ByteClockSettings settings = options.clock.bytes;
-  settings.has_concurrent_lines = options.has_concurrent_lines;
-  return settings;
-}
-
-void start_time(const ServeOptions& options, Cell& cell) {
-  if (options.clock.mode == ClockMode::kBytes) {
-    cell.set_byte_clock(byte_clock_settings(options), options.line_speed);
-  } else if (options.line_speed) {
-    cell.set_line_speed(*options.line_speed);
-  }
-}
-
 /// The token of one cell; empty unless reading needs a token and there are several cells.
 std::string cell_token(const ServeOptions& options) {
   return options.is_private && has_many_cells(options) ? read_token(FreshToken{}) : "";
@@ -62,11 +39,7 @@ CellPtr App::make_cell(const std::string& name, const CellSeed& seed, const std:
   const auto log = [this, shown](const CellEvent& event, const Model& model) {
     if (!is_replaying_) log_event(event, model, shown);
   };
-  CellPtr cell =
-      HostedCell::make(context_, {name, seed.model, start_clock(options_.clock), log, token});
-  start_time(options_, cell->cell());
-  if (seed.faults) cell->cell().set_faults(*seed.faults);
-  return cell;
+  return xr3::make_cell(context_, options_, seed, {name, log, token});
 }
 
 void App::check_byte_clock() const {

@@ -19,6 +19,8 @@
 #include "server/commands/check.hpp"
 #include "server/commands/convert.hpp"
 #include "server/commands/draw.hpp"
+#include "server/commands/exec.hpp"
+#include "server/commands/grade.hpp"
 #include "server/commands/healthcheck.hpp"
 #include "server/commands/kin.hpp"
 #include "server/commands/replay.hpp"
@@ -106,6 +108,14 @@ struct Command {
   ExitCode operator()(const TermOptions& options) const { return run_term(options); }
   ExitCode operator()(const HealthOptions& options) const { return check_health(options); }
   ExitCode operator()(const ReplayCommand& command) const { return replay(command); }
+  ExitCode operator()(const ExecCommand& command) const {
+    ignore_signals_of_writing();
+    return exec_program(command);
+  }
+  ExitCode operator()(const GradeCommand& command) const {
+    ignore_signals_of_writing();
+    return grade_submissions(command);
+  }
   ExitCode operator()(const Leave& leave) const {
     std::cout << leave.to_stdout;
     std::cerr << leave.to_stderr;

@@ -16,9 +16,9 @@
 #include "protocol/monitor/snapshot.hpp"
 #include "protocol/recording/reader.hpp"
 #include "server/app.hpp"
-#include "server/commands/replay_table.hpp"
 #include "server/files/atomic_write.hpp"
 #include "server/log.hpp"
+#include "server/recording/joint_table.hpp"
 #include "tools/drawing/drawing.hpp"
 #include "tools/drawing/svg.hpp"
 
@@ -94,10 +94,11 @@ class ReplayRun {
            std::to_string(kStateFormat));
     Replayer replayer(cell, compares ? Compared::kAll : Compared::kReplies);
     if (options_.until) replayer.stop_at(*options_.until);
-    std::optional<ReplayTable> table;
+    std::optional<JointTable> table;
     if (!options_.csv.empty()) {
       table.emplace(*header_.model);
-      replayer.sample_every(options_.every_ms, [&](const Cell& its) { table->add(its); });
+      replayer.sample_every(options_.every_ms,
+                            [&](const Cell& its) { table->add(its, its.state().tick); });
     }
     if (!apply_all(replayer)) return false;
     replayer.run_to_stop();

@@ -55,7 +55,20 @@ ErrorCode Listener::listen(const tcp::endpoint& endpoint) {
     acceptor.set_option(asio::ip::v6_only(true), error);
   if (!error) acceptor.bind(endpoint, error);
   if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
-  if (!error) acceptor.non_blocking(true, error);
+  return error ? error : begin(std::move(acceptor));
+}
+
+ErrorCode Listener::adopt(int listening) {
+  ErrorCode error;
+  tcp::acceptor acceptor(io_);
+  acceptor.assign(tcp::v4(), listening, error);
+  return error ? error : begin(std::move(acceptor));
+}
+
+/// Starts to accept.
+ErrorCode Listener::begin(tcp::acceptor acceptor) {
+  ErrorCode error;
+  acceptor.non_blocking(true, error);
   // Otherwise accept() waits for the next connection after one that its peer has aborted.
   if (!error) acceptor.set_option(asio::socket_base::enable_connection_aborted(true), error);
   if (error) return error;

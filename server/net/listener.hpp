@@ -25,6 +25,8 @@ class Listener {
   /// Binds and starts to accept, in addition to the endpoints that are already open. Returns the
   /// error; the endpoint is then not open.
   ErrorCode listen(const tcp::endpoint& endpoint);
+  /// Accepts on a socket that listens already, and owns it from now on. Returns the error.
+  ErrorCode adopt(int listening);
   /// The first endpoint that was opened.
   tcp::endpoint endpoint() const { return endpoint_; }
 
@@ -41,6 +43,7 @@ class Listener {
     asio::steady_timer retry;  ///< after a failure to accept
   };
 
+  ErrorCode begin(tcp::acceptor acceptor);
   asio::awaitable<void> run(Entrance& entrance);
   /// Accepts a few connections. False if one is pending that cannot be accepted now.
   bool accept_some(tcp::acceptor& acceptor);

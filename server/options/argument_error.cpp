@@ -45,9 +45,16 @@ Words commands_of(const CLI::App& app) {
   return names;
 }
 
+/// What nothing expected. The library counts the `--` before the arguments of another program.
+Words extras_of(const CLI::App& app) {
+  Words extras = app.remaining(true);
+  std::erase(extras, "--");
+  return extras;
+}
+
 /// The first of the program's arguments that nothing expected.
 std::string first_extra(const CLI::App& app, const Words& arguments) {
-  const Words extras = app.remaining(true);
+  const Words extras = extras_of(app);
   const auto is_extra = [&extras](const std::string& argument) {
     return std::find(extras.begin(), extras.end(), argument) != extras.end();
   };
@@ -102,9 +109,9 @@ std::string describe_argument_error(const CLI::App& app, const CLI::ParseError& 
   }
   const std::string kind = error.get_name();
   const CLI::App& command = command_of(app);
-  if (kind == "RequiredError" && &command == &app && app.remaining(true).empty())
+  if (kind == "RequiredError" && &command == &app && extras_of(app).empty())
     return "a command is missing" + help_on(app);
-  if (!app.remaining(true).empty()) return unexpected(app, arguments);
+  if (!extras_of(app).empty()) return unexpected(app, arguments);
   if (kind == "ArgumentMismatch" || kind == "RequiredError") return miscounted(app, error);
   return error.what() + help_on(command);
 }

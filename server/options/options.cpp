@@ -24,8 +24,9 @@ constexpr const char* kFooter =
     "Exit codes: 0 success; 1 internal error; 2 invalid arguments or an invalid file;\n"
     "            3 a port or device is in use; 4 xr3 watch or xr3 term finds no server, an\n"
     "            inquiry by xr3 term has no reply, or xr3 healthcheck finds no server that is\n"
-    "            ready; 5 the server failed while running (see its log); 8 xr3 replay found a\n"
-    "            difference.\n"
+    "            ready; 5 the server failed while running (see its log), or goals were missed;\n"
+    "            6 the program of xr3 exec failed; 7 it reached a limit; 8 xr3 replay found a\n"
+    "            difference, or repeated runs differ.\n"
     "Try: xr3 serve, then in another terminal: xr3 term (or telnet localhost 9600), and type\n"
     "     E+50, Enter and E?";
 
@@ -341,6 +342,10 @@ Options parse_options(int argc, const char* const* argv) {
   add_health(app, health);
   ReplayCommand replay;
   add_replay(app, replay.replay, replay.server);
+  ExecCommand exec;
+  add_exec(app, exec.exec, exec.server);
+  GradeCommand grade;
+  add_grade(app, grade.grade, grade.exec, grade.server);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -355,6 +360,8 @@ Options parse_options(int argc, const char* const* argv) {
   if (app.got_subcommand("term")) return term;
   if (app.got_subcommand("healthcheck")) return health;
   if (app.got_subcommand("replay")) return checked_replay(std::move(replay));
+  if (app.got_subcommand("exec")) return exec;
+  if (app.got_subcommand("grade")) return grade;
   return checked_serve(std::move(serve));
 }
 

@@ -18,6 +18,7 @@
 #include "server/exit_code.hpp"
 #include "server/monitor_port/token.hpp"
 #include "server/options/cells.hpp"
+#include "server/options/exec.hpp"
 #include "server/options/healthcheck.hpp"
 #include "server/options/option_sources.hpp"
 #include "server/options/replay.hpp"
@@ -129,6 +130,19 @@ struct ReplayCommand {
   ServeOptions server;
 };
 
+/// `xr3 exec`; `server` is for its robot.
+struct ExecCommand {
+  ExecOptions exec;
+  ServeOptions server;
+};
+
+/// `xr3 grade`; `exec` is for each submission.
+struct GradeCommand {
+  GradeOptions grade;
+  ExecOptions exec;
+  ServeOptions server;
+};
+
 /// Print and exit: help was requested, or the arguments are invalid.
 struct Leave {
   ExitCode code = ExitCode::kGood;
@@ -136,9 +150,9 @@ struct Leave {
   std::string to_stderr;
 };
 
-using Options =
-    std::variant<ServeOptions, CheckOptions, DrawOptions, KinOptions, ConvertOptions,
-                 WorkcellOptions, WatchOptions, TermOptions, HealthOptions, ReplayCommand, Leave>;
+using Options = std::variant<ServeOptions, CheckOptions, DrawOptions, KinOptions, ConvertOptions,
+                             WorkcellOptions, WatchOptions, TermOptions, HealthOptions,
+                             ReplayCommand, ExecCommand, GradeCommand, Leave>;
 
 /// Never throws and never prints.
 Options parse_options(int argc, const char* const* argv);

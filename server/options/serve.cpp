@@ -90,16 +90,6 @@ void add_cells(CLI::App& serve, ServeOptions& options) {
            "the first address that speaks on a robot port keeps it; others are disconnected");
 }
 
-void add_line_speed(CLI::App& serve, ServeOptions& options) {
-  serve
-      .add_option_function<std::string>(
-          "--line-speed",
-          [&options](const std::string& text) { options.line_speed = parse_line_speed(text); },
-          "time that bytes of serial lines take, by these settings or those of the client")
-      ->type_name("9600-7e2|auto[:FACTOR]")
-      ->check(parses(parse_line_speed, ""));
-}
-
 void add_recording(CLI::App& serve, ServeOptions& options) {
   serve
       .add_option(
@@ -198,6 +188,42 @@ void complete(CLI::App& serve, ServeOptions& options) {
 
 }  // namespace
 
+void add_machine(CLI::App& command, ServeOptions& options) {
+  command.add_option("--robot", options.robot, "robot: a name, or a file")
+      ->type_name("NAME|FILE")
+      ->capture_default_str();
+  command
+      .add_option("--workcell", options.workcell,
+                  "workcell: a name, or a file (default: the one named after the robot)")
+      ->type_name("NAME|FILE");
+  command
+      .add_option("--fault", options.fault_file,
+                  "faults of the robot and its lines: a name, or a file")
+      ->type_name("NAME|FILE");
+}
+
+void add_time(CLI::App& command, ServeOptions& options, const std::string& clocks) {
+  add_profile(command, options.profile);
+  command
+      .add_option_function<std::string>(
+          "--clock", [&options](const std::string& text) { options.clock = parse_clock(text); },
+          clocks)
+      ->type_name("real[:FACTOR]|manual|bytes[:INQUIRY_MS[,settle=MS]]")
+      ->check(parses(parse_clock, ""));
+  add_flag(command, "--concurrent-lines", options.has_concurrent_lines,
+           "with --clock bytes: all lines are obeyed together, not one at a time");
+}
+
+void add_line_speed(CLI::App& command, ServeOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--line-speed",
+          [&options](const std::string& text) { options.line_speed = parse_line_speed(text); },
+          "time that bytes of serial lines take, by these settings or those of the client")
+      ->type_name("9600-7e2|auto[:FACTOR]")
+      ->check(parses(parse_line_speed, ""));
+}
+
 void add_ports(CLI::App& serve, ServeOptions& options) {
   serve
       .add_option("--listen", options.listen,
@@ -267,28 +293,11 @@ void add_access(CLI::App& serve, ServeOptions& options) {
 
 void add_serve(CLI::App& app, ServeOptions& options) {
   CLI::App& serve = *app.add_subcommand("serve", "start a robot and its controller");
-  serve.add_option("--robot", options.robot, "robot: a name, or a file")
-      ->type_name("NAME|FILE")
-      ->capture_default_str();
-  serve
-      .add_option("--workcell", options.workcell,
-                  "workcell: a name, or a file (default: the one named after the robot)")
-      ->type_name("NAME|FILE");
-  serve
-      .add_option("--fault", options.fault_file,
-                  "faults of the robot and its lines: a name, or a file")
-      ->type_name("NAME|FILE");
+  add_machine(serve, options);
   add_ports(serve, options);
   add_cells(serve, options);
-  add_profile(serve, options.profile);
-  serve
-      .add_option_function<std::string>(
-          "--clock", [&options](const std::string& text) { options.clock = parse_clock(text); },
-          "real (default), FACTOR times as fast; manual: by the monitor; bytes: by the programs")
-      ->type_name("real[:FACTOR]|manual|bytes[:INQUIRY_MS[,settle=MS]]")
-      ->check(parses(parse_clock, ""));
-  add_flag(serve, "--concurrent-lines", options.has_concurrent_lines,
-           "with --clock bytes: all lines are obeyed together, not one at a time");
+  add_time(serve, options,
+           "real (default), FACTOR times as fast; manual: by the monitor; bytes: by the programs");
   serve
       .add_option("--max-lines", options.max_lines,
                   "maximum number of open robot connections; further ones are closed at once")

@@ -42,6 +42,8 @@ class RobotPort final : public LineSource {
 
   /// Binds and starts to accept; endpoint() is then valid. Returns the error.
   ErrorCode listen(const tcp::endpoint& endpoint);
+  /// The same for a socket that listens already, which the port owns from now on.
+  ErrorCode adopt(int listening) { return listener_.adopt(listening); }
   tcp::endpoint endpoint() const { return listener_.endpoint(); }
   /// Accepts no further connection.
   void close();

@@ -185,6 +185,10 @@ TEST(Options, ErrorsAreSentencesWithTheNameThatWasMeant) {
        "unexpected argument b; xr3 serve --help lists the arguments"},
       {{"serve", "--robot"},
        "--robot needs one value, NAME|FILE; xr3 serve --help lists the arguments"},
+      {{"exec", "--vary", "x", "--", "true"},
+       "--vary: x: a variation is a seed, mm and degrees such as 7, 7:40 or 7:40,180; xr3 exec "
+       "--help lists the arguments"},
+      {{"exec", "--"}, "xr3 exec needs PROGRAM ARGS...; xr3 exec --help lists the arguments"},
       {{"serve", "--max-lines", "many"},
        "--max-lines: many: a whole number from 1 to 20000; xr3 serve --help lists the arguments"},
       {{"check"}, "xr3 check needs FILE; xr3 check --help lists the arguments"},

@@ -1,4 +1,4 @@
-#include "server/commands/replay_table.hpp"
+#include "server/recording/joint_table.hpp"
 
 #include <iomanip>
 #include <sstream>
@@ -18,7 +18,7 @@ std::string fixed_text(double value, int decimals) {
 
 }  // namespace
 
-ReplayTable::ReplayTable(const Model& model) {
+JointTable::JointTable(const Model& model) {
   text_ = "epoch,tick";
   for (int i = 0; i < model.motor_count(); ++i) {
     const std::string label(1, model.motor(i).drive.label);
@@ -27,11 +27,11 @@ ReplayTable::ReplayTable(const Model& model) {
   text_ += ",x_mm,y_mm,z_mm,holding\n";
 }
 
-void ReplayTable::add(const Cell& cell) {
+void JointTable::add(const Cell& cell, Tick tick) {
   const Model& model = cell.model();
   const State& state = cell.state();
   const Positions at = positions(model, state.motors);
-  text_ += std::to_string(cell.epoch()) + "," + std::to_string(state.tick);
+  text_ += std::to_string(cell.epoch()) + "," + std::to_string(tick);
   for (int i = 0; i < model.motor_count(); ++i) {
     const double value = model.variable(i, at[static_cast<std::size_t>(i)]);
     text_ += "," + fixed_text(value, model.is_length(i) ? kMmDecimals : kDegreeDecimals) + "," +

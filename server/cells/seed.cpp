@@ -1,0 +1,45 @@
+#include "server/cells/seed.hpp"
+
+#include <utility>
+
+#include "server/net/wall_clock.hpp"
+
+namespace xr3 {
+namespace {
+
+void start_time(const ServeOptions& options, Cell& cell) {
+  if (options.clock.mode == ClockMode::kBytes) {
+    cell.set_byte_clock(byte_clock_settings(options), options.line_speed);
+  } else if (options.line_speed) {
+    cell.set_line_speed(*options.line_speed);
+  }
+}
+
+}  // namespace
+
+ByteClockSettings byte_clock_settings(const ServeOptions& options) {
+  ByteClockSettings settings = options.clock.bytes;
+  settings.has_concurrent_lines = options.has_concurrent_lines;
+  return settings;
+}
+
+SimClock start_clock(const ClockChoice& choice) {
+  switch (choice.mode) {
+    case ClockMode::kReal: break;
+    case ClockMode::kManual: return SimClock::manual();
+    case ClockMode::kBytes: return SimClock::bytes();
+  }
+  return SimClock::real(choice.rate, wall_now());
+}
+
+CellPtr make_cell(CellContext& context, const ServeOptions& options, const CellSeed& seed,
+                  CellIdentity identity) {
+  CellPtr cell =
+      HostedCell::make(context, {std::move(identity.name), seed.model, start_clock(options.clock),
+                                 std::move(identity.sink), std::move(identity.token)});
+  start_time(options, cell->cell());
+  if (seed.faults) cell->cell().set_faults(*seed.faults);
+  return cell;
+}
+
+}  // namespace xr3

@@ -1,0 +1,37 @@
+// What a cell begins with, and how a fresh cell is made of it as the options of `serve` say.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/faults/fault.hpp"
+#include "core/model.hpp"
+#include "server/cells/hosted_cell.hpp"
+#include "server/options/options.hpp"
+
+namespace xr3 {
+
+/// One for each cell of the start, or one for all cells of connections.
+struct CellSeed {
+  ModelPtr model;
+  std::optional<FaultPlan> faults;
+};
+
+/// The rules of the byte clock that the options choose.
+ByteClockSettings byte_clock_settings(const ServeOptions& options);
+
+/// The clock of a cell that starts now.
+SimClock start_clock(const ClockChoice& choice);
+
+/// Names of a cell, and the receiver of its events, which may be empty.
+struct CellIdentity {
+  std::string name;
+  CellEventSink sink = {};
+  std::string token = {};  ///< empty: none
+};
+
+/// A cell without ports, with the clock, the line speed and the faults of the options and the seed.
+CellPtr make_cell(CellContext& context, const ServeOptions& options, const CellSeed& seed,
+                  CellIdentity identity);
+
+}  // namespace xr3

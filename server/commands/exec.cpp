@@ -1,0 +1,110 @@
+#include "server/commands/exec.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "server/exec/exercise.hpp"
+#include "server/exec/pool.hpp"
+#include "server/log.hpp"
+
+namespace xr3 {
+namespace {
+
+/// The folder of one of several runs: 001, 002, ...
+std::string run_name(std::size_t index) {
+  constexpr int kDigits = 3;
+  std::ostringstream name;
+  name << std::setw(kDigits) << std::setfill('0') << index + 1;
+  return name.str();
+}
+
+std::string title_of(const std::vector<std::string>& command) {
+  std::string title;
+  for (const std::string& each : command) title += (title.empty() ? "" : " ") + each;
+  return title;
+}
+
+std::vector<RunReport> run_all(const ExecCommand& command, const Exercise& exercise) {
+  const auto count = static_cast<std::size_t>(command.exec.repeat);
+  RunPlace place{title_of(command.exec.command),
+                 command.exec.command,
+                 "",
+                 command.exec.out,
+                 command.server.record,
+                 0};
+  if (count == 1) return {exercise.run(place)};
+  const auto run = [&](std::size_t index) {
+    RunPlace its = place;
+    its.index = index;
+    if (!its.folder.empty()) its.folder += "/" + run_name(index);
+    return to_json(exercise.run(its));
+  };
+  std::vector<RunReport> reports;
+  const auto texts = in_processes(count, usual_jobs(), run, [](std::size_t) {});
+  for (const std::optional<std::string>& text : texts) {
+    reports.push_back(text ? parse_report(*text) : failed_report(place.title));
+  }
+  return reports;
+}
+
+/// The digests of the runs that have one.
+std::set<std::string> transcripts(const std::vector<RunReport>& reports) {
+  std::set<std::string> found;
+  for (const RunReport& each : reports)
+    if (!each.transcript.empty()) found.insert(each.transcript);
+  return found;
+}
+
+std::size_t count_passed(const std::vector<RunReport>& reports) {
+  return static_cast<std::size_t>(std::count_if(
+      reports.begin(), reports.end(), [](const RunReport& each) { return each.is_passed(); }));
+}
+
+/// Of several runs, those that failed are shown in full.
+void print(const std::vector<RunReport>& reports) {
+  if (reports.size() == 1) {
+    std::cout << to_text(reports.front());
+    return;
+  }
+  for (std::size_t i = 0; i < reports.size(); ++i)
+    if (!reports[i].is_passed()) std::cout << "run " << i + 1 << ":\n" << to_text(reports[i]);
+  std::cout << count_passed(reports) << " of " << reports.size() << " runs passed\n";
+}
+
+void write_results(const ExecCommand& command, const std::vector<RunReport>& reports) {
+  std::string json;
+  for (const RunReport& each : reports) json += to_json(each);
+  write_result(command.exec.json, json);
+  write_result(command.exec.junit, to_junit(reports));
+  write_result(command.exec.markdown, to_markdown(reports));
+}
+
+bool has_any(const std::vector<RunReport>& reports, RunOutcome outcome) {
+  return std::any_of(reports.begin(), reports.end(),
+                     [outcome](const RunReport& each) { return each.outcome == outcome; });
+}
+
+}  // namespace
+
+ExitCode exec_program(const ExecCommand& command) {
+  start_log(command.server.log_level, command.server.log_file);
+  const Exercise exercise(command.exec, command.server);
+  const std::vector<RunReport> reports = run_all(command, exercise);
+  print(reports);
+  write_results(command, reports);
+  const std::set<std::string> found = transcripts(reports);
+  const bool is_different = !command.exec.vary && found.size() > 1;
+  if (is_different)
+    std::cout << found.size() << " different transcripts in " << reports.size()
+              << " runs: the program does not do the same every time\n";
+  if (has_any(reports, RunOutcome::kTimeUp)) return ExitCode::kTimeUp;
+  if (has_any(reports, RunOutcome::kFailed)) return ExitCode::kProgramFailed;
+  if (is_different) return ExitCode::kDifferent;
+  return count_passed(reports) == reports.size() ? ExitCode::kGood : ExitCode::kGoalsMissed;
+}
+
+}  // namespace xr3

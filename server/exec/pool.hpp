@@ -1,0 +1,21 @@
+// Does independent tasks in child processes, several at a time, so that one that fails harms no
+// other.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace xr3 {
+
+/// Does task 0...count-1, each in a process of its own, at most `jobs` at a time, and returns what
+/// they return, in order; nullopt for a process that failed. `done` is called here after each.
+/// SIGINT and SIGTERM end all of them. Precondition: this process has one thread. Throws
+/// std::system_error if a process cannot be made.
+std::vector<std::optional<std::string>> in_processes(
+    std::size_t count, std::size_t jobs, const std::function<std::string(std::size_t)>& task,
+    const std::function<void(std::size_t)>& done);
+
+}  // namespace xr3

@@ -1,0 +1,43 @@
+// The bytes of all lines of a run as a text that people read, for `xr3 exec --out`.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "cell/recording/input_log.hpp"
+
+namespace xr3 {
+
+/// A line for the bytes that arrive together, or are sent together: `1300 1 > E+50\r` or
+/// `1300 1 < R`, with the tick and the number of the serial line.
+class TranscriptText final : public InputLog {
+ public:
+  /// Maximum size; what comes later is left out, and the last line says so.
+  static constexpr std::size_t kMaxBytes = std::size_t{4} << 20U;
+
+  const std::string& text() const { return text_; }
+
+  void begin(const Cell& cell, const Input& input) override;
+  void end(const Cell& cell, const Input& input, const Applied& applied) override;
+  void sent(const Cell&, const BytesOut&) override {}
+  void output(const Cell& cell, LineId line, std::string_view bytes) override;
+  void after_advance(const Cell&, bool) override {}
+  void expired(const Cell&) override {}
+
+ private:
+  struct Bytes {
+    Tick tick;
+    LineId line;
+    char direction;
+    std::string_view text;
+  };
+  void add(std::size_t at, const Bytes& bytes);
+
+  std::string text_;
+  std::size_t input_at_ = 0;  ///< where the input that acts belongs
+  Tick input_tick_ = 0;
+  bool is_full_ = false;
+};
+
+}  // namespace xr3

@@ -1,0 +1,194 @@
+#include "server/options/exec.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "server/options/shared_options.hpp"
+
+namespace xr3 {
+namespace {
+
+constexpr double kMaxSimSeconds = 1e6;
+constexpr double kMaxSeconds = 86'400;
+constexpr int kMaxRepeat = 100'000;
+constexpr std::int64_t kMaxBytes = std::int64_t{1} << 53;
+constexpr int kMaxMemoryMib = 1 << 20;
+constexpr int kMaxProcesses = 100'000;
+constexpr int kMaxJobs = 256;
+
+MonitorAccess monitor_named(const std::string& name) {
+  return name == "read" ? MonitorAccess::kRead : MonitorAccess::kControl;
+}
+
+/// A number at the beginning of a text, which it shortens; nullopt: none, or out of range.
+std::optional<double> take_number(std::string& text, double most) {
+  std::size_t end = 0;
+  double number = 0;
+  try {
+    number = std::stod(text, &end);
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+  text.erase(0, end);
+  return number >= 0 && number <= most ? std::optional(number) : std::nullopt;
+}
+
+void add_limits(CLI::App& command, RunLimits& limits) {
+  command
+      .add_option_function<double>(
+          "--max-sim-seconds",
+          [&limits](double seconds) { limits.sim_ticks = std::llround(seconds * kTickHz); },
+          "maximum simulated time of a run in seconds (default: 600)")
+      ->type_name("SECONDS")
+      ->check(number_between(0, kMaxSimSeconds));
+  command.add_option("--max-seconds", limits.wall_s, "maximum time of a run in seconds")
+      ->type_name("SECONDS")
+      ->check(number_between(0, kMaxSeconds))
+      ->capture_default_str();
+  command.add_option("--max-bytes", limits.bytes, "maximum number of bytes that a program sends")
+      ->type_name("N")
+      ->check(whole_number_between(1, kMaxBytes));
+  command
+      .add_option("--memory", limits.memory_mib,
+                  "MiB of memory that each of its processes may have")
+      ->type_name("MIB")
+      ->check(whole_number_between(1, kMaxMemoryMib));
+  command.add_option("--processes", limits.processes, "number of processes that it may have")
+      ->type_name("N")
+      ->check(whole_number_between(1, kMaxProcesses));
+}
+
+void add_variation(CLI::App& command, ExecOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--vary", [&options](const std::string& text) { options.vary = parse_variation(text); },
+          "move the blocks at random by at most 40 mm (or MM) and 180 degrees (or DEG)")
+      ->type_name("SEED[:MM[,DEG]]")
+      ->check(parses(parse_variation, ""));
+}
+
+void add_repetition(CLI::App& command, ExecOptions& options) {
+  command
+      .add_option(
+          "--repeat", options.repeat,
+          "number of runs; with --vary each has the next seed, without it all must be equal")
+      ->type_name("N")
+      ->check(whole_number_between(1, kMaxRepeat))
+      ->capture_default_str();
+}
+
+void add_results(CLI::App& command, ExecOptions& options) {
+  command.add_option("--junit", options.junit, "write the results for test reporters")
+      ->type_name("OUT.xml");
+  command.add_option("--json", options.json, "write the results as JSON, one object a line")
+      ->type_name("OUT.json");
+  command.add_option("--markdown", options.markdown, "write the results as a table in Markdown")
+      ->type_name("OUT.md");
+}
+
+/// What exec and grade have in common: the robot, the goals, limits.
+void add_run(CLI::App& command, ExecOptions& options, ServeOptions& server) {
+  server.clock = {ClockMode::kBytes, Rate{}, {}};
+  server.log_level = "off";
+  add_machine(command, server);
+  add_time(command, server,
+           "bytes (default): time follows the program; real, FACTOR times as fast; manual");
+  add_line_speed(command, server);
+  command.add_option("--goals", options.goals, "file with the goals by which a run is judged")
+      ->type_name("FILE");
+  add_limits(command, options.limits);
+  add_variation(command, options);
+  command
+      .add_option_function<std::string>(
+          "--monitor",
+          [&options](const std::string& access) { options.monitor = monitor_named(access); },
+          "the program gets a monitor port, to read, or to control (which the report says)")
+      ->type_name("read|control")
+      ->check(CLI::IsMember({"read", "control"}).description(""));
+}
+
+void add_sandbox(CLI::App& command, ExecOptions& options) {
+  CLI::Option* sandbox = command.add_flag(
+      "--sandbox", options.is_sandboxed,
+      "run it under bubblewrap: no network but the robot, no files but the system's and its own");
+  command.get_option("--monitor")->excludes(sandbox);
+  command
+      .add_option("--read", options.readable,
+                  "with --sandbox: a further file or folder that it may read; repeatable")
+      ->type_name("PATH")
+      ->allow_extra_args(false)
+      ->needs(sandbox);
+}
+
+void add_command(CLI::App& command, ExecOptions& options, const std::string& what) {
+  command.add_option("command", options.command, what)->type_name("PROGRAM ARGS...")->required();
+}
+
+}  // namespace
+
+Variation parse_variation(const std::string& text) {
+  constexpr double kMaxSeed = 9'007'199'254'740'991;
+  constexpr double kMaxMm = 1e5;
+  constexpr double kMaxDeg = 180;
+  Variation variation;
+  std::string rest = text;
+  const auto seed = take_number(rest, kMaxSeed);
+  bool is_good = seed && *seed == std::floor(*seed);
+  if (is_good) variation.seed = static_cast<std::uint64_t>(*seed);
+  if (is_good && rest.starts_with(':')) {
+    rest.erase(0, 1);
+    const auto mm = take_number(rest, kMaxMm);
+    is_good = mm.has_value();
+    if (mm) variation.most_um = micrometres(*mm);
+    if (is_good && rest.starts_with(',')) {
+      rest.erase(0, 1);
+      const auto degrees = take_number(rest, kMaxDeg);
+      is_good = degrees.has_value();
+      if (degrees) variation.most_udeg = microdegrees(*degrees);
+    }
+  }
+  if (is_good && rest.empty()) return variation;
+  throw std::invalid_argument(
+      text + ": a variation is a seed, mm and degrees such as 7, 7:40 or 7:40,180");
+}
+
+void add_exec(CLI::App& app, ExecOptions& options, ServeOptions& server) {
+  CLI::App& exec = *app.add_subcommand(
+      "exec", "run a robot program against a fresh robot, and judge it by its goals");
+  add_run(exec, options, server);
+  add_repetition(exec, options);
+  exec.add_option("--record", server.record, "record the run in this new file")->type_name("FILE");
+  exec.add_option("--csv", options.csv, "write joints, counts and tip each 100 ms as a table")
+      ->type_name("OUT.csv");
+  add_results(exec, options);
+  exec.add_option("--out", options.out,
+                  "new folder for output, recording, picture of the end and result of each run")
+      ->type_name("FOLDER");
+  exec.add_flag("--stdin", options.has_terminal, "the program reads standard input");
+  exec.add_flag("--quiet", options.is_quiet, "do not show what the program prints");
+  add_sandbox(exec, options);
+  add_log(exec, server);
+  add_command(exec, options, "the program and its arguments, after --");
+}
+
+void add_grade(CLI::App& app, GradeOptions& options, ExecOptions& exec, ServeOptions& server) {
+  CLI::App& grade = *app.add_subcommand(
+      "grade", "run every submission in a folder as xr3 exec does, and write a report");
+  grade.add_option("folder", options.folder, "the submissions: each file or folder in it is one")
+      ->type_name("FOLDER")
+      ->required();
+  add_run(grade, exec, server);
+  grade.get_option("--goals")->required();
+  grade.add_option("--report", options.report, "new folder for the report")
+      ->type_name("FOLDER")
+      ->required();
+  add_sandbox(grade, exec);
+  grade.add_option("--jobs", options.jobs, "number of submissions that run at a time")
+      ->type_name("N")
+      ->check(whole_number_between(1, kMaxJobs));
+  add_command(grade, exec, "the program and its arguments, after --; {} is the submission");
+}
+
+}  // namespace xr3

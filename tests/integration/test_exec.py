@@ -1,0 +1,357 @@
+"""`xr3 exec` and `xr3 grade` with real programs: good ones, and each way to be wrong."""
+
+import csv
+import json
+import os
+import pathlib
+import re
+import socket
+import stat
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+from support import DEADLINE_S, XR3
+
+# A robot program without a package: send() and ask() for bytes, wait() until a motor is done.
+HEAD = """
+import os, socket, sys
+line = socket.create_connection((os.environ["XR3_HOST"], int(os.environ["XR3_PORT"])))
+def send(text):
+    line.sendall(text.encode())
+def ask(text):
+    send(text)
+    return line.recv(1)[0] - 32
+def wait(*labels):
+    for label in labels:
+        while ask(label + "?"):
+            pass
+def go(**counts):
+    while any(counts.values()):
+        for label, left in counts.items():
+            part = max(-120, min(120, left))
+            if part:
+                send(f"{label}{part:+d}\\r")
+            counts[label] -= part
+        wait(*counts)
+"""
+# To the red block at x 262, y 0 mm, and with it to x 262, y 100 mm.
+GRASP = HEAD + """
+go(A=16)
+go(E=242, D=-440)
+go(E=207, D=-185)
+send("A-90\\r")
+before = None
+while (now := ask("A?")) != before:
+    before = now
+send("AX")
+"""
+CARRY = GRASP + "go(E=-207, D=185)\ngo(F=92)\n"
+PLACE = CARRY + "go(E=207, D=-185)\ngo(A=39)\ngo(E=-207, D=185)\nline.close()\n"
+GOALS = {"goals": [
+    {"kind": "block", "name": "red", "xyz_mm": [244, 94, 20], "mm": 8, "points": 3, "hint": "turn the base by 92 counts"},
+    {"kind": "holding", "name": None},
+    {"kind": "no_stall"},
+    {"kind": "no_warnings"},
+    {"kind": "untouched", "names": ["green", "blue"]},
+    {"kind": "order", "events": ["grasped red", "released red"]}]}
+TASK_S = 60
+
+
+def has_sandbox():
+    """Whether bubblewrap is there and may make its namespaces: not so in some containers."""
+    try:
+        done = subprocess.run(["bwrap", "--ro-bind", "/", "/", "--unshare-pid", "true"], check=False, capture_output=True)
+        return done.returncode == 0
+    except FileNotFoundError:
+        return False
+
+
+HAS_SANDBOX = has_sandbox()
+SECRET = "sixteen letters!"
+
+
+class Exec(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.goals = self.write("goals.json", json.dumps(GOALS))
+
+    def write(self, name, text):
+        path = self.folder / name
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    def run_exec(self, *arguments, code=0, **options):
+        done = subprocess.run([XR3, "exec", *map(str, arguments)], capture_output=True, text=True, timeout=TASK_S,
+                              check=False, cwd=self.folder, **options)
+        self.assertEqual(code, done.returncode, done.stdout + done.stderr)
+        return done
+
+    def judge(self, program, *options, code=0, **more):
+        """Runs a program with the goals; returns what was printed."""
+        path = self.write("program.py", program)
+        return self.run_exec("--goals", self.goals, *options, "--", sys.executable, path, code=code, **more)
+
+    def grade(self, folder, *options, command=(sys.executable, "{}"), code=0):
+        done = subprocess.run([XR3, "grade", folder, "--goals", self.goals, "--report", "report", *options, "--", *command],
+                              capture_output=True, text=True, timeout=TASK_S, check=False, cwd=self.folder)
+        self.assertEqual(code, done.returncode, done.stdout + done.stderr)
+        return done
+
+    # --- Good programs.
+
+    def test_a_good_program_meets_all_goals(self):
+        done = self.judge(PLACE + "print('done')\n")
+        self.assertEqual("done", done.stdout.splitlines()[0])
+        self.assertEqual(6, done.stdout.count("✓"), done.stdout)
+        self.assertRegex(done.stdout.splitlines()[-1], r"^score 8 of 8; [\d.]+ simulated s, \d+ bytes$")
+
+    def test_without_goals_a_program_is_only_run(self):
+        done = self.run_exec("--", sys.executable, self.write("p.py", HEAD + "go(F=20)"))
+        self.assertRegex(done.stdout, r"^score 0 of 0; ")
+
+    def test_the_environment_has_the_lines_and_no_monitor(self):
+        text = ("import os\nprint(os.environ['XR3_HOST'], os.path.exists(os.environ['XR3_PTY']), "
+                "int(os.environ['XR3_PORT']) > 0, 'XR3_MONITOR_PORT' in os.environ)\n"
+                "line = os.open(os.environ['XR3_PTY'], os.O_RDWR | os.O_NOCTTY)\n"
+                "os.write(line, b'F+20\\rF?')\nprint(len(os.read(line, 1)))\n")
+        done = self.judge(text, code=5)
+        self.assertEqual(["127.0.0.1 True True False", "1"], done.stdout.splitlines()[:2])
+
+    def test_runs_of_one_program_are_the_same(self):
+        path = self.write("p.py", PLACE)
+        done = self.run_exec("--goals", self.goals, "--repeat", 6, "--", sys.executable, path)
+        self.assertEqual("6 of 6 runs passed\n", done.stdout)
+        path = self.write("p.py", HEAD + "go(F=os.getpid() % 100)")
+        done = self.run_exec("--repeat", 4, "--", sys.executable, path, code=8)
+        self.assertRegex(done.stdout, r"[234] different transcripts in 4 runs")
+
+    def test_variations_have_other_places_each(self):
+        path = self.write("p.py", HEAD)
+        self.run_exec("--vary", "7:30,45", "--repeat", 3, "--out", "runs", "--json", "all.json", "--", sys.executable, path)
+        results = [json.loads(line) for line in (self.folder / "all.json").read_text(encoding="utf-8").splitlines()]
+        self.assertEqual([7, 8, 9], [each["seed"] for each in results])
+        pictures = {(self.folder / f"runs/00{i}/end.svg").read_text(encoding="utf-8") for i in (1, 2, 3)}
+        self.assertEqual(3, len(pictures))
+
+    # --- Wrong programs.
+
+    def test_a_program_that_never_moves(self):
+        done = self.judge("print('hello')\n", code=5)
+        self.assertIn("✗ block red at x 244, y 94, z 20 mm, within 8 mm: it is at x 262, y 0, z 20 mm", done.stdout)
+        self.assertIn("  hint: turn the base by 92 counts", done.stdout)
+        self.assertIn("a red, b green", done.stdout, "the legend of a view from above")
+
+    def test_a_program_that_stalls(self):
+        done = self.judge(HEAD + "for i in range(20):\n    send('E-120\\r')\n    while ask('E?') != ask('E?'):\n        pass\n", code=5)
+        self.assertIn("✗ the robot never stalls: it stalled after ", done.stdout)
+
+    def test_a_program_that_drops_the_block_outside(self):
+        done = self.judge(CARRY + "go(A=39)\n", code=5)
+        self.assertIn("released_in_air", done.stdout)
+        self.assertRegex(done.stdout, r"✗ block red at .*: it is at x .*mm away")
+
+    def test_a_program_that_keeps_the_block(self):
+        done = self.judge(CARRY, code=5)
+        self.assertIn("✗ the jaws hold nothing: they hold red", done.stdout)
+
+    def test_a_program_that_hangs(self):
+        done = self.judge("import time\ntime.sleep(1000)\n", "--max-seconds", 0.5, code=7)
+        self.assertIn("✗ the program still ran after 0.5 seconds (--max-seconds)", done.stdout)
+        done = self.judge(HEAD + "while True:\n    ask('E?')\n", "--max-sim-seconds", 2, code=7)
+        self.assertIn("✗ the limit of 2 simulated seconds was reached (--max-sim-seconds)", done.stdout)
+
+    def test_a_program_that_floods(self):
+        done = self.judge(HEAD + "while True:\n    send('E?' * 1000)\n", "--max-bytes", 100_000, "--max-sim-seconds", 1_000_000, code=7)
+        self.assertIn("✗ the program sent more than 100000 bytes (--max-bytes)", done.stdout)
+
+    def test_a_program_that_crashes(self):
+        done = self.judge(PLACE + "sys.exit(3)\n", code=6)
+        self.assertIn("✗ the program ended with exit code 3", done.stdout)
+        self.assertEqual(6, done.stdout.count("✓"), "the goals are judged all the same")
+        done = self.judge("import os, signal\nos.kill(os.getpid(), signal.SIGSEGV)\n", code=6)
+        self.assertIn("✗ the program ended with signal 11 (Segmentation fault)", done.stdout)
+
+    def test_a_program_that_is_not_there(self):
+        done = self.run_exec("--", "./no-such-program", code=6)
+        self.assertIn("✗ ./no-such-program cannot be started: No such file or directory", done.stdout)
+
+    def test_no_process_outlives_the_run(self):
+        pids = self.folder / "pids"
+        stubborn = ("import os, signal, sys, time\nfor hop in range(3):\n    if os.fork() == 0:\n"
+                    "        os.setsid()\n        signal.signal(signal.SIGTERM, signal.SIG_IGN)\n"
+                    f"        open({str(pids)!r}, 'a').write(f'{{os.getpid()}}\\n')\n        time.sleep(1000)\n"
+                    f"while open({str(pids)!r}, 'a+').tell() < 1 or len(open({str(pids)!r}).readlines()) < 3:\n    time.sleep(0.01)\n")
+        self.judge(stubborn, code=5)
+        for pid in pids.read_text(encoding="utf-8").split():
+            self.assertFalse(pathlib.Path("/proc", pid).exists(), pid)
+
+    def test_limits_of_memory_and_processes(self):
+        done = self.judge("x = bytearray(600 << 20)\n", "--memory", 300, code=6)
+        self.assertIn("MemoryError", done.stderr)
+        forks = "import os, time\nfor i in range(30):\n    if os.fork() == 0:\n        time.sleep(1000)\ntime.sleep(1000)\n"
+        done = self.judge(forks, "--processes", 10, "--max-seconds", 20, code=7 if os.getuid() == 0 else 6)
+
+    def test_standard_input_is_empty_unless_it_is_wanted(self):
+        text = "import sys\nprint(repr(sys.stdin.read()))\n"
+        self.assertEqual("''", self.judge(text, code=5, input="secret").stdout.splitlines()[0])
+        self.assertEqual("'secret'", self.judge(text, "--stdin", code=5, input="secret").stdout.splitlines()[0])
+
+    # --- Results.
+
+    def test_the_folder_of_a_run_has_everything(self):
+        self.judge("print('x' * 2_000_000)\n", "--out", "run", "--quiet", code=5)
+        run = self.folder / "run"
+        self.assertEqual({"end.svg", "output.txt", "recording.xr3rec", "result.json", "result.txt", "transcript.txt"},
+                         {each.name for each in run.iterdir()})
+        self.assertEqual(1 << 20, (run / "output.txt").stat().st_size)
+        self.assertEqual(0, stat.S_IMODE((run / "recording.xr3rec").stat().st_mode) & 0o077)
+        result = json.loads((run / "result.json").read_text(encoding="utf-8"))
+        self.assertEqual(("finished", False, 4, 8), tuple(result[name] for name in ("outcome", "passed", "points", "max_points")))
+        replay = subprocess.run([XR3, "replay", run / "recording.xr3rec"], capture_output=True, text=True, timeout=DEADLINE_S, check=False)
+        self.assertEqual(0, replay.returncode, replay.stderr)
+        done = self.judge("", "--out", "run", code=2)
+        self.assertIn("there is something in this folder", done.stderr)
+
+    def test_junit_and_markdown(self):
+        self.judge("raise SystemExit(1)\n", "--junit", "r.xml", "--markdown", "r.md", code=6)
+        suite = xml.etree.ElementTree.parse(self.folder / "r.xml").getroot()[0]
+        self.assertEqual(("7", "2", "1"), (suite.get("tests"), suite.get("failures"), suite.get("errors")))
+        self.assertEqual("program", suite[0].get("name"))
+        self.assertIsNotNone(suite[0].find("error"))
+        self.assertIn("| ✗ | block red at", (self.folder / "r.md").read_text(encoding="utf-8"))
+
+    def test_bad_arguments_and_files(self):
+        self.assertIn("xr3 exec needs PROGRAM", self.run_exec(code=2).stderr)
+        self.goals.write_text('{"goals":[{"kind":"block","name":"rot","xyz_mm":[1,2,3]}]}', encoding="utf-8")
+        done = self.judge("", code=2)
+        self.assertIn('goals.json:1: /goals/0/name: found "rot"; allowed: a block', done.stderr)
+        self.assertIn("a variation is a seed", self.judge("", "--vary", "x", code=2).stderr)
+
+    def test_a_program_gets_no_file_and_no_token_of_the_judge(self):
+        done = self.judge("import os\nprint(os.listdir('/proc/self/fd'), os.environ.get('XR3_TOKEN'))\n", code=5,
+                          env={**os.environ, "XR3_TOKEN": SECRET})
+        self.assertEqual("['0', '1', '2', '3'] None", done.stdout.splitlines()[0])  # 3: the folder itself
+
+    def test_all_that_is_printed_before_the_end_is_kept(self):
+        for number in range(5):
+            self.judge("print('x' * 200_000)\n", "--out", f"out{number}", code=5)
+            self.assertEqual(200_001, (self.folder / f"out{number}/output.txt").stat().st_size)
+
+    def test_the_transcript_shows_every_byte_with_its_time(self):
+        self.judge(HEAD + "ask('E?')\nsend('E+20\\r')\nask('E?')\nsend('E')\nsend('?')\nline.recv(1)\n", "--out", "out", code=5)
+        lines = (self.folder / "out/transcript.txt").read_text(encoding="ascii").splitlines()
+        rows = [re.fullmatch(r"(\d+) 1 ([<>]) (.*)", line).groups() for line in lines]
+        self.assertEqual(sorted(rows, key=lambda row: int(row[0])), rows, "in the order of time")
+        self.assertEqual("E?E+20\\rE?E?", "".join(text for _, way, text in rows if way == ">"))
+        self.assertRegex("".join(text for _, way, text in rows if way == "<"), "^ [1-4][0-4]$")
+        self.assertEqual([">", "<"], [way for _, way, _ in rows][:2], "a reply follows its inquiry")
+
+    def test_the_monitor_only_on_request(self):
+        ask = ("import json, os, socket\nport = socket.create_connection(('127.0.0.1', int(os.environ['XR3_MONITOR_PORT'])))\n"
+               "file = port.makefile('rw')\nfile.write('{\"op\":\"call\",\"id\":1,\"fn\":\"home\"}\\n')\nfile.flush()\n"
+               "while (message := json.loads(file.readline())).get('id') != 1:\n    pass\nprint(message['op'], message.get('ok'))\n")
+        self.assertIn("KeyError", self.judge(ask, code=6).stderr)
+        self.assertNotIn("True", self.judge(ask, "--monitor", "read", code=5).stdout.splitlines()[0])
+        done = self.judge(ask, "--monitor", "control", code=5)
+        self.assertEqual("result True", done.stdout.splitlines()[0])
+        self.assertIn("the program had control of the monitor port", done.stdout)
+
+    # --- The sandbox.
+
+    @unittest.skipUnless(HAS_SANDBOX, "bubblewrap does not work here")
+    def test_a_program_in_the_sandbox_reaches_nothing_but_the_robot(self):
+        secret = self.write("secret.txt", "the solution")
+        with socket.socket() as other:
+            other.bind(("127.0.0.1", 0))
+            other.listen()
+            cheat = f"""
+import os, socket
+def attempt(what, act):
+    try:
+        act()
+        print(what, "worked")
+    except OSError as error:
+        print(what, "failed")
+attempt("reading", lambda: open({str(secret)!r}))
+attempt("writing", lambda: open("mine.txt", "w"))
+attempt("scratch", lambda: open("/tmp/mine.txt", "w"))
+attempt("network", lambda: socket.create_connection(("127.0.0.1", {other.getsockname()[1]})))
+attempt("robot", lambda: socket.create_connection((os.environ["XR3_HOST"], int(os.environ["XR3_PORT"]))))
+attempt("pty", lambda: os.close(os.open(os.environ["XR3_PTY"], os.O_RDWR | os.O_NOCTTY)))
+attempt("system", lambda: open("/usr/mine.txt", "w"))
+attempt("root", lambda: open("/mine.txt", "w"))
+"""
+            done = self.judge(cheat, "--sandbox", code=5)
+        found = dict(line.split() for line in done.stdout.splitlines() if line.endswith(("worked", "failed")))
+        self.assertFalse((self.folder / "mine.txt").exists(), "what it writes is gone with the sandbox")
+        self.assertEqual({"reading": "failed", "writing": "worked", "scratch": "worked", "network": "failed",
+                          "robot": "worked", "pty": "worked", "system": "failed", "root": "failed"}, found)
+        done = self.judge(cheat, "--sandbox", "--read", secret, code=5)
+        self.assertIn("reading worked", done.stdout)
+
+    @unittest.skipUnless(HAS_SANDBOX, "bubblewrap does not work here")
+    def test_a_good_program_passes_in_the_sandbox(self):
+        self.assertIn("score 8 of 8", self.judge(PLACE, "--sandbox").stdout)
+
+    @unittest.skipUnless(HAS_SANDBOX, "bubblewrap does not work here")
+    def test_the_sandbox_has_no_capabilities_no_secrets_and_little_space(self):
+        look = """
+import os
+print(*[line for line in open("/proc/self/status") if line.startswith(("CapEff", "CapPrm"))], sep="", end="")
+print(sorted(os.environ.keys() - {"LC_CTYPE", "LC_ALL", "TZ", "TERM", "LANG", "PWD"}))
+for folder in "/tmp", "/dev/shm", ".":
+    try:
+        with open(folder + "/large", "wb") as file:
+            for written in range(100):
+                file.write(bytes(1 << 20))
+                file.flush()
+    except OSError as error:
+        print(error.strerror, written)
+"""
+        done = self.judge(look, "--sandbox", code=5, env={**os.environ, "XR3_TOKEN": SECRET, "CI_PASSWORD": SECRET})
+        self.assertEqual(["CapPrm:\t0000000000000000", "CapEff:\t0000000000000000",
+                          "['HOME', 'PATH', 'XR3_HOST', 'XR3_POLL_MS', 'XR3_PORT', 'XR3_PTY']", *["No space left on device 64"] * 3],
+                         done.stdout.splitlines()[:6])
+
+    # --- A class.
+
+    @unittest.skipUnless(HAS_SANDBOX, "bubblewrap does not work here")
+    def test_a_submission_in_the_sandbox_may_be_a_folder(self):
+        (self.folder / "class").mkdir()
+        self.write("class/ada/robot.py", PLACE)
+        self.write("class/ada/main.py", "import robot\n")
+        done = self.grade("class", "--sandbox", command=[sys.executable, "{}/main.py"])
+        self.assertRegex(done.stdout, "^ada  8/8")
+
+    def test_grade_runs_every_submission(self):
+        programs = {"ada.py": PLACE, "bob.py": "print('hello')\n", "carl <b>.py": "raise SystemExit('no')\n",
+                    "=dora.py": "import time\ntime.sleep(1000)\n"}
+        for name, program in programs.items():
+            self.write(f"class/{name}", program)
+        self.grade("class", "--max-seconds", "3")
+        with open(self.folder / "report/grades.csv", encoding="utf-8") as file:
+            rows = {row["submission"]: row for row in csv.DictReader(file)}
+        self.assertEqual({"ada.py": "8", "bob.py": "4", "carl <b>.py": "4", "'=dora.py": "4"},
+                         {name: row["points"] for name, row in rows.items()})
+        self.assertEqual("time_up", rows["'=dora.py"]["outcome"])
+        page = (self.folder / "report/index.html").read_text(encoding="utf-8")
+        self.assertIn("carl &lt;b&gt;.py", page)
+        self.assertNotIn("carl <b>", page)
+        self.assertIn('src="carl%20%3Cb%3E.py/end.svg"', page)
+        self.assertIn("no\n", (self.folder / "report/carl <b>.py/output.txt").read_text(encoding="utf-8"))
+
+    def test_grade_says_what_is_missing(self):
+        self.assertIn("the command has no {}", self.grade(".", command=["python3"], code=2).stderr)
+        self.write("class/grades.csv", "")
+        self.assertIn("class/grades.csv: a file of the report has this name", self.grade("class", code=2).stderr)
+        self.assertFalse((self.folder / "report").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

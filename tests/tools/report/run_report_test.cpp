@@ -1,0 +1,125 @@
+// The forms of the report of a run, and of a class.
+#include "tools/report/run_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tools/report/class_report.hpp"
+
+namespace xr3 {
+namespace {
+
+RunReport some_report() {
+  RunReport report;
+  report.program = "pick <a> & \"b\".py";
+  report.goals = {
+      {true, 2, "no_stall", "the robot never stalls", "", ""},
+      {false, 3, "block", "block red at x 1 mm", "it is at x 2 mm | y", "look `again`"}};
+  report.ticks = 1'250;
+  report.bytes = 17;
+  report.top_view = "a view\n";
+  return report;
+}
+
+TEST(RunReport, LinesForPeople) {
+  EXPECT_EQ(to_text(some_report()),
+            "✓ the robot never stalls\n"
+            "✗ block red at x 1 mm: it is at x 2 mm | y\n"
+            "  hint: look `again`\n"
+            "a view\n"
+            "score 2 of 5; 1.25 simulated s, 17 bytes\n");
+}
+
+TEST(RunReport, SaysWhyARunFailedAndWhatElseMatters) {
+  RunReport report = some_report();
+  report.goals.pop_back();
+  report.outcome = RunOutcome::kTimeUp;
+  report.why = "time is up";
+  report.seed = 9;
+  report.has_control = true;
+  EXPECT_EQ(
+      to_text(report),
+      "✗ time is up\n"
+      "✓ the robot never stalls\n"
+      "score 2 of 2; 1.25 simulated s, 17 bytes; blocks of seed 9; the program had control of "
+      "the monitor port\n");
+  EXPECT_FALSE(report.is_passed()) << "although all goals are met";
+}
+
+TEST(RunReport, JsonIsReadBackAsItWas) {
+  RunReport report = some_report();
+  report.outcome = RunOutcome::kFailed;
+  report.why = "exit code 3";
+  report.seed = 18;
+  report.transcript = "sha256:00";
+  const std::string json = to_json(report);
+  EXPECT_EQ(json.find('\n'), json.size() - 1) << "one line";
+  const RunReport again = parse_report(json);
+  EXPECT_EQ(to_json(again), json);
+  EXPECT_EQ(to_text(again), to_text(report));
+  EXPECT_NE(to_json(parse_report(to_json(RunReport{}))), json);
+}
+
+TEST(RunReport, JunitCountsAndEscapes) {
+  const std::string text = to_junit({some_report()});
+  EXPECT_NE(text.find("tests=\"3\" failures=\"1\" errors=\"0\" time=\"1.25\""), std::string::npos);
+  EXPECT_NE(text.find("pick &lt;a&gt; &amp; &quot;b&quot;.py"), std::string::npos);
+  EXPECT_EQ(text.find("<a>"), std::string::npos);
+}
+
+TEST(RunReport, MarkdownKeepsItsColumns) {
+  const std::string text = to_markdown({some_report()});
+  EXPECT_NE(text.find("| ✗ | block red at x 1 mm | it is at x 2 mm \\| y | 0/3 |"),
+            std::string::npos)
+      << text;
+}
+
+TEST(ClassReport, ThePageEscapesNamesAndLinksToTheirFiles) {
+  const std::string page = to_html({some_report()});
+  EXPECT_EQ(page.find("<a> &"), std::string::npos);
+  EXPECT_NE(page.find("src=\"pick%20%3Ca%3E%20%26%20%22b%22.py/end.svg\""), std::string::npos);
+}
+
+TEST(ClassReport, ThePageSumsUpTheClass) {
+  RunReport passed = some_report();
+  passed.program = "ada.py";
+  passed.goals[1].is_met = true;
+  RunReport crashed = some_report();
+  crashed.program = "gita.py";
+  crashed.outcome = RunOutcome::kFailed;
+  crashed.why = "signal <11>";
+  crashed.goals.clear();
+  const std::string page = to_html({passed, some_report(), crashed});
+  const auto has = [&page](const std::string& text) {
+    EXPECT_NE(page.find(text), std::string::npos) << text << "\n" << page;
+  };
+  has("Submissions: 3. All goals met by 1. On average 2.3 of 5 points.");
+  has("<td class=\"missed\">1 of 2 goals missed</td>");
+  has("<td class=\"missed\">signal &lt;11&gt;</td>");
+  has("<td>the robot never stalls</td><td class=\"n\">2</td><td class=\"n\">2/3</td>");
+  has("<td>block red at x 1 mm</td><td class=\"n\">3</td><td class=\"n\">1/3</td>");
+  has("✗ 0/3 block red at x 1 mm</span>: it is at x 2 mm | y<br>");
+  has("alt=\"gita.py: the robot and its workcell at the end\"");
+}
+
+TEST(ClassReport, TheViewFromAboveIsThereIfAGoalIsMissed) {
+  RunReport report = some_report();
+  EXPECT_NE(to_html({report}).find("<pre>a view\n</pre>"), std::string::npos);
+  report.goals.pop_back();
+  EXPECT_EQ(to_html({report}).find("<pre>"), std::string::npos);
+}
+
+TEST(ClassReport, APageOfNoGoalsHasNoTableOfThem) {
+  EXPECT_EQ(to_html({}).find("id=\"goals\""), std::string::npos);
+  EXPECT_EQ(to_html({RunReport{}}).find("id=\"goals\""), std::string::npos);
+}
+
+TEST(ClassReport, ACellOfTheTableIsNoFormula) {
+  RunReport report = some_report();
+  report.program = "=1+1";
+  EXPECT_EQ(to_csv({report}),
+            "submission,outcome,points,max_points,sim_seconds,bytes,missed\n"
+            "\"'=1+1\",finished,2,5,1.25,17,\"block red at x 1 mm: it is at x 2 mm | y\"\n");
+}
+
+}  // namespace
+}  // namespace xr3

@@ -1,0 +1,236 @@
+#include "tools/report/class_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <string_view>
+
+#include "protocol/goals/goal_text.hpp"
+
+namespace xr3 {
+namespace {
+
+constexpr const char* kHead = R"(<!doctype html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<link rel="icon" href="data:,">
+<title>Robot programs: results</title>
+<style>
+  :root { color-scheme: light dark; font: 16px/1.45 system-ui, sans-serif; }
+  body { max-width: 66rem; margin: 2rem auto; padding: 0 1rem; overflow-wrap: anywhere; }
+  .scroll { overflow-x: auto; overflow-wrap: normal; }
+  table { border-collapse: collapse; width: 100%; }
+  th, td { text-align: left; padding: .3rem .6rem; border-bottom: 1px solid #8886; vertical-align: top; }
+  td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+  .met { color: #18794e; } .missed { color: #b3261e; }
+  @media (prefers-color-scheme: dark) { .met { color: #6fd39a; } .missed { color: #ff8a80; } }
+  h2 { margin-top: 2.5rem; border-top: 1px solid #8886; padding-top: 1rem; }
+  .run { display: grid; grid-template-columns: minmax(0, 3fr) minmax(0, 2fr); gap: 0 2rem; }
+  @media (max-width: 50rem) { .run { grid-template-columns: minmax(0, 1fr); } }
+  ul { list-style: none; margin: 0 0 1rem; padding: 0; } li { margin: .3rem 0; }
+  img { width: 100%; min-height: 8rem; background: #fff; border: 1px solid #8886; }
+  pre { overflow-x: auto; font-size: .6rem; line-height: 1.2; }
+  .hint { opacity: .8; }
+  @media print { section { break-inside: avoid; } }
+</style>
+<h1>Robot programs: results</h1>
+)";
+
+/// Text in HTML.
+std::string html(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&': result += "&amp;"; break;
+      case '<': result += "&lt;"; break;
+      case '>': result += "&gt;"; break;
+      case '"': result += "&quot;"; break;
+      default: result += c;
+    }
+  }
+  return result;
+}
+
+/// A name as a part of an address.
+std::string address(std::string_view name) {
+  std::string result;
+  for (const char c : name) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                          (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+    std::array<char, 4> code{};
+    std::snprintf(code.data(), code.size(), "%%%02X", static_cast<unsigned char>(c));
+    result += is_plain ? std::string(1, c) : code.data();
+  }
+  return result;
+}
+
+std::string tag(const char* name, const std::string& inside, const char* kind = nullptr) {
+  const std::string begin = std::string("<") + name;
+  return begin + (kind != nullptr ? std::string(" class=\"") + kind + "\"" : "") + ">" + inside +
+         "</" + name + ">";
+}
+
+std::string column(const char* name, const char* kind = "t") {
+  return std::string("<th scope=\"col\" class=\"") + kind + "\">" + name + "</th>";
+}
+
+const char* kind_of(bool is_met) { return is_met ? "met" : "missed"; }
+
+std::string score(const RunReport& report) {
+  return std::to_string(points_of(report.goals)) + "/" +
+         std::to_string(max_points_of(report.goals));
+}
+
+/// `2 of 9 goals missed`, or why the program did not end well.
+std::string verdict_of(const RunReport& report) {
+  if (report.outcome != RunOutcome::kFinished) return html(report.why);
+  if (report.is_passed()) return "all goals met";
+  const auto missed = std::count_if(report.goals.begin(), report.goals.end(),
+                                    [](const GoalResult& each) { return !each.is_met; });
+  return std::to_string(missed) + " of " + std::to_string(report.goals.size()) + " goals missed";
+}
+
+std::string row(const RunReport& report) {
+  const std::string name =
+      "<a href=\"#" + address(report.program) + "\">" + html(report.program) + "</a>";
+  return tag("tr", tag("td", name) + tag("td", score(report), "n") +
+                       tag("td", verdict_of(report), kind_of(report.is_passed())) +
+                       tag("td", seconds_text(report.ticks), "n") +
+                       tag("td", std::to_string(report.bytes), "n")) +
+         "\n";
+}
+
+/// A table that is scrolled where the window is narrow.
+std::string table(const char* id, const std::string& head, const std::string& rows) {
+  return std::string("<div class=\"scroll\" id=\"") + id + "\"><table>\n<thead>" + tag("tr", head) +
+         "</thead>\n<tbody>\n" + rows + "</tbody>\n</table></div>\n";
+}
+
+/// One sentence about the class. The mean is rounded to a tenth of a point.
+std::string class_summary(const std::vector<RunReport>& reports) {
+  int sum = 0;
+  int most = 0;
+  std::size_t passed = 0;
+  for (const RunReport& each : reports) {
+    sum += points_of(each.goals);
+    most = std::max(most, max_points_of(each.goals));
+    passed += each.is_passed() ? 1 : 0;
+  }
+  constexpr int kTenths = 10;
+  const int count = std::max(1, static_cast<int>(reports.size()));
+  const int mean = (kTenths * sum + count / 2) / count;
+  return tag("p", "Submissions: " + std::to_string(reports.size()) + ". All goals met by " +
+                      std::to_string(passed) + ". On average " + std::to_string(mean / kTenths) +
+                      "." + std::to_string(mean % kTenths) + " of " + std::to_string(most) +
+                      " points. <a href=\"grades.csv\">Table for a spreadsheet</a>") +
+         "\n";
+}
+
+/// How many submissions have met each goal. A run that could not be made has no goals.
+std::string goal_table(const std::vector<RunReport>& reports) {
+  const auto fullest = std::max_element(
+      reports.begin(), reports.end(),
+      [](const RunReport& a, const RunReport& b) { return a.goals.size() < b.goals.size(); });
+  if (fullest == reports.end() || fullest->goals.empty()) return "";
+  std::string rows;
+  for (std::size_t i = 0; i < fullest->goals.size(); ++i) {
+    const auto met = std::count_if(reports.begin(), reports.end(), [i](const RunReport& each) {
+      return i < each.goals.size() && each.goals[i].is_met;
+    });
+    rows +=
+        tag("tr", tag("td", html(fullest->goals[i].expected)) +
+                      tag("td", std::to_string(fullest->goals[i].points), "n") +
+                      tag("td", std::to_string(met) + "/" + std::to_string(reports.size()), "n")) +
+        "\n";
+  }
+  return tag("h2", "Goals") + "\n" +
+         table("goals", column("goal") + column("points", "n") + column("met by", "n"), rows);
+}
+
+std::string goal_item(const GoalResult& goal) {
+  const std::string points =
+      std::to_string(goal.is_met ? goal.points : 0) + "/" + std::to_string(goal.points) + " ";
+  std::string text =
+      tag("span", (goal.is_met ? "✓ " : "✗ ") + points + html(goal.expected), kind_of(goal.is_met));
+  if (!goal.is_met) text += ": " + html(goal.found);
+  if (!goal.is_met && !goal.hint.empty())
+    text += "<br>" + tag("span", "Hint: " + html(goal.hint), "hint");
+  return tag("li", text) + "\n";
+}
+
+std::string link(const std::string& folder, const char* file, const std::string& text) {
+  return "<a href=\"" + folder + "/" + file + "\">" + text + "</a>";
+}
+
+/// The picture of the end, which leads to a large one, and what it shows from above.
+std::string picture(const RunReport& report, const std::string& folder) {
+  const std::string image = "<img loading=\"lazy\" src=\"" + folder + "/end.svg\" alt=\"" +
+                            html(report.program) + ": the robot and its workcell at the end\">";
+  return tag("p", link(folder, "end.svg", image)) +
+         (report.is_passed() || report.top_view.empty()
+              ? ""
+              : "\n<details><summary>from above</summary>" + tag("pre", html(report.top_view)) +
+                    "</details>");
+}
+
+std::string section(const RunReport& report) {
+  const std::string folder = address(report.program);
+  std::string text = "<section id=\"" + folder + "\">\n" +
+                     tag("h2", html(report.program) + " " + score(report)) +
+                     "\n<div class=\"run\">\n<div>\n";
+  if (report.outcome != RunOutcome::kFinished) text += tag("p", html(report.why), "missed") + "\n";
+  text += "<ul>\n";
+  for (const GoalResult& each : report.goals) text += goal_item(each);
+  return text + "</ul>\n<p>" + link(folder, "output.txt", "what it printed") + " · " +
+         link(folder, "transcript.txt", "what it sent and received") + " · " +
+         link(folder, "recording.xr3rec", "recording") + " · " +
+         link(folder, "result.txt", "result as text") + " · " +
+         link(folder, "result.json", "as JSON") +
+         " · <a href=\"#submissions\">all submissions</a></p>\n</div>\n<div>" +
+         picture(report, folder) + "</div>\n</div>\n</section>\n";
+}
+
+/// A field of a table: in quotes, and never a formula of a spreadsheet.
+std::string field(const std::string& text) {
+  const bool is_formula =
+      !text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos;
+  std::string result = is_formula ? "\"'" : "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + "\"";
+}
+
+std::string missed_text(const RunReport& report) {
+  std::string text = report.outcome == RunOutcome::kFinished ? "" : report.why;
+  for (const GoalResult& each : report.goals)
+    if (!each.is_met) text += (text.empty() ? "" : "; ") + each.expected + ": " + each.found;
+  return text;
+}
+
+}  // namespace
+
+std::string to_html(const std::vector<RunReport>& reports) {
+  std::string rows;
+  for (const RunReport& each : reports) rows += row(each);
+  std::string text = kHead + class_summary(reports) +
+                     table("submissions",
+                           column("submission") + column("points", "n") + column("result") +
+                               column("simulated s", "n") + column("bytes", "n"),
+                           rows) +
+                     goal_table(reports);
+  for (const RunReport& each : reports) text += section(each);
+  return text + "</html>\n";
+}
+
+std::string to_csv(const std::vector<RunReport>& reports) {
+  std::string text = "submission,outcome,points,max_points,sim_seconds,bytes,missed\n";
+  for (const RunReport& each : reports)
+    text += field(each.program) + "," + name_of(each.outcome) + "," +
+            std::to_string(points_of(each.goals)) + "," +
+            std::to_string(max_points_of(each.goals)) + "," + seconds_text(each.ticks) + "," +
+            std::to_string(each.bytes) + "," + field(missed_text(each)) + "\n";
+  return text;
+}
+
+}  // namespace xr3

@@ -1,0 +1,142 @@
+// The report in the forms that other programs read.
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "protocol/goals/goal_text.hpp"
+#include "protocol/json/source.hpp"
+#include "protocol/json/values.hpp"
+#include "tools/report/run_report.hpp"
+
+namespace xr3 {
+namespace {
+
+constexpr int kSecondDecimals = 3;
+
+Json goal_json(const GoalResult& goal) {
+  return {{"kind", goal.kind},         {"met", goal.is_met},  {"points", goal.points},
+          {"expected", goal.expected}, {"found", goal.found}, {"hint", goal.hint}};
+}
+
+RunOutcome outcome_named(const std::string& name) {
+  return name == "finished" ? RunOutcome::kFinished
+         : name == "failed" ? RunOutcome::kFailed
+                            : RunOutcome::kTimeUp;
+}
+
+/// Text in XML; control characters, which XML does not have, become spaces.
+std::string xml(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&': result += "&amp;"; break;
+      case '<': result += "&lt;"; break;
+      case '>': result += "&gt;"; break;
+      case '"': result += "&quot;"; break;
+      default: result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    }
+  }
+  return result;
+}
+
+std::string test_case(const RunReport& report, const std::string& name, const std::string& inside) {
+  const std::string begin = "    <testcase classname=\"" + xml(report.program) + "\" name=\"" +
+                            xml(name) + "\" time=\"" + seconds_text(report.ticks) + "\"";
+  return inside.empty() ? begin + "/>\n" : begin + ">" + inside + "</testcase>\n";
+}
+
+std::string failure(const GoalResult& goal) {
+  if (goal.is_met) return "";
+  return "<failure message=\"" + xml(goal.found) + "\">" + xml(goal.hint) + "</failure>";
+}
+
+std::string suite(const RunReport& report) {
+  const bool has_failed = report.outcome != RunOutcome::kFinished;
+  std::size_t missed = 0;
+  for (const GoalResult& each : report.goals) missed += each.is_met ? 0 : 1;
+  std::string text = "  <testsuite name=\"" + xml(report.program) + "\" tests=\"" +
+                     std::to_string(report.goals.size() + 1) + "\" failures=\"" +
+                     std::to_string(missed) + "\" errors=\"" + (has_failed ? "1" : "0") +
+                     "\" time=\"" + seconds_text(report.ticks) + "\">\n";
+  text += test_case(report, "program",
+                    has_failed ? "<error message=\"" + xml(report.why) + "\"/>" : "");
+  for (const GoalResult& each : report.goals)
+    text += test_case(report, each.expected, failure(each));
+  return text + "  </testsuite>\n";
+}
+
+/// Text in a cell of a table.
+std::string cell_text(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '|' || c == '\\' || c == '<' || c == '`') result += '\\';
+    result += c == '\n' ? ' ' : c;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string to_json(const RunReport& report) {
+  Json goals = Json::array();
+  for (const GoalResult& each : report.goals) goals.push_back(goal_json(each));
+  Json json = {{"program", report.program},
+               {"outcome", name_of(report.outcome)},
+               {"why", report.why},
+               {"passed", report.is_passed()},
+               {"points", points_of(report.goals)},
+               {"max_points", max_points_of(report.goals)},
+               {"ticks", report.ticks},
+               {"wall_seconds", rounded(report.wall_s, kSecondDecimals)},
+               {"bytes", report.bytes},
+               {"monitor_control", report.has_control},
+               {"goals", std::move(goals)},
+               {"top_view", report.top_view}};
+  if (!report.transcript.empty()) json["transcript"] = report.transcript;
+  if (report.seed) json["seed"] = *report.seed;
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+RunReport parse_report(const std::string& json) {
+  const Json its = Json::parse(json);
+  RunReport report;
+  report.program = its.at("program");
+  report.outcome = outcome_named(its.at("outcome"));
+  report.why = its.at("why");
+  for (const Json& each : its.at("goals"))
+    report.goals.push_back({each.at("met"), each.at("points"), each.at("kind"), each.at("expected"),
+                            each.at("found"), each.at("hint")});
+  report.ticks = its.at("ticks");
+  report.wall_s = its.at("wall_seconds");
+  report.bytes = its.at("bytes");
+  report.has_control = its.at("monitor_control");
+  report.top_view = its.at("top_view");
+  report.transcript = its.value("transcript", std::string());
+  if (its.contains("seed")) report.seed = its.at("seed").get<std::uint64_t>();
+  return report;
+}
+
+std::string to_markdown(const std::vector<RunReport>& reports) {
+  std::string text;
+  for (const RunReport& report : reports) {
+    text += "### " + cell_text(report.program) + ": " + std::to_string(points_of(report.goals)) +
+            " of " + std::to_string(max_points_of(report.goals)) + "\n\n";
+    if (report.outcome != RunOutcome::kFinished) text += "**" + cell_text(report.why) + "**\n\n";
+    if (report.goals.empty()) continue;
+    text += "| | goal | found | points |\n|---|---|---|---|\n";
+    for (const GoalResult& each : report.goals)
+      text += "| " + std::string(each.is_met ? "✓" : "✗") + " | " + cell_text(each.expected) +
+              " | " + cell_text(each.found) + " | " +
+              std::to_string(each.is_met ? each.points : 0) + "/" + std::to_string(each.points) +
+              " |\n";
+    text += "\n";
+  }
+  return text;
+}
+
+std::string to_junit(const std::vector<RunReport>& reports) {
+  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"xr3\">\n";
+  for (const RunReport& each : reports) text += suite(each);
+  return text + "</testsuites>\n";
+}
+
+}  // namespace xr3

@@ -1,0 +1,51 @@
+// The report of a run of a program, and its forms: lines for a terminal, JUnit, JSON, Markdown.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/units.hpp"
+#include "protocol/goals/judge.hpp"
+
+namespace xr3 {
+
+/// Why a run ended.
+enum class RunOutcome : std::uint8_t {
+  kFinished,  ///< the program ended with exit code 0
+  kFailed,    ///< the program could not be started, or ended with another code or by a signal
+  kTimeUp,    ///< a limit was reached
+};
+
+struct RunReport {
+  std::string program;  ///< its name, for titles
+  RunOutcome outcome = RunOutcome::kFinished;
+  std::string why;                ///< of another outcome: a sentence for the student
+  std::vector<GoalResult> goals;  ///< judged with any outcome
+  Tick ticks = 0;                 ///< simulated time from the start to rest
+  double wall_s = 0;
+  std::uint64_t bytes = 0;            ///< that the program sent
+  std::string transcript;             ///< digest; empty without the byte clock
+  std::optional<std::uint64_t> seed;  ///< of a variation of the blocks
+  bool has_control = false;           ///< the program might use the calls of the monitor
+  std::string top_view;               ///< of the end, in characters; shown if a block is elsewhere
+
+  bool is_passed() const;
+};
+
+/// The stable name: `finished`, `failed` or `time_up`.
+std::string name_of(RunOutcome outcome);
+
+/// Lines for people, each with a line feed.
+std::string to_text(const RunReport& report);
+/// A JSON object on one line.
+std::string to_json(const RunReport& report);
+/// Reads what to_json() wrote. Precondition: nobody has changed it.
+RunReport parse_report(const std::string& json);
+/// A table with a line for each goal.
+std::string to_markdown(const std::vector<RunReport>& reports);
+/// A document for test reporters: a test suite for each run.
+std::string to_junit(const std::vector<RunReport>& reports);
+
+}  // namespace xr3

@@ -1,0 +1,56 @@
+// The report as lines for a terminal.
+#include <algorithm>
+
+#include "protocol/goals/goal_text.hpp"
+#include "tools/report/run_report.hpp"
+
+namespace xr3 {
+namespace {
+
+std::string line_of(const GoalResult& goal) {
+  if (goal.is_met) return "✓ " + goal.expected + "\n";
+  const std::string hint = goal.hint.empty() ? "" : "  hint: " + goal.hint + "\n";
+  return "✗ " + goal.expected + ": " + goal.found + "\n" + hint;
+}
+
+/// The last line: points, simulated time, bytes, and what a reader must know beside them.
+std::string summary(const RunReport& report) {
+  std::string text = "score " + std::to_string(points_of(report.goals)) + " of " +
+                     std::to_string(max_points_of(report.goals)) + "; " +
+                     seconds_text(report.ticks) + " simulated s, " + std::to_string(report.bytes) +
+                     " bytes";
+  if (report.seed) text += "; blocks of seed " + std::to_string(*report.seed);
+  if (report.has_control) text += "; the program had control of the monitor port";
+  return text + "\n";
+}
+
+}  // namespace
+
+bool RunReport::is_passed() const {
+  return outcome == RunOutcome::kFinished &&
+         std::all_of(goals.begin(), goals.end(),
+                     [](const GoalResult& each) { return each.is_met; });
+}
+
+std::string name_of(RunOutcome outcome) {
+  switch (outcome) {
+    case RunOutcome::kFinished: return "finished";
+    case RunOutcome::kFailed: return "failed";
+    case RunOutcome::kTimeUp: break;
+  }
+  return "time_up";
+}
+
+std::string to_text(const RunReport& report) {
+  std::string text;
+  if (report.outcome != RunOutcome::kFinished) text += "✗ " + report.why + "\n";
+  for (const GoalResult& each : report.goals) text += line_of(each);
+  const bool is_elsewhere =
+      std::any_of(report.goals.begin(), report.goals.end(), [](const GoalResult& each) {
+        return !each.is_met && (each.kind == "block" || each.kind == "stacked");
+      });
+  if (is_elsewhere) text += report.top_view;
+  return text + summary(report);
+}
+
+}  // namespace xr3
