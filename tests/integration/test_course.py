@@ -1,0 +1,101 @@
+"""docs/course: its first steps work as its page shows them, its figures are those that `xr3 draw` makes, its table of
+points is that of the goals files, and the fastest exercise is judged as its sheet says (`./test --course`: all)."""
+
+import json
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import tempfile
+import unittest
+
+import course_runs
+from support import DEADLINE_S, ROOT, XR3, run_xr3
+
+COURSE = pathlib.Path(ROOT, "docs", "course")
+EXERCISES = sorted(path for path in COURSE.iterdir() if path.is_dir())
+FASTEST = "02-forward"
+FENCE = re.compile(r"^ *```sh\n(.*?)^ *```", re.DOTALL | re.MULTILINE)
+FIGURES = re.compile(r"<!-- figures: (.*?)-->", re.DOTALL)
+FIGURE = re.compile(r"\(figures/([\w-]+\.svg)\)")
+
+
+class Course(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def test_the_first_steps(self):
+        """All commands of the page in one shell, and `./hello` in the place of `python3 hello.py`."""
+        for name in "clients", "docs":
+            (self.folder / name).symlink_to(pathlib.Path(ROOT, name))
+        (self.folder / "build" / "release").mkdir(parents=True)
+        (self.folder / "build" / "release" / "xr3").symlink_to(XR3)
+        for end in "py", "c":
+            text = (COURSE / "01-hello" / f"solution.{end}").read_text(encoding="utf-8")
+            (self.folder / f"hello.{end}").write_text(text, encoding="utf-8")
+        page = (COURSE / "README.md").read_text(encoding="utf-8")
+        commands = "".join(FENCE.findall(page))
+        self.assertIn("-- python3 hello.py\n", commands)
+        in_c = re.search(r"xr3 exec .*", commands)[0].replace("python3 hello.py", "./hello")
+        done = subprocess.run(["bash", "-euc", f"unset PYTHONPATH\n{commands}\n{in_c}\n"], cwd=self.folder,
+                              stdin=subprocess.DEVNULL, env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"},
+                              capture_output=True, text=True, timeout=DEADLINE_S, check=False)
+        self.assertEqual(0, done.returncode, done.stdout + done.stderr)
+        self.assertEqual(2, done.stdout.count("\nscore 9 of 9; "), done.stdout)
+
+    def test_figures(self):
+        for exercise in EXERCISES:
+            page = (exercise / "README.md").read_text(encoding="utf-8")
+            drawn = set()
+            for command in FIGURES.search(page)[1].replace("\\\n", " ").strip().splitlines():
+                _, _, *options, name = shlex.split(command)
+                with self.subTest(exercise=exercise.name, figure=name):
+                    done = run_xr3("draw", *options, self.folder / name, cwd=exercise)
+                    self.assertEqual(0, done.returncode, done.stderr)
+                    self.assertEqual((self.folder / name).read_text(encoding="utf-8"),
+                                     (exercise / "figures" / name).read_text(encoding="utf-8"),
+                                     f"in {exercise}, draw it again")
+                drawn.add(name)
+            self.assertEqual(drawn, set(FIGURE.findall(page)), exercise.name)
+            self.assertEqual(drawn, {path.name for path in (exercise / "figures").iterdir()}, exercise.name)
+
+    def test_table_of_points(self):
+        points = []
+        for exercise in EXERCISES:
+            goals = json.loads((exercise / "goals.json").read_text(encoding="utf-8"))["goals"]
+            points.append(sum(goal.get("points", 1) for goal in goals))
+        page = (COURSE / "instructor.md").read_text(encoding="utf-8")
+        shown = re.search(r"^\| points \| (.*) \|$", page, re.MULTILINE)[1].split(" | ")
+        self.assertEqual([*points, sum(points)], [int(number) for number in shown])
+
+    def test_files(self):
+        files = sorted(COURSE.glob("*/*.json"))
+        self.assertGreater(len(files), len(EXERCISES))
+        done = run_xr3("check", *files)
+        self.assertEqual((0, ""), (done.returncode, done.stderr))
+
+    def test_every_exercise_has_its_parts(self):
+        page = (COURSE / "README.md").read_text(encoding="utf-8")
+        for exercise in EXERCISES:
+            with self.subTest(exercise.name):
+                self.assertIn(f"({exercise.name}/README.md)", page)
+                sheet = (exercise / "README.md").read_text(encoding="utf-8")
+                self.assertEqual(["Aim", "Theory", "Task", "Run it", "Hints", "Common mistakes"],
+                                 re.findall(r"^## (.*)", sheet, re.MULTILINE))
+                self.assertTrue(course_runs.options_of(exercise))
+
+    def test_the_fastest_exercise(self):
+        printed = ""
+        for name, check, arguments in course_runs.tasks(COURSE / FASTEST, self.folder):
+            with self.subTest(name):
+                is_good, said = check(*arguments)
+                self.assertTrue(is_good, said)
+                printed += said
+        self.assertEqual([], course_runs.quotes_missing(COURSE / FASTEST, printed))
+
+
+if __name__ == "__main__":
+    unittest.main()
