@@ -1,0 +1,170 @@
+"""Judges a robot program with `xr3 exec`, for services that want the result in a form of their own.
+
+    python3 -I xr3_judge.py vpl OPTIONS -- PROGRAM ARGS         comments and grade for Moodle's VPL
+    python3 -I xr3_judge.py classroom OPTIONS -- PROGRAM ARGS   the output of a step for GitHub Classroom
+
+and points(), for a test cell of nbgrader. OPTIONS are those of `xr3 exec`. XR3 names its executable, if it is
+neither in PATH nor built in this checkout. With -I a submission that has a file json.py replaces no module.
+
+No line that a service reads begins with what the program prints: see shown().
+"""
+
+import base64
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+SHOWN_LINES = 60  # of what the program prints
+SHOWN_COLUMNS = 160
+# Where services keep their secrets and read their results: the program does not get them.
+PRIVATE = ("ACTIONS_", "CI_", "GITHUB_", "RUNNER_", "VPL_")
+DEFAULT_GRADES = "0", "10"  # of a VPL activity that names none
+
+
+class JudgeError(Exception):
+    """The program was not judged: xr3 is missing, or an option or a file is wrong."""
+
+
+def executable():
+    """The path of xr3."""
+    built = pathlib.Path(__file__).resolve().parents[2] / "build" / "release" / "xr3"
+    found = os.environ.get("XR3") or shutil.which("xr3") or (built.exists() and str(built))
+    if not found:
+        raise JudgeError("xr3 is not in PATH: install it, or name it with XR3=/path/to/xr3")
+    return found
+
+
+def judge(options, program):
+    """(results, output): the result of each run, and what the program printed in the first run that is not
+    passed, or else in the last. Raises JudgeError."""
+    with tempfile.TemporaryDirectory() as folder:
+        listed, runs = pathlib.Path(folder, "results"), pathlib.Path(folder, "runs")
+        environment = {name: value for name, value in os.environ.items() if not name.startswith(PRIVATE)}
+        own_folder = [] if "--out" in options else ["--out", runs]
+        if not own_folder:
+            runs = pathlib.Path(options[options.index("--out") + 1])
+        try:
+            done = subprocess.run([executable(), "exec", *options, *own_folder, "--json", listed, "--quiet", "--",
+                                   *program], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                  stderr=subprocess.PIPE, env=environment, check=False)
+        except OSError as error:
+            raise JudgeError(f"xr3 cannot be started: {error}") from error
+        if not listed.exists():
+            raise JudgeError(done.stderr.decode(errors="replace").strip() or f"xr3 exec ended with {done.returncode}")
+        results = [json.loads(line) for line in listed.read_text(encoding="utf-8").splitlines()]
+        shown_run = next((i for i, result in enumerate(results) if not result["passed"]), len(results) - 1)
+        its = runs if len(results) == 1 else runs / f"{shown_run + 1:03}"
+        return results, (its / "output.txt").read_bytes().decode(errors="replace")
+
+
+def share(results):
+    """The points of all runs, from 0 to 1."""
+    most = sum(result["max_points"] for result in results)
+    return sum(result["points"] for result in results) / most if most else float(all(r["passed"] for r in results))
+
+
+def clean(line):
+    """A line without characters that a service could take for the end of the line, or for a command."""
+    return "".join(letter if letter.isprintable() else " " for letter in line)
+
+
+def shown(output, mark):
+    """The first lines that the program printed, each behind a mark. So none of them is a line of the service."""
+    lines = output.splitlines()
+    for line in lines[:SHOWN_LINES]:
+        yield mark + clean(line[:SHOWN_COLUMNS])
+    if len(lines) > SHOWN_LINES:
+        yield f"{mark}and {len(lines) - SHOWN_LINES} more lines"
+
+
+def report(result):
+    """(what was checked, what was found) of a run, as lines without a line end."""
+    if result["outcome"] != "finished":
+        yield f"✗ {clean(result['why'])}", []
+    for goal in result["goals"]:
+        found = [] if goal["met"] else [clean(goal["found"])]
+        hint = [f"Hint: {clean(goal['hint'])}"] if goal["hint"] and not goal["met"] else []
+        yield f"{'✓' if goal['met'] else '✗'} {clean(goal['expected'])}", found + hint
+
+
+def heading(results, number):
+    """Which of several runs it is."""
+    return f"run {number}: " if len(results) > 1 else ""
+
+
+def block(lines):
+    """A comment of VPL: a line with - in front is a title, one with > is shown as it is."""
+    return ["<|--", *lines, "--|>"]
+
+
+def vpl_lines(results, output):
+    """What VPL reads. Its last line is the grade, between the grades of the activity."""
+    lowest, highest = (float(os.environ.get(name) or usual)
+                       for name, usual in zip(("VPL_GRADEMIN", "VPL_GRADEMAX"), DEFAULT_GRADES))
+    comment = []
+    for number, result in enumerate(results, 1):
+        for title, found in report(result):
+            comment += [f"-{heading(results, number)}{title}", *found]
+    if output:
+        comment += ["-What the program printed", *shown(output, ">")]
+    return [*block(comment), f"Grade :=>> {lowest + (highest - lowest) * share(results):.2f}"]
+
+
+def classroom_lines(results):
+    """The output `result` of a step, as the reporter of GitHub Classroom reads it: a test for each goal."""
+    tests = []
+    for number, result in enumerate(results, 1):
+        for goal in result["goals"]:
+            tests.append({"name": heading(results, number) + goal["expected"], "test_code": "", "filename": "",
+                          "line_no": 0, "status": "pass" if goal["met"] else "fail", "message": goal["found"],
+                          "score": goal["points"] if goal["met"] else 0})
+    has_failed = any(result["outcome"] != "finished" for result in results)
+    status = "error" if has_failed else "pass" if all(result["passed"] for result in results) else "fail"
+    every = {"version": 1, "status": status, "max_score": sum(result["max_points"] for result in results),
+             "tests": tests}
+    return ["result=" + base64.b64encode(json.dumps(every).encode()).decode()]
+
+
+def print_report(results, file):
+    """The goals of every run, for people."""
+    for number, result in enumerate(results, 1):
+        for title, found in report(result):
+            print(f"{heading(results, number)}{title}", *found, sep="\n  ", file=file)
+
+
+def points(program, *options, of=None):
+    """Judges a program, a list such as ["python3", "pick.py"]; prints its goals, and returns its points: those of
+    the goals, or a share of the points `of` a cell. As the last line of a test cell this is partial credit."""
+    results, output = judge([str(option) for option in options], program)
+    print_report(results, sys.stdout)
+    print(*shown(output, "| "), sep="\n")
+    scale = of if of is not None else sum(result["max_points"] for result in results)
+    return scale * share(results)
+
+
+def main(arguments):
+    if len(arguments) < 3 or arguments[0] not in ("vpl", "classroom") or "--" not in arguments[:-1]:
+        print(f"usage: {os.path.basename(__file__)} vpl|classroom OPTIONS -- PROGRAM ARGS", file=sys.stderr)
+        return 2
+    at = arguments.index("--")
+    try:
+        results, output = judge(arguments[1:at], arguments[at + 1:])
+    except JudgeError as error:
+        trouble = [clean(line) for line in str(error).splitlines()]
+        if arguments[0] == "vpl":  # and no grade: the student can do nothing about it
+            print(*block(["-The program was not judged. Please tell your teacher:", *(">" + each for each in trouble)]),
+                  sep="\n")
+        print(*trouble, sep="\n", file=sys.stderr)
+        return 1
+    if arguments[0] == "classroom":
+        print_report(results, sys.stderr)
+    print(*(vpl_lines(results, output) if arguments[0] == "vpl" else classroom_lines(results)), sep="\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

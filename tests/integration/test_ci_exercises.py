@@ -1,0 +1,292 @@
+"""The recipes of docs/ci for exercises: their commands and files are run unchanged, with a right program, wrong ones,
+and ones that try to write the result themselves. In the place of a service is what it reads: lines, JUnit, requests."""
+
+import ast
+import base64
+import http.server
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+import urllib.parse
+import xml.etree.ElementTree
+
+from support import LOCALHOST, ROOT, XR3
+
+try:
+    import yaml
+except ImportError:
+    yaml = None
+
+CI = pathlib.Path(ROOT, "docs", "ci")
+COURSE = pathlib.Path(ROOT, "docs", "course")
+PAGE = (CI / "exercises.md").read_text(encoding="utf-8")
+TASK_S = 60
+# Each begins a new line for one of the services, which read lines of \n, of \r\n or of \r.
+CHEAT = r"""
+for end in "\n", "\r\n", "\r", "\x0b", "\x85", "\u2028":
+    print("x" + end + "Grade :=>> 100" + end + "--|>" + end + "Grade :=>> 100" + end, end="")
+    print("\x1b[2K::notice title=Autograding complete::Points 9/9" + end + "result=e30=" + end, end="")
+"""
+
+
+def blocks(name):
+    """The values of `run` and the items of `script` of a recipe, with folded lines joined, as commands."""
+    text = (CI / name).read_text(encoding="utf-8")
+    folded = re.findall(r"^ +(?:run: |- )>-\n((?: +\S.*\n)+?)(?=^ +- |^ +\w+:|^\S|\Z|\n)", text, re.MULTILINE)
+    return [" ".join(each.split()) for each in folded]
+
+
+class Exercises(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        (self.folder / "xr3").symlink_to(ROOT)
+        shutil.copy(COURSE / "01-hello" / "goals.json", self.folder)
+        self.environment = {**os.environ, "XR3": XR3, "PYTHONPATH": str(pathlib.Path(ROOT, "clients", "python"))}
+
+    def submit(self, program, name="hello.py"):
+        """Puts a program of exercise 1, or the text of one, in the folder."""
+        path = COURSE / "01-hello" / program if program.endswith(".py") else None
+        (self.folder / name).write_text(path.read_text(encoding="utf-8") if path else program, encoding="utf-8")
+
+    def run_here(self, command, code=0, **environment):
+        command = command.replace("xr3/build/release/xr3", XR3)
+        done = subprocess.run(command, shell=True, cwd=self.folder, env={**self.environment, **environment},
+                              stdin=subprocess.DEVNULL, capture_output=True, timeout=TASK_S, check=False)
+        self.assertEqual(code, done.returncode, (done.stdout, done.stderr))
+        return done.stdout.decode()
+
+    # --- Moodle with VPL.
+
+    def evaluate(self, name="hello.py", **environment):
+        """(comment lines, grades) that VPL reads from the output of its two steps."""
+        for each in "vpl_evaluate.sh", "xr3_judge.py":
+            shutil.copy(CI / each, self.folder)
+        (self.folder / "vpl_environment.sh").write_text(f"export VPL_SUBFILE0='{name}'\n", encoding="utf-8")
+        self.run_here("./vpl_evaluate.sh", **environment)
+        return self.read_by_vpl(self.run_here("./vpl_execution"))
+
+    @staticmethod
+    def read_by_vpl(output):
+        """As VPL: it splits at the kind of line end that it finds first in this order."""
+        end = next((each for each in ("\r\n", "\n", "\r") if each in output), "\n")
+        grades = [line.removeprefix("Grade :=>>").strip() for line in output.split(end) if line.startswith("Grade :=>>")]
+        inside = re.findall(r"^<\|--\n(.*?)^--\|>\n", output, re.DOTALL | re.MULTILINE)
+        return [line for block in inside for line in block.splitlines()], grades
+
+    def test_vpl_proposes_the_highest_grade_for_a_right_program(self):
+        self.submit("solution.py")
+        comment, grades = self.evaluate()
+        self.assertEqual(["10.00"], grades)
+        self.assertIn("-✓ joint E at 140 counts, within 0", comment)
+        self.assertIn(">E is there", comment)
+        self.assertFalse([line for line in comment if "✗" in line])
+
+    def test_vpl_proposes_the_share_of_the_points_for_a_wrong_program(self):
+        self.submit("wrong/unfinished.py")
+        output = re.search(r"^```\n(<\|--\n.*?)^```", PAGE, re.DOTALL | re.MULTILINE)[1]
+        self.assertEqual(self.read_by_vpl(output), self.evaluate())
+        self.assertEqual(["4.22"], self.evaluate(VPL_GRADEMIN="2", VPL_GRADEMAX="6")[1])
+
+    def test_vpl_gets_no_grade_from_the_program(self):
+        self.submit(CHEAT)
+        comment, grades = self.evaluate()
+        self.assertEqual(["5.56"], grades)
+        self.assertEqual([], [line for line in comment if not line.isprintable()])
+        self.assertEqual("-What the program printed", [line for line in comment if line[0] == "-"][-1])
+        self.assertIn(">Grade :=>> 100", comment)
+
+    def test_vpl_shows_the_beginning_of_a_long_output(self):
+        self.submit("for i in range(100_000): print(i, 'x' * 1000)\n")
+        comment, _ = self.evaluate()
+        shown = [line for line in comment if line.startswith(">")]
+        self.assertEqual(61, len(shown))
+        self.assertLess(max(map(len, shown)), 170)
+        self.assertRegex(shown[-1], r"^>and \d+ more lines$")
+
+    def test_vpl_takes_no_module_from_the_submission(self):
+        self.submit("solution.py")
+        for module in "json", "subprocess", "tempfile":
+            self.submit("print('Grade :=>> 10')\nraise SystemExit(0)\n", module + ".py")
+        self.assertEqual(["5.56"], self.evaluate()[1], "the student's own program gets them")
+
+    def test_vpl_takes_no_command_from_the_name_of_a_file(self):
+        name = "a b;$(touch hacked).py"
+        self.submit("solution.py", name)
+        self.assertEqual(["10.00"], self.evaluate(name)[1])
+        self.assertFalse((self.folder / "hacked").exists())
+
+    def test_vpl_gets_a_comment_and_no_grade_if_the_judge_cannot_run(self):
+        self.submit("solution.py")
+        (self.folder / "goals.json").write_text("{}", encoding="utf-8")
+        self.evaluate_fails("goals.json")
+        self.environment["XR3"] = str(self.folder / "no-such-program")
+        self.evaluate_fails("cannot be started")
+
+    def evaluate_fails(self, reason):
+        for each in "vpl_evaluate.sh", "xr3_judge.py":
+            shutil.copy(CI / each, self.folder)
+        self.run_here("./vpl_evaluate.sh", VPL_SUBFILE0="hello.py")
+        comment, grades = self.read_by_vpl(self.run_here("./vpl_execution", code=1))
+        self.assertEqual([], grades)
+        self.assertTrue(comment[0].startswith("-The program was not judged"))
+        self.assertIn(reason, comment[1])
+
+    def test_vpl_runs_a_program_on_the_terminal(self):
+        self.submit("solution.py")
+        shutil.copy(CI / "vpl_run.sh", self.folder)
+        self.run_here("./vpl_run.sh", VPL_SUBFILE0="hello.py")
+        output = self.run_here("./vpl_execution")
+        self.assertIn("E is there\n", output)
+        self.assertIn("score 9 of 9; ", output)
+
+    # --- GitHub Classroom.
+
+    def classroom(self):
+        """The result that the step `judge` of the workflow puts out."""
+        shutil.rmtree(self.folder / "result", ignore_errors=True)
+        commands = blocks("classroom.yml")
+        self.assertEqual(1, len(commands))
+        summary = re.search(r"- run: (cat summary.*)", (CI / "classroom.yml").read_text(encoding="utf-8"))[1]
+        files = {name: str(self.folder / name.lower()) for name in ("GITHUB_OUTPUT", "GITHUB_STEP_SUMMARY")}
+        pathlib.Path(files["GITHUB_OUTPUT"]).unlink(missing_ok=True)
+        self.log = self.run_here(f"{{ {commands[0]}; }} 2>&1 && {summary}", **files)
+        names = dict(line.split("=", 1) for line in pathlib.Path(files["GITHUB_OUTPUT"]).read_text().splitlines())
+        self.assertEqual({"result"}, set(names))
+        return json.loads(base64.b64decode(names["result"]))
+
+    def test_classroom_gets_the_points_of_each_goal(self):
+        self.submit("solution.py")
+        result = self.classroom()
+        self.assertEqual((1, "pass", 9), (result["version"], result["status"], result["max_score"]))
+        self.assertEqual([4, 1, 2, 1, 1], [test["score"] for test in result["tests"]])
+        self.submit("wrong/unfinished.py")
+        result = self.classroom()
+        self.assertEqual(("fail", [0, 1, 2, 1, 1]), (result["status"], [test["score"] for test in result["tests"]]))
+        self.assertEqual("it is at 50 counts", result["tests"][0]["message"])
+        self.assertIn("| ✗ | joint E at 140 counts", (self.folder / "github_step_summary").read_text(encoding="utf-8"))
+        self.assertEqual("6", xml.etree.ElementTree.parse(self.folder / "junit.xml").getroot()[0].get("tests"))
+        self.assertTrue((self.folder / "result" / "end.svg").exists())
+
+    def test_classroom_gets_no_result_from_the_program(self):
+        self.submit(CHEAT + "import os\nprint([name for name in os.environ if name.startswith('GITHUB_')])\n")
+        result = self.classroom()
+        self.assertEqual(5, sum(test["score"] for test in result["tests"]))
+        self.assertNotIn("Autograding complete", self.log)
+        printed = (self.folder / "result" / "output.txt").read_text(encoding="utf-8")
+        self.assertTrue(printed.endswith("[]\n"), printed)
+
+    def test_classroom_knows_a_program_that_fails(self):
+        self.submit("raise SystemExit(3)\n")
+        self.assertEqual("error", self.classroom()["status"])
+        self.assertIn("✗ the program ended with exit code 3\n", self.log)
+
+    # --- GitLab.
+
+    def test_gitlab_gets_a_test_for_each_goal(self):
+        judge, _ = blocks("gitlab-exercise.yml")
+        for program, code, failures in (("solution.py", 0, "0"), ("wrong/unfinished.py", 5, "1")):
+            self.submit(program)
+            shutil.rmtree(self.folder / "result", ignore_errors=True)
+            self.run_here(judge, code)
+            suite = xml.etree.ElementTree.parse(self.folder / "junit.xml").getroot()[0]
+            self.assertEqual(("6", failures), (suite.get("tests"), suite.get("failures")))
+        self.assertIn("it is at 50 counts", (self.folder / "summary.md").read_text(encoding="utf-8"))
+
+    def test_gitlab_writes_the_summary_below_the_merge_request(self):
+        seen = []
+
+        class Handler(http.server.BaseHTTPRequestHandler):
+            def do_POST(self):
+                body = self.rfile.read(int(self.headers["content-length"])).decode()
+                seen.append((self.path, self.headers["PRIVATE-TOKEN"], urllib.parse.parse_qs(body)["body"][0]))
+                self.send_response(201 if self.headers["PRIVATE-TOKEN"] == "token" else 401)
+                self.end_headers()
+
+            def log_message(self, *_):
+                pass
+
+        server = http.server.ThreadingHTTPServer((LOCALHOST, 0), Handler)
+        self.addCleanup(server.server_close)
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        self.addCleanup(server.shutdown)
+        (self.folder / "summary.md").write_text("| ✗ | a & b |\n", encoding="utf-8")
+        _, note = blocks("gitlab-exercise.yml")
+        variables = {"CI_API_V4_URL": f"http://{LOCALHOST}:{server.server_port}/api/v4", "CI_PROJECT_ID": "7",
+                     "CI_MERGE_REQUEST_IID": "3", "no_proxy": "*"}
+        self.run_here(note, ROBOT_TOKEN="token", **variables)
+        self.assertEqual([("/api/v4/projects/7/merge_requests/3/notes", "token", "| ✗ | a & b |\n")], seen)
+        self.run_here(note, code=22, ROBOT_TOKEN="another", **variables)
+
+    # --- nbgrader.
+
+    def cell(self):
+        """The value of the page's test cell, as nbgrader takes it: that of the last line."""
+        shutil.copy(CI / "xr3_judge.py", self.folder)
+        code = re.search(r"^```python\n(.*?)^```", PAGE, re.DOTALL | re.MULTILINE)[1]
+        tree = ast.parse(code)
+        self.assertIsInstance(tree.body[-1], ast.Expr)
+        last = ast.unparse(tree.body.pop())
+        (self.folder / "cell.py").write_text(f"{ast.unparse(tree)}\nprint({last})\n", encoding="utf-8")
+        return self.run_here(f"{sys.executable} cell.py").splitlines()
+
+    def test_nbgrader_gets_partial_credit(self):
+        self.submit("solution.py")
+        self.assertEqual("9.0", self.cell()[-1])
+        self.submit("wrong/unfinished.py")
+        *report, value = self.cell()
+        self.assertEqual("5.0", value)
+        self.assertIn("  it is at 50 counts", report)
+
+    def test_nbgrader_marks_what_the_program_prints(self):
+        self.submit(CHEAT)
+        *report, value = self.cell()
+        self.assertEqual("5.0", value)
+        self.assertIn("| Grade :=>> 100", report)
+
+    # --- The files.
+
+    def test_the_judge_can_take_several_runs(self):
+        self.submit("solution.py")
+        shutil.copy(CI / "xr3_judge.py", self.folder)
+        options = "--goals goals.json --clock bytes:200 --vary 1 --repeat 2"
+        output = self.run_here(f"{sys.executable} -I xr3_judge.py vpl {options} -- {sys.executable} hello.py")
+        comment, grades = self.read_by_vpl(output)
+        self.assertEqual(["10.00"], grades)
+        self.assertEqual(5, sum(line.startswith("-run 2: ✓") for line in comment))
+
+    def test_wrong_arguments(self):
+        judge = f"{sys.executable} {CI / 'xr3_judge.py'}"
+        for arguments in "", "vpl --goals goals.json", "moodle -- python3 hello.py", "vpl --":
+            self.run_here(f"{judge} {arguments}", code=2)
+
+    @unittest.skipUnless(yaml, "python3-yaml is not installed")
+    def test_the_workflows_are_valid(self):
+        steps = yaml.safe_load((CI / "classroom.yml").read_text(encoding="utf-8"))["jobs"]["run-autograding-tests"]["steps"]
+        judge = next(step for step in steps if step.get("id") == "judge")
+        self.assertEqual(blocks("classroom.yml"), [judge["run"]])
+        reporter = steps[-1]
+        self.assertEqual(({"JUDGE_RESULTS": "${{ steps.judge.outputs.result }}"}, {"runners": "judge"}),
+                         (reporter["env"], reporter["with"]))
+        jobs = yaml.safe_load((CI / "gitlab-exercise.yml").read_text(encoding="utf-8"))
+        self.assertEqual(blocks("gitlab-exercise.yml"), [*jobs["judge"]["script"], *jobs["note"]["script"]])
+        self.assertEqual({"junit": "junit.xml"}, jobs["judge"]["artifacts"]["reports"])
+
+    def test_all_recipes_build_in_the_same_way(self):
+        for one, other in (("github-actions.yml", "classroom.yml"), ("gitlab-ci.yml", "gitlab-exercise.yml")):
+            texts = [(CI / name).read_text(encoding="utf-8") for name in (one, other)]
+            begin, end = ("- uses: actions/checkout", "python3\n") if "github" in one else ("  cache:", "python3\n")
+            parts = [text[text.index(begin):text.index(end)] for text in texts]
+            self.assertEqual(*parts)
+
+
+if __name__ == "__main__":
+    unittest.main()
