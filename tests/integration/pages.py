@@ -10,7 +10,7 @@ from support import ROOT, run_xr3
 FENCE = re.compile(r"^ *```.*?^ *```$", re.DOTALL | re.MULTILINE)
 CODE = re.compile(r"(?<!`)`([^`]+)`(?!`)")
 PROGRAMS = set("""
-apt apt-get awk bash buildah cargo cat chmod cmake cp ctest curl docker docker-compose dpkg echo env g++ gcc
+apt apt-get awk bash buildah cargo cat cc chmod cmake cp ctest curl docker docker-compose dpkg echo env g++ gcc
 gdb git head ip java javac journalctl kill kubectl make mkdir mv nano nc ncat netcat nice node nohup npm npx octave
 octave-cli openssl perl pip pip3 pipx pkill podman printf python python3 rm rustc sed seeds sh socat ss ssh
 sudo systemctl systemd-analyze systemd-run tail tar taskset tee telnet timeout touch ulimit unzip wget xr3 yes
@@ -99,7 +99,7 @@ def shown_file(name, language):
 def write_files(folder):
     """Makes the files in `folder` that commands of the documentation name."""
     data = pathlib.Path(ROOT, "data")
-    for name in "data", "docs":
+    for name in "clients", "data", "docs":
         (folder / name).symlink_to(pathlib.Path(ROOT, name))
     shutil.copy(data / "robots" / "rhino-xr3.json", folder / "my-arm.json")
     shutil.copy(data / "workcells" / "rhino-xr3.json", folder / "lab.json")
@@ -107,3 +107,9 @@ def write_files(folder):
     (folder / "lab.dat").touch()
     (folder / "lab.toml").write_text(shown_file("options.md", "toml"), encoding="utf-8")
     (folder / "faults.json").write_text(shown_file("faults.md", "json"), encoding="utf-8")
+    for solution in pathlib.Path(ROOT, "docs", "course").glob("*/solution.py"):  # as the student's own file
+        name = solution.parent.name.split("-")[-1]
+        shutil.copy(solution, folder / f"{name}.py")
+    (folder / "submissions").mkdir()
+    shutil.copy(folder / "pick.py", folder / "submissions" / "ada.py")
+    shutil.copy(pathlib.Path(ROOT, "clients", "python", "6_find_and_pick.py"), folder / "submissions" / "bob.py")

@@ -1,9 +1,12 @@
 """Runs the commands that README.md and docs/ show, with the ports and paths of a test."""
 
+import concurrent.futures
+import csv
 import os
 import pathlib
 import re
 import shlex
+import shutil
 import signal
 import subprocess
 import tempfile
@@ -12,11 +15,14 @@ import unittest
 from pages import is_command, write_files
 from support import DEADLINE_S, ROOT, XR3, Server, run_xr3
 
+RUNS = 8  # of the judge at the same time; their programs pause most of the time
+JUDGE_S = 120.0
 FENCE = re.compile(r"^ *```.*?\n(.*?)^ *```", re.DOTALL | re.MULTILINE)
 XR3_COMMAND = re.compile(r"(?:\$ )?((?:XR3_\w+=\S+ )*)(?:build/release/)?xr3 (.+)")
 CLIENT_COMMAND = re.compile(r"(?:\$ )?(?:nc|curl|printf|echo) .*localhost")
 # The commands in fences that other tests run: the file and the beginning of the line, and the test.
 ELSEWHERE = {
+    "README.md: cc ": "test_course.py",
     "README.md: ./run": "test_run.py",
     "README.md: ./test": "test_inline_commands.py",
     "README.md: $ telnet": "test_readme.py",
@@ -32,10 +38,10 @@ BEHIND = re.compile(r"(\s+#.*|\s{2,}\S.*)$")  # a comment after a command
 
 
 def shown_lines():
-    """(file, line) of every line in a code fence."""
+    """(file, line) of every line in a code fence; lines that end in \\ are joined with the next one."""
     for path in [pathlib.Path(ROOT, "README.md"), *sorted(pathlib.Path(ROOT, "docs").rglob("*.md"))]:
         for block in FENCE.findall(path.read_text(encoding="utf-8")):
-            for line in block.splitlines():
+            for line in re.sub(r" *\\\n *", " ", block).splitlines():
                 yield path.name, line.strip()
 
 
@@ -82,7 +88,7 @@ class Docs(unittest.TestCase):
             self.assertTrue(any(command.startswith(beginning) for command in commands), f"no page has {beginning}")
 
     def test_commands_of_xr3(self):
-        commands = list(xr3_commands())
+        commands = [command for command in xr3_commands() if command[2][0] not in ("exec", "grade")]
         self.assertGreater(len(commands), 10)
         for name, variables, (what, *arguments) in commands:
             with self.subTest(file=name, command=[what, *arguments]):
@@ -94,6 +100,8 @@ class Docs(unittest.TestCase):
                             del options[at:at + 2]
                     self.serve(options, variables)
                     continue
+                if arguments[:1] == ["docs/graded/submissions"]:
+                    continue  # test_graded.py
                 if what == "convert" and "--force" not in arguments:
                     (self.folder / arguments[-1]).unlink(missing_ok=True)
                 if what == "watch":
@@ -111,8 +119,57 @@ class Docs(unittest.TestCase):
                 if what == "workcell":
                     self.leave_the_editor(arguments)
                     continue
-                done = run_xr3(what, *arguments, cwd=self.folder, stdin=subprocess.DEVNULL)
-                self.assertEqual(0, done.returncode, done.stderr)
+                self.run_to_end(what, arguments)
+
+    def run_to_end(self, what, arguments):
+        """Runs a command, and removes the report that it has written: the next command writes one of the same name."""
+        environment = {**os.environ, "PYTHONPATH": str(pathlib.Path(ROOT, "clients", "python"))}
+        done = run_xr3(what, *arguments, cwd=self.folder, stdin=subprocess.DEVNULL, env=environment)
+        self.assertEqual(0, done.returncode, done.stderr)
+        if "--report" in arguments:
+            shutil.rmtree(self.folder / arguments[arguments.index("--report") + 1])
+
+    def test_commands_of_the_judge(self):
+        """The programs of `exec` meet all goals. Each `grade` has a folder of its own for its report."""
+        commands = [command for command in xr3_commands() if command[2][0] in ("exec", "grade")]
+        self.assertGreater(len(commands), 10)
+        with concurrent.futures.ThreadPoolExecutor(RUNS) as pool:
+            runs = [pool.submit(self.judge, words, f"report-{i}") for i, (_, _, words) in enumerate(commands)]
+            for i, (name, _, words) in enumerate(commands):
+                with self.subTest(file=name, command=words):
+                    done = runs[i].result()
+                    self.assertEqual(0, done.returncode, done.stdout + done.stderr)
+                    if words[0] == "exec":
+                        self.assertNotIn("✗", done.stdout)
+                        self.assertEqual("--goals" in words, "score " in done.stdout)
+                    else:
+                        self.check_report(self.folder / words[1], self.folder / f"report-{i}")
+
+    def test_the_shown_report(self):
+        """The first fence of docs/exec.md with a report is what its first command prints last."""
+        page = pathlib.Path(ROOT, "docs", "exec.md").read_text(encoding="utf-8")
+        report = next(fence for fence in FENCE.findall(page) if fence.startswith("✓"))
+        words = next(words for name, _, words in xr3_commands() if name == "exec.md")
+        printed = self.judge(words, "report").stdout
+        self.assertTrue(printed.endswith(report), printed)
+
+    def judge(self, words, report):
+        words = [report if word == "report" else word for word in words]
+        environment = {**os.environ, "PYTHONPATH": str(self.folder / "clients" / "python"),
+                       "PYTHONDONTWRITEBYTECODE": "1"}
+        return subprocess.run([XR3, *words], cwd=self.folder, stdin=subprocess.DEVNULL, env=environment,
+                              capture_output=True, text=True, timeout=JUDGE_S, check=False)
+
+    def check_report(self, submissions, folder):
+        """It has a page, and a row for each submission, one of which meets all goals."""
+        names = sorted(path.name for path in submissions.iterdir())
+        with open(folder / "grades.csv", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(names, sorted(row["submission"] for row in rows))
+        self.assertEqual(1, sum(row["points"] == row["max_points"] for row in rows), rows)
+        page = (folder / "index.html").read_text(encoding="utf-8")
+        for name in names:
+            self.assertIn(name, page)
 
     def ask_for_health(self, arguments):
         """Runs `healthcheck` with a server on a free port that writes the port file of the command."""

@@ -34,7 +34,9 @@ KINDS = {
     "shows_a_screen": r"(build/release/)?xr3 watch( .*)?",
     "opens_a_line": r"(build/release/)?xr3 term( .*)?",
     "asks_for_health": r"xr3 healthcheck( .*)?",
-    "has_help": r"xr3 (check|convert|draw|kin|replay|workcell)",
+    "has_help": r"xr3 (check|convert|draw|exec|exec --sandbox|grade|kin|replay|workcell)",
+    "draws_a_picture": r"xr3 draw .*\.svg",
+    "checks_a_file": r"xr3 check FILE",
     "opens_the_editor": r"xr3 workcell .*",
     "exits_with_0": r"xr3 --version|build/release/xr3 serve --help|ulimit -n|ss -ltnp",
     "runs_the_checkout": r"\./run( .*)?",
@@ -152,6 +154,15 @@ class Commands(unittest.TestCase):
 
     def has_help(self, command):
         self.assertIn(command.text.split()[1], self.run_to_end([XR3, *command.text.split()[1:], "--help"]))
+
+    def draws_a_picture(self, command):
+        words = shlex.split(command.text)
+        self.run_to_end([XR3, *words[1:]])
+        self.assertTrue((self.folder / words[-1]).read_text(encoding="utf-8").startswith("<svg"))
+
+    def checks_a_file(self, command):
+        for path in sorted(pathlib.Path(ROOT, "data", "goals").glob("*.json")):
+            self.assertIn(" goals, ", self.run_to_end([XR3, *command.text.replace("FILE", str(path)).split()[1:]]))
 
     def opens_the_editor(self, command):
         """Without input it prints its first question and does not write the file."""
