@@ -84,7 +84,7 @@ struct Fault {
   std::uint32_t line = 0;  ///< 0: any
   LineSide direction = LineSide::kIn;
   char joint = 0;                            ///< its label
-  std::optional<int> bit;                    ///< byte_flipped: 0...7; nullopt: by chance
+  std::optional<int> bit{};                  ///< byte_flipped: 0...7; nullopt: by chance
   std::uint8_t byte = 0;                     ///< stray_byte
   std::uint32_t percent = 0;                 ///< motor_slow: of its speed, 1...99
   std::uint32_t delay_ms = 0;                ///< reply_delayed
@@ -94,12 +94,12 @@ struct Fault {
   int columns = 0;                           ///< camera_offset: to the right
   int rows = 0;                              ///< camera_offset: downwards
 
-  std::optional<Tick> at_tick;
-  std::optional<Tick> from_tick;
-  std::optional<std::uint64_t> after_bytes;
-  std::optional<std::uint32_t> chance;  ///< 1...kCertain
-  std::optional<Tick> ticks;            ///< how long
-  std::optional<std::uint32_t> count;   ///< how many effects
+  std::optional<Tick> at_tick{};
+  std::optional<Tick> from_tick{};
+  std::optional<std::uint64_t> after_bytes{};
+  std::optional<std::uint32_t> chance{};  ///< 1...kCertain
+  std::optional<Tick> ticks{};            ///< how long
+  std::optional<std::uint32_t> count{};   ///< how many effects
 
   bool operator==(const Fault&) const = default;
 

@@ -14,9 +14,9 @@ namespace xr3 {
 
 /// A point of which some coordinates are of no interest.
 struct PartialPoint {
-  std::optional<Micrometres> x;
-  std::optional<Micrometres> y;
-  std::optional<Micrometres> z;
+  std::optional<Micrometres> x{};
+  std::optional<Micrometres> y{};
+  std::optional<Micrometres> z{};
   bool operator==(const PartialPoint&) const = default;
 };
 
@@ -35,12 +35,12 @@ namespace goal {
 /// block's centroid, or in a box; or only its yaw counts.
 struct BlockPlace {
   std::string name;
-  std::optional<PartialPoint> point;
-  std::optional<BoxUm> box;
-  std::string at;  ///< the other block; empty: none
-  PartialPoint offset;
+  std::optional<PartialPoint> point{};
+  std::optional<BoxUm> box{};
+  std::string at{};  ///< the other block; empty: none
+  PartialPoint offset{};
   Micrometres within_um = 5'000;
-  std::optional<Microdegrees> yaw_udeg;  ///< modulo half a turn, or a quarter for a square
+  std::optional<Microdegrees> yaw_udeg{};  ///< modulo half a turn, or a quarter for a square
   Microdegrees within_udeg = 5'000'000;
   bool may_be_held = false;
   bool operator==(const BlockPlace&) const = default;
@@ -67,15 +67,15 @@ struct Sorted {
 
 /// The jaws hold this block.
 struct Holding {
-  std::optional<std::string> name;  ///< nullopt: no block
+  std::optional<std::string> name{};  ///< nullopt: no block
   bool operator==(const Holding&) const = default;
 };
 
 /// A motor's variable or count.
 struct JointValue {
   char label = 'A';
-  std::optional<double> value;  ///< degrees or mm
-  std::optional<Counts> count;
+  std::optional<double> value{};  ///< degrees or mm
+  std::optional<Counts> count{};
   double within = 0;  ///< in the unit of what is given
   bool operator==(const JointValue&) const = default;
 };
@@ -148,7 +148,7 @@ using Body =
 
 struct Goal {
   int points = 1;
-  std::string hint;  ///< shown if the goal is missed; may be empty
+  std::string hint{};  ///< shown if the goal is missed; may be empty
   goal::Body body;
   bool operator==(const Goal&) const = default;
 };
