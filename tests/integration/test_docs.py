@@ -1,4 +1,4 @@
-"""Runs the commands that README.md and docs/ show, with the ports and paths of a test."""
+"""Runs the commands that README.md and docs/ show, with the ports and paths of a test. (docs/tutorial: test_tutorial.py.)"""
 
 import concurrent.futures
 import csv
@@ -39,7 +39,8 @@ BEHIND = re.compile(r"(\s+#.*|\s{2,}\S.*)$")  # a comment after a command
 
 def shown_lines():
     """(file, line) of every line in a code fence; lines that end in \\ are joined with the next one."""
-    for path in [pathlib.Path(ROOT, "README.md"), *sorted(pathlib.Path(ROOT, "docs").rglob("*.md"))]:
+    pages = sorted(path for path in pathlib.Path(ROOT, "docs").rglob("*.md") if path.parent.name != "tutorial")
+    for path in [pathlib.Path(ROOT, "README.md"), *pages]:
         for block in FENCE.findall(path.read_text(encoding="utf-8")):
             for line in re.sub(r" *\\\n *", " ", block).splitlines():
                 yield path.name, line.strip()
