@@ -33,6 +33,7 @@ ELSEWHERE = {
     "operations.md: scripts/capacity": "test_operations.py",
     "protocol.md: $ ./run": "test_run.py",
     "protocol.md: $ telnet": "test_clients.py",
+    "serial-ports.md: socat": "../lines/test_socat.py",
 }
 BEHIND = re.compile(r"(\s+#.*|\s{2,}\S.*)$")  # a comment after a command
 

@@ -1,9 +1,9 @@
-"""docs/tutorial: does what its pages say, in their order, and compares what the reader sees with what they show. Each page has
-a server of its own, as its first paragraph assumes: the arm at its soft home, the blocks where the workcell file puts them.
+"""docs/tutorial: does what its pages say, in their order, and compares what the reader sees with what they show. Each
+page has a server of its own: the arm is at its soft home, and the blocks are where the workcell file puts them.
 
-The fences of a page: `console` has commands (`$ `) with their output; `telnet` has what is typed, and the reply in quotes;
-`term` is the screen of `xr3 term`; `log` has lines of the server's log; `python` has a program, whose name is in its first
-line. A line `...` stands for any number of lines, and `...` within a line for any text."""
+The fences of a page: `console` has commands (`$ `) with their output; `telnet` has what is typed, and the reply in
+quotes; `term` is the screen of `xr3 term`; `log` has lines of the server's log; `python` has a program, whose name is
+in its first line. A line `...` stands for any number of lines, and `...` within a line for any text."""
 
 import os
 import pathlib
@@ -50,7 +50,8 @@ class Reader:
         (folder / "build" / "release" / "xr3").symlink_to(XR3)
 
     def compare(self, shown, seen):
-        self.test.assertTrue(re.fullmatch(pattern(shown), seen), f"the page shows\n{shown}\nand the program printed\n{seen}")
+        self.test.assertTrue(re.fullmatch(pattern(shown), seen),
+                             f"the page shows\n{shown}\nand the program printed\n{seen}")
 
     def python(self, text):
         name = re.match(r"# (\w+\.py)\n", text)
@@ -105,7 +106,8 @@ class Reader:
                 monitor.step(0, after=(self.lines_opened, sent))
                 if answer:
                     terminal.wait_text(answer.splitlines()[-1])
-            terminal.wait_for(lambda screen: screen.replace(str(xr3.robot_port), "9600").rstrip() == shown.rstrip(), shown)
+            port = str(xr3.robot_port)
+            terminal.wait_for(lambda screen: screen.replace(port, "9600").rstrip() == shown.rstrip(), shown)
             terminal.press("~.")
             terminal.wait_end()
 
@@ -157,7 +159,8 @@ class Tutorial(unittest.TestCase):
     def test_every_page_leads_to_the_next_one(self):
         """The front page lists all; each page but the last one links to the next one."""
         front = (TUTORIAL / "README.md").read_text(encoding="utf-8")
-        self.assertEqual([page.name for page in PAGES], re.findall(r"^\| \d \| \[.*?\]\((\d-[\w-]+\.md)\)", front, re.MULTILINE))
+        listed = re.findall(r"^\| \d \| \[.*?\]\((\d-[\w-]+\.md)\)", front, re.MULTILINE)
+        self.assertEqual([page.name for page in PAGES], listed)
         for page, successor in zip(PAGES, PAGES[1:]):
             self.assertIn(f"]({successor.name})", page.read_text(encoding="utf-8").splitlines()[-1])
 
