@@ -33,6 +33,11 @@ def pages():
             *sorted(path for path in (root / "clients").rglob("*.md") if "node_modules" not in path.parts)]
 
 
+def has_a_reader(path):
+    """Whether a reader (reader.py) does what the page shows and compares the output, so that no other test has to."""
+    return path.parent.name == "tutorial" or path.name == "troubleshooting.md"
+
+
 def is_command(text):
     """A span of code that begins with a program and has arguments, or that names a script or `xr3 SUBCOMMAND`."""
     words = re.sub(r"^(\$ )?(\w+=\S* )*(sudo )?", "", text).split()

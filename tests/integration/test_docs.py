@@ -1,4 +1,5 @@
-"""Runs the commands that README.md and docs/ show, with the ports and paths of a test. (docs/tutorial: test_tutorial.py.)"""
+"""Runs the commands that README.md and docs/ show, with the ports and paths of a test. test_tutorial.py and
+test_troubleshooting.py run those of docs/tutorial and of docs/troubleshooting.md."""
 
 import concurrent.futures
 import csv
@@ -12,7 +13,7 @@ import subprocess
 import tempfile
 import unittest
 
-from pages import is_command, write_files
+from pages import has_a_reader, is_command, write_files
 from support import DEADLINE_S, ROOT, XR3, Server, run_xr3
 
 RUNS = 8  # of the judge at the same time; their programs pause most of the time
@@ -40,8 +41,9 @@ BEHIND = re.compile(r"(\s+#.*|\s{2,}\S.*)$")  # a comment after a command
 
 def shown_lines():
     """(file, line) of every line in a code fence; lines that end in \\ are joined with the next one."""
-    pages = sorted(path for path in pathlib.Path(ROOT, "docs").rglob("*.md") if path.parent.name != "tutorial")
-    for path in [pathlib.Path(ROOT, "README.md"), *pages]:
+    for path in [pathlib.Path(ROOT, "README.md"), *sorted(pathlib.Path(ROOT, "docs").rglob("*.md"))]:
+        if has_a_reader(path):
+            continue
         for block in FENCE.findall(path.read_text(encoding="utf-8")):
             for line in re.sub(r" *\\\n *", " ", block).splitlines():
                 yield path.name, line.strip()
