@@ -1,7 +1,7 @@
 """A reader of the documentation, who does what a page shows and compares what is seen with it.
 
 The fences of a page: `console` has commands (`$ `) with their output; `telnet` has what is typed, and the reply in
-quotes; `term` is the screen of `xr3 term`; `log` has lines of the server's log; `python` has a program, whose name is
+quotes; `screen` is what telnet then shows; `term` is the screen of `xr3 term`; `log` has lines of the server's log; `python` has a program, whose name is
 in its first line. A line `...` stands for any number of lines, and `...` within a line for any text."""
 
 import os
@@ -13,7 +13,7 @@ from support import ROOT, XR3
 from terminal import Terminal
 
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
-KINDS = "console", "telnet", "term", "log", "python"
+KINDS = "console", "telnet", "screen", "term", "log", "python"
 PAUSE_MS = 1000  # the pause of a person before each line that is typed, in simulated time
 COMMAND_S = 60.0
 CONNECTED = "connected to localhost:9600; ~. quits, ~? is help"
@@ -37,6 +37,7 @@ class Reader:
     def __init__(self, test, folder):
         self.test, self.folder, self.variables = test, folder, ["unset PYTHONPATH XR3_HOST"]
         self.lines_opened = 0  # of the server of this page
+        self.shown_by_telnet = ""
         for name in "clients", "docs", "data":
             (folder / name).symlink_to(pathlib.Path(ROOT, name))
         (folder / "build" / "release").mkdir(parents=True)
@@ -74,15 +75,21 @@ class Reader:
         first, *lines = text.splitlines()
         self.test.assertEqual("$ telnet localhost 9600", first)
         self.lines_opened += 1
+        self.shown_by_telnet = ""
         line = xr3.line()
         for shown in lines:
             typed, _, reply = re.fullmatch(r"(\S+(?: \S+)*)( +'(.+?)')?(?:  .*)?", shown).groups()
             monitor.step(PAUSE_MS, after=line)
             line.send(typed + "\r\n")
+            self.shown_by_telnet += f"{typed}\n{reply or ''}"
             self.test.assertEqual(reply or "", line.read(len(reply or "")).decode(), shown)
             monitor.step(0, after=line)
             self.test.assertEqual(b"", line.unread(), shown)
         line.close()
+
+    def screen(self, text):
+        """What telnet shows: it echoes each line that is typed, and a reply stands at the beginning of the next line."""
+        self.test.assertEqual(self.shown_by_telnet.rstrip(), text.rstrip())
 
     def term(self, text, xr3, monitor):
         """A fence without the first line of `xr3 term` goes on in a terminal that is open."""
@@ -116,8 +123,8 @@ class Reader:
                 self.test.assertIn(kind, KINDS)
                 if kind in ("telnet", "term"):
                     getattr(self, kind)(shown, xr3, monitor)
-                elif kind == "python":
-                    self.python(shown)
+                elif kind in ("python", "screen"):
+                    getattr(self, kind)(shown)
                 else:
                     getattr(self, kind)(shown, xr3)
 
