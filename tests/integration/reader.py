@@ -1,19 +1,24 @@
 """A reader of the documentation, who does what a page shows and compares what is seen with it.
 
 The fences of a page: `console` has commands (`$ `) with their output; `telnet` has what is typed, and the reply in
-quotes; `screen` is what telnet then shows; `term` is the screen of `xr3 term`; `log` has lines of the server's log; `python` has a program, whose name is
-in its first line. A line `...` stands for any number of lines, and `...` within a line for any text."""
+quotes; `screen` is what telnet then shows; `term` is the screen of `xr3 term`; `log` has lines of the server's log;
+`python` has a program, whose name is in its first line; `json` is a part of a file of the page. A line `...` stands for
+any number of lines, and `...` within a line for any text. `<!-- figures: ... -->` has commands that draw pictures."""
 
 import os
 import pathlib
 import re
+import shlex
 import subprocess
 
-from support import ROOT, XR3
+from support import ROOT, XR3, Server, run_xr3
 from terminal import Terminal
 
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 KINDS = "console", "telnet", "screen", "term", "log", "python"
+FIGURES = re.compile(r"<!-- figures: (.*?)-->", re.DOTALL)
+PICTURE = re.compile(r"\]\((?:\./)?([\w-]+)/([\w-]+\.svg)\)")
+RUN = re.compile(r"^\$ \./run(?: (.*))?$", re.MULTILINE)
 PAUSE_MS = 1000  # the pause of a person before each line that is typed, in simulated time
 COMMAND_S = 60.0
 CONNECTED = "connected to localhost:9600; ~. quits, ~? is help"
@@ -34,7 +39,8 @@ def acts_at_once(typed):
 class Reader:
     """Somebody who works through the pages in a checkout, with a shell whose variables last."""
 
-    def __init__(self, test, folder):
+    def __init__(self, test, folder, others=()):
+        self.others = others  # kinds of fences that the test of the page reads
         self.test, self.folder, self.variables = test, folder, ["unset PYTHONPATH XR3_HOST"]
         self.lines_opened = 0  # of the server of this page
         self.shown_by_telnet = ""
@@ -54,7 +60,7 @@ class Reader:
 
     def console(self, text, xr3):
         for command, shown in re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", text, re.MULTILINE):
-            if command == "./run":
+            if command.split()[0] == "./run":
                 greeting = re.sub(r":\d+ monitor=(.*):\d+", r":9600 monitor=\1:9601", xr3.greeting)
                 self.compare(shown, greeting)
             elif command.startswith("export "):
@@ -116,10 +122,13 @@ class Reader:
             xr3.wait_log(".*".join(map(re.escape, line.split("..."))))
 
     def follow(self, text, xr3):
-        """Does what the fences of a page say, with this server."""
+        """Does what the fences of a page say, with this server. The test of the page compares parts of files, and
+        knows what fences without a language are."""
         self.lines_opened = 0
         with xr3.monitor() as monitor:
             for kind, shown in FENCE.findall(text):
+                if kind in self.others:
+                    continue
                 self.test.assertIn(kind, KINDS)
                 if kind in ("telnet", "term"):
                     getattr(self, kind)(shown, xr3, monitor)
@@ -132,3 +141,31 @@ class Reader:
 def clock_for(text):
     """The manual clock for a page on which somebody types, else a fast one."""
     return "manual" if re.search(r"^```(telnet|term)$", text, re.MULTILINE) else "real:50"
+
+
+def play(reader, text):
+    """Follows a page that starts servers of its own: each section has a new one, with the options of the last `./run`."""
+    options = ""
+    for section in re.split(r"^(?=## )", text, flags=re.MULTILINE):
+        options = next((found[1] or "" for found in RUN.finditer(section)), options)
+        with reader.test.subTest(section=section.splitlines()[0]), \
+                Server(*shlex.split(options), clock=clock_for(section),
+                       command=["env", "-C", reader.folder, XR3, "serve"]) as xr3:
+            reader.follow(section, xr3)
+
+
+def check_figures(test, page, folder):
+    """Draws the figures of a page again, as its comments say, and returns their names. `folder` is for the pictures."""
+    text = page.read_text(encoding="utf-8")
+    shown, drawn = dict(map(reversed, PICTURE.findall(text))), set()
+    for command in "\n".join(map(str.strip, FIGURES.findall(text))).splitlines():
+        _, what, *options, name = shlex.split(command)
+        with test.subTest(page=page.name, figure=name):
+            test.assertIn(name, shown, "no picture of the page")
+            done = run_xr3(what, *options, folder / name, cwd=ROOT)
+            test.assertEqual(0, done.returncode, done.stderr)
+            test.assertEqual((folder / name).read_text(encoding="utf-8"),
+                             (page.parent / shown[name] / name).read_text(encoding="utf-8"),
+                             f"draw it again, to {page.parent.name}/{shown[name]}: {command.strip()}")
+        drawn.add(name)
+    return drawn

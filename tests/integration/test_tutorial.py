@@ -3,17 +3,14 @@ server of its own: the arm is at its soft home, and the blocks are where the wor
 
 import pathlib
 import re
-import shlex
 import tempfile
 import unittest
 
-from reader import Reader, clock_for
-from support import ROOT, Server, run_xr3
+from reader import Reader, check_figures, clock_for
+from support import ROOT, Server
 
 TUTORIAL = pathlib.Path(ROOT, "docs", "tutorial")
 PAGES = sorted(TUTORIAL.glob("[0-9]*.md"))
-FIGURES = re.compile(r"<!-- figures: (.*?)-->", re.DOTALL)
-FIGURE = re.compile(r"\(figures/([\w-]+\.svg)\)")
 
 
 class Tutorial(unittest.TestCase):
@@ -31,19 +28,7 @@ class Tutorial(unittest.TestCase):
                 reader.follow(text, xr3)
 
     def test_figures_are_those_that_the_program_draws(self):
-        drawn = set()
-        for page in PAGES:
-            text = page.read_text(encoding="utf-8")
-            for command in "".join(FIGURES.findall(text)).strip().splitlines():
-                _, what, *options, name = shlex.split(command)
-                with self.subTest(page=page.name, figure=name):
-                    done = run_xr3(what, *options, self.folder / name)
-                    self.assertEqual(0, done.returncode, done.stderr)
-                    self.assertEqual((self.folder / name).read_text(encoding="utf-8"),
-                                     (TUTORIAL / "figures" / name).read_text(encoding="utf-8"),
-                                     f"draw it again: in docs/tutorial/figures, {command.strip()}")
-                    self.assertIn(name, FIGURE.findall(text), "no picture of the page")
-                drawn.add(name)
+        drawn = set().union(*(check_figures(self, page, self.folder) for page in PAGES))
         self.assertEqual(drawn, {path.name for path in (TUTORIAL / "figures").iterdir()})
 
     def test_every_page_leads_to_the_next_one(self):

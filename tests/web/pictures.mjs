@@ -8,8 +8,8 @@ import { ask } from "./panels/class.mjs";
 const [docs, frames] = process.argv.slice(2);
 const kSize = { width: 1280, height: 720 };
 
-async function still(robot, colorScheme, act, name = `viewer-${robot}`) {
-  const server = await serve("--robot", robot);
+async function still(robot, colorScheme, act, name = `viewer-${robot}`, ...options) {
+  const server = await serve("--robot", robot, ...options);
   const page = await open(server.url, { viewport: kSize, colorScheme });
   await ready(page);
   await act(page, server);
@@ -28,6 +28,9 @@ const move = (text) => async (page, server) => {
 await still("rhino-xr3", "light", move("F+90\rE+60\rD-30\rC+20\rE?I"));
 await still("adept-one", "dark", move("E+110\rD-120\rC+90\rE?"));
 await still("intelledex-660", "light", move("G-120\rF+100\rE-90\rF?"));
+// A robot and a workcell of one's own, as in own-robot.md; the script runs in the top folder of the checkout.
+await still("docs/own-robot/scara.json", "light", move("E+100\rD+100\rC+100\rD?"), "own-robot/page",
+  "--workcell", "docs/own-robot/bench.json");
 
 // The panels for teaching and plots, and the overview of a class.
 const teach = async (page, server) => {

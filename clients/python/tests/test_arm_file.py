@@ -52,6 +52,12 @@ class Files(WithFiles):
                 self.assertEqual(arm, Arm.load(ROBOTS / f"{name}.json"))
                 self.assertEqual(arm, Arm.load(str(ROBOTS / f"{name}.json")))
 
+    def test_without_optional_members(self):
+        """No coupling and no protected region, as in docs/data-files.md."""
+        robot = {name: value for name, value in RHINO.items() if name not in ("coupling", "protected_region")}
+        arm = Arm.load(self.write(robot))
+        self.assertEqual(((), (0, 0)), (arm.coupling, arm.protected))
+
     def test_comments_and_inches(self):
         path = self.write("* My arm\n  * in inches\n" + json.dumps(in_inches(RHINO)))
         arm = Arm.load(path)

@@ -51,10 +51,11 @@ def _arm(name: str, robot: Dict[str, Any]) -> Arm:
         raise ValueError("the list of joints is empty")
     if not set(labels) <= set("BCDEFGH") or len(set(labels)) < len(joints):
         raise ValueError(f"the joints are {', '.join(joint.label for joint in joints)}, not different letters B to H")
-    for j, k in robot["coupling"]:
+    coupling = robot.get("coupling", [])
+    for j, k in coupling:
         if not (1 <= j <= len(joints) and 1 <= abs(k) <= len(joints)):
             raise ValueError(f"the coupling [{j}, {k}] is not between joints 1 to {len(joints)}")
-    region = robot["protected_region"]
+    region = robot.get("protected_region", {"radius": 0, "height": 0})
     mount = _mount(robot, unit)
     is_on_slide = joints[0].slides and _has_form(joints[1:])
     if mount != IDENTITY and not (is_on_slide or _has_form(joints)):
@@ -67,7 +68,7 @@ def _arm(name: str, robot: Dict[str, Any]) -> Arm:
               homing="".join(labels[k] for k in homing) + (carousel.label if carousel else ""),
               near_first="".join(labels[k] for k in near_first),
               protected=(region["radius"] * unit, region["height"] * unit),
-              coupling=tuple((j - 1, abs(k) - 1, 1 if k > 0 else -1) for j, k in robot["coupling"]),
+              coupling=tuple((j - 1, abs(k) - 1, 1 if k > 0 else -1) for j, k in coupling),
               mount=mount, is_on_slide=is_on_slide, carousel=carousel)
     if not arm.is_upright:
         raise ValueError("the base axis of the arm does not point up")
