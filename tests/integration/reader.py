@@ -2,8 +2,8 @@
 
 The fences of a page: `console` has commands (`$ `) with their output; `telnet` has what is typed, and the reply in
 quotes; `screen` is what telnet then shows; `term` is the screen of `xr3 term`; `log` has lines of the server's log;
-`python` has a program, whose name is in its first line; `json` is a part of a file of the page. A line `...` stands for
-any number of lines, and `...` within a line for any text. `<!-- figures: ... -->` has commands that draw pictures."""
+`python` has a program and `json` a file, whose name is in its first line, a comment. A line `...` stands for any number
+of lines, and `...` within a line for any text. `<!-- figures: ... -->` has commands that draw pictures."""
 
 import os
 import pathlib
@@ -15,7 +15,7 @@ from support import ROOT, XR3, Server, run_xr3
 from terminal import Terminal
 
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
-KINDS = "console", "telnet", "screen", "term", "log", "python"
+KINDS = "console", "telnet", "screen", "term", "log", "python", "json"
 FIGURES = re.compile(r"<!-- figures: (.*?)-->", re.DOTALL)
 PICTURE = re.compile(r"\]\((?:\./)?([\w-]+)/([\w-]+\.svg)\)")
 RUN = re.compile(r"^\$ \./run(?: (.*))?$", re.MULTILINE)
@@ -56,6 +56,12 @@ class Reader:
     def python(self, text):
         name = re.match(r"# (\w+\.py)\n", text)
         self.test.assertTrue(name, "the first line of a program is a comment with its name")
+        (self.folder / name[1]).write_text(text, encoding="utf-8")
+
+    def json(self, text):
+        """A robot, workcell, goals or fault file."""
+        name = re.match(r"\* ([\w-]+\.json)\n", text)
+        self.test.assertTrue(name, "the first line of a file is a comment with its name")
         (self.folder / name[1]).write_text(text, encoding="utf-8")
 
     def console(self, text, xr3):
@@ -132,7 +138,7 @@ class Reader:
                 self.test.assertIn(kind, KINDS)
                 if kind in ("telnet", "term"):
                     getattr(self, kind)(shown, xr3, monitor)
-                elif kind in ("python", "screen"):
+                elif kind in ("python", "json", "screen"):
                     getattr(self, kind)(shown)
                 else:
                     getattr(self, kind)(shown, xr3)
