@@ -5,6 +5,7 @@ quotes; `screen` is what telnet then shows; `term` is the screen of `xr3 term`; 
 `python` has a program and `json` a file, whose name is in its first line, a comment. A line `...` stands for any number
 of lines, and `...` within a line for any text. `<!-- figures: ... -->` has commands that draw pictures."""
 
+import json
 import os
 import pathlib
 import re
@@ -67,21 +68,34 @@ class Reader:
     def console(self, text, xr3):
         for command, shown in re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", text, re.MULTILINE):
             if command.split()[0] == "./run":
-                greeting = re.sub(r":\d+ monitor=(.*):\d+", r":9600 monitor=\1:9601", xr3.greeting)
-                self.compare(shown, greeting)
+                self.compare(shown, self.as_shown(xr3.greeting, xr3))
             elif command.startswith("export "):
                 self.variables.append(command)
             else:
                 self.compare(shown, self.shell(command, xr3))
 
     def shell(self, command, xr3):
-        command = command.replace("9600", str(xr3.robot_port)).replace("9601", str(xr3.monitor_port))
+        for real, shown in self.ports(xr3).items():
+            command = command.replace(shown, real)
         environment = {**os.environ, "XR3_PORT": str(xr3.robot_port), "XR3_MONITOR_PORT": str(xr3.monitor_port),
                        "XR3_POLL_MS": "5", "PYTHONDONTWRITEBYTECODE": "1", "LC_ALL": "C.UTF-8"}
         done = subprocess.run(["bash", "-c", "\n".join([*self.variables, command])], cwd=self.folder, env=environment,
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                               timeout=COMMAND_S, check=False)
-        return done.stdout.replace(str(xr3.robot_port), "9600").replace(str(xr3.monitor_port), "9601")
+        return self.as_shown(done.stdout, xr3)
+
+    def ports(self, xr3):
+        """The ports of the server, and what the page shows for them. Those of several cells are in the port file."""
+        ports = {str(xr3.robot_port): "9600", str(xr3.monitor_port): "9601"}
+        if "--cells" in xr3.options:
+            cells = json.loads((self.folder / "ports.json").read_text(encoding="utf-8"))["cells"]
+            ports.update({str(cell["robot"]): str(9700 + int(cell["name"])) for cell in cells})
+        return ports
+
+    def as_shown(self, text, xr3):
+        for real, shown in self.ports(xr3).items():
+            text = text.replace(real, shown)
+        return text
 
     def telnet(self, text, xr3, monitor):
         first, *lines = text.splitlines()
@@ -131,17 +145,17 @@ class Reader:
         """Does what the fences of a page say, with this server. The test of the page compares parts of files, and
         knows what fences without a language are."""
         self.lines_opened = 0
-        with xr3.monitor() as monitor:
-            for kind, shown in FENCE.findall(text):
-                if kind in self.others:
-                    continue
-                self.test.assertIn(kind, KINDS)
-                if kind in ("telnet", "term"):
+        for kind, shown in FENCE.findall(text):
+            if kind in self.others:
+                continue
+            self.test.assertIn(kind, KINDS)
+            if kind in ("telnet", "term"):
+                with xr3.monitor() as monitor:
                     getattr(self, kind)(shown, xr3, monitor)
-                elif kind in ("python", "json", "screen"):
-                    getattr(self, kind)(shown)
-                else:
-                    getattr(self, kind)(shown, xr3)
+            elif kind in ("python", "json", "screen"):
+                getattr(self, kind)(shown)
+            else:
+                getattr(self, kind)(shown, xr3)
 
 
 def clock_for(text):

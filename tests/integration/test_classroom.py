@@ -1,0 +1,33 @@
+"""docs/classroom.md: a teacher does what it says (reader.py), with thirty robots. Its figures are those of the page that
+says how they were measured."""
+
+import pathlib
+import re
+import tempfile
+import unittest
+
+from reader import Reader, play
+from support import ROOT
+
+PAGE = pathlib.Path(ROOT, "docs", "classroom.md")
+MEASURED = pathlib.Path(ROOT, "deploy", "kubernetes", "README.md")
+
+
+class Classroom(unittest.TestCase):
+    def test_a_lesson(self):
+        with tempfile.TemporaryDirectory() as folder:
+            play(Reader(self, pathlib.Path(folder)), re.sub(r"^   ", "", PAGE.read_text(encoding="utf-8"), flags=re.MULTILINE))
+            self.assertIn("<svg", pathlib.Path(folder, "end.svg").read_text(encoding="utf-8"))
+            grades = pathlib.Path(folder, "report", "grades.csv").read_text(encoding="utf-8").splitlines()
+            self.assertEqual(len(list(pathlib.Path(folder, "submissions").iterdir())), len(grades) - 1)
+
+    def test_figures_are_those_that_were_measured(self):
+        rows = re.findall(r"^\| [\d,]+ \| [\d.]+ ms \| \d+ %.*", PAGE.read_text(encoding="utf-8"), re.MULTILINE)
+        self.assertEqual(3, len(rows))
+        measured = MEASURED.read_text(encoding="utf-8").splitlines()
+        for row in rows:
+            self.assertIn(row, measured)
+
+
+if __name__ == "__main__":
+    unittest.main()
