@@ -17,7 +17,7 @@ class Symptoms(unittest.TestCase):
         sections = re.split(r"^## ", PAGE.read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]
         self.assertGreater(len(sections), 8)
         with tempfile.TemporaryDirectory() as folder:
-            reader = Reader(self, pathlib.Path(folder))
+            reader = Reader(self, pathlib.Path(folder), others=("text",))
             reader.variables.append("PATH=$PWD/build/release:$PATH")
             for section in sections:
                 options = re.search(r"^<!-- server: (.*) -->$", section, re.MULTILINE)
