@@ -50,6 +50,7 @@ KINDS = {
     "talks_to_the_server": r"(curl|printf|yes) .*localhost.*",
     "is_a_session": r"telnet localhost 9600",
     "names_packages": r"(apt-get install|gcc|g\+\+|rustc|octave) [a-z+].*",
+    "is_of_a_release": r"sudo apt install .*|tar xf xr3-.*|docker run .* xr3:VERSION",
     "is_of_the_image": r"docker (build|exec|run|stop)( .*)?",
     "is_of_the_tests_of_images": r"buildah bud --format docker|rm -rf build/images",
     "is_of_the_cluster": r"kubectl .*|podman kube \w+",
@@ -282,6 +283,15 @@ class Commands(unittest.TestCase):
             self.assertRegex(dockerfile, rf"(?m)^FROM \S+ AS {stage[1]}$")
             text = text.replace(stage[0], " -t xr3")
         self.assertTrue(text in shown or len(text.split()) == 2 and any(line.startswith(f"{text} ") for line in shown))
+
+    def is_of_a_release(self, command):
+        """There is no published release yet, and the page says so. The options of the image are those of docker/README.md."""
+        page = command.place.partition(":")[0]
+        self.assertIn("From the first published release on", pathlib.Path(ROOT, page).read_text(encoding="utf-8"))
+        self.assertRegex(command.text, r" (\./xr3_\*\.deb|xr3:VERSION|xr3-VERSION-linux-x86_64\.tar\.gz)$")
+        of_the_image = pathlib.Path(ROOT, "docker", "README.md").read_text(encoding="utf-8")
+        for option in re.findall(r" (-[ep] \S+)", command.text):
+            self.assertIn(f" {option} ", of_the_image)
 
     def is_of_the_tests_of_images(self, command):
         name = command.text.removeprefix("rm -rf ").removeprefix("build/")

@@ -1,4 +1,4 @@
-"""The telnet session of the README ("Thirty seconds of telnet"), typed unchanged. The clock is manual; two
+"""The telnet session of the README ("Two minutes"), typed unchanged. The clock is manual; two
 seconds pass before the inquiry."""
 
 import pathlib
