@@ -114,7 +114,7 @@ class Reader:
         line.close()
 
     def screen(self, text):
-        """What telnet shows: it echoes each line that is typed, and a reply stands at the beginning of the next line."""
+        """What telnet shows: it echoes each line that is typed, and a reply is at the beginning of the next line."""
         self.test.assertEqual(self.shown_by_telnet.rstrip(), text.rstrip())
 
     def term(self, text, xr3, monitor):
@@ -164,7 +164,7 @@ def clock_for(text):
 
 
 def play(reader, text):
-    """Follows a page that starts servers of its own: each section has a new one, with the options of the last `./run`."""
+    """Follows a page that starts servers: each section has a new one, with the options of the last `./run`."""
     options = ""
     for section in re.split(r"^(?=## )", text, flags=re.MULTILINE):
         options = next((found[1] or "" for found in RUN.finditer(section)), options)

@@ -1,5 +1,5 @@
-"""docs/classroom.md: a teacher does what it says (reader.py), with thirty robots. Its figures are those of the page that
-says how they were measured."""
+"""docs/classroom.md: a teacher does what it says (reader.py), with thirty robots. Its figures are those of
+the page that says how they were measured."""
 
 import pathlib
 import re
@@ -16,7 +16,8 @@ MEASURED = pathlib.Path(ROOT, "deploy", "kubernetes", "README.md")
 class Classroom(unittest.TestCase):
     def test_a_lesson(self):
         with tempfile.TemporaryDirectory() as folder:
-            play(Reader(self, pathlib.Path(folder)), re.sub(r"^   ", "", PAGE.read_text(encoding="utf-8"), flags=re.MULTILINE))
+            text = re.sub(r"^   ", "", PAGE.read_text(encoding="utf-8"), flags=re.MULTILINE)  # also fences of list items
+            play(Reader(self, pathlib.Path(folder)), text)
             self.assertIn("<svg", pathlib.Path(folder, "end.svg").read_text(encoding="utf-8"))
             grades = pathlib.Path(folder, "report", "grades.csv").read_text(encoding="utf-8").splitlines()
             self.assertEqual(len(list(pathlib.Path(folder, "submissions").iterdir())), len(grades) - 1)

@@ -1,5 +1,5 @@
-"""docs/connect: the first inquiry of its pages, with pyserial on each kind of port, netcat, plink and Octave, as the pages
-show it. The tests of the other programs are in tests/lines."""
+"""docs/connect: the first inquiry of its pages, with pyserial on each kind of port, netcat, plink and Octave, as the
+pages show it. The tests of the other programs are in tests/lines."""
 
 import pathlib
 import re

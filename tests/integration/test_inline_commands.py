@@ -285,7 +285,7 @@ class Commands(unittest.TestCase):
         self.assertTrue(text in shown or len(text.split()) == 2 and any(line.startswith(f"{text} ") for line in shown))
 
     def is_of_a_release(self, command):
-        """There is no published release yet, and the page says so. The options of the image are those of docker/README.md."""
+        """There is no published release yet, and the page says so. Options of the image are in docker/README.md."""
         page = command.place.partition(":")[0]
         self.assertIn("From the first published release on", pathlib.Path(ROOT, page).read_text(encoding="utf-8"))
         self.assertRegex(command.text, r" (\./xr3_\*\.deb|xr3:VERSION|xr3-VERSION-linux-x86_64\.tar\.gz)$")

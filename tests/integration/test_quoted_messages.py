@@ -38,7 +38,8 @@ def many_unknown_members():
 
 def quotes():
     """(place, text) of every quoted message."""
-    lines = [(path, number, line.strip()) for path, number, line in pages.fenced_lines() if not pages.has_a_reader(path)]
+    lines = [(path, number, line.strip()) for path, number, line in pages.fenced_lines()
+             if not pages.has_a_reader(path)]
     lines += [(path, number, code) for path, number, _, code in pages.spans()]
     for path, number, text in lines:
         if QUOTED.fullmatch(text):

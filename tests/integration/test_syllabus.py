@@ -1,4 +1,5 @@
-"""docs/course/syllabus.md: each plan has every exercise once, in its order, and numbers its weeks; the afternoon is four hours."""
+"""docs/course/syllabus.md: each plan has every exercise once, in its order, and numbers its weeks. The afternoon
+has four hours."""
 
 import pathlib
 import re

@@ -1,5 +1,5 @@
-"""docs/troubleshooting.md: each symptom is caused as its section says, on a server of its own, and looks as it says (reader.py).
-The options of the server are in a comment of the section, `<!-- server: OPTIONS -->`."""
+"""docs/troubleshooting.md: each symptom is caused as its section says, on a server of its own, and looks as it says
+(reader.py). The options of the server are in a comment of the section, `<!-- server: OPTIONS -->`."""
 
 import pathlib
 import re

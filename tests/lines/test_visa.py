@@ -1,5 +1,5 @@
-"""PyVISA with PyVISA-py, the free VISA: the program of docs/connect/labview-visa.md over TCP and on the pseudo-terminal of
-`--pty`, and what happens to a program that waits for a line."""
+"""PyVISA with PyVISA-py, the free VISA: the program of docs/connect/labview-visa.md over TCP and on the pseudo-terminal
+of `--pty`, and what happens to a program that waits for a line."""
 
 import importlib.util
 import pathlib
