@@ -1,0 +1,124 @@
+"""The checks of built_site.py and of scripts/site find what they are for: broken sites, and a checkout with a broken link."""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+from built_site import Page, Site
+
+ROOT = pathlib.Path(os.environ["XR3_ROOT"])
+PAGE = """<!doctype html><link rel="stylesheet" href="style.css"><link rel="canonical" href="https://example.org/">
+<nav class="md-nav md-nav--primary">{nav}</nav>
+<article class="md-content__inner"><h1 id="top">Title<a class="headerlink" href="#top">¶</a></h1>{body}</article>"""
+NAV = '<a class="md-nav__button md-logo" href="/index.html">xr3</a><a href="/index.html">Home</a><a href="/a/b.html">B</a>'
+BUILD_S = 300.0
+
+
+class BrokenSites(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        (self.folder / "a").mkdir()
+        self.write("index.html", '<a href="a/b.html#top">B</a> <a href="https://example.org/">outside</a>')
+        self.write("a/b.html", '<a href="../index.html">Home</a> <a href="#top">here</a> <a href="..">folder</a>')
+        self.write("404.html", "", NAV)
+        (self.folder / "style.css").write_text("a { background: url(data:image/png;base64,) }", encoding="utf-8")
+        shutil.copy(self.folder / "style.css", self.folder / "a")
+
+    def write(self, name, body, nav=""):
+        (self.folder / name).write_text(PAGE.format(body=body, nav=nav), encoding="utf-8")
+
+    def problems(self):
+        site = Site(self.folder)
+        return [*site.dead_links(), *site.outside_assets(), *site.not_once(["index.html", "a/b.html"]),
+                *site.naming("/the/machine")]
+
+    def test_a_good_site_has_no_problems(self):
+        self.assertEqual([], self.problems())
+        self.assertEqual({"https://example.org/": "index.html"}, Site(self.folder).outside_links())
+
+    def test_a_site_below_a_path_of_its_server(self):
+        self.write("404.html", "", NAV.replace('"/', '"/xr3/'))
+        self.assertEqual([], Site(self.folder, "/xr3/").not_once(["index.html", "a/b.html"]))
+        self.assertEqual([], Site(self.folder, "/xr3/").dead_links())
+
+    def test_broken_pages(self):
+        for body, problem in (
+                ('<a href="c.html">', "a/b.html: the link c.html leads to no file of the site"),
+                ('<a href="../../x.html">', "a/b.html: the link ../../x.html leads to no file of the site"),
+                ('<a href="../index.html#gone">', "a/b.html: the link ../index.html#gone leads to no heading of index.html"),
+                ('<a href="#gone">', "a/b.html: the link #gone leads to no heading of a/b.html"),
+                ('<img src="gone.png">', "a/b.html: the link gone.png leads to no file of the site"),
+                ('<script src="https://example.org/x.js"></script>', "a/b.html: loads https://example.org/x.js"),
+                ('<script src="//example.org/x.js"></script>', "a/b.html: loads //example.org/x.js"),
+                ('<img srcset="../style.css 1x, http://example.org/2.png 2x">', "a/b.html: loads http://example.org/2.png"),
+                ('<link rel="preconnect" href="https://example.org">', "a/b.html: loads https://example.org"),
+                ('<p style="background: url(https://example.org/p.png)">', "a/b.html: loads https://example.org/p.png"),
+                ('<style>@import "https://example.org/p.css";</style>', "a/b.html: loads https://example.org/p.css"),
+                ("<p>/the/machine/docs</p>", "a/b.html: contains /the/machine")):
+            with self.subTest(body):
+                self.write("a/b.html", body)
+                self.assertEqual([problem], self.problems())
+
+    def test_a_style_sheet_that_loads_a_font(self):
+        (self.folder / "style.css").write_text("@font-face { src: url('https://example.org/f.woff2') }", encoding="utf-8")
+        self.assertEqual(["style.css: loads https://example.org/f.woff2"], self.problems())
+
+    def test_the_navigation(self):
+        for nav, problem in ((NAV.replace('<a href="/a/b.html">B</a>', ""), "a/b.html 0 times"),
+                             (NAV + '<a href="/a/b.html">B</a>', "a/b.html 2 times")):
+            with self.subTest(problem):
+                self.write("404.html", "", nav)
+                self.assertEqual([f"the navigation has {problem}, not once"], self.problems())
+
+    def test_the_text_of_a_page(self):
+        page = Page(PAGE.format(nav="", body="<p>one</p><ul><li><p>two <code>E </code>,</p><pre>x\n</pre></li></ul>"))
+        self.assertEqual([(0, "h1", "Title"), (0, "text", "one"), (1, "text", "two E ,"), (1, "pre", "x")], page.blocks)
+
+
+class BrokenCheckouts(unittest.TestCase):
+    """A small checkout with the real mkdocs.yml but for its pages."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        for name in "site/hook.py", "site/style.css", "scripts/site", "clients/web/src/icon.svg":
+            (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / name, self.folder / name)
+        settings = (ROOT / "mkdocs.yml").read_text(encoding="utf-8").partition("\nnav:")[0]
+        settings = re.sub(r"^    \S+\.md: \S+\.md\n", "", settings, flags=re.MULTILINE)
+        settings = settings.replace("  outside:\n", "  outside:\n    xr3.md: README.md\n")
+        (self.folder / "mkdocs.yml").write_text(settings + "\nnav: [README.md, xr3.md]\n", encoding="utf-8")
+        (self.folder / "docs").mkdir()
+        (self.folder / "README.md").write_text("# xr3\n\n[index](docs/README.md#all)\n", encoding="utf-8")
+        (self.folder / "main.cpp").write_text("int main() {}\n", encoding="utf-8")
+        (self.folder / "other.md").write_text("# Other\n", encoding="utf-8")
+
+    def build(self, body):
+        (self.folder / "docs" / "README.md").write_text(f"# All\n\n{body}\n", encoding="utf-8")
+        done = subprocess.run([self.folder / "scripts" / "site"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                              timeout=BUILD_S, check=False)
+        return done.returncode, done.stdout
+
+    def test_links_that_work_in_the_repository(self):
+        code, said = self.build("[front page](../README.md#xr3) and [source](../main.cpp)\n* a list\n  <https://example.org/>")
+        self.assertEqual(0, code, said)
+        site = Site(self.folder / "build" / "site")
+        self.assertEqual([], site.dead_links())
+        self.assertLessEqual({"xr3.html#xr3", "files/main.cpp.txt"}, set(site.pages["index.html"].links))
+        self.assertIn((1, "text", "a list https://example.org/"), site.pages["index.html"].blocks)
+        self.assertEqual("int main() {}\n", (self.folder / "build/site/files/main.cpp.txt").read_text(encoding="utf-8"))
+
+    def test_links_that_do_not(self):
+        problems = {"../gone.cpp": "no file", "../clients": "a folder", "gone.md": "no file",
+                    "../other.md": "a page that the site does not have"}
+        code, said = self.build(" ".join(f"[x]({link})" for link in problems))
+        self.assertNotEqual(0, code)
+        for link, problem in problems.items():
+            self.assertIn(f"README.md: the link {link} leads to {problem}: link to", said)
+
+
+if __name__ == "__main__":
+    unittest.main()
