@@ -28,6 +28,7 @@ FENCE = re.compile(r"(`{3,}|~{3,})")
 ITEM = re.compile(r"([*+-]|\d+[.)]) +")
 NUMBER = re.compile(r"^(\d+)\.(?= )")
 CODE = r"(?<![\\`])(`+)(?!`)(.+?)(?<!`)\1(?!`)"
+SHORT = 20  # characters of code in a table
 TAB = 4  # columns by which Python-Markdown indents the contents of a list item
 
 log = logging.getLogger("mkdocs.hooks.site")  # (below "mkdocs": the option --strict counts its warnings)
@@ -87,16 +88,20 @@ class Code(InlineProcessor):
         return element, m.start(0), m.end(0)
 
 
-def unescape_bars(root):
-    """In a table, `\\|` in code is a bar."""
+def mend_tables(root):
+    """In a table, `\\|` in code is a bar, and short code is kept on one line: the table scrolls instead."""
     for cell in root.iter():
         for code in cell.iter("code") if cell.tag in ("td", "th") else ():
             code.text = AtomicString((code.text or "").replace("\\|", "|"))
+            if len(code.text) <= SHORT:
+                code.set("class", "short")
 
 
 def on_page_markdown(markdown, page, config, files):  # pylint: disable=unused-argument
     """Remembers the page, for its links, and adapts its lists and details."""
     SITE.page, SITE.files, SITE.config = page, files, config
+    if page.is_homepage:
+        page.meta["hide"] = ["navigation"]  # the tabs and the page itself have it
     return re.sub(r"^( *)<details>", r'\1<details markdown="1">', reindent(markdown), flags=re.MULTILINE)
 
 
@@ -164,7 +169,7 @@ class Links(Treeprocessor):
             for name in "href", "src":
                 if element.tag in ("a", "img") and element.get(name):
                     element.set(name, SITE.link(element.get(name)))
-        unescape_bars(root)
+        mend_tables(root)
 
 
 class LinksExtension(Extension):

@@ -140,6 +140,18 @@ class Setup(unittest.TestCase):
         self.assertEqual(0, code, said)
         self.assertIn("librapidcheck-dev", packages)
 
+    def test_the_packages_of_the_site(self):
+        """(Fedora's names: nobody has tried them.)"""
+        expected = {"mkdocs", "mkdocs-material", "mkdocstrings", "mkdocstrings-python-handlers", "black", "python3",
+                    "python3-fastjsonschema", "python3-markdown-it", "python3-websockets", "chromium"}
+        code, said, packages = self.setup_with([], self.usual | versioned(DEBIAN_12), "docs")
+        self.assertEqual((0, expected), (code, set(packages)), said)
+        self.system = UBUNTU.format("24.04.3 LTS")
+        self.assertEqual(expected - {"chromium"}, set(self.setup_with([], self.usual, "docs")[2]))
+        fedora = {"mkdocs", "python3-mkdocs-material", "python3-mkdocstrings", "python3-mkdocstrings-python", "black",
+                  "python3", "python3-fastjsonschema", "python3-markdown-it-py", "python3-websockets", "chromium"}
+        self.assertEqual((0, sorted(fedora)), (lambda done: (done[0], sorted(done[2])))(self.fedora([], fedora, "docs")))
+
     def test_the_emulator_of_aarch64_has_two_names(self):
         names = {"qemu-user-static", "qemu-user"}
         for offered, expected in ((names, "qemu-user-static"), ({"qemu-user"}, "qemu-user")):
