@@ -21,14 +21,15 @@ IDENTITY = tuple(tuple(float(i == j) for j in range(4)) for i in range(4))
 
 
 class Unreachable(ValueError):
-    """The arm cannot reach the pose; the message gives the reason."""
+    """The arm cannot be there: it is too short, a joint would be past its limit, or the tip would
+    be in the protected region. The message says which."""
 
 
 @dataclass(frozen=True)
 class Pose:
-    """The pose of a tool that points straight down: position of the tip, and `yaw`, the angle of
-    the tool's x axis about the vertical, from the x axis of the table. A block with this yaw fits
-    squarely between the jaws."""
+    """The pose of a tool that points straight down: the position of the tip in mm, in base
+    coordinates with z up, and `yaw`, the angle in degrees of the tool's x axis about the vertical,
+    from the x axis of the table. A block with this yaw fits squarely between the jaws."""
 
     x: float
     y: float
@@ -56,9 +57,9 @@ class Switch:
 
 @dataclass(frozen=True)
 class Joint:
-    """One row of the Denavit-Hartenberg table, at the soft home, and its motor. `precision` is in
-    degrees (mm for a sliding joint) per count, `direction` is +1 or -1, `limits` apply to the joint
-    variable."""
+    """One row of the Denavit-Hartenberg table at the soft home, with `theta` and `alpha` in degrees
+    and `d` and `a` in mm, and the motor with its `label`. `precision` is in degrees (mm for a
+    sliding joint) per count, `direction` is +1 or -1, `limits` apply to the joint variable."""
 
     label: str
     theta: float
@@ -126,9 +127,10 @@ class Joint:
 
 @dataclass(frozen=True)
 class Jaws:
-    """The gripper, joint A. `home` is the opening at count 0 in mm or, for rotating fingers
-    (`finger` is their length in mm), the angle between them in degrees. `fully_open` is the count
-    at which the gripper is fully open. `direction` is +1 if positive counts open it, else -1."""
+    """The gripper, joint A. `precision` is in mm (degrees for rotating fingers) per count, `home`
+    is the opening at count 0 in mm or, for rotating fingers (`finger` is their length in mm), the
+    angle between them in degrees. `fully_open` is the count at which the gripper is fully open.
+    `direction` is +1 if positive counts open it, else -1."""
 
     precision: float
     home: float
@@ -145,16 +147,16 @@ class Jaws:
 
 @dataclass(frozen=True)
 class Arm:
-    """The parameters of an arm. `joints` are in order from base to tool. A coupling (j, k, sign)
-    means that joint j, counted from 0, moves joint k in the same (+1) or the opposite (-1)
-    direction. `inverse` returns candidate joint variables for a pose. `homing` is the order in
-    which joints are homed; those in `near_first` would run into the base if they leaned back, so
-    they search for their switch towards the soft home first. `protected` is
-    radius and height in mm of the protected region, a cylinder about the base axis: the robot
-    stalls before its tip enters it. `mount` is the transformation from the base frame to frame 0.
-    If the first joint slides and the arm on it has a closed form, `inverse` is that of the arm.
-    `carousel` is the motor of a turntable, a Joint of which only the motor counts. `switches` has
-    the edge of every switch."""
+    """The parameters of an arm, and its kinematics. `Arm.load()` reads them from a file. `joints`
+    are in order from base to tool. A coupling (j, k, sign) means that joint j, counted from 0,
+    moves joint k in the same (+1) or the opposite (-1) direction. `inverse` returns candidate joint
+    variables for a pose. `homing` is the order in which joints are homed; those in `near_first`
+    would run into the base if they leaned back, so they search for their switch towards the soft
+    home first. `protected` is radius and height in mm of the protected region, a cylinder about the
+    base axis: the robot stalls before its tip enters it. `mount` is the transformation from the
+    base frame to frame 0. If the first joint slides and the arm on it has a closed form, `inverse`
+    is that of the arm. `carousel` is the motor of a turntable, a Joint of which only the motor
+    counts. `switches` has the edge of every switch."""
 
     name: str
     joints: Tuple[Joint, ...]

@@ -15,7 +15,9 @@ Message = Dict[str, Any]
 
 
 class MonitorError(Exception):
-    """The server refused a request. Only `code` is stable, not message and hint."""
+    """The server refused a request. `code` names the reason and never changes from version to
+    version, unlike the text. `details` has the single errors of a file or of arguments, as
+    messages."""
 
     def __init__(self, error: Message) -> None:
         super().__init__(f"{error['code']}: {error['message']} ({error['hint']})")
@@ -24,16 +26,20 @@ class MonitorError(Exception):
 
 
 class Monitor:
-    """A connection to the monitor port. Use it in a `with` statement, or call close(). `hello` is
-    the server's first message, or its first after the token if reading needs the token.
+    """A connection to the monitor port. Use it in a `with` statement, or call `close()`. The
+    attribute `hello` is the server's first message, or its first after the token if reading needs
+    the token.
 
-    `cell` is the name of the cell of all requests that name none themselves, on a server of
-    several robots; by default the one that `hello` names.
+    `cell` is the name of the cell of all requests that name none themselves, on a server of several
+    robots; by default the one that `hello` names.
 
-    Host and port default to XR3_HOST and XR3_MONITOR_PORT, else localhost and 9601. The token, if
-    the server requires one, defaults to XR3_TOKEN. All operations raise OSError if the connection
-    is lost, and TimeoutError if the server is silent for timeout_s; the connection remains usable
-    after a TimeoutError."""
+    `host` and `port` default to the variables XR3_HOST and XR3_MONITOR_PORT, else to localhost and
+    9601. `token`, if the server requires one, defaults to the variable XR3_TOKEN.
+
+    The constructor raises ValueError if the port is no port, ConnectionError if no server answers,
+    and MonitorError if the token is wrong. All methods raise OSError if the connection is lost, and
+    TimeoutError if the server is silent for `timeout_s` seconds; the connection remains usable
+    after a TimeoutError. Those that make a request raise MonitorError if the server refuses it."""
 
     def __init__(self, host: Optional[str] = None, port: Union[int, str, None] = None, *,
                  token: Optional[str] = None, cell: Optional[str] = None,
@@ -85,8 +91,8 @@ class Monitor:
 
     def messages(self) -> Iterator[Message]:
         """Yields all messages, such as those of subscribed channels, until the server closes the
-        connection. Raises TimeoutError if none arrives within timeout_s; call it again to wait
-        for more."""
+        connection. Raises TimeoutError if none arrives within `timeout_s` seconds; call it again to
+        wait for more."""
         while True:
             try:
                 yield self.read()
@@ -94,8 +100,9 @@ class Monitor:
                 return
 
     def request(self, op: str, **members: Any) -> Message:
-        """Sends a request and returns its response. Drops messages of subscriptions that arrive in
-        between. Raises MonitorError if the server refuses."""
+        """Sends a request, such as `request("get", channel="state")`, and returns its response.
+        Drops messages of subscriptions that arrive in between. Raises MonitorError if the server
+        refuses."""
         self._last_id += 1
         if self.cell is not None and op != "auth":
             members.setdefault("cell", self.cell)
@@ -127,7 +134,8 @@ class Monitor:
         return {motor["label"]: motor["count"] for motor in [*state["joints"], state["tool"]]}
 
     def block(self, name: str) -> Message:
-        """A block with name, xyz_mm, yaw_deg and held. Raises KeyError if there is none."""
+        """The block with this name: a dictionary with `name`, `xyz_mm`, the centre, `yaw_deg` and
+        `held`. Raises KeyError if there is none."""
         for block in self.state("blocks")["blocks"]:
             if block["name"] == name:
                 found: Message = block
@@ -135,13 +143,14 @@ class Monitor:
         raise KeyError(name)
 
     def sub(self, channel: str, **options: Any) -> Message:
-        """Subscribes to a channel; read its messages with messages()."""
+        """Subscribes to a channel and returns what the server confirms; read its messages with
+        `messages()`."""
         value: Message = self.request("sub", channel=channel, **options)["value"]
         return value
 
     def call(self, fn: str, **arguments: Any) -> Message:
-        """Makes a call, such as `home`, `pause` or `rate` with a factor; returns the value of its
-        result."""
+        """Makes a call with its arguments, such as `call("pause")` or `call("rate", factor=2)`;
+        returns the value of its result. Calls need the token, if the server has one."""
         value: Message = self.request("call", fn=fn, args=arguments)["value"]
         return value
 
@@ -152,6 +161,7 @@ class Monitor:
         return state
 
     def settle(self, max_ticks: int = 600_000) -> Message:
-        """Advances a manual clock until nothing moves. Returns the state."""
+        """Advances a manual clock until nothing moves, or by `max_ticks` milliseconds. Returns the
+        state."""
         state: Message = self.call("run_until", idle=True, max_ticks=max_ticks)["state"]
         return state

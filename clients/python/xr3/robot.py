@@ -36,21 +36,28 @@ def _poll_s() -> float:
 
 
 class RobotError(Exception):
-    """The arm did not execute a command."""
+    """The arm did not do what it was told: a joint is blocked or was stopped, or a microswitch was
+    not found. The message says which and where."""
 
 
 class Robot:
-    """A robot on a serial line over TCP. Use it in a `with` statement, or call close().
+    """A robot on a serial line over TCP. Use it in a `with` statement, or call `close()`.
 
-    Host and port default to XR3_HOST and XR3_PORT, else localhost and 9600. The camera defaults to
-    that of the arm's own workcell, for an arm that xr3 does not supply to the Rhino's. `at` holds the motor
-    positions in counts from the soft home, as tracked by go() and the methods that use it; the arm
-    is assumed to start at the soft home. All operations raise OSError if the connection is lost,
-    and TimeoutError if an answer does not arrive within timeout_s.
+    `host` and `port` default to the variables XR3_HOST and XR3_PORT, else to localhost and 9600.
+    `arm` is the arm at the other end. `camera` defaults to that of the arm's own workcell; for an
+    arm that xr3 does not supply, to the Rhino's.
 
-    A joint counts as stopped if its counter is the same for STANDS_AFTER questions, with `pause()`
-    between two of them: by default POLL_S, so 2 s in total, or XR3_POLL_MS milliseconds. `xr3 exec` sets this
-    variable to 0 where simulated time follows the questions."""
+    The attribute `at` has the position of each motor in counts from the soft home, by label, as
+    tracked by `go()` and the methods that use it. The arm is assumed to start at the soft home.
+
+    The constructor raises ValueError if the port is no port, and ConnectionError if no robot
+    answers. All methods raise OSError if the connection is lost, and TimeoutError if an answer does
+    not arrive within `timeout_s` seconds. A `label` that is no joint of the arm, or a number that
+    is not whole, raises ValueError, and nothing is sent.
+
+    A joint counts as stopped if its error counter is the same for 40 questions, with `pause()`
+    between two of them: by default 0.05 s, so 2 s in total, or as many milliseconds as the variable
+    XR3_POLL_MS says. `xr3 exec` sets it to 0 where simulated time follows the questions."""
 
     def __init__(self, host: Optional[str] = None, port: Union[int, str, None] = None, *,
                  arm: Arm = RHINO_XR3, camera: Optional[Camera] = None, timeout_s: float = 10.0,
@@ -78,11 +85,12 @@ class Robot:
     # --- Bytes.
 
     def send(self, text: str) -> None:
-        """Sends commands. A move starts at the first byte after its number: end it with `\\r`."""
+        """Sends commands, in ASCII, and does not wait. A move starts at the first byte after its
+        number, so end it with a carriage return: `send("E+50\\r")`."""
         self._socket.sendall(text.encode("ascii"))
 
     def read(self, count: int) -> bytes:
-        """Reads exactly `count` bytes of replies."""
+        """Reads exactly `count` bytes of replies. Waits for them for up to `timeout_s` seconds."""
         reply = b""
         while len(reply) < count:
             try:
@@ -117,21 +125,23 @@ class Robot:
     # --- One joint.
 
     def move(self, label: str, counts: int) -> None:
-        """Starts a move of -128 to 127 counts and does not wait for it."""
+        """Starts a move by -128 to 127 counts and does not wait for it: see `wait()`. The counts
+        are added to those that the joint still has to go. Raises ValueError for more counts."""
         self._check({label: counts})
         if not -128 <= counts <= 127:
             raise ValueError(f"a move is -128...127 counts, not {counts}")
         self.send(f"{label}{counts:+d}\r")
 
     def to_go(self, label: str) -> int:
-        """The absolute value of the joint's error counter: the counts still to go. A Mark III
+        """How many counts the joint still has to go, 0 to 128, without the direction. A Mark III
         answers with seven bits, so that 128 counts look like 0 there."""
         self._check({label: 0})
         byte = self.ask(f"{label}?")
         return byte - SPACE if byte >= SPACE else byte + 128 - SPACE
 
     def error(self, label: str) -> int:
-        """The joint's error counter with its sign. A Mark III does not know this inquiry."""
+        """The counts that the joint still has to go, with their sign, -128 to 127. A Mark III does
+        not know this inquiry."""
         self._check({label: 0})
         byte = self.ask(f"{label}T")
         return byte - 256 if byte > 127 else byte
@@ -147,15 +157,15 @@ class Robot:
         return (self.ask("J" if label in "AB" else "I") - SPACE) & mask != 0
 
     def set_speed(self, label: str, counts_per_s: int) -> None:
-        """Sets the speed of a joint, 1 to 255 counts per second. Not for a Mark III: it has no such
-        command and would read the number as a move."""
+        """Sets the speed of a joint, 1 to 255 counts per second; else raises ValueError. Not for a
+        Mark III: it has no such command and would read the number as a move."""
         self._check({label: counts_per_s})
         if not 1 <= counts_per_s <= 255:
             raise ValueError(f"a speed is 1...255 counts a second, not {counts_per_s}")
         self.send(f"{label}{counts_per_s}S")
 
     def stop(self, label: str) -> None:
-        """Stops the joint and cancels the rest of its move."""
+        """Stops the joint at once and cancels the rest of its move."""
         self._check({label: 0})
         self.send(f"{label}X")
 
@@ -175,10 +185,12 @@ class Robot:
     # --- All joints.
 
     def go(self, counts: Counts) -> None:
-        """Moves these motors to these counts, all together and in equal parts, and waits. Raises
-        ValueError if the arm has no such joint or a count is not whole, and Unreachable if a joint
-        would be past its limit, both before anything moves. Raises RobotError if a joint does not
-        arrive."""
+        """Moves these motors to these positions, in counts from the soft home by label, all
+        together and in equal parts, and waits: `go({"E": 200, "D": -100})`. Other motors stay where
+        they are. Raises ValueError if the arm has no such joint or a count is not whole, and
+        Unreachable if a joint would be past its limit, both before anything moves. Raises
+        RobotError if a joint does not arrive; `at` then has the positions where the joints
+        stand."""
         self._check(counts)
         past_limit = self.arm.past_limit({**self.at, **counts})
         if past_limit:
@@ -208,12 +220,13 @@ class Robot:
         return left == 0
 
     def go_to(self, pose: Pose) -> None:
-        """Moves the tool there, pointing down; a slide stays where it is. Raises Unreachable or
-        RobotError."""
+        """Moves the tool to a pose, pointing down, and waits; a slide stays where it is. All motors
+        move together, so the path of the tip is no straight line. Raises Unreachable before
+        anything moves, or RobotError."""
         self.go(self.arm.solve(pose, self.arm.slide_at(self.at)))
 
     def soft_home(self) -> None:
-        """Sets the arm to its soft home at once. Works only in the simulator."""
+        """Puts the arm at its soft home at once, without a move. Only the simulator can do this."""
         self.send("A$")
         self.at = dict.fromkeys(self.arm.labels, 0)
 
@@ -300,17 +313,18 @@ class Robot:
     # --- Seeing and grasping.
 
     def look(self) -> Picture:
-        """Takes a picture with the camera of the simulator."""
+        """Takes a picture with the camera of the simulator, whose size `camera` must have. Raises
+        ValueError if the reply is no picture."""
         self.send("A**")
         return Picture.decode(self.read(self.camera.picture_bytes), self.camera)
 
     def open_jaws(self) -> None:
-        """Opens the jaws fully."""
+        """Opens the jaws fully and waits. Raises RobotError if they do not arrive."""
         self.go({"A": self.arm.jaws.fully_open})
 
     def close_jaws(self) -> Optional[float]:
         """Closes the jaws until something is between them. Returns their opening in mm, or None if
-        they closed on nothing. Takes 2 s to detect that the jaws have stopped, see wait(). The
+        they closed on nothing. Takes 2 s to detect that the jaws have stopped, see `wait()`. The
         counts left in the error counter give the width of the block and are then cleared, since
         otherwise the jaws could not open again."""
         self._stride({"A": -CLOSING * self.arm.jaws.direction})
@@ -318,9 +332,10 @@ class Robot:
         return opening if opening > self.arm.jaws.precision else None
 
     def pick(self, pose: Pose) -> Optional[float]:
-        """Picks up the block whose centre is at the pose. Returns its width in mm, or None if the
-        jaws closed on nothing. A block looks the same after half a turn, so the yaw that needs the
-        smaller roll of the tool is used."""
+        """Picks up the block whose centre is at the pose: opens the jaws, moves 100 mm above the
+        pose, down, closes the jaws, and up again. Returns the width of the block in mm, or None if
+        the jaws closed on nothing. A block looks the same after half a turn, so the yaw that needs
+        the smaller roll of the tool is used. Raises Unreachable or RobotError."""
         self.open_jaws()
         pose = self._nearer(pose)
         self.go_to(_above(pose))
@@ -330,7 +345,8 @@ class Robot:
         return width
 
     def place(self, pose: Pose) -> None:
-        """Puts down the block in the jaws at the pose and moves up."""
+        """Puts down the block in the jaws with its centre at the pose: moves 100 mm above it, down,
+        opens the jaws, and up again. Raises Unreachable or RobotError."""
         pose = self._nearer(pose)
         self.go_to(_above(pose))
         self.go_to(pose)
@@ -352,8 +368,8 @@ def _above(pose: Pose) -> Pose:
 
 
 def connect(arm: Arm = RHINO_XR3, camera: Optional[Camera] = None) -> Robot:
-    """For interactive programs: connects to the HOST and PORT of the command line, or to Robot()'s
-    defaults. If that fails, ends the program with a one-line message."""
+    """For interactive programs: a Robot at the HOST and PORT of the command line, or at its
+    defaults. If no robot answers within 5 s, ends the program with a message of one line."""
     try:
         robot = Robot(*sys.argv[1:3], arm=arm, camera=camera, timeout_s=5)
         robot.ask("I")  # a robot answers at once, another kind of server does not

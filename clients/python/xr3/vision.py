@@ -63,6 +63,7 @@ class Camera:
 
     @property
     def picture_bytes(self) -> int:
+        """Bytes of the reply to `A**`: those of all rows."""
         return self.rows * self.row_bytes
 
     @property
@@ -88,8 +89,9 @@ CAMERAS = {"rhino-xr3": RHINO_CAMERA, "adept-one": ADEPT_CAMERA,
 
 @dataclass(frozen=True)
 class Patch:
-    """Connected pixels: a block seen from above. Lengths are in mm. `yaw` is the direction of the
-    long side in degrees, 0 <= yaw < 180 (a block looks the same after half a turn)."""
+    """Connected pixels: a block seen from above. `x` and `y` are its centre, all lengths are in mm
+    and `area` in mm². `yaw` is the direction of the long side in degrees, 0 <= yaw < 180 (a block
+    looks the same after half a turn)."""
 
     pixels: FrozenSet[Pixel]
     area: float
@@ -102,7 +104,7 @@ class Patch:
     @classmethod
     def of(cls, pixels: Iterable[Pixel], camera: Camera) -> "Patch":
         """Measures a patch. The centre is the average of the pixels; yaw, length and width are
-        those of the rectangle with the same second moments."""
+        those of the rectangle with the same second moments. There must be at least one pixel."""
         pixels = frozenset(pixels)
         places = [camera.place(pixel) for pixel in pixels]
         n = len(places)
