@@ -1,5 +1,5 @@
-"""A page of Chromium under its debugging protocol: size of the screen, navigation, scripts, input, and what the page has
-requested and complained about. And the web server that it reads from."""
+"""A page of Chromium under its debugging protocol: size of the screen, navigation, scripts, input, and what the page
+has requested and complained about. And the web server that it reads from."""
 
 import asyncio
 import functools
@@ -21,7 +21,7 @@ class Session:
         self._size = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600}
         self._loop = asyncio.new_event_loop()
         self._last_id = 0
-        self._loaded = False
+        self._loaded, self._page = False, ""
         self.requests, self.complaints = set(), []
 
     def __enter__(self):
@@ -51,12 +51,15 @@ class Session:
         elif event == "Page.loadEventFired":
             self._loaded = True
         elif event == "Runtime.exceptionThrown":
-            self.complaints.append(json.dumps(values["exceptionDetails"])[:500])
+            self._complain(json.dumps(values["exceptionDetails"])[:500])
         elif event == "Runtime.consoleAPICalled" and values["type"] in ("error", "warning", "assert"):
-            self.complaints.append(json.dumps(values["args"])[:500])
+            self._complain(json.dumps(values["args"])[:500])
         elif event == "Log.entryAdded" and values["entry"]["level"] in ("error", "warning"):
-            self.complaints.append(f"{values['entry']['text']} {values['entry'].get('url', '')}")
+            self._complain(f"{values['entry']['text']} {values['entry'].get('url', '')}")
         return message
+
+    def _complain(self, text):
+        self.complaints.append(f"{self._page}: {text}")
 
     def send(self, method, **parameters):
         """Calls a method of the protocol; returns its result."""
@@ -70,7 +73,7 @@ class Session:
 
     def open(self, url):
         """Opens a page and waits until it has loaded."""
-        self._loaded = False
+        self._loaded, self._page = False, url
         self.send("Page.navigate", url=url)
         while not self._loaded:
             self._read()

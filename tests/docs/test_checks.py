@@ -1,4 +1,5 @@
-"""The checks of built_site.py and of scripts/site find what they are for: broken sites, and a checkout with a broken link."""
+"""The checks of built_site.py and of scripts/site find what they are for: broken sites, and a checkout with broken
+links."""
 
 import os
 import pathlib
@@ -14,7 +15,8 @@ ROOT = pathlib.Path(os.environ["XR3_ROOT"])
 PAGE = """<!doctype html><link rel="stylesheet" href="style.css"><link rel="canonical" href="https://example.org/">
 <nav class="md-nav md-nav--primary">{nav}</nav>
 <article class="md-content__inner"><h1 id="top">Title<a class="headerlink" href="#top">¶</a></h1>{body}</article>"""
-NAV = '<a class="md-nav__button md-logo" href="/index.html">xr3</a><a href="/index.html">Home</a><a href="/a/b.html">B</a>'
+NAV = ('<a class="md-nav__button md-logo" href="/index.html">xr3</a>'
+       '<a href="/index.html">Home</a><a href="/a/b.html">B</a>')
 BUILD_S = 300.0
 
 
@@ -49,12 +51,14 @@ class BrokenSites(unittest.TestCase):
         for body, problem in (
                 ('<a href="c.html">', "a/b.html: the link c.html leads to no file of the site"),
                 ('<a href="../../x.html">', "a/b.html: the link ../../x.html leads to no file of the site"),
-                ('<a href="../index.html#gone">', "a/b.html: the link ../index.html#gone leads to no heading of index.html"),
+                ('<a href="../index.html#gone">',
+                 "a/b.html: the link ../index.html#gone leads to no heading of index.html"),
                 ('<a href="#gone">', "a/b.html: the link #gone leads to no heading of a/b.html"),
                 ('<img src="gone.png">', "a/b.html: the link gone.png leads to no file of the site"),
                 ('<script src="https://example.org/x.js"></script>', "a/b.html: loads https://example.org/x.js"),
                 ('<script src="//example.org/x.js"></script>', "a/b.html: loads //example.org/x.js"),
-                ('<img srcset="../style.css 1x, http://example.org/2.png 2x">', "a/b.html: loads http://example.org/2.png"),
+                ('<img srcset="../style.css 1x, http://example.org/2.png 2x">',
+                 "a/b.html: loads http://example.org/2.png"),
                 ('<link rel="preconnect" href="https://example.org">', "a/b.html: loads https://example.org"),
                 ('<p style="background: url(https://example.org/p.png)">', "a/b.html: loads https://example.org/p.png"),
                 ('<style>@import "https://example.org/p.css";</style>', "a/b.html: loads https://example.org/p.css"),
@@ -64,7 +68,8 @@ class BrokenSites(unittest.TestCase):
                 self.assertEqual([problem], self.problems())
 
     def test_a_style_sheet_that_loads_a_font(self):
-        (self.folder / "style.css").write_text("@font-face { src: url('https://example.org/f.woff2') }", encoding="utf-8")
+        text = "@font-face { src: url('https://example.org/f.woff2') }"
+        (self.folder / "style.css").write_text(text, encoding="utf-8")
         self.assertEqual(["style.css: loads https://example.org/f.woff2"], self.problems())
 
     def test_the_navigation(self):
@@ -98,12 +103,13 @@ class BrokenCheckouts(unittest.TestCase):
 
     def build(self, body):
         (self.folder / "docs" / "README.md").write_text(f"# All\n\n{body}\n", encoding="utf-8")
-        done = subprocess.run([self.folder / "scripts" / "site"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                              timeout=BUILD_S, check=False)
+        done = subprocess.run([self.folder / "scripts" / "site"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              text=True, timeout=BUILD_S, check=False)
         return done.returncode, done.stdout
 
     def test_links_that_work_in_the_repository(self):
-        code, said = self.build("[front page](../README.md#xr3) and [source](../main.cpp)\n* a list\n  <https://example.org/>")
+        code, said = self.build("[front page](../README.md#xr3) and [source](../main.cpp)\n"
+                                "* a list\n  <https://example.org/>")
         self.assertEqual(0, code, said)
         site = Site(self.folder / "build" / "site")
         self.assertEqual([], site.dead_links())

@@ -87,7 +87,8 @@ class BuiltSite(unittest.TestCase):
                 self.assertTrue(text, f"{path}.{member} has no docstring")
 
     def test_no_path_of_this_machine(self):
-        self.none([problem for name in ("build", "clients", "docs", "site") for problem in self.site.naming(f"{ROOT}/{name}")])
+        for name in "build", "clients", "docs", "site":
+            self.none(self.site.naming(f"{ROOT}/{name}"))
 
     def test_the_site_shows_what_a_git_host_shows(self):
         """The same headings, paragraphs, lists, cells and code as an implementation of CommonMark makes of the file."""
@@ -98,8 +99,8 @@ class BuiltSite(unittest.TestCase):
                 self.assertEqual(Page(markdown, whole=True).blocks, self.site.pages[name].blocks)
 
     def test_anchors_are_those_of_a_git_host(self):
-        for heading, anchor in (("A class: many robots", "a-class-many-robots"), ("`xr3 exec` & more", "xr3-exec--more"),
-                                ("The snake_case", "the-snake_case"), ("Connect from …", "connect-from-")):
+        for heading, anchor in (("A class: many robots", "a-class-many-robots"),
+                                ("`xr3 exec` & more", "xr3-exec--more"), ("The snake_case", "the-snake_case"), ("Connect from …", "connect-from-")):
             self.assertEqual(anchor, hook.slug(heading))
 
 
