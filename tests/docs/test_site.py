@@ -100,7 +100,8 @@ class BuiltSite(unittest.TestCase):
 
     def test_anchors_are_those_of_a_git_host(self):
         for heading, anchor in (("A class: many robots", "a-class-many-robots"),
-                                ("`xr3 exec` & more", "xr3-exec--more"), ("The snake_case", "the-snake_case"), ("Connect from …", "connect-from-")):
+                                ("`xr3 exec` & more", "xr3-exec--more"), ("The snake_case", "the-snake_case"),
+                                ("Connect from …", "connect-from-")):
             self.assertEqual(anchor, hook.slug(heading))
 
 
