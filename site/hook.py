@@ -15,6 +15,7 @@ from xml.etree import ElementTree
 
 from markdown.extensions import Extension
 from markdown.inlinepatterns import InlineProcessor
+from markdown.serializers import HTML_EMPTY
 from markdown.treeprocessors import Treeprocessor
 from markdown.util import AtomicString, code_escape
 from mkdocs.structure.files import File
@@ -28,8 +29,11 @@ FENCE = re.compile(r"(`{3,}|~{3,})")
 ITEM = re.compile(r"([*+-]|\d+[.)]) +")
 NUMBER = re.compile(r"^(\d+)\.(?= )")
 CODE = r"(?<![\\`])(`+)(?!`)(.+?)(?<!`)\1(?!`)"
+BREAKS = re.compile(r"(?<=[/|,])(?=.)")  # where longer code in a table may break
 SHORT = 20  # characters of code in a table
 TAB = 4  # columns by which Python-Markdown indents the contents of a list item
+
+HTML_EMPTY.add("wbr")  # has no end tag
 
 log = logging.getLogger("mkdocs.hooks.site")  # (below "mkdocs": the option --strict counts its warnings)
 
@@ -89,12 +93,16 @@ class Code(InlineProcessor):
 
 
 def mend_tables(root):
-    """In a table, `\\|` in code is a bar, and short code is kept on one line: the table scrolls instead."""
+    """In a table, `\\|` in code is a bar. Short code is kept on one line (style.css), longer code has places to break."""
     for cell in root.iter():
         for code in cell.iter("code") if cell.tag in ("td", "th") else ():
             code.text = AtomicString((code.text or "").replace("\\|", "|"))
             if len(code.text) <= SHORT:
                 code.set("class", "short")
+                continue
+            code.text, *parts = map(AtomicString, BREAKS.split(code.text))
+            for part in parts:
+                ElementTree.SubElement(code, "wbr").tail = part
 
 
 def on_page_markdown(markdown, page, config, files):  # pylint: disable=unused-argument

@@ -9,6 +9,8 @@ import subprocess
 import tempfile
 import unittest
 
+import yaml
+
 from built_site import Page, Site
 
 ROOT = pathlib.Path(os.environ["XR3_ROOT"])
@@ -124,6 +126,37 @@ class BrokenCheckouts(unittest.TestCase):
         self.assertNotEqual(0, code)
         for link, problem in problems.items():
             self.assertIn(f"README.md: the link {link} leads to {problem}: link to", said)
+
+
+class Publishing(unittest.TestCase):
+    """The files for GitHub Pages and GitLab Pages, which no test can run: what they call and name exists."""
+
+    def setUp(self):
+        self.settings = (ROOT / "mkdocs.yml").read_text(encoding="utf-8")
+
+    def check_variables(self, variables):
+        self.assertEqual({"XR3_SITE_URL", "XR3_REPOSITORY_URL"}, set(variables))
+        for name in variables:
+            self.assertIn(f"!ENV [{name}, ", self.settings)
+
+    def test_github(self):
+        text = (ROOT / ".github/workflows/site.yml").read_text(encoding="utf-8")
+        jobs = yaml.safe_load(text)["jobs"]
+        steps = [step for job in jobs.values() for step in job["steps"]]
+        for step in steps:
+            self.assertRegex(step.get("uses", "actions/x@v1"), r"^actions/[a-z-]+@v\d+$")
+        build = next(step for step in steps if "run" in step)
+        self.assertEqual("./test --docs", build["run"])
+        self.check_variables(build["env"])
+        upload = next(step for step in steps if "upload-pages-artifact" in step.get("uses", ""))
+        self.assertIn(f"\nsite_dir: {upload['with']['path']}\n", self.settings)
+        self.assertEqual({"pages": "write", "id-token": "write"}, jobs["deploy"]["permissions"])
+
+    def test_gitlab(self):
+        job = yaml.safe_load((ROOT / "deploy/gitlab/pages.yml").read_text(encoding="utf-8"))["pages"]
+        self.check_variables(job["variables"])
+        self.assertEqual(["./test --docs", "mv build/site public"], job["script"])
+        self.assertEqual(["public"], job["artifacts"]["paths"])
 
 
 if __name__ == "__main__":

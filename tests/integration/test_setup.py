@@ -143,13 +143,14 @@ class Setup(unittest.TestCase):
     def test_the_packages_of_the_site(self):
         """(Fedora's names: nobody has tried them.)"""
         expected = {"mkdocs", "mkdocs-material", "mkdocstrings", "mkdocstrings-python-handlers", "black", "python3",
-                    "python3-fastjsonschema", "python3-markdown-it", "python3-websockets", "chromium"}
+                    "python3-fastjsonschema", "python3-markdown-it", "python3-websockets", "python3-yaml", "chromium"}
         code, said, packages = self.setup_with([], self.usual | versioned(DEBIAN_12), "docs")
         self.assertEqual((0, expected), (code, set(packages)), said)
         self.system = UBUNTU.format("24.04.3 LTS")
         self.assertEqual(expected - {"chromium"}, set(self.setup_with([], self.usual, "docs")[2]))
         fedora = {"mkdocs", "python3-mkdocs-material", "python3-mkdocstrings", "python3-mkdocstrings-python", "black",
-                  "python3", "python3-fastjsonschema", "python3-markdown-it-py", "python3-websockets", "chromium"}
+                  "python3", "python3-fastjsonschema", "python3-markdown-it-py", "python3-pyyaml", "python3-websockets",
+                  "chromium"}
         code, said, packages = self.fedora([], fedora, "docs")
         self.assertEqual((0, fedora), (code, set(packages)), said)
 
