@@ -154,7 +154,8 @@ class Stuck(unittest.TestCase):
             before = xr3.status("VmRSS")
             stuck = self.enterContext(Monitor(xr3.monitor_port, buffer_bytes=SMALL_BUFFER))
             _, waits_s = self.ask_for_images(stuck, good)
-            self.assertLessEqual(xr3.status("VmRSS") - before, MIB // 4)
+            # (All the images are 3 GiB; the allocator's own pages are some hundred KiB.)
+            self.assertLessEqual(xr3.status("VmRSS") - before, MIB)
             self.assertLess(waits_s[len(waits_s) // 2], 0.05)
 
 

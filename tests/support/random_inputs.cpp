@@ -99,10 +99,10 @@ std::string RandomInputs::bytes() {
 
 void RandomInputs::send() {
   const LineId line = some_line();
-  const std::string all = bytes();
+  const std::string sent = bytes();
   int pieces = 0;
-  const int most = static_cast<int>(below(100));
-  cell_.apply(BytesIn{line, all, [&] { return ++pieces > most; }}, now_);
+  const int pieces_wanted = static_cast<int>(below(100));
+  cell_.apply(BytesIn{line, sent, [&] { return ++pieces > pieces_wanted; }}, now_);
   const SerialLine& its = *cell_.find_line(line);
   if (its.is_not_a_robot_program())
     return void(cell_.apply(LineClosed{line, LineCloseReason::kNotARobotProgram}, now_));

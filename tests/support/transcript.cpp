@@ -117,7 +117,7 @@ void read_line(Transcript& transcript, std::string_view line, int number) {
 
 // --- Playing.
 
-std::string quoted(std::string_view bytes) {
+std::string in_quotes(std::string_view bytes) {
   return bytes.empty() ? "nothing" : "'" + readable(bytes) + "'";
 }
 
@@ -155,8 +155,8 @@ class Player {
   void expect(int line_number, int number, std::string_view bytes) {
     const std::string received = wire(number).received();
     if (received == bytes) return;
-    fail(line_number, "line " + std::to_string(number) + ": expected " + quoted(bytes) + ", got " +
-                          quoted(received));
+    fail(line_number, "line " + std::to_string(number) + ": expected " + in_quotes(bytes) +
+                          ", got " + in_quotes(received));
   }
 
   void fail(int line_number, const std::string& what) {

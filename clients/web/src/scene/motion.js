@@ -44,6 +44,7 @@ export class Motion {
     const duration = how === "move" ? Math.min(now - this.arrival, kMaxGlideMs) : 0;
     this.glide = { from: [...this.values], to, since: now, duration };
     Object.assign(this, { state, arrival: now, mustJump: false });
+    if (how !== "move") this.values = to; // a motion that begins before the next picture begins here
     return how;
   }
 
@@ -51,6 +52,7 @@ export class Motion {
   #show(state) {
     const to = motorsOf(state).map(({ value }) => value);
     this.glide = { from: to, to, since: 0, duration: 0 };
+    this.values = to;
     this.mustJump = true;
     return "jump";
   }
