@@ -16,6 +16,7 @@
 #include "protocol/files/faults.hpp"
 #include "protocol/json/finding.hpp"
 #include "server/app.hpp"
+#include "server/build_info.hpp"
 #include "server/commands/check.hpp"
 #include "server/commands/convert.hpp"
 #include "server/commands/draw.hpp"
@@ -23,6 +24,7 @@
 #include "server/commands/grade.hpp"
 #include "server/commands/healthcheck.hpp"
 #include "server/commands/kin.hpp"
+#include "server/commands/manual.hpp"
 #include "server/commands/replay.hpp"
 #include "server/commands/watch.hpp"
 #include "server/commands/workcell.hpp"
@@ -116,6 +118,7 @@ struct Command {
     ignore_signals_of_writing();
     return grade_submissions(command);
   }
+  ExitCode operator()(const ManualFiles& manual) const { return write_manual(manual); }
   ExitCode operator()(const Leave& leave) const {
     std::cout << leave.to_stdout;
     std::cerr << leave.to_stderr;
@@ -125,7 +128,7 @@ struct Command {
 
 ExitCode run(int argc, const char* const* argv) {
   try {
-    return std::visit(Command{}, parse_options(argc, argv));
+    return std::visit(Command{}, parse_options(argc, argv, kBuildInfo));
   } catch (const ListenError& error) {
     return fail(error.code(), error.what());
   } catch (const FileError& error) {

@@ -32,14 +32,10 @@ bool is_path(const std::string& what) {
   return what.ends_with(".json") || what.ends_with(".txt") || what.ends_with(".dat");
 }
 
-std::string names_in(const fs::path& folder) {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    names.push_back(entry.path().stem());
-  std::sort(names.begin(), names.end());
+std::string list_of_names(const std::string& kind) {
   std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  for (const std::string& name : names_of_data_files(kind))
+    list += (list.empty() ? "" : ", ") + name;
   return list;
 }
 
@@ -100,7 +96,7 @@ DataFile find_data_file(const std::string& what, const std::string& kind) {
     std::error_code error;
     if (fs::is_regular_file(what, error)) return read_file(what);
     throw FileError("there is no " + kind.substr(0, kind.size() - 1) + " named " + what +
-                    "; use one of: " + names_in(data_folder() / kind) + "; or the path of a file");
+                    "; use one of: " + list_of_names(kind) + "; or the path of a file");
   }
   return read_file(path_of(what, kind));
 }
@@ -108,6 +104,15 @@ DataFile find_data_file(const std::string& what, const std::string& kind) {
 bool has_data_file(const std::string& name, const std::string& kind) {
   std::error_code error;
   return fs::is_regular_file(path_of(name, kind), error);
+}
+
+std::vector<std::string> names_of_data_files(const std::string& kind) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(data_folder() / kind, error))
+    names.push_back(entry.path().stem());
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 fs::path data_folder() {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace xr3 {
 
@@ -30,6 +31,10 @@ DataFile find_data_file(const std::string& what, const std::string& kind);
 
 /// Whether the data folder contains this file.
 bool has_data_file(const std::string& name, const std::string& kind);
+
+/// The names of the files in folder `kind` of the data folder, sorted. Throws FileError if there is
+/// no data folder.
+std::vector<std::string> names_of_data_files(const std::string& kind);
 
 /// The data folder: $XR3_DATA if set; else share/xr3 beside the program's bin; else data in the
 /// source tree of the build. Throws FileError if it does not exist.

@@ -9,6 +9,7 @@
 
 #include "server/options/argument_error.hpp"
 #include "server/options/environment.hpp"
+#include "server/options/manual.hpp"
 #include "server/options/pose_argument.hpp"
 #include "server/options/shared_options.hpp"
 #include "tools/drawing/picture.hpp"
@@ -203,6 +204,11 @@ ByteClockSettings parse_byte_clock(const std::string& text, std::size_t from) {
   return settings;
 }
 
+Options checked_manual(const CLI::App& app, const ManualOptions& options) {
+  if (!options.folder.empty()) return ManualFiles{options.folder, manual_files(app)};
+  return Leave{ExitCode::kGood, manual_page(app, options), ""};
+}
+
 Options checked_replay(ReplayCommand command) {
   if (!command.replay.is_serving) return command;
   const bool has_token = !std::holds_alternative<NoToken>(command.server.token);
@@ -317,11 +323,11 @@ ViewVector parse_view(const std::string& text) {
   return {static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2])};
 }
 
-Options parse_options(int argc, const char* const* argv) {
+Options parse_options(int argc, const char* const* argv, const std::string& build) {
   CLI::App app(kAbout, "xr3");
   app.footer(kFooter);
   app.require_subcommand(1);
-  app.set_version_flag("--version", "xr3 " XR3_VERSION);
+  app.set_version_flag("--version", "xr3 " XR3_VERSION + build);
   ServeOptions serve;
   CheckOptions check;
   DrawOptions draw;
@@ -346,6 +352,9 @@ Options parse_options(int argc, const char* const* argv) {
   add_exec(app, exec.exec, exec.server);
   GradeCommand grade;
   add_grade(app, grade.grade, grade.exec, grade.server);
+  ManualOptions manual;
+  add_manual(app, manual);
+  add_completion(app, manual);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -362,6 +371,9 @@ Options parse_options(int argc, const char* const* argv) {
   if (app.got_subcommand("replay")) return checked_replay(std::move(replay));
   if (app.got_subcommand("exec")) return exec;
   if (app.got_subcommand("grade")) return grade;
+  if (app.got_subcommand("manual")) return checked_manual(app, manual);
+  if (app.got_subcommand("completion"))
+    return Leave{ExitCode::kGood, completion_text(app, manual), ""};
   return checked_serve(std::move(serve));
 }
 

@@ -20,6 +20,7 @@
 #include "server/options/cells.hpp"
 #include "server/options/exec.hpp"
 #include "server/options/healthcheck.hpp"
+#include "server/options/manual.hpp"
 #include "server/options/option_sources.hpp"
 #include "server/options/replay.hpp"
 #include "server/options/term.hpp"
@@ -143,6 +144,12 @@ struct GradeCommand {
   ServeOptions server;
 };
 
+/// `xr3 manual --write`.
+struct ManualFiles {
+  std::string folder;
+  std::vector<ManualFile> files;
+};
+
 /// Print and exit: help was requested, or the arguments are invalid.
 struct Leave {
   ExitCode code = ExitCode::kGood;
@@ -152,10 +159,11 @@ struct Leave {
 
 using Options = std::variant<ServeOptions, CheckOptions, DrawOptions, KinOptions, ConvertOptions,
                              WorkcellOptions, WatchOptions, TermOptions, HealthOptions,
-                             ReplayCommand, ExecCommand, GradeCommand, Leave>;
+                             ReplayCommand, ExecCommand, GradeCommand, ManualFiles, Leave>;
 
-/// Never throws and never prints.
-Options parse_options(int argc, const char* const* argv);
+/// Never prints. `build` is what --version prints after the version. Throws FileError if `xr3
+/// completion` finds no data folder, ArgumentError if `xr3 manual` is given no command of xr3.
+Options parse_options(int argc, const char* const* argv, const std::string& build = "");
 
 /// `real`, `real:FACTOR`, `manual` or `bytes[:INQUIRY_MS[,settle=MS]]`. Throws std::invalid_argument, with the allowed values.
 ClockChoice parse_clock(const std::string& text);

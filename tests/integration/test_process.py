@@ -152,7 +152,8 @@ class ExitCodes(unittest.TestCase):
                 self.assertLessEqual(max(map(len, done.stdout.splitlines())), 120)
 
     def test_version(self):
-        self.assertTrue(re.fullmatch(r"xr3 \d+\.\d+\.\d+\n", run_xr3("--version").stdout))
+        self.assertTrue(re.fullmatch(r"xr3 \d+\.\d+\.\d+ \(commit ([0-9a-f]+\+?|unknown), \w+ [\d.]+\)\n",
+                                     run_xr3("--version").stdout))
 
 
 class Shutdown(unittest.TestCase):

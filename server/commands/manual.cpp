@@ -1,0 +1,24 @@
+#include "server/commands/manual.hpp"
+
+#include <filesystem>
+#include <iostream>
+
+#include "server/files/atomic_write.hpp"
+
+namespace xr3 {
+
+namespace fs = std::filesystem;
+
+ExitCode write_manual(const ManualFiles& manual) {
+  for (const ManualFile& file : manual.files) {
+    const fs::path path = fs::path(manual.folder) / file.path;
+    std::error_code error;
+    fs::create_directories(path.parent_path(), error);
+    if (error) throw FileError(path.parent_path().string() + ": " + error.message());
+    write_file_atomically(path, file.text, Existing::kReplace, [](const DataFile&) {});
+  }
+  std::cout << manual.folder << ": " << manual.files.size() << " files\n";
+  return ExitCode::kGood;
+}
+
+}  // namespace xr3
