@@ -8,6 +8,7 @@ import shutil
 import signal
 import subprocess
 import tempfile
+import time
 import unittest
 
 from support import DEADLINE_S, ROOT, XR3
@@ -59,7 +60,7 @@ class Recipes(unittest.TestCase):
 
     def test_all_recipes_have_the_same_commands(self):
         commands = shown("README.md")
-        self.assertEqual("xr3/run --build", commands[0])
+        self.assertEqual("xr3/docs/ci/get-xr3.sh", commands[0])
         for name in FILES:
             with self.subTest(name):
                 self.assertEqual(commands, shown(name))
@@ -68,7 +69,7 @@ class Recipes(unittest.TestCase):
         """The cache is a folder of ccache in the job's folder, and git can still clone xr3 beside it."""
         text = (RECIPES / "gitlab-ci.yml").read_text(encoding="utf-8")
         path = re.search(r"^ +paths: \[(\S+)\]$", text, re.MULTILINE)[1]
-        self.assertIn(f"CCACHE_DIR: $CI_PROJECT_DIR/{path}\n", text)
+        self.assertIn(f"XR3_CACHE: {path}\n", text)
         source, job = self.folder / "source", self.folder / "job"
         subprocess.run(["git", "init", "-q", source], check=True, timeout=DEADLINE_S)
         (job / path).mkdir(parents=True)
@@ -79,8 +80,7 @@ class Recipes(unittest.TestCase):
         self.assertEqual(0, cloned.returncode, cloned.stderr)
         text = (RECIPES / "github-actions.yml").read_text(encoding="utf-8")
         self.assertEqual(path, re.search(r"^ +path: (\.\S+)$", text, re.MULTILINE)[1])
-        self.assertIn(f"CCACHE_DIR=$PWD/{path}", text)
-        self.assertLess(text.index("CCACHE_DIR"), text.index("xr3/run --build"))
+        self.assertIn(f"XR3_CACHE: {path}\n", text)
 
     def test_a_correct_program_passes(self):
         ran = self.run_recipe()
@@ -105,6 +105,40 @@ class Recipes(unittest.TestCase):
         ran = self.run_recipe("xr3/docs/ci/with-xr3.sh 'exit 7' 'echo not reached'")
         self.assertEqual((7, "$ exit 7\n"), (ran.returncode, ran.stdout))
         self.assertEqual([], list(self.temporary.iterdir()))
+
+    def test_only_the_check_reaches_the_monitor_port(self):
+        show = "echo port=${XR3_MONITOR_PORT-none} token=${XR3_TOKEN-none}"
+        ran = self.run_recipe(f"xr3/docs/ci/with-xr3.sh '{show}' '{show}'", XR3_TOKEN="of somebody else")
+        first, last = [line for line in ran.stdout.splitlines() if line.startswith("port")]
+        self.assertEqual("port=none token=none", first)
+        self.assertRegex(last, r"^port=\d+ token=[0-9a-f]{32}$")
+
+    def test_a_program_that_finds_the_monitor_port_learns_nothing(self):
+        (self.folder / "peek.py").write_text(
+            "import json, urllib.error, urllib.request\n"
+            "try:\n"
+            "    port = json.load(open('ports.json'))['monitor']\n"
+            "    urllib.request.urlopen(f'http://localhost:{port}/state', timeout=10)\n"
+            "except urllib.error.HTTPError as error:\n"
+            "    print('refused', error.code)\n", encoding="utf-8")
+        ran = self.run_recipe("xr3/docs/ci/with-xr3.sh 'python3 peek.py' 'true'", XR3_OPTIONS="--port-file ports.json")
+        self.assertEqual(["$ python3 peek.py", "refused 403", "$ true"], ran.stdout.splitlines(), ran.stderr)
+
+    def test_a_command_has_a_time_limit(self):
+        started = time.monotonic()
+        ran = self.run_recipe("xr3/docs/ci/with-xr3.sh 'sleep 1000' 'echo not reached'", XR3_TIME_LIMIT="1")
+        self.assertEqual((124, "$ sleep 1000\n"), (ran.returncode, ran.stdout))
+        self.assertIn("ended after 1 s (XR3_TIME_LIMIT): sleep 1000", ran.stderr)
+        self.assertLess(time.monotonic() - started, DEADLINE_S / 2)
+
+    def test_an_installed_program_is_found(self):
+        there = self.folder / "bin"
+        there.mkdir()
+        (there / "xr3").symlink_to(XR3)
+        (self.folder / "alone.sh").write_bytes((RECIPES / "with-xr3.sh").read_bytes())
+        ran = self.run_recipe("sh alone.sh 'python3 my_program.py' 'python3 my_check.py'", XR3="",
+                              XR3_DATA=os.path.join(ROOT, "data"), PATH=f"{there}:{os.environ['PATH']}")
+        self.assertEqual((0, ""), (ran.returncode, ran.stderr))
 
     def test_a_missing_command_is_an_error(self):
         ran = self.run_recipe("xr3/docs/ci/with-xr3.sh")
