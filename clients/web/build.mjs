@@ -2,10 +2,10 @@
 // build embeds these files in its binary (server/http/web_assets.cmake).
 import { build } from "esbuild";
 import { copyFile, mkdir, readFile, rm, stat } from "node:fs/promises";
+import { fileURLToPath } from "node:url";
 
 const kMaxBundleBytes = 800_000;
-const here = new URL(".", import.meta.url);
-const path = (name) => new URL(name, here).pathname;
+const path = (name) => fileURLToPath(new URL(name, import.meta.url)); // (an address has %20 for a blank)
 
 await rm(path("dist"), { recursive: true, force: true });
 await mkdir(path("dist/assets"), { recursive: true });
