@@ -22,6 +22,11 @@ add_compile_options(-Wall -Wextra -Wpedantic -Wconversion -Wshadow)
 add_compile_options(-ffp-contract=off)
 add_link_options(-ffp-contract=off)
 
+if(XR3_PORTABLE)  # no path of this machine, so that the same commit gives the same bytes
+  add_compile_options("-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.")
+  add_link_options("-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.")
+endif()
+
 # The path is relative to the build folder, in which Ninja starts the compiler, so that ccache shares objects
 # between checkouts. The macro stands for the content, which neither Ninja nor ccache looks at.
 option(XR3_UNINSTRUMENTED "Leave the headers of libraries uninstrumented by the sanitizers" OFF)

@@ -41,15 +41,18 @@ KINDS = {
     "exits_with_0": r"xr3 --version|build/release/xr3 serve --help|ulimit -n|ss -ltnp",
     "runs_the_checkout": r"\./run( .*)?",
     "runs_a_suite": r"\./test( .*)?",
-    "is_a_script": r"(scripts/(build-cost|capacity|emscripten|pictures|site|viewer|llvm-tool|setup)|tests/fuzz/minimise)"
+    "is_a_script": r"(scripts/(build-cost|capacity|emscripten|package|pictures|release|site|viewer|llvm-tool|setup)"
+                   r"|tests/fuzz/minimise)"
                    r"( (?!-).*)?",
     "uses_a_preset": r"(cmake|cmake --build|ctest) --preset \S+.*",
-    "is_an_option_of_cmake": r"cmake --install",
+    "is_an_option_of_cmake": r"cmake --install( build/release)?",
     "runs_unit_tests": r"build/dev/test_core .*",
     "is_an_option_of_seeds": r"seeds --\S+ N",
     "talks_to_the_server": r"(curl|printf|yes) .*localhost.*",
     "is_a_session": r"telnet localhost 9600",
     "names_packages": r"(apt-get install|gcc|g\+\+|rustc|octave) [a-z+].*",
+    "writes_the_manual": r"xr3 manual .*",
+    "is_of_the_tests_of_packages": r"apt (remove|purge)|docker load|sudo tar xf .* --strip-components=1",
     "is_of_a_release": r"sudo apt install .*|tar xf xr3-.*|docker run .* xr3:VERSION",
     "is_of_the_image": r"docker (build|exec|run|stop)( .*)?",
     "is_of_the_tests_of_images": r"buildah bud --format docker|rm -rf build/images",
@@ -186,7 +189,7 @@ class Commands(unittest.TestCase):
         arguments = shlex.split(command.text)[1:]
         if "--page" in arguments:
             page = self.folder / arguments[arguments.index("--page") + 1]
-            page.mkdir()
+            page.mkdir(exist_ok=True)
             (page / "index.html").touch()
         if arguments[:1] == ["--build"]:
             self.run_to_end([checkout.folder / "run", *arguments], **checkout.environment)
@@ -211,8 +214,10 @@ class Commands(unittest.TestCase):
         if script == "scripts/setup":
             for group in arguments:
                 self.assertRegex(usage.splitlines()[2], rf"\b{group}\b")
-        elif arguments:
-            self.assertIn(f"{script} NAME", usage)
+        elif arguments in (["VERSION"], ["NAME"]):
+            self.assertIn(f"{script} {arguments[0]}", usage)
+        for word in arguments if script == "scripts/package" else []:
+            self.assertRegex(usage.splitlines()[3], rf"\b{word}\b")
 
     def uses_a_preset(self, command):
         words = filled(command.text)
@@ -292,6 +297,21 @@ class Commands(unittest.TestCase):
         of_the_image = pathlib.Path(ROOT, "docker", "README.md").read_text(encoding="utf-8")
         for option in re.findall(r" (-[ep] \S+)", command.text):
             self.assertIn(f" {option} ", of_the_image)
+
+    def writes_the_manual(self, command):
+        if " man " in command.text:
+            self.need("man")
+        self.assertNotEqual("", self.run_to_end(command.text.replace("xr3", shlex.quote(XR3), 1)))
+        if "--write" in command.text:
+            self.assertTrue((self.folder / "FOLDER/man/man1/xr3-serve.1").exists())
+
+    def is_of_the_tests_of_packages(self, command):
+        """Those run these commands in bare systems, with apt-get for apt; `docker load` reads what scripts/image saves."""
+        tests = pathlib.Path(ROOT, "tests", "packages", "test_packages.py").read_text(encoding="utf-8")
+        scripts = pathlib.Path(ROOT, "scripts", "image").read_text(encoding="utf-8")
+        words = command.text.replace("apt ", "apt-get ").split()
+        self.assertTrue(all(word in tests + scripts for word in words if word[0] != "x" and word not in ("xf", "sudo")),
+                        command.text)
 
     def is_of_the_tests_of_images(self, command):
         name = command.text.removeprefix("rm -rf ").removeprefix("build/")

@@ -27,7 +27,7 @@ FEDORA_SERVER = {"gcc-c++", "make", "cmake", "ninja-build", "ccache", "mold", "b
                  "pkgconf-pkg-config", "nettle-devel", "libprometheus-cpp-devel"}
 FEDORA_TEST = {"clang", "compiler-rt", "gtest-devel", "gmock-devel", "google-benchmark-devel", "python3",
                "python3-setuptools", "python3-wheel", "python3-jsonschema", "python3-fastjsonschema",
-               "python3-websockets", "python3-pyte", "python3-pyserial", "telnet", "netcat", "curl", "bubblewrap",
+               "python3-websockets", "python3-pyte", "python3-pyserial", "python3-pyyaml", "telnet", "netcat", "curl", "bubblewrap",
                "chromium"}
 FEDORA_43_NODE = {"nodejs", "nodejs-npm"}
 FEDORA_44_NODE = {"nodejs24-bin", "nodejs24-npm-bin", "nodejs22-bin", "nodejs22-npm-bin"}

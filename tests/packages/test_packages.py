@@ -1,0 +1,287 @@
+"""The packages: two builds in different places give the same bytes; the Debian package installs, serves, upgrades, is
+removed and purged in bare Debian 12 and 13; the tarball runs there as a user; the program for arm64 runs under QEMU;
+scripts/release makes all files of a release, or refuses. Needs root. `./test --packages`."""
+
+import functools
+import hashlib
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import tarfile
+import tempfile
+import unittest
+
+from roots import ROOT, SUITES, Root
+
+WORK = ROOT / "build" / "packages-test"
+VERSION = re.search(r"project\(xr3 VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
+NEXT = "9.8.7"
+
+# Asks the robot at port 9600 for its home count, by bash alone.
+SERVE_AND_ASK = """
+xr3 serve --log-level warn >/tmp/out & server=$!
+until grep -q LISTENING /tmp/out; do kill -0 $server; done
+/bin/bash -c 'exec 3<>/dev/tcp/localhost/9600; printf "E?\\r" >&3
+  IFS= read -r -d "$(printf "\\r")" -t 10 reply <&3; printf "reply %s\\n" "$reply"'
+xr3 healthcheck
+kill $server; wait $server
+"""
+
+
+def run(*command, cwd=ROOT, timeout=3000, **options):
+    """Runs a command; a failure raises, with its output."""
+    done = subprocess.run([str(each) for each in command], cwd=cwd, timeout=timeout, check=False, text=True,
+                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options)
+    if done.returncode:
+        raise AssertionError(f"exit code {done.returncode}: {command}\n{done.stdout[-4000:]}")
+    return done.stdout
+
+
+def hashes(folder):
+    return {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in sorted(pathlib.Path(folder).iterdir())}
+
+
+def clone(folder, version=None):
+    """A clone of the last commit; with a version, that version is released there."""
+    shutil.rmtree(folder, ignore_errors=True)
+    run("git", "clone", "--quiet", ROOT, folder)
+    if version:
+        prepare_release(pathlib.Path(folder), version)
+    return folder
+
+
+def replace_once(path, pattern, text):
+    changed, count = re.subn(pattern, text, path.read_text(encoding="utf-8"), count=1, flags=re.M)
+    assert count == 1, f"{path}: no {pattern}"
+    path.write_text(changed, encoding="utf-8")
+
+
+def prepare_release(folder, version):
+    """Does what CONTRIBUTING.md says must be done before a release."""
+    replace_once(folder / "CMakeLists.txt", r"project\(xr3 VERSION \S+", f"project(xr3 VERSION {version}")
+    replace_once(folder / "CHANGELOG.md", r"^## \[Unreleased\]$", f"## [Unreleased]\n\n## [{version}] - 2026-11-24")
+    replace_once(folder / "CITATION.cff", r"^version: .*$", f"version: {version}")
+    replace_once(folder / "clients/python/xr3/__init__.py", r'^__version__ = ".*"$', f'__version__ = "{version}"')
+    replace_once(folder / "clients/web/package.json", r'^  "version": ".*",$', f'  "version": "{version}",')
+    git(folder, "commit", "--quiet", "--all", "--message", f"Release {version}")
+
+
+def git(folder, *arguments):
+    return run("git", "-C", folder, "-c", "user.name=A test", "-c", "user.email=test@localhost", *arguments)
+
+
+def debian_package(folder):
+    return next(path for path in folder.iterdir() if path.name.endswith("_amd64.deb"))
+
+
+def setUpModule():
+    if os.geteuid() != 0:
+        raise unittest.SkipTest("root file systems need root: sudo ./test --packages")
+    WORK.mkdir(parents=True, exist_ok=True)
+
+
+@functools.cache
+def packages_of_the_last_commit():
+    """The folder of the packages, which are built once."""
+    checkout = clone(WORK / "first")
+    run("scripts/package", cwd=checkout)
+    return checkout / "build" / "packages"
+
+
+class Built(unittest.TestCase):
+    """Tests of the packages of the last commit."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.packages = packages_of_the_last_commit()
+
+    def setUp(self):
+        self.folder = self.enterContext(tempfile.TemporaryDirectory(dir=WORK))
+
+
+class Reproducible(Built):
+    def test_another_place_time_zone_and_mask_give_the_same_bytes(self):
+        other = clone(WORK / "another place" / "with a longer name")
+        run("/bin/sh", "-c", "umask 077; exec scripts/package", cwd=other,
+            env={**os.environ, "CCACHE_DISABLE": "1", "TZ": "Asia/Tokyo", "LC_ALL": "C"})
+        self.assertEqual(hashes(self.packages), hashes(other / "build" / "packages"))
+        self.assertEqual(2, len(hashes(self.packages)))
+
+
+class DebianPackage(Built):
+    def newer(self):
+        """The same package with a higher version."""
+        tree = os.path.join(self.folder, "tree")
+        run("dpkg-deb", "-R", debian_package(self.packages), tree)
+        replace_once(pathlib.Path(tree, "DEBIAN", "control"), r"^Version: .*$", f"Version: {NEXT}")
+        run("dpkg-deb", "--root-owner-group", "-b", tree, self.folder)
+        return os.path.join(self.folder, f"xr3_{NEXT}_amd64.deb")
+
+    def test_life_in_a_bare_system(self):
+        for suite in SUITES:
+            with self.subTest(suite), tempfile.TemporaryDirectory(dir=WORK) as folder:
+                self.live(Root(suite, folder))
+
+    def live(self, root):
+        package = root.put(debian_package(self.packages))
+        root.run(f"apt-get install --yes --no-install-recommends {package}")
+        self.assertRegex(root.run("xr3 --version"), rf"^xr3 {re.escape(VERSION)} \(commit [0-9a-f]{{12}}, GNU ")
+        self.check_token(root)
+        self.assertIn("ExecStart=/usr/bin/xr3 serve", root.read("/usr/lib/systemd/system/xr3.service"))
+        self.assertRegex(root.run(SERVE_AND_ASK, timeout=60), r"reply .*\n")
+        self.assertIn("rhino-xr3", root.run("cd /tmp && xr3 draw /tmp/arm.png && xr3 completion robots"))
+        self.upgrade(root)
+        self.remove_and_purge(root)
+
+    def check_token(self, root):
+        self.assertRegex(root.read("/etc/xr3/token"), "^[0-9a-f]{48}$")
+        self.assertEqual("600 0", root.run("stat -c '%a %u' /etc/xr3/token").strip())
+
+    def upgrade(self, root):
+        root.run("echo '# mine' >>/etc/xr3/xr3.toml")
+        token = root.read("/etc/xr3/token")
+        root.run(f"apt-get install --yes --no-install-recommends {root.put(self.newer())}")
+        self.assertIn(NEXT, root.run("dpkg-query -W xr3"))
+        self.assertTrue(root.read("/etc/xr3/xr3.toml").endswith("# mine\n"))
+        self.assertEqual(token, root.read("/etc/xr3/token"))
+
+    def remove_and_purge(self, root):
+        root.run("apt-get remove --yes xr3")
+        self.assertFalse(root.has("/usr/bin/xr3"))
+        self.assertTrue(root.has("/etc/xr3/token"))
+        root.run("apt-get purge --yes xr3")
+        self.assertEqual("", root.run("find / -xdev -name '*xr3*' -not -path '/proc/*' -not -path '/tmp/*'"
+                                      " -not -path '/var/log/*' -not -path '/var/cache/*'"))
+
+    def test_manual_pages_are_well_formed(self):
+        tree = os.path.join(self.folder, "tree")
+        run("dpkg-deb", "-x", debian_package(self.packages), tree)
+        pages = sorted(pathlib.Path(tree, "usr/share/man/man1").iterdir())
+        self.assertGreater(len(pages), 12)
+        for page in pages:
+            script = f"LC_ALL=C.UTF-8 MANWIDTH=80 man --warnings -l {page} 2>&1 >/dev/null"
+            self.assertEqual("", run("/bin/sh", "-c", script))
+
+    def test_shells_complete(self):
+        tree = os.path.join(self.folder, "tree")
+        run("dpkg-deb", "-x", debian_package(self.packages), tree)
+        share, path = os.path.join(tree, "usr/share"), f"{tree}/usr/bin:{os.environ['PATH']}"
+        environment = {**os.environ, "PATH": path, "HOME": self.folder}
+        bash = ('. "$0"; COMP_WORDS=(xr3 serve --robot rh); COMP_CWORD=3; _xr3 xr3 rh --robot 2>/dev/null;'
+                ' echo "${COMPREPLY[@]}"')
+        script = f"{share}/bash-completion/completions/xr3"
+        self.assertIn("rhino-xr3 ", run("bash", "-c", bash, script, env=environment))
+        fish = f"source {share}/fish/vendor_completions.d/xr3.fish; complete -C 'xr3 serve --compat m'"
+        self.assertIn("mark3", run("fish", "-c", fish, env=environment, cwd=self.folder))
+        zsh = (f"fpath=({share}/zsh/vendor-completions $fpath); autoload -Uz compinit; compinit -u;"
+               " whence -v _xr3; print $_comps[xr3]; autoload +X _xr3")
+        self.assertIn("\n_xr3\n", run("zsh", "-fc", zsh, env=environment, cwd=self.folder))
+
+
+class PipelineRecipe(Built):
+    def test_installs_the_package_that_it_is_given(self):
+        root = Root(SUITES[0], self.folder)
+        package, script = root.put(debian_package(self.packages)), root.put(ROOT / "docs/ci/get-xr3.sh")
+        said = root.run(f"XR3_PACKAGE={package} XR3_CACHE=/tmp/cache sh {script} && test -d /tmp/cache/apt/partial && cd /tmp"
+                        " && XR3_PACKAGE=cache/../xr3.none sh get-xr3.sh || echo refused")
+        self.assertRegex(said, rf"(?m)^xr3 {re.escape(VERSION)} \(commit (?s:.*)refused$")
+
+
+class Tarball(Built):
+    def test_runs_as_a_user_from_any_folder(self):
+        archive = next(path for path in self.packages.iterdir() if path.name.endswith(".tar.gz"))
+        for suite in SUITES:
+            with self.subTest(suite), tempfile.TemporaryDirectory(dir=WORK) as folder:
+                root = Root(suite, folder)
+                path = root.put(archive)
+                root.run(f"mkdir /opt/here; tar -C /opt/here -xzf {path}")
+                path_of_here = f"PATH=/opt/here/{archive.name.removesuffix('.tar.gz')}/bin:$PATH; cd /tmp;"
+                self.assertIn("reply", root.run(path_of_here + SERVE_AND_ASK, user=1000, timeout=60))
+                root.run(f"tar xf {path} -C /usr/local --strip-components=1; rm -r /opt/here {path} /tmp/out")
+                self.assertIn("reply", root.run("cd /tmp;" + SERVE_AND_ASK, user=1000, timeout=60))
+                self.assertIn("=/usr/local/bin/xr3 serve", root.read("/usr/local/lib/systemd/system/xr3.service"))
+
+    def test_needs_no_library_but_those_of_the_c_library(self):
+        tree = os.path.join(self.folder, "tree")
+        run("dpkg-deb", "-x", debian_package(self.packages), tree)
+        inside = {path.name for path in pathlib.Path(tree, "usr/lib/xr3").iterdir()}
+        needed = set(re.findall(r"NEEDED +(\S+)", run("objdump", "-p", f"{tree}/usr/bin/xr3")))
+        self.assertLessEqual(needed - inside, {"libc.so.6", "libm.so.6", "ld-linux-x86-64.so.2"})
+
+
+class Release(unittest.TestCase):
+    def refused(self, folder, *arguments):
+        done = subprocess.run(["scripts/release", *arguments], cwd=folder, capture_output=True, text=True, check=False,
+                              timeout=60)
+        self.assertNotEqual(0, done.returncode)
+        return done.stderr
+
+    def test_refuses_what_lags_behind(self):
+        folder = clone(WORK / "lagging")
+        self.assertIn("is not a version", self.refused(folder, "v1"))
+        self.assertIn("CMakeLists.txt does not say version 4.5.6", self.refused(folder, "4.5.6"))
+        self.assertIn(f"CHANGELOG.md does not have the heading '## [{VERSION}] - YYYY-MM-DD'",
+                      self.refused(folder, VERSION))
+        (folder / "README.md").write_text("changed")
+        self.assertIn("has changes", self.refused(folder, VERSION))
+
+    def test_refuses_a_version_that_one_file_lacks(self):
+        for file in ("CITATION.cff", "clients/python/xr3/__init__.py", "clients/web/package.json"):
+            folder = clone(WORK / "lagging", NEXT)
+            git(folder, "checkout", "--quiet", "HEAD~", "--", file)
+            git(folder, "commit", "--quiet", "--all", "--message", "Forget a file")
+            self.assertIn(file, self.refused(folder, NEXT))
+
+    def test_refuses_a_tag_of_another_commit(self):
+        folder = clone(WORK / "lagging", NEXT)
+        git(folder, "tag", f"v{NEXT}", "HEAD~")
+        self.assertIn("is at another commit", self.refused(folder, NEXT))
+
+    def test_makes_every_file(self):
+        checkout = clone(WORK / "released", NEXT)
+        run("scripts/release", NEXT, "--no-image", cwd=checkout)
+        folder = checkout / "build" / f"release-{NEXT}"
+        self.assertEqual({f"xr3-{NEXT}-source.tar.gz", f"xr3-{NEXT}-page.tar.gz", f"xr3-{NEXT}.spdx.json", "SHA256SUMS",
+                          f"xr3-{NEXT}-linux-x86_64.tar.gz", f"xr3-{NEXT}-linux-aarch64.tar.gz",
+                          f"xr3_{NEXT}_amd64.deb", f"xr3_{NEXT}_arm64.deb"}, set(os.listdir(folder)))
+        run("sha256sum", "--check", "--strict", "SHA256SUMS", cwd=folder)
+        self.check_components(folder / f"xr3-{NEXT}.spdx.json")
+        self.check_source(folder / f"xr3-{NEXT}-source.tar.gz", git(checkout, "rev-parse", "HEAD").strip())
+        with tarfile.open(folder / f"xr3-{NEXT}-page.tar.gz") as page:
+            self.assertIn(f"xr3-{NEXT}-page/index.html", page.getnames())
+        self.check_arm64(checkout, folder / f"xr3_{NEXT}_arm64.deb")
+
+    def check_components(self, path):
+        document = json.loads(path.read_text(encoding="utf-8"))
+        self.assertEqual("SPDX-2.3", document["spdxVersion"])
+        names = {each["name"]: each for each in document["packages"]}
+        self.assertLessEqual({"xr3", "libboost1.81-dev", "nettle-dev", "three", "uplot"}, set(names))
+        self.assertEqual(NEXT, names["xr3"]["versionInfo"])
+        self.assertTrue(all(each["versionInfo"] and each["licenseDeclared"] for each in names.values()))
+        identifiers = [each["SPDXID"] for each in document["packages"]]
+        self.assertEqual(len(identifiers), len(set(identifiers)))
+        self.assertLessEqual({each["relatedSpdxElement"] for each in document["relationships"]}, set(identifiers))
+
+    def check_source(self, path, commit):
+        with tarfile.open(path) as source:
+            named = source.extractfile(f"xr3-{NEXT}/cmake/commit.txt").read().decode().strip()
+            self.assertIn(f"xr3-{NEXT}/run", source.getnames())
+        self.assertTrue(commit.startswith(named) and named, named)
+
+    def check_arm64(self, checkout, package):
+        self.assertEqual("arm64", run("dpkg-deb", "-f", package, "Architecture").strip())
+        with tempfile.TemporaryDirectory(dir=WORK) as tree:
+            run("dpkg-deb", "-x", package, tree)
+            emulator = shutil.which("qemu-aarch64-static") or shutil.which("qemu-aarch64")
+            program = [emulator, "-L", checkout / "build" / "sysroot-arm64", f"{tree}/usr/bin/xr3"]
+            self.assertIn(f"xr3 {NEXT} ", run(*program, "--version"))
+            data = {**os.environ, "XR3_DATA": f"{tree}/usr/share/xr3"}
+            ours = run(checkout / "build" / "package" / "xr3", "kin", "--counts", "100,-50,30,20,10", env=data)
+            self.assertEqual(ours, run(*program, "kin", "--counts", "100,-50,30,20,10", env=data))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
