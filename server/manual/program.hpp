@@ -5,10 +5,6 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace xr3 {
 
 /// An option, a flag or a positional argument.
@@ -39,9 +35,6 @@ struct DescribedProgram {
   std::vector<DescribedOption> options;
   std::vector<DescribedCommand> commands;
 };
-
-/// Describes the options and subcommands of `app`.
-DescribedProgram describe_program(const CLI::App& app, const std::string& version);
 
 /// The command with this name; nullptr if there is none.
 const DescribedCommand* find_command(const DescribedProgram& program, const std::string& name);

@@ -1,7 +1,6 @@
 // The command lines of `xr3 exec` and `xr3 grade`.
 #pragma once
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,6 +8,7 @@
 
 #include "core/units.hpp"
 #include "protocol/goals/vary.hpp"
+#include "server/options/cli_fwd.hpp"
 
 namespace xr3 {
 

@@ -1,9 +1,10 @@
 // The command line of `xr3 healthcheck`.
 #pragma once
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <string>
+
+#include "server/options/cli_fwd.hpp"
 
 namespace xr3 {
 

@@ -22,7 +22,39 @@ std::string command_list(const DescribedProgram& program) {
   return list;
 }
 
-DescribedProgram program_of(const CLI::App& app) { return describe_program(app, XR3_VERSION); }
+std::string first_or_empty(const std::vector<std::string>& names, const std::string& dashes) {
+  return names.empty() ? std::string() : dashes + names.front();
+}
+
+DescribedOption describe_option(const CLI::Option& option) {
+  DescribedOption text;
+  text.name =
+      option.get_positional() ? option.get_name(true) : first_or_empty(option.get_lnames(), "--");
+  text.short_name = first_or_empty(option.get_snames(), "-");
+  if (option.get_type_size() != 0) text.type = option.get_type_name();
+  text.default_value = option.get_default_str();
+  text.environment = option.get_envname();
+  text.description = option.get_description();
+  text.is_required = option.get_required();
+  text.is_repeatable = option.get_expected_max() == CLI::detail::expected_max_vector_size;
+  return text;
+}
+
+std::vector<DescribedOption> describe_options(const CLI::App& app) {
+  std::vector<DescribedOption> texts;
+  for (const CLI::Option* option : app.get_options()) texts.push_back(describe_option(*option));
+  return texts;
+}
+
+DescribedProgram describe_program(const CLI::App& app) {
+  DescribedProgram program{app.get_name(),   XR3_VERSION,           app.get_description(),
+                           app.get_footer(), describe_options(app), {}};
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    program.commands.push_back(
+        {command->get_name(), command->get_description(), describe_options(*command)});
+  }
+  return program;
+}
 
 }  // namespace
 
@@ -50,7 +82,7 @@ void add_completion(CLI::App& app, ManualOptions& options) {
 }
 
 std::string manual_page(const CLI::App& app, const ManualOptions& options) {
-  const DescribedProgram program = program_of(app);
+  const DescribedProgram program = describe_program(app);
   if (options.command.empty()) return man_page(program);
   const DescribedCommand* command = find_command(program, options.command);
   if (command == nullptr) {
@@ -66,13 +98,13 @@ std::string completion_text(const CLI::App& app, const ManualOptions& options) {
     for (const std::string& name : names_of_data_files(options.completion)) lines += name + "\n";
     return lines;
   }
-  const DescribedProgram program = program_of(app);
+  const DescribedProgram program = describe_program(app);
   if (options.completion == "bash") return bash_completion(program);
   return options.completion == "zsh" ? zsh_completion(program) : fish_completion(program);
 }
 
 std::vector<ManualFile> manual_files(const CLI::App& app) {
-  const DescribedProgram program = program_of(app);
+  const DescribedProgram program = describe_program(app);
   std::vector<ManualFile> files = {
       {"man/man1/xr3.1", man_page(program)},
       {"bash-completion/completions/xr3", bash_completion(program)},

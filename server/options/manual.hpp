@@ -2,9 +2,10 @@
 // all commands.
 #pragma once
 
-#include <CLI/App.hpp>
 #include <string>
 #include <vector>
+
+#include "server/options/cli_fwd.hpp"
 
 namespace xr3 {
 

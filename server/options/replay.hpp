@@ -1,12 +1,12 @@
 // The command line of `xr3 replay`.
 #pragma once
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include "cell/recording/replayer.hpp"
+#include "server/options/cli_fwd.hpp"
 
 namespace xr3 {
 

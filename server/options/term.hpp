@@ -1,13 +1,13 @@
 // The command line of `xr3 term`.
 #pragma once
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <string>
 
 #include "core/model.hpp"
 #include "protocol/line/serial_settings.hpp"
 #include "server/options/address.hpp"
+#include "server/options/cli_fwd.hpp"
 
 namespace xr3 {
 

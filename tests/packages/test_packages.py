@@ -64,7 +64,8 @@ def prepare_release(folder, version):
     replace_once(folder / "CMakeLists.txt", r"project\(xr3 VERSION \S+", f"project(xr3 VERSION {version}")
     replace_once(folder / "CHANGELOG.md", r"^## \[Unreleased\]$", f"## [Unreleased]\n\n## [{version}] - 2026-11-24")
     replace_once(folder / "CITATION.cff", r"^version: .*$", f"version: {version}")
-    replace_once(folder / "clients/python/xr3/__init__.py", r'^__version__ = ".*"$', f'__version__ = "{version}"')
+    replace_once(folder / "clients/python/xr3/__init__.py", r'^__version__ = "[^"]*"',
+                 f'__version__ = "{version}"')
     replace_once(folder / "clients/web/package.json", r'^  "version": ".*",$', f'  "version": "{version}",')
     git(folder, "commit", "--quiet", "--all", "--message", f"Release {version}")
 
