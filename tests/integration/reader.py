@@ -1,7 +1,8 @@
 """A reader of the documentation, who does what a page shows and compares what is seen with it.
 
 The fences of a page: `console` has commands (`$ `) with their output; `telnet` has what is typed, and the reply in
-quotes; `screen` is what telnet then shows; `term` is the screen of `xr3 term`; `log` has lines of the server's log;
+quotes; `screen` is what telnet then shows; `term` is the screen of `xr3 term`, perhaps below its command; `log` has
+lines of the server's log, with other times, ports and numbers of lines and bytes;
 `python` has a program and `json` a file, whose name is in its first line, a comment. A line `...` stands for any number
 of lines, and `...` within a line for any text. `<!-- figures: ... -->` has commands that draw pictures."""
 
@@ -23,6 +24,9 @@ RUN = re.compile(r"^\$ \./run(?: (.*))?$", re.MULTILINE)
 PAUSE_MS = 1000  # the pause of a person before each line that is typed, in simulated time
 COMMAND_S = 60.0
 CONNECTED = "connected to localhost:9600; ~. quits, ~? is help"
+TELNET_CONNECTED = "Trying 127.0.0.1...\nConnected to localhost.\nEscape character is '^]'.\n"
+# What differs from log to log: time of day, tick, number of the line, port of the client, number of the byte.
+DIFFERS = re.compile(r"^\d\d:\d\d:\d\d\.\d{3}|(?<=\bline )\d+|(?<=@)\d+|(?<=127\.0\.0\.1:)\d+|(?<=; byte )\d+")
 
 
 def pattern(shown):
@@ -101,7 +105,7 @@ class Reader:
         first, *lines = text.splitlines()
         self.test.assertEqual("$ telnet localhost 9600", first)
         self.lines_opened += 1
-        self.shown_by_telnet = ""
+        self.shown_by_telnet = TELNET_CONNECTED
         line = xr3.line()
         for shown in lines:
             typed, _, reply = re.fullmatch(r"(\S+(?: \S+)*)( +'(.+?)')?(?:  .*)?", shown).groups()
@@ -114,12 +118,14 @@ class Reader:
         line.close()
 
     def screen(self, text):
-        """What telnet shows: it echoes each line that is typed, and a reply is at the beginning of the next line."""
+        """What telnet shows: its own lines, then it echoes each line that is typed, and a reply is at the beginning of
+        the next line."""
         self.test.assertEqual(self.shown_by_telnet.rstrip(), text.rstrip())
 
     def term(self, text, xr3, monitor):
         """A fence without the first line of `xr3 term` goes on in a terminal that is open."""
         self.lines_opened += 1
+        text = text.removeprefix("$ xr3 term\n")
         shown = text if text.startswith(CONNECTED) else f"{CONNECTED}\n{text}"
         sent = 0
         with Terminal([XR3, "term", f"localhost:{xr3.robot_port}"], columns=120) as terminal:
@@ -139,7 +145,7 @@ class Reader:
 
     def log(self, text, xr3):
         for line in text.splitlines():
-            xr3.wait_log(".*".join(map(re.escape, line.split("..."))))
+            xr3.wait_log(".*".join(map(re.escape, DIFFERS.sub("...", line).split("..."))))
 
     def follow(self, text, xr3):
         """Does what the fences of a page say, with this server. The test of the page compares parts of files, and

@@ -58,6 +58,7 @@ KINDS = {
     "is_of_the_tests_of_images": r"buildah bud --format docker|rm -rf build/images",
     "is_of_the_cluster": r"kubectl .*|podman kube \w+",
     "names_the_unit": r"(sudo )?(systemctl|systemd-analyze|journalctl) .*",
+    "copies_the_repository": r"git clone ADDRESS xr3",
     "runs_an_example": r"(make|\./|build/|python3 |node |octave-cli |java -cp build |javac ).*",
 }
 
@@ -183,6 +184,12 @@ class Commands(unittest.TestCase):
         self.assertNotEqual("", self.run_to_end(text))
 
     # --- The checkout
+
+    def copies_the_repository(self, command):
+        self.need("git")
+        self.run_to_end("git init -q ADDRESS")
+        self.run_to_end(command.text)
+        self.assertTrue((self.folder / "xr3" / ".git").is_dir())
 
     def runs_the_checkout(self, command):
         checkout = StubCheckout(self.folder / str(len(list(self.folder.iterdir()))))

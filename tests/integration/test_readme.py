@@ -1,5 +1,5 @@
-"""The telnet session of the README ("Two minutes"), typed unchanged. The clock is manual; two
-seconds pass before the inquiry."""
+"""The telnet session of the README ("Two minutes"), typed unchanged; the table below it has the reply. The clock is
+manual; two seconds pass before the inquiry."""
 
 import pathlib
 import re
@@ -13,20 +13,17 @@ TICKS_BEFORE_ASKING = 2000
 
 
 def session():
-    """(input, the reply shown below it or None) of each line that is typed."""
+    """(input, the reply that its row of the table has, or None) of each line that is typed."""
     readme = pathlib.Path(ROOT, "README.md").read_text(encoding="utf-8")
-    lines = [line.split()[:2] for line in SESSION.search(readme)[1].splitlines()]
-    shown = [(first, second.startswith("(")) for first, second in lines]
-    typed = [i for i, (_, is_reply) in enumerate(shown) if not is_reply]
-    return [(shown[i][0], shown[i + 1][0] if i + 1 not in typed and i + 1 < len(shown) else None)
-            for i in typed]
+    replies = dict(re.findall(r"^\| `(\S+)` \|.* reply.* `(.)`", readme, re.MULTILINE))
+    return [(typed, replies.get(typed)) for typed in SESSION.search(readme)[1].splitlines()]
 
 
 @needs("telnet", "inetutils-telnet")
 class ThirtySeconds(unittest.TestCase):
     def test_commands_give_the_printed_replies(self):
         lines = session()
-        self.assertEqual(["E5S", "E+50", "E?", "A$", "Q"], [typed for typed, _ in lines])
+        self.assertEqual([("E5S", None), ("E+50", None), ("E?", "H"), ("A$", None), ("Q", None)], lines)
         received = 0
         with Server() as xr3, xr3.monitor() as monitor, Telnet(xr3.robot_port) as telnet:
             before = monitor.get("joints")
