@@ -44,7 +44,7 @@ if(XR3_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
 endif()
 
 find_program(XR3_MOLD mold)
-if(XR3_MOLD)
+if(XR3_MOLD AND NOT CMAKE_CROSSCOMPILING)  # Debian's cross compilers do not find it
   add_link_options(-fuse-ld=mold)
 endif()
 
