@@ -44,10 +44,10 @@ def hashes(folder):
     return {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in sorted(pathlib.Path(folder).iterdir())}
 
 
-def clone(folder, version=None):
+def clone(folder, version=None, source=ROOT):
     """A clone of the last commit; with a version, that version is released there."""
     shutil.rmtree(folder, ignore_errors=True)
-    run("git", "clone", "--quiet", ROOT, folder)
+    run("git", "clone", "--quiet", source, folder)
     if version:
         prepare_release(pathlib.Path(folder), version)
     return folder
@@ -105,7 +105,7 @@ class Built(unittest.TestCase):
 
 class Reproducible(Built):
     def test_another_place_time_zone_and_mask_give_the_same_bytes(self):
-        other = clone(WORK / "another place" / "with a longer name")
+        other = clone(WORK / "another place" / "with a longer name", source=WORK / "first")
         run("/bin/sh", "-c", "umask 077; exec scripts/package", cwd=other,
             env={**os.environ, "CCACHE_DISABLE": "1", "TZ": "Asia/Tokyo", "LC_ALL": "C"})
         self.assertEqual(hashes(self.packages), hashes(other / "build" / "packages"))
@@ -115,10 +115,10 @@ class Reproducible(Built):
 class DebianPackage(Built):
     def newer(self):
         """The same package with a higher version."""
-        tree = os.path.join(self.folder, "tree")
-        run("dpkg-deb", "-R", debian_package(self.packages), tree)
-        replace_once(pathlib.Path(tree, "DEBIAN", "control"), r"^Version: .*$", f"Version: {NEXT}")
-        run("dpkg-deb", "--root-owner-group", "-b", tree, self.folder)
+        tree = tempfile.mkdtemp(dir=self.folder)
+        run("dpkg-deb", "-R", debian_package(self.packages), f"{tree}/package")
+        replace_once(pathlib.Path(tree, "package", "DEBIAN", "control"), r"^Version: .*$", f"Version: {NEXT}")
+        run("dpkg-deb", "--root-owner-group", "-b", f"{tree}/package", self.folder)
         return os.path.join(self.folder, f"xr3_{NEXT}_amd64.deb")
 
     def test_life_in_a_bare_system(self):
