@@ -136,8 +136,10 @@ std::string zsh_argument(const DescribedOption& option) {
   return shell_quoted(text);
 }
 
-std::string zsh_arguments(const std::vector<DescribedOption>& options, const std::string& indent) {
-  std::string out = indent + "_arguments -s";
+/// A call of _arguments; `flags` are its own options, which come first.
+std::string zsh_arguments(const std::string& flags, const std::vector<DescribedOption>& options,
+                          const std::string& indent) {
+  std::string out = indent + "_arguments " + flags;
   for (const DescribedOption& option : options)
     out += " \\\n" + indent + "  " + zsh_argument(option);
   return out;
@@ -210,24 +212,25 @@ std::string zsh_completion(const DescribedProgram& program) {
     commands += "    " +
                 shell_quoted(command.name + ":" + with_backslashes(command.description, ":")) +
                 "\n";
-    cases += "        " + command.name + ")\n" + zsh_arguments(command.options, "          ") +
-             "\n          ;;\n";
+    cases += "        " + command.name + ")\n" +
+             zsh_arguments("-s", command.options, "          ") + "\n          ;;\n";
   }
   return "#compdef " + program.name + "\n" + completion_header(program, "zsh") +
+         "# _arguments puts options of compadd before the kind of data files.\n"
          "_xr3_names() {\n"
          "  local -a names\n"
          "  names=(${(f)\"$(" +
          program.name +
-         " completion $1 2>/dev/null)\"})\n"
-         "  compadd -a names\n"
+         " completion ${argv[-1]} 2>/dev/null)\"})\n"
+         "  compadd \"${(@)argv[1,-2]}\" -a names\n"
          "  _files\n"
          "}\n"
          "_xr3() {\n"
          "  local context state line\n"
          "  local -a commands\n"
          "  commands=(\n" +
-         commands + "  )\n" + zsh_arguments(program.options, "  ") +
-         " \\\n    -C '1:command:->command' '*::argument:->argument'\n"
+         commands + "  )\n" + zsh_arguments("-s -C", program.options, "  ") +
+         " \\\n    '1:command:->command' '*::argument:->argument'\n"
          "  case $state in\n"
          "    command) _describe command commands ;;\n"
          "    argument)\n"

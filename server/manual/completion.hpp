@@ -8,7 +8,7 @@
 
 namespace xr3 {
 
-/// What a shell proposes for the value of an option.
+/// The values that a shell offers for an option.
 struct ValueChoices {
   std::vector<std::string> words;
   std::string data_kind;  ///< names in this folder of the data, such as robots; may be empty

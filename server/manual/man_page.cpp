@@ -41,6 +41,15 @@ std::string name_section(const std::string& page, std::string_view description) 
   return ".SH NAME\n" + roff_text(page) + " \\- " + roff_text(description) + "\n";
 }
 
+/// The first line of `NAME: what it is.`, without the name and the full stop.
+std::string_view summary_of(const DescribedProgram& program) {
+  std::string_view line = program.description;
+  line = line.substr(0, line.find('\n'));
+  if (line.starts_with(program.name + ": ")) line.remove_prefix(program.name.size() + 2);
+  if (line.ends_with('.')) line.remove_suffix(1);
+  return line;
+}
+
 std::string synopsis_of(const DescribedOption& positional) {
   const std::string name = in_italics(positional.type.empty() ? positional.name : positional.type) +
                            (positional.is_repeatable ? "..." : "");
@@ -92,12 +101,11 @@ std::string preformatted(const std::string& heading, const std::string& text) {
 }  // namespace
 
 std::string man_page(const DescribedProgram& program) {
-  const std::string about = program.description;
   std::string page = page_title(program, program.name) +
-                     name_section(program.name, "simulated controller of a robot on TCP ports") +
-                     ".SH SYNOPSIS\n" + in_bold(program.name) + " " + in_italics("COMMAND") + " [" +
-                     in_italics("OPTION") + "...]\n.SH DESCRIPTION\n" + roff_text(about) +
-                     "\n.SH COMMANDS\n";
+                     name_section(program.name, summary_of(program)) + ".SH SYNOPSIS\n" +
+                     in_bold(program.name) + " " + in_italics("COMMAND") + " [" +
+                     in_italics("OPTION") + "...]\n.SH DESCRIPTION\n" +
+                     roff_text(program.description) + "\n.SH COMMANDS\n";
   for (const DescribedCommand& command : program.commands) {
     page += ".TP\n" + in_bold(program.name + "-" + command.name) + "(1)\n" +
             roff_sentence(command.description) + "\n";

@@ -9,7 +9,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "build" / "roots"
 SUITES = ("bookworm", "trixie")  # Debian 12 and 13
 
-# A name space of its own for processes and mounts: whatever the commands start ends with them.
+# Namespaces for processes and mounts: the kernel ends all processes of a command when the command ends.
 ISOLATION = ("unshare", "--mount", "--pid", "--fork", "--kill-child")
 
 

@@ -7,11 +7,15 @@ import hashlib
 import json
 import os
 import pathlib
+import pty
 import re
+import select
 import shutil
+import signal
 import subprocess
 import tarfile
 import tempfile
+import time
 import unittest
 
 from roots import ROOT, SUITES, Root
@@ -177,9 +181,44 @@ class DebianPackage(Built):
         self.assertIn("rhino-xr3 ", run("bash", "-c", bash, script, env=environment))
         fish = f"source {share}/fish/vendor_completions.d/xr3.fish; complete -C 'xr3 serve --compat m'"
         self.assertIn("mark3", run("fish", "-c", fish, env=environment, cwd=self.folder))
-        zsh = (f"fpath=({share}/zsh/vendor-completions $fpath); autoload -Uz compinit; compinit -u;"
-               " whence -v _xr3; print $_comps[xr3]; autoload +X _xr3")
-        self.assertIn("\n_xr3\n", run("zsh", "-fc", zsh, env=environment, cwd=self.folder))
+        fish = f"source {share}/fish/vendor_completions.d/xr3.fish; complete -C 'xr3 serve --robot adept'"
+        self.assertIn("adept-one", run("fish", "-c", fish, env=environment, cwd=self.folder))
+        with Zsh(f"{share}/zsh/vendor-completions", environment) as zsh:
+            for typed, becomes in (("xr3 heal", "xr3 healthcheck "), ("xr3 serve --compat m", "--compat mark3 "),
+                                   ("xr3 serve --robot adept", "--robot adept-one "), ("xr3 --v", "xr3 --version ")):
+                self.assertIn(becomes, zsh.complete(typed, becomes))
+
+
+class Zsh:
+    """A zsh on a terminal, which completes what is typed."""
+
+    DEADLINE_S = 30
+
+    def __init__(self, completions, environment):
+        self.pid, self.terminal = pty.fork()
+        if self.pid == 0:
+            os.execvpe("zsh", ["zsh", "-f", "-i"], {**environment, "TERM": "dumb"})
+        self.type(f"fpath=({completions} $fpath); autoload -Uz compinit; compinit -u; echo re''ady\n", "ready")
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        os.kill(self.pid, signal.SIGKILL)
+        os.waitpid(self.pid, 0)
+        os.close(self.terminal)
+
+    def type(self, text, expected):
+        """Types the text; returns what the terminal shows until the expected text is there, or the time is over."""
+        os.write(self.terminal, text.encode())
+        shown, end = "", time.monotonic() + self.DEADLINE_S
+        while expected not in shown and select.select([self.terminal], [], [], max(0, end - time.monotonic()))[0]:
+            shown += os.read(self.terminal, 4096).decode(errors="replace")
+        return shown
+
+    def complete(self, text, expected):
+        clear_line = "\x15"
+        return self.type(f"{clear_line}{text}\t", expected)
 
 
 class PipelineRecipe(Built):

@@ -63,6 +63,11 @@ TEST(ZshCompletion, EscapesWhatZshReads) {
   EXPECT_THAT(text, HasSubstr("'--at=[time \\[h\\:m\\], the arm'\\''s]:H\\:M: '"));
 }
 
+TEST(ZshCompletion, GivesTheFlagsOfArgumentsFirst) {
+  EXPECT_THAT(zsh_completion(program_with(option_of("--x", ""))),
+              HasSubstr("  _arguments -s -C \\\n    '--version[what it is]'"));
+}
+
 TEST(FishCompletion, HasALineForEachOption) {
   const std::string text = fish_completion(program_with(option_of("--robot", "NAME|FILE")));
   EXPECT_THAT(text,
@@ -85,6 +90,12 @@ TEST(ManPage, TakesNoLineForARequest) {
   DescribedProgram program = program_with(option_of("--x", "", "first\n.so /etc/passwd\n'x"));
   const std::string page = man_page(program, program.commands[0]);
   EXPECT_THAT(page, HasSubstr("first\n\\&.so /etc/passwd\n\\&'x."));
+}
+
+TEST(ManPage, TakesItsNameLineFromTheDescription) {
+  DescribedProgram program = program_with(option_of("--x", ""));
+  program.description = "xr3: a robot.\nIt has more to say.";
+  EXPECT_THAT(man_page(program), HasSubstr(".SH NAME\nxr3 \\- a robot\n"));
 }
 
 TEST(ManPage, OfTheProgramListsTheCommands) {
