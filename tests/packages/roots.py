@@ -32,7 +32,7 @@ class Root:
         subprocess.run(["cp", "-a", "--reflink=auto", base_of(suite), self.path], check=True, timeout=120)
 
     def run(self, script, timeout=120, user=None):
-        """Runs a shell script in it, as root or as this user number; returns its output. A failure raises with it."""
+        """Runs a shell script in it, as root or as this user number; returns its output, or raises with it."""
         command = ["chroot", *(["--userspec", f"{user}:{user}"] if user else []), self.path, "/bin/sh", "-euc", script]
         mount = 'mount -t proc proc "$0/proc"; exec "$@"'
         done = subprocess.run([*ISOLATION, "/bin/sh", "-euc", mount, self.path, *command],

@@ -225,8 +225,8 @@ class PipelineRecipe(Built):
     def test_installs_the_package_that_it_is_given(self):
         root = Root(SUITES[0], self.folder)
         package, script = root.put(debian_package(self.packages)), root.put(ROOT / "docs/ci/get-xr3.sh")
-        said = root.run(f"XR3_PACKAGE={package} XR3_CACHE=/tmp/cache sh {script} && test -d /tmp/cache/apt/partial && cd /tmp"
-                        " && XR3_PACKAGE=cache/../xr3.none sh get-xr3.sh || echo refused")
+        said = root.run(f"XR3_PACKAGE={package} XR3_CACHE=/tmp/cache sh {script} && test -d /tmp/cache/apt/partial"
+                        " && cd /tmp && XR3_PACKAGE=cache/../xr3.none sh get-xr3.sh || echo refused")
         self.assertRegex(said, rf"(?m)^xr3 {re.escape(VERSION)} \(commit (?s:.*)refused$")
 
 
