@@ -36,8 +36,8 @@ class Root:
         command = ["chroot", *(["--userspec", f"{user}:{user}"] if user else []), self.path, "/bin/sh", "-euc", script]
         mount = 'mount -t proc proc "$0/proc"; exec "$@"'
         done = subprocess.run([*ISOLATION, "/bin/sh", "-euc", mount, self.path, *command],
-                              env={"PATH": "/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin", "DEBIAN_FRONTEND": "noninteractive",
-                                   "LC_ALL": "C.UTF-8", "HOME": "/tmp"},
+                              env={"PATH": "/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin", "HOME": "/tmp",
+                                   "LC_ALL": "C.UTF-8", "DEBIAN_FRONTEND": "noninteractive"},
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                               timeout=timeout, check=False)
         if done.returncode:
