@@ -4,7 +4,6 @@
 #include <cassert>
 #include <utility>
 
-#include "core/execute.hpp"
 #include "core/motor.hpp"
 
 namespace xr3 {

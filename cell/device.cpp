@@ -1,5 +1,4 @@
 // The inputs of a cell that concern the physical controller.
-#include <algorithm>
 #include <cassert>
 #include <cstdlib>
 #include <utility>

@@ -6,10 +6,8 @@
 #include <array>
 #include <cstdint>
 #include <deque>
-#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "cell/cell.hpp"
 #include "protocol/monitor/subscription.hpp"

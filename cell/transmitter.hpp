@@ -5,7 +5,6 @@
 
 #include <cassert>
 #include <cstdint>
-#include <optional>
 
 #include "protocol/line/line_speed.hpp"
 #include "protocol/line/state_writer.hpp"

@@ -1,7 +1,6 @@
 #include "core/carousel.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <utility>

@@ -1,6 +1,5 @@
 #include "cell/recording/recorder.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "cell/digest.hpp"

@@ -1,6 +1,5 @@
 #include "core/drawing/wireframe.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <iterator>

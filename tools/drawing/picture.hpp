@@ -1,7 +1,6 @@
 // A wire frame in pixel coordinates, from which an SVG or a raster image is made.
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
 #include <vector>
 

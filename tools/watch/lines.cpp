@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 
-#include "protocol/text/table.hpp"
 #include "tools/watch/panels.hpp"
 
 namespace xr3::watch {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "core/inverse/reach.hpp"
 #include "core/robot.hpp"
