@@ -3,24 +3,10 @@
 #include <cmath>
 #include <string_view>
 
+#include "tools/text/markup.hpp"
+
 namespace xr3 {
 namespace {
-
-/// Escapes text for use between tags or in quotes. XML does not allow control characters, not even
-/// escaped: they become blanks.
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-  }
-  return result;
-}
 
 /// Rounded to hundredths, without trailing zeros.
 std::string number(double value) {
@@ -34,7 +20,7 @@ std::string number(double value) {
 }
 
 std::string quoted(const std::string& name, std::string_view value) {
-  return " " + name + "=\"" + escaped(value) + "\"";
+  return " " + name + "=\"" + xml(value) + "\"";
 }
 
 std::string steps(const FlatWire& wire) {
@@ -57,8 +43,8 @@ std::string head(const Picture& picture) {
   const bool is_light = picture.background == Background::kLight;
   return "<svg xmlns=\"http://www.w3.org/2000/svg\"" + quoted("width", width) +
          quoted("height", height) + quoted("viewBox", "0 0 " + width + " " + height) + ">\n" +
-         "<title>" + escaped(picture.title) + "</title>\n" +
-         "<rect width=\"100%\" height=\"100%\"" + quoted("fill", is_light ? "#ffffff" : "#14171c") +
+         "<title>" + xml(picture.title) + "</title>\n" + "<rect width=\"100%\" height=\"100%\"" +
+         quoted("fill", is_light ? "#ffffff" : "#14171c") +
          "/>\n<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
 }
 

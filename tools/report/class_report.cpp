@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "protocol/goals/goal_text.hpp"
+#include "tools/text/markup.hpp"
 
 namespace xr3 {
 namespace {
@@ -37,21 +38,6 @@ constexpr const char* kHead = R"(<!doctype html>
 </style>
 <h1>Robot programs: results</h1>
 )";
-
-/// Text in HTML.
-std::string html(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += c;
-    }
-  }
-  return result;
-}
 
 /// A name as a part of an address.
 std::string address(std::string_view name) {
@@ -87,8 +73,7 @@ std::string score(const RunReport& report) {
 std::string verdict_of(const RunReport& report) {
   if (report.outcome != RunOutcome::kFinished) return html(report.why);
   if (report.is_passed()) return "all goals met";
-  const auto missed = std::count_if(report.goals.begin(), report.goals.end(),
-                                    [](const GoalResult& each) { return !each.is_met; });
+  const auto missed = std::ranges::count(report.goals, false, &GoalResult::is_met);
   return std::to_string(missed) + " of " + std::to_string(report.goals.size()) + " goals missed";
 }
 
@@ -130,13 +115,12 @@ std::string class_summary(const std::vector<RunReport>& reports) {
 
 /// How many submissions have met each goal. A run that could not be made has no goals.
 std::string goal_table(const std::vector<RunReport>& reports) {
-  const auto fullest = std::max_element(
-      reports.begin(), reports.end(),
-      [](const RunReport& a, const RunReport& b) { return a.goals.size() < b.goals.size(); });
+  const auto fullest = std::ranges::max_element(
+      reports, {}, [](const RunReport& each) { return each.goals.size(); });
   if (fullest == reports.end() || fullest->goals.empty()) return "";
   std::string rows;
   for (std::size_t i = 0; i < fullest->goals.size(); ++i) {
-    const auto met = std::count_if(reports.begin(), reports.end(), [i](const RunReport& each) {
+    const auto met = std::ranges::count_if(reports, [i](const RunReport& each) {
       return i < each.goals.size() && each.goals[i].is_met;
     });
     rows +=

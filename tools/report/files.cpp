@@ -1,4 +1,5 @@
 // The report in the forms that other programs read.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -6,6 +7,7 @@
 #include "protocol/json/source.hpp"
 #include "protocol/json/values.hpp"
 #include "tools/report/run_report.hpp"
+#include "tools/text/markup.hpp"
 
 namespace xr3 {
 namespace {
@@ -23,21 +25,6 @@ RunOutcome outcome_named(const std::string& name) {
                             : RunOutcome::kTimeUp;
 }
 
-/// Text in XML; control characters, which XML does not have, become spaces.
-std::string xml(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-  }
-  return result;
-}
-
 std::string test_case(const RunReport& report, const std::string& name, const std::string& inside) {
   const std::string begin = "    <testcase classname=\"" + xml(report.program) + "\" name=\"" +
                             xml(name) + "\" time=\"" + seconds_text(report.ticks) + "\"";
@@ -51,8 +38,7 @@ std::string failure(const GoalResult& goal) {
 
 std::string suite(const RunReport& report) {
   const bool has_failed = report.outcome != RunOutcome::kFinished;
-  std::size_t missed = 0;
-  for (const GoalResult& each : report.goals) missed += each.is_met ? 0 : 1;
+  const auto missed = std::ranges::count(report.goals, false, &GoalResult::is_met);
   std::string text = "  <testsuite name=\"" + xml(report.program) + "\" tests=\"" +
                      std::to_string(report.goals.size() + 1) + "\" failures=\"" +
                      std::to_string(missed) + "\" errors=\"" + (has_failed ? "1" : "0") +

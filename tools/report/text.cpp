@@ -1,5 +1,6 @@
 // The report as lines for a terminal.
 #include <algorithm>
+#include <array>
 
 #include "protocol/goals/goal_text.hpp"
 #include "tools/report/run_report.hpp"
@@ -27,28 +28,21 @@ std::string summary(const RunReport& report) {
 }  // namespace
 
 bool RunReport::is_passed() const {
-  return outcome == RunOutcome::kFinished &&
-         std::all_of(goals.begin(), goals.end(),
-                     [](const GoalResult& each) { return each.is_met; });
+  return outcome == RunOutcome::kFinished && std::ranges::all_of(goals, &GoalResult::is_met);
 }
 
 std::string name_of(RunOutcome outcome) {
-  switch (outcome) {
-    case RunOutcome::kFinished: return "finished";
-    case RunOutcome::kFailed: return "failed";
-    case RunOutcome::kTimeUp: break;
-  }
-  return "time_up";
+  constexpr std::array kNames{"finished", "failed", "time_up"};
+  return kNames.at(static_cast<std::size_t>(outcome));
 }
 
 std::string to_text(const RunReport& report) {
   std::string text;
   if (report.outcome != RunOutcome::kFinished) text += "✗ " + report.why + "\n";
   for (const GoalResult& each : report.goals) text += line_of(each);
-  const bool is_elsewhere =
-      std::any_of(report.goals.begin(), report.goals.end(), [](const GoalResult& each) {
-        return !each.is_met && (each.kind == "block" || each.kind == "stacked");
-      });
+  const bool is_elsewhere = std::ranges::any_of(report.goals, [](const GoalResult& each) {
+    return !each.is_met && (each.kind == "block" || each.kind == "stacked");
+  });
   if (is_elsewhere) text += report.top_view;
   return text + summary(report);
 }
