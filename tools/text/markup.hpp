@@ -25,8 +25,8 @@ inline std::string html(std::string_view text) {
 /// Text in XML. Control characters, which it does not have, not even escaped, become blanks.
 inline std::string xml(std::string_view text) {
   std::string result = html(text);
-  std::ranges::replace_if(
-      result, [](unsigned char c) { return c < ' '; }, ' ');
+  const auto is_control = [](unsigned char c) { return c < ' '; };
+  std::ranges::replace_if(result, is_control, ' ');
   return result;
 }
 

@@ -21,7 +21,7 @@ constexpr const char* kColorHelp =
 
 }  // namespace
 
-std::deque<WorkcellDialogue::Step> WorkcellDialogue::name_of_block_steps() {
+WorkcellDialogue::Step WorkcellDialogue::name_of_block_step() {
   const auto is_taken = [this](const std::string& name) -> std::string {
     for (std::size_t i = 0; i < workcell_.blocks.size(); ++i) {
       if (i != block_index_ && workcell_.blocks[i].name == name)
@@ -29,13 +29,13 @@ std::deque<WorkcellDialogue::Step> WorkcellDialogue::name_of_block_steps() {
     }
     return "";
   };
-  return {[this, is_taken] {
+  return [this, is_taken] {
     return dialogue::text_question("Block's name", 1, kMaxBlockName, block_.name,
                                    "Its name in messages; must be unique.", is_taken);
-  }};
+  };
 }
 
-std::deque<WorkcellDialogue::Step> WorkcellDialogue::size_steps() {
+WorkcellDialogue::Steps WorkcellDialogue::size_steps() {
   const Workspace& space = workcell_.workspace;
   const Micrometres jaws = micrometres(widest_opening_mm(arm_.robot));
   return {length_step("Length", {1, space.x_um}, kAnySize, block_.size_um.x,
@@ -50,7 +50,7 @@ std::deque<WorkcellDialogue::Step> WorkcellDialogue::size_steps() {
           }};
 }
 
-std::deque<WorkcellDialogue::Step> WorkcellDialogue::place_steps() {
+WorkcellDialogue::Steps WorkcellDialogue::place_steps() {
   const Workspace& space = workcell_.workspace;
   return {length_step("x of its middle", {0, space.x_um}, kAnyPlace, block_.centroid_um.x,
                       "Distance in front of the robot's base."),
@@ -58,40 +58,36 @@ std::deque<WorkcellDialogue::Step> WorkcellDialogue::place_steps() {
                       "Distance to the left of the robot's base, as the robot faces.")};
 }
 
-std::deque<WorkcellDialogue::Step> WorkcellDialogue::yaw_steps() {
-  return {[this] {
+WorkcellDialogue::Step WorkcellDialogue::yaw_step() {
+  return [this] {
     return dialogue::yaw_question("Orientation", block_.yaw_udeg,
                                   "Its rotation about the vertical, from x towards y.");
-  }};
+  };
 }
 
 /// The default height is on the table or on the blocks below.
-std::deque<WorkcellDialogue::Step> WorkcellDialogue::height_steps() {
-  return {[this] {
+WorkcellDialogue::Step WorkcellDialogue::height_step() {
+  return [this] {
     block_.centroid_um.z = dialogue::resting_z(workcell_, block_index_, block_);
     const dialogue::Lengths sensible{workcell_.work_surface_um, workcell_.workspace.z_um};
     return dialogue::length_question("z of its middle", sensible, kAnyPlace, block_.centroid_um.z,
                                      "The default is on the table, or on the block below it.");
-  }};
+  };
 }
 
-std::deque<WorkcellDialogue::Step> WorkcellDialogue::color_steps() {
-  return {[this] {
+WorkcellDialogue::Step WorkcellDialogue::color_step() {
+  return [this] {
     return dialogue::whole_question("Colour", 0, kLastColor, block_.color, kColorHelp);
-  }};
+  };
 }
 
-void WorkcellDialogue::block_steps(std::vector<std::deque<Step>> parts) {
-  block_parts_ = std::move(parts);
-  ask_block_again();
+void WorkcellDialogue::edit_block(Steps steps) {
+  block_steps_ = std::move(steps);
+  ask_block();
 }
 
-void WorkcellDialogue::ask_block_again() {
-  std::deque<Step> steps;
-  for (const std::deque<Step>& part : block_parts_) {
-    steps.insert(steps.end(), part.begin(), part.end());
-  }
-  ask(std::move(steps), &WorkcellDialogue::judge_block);
+void WorkcellDialogue::ask_block() {
+  ask(block_steps_, [this] { judge_block(); });
 }
 
 void WorkcellDialogue::add() {
@@ -103,27 +99,24 @@ void WorkcellDialogue::add() {
 }
 
 void WorkcellDialogue::change() {
-  block_steps({name_of_block_steps(), size_steps(), place_steps(), yaw_steps(), height_steps(),
-               color_steps()});
+  edit_block(joined({{name_of_block_step()},
+                     size_steps(),
+                     place_steps(),
+                     {yaw_step(), height_step(), color_step()}}));
 }
 
-void WorkcellDialogue::move() { block_steps({place_steps(), height_steps()}); }
+void WorkcellDialogue::move() { edit_block(joined({place_steps(), {height_step()}})); }
 
-void WorkcellDialogue::turn_block() { block_steps({yaw_steps()}); }
+void WorkcellDialogue::turn_block() { edit_block({yaw_step()}); }
 
 void WorkcellDialogue::remove() {
-  is_yes_ = true;
-  ask({[this] {
-        return dialogue::yes_no_question("Remove \"" + block_.name + "\"?", is_yes_,
-                                         "yes: remove it. no: keep it.");
-      }},
-      &WorkcellDialogue::handle_removal);
-}
-
-void WorkcellDialogue::handle_removal() {
-  if (!is_yes_) return;
-  workcell_.blocks.erase(workcell_.blocks.begin() + static_cast<std::ptrdiff_t>(block_index_));
-  say("Removed. The letters of later blocks move up.\n");
+  ask_yes_no("Remove \"" + block_.name + "\"?", true, "yes: remove it. no: keep it.",
+             [this](bool removes) {
+               if (!removes) return;
+               const auto index = static_cast<std::ptrdiff_t>(block_index_);
+               workcell_.blocks.erase(workcell_.blocks.begin() + index);
+               say("Removed. The letters of later blocks move up.\n");
+             });
 }
 
 /// After errors the items are asked again; a block with mere warnings may be kept.
@@ -136,17 +129,11 @@ void WorkcellDialogue::judge_block() {
   say(dialogue::notes(candidate, findings));
   if (has_errors(findings)) {
     say("Not valid. Please enter the items again:\n");
-    return ask_block_again();
+    return ask_block();
   }
-  is_yes_ = false;
-  ask({[this] {
-        return dialogue::yes_no_question("Keep it anyway?", is_yes_,
-                                         "yes: keep it. no: the items are asked again.");
-      }},
-      &WorkcellDialogue::handle_verdict);
+  ask_yes_no("Keep it anyway?", false, "yes: keep it. no: the items are asked again.",
+             [this](bool keeps) { keeps ? keep_block() : ask_block(); });
 }
-
-void WorkcellDialogue::handle_verdict() { is_yes_ ? keep_block() : ask_block_again(); }
 
 void WorkcellDialogue::keep_block() {
   const bool is_added = block_index_ == workcell_.blocks.size();

@@ -79,7 +79,7 @@ void WorkcellDialogue::answer(std::string_view line) {
 
 /// Proceeds to the next question, or to the menu if there is none.
 void WorkcellDialogue::next() {
-  while (steps_.empty() && then_ != nullptr) (this->*std::exchange(then_, nullptr))();
+  while (steps_.empty() && then_) std::exchange(then_, nullptr)();
   if (is_over_ || file_text_) return;
   if (steps_.empty()) {
     question_ = menu();
@@ -97,9 +97,22 @@ DialogueTurn WorkcellDialogue::turn() {
   return result;
 }
 
-void WorkcellDialogue::ask(std::deque<Step> steps, Action then) {
+void WorkcellDialogue::ask(Steps steps, std::function<void()> then) {
   steps_ = std::move(steps);
-  then_ = then;
+  then_ = std::move(then);
+}
+
+void WorkcellDialogue::ask_yes_no(const std::string& prompt, bool fallback, const std::string& help,
+                                  std::function<void(bool)> then) {
+  is_yes_ = fallback;
+  ask({[=, this] { return dialogue::yes_no_question(prompt, is_yes_, help); }},
+      [this, then = std::move(then)] { then(is_yes_); });
+}
+
+WorkcellDialogue::Steps WorkcellDialogue::joined(const std::vector<Steps>& parts) {
+  Steps all;
+  for (const Steps& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
 }
 
 // The menu.
@@ -208,12 +221,12 @@ DialogueTurn WorkcellDialogue::written(WriteOutcome outcome, const std::string& 
   text_.clear();
   file_text_.reset();
   if (outcome == WriteOutcome::kIsThere) {
-    is_yes_ = false;
-    ask({[this] {
-          return dialogue::yes_no_question(file_ + " already exists. Replace it?", is_yes_,
-                                           "yes: its contents are lost. no: it stays unchanged.");
-        }},
-        &WorkcellDialogue::handle_replacement);
+    ask_yes_no(file_ + " already exists. Replace it?", false,
+               "yes: its contents are lost. no: it stays unchanged.", [this](bool replaces) {
+                 if (replaces) return write(true);
+                 is_leaving_ = false;
+                 say("Not written. To use another file name, quit and start again with --from.\n");
+               });
   } else if (outcome == WriteOutcome::kWritten) {
     saved_ = workcell_;
     has_written_ = true;
@@ -227,33 +240,19 @@ DialogueTurn WorkcellDialogue::written(WriteOutcome outcome, const std::string& 
   return turn();
 }
 
-void WorkcellDialogue::handle_replacement() {
-  if (is_yes_) return write(true);
-  is_leaving_ = false;
-  say("Not written. To use another file name, quit and start again with --from.\n");
-}
-
 void WorkcellDialogue::quit() {
   if (!has_unsaved()) {
     is_over_ = true;
     return say("Left; all changes to " + file_ + " are saved.\n");
   }
-  is_yes_ = true;
-  ask({[this] {
-        return dialogue::yes_no_question(
-            "Save before leaving?", is_yes_,
-            "yes: write " + file_ + ". no: leave and lose the changes. .: stay here.");
-      }},
-      &WorkcellDialogue::handle_leaving);
-}
-
-void WorkcellDialogue::handle_leaving() {
-  if (is_yes_) {
-    is_leaving_ = true;
-    return save();
-  }
-  is_over_ = true;
-  say("Left without writing " + file_ + ".\n");
+  ask_yes_no("Save before leaving?", true,
+             "yes: write " + file_ + ". no: leave and lose the changes. .: stay here.",
+             [this](bool saves) {
+               is_leaving_ = saves;
+               if (saves) return save();
+               is_over_ = true;
+               say("Left without writing " + file_ + ".\n");
+             });
 }
 
 DialogueTurn WorkcellDialogue::leave(std::string_view why) {

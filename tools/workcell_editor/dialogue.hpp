@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/robot.hpp"
 #include "core/workcell.hpp"
@@ -58,11 +59,11 @@ class WorkcellDialogue {
  private:
   using Question = dialogue::Question;
   using Step = std::function<Question()>;
-  using Action = void (WorkcellDialogue::*)();
+  using Steps = std::deque<Step>;
 
   struct Command {
     std::string name;
-    Action action;
+    void (WorkcellDialogue::*action)();
     bool needs_block = false;
   };
   static const std::vector<Command>& commands();
@@ -73,7 +74,11 @@ class WorkcellDialogue {
   DialogueTurn turn();
 
   /// Asks the steps one after another, then does `then`.
-  void ask(std::deque<Step> steps, Action then);
+  void ask(Steps steps, std::function<void()> then);
+  /// Asks a question, then does `then` with the answer.
+  void ask_yes_no(const std::string& prompt, bool fallback, const std::string& help,
+                  std::function<void(bool)> then);
+  static Steps joined(const std::vector<Steps>& parts);
   Question menu();
   std::string run_command(const std::string& line);
   std::optional<std::size_t> block_named(const std::string& name) const;
@@ -98,37 +103,30 @@ class WorkcellDialogue {
   // A new workcell, item by item.
   void ask_all();
   void offer_block();
-  void handle_offer();
 
   // Everything except blocks; the answers go to draft_ first.
-  void ask_room(std::deque<Step> steps, Action judge);
+  void edit_room(Steps steps, std::function<void()> then = {});
+  void ask_room();
   void keep_room();
   static Step length_step(const std::string& prompt, dialogue::Lengths sensible,
                           dialogue::Lengths possible, Micrometres& value, const std::string& help);
-  std::deque<Step> name_steps();
-  std::deque<Step> workspace_steps();
-  std::deque<Step> surface_steps();
-  void ask_camera();
-  void handle_camera_answer();
-  void finish_camera();
+  Steps name_steps();
+  Steps workspace_steps();
+  Steps surface_steps();
+  void edit_camera(bool is_wanted);
 
   // Blocks: the answers go to block_ first.
-  std::deque<Step> name_of_block_steps();
-  std::deque<Step> size_steps();
-  std::deque<Step> place_steps();
-  std::deque<Step> yaw_steps();
-  std::deque<Step> height_steps();
-  std::deque<Step> color_steps();
-  void block_steps(std::vector<std::deque<Step>> parts);
-  void ask_block_again();
+  Step name_of_block_step();
+  Steps size_steps();
+  Steps place_steps();
+  Step yaw_step();
+  Step height_step();
+  Step color_step();
+  void edit_block(Steps steps);
+  void ask_block();
   void judge_block();
-  void handle_verdict();
   void keep_block();
-  void handle_removal();
 
-  // Writing and leaving.
-  void handle_replacement();
-  void handle_leaving();
   void write(bool may_replace);
   ReachAbove reach_above();
 
@@ -140,20 +138,17 @@ class WorkcellDialogue {
   std::optional<Workcell> saved_;  ///< the file's contents, if known
 
   Question question_;
-  std::deque<Step> steps_;
-  Action then_ = nullptr;
+  Steps steps_;
+  std::function<void()> then_;
   std::string text_;
 
   Workcell draft_;
-  std::deque<Step> room_steps_;
-  Action room_judge_ = nullptr;  ///< checks the answers
-  Action room_then_ = nullptr;   ///< runs after the answers are accepted
-  bool wants_camera_ = true;
-  std::size_t projection_ = 0;
+  Steps room_steps_;
+  std::function<void()> room_then_;  ///< runs after the answers are accepted
 
   Block block_;
   std::size_t block_index_ = 0;  ///< for a block to be added: the number of blocks
-  std::vector<std::deque<Step>> block_parts_;
+  Steps block_steps_;
   bool is_yes_ = false;
   bool is_making_ = false;  ///< the items of a new workcell are being asked for
 

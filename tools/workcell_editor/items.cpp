@@ -38,14 +38,27 @@ Question number_question(const std::string& prompt, double min, double max, cons
 
 /// Printable text that JSON can hold.
 bool is_printable(const std::string& text) {
-  if (std::any_of(text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == 127; }))
-    return false;
-  return Json::accept("\"" + [&] {
-    std::string quoted;
-    for (const char c : text)
-      quoted += (c == '"' || c == '\\') ? std::string("\\") + c : std::string(1, c);
-    return quoted;
-  }() + "\"");
+  const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == 127; };
+  const std::string valid = Json(text).dump(-1, ' ', false, Json::error_handler_t::ignore);
+  return std::ranges::none_of(text, is_control) && Json::parse(valid) == Json(text);
+}
+
+/// Passes the index of the answer in `words` to `set`; an unambiguous prefix suffices.
+Question word_question(const std::string& prompt, const std::vector<std::string>& words,
+                       std::size_t fallback, const std::function<void(std::size_t)>& set,
+                       const std::string& help) {
+  const std::string list = words[0] + " or " + words[1];
+  Question question;
+  question.prompt = prompt + " (" + list + ")";
+  question.fallback = words[fallback];
+  question.help = help;
+  question.handle = [=](const std::string& answer) -> std::string {
+    const std::vector<std::string> like = words_like(answer, words);
+    if (like.size() != 1) return "Please answer " + list + ".";
+    set(like[0] == words[0] ? 0 : 1);
+    return "";
+  };
+  return question;
 }
 
 }  // namespace
@@ -125,37 +138,16 @@ std::vector<std::string> words_like(const std::string& start,
   return like;
 }
 
-Question choice_question(const std::string& prompt, const std::vector<std::string>& words,
-                         std::size_t& value, const std::string& help) {
-  std::string list;
-  for (const std::string& word : words) list += (list.empty() ? "" : " or ") + word;
-  Question question;
-  question.prompt = prompt + " (" + list + ")";
-  question.fallback = words[value];
-  question.help = help;
-  question.handle = [=, &value](const std::string& answer) -> std::string {
-    const std::vector<std::string> like = words_like(answer, words);
-    if (like.size() != 1) return "Please answer " + list + ".";
-    value =
-        static_cast<std::size_t>(std::find(words.begin(), words.end(), like[0]) - words.begin());
-    return "";
-  };
-  return question;
+Question projection_question(const std::string& prompt, Projection& value,
+                             const std::string& help) {
+  const auto set = [&value](std::size_t word) { value = static_cast<Projection>(word); };
+  return word_question(prompt, {"orthographic", "perspective"}, static_cast<std::size_t>(value),
+                       set, help);
 }
 
 Question yes_no_question(const std::string& prompt, bool& value, const std::string& help) {
-  static const std::vector<std::string> no_and_yes = {"no", "yes"};
-  Question question;
-  question.prompt = prompt + " (yes or no)";
-  question.fallback = no_and_yes[value ? 1 : 0];
-  question.help = help;
-  question.handle = [&value](const std::string& answer) -> std::string {
-    const std::vector<std::string> like = words_like(answer, no_and_yes);
-    if (like.size() != 1) return "Please answer yes or no.";
-    value = like[0] == "yes";
-    return "";
-  };
-  return question;
+  const auto set = [&value](std::size_t word) { value = word == 0; };
+  return word_question(prompt, {"yes", "no"}, value ? 0 : 1, set, help);
 }
 
 std::string_view trimmed(std::string_view text) {

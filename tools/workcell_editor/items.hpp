@@ -50,9 +50,7 @@ Question whole_question(const std::string& prompt, int min, int max, int& value,
 Question text_question(const std::string& prompt, std::size_t least, std::size_t most,
                        std::string& value, const std::string& help, const NameCheck& check);
 Question yes_no_question(const std::string& prompt, bool& value, const std::string& help);
-/// The answer is one of the words or an unambiguous prefix; `value` is its index.
-Question choice_question(const std::string& prompt, const std::vector<std::string>& words,
-                         std::size_t& value, const std::string& help);
+Question projection_question(const std::string& prompt, Projection& value, const std::string& help);
 
 /// The words with the prefix `start`; only `start` itself if it is one of them.
 std::vector<std::string> words_like(const std::string& start,

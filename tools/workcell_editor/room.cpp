@@ -22,40 +22,34 @@ constexpr int kMaxCameraPixels = 2048;
 
 void WorkcellDialogue::ask_all() {
   is_making_ = true;
-  draft_ = workcell_;
-  std::deque<Step> steps = name_steps();
-  for (Step& step : workspace_steps()) steps.push_back(std::move(step));
-  for (Step& step : surface_steps()) steps.push_back(std::move(step));
-  room_then_ = &WorkcellDialogue::offer_block;
-  ask_room(std::move(steps), &WorkcellDialogue::keep_room);
+  edit_room(joined({name_steps(), workspace_steps(), surface_steps()}), [this] { offer_block(); });
 }
 
 void WorkcellDialogue::offer_block() {
-  is_yes_ = true;
-  ask({[this] {
-        return dialogue::yes_no_question(workcell_.blocks.empty() ? "A block?" : "Another block?",
-                                         is_yes_,
-                                         "Blocks can be added, changed and removed later as well.");
-      }},
-      &WorkcellDialogue::handle_offer);
+  ask_yes_no(workcell_.blocks.empty() ? "A block?" : "Another block?", true,
+             "Blocks can be added, changed and removed later as well.",
+             [this](bool is_wanted) { is_wanted ? add() : camera(); });
 }
-
-void WorkcellDialogue::handle_offer() { is_yes_ ? add() : ask_camera(); }
 
 // Name, workspace and surface.
 
-/// Asks the questions about the draft; then `judge` checks the answers and may ask again.
-void WorkcellDialogue::ask_room(std::deque<Step> steps, Action judge) {
+/// Asks questions about a draft of the workcell; after valid answers does `then`.
+void WorkcellDialogue::edit_room(Steps steps, std::function<void()> then) {
+  draft_ = workcell_;
   room_steps_ = std::move(steps);
-  room_judge_ = judge;
-  ask(room_steps_, judge);
+  room_then_ = std::move(then);
+  ask_room();
+}
+
+void WorkcellDialogue::ask_room() {
+  ask(room_steps_, [this] { keep_room(); });
 }
 
 void WorkcellDialogue::keep_room() {
   const Findings findings = dialogue::check(draft_, arm_);
   if (has_errors(findings)) {
     say(dialogue::notes(draft_, findings) + "Not valid. Please enter the items again:\n");
-    return ask(room_steps_, room_judge_);
+    return ask_room();
   }
   const std::string before = dialogue::notes(workcell_, dialogue::check(workcell_, arm_));
   const std::string notes = dialogue::notes(draft_, findings);
@@ -70,7 +64,7 @@ WorkcellDialogue::Step WorkcellDialogue::length_step(const std::string& prompt, 
   return [=, &value] { return dialogue::length_question(prompt, sensible, possible, value, help); };
 }
 
-std::deque<WorkcellDialogue::Step> WorkcellDialogue::name_steps() {
+WorkcellDialogue::Steps WorkcellDialogue::name_steps() {
   return {[this] {
             return dialogue::text_question("Name", 1, kMaxWorkcellName, draft_.name,
                                            "The name of this workcell.", {});
@@ -81,13 +75,9 @@ std::deque<WorkcellDialogue::Step> WorkcellDialogue::name_steps() {
           }};
 }
 
-void WorkcellDialogue::name() {
-  draft_ = workcell_;
-  room_then_ = nullptr;
-  ask_room(name_steps(), &WorkcellDialogue::keep_room);
-}
+void WorkcellDialogue::name() { edit_room(name_steps()); }
 
-std::deque<WorkcellDialogue::Step> WorkcellDialogue::workspace_steps() {
+WorkcellDialogue::Steps WorkcellDialogue::workspace_steps() {
   Workspace& space = draft_.workspace;
   return {length_step("Workspace X, to the front", kAnySize, kAnySize, space.x_um,
                       "It reaches from the base, x = 0, to x = X."),
@@ -97,13 +87,9 @@ std::deque<WorkcellDialogue::Step> WorkcellDialogue::workspace_steps() {
                       "It reaches from the foot of the base, z = 0, to z = Z.")};
 }
 
-void WorkcellDialogue::workspace() {
-  draft_ = workcell_;
-  room_then_ = nullptr;
-  ask_room(workspace_steps(), &WorkcellDialogue::keep_room);
-}
+void WorkcellDialogue::workspace() { edit_room(workspace_steps()); }
 
-std::deque<WorkcellDialogue::Step> WorkcellDialogue::surface_steps() {
+WorkcellDialogue::Steps WorkcellDialogue::surface_steps() {
   return {[this] {
             const Micrometres top = draft_.workspace.z_um;
             return dialogue::length_question("Work surface, z", {0, top}, {kAnyPlace.min, top - 1},
@@ -117,40 +103,30 @@ std::deque<WorkcellDialogue::Step> WorkcellDialogue::surface_steps() {
           }};
 }
 
-void WorkcellDialogue::surface() {
-  draft_ = workcell_;
-  room_then_ = nullptr;
-  ask_room(surface_steps(), &WorkcellDialogue::keep_room);
-}
+void WorkcellDialogue::surface() { edit_room(surface_steps()); }
 
 // The camera.
 
-void WorkcellDialogue::camera() { ask_camera(); }
-
-void WorkcellDialogue::ask_camera() {
+void WorkcellDialogue::camera() {
   draft_ = workcell_;
-  wants_camera_ = draft_.camera.has_value() || is_making_;
-  ask({[this] {
-        return dialogue::yes_no_question("A camera?", wants_camera_,
-                                         "A fixed camera that looks straight down.");
-      }},
-      &WorkcellDialogue::handle_camera_answer);
+  ask_yes_no("A camera?", draft_.camera.has_value() || is_making_,
+             "A fixed camera that looks straight down.",
+             [this](bool is_wanted) { edit_camera(is_wanted); });
 }
 
-void WorkcellDialogue::handle_camera_answer() {
-  room_then_ = is_making_ ? &WorkcellDialogue::view : nullptr;
-  is_making_ = false;
-  if (!wants_camera_) {
+void WorkcellDialogue::edit_camera(bool is_wanted) {
+  room_then_ = nullptr;
+  if (std::exchange(is_making_, false)) room_then_ = [this] { view(); };
+  if (!is_wanted) {
     draft_.camera.reset();
     return keep_room();
   }
   if (!draft_.camera) draft_.camera = dialogue::proposed_camera(draft_);
   Camera& camera = *draft_.camera;
-  projection_ = camera.projection == Projection::kPerspective ? 1 : 0;
   const Workspace& space = draft_.workspace;
   const Lengths above{draft_.work_surface_um + 1, kAnyPlace.max};
   const std::string field = "Of the work surface; its middle is under the camera.";
-  std::deque<Step> steps = {
+  room_steps_ = {
       length_step("Camera x", {0, space.x_um}, kAnyPlace, camera.location_um.x,
                   "Its position; it looks straight down."),
       length_step("Camera y", {-space.y_um, space.y_um}, kAnyPlace, camera.location_um.y,
@@ -167,20 +143,12 @@ void WorkcellDialogue::handle_camera_answer() {
         return dialogue::whole_question("Pixels along y", 1, kMaxCameraPixels, camera.pixels_y,
                                         "Rows of the image.");
       },
-      [this] {
-        return dialogue::choice_question(
-            "Projection", {"orthographic", "perspective"}, projection_,
+      [&camera] {
+        return dialogue::projection_question(
+            "Projection", camera.projection,
             "orthographic: straight down everywhere. perspective: as seen from the camera.");
       }};
-  ask_room(std::move(steps), &WorkcellDialogue::finish_camera);
-}
-
-void WorkcellDialogue::finish_camera() {
-  if (draft_.camera) {
-    draft_.camera->projection =
-        projection_ == 1 ? Projection::kPerspective : Projection::kOrthographic;
-  }
-  keep_room();
+  ask_room();
 }
 
 }  // namespace xr3
