@@ -21,7 +21,7 @@ ExitCode answer(const Model& model, const DirectQuestion& question, bool as_json
 ExitCode answer(const Model& model, const InverseQuestion& question, bool as_json) {
   const InverseResult result = solve_inverse(model, question.target, question.options);
   if (as_json) std::cout << json_text(inverse_json(model, question.target, result));
-  if (result.solutions.empty()) return refuse(refusal_sentence(result));
+  if (result.solutions.empty()) return refuse(refusal_of(result).text);
   if (!as_json) std::cout << inverse_text(model, question.target, result);
   const bool is_allowed = std::any_of(result.solutions.begin(), result.solutions.end(),
                                       [](const InverseSolution& one) { return one.is_allowed(); });

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 #include <vector>
 
 #include "protocol/text/table.hpp"
@@ -19,15 +17,6 @@ constexpr int kDecimals = 4;
 constexpr int kAngleDecimals = 3;
 constexpr double kLevel = 1e-9;  // below this cosine of the pitch, yaw and roll cannot be separated
 
-/// With trailing zeros, so that decimal points line up; never -0.
-std::string fixed_number(double number, int decimals = kDecimals) {
-  std::ostringstream out;
-  const double half_digit = 0.5 * std::pow(10.0, -decimals);
-  out << std::fixed << std::setprecision(decimals)
-      << (std::abs(number) < half_digit ? 0.0 : number);
-  return out.str();
-}
-
 template <class Vector>
 std::string vector_text(const Vector& vector, int decimals = kDecimals) {
   std::string text;
@@ -36,8 +25,6 @@ std::string vector_text(const Vector& vector, int decimals = kDecimals) {
   }
   return text + ")";
 }
-
-std::string index_text(std::size_t k) { return std::to_string(k); }
 
 std::string motors_table(const Model& model, const KinPose& pose) {
   Rows rows = {
@@ -58,16 +45,16 @@ std::string links_text(const Model& model, const KinPose& pose) {
   std::string text = "\nLink matrices, lengths in mm\n";
   if (model.robot().mount) text += "T(0,k) is in the base frame, the mount included\n";
   for (std::size_t k = 1; k < pose.bases.size(); ++k) {
-    const std::string own = "T(" + index_text(k - 1) + "," + index_text(k) + ")";
+    const std::string own = "T(" + std::to_string(k - 1) + "," + std::to_string(k) + ")";
     text += "\n" + own + " of " + joint_title(model, static_cast<int>(k) - 1) + ", and T(0," +
-            index_text(k) + ")\n";
+            std::to_string(k) + ")\n";
     Rows rows;
     for (Eigen::Index row = 0; row < 4; ++row) {
       rows.emplace_back();
       for (const Transform* matrix : {&pose.links[k - 1], &pose.bases[k]}) {
         if (matrix == &pose.bases[k]) rows.back().emplace_back("|");
         for (Eigen::Index column = 0; column < 4; ++column)
-          rows.back().push_back(fixed_number((*matrix)(row, column)));
+          rows.back().push_back(fixed_number((*matrix)(row, column), kDecimals));
       }
     }
     text += text_table(rows, "rrrrlrrrr");
@@ -107,15 +94,11 @@ std::string target_text(const Model& model, const ToolTarget& target) {
          vector_text(yaw_pitch_roll_deg(target.rotation), kAngleDecimals) + " deg\n";
 }
 
-std::vector<std::string> solution_start(const InverseResult& result, std::size_t index) {
-  return {std::to_string(index + 1), result.solutions[index].branch};
-}
-
 std::string variables_table(const Model& model, const InverseResult& result) {
   Rows rows = {{"", "branch"}};
   for (int k = 0; k < model.joint_count(); ++k) rows[0].push_back(joint_title(model, k));
   for (std::size_t i = 0; i < result.solutions.size(); ++i) {
-    rows.push_back(solution_start(result, i));
+    rows.push_back({std::to_string(i + 1), result.solutions[i].branch});
     for (const double variable : result.solutions[i].variables)
       rows.back().push_back(fixed_number(variable, kAngleDecimals));
   }
@@ -160,12 +143,11 @@ std::string positions_table(const Model& model, const InverseResult& result) {
 }
 
 std::string solutions_text(const Model& model, const InverseResult& result) {
-  const auto allowed = std::count_if(result.solutions.begin(), result.solutions.end(),
-                                     [](const InverseSolution& one) { return one.is_allowed(); });
+  const auto allowed = std::ranges::count_if(result.solutions, &InverseSolution::is_allowed);
   const std::size_t count = result.solutions.size();
   std::string text = "\n" + std::to_string(count) + (count == 1 ? " solution, " : " solutions, ") +
                      std::to_string(allowed) + " allowed by limits and protected region\n";
-  for (const InverseFreedom freedom : result.freedoms) text += freedom_sentence(freedom) + "\n";
+  for (const InverseFreedom freedom : result.freedoms) text += described(freedom).text + "\n";
   return text + variables_table(model, result) + counts_table(model, result) +
          positions_table(model, result);
 }
@@ -190,9 +172,8 @@ std::string direct_text(const Model& model, const DirectQuestion& question) {
 std::string inverse_text(const Model& model, const ToolTarget& target,
                          const InverseResult& result) {
   const std::string heading = model.robot().name + ": inverse kinematics, " +
-                              method_text(result.method) + "\n" + target_text(model, target);
-  if (result.solutions.empty())
-    return heading + "\nNo solution: " + refusal_sentence(result) + "\n";
+                              described(result.method).text + "\n" + target_text(model, target);
+  if (result.solutions.empty()) return heading + "\nNo solution: " + refusal_of(result).text + "\n";
   return heading + solutions_text(model, result);
 }
 

@@ -106,16 +106,19 @@ Json target_json(const ToolTarget& target) {
 
 Json refusal_json(const InverseResult& result) {
   if (result.refusal == InverseRefusal::kNo) return nullptr;
-  return {{"code", refusal_code(result.refusal)},
-          {"message", refusal_sentence(result)},
+  const CodeAndText refusal = refusal_of(result);
+  return {{"code", refusal.code},
+          {"message", refusal.text},
           {"off_mm", json_number(result.off_mm)},
           {"off_deg", json_number(result.off_deg)}};
 }
 
 Json freedoms_json(const InverseResult& result) {
   Json list = Json::array();
-  for (const InverseFreedom freedom : result.freedoms)
-    list.push_back({{"code", freedom_code(freedom)}, {"message", freedom_sentence(freedom)}});
+  for (const InverseFreedom each : result.freedoms) {
+    const CodeAndText freedom = described(each);
+    list.push_back({{"code", freedom.code}, {"message", freedom.text}});
+  }
   return list;
 }
 
@@ -145,7 +148,7 @@ Json inverse_json(const Model& model, const ToolTarget& target, const InverseRes
   Json solutions = Json::array();
   for (const InverseSolution& solution : result.solutions)
     solutions.push_back(solution_json(model, solution));
-  return {{"robot", model.robot().name},      {"method", method_code(result.method)},
+  return {{"robot", model.robot().name},      {"method", described(result.method).code},
           {"joints", std::move(joints)},      {"target", target_json(target)},
           {"refusal", refusal_json(result)},  {"free", freedoms_json(result)},
           {"solutions", std::move(solutions)}};

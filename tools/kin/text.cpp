@@ -16,103 +16,80 @@ std::string unit_name(const Model& model, int index) {
   return model.is_length(index) ? "mm" : "deg";
 }
 
-std::string method_code(InverseMethod method) {
+CodeAndText described(InverseMethod method) {
   switch (method) {
-    case InverseMethod::kFiveAxisArm: return "five_axis_arm";
-    case InverseMethod::kScara: return "scara";
-    case InverseMethod::kSixAxisArm: return "six_axis_arm";
+    case InverseMethod::kFiveAxisArm:
+      return {"five_axis_arm", "closed form of a five-axis arm: all solutions"};
+    case InverseMethod::kScara: return {"scara", "closed form of a four-axis SCARA: all solutions"};
+    case InverseMethod::kSixAxisArm:
+      return {"six_axis_arm", "closed form of a six-axis arm: all solutions"};
     case InverseMethod::kNumerical: break;
   }
-  return "numerical";
+  return {"numerical",
+          "numerical, because this arm has no closed form here: solutions may be missing"};
 }
 
-std::string method_text(InverseMethod method) {
-  switch (method) {
-    case InverseMethod::kFiveAxisArm: return "closed form of a five-axis arm: all solutions";
-    case InverseMethod::kScara: return "closed form of a four-axis SCARA: all solutions";
-    case InverseMethod::kSixAxisArm: return "closed form of a six-axis arm: all solutions";
-    case InverseMethod::kNumerical: break;
-  }
-  return "numerical, because this arm has no closed form here: solutions may be missing";
-}
-
-std::string refusal_code(InverseRefusal refusal) {
-  switch (refusal) {
-    case InverseRefusal::kNo: return "";
-    case InverseRefusal::kTooFar: return "too_far";
-    case InverseRefusal::kTooNear: return "too_near";
-    case InverseRefusal::kTooNearAxis: return "too_near_axis";
-    case InverseRefusal::kApproachOutOfPlane: return "approach_out_of_plane";
-    case InverseRefusal::kApproachNotVertical: return "approach_not_vertical";
-    case InverseRefusal::kNotFound: return "not_found";
-    case InverseRefusal::kNeedsOrientation: return "needs_orientation";
-  }
-  return "";
-}
-
-std::string refusal_sentence(const InverseResult& result) {
+CodeAndText refusal_of(const InverseResult& result) {
   const std::string off_mm = plain_number(result.off_mm) + " mm";
   const std::string off_deg = plain_number(result.off_deg, 4) + " degrees";
   switch (result.refusal) {
-    case InverseRefusal::kNo: return "";
+    case InverseRefusal::kNo: break;
     case InverseRefusal::kTooFar:
-      return "out of reach: the wrist would be " + off_mm + " beyond the stretched arm";
+      return {"too_far",
+              "out of reach: the wrist would be " + off_mm + " beyond the stretched arm"};
     case InverseRefusal::kTooNear:
-      return "out of reach: the wrist would be " + off_mm +
-             " too near, inside the reach of the folded arm";
+      return {"too_near", "out of reach: the wrist would be " + off_mm +
+                              " too near, inside the reach of the folded arm"};
     case InverseRefusal::kTooNearAxis:
-      return "out of reach: the tip would be " + off_mm +
-             " too near to the base axis, which the arm passes at an offset";
+      return {"too_near_axis", "out of reach: the tip would be " + off_mm +
+                                   " too near to the base axis, which the arm passes at an offset"};
     case InverseRefusal::kApproachOutOfPlane:
-      return "with five axes the approach must lie in the vertical plane through the tip and the "
-             "base axis; it is " +
-             off_deg + " out of it (--tolerance allows more)";
+      return {"approach_out_of_plane",
+              "with five axes the approach must lie in the vertical plane through the tip and the "
+              "base axis; it is " +
+                  off_deg + " out of it (--tolerance allows more)"};
     case InverseRefusal::kApproachNotVertical:
-      return "with four axes the hand points in one direction only; the approach is " + off_deg +
-             " off it (--tolerance allows more)";
+      return {"approach_not_vertical",
+              "with four axes the hand points in one direction only; the approach is " + off_deg +
+                  " off it (--tolerance allows more)"};
     case InverseRefusal::kNotFound:
-      return "the numerical method found no solution; the nearest pose found is " + off_mm +
-             " and " + off_deg + " off";
+      return {"not_found", "the numerical method found no solution; the nearest pose found is " +
+                               off_mm + " and " + off_deg + " off"};
     case InverseRefusal::kNeedsOrientation:
-      return "the tip alone does not determine the joints of this robot: give an orientation";
+      return {"needs_orientation",
+              "the tip alone does not determine the joints of this robot: give an orientation"};
   }
-  return "";
+  return {};
 }
 
-std::string freedom_code(InverseFreedom freedom) {
-  switch (freedom) {
-    case InverseFreedom::kBaseAndRoll: return "base_and_roll";
-    case InverseFreedom::kFolded: return "folded";
-    case InverseFreedom::kArmPlane: return "arm_plane";
-    case InverseFreedom::kShoulderAxes: return "shoulder_axes";
-    case InverseFreedom::kSlide: return "slide";
-    case InverseFreedom::kMoreThanNeeded: return "more_than_needed";
-  }
-  return "";
-}
-
-std::string freedom_sentence(InverseFreedom freedom) {
+CodeAndText described(InverseFreedom freedom) {
   switch (freedom) {
     case InverseFreedom::kBaseAndRoll:
-      return "singular: tip and hand lie on the base axis, where base and roll have the same "
-             "effect; the base is set to its soft home";
+      return {"base_and_roll",
+              "singular: tip and hand lie on the base axis, where base and roll have the same "
+              "effect; the base is set to its soft home"};
     case InverseFreedom::kFolded:
-      return "singular: the arm is folded with the wrist on the shoulder and may swing about it; "
-             "the first link is set to its soft home";
+      return {"folded",
+              "singular: the arm is folded with the wrist on the shoulder and may swing about it; "
+              "the first link is set to its soft home"};
     case InverseFreedom::kArmPlane:
-      return "singular: the hand is in line with wrist and shoulder; the arm's plane may turn "
-             "about this line while the last roll turns back; the plane is set vertical";
+      return {"arm_plane",
+              "singular: the hand is in line with wrist and shoulder; the arm's plane may turn "
+              "about this line while the last roll turns back; the plane is set vertical"};
     case InverseFreedom::kShoulderAxes:
-      return "singular: the arm's plane is horizontal, where base and shoulder pitch have the same "
-             "effect; the base is set to its soft home";
+      return {"shoulder_axes",
+              "singular: the arm's plane is horizontal, where base and shoulder pitch have the "
+              "same effect; the base is set to its soft home"};
     case InverseFreedom::kSlide:
-      return "the arm stands on a slide, which may be elsewhere: it is kept where --slide puts it, "
-             "or at its soft home";
+      return {"slide",
+              "the arm stands on a slide, which may be elsewhere: it is kept where --slide puts "
+              "it, or at its soft home"};
     case InverseFreedom::kMoreThanNeeded:
-      return "the joints can move while the tool stays in place: these are some of infinitely many "
-             "solutions";
+      return {"more_than_needed",
+              "the joints can move while the tool stays in place: these are some of infinitely "
+              "many solutions"};
   }
-  return "";
+  return {};
 }
 
 std::string verdict(const Model& model, const InverseSolution& solution) {

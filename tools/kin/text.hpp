@@ -15,18 +15,15 @@ std::string joint_title(const Model& model, int index);
 /// `deg` or `mm`
 std::string unit_name(const Model& model, int index);
 
-/// `five_axis_arm`, `scara`, `six_axis_arm` or `numerical`
-std::string method_code(InverseMethod method);
-/// `closed form of a five-axis arm`...
-std::string method_text(InverseMethod method);
-
-/// Such as `too_far`; empty for kNo.
-std::string refusal_code(InverseRefusal refusal);
-/// For a result without solutions: a sentence with the reason and the error of the pose.
-std::string refusal_sentence(const InverseResult& result);
-
-std::string freedom_code(InverseFreedom freedom);
-std::string freedom_sentence(InverseFreedom freedom);
+/// A stable code such as `too_far`, and what a person reads.
+struct CodeAndText {
+  std::string code;
+  std::string text;
+};
+CodeAndText described(InverseMethod method);
+CodeAndText described(InverseFreedom freedom);
+/// For a result without solutions: the reason, with the error of the pose; empty for kNo.
+CodeAndText refusal_of(const InverseResult& result);
 
 /// `allowed`, or the violations, with counts in parentheses: `past limits: D 3.41 deg (30); in
 /// the...`

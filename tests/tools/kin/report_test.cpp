@@ -300,18 +300,18 @@ TEST(KinReport, InverseJsonOfAnUnreachablePose) {
 TEST(KinWords, EveryMethodRefusalAndFreedomHasACodeAndAText) {
   for (const InverseMethod method : {InverseMethod::kFiveAxisArm, InverseMethod::kScara,
                                      InverseMethod::kSixAxisArm, InverseMethod::kNumerical}) {
-    EXPECT_FALSE(method_code(method).empty());
-    EXPECT_FALSE(method_text(method).empty());
+    EXPECT_FALSE(described(method).code.empty());
+    EXPECT_FALSE(described(method).text.empty());
   }
   for (int i = 1; i <= static_cast<int>(InverseRefusal::kNeedsOrientation); ++i) {
     InverseResult result;
     result.refusal = static_cast<InverseRefusal>(i);
-    EXPECT_FALSE(refusal_code(result.refusal).empty()) << i;
-    EXPECT_FALSE(refusal_sentence(result).empty()) << i;
+    EXPECT_FALSE(refusal_of(result).code.empty()) << i;
+    EXPECT_FALSE(refusal_of(result).text.empty()) << i;
   }
   for (int i = 0; i <= static_cast<int>(InverseFreedom::kMoreThanNeeded); ++i) {
-    EXPECT_FALSE(freedom_code(static_cast<InverseFreedom>(i)).empty()) << i;
-    EXPECT_FALSE(freedom_sentence(static_cast<InverseFreedom>(i)).empty()) << i;
+    EXPECT_FALSE(described(static_cast<InverseFreedom>(i)).code.empty()) << i;
+    EXPECT_FALSE(described(static_cast<InverseFreedom>(i)).text.empty()) << i;
   }
 }
 
