@@ -43,29 +43,24 @@ Reach::Reach(const Robot& robot)
       is_quick_(inverse_method(robot) != InverseMethod::kNumerical),
       places_(places_of_slide(robot)) {}
 
-bool Reach::is_within(double x_mm, double y_mm, double z_mm, double yaw_deg) const {
+bool Reach::is_reached(double x_mm, double y_mm, double z_mm, double yaw_deg) const {
   const Eigen::Vector3d p_mm(x_mm, y_mm, z_mm);
   const bool is_free = model_.robot().joints.size() <= kFewJoints;
   const ToolTarget target = is_free ? tip_target(p_mm) : down_target(p_mm, yaw_deg);
   return std::any_of(places_.begin(), places_.end(), [&](const InverseOptions& options) {
     const InverseResult result = solve_inverse(model_, target, options);
-    return std::any_of(result.solutions.begin(), result.solutions.end(),
-                       [](const InverseSolution& solution) { return solution.is_allowed(); });
+    return !result.solutions.empty() && result.solutions.front().is_allowed();
   });
 }
 
 bool Reach::has_grasp(const Block& block) const {
   const PointUm& at = block.centroid_um;
-  for (int turn = 0; turn < kQuarterTurns; ++turn) {
-    const double yaw = degrees(block.yaw_udeg) + turn * kQuarterTurnDeg;
-    if (is_within(mm(at.x), mm(at.y), mm(at.z), yaw)) return true;
-  }
-  return false;
+  return is_within(mm(at.x), mm(at.y), mm(at.z), degrees(block.yaw_udeg));
 }
 
-bool Reach::is_within(double x_mm, double y_mm, double z_mm) const {
+bool Reach::is_within(double x_mm, double y_mm, double z_mm, double yaw_deg) const {
   for (int turn = 0; turn < kQuarterTurns; ++turn) {
-    if (is_within(x_mm, y_mm, z_mm, turn * kQuarterTurnDeg)) return true;
+    if (is_reached(x_mm, y_mm, z_mm, yaw_deg + turn * kQuarterTurnDeg)) return true;
   }
   return false;
 }

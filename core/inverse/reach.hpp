@@ -20,9 +20,9 @@ class Reach {
   /// Whether the tip reaches the block's centre with the jaws across or along the block.
   bool has_grasp(const Block& block) const;
 
-  /// Whether the tip reaches the point with the hand in any of the four orientations along the
-  /// axes. mm in the base frame.
-  bool is_within(double x_mm, double y_mm, double z_mm) const;
+  /// Whether the tip reaches the point with the hand in any of four orientations a quarter turn
+  /// apart, one of them at this yaw. mm in the base frame.
+  bool is_within(double x_mm, double y_mm, double z_mm, double yaw_deg = 0) const;
 
   /// Whether the inverse kinematics has a closed form. If not, each call takes long.
   bool is_quick() const { return is_quick_; }
@@ -32,7 +32,7 @@ class Reach {
   std::optional<double> furthest_mm(double z_mm) const;
 
  private:
-  bool is_within(double x_mm, double y_mm, double z_mm, double yaw_deg) const;
+  bool is_reached(double x_mm, double y_mm, double z_mm, double yaw_deg) const;
 
   Model model_;
   bool is_quick_;
