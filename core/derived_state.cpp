@@ -12,25 +12,15 @@
 #include "core/switches.hpp"
 
 namespace xr3 {
-namespace {
-
-/// Whether every position is within its limits.
-[[maybe_unused]] bool are_within_limits(const Model& model, const Positions& positions) {
-  for (int i = 0; i < model.motor_count(); ++i) {
-    const Counts position = positions[static_cast<std::size_t>(i)];
-    if (position < model.motor(i).low || position > model.motor(i).high) return false;
-  }
-  return true;
-}
-
-}  // namespace
 
 State derived(const Model& model, State state) {
   Events ignored;
   refresh_faults(model, state);
   const Positions now = positions(model, state.motors);
-  assert(are_within_limits(model, now));
-  for (int i = 0; i < model.motor_count(); ++i) set_error(state.motor(i), state.motor(i).error);
+  for (int i = 0; i < model.motor_count(); ++i) {
+    assert(model.motor(i).excess(now[static_cast<std::size_t>(i)]) == 0);
+    set_error(state.motor(i), state.motor(i).error);
+  }
   update_switches(model, state, ignored);
   update_blocked(model, state, now, ignored);
   state.below_surface = is_below_surface(model, tool_tip(model, now));

@@ -130,8 +130,7 @@ bool can_hold(const Model& model, const Block& block, const Held& held) {
   const Counts now = held.grasped_at[static_cast<std::size_t>(model.tool_index())];
   const Counts next = now - tool.drive.direction;
   const Micrometres flat = flat_extent_um(block, held.quarter_turns);
-  return tool.low <= next && next <= tool.high && opening_um(model, next) < flat &&
-         flat <= opening_um(model, now);
+  return tool.excess(next) == 0 && opening_um(model, next) < flat && flat <= opening_um(model, now);
 }
 
 void release(const Model& model, State& state, const Positions& positions, Events& events) {

@@ -38,8 +38,7 @@ const char* broken_in_motor(const Model& model, const State& state, const Positi
 
 const char* broken_in_limits(const Model& model, const Positions& positions) {
   for (int i = 0; i < model.motor_count(); ++i) {
-    const Counts position = positions[static_cast<std::size_t>(i)];
-    if (position < model.motor(i).low || position > model.motor(i).high)
+    if (model.motor(i).excess(positions[static_cast<std::size_t>(i)]) > 0)
       return "every joint is within its limits";
   }
   return nullptr;

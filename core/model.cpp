@@ -1,6 +1,5 @@
 #include "core/model.hpp"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>

@@ -2,6 +2,7 @@
 // from them at load time. Floating point therefore never decides a count at run time.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -36,6 +37,9 @@ struct MotorModel {
   Counts low = 0;           ///< minimum joint position within the limits, counts from the soft home
   Counts high = 0;          ///< maximum joint position within the limits
   CountRange closed{0, 0};  ///< the motor's counts at which its microswitch is closed
+
+  /// By how many counts a position is past a limit; 0 within both.
+  Counts excess(Counts position) const { return std::max({low - position, position - high, 0}); }
   bool operator==(const MotorModel&) const = default;
 };
 

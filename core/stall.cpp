@@ -13,8 +13,7 @@ namespace {
 bool are_within_limits(const Model& model, const Positions& positions,
                        const std::vector<CoupledJoint>& joints) {
   return std::all_of(joints.begin(), joints.end(), [&](const CoupledJoint& driven) {
-    const MotorModel& joint = model.motor(driven.joint);
-    return joint.low <= positions[driven.joint] && positions[driven.joint] <= joint.high;
+    return model.motor(driven.joint).excess(positions[driven.joint]) == 0;
   });
 }
 

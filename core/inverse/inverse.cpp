@@ -64,8 +64,7 @@ std::vector<LimitExcess> limits_passed(const Model& model, const Positions& posi
   std::vector<LimitExcess> beyond;
   for (int k = 0; k < model.joint_count(); ++k) {
     const MotorModel& motor = model.motor(k);
-    const Counts position = positions[static_cast<std::size_t>(k)];
-    const Counts counts = std::max({motor.low - position, position - motor.high, 0});
+    const Counts counts = motor.excess(positions[static_cast<std::size_t>(k)]);
     if (counts > 0) beyond.push_back({k, counts, counts * motor.drive.precision});
   }
   return beyond;
