@@ -10,16 +10,6 @@ Counts at(const Positions& positions, int index) {
   return positions[static_cast<std::size_t>(index)];
 }
 
-/// Equation (2).
-Transform row_transform(const SinCos& theta, const SinCos& alpha, double d, double a) {
-  Transform t;
-  t << theta.cos, -alpha.cos * theta.sin, alpha.sin * theta.sin, a * theta.cos,  //
-      theta.sin, alpha.cos * theta.cos, -alpha.sin * theta.cos, a * theta.sin,   //
-      0.0, alpha.sin, alpha.cos, d,                                              //
-      0.0, 0.0, 0.0, 1.0;
-  return t;
-}
-
 /// Transforms a point to the previous frame. A point on the joint's own axis, as the tip is for the
 /// roll, needs no rotation; `theta` is then not called.
 template <class Theta>
@@ -41,6 +31,15 @@ Transform behind_slides(const Model& model, const Positions& positions) {
 }
 
 }  // namespace
+
+Transform row_transform(const SinCos& theta, const SinCos& alpha, double d, double a) {
+  Transform t;
+  t << theta.cos, -alpha.cos * theta.sin, alpha.sin * theta.sin, a * theta.cos,  //
+      theta.sin, alpha.cos * theta.cos, -alpha.sin * theta.cos, a * theta.sin,   //
+      0.0, alpha.sin, alpha.cos, d,                                              //
+      0.0, 0.0, 0.0, 1.0;
+  return t;
+}
 
 Transform link_transform(const Model& model, int joint, Counts position) {
   return row_transform(model.theta(joint, position), model.twist(joint),
@@ -96,9 +95,11 @@ PointUm base_shift(const Model& model, const Positions& positions) {
 ToolConfiguration tool_configuration(const Model& model, const Positions& positions) {
   const Transform pose = tool_transform(model, positions);
   const int last = model.joint_count() - 1;
-  const bool turns = model.robot().joints.back().is_revolute();
-  const double variable = model.variable(last, at(positions, last));
-  const double q = turns ? variable * kPi / 180.0 : variable;
+  return configuration_of(pose, model.robot(), model.variable(last, at(positions, last)));
+}
+
+ToolConfiguration configuration_of(const Transform& pose, const Robot& robot, double last) {
+  const double q = robot.joints.back().is_revolute() ? last * kPi / 180.0 : last;
   ToolConfiguration w;
   w << pose.block<3, 1>(0, 3), std::exp(q / kPi) * pose.block<3, 1>(0, 2);
   return w;

@@ -14,7 +14,10 @@ namespace xr3 {
 using Transform = Eigen::Matrix4d;  ///< homogeneous, lengths in mm
 using ToolConfiguration = Eigen::Matrix<double, 6, 1>;
 
-/// T(k-1,k) of joint `joint` (index k-1) at a position: the paper's equation (2).
+/// The paper's equation (2), of a row with these angles.
+Transform row_transform(const SinCos& theta, const SinCos& alpha, double d_mm, double a_mm);
+
+/// T(k-1,k) of joint `joint` (index k-1) at a position.
 Transform link_transform(const Model& model, int joint, Counts position);
 
 /// From the base frame to frame 0: the robot's mount, or the identity.
@@ -37,6 +40,8 @@ PointUm base_shift(const Model& model, const Positions& positions);
 /// w = (p, exp(q_n / pi) * approach): mm, then dimensionless; q_n is the last joint's variable in
 /// radians (mm for a prismatic one). For display only.
 ToolConfiguration tool_configuration(const Model& model, const Positions& positions);
+/// The same for a tool frame T(0,n) and the last joint's variable, in degrees or mm.
+ToolConfiguration configuration_of(const Transform& pose, const Robot& robot, double last);
 
 /// Yaw of the tool's x axis about the vertical with the tool down, in degrees (paper,
 /// Section III-A).

@@ -12,14 +12,6 @@ namespace {
 
 constexpr double kMaxCounts = 2e8;  // sums of coupled counts still fit into Counts
 
-Counts nearest(double counts) {
-  return static_cast<Counts>(std::llround(std::clamp(counts, -kMaxCounts, kMaxCounts)));
-}
-
-double exact_position(const Drive& drive, double variable) {
-  return (variable - drive.home) / (drive.precision * drive.direction);
-}
-
 // Like motor_counts() in coupling.cpp, without rounding.
 std::array<double, kMaxMotors> exact_motors(const Model& model, const JointVariables& variables) {
   std::array<double, kMaxMotors> counts{};
@@ -38,19 +30,18 @@ std::array<double, kMaxMotors> exact_motors(const Model& model, const JointVaria
 }
 
 Transform row_transform_at(const DhRow& row) {
-  const SinCos theta = sin_cos_deg(row.theta_deg);
-  const SinCos alpha = sin_cos_deg(row.alpha_deg);
-  const double d = row.d_mm;
-  const double a = row.a_mm;
-  Transform t;
-  t << theta.cos, -alpha.cos * theta.sin, alpha.sin * theta.sin, a * theta.cos,  //
-      theta.sin, alpha.cos * theta.cos, -alpha.sin * theta.cos, a * theta.sin,   //
-      0.0, alpha.sin, alpha.cos, d,                                              //
-      0.0, 0.0, 0.0, 1.0;
-  return t;
+  return row_transform(sin_cos_deg(row.theta_deg), sin_cos_deg(row.alpha_deg), row.d_mm, row.a_mm);
 }
 
 }  // namespace
+
+double exact_position(const Drive& drive, double variable) {
+  return (variable - drive.home) / (drive.precision * drive.direction);
+}
+
+Counts nearest_count(double counts) {
+  return static_cast<Counts>(std::llround(std::clamp(counts, -kMaxCounts, kMaxCounts)));
+}
 
 Transform link_transform_at(const Joint& joint, double variable) {
   DhRow row = joint.dh;
@@ -72,12 +63,7 @@ Transform tool_transform_at(const Robot& robot, const JointVariables& variables)
 }
 
 ToolConfiguration tool_configuration_at(const Robot& robot, const JointVariables& variables) {
-  const Transform pose = tool_transform_at(robot, variables);
-  const double last = variables.back();
-  const double q = robot.joints.back().is_revolute() ? last * kPi / 180.0 : last;
-  ToolConfiguration w;
-  w << pose.block<3, 1>(0, 3), std::exp(q / kPi) * pose.block<3, 1>(0, 2);
-  return w;
+  return configuration_of(tool_transform_at(robot, variables), robot, variables.back());
 }
 
 double net_roll_deg_at(const Robot& robot, const JointVariables& variables) {
@@ -107,7 +93,7 @@ NearestCounts nearest_counts(const Model& model, const JointVariables& variables
   NearestCounts counts;
   for (int i = 0; i < model.joint_count(); ++i) {
     const auto own = static_cast<std::size_t>(i);
-    counts.motors[own] = nearest(exact[own]);
+    counts.motors[own] = nearest_count(exact[own]);
     turn(model, counts.positions, i, counts.motors[own]);
   }
   return counts;

@@ -14,6 +14,12 @@ namespace xr3 {
 /// One variable per joint, from the base: degrees (revolute) or mm (prismatic). |degrees| < 1e9.
 using JointVariables = std::vector<double>;
 
+/// The position of a joint or the tool at a variable, in counts and fractions.
+double exact_position(const Drive& drive, double variable);
+
+/// Clamped to +-2e8.
+Counts nearest_count(double counts);
+
 /// T(k-1,k) of a joint.
 Transform link_transform_at(const Joint& joint, double variable);
 

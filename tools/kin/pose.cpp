@@ -1,26 +1,18 @@
 #include "tools/kin/pose.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/stall.hpp"
 
 namespace xr3 {
 namespace {
 
-constexpr double kMaxCounts = 2e8;
-
-Counts tool_count(const Drive& drive, double variable) {
-  const double exact = (variable - drive.home) / (drive.precision * drive.direction);
-  return static_cast<Counts>(std::llround(std::clamp(exact, -kMaxCounts, kMaxCounts)));
-}
-
 KinMotor motor_of(const Model& model, int index, double variable, const NearestCounts& counts) {
   const auto own = static_cast<std::size_t>(index);
   const MotorModel& motor = model.motor(index);
   const Counts position = counts.positions[own];
   return {variable, counts.motors[own], position, model.variable(index, position),
-          std::max({motor.low - position, position - motor.high, 0})};
+          motor.excess(position)};
 }
 
 }  // namespace
@@ -29,7 +21,7 @@ KinPose kin_pose(const Model& model, const DirectQuestion& question) {
   const Robot& robot = model.robot();
   const int tool = model.tool_index();
   NearestCounts counts = nearest_counts(model, question.variables);
-  const Counts jaws = tool_count(robot.tool.drive, question.tool);
+  const Counts jaws = nearest_count(exact_position(robot.tool.drive, question.tool));
   counts.motors[static_cast<std::size_t>(tool)] = jaws;
   counts.positions[static_cast<std::size_t>(tool)] = jaws;
 
