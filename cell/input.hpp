@@ -1,17 +1,20 @@
 // The inputs of a cell, as values: lines that open and close, their bytes, and calls of the
-// monitor. Sessions create them; only Cell::apply accepts them.
+// monitor. Sessions create them; only Cell::apply accepts them. Those that a recording holds as they
+// are have their definition in protocol/recording/entry.hpp.
 #pragma once
 
+#include <compare>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 
-#include "cell/recording/replay_time.hpp"
 #include "cell/serial_line.hpp"
 #include "core/model.hpp"
 #include "protocol/monitor/call.hpp"
+#include "protocol/recording/entry.hpp"
 
 namespace xr3 {
 
@@ -24,13 +27,6 @@ struct LineOpened {
   LineKind kind = LineKind::kTcp;
   bool is_probe = false;  ///< opens kProbeLine, of which there is at most one
   Guard guard = Guard::kNormal;
-};
-
-/// The transport reports the settings of its serial port. A line of RFC 2217 knows its own.
-struct LineSettings {
-  LineId line = 0;
-  SerialSettings settings;
-  bool is_cooked = false;  ///< the client's terminal echoes or edits lines
 };
 
 struct BytesIn {
@@ -48,39 +44,10 @@ struct BytesOut {
   std::size_t count = 0;
 };
 
-/// No more bytes will arrive on the line: what it holds back for its client leaves now. Its outbox
-/// is still sent.
-struct InputEnded {
-  LineId line = 0;
-};
-
-struct LineClosed {
-  LineId line = 0;
-  LineCloseReason reason = LineCloseReason::kClientClosed;
-};
-
-/// With the byte clock: no byte has come on the line for `settle_ms` of wall time.
-struct LineSilent {
-  LineId line = 0;
-};
-
-/// The physical controller's port is open. Precondition of this and the following inputs: the cell
-/// has a device.
-struct DeviceOpened {};
-
-/// The physical controller's port has vanished or cannot be opened.
-struct DeviceLost {
-  std::string why;
-};
-
-/// The physical controller has sent bytes.
+/// The physical controller has sent bytes. Precondition of this and the other inputs of the device:
+/// the cell has one.
 struct DeviceIn {
   std::string_view bytes;
-};
-
-/// Bytes of the device's outbox have been written, and are removed.
-struct DeviceOut {
-  std::size_t count = 0;
 };
 
 /// State and workcell of a cell.
@@ -89,6 +56,13 @@ struct MachineSnapshot {
   State state;
 };
 using MachineSnapshotPtr = std::shared_ptr<const MachineSnapshot>;
+
+/// A moment in the life of a cell. Ordered by epoch, then tick.
+struct ReplayTime {
+  Epoch epoch = 0;
+  Tick tick = 0;
+  auto operator<=>(const ReplayTime&) const = default;
+};
 
 /// The cell is taken back to a state of its past, with the same robot and profile: see
 /// Cell::is_in_past(). Precondition: it has no device.
@@ -108,10 +82,8 @@ using Input = std::variant<LineOpened, LineSettings, BytesIn, BytesOut, InputEnd
                            LineSilent, DeviceOpened, DeviceLost, DeviceIn, DeviceOut, Rewind,
                            RecordingFailed, call::Call>;
 
-/// The open line of an input; kProbeLine if it has none.
-LineId line_of(const Input& input);
-/// Whether it is an input of an open line.
-bool is_of_line(const Input& input);
+/// The line of an input of an open line; nullopt for others.
+std::optional<LineId> line_of(const Input& input);
 /// Whether it concerns only the line of the probe.
 bool is_of_probe(const Input& input);
 

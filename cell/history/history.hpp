@@ -13,7 +13,6 @@
 #include "cell/history/input_tape.hpp"
 #include "cell/recording/checkpoint.hpp"
 #include "cell/recording/recorder.hpp"
-#include "cell/recording/replay_time.hpp"
 #include "protocol/monitor/byte_budget.hpp"
 
 namespace xr3 {

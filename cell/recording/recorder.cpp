@@ -39,9 +39,6 @@ struct Recorder::EntryMaker {
   MaybeBody operator()(const LineOpened& opened) const {
     return LineBegin{applied.line, opened.peer, opened.kind, opened.guard};
   }
-  MaybeBody operator()(const LineSettings& reported) const {
-    return LineSetup{reported.line, reported.settings, reported.is_cooked};
-  }
   /// The first bytes may have been refused.
   MaybeBody operator()(const BytesIn& in) const {
     const bool is_refused = cell.find_line(in.line)->is_not_a_robot_program();
@@ -52,16 +49,9 @@ struct Recorder::EntryMaker {
                      recorder.take_replies(in.line)};
   }
   MaybeBody operator()(const BytesOut&) const { return std::nullopt; }
-  MaybeBody operator()(const InputEnded& ended) const { return LineInputEnd{ended.line}; }
-  MaybeBody operator()(const LineSilent& silent) const { return LineSilence{silent.line}; }
-  MaybeBody operator()(const LineClosed& closed) const {
-    return LineEnd{closed.line, closed.reason};
-  }
-  MaybeBody operator()(const DeviceOpened&) const { return DeviceFound{}; }
-  MaybeBody operator()(const DeviceLost& lost) const { return DeviceGone{lost.why}; }
   MaybeBody operator()(const DeviceIn& in) const { return DeviceInput{std::string(in.bytes)}; }
   MaybeBody operator()(const DeviceOut& out) const {
-    return out.count > 0 ? MaybeBody(DeviceSent{out.count}) : std::nullopt;
+    return out.count > 0 ? MaybeBody(out) : std::nullopt;
   }
   MaybeBody operator()(const RecordingFailed&) const { return std::nullopt; }
   MaybeBody operator()(const Rewind& rewind) const {
@@ -73,6 +63,7 @@ struct Recorder::EntryMaker {
     if (!std::holds_alternative<call::Done>(applied.outcome)) return std::nullopt;
     return CallMade{call};
   }
+  MaybeBody operator()(const auto& same) const { return same; }
 };
 
 // --- The log of the cell.
@@ -82,7 +73,7 @@ void Recorder::begin(const Cell& cell, const Input& input) {
   const bool is_hash_due =
       input_at_.epoch != hashed_.epoch || input_at_.tick / kHashEvery > hashed_.tick / kHashEvery;
   if (is_hash_due && contents_ == Contents::kAll) add_hash(cell);
-  const LineId id = line_of(input);
+  const LineId id = line_of(input).value_or(kProbeLine);
   const SerialLine* line = cell.find_line(id);
   is_open_ = line != nullptr && id != kProbeLine;
   if (!is_open_) return;
@@ -93,7 +84,7 @@ void Recorder::begin(const Cell& cell, const Input& input) {
 }
 
 void Recorder::end(const Cell& cell, const Input& input, const Applied& applied) {
-  if (is_of_line(input) ? is_open_ : !is_of_probe(input)) {
+  if (line_of(input) ? is_open_ : !is_of_probe(input)) {
     if (auto body = std::visit(EntryMaker{*this, cell, applied}, input))
       add(input_at_, *std::move(body));
   }

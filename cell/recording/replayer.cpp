@@ -86,11 +86,6 @@ struct Replayer::Applier {
     return replayer.difference("number of the line that opens", number(begin.line),
                                number(opened.line));
   }
-  Result operator()(const LineSetup& setup) const {
-    if (auto closed = closed_line(setup.line)) return closed;
-    apply(LineSettings{setup.line, setup.settings, setup.is_cooked});
-    return std::nullopt;
-  }
   Result operator()(const LineInput& input) const {
     if (auto closed = closed_line(input.line)) return closed;
     if (auto other = replayer.leave_unsent(input.line, input.unsent)) return other;
@@ -104,33 +99,16 @@ struct Replayer::Applier {
     if (auto closed = closed_line(left.line)) return closed;
     return replayer.leave_unsent(left.line, left.unsent);
   }
-  Result operator()(const LineInputEnd& end) const {
-    if (auto closed = closed_line(end.line)) return closed;
-    apply(InputEnded{end.line});
-    return std::nullopt;
-  }
-  Result operator()(const LineSilence& silence) const {
-    if (auto closed = closed_line(silence.line)) return closed;
-    apply(LineSilent{silence.line});
-    return std::nullopt;
-  }
-  Result operator()(const LineEnd& end) const {
-    if (auto closed = closed_line(end.line)) return closed;
-    apply(LineClosed{end.line, end.reason});
-    return std::nullopt;
-  }
   Result operator()(const Rewound& rewound) const { return replayer.rewind(*rewound.saved); }
   Result operator()(const CallMade& made) const { return replayer.make_call(made.call); }
-  Result operator()(const DeviceFound&) const { return with_device(DeviceOpened{}); }
-  Result operator()(const DeviceGone& gone) const { return with_device(DeviceLost{gone.why}); }
   Result operator()(const DeviceInput& in) const { return with_device(DeviceIn{in.bytes}); }
-  Result operator()(const DeviceSent& sent) const {
+  Result operator()(const DeviceOut& sent) const {
     const DeviceLink* device = replayer.cell_.device();
     const std::size_t waiting = device == nullptr ? 0 : device->outbox().size();
     if (sent.count > waiting)
       return replayer.difference("bytes for the device", "at least " + number(sent.count),
                                  number(waiting));
-    return with_device(DeviceOut{sent.count});
+    return with_device(sent);
   }
   Result operator()(const StateHash& state) const { return replayer.compare_hash(state.hash); }
   Result operator()(const End& end) const {
@@ -140,6 +118,16 @@ struct Replayer::Applier {
   Result operator()(const Late&) const { return std::nullopt; }          // likewise
   Result operator()(const Replies& replies) const {
     return replayer.compare_replies(replies.line, entry.tick, replies.bytes);
+  }
+  /// An input of an open line or of the device, as it was recorded.
+  Result operator()(const auto& input) const {
+    if constexpr (requires { input.line; }) {
+      if (auto closed = closed_line(input.line)) return closed;
+      apply(input);
+      return std::nullopt;
+    } else {
+      return with_device(input);
+    }
   }
 
  private:

@@ -12,7 +12,6 @@
 #include "cell/cell.hpp"
 #include "cell/recording/difference.hpp"
 #include "cell/recording/input_log.hpp"
-#include "cell/recording/replay_time.hpp"
 #include "cell/recording/state_hash.hpp"
 #include "protocol/recording/entry.hpp"
 #include "protocol/recording/header.hpp"

@@ -12,6 +12,46 @@
 #include "protocol/line/serial_settings.hpp"
 #include "protocol/monitor/call.hpp"
 
+namespace xr3 {
+
+/// The transport reports the settings of its serial port. A line of RFC 2217 knows its own.
+struct LineSettings {
+  LineId line = 0;
+  SerialSettings settings;
+  bool is_cooked = false;  ///< the client's terminal echoes or edits lines
+};
+
+/// No more bytes will arrive on the line: what it holds back for its client leaves now. Its outbox
+/// is still sent.
+struct InputEnded {
+  LineId line = 0;
+};
+
+struct LineClosed {
+  LineId line = 0;
+  LineCloseReason reason = LineCloseReason::kClientClosed;
+};
+
+/// With the byte clock: no byte has come on the line for `settle_ms` of wall time.
+struct LineSilent {
+  LineId line = 0;
+};
+
+/// The physical controller's port is open.
+struct DeviceOpened {};
+
+/// The physical controller's port has vanished or cannot be opened.
+struct DeviceLost {
+  std::string why;
+};
+
+/// Bytes of the device's outbox have been written, and are removed.
+struct DeviceOut {
+  std::size_t count = 0;
+};
+
+}  // namespace xr3
+
 namespace xr3::recording {
 
 /// A line was opened, and got this number.
@@ -20,13 +60,6 @@ struct LineBegin {
   std::string peer;
   LineKind kind = LineKind::kTcp;
   Guard guard = Guard::kNormal;
-};
-
-/// A transport reported the settings of its serial port.
-struct LineSetup {
-  LineId line = 0;
-  SerialSettings settings;
-  bool is_cooked = false;
 };
 
 /// Bytes of one read, as taken from the transport. Of the first read of a line all bytes are here,
@@ -45,21 +78,6 @@ struct LineUnsent {
   std::size_t unsent = 0;
 };
 
-/// No more bytes arrive on the line.
-struct LineInputEnd {
-  LineId line = 0;
-};
-
-/// The line was silent for as long as the byte clock waits.
-struct LineSilence {
-  LineId line = 0;
-};
-
-struct LineEnd {
-  LineId line = 0;
-  LineCloseReason reason = LineCloseReason::kClientClosed;
-};
-
 /// A call that was accepted.
 struct CallMade {
   call::Call call;
@@ -70,16 +88,8 @@ struct Rewound {
   SavedCellPtr saved;
 };
 
-struct DeviceFound {};
-struct DeviceGone {
-  std::string why;
-};
 struct DeviceInput {
   std::string bytes;
-};
-/// So many bytes of the device's outbox have been written.
-struct DeviceSent {
-  std::size_t count = 0;
 };
 /// The device has not answered in time.
 struct DeviceSilent {};
@@ -108,9 +118,9 @@ struct End {
   std::string why;   ///< `stopped` or `limit`
 };
 
-using Body = std::variant<LineBegin, LineSetup, LineInput, LineUnsent, LineInputEnd, LineSilence,
-                          LineEnd, CallMade, Rewound, DeviceFound, DeviceGone, DeviceInput,
-                          DeviceSent, DeviceSilent, Late, Replies, StateHash, End>;
+using Body = std::variant<LineBegin, LineSettings, LineInput, LineUnsent, InputEnded, LineSilent,
+                          LineClosed, CallMade, Rewound, DeviceOpened, DeviceLost, DeviceInput,
+                          DeviceOut, DeviceSilent, Late, Replies, StateHash, End>;
 
 struct Entry {
   Epoch epoch = 0;

@@ -47,7 +47,7 @@ struct EntryWriter {
     append_bytes(json, "peer", begin.peer);
     append_bytes(json, "guard", name_of(begin.guard));
   }
-  void operator()(const LineSetup& setup) const {
+  void operator()(const LineSettings& setup) const {
     append(json, "line", setup.line);
     append_bytes(json, "settings", text_of(setup.settings));
     append_flag(json, "cooked", setup.is_cooked);
@@ -63,15 +63,15 @@ struct EntryWriter {
     append(json, "line", left.line);
     append(json, "unsent", left.unsent);
   }
-  void operator()(const LineInputEnd& end) const {
+  void operator()(const InputEnded& end) const {
     append(json, "line", end.line);
     append_flag(json, "input_ended", true);
   }
-  void operator()(const LineSilence& silence) const {
+  void operator()(const LineSilent& silence) const {
     append(json, "line", silence.line);
     append_flag(json, "silent", true);
   }
-  void operator()(const LineEnd& end) const {
+  void operator()(const LineClosed& end) const {
     append(json, "line", end.line);
     append_bytes(json, "close", code_of(end.reason));
   }
@@ -83,13 +83,13 @@ struct EntryWriter {
   void operator()(const Rewound& rewound) const {
     json += ",\"seek\":" + saved_cell_to_json(*rewound.saved).dump(-1, ' ', true);
   }
-  void operator()(const DeviceFound&) const { append_bytes(json, "device", "opened"); }
-  void operator()(const DeviceGone& gone) const {
+  void operator()(const DeviceOpened&) const { append_bytes(json, "device", "opened"); }
+  void operator()(const DeviceLost& gone) const {
     append_bytes(json, "device", "lost");
     append_bytes(json, "why", gone.why);
   }
   void operator()(const DeviceInput& input) const { append_bytes(json, "device_in", input.bytes); }
-  void operator()(const DeviceSent& sent) const { append(json, "device_out", sent.count); }
+  void operator()(const DeviceOut& sent) const { append(json, "device_out", sent.count); }
   void operator()(const DeviceSilent&) const { append_bytes(json, "device", "silent"); }
   void operator()(const Late& late) const {
     append(json, "acted", late.acts);

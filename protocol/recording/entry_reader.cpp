@@ -163,9 +163,9 @@ std::optional<Body> make_seek(Raw& raw, Reading& reading) {
 }
 
 std::optional<Body> make_device(Raw& raw, Reading&) {
-  if (*raw.device == Device::kOpened) return DeviceFound{};
+  if (*raw.device == Device::kOpened) return DeviceOpened{};
   if (*raw.device == Device::kSilent) return DeviceSilent{};
-  return DeviceGone{std::move(raw.why).value_or("")};
+  return DeviceLost{std::move(raw.why).value_or("")};
 }
 
 using MaybeBody = std::optional<Body>;
@@ -174,13 +174,13 @@ MaybeBody make_begin(Raw& raw, Reading&) {
   return LineBegin{*raw.line, *std::move(raw.peer), *raw.open, *raw.guard};
 }
 MaybeBody make_setup(Raw& raw, Reading&) {
-  return LineSetup{*raw.line, *raw.settings, *raw.cooked};
+  return LineSettings{*raw.line, *raw.settings, *raw.cooked};
 }
-MaybeBody make_input_end(Raw& raw, Reading&) { return LineInputEnd{*raw.line}; }
-MaybeBody make_silence(Raw& raw, Reading&) { return LineSilence{*raw.line}; }
-MaybeBody make_line_end(Raw& raw, Reading&) { return LineEnd{*raw.line, *raw.close}; }
+MaybeBody make_input_end(Raw& raw, Reading&) { return InputEnded{*raw.line}; }
+MaybeBody make_silence(Raw& raw, Reading&) { return LineSilent{*raw.line}; }
+MaybeBody make_line_end(Raw& raw, Reading&) { return LineClosed{*raw.line, *raw.close}; }
 MaybeBody make_device_input(Raw& raw, Reading&) { return DeviceInput{*std::move(raw.device_in)}; }
-MaybeBody make_device_sent(Raw& raw, Reading&) { return DeviceSent{*raw.device_out}; }
+MaybeBody make_device_sent(Raw& raw, Reading&) { return DeviceOut{*raw.device_out}; }
 MaybeBody make_late(Raw& raw, Reading&) { return Late{*raw.acted, *raw.behind}; }
 MaybeBody make_end(Raw& raw, Reading&) {
   return End{std::move(raw.hash).value_or(""), *std::move(raw.end)};

@@ -122,16 +122,16 @@ TEST(Replayer, AHostileRecordingDoesNotHarmIt) {
   open_line(recorded.cell, 0);
   send_on(recorded.cell, 1, "E?", 0);
   using namespace recording;  // NOLINT: the entries
-  const std::vector<Body> bodies = {DeviceFound{},
-                                    DeviceSent{7},
+  const std::vector<Body> bodies = {DeviceOpened{},
+                                    DeviceOut{7},
                                     DeviceInput{"x"},
-                                    DeviceGone{""},
-                                    LineInputEnd{9},
-                                    LineEnd{9},
+                                    DeviceLost{""},
+                                    InputEnded{9},
+                                    LineClosed{9},
                                     LineUnsent{9, 1},
                                     LineUnsent{1, 1},
                                     LineInput{9, "E?", 2, 0, ""},
-                                    LineSetup{9, {}, false},
+                                    LineSettings{9, {}, false},
                                     Late{0, false},
                                     Late{5, true},
                                     Replies{1, "x"},

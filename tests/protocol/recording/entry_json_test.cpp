@@ -21,22 +21,22 @@ std::vector<Body> all_bodies() {
       LineBegin{1, "127.0.0.1:5000", LineKind::kTcp, Guard::kStrict},
       LineBegin{2, "/dev/\xff", LineKind::kPty, Guard::kOff},
       LineBegin{3, "monitor", LineKind::kMonitor, Guard::kNormal},
-      LineSetup{1, *parse_serial_settings("9600-7e2"), true},
-      LineSetup{1, {1200, std::nullopt}, false},
-      LineSetup{1, *parse_serial_settings("300-8o1.5-rtscts"), false},
+      LineSettings{1, *parse_serial_settings("9600-7e2"), true},
+      LineSettings{1, {1200, std::nullopt}, false},
+      LineSettings{1, *parse_serial_settings("300-8o1.5-rtscts"), false},
       LineInput{1, "E?", 2, 0, ""},
       LineInput{4'294'967'295, every_byte(), 3, 5, every_byte()},
       LineUnsent{1, 70'000},
-      LineInputEnd{1},
-      LineSilence{1},
-      LineEnd{1, LineCloseReason::kFault},
-      LineEnd{1, LineCloseReason::kNotARobotProgram},
+      InputEnded{1},
+      LineSilent{1},
+      LineClosed{1, LineCloseReason::kFault},
+      LineClosed{1, LineCloseReason::kNotARobotProgram},
       CallMade{call::Step{5}},
       Rewound{std::make_shared<const SavedCell>(SavedCell{"sha256:1", test::bare_workcell(), {}})},
-      DeviceFound{},
-      DeviceGone{"unplugged: \xe9"},
+      DeviceOpened{},
+      DeviceLost{"unplugged: \xe9"},
       DeviceInput{"%"},
-      DeviceSent{2},
+      DeviceOut{2},
       DeviceSilent{},
       Late{123, true},
       Late{124, false},
@@ -79,7 +79,7 @@ TEST(RecordedEntry, BytesAreExactAndTheLineIsAscii) {
 }
 
 TEST(RecordedEntry, TheEpochIsWrittenWhenItChanges) {
-  const Entry entry{4, 0, 0, LineInputEnd{1}};
+  const Entry entry{4, 0, 0, InputEnded{1}};
   EXPECT_EQ(members_of(entry, 4).find("epoch"), std::string::npos);
   EXPECT_NE(members_of(entry, 3).find(R"("epoch":4)"), std::string::npos);
   EXPECT_EQ(read_text(members_of(entry, 4) + "}", nullptr, 4)->epoch, 4);
