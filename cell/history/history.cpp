@@ -84,11 +84,10 @@ Cell::Checkpoint KeptCheckpoint::whole() const {
 }
 
 History::History(Cell& cell, Tick longest, monitor::ByteBudget& budget)
-    : cell_(cell),
+    : Recorder([this](recording::Entry entry) { add(std::move(entry)); }, Contents::kInputs),
+      cell_(cell),
       longest_(longest),
-      budget_(budget),
-      recorder_([this](recording::Entry entry) { add(std::move(entry)); },
-                Recorder::Contents::kInputs) {
+      budget_(budget) {
   assert(longest > 0 && cell.device() == nullptr);
   cell_.add_log(*this);
 }
@@ -129,31 +128,19 @@ HistoryPartPtr History::part_before(const ReplayTime& time) const {
 void History::begin(const Cell& cell, const Input& input) {
   before_ = now();
   note_motion();
-  if (is_checkpoint_due() && !is_of_probe(input) && !recorder_.is_behind()) try_part();
-  recorder_.begin(cell, input);
+  if (is_checkpoint_due() && !is_of_probe(input) && !is_behind()) try_part();
+  Recorder::begin(cell, input);
 }
 
 void History::end(const Cell& cell, const Input& input, const Applied& applied) {
   const auto* rewind = std::get_if<Rewind>(&input);
-  if (rewind == nullptr) recorder_.end(cell, input, applied);
+  if (rewind == nullptr) Recorder::end(cell, input, applied);
   note_epoch(before_);
   if (rewind != nullptr) go_back(rewind->from);
   if (back_at_ && !cell.is_in_past()) drop_future();
   note_motion();
   settle();
 }
-
-void History::sent(const Cell& cell, const BytesOut& out) { recorder_.sent(cell, out); }
-
-void History::output(const Cell& cell, LineId line, std::string_view bytes) {
-  recorder_.output(cell, line, bytes);
-}
-
-void History::after_advance(const Cell& cell, bool is_behind) {
-  recorder_.after_advance(cell, is_behind);
-}
-
-void History::expired(const Cell& cell) { recorder_.expired(cell); }
 
 void History::add(recording::Entry entry) {
   if (parts_.empty() || retry_in_ > 0) return;  // only the probe has acted, or there is a gap

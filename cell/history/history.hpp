@@ -44,7 +44,7 @@ struct EpochSpan {
   Tick to = 0;
 };
 
-class History final : private InputLog, private monitor::ByteBudget::Member {
+class History final : private Recorder, private monitor::ByteBudget::Member {
  public:
   /// A checkpoint is taken after so much motion, so many inputs or bytes of inputs.
   static constexpr Tick kMovedTicks = 10 * kTickHz;
@@ -87,10 +87,6 @@ class History final : private InputLog, private monitor::ByteBudget::Member {
 
   void begin(const Cell& cell, const Input& input) override;
   void end(const Cell& cell, const Input& input, const Applied& applied) override;
-  void sent(const Cell& cell, const BytesOut& out) override;
-  void output(const Cell& cell, LineId line, std::string_view bytes) override;
-  void after_advance(const Cell& cell, bool is_behind) override;
-  void expired(const Cell& cell) override;
 
   std::size_t bytes() const override { return granted_; }
   void shrink() override;
@@ -117,7 +113,6 @@ class History final : private InputLog, private monitor::ByteBudget::Member {
   Cell& cell_;
   Tick longest_;
   monitor::ByteBudget& budget_;
-  Recorder recorder_;
   std::deque<Part> parts_;
   std::deque<EpochSpan> epochs_;  ///< the last one goes on: its `to` is not valid
   ReplayTime last_;               ///< the end of the last input

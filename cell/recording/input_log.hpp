@@ -1,5 +1,5 @@
 // The interface of a log of a cell. The cell reports its inputs, and how time has passed between them
-// where its state depends on that. A log must not change the cell.
+// where its state depends on that. A log must not change the cell. By default it ignores what it hears.
 #pragma once
 
 #include <string_view>
@@ -18,17 +18,17 @@ class InputLog {
   virtual ~InputLog() = default;
 
   /// Time has advanced to the tick of an input, which acts next. Not for BytesOut.
-  virtual void begin(const Cell& cell, const Input& input) = 0;
+  virtual void begin(const Cell& /*cell*/, const Input& /*input*/) {}
   /// The input has acted.
-  virtual void end(const Cell& cell, const Input& input, const Applied& applied) = 0;
+  virtual void end(const Cell& /*cell*/, const Input& /*input*/, const Applied& /*applied*/) {}
   /// A transport has sent bytes, which the line's outbox still has.
-  virtual void sent(const Cell& cell, const BytesOut& out) = 0;
+  virtual void sent(const Cell& /*cell*/, const BytesOut& /*out*/) {}
   /// A line, not the probe's, has added these bytes to its outbox.
-  virtual void output(const Cell& cell, LineId line, std::string_view bytes) = 0;
+  virtual void output(const Cell& /*cell*/, LineId /*line*/, std::string_view /*bytes*/) {}
   /// Time has advanced. `is_behind`: bytes that are due have not acted, because too many were.
-  virtual void after_advance(const Cell& cell, bool is_behind) = 0;
+  virtual void after_advance(const Cell& /*cell*/, bool /*is_behind*/) {}
   /// The physical controller has not answered in time.
-  virtual void expired(const Cell& cell) = 0;
+  virtual void expired(const Cell& /*cell*/) {}
 };
 
 }  // namespace xr3

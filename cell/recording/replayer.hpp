@@ -58,12 +58,7 @@ class Replayer : private InputLog {
   };
   using Result = std::optional<Difference>;
 
-  void begin(const Cell&, const Input&) override {}
-  void end(const Cell&, const Input&, const Applied&) override {}
-  void sent(const Cell&, const BytesOut&) override {}
   void output(const Cell& cell, LineId line, std::string_view bytes) override;
-  void after_advance(const Cell&, bool) override {}
-  void expired(const Cell&) override {}
 
   ReplayTime now() const { return {cell_.epoch(), cell_.state().tick}; }
   Result difference(std::string what, std::string expected, std::string found,

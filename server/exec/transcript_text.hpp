@@ -20,10 +20,7 @@ class TranscriptText final : public InputLog {
 
   void begin(const Cell& cell, const Input& input) override;
   void end(const Cell& cell, const Input& input, const Applied& applied) override;
-  void sent(const Cell&, const BytesOut&) override {}
   void output(const Cell& cell, LineId line, std::string_view bytes) override;
-  void after_advance(const Cell&, bool) override {}
-  void expired(const Cell&) override {}
 
  private:
   struct Bytes {

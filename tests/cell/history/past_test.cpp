@@ -33,12 +33,8 @@ class States : public InputLog {
   std::map<ReplayTime, State> all;
 
  private:
-  void begin(const Cell&, const Input&) override {}
   void end(const Cell& cell, const Input&, const Applied&) override { note(cell); }
-  void sent(const Cell&, const BytesOut&) override {}
-  void output(const Cell&, LineId, std::string_view) override {}
   void after_advance(const Cell& cell, bool) override { note(cell); }
-  void expired(const Cell&) override {}
 
   void note(const Cell& cell) { all[{cell.epoch(), cell.state().tick}] = cell.state(); }
 
