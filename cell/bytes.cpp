@@ -105,12 +105,11 @@ void Cell::rest() {
   after_bytes(start);
 }
 
-Applied Cell::handle(const LineSilent& silent, WallNs) {
+void Cell::handle(const LineSilent& silent, WallNs) {
   const bool moves_time = is_moved_by_bytes() && current_line() == silent.line;
-  if (!moves_time || is_in_past_ || simulation_.is_at_rest()) return {};
+  if (!moves_time || is_in_past_ || simulation_.is_at_rest()) return;
   mark(TranscriptMark::kSilence);
   rest();
-  return {};
 }
 
 void Cell::restart_bytes() {

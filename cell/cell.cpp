@@ -53,7 +53,13 @@ Applied Cell::take_in(const Input& input, WallNs now) {
   advance(now);
   ++revision_;
   for (InputLog* log : logs_) log->begin(*this, input);
-  Applied applied = std::visit([&](const auto& each) { return handle(each, now); }, input);
+  Applied applied = std::visit(
+      [&](const auto& each) -> Applied {
+        if constexpr (!std::is_void_v<decltype(handle(each, now))>) return handle(each, now);
+        handle(each, now);
+        return {};
+      },
+      input);
   pass_delays();
   for (InputLog* log : logs_) log->end(*this, input, applied);
   return applied;
@@ -153,19 +159,16 @@ Applied Cell::handle(const LineOpened& opened, WallNs) {
   if (transcript_) lines_.at(id).listen(*this, id);
   if (!state().enabled && !is_for_device) emit(id, disabled_note());
   if (const std::optional<LineId> before = line_before(id)) emit(id, LineTurnNote{*before});
-  Applied applied;
-  applied.line = id;
-  return applied;
+  return {.line = id};
 }
 
-Applied Cell::handle(const LineSettings& reported, WallNs) {
+void Cell::handle(const LineSettings& reported, WallNs) {
   SerialLine* line = open_line(reported.line);
-  if (line == nullptr) return {};
+  if (line == nullptr) return;
   note_settings(*line, reported.settings);
   const bool is_news = line->set_settings(reported.settings, reported.is_cooked);
   schedule(reported.line, *line);
   if (is_news) emit(reported.line, cooked_note());
-  return {};
 }
 
 Applied Cell::handle(const BytesIn& in, WallNs) {
@@ -186,18 +189,14 @@ Applied Cell::handle(const BytesIn& in, WallNs) {
   }
   schedule(in.line, *line);
   emit_all(in.line, warnings_.finish(in.line, state().tick));
-  Applied applied;
-  applied.bytes_taken = taken;
-  return applied;
+  return {.bytes_taken = taken};
 }
 
 /// Receives bytes of the probe's line. They act normally, but are not counted, recorded or
 /// reported.
 Applied Cell::take_unseen(SerialLine& line, std::string_view bytes) {
   exchanges_.clear();
-  Applied applied;
-  applied.bytes_taken = line.receive(bytes, simulation_, exchanges_);
-  return applied;
+  return {.bytes_taken = line.receive(bytes, simulation_, exchanges_)};
 }
 
 /// Receives the bytes of one record, and records them with their effects and replies. Returns the
@@ -244,9 +243,9 @@ Applied Cell::handle(const BytesOut& out, WallNs) {
   return {};
 }
 
-Applied Cell::handle(const InputEnded& ended, WallNs) {
+void Cell::handle(const InputEnded& ended, WallNs) {
   SerialLine* line = open_line(ended.line);
-  if (line == nullptr) return {};
+  if (line == nullptr) return;
   const WirePlace out{epoch_, state().tick, ended.line, line->output_end()};
   const std::size_t unsent = line->outbox().size();
   exchanges_.clear();
@@ -254,16 +253,15 @@ Applied Cell::handle(const InputEnded& ended, WallNs) {
   if (!line->next_reply(state())) line->discard_held_back();  // no end of the fault is known
   if (ended.line != kProbeLine) record_out(out, *line, unsent);
   schedule(ended.line, *line);
-  return {};
 }
 
-Applied Cell::handle(const LineClosed& closed, WallNs) {
+void Cell::handle(const LineClosed& closed, WallNs) {
   if (closed.line == kProbeLine) {
     probe_line_.reset();
-    return {};
+    return;
   }
   SerialLine* line = open_line(closed.line);
-  if (line == nullptr) return {};
+  if (line == nullptr) return;
   agenda_.forget(closed.line);
   exchanges_.clear();
   record_acted(closed.line, *line);
@@ -278,21 +276,16 @@ Applied Cell::handle(const LineClosed& closed, WallNs) {
   lines_.erase(closed.line);
   note_end(closed.line, closed.reason);
   if (was_current || lines_.empty()) end_turn(closed.reason);
-  return {};
 }
 
-Applied Cell::handle(const RecordingFailed& failed, WallNs) {
+void Cell::handle(const RecordingFailed& failed, WallNs) {
   emit(std::nullopt, RecordingNote{failed.path, failed.why});
-  return {};
 }
 
 Applied Cell::handle(const call::Call& call, WallNs now) {
-  Applied applied;
-  if (is_in_past_ && !leaves_past_alone(call)) {
-    applied.outcome = in_the_past();
-    return applied;
-  }
-  applied.outcome = std::visit([&](const auto& each) { return carry_out(each, now); }, call);
+  if (is_in_past_ && !leaves_past_alone(call)) return {.outcome = in_the_past()};
+  Applied applied{.outcome =
+                      std::visit([&](const auto& each) { return carry_out(each, now); }, call)};
   emit_time_events();
   if (std::holds_alternative<call::Done>(applied.outcome)) note_call(call);
   return applied;

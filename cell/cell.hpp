@@ -222,18 +222,18 @@ class Cell final : private LineListener {
   void simulate_to(Tick target);
   void simulate_to_rest(Tick limit);
   Applied handle(const LineOpened& opened, WallNs now);
-  Applied handle(const LineSettings& reported, WallNs now);
+  void handle(const LineSettings& reported, WallNs now);
   Applied handle(const BytesIn& in, WallNs now);
   Applied handle(const BytesOut& out, WallNs now);
-  Applied handle(const InputEnded& ended, WallNs now);
-  Applied handle(const LineClosed& closed, WallNs now);
-  Applied handle(const LineSilent& silent, WallNs now);
-  Applied handle(const DeviceOpened&, WallNs now);
-  Applied handle(const DeviceLost& lost, WallNs now);
-  Applied handle(const DeviceIn& in, WallNs now);
-  Applied handle(const DeviceOut& out, WallNs now);
-  Applied handle(const Rewind& rewind, WallNs now);
-  Applied handle(const RecordingFailed& failed, WallNs now);
+  void handle(const InputEnded& ended, WallNs now);
+  void handle(const LineClosed& closed, WallNs now);
+  void handle(const LineSilent& silent, WallNs now);
+  void handle(const DeviceOpened&, WallNs now);
+  void handle(const DeviceLost& lost, WallNs now);
+  void handle(const DeviceIn& in, WallNs now);
+  void handle(const DeviceOut& out, WallNs now);
+  void handle(const Rewind& rewind, WallNs now);
+  void handle(const RecordingFailed& failed, WallNs now);
   Applied handle(const call::Call& call, WallNs now);
 
   call::Outcome carry_out(const call::Pause&, WallNs now);

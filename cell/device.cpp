@@ -29,23 +29,21 @@ CellNote Cell::note_of(EventBody event) const {
                       device_->is_mirrored()};
 }
 
-Applied Cell::handle(const DeviceOpened&, WallNs) {
+void Cell::handle(const DeviceOpened&, WallNs) {
   assert(device_);
   device_->set_open(true, state().tick);
   emit_device(DeviceNews::kOpened);
-  return {};
 }
 
-Applied Cell::handle(const DeviceLost& lost, WallNs) {
+void Cell::handle(const DeviceLost& lost, WallNs) {
   assert(device_);
   device_->set_open(false, state().tick);
   DeviceNote note;
   note.why = lost.why;
   emit_device(DeviceNews::kLost, std::move(note));
-  return {};
 }
 
-Applied Cell::handle(const DeviceIn& in, WallNs) {
+void Cell::handle(const DeviceIn& in, WallNs) {
   assert(device_);
   DeviceNote unasked;
   for (const char byte : in.bytes) {
@@ -60,13 +58,11 @@ Applied Cell::handle(const DeviceIn& in, WallNs) {
     }
   }
   if (unasked.count > 0) emit_device(DeviceNews::kUnasked, std::move(unasked));
-  return {};
 }
 
-Applied Cell::handle(const DeviceOut& out, WallNs) {
+void Cell::handle(const DeviceOut& out, WallNs) {
   assert(device_);
   device_->sent(out.count, state().tick);
-  return {};
 }
 
 void Cell::deliver(LineId id, std::uint8_t reply, const Command& inquiry) {

@@ -92,7 +92,7 @@ bool is_of_probe(const Input& input);
 struct Applied {
   LineId line = 0;
   std::size_t bytes_taken = 0;
-  call::Outcome outcome;
+  call::Outcome outcome = {};
 };
 
 }  // namespace xr3

@@ -17,7 +17,7 @@ bool Cell::leaves_past_alone(const call::Call& call) {
          std::holds_alternative<call::SaveSnapshot>(call);
 }
 
-Applied Cell::handle(const Rewind& rewind, WallNs now) {
+void Cell::handle(const Rewind& rewind, WallNs now) {
   assert(!device_);
   if (!is_in_past_) was_manual_ = clock_.mode() == ClockMode::kManual;
   carry_out(call::Pause{}, now);
@@ -26,7 +26,6 @@ Applied Cell::handle(const Rewind& rewind, WallNs now) {
     for (auto& [id, line] : lines_) line.reset();
   });
   is_in_past_ = true;
-  return {};
 }
 
 /// Bytes of the lines are read again.
