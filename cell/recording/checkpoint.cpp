@@ -6,22 +6,8 @@ namespace xr3 {
 
 Cell::Checkpoint Cell::checkpoint() const {
   assert(!device_);
-  return {model_ptr(),
-          state(),
-          epoch_,
-          model_rev_,
-          clock_.mode(),
-          clock_.rate(),
-          clock_.running_mode(),
-          byte_clock_,
-          transcript_,
-          agenda_,
-          lines_,
-          last_line_,
-          snapshots_,
-          acts_,
-          is_in_past_,
-          was_manual_};
+  return {model_ptr(), state(), epoch_,     model_rev_, clock_, byte_clock_, transcript_,
+          agenda_,     lines_,  last_line_, snapshots_, acts_,  is_in_past_, was_manual_};
 }
 
 // The revision goes on, so that nobody takes the old state for the new one.
@@ -30,11 +16,10 @@ void Cell::restore(const Checkpoint& from) {
   simulation_.restore(from.model, from.state);
   epoch_ = from.epoch;
   model_rev_ = from.model_rev;
-  clock_ = from.running_mode == ClockMode::kBytes ? SimClock::bytes(from.state.tick)
-                                                  : SimClock::real(from.rate, 0, from.state.tick);
+  clock_ = from.clock;
+  clock_.set_tick(from.state.tick, 0);
   byte_clock_ = from.byte_clock;
   transcript_ = from.transcript;
-  if (from.mode == ClockMode::kManual) clock_.pause(0);
   agenda_ = from.agenda;
   lines_ = from.lines;
   if (transcript_) {

@@ -15,9 +15,7 @@ struct Cell::Checkpoint {
   State state;
   Epoch epoch = 0;
   int model_rev = 1;
-  ClockMode mode = ClockMode::kReal;
-  Rate rate;
-  ClockMode running_mode = ClockMode::kReal;
+  SimClock clock = SimClock::manual();
   std::optional<ByteClock> byte_clock;
   std::optional<Transcript> transcript;
   Agenda agenda;
