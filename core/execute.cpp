@@ -20,28 +20,25 @@ class Executor {
   Executor(const Model& model, State& state, Events& events, CameraCache& camera)
       : model_(model), state_(state), events_(events), camera_(camera) {}
 
-  Reply operator()(const Move& move) {
+  void operator()(const Move& move) {
     MotorState* motor = find(move.label);
-    if (motor == nullptr) return NoReply{};
+    if (motor == nullptr) return;
     const bool wrapped = add_to_error(*motor, move.counts);
     emit(MoveTaken{move.label, move.counts, motor->error});
     if (wrapped)
       emit(Warning{WarningCode::kCounterOverflow, move.label, move.counts, motor->error, {}});
     counters_changed();
-    return NoReply{};
   }
-  Reply operator()(const SetSpeed& speed) {
+  void operator()(const SetSpeed& speed) {
     if (MotorState* motor = find(speed.label)) {
       motor->speed = static_cast<std::uint8_t>(speed.counts_per_s);
     }
-    return NoReply{};
   }
-  Reply operator()(const Stop& stop) {
+  void operator()(const Stop& stop) {
     if (MotorState* motor = find(stop.label)) {
       set_error(*motor, 0);
       counters_changed();
     }
-    return NoReply{};
   }
   Reply operator()(const QueryError& query) {
     const MotorState* motor = find(query.label);
@@ -59,55 +56,30 @@ class Executor {
   Reply operator()(const QuerySwitchesJ&) { return switch_bits(model_, state_, 'J'); }
   Reply operator()(const QueryInputs&) { return switch_bits(model_, state_, 'K'); }
 
-  Reply operator()(const SetAuxiliary& set) {
-    set_auxiliary(state_, set.port, set.on, events_);
-    return NoReply{};
-  }
-  Reply operator()(const SetOutput& set) {
-    set_output(state_, set.line, set.high, events_);
-    return NoReply{};
-  }
-  Reply operator()(const ControllerReset&) {
-    reset_controller(model_, state_, events_);
-    return NoReply{};
-  }
+  void operator()(const SetAuxiliary& set) { set_auxiliary(state_, set.port, set.on, events_); }
+  void operator()(const SetOutput& set) { set_output(state_, set.line, set.high, events_); }
+  void operator()(const ControllerReset&) { reset_controller(model_, state_, events_); }
 
-  Reply operator()(const ToggleDisplay&) {
-    state_.display.on = !state_.display.on;
-    return NoReply{};
-  }
-  Reply operator()(const SetViewVector& view) {
-    state_.display.view = {view.x, view.y, view.z};
-    return NoReply{};
-  }
-  Reply operator()(const SoftHome&) {
-    go_home(model_, state_, events_);
-    return NoReply{};
-  }
-  Reply operator()(const ToggleSimulator&) {
+  void operator()(const ToggleDisplay&) { state_.display.on = !state_.display.on; }
+  void operator()(const SetViewVector& view) { state_.display.view = {view.x, view.y, view.z}; }
+  void operator()(const SoftHome&) { go_home(model_, state_, events_); }
+  void operator()(const ToggleSimulator&) {
     state_.enabled = !state_.enabled;
     emit(EnabledChanged{state_.enabled});
-    return NoReply{};
   }
-  Reply operator()(const SetRefreshPeriod& period) {
+  void operator()(const SetRefreshPeriod& period) {
     state_.display.period_half_s = period.half_seconds;
-    return NoReply{};
   }
-  Reply operator()(const ToggleErasing&) {
+  void operator()(const ToggleErasing&) {
     state_.display.erase = !state_.display.erase;
     state_.tip_path = {};
     if (!state_.display.erase) {
       state_.tip_path.add(tool_tip(model_, positions(model_, state_.motors)));
     }
-    return NoReply{};
   }
-  Reply operator()(const SelectStatus& select) {
-    state_.display.status_option = select.option;
-    return NoReply{};
-  }
-  Reply operator()(const ToggleFunctionKeys&) {
+  void operator()(const SelectStatus& select) { state_.display.status_option = select.option; }
+  void operator()(const ToggleFunctionKeys&) {
     state_.display.function_keys = !state_.display.function_keys;
-    return NoReply{};
   }
   Reply operator()(const CameraImage&) {
     if (!uses_pixel(0, 0)) return NoReply{};
@@ -157,7 +129,14 @@ class Executor {
 
 Reply execute(const Model& model, State& state, const Command& command, Events& events,
               CameraCache& camera) {
-  Reply reply = std::visit(Executor(model, state, events, camera), command);
+  Executor executor(model, state, events, camera);
+  Reply reply = std::visit(
+      [&]<class Each>(const Each& each) -> Reply {
+        if constexpr (Inquiry<Each>) return executor(each);
+        executor(each);
+        return NoReply{};
+      },
+      command);
   assert(broken_invariant(model, state) == nullptr);
   return reply;
 }
