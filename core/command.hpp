@@ -3,11 +3,19 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 #include <variant>
 
 #include "core/image.hpp"
 
 namespace xr3 {
+
+/// Values without members are equal.
+template <class Value>
+  requires std::is_empty_v<Value>
+constexpr bool operator==(const Value& /*a*/, const Value& /*b*/) {
+  return true;
+}
 
 // --- Replies. Each inquiry names the type of its own: Answer.
 
@@ -89,17 +97,14 @@ struct QuerySwitch {
 /// `I`: switches of joints C...H.
 struct QuerySwitchesI {
   using Answer = SwitchBits;
-  bool operator==(const QuerySwitchesI&) const = default;
 };
 /// `J`: switches of joints A and B, input lines 5-8.
 struct QuerySwitchesJ {
   using Answer = SwitchBits;
-  bool operator==(const QuerySwitchesJ&) const = default;
 };
 /// `K`: input lines 1-4.
 struct QueryInputs {
   using Answer = SwitchBits;
-  bool operator==(const QueryInputs&) const = default;
 };
 /// `L M N O`: auxiliary port 1 or 2 on or off.
 struct SetAuxiliary {
@@ -117,15 +122,11 @@ struct SetOutput {
 };
 /// `Q`: sets error counters to 0, outputs and ports off, and speeds to those of the file; no
 /// homing.
-struct ControllerReset {
-  bool operator==(const ControllerReset&) const = default;
-};
+struct ControllerReset {};
 
 // --- Environment (paper, Table VII).
 
-struct ToggleDisplay {
-  bool operator==(const ToggleDisplay&) const = default;
-};
+struct ToggleDisplay {};
 /// Integers -kMax...kMax, not all 0.
 struct SetViewVector {
   static constexpr int kMax = 9;
@@ -135,13 +136,9 @@ struct SetViewVector {
   bool operator==(const SetViewVector&) const = default;
 };
 /// `A$`: moves joints and tool to the file's home values and clears a stall.
-struct SoftHome {
-  bool operator==(const SoftHome&) const = default;
-};
+struct SoftHome {};
 /// `A@`: enable or disable the simulator.
-struct ToggleSimulator {
-  bool operator==(const ToggleSimulator&) const = default;
-};
+struct ToggleSimulator {};
 /// `A.x`: in half seconds.
 struct SetRefreshPeriod {
   static constexpr int kMin = 1;
@@ -150,9 +147,7 @@ struct SetRefreshPeriod {
   bool operator==(const SetRefreshPeriod&) const = default;
 };
 /// `A|`: toggle erasing before redrawing.
-struct ToggleErasing {
-  bool operator==(const ToggleErasing&) const = default;
-};
+struct ToggleErasing {};
 /// `A%n`: status line option 0...kMax.
 struct SelectStatus {
   static constexpr int kMax = 6;
@@ -160,13 +155,10 @@ struct SelectStatus {
   bool operator==(const SelectStatus&) const = default;
 };
 /// Command mode's Alt F6: function keys on or off. It has no bytes on a line.
-struct ToggleFunctionKeys {
-  bool operator==(const ToggleFunctionKeys&) const = default;
-};
+struct ToggleFunctionKeys {};
 /// `A**`: the complete binary image.
 struct CameraImage {
   using Answer = CameraRows;
-  bool operator==(const CameraImage&) const = default;
 };
 /// `A*r*`: one row, from 0 at the top.
 struct CameraRow {
@@ -197,9 +189,7 @@ inline bool is_inquiry(const Command& command) {
   return std::visit([]<class Each>(const Each&) { return Inquiry<Each>; }, command);
 }
 
-struct NoReply {
-  bool operator==(const NoReply&) const = default;
-};
+struct NoReply {};
 /// The replies, with `Rows` for rows of the camera's image.
 template <class Rows>
 using ReplyWith =
