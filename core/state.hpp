@@ -81,7 +81,11 @@ struct TipPath {
   std::size_t oldest = 0;       ///< index of the oldest point
 
   /// Adds a point; overwrites the oldest if the path is full.
-  void add(const PointUm& tip);
+  void add(const PointUm& tip) {
+    if (points.size() < kMaxTipPoints) return points.push_back(tip);
+    points[oldest] = tip;
+    oldest = (oldest + 1) % kMaxTipPoints;
+  }
   bool operator==(const TipPath&) const = default;
 };
 
