@@ -19,11 +19,6 @@ call::Refused clock_running(std::string_view call) {
           "call pause first, or start with --clock manual"};
 }
 
-call::Refused no_rate() {
-  return {"no_rate", "the byte clock has no rate: time moves with the bytes of the lines",
-          "start with --clock real to set a rate"};
-}
-
 call::Refused has_device() {
   return {"has_device", "time cannot be changed while a device is connected",
           "start the server without --serial to control time"};
@@ -53,10 +48,6 @@ std::optional<call::Refused> refuse_rows(const Model& model, const State& state,
 
 call::Refused block_held(const std::string& name) {
   return {"block_held", "the jaws hold block " + name, "open the jaws first"};
-}
-
-call::Refused no_such_snapshot(const std::string& name) {
-  return {"no_such_snapshot", "there is no snapshot " + name, "snapshot_save makes one"};
 }
 
 /// Whether the blocks are equal except for their positions.
@@ -94,7 +85,11 @@ call::Outcome Cell::carry_out(const call::Resume&, WallNs now) {
 
 call::Outcome Cell::carry_out(const call::SetRate& rate, WallNs now) {
   if (device_) return has_device();
-  if (clock_.running_mode() == ClockMode::kBytes) return no_rate();
+  if (clock_.running_mode() == ClockMode::kBytes) {
+    return call::Refused{"no_rate",
+                         "the byte clock has no rate: time moves with the bytes of the lines",
+                         "start with --clock real to set a rate"};
+  }
   clock_.set_rate(rate.rate, now);
   emit(std::nullopt, ClockNote{"rate", clock_.mode(), clock_.rate()});
   return call::Done{};
@@ -268,7 +263,9 @@ call::Outcome Cell::carry_out(const call::SaveSnapshot& save, WallNs) {
 call::Outcome Cell::carry_out(const call::LoadSnapshot& load, WallNs now) {
   if (!load.saved) {
     const auto found = snapshots_.find(load.name);
-    if (found == snapshots_.end()) return no_such_snapshot(load.name);
+    if (found == snapshots_.end())
+      return call::Refused{"no_such_snapshot", "there is no snapshot " + load.name,
+                           "snapshot_save makes one"};
     const MachineSnapshotPtr snapshot = found->second;
     begin_epoch("snapshot_load", now,
                 [&] { simulation_.restore(snapshot->model, snapshot->state); });

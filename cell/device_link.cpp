@@ -6,7 +6,6 @@
 namespace xr3 {
 namespace {
 
-constexpr std::int64_t kUsPerTick = 1000;
 constexpr std::int64_t kUsPerSecond = 1'000'000;
 
 /// With start bit, parity bit and stop bits; 12 if the frame is not known.
@@ -21,8 +20,6 @@ std::int64_t time_us(std::size_t bytes, const SerialSettings& settings) {
   const auto bits = static_cast<std::int64_t>(bytes) * bits_per_byte(settings);
   return bits * kUsPerSecond / settings.baud;
 }
-
-Tick tick_after(std::int64_t us) { return (us + kUsPerTick - 1) / kUsPerTick; }
 
 }  // namespace
 
@@ -95,7 +92,7 @@ void DeviceLink::send_next(Tick now) {
 }
 
 void DeviceLink::send(std::string_view bytes, Tick now) {
-  const std::int64_t now_us = now * kUsPerTick;
+  const Micros now_us = micros_at(now);
   busy_until_us_ = std::min(std::max(busy_until_us_, now_us) + time_us(bytes.size(), settings_),
                             now_us + time_us(kMaxHeld, settings_));
   outbox_ += bytes;
@@ -111,7 +108,7 @@ std::optional<DeviceLink::Asked> DeviceLink::receive(Tick now) {
 
 std::optional<Tick> DeviceLink::deadline() const {
   if (!asked_) return std::nullopt;
-  return tick_after(busy_until_us_) + kPatience;
+  return first_tick_after(busy_until_us_) + kPatience;
 }
 
 std::optional<DeviceLink::Asked> DeviceLink::expire(Tick now) {

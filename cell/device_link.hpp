@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/state.hpp"
 #include "protocol/explain/cell_event.hpp"
 #include "protocol/line/device_command.hpp"
+#include "protocol/line/line_speed.hpp"
 #include "protocol/line/serial_settings.hpp"
 #include "protocol/line/state_writer.hpp"
 
@@ -131,7 +131,7 @@ class DeviceLink {
   std::vector<LineId> woken_;
   std::optional<Asked> asked_;
   std::string outbox_;
-  std::int64_t busy_until_us_ = 0;  ///< when the last bit of all bytes so far has left
+  Micros busy_until_us_ = 0;  ///< when the last bit of all bytes so far has left
   std::uint64_t bytes_in_ = 0;
   std::uint64_t bytes_out_ = 0;
 };

@@ -54,15 +54,12 @@ FrameSource frame_source(Cell& cell, Channel channel) {
           channel == Channel::kImage ? cell.camera_image() : nullptr};
 }
 
-const FrameCache::ChannelCache& FrameCache::cache_of(Channel channel) const {
-  return caches_.at(static_cast<std::size_t>(channel));
-}
 FrameCache::ChannelCache& FrameCache::cache_of(Channel channel) {
   return caches_.at(static_cast<std::size_t>(channel));
 }
 
 bool FrameCache::is_current(Channel channel, std::uint64_t revision) const {
-  return cache_of(channel).revision == revision;
+  return caches_.at(static_cast<std::size_t>(channel)).revision == revision;
 }
 
 const monitor::Frame* FrameCache::frame(const monitor::Selection& selection) {

@@ -72,7 +72,6 @@ class FrameCache {
     std::deque<EncodedFrame> encoded;  ///< the oldest first
   };
 
-  const ChannelCache& cache_of(monitor::Channel channel) const;
   ChannelCache& cache_of(monitor::Channel channel);
   void update(const FrameSource& source, ChannelCache& cache);
   bool has_changed(const FrameSource& source, ChannelCache& cache);

@@ -18,8 +18,4 @@ bool Mirror::differs(char label, const Reading& reading, Tick now) {
   return !std::exchange(joint.is_reported, true);
 }
 
-bool Mirror::lose() { return !std::exchange(is_lost_, true); }
-
-void Mirror::align() { *this = {}; }
-
 }  // namespace xr3

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "core/state.hpp"
 
@@ -28,9 +29,9 @@ class Mirror {
 
   /// The simulation has stalled or reached a limit: it no longer shows where the arm is. Returns
   /// whether that is news.
-  bool lose();
+  bool lose() { return !std::exchange(is_lost_, true); }
   /// The simulation stands where the arm stands.
-  void align();
+  void align() { *this = {}; }
 
  private:
   struct Joint {

@@ -97,7 +97,9 @@ void SerialLine::control(BufferControl control, Micros now) {
   switch (control) {
     case BufferControl::kNone: break;
     case BufferControl::kSuspend:
-      if (!has_input_ended_) suspend(now);
+      if (has_input_ended_) break;
+      if (pace_) return pace_->halt(Direction::kOut, true, now);
+      hold_.begin();
       break;
     case BufferControl::kResume: resume(now); break;
     case BufferControl::kDropReplies: drop_replies(now); break;
@@ -107,11 +109,6 @@ void SerialLine::control(BufferControl control, Micros now) {
       drop_input();
       break;
   }
-}
-
-void SerialLine::suspend(Micros now) {
-  if (pace_) return pace_->halt(Direction::kOut, true, now);
-  hold_.begin();
 }
 
 void SerialLine::resume(Micros now) {

@@ -214,7 +214,6 @@ class SerialLine {
   void act_on_device(std::uint8_t byte, std::uint64_t offset, const Effects& effects);
   static void imitate(const Command& command, Exchange& exchange, Simulation& simulation);
   void control(BufferControl control, Micros now);
-  void suspend(Micros now);
   void resume(Micros now);
   void drop_replies(Micros now);
   void drop_input();

@@ -59,12 +59,7 @@ void SerialLine::imitate(const Command& command, Exchange& exchange, Simulation&
 
 void SerialLine::deliver(std::uint8_t reply, const Command& inquiry) {
   released_.clear();
-  const std::string bytes(1, static_cast<char>(reply));
-  const wire::FromDevice meaning{inquiry, reply};
-  if (hold_.is_on()) return hold_.add(bytes, meaning);
-  const std::uint64_t from = output_end();
-  send(bytes);
-  released_.push_back({from, output_end(), meaning});
+  leave({0, std::string(1, static_cast<char>(reply)), wire::FromDevice{inquiry, reply}}, 0);
 }
 
 }  // namespace xr3
