@@ -73,9 +73,8 @@ int width_of(const std::vector<Column>& columns) {
 /// The columns that fit into `width`; the bar takes the remaining room.
 std::vector<Column> fitting_columns(int width) {
   std::vector<Column> columns = all_columns();
-  const auto by_rank = [](const Column& a, const Column& b) { return a.rank < b.rank; };
   while (width_of(columns) > width) {
-    const int rank = std::max_element(columns.begin(), columns.end(), by_rank)->rank;
+    const int rank = std::ranges::max_element(columns, {}, &Column::rank)->rank;
     if (rank == 0) break;
     std::erase_if(columns, [rank](const Column& column) { return column.rank == rank; });
   }

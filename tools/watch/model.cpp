@@ -146,8 +146,7 @@ void WatchModel::handle_event(const Json& message) {
     note.line = value_of<std::int64_t>(message, "line");
   // In other events `count` is a position.
   if (note.kind == "warning") note.times = value_of<std::int64_t>(message, "count", 1);
-  const auto& elsewhere = kSeenElsewhere;
-  if (std::find(elsewhere.begin(), elsewhere.end(), note.kind) != elsewhere.end()) return;
+  if (std::ranges::find(kSeenElsewhere, note.kind) != kSeenElsewhere.end()) return;
   known_.notes[value_of<std::int64_t>(message, "seq")] = note;
   if (known_.notes.size() > kMaxNotes) known_.notes.erase(known_.notes.begin());
 }

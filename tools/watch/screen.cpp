@@ -141,9 +141,6 @@ void paint_waiting(TextScreen& screen, const Known& known, const Link& link) {
               {link.trouble + ".", "", "Start one with: xr3 serve", "Retrying every second."});
 }
 
-/// The place of the camera's image.
-enum class ImagePlace : std::uint8_t { kBesideBlocks, kBesideAll };
-
 /// The rows of the parts between title and footer, from top to bottom.
 struct Heights {
   int joints = 0;
@@ -187,10 +184,9 @@ void paint_middle(TextScreen& screen, TextArea area, const Known& known, const S
   paint_blocks_and_lines(screen, area, state);
 }
 
-/// Joints, tool, blocks and lines from top to bottom; the image, too, if its place is beside
-/// blocks.
-void paint_tables(TextScreen& screen, TextArea area, const Known& known, const State& state,
-                  const Heights& heights, ImagePlace place) {
+/// Joints and tool. Returns the area below them, of the middle.
+TextArea paint_upper(TextScreen& screen, TextArea area, const Known& known, const State& state,
+                     const Heights& heights) {
   paint_joints(screen, {area.row, area.column, heights.joints, area.columns}, known, state);
   area.row += heights.joints;
   if (heights.tool > 0) {
@@ -198,11 +194,7 @@ void paint_tables(TextScreen& screen, TextArea area, const Known& known, const S
   }
   area.row += heights.tool;
   area.rows = heights.middle;
-  if (place == ImagePlace::kBesideBlocks) {
-    paint_middle(screen, area, known, state);
-  } else {
-    paint_blocks_and_lines(screen, area, state);
-  }
+  return area;
 }
 
 /// The wide layout, without title, banner and footer: the camera beside all tables.
@@ -217,7 +209,7 @@ void paint_wide(TextScreen& screen, TextArea area, const Known& known, const Sta
   paint_image(screen, {area.row, area.column + area.columns - width, upper, width}, image);
   paint_notes(screen, {area.row + upper, area.column, heights.notes, area.columns}, known);
   area.columns -= width + 2;
-  paint_tables(screen, area, known, state, heights, ImagePlace::kBesideAll);
+  paint_blocks_and_lines(screen, paint_upper(screen, area, known, state, heights), state);
 }
 
 void paint_narrow(TextScreen& screen, const TextArea& area, const Known& known,
@@ -225,7 +217,7 @@ void paint_narrow(TextScreen& screen, const TextArea& area, const Known& known,
   const int columns = area.columns - kLinesWidth - 1;
   const int image_rows = known.image ? useful_image_rows(*known.image, columns) : 0;
   const Heights heights = heights_for(state, area.rows, image_rows);
-  paint_tables(screen, area, known, state, heights, ImagePlace::kBesideBlocks);
+  paint_middle(screen, paint_upper(screen, area, known, state, heights), known, state);
   const int row = area.row + area.rows - heights.notes;
   if (heights.notes > 0) {
     paint_notes(screen, {row, area.column, heights.notes, area.columns}, known);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string_view>
 #include <vector>
 
@@ -125,10 +126,9 @@ void draw_block(Picture& picture, const Block& block, char letter) {
 /// In order of their tops, so that the upper of stacked blocks is visible.
 void draw_blocks(Picture& picture, const std::vector<Block>& blocks) {
   std::vector<std::size_t> order(blocks.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::iota(order.begin(), order.end(), std::size_t{0});
   const auto top = [&](std::size_t i) { return blocks[i].centroid_um.z * 2 + blocks[i].size_um.z; };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return top(a) < top(b); });
+  std::ranges::stable_sort(order, {}, top);
   for (const std::size_t i : order) draw_block(picture, blocks[i], block_letter(i));
 }
 

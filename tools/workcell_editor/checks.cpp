@@ -56,7 +56,7 @@ Micrometres half_diagonal(const Block& block) {
 
 bool is_apart(const Workcell& workcell, const Block& block) {
   constexpr Micrometres kGap = 10'000;
-  return std::none_of(workcell.blocks.begin(), workcell.blocks.end(), [&](const Block& other) {
+  return std::ranges::none_of(workcell.blocks, [&](const Block& other) {
     const double distance =
         std::hypot(static_cast<double>(block.centroid_um.x - other.centroid_um.x),
                    static_cast<double>(block.centroid_um.y - other.centroid_um.y));
@@ -73,11 +73,8 @@ std::vector<PointUm> places(const Workspace& space, Micrometres field) {
       result.push_back({i * field, j * field, 0});
     }
   }
-  std::stable_sort(result.begin(), result.end(), [&](const PointUm& a, const PointUm& b) {
-    const auto far = [&](const PointUm& p) {
-      return std::max(std::abs(p.x / field - middle), std::abs(p.y / field));
-    };
-    return far(a) < far(b);
+  std::ranges::stable_sort(result, {}, [&](const PointUm& p) {
+    return std::max(std::abs(p.x / field - middle), std::abs(p.y / field));
   });
   return result;
 }
@@ -85,9 +82,8 @@ std::vector<PointUm> places(const Workspace& space, Micrometres field) {
 std::string free_name(const Workcell& workcell) {
   for (std::size_t number = workcell.blocks.size() + 1;; ++number) {
     std::string name = "block " + std::to_string(number);
-    const bool is_taken = std::any_of(workcell.blocks.begin(), workcell.blocks.end(),
-                                      [&](const Block& block) { return block.name == name; });
-    if (!is_taken) return name;
+    if (std::ranges::find(workcell.blocks, name, &Block::name) == workcell.blocks.end())
+      return name;
   }
 }
 

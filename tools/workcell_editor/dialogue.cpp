@@ -154,8 +154,7 @@ std::string WorkcellDialogue::run_command(const std::string& line) {
   const std::vector<std::string> like = dialogue::words_like(line.substr(0, end), names);
   if (like.empty()) return "Unknown command; ? shows the commands.";
   if (like.size() > 1) return "Which one: " + like[0] + " or " + like[1] + "?";
-  const auto command = std::find_if(commands().begin(), commands().end(),
-                                    [&](const Command& c) { return c.name == like[0]; });
+  const auto command = std::ranges::find(commands(), like[0], &Command::name);
   if (command->needs_block) {
     const auto index = block_named(argument);
     if (!index) return like[0] + " which block? Give its name or its letter; view shows them.";
@@ -169,9 +168,8 @@ std::string WorkcellDialogue::run_command(const std::string& line) {
 /// Finds a block by its name or else by its letter in the view.
 std::optional<std::size_t> WorkcellDialogue::block_named(const std::string& name) const {
   const std::vector<Block>& blocks = workcell_.blocks;
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    if (blocks[i].name == name) return i;
-  }
+  const auto named = std::ranges::find(blocks, name, &Block::name);
+  if (named != blocks.end()) return static_cast<std::size_t>(named - blocks.begin());
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const char letter = block_letter(i);
     if (letter != '#' && name == std::string(1, letter)) return i;
