@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "cell/failure.hpp"
-#include "cell/rewind.hpp"
 #include "protocol/explain/diagnostic.hpp"
 #include "protocol/explain/event_report.hpp"
 #include "protocol/explain/line_notes.hpp"
@@ -174,7 +173,10 @@ void Cell::handle(const LineSettings& reported, WallNs) {
 Applied Cell::handle(const BytesIn& in, WallNs) {
   SerialLine* line = open_line(in.line);
   if (line == nullptr) return {};
-  if (in.line == kProbeLine) return take_unseen(*line, in.bytes);
+  if (in.line == kProbeLine) {  // its bytes are not counted, recorded or reported
+    exchanges_.clear();
+    return {.bytes_taken = line->receive(in.bytes, simulation_, exchanges_)};
+  }
   if (is_unread(in.line)) return {};
   last_input_tick_ = state().tick;
   if (line->bytes_in() == 0 && line->is_network()) line->examine(in.bytes);
@@ -190,13 +192,6 @@ Applied Cell::handle(const BytesIn& in, WallNs) {
   schedule(in.line, *line);
   emit_all(in.line, warnings_.finish(in.line, state().tick));
   return {.bytes_taken = taken};
-}
-
-/// Receives bytes of the probe's line. They act normally, but are not counted, recorded or
-/// reported.
-Applied Cell::take_unseen(SerialLine& line, std::string_view bytes) {
-  exchanges_.clear();
-  return {.bytes_taken = line.receive(bytes, simulation_, exchanges_)};
 }
 
 /// Receives the bytes of one record, and records them with their effects and replies. Returns the

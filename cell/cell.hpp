@@ -144,6 +144,8 @@ class Cell final : private LineListener {
   /// The cell was taken back: time stands, lines are not read, and calls that change the cell are
   /// refused with `in_the_past`, until the call `resume`. The clock is then as it was before.
   bool is_in_past() const { return is_in_past_; }
+  /// The refusal of whatever would change a cell that is in its past.
+  static call::Refused in_the_past();
   /// Whether the bytes of an open line wait: for another line, or because the cell is in the past.
   bool is_unread(LineId line) const {
     return line != kProbeLine && (is_in_past_ || line_before(line));
@@ -295,7 +297,6 @@ class Cell final : private LineListener {
   void schedule(LineId id, const SerialLine& line);
   void schedule_all();
   void restart_lines();
-  Applied take_unseen(SerialLine& line, std::string_view bytes);
   std::size_t receive_piece(LineId id, SerialLine& line, std::string_view bytes);
   void deliver(LineId line, std::uint8_t reply, const Command& inquiry);
   void emit_device(DeviceNews news, DeviceNote note = {});

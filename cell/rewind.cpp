@@ -1,13 +1,11 @@
 // A cell that was taken back to its past: it shows that state, and waits for the call `resume`.
-#include "cell/rewind.hpp"
-
 #include <cassert>
 
 #include "cell/cell.hpp"
 
 namespace xr3 {
 
-call::Refused in_the_past() {
+call::Refused Cell::in_the_past() {
   return {"in_the_past", "the robot was taken back to its past, and waits",
           "call resume to go on from here, which drops what came after, or seek another time"};
 }

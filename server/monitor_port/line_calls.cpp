@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "cell/rewind.hpp"
+#include "cell/cell.hpp"
 #include "protocol/explain/diagnostic.hpp"
 #include "protocol/explain/event_report.hpp"
 #include "server/monitor_port/service.hpp"
@@ -128,7 +128,7 @@ MonitorService::Answer MonitorService::send(HostedCell& at, MonitorSession& sess
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   const std::string& bytes = std::get<monitor::Send>(wanted.call).bytes;
   if (cell.is_in_past()) {
-    const call::Refused no = in_the_past();
+    const call::Refused no = Cell::in_the_past();
     return at_once(refused(request.id, {{}, no.code, no.message, no.hint, {}}));
   }
   if (const std::optional<LineId> current = cell.current_line();

@@ -1,5 +1,3 @@
-#include "cell/rewind.hpp"
-
 #include <gtest/gtest.h>
 
 #include "cell/cell.hpp"
