@@ -1,13 +1,6 @@
 #include "cell/agenda.hpp"
 
-#include <cassert>
-
 namespace xr3 {
-
-const Due& Agenda::first() const {
-  assert(!empty());
-  return *dues_.begin();
-}
 
 void Agenda::set(LineId line, Direction direction, std::optional<Micros> at) {
   const std::pair key{line, direction};
@@ -20,11 +13,6 @@ void Agenda::set(LineId line, Direction direction, std::optional<Micros> at) {
   if (!at) return;
   moments_.emplace(key, *at);
   dues_.insert({*at, line, direction});
-}
-
-void Agenda::forget(LineId line) {
-  set(line, Direction::kIn, std::nullopt);
-  set(line, Direction::kOut, std::nullopt);
 }
 
 }  // namespace xr3

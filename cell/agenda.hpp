@@ -2,6 +2,7 @@
 // has at most one entry for each direction: that of the byte under way.
 #pragma once
 
+#include <cassert>
 #include <compare>
 #include <map>
 #include <optional>
@@ -26,12 +27,17 @@ class Agenda {
   bool empty() const { return dues_.empty(); }
   /// The earliest entry; of several at one moment that of the lowest line, input first.
   /// Precondition: not empty.
-  const Due& first() const;
+  const Due& first() const {
+    assert(!empty());
+    return *dues_.begin();
+  }
 
   /// Replaces the entry of a line and direction; nullopt removes it.
   void set(LineId line, Direction direction, std::optional<Micros> at);
   /// Removes the entries of a line.
-  void forget(LineId line);
+  void forget(LineId line) {
+    for (const Direction each : {Direction::kIn, Direction::kOut}) set(line, each, std::nullopt);
+  }
 
  private:
   std::set<Due> dues_;

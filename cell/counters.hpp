@@ -49,7 +49,16 @@ struct CellCounters {
   std::int64_t loop_lag_ns = 0;  ///< the greatest of the last minute, see server/net/loop_lag
 
   /// Adds the counts of a cell: of its lines, commands, warnings and ticks.
-  CellCounters& operator+=(const CellCounters& cell);
+  CellCounters& operator+=(const CellCounters& cell) {
+    lines_total += cell.lines_total;
+    for (std::size_t i = 0; i < lines_closed.size(); ++i) lines_closed[i] += cell.lines_closed[i];
+    bytes_in += cell.bytes_in;
+    bytes_out += cell.bytes_out;
+    for (std::size_t i = 0; i < commands.size(); ++i) commands[i] += cell.commands[i];
+    for (const auto& [code, count] : cell.warnings) warnings[code] += count;
+    ticks += cell.ticks;
+    return *this;
+  }
 
   std::uint64_t& of(const Command& command) { return commands[command.index()]; }
   std::uint64_t& of(LineCloseReason reason) {

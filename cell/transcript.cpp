@@ -22,12 +22,9 @@ char digit_of(unsigned nibble) { return "0123456789abcdef"[nibble]; }
 }  // namespace
 
 std::string_view name_of(TranscriptMark mark) {
-  switch (mark) {
-    case TranscriptMark::kArrivalOrder: return "arrival_order";
-    case TranscriptMark::kNotBytesAlone: return "not_bytes_alone";
-    case TranscriptMark::kSilence: return "silence";
-  }
-  return "";
+  constexpr std::array<std::string_view, kTranscriptMarks> kNames{"arrival_order",
+                                                                  "not_bytes_alone", "silence"};
+  return kNames.at(static_cast<std::size_t>(mark));
 }
 
 std::string transcript_digest(const TranscriptSummary& summary, const Model& model,

@@ -17,17 +17,34 @@ class Transmitter {
 
   bool is_busy() const { return is_busy_; }
   /// Begins the first character of a run. Precondition: not busy.
-  void start(Micros now);
+  void start(Micros now) {
+    assert(!is_busy_);
+    is_busy_ = true;
+    start_ = now;
+    characters_ = 0;
+  }
   /// When the character under way is complete. Precondition: busy.
-  Micros due() const;
+  Micros due() const {
+    assert(is_busy_);
+    return start_ + time_.of(characters_ + 1);
+  }
   /// The character under way is complete; the next one follows at once if there are more.
   /// Precondition: busy.
-  void complete(bool has_more);
+  void complete(bool has_more) {
+    assert(is_busy_);
+    ++characters_;
+    is_busy_ = has_more;
+  }
   /// The character under way starts again with the next start(). No effect if not busy.
   void stop() { is_busy_ = false; }
 
   /// Characters take this time from the one under way on.
-  void set_time(const CharacterTime& time);
+  void set_time(const CharacterTime& time) {
+    if (time == time_) return;
+    start_ += time_.of(characters_);
+    characters_ = 0;
+    time_ = time;
+  }
 
   /// The time of characters follows from the settings of the line.
   void write_state(StateWriter& out) const {
