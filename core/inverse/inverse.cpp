@@ -6,7 +6,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "core/inverse/slide.hpp"
 #include "core/inverse/solvers.hpp"
 #include "core/stall.hpp"
 
@@ -19,6 +18,37 @@ constexpr int kMaxJointsForTip = 3;
 
 using inverse::Candidate;
 using inverse::Candidates;
+
+// An arm that stands on a mount or on a slide has the closed form of the bare arm, in that one's
+// base frame, once the place of the slide is chosen.
+
+bool has_slide(const Robot& robot) { return !robot.joints.front().is_revolute(); }
+
+/// Whether there is a mount or a slide below the arm.
+bool is_carried(const Robot& robot) { return robot.mount || has_slide(robot); }
+
+/// The joints behind mount and slide, without outlines, couplings and tool. Only for their
+/// Denavit-Hartenberg rows and homes.
+Robot carried_arm(const Robot& robot) {
+  Robot arm;
+  arm.joints.assign(robot.joints.begin() + (has_slide(robot) ? 1 : 0), robot.joints.end());
+  return arm;
+}
+
+/// From the base frame to frame 0 of carried_arm(). `slide_mm` is ignored without a slide.
+Transform carrier_pose(const Robot& robot, double slide_mm) {
+  const JointVariables slide(has_slide(robot) ? 1 : 0, slide_mm);
+  return base_transforms_at(robot, slide).back();
+}
+
+/// The target in the frame with this pose.
+ToolTarget seen_from(const Transform& pose, const ToolTarget& target) {
+  const Eigen::Matrix3d turn = pose.block<3, 3>(0, 0).transpose();
+  ToolTarget seen = target;
+  seen.p_mm = turn * (target.p_mm - pose.block<3, 1>(0, 3));
+  seen.rotation = turn * target.rotation;
+  return seen;
+}
 
 Eigen::Vector3d tip_of(const Transform& pose) { return pose.block<3, 1>(0, 3); }
 
@@ -132,12 +162,11 @@ Candidates find_candidates(const Robot& robot, InverseMethod method, const ToolT
   }
   if (method == InverseMethod::kNumerical)
     return inverse::solve_numerically(robot, target, options);
-  if (!inverse::is_carried(robot)) return solve_arm(robot, method, target, options);
+  if (!is_carried(robot)) return solve_arm(robot, method, target, options);
   const double slide_mm = options.slide_mm.value_or(robot.joints.front().drive.home);
-  const Transform carrier = inverse::carrier_pose(robot, slide_mm);
-  found =
-      solve_arm(inverse::carried_arm(robot), method, inverse::seen_from(carrier, target), options);
-  if (!inverse::has_slide(robot)) return found;
+  const Transform carrier = carrier_pose(robot, slide_mm);
+  found = solve_arm(carried_arm(robot), method, seen_from(carrier, target), options);
+  if (!has_slide(robot)) return found;
   found.set_free(InverseFreedom::kSlide);
   for (Candidate& candidate : found.list)
     candidate.variables.insert(candidate.variables.begin(), slide_mm);
@@ -197,12 +226,11 @@ ToolTarget tip_target(const Eigen::Vector3d& p_mm) {
 }
 
 InverseMethod inverse_method(const Robot& robot) {
-  return inverse::is_carried(robot) ? method_of_arm(inverse::carried_arm(robot))
-                                    : method_of_arm(robot);
+  return is_carried(robot) ? method_of_arm(carried_arm(robot)) : method_of_arm(robot);
 }
 
 bool keeps_slide(const Robot& robot) {
-  return inverse::has_slide(robot) && inverse_method(robot) != InverseMethod::kNumerical;
+  return has_slide(robot) && inverse_method(robot) != InverseMethod::kNumerical;
 }
 
 InverseResult solve_inverse(const Model& model, const ToolTarget& target,
