@@ -6,7 +6,7 @@
 #include "server/files/load_model.hpp"
 #include "server/files/png.hpp"
 #include "server/options/pose_argument.hpp"
-#include "tools/drawing/drawing.hpp"
+#include "tools/drawing/picture.hpp"
 #include "tools/drawing/svg.hpp"
 
 namespace xr3 {

@@ -19,7 +19,7 @@
 #include "server/files/atomic_write.hpp"
 #include "server/log.hpp"
 #include "server/recording/joint_table.hpp"
-#include "tools/drawing/drawing.hpp"
+#include "tools/drawing/picture.hpp"
 #include "tools/drawing/svg.hpp"
 
 namespace xr3 {

@@ -12,7 +12,7 @@
 #include "server/files/atomic_write.hpp"
 #include "server/files/data_files.hpp"
 #include "server/files/load_model.hpp"
-#include "tools/drawing/drawing.hpp"
+#include "tools/drawing/picture.hpp"
 #include "tools/drawing/svg.hpp"
 
 namespace xr3 {

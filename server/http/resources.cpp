@@ -14,7 +14,7 @@
 #include "server/http/web_assets.hpp"
 #include "server/net/wall_clock.hpp"
 #include "server/options/options.hpp"
-#include "tools/drawing/drawing.hpp"
+#include "tools/drawing/picture.hpp"
 #include "tools/drawing/pbm.hpp"
 #include "tools/drawing/svg.hpp"
 

@@ -25,7 +25,7 @@
 #include "server/options/replay.hpp"
 #include "server/options/term.hpp"
 #include "server/options/watch.hpp"
-#include "tools/drawing/drawing.hpp"
+#include "tools/drawing/picture.hpp"
 #include "tools/kin/question.hpp"
 
 namespace xr3 {

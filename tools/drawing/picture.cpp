@@ -2,12 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace xr3 {
 namespace {
 
 constexpr double kMaxHeights = 2;  ///< maximum height, in widths
 constexpr double kMinSpanMm = 1;   ///< keeps the scale finite for an empty picture
+
+std::string title(const Model& model, const ViewVector& view) {
+  return model.robot().name + " seen from (" + std::to_string(view.x) + ", " +
+         std::to_string(view.y) + ", " + std::to_string(view.z) + ")";
+}
 
 }  // namespace
 
@@ -38,6 +44,17 @@ Picture lay_out(const std::vector<FlatWire>& wires, const Extents& extents, int 
            kPictureMarginPx + (extents.high.y() - p.y()) * scale};
     }
   }
+  return picture;
+}
+
+Picture drawing(const Model& model, const State& state, const ViewVector& vector, int width_px) {
+  const View view = view_along(vector);
+  std::vector<Wire> wires{surface_wire(model.workcell())};
+  for (Wire& wire : wireframe(model, state)) wires.push_back(std::move(wire));
+  const std::vector<FlatWire> flat = projected(view, wires);
+  const Extents extents = view_extents(view, model.workcell().workspace, behind_mm(model));
+  Picture picture = lay_out(flat, around(extents, flat), width_px);
+  picture.title = title(model, vector);
   return picture;
 }
 

@@ -1,4 +1,5 @@
-// A wire frame in pixel coordinates, from which an SVG or a raster image is made.
+// The robot in its workcell as a wire frame in pixel coordinates, from which an SVG or a raster
+// image is made, for `xr3 draw` and the monitor port.
 #pragma once
 
 #include <string>
@@ -7,12 +8,15 @@
 #include "core/drawing/palette.hpp"
 #include "core/drawing/view.hpp"
 #include "core/drawing/wireframe.hpp"
+#include "core/model.hpp"
+#include "core/state.hpp"
 
 namespace xr3 {
 
 inline constexpr int kPictureMarginPx = 20;
 inline constexpr int kMinPictureWidthPx = 100;
 inline constexpr int kMaxPictureWidthPx = 4000;
+inline constexpr int kUsualPictureWidthPx = 900;
 
 /// The origin is the upper left corner; x to the right, y down, in pixels.
 struct Picture {
@@ -30,6 +34,11 @@ Extents around(Extents extents, const std::vector<FlatWire>& wires);
 /// the same scale for both axes. The height follows, up to twice the width; higher extents are
 /// scaled down and centred.
 Picture lay_out(const std::vector<FlatWire>& wires, const Extents& extents, int width_px);
+
+/// The current wire frame with the work surface, seen along the vector. The picture is large enough
+/// for the parts outside the paper's view plane. width_px:
+/// kMinPictureWidthPx...kMaxPictureWidthPx.
+Picture drawing(const Model& model, const State& state, const ViewVector& view, int width_px);
 
 /// Line width of a part.
 double line_width_px(const std::string& part);
