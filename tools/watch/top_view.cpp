@@ -27,9 +27,9 @@ double round_up(double number) {
 }
 
 /// The picture. A character is `mm_` wide and twice as high, as on most terminals.
-class Picture {
+class Grid {
  public:
-  explicit Picture(const Workspace& space)
+  explicit Grid(const Workspace& space)
       : mm_(round_up(std::max(2 * mm(space.y_um) / kMaxColumns, mm(space.x_um) / kMaxRows / 2))),
         half_(static_cast<int>(std::ceil(mm(space.y_um) / mm_ - 0.5))),
         rows_(static_cast<int>(std::ceil(mm(space.x_um) / mm_ / 2))),
@@ -61,7 +61,7 @@ class Picture {
   std::vector<std::string> lines_;
 };
 
-std::string Picture::framed(const Workspace& space) const {
+std::string Grid::framed(const Workspace& space) const {
   const auto width = static_cast<std::size_t>(columns());
   const auto half = static_cast<std::size_t>(half_);
   const std::string edge(half, '-');
@@ -74,7 +74,7 @@ std::string Picture::framed(const Workspace& space) const {
   return text + left + std::string(width > used ? width + 1 - used : 1, ' ') + right + "\n";
 }
 
-void draw_reach(Picture& picture, const ReachAbove& reaches) {
+void draw_reach(Grid& picture, const ReachAbove& reaches) {
   for (int row = 0; row < picture.rows(); ++row) {
     for (int column = 0; column < picture.columns(); ++column) {
       if (reaches(picture.x_at(row), picture.y_at(column))) picture.put(row, column, '.');
@@ -82,7 +82,7 @@ void draw_reach(Picture& picture, const ReachAbove& reaches) {
   }
 }
 
-void draw_camera(Picture& picture, const Camera& camera) {
+void draw_camera(Grid& picture, const Camera& camera) {
   const double x = mm(camera.location_um.x);
   const double y = mm(camera.location_um.y);
   const int top = std::max(picture.row_of(x + mm(camera.field_x_um) / 2), -1);
@@ -100,7 +100,7 @@ void draw_camera(Picture& picture, const Camera& camera) {
 }
 
 /// Every character whose centre lies in the block, and the one at the block's centre.
-void draw_block(Picture& picture, const Block& block, char letter) {
+void draw_block(Grid& picture, const Block& block, char letter) {
   const double x = mm(block.centroid_um.x);
   const double y = mm(block.centroid_um.y);
   const double yaw = degrees(block.yaw_udeg) * kPi / 180;
@@ -124,7 +124,7 @@ void draw_block(Picture& picture, const Block& block, char letter) {
 }
 
 /// In order of their tops, so that the upper of stacked blocks is visible.
-void draw_blocks(Picture& picture, const std::vector<Block>& blocks) {
+void draw_blocks(Grid& picture, const std::vector<Block>& blocks) {
   std::vector<std::size_t> order(blocks.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto top = [&](std::size_t i) { return blocks[i].centroid_um.z * 2 + blocks[i].size_um.z; };
@@ -153,7 +153,7 @@ std::string block_legend(const std::vector<Block>& blocks) {
 }  // namespace
 
 std::string top_view(const Workcell& workcell, const ReachAbove& reaches) {
-  Picture picture(workcell.workspace);
+  Grid picture(workcell.workspace);
   if (reaches) draw_reach(picture, reaches);
   if (workcell.camera) draw_camera(picture, *workcell.camera);
   draw_blocks(picture, workcell.blocks);
