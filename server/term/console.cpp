@@ -5,7 +5,7 @@
 
 #include "server/commands/terminal.hpp"
 #include "server/net/spawn.hpp"
-#include "tools/term/hex_text.hpp"
+#include "tools/term/line_decoder.hpp"
 
 namespace xr3 {
 namespace {

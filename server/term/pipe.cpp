@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "server/net/spawn.hpp"
-#include "tools/term/hex_text.hpp"
+#include "tools/term/line_decoder.hpp"
 
 namespace xr3 {
 

@@ -57,6 +57,16 @@ std::string text_of_inquiry(const RawBytes& raw) {
 
 }  // namespace
 
+std::string hex_lines(char mark, std::string_view bytes) {
+  constexpr std::size_t kBytesOfLine = 16;
+  std::string text;
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    if (at % kBytesOfLine == 0) text += (at == 0 ? "" : "\n") + std::string(1, mark);
+    text += " " + hexadecimal(bytes.substr(at, 1));
+  }
+  return text.empty() ? text : text + "\n";
+}
+
 std::vector<std::string> LineDecoder::send(std::string_view bytes) {
   std::vector<IgnoredRun> ignored;
   std::vector<Parsed> items;

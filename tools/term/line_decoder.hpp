@@ -14,6 +14,10 @@
 
 namespace xr3::term {
 
+/// Lines of at most 16 bytes such as `> 45 3f 0d`, each with a line feed; `mark` is > for bytes
+/// sent and < for bytes received.
+std::string hex_lines(char mark, std::string_view bytes);
+
 class LineDecoder {
  public:
   /// With so many unanswered inquiries no more bytes should be sent.
