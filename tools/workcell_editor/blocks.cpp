@@ -105,10 +105,6 @@ void WorkcellDialogue::change() {
                      {yaw_step(), height_step(), color_step()}}));
 }
 
-void WorkcellDialogue::move() { edit_block(joined({place_steps(), {height_step()}})); }
-
-void WorkcellDialogue::turn_block() { edit_block({yaw_step()}); }
-
 void WorkcellDialogue::remove() {
   ask_yes_no("Remove \"" + block_.name + "\"?", true, "yes: remove it. no: keep it.",
              [this](bool removes) {

@@ -119,21 +119,26 @@ WorkcellDialogue::Steps WorkcellDialogue::joined(const std::vector<Steps>& parts
 
 const std::vector<WorkcellDialogue::Command>& WorkcellDialogue::commands() {
   using Self = WorkcellDialogue;
-  static const std::vector<Command> table = {{"help", &Self::help},
-                                             {"list", &Self::list},
-                                             {"view", &Self::view},
-                                             {"check", &Self::check},
-                                             {"add", &Self::add},
-                                             {"change", &Self::change, true},
-                                             {"move", &Self::move, true},
-                                             {"turn", &Self::turn_block, true},
-                                             {"remove", &Self::remove, true},
-                                             {"name", &Self::name},
-                                             {"workspace", &Self::workspace},
-                                             {"surface", &Self::surface},
-                                             {"camera", &Self::camera},
-                                             {"save", &Self::save},
-                                             {"quit", &Self::quit}};
+  static const std::vector<Command> table = {
+      {"help", [](Self& self) { self.say(kMenuHelp); }},
+      {"list", [](Self& self) { self.say(workcell_summary(self.workcell_)); }},
+      {"view", &Self::view},
+      {"check", &Self::check},
+      {"add", &Self::add},
+      {"change", &Self::change, true},
+      {"move",
+       [](Self& self) {
+         self.edit_block(joined({self.place_steps(), {self.height_step()}}));
+       },
+       true},
+      {"turn", [](Self& self) { self.edit_block({self.yaw_step()}); }, true},
+      {"remove", &Self::remove, true},
+      {"name", [](Self& self) { self.edit_room(self.name_steps()); }},
+      {"workspace", [](Self& self) { self.edit_room(self.workspace_steps()); }},
+      {"surface", [](Self& self) { self.edit_room(self.surface_steps()); }},
+      {"camera", &Self::camera},
+      {"save", &Self::save},
+      {"quit", &Self::quit}};
   return table;
 }
 
@@ -161,7 +166,7 @@ std::string WorkcellDialogue::run_command(const std::string& line) {
     block_index_ = *index;
     block_ = workcell_.blocks[*index];
   }
-  (this->*command->action)();
+  command->action(*this);
   return "";
 }
 
@@ -181,10 +186,6 @@ std::optional<std::size_t> WorkcellDialogue::block_named(const std::string& name
 void WorkcellDialogue::say(const std::string& text) {
   for (const char c : text) text_ += (c >= 0 && c < ' ' && c != '\n') || c == '\x7F' ? '?' : c;
 }
-
-void WorkcellDialogue::help() { say(kMenuHelp); }
-
-void WorkcellDialogue::list() { say(workcell_summary(workcell_)); }
 
 /// Reach of the hand just above the work surface.
 ReachAbove WorkcellDialogue::reach_above() {

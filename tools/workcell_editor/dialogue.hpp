@@ -63,7 +63,7 @@ class WorkcellDialogue {
 
   struct Command {
     std::string name;
-    void (WorkcellDialogue::*action)();
+    std::function<void(WorkcellDialogue&)> action;
     bool needs_block = false;
   };
   static const std::vector<Command>& commands();
@@ -84,18 +84,11 @@ class WorkcellDialogue {
   std::optional<std::size_t> block_named(const std::string& name) const;
 
   // Commands of the menu.
-  void help();
-  void list();
   void view();
   void check();
   void add();
   void change();
-  void move();
-  void turn_block();
   void remove();
-  void name();
-  void workspace();
-  void surface();
   void camera();
   void save();
   void quit();

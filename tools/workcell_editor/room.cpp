@@ -75,8 +75,6 @@ WorkcellDialogue::Steps WorkcellDialogue::name_steps() {
           }};
 }
 
-void WorkcellDialogue::name() { edit_room(name_steps()); }
-
 WorkcellDialogue::Steps WorkcellDialogue::workspace_steps() {
   Workspace& space = draft_.workspace;
   return {length_step("Workspace X, to the front", kAnySize, kAnySize, space.x_um,
@@ -86,8 +84,6 @@ WorkcellDialogue::Steps WorkcellDialogue::workspace_steps() {
           length_step("Workspace Z, upwards", kAnySize, kAnySize, space.z_um,
                       "It reaches from the foot of the base, z = 0, to z = Z.")};
 }
-
-void WorkcellDialogue::workspace() { edit_room(workspace_steps()); }
 
 WorkcellDialogue::Steps WorkcellDialogue::surface_steps() {
   return {[this] {
@@ -102,8 +98,6 @@ WorkcellDialogue::Steps WorkcellDialogue::surface_steps() {
                 "yes: the robot stalls when its tip goes below the table. no: only a warning.");
           }};
 }
-
-void WorkcellDialogue::surface() { edit_room(surface_steps()); }
 
 // The camera.
 
