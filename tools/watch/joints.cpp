@@ -117,21 +117,17 @@ std::string aligned(const std::string& text, const Column& column) {
   return std::string(width - letters, ' ') + text;
 }
 
+/// nullptr: the heading.
 void paint_row(TextScreen& screen, int at, int from, const std::vector<Column>& columns,
-               const Row& row) {
+               const Row* row) {
+  const TextStyle style = row == nullptr ? TextStyle::kFaint : style_of(row->axis);
   for (const Column& column : columns) {
-    if (column.kind == Column::Kind::kBar) {
-      paint_bar(screen, at, from, column.width, row);
+    if (row != nullptr && column.kind == Column::Kind::kBar) {
+      paint_bar(screen, at, from, column.width, *row);
     } else {
-      screen.put(at, from, aligned(column.text(row), column), style_of(row.axis), column.width);
+      const std::string text = row == nullptr ? column.name : column.text(*row);
+      screen.put(at, from, aligned(text, column), style, column.width);
     }
-    from += column.width + 1;
-  }
-}
-
-void paint_heading(TextScreen& screen, int at, int from, const std::vector<Column>& columns) {
-  for (const Column& column : columns) {
-    screen.put(at, from, aligned(column.name, column), TextStyle::kFaint, column.width);
     from += column.width + 1;
   }
 }
@@ -153,10 +149,10 @@ void paint_joints(TextScreen& screen, const TextArea& area, const Known& known,
   const int end = area.row + area.rows;
   int at = area.row;
   if (area.rows > static_cast<int>(rows.size())) {
-    paint_heading(screen, at++, area.column, columns);
+    paint_row(screen, at++, area.column, columns, nullptr);
   }
   for (std::size_t i = 0; i < rows.size() && at < end; ++i, ++at) {
-    paint_row(screen, at, area.column, columns, rows[i]);
+    paint_row(screen, at, area.column, columns, &rows[i]);
   }
 }
 

@@ -92,11 +92,10 @@ std::vector<std::string> WatchModel::first_requests(const Json& channels) {
     requests.push_back(request(members));
   };
   const char* op = is_once ? "get" : "sub";
-  Json state_options = Json::object();
-  Json image_options{{"encoding", "rle"}};
-  if (!is_once) state_options["max_hz"] = kMaxStatesPerS;
-  if (!is_once) image_options["max_hz"] = kMaxImagesPerS;
-
+  const auto limited = [is_once](Json options, int max_hz) {
+    if (!is_once) options["max_hz"] = max_hz;
+    return options;
+  };
   if (!wish_.token.empty() && !std::exchange(has_sent_token_, true)) requests.push_back(auth());
   const std::string last = Json{{"op", "ping"}, {"id", kLastId}}.dump() + "\n";
   if (known_.is_locked) {  // with the token, another `hello` follows
@@ -104,11 +103,9 @@ std::vector<std::string> WatchModel::first_requests(const Json& channels) {
     return requests;
   }
   add(op, "model", Json{{"fields", {"robot"}}});
-  add(op, "state", state_options);
-  Json display_options{{"fields", kDisplayFields}};
-  if (!is_once) display_options["max_hz"] = kMaxStatesPerS;
-  add(op, "display", display_options);
-  add(op, "image", image_options);
+  add(op, "state", limited(Json::object(), kMaxStatesPerS));
+  add(op, "display", limited({{"fields", kDisplayFields}}, kMaxStatesPerS));
+  add(op, "image", limited({{"encoding", "rle"}}, kMaxImagesPerS));
   // Subscribe first, then get earlier events: an event that arrives both ways has the same seq.
   if (!is_once) add("sub", "event", Json::object());
   add("get", "event", Json::object());

@@ -18,13 +18,6 @@ std::string lines_text(const std::vector<bool>& lines) {
   return text;
 }
 
-/// Puts text into `columns` columns, cut if it is longer. Returns the column after them.
-int put_padded(TextScreen& screen, int row, int column, const std::string& text, int columns,
-               TextStyle style) {
-  screen.put(row, column, text, style, columns - 1);
-  return column + columns;
-}
-
 /// A number right-aligned in `columns` columns.
 std::string right(double number, std::size_t columns) {
   const std::string text = fixed_number(number, 1);
@@ -35,11 +28,11 @@ void paint_block(TextScreen& screen, int row, const TextArea& area, const Block&
   constexpr std::size_t kColumn = 8;
   const TextStyle style = block.is_held ? TextStyle::kGood : TextStyle::kPlain;
   const int name = std::min(kBlockName, area.columns);
-  const int at = put_padded(screen, row, area.column, block.name, name, style);
+  screen.put(row, area.column, block.name, style, name - 1);
   std::string text;
   for (const double mm : block.xyz_mm) text += right(mm, kColumn);
   text += right(block.yaw_deg, kColumn) + (block.is_held ? " held" : "");
-  screen.put(row, at, text, style, area.column + area.columns - at);
+  screen.put(row, area.column + name, text, style, area.columns - name);
 }
 
 /// If not all blocks fit, the last row shows the number of the others.
