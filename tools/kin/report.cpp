@@ -65,20 +65,18 @@ std::string links_text(const Model& model, const KinPose& pose) {
 std::string tool_text(const KinPose& pose) {
   const Transform tool = pose.tool();
   const Eigen::Matrix3d rotation = tool.block<3, 3>(0, 0);
-  Rows rows;
-  rows.push_back({"tip", vector_text(tool.block<3, 1>(0, 3)) + " mm"});
-  rows.push_back({"normal (x)", vector_text(rotation.col(0))});
-  rows.push_back({"sliding (y)", vector_text(rotation.col(1))});
-  rows.push_back({"approach (z)", vector_text(rotation.col(2))});
-  rows.push_back(
-      {"yaw, pitch, roll", vector_text(yaw_pitch_roll_deg(rotation), kAngleDecimals) + " deg"});
-  rows.push_back({"configuration w", vector_text(pose.w, 5)});
-  rows.push_back({"net roll", plain_number(pose.net_roll_deg, kAngleDecimals) + " deg"});
-  rows.push_back({"jaws", plain_number(pose.opening_mm) + " mm open"});
-  rows.push_back(
+  const Rows rows{
+      {"tip", vector_text(tool.block<3, 1>(0, 3)) + " mm"},
+      {"normal (x)", vector_text(rotation.col(0))},
+      {"sliding (y)", vector_text(rotation.col(1))},
+      {"approach (z)", vector_text(rotation.col(2))},
+      {"yaw, pitch, roll", vector_text(yaw_pitch_roll_deg(rotation), kAngleDecimals) + " deg"},
+      {"configuration w", vector_text(pose.w, 5)},
+      {"net roll", plain_number(pose.net_roll_deg, kAngleDecimals) + " deg"},
+      {"jaws", plain_number(pose.opening_mm) + " mm open"},
       {"at whole counts", plain_number(pose.rounded.mm, kDecimals) + " mm and " +
                               plain_number(pose.rounded.deg, kDecimals) + " deg off" +
-                              (pose.in_protected_region ? ", in the protected region" : "")});
+                              (pose.in_protected_region ? ", in the protected region" : "")}};
   return "\nTool\n" + text_table(rows, "ll");
 }
 
