@@ -16,21 +16,6 @@ call::Refused no_such_fault(const State& state, const std::string& name) {
           names.empty() ? "there are no faults; fault_set adds one" : "the faults are " + names};
 }
 
-call::Refused no_joint_for_fault(const Model& model, char label) {
-  return {"no_such_joint", "this robot has no joint " + std::string(1, label),
-          "its labels are " + model.labels()};
-}
-
-call::Refused device_has_no_faults() {
-  return {"has_device", "faults are for the simulation, and a device is connected",
-          "start the server without --serial to set faults"};
-}
-
-call::Refused too_many_faults() {
-  return {"limit", "there are " + std::to_string(kMaxFaults) + " faults already",
-          "call fault_clear, or use the name of one of them"};
-}
-
 }  // namespace
 
 void Cell::set_faults(FaultPlan plan) {
@@ -62,12 +47,20 @@ void Cell::note_fault(const EventBody& event) {
 }
 
 call::Outcome Cell::carry_out(const call::SetFault& set, WallNs) {
-  if (device_) return device_has_no_faults();
+  if (device_) {
+    return call::Refused{"has_device", "faults are for the simulation, and a device is connected",
+                         "start the server without --serial to set faults"};
+  }
   const Fault& fault = set.fault;
-  if (fault.joint != 0 && model().index_of(fault.joint) < 0)
-    return no_joint_for_fault(model(), fault.joint);
+  if (fault.joint != 0 && model().index_of(fault.joint) < 0) {
+    return call::Refused{"no_such_joint", "this robot has no joint " + std::string(1, fault.joint),
+                         "its labels are " + model().labels()};
+  }
   const bool is_new = find_fault(state(), fault.name) == nullptr;
-  if (is_new && state().faults.all.size() >= kMaxFaults) return too_many_faults();
+  if (is_new && state().faults.all.size() >= kMaxFaults) {
+    return call::Refused{"limit", "there are " + std::to_string(kMaxFaults) + " faults already",
+                         "call fault_clear, or use the name of one of them"};
+  }
   if (set.seed) simulation_.edit().faults.seed = *set.seed;
   simulation_.set_fault(fault);
   schedule_all();
