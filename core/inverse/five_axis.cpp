@@ -73,14 +73,10 @@ void solve_at(double base_rad, const Robot& robot, const ToolTarget& target,
        two_link_postures(links, hand.wrist, options.tolerance_mm, found)) {
     const double pitch = hand.slope_rad - at.first_rad - at.second_rad;
     JointVariables variables{base[0], to_deg(at.first_rad), to_deg(at.second_rad), to_deg(pitch)};
-    const Eigen::Vector3d elbow =
-        rotation * Eigen::Vector3d(std::cos(at.first_rad), std::sin(at.first_rad), 0) *
-        links.first_mm;
     const Eigen::Vector3d wrist = rotation * Eigen::Vector3d(hand.wrist.x(), hand.wrist.y(), 0);
     add_last(robot, target, variables);
     found.list.push_back({std::move(variables), std::string(ahead > -kOnAxisMm ? "front" : "back") +
-                                                    ", " +
-                                                    elbow_name(elbow, wrist, at.second_rad)});
+                                                    ", " + elbow_name(rotation, links, at, wrist)});
   }
 }
 

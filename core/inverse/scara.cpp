@@ -58,14 +58,11 @@ Candidates solve_scara(const Robot& robot, const ToolTarget& target,
   const TwoLinks links{row(robot, 1).a_mm, row(robot, 2).a_mm, to_rad(robot.joints[0].drive.home)};
   const Eigen::Vector2d wrist = target.p_mm.head<2>();
   for (const TwoLinkPosture& at : two_link_postures(links, wrist, options.tolerance_mm, found)) {
-    const Eigen::Vector3d elbow =
-        links.first_mm * Eigen::Vector3d(std::cos(at.first_rad), std::sin(at.first_rad), 0);
     JointVariables variables{to_deg(at.first_rad), way.after_first * to_deg(at.second_rad),
                              slide_mm(robot, way, target.p_mm.z())};
     add_last(robot, target, variables);
-    found.list.push_back(
-        {std::move(variables),
-         elbow_name(elbow, Eigen::Vector3d(wrist.x(), wrist.y(), 0), at.second_rad)});
+    found.list.push_back({std::move(variables), elbow_name(Eigen::Matrix3d::Identity(), links, at,
+                                                           {wrist.x(), wrist.y(), 0})});
   }
   return found;
 }

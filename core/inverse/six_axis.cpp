@@ -91,12 +91,9 @@ void solve_at(const JointVariables& shoulder, const Robot& robot, const ToolTarg
     variables.push_back(to_deg(at.first_rad));
     variables.push_back(to_deg(at.second_rad));
     variables.push_back(to_deg(slope - at.first_rad - at.second_rad));
-    const Eigen::Vector3d elbow =
-        rotation * Eigen::Vector3d(std::cos(at.first_rad), std::sin(at.first_rad), 0) *
-        links.first_mm;
     add_last(robot, target, variables);
     found.list.push_back({std::move(variables), shoulder_name(robot, shoulder, aim.wrist) + ", " +
-                                                    elbow_name(elbow, aim.wrist, at.second_rad)});
+                                                    elbow_name(rotation, links, at, aim.wrist)});
   }
 }
 

@@ -82,8 +82,11 @@ std::vector<TwoLinkPosture> two_link_postures(const TwoLinks& links, const Eigen
   return postures;
 }
 
-std::string elbow_name(const Eigen::Vector3d& elbow, const Eigen::Vector3d& wrist,
-                       double second_rad) {
+std::string elbow_name(const Eigen::Matrix3d& rotation, const TwoLinks& links,
+                       const TwoLinkPosture& at, const Eigen::Vector3d& wrist) {
+  const double second_rad = at.second_rad;
+  const Eigen::Vector3d first(std::cos(at.first_rad), std::sin(at.first_rad), 0);
+  const Eigen::Vector3d elbow = rotation * first * links.first_mm;
   const Eigen::Vector3d line = wrist.normalized();
   const Eigen::Vector3d aside = elbow - line * elbow.dot(line);
   if (std::abs(std::sin(second_rad)) < kNoSide) {

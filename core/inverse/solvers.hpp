@@ -73,10 +73,10 @@ std::vector<TwoLinkPosture> two_link_postures(const TwoLinks& links, const Eigen
                                               double tolerance_mm, Candidates& found);
 
 /// `elbow up`, `down`, `left`, `right` (seen from above, looking from the shoulder to the wrist),
-/// `straight` or `folded`; `+` or `-` if none of these applies. Vectors start at the shoulder and
-/// are in the base frame.
-std::string elbow_name(const Eigen::Vector3d& elbow, const Eigen::Vector3d& wrist,
-                       double second_rad);
+/// `straight` or `folded`; `+` or `-` if none of these applies. `rotation`: of the frame of the links;
+/// `wrist`: from the shoulder, in the base frame.
+std::string elbow_name(const Eigen::Matrix3d& rotation, const TwoLinks& links,
+                       const TwoLinkPosture& at, const Eigen::Vector3d& wrist);
 
 /// Appends the last joint's variable: the one that the target gives, or the one that turns the tool
 /// to the target's rotation.
