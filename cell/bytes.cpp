@@ -122,27 +122,25 @@ void Cell::restart_bytes() {
 
 // --- Bytes.
 
+/// What the line has done so far is reported; then time passes, with what replies owe.
+void Cell::pass_before(LineId id, Micros time) {
+  emit_exchanges(id, *open_line(id), emitted_);
+  emitted_ = exchanges_.size();
+  pass(bytes().take_owed() + time);
+}
+
 void Cell::byte_comes(LineId id, std::uint8_t byte) {
   const SerialLine* line = find_line(id);
-  if (is_moved_by_bytes()) {
-    emit_exchanges(id, *open_line(id), emitted_);
-    emitted_ = exchanges_.size();
-    pass(bytes().take_owed() + character_time(*line));
-  }
+  if (is_moved_by_bytes()) pass_before(id, character_time(*line));
   assert(transcript_);
   if (!line->is_cut()) transcript_->add_in(id, state().tick, byte);
 }
 
 void Cell::command_comes(LineId id, const Command& command) {
   if (!is_moved_by_bytes()) return;
-  SerialLine& line = *open_line(id);
-  if (is_inquiry(command)) {
-    emit_exchanges(id, line, emitted_);
-    emitted_ = exchanges_.size();
-    pass(bytes().take_owed() + bytes().inquiry_time());
-  }
+  if (is_inquiry(command)) pass_before(id, bytes().inquiry_time());
   if (!bytes().note_command(command, model(), state())) return;
-  line.note_warning();
+  open_line(id)->note_warning();
   ProblemNote note =
       hurry_note(std::holds_alternative<Move>(command) ? std::get<Move>(command).label
                                                        : std::get<Stop>(command).label);

@@ -277,6 +277,7 @@ class Cell final : private LineListener {
   Micros character_time(const SerialLine& line) const;
   std::size_t receive_timed(LineId id, SerialLine& line, std::string_view bytes);
   void pass(Micros time);
+  void pass_before(LineId id, Micros time);
   void pass_delays();
   void rest();
   void end_turn(LineCloseReason reason);
