@@ -7,7 +7,6 @@
 #include "core/carousel.hpp"
 #include "core/coupling.hpp"
 #include "core/faults/faults.hpp"
-#include "core/faults/grip_faults.hpp"
 #include "core/faults/motor_faults.hpp"
 #include "core/grasp.hpp"
 #include "core/invariants.hpp"

@@ -2,6 +2,7 @@
 
 #include "core/faults/chance.hpp"
 #include "core/faults/faults.hpp"
+#include "core/grasp.hpp"
 
 namespace xr3 {
 namespace {
@@ -57,6 +58,21 @@ bool reads_closed(const Model& model, const State& state, int motor) {
     closed ^= (chance_hash(each.salt, static_cast<std::uint64_t>(label), tick) & 1U) != 0;
   }
   return closed;
+}
+
+void slip_grip(const Model& model, State& state, const Positions& positions, Events& events) {
+  if (!state.faults.now.on_grip || !state.held) return;
+  const char label = model.motor(model.tool_index()).drive.label;
+  const auto tick = static_cast<std::uint64_t>(state.tick);
+  for (FaultState& each : state.faults.all) {
+    if (each.fault.kind != FaultKind::kGripSlip) continue;
+    if (!acts_on(state, each, static_cast<std::uint64_t>(label), tick)) continue;
+    Events fallen;
+    if (!drop(model, state, positions, fallen)) return;
+    add_effect(model, state, each, label, state.motor(model.tool_index()).count, events);
+    events.insert(events.end(), fallen.begin(), fallen.end());
+    return;
+  }
 }
 
 }  // namespace xr3

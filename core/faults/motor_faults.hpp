@@ -1,5 +1,5 @@
-// The effects of faults on motors, encoders and microswitches. Every function costs one comparison
-// if there are no such faults.
+// The effects of faults on motors, encoders, microswitches and the grip of the jaws. Every function
+// costs one comparison if there are no such faults.
 #pragma once
 
 #include "core/event.hpp"
@@ -52,5 +52,9 @@ void begin_bounce(const Model& model, State& state, int motor, Events& events);
 
 /// What the controller reads of a microswitch at this tick: it may bounce.
 bool reads_closed(const Model& model, const State& state, int motor);
+
+/// To be called in each tick in which a joint of the arm has moved: the held block, if any, may
+/// slip out of the jaws.
+void slip_grip(const Model& model, State& state, const Positions& positions, Events& events);
 
 }  // namespace xr3
