@@ -22,14 +22,9 @@ Keystroke plain_key(char byte) {
 
 /// The key of `ESC [ number ~`.
 KeyCode numbered_key(int number) {
-  switch (number) {
-    case 1:
-    case 7: return KeyCode::kHome;
-    case 3: return KeyCode::kDelete;
-    case 4:
-    case 8: return KeyCode::kEnd;
-    default: return KeyCode::kOther;
-  }
+  if (number == 3) return KeyCode::kDelete;
+  if (number == 1 || number == 7) return KeyCode::kHome;
+  return number == 4 || number == 8 ? KeyCode::kEnd : KeyCode::kOther;
 }
 
 /// The key of a sequence with this last byte.

@@ -1,5 +1,7 @@
 #include "tools/term/typist.hpp"
 
+#include <utility>
+
 #include "protocol/explain/diagnostic.hpp"
 
 namespace xr3::term {
@@ -29,8 +31,10 @@ Typist::Outcome Typist::press_data(const Keystroke& key) {
     return {"\n", {SendBytes{"\r"}}};
   }
   if (key.code == KeyCode::kEndOfFile && mode_ == Mode::kLineStart) return {"", {Quit{}}};
-  const bool is_byte = key.code == KeyCode::kByte;
-  if (!is_byte) return explain_key();
+  if (key.code != KeyCode::kByte) {
+    const bool is_explained = std::exchange(is_explained_, true);
+    return is_explained ? Outcome{} : Outcome{"", {ShowHint{kNotSent}}};
+  }
   if (key.byte == kEscapeKey && mode_ == Mode::kLineStart) {
     mode_ = Mode::kEscape;
     escape_.clear();
@@ -77,12 +81,6 @@ Typist::Outcome Typist::press_file_name(const Keystroke& key) {
   const auto request = escape_of(escape_);
   if (!request) return {"\n", {ShowHint{"~s needs a space before the name of the file"}}};
   return {"\n", {*request}};
-}
-
-Typist::Outcome Typist::explain_key() {
-  if (is_explained_) return {};
-  is_explained_ = true;
-  return {"", {ShowHint{kNotSent}}};
 }
 
 }  // namespace xr3::term

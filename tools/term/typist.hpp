@@ -35,7 +35,6 @@ class Typist {
   Outcome press_data(const Keystroke& key);
   Outcome press_escape(const Keystroke& key);
   Outcome press_file_name(const Keystroke& key);
-  Outcome explain_key();
 
   Mode mode_ = Mode::kLineStart;
   std::string escape_;  ///< what follows the ~

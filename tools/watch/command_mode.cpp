@@ -99,10 +99,6 @@ CommandMode::Outcome CommandMode::press(const Key& key, const std::optional<Disp
   if (function == kFunctions.size()) return {};
   const bool is_off = display && !display->has_function_keys;
   if (is_off && key.is_alt && key.function != kAltOfFunctionKeys) return {true, {}};
-  return start(function);
-}
-
-CommandMode::Outcome CommandMode::start(std::size_t function) {
   const Function& wanted = kFunctions[function];
   if (wanted.numbers == 0) return {true, FunctionCall{std::string(wanted.name), {}}};
   asked_ = function;

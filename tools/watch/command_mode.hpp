@@ -43,7 +43,6 @@ class CommandMode {
 
  private:
   Outcome press_in_prompt(const Key& key);
-  Outcome start(std::size_t function);
 
   bool is_menu_open_ = false;
   std::optional<std::size_t> asked_;  ///< index of the function whose value is being typed
