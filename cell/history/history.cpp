@@ -171,11 +171,8 @@ bool History::is_checkpoint_due() const {
 
 void History::try_part() {
   if (retry_in_ > 1) return void(--retry_in_);
-  bytes_of(cell_.lines()) > kMaxQueues ? pause() : begin_part();
-}
-
-/// Nothing is kept for a while. The last span ends here.
-void History::pause() {
+  if (bytes_of(cell_.lines()) <= kMaxQueues) return begin_part();
+  // Nothing is kept for a while. The last span ends here.
   if (!epochs_.empty() && retry_in_ == 0) epochs_.back().to = cell_.state().tick;
   retry_in_ = kRetryInputs;
 }
@@ -188,8 +185,9 @@ void History::begin_part() {
   if (epochs_.empty() || is_gap) epochs_.push_back({cell_.epoch(), cell_.state().tick, 0});
   used_ += bytes_of(*part, parts_.empty() ? nullptr : parts_.back().get());
   parts_.push_back(std::move(part));
-  limit_parts();
-  drop_old();
+  if (parts_.size() > kMaxParts) join_dense();
+  while (parts_.size() > kMaxParts) drop_oldest();
+  while (parts_.size() > 1 && covered_from(parts_[1]->from()) >= longest_) drop_oldest();
 }
 
 /// If an input has begun an epoch, the one before ended at `before`.
@@ -263,12 +261,6 @@ void History::recount() {
   }
 }
 
-void History::limit_parts() {
-  if (parts_.size() <= kMaxParts) return;
-  join_dense();
-  while (parts_.size() > kMaxParts) drop_oldest();
-}
-
 /// The time that is covered from a moment on.
 Tick History::covered_from(const ReplayTime& begin) const {
   Tick covered = 0;
@@ -277,11 +269,6 @@ Tick History::covered_from(const ReplayTime& begin) const {
     if (span.epoch >= begin.epoch && span.to > from) covered += span.to - from;
   }
   return covered;
-}
-
-/// Drops what is older than the longest time.
-void History::drop_old() {
-  while (parts_.size() > 1 && covered_from(parts_[1]->from()) >= longest_) drop_oldest();
 }
 
 void History::drop_oldest() {

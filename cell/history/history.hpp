@@ -96,16 +96,13 @@ class History final : private Recorder, private monitor::ByteBudget::Member {
   bool is_checkpoint_due() const;
   void try_part();
   void begin_part();
-  void pause();
   void note_motion();
   void note_epoch(const ReplayTime& before);
   void go_back(const ReplayTime& from);
   void drop_future();
   void settle();
   void recount();
-  void limit_parts();
   Tick covered_from(const ReplayTime& begin) const;
-  void drop_old();
   void drop_oldest();
   void join_dense();
   void forget();

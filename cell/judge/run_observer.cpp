@@ -89,7 +89,8 @@ void RunObserver::add_problem(const CellEvent& event, Tick first, std::uint64_t 
 void RunObserver::after_tick(const Cell& cell) {
   if (!has_moved(cell.state())) return;
   facts_.last_count_tick = cell.state().tick;
-  follow_tip(cell);
+  const PointUm before = std::exchange(tip_, tip_of(cell));
+  facts_.tip_path_um += distance_um(before, tip_);
   for (std::size_t i = 0; i < goals_.goals.size(); ++i) check(i, cell);
 }
 
@@ -99,12 +100,6 @@ bool RunObserver::has_moved(const State& state) {
     has_moved = has_moved || last_[i].count != state.motors[i].count;
   if (has_moved) last_ = state.motors;
   return has_moved;
-}
-
-void RunObserver::follow_tip(const Cell& cell) {
-  const PointUm tip = tip_of(cell);
-  facts_.tip_path_um += distance_um(tip_, tip);
-  tip_ = tip;
 }
 
 /// Notes the first tick at which a goal for the whole run is missed.

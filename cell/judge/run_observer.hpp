@@ -30,7 +30,6 @@ class RunObserver final : private CellWatcher {
   void add_problem(const CellEvent& event, Tick first, std::uint64_t count);
   void add_happening(std::string text);
   bool has_moved(const State& state);
-  void follow_tip(const Cell& cell);
   void check(std::size_t index, const Cell& cell);
   std::optional<Breach> breach(const goal::Untouched& goal, const Cell& cell) const;
   std::optional<Breach> breach(const goal::KeepOut& goal, const Cell& cell) const;

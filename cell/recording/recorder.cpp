@@ -72,7 +72,10 @@ void Recorder::begin(const Cell& cell, const Input& input) {
   input_at_ = now(cell);
   const bool is_hash_due =
       input_at_.epoch != hashed_.epoch || input_at_.tick / kHashEvery > hashed_.tick / kHashEvery;
-  if (is_hash_due && contents_ == Contents::kAll) add_hash(cell);
+  if (is_hash_due && contents_ == Contents::kAll) {
+    hashed_ = input_at_;
+    add(hashed_, StateHash{hasher_.hash(cell)});
+  }
   const LineId id = line_of(input).value_or(kProbeLine);
   const SerialLine* line = cell.find_line(id);
   is_open_ = line != nullptr && id != kProbeLine;
@@ -135,11 +138,6 @@ recording::Entry Recorder::end_of(const Cell& cell, std::string why) {
 
 void Recorder::add(const At& at, recording::Body body) {
   sink_({at.epoch, at.tick, at.us, std::move(body)});
-}
-
-void Recorder::add_hash(const Cell& cell) {
-  hashed_ = now(cell);
-  add(hashed_, StateHash{hasher_.hash(cell)});
 }
 
 void Recorder::add_outputs() {

@@ -60,7 +60,6 @@ class Recorder : public InputLog {
     return {cell.epoch(), cell.state().tick, static_cast<int>(cell.clock_remainder())};
   }
   void add(const At& at, recording::Body body);
-  void add_hash(const Cell& cell);
   void add_outputs();
   std::string take_replies(LineId line);
 
