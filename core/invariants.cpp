@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "core/carousel.hpp"
+#include "core/command.hpp"
 #include "core/coupling.hpp"
 #include "core/faults/faults.hpp"
 #include "core/faults/motor_faults.hpp"
@@ -15,10 +16,6 @@
 
 namespace xr3 {
 namespace {
-
-constexpr int kMaxViewComponent = 9;
-constexpr int kMaxPeriodHalfS = 255;
-constexpr int kMaxStatusOption = 6;
 
 const char* broken_in_motor(const Model& model, const State& state, const Positions& positions,
                             int index) {
@@ -81,16 +78,17 @@ const char* broken_in_faults(const Model& model, const State& state) {
              : "the faults in force follow from the tick and their effects";
 }
 
-bool is_component(int value) { return std::abs(value) <= kMaxViewComponent; }
+bool is_component(int value) { return std::abs(value) <= SetViewVector::kMax; }
 
 const char* broken_in_display(const DisplaySettings& display) {
   const ViewVector& view = display.view;
   if (!is_component(view.x) || !is_component(view.y) || !is_component(view.z))
     return "the view vector's components are within -9...9";
   if (view == ViewVector{0, 0, 0}) return "the view vector is not zero";
-  if (display.period_half_s < 1 || display.period_half_s > kMaxPeriodHalfS)
+  if (display.period_half_s < SetRefreshPeriod::kMin ||
+      display.period_half_s > SetRefreshPeriod::kMax)
     return "the refresh period is within 1...255 half seconds";
-  if (display.status_option < 0 || display.status_option > kMaxStatusOption)
+  if (display.status_option < 0 || display.status_option > SelectStatus::kMax)
     return "the status option is within 0...6";
   return nullptr;
 }
