@@ -8,11 +8,8 @@ std::string to_pbm(const Image& image) {
   text.reserve(text.size() + static_cast<std::size_t>(image.width() + 1) *
                                  static_cast<std::size_t>(image.height()));
   for (int row = 0; row < image.height(); ++row) {
-    const auto words = image.words(row);
-    for (unsigned column = 0; column < static_cast<unsigned>(image.width()); ++column) {
-      const std::uint64_t word = words[column / Image::kWordBits];
-      text.push_back((word >> column % Image::kWordBits & 1U) != 0 ? '1' : '0');
-    }
+    for (int column = 0; column < image.width(); ++column)
+      text.push_back(image.at(column, row) ? '1' : '0');
     text.push_back('\n');
   }
   return text;
