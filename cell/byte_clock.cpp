@@ -51,8 +51,6 @@ void ByteClock::set_remainder(Micros remainder) {
   remainder_ = remainder;
 }
 
-Micros ByteClock::take_owed() { return std::exchange(owed_, 0); }
-
 bool ByteClock::note_command(const Command& command, const Model& model, const State& state) {
   if (is_inquiry(command)) {
     commanded_ = 0;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "core/command.hpp"
 #include "core/model.hpp"
@@ -45,7 +46,7 @@ class ByteClock {
   /// Replies have left whose time has not passed yet.
   void owe(Micros time) { owed_ += time; }
   /// Removes and returns that time.
-  Micros take_owed();
+  Micros take_owed() { return std::exchange(owed_, 0); }
 
   /// Notes a command that is about to be executed in this state. Returns whether it is the first of
   /// a run of motion commands that do not wait for the motion before: the joint still has counts to

@@ -221,12 +221,7 @@ void Cell::record_out(const WirePlace& out, const SerialLine& line, std::size_t 
   if (added.empty()) return;
   counters_.bytes_out += added.size();
   fill_out(wires_.push(), out, added, exchanges_, line.released());
-  log_output(out.line, line, unsent);
-}
-
-/// Tells the log of the bytes that the line has added to its outbox after the first `unsent` ones.
-void Cell::log_output(LineId id, const SerialLine& line, std::size_t unsent) {
-  for (InputLog* log : logs_) log->output(*this, id, line.outbox().substr(unsent));
+  for (InputLog* log : logs_) log->output(*this, out.line, added);
 }
 
 Applied Cell::handle(const BytesOut& out, WallNs) {

@@ -304,10 +304,8 @@ class Cell final : private LineListener {
   CellNote note_of(EventBody event) const;
   void expire_inquiries();
   void compare_mirror(const Command& inquiry, std::uint8_t reply);
-  void stop_simulated_joints();
   bool loses_mirror(const EventBody& event);
   void record_out(const WirePlace& out, const SerialLine& line, std::size_t unsent);
-  void log_output(LineId id, const SerialLine& line, std::size_t unsent);
   void emit_fault_events(LineId id, SerialLine& line);
   void note_fault(const EventBody& event);
   void emit(std::optional<LineId> line, CellNote note);

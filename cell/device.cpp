@@ -85,12 +85,6 @@ void Cell::expire_inquiries() {
   }
 }
 
-void Cell::stop_simulated_joints() {
-  for (char label = 'A'; label <= 'H'; ++label) {
-    if (model().index_of(label) >= 0) simulation_.execute(Stop{label});
-  }
-}
-
 call::Outcome Cell::carry_out(const call::StopDevice&, WallNs) {
   if (!device_)
     return call::Refused{"no_device", "no device is connected",
@@ -99,7 +93,9 @@ call::Outcome Cell::carry_out(const call::StopDevice&, WallNs) {
     return call::Refused{"no_device", "device " + device_->path() + " is not there",
                          "stop the arm by its own switch"};
   device_->stop(state().tick);
-  if (mirror_ && device_->is_engaged()) stop_simulated_joints();
+  if (mirror_ && device_->is_engaged()) {
+    for (const char label : model().labels()) simulation_.execute(Stop{label});
+  }
   emit_device(DeviceNews::kStopped);
   return call::Done{};
 }

@@ -106,7 +106,7 @@ void Cell::send_reply(LineId id, SerialLine& line, Micros now) {
   const std::size_t unsent = line.outbox().size();
   line.send_due(now);
   ++counters_.bytes_out;
-  log_output(id, line, unsent);
+  for (InputLog* log : logs_) log->output(*this, id, line.outbox().substr(unsent));
   if (!line.released().empty() || line.departed().bytes.size() >= kMaxShownOut)
     record_departed(id, line);
   woken_.push_back(id);

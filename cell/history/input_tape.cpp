@@ -51,8 +51,6 @@ struct InputTape::Reader {
   std::size_t other = 0;
   Tick tick = 0;
 
-  bool has_more() const { return at < tape.bytes_.size(); }
-
   std::uint64_t number() {
     std::uint64_t value = 0;
     for (unsigned shift = 0;; shift += kBits) {
@@ -77,7 +75,7 @@ struct InputTape::Reader {
 };
 
 void InputTape::for_each(const std::function<bool(const recording::Entry&)>& use) const {
-  for (Reader reader{*this}; reader.has_more();) {
+  for (Reader reader{*this}; reader.at < bytes_.size();) {
     const bool is_other = bytes_[reader.at++] == kOther;
     if (!use(is_other ? others_[reader.other++] : reader.input())) return;
   }
