@@ -16,9 +16,6 @@ constexpr int kMaxStatesPerS = 20;
 constexpr int kMaxImagesPerS = 10;
 constexpr int kStepTicks = 10;
 
-constexpr const char* kHowToUnlock = "press t, or use --token-file FILE or XR3_TOKEN";
-constexpr const char* kHowToUnlockOnce = "see --token-file and XR3_TOKEN";
-
 /// All but the drawing.
 const std::vector<std::string> kDisplayFields{"on",           "view",          "erase",
                                               "period_ticks", "function_keys", "status"};
@@ -177,7 +174,8 @@ void WatchModel::handle_refusal(const Json& message) {
 
 /// Names no key where there is none.
 std::string WatchModel::how_to_unlock() const {
-  return wish_.interest == Interest::kOnce ? kHowToUnlockOnce : kHowToUnlock;
+  return wish_.interest == Interest::kOnce ? "see --token-file and XR3_TOKEN"
+                                           : "press t, or use --token-file FILE or XR3_TOKEN";
 }
 
 bool WatchModel::may_call() {
