@@ -1,6 +1,6 @@
 // The inputs of a cell, as values: lines that open and close, their bytes, and calls of the
-// monitor. Sessions create them; only Cell::apply accepts them. Those that a recording holds as they
-// are have their definition in protocol/recording/entry.hpp.
+// monitor. Sessions create them; only Cell::apply accepts them. Those that a recording holds as
+// they are stand in protocol/recording/entry.hpp.
 #pragma once
 
 #include <compare>

@@ -73,8 +73,8 @@ std::vector<TwoLinkPosture> two_link_postures(const TwoLinks& links, const Eigen
                                               double tolerance_mm, Candidates& found);
 
 /// `elbow up`, `down`, `left`, `right` (seen from above, looking from the shoulder to the wrist),
-/// `straight` or `folded`; `+` or `-` if none of these applies. `rotation`: of the frame of the links;
-/// `wrist`: from the shoulder, in the base frame.
+/// `straight` or `folded`; `+` or `-` if none of these applies. `rotation` is that of the links'
+/// frame; `wrist` begins at the shoulder and is in the base frame.
 std::string elbow_name(const Eigen::Matrix3d& rotation, const TwoLinks& links,
                        const TwoLinkPosture& at, const Eigen::Vector3d& wrist);
 
