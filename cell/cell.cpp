@@ -8,7 +8,6 @@
 #include "protocol/explain/event_report.hpp"
 #include "protocol/explain/line_notes.hpp"
 #include "protocol/monitor/event.hpp"
-#include "protocol/monitor/line_record.hpp"
 #include "protocol/monitor/request.hpp"
 
 namespace xr3 {

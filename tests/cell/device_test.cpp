@@ -8,7 +8,6 @@
 
 #include "cell/cell.hpp"
 #include "protocol/monitor/event.hpp"
-#include "protocol/monitor/line_record.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3 {

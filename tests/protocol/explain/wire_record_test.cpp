@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "protocol/monitor/line_record.hpp"
+#include "protocol/monitor/event.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/random_bytes.hpp"
 #include "tests/support/tap.hpp"

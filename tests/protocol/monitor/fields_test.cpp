@@ -10,7 +10,6 @@
 #include "protocol/monitor/display.hpp"
 #include "protocol/monitor/event.hpp"
 #include "protocol/monitor/image.hpp"
-#include "protocol/monitor/line_record.hpp"
 #include "protocol/monitor/model.hpp"
 #include "tests/support/models.hpp"
 
