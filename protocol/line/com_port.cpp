@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "protocol/line/com_port_codes.hpp"
+#include "protocol/line/telnet_codes.hpp"
 
 namespace xr3 {
 namespace {
@@ -101,11 +101,7 @@ void ComPort::set_baud(Bytes value, std::string& answers) {
   std::uint32_t baud = 0;
   for (const std::uint8_t byte : value) baud = baud << 8 | byte;
   if (baud != kAsk) baud_ = baud;
-  std::array<std::uint8_t, 4> answer{};
-  for (std::size_t i = 0; i < answer.size(); ++i) {
-    answer[i] = static_cast<std::uint8_t>(baud_ >> (24 - 8 * i));
-  }
-  append_answer(answers, com_port::kSetBaudRate, answer);
+  append_baud(answers, com_port::kSetBaudRate + com_port::kAnswer, baud_);
 }
 
 /// Sets what a request of one byte sets. Returns the value to answer.

@@ -49,14 +49,8 @@ std::optional<SerialSettings> TelnetFilter::settings() const {
 }
 
 void TelnetFilter::encode(std::string_view replies, std::string& out) const {
-  if (!is_telnet_) {  // a picture comes by the hundred kilobytes
-    out.append(replies);
-    return;
-  }
-  for (const char reply : replies) {
-    out.push_back(reply);
-    if (static_cast<std::uint8_t>(reply) == telnet::kIac) out.push_back(reply);
-  }
+  if (is_telnet_) return append_escaped(out, replies);
+  out.append(replies);  // a picture comes by the hundred kilobytes
 }
 
 }  // namespace xr3

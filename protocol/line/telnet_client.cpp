@@ -4,7 +4,6 @@
 #include <cassert>
 #include <initializer_list>
 
-#include "protocol/line/com_port_codes.hpp"
 #include "protocol/line/telnet_codes.hpp"
 
 namespace xr3 {
@@ -66,13 +65,6 @@ std::optional<std::uint8_t> TelnetClient::feed(std::uint8_t byte, std::string& a
   return std::nullopt;
 }
 
-void TelnetClient::encode(std::string_view data, std::string& out) {
-  for (const char byte : data) {
-    out.push_back(byte);
-    if (static_cast<std::uint8_t>(byte) == telnet::kIac) out.push_back(byte);
-  }
-}
-
 bool TelnetClient::has_com_port() const { return options_.is_on(kOwn, telnet::kComPort); }
 
 bool TelnetClient::is_settled() const {
@@ -91,11 +83,7 @@ void TelnetClient::append_break(bool is_on, std::string& out) const {
 
 void TelnetClient::request_settings(std::string& out) const {
   const SerialFrame frame = wanted_.frame.value_or(SerialFrame{});
-  std::array<std::uint8_t, 4> baud{};
-  for (std::size_t i = 0; i < baud.size(); ++i) {
-    baud[i] = static_cast<std::uint8_t>(wanted_.baud >> (24 - 8 * i));
-  }
-  append_com_port(out, com_port::kSetBaudRate, baud);
+  append_baud(out, com_port::kSetBaudRate, wanted_.baud);
   append_byte(out, com_port::kSetDataSize, static_cast<std::uint8_t>(frame.data_bits));
   append_byte(out, com_port::kSetParity, from_1(frame.parity));
   append_byte(out, com_port::kSetStopSize, from_1(frame.stop_bits));

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "protocol/line/serial_settings.hpp"
+#include "protocol/line/telnet_codes.hpp"
 #include "protocol/line/telnet_options.hpp"
 #include "protocol/line/telnet_parser.hpp"
 
@@ -26,7 +27,7 @@ class TelnetClient {
   std::optional<std::uint8_t> feed(std::uint8_t byte, std::string& answers);
 
   /// Appends data in the encoding of telnet: FF is doubled.
-  static void encode(std::string_view data, std::string& out);
+  static void encode(std::string_view data, std::string& out) { append_escaped(out, data); }
 
   /// The server has accepted COM-PORT.
   bool has_com_port() const;
