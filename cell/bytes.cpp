@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "cell/cell.hpp"
-#include "protocol/explain/line_notes.hpp"
+#include "protocol/explain/diagnostic.hpp"
 
 namespace xr3 {
 namespace {

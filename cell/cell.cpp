@@ -6,7 +6,6 @@
 #include "cell/failure.hpp"
 #include "protocol/explain/diagnostic.hpp"
 #include "protocol/explain/event_report.hpp"
-#include "protocol/explain/line_notes.hpp"
 #include "protocol/monitor/event.hpp"
 #include "protocol/monitor/request.hpp"
 

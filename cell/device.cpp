@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "cell/cell.hpp"
-#include "protocol/explain/line_notes.hpp"
+#include "protocol/explain/diagnostic.hpp"
 
 namespace xr3 {
 

@@ -50,7 +50,7 @@ struct ProblemNote {
   std::string_view code;
   std::string message;
   std::uint64_t offset = 0;
-  RawBytes raw;
+  RawBytes raw{};
   int count = 1;
   Tick first_tick = 0;  ///< of the first one; the note may come later, after the last one
 };

@@ -1,5 +1,10 @@
 #include "protocol/explain/diagnostic.hpp"
 
+#include <array>
+
+#include "protocol/line/device_command.hpp"
+#include "protocol/text/table.hpp"
+
 namespace xr3 {
 namespace {
 
@@ -45,35 +50,70 @@ std::string_view sentence(const Problem& problem) {
   return "";
 }
 
+/// Letters in the order of the alphabet, consecutive ones as A...F: `A...D, G`.
+std::string runs_of(const std::string& letters) {
+  std::string text;
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    const bool continues = i > 0 && letters[i] == letters[i - 1] + 1;
+    const bool ends = i + 1 == letters.size() || letters[i + 1] != letters[i] + 1;
+    if (!continues) text += (i > 0 ? ", " : "") + letter_text(letters[i]);
+    if (continues && ends) text += "..." + letter_text(letters[i]);
+  }
+  return text;
+}
+
+std::string camera_text(const Model& model) {
+  const auto& camera = model.workcell().camera;
+  if (!camera) return "this workcell has no camera; not answered";
+  return "the camera has columns 0..." + std::to_string(camera->pixels_x - 1) + " and rows 0..." +
+         std::to_string(camera->pixels_y - 1) + "; not answered";
+}
+
+// The explanation of a line's bytes knows no names; see wire::WarningRaised.
+std::string block_text(const std::string& name, const char* without_name) {
+  return name.empty() ? without_name : "block " + name;
+}
+
+/// Whether the warning is about the carousel: its label says so.
+bool is_of_carousel(const Warning& warning, const Model& model) {
+  return model.carousel() && model.index_of(warning.label) == model.carousel_index();
+}
+
+std::string air_text(const Warning& warning, const Model& model) {
+  const char* surface = warning.block.empty()            ? "what is below it"
+                        : is_of_carousel(warning, model) ? "the carousel"
+                                                         : "the work surface";
+  return block_text(warning.block, "the block") + " was released " +
+         significant_digits(mm(Micrometres{warning.value}), 6) + " mm above " +
+         block_text(warning.other, surface) + " and stays in the air: release it lower";
+}
+
+std::string overlap_text(const Warning& warning, const Model& model) {
+  if (is_of_carousel(warning, model)) {
+    return block_text(warning.block, "the block") +
+           " overlaps the carousel: put it on its top or beside it";
+  }
+  const int more = warning.value - 1;
+  return block_text(warning.block, "the block") + " overlaps " +
+         block_text(warning.other, "another block") +
+         (more > 0 ? " and " + std::to_string(more) + " more" : "") + ": put it where no block is";
+}
+
 }  // namespace
 
 std::string_view code_of(ProblemCode code) {
-  switch (code) {
-    case ProblemCode::kUnknownByte: return "unknown_byte";
-    case ProblemCode::kNumberOutOfRange: return "number_out_of_range";
-    case ProblemCode::kSpeedOutOfRange: return "speed_out_of_range";
-    case ProblemCode::kNoJointSelected: return "no_joint_selected";
-    case ProblemCode::kIncompleteCommand: return "incomplete_command";
-    case ProblemCode::kBadViewVector: return "bad_view_vector";
-    case ProblemCode::kBadCameraArgument: return "bad_camera_argument";
-    case ProblemCode::kDisabled: return "disabled";
-    case ProblemCode::kNotForDevice: return "not_for_device";
-  }
-  return "";
+  constexpr std::array<std::string_view, 9> kCodes = {
+      "unknown_byte",       "number_out_of_range", "speed_out_of_range",  "no_joint_selected",
+      "incomplete_command", "bad_view_vector",     "bad_camera_argument", "disabled",
+      "not_for_device"};
+  return kCodes.at(static_cast<std::size_t>(code));
 }
 
 std::string_view code_of(WarningCode code) {
-  switch (code) {
-    case WarningCode::kCounterOverflow: return "counter_overflow";
-    case WarningCode::kNoSuchJoint: return "no_such_joint";
-    case WarningCode::kBadCameraArgument: return "bad_camera_argument";
-    case WarningCode::kJawsTooNarrow: return "jaws_too_narrow";
-    case WarningCode::kJawsTouch: return "jaws_touch";
-    case WarningCode::kBelowSurface: return "below_surface";
-    case WarningCode::kReleasedInAir: return "released_in_air";
-    case WarningCode::kBlocksOverlap: return "blocks_overlap";
-  }
-  return "";
+  constexpr std::array<std::string_view, 8> kCodes = {
+      "counter_overflow", "no_such_joint", "bad_camera_argument", "jaws_too_narrow",
+      "jaws_touch",       "below_surface", "released_in_air",     "blocks_overlap"};
+  return kCodes.at(static_cast<std::size_t>(code));
 }
 
 std::string signed_number(int value) { return (value < 0 ? "" : "+") + std::to_string(value); }
@@ -117,6 +157,55 @@ std::string describe(const Parsed& parsed, const Problem& problem) {
   const std::string before =
       bytes.empty() ? "" : readable(bytes) + (parsed.raw.was_cut ? "..." : "") + ": ";
   return before + std::string(sentence(problem));
+}
+
+std::string text_of(const Warning& warning, const Model& model) {
+  const std::string label = letter_text(warning.label);
+  switch (warning.code) {
+    case WarningCode::kCounterOverflow:
+      return label + signed_number(warning.value) + ": the 8-bit error counter wrapped to " +
+             std::to_string(warning.limit) + "; wait until " + label +
+             " is nearer to its target before sending more";
+    case WarningCode::kNoSuchJoint:
+      return label + ": this robot has no such joint; it has " + runs_of(model.labels());
+    case WarningCode::kBadCameraArgument: return camera_text(model);
+    case WarningCode::kJawsTooNarrow:
+      return "the jaws are already narrower than block " + warning.block +
+             ": open them before closing on it";
+    case WarningCode::kJawsTouch:
+      return "the jaws stopped at the width of block " + warning.block +
+             " and do not hold it: close them further";
+    case WarningCode::kBelowSurface:
+      return std::string("the tool tip passed under the work surface") +
+             (model.carousel() ? " or the top of the carousel" : "");
+    case WarningCode::kReleasedInAir: return air_text(warning, model);
+    case WarningCode::kBlocksOverlap: return overlap_text(warning, model);
+  }
+  return "";
+}
+
+ProblemNote disabled_note() {
+  const Problem problem{ProblemCode::kDisabled, Subject::kNone};
+  return {code_of(problem.code), describe(Parsed{}, problem)};
+}
+
+ProblemNote cooked_note() {
+  return {"pty_cooked",
+          "the program's terminal echoes or edits lines: replies come back as commands, and bytes "
+          "wait for Enter; set it raw, as with stty raw -echo"};
+}
+
+ProblemNote hurry_note(char label) {
+  return {"byte_clock_hurry",
+          letter_text(label) +
+              " gets another motion command before it has arrived, and no inquiry came since: a "
+              "program that sleeps instead of asking needs --clock real; the byte clock stands "
+              "while it sleeps"};
+}
+
+ProblemNote silent_note(const Command& inquiry) {
+  return {"device_silent", "the device has not answered " + readable(for_device(inquiry)->bytes) +
+                               " within half a second; the inquiry is forgotten"};
 }
 
 }  // namespace xr3

@@ -1,12 +1,14 @@
-// Diagnostics as text: a stable code and one sentence for every problem in the bytes of a line. The
-// log and the monitor port use them.
+// Diagnostics as text: a stable code and one sentence for every problem in the bytes of a line, every
+// warning of the machine, and the problems of a line that none of its bytes caused. The log and the
+// monitor port use them.
 #pragma once
 
 #include <string>
 #include <string_view>
 
 #include "core/event.hpp"
-#include "protocol/line/rhino_endpoint.hpp"
+#include "core/model.hpp"
+#include "protocol/explain/cell_event.hpp"
 
 namespace xr3 {
 
@@ -25,5 +27,24 @@ std::string hexadecimal(std::string_view bytes);
 
 /// The bytes, what is wrong with them, and what is allowed.
 std::string describe(const Parsed& parsed, const Problem& problem);
+
+/// What happened and what to do, without a full stop.
+std::string text_of(const Warning& warning, const Model& model);
+
+/// A letter as a text.
+inline std::string letter_text(char letter) { return {letter}; }
+
+/// `disabled`: a line was opened while the simulator is disabled.
+ProblemNote disabled_note();
+
+/// `pty_cooked`: a program has the pseudo-terminal echo, or edit lines.
+ProblemNote cooked_note();
+
+/// `byte_clock_hurry`: with the byte clock, a joint gets motion commands and is never asked whether
+/// it has arrived.
+ProblemNote hurry_note(char label);
+
+/// `device_silent`: the device did not answer an inquiry of the line in time.
+ProblemNote silent_note(const Command& inquiry);
 
 }  // namespace xr3

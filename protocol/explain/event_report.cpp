@@ -1,14 +1,13 @@
 #include "protocol/explain/event_report.hpp"
 
 #include <array>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "protocol/explain/diagnostic.hpp"
 #include "protocol/explain/fault_text.hpp"
-#include "protocol/explain/warning_text.hpp"
 #include "protocol/json/values.hpp"
+#include "protocol/text/table.hpp"
 
 namespace xr3 {
 namespace {
@@ -35,7 +34,7 @@ std::string text_of(const MotorBlocked& e, const Model& model) {
   const std::string left = ", " + std::to_string(std::abs(e.error)) + " counts short";
   if (e.why == Blocked::kBlock) return "the jaws are closed on a block" + left;
   const std::string limit = std::string(e.upper ? "upper" : "lower") + " limit of " +
-                            short_number(e.limit) + " " + unit_of(model, e.by);
+                            significant_digits(e.limit, 6) + " " + unit_of(model, e.by);
   if (e.by == e.label) return letter_text(e.label) + " is at its " + limit + left;
   return letter_text(e.label) + " is blocked because it would move " + e.by + " past its " + limit +
          left;
@@ -59,9 +58,7 @@ std::string_view reason_text(LineCloseReason reason) {
 }
 
 std::string rate_text(Rate rate) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.9g", static_cast<double>(rate.millionths) / 1e6);
-  return text.data() + std::string(" times real time");
+  return significant_digits(static_cast<double>(rate.millionths) / 1e6, 9) + " times real time";
 }
 
 /// The table of the machine's events.
@@ -220,9 +217,10 @@ struct CellEvents {
     return of_machine;
   }
   EventReport operator()(const DeviceNote& note) const {
+    auto [code, message] = device_text(note);
     return {"device",
-            code_for(note.news),
-            text_of(note),
+            code,
+            std::move(message),
             {{"device", note.path}, {"hex", hexadecimal(note.raw.view())}, {"count", note.count}}};
   }
   EventReport operator()(const RecordingNote& note) const {
@@ -233,36 +231,31 @@ struct CellEvents {
   }
 
  private:
-  static std::string_view code_for(DeviceNews news) {
-    switch (news) {
-      case DeviceNews::kOpened: return "device_opened";
-      case DeviceNews::kLost: return "device_lost";
-      case DeviceNews::kUnasked: return "device_unasked";
-      case DeviceNews::kStopped: return "device_stopped";
-      case DeviceNews::kMirrorDifference: return "mirror_difference";
-      case DeviceNews::kMirrorLost: return "mirror_lost";
-      case DeviceNews::kMirrorAligned: return "mirror_aligned";
-    }
-    return "";
-  }
-  static std::string text_of(const DeviceNote& note) {
+  struct DeviceText {
+    std::string_view code;
+    std::string message;
+  };
+  static DeviceText device_text(const DeviceNote& note) {
+    const std::string device = "device " + note.path;
     switch (note.news) {
-      case DeviceNews::kOpened: return "device " + note.path + " is there";
+      case DeviceNews::kOpened: return {"device_opened", device + " is there"};
       case DeviceNews::kLost:
-        return "device " + note.path + " is lost: " + note.why + "; commands for it are dropped";
+        return {"device_lost", device + " is lost: " + note.why + "; commands for it are dropped"};
       case DeviceNews::kUnasked:
-        return "device " + note.path + " has sent " + std::to_string(note.count) +
-               " bytes that nobody asked for";
-      case DeviceNews::kStopped: return "all joints of device " + note.path + " are stopped";
+        return {"device_unasked", device + " has sent " + std::to_string(note.count) +
+                                      " bytes that nobody asked for"};
+      case DeviceNews::kStopped:
+        return {"device_stopped", "all joints of " + device + " are stopped"};
       case DeviceNews::kMirrorDifference:
-        return "device " + note.path + " differs from the simulation: " + note.why;
+        return {"mirror_difference", device + " differs from the simulation: " + note.why};
       case DeviceNews::kMirrorLost:
-        return "the simulation stopped where device " + note.path +
-               " goes on; put the arm to the soft home and call mirror_align";
+        return {"mirror_lost", "the simulation stopped where " + device +
+                                   " goes on; put the arm to the soft home and call mirror_align"};
       case DeviceNews::kMirrorAligned:
-        return "the simulation is at the soft home, as device " + note.path + " should be";
+        return {"mirror_aligned",
+                "the simulation is at the soft home, as " + device + " should be"};
     }
-    return "";
+    return {};
   }
   static std::string text_of(const HandoverNote& note) {
     if (note.enabled) return "the simulator is enabled; device " + note.device + " gets no command";
@@ -287,28 +280,15 @@ struct CellEvents {
 }  // namespace
 
 std::string_view name_of(LineKind kind) {
-  switch (kind) {
-    case LineKind::kTcp: return "tcp";
-    case LineKind::kTelnet: return "telnet";
-    case LineKind::kRfc2217: return "rfc2217";
-    case LineKind::kPty: return "pty";
-    case LineKind::kDevice: return "device";
-    case LineKind::kMonitor: return "monitor";
-  }
-  return "";
+  constexpr std::array<std::string_view, 6> kNames = {"tcp", "telnet", "rfc2217",
+                                                      "pty", "device", "monitor"};
+  return kNames.at(static_cast<std::size_t>(kind));
 }
 
 std::string_view code_of(LineCloseReason reason) {
-  switch (reason) {
-    case LineCloseReason::kClientClosed: return "client_closed";
-    case LineCloseReason::kNotARobotProgram: return "stranger";
-    case LineCloseReason::kError: return "error";
-    case LineCloseReason::kShutdown: return "shutdown";
-    case LineCloseReason::kDisconnected: return "disconnected";
-    case LineCloseReason::kMemory: return "memory";
-    case LineCloseReason::kFault: return "fault";
-  }
-  return "";
+  constexpr std::array<std::string_view, kLineCloseReasons> kCodes = {
+      "client_closed", "stranger", "error", "shutdown", "disconnected", "memory", "fault"};
+  return kCodes.at(static_cast<std::size_t>(reason));
 }
 
 EventReport report(const EventBody& event, const Model& model) {

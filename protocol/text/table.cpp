@@ -45,6 +45,12 @@ std::string plain_number(double number, int decimals) {
   return text;
 }
 
+std::string significant_digits(double number, int digits) {
+  std::ostringstream out;
+  out << std::setprecision(digits) << number;
+  return out.str();
+}
+
 std::string text_table(const std::vector<std::vector<std::string>>& rows,
                        const std::string& alignment) {
   const std::vector<std::size_t> widths = column_widths(rows, alignment.size());

@@ -11,6 +11,9 @@ std::string plain_number(double number, int decimals = 3);
 /// A number with exactly `decimals` decimals, for columns; never -0.
 std::string fixed_number(double number, int decimals);
 
+/// A number with at most so many significant digits, as by printf's %g.
+std::string significant_digits(double number, int digits);
+
 /// Formats rows of cells; the first row is the heading. A column is as wide as its widest cell, and
 /// right-aligned if its letter in `alignment` is 'r', otherwise left-aligned. Every line is
 /// indented by two blanks, has no trailing blanks, and ends with a line feed.
