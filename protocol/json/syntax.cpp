@@ -9,11 +9,6 @@ namespace {
 
 constexpr std::size_t kMaxQuotedLength = 40;
 
-struct Description {
-  std::string found;
-  std::string allowed;
-};
-
 bool contains(const std::string& text, std::string_view part) {
   return text.find(part) != std::string::npos;
 }
@@ -67,36 +62,38 @@ std::string allowed_here(const std::string& message) {
   return "a value: a number, \"text\", true, false, null, [ or {";
 }
 
+/// A message of the parser about a malformed token, and what stands for it.
 struct Phrase {
   std::string_view sign;
-  Description description;
+  std::string_view found;
+  std::string_view allowed;
 };
 
-/// The parser's messages about malformed tokens, with their replacements.
-const std::array<Phrase, 8>& phrases() {
-  static const std::array<Phrase, 8> known = {{
-      {"number overflow", {"a number that is too large", "numbers up to 1e308"}},
-      {"missing closing quote", {"text without its closing quote", "text in double quotes"}},
-      {"control character", {"a line end or control character inside text", "text on one line"}},
-      {"forbidden character after backslash",
-       {"an unknown escape after \\", "\\\" \\\\ \\/ \\b \\f \\n \\r \\t or \\uXXXX"}},
-      {"'\\u' must be followed", {"an unfinished \\u escape", "\\u and four hex digits"}},
-      {"surrogate", {"half of a surrogate pair", "both halves of the pair"}},
-      {"ill-formed UTF-8", {"a byte that is not UTF-8", "text in UTF-8"}},
-      {"invalid number", {"an unfinished number", "digits"}},
-  }};
-  return known;
-}
+constexpr std::array<Phrase, 8> kPhrases = {{
+    {"number overflow", "a number that is too large", "numbers up to 1e308"},
+    {"missing closing quote", "text without its closing quote", "text in double quotes"},
+    {"control character", "a line end or control character inside text", "text on one line"},
+    {"forbidden character after backslash", "an unknown escape after \\",
+     "\\\" \\\\ \\/ \\b \\f \\n \\r \\t or \\uXXXX"},
+    {"'\\u' must be followed", "an unfinished \\u escape", "\\u and four hex digits"},
+    {"surrogate", "half of a surrogate pair", "both halves of the pair"},
+    {"ill-formed UTF-8", "a byte that is not UTF-8", "text in UTF-8"},
+    {"invalid number", "an unfinished number", "digits"},
+}};
 
-Description describe_error(std::string_view text, std::size_t offset,
-                           const JsonDocument::Complaint& error) {
-  for (const Phrase& phrase : phrases()) {
-    if (contains(error.message, phrase.sign)) return phrase.description;
+/// Sets what was found and what is allowed.
+void describe_error(std::string_view text, std::size_t offset, const JsonDocument::Complaint& error,
+                    Finding& finding) {
+  for (const Phrase& phrase : kPhrases) {
+    if (!contains(error.message, phrase.sign)) continue;
+    finding.found = phrase.found;
+    finding.allowed = phrase.allowed;
+    return;
   }
-  Description description{printable(word_at(text, offset)), allowed_here(error.message)};
+  finding.found = printable(word_at(text, offset));
+  finding.allowed = allowed_here(error.message);
   const bool names_expected = contains(error.message, "; expected string literal");
-  if (description.found == "}" && names_expected) description.found = "} after a comma";
-  return description;
+  if (finding.found == "}" && names_expected) finding.found = "} after a comma";
 }
 
 /// The start of the word that contains an offset or ends there.
@@ -130,9 +127,7 @@ Finding syntax_finding(std::string_view text, const std::string& file,
   finding.file = file;
   finding.line = 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
   finding.column = 1 + static_cast<int>(offset - line_start);
-  const Description description = describe_error(text, offset, error);
-  finding.found = description.found;
-  finding.allowed = description.allowed;
+  describe_error(text, offset, error, finding);
   return finding;
 }
 
