@@ -6,8 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "protocol/json/index.hpp"
-
 namespace xr3 {
 namespace {
 
@@ -91,17 +89,6 @@ std::size_t dumped_size(char c) {
   return static_cast<unsigned char>(c) < 0x20 ? 6 : 1;
 }
 
-void append_escaped(std::string& pointer, std::string_view name) {
-  for (const char c : name) {
-    if (c == '~')
-      pointer += "~0";
-    else if (c == '/')
-      pointer += "~1";
-    else
-      pointer += c;
-  }
-}
-
 /// The member name of one part of a JSON pointer.
 std::string unescaped(std::string_view part) {
   std::string name;
@@ -114,6 +101,23 @@ std::string unescaped(std::string_view part) {
 
 }  // namespace
 
+std::string child_pointer(const std::string& parent, std::string_view member) {
+  std::string pointer = parent + "/";
+  for (const char c : member) {
+    if (c == '~')
+      pointer += "~0";
+    else if (c == '/')
+      pointer += "~1";
+    else
+      pointer += c;
+  }
+  return pointer;
+}
+
+std::string child_pointer(const std::string& parent, std::size_t element) {
+  return parent + "/" + std::to_string(element);
+}
+
 // --- The document.
 
 JsonDocument::JsonDocument(std::string_view text) : text_(text) {
@@ -121,7 +125,7 @@ JsonDocument::JsonDocument(std::string_view text) : text_(text) {
     fault_ = Fault::kTooLong;
     return;
   }
-  JsonIndexer(*this).run();
+  build_index();
   if (fault_ == Fault::kNone) mark_duplicates();
 }
 
@@ -289,11 +293,9 @@ std::string JsonValue::pointer_from(JsonValue around) const {
       if (index_ < each.next()) break;
       ++place;
     }
-    pointer += '/';
-    if (const JsonValue name = inner.name())
-      append_escaped(pointer, name.text(kMaxPointerLength));
-    else
-      pointer += std::to_string(place);
+    const JsonValue name = inner.name();
+    pointer =
+        name ? child_pointer(pointer, name.text(kMaxPointerLength)) : child_pointer(pointer, place);
     around = inner;
   }
   return pointer;

@@ -16,6 +16,10 @@ namespace xr3 {
 /// JSON for output; members keep their order. Include nlohmann/json.hpp to use it.
 using Json = nlohmann::ordered_json;
 
+/// `parent` followed by a member name, escaped according to RFC 6901, or by an index.
+std::string child_pointer(const std::string& parent, std::string_view member);
+std::string child_pointer(const std::string& parent, std::size_t element);
+
 class JsonValue;
 
 class JsonDocument {
@@ -64,6 +68,7 @@ class JsonDocument {
   static constexpr std::uint32_t kIsDuplicate = 1U << 30U;
   static constexpr std::uint32_t kHasEscapes = 1U << 31U;
 
+  void build_index();
   void mark_duplicates();
   void mark_duplicates(std::uint32_t object, std::vector<std::uint32_t>& names);
 

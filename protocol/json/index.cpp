@@ -1,7 +1,11 @@
-#include "protocol/json/index.hpp"
-
+// Builds the index of a JSON text; declared in document.hpp.
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "protocol/json/document.hpp"
+#include "protocol/json/long_token.hpp"
 
 namespace xr3 {
 namespace {
@@ -34,90 +38,118 @@ std::string shortened(std::string_view message) {
 
 }  // namespace
 
-void JsonIndexer::run() {
-  const std::string_view text = document_.text_;
-  document_.tokens_.reserve(count_tokens(text));
-  open_.reserve(JsonDocument::kMaxDepth);
-  if (text.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
-  const auto wrong = find_wrong_long_token(text);
-  if (!wrong) {
-    Json::sax_parse(text, this);
-    return;
+/// Builds the index: follows the parser's events and finds the position of each value and name.
+class JsonIndexer : public nlohmann::json_sax<Json> {
+ public:
+  explicit JsonIndexer(JsonDocument& document) : document_(document) {}
+
+  /// Fills the document's index, or sets its fault.
+  void run() {
+    const std::string_view text = document_.text_;
+    document_.tokens_.reserve(count_tokens(text));
+    open_.reserve(JsonDocument::kMaxDepth);
+    if (text.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
+    const auto wrong = find_wrong_long_token(text);
+    if (!wrong) {
+      Json::sax_parse(text, this);
+      return;
+    }
+    Json::sax_parse(text.substr(0, wrong->begin), this);
+    const bool is_deep = document_.fault_ == JsonDocument::Fault::kTooDeep;
+    const bool is_wrong = document_.fault_ == JsonDocument::Fault::kSyntax &&
+                          document_.complaint_.position <= wrong->begin;
+    if (!is_deep && !is_wrong) complain_of(*wrong);
   }
-  Json::sax_parse(text.substr(0, wrong->begin), this);
-  const bool is_deep = document_.fault_ == JsonDocument::Fault::kTooDeep;
-  const bool is_wrong = document_.fault_ == JsonDocument::Fault::kSyntax &&
-                        document_.complaint_.position <= wrong->begin;
-  if (!is_deep && !is_wrong) complain_of(*wrong);
-}
 
-/// Reports the parser's error for a short sample instead of the long token.
-void JsonIndexer::complain_of(const LongToken& wrong) {
-  const JsonDocument sample(wrong.sample);
-  document_.fault_ = JsonDocument::Fault::kSyntax;
-  document_.complaint_ = sample.complaint();
-  document_.complaint_.position += wrong.offset;
-}
-
-void JsonIndexer::find_next() {
-  at_ = std::min(document_.text_.find_first_not_of(kBetween, at_), document_.text_.size());
-}
-
-bool JsonIndexer::word() {
-  find_next();
-  document_.tokens_.push_back({static_cast<std::uint32_t>(at_), 0});
-  at_ += document_.text_[at_] == 'f' ? 5 : 4;
-  return true;
-}
-
-bool JsonIndexer::number() {
-  find_next();
-  const std::string_view text = document_.text_;
-  const std::size_t end = std::min(text.find_first_not_of("0123456789+-.eE", at_), text.size());
-  document_.tokens_.push_back(
-      {static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(end - at_)});
-  at_ = end;
-  return true;
-}
-
-bool JsonIndexer::text(std::uint32_t flags) {
-  find_next();
-  const std::size_t end = text_end(document_.text_, at_ + 1);
-  const std::string_view written = document_.text_.substr(at_ + 1, end - at_ - 1);
-  if (written.find('\\') != std::string_view::npos) flags |= JsonDocument::kHasEscapes;
-  document_.tokens_.push_back(
-      {static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(written.size()) | flags});
-  at_ = end + 1;
-  return true;
-}
-
-bool JsonIndexer::open() {
-  find_next();
-  if (open_.size() == JsonDocument::kMaxDepth) {
-    document_.fault_ = JsonDocument::Fault::kTooDeep;
-    document_.complaint_.position = at_ + 1;
-    document_.complaint_.pointer =
-        JsonValue(&document_, open_.back()).pointer_from(JsonValue(&document_, 0));
+  bool null() override { return word(); }
+  bool boolean(bool) override { return word(); }
+  bool number_integer(number_integer_t) override { return number(); }
+  bool number_unsigned(number_unsigned_t) override { return number(); }
+  bool number_float(number_float_t, const string_t&) override { return number(); }
+  bool string(string_t&) override { return text(0); }
+  bool binary(binary_t&) override { return false; }
+  bool start_object(std::size_t) override { return open(); }
+  bool start_array(std::size_t) override { return open(); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+  bool key(string_t&) override { return text(JsonDocument::kIsName); }
+  bool parse_error(std::size_t position, const std::string& last_token,
+                   const nlohmann::detail::exception& error) override {
+    document_.fault_ = JsonDocument::Fault::kSyntax;
+    document_.complaint_ = {position, last_token.size(), shortened(error.what()), {}};
     return false;
   }
-  open_.push_back(next_index());
-  document_.tokens_.push_back({static_cast<std::uint32_t>(at_++), UINT32_MAX});
-  return true;
-}
 
-bool JsonIndexer::close() {
-  find_next();
-  ++at_;
-  document_.tokens_[open_.back()].rest = next_index();
-  open_.pop_back();
-  return true;
-}
+ private:
+  /// Reports the parser's error for a short sample instead of the long token.
+  void complain_of(const LongToken& wrong) {
+    const JsonDocument sample(wrong.sample);
+    document_.fault_ = JsonDocument::Fault::kSyntax;
+    document_.complaint_ = sample.complaint();
+    document_.complaint_.position += wrong.offset;
+  }
 
-bool JsonIndexer::parse_error(std::size_t position, const std::string& last_token,
-                              const nlohmann::detail::exception& error) {
-  document_.fault_ = JsonDocument::Fault::kSyntax;
-  document_.complaint_ = {position, last_token.size(), shortened(error.what()), {}};
-  return false;
-}
+  void find_next() {
+    at_ = std::min(document_.text_.find_first_not_of(kBetween, at_), document_.text_.size());
+  }
+
+  bool word() {
+    find_next();
+    document_.tokens_.push_back({static_cast<std::uint32_t>(at_), 0});
+    at_ += document_.text_[at_] == 'f' ? 5 : 4;
+    return true;
+  }
+
+  bool number() {
+    find_next();
+    const std::string_view text = document_.text_;
+    const std::size_t end = std::min(text.find_first_not_of("0123456789+-.eE", at_), text.size());
+    document_.tokens_.push_back(
+        {static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(end - at_)});
+    at_ = end;
+    return true;
+  }
+
+  bool text(std::uint32_t flags) {
+    find_next();
+    const std::size_t end = text_end(document_.text_, at_ + 1);
+    const std::string_view written = document_.text_.substr(at_ + 1, end - at_ - 1);
+    if (written.find('\\') != std::string_view::npos) flags |= JsonDocument::kHasEscapes;
+    document_.tokens_.push_back(
+        {static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(written.size()) | flags});
+    at_ = end + 1;
+    return true;
+  }
+
+  bool open() {
+    find_next();
+    if (open_.size() == JsonDocument::kMaxDepth) {
+      document_.fault_ = JsonDocument::Fault::kTooDeep;
+      document_.complaint_.position = at_ + 1;
+      document_.complaint_.pointer =
+          JsonValue(&document_, open_.back()).pointer_from(JsonValue(&document_, 0));
+      return false;
+    }
+    open_.push_back(next_index());
+    document_.tokens_.push_back({static_cast<std::uint32_t>(at_++), UINT32_MAX});
+    return true;
+  }
+
+  bool close() {
+    find_next();
+    ++at_;
+    document_.tokens_[open_.back()].rest = next_index();
+    open_.pop_back();
+    return true;
+  }
+
+  std::uint32_t next_index() const { return static_cast<std::uint32_t>(document_.tokens_.size()); }
+
+  JsonDocument& document_;
+  std::size_t at_ = 0;  ///< end of the last token
+  std::vector<std::uint32_t> open_;
+};
+
+void JsonDocument::build_index() { JsonIndexer(*this).run(); }
 
 }  // namespace xr3

@@ -49,23 +49,6 @@ std::string without_comment_lines(std::string_view text) {
   return result;
 }
 
-std::string child_pointer(const std::string& parent, std::string_view member) {
-  std::string pointer = parent + "/";
-  for (const char c : member) {
-    if (c == '~')
-      pointer += "~0";
-    else if (c == '/')
-      pointer += "~1";
-    else
-      pointer += c;
-  }
-  return pointer;
-}
-
-std::string child_pointer(const std::string& parent, std::size_t element) {
-  return parent + "/" + std::to_string(element);
-}
-
 std::string describe_duplicate(JsonValue member) {
   constexpr std::size_t kMaxLength = 200;
   return "\"" + cut(member.name().text(kMaxLength + 1), kMaxLength) + "\", a duplicate";

@@ -14,10 +14,6 @@ namespace xr3 {
 /// JSON text with comment lines replaced by blanks, so that offsets and lines do not change.
 std::string without_comment_lines(std::string_view text);
 
-/// `parent` followed by a member name, escaped according to RFC 6901, or by an index.
-std::string child_pointer(const std::string& parent, std::string_view member);
-std::string child_pointer(const std::string& parent, std::size_t element);
-
 /// `"name", a duplicate`, for a duplicate member.
 std::string describe_duplicate(JsonValue member);
 
