@@ -28,36 +28,15 @@ Codec<Micrometres> length_um(Range range) {
 
 Codec<PointUm> point_um(Range range, const std::string& names) {
   const Codec<Micrometres> item = length_um(range);
-  Codec<PointUm> codec;
   const std::string range_text = item.allowed.substr(std::string_view("a length ").size());
-  codec.allowed = "a list " + names + " of three lengths, each " + range_text;
-  codec.read = [item, allowed = codec.allowed](const Place& place, PointUm& p) {
-    if (!place.value.is_list() || place.value.size() != 3) return place.refuse(allowed);
-    const bool has_x = item.read(place.element(0), p.x);
-    const bool has_y = item.read(place.element(1), p.y);
-    return item.read(place.element(2), p.z) && has_x && has_y;
-  };
-  codec.write = [](const PointUm& p) {
-    return Json::array({number_json(mm(p.x)), number_json(mm(p.y)), number_json(mm(p.z))});
-  };
-  return codec;
+  return row<PointUm>("a list " + names + " of three lengths, each " + range_text, item,
+                      {&PointUm::x, &PointUm::y, &PointUm::z});
 }
 
 Codec<Microdegrees> yaw() {
-  const Codec<double> in_degrees = number({-kTurnDeg, kTurnDeg, false, "degrees"});
-  Codec<Microdegrees> codec;
-  codec.allowed = in_degrees.allowed;
-  codec.read = [in_degrees](const Place& place, Microdegrees& result) {
-    double angle_deg = 0;
-    const bool is_good = in_degrees.read(place, angle_deg);
-    constexpr Microdegrees kHalfTurn = 180000000;
-    result = microdegrees(angle_deg);
-    while (result > kHalfTurn) result -= 2 * kHalfTurn;
-    while (result <= -kHalfTurn) result += 2 * kHalfTurn;
-    return is_good;
-  };
-  codec.write = [](const Microdegrees& angle) { return number_json(degrees(angle)); };
-  return codec;
+  return converted<Microdegrees, double>(
+      number({-kTurnDeg, kTurnDeg, false, "degrees"}),
+      [](const double& angle_deg) { return normalized(microdegrees(angle_deg)); }, degrees);
 }
 
 Codec<std::string> block_name() { return text(1, 40); }

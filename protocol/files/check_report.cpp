@@ -12,23 +12,15 @@
 namespace xr3 {
 namespace {
 
-CheckResult robot_result(std::string_view text, const std::string& file, Profile profile) {
+/// Of a file that has been read; its value goes to `member`.
+template <class V, class Summary>
+CheckResult result_of(DataKind kind, FileReading<V> reading, std::optional<V> CheckResult::*member,
+                      const Summary& summary_of) {
   CheckResult result;
-  result.kind = DataKind::kRobot;
-  RobotReading reading = read_robot(text, file);
+  result.kind = kind;
   result.findings = std::move(reading.findings);
-  result.robot = std::move(reading.robot);
-  if (result.robot) result.summary = robot_summary(*result.robot, profile);
-  return result;
-}
-
-CheckResult workcell_result(std::string_view text, const std::string& file, const Robot* robot) {
-  CheckResult result;
-  result.kind = DataKind::kWorkcell;
-  WorkcellReading reading = read_workcell(text, file, robot);
-  result.findings = std::move(reading.findings);
-  result.workcell = std::move(reading.workcell);
-  if (result.workcell) result.summary = workcell_summary(*result.workcell);
+  if (reading.value) result.summary = summary_of(*reading.value);
+  result.*member = std::move(reading.value);
   return result;
 }
 
@@ -39,44 +31,39 @@ std::string labels_of(const Robot& robot) {
   return labels;
 }
 
-CheckResult faults_result(std::string_view text, const std::string& file, const Robot* robot) {
-  CheckResult result;
-  result.kind = DataKind::kFaults;
-  FaultsReading reading = read_faults(text, file, robot != nullptr ? labels_of(*robot) : "");
-  result.findings = std::move(reading.findings);
-  result.faults = std::move(reading.plan);
-  if (result.faults) result.summary = faults_summary(*result.faults);
-  return result;
-}
-
-CheckResult goals_result(std::string_view text, const std::string& file) {
-  CheckResult result;
-  result.kind = DataKind::kGoals;
-  GoalsReading reading = read_goals(text, file);
-  result.findings = std::move(reading.findings);
-  if (reading.list) result.summary = goals_summary(*reading.list);
-  return result;
-}
-
 CheckResult unknown_result(const std::string& file) {
   CheckResult result;
   result.findings.push_back(
       {Severity::kError, file, 1, 0, "", "neither a robot nor a workcell, faults or goals",
        std::string(description_of(DataKind::kRobot)) + "; " + description_of(DataKind::kWorkcell) +
-           "; " + description_of(DataKind::kFaults) + "; or " +
-           description_of(DataKind::kGoals)});
+           "; " + description_of(DataKind::kFaults) + "; or " + description_of(DataKind::kGoals)});
   return result;
 }
 
 }  // namespace
 
+CheckResult robot_result(FileReading<Robot> reading, Profile profile) {
+  return result_of(DataKind::kRobot, std::move(reading), &CheckResult::robot,
+                   [&](const Robot& robot) { return robot_summary(robot, profile); });
+}
+
+CheckResult workcell_result(FileReading<Workcell> reading) {
+  return result_of(DataKind::kWorkcell, std::move(reading), &CheckResult::workcell,
+                   workcell_summary);
+}
+
 CheckResult check_text(std::string_view text, const std::string& file, Profile profile,
                        const Robot* robot) try {
   switch (kind_of(JsonSource(text, file).root())) {
-    case DataKind::kRobot: return robot_result(text, file, profile);
-    case DataKind::kWorkcell: return workcell_result(text, file, robot);
-    case DataKind::kFaults: return faults_result(text, file, robot);
-    case DataKind::kGoals: return goals_result(text, file);
+    case DataKind::kRobot: return robot_result(read_robot(text, file), profile);
+    case DataKind::kWorkcell: return workcell_result(read_workcell(text, file, robot));
+    case DataKind::kFaults:
+      return result_of(DataKind::kFaults,
+                       read_faults(text, file, robot != nullptr ? labels_of(*robot) : ""),
+                       &CheckResult::faults, faults_summary);
+    case DataKind::kGoals:
+      return result_of(DataKind::kGoals, read_goals(text, file), &CheckResult::goals,
+                       goals_summary);
     case DataKind::kUnknown: break;
   }
   return unknown_result(file);

@@ -11,6 +11,7 @@
 #include "core/robot.hpp"
 #include "core/workcell.hpp"
 #include "protocol/files/kind.hpp"
+#include "protocol/goals/goal.hpp"
 #include "protocol/json/finding.hpp"
 
 namespace xr3 {
@@ -23,12 +24,18 @@ struct CheckResult {
   std::optional<Robot> robot;
   std::optional<Workcell> workcell;
   std::optional<FaultPlan> faults;
+  std::optional<GoalList> goals;
 
   bool is_good() const { return !has_errors(findings); }
 };
 
-/// Checks the text of any data file, see kind_of(). The profile determines the range of switches
-/// without a width. Checks a workcell against the robot's tool, faults against its joints.
+/// The result of a file that has been read. The profile determines the range of switches without a
+/// width.
+CheckResult robot_result(FileReading<Robot> reading, Profile profile);
+CheckResult workcell_result(FileReading<Workcell> reading);
+
+/// Checks the text of any data file, see kind_of(): a workcell against the robot's tool, faults
+/// against its joints.
 CheckResult check_text(std::string_view text, const std::string& file, Profile profile,
                        const Robot* robot = nullptr);
 

@@ -1,19 +1,19 @@
-#include "protocol/files/fault_consistency.hpp"
-
+// The rules of fault files; declared in consistency.hpp.
 #include <algorithm>
 #include <array>
 #include <set>
 #include <utility>
 
 #include "protocol/explain/fault_text.hpp"
+#include "protocol/files/consistency.hpp"
 
 namespace xr3 {
 namespace {
 
 using data::Reading;
 
-constexpr std::string_view kTargets[] = {"a line", "the controller", "a joint", "the jaws",
-                                         "the camera"};
+constexpr std::string_view kTargetNames[] = {"a line", "the controller", "a joint", "the jaws",
+                                             "the camera"};
 
 /// A member that only some kinds have.
 struct MemberOfKinds {
@@ -91,7 +91,7 @@ class Checker {
       if (has(each.name) && !allows)
         refuse(each.name, shown(each.name),
                "no \"" + std::string(each.name) + "\": " + kind_ + " acts on " +
-                   std::string(kTargets[static_cast<std::size_t>(traits_.target)]));
+                   std::string(kTargetNames[static_cast<std::size_t>(traits_.target)]));
       if (allows && each.is_required && !has(each.name))
         refuse(each.name, "", std::string(each.allowed));
     }

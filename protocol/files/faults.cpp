@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "protocol/explain/fault_text.hpp"
-#include "protocol/files/fault_consistency.hpp"
+#include "protocol/files/consistency.hpp"
 #include "protocol/files/kind.hpp"
 
 namespace xr3 {
@@ -17,23 +17,16 @@ using namespace data;  // NOLINT: keeps the tables below readable
 constexpr int kMaxCameraPixels = 2048;
 constexpr std::int64_t kMaxWhole = Fault::kMaxTicks;
 
-bool is_name_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-         c == '-';
-}
-
 Codec<std::string> fault_name() {
-  Codec<std::string> codec;
-  codec.allowed = "1 to 32 letters, digits, _ or -";
-  codec.read = [allowed = codec.allowed](const Place& place, std::string& name) {
-    if (!place.value.is_text() || place.value.text_size() > Fault::kMaxName)
-      return place.refuse(allowed);
-    name = place.value.text();
-    const bool is_good = !name.empty() && std::all_of(name.begin(), name.end(), is_name_letter);
-    return is_good || place.refuse(allowed);
+  constexpr std::string_view kLetters =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+  const auto parse = [=](JsonValue value) -> std::optional<std::string> {
+    if (!value.is_text() || value.text_size() > Fault::kMaxName) return std::nullopt;
+    std::string name = value.text();
+    if (name.empty() || name.find_first_not_of(kLetters) != name.npos) return std::nullopt;
+    return name;
   };
-  codec.write = [](const std::string& name) { return Json(name); };
-  return codec;
+  return parsed<std::string>("1 to 32 letters, digits, _ or -", parse);
 }
 
 Codec<FaultKind> fault_kind() {
@@ -47,37 +40,26 @@ Codec<FaultKind> fault_kind() {
 
 /// A number of a line, or "any", which is 0.
 Codec<std::uint32_t> line_number() {
-  const auto number = integer<std::uint32_t>(1, UINT32_MAX);
-  Codec<std::uint32_t> codec;
-  codec.allowed = number.allowed + ", or \"any\"";
-  codec.read = [allowed = codec.allowed](const Place& place, std::uint32_t& line) {
-    if (place.value.is("any")) return line = 0, true;
-    const auto found = detail::integer_in(place.value, 1, UINT32_MAX);
-    if (!found) return place.refuse(allowed);
-    return line = static_cast<std::uint32_t>(*found), true;
+  const auto parse = [](JsonValue value) -> std::optional<std::uint32_t> {
+    if (value.is("any")) return 0;
+    const auto number = detail::integer_in(value, 1, UINT32_MAX);
+    return number ? std::optional(static_cast<std::uint32_t>(*number)) : std::nullopt;
   };
-  codec.write = [](const std::uint32_t& line) { return line == 0 ? Json("any") : Json(line); };
-  return codec;
-}
-
-Codec<char> joint_label() {
-  std::vector<std::pair<std::string, char>> labels;
-  for (char label = 'A'; label <= 'H'; ++label) labels.emplace_back(std::string(1, label), label);
-  return choice(std::move(labels));
+  return parsed<std::uint32_t>(
+      detail::integer_text(1, UINT32_MAX) + ", or \"any\"", parse,
+      [](const std::uint32_t& line) { return line == 0 ? Json("any") : Json(line); });
 }
 
 /// A probability, read once into whole parts of kCertain.
 Codec<std::uint32_t> probability() {
-  Codec<std::uint32_t> codec;
-  codec.allowed = "a number from 0.000000001 to 1";
-  codec.read = [allowed = codec.allowed](const Place& place, std::uint32_t& parts) {
-    if (!place.value.is_number()) return place.refuse(allowed);
-    const double number = place.value.number() * kCertain;
-    if (!(number >= 0.5 && number <= kCertain)) return place.refuse(allowed);
-    return parts = static_cast<std::uint32_t>(std::llround(number)), true;
+  const auto parse = [](JsonValue value) -> std::optional<std::uint32_t> {
+    const double parts = value.is_number() ? value.number() * kCertain : 0;
+    if (!(parts >= 0.5 && parts <= kCertain)) return std::nullopt;
+    return static_cast<std::uint32_t>(std::llround(parts));
   };
-  codec.write = [](const std::uint32_t& parts) { return number_json(double(parts) / kCertain); };
-  return codec;
+  return parsed<std::uint32_t>(
+      "a number from 0.000000001 to 1", parse,
+      [](const std::uint32_t& parts) { return number_json(double(parts) / kCertain); });
 }
 
 const Members<FaultPlan>& plan_members() {
@@ -101,7 +83,7 @@ const Members<Fault>& data::fault_members() {
       optional("line", &Fault::line, line_number()),
       optional("direction", &Fault::direction,
                choice<LineSide>({{"in", LineSide::kIn}, {"out", LineSide::kOut}})),
-      optional("joint", &Fault::joint, joint_label()),
+      optional("joint", &Fault::joint, motor_label()),
       optional("bit", &Fault::bit, whole_number(0, 7)),
       optional("byte", &Fault::byte, integer<std::uint8_t>(0, UINT8_MAX)),
       optional("percent", &Fault::percent, integer<std::uint32_t>(1, 99)),
@@ -120,6 +102,12 @@ const Members<Fault>& data::fault_members() {
   return members;
 }
 
+Codec<char> data::motor_label() {
+  std::vector<std::pair<std::string, char>> labels;
+  for (char label = 'A'; label <= 'H'; ++label) labels.emplace_back(std::string(1, label), label);
+  return choice(std::move(labels));
+}
+
 Codec<std::uint64_t> data::fault_seed() { return integer<std::uint64_t>(0, kMaxWhole); }
 
 std::optional<Fault> read_fault(Reading& reading) {
@@ -129,24 +117,16 @@ std::optional<Fault> read_fault(Reading& reading) {
   return reading.has_errors() ? std::nullopt : std::optional(std::move(fault));
 }
 
-FaultsReading read_faults(std::string_view text, const std::string& file,
-                          std::string_view labels) try {
-  const JsonSource source(text, file);
-  refuse_other_kinds(source.root(), DataKind::kFaults, file);
-  Reading reading(source, Unit::kMm);
-  FaultPlan plan;
-  read_object(Place{reading, reading.root()}, plan_members(), plan);
-  check_faults(plan, labels, reading);
-  const bool is_good = !reading.has_errors();
-  return {is_good ? std::optional(std::move(plan)) : std::nullopt, reading.take_findings()};
-} catch (const DataError& error) {
-  return {std::nullopt, error.findings()};
+FileReading<FaultPlan> read_faults(std::string_view text, const std::string& file,
+                                   std::string_view labels) {
+  return read_file(text, file, DataKind::kFaults, Unit::kMm, [&](Reading& reading) {
+    return read_root(reading, plan_members(),
+                     [&](const FaultPlan& plan, Reading&) { check_faults(plan, labels, reading); });
+  });
 }
 
 FaultPlan load_faults(std::string_view text, const std::string& file, std::string_view labels) {
-  FaultsReading reading = read_faults(text, file, labels);
-  if (!reading.plan) throw DataError(std::move(reading.findings));
-  return *std::move(reading.plan);
+  return value_of(read_faults(text, file, labels));
 }
 
 // Required members are written even with the value of a default fault.

@@ -13,19 +13,12 @@
 
 namespace xr3 {
 
-/// The result of reading a fault file. `plan` is set unless a finding is an error; the findings are
-/// sorted by line.
-struct FaultsReading {
-  std::optional<FaultPlan> plan;
-  Findings findings;
-};
-
 /// Reads and checks a fault file. `labels`: those of the robot's motors; empty if the robot is not
 /// known. Syntax errors are findings, too. Never throws.
-FaultsReading read_faults(std::string_view text, const std::string& file,
-                          std::string_view labels = "");
+FileReading<FaultPlan> read_faults(std::string_view text, const std::string& file,
+                                   std::string_view labels = "");
 
-/// Reads and checks a fault file. Throws DataError with all findings if one of them is an error.
+/// The same; throws DataError with all findings if one of them is an error.
 FaultPlan load_faults(std::string_view text, const std::string& file, std::string_view labels);
 
 /// Reads and checks one fault; errors go to the reading.
@@ -42,6 +35,9 @@ namespace xr3::data {
 
 /// The members of a fault, without the rules that concern several of them.
 const Members<Fault>& fault_members();
+
+/// The label of a motor of any robot.
+Codec<char> motor_label();
 
 /// Whole numbers that fit both JSON and the seed.
 Codec<std::uint64_t> fault_seed();

@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
 
-#include "protocol/json/document.hpp"
-#include "protocol/json/finding.hpp"
+#include "protocol/json/codec.hpp"
 
 namespace xr3 {
 
@@ -18,6 +20,21 @@ DataKind kind_of(JsonValue root);
 /// The only finding of a file of the other kind: one sentence says more than a list of all members
 /// that it lacks. Throws DataError if the file is of another known kind than `wanted`.
 void refuse_other_kinds(JsonValue root, DataKind wanted, const std::string& file);
+
+/// Reads a file of a kind: `read(reading)` reads its value; errors go to the reading. Syntax errors
+/// are findings, too. Never throws.
+template <class Read>
+auto read_file(std::string_view text, const std::string& file, DataKind kind, data::Unit unit,
+               const Read& read)
+    -> FileReading<typename std::invoke_result_t<Read, data::Reading&>::value_type> try {
+  const JsonSource source(text, file);
+  refuse_other_kinds(source.root(), kind, file);
+  data::Reading reading(source, unit);
+  auto value = read(reading);
+  return {std::move(value), reading.take_findings()};
+} catch (const DataError& error) {
+  return {std::nullopt, error.findings()};
+}
 
 /// What a file of a kind is: `a robot, with "joints" and "tool"`.
 const char* description_of(DataKind kind);

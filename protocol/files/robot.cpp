@@ -3,10 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "protocol/files/drive.hpp"
+#include "protocol/files/consistency.hpp"
 #include "protocol/files/kind.hpp"
-#include "protocol/files/outline.hpp"
-#include "protocol/files/robot_consistency.hpp"
+#include "protocol/files/robot_parts.hpp"
 #include "protocol/json/codec.hpp"
 
 namespace xr3 {
@@ -27,29 +26,22 @@ Members<DhRow> dh_members() {
           required("alpha_deg", &DhRow::alpha_deg, number(kAngle))};
 }
 
-template <class T>
-void append(Members<T>& members, Members<T> more) {
-  members.insert(members.end(), more.begin(), more.end());
-}
-
 Members<Joint> joint_members() {
-  Members<Joint> members = spread(&Joint::drive, Members<Drive>{label_member()});
-  members.push_back(required("name", &Joint::name, text(1, 40)));
-  members.push_back(required(
-      "variable", &Joint::variable,
-      choice<JointVariable>({{"theta", JointVariable::kTheta}, {"d", JointVariable::kD}})));
-  append(members, spread(&Joint::dh, dh_members()));
-  append(members,
-         spread(&Joint::drive, Members<Drive>{precision_member(), limits_member(), speed_member(),
-                                              direction_member(), switch_member()}));
-  return members;
+  return joined(spread(&Joint::drive, drive_members({"label"})),
+                Members<Joint>{required("name", &Joint::name, text(1, 40)),
+                               required("variable", &Joint::variable,
+                                        choice<JointVariable>({{"theta", JointVariable::kTheta},
+                                                               {"d", JointVariable::kD}}))},
+                spread(&Joint::dh, dh_members()),
+                spread(&Joint::drive,
+                       drive_members({"precision", "limits", "speed", "direction", "switch"})));
 }
 
 /// A joint. Its home is the Denavit-Hartenberg parameter that its motor changes.
 Codec<Joint> joint() {
   Codec<Joint> codec = object(joint_members());
-  codec.read = [members = joint_members()](const Place& place, Joint& result) {
-    const bool is_good = read_object(place, members, result);
+  codec.read = [read = codec.read](const Place& place, Joint& result) {
+    const bool is_good = read(place, result);
     const bool turns = result.is_revolute();
     result.drive.home = turns ? result.dh.theta_deg : result.dh.d_mm;
     if (!turns) convert_lengths(result.drive, place.reading.mm_per_unit());
@@ -59,25 +51,22 @@ Codec<Joint> joint() {
 }
 
 Members<Tool> tool_members() {
-  Members<Tool> members = {required(
-      "kind", &Tool::kind,
-      choice<ToolKind>({{"parallel", ToolKind::kParallel}, {"angular", ToolKind::kAngular}}))};
-  append(members,
-         spread(&Tool::drive, Members<Drive>{label_member(), precision_member(), speed_member(),
-                                             direction_member(), limits_member(), home_member(),
-                                             switch_member()}));
-  members.push_back(
-      optional("finger_length", &Tool::finger_length_mm, length({0, kMaxLengthMm, true})));
-  members.push_back(
-      defaulted("parts", &Tool::parts, list(object(tool_part_members()), 0, kMaxToolParts)));
-  return members;
+  return joined(
+      Members<Tool>{required(
+          "kind", &Tool::kind,
+          choice<ToolKind>({{"parallel", ToolKind::kParallel}, {"angular", ToolKind::kAngular}}))},
+      spread(&Tool::drive, drive_members({"label", "precision", "speed", "direction", "limits",
+                                          "home", "switch"})),
+      Members<Tool>{
+          optional("finger_length", &Tool::finger_length_mm, length({0, kMaxLengthMm, true})),
+          defaulted("parts", &Tool::parts, list(object(tool_part_members()), 0, kMaxToolParts))});
 }
 
 /// The tool. The variable of parallel jaws is a length, so its drive is converted, too.
 Codec<Tool> tool() {
   Codec<Tool> codec = object(tool_members());
-  codec.read = [members = tool_members()](const Place& place, Tool& result) {
-    const bool is_good = read_object(place, members, result);
+  codec.read = [read = codec.read](const Place& place, Tool& result) {
+    const bool is_good = read(place, result);
     if (result.kind == ToolKind::kParallel) {
       convert_lengths(result.drive, place.reading.mm_per_unit());
       result.drive.home *= place.reading.mm_per_unit();
@@ -87,35 +76,18 @@ Codec<Tool> tool() {
   return codec;
 }
 
-/// `[x, y]`
-Member<Carousel> center_member() {
-  const std::string allowed = "a list [x, y] of two lengths";
-  Member<Carousel> member;
-  member.name = "center";
-  member.allowed = allowed;
-  member.read = [allowed, coordinate = length(kCoordinate)](const Place& place,
-                                                            Carousel& carousel) {
-    if (!place.value.is_list() || place.value.size() != 2) return place.refuse(allowed);
-    const bool has_x = coordinate.read(place.element(0), carousel.x_mm);
-    return coordinate.read(place.element(1), carousel.y_mm) && has_x;
-  };
-  member.write = [](const Carousel& carousel) {
-    return Json::array({number_json(carousel.x_mm), number_json(carousel.y_mm)});
-  };
-  return member;
-}
-
 Members<Carousel> carousel_members() {
-  Members<Carousel> members = spread(&Carousel::drive, Members<Drive>{label_member()});
-  members.push_back(required("name", &Carousel::name, text(1, 40)));
-  append(members, spread(&Carousel::drive,
-                         Members<Drive>{precision_member(), limits_member(), speed_member(),
-                                        direction_member(), switch_member()}));
-  members.push_back(center_member());
-  members.push_back(required("radius", &Carousel::radius_mm, length({0, kMaxLengthMm, true})));
-  members.push_back(required("height", &Carousel::height_mm, length(kCoordinate)));
-  members.push_back(required("color", &Carousel::color, whole_number(0, 15)));
-  return members;
+  const auto center = row<Carousel>("a list [x, y] of two lengths", length(kCoordinate),
+                                    {&Carousel::x_mm, &Carousel::y_mm});
+  return joined(
+      spread(&Carousel::drive, drive_members({"label"})),
+      Members<Carousel>{required("name", &Carousel::name, text(1, 40))},
+      spread(&Carousel::drive,
+             drive_members({"precision", "limits", "speed", "direction", "switch"})),
+      Members<Carousel>{required("center", center),
+                        required("radius", &Carousel::radius_mm, length({0, kMaxLengthMm, true})),
+                        required("height", &Carousel::height_mm, length(kCoordinate)),
+                        required("color", &Carousel::color, whole_number(0, 15))});
 }
 
 /// A joint's number in the file: from 1, negative for "against" or "subtracted".
@@ -183,25 +155,14 @@ const Members<Robot>& robot_members() {
 
 }  // namespace
 
-RobotReading read_robot(std::string_view text, const std::string& file) try {
-  const JsonSource source(text, file);
-  refuse_other_kinds(source.root(), DataKind::kRobot, file);
-  Reading reading(source);
-  Robot robot;
-  read_object(Place{reading, source.root()}, robot_members(), robot);
-  check_robot(robot, reading);
-  RobotReading result;
-  if (!reading.has_errors()) result.robot = std::move(robot);
-  result.findings = reading.take_findings();
-  return result;
-} catch (const DataError& error) {
-  return {std::nullopt, error.findings()};
+FileReading<Robot> read_robot(std::string_view text, const std::string& file) {
+  return read_file(text, file, DataKind::kRobot, Unit::kOfDocument, [](Reading& reading) {
+    return read_root(reading, robot_members(), check_robot);
+  });
 }
 
 Robot load_robot(std::string_view text, const std::string& file) {
-  RobotReading reading = read_robot(text, file);
-  if (!reading.robot) throw DataError(std::move(reading.findings));
-  return *std::move(reading.robot);
+  return value_of(read_robot(text, file));
 }
 
 Json robot_to_json(const Robot& robot) { return write_object(robot, robot_members()); }

@@ -2,7 +2,6 @@
 // comes from the caller; no file is read here.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,17 +14,10 @@ namespace xr3 {
 /// The parts of a tool that a robot file may list.
 inline constexpr std::size_t kMaxToolParts = 16;
 
-/// The result of reading a robot file. `robot` is set unless a finding is an error; the findings
-/// are sorted by line.
-struct RobotReading {
-  std::optional<Robot> robot;
-  Findings findings;
-};
-
 /// Reads and checks a robot file. Syntax errors are findings, too. Never throws.
-RobotReading read_robot(std::string_view text, const std::string& file);
+FileReading<Robot> read_robot(std::string_view text, const std::string& file);
 
-/// Reads and checks a robot file. Throws DataError with all findings if one of them is an error.
+/// The same; throws DataError with all findings if one of them is an error.
 Robot load_robot(std::string_view text, const std::string& file);
 
 /// The JSON of a robot file, in mm, with its members in the documented order. Loading it gives an

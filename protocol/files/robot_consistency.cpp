@@ -1,5 +1,6 @@
-#include "protocol/files/robot_consistency.hpp"
-
+// The rules of robot files; declared in consistency.hpp.
+#include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <vector>
@@ -8,7 +9,8 @@
 #include "core/kinematics.hpp"
 #include "core/model.hpp"
 #include "core/stall.hpp"
-#include "protocol/files/motor_consistency.hpp"
+#include "core/switches.hpp"
+#include "protocol/files/consistency.hpp"
 #include "protocol/text/table.hpp"
 
 namespace xr3 {
@@ -16,21 +18,134 @@ namespace {
 
 using data::Reading;
 
-std::string joint_pointer(std::size_t index) { return "/joints/" + std::to_string(index); }
+/// Maximum distance of the limits from the soft home, in counts, so that sums of counts never
+/// overflow.
+constexpr double kMaxCountsFromHome = 1e8;
+
+constexpr const char* kToolPointer = "/tool";
+constexpr int kHighestBitOfJ = 2;  // bits 2 to 5 of J are input lines
+constexpr char kToolLabel = 'A';
+
+std::string number_text(double number) { return plain_number(number, 4); }
+
+// --- The rules for motors, of joints, tool and carousel alike.
+
+/// The drive of a joint, of the tool or of the carousel, with the data that the common rules need.
+struct CheckedMotor {
+  const Drive* drive;
+  std::string pointer;      ///< of the joint, the tool or the carousel
+  std::string home_member;  ///< `/theta_deg`, `/d`, `/home`, or `/limits` if there is none
+  bool is_length;           ///< the variable is a length, not an angle
+};
+
+/// Requires A for the tool, and for each joint another letter than A that no other joint has.
+void check_label(const CheckedMotor& motor, Reading& reading, std::set<char>& taken) {
+  const std::string pointer = motor.pointer + "/label";
+  if (!reading.is_sound(pointer)) return;
+  const char label = motor.drive->label;
+  const std::string found = "\"" + std::string(1, label) + "\"";
+  const bool is_tool = motor.pointer == kToolPointer;
+  if (is_tool != (label == kToolLabel)) {
+    return reading.refuse(
+        pointer, found,
+        is_tool ? "\"A\": the tool is always A" : "a letter \"B\" to \"H\": A is the tool");
+  }
+  if (taken.insert(label).second) return;
+  reading.refuse(pointer, found + ", a duplicate", "a letter \"B\" to \"H\" that nothing else has");
+}
+
+/// Requires limits in order, the home within them, and a range that does not exceed
+/// kMaxCountsFromHome.
+void check_limits(const CheckedMotor& motor, Reading& reading) {
+  const std::string pointer = motor.pointer + "/limits";
+  if (!reading.is_sound(pointer)) return;
+  const Drive& drive = *motor.drive;
+  const double unit = motor.is_length ? reading.mm_per_unit() : 1;
+  const std::string found =
+      "[" + number_text(drive.min / unit) + ", " + number_text(drive.max / unit) + "]";
+  if (drive.min >= drive.max) return reading.refuse(pointer, found, "the lower limit first");
+  if (motor.is_length && std::max(-drive.min, drive.max) > data::kMaxLengthMm) {
+    return reading.refuse(pointer, found,
+                          "lengths of up to " + number_text(data::kMaxLengthMm) + " mm");
+  }
+  const std::string home = motor.pointer + motor.home_member;
+  if (!reading.is_sound(home) || !reading.is_sound(motor.pointer + "/variable")) return;
+  if (drive.home < drive.min || drive.home > drive.max) {
+    return reading.refuse(home, number_text(drive.home / unit),
+                          "a home within the limits " + found);
+  }
+  if (!reading.is_sound(motor.pointer + "/precision")) return;
+  const double range = std::max(drive.max - drive.home, drive.home - drive.min) / drive.precision;
+  if (range > kMaxCountsFromHome) {
+    reading.refuse(pointer, number_text(std::floor(range)) + " counts from the home to a limit",
+                   "up to " + number_text(kMaxCountsFromHome) + " counts");
+  }
+}
+
+/// Requires a bit that no other switch of the same reply has. J has only two bits for switches; the
+/// others are input lines.
+void check_mask(const CheckedMotor& motor, Reading& reading, std::set<int>& taken_i,
+                std::set<int>& taken_j) {
+  const std::string pointer = motor.pointer + "/switch/mask";
+  const int mask = motor.drive->microswitch.mask;
+  if (!reading.is_sound(pointer) || !reading.is_sound(motor.pointer + "/label") || mask == 0)
+    return;
+  const bool in_j = is_asked_for(motor.drive->label, 'J');
+  const std::string reply = in_j ? "J" : "I";
+  if (in_j && mask > kHighestBitOfJ) {
+    return reading.refuse(pointer, std::to_string(mask),
+                          "1 or 2, or 0 for none: J has room for two switches");
+  }
+  if (!(in_j ? taken_j : taken_i).insert(mask).second) {
+    reading.refuse(pointer, std::to_string(mask) + ", a duplicate",
+                   "a bit of the reply to " + reply + " that no other switch has");
+  }
+}
+
+void check_switch_position(const CheckedMotor& motor, Reading& reading) {
+  const std::string pointer = motor.pointer + "/switch/position";
+  const Microswitch& microswitch = motor.drive->microswitch;
+  if (!reading.is_sound(pointer) || microswitch.position != 0 || microswitch.width) return;
+  reading.refuse(pointer, "0", "a count other than 0, or a width beside it");
+}
+
+/// The joints from the base, then the tool, then the carousel. The elements point into `robot`.
+std::vector<CheckedMotor> motors_of(const Robot& robot) {
+  std::vector<CheckedMotor> motors;
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const Joint& joint = robot.joints[i];
+    const bool turns = joint.is_revolute();
+    motors.push_back(
+        {&joint.drive, "/joints/" + std::to_string(i), turns ? "/theta_deg" : "/d", !turns});
+  }
+  const bool hinges = robot.tool.kind == ToolKind::kAngular;
+  motors.push_back({&robot.tool.drive, kToolPointer, "/home", !hinges});
+  if (robot.carousel) motors.push_back({&robot.carousel->drive, "/carousel", "/limits", false});
+  return motors;
+}
+
+void check_motors(const Robot& robot, Reading& reading) {
+  std::set<char> labels;
+  std::set<int> taken_i;
+  std::set<int> taken_j;
+  for (const CheckedMotor& motor : motors_of(robot)) {
+    check_label(motor, reading, labels);
+    check_limits(motor, reading);
+    check_mask(motor, reading, taken_i, taken_j);
+    check_switch_position(motor, reading);
+  }
+}
+
+// --- The other rules.
 
 void check_joint_names(const Robot& robot, Reading& reading) {
-  std::set<std::string> names;
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    const std::string pointer = joint_pointer(i) + "/name";
-    if (!reading.is_sound(pointer) || names.insert(robot.joints[i].name).second) continue;
-    reading.refuse(pointer, "\"" + robot.joints[i].name + "\", a duplicate",
-                   "a name that no other joint has");
-  }
+  data::check_names(robot.joints, "/joints", "joint", reading);
   if (!robot.carousel || !reading.is_sound("/carousel/name")) return;
-  if (!names.insert(robot.carousel->name).second) {
-    reading.refuse("/carousel/name", "\"" + robot.carousel->name + "\", a duplicate",
-                   "a name that no joint has");
-  }
+  const std::string& name = robot.carousel->name;
+  const bool is_new = std::none_of(robot.joints.begin(), robot.joints.end(),
+                                   [&](const Joint& joint) { return joint.name == name; });
+  if (is_new) return;
+  reading.refuse("/carousel/name", "\"" + name + "\", a duplicate", "a name that no joint has");
 }
 
 std::string pivot_pointer(std::size_t part) {

@@ -5,7 +5,7 @@
 #include "core/coupling.hpp"
 #include "core/kinematics.hpp"
 #include "core/switches.hpp"
-#include "protocol/files/robot_consistency.hpp"
+#include "protocol/files/consistency.hpp"
 #include "protocol/files/summary.hpp"
 #include "protocol/text/table.hpp"
 

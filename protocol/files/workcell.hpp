@@ -13,24 +13,17 @@
 
 namespace xr3 {
 
-/// The result of reading a workcell file. `workcell` is set unless a finding is an error; the
-/// findings are sorted by line.
-struct WorkcellReading {
-  std::optional<Workcell> workcell;
-  Findings findings;
-};
-
 /// Reads and checks a workcell file; with a robot, also whether the blocks fit its tool
 /// and, from index `first_reach` on, whether it can reach them: see check_workcell(). Syntax errors
 /// are findings, too. Never throws.
-WorkcellReading read_workcell(std::string_view text, const std::string& file,
-                              const Robot* robot = nullptr, std::size_t first_reach = 0);
+FileReading<Workcell> read_workcell(std::string_view text, const std::string& file,
+                                    const Robot* robot = nullptr, std::size_t first_reach = 0);
 
 /// The same for the document being read; errors go to the reading.
 std::optional<Workcell> read_workcell(data::Reading& reading, const Robot* robot = nullptr,
                                       std::size_t first_reach = 0);
 
-/// Reads and checks a workcell file. Throws DataError with all findings if one of them is an error.
+/// The same; throws DataError with all findings if one of them is an error.
 Workcell load_workcell(std::string_view text, const std::string& file);
 
 /// The JSON of a workcell file, in mm, with its members in the documented order. Loading it gives

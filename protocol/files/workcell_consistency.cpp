@@ -1,17 +1,16 @@
-#include "protocol/files/workcell_consistency.hpp"
-
+// The rules of workcell files; declared in consistency.hpp.
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/camera.hpp"
 #include "core/inverse/reach.hpp"
+#include "protocol/files/consistency.hpp"
 
 namespace xr3 {
 namespace {
@@ -196,21 +195,11 @@ void warn_of_reach(const Workcell& workcell, const Robot& robot, std::size_t fir
                  std::to_string(kMostWhenSlow) + " blocks: for " + robot.name + " each takes long");
 }
 
-void check_block_names(const Workcell& workcell, Reading& reading) {
-  std::set<std::string> names;
-  for (std::size_t i = 0; i < workcell.blocks.size(); ++i) {
-    const std::string pointer = block_pointer(i) + "/name";
-    if (!reading.is_sound(pointer) || names.insert(workcell.blocks[i].name).second) continue;
-    reading.report(Severity::kError, pointer, "\"" + workcell.blocks[i].name + "\", a duplicate",
-                   "a name that no other block has");
-  }
-}
-
 void check_surface(const Workcell& workcell, Reading& reading) {
   if (!reading.is_sound("/work_surface") || !reading.is_sound("/workspace/z")) return;
   if (workcell.work_surface_um < workcell.workspace.z_um) return;
-  reading.report(
-      Severity::kError, "/work_surface", length_text(mm(workcell.work_surface_um)),
+  reading.refuse(
+      "/work_surface", length_text(mm(workcell.work_surface_um)),
       "less than the workspace's z, " + length_text(mm(workcell.workspace.z_um)) + " mm");
 }
 
@@ -220,7 +209,7 @@ void check_camera(const Workcell& workcell, Reading& reading) {
   const double height = mm(workcell.camera->location_um.z);
   const bool surface_known = reading.is_sound("/work_surface");
   if (surface_known && workcell.camera->location_um.z <= workcell.work_surface_um) {
-    reading.report(Severity::kError, "/camera/location/2", length_text(height),
+    reading.refuse("/camera/location/2", length_text(height),
                    "above the work surface, " + length_text(mm(workcell.work_surface_um)) + " mm");
   }
   if (workcell.camera->projection != Projection::kPerspective) return;
@@ -228,7 +217,7 @@ void check_camera(const Workcell& workcell, Reading& reading) {
     if (!reading.is_sound(block_pointer(i))) continue;
     const Shape shape(workcell.blocks[i]);
     if (shape.top < height) continue;
-    reading.report(Severity::kError, block_pointer(i),
+    reading.refuse(block_pointer(i),
                    "a block whose top, " + length_text(shape.top) + " mm, reaches the camera",
                    "tops below " + length_text(height) + " mm");
   }
@@ -238,8 +227,8 @@ void check_camera(const Workcell& workcell, Reading& reading) {
 void check_camera_rows(const Workcell& workcell, Reading& reading) {
   const std::int64_t rows = camera_rows(workcell, workcell.blocks);
   if (rows <= kMaxCameraRows) return;
-  reading.report(
-      Severity::kError, "/blocks",
+  reading.refuse(
+      "/blocks",
       "blocks that take " + std::to_string(rows) +
           " rows of the camera's image, each row counted for each block",
       "at most " + std::to_string(kMaxCameraRows) + ": fewer or smaller blocks, or fewer pixels");
@@ -255,7 +244,7 @@ double widest_opening_mm(const Robot& robot) {
 
 void check_workcell(const Workcell& workcell, const Robot* robot, std::size_t first_reach,
                     Reading& reading) {
-  check_block_names(workcell, reading);
+  data::check_names(workcell.blocks, "/blocks", "block", reading);
   check_surface(workcell, reading);
   check_camera(workcell, reading);
   if (reading.has_errors()) return;

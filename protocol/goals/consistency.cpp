@@ -1,10 +1,9 @@
-#include "protocol/goals/consistency.hpp"
-
+// The rules of goals files; declared in file.hpp.
 #include <algorithm>
 #include <string>
 #include <string_view>
 
-#include "protocol/json/text.hpp"
+#include "protocol/goals/file.hpp"
 
 namespace xr3 {
 namespace {

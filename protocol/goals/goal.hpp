@@ -24,7 +24,10 @@ struct PartialPoint {
 struct BoxUm {
   PointUm low;
   PointUm high;
-  bool contains(const PointUm& point) const;
+  bool contains(const PointUm& p) const {
+    return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y && low.z <= p.z &&
+           p.z <= high.z;
+  }
   bool operator==(const BoxUm&) const = default;
 };
 
@@ -88,20 +91,14 @@ struct TipPlace {
 };
 
 /// The robot never stalled.
-struct NoStall {
-  bool operator==(const NoStall&) const = default;
-};
+struct NoStall {};
 
 /// The controller found nothing wrong in what it received, and the workcell nothing in what was
 /// done.
-struct NoWarnings {
-  bool operator==(const NoWarnings&) const = default;
-};
+struct NoWarnings {};
 
 /// The controller's own soft home, which puts the arm there at once, was not used.
-struct NoSoftHome {
-  bool operator==(const NoSoftHome&) const = default;
-};
+struct NoSoftHome {};
 
 /// At no tick was one of the blocks further than this from where it was at the start.
 struct Untouched {
@@ -150,14 +147,12 @@ struct Goal {
   int points = 1;
   std::string hint{};  ///< shown if the goal is missed; may be empty
   goal::Body body;
-  bool operator==(const Goal&) const = default;
 };
 
 /// The contents of a goals file.
 struct GoalList {
   std::string notes;
   std::vector<Goal> goals;
-  bool operator==(const GoalList&) const = default;
 };
 
 /// Maximum number of goals in a file.

@@ -11,8 +11,8 @@
 #include "core/grasp.hpp"
 #include "core/kinematics.hpp"
 #include "core/placement.hpp"
+#include "protocol/goals/file.hpp"
 #include "protocol/goals/goal_text.hpp"
-#include "protocol/goals/members.hpp"
 #include "protocol/text/table.hpp"
 
 namespace xr3 {
@@ -336,7 +336,7 @@ std::vector<GoalResult> judge(const GoalList& list, const Model& model, const St
     Judged judged = std::visit(judge, goal.body);
     GoalResult result{!judged.missed,
                       goal.points,
-                      data::kind_of(goal),
+                      kind_of(goal),
                       std::move(judged.expected),
                       judged.missed.value_or(""),
                       ""};

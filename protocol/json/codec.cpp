@@ -3,7 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <sstream>
+
+#include "protocol/text/table.hpp"
 
 namespace xr3::data {
 namespace {
@@ -11,17 +12,11 @@ namespace {
 constexpr std::size_t kMaxShownLength = 40;
 constexpr double kLargestWholeDouble = 9007199254740992.0;
 
-std::string plain(double number) {
-  std::ostringstream out;
-  out.precision(10);
-  out << number;
-  return out.str();
-}
-
 std::string range_text(const Range& range, std::string_view kind) {
   std::string text(kind);
   text += range.open_min ? " above " : " from ";
-  text += plain(range.min) + (range.open_min ? ", up to " : " to ") + plain(range.max);
+  text += significant_digits(range.min, 10) + (range.open_min ? ", up to " : " to ") +
+          significant_digits(range.max, 10);
   if (!range.unit.empty()) text += " " + std::string(range.unit);
   return text;
 }
@@ -140,6 +135,11 @@ bool Reading::is_sound(const std::string& pointer) const {
   return false;
 }
 
+void Reading::refuse_part(const std::string& pointer, const Findings& findings) {
+  for (const Finding& each : findings)
+    if (each.severity == Severity::kError) refuse(pointer + each.pointer, each.found, each.allowed);
+}
+
 Findings Reading::take_findings() {
   Findings findings;
   for (Kept& each : findings_) findings.push_back(std::move(each.finding));
@@ -198,6 +198,15 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   return nearest;
 }
 
+std::string quoted_names(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
+    text += "\"" + names[i] + "\"";
+  }
+  return text;
+}
+
 Json number_json(double number) {
   const bool is_whole = number == std::floor(number) && std::abs(number) < kLargestWholeDouble;
   if (is_whole) return static_cast<std::int64_t>(number);
@@ -205,28 +214,20 @@ Json number_json(double number) {
 }
 
 Codec<std::string> text(std::size_t min_length, std::size_t max_length) {
-  Codec<std::string> codec;
-  codec.allowed = "text of " + std::to_string(min_length) + " to " + std::to_string(max_length) +
-                  " bytes in UTF-8";
-  codec.read = [=, allowed = codec.allowed](const Place& place, std::string& result) {
-    if (!place.value.is_text()) return place.refuse(allowed);
-    const std::size_t size = place.value.text_size();
-    if (size < min_length || size > max_length) return place.refuse(allowed);
-    return result = place.value.text(), true;
+  const auto parse = [=](JsonValue value) -> std::optional<std::string> {
+    const std::size_t size = value.is_text() ? value.text_size() : max_length + 1;
+    if (size < min_length || size > max_length) return std::nullopt;
+    return value.text();
   };
-  codec.write = [](const std::string& text) { return Json(text); };
-  return codec;
+  return parsed<std::string>("text of " + std::to_string(min_length) + " to " +
+                                 std::to_string(max_length) + " bytes in UTF-8",
+                             parse);
 }
 
 Codec<bool> boolean() {
-  Codec<bool> codec;
-  codec.allowed = "true or false";
-  codec.read = [](const Place& place, bool& result) {
-    if (!place.value.is_boolean()) return place.refuse("true or false");
-    return result = place.value.is_true(), true;
-  };
-  codec.write = [](const bool& value) { return Json(value); };
-  return codec;
+  return parsed<bool>("true or false", [](JsonValue value) {
+    return value.is_boolean() ? std::optional(value.is_true()) : std::nullopt;
+  });
 }
 
 Codec<int> whole_number(int min, int max) { return integer<int>(min, max); }
@@ -239,15 +240,6 @@ Codec<double> length(Range range) {
 }
 
 namespace detail {
-
-std::string quoted_names(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
-    text += "\"" + names[i] + "\"";
-  }
-  return text;
-}
 
 std::string integer_text(std::int64_t min, std::int64_t max) {
   return "a whole number from " + std::to_string(min) + " to " + std::to_string(max);

@@ -48,6 +48,8 @@ class Reading {
   void refuse(const std::string& pointer, std::string found, std::string allowed) {
     report(Severity::kError, pointer, std::move(found), std::move(allowed));
   }
+  /// Reports the errors of a part that was read as a document of its own, at this pointer.
+  void refuse_part(const std::string& pointer, const Findings& findings);
   /// Counts an error. Returns whether the caller should store it with keep(); if not, its texts
   /// need not be built.
   bool keeps_error() { return keeps(Severity::kError); }
@@ -107,6 +109,9 @@ std::string shown(JsonValue value);
 /// The most similar allowed name if `name` may be a misspelling of it; otherwise empty.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& allowed);
 
+/// `"one", "two" or "three"`.
+std::string quoted_names(const std::vector<std::string>& names);
+
 /// A number as JSON; integers have no decimal point.
 Json number_json(double number);
 
@@ -117,6 +122,20 @@ struct Codec {
   std::function<bool(const Place&, V&)> read;
   std::function<Json(const V&)> write;
 };
+
+/// A value that `parse` makes of the JSON value; nullopt: it is not allowed.
+template <class V>
+Codec<V> parsed(
+    std::string allowed, std::function<std::optional<V>(JsonValue)> parse,
+    std::function<Json(const V&)> write = [](const V& value) { return Json(value); });
+
+/// A V that is read and written as a W. `from` may be null if it is never written.
+template <class V, class W>
+Codec<V> converted(Codec<W> codec, std::function<V(const W&)> to, std::function<W(const V&)> from);
+
+/// A list of the values of these fields of V, in order.
+template <class V, class F>
+Codec<V> row(std::string allowed, Codec<F> item, std::vector<F V::*> fields);
 
 /// Numbers from min to max; min itself is excluded if open_min is set.
 struct Range {
@@ -165,6 +184,10 @@ using Members = std::vector<Member<T>>;
 template <class T, class V>
 Member<T> required(std::string name, V T::*field, Codec<V> codec);
 
+/// The same for a value that is spread over several fields of T, such as a row().
+template <class T>
+Member<T> required(std::string name, Codec<T> codec);
+
 /// A member that may be omitted, which leaves the field as it is. It is always written, so that
 /// readers need not know the default.
 template <class T, class V>
@@ -177,6 +200,10 @@ Member<T> optional(std::string name, V T::*field, Codec<V> codec);
 /// A member that may be omitted, which leaves the field empty.
 template <class T, class V>
 Member<T> optional(std::string name, std::optional<V> T::*field, Codec<V> codec);
+
+/// Tables of members, one after the other.
+template <class T, class... More>
+Members<T> joined(Members<T> first, const More&... more);
 
 /// The members of a part of T that are members of T's own object in the file.
 template <class T, class V>
@@ -191,11 +218,22 @@ Member<T> length_unit_member();
 template <class T>
 bool read_object(const Place& place, const Members<T>& members, T& object);
 
+/// Reads the root of the document, and lets `check(value, reading)` report what concerns several
+/// members. nullopt if there are errors.
+template <class T, class Check>
+std::optional<T> read_root(Reading& reading, const Members<T>& members, const Check& check);
+
 template <class T>
 Json write_object(const T& object, const Members<T>& members);
 
 template <class T>
 Codec<T> object(Members<T> members);
+
+/// Requires that the elements of the list at `pointer` have different names; `what` is the noun for
+/// one of them.
+template <class T>
+void check_names(const std::vector<T>& elements, const std::string& pointer,
+                 const std::string& what, Reading& reading);
 
 }  // namespace xr3::data
 

@@ -11,9 +11,6 @@ namespace detail {
 /// Stores the error for an unknown member, with the most similar allowed name.
 void keep_unknown(const Place& member, const std::vector<std::string>& names);
 
-/// `one, two or three`, each in double quotes.
-std::string quoted_names(const std::vector<std::string>& names);
-
 /// `a list of 3`, `a list of 1 to 7`.
 std::string list_text(std::size_t min_count, std::size_t max_count);
 
@@ -44,37 +41,68 @@ void refuse_unknown(const Place& place, const Members<T>& members) {
 
 }  // namespace detail
 
+template <class V>
+Codec<V> parsed(std::string allowed, std::function<std::optional<V>(JsonValue)> parse,
+                std::function<Json(const V&)> write) {
+  const auto read = [allowed, parse](const Place& place, V& result) {
+    std::optional<V> value = parse(place.value);
+    if (!value) return place.refuse(allowed);
+    return result = *std::move(value), true;
+  };
+  return {std::move(allowed), read, std::move(write)};
+}
+
+template <class V, class W>
+Codec<V> converted(Codec<W> codec, std::function<V(const W&)> to, std::function<W(const V&)> from) {
+  return {codec.allowed,
+          [to, read = codec.read](const Place& place, V& result) {
+            W value{};
+            if (!read(place, value)) return false;
+            return result = to(value), true;
+          },
+          [from, write = codec.write](const V& value) { return write(from(value)); }};
+}
+
+template <class V, class F>
+Codec<V> row(std::string allowed, Codec<F> item, std::vector<F V::*> fields) {
+  const auto read = [=, read = item.read](const Place& place, V& result) {
+    if (!place.value.is_list() || place.value.size() != fields.size()) return place.refuse(allowed);
+    bool is_good = true;
+    auto field = fields.begin();
+    for (const JsonValue element : place.value)
+      is_good = read({place.reading, element}, result.*(*field++)) && is_good;
+    return is_good;
+  };
+  const auto write = [fields, write = item.write](const V& value) {
+    Json list = Json::array();
+    for (F V::*field : fields) list.push_back(write(value.*field));
+    return list;
+  };
+  return {std::move(allowed), read, write};
+}
+
 template <class I>
 Codec<I> integer(std::int64_t min, std::int64_t max) {
-  Codec<I> codec;
-  codec.allowed = detail::integer_text(min, max);
-  codec.read = [=, allowed = codec.allowed](const Place& place, I& result) {
-    const auto number = detail::integer_in(place.value, min, max);
-    if (!number) return place.refuse(allowed);
-    return result = static_cast<I>(*number), true;
-  };
-  codec.write = [](const I& value) { return Json(value); };
-  return codec;
+  return parsed<I>(detail::integer_text(min, max), [=](JsonValue value) -> std::optional<I> {
+    const auto number = detail::integer_in(value, min, max);
+    return number ? std::optional(static_cast<I>(*number)) : std::nullopt;
+  });
 }
 
 template <class E>
 Codec<E> choice(std::vector<std::pair<std::string, E>> names) {
   std::vector<std::string> known_names;
   for (const auto& [name, value] : names) known_names.push_back(name);
-  Codec<E> codec;
-  codec.allowed = detail::quoted_names(known_names);
-  codec.read = [names, allowed = codec.allowed](const Place& place, E& result) {
-    for (const auto& [name, value] : names) {
-      if (place.value.is(name)) return result = value, true;
-    }
-    return place.refuse(allowed);
+  const auto parse = [names](JsonValue value) -> std::optional<E> {
+    for (const auto& [name, wanted] : names)
+      if (value.is(name)) return wanted;
+    return std::nullopt;
   };
-  codec.write = [names](const E& wanted) {
+  return parsed<E>(quoted_names(known_names), parse, [names](const E& wanted) {
     const auto known = std::find_if(names.begin(), names.end(),
                                     [&](const auto& entry) { return entry.second == wanted; });
     return Json(known->first);
-  };
-  return codec;
+  });
 }
 
 template <class V>
@@ -114,6 +142,12 @@ Member<T> required(std::string name, V T::*field, Codec<V> codec) {
       }};
 }
 
+template <class T>
+Member<T> required(std::string name, Codec<T> codec) {
+  return {std::move(name), true, std::move(codec.allowed), std::move(codec.read),
+          std::move(codec.write)};
+}
+
 template <class T, class V>
 Member<T> defaulted(std::string name, V T::*field, Codec<V> codec) {
   Member<T> member = required(std::move(name), field, std::move(codec));
@@ -141,6 +175,12 @@ Member<T> optional(std::string name, std::optional<V> T::*field, Codec<V> codec)
             if (!(object.*field)) return std::nullopt;
             return write(*(object.*field));
           }};
+}
+
+template <class T, class... More>
+Members<T> joined(Members<T> first, const More&... more) {
+  (first.insert(first.end(), more.begin(), more.end()), ...);
+  return first;
 }
 
 template <class T, class V>
@@ -179,6 +219,15 @@ bool read_object(const Place& place, const Members<T>& members, T& object) {
   return is_good;
 }
 
+template <class T, class Check>
+std::optional<T> read_root(Reading& reading, const Members<T>& members, const Check& check) {
+  std::optional<T> value(std::in_place);
+  read_object(Place{reading, reading.root()}, members, *value);
+  check(*value, reading);
+  if (reading.has_errors()) value.reset();
+  return value;
+}
+
 template <class T>
 Json write_object(const T& object, const Members<T>& members) {
   Json::object_t json;
@@ -194,6 +243,18 @@ Codec<T> object(Members<T> members) {
   return {"an object { ... }",
           [members](const Place& place, T& result) { return read_object(place, members, result); },
           [members](const T& value) { return write_object(value, members); }};
+}
+
+template <class T>
+void check_names(const std::vector<T>& elements, const std::string& pointer,
+                 const std::string& what, Reading& reading) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const std::string place = child_pointer(pointer, i) + "/name";
+    if (!reading.is_sound(place) || names.insert(elements[i].name).second) continue;
+    reading.refuse(place, "\"" + elements[i].name + "\", a duplicate",
+                   "a name that no other " + what + " has");
+  }
 }
 
 }  // namespace xr3::data

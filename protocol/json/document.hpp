@@ -3,6 +3,7 @@
 // of its text for any structure. Independent of the meaning of members.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -107,6 +108,11 @@ class JsonValue {
 
   /// Whether the value equals this text or number; false if it is of another kind.
   bool is(std::string_view text) const;
+  template <class Texts>
+  bool is_one_of(const Texts& texts) const {
+    return std::any_of(texts.begin(), texts.end(),
+                       [this](const auto& text) { return this->is(text); });
+  }
   bool is(double number) const { return is_number() && this->number() == number; }
 
   // --- Lists and objects.

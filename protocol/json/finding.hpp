@@ -5,9 +5,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace xr3 {
@@ -52,6 +54,14 @@ std::string cut(std::string_view text, std::size_t most);
 /// Stable sort by line, errors and warnings mixed. The finding that counts others is last.
 void sort_by_line(Findings& findings);
 
+/// The result of reading a file: its value unless a finding is an error, and the findings, sorted by
+/// line.
+template <class V>
+struct FileReading {
+  std::optional<V> value;
+  Findings findings;
+};
+
 /// Thrown for a data file that cannot be used; carries all its findings.
 class DataError : public std::runtime_error {
  public:
@@ -61,5 +71,12 @@ class DataError : public std::runtime_error {
  private:
   Findings findings_;
 };
+
+/// The value of a file. Throws DataError with all findings if one of them is an error.
+template <class V>
+V value_of(FileReading<V> reading) {
+  if (!reading.value) throw DataError(std::move(reading.findings));
+  return *std::move(reading.value);
+}
 
 }  // namespace xr3

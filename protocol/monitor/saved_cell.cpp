@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -47,15 +46,9 @@ Codec<std::array<V, N>> array_of(const Codec<V>& item) {
 
 /// `[x, y, z]` in whole micrometres.
 Codec<PointUm> point(Micrometres low, Micrometres high) {
-  const auto list = array_of<Micrometres, 3>(integer<Micrometres>(low, high));
-  Codec<PointUm> codec;
+  auto codec = row<PointUm>(detail::list_text(3, 3), integer<Micrometres>(low, high),
+                            {&PointUm::x, &PointUm::y, &PointUm::z});
   codec.allowed = "a list of three whole numbers of micrometres";
-  codec.read = [list](const Place& place, PointUm& p) {
-    std::array<Micrometres, 3> xyz{};
-    const bool is_good = list.read(place, xyz);
-    return p = {xyz[0], xyz[1], xyz[2]}, is_good;
-  };
-  codec.write = [list](const PointUm& p) { return list.write({p.x, p.y, p.z}); };
   return codec;
 }
 
@@ -63,17 +56,13 @@ Codec<PointUm> place_um() { return point(-kFarthestUm, kFarthestUm); }
 
 /// `[x, y, z]` of the view vector.
 Codec<ViewVector> view() {
-  const auto list = array_of<int, 3>(whole_number(-SetViewVector::kMax, SetViewVector::kMax));
-  Codec<ViewVector> codec;
+  auto codec = row<ViewVector>(detail::list_text(3, 3),
+                               whole_number(-SetViewVector::kMax, SetViewVector::kMax),
+                               {&ViewVector::x, &ViewVector::y, &ViewVector::z});
   codec.allowed = "a list of three whole numbers -9 to 9, not all 0";
-  codec.read = [list, allowed = codec.allowed](const Place& place, ViewVector& vector) {
-    std::array<int, 3> xyz{};
-    if (!list.read(place, xyz)) return false;
-    if (xyz == std::array{0, 0, 0}) return place.refuse(allowed);
-    return vector = {xyz[0], xyz[1], xyz[2]}, true;
-  };
-  codec.write = [list](const ViewVector& vector) {
-    return list.write({vector.x, vector.y, vector.z});
+  codec.read = [read = codec.read, allowed = codec.allowed](const Place& place, ViewVector& view) {
+    if (!read(place, view)) return false;
+    return view != ViewVector{0, 0, 0} || place.refuse(allowed);
   };
   return codec;
 }
@@ -180,21 +169,11 @@ const Members<SavedCell>& saved_cell_members() {
 
 // --- Rules that concern several members.
 
-void check_names(const std::vector<Block>& blocks, Reading& reading) {
-  std::set<std::string> names;
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    const std::string pointer = child_pointer("/state/blocks", i) + "/name";
-    if (!reading.is_sound(pointer) || names.insert(blocks[i].name).second) continue;
-    reading.report(Severity::kError, pointer, "\"" + blocks[i].name + "\", a duplicate",
-                   "a name that no other block has");
-  }
-}
-
 void check_held(const State& state, Reading& reading) {
   if (!state.held || !reading.is_sound("/state/held/block") || !reading.is_sound("/state/blocks"))
     return;
   if (state.held->block < state.blocks.size()) return;
-  reading.report(Severity::kError, "/state/held/block", std::to_string(state.held->block),
+  reading.refuse("/state/held/block", std::to_string(state.held->block),
                  "the index of one of " + std::to_string(state.blocks.size()) + " blocks");
 }
 
@@ -209,8 +188,7 @@ void check_riders(const State& state, Reading& reading) {
       next = block + std::size_t{1};
       continue;
     }
-    reading.report(Severity::kError, child_pointer("/state/riders", i) + "/block",
-                   std::to_string(block),
+    reading.refuse(child_pointer("/state/riders", i) + "/block", std::to_string(block),
                    "the indices of blocks that are not held, in increasing order");
   }
 }
@@ -219,8 +197,8 @@ void check_riders(const State& state, Reading& reading) {
 void check_path(const TipPath& path, Reading& reading) {
   if (path.oldest == 0 || path.points.size() == TipPath::kMaxTipPoints) return;
   if (!reading.is_sound("/state/tip_path")) return;
-  reading.report(
-      Severity::kError, "/state/tip_path/oldest", std::to_string(path.oldest),
+  reading.refuse(
+      "/state/tip_path/oldest", std::to_string(path.oldest),
       "0 if the path has fewer than " + std::to_string(TipPath::kMaxTipPoints) + " points");
 }
 
@@ -236,17 +214,16 @@ Json saved_state_to_json(const State& state) {
 }
 
 std::optional<SavedCell> read_saved_cell(Reading& reading) {
-  SavedCell saved;
-  read_object(Place{reading, reading.root()}, saved_cell_members(), saved);
-  check_names(saved.state.blocks, reading);
-  check_held(saved.state, reading);
-  check_riders(saved.state, reading);
-  check_path(saved.state.tip_path, reading);
-  check_saved_faults(saved.state.faults, "/state/faults", reading);
-  return reading.has_errors() ? std::nullopt : std::optional(std::move(saved));
+  return read_root(reading, saved_cell_members(), [](const SavedCell& saved, Reading& into) {
+    data::check_names(saved.state.blocks, "/state/blocks", "block", into);
+    check_held(saved.state, into);
+    check_riders(saved.state, into);
+    check_path(saved.state.tip_path, into);
+    check_saved_faults(saved.state.faults, "/state/faults", into);
+  });
 }
 
-SavedCellReading read_saved_cell(const Json& json) {
+FileReading<SavedCell> read_saved_cell(const Json& json) {
   const std::string text = json.dump();
   const JsonDocument document(text);
   Reading reading(document.root(), Unit::kMm);

@@ -22,16 +22,10 @@ Json saved_cell_to_json(const SavedCell& saved);
 /// The member `state` alone.
 Json saved_state_to_json(const State& state);
 
-/// The result of reading a saved cell. `saved` is set unless a finding is an error.
-struct SavedCellReading {
-  std::optional<SavedCell> saved;
-  Findings findings;
-};
-
 /// Reads the JSON of saved_cell_to_json(); errors go to the reading.
 std::optional<SavedCell> read_saved_cell(data::Reading& reading);
 /// The same for a JSON value; pointers begin at `json`. Never throws.
-SavedCellReading read_saved_cell(const Json& json);
+FileReading<SavedCell> read_saved_cell(const Json& json);
 
 }  // namespace xr3
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/faults/faults.hpp"
-#include "protocol/files/fault_consistency.hpp"
+#include "protocol/files/consistency.hpp"
 #include "protocol/files/faults.hpp"
 #include "protocol/monitor/message.hpp"
 

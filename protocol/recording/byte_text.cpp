@@ -46,20 +46,17 @@ void append_byte_text(std::string_view bytes, std::string& json) {
 }
 
 data::Codec<std::string> byte_text(std::size_t most) {
-  data::Codec<std::string> codec;
-  codec.allowed = "text of at most " + std::to_string(most) + " characters, none above U+00FF";
-  codec.read = [most, allowed = codec.allowed](const data::Place& place, std::string& bytes) {
-    if (!place.value.is_text()) return place.refuse(allowed);
-    auto read = bytes_of(place.value.text());
-    if (!read || read->size() > most) return place.refuse(allowed);
-    return bytes = *std::move(read), true;
-  };
-  codec.write = [](const std::string& bytes) {
-    std::string text;
-    append_byte_text(bytes, text);
-    return Json::parse(text);
-  };
-  return codec;
+  return data::parsed<std::string>(
+      "text of at most " + std::to_string(most) + " characters, none above U+00FF",
+      [most](JsonValue value) -> std::optional<std::string> {
+        auto bytes = value.is_text() ? bytes_of(value.text()) : std::nullopt;
+        return bytes && bytes->size() <= most ? std::move(bytes) : std::nullopt;
+      },
+      [](const std::string& bytes) {
+        std::string text;
+        append_byte_text(bytes, text);
+        return Json::parse(text);
+      });
 }
 
 }  // namespace xr3::recording

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "protocol/explain/event_report.hpp"
+#include "protocol/monitor/call_table.hpp"
 #include "protocol/monitor/request.hpp"
 #include "protocol/monitor/saved_cell.hpp"
 #include "protocol/recording/byte_text.hpp"
-#include "protocol/recording/call_json.hpp"
 #include "protocol/recording/entry_json.hpp"
 
 namespace xr3::recording {
@@ -19,6 +19,7 @@ using namespace data;  // NOLINT: keeps the tables below readable
 constexpr std::size_t kMaxBytes = std::size_t{8} << 20U;
 constexpr std::size_t kMaxText = 8192;
 constexpr int kMaxMicros = 999;
+constexpr std::size_t kMaxFnLength = 40;
 
 enum class Device : std::uint8_t { kOpened, kLost, kSilent };
 
@@ -55,14 +56,12 @@ struct Raw {
 };
 
 Codec<SerialSettings> line_settings() {
-  Codec<SerialSettings> codec;
-  codec.allowed = "settings such as \"9600-7e2\" or \"9600\"";
-  codec.read = [allowed = codec.allowed](const Place& place, SerialSettings& settings) {
-    const auto read =
-        place.value.is_text() ? parse_serial_settings(place.value.text(kMaxText)) : std::nullopt;
-    return read ? (settings = *read, true) : place.refuse(allowed);
-  };
-  return codec;
+  return parsed<SerialSettings>(
+      "settings such as \"9600-7e2\" or \"9600\"",
+      [](JsonValue value) {
+        return value.is_text() ? parse_serial_settings(value.text(kMaxText)) : std::nullopt;
+      },
+      nullptr);
 }
 
 Codec<LineKind> line_kind() {
@@ -147,8 +146,36 @@ std::optional<Body> make_input(Raw& raw, Reading& reading) {
   return std::nullopt;
 }
 
+const monitor::CallForm* call_form(const Place& fn) {
+  const bool is_name = fn.value.is_text() && fn.value.text_size() <= kMaxFnLength;
+  return is_name ? monitor::find_call(fn.value.text()) : nullptr;
+}
+
+/// Reads what monitor::written() has made. `args` may be empty: no arguments. Reports errors at `fn`
+/// and in `args`.
+std::optional<call::Call> read_call(const Place& fn, JsonValue args) {
+  const auto refuse = [&fn] {
+    fn.refuse("the name of a call that changes the cell");
+    return std::nullopt;
+  };
+  const monitor::CallForm* form = call_form(fn);
+  if (form == nullptr) return refuse();
+  monitor::Findings findings;
+  monitor::ArgsReader reader(args, args ? args.pointer_from(fn.reading.root()) : "", findings);
+  monitor::CallValue value = form->read(reader);
+  reader.refuse_others();
+  for (const monitor::Detail& detail : findings.error({}).details) {
+    fn.reading.refuse(detail.pointer, detail.found.is_null() ? "" : shown(detail.found),
+                      detail.allowed);
+  }
+  if (!findings.empty()) return std::nullopt;
+  auto* call = std::get_if<call::Call>(&value);
+  if (call == nullptr) return refuse();
+  return std::move(*call);
+}
+
 std::optional<Body> make_call(Raw& raw, Reading& reading) {
-  auto call = read_call_json({reading, raw.call}, raw.args);
+  auto call = read_call({reading, raw.call}, raw.args);
   if (!call) return std::nullopt;
   return CallMade{*std::move(call)};
 }
@@ -156,8 +183,7 @@ std::optional<Body> make_call(Raw& raw, Reading& reading) {
 std::optional<Body> make_seek(Raw& raw, Reading& reading) {
   Reading inner(raw.seek, Unit::kMm);
   auto saved = read_saved_cell(inner);
-  for (const Finding& finding : inner.take_findings())
-    reading.refuse("/seek" + finding.pointer, finding.found, finding.allowed);
+  reading.refuse_part("/seek", inner.take_findings());
   if (!saved) return std::nullopt;
   return Rewound{std::make_shared<const SavedCell>(*std::move(saved))};
 }
@@ -211,11 +237,6 @@ const std::vector<EntryForm>& entry_forms() {
   return forms;
 }
 
-bool is_among(JsonValue name, const std::vector<std::string_view>& names) {
-  return std::any_of(names.begin(), names.end(),
-                     [&](std::string_view each) { return name.is(each); });
-}
-
 const EntryForm* form_of(JsonValue root) {
   for (const EntryForm& form : entry_forms()) {
     if (root.find(form.shown_by)) return &form;
@@ -233,7 +254,7 @@ bool has_form(const EntryForm& form, Reading& reading) {
   }
   for (const JsonValue member : root) {
     const JsonValue name = member.name();
-    if (is_among(name, kCommon) || is_among(name, form.needs) || is_among(name, form.allows))
+    if (name.is_one_of(kCommon) || name.is_one_of(form.needs) || name.is_one_of(form.allows))
       continue;
     reading.refuse(member.pointer_from(root), shown(member),
                    "no such member beside " + std::string(form.shown_by));
@@ -244,7 +265,7 @@ bool has_form(const EntryForm& form, Reading& reading) {
 std::string form_names() {
   std::vector<std::string> names;
   for (const EntryForm& form : entry_forms()) names.emplace_back(form.shown_by);
-  return "one of the members " + detail::quoted_names(names);
+  return "one of the members " + quoted_names(names);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "protocol/recording/header.hpp"
 
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -18,6 +19,16 @@ constexpr std::size_t kMaxName = 200;
 constexpr std::size_t kMaxPath = 4096;
 constexpr int kMaxVersion = 1'000'000;
 
+struct Clock {
+  ClockMode mode = ClockMode::kReal;
+  Rate rate;
+};
+
+/// The rate means nothing to a clock that counts bytes.
+Clock effective(const Clock& clock) {
+  return {clock.mode, clock.mode == ClockMode::kBytes ? Rate{} : clock.rate};
+}
+
 /// A header before its parts are put together.
 struct Parts {
   int format = 0;
@@ -28,145 +39,74 @@ struct Parts {
   std::optional<Robot> robot;
   Workcell workcell;
   std::optional<FaultPlan> faults;
-  SimClock clock = SimClock::manual();
+  Clock clock{ClockMode::kManual, {}};
   std::optional<ByteClockSettings> byte_clock;
   std::optional<LineSpeed> line_speed;
   std::optional<RecordedDevice> device;
   std::string check;
 };
 
-/// A document in the form of a file. `read` reads its text; its findings have pointers within it.
-template <class V, class Read>
-Codec<V> document(const std::string& what, const Read& read) {
-  Codec<V> codec;
-  codec.allowed = what + " in the form of its file";
-  codec.read = [read, allowed = codec.allowed](const Place& place, V& value) {
-    if (!place.value.is_object()) return place.refuse(allowed);
-    auto reading = read(place.value.to_json().dump());
-    const std::string pointer = place.value.pointer_from(place.reading.root());
-    for (const Finding& finding : reading.findings) {
-      if (finding.severity == Severity::kError)
-        place.reading.refuse(pointer + finding.pointer, finding.found, finding.allowed);
-    }
+/// A document in the form of a file; `read` reads its text.
+template <class V>
+Codec<V> document(const std::string& what,
+                  const std::function<FileReading<V>(const std::string& text)>& read,
+                  Json (*write)(const V&)) {
+  const std::string form = what + " in the form of its file";
+  const auto read_place = [read, form](const Place& place, V& value) {
+    if (!place.value.is_object()) return place.refuse(form);
+    FileReading<V> reading = read(place.value.to_json().dump());
+    place.reading.refuse_part(place.value.pointer_from(place.reading.root()), reading.findings);
     if (reading.value) value = *std::move(reading.value);
     return reading.value.has_value();
   };
-  return codec;
-}
-
-template <class V>
-struct DocumentReading {
-  std::optional<V> value;
-  Findings findings;
-};
-
-Codec<Robot> robot_document() {
-  auto codec = document<Robot>("a robot", [](const std::string& text) {
-    RobotReading reading = read_robot(text, "");
-    return DocumentReading<Robot>{std::move(reading.robot), std::move(reading.findings)};
-  });
-  codec.write = robot_to_json;
-  return codec;
-}
-
-Codec<Workcell> workcell_document() {
-  auto codec = document<Workcell>("a workcell", [](const std::string& text) {
-    WorkcellReading reading = read_workcell(text, "");
-    return DocumentReading<Workcell>{std::move(reading.workcell), std::move(reading.findings)};
-  });
-  codec.write = workcell_to_json;
-  return codec;
-}
-
-Codec<FaultPlan> faults_document() {
-  auto codec = document<FaultPlan>("faults", [](const std::string& text) {
-    FaultsReading reading = read_faults(text, "");
-    return DocumentReading<FaultPlan>{std::move(reading.plan), std::move(reading.findings)};
-  });
-  codec.write = faults_to_json;
-  return codec;
+  return {form, read_place, write};
 }
 
 Codec<SerialSettings> serial_settings() {
-  Codec<SerialSettings> codec;
-  codec.allowed = "settings such as \"9600-7e2\"";
-  codec.read = [allowed = codec.allowed](const Place& place, SerialSettings& settings) {
-    const auto read =
-        place.value.is_text() ? parse_serial_settings(place.value.text(kMaxName)) : std::nullopt;
-    if (!read || !read->frame) return place.refuse(allowed);
-    return settings = *read, true;
-  };
-  codec.write = [](const SerialSettings& settings) { return Json(text_of(settings)); };
-  return codec;
+  return parsed<SerialSettings>(
+      "settings such as \"9600-7e2\"",
+      [](JsonValue value) -> std::optional<SerialSettings> {
+        const auto read =
+            value.is_text() ? parse_serial_settings(value.text(kMaxName)) : std::nullopt;
+        return read && read->frame ? read : std::nullopt;
+      },
+      [](const SerialSettings& settings) { return Json(text_of(settings)); });
 }
 
 /// A factor or rate in millionths.
 Codec<Rate> millionths() {
-  const auto number = integer<std::int64_t>(kSlowest.millionths, kFastest.millionths);
-  Codec<Rate> codec;
-  codec.allowed = number.allowed;
-  codec.read = [number](const Place& place, Rate& rate) {
-    return number.read(place, rate.millionths);
-  };
-  codec.write = [](const Rate& rate) { return Json(rate.millionths); };
-  return codec;
+  return converted<Rate, std::int64_t>(
+      integer<std::int64_t>(kSlowest.millionths, kFastest.millionths),
+      [](const std::int64_t& millionths) { return Rate{millionths}; },
+      [](const Rate& rate) { return rate.millionths; });
 }
 
-Codec<LineSpeed> line_speed() {
-  Codec<LineSpeed> codec =
-      object(Members<LineSpeed>{optional("settings", &LineSpeed::settings, serial_settings()),
-                                required("factor_millionths", &LineSpeed::factor, millionths())});
-  return codec;
+Members<LineSpeed> line_speed_members() {
+  return {optional("settings", &LineSpeed::settings, serial_settings()),
+          required("factor_millionths", &LineSpeed::factor, millionths())};
 }
 
-SimClock clock_of(ClockMode mode, Rate rate) {
-  if (mode == ClockMode::kBytes) return SimClock::bytes();
-  SimClock clock = SimClock::real(rate, 0);
-  if (mode == ClockMode::kManual) clock.pause(0);
-  return clock;
-}
-
-Codec<ByteClockSettings> byte_clock() {
+Members<ByteClockSettings> byte_clock_members() {
   using Settings = ByteClockSettings;
-  return object(Members<Settings>{
-      required("inquiry_ms", &Settings::inquiry_ms,
-               integer<std::int64_t>(0, Settings::kMaxInquiryMs)),
-      optional("settle_ms", &Settings::settle_ms,
-               integer<std::int64_t>(Settings::kMinSettleMs, Settings::kMaxSettleMs)),
-      required("concurrent_lines", &Settings::has_concurrent_lines, boolean())});
+  return {required("inquiry_ms", &Settings::inquiry_ms,
+                   integer<std::int64_t>(0, Settings::kMaxInquiryMs)),
+          optional("settle_ms", &Settings::settle_ms,
+                   integer<std::int64_t>(Settings::kMinSettleMs, Settings::kMaxSettleMs)),
+          required("concurrent_lines", &Settings::has_concurrent_lines, boolean())};
 }
 
-struct ClockParts {
-  ClockMode mode = ClockMode::kReal;
-  Rate rate;
-};
-
-Codec<SimClock> clock_codec() {
-  const auto parts =
-      object(Members<ClockParts>{required("mode", &ClockParts::mode,
-                                          choice<ClockMode>({{"real", ClockMode::kReal},
-                                                             {"manual", ClockMode::kManual},
-                                                             {"bytes", ClockMode::kBytes}})),
-                                 required("rate_millionths", &ClockParts::rate, millionths())});
-  Codec<SimClock> codec;
-  codec.allowed = parts.allowed;
-  codec.read = [parts](const Place& place, SimClock& clock) {
-    ClockParts read;
-    if (!parts.read(place, read)) return false;
-    clock = clock_of(read.mode, read.rate);
-    return true;
-  };
-  codec.write = [parts](const SimClock& clock) {
-    return parts.write({clock.mode(), clock.rate()});
-  };
-  return codec;
+Members<Clock> clock_members() {
+  return {required("mode", &Clock::mode,
+                   choice<ClockMode>({{"real", ClockMode::kReal},
+                                      {"manual", ClockMode::kManual},
+                                      {"bytes", ClockMode::kBytes}})),
+          required("rate_millionths", &Clock::rate, millionths())};
 }
 
-Codec<RecordedDevice> recorded_device() {
-  return object(
-      Members<RecordedDevice>{required("path", &RecordedDevice::path, byte_text(kMaxPath)),
-                              required("settings", &RecordedDevice::settings, serial_settings()),
-                              required("mirrored", &RecordedDevice::is_mirrored, boolean())});
+Members<RecordedDevice> device_members() {
+  return {required("path", &RecordedDevice::path, byte_text(kMaxPath)),
+          required("settings", &RecordedDevice::settings, serial_settings()),
+          required("mirrored", &RecordedDevice::is_mirrored, boolean())};
 }
 
 const Members<Parts>& header_members() {
@@ -177,35 +117,42 @@ const Members<Parts>& header_members() {
       required("cell", &Parts::cell, text(1, kMaxName)),
       required("profile", &Parts::profile,
                choice<Profile>({{"paper", Profile::kPaper}, {"mark3", Profile::kMark3}})),
-      required("clock", &Parts::clock, clock_codec()),
-      optional("byte_clock", &Parts::byte_clock, byte_clock()),
-      optional("line_speed", &Parts::line_speed, line_speed()),
-      optional("device", &Parts::device, recorded_device()),
-      optional("faults", &Parts::faults, faults_document()),
-      optional("robot", &Parts::robot, robot_document()),
-      required("workcell", &Parts::workcell, workcell_document()),
+      required("clock", &Parts::clock,
+               converted<Clock, Clock>(object(clock_members()), effective, effective)),
+      optional("byte_clock", &Parts::byte_clock, object(byte_clock_members())),
+      optional("line_speed", &Parts::line_speed, object(line_speed_members())),
+      optional("device", &Parts::device, object(device_members())),
+      optional(
+          "faults", &Parts::faults,
+          document<FaultPlan>(
+              "faults", [](const auto& text) { return read_faults(text, ""); }, faults_to_json)),
+      optional(
+          "robot", &Parts::robot,
+          document<Robot>(
+              "a robot", [](const auto& text) { return read_robot(text, ""); }, robot_to_json)),
+      required("workcell", &Parts::workcell,
+               document<Workcell>(
+                   "a workcell", [](const auto& text) { return read_workcell(text, ""); },
+                   workcell_to_json)),
       optional("c", &Parts::check, text(0, kMaxName))};
   return members;
 }
 
 void check_parts(const Parts& parts, Reading& reading) {
-  if ((parts.clock.mode() == ClockMode::kBytes) != parts.byte_clock.has_value())
+  if ((parts.clock.mode == ClockMode::kBytes) != parts.byte_clock.has_value())
     reading.refuse("/byte_clock", parts.byte_clock ? "rules" : "",
                    "the rules of the byte clock, if the mode of the clock is bytes");
   if (!parts.robot && reading.is_sound("/robot"))
     return reading.refuse("/robot", "", "a robot in the form of its file");
-  const bool is_real = parts.clock.mode() == ClockMode::kReal && parts.clock.rate() == Rate{};
+  const bool is_real = parts.clock.mode == ClockMode::kReal && parts.clock.rate == Rate{};
   if (parts.device && (!is_real || parts.line_speed || parts.faults))
     reading.refuse("/device", "a device", "none with faults, a line speed or another clock");
 }
 
 /// The joints of the faults must be the robot's.
 void check_joints(const Model& model, const FaultPlan& plan, Reading& reading) {
-  const FaultsReading again = read_faults(faults_to_json(plan).dump(), "", model.labels());
-  for (const Finding& finding : again.findings) {
-    if (finding.severity == Severity::kError)
-      reading.refuse("/faults" + finding.pointer, finding.found, finding.allowed);
-  }
+  reading.refuse_part("/faults",
+                      read_faults(faults_to_json(plan).dump(), "", model.labels()).findings);
 }
 
 }  // namespace
@@ -220,7 +167,7 @@ Json header_to_json(const Header& header) {
   parts.robot = header.model->robot();
   parts.workcell = header.model->workcell();
   parts.faults = header.faults;
-  parts.clock = clock_of(header.mode, header.rate);
+  parts.clock = {header.mode, header.rate};
   parts.byte_clock = header.byte_clock;
   parts.line_speed = header.line_speed;
   parts.device = header.device;
@@ -238,16 +185,10 @@ std::optional<Header> read_header(Reading& reading) {
   read_object(Place{reading, reading.root()}, header_members(), parts);
   check_parts(parts, reading);
   if (reading.has_errors()) return std::nullopt;
-  Header header{parts.program,
-                parts.state_format,
-                parts.cell,
-                std::make_shared<const Model>(*parts.robot, parts.workcell, parts.profile),
-                parts.clock.mode(),
-                parts.clock.rate(),
-                parts.byte_clock,
-                parts.line_speed,
-                parts.faults,
-                parts.device};
+  const auto [mode, rate] = parts.clock;
+  auto model = std::make_shared<const Model>(*parts.robot, parts.workcell, parts.profile);
+  Header header{parts.program,    parts.state_format, parts.cell,   std::move(model), mode, rate,
+                parts.byte_clock, parts.line_speed,   parts.faults, parts.device};
   if (header.faults) check_joints(*header.model, *header.faults, reading);
   return reading.has_errors() ? std::nullopt : std::optional(std::move(header));
 }

@@ -28,22 +28,22 @@ void exercise(Robot robot, Workcell workcell) {
 }
 
 void read_as_robot(std::string_view text) {
-  RobotReading reading = read_robot(text, "robot.json");
-  require(reading.robot.has_value() != has_errors(reading.findings), "a robot, or why not");
-  if (!reading.robot) return;
-  const RobotReading again = read_robot(robot_to_json(*reading.robot).dump(), "robot.json");
-  require(again.robot == reading.robot, "the robot written and read again");
-  exercise(std::move(*reading.robot), test::bare_workcell());
+  FileReading<Robot> reading = read_robot(text, "robot.json");
+  require(reading.value.has_value() != has_errors(reading.findings), "a robot, or why not");
+  if (!reading.value) return;
+  const FileReading<Robot> again = read_robot(robot_to_json(*reading.value).dump(), "robot.json");
+  require(again.value == reading.value, "the robot written and read again");
+  exercise(std::move(*reading.value), test::bare_workcell());
 }
 
 void read_as_workcell(std::string_view text) {
-  WorkcellReading reading = read_workcell(text, "workcell.json");
-  require(reading.workcell.has_value() != has_errors(reading.findings), "a workcell, or why not");
-  if (!reading.workcell) return;
-  const std::string written = workcell_to_json(*reading.workcell).dump();
-  require(read_workcell(written, "workcell.json").workcell == reading.workcell,
+  FileReading<Workcell> reading = read_workcell(text, "workcell.json");
+  require(reading.value.has_value() != has_errors(reading.findings), "a workcell, or why not");
+  if (!reading.value) return;
+  const std::string written = workcell_to_json(*reading.value).dump();
+  require(read_workcell(written, "workcell.json").value == reading.value,
           "the workcell written and read again");
-  exercise(test::robot_named("rhino-xr3"), std::move(*reading.workcell));
+  exercise(test::robot_named("rhino-xr3"), std::move(*reading.value));
 }
 
 // A few moves, inquiries and images with these faults, and the lines' bytes through them.
@@ -65,13 +65,13 @@ void exercise(const FaultPlan& plan) {
 }
 
 void read_as_faults(std::string_view text) {
-  FaultsReading reading = read_faults(text, "faults.json", "ABCDEF");
-  require(reading.plan.has_value() != has_errors(reading.findings), "faults, or why not");
-  if (!reading.plan) return;
-  const std::string written = faults_to_json(*reading.plan).dump();
-  require(read_faults(written, "faults.json").plan == reading.plan,
+  FileReading<FaultPlan> reading = read_faults(text, "faults.json", "ABCDEF");
+  require(reading.value.has_value() != has_errors(reading.findings), "faults, or why not");
+  if (!reading.value) return;
+  const std::string written = faults_to_json(*reading.value).dump();
+  require(read_faults(written, "faults.json").value == reading.value,
           "the faults written and read again");
-  exercise(*reading.plan);
+  exercise(*reading.value);
 }
 
 }  // namespace

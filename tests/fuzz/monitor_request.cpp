@@ -49,8 +49,8 @@ void exercise(const SavedCell& saved) {
 }
 
 void load(const SavedCell& saved) {
-  const SavedCellReading again = read_saved_cell(saved_cell_to_json(saved));
-  require(again.saved && *again.saved == saved, "the saved cell written and read again");
+  const FileReading<SavedCell> again = read_saved_cell(saved_cell_to_json(saved));
+  require(again.value && *again.value == saved, "the saved cell written and read again");
   if (validate(*test::rhino(), saved).empty()) exercise(saved);
 }
 

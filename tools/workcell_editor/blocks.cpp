@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "protocol/files/workcell_consistency.hpp"
+#include "protocol/files/consistency.hpp"
 #include "tools/workcell_editor/dialogue.hpp"
 
 namespace xr3 {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "protocol/files/consistency.hpp"
 #include "protocol/files/workcell.hpp"
-#include "protocol/files/workcell_consistency.hpp"
 #include "protocol/text/table.hpp"
 #include "tools/workcell_editor/items.hpp"
 

@@ -205,8 +205,8 @@ void WorkcellDialogue::check() {
 
 void WorkcellDialogue::save() {
   const std::string text = json_text(workcell_to_json(workcell_));
-  const WorkcellReading reading = read_workcell(text, file_);
-  if (reading.workcell == workcell_) return write(has_written_);
+  const FileReading<Workcell> reading = read_workcell(text, file_);
+  if (reading.value == workcell_) return write(has_written_);
   is_leaving_ = false;
   say("Not written because it would not load:\n" + to_text(reading.findings));
 }

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "protocol/files/paper_form/lines.hpp"
-#include "protocol/files/summary.hpp"
 #include "protocol/json/source.hpp"
 
 namespace xr3 {
@@ -49,14 +48,6 @@ DataError unusable(const CheckResult& result, const std::string& file, const std
   return DataError({{Severity::kError, file, 1, 0, "", found, allowed}});
 }
 
-template <class Reading>
-CheckResult result_of(DataKind kind, Reading& reading) {
-  CheckResult result;
-  result.kind = kind;
-  result.findings = std::move(reading.findings);
-  return result;
-}
-
 }  // namespace
 
 bool is_json_form(std::string_view text) {
@@ -68,21 +59,11 @@ CheckResult check_either_form(std::string_view text, const std::string& file, Pr
                               const Robot* robot) {
   if (is_json_file(text, file)) return check_text(text, file, profile, robot);
   const paper::DataLines lines = paper::split(text, file);
-  if (kind_of(lines) == DataKind::kRobot) {
-    RobotReading reading = read_paper_robot(text, file);
-    CheckResult result = result_of(DataKind::kRobot, reading);
-    result.robot = std::move(reading.robot);
-    if (result.robot) result.summary = robot_summary(*result.robot, profile);
-    return result;
+  switch (kind_of(lines)) {
+    case DataKind::kRobot: return robot_result(read_paper_robot(text, file), profile);
+    case DataKind::kWorkcell: return workcell_result(read_paper_workcell(text, file, robot));
+    default: return unknown_result(file, lines);
   }
-  if (kind_of(lines) == DataKind::kWorkcell) {
-    WorkcellReading reading = read_paper_workcell(text, file, robot);
-    CheckResult result = result_of(DataKind::kWorkcell, reading);
-    result.workcell = std::move(reading.workcell);
-    if (result.workcell) result.summary = workcell_summary(*result.workcell);
-    return result;
-  }
-  return unknown_result(file, lines);
 }
 
 Robot load_robot_of_either_form(std::string_view text, const std::string& file) {

@@ -22,10 +22,10 @@ std::string workcell_to_paper_form(const Workcell& workcell);
 
 /// Reads and checks a file in plain form, like read_robot() for JSON. Findings have the pointers of
 /// the JSON form. Never throws.
-RobotReading read_paper_robot(std::string_view text, const std::string& file);
+FileReading<Robot> read_paper_robot(std::string_view text, const std::string& file);
 /// The same for a workcell; `robot` as in read_workcell().
-WorkcellReading read_paper_workcell(std::string_view text, const std::string& file,
-                                    const Robot* robot = nullptr);
+FileReading<Workcell> read_paper_workcell(std::string_view text, const std::string& file,
+                                          const Robot* robot = nullptr);
 
 /// Whether a text is meant as JSON, valid or not: its first character outside comments starts an
 /// object or a list.

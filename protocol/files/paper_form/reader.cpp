@@ -176,7 +176,7 @@ void Reader::refuse_addition(const Addition& addition) {
   const std::string nearest = data::nearest_name(addition.key, names);
   report(addition.line, child_pointer(parts_.back().pointer, addition.key),
          "an unknown member \"" + addition.key + "\"",
-         nearest.empty() ? "here " + data::detail::quoted_names(names)
+         nearest.empty() ? "here " + data::quoted_names(names)
                          : "perhaps \"" + nearest + "\" was meant");
 }
 

@@ -73,10 +73,15 @@ class Reader {
 
   std::string json() const { return root_.dump(); }
   const std::string& file() const { return file_; }
-  /// This reader's findings and the JSON loader's, sorted. The loader's findings get the line
-  /// numbers of the plain file; those about places that this reader has already refused are
-  /// dropped.
-  Findings merged(Findings of_loader) const;
+  /// The JSON loader's result with this reader's findings and the loader's, sorted. The loader's
+  /// findings get the line numbers of the plain file; those about places that this reader has already
+  /// refused are dropped.
+  template <class V>
+  FileReading<V> merged(FileReading<V> of_loader) const {
+    of_loader.findings = merged(std::move(of_loader.findings));
+    if (has_errors(of_loader.findings)) of_loader.value.reset();
+    return of_loader;
+  }
 
  private:
   struct Part {
@@ -94,6 +99,7 @@ class Reader {
   void refuse_addition(const Addition& addition);
   void report(int line, const std::string& pointer, std::string found, std::string allowed);
   bool is_refused(const std::string& pointer) const;
+  Findings merged(Findings of_loader) const;
   int line_of(std::string pointer) const;
 
   std::string file_;

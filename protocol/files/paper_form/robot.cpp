@@ -257,7 +257,7 @@ void write_general(Writer& writer, const Json& robot) {
 
 }  // namespace
 
-RobotReading read_paper_robot(std::string_view text, const std::string& file) {
+FileReading<Robot> read_paper_robot(std::string_view text, const std::string& file) {
   Reader reader(text, file);
   reader.open("", kRobotExtras);
   read_joints(reader);
@@ -267,10 +267,7 @@ RobotReading read_paper_robot(std::string_view text, const std::string& file) {
   read_general(reader);
   reader.finish();
   set_defaults(reader);
-  RobotReading reading = read_robot(reader.json(), file);
-  reading.findings = reader.merged(std::move(reading.findings));
-  if (has_errors(reading.findings)) reading.robot.reset();
-  return reading;
+  return reader.merged(read_robot(reader.json(), file));
 }
 
 std::string robot_to_paper_form(const Robot& robot) {

@@ -15,10 +15,10 @@ constexpr int kFirstBrightColor = 9;
 constexpr int kBrightColors = 6;
 
 const Extras kWorkcellExtras = {{"name", "/name"},
-                            {"notes", "/notes"},
-                            {"length_unit", "/length_unit"},
-                            {"work_surface", "/work_surface"},
-                            {"surface_stalls", "/surface_stalls"}};
+                                {"notes", "/notes"},
+                                {"length_unit", "/length_unit"},
+                                {"work_surface", "/work_surface"},
+                                {"surface_stalls", "/surface_stalls"}};
 const Extras kBlockExtras = {{"block", "/name"}, {"color", "/color"}};
 const Extras kCameraExtras = {{"projection", "/projection"}};
 
@@ -70,8 +70,8 @@ void write_blocks(Writer& writer, const Json& blocks) {
 
 }  // namespace
 
-WorkcellReading read_paper_workcell(std::string_view text, const std::string& file,
-                                    const Robot* robot) {
+FileReading<Workcell> read_paper_workcell(std::string_view text, const std::string& file,
+                                          const Robot* robot) {
   Reader reader(text, file);
   reader.open("", kWorkcellExtras);
   reader.row(kWorkspaceRow, "/workspace");
@@ -80,10 +80,7 @@ WorkcellReading read_paper_workcell(std::string_view text, const std::string& fi
   reader.finish();
   reader.set_default("/name", stem_of(file));
   reader.set_default("/length_unit", "mm");
-  WorkcellReading reading = read_workcell(reader.json(), file, robot);
-  reading.findings = reader.merged(std::move(reading.findings));
-  if (has_errors(reading.findings)) reading.workcell.reset();
-  return reading;
+  return reader.merged(read_workcell(reader.json(), file, robot));
 }
 
 std::string workcell_to_paper_form(const Workcell& workcell) {

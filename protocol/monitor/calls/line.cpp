@@ -1,4 +1,6 @@
 // The calls on serial lines: `send`, `lines`, `line_disconnect` and `transcript`.
+#include <charconv>
+#include <string_view>
 #include <utility>
 
 #include "protocol/monitor/calls/form.hpp"
@@ -8,35 +10,24 @@ namespace {
 
 constexpr std::size_t kMaxSent = 4096;  // bytes of a `send`
 
-int digit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
-
-std::optional<std::string> from_hexadecimal(const std::string& digits) {
-  if (digits.size() % 2 != 0) return std::nullopt;
+std::optional<std::string> from_hexadecimal(std::string_view digits) {
   std::string bytes;
-  for (std::size_t i = 0; i < digits.size(); i += 2) {
-    const int high = digit(digits[i]);
-    const int low = digit(digits[i + 1]);
-    if (high < 0 || low < 0) return std::nullopt;
-    bytes.push_back(static_cast<char>(high * 16 + low));
+  for (; digits.size() >= 2; digits.remove_prefix(2)) {
+    const char* end = digits.data() + 2;
+    std::uint8_t byte = 0;
+    if (std::from_chars(digits.data(), end, byte, 16).ptr != end) return std::nullopt;
+    bytes.push_back(static_cast<char>(byte));
   }
-  return bytes;
+  return digits.empty() ? std::optional(std::move(bytes)) : std::nullopt;
 }
 
 data::Codec<std::string> bytes_in_hexadecimal() {
-  data::Codec<std::string> codec;
-  codec.allowed = "two hexadecimal digits a byte, at most " + std::to_string(kMaxSent) + " bytes";
-  codec.read = [allowed = codec.allowed](const data::Place& place, std::string& bytes) {
-    if (!place.value.is_text()) return place.refuse(allowed);
-    const std::string digits = place.value.text(2 * kMaxSent + 1);
-    auto read = digits.size() <= 2 * kMaxSent ? from_hexadecimal(digits) : std::nullopt;
-    if (!read) return place.refuse(allowed);
-    return bytes = *std::move(read), true;
+  const auto parse = [](JsonValue value) -> std::optional<std::string> {
+    const std::string digits = value.is_text() ? value.text(2 * kMaxSent + 1) : "?";
+    return digits.size() <= 2 * kMaxSent ? from_hexadecimal(digits) : std::nullopt;
   };
-  return codec;
+  return data::parsed<std::string>(
+      "two hexadecimal digits a byte, at most " + std::to_string(kMaxSent) + " bytes", parse);
 }
 
 CallValue read_send(ArgsReader& args) {

@@ -11,13 +11,8 @@ namespace {
 constexpr std::size_t kMaxSnapshotNameLength = 64;  // bytes
 
 data::Codec<bool> only_true() {
-  data::Codec<bool> codec;
-  codec.allowed = "true";
-  codec.read = [](const data::Place& place, bool& result) {
-    result = place.value.is_true();
-    return result || place.refuse("true");
-  };
-  return codec;
+  return data::parsed<bool>(
+      "true", [](JsonValue value) { return value.is_true() ? std::optional(true) : std::nullopt; });
 }
 
 data::Codec<std::string> snapshot_name() { return data::text(1, kMaxSnapshotNameLength); }

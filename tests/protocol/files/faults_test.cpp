@@ -83,8 +83,8 @@ TEST(FaultFile, EveryProbabilityOfABillionthIsKept) {
 TEST(FaultFile, MayNotNameAJointThatTheRobotLacks) {
   const std::string text =
       R"({"faults":[{"name":"x","kind":"motor_stuck","joint":"G","at_tick":0}]})";
-  EXPECT_TRUE(read_faults(text, "f").plan);
-  const FaultsReading reading = read_faults(text, "f", "ABCDEF");
+  EXPECT_TRUE(read_faults(text, "f").value);
+  const FileReading<FaultPlan> reading = read_faults(text, "f", "ABCDEF");
   ASSERT_EQ(reading.findings.size(), 1U);
   EXPECT_EQ(to_text(reading.findings[0]),
             "f:1: /faults/0/joint: found \"G\"; allowed: a joint of the robot: one of ABCDEF");

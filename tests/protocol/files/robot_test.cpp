@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/model.hpp"
-#include "protocol/files/robot_consistency.hpp"
+#include "protocol/files/consistency.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3 {
@@ -58,9 +58,9 @@ TEST(RobotJson, AMountIsReadAndWritten) {
 
 TEST(RobotJson, ShippedFilesHaveNoFindings) {
   for (const std::string& name : test::kShippedRobots) {
-    const RobotReading reading = read_robot(test::project_file(robot_file(name)), name);
+    const FileReading<Robot> reading = read_robot(test::project_file(robot_file(name)), name);
     EXPECT_EQ(to_text(reading.findings), "");
-    EXPECT_TRUE(reading.robot.has_value());
+    EXPECT_TRUE(reading.value.has_value());
   }
 }
 
@@ -106,9 +106,9 @@ TEST(RobotJson, ReadsACarouselInInches) {
   json["length_unit"] = "inch";
   json["carousel"].update({{"center", {10, -2}}, {"radius", 4}, {"height", 1}});
   // Only the carousel matters: the lengths of the arm are now 25.4 times longer.
-  const RobotReading reading = read_robot(json.dump(), "f");
-  ASSERT_TRUE(reading.robot.has_value()) << to_text(reading.findings);
-  const Carousel& carousel = *reading.robot->carousel;
+  const FileReading<Robot> reading = read_robot(json.dump(), "f");
+  ASSERT_TRUE(reading.value.has_value()) << to_text(reading.findings);
+  const Carousel& carousel = *reading.value->carousel;
   EXPECT_NEAR(carousel.x_mm, 254, 1e-9);
   EXPECT_NEAR(carousel.y_mm, -50.8, 1e-9);
   EXPECT_NEAR(carousel.radius_mm, 101.6, 1e-9);
@@ -206,7 +206,7 @@ TEST(RobotJson, MembersWithDefaultsMayBeOmitted) {
 }
 
 TEST(RobotJson, AWorkcellCausesOneSentence) {
-  const RobotReading reading = read_robot(R"({"length_unit": "cm", "blocks": []})", "w.json");
+  const FileReading<Robot> reading = read_robot(R"({"length_unit": "cm", "blocks": []})", "w.json");
   EXPECT_EQ(to_text(reading.findings),
             "w.json:1: found a workcell; allowed: a robot, with \"joints\" and \"tool\"\n");
 }

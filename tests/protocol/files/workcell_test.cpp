@@ -42,9 +42,9 @@ std::string block(const std::string& name, const std::string& size, const std::s
 TEST(WorkcellJson, ShippedFilesHaveNoFindings) {
   for (const std::string& name : kWorkcells) {
     const Robot robot = robot_for(name);
-    const WorkcellReading reading = read_workcell(workcell_text(name), name, &robot);
+    const FileReading<Workcell> reading = read_workcell(workcell_text(name), name, &robot);
     EXPECT_EQ(to_text(reading.findings), "");
-    EXPECT_TRUE(reading.workcell.has_value());
+    EXPECT_TRUE(reading.value.has_value());
   }
 }
 
@@ -172,8 +172,8 @@ TEST(WorkcellJson, WarnsAboutOddBlocks) {
   const Robot robot = robot_for("rhino-xr3");
   for (const WarningCase& expected : cases) {
     SCOPED_TRACE(expected.blocks);
-    const WorkcellReading reading = read_workcell(with_blocks(expected.blocks), "f", &robot);
-    EXPECT_TRUE(reading.workcell.has_value()) << "warnings are no errors";
+    const FileReading<Workcell> reading = read_workcell(with_blocks(expected.blocks), "f", &robot);
+    EXPECT_TRUE(reading.value.has_value()) << "warnings are no errors";
     const std::string text = to_text(reading.findings);
     const std::string beginning = expected.warnings.substr(0, expected.warnings.size() - 1);
     EXPECT_EQ(text.empty(), expected.warnings.empty()) << text;
@@ -184,7 +184,7 @@ TEST(WorkcellJson, WarnsAboutOddBlocks) {
 TEST(WorkcellJson, AngularJawsOpenByTheirAngle) {
   const Robot robot = robot_for("intelledex-660");
   const std::string text = with_blocks(block("a", "[80, 61, 20]", "[300, 0, 110]"));
-  const WorkcellReading reading = read_workcell(text, "f", &robot);
+  const FileReading<Workcell> reading = read_workcell(text, "f", &robot);
   ASSERT_EQ(reading.findings.size(), 1U);
   EXPECT_EQ(reading.findings[0].allowed, "less than 60 mm, the jaws' widest opening");
 }
@@ -208,8 +208,7 @@ TEST(WorkcellJson, ReportsTenThousandInvalidBlocksInReasonableTime) {
 }
 
 TEST(WorkcellJson, RejectsASizeThatRoundsToZero) {
-  EXPECT_TRUE(
-      read_workcell(with_blocks(block("a", "[0.0005, 1, 1]", "[9, 9, 101]")), "f").workcell);
+  EXPECT_TRUE(read_workcell(with_blocks(block("a", "[0.0005, 1, 1]", "[9, 9, 101]")), "f").value);
   const auto reading = read_workcell(with_blocks(block("a", "[1, 1, 0.0004]", "[9, 9, 101]")), "f");
   ASSERT_EQ(reading.findings.size(), 1U);
   EXPECT_EQ(reading.findings[0].pointer, "/blocks/0/size/2");

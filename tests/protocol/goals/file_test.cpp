@@ -113,7 +113,7 @@ TEST(GoalsFile, SaysWhatIsWrongWithAGoal) {
 }
 
 TEST(GoalsFile, AnotherFileIsRefusedInOneSentence) {
-  const GoalsReading reading =
+  const FileReading<GoalList> reading =
       read_goals(R"({"blocks":[],"workspace":[1,2,3]})", "w.json", nullptr);
   ASSERT_EQ(reading.findings.size(), 1U);
   EXPECT_EQ(reading.findings[0].allowed, "a goals file, with \"goals\"");

@@ -85,7 +85,7 @@ TEST(ModelJson, EveryShippedWorkcellPassesTheCheck) {
   for (const std::string robot : {"rhino-xr3", "adept-one", "intelledex-660"}) {
     const Rig rig(at_its_table(robot));
     const Json json = model_json(rig.model(), rig.state(), 1, "sha256:0");
-    const WorkcellReading reading =
+    const FileReading<Workcell> reading =
         read_workcell(json["workcell"].dump(), "kept", &rig.model().robot());
     EXPECT_TRUE(reading.findings.empty()) << robot;
   }

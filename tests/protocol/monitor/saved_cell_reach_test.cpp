@@ -210,12 +210,13 @@ class Wanderer {
 
   /// Continues from the saved and reloaded state.
   std::string load_again() {
-    SavedCellReading reading = read_saved_cell(Json::parse(saved_cell_to_json(saved()).dump()));
-    if (!reading.saved) return to_text(reading.findings);
-    if (!(*reading.saved == saved())) return "not the same when it is read again";
+    FileReading<SavedCell> reading =
+        read_saved_cell(Json::parse(saved_cell_to_json(saved()).dump()));
+    if (!reading.value) return to_text(reading.findings);
+    if (!(*reading.value == saved())) return "not the same when it is read again";
     rig_.simulation.restore(
-        std::make_shared<const Model>(robot_, reading.saved->workcell, profile_),
-        std::move(reading.saved->state));
+        std::make_shared<const Model>(robot_, reading.value->workcell, profile_),
+        std::move(reading.value->state));
     return "";
   }
 

@@ -27,13 +27,13 @@ SavedCell at_home() {
 
 Json at_home_json() { return saved_cell_to_json(at_home()); }
 
-SavedCellReading read_again(const SavedCell& saved) {
+FileReading<SavedCell> read_again(const SavedCell& saved) {
   return read_saved_cell(Json::parse(saved_cell_to_json(saved).dump()));
 }
 
 Strings wrong_in(const Json& json) {
-  const SavedCellReading reading = read_saved_cell(json);
-  EXPECT_EQ(reading.saved.has_value(), !has_errors(reading.findings));
+  const FileReading<SavedCell> reading = read_saved_cell(json);
+  EXPECT_EQ(reading.value.has_value(), !has_errors(reading.findings));
   Strings pointers;
   for (const Finding& finding : reading.findings) {
     if (finding.severity == Severity::kError) pointers.push_back(finding.pointer);
@@ -159,10 +159,10 @@ TEST(SavedCellJson, RejectsRidersThatAreNoBlocksInOrder) {
 
 RC_GTEST_PROP(SavedCellJson, EveryBitRoundTrips, ()) {
   const SavedCell saved{"sha256:" + std::to_string(any<int>(0, 1000)), any_workcell(), any_state()};
-  const SavedCellReading reading = read_again(saved);
+  const FileReading<SavedCell> reading = read_again(saved);
   RC_ASSERT(to_text(reading.findings).find("error") == std::string::npos);
-  RC_ASSERT(reading.saved.has_value());
-  RC_ASSERT(*reading.saved == saved);
+  RC_ASSERT(reading.value.has_value());
+  RC_ASSERT(*reading.value == saved);
 }
 
 // --- Reachable states.
@@ -175,11 +175,11 @@ TEST(SavedCellJson, AMachineContinuesFromIt) {
   for (const char label : {'F', 'E', 'D', 'C', 'B', 'A'}) one.execute(Move{label, -40});
   one.advance_to(123);
   const SavedCell saved{"sha256:1", model->workcell(), one.state()};
-  const SavedCellReading reading = read_again(saved);
-  ASSERT_TRUE(reading.saved);
-  EXPECT_TRUE(monitor::validate(*model, *reading.saved).empty());
+  const FileReading<SavedCell> reading = read_again(saved);
+  ASSERT_TRUE(reading.value);
+  EXPECT_TRUE(monitor::validate(*model, *reading.value).empty());
   Simulation other(model);
-  other.restore(reading.saved->state);
+  other.restore(reading.value->state);
   one.advance_to(2000);
   other.advance_to(2000);
   EXPECT_EQ(one.state(), other.state());
@@ -213,11 +213,11 @@ TEST(SavedCellJson, AMachineWithFaultsContinuesFromIt) {
   one.advance_to(300);
   ASSERT_GT(one.state().faults.all[0].effects, 0U);
   const SavedCell saved{"sha256:1", model->workcell(), one.state()};
-  const SavedCellReading reading = read_again(saved);
-  ASSERT_TRUE(reading.saved) << to_text(reading.findings);
-  EXPECT_TRUE(monitor::validate(*model, *reading.saved).empty());
+  const FileReading<SavedCell> reading = read_again(saved);
+  ASSERT_TRUE(reading.value) << to_text(reading.findings);
+  EXPECT_TRUE(monitor::validate(*model, *reading.value).empty());
   Simulation other(model);
-  other.restore(reading.saved->state);
+  other.restore(reading.value->state);
   EXPECT_EQ(one.state(), other.state());
   one.take_events();
   one.advance_to(2000);
@@ -369,9 +369,9 @@ TEST(SavedCellJson, RejectsTooManyBlocks) {
 TEST(SavedCellJson, WarningsAreNotErrors) {
   SavedCell saved = at_home();
   saved.workcell.blocks[0].centroid_um = saved.workcell.blocks[1].centroid_um;
-  const SavedCellReading reading = read_again(saved);
+  const FileReading<SavedCell> reading = read_again(saved);
   EXPECT_TRUE(reading.findings.empty()) << "warnings are dropped";
-  EXPECT_TRUE(reading.saved);
+  EXPECT_TRUE(reading.value);
 }
 
 }  // namespace

@@ -253,7 +253,7 @@ SavedCell at_limit() {
 SavedCell edited(const SavedCell& saved, const std::string& pointer, const Json& value) {
   Json json = saved_cell_to_json(saved);
   json.at(Json::json_pointer(pointer)) = value;
-  return read_saved_cell(json).saved.value();
+  return read_saved_cell(json).value.value();
 }
 
 TEST(SavedCellValidation, AcceptsReachableStates) {

@@ -67,11 +67,11 @@ TEST(PaperForm, ShippedRobotsRoundTrip) {
   for (const std::string& name : test::kShippedRobots) {
     const Robot& robot = test::robot_named(name);
     const std::string text = robot_to_paper_form(robot);
-    const RobotReading reading = read_paper_robot(text, name);
+    const FileReading<Robot> reading = read_paper_robot(text, name);
     EXPECT_EQ(to_text(reading.findings), "");
-    ASSERT_TRUE(reading.robot);
-    EXPECT_EQ(*reading.robot, robot);
-    EXPECT_EQ(robot_to_paper_form(*reading.robot), text);
+    ASSERT_TRUE(reading.value);
+    EXPECT_EQ(*reading.value, robot);
+    EXPECT_EQ(robot_to_paper_form(*reading.value), text);
     EXPECT_EQ(check(text).kind, DataKind::kRobot);
   }
 }
@@ -80,10 +80,10 @@ TEST(PaperForm, ShippedWorkcellsRoundTrip) {
   for (const std::string& name : kWorkcells) {
     const Workcell& workcell = test::workcell_named(name);
     const std::string text = workcell_to_paper_form(workcell);
-    const WorkcellReading reading = read_paper_workcell(text, name);
+    const FileReading<Workcell> reading = read_paper_workcell(text, name);
     EXPECT_EQ(to_text(reading.findings), "");
-    ASSERT_TRUE(reading.workcell);
-    EXPECT_EQ(*reading.workcell, workcell);
+    ASSERT_TRUE(reading.value);
+    EXPECT_EQ(*reading.value, workcell);
     EXPECT_EQ(check(text).kind, DataKind::kWorkcell);
   }
 }
@@ -98,19 +98,19 @@ TEST(PaperForm, OddRobotsRoundTrip) {
   robot.links.clear();
   robot.couplings.clear();
   robot.net_roll.clear();
-  const RobotReading reading = read_paper_robot(robot_to_paper_form(robot), "f");
+  const FileReading<Robot> reading = read_paper_robot(robot_to_paper_form(robot), "f");
   EXPECT_EQ(to_text(reading.findings), "");
-  EXPECT_TRUE(reading.robot == robot);
+  EXPECT_TRUE(reading.value == robot);
 }
 
 TEST(PaperForm, EveryArmRoundTrips) {
   for (int joints = 1; joints <= kMaxJoints; ++joints) {
     Robot robot = test::odd_arm(joints);
-    const RobotReading as_json = read_robot(robot_to_json(robot).dump(), "f");
-    ASSERT_TRUE(as_json.robot) << to_text(as_json.findings);
-    const RobotReading reading = read_paper_robot(robot_to_paper_form(*as_json.robot), "f");
+    const FileReading<Robot> as_json = read_robot(robot_to_json(robot).dump(), "f");
+    ASSERT_TRUE(as_json.value) << to_text(as_json.findings);
+    const FileReading<Robot> reading = read_paper_robot(robot_to_paper_form(*as_json.value), "f");
     EXPECT_EQ(to_text(reading.findings), "");
-    EXPECT_TRUE(reading.robot == as_json.robot) << joints;
+    EXPECT_TRUE(reading.value == as_json.value) << joints;
   }
 }
 
@@ -155,11 +155,11 @@ Robot any_robot() {
 }
 
 RC_GTEST_PROP(PaperForm, AnyRobotRoundTrips, ()) {
-  const RobotReading as_json = read_robot(robot_to_json(any_robot()).dump(), "f");
-  RC_PRE(as_json.robot.has_value());
-  const RobotReading reading = read_paper_robot(robot_to_paper_form(*as_json.robot), "f");
+  const FileReading<Robot> as_json = read_robot(robot_to_json(any_robot()).dump(), "f");
+  RC_PRE(as_json.value.has_value());
+  const FileReading<Robot> reading = read_paper_robot(robot_to_paper_form(*as_json.value), "f");
   RC_ASSERT(to_text(reading.findings) == "");
-  RC_ASSERT(reading.robot == as_json.robot);
+  RC_ASSERT(reading.value == as_json.value);
 }
 
 Micrometres any_um(Micrometres least) { return *rc::gen::inRange<Micrometres>(least, 2000000); }
@@ -199,10 +199,10 @@ Workcell any_workcell() {
 
 RC_GTEST_PROP(PaperForm, AnyWorkcellRoundTrips, ()) {
   const Workcell workcell = any_workcell();
-  RC_PRE(read_workcell(workcell_to_json(workcell).dump(), "f").workcell.has_value());
-  const WorkcellReading reading = read_paper_workcell(workcell_to_paper_form(workcell), "f");
+  RC_PRE(read_workcell(workcell_to_json(workcell).dump(), "f").value.has_value());
+  const FileReading<Workcell> reading = read_paper_workcell(workcell_to_paper_form(workcell), "f");
   RC_ASSERT(!has_errors(reading.findings));
-  RC_ASSERT(reading.workcell == workcell);
+  RC_ASSERT(reading.value == workcell);
 }
 
 TEST(PaperForm, ReadsARobotWithOnlyThePapersItems) {

@@ -1,5 +1,3 @@
-#include "protocol/recording/call_json.hpp"
-
 #include <gtest/gtest.h>
 
 #include <set>
@@ -7,6 +5,7 @@
 #include "core/home.hpp"
 #include "protocol/json/document.hpp"
 #include "protocol/monitor/call_table.hpp"
+#include "protocol/recording/entry_json.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3::recording {
@@ -75,13 +74,14 @@ std::vector<call::Call> all_calls() {
   return calls;
 }
 
-/// Reads `{"call":fn,"args":args}`; the findings go to `findings`.
+/// Reads an entry with `{"call":fn,"args":args}`; the findings go to `findings`.
 std::optional<call::Call> read_back(const std::string& text, Findings* findings = nullptr) {
-  const JsonDocument document(text);
+  const std::string entry_text = R"({"tick":0,)" + text.substr(1);
+  const JsonDocument document(entry_text);
   data::Reading reading(document.root(), data::Unit::kMm);
-  auto call = read_call_json({reading, document.root().find("call")}, document.root().find("args"));
+  const auto entry = read_entry(reading, 0);
   if (findings != nullptr) *findings = reading.take_findings();
-  return call;
+  return entry ? std::optional(std::get<CallMade>(entry->body).call) : std::nullopt;
 }
 
 std::string text_of_call(const call::Call& call) {
@@ -124,9 +124,10 @@ TEST(RecordedCall, ValuesAreExact) {
 TEST(RecordedCall, OtherCallsAndWrongArgumentsAreRefused) {
   Findings findings;
   for (const char* text :
-       {R"({"call":"send","args":{"text":"E?"}})", R"({"call":"lines"})", R"({"call":"nothing"})",
-        R"({"call":7})", R"({"call":"step","args":{"ticks":-1}})",
-        R"({"call":"step","args":{"ticks":1,"more":2}})", R"({"call":"step"})"}) {
+       {R"({"call":"send","args":{"text":"E?"}})", R"({"call":"lines","args":{}})",
+        R"({"call":"nothing","args":{}})", R"({"call":"step"})", R"({"call":7,"args":{}})",
+        R"({"call":"step","args":{"ticks":-1}})", R"({"call":"step","args":{"ticks":1,"more":2}})",
+        R"({"call":"step","args":{}})"}) {
     EXPECT_FALSE(read_back(text, &findings)) << text;
     EXPECT_FALSE(findings.empty()) << text;
   }
