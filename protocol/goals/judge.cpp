@@ -23,9 +23,14 @@ using namespace goal;  // NOLINT: the kinds of goals
 /// A judgement: the expected, and what was found if the goal is missed.
 struct Judged {
   std::string expected;
-  std::optional<std::string> missed;
+  std::optional<std::string> missed = {};
   std::string hint = {};
 };
+
+/// The text if the goal is missed.
+std::optional<std::string> missed_if(bool is_missed, std::string text) {
+  return is_missed ? std::optional(std::move(text)) : std::nullopt;
+}
 
 /// The distance of a point from the coordinates that count, rounded to micrometres.
 Micrometres distance_um(const PartialPoint& wanted, const PointUm& at) {
@@ -59,7 +64,7 @@ class Judge {
   void look_at(std::size_t index) { breach_ = &facts_.breaches[index]; }
 
   Judged operator()(const BlockPlace& goal) const {
-    Judged result{"block " + goal.name + place_text(goal), std::nullopt};
+    Judged result{"block " + goal.name + place_text(goal)};
     const std::optional<std::size_t> index = find(goal.name);
     if (!index) return missing(std::move(result), goal.name);
     if (is_held(*index) && !goal.may_be_held) {
@@ -73,7 +78,7 @@ class Judge {
   }
 
   Judged operator()(const Stacked& goal) const {
-    Judged result{"block " + goal.name + " on block " + goal.on, std::nullopt};
+    Judged result{"block " + goal.name + " on block " + goal.on};
     const auto upper = find(goal.name);
     const auto lower = find(goal.on);
     if (!upper || !lower) return missing(std::move(result), upper ? goal.on : goal.name);
@@ -93,7 +98,7 @@ class Judge {
   }
 
   Judged operator()(const Sorted& goal) const {
-    Judged result{sorted_text(goal), std::nullopt};
+    Judged result{sorted_text(goal)};
     std::vector<Block> blocks;
     for (std::size_t i = 0; i < end_.blocks.size(); ++i)
       if (is_one_of(goal.names, end_.blocks[i].name)) blocks.push_back(now(i));
@@ -107,12 +112,10 @@ class Judge {
   }
 
   Judged operator()(const Holding& goal) const {
-    Judged result{goal.name ? "the jaws hold block " + *goal.name : "the jaws hold nothing",
-                  std::nullopt};
     const std::string held = end_.held ? end_.blocks[end_.held->block].name : "";
-    if (goal.name ? held != *goal.name : end_.held.has_value())
-      result.missed = end_.held ? "they hold " + held : "they hold nothing";
-    return result;
+    return {goal.name ? "the jaws hold block " + *goal.name : "the jaws hold nothing",
+            missed_if(goal.name ? held != *goal.name : end_.held.has_value(),
+                      end_.held ? "they hold " + held : "they hold nothing")};
   }
 
   Judged operator()(const JointValue& goal) const {
@@ -125,33 +128,27 @@ class Judge {
     constexpr double kParts = 1e6;
     const bool is_met =
         std::llround(std::abs(found - wanted) * kParts) <= std::llround(goal.within * kParts);
-    Judged result{"joint " + std::string(1, goal.label) + " at " + plain_number(wanted, 4) + unit +
-                      ", within " + plain_number(goal.within, 4),
-                  std::nullopt};
-    if (!is_met) result.missed = "it is at " + plain_number(found, 4) + unit;
-    return result;
+    return {"joint " + std::string(1, goal.label) + " at " + plain_number(wanted, 4) + unit +
+                ", within " + plain_number(goal.within, 4),
+            missed_if(!is_met, "it is at " + plain_number(found, 4) + unit)};
   }
 
   Judged operator()(const TipPlace& goal) const {
-    Judged result{
-        "tool tip at " + point_text(goal.point) + ", within " + mm_text(goal.within_um) + " mm",
-        std::nullopt};
     const PointUm tip = tool_tip(model_, positions(model_, end_.motors));
-    result.missed = point_missed(goal.point, goal.within_um, tip);
-    return result;
+    return {"tool tip at " + point_text(goal.point) + ", within " + mm_text(goal.within_um) + " mm",
+            point_missed(goal.point, goal.within_um, tip)};
   }
 
   Judged operator()(const NoStall&) const {
-    Judged result{"the robot never stalls", std::nullopt};
-    if (facts_.stall)
-      result.missed =
-          "it stalled " + at_text(facts_.stall_tick) + ": the tool tip entered " +
-          (*facts_.stall == Stall::kWorkSurface ? "the work surface" : "the protected region");
-    return result;
+    return {"the robot never stalls",
+            missed_if(facts_.stall.has_value(),
+                      "it stalled " + at_text(facts_.stall_tick) + ": the tool tip entered " +
+                          (facts_.stall == Stall::kWorkSurface ? "the work surface"
+                                                               : "the protected region"))};
   }
 
   Judged operator()(const NoWarnings&) const {
-    Judged result{"no warnings", std::nullopt};
+    Judged result{"no warnings"};
     if (facts_.problem_count == 0) return result;
     const RunProblem& first = facts_.problems.front();
     result.missed = std::to_string(facts_.problem_count) +
@@ -161,29 +158,27 @@ class Judge {
   }
 
   Judged operator()(const NoSoftHome&) const {
-    Judged result{"the controller's soft home (A$) is not used", std::nullopt};
-    if (facts_.soft_home_tick) result.missed = "it was used " + at_text(*facts_.soft_home_tick);
-    return result;
+    const auto& tick = facts_.soft_home_tick;
+    return {"the controller's soft home (A$) is not used",
+            missed_if(tick.has_value(), "it was used " + at_text(tick.value_or(0)))};
   }
 
   Judged operator()(const Untouched& goal) const {
-    Judged result{
-        names_text(goal.names) + " not moved by more than " + mm_text(goal.within_um) + " mm",
-        std::nullopt};
-    if (*breach_)
-      result.missed = "block " + (*breach_)->block + " was moved " + at_text((*breach_)->tick);
-    return result;
+    const Breach breach = breach_->value_or(Breach{});
+    return {names_text(goal.names) + " not moved by more than " + mm_text(goal.within_um) + " mm",
+            missed_if(breach_->has_value(),
+                      "block " + breach.block + " was moved " + at_text(breach.tick))};
   }
 
   Judged operator()(const KeepOut& goal) const {
-    Judged result{"tool tip never in the box " + box_text(goal.box), std::nullopt};
-    if (*breach_)
-      result.missed = "it was at " + point_text((*breach_)->at) + " " + at_text((*breach_)->tick);
-    return result;
+    const Breach breach = breach_->value_or(Breach{});
+    return {"tool tip never in the box " + box_text(goal.box),
+            missed_if(breach_->has_value(),
+                      "it was at " + point_text(breach.at) + " " + at_text(breach.tick))};
   }
 
   Judged operator()(const Order& goal) const {
-    Judged result{"in this order: " + names_text(goal.events), std::nullopt};
+    Judged result{"in this order: " + names_text(goal.events)};
     auto at = facts_.happenings.begin();
     for (const std::string& event : goal.events) {
       at = std::find(at, facts_.happenings.end(), event);
@@ -197,25 +192,21 @@ class Judge {
   }
 
   Judged operator()(const MaxSimTime& goal) const {
-    Judged result{"the last motion after at most " + seconds_text(goal.ticks) + " simulated s",
-                  std::nullopt};
-    if (facts_.last_count_tick > goal.ticks)
-      result.missed = "it was after " + seconds_text(facts_.last_count_tick) + " s";
-    return result;
+    return {"the last motion after at most " + seconds_text(goal.ticks) + " simulated s",
+            missed_if(facts_.last_count_tick > goal.ticks,
+                      "it was " + at_text(facts_.last_count_tick))};
   }
 
   Judged operator()(const MaxBytes& goal) const {
-    Judged result{"at most " + std::to_string(goal.bytes) + " bytes sent", std::nullopt};
-    if (facts_.bytes > goal.bytes)
-      result.missed = std::to_string(facts_.bytes) + " bytes were sent";
-    return result;
+    return {
+        "at most " + std::to_string(goal.bytes) + " bytes sent",
+        missed_if(facts_.bytes > goal.bytes, std::to_string(facts_.bytes) + " bytes were sent")};
   }
 
   Judged operator()(const MaxTipPath& goal) const {
-    Judged result{"the tool tip moves at most " + mm_text(goal.length_um) + " mm", std::nullopt};
-    if (facts_.tip_path_um > goal.length_um)
-      result.missed = "it moved " + mm_text(facts_.tip_path_um) + " mm";
-    return result;
+    return {"the tool tip moves at most " + mm_text(goal.length_um) + " mm",
+            missed_if(facts_.tip_path_um > goal.length_um,
+                      "it moved " + mm_text(facts_.tip_path_um) + " mm")};
   }
 
  private:
