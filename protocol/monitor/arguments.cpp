@@ -27,12 +27,6 @@ std::string whole_range(std::int64_t low, std::int64_t high) {
   return "a whole number " + std::to_string(low) + "..." + std::to_string(high);
 }
 
-bool is_member(JsonValue value, const std::vector<std::string>& members) {
-  const auto is_it = [value](std::string_view name) { return value.is(name); };
-  return std::any_of(kAlwaysSent.begin(), kAlwaysSent.end(), is_it) ||
-         std::any_of(members.begin(), members.end(), is_it);
-}
-
 }  // namespace
 
 Json shown(JsonValue value) {
@@ -112,7 +106,7 @@ std::optional<double> ArgsReader::number(const std::string& name, double low, do
 Fields ArgsReader::fields(const std::string& name, Channel channel) {
   const std::vector<std::string>& members = members_of(channel);
   const std::string allowed =
-      "a list of members of " + std::string(name_of(channel)) + ": " + one_of(members);
+      "a list of members of " + std::string(name_of(channel)) + ": " + data::quoted_names(members);
   const JsonValue value = ask(name, Presence::kOptional, allowed);
   if (!value) return std::nullopt;
   if (!value.is_list()) {
@@ -121,9 +115,10 @@ Fields ArgsReader::fields(const std::string& name, Channel channel) {
   }
   std::vector<std::string> names;
   for (const JsonValue element : value) {
-    if (!is_member(element, members)) {
+    if (!element.is_one_of(kAlwaysSent) && !element.is_one_of(members)) {
       if (findings_.counts())
-        findings_.keep(pointer_ + element.pointer_from(object_), shown(element), one_of(members));
+        findings_.keep(pointer_ + element.pointer_from(object_), shown(element),
+                       data::quoted_names(members));
       continue;
     }
     std::string field = element.text();
@@ -153,12 +148,9 @@ void ArgsReader::refuse_others() {
   std::vector<std::string> known;
   for (const Asked& each : asked_) known.push_back(each.name);
   std::sort(known.begin(), known.end());
-  const std::string allowed = known.empty() ? "no members" : "only " + one_of(known);
+  const std::string allowed = known.empty() ? "no members" : "only " + data::quoted_names(known);
   for (const JsonValue value : object_) {
-    const bool is_known =
-        std::any_of(known.begin(), known.end(),
-                    [name = value.name()](const std::string& each) { return name.is(each); });
-    if (!is_known && findings_.counts())
+    if (!value.name().is_one_of(known) && findings_.counts())
       findings_.keep(pointer_ + value.pointer_from(object_), shown(value), allowed);
   }
 }

@@ -70,9 +70,7 @@ bool is_name(std::string_view written, std::string_view name) {
 
 /// The value if it is one of the names, otherwise empty.
 std::string known(JsonValue value, const std::vector<std::string>& names) {
-  const auto found = std::find_if(names.begin(), names.end(),
-                                  [value](const std::string& name) { return value.is(name); });
-  return found == names.end() ? "" : *found;
+  return value.is_one_of(names) ? value.text() : "";
 }
 
 std::string_view op_of(const Request& request) {

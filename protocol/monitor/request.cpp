@@ -5,15 +5,79 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "protocol/json/syntax.hpp"
 #include "protocol/monitor/arguments.hpp"
 #include "protocol/monitor/call_table.hpp"
 #include "protocol/monitor/fields.hpp"
 #include "protocol/monitor/message.hpp"
-#include "protocol/monitor/message_syntax.hpp"
 #include "protocol/monitor/request_error.hpp"
 
 namespace xr3::monitor {
 namespace {
+
+// --- The text of a message.
+
+/// Nesting depth of lists and objects.
+int depth_of(std::string_view text) {
+  int depth = 0;
+  int deepest = 0;
+  bool in_text = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_text && c == '\\') ++i;
+    if (c == '"') in_text = !in_text;
+    if (in_text) continue;
+    if (c == '{' || c == '[') deepest = std::max(deepest, ++depth);
+    if (c == '}' || c == ']') --depth;
+  }
+  return deepest;
+}
+
+RequestError too_deep() {
+  return {{},
+          "too_deep",
+          "lists and objects lie more than 32 deep",
+          "no request needs more than 8",
+          {}};
+}
+
+RequestError bad_json(std::size_t column, const std::string& what) {
+  return {{},
+          "bad_json",
+          "line 1, column " + std::to_string(column) + ": " + what,
+          "one JSON object a line",
+          {}};
+}
+
+RequestError syntax_error(const JsonDocument& document) {
+  const Finding finding = syntax_finding(document.text(), "", document.complaint());
+  const std::string found =
+      finding.found == "the end of the file" ? "the end of the message" : finding.found;
+  return bad_json(static_cast<std::size_t>(finding.column),
+                  found + "; allowed: " + finding.allowed);
+}
+
+/// Errors found before parsing, without an id.
+std::optional<RequestError> refuse_text(std::string_view message) {
+  if (message.size() > kMaxMessageBytes) {
+    return RequestError{
+        {}, "too_long", "a message has at most 262144 bytes", "send less at once", {}};
+  }
+  if (depth_of(message) > kMaxDepth) return too_deep();
+  const std::size_t nul = message.find('\0');  // the parser would treat it as the end
+  if (nul != std::string_view::npos) return bad_json(nul + 1, "a NUL byte; allowed: JSON in UTF-8");
+  return std::nullopt;
+}
+
+/// Errors found by parsing.
+std::optional<RequestError> refuse_document(const JsonDocument& document) {
+  if (document.fault() == JsonDocument::Fault::kTooDeep) return too_deep();
+  if (document.fault() != JsonDocument::Fault::kNone) return syntax_error(document);
+  if (!document.root().is_object()) return bad_json(1, "no object; allowed: {");
+  return std::nullopt;
+}
+
+// --- Its members.
 
 /// The value, or its size if it is long.
 std::string quoted(JsonValue value) {
@@ -26,12 +90,7 @@ RequestError unknown(const RequestId& id, const std::string& kind, JsonValue fou
                      const std::vector<std::string>& names) {
   const std::string message =
       found ? "there is no " + kind + " " + quoted(found) : "the request names no " + kind;
-  return {id, "unknown_" + kind, message, "there is " + one_of(names), {}};
-}
-
-bool names_one(JsonValue value, const std::vector<std::string>& names) {
-  return std::any_of(names.begin(), names.end(),
-                     [value](const std::string& name) { return value.is(name); });
+  return {id, "unknown_" + kind, message, "there is " + data::quoted_names(names), {}};
 }
 
 RequestId read_id(ArgsReader& members, Findings& findings) {
@@ -124,7 +183,7 @@ class RequestReader {
  private:
   std::optional<RequestError> read_names() {
     const JsonValue op = members_.ask("op");
-    if (!names_one(op, ops())) return unknown(request_.id, "op", op, ops());
+    if (!op.is_one_of(ops())) return unknown(request_.id, "op", op, ops());
     const JsonValue cell = members_.ask("cell");
     if (cell && !cell.is_text())
       return RequestError{request_.id,
@@ -148,7 +207,7 @@ class RequestReader {
 
   std::optional<RequestError> read_of_channel(const std::string& op) {
     const JsonValue name = members_.ask("channel");
-    const auto channel = names_one(name, channels()) ? channel_named(name.text()) : std::nullopt;
+    const auto channel = name.is_one_of(channels()) ? channel_named(name.text()) : std::nullopt;
     if (!channel) return unknown(request_.id, "channel", name, channels());
     if (op == "sub") request_.what = read_subscribe(*channel, members_);
     if (op == "unsub") request_.what = Unsubscribe{*channel};
@@ -159,7 +218,7 @@ class RequestReader {
 
   std::optional<RequestError> read_call_request() {
     const JsonValue fn = members_.ask("fn");
-    if (!names_one(fn, calls())) return unknown(request_.id, "fn", fn, calls());
+    if (!fn.is_one_of(calls())) return unknown(request_.id, "fn", fn, calls());
     request_.what = read_call(*find_call(fn.text()), members_);
     return std::nullopt;
   }
@@ -213,8 +272,9 @@ RequestError unknown_cell(const Request& request, const std::vector<std::string>
   if (known.empty()) return {request.id, "unknown_cell", "there is no cell", "open one first", {}};
   std::vector<std::string> listed = known;
   if (listed.size() > kMaxListed) listed.resize(kMaxListed);
-  std::string hint = "there is " + one_of(listed);
-  if (known.size() > kMaxListed) hint = "the call cells lists them; for example " + one_of(listed);
+  std::string hint = "there is " + data::quoted_names(listed);
+  if (known.size() > kMaxListed)
+    hint = "the call cells lists them; for example " + data::quoted_names(listed);
   if (!request.cell)
     return {request.id, "unknown_cell", "the request names no cell, and hello had none", hint, {}};
   const std::string& name = *request.cell;
@@ -226,15 +286,6 @@ RequestError unknown_cell(const Request& request, const std::vector<std::string>
                                 ? text_of(Json(name))
                                 : "of " + std::to_string(name.size()) + " bytes";
   return {request.id, "unknown_cell", "there is no cell " + shown, hint, {}};
-}
-
-std::string one_of(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
-    text += "\"" + names[i] + "\"";
-  }
-  return text;
 }
 
 }  // namespace xr3::monitor

@@ -153,7 +153,4 @@ RequestError unknown_cell(const Request& request, const std::vector<std::string>
 /// returns an error for a step past it.
 std::optional<RequestError> limit_ticks(Request& request, Tick now);
 
-/// `"a", "b" or "c"`.
-std::string one_of(const std::vector<std::string>& names);
-
 }  // namespace xr3::monitor
