@@ -1,5 +1,8 @@
 #include "tests/support/tcp_client.hpp"
 
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/write.hpp>
 #include <chrono>
@@ -11,10 +14,25 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kDeadline = 10s;
+constexpr int kNarrowBytes = 4096;
+constexpr int kNarrowSegment = 536;
 
 }  // namespace
 
-Client::Client(asio::io_context& io, const tcp::endpoint& server) : io_(io), socket_(io) {
+Client::Client(asio::io_context& io, const tcp::endpoint& server) : Client(io) { connect(server); }
+
+Client Client::narrow(asio::io_context& io, const tcp::endpoint& server) {
+  using SegmentBytes = asio::detail::socket_option::integer<IPPROTO_TCP, TCP_MAXSEG>;
+  Client client(io);
+  client.socket_.open(server.protocol());
+  client.socket_.set_option(tcp::socket::receive_buffer_size(kNarrowBytes));
+  client.socket_.set_option(tcp::socket::send_buffer_size(kNarrowBytes));
+  client.socket_.set_option(SegmentBytes(kNarrowSegment));
+  client.connect(server);
+  return client;
+}
+
+void Client::connect(const tcp::endpoint& server) {
   socket_.connect(server);
   socket_.non_blocking(true);
 }

@@ -15,6 +15,8 @@ namespace xr3::test {
 class Client {
  public:
   Client(asio::io_context& io, const tcp::endpoint& server);
+  /// With small buffers and segments, so that few bytes are on their way.
+  static Client narrow(asio::io_context& io, const tcp::endpoint& server);
 
   /// Sends all bytes; the server does not run meanwhile.
   void send(std::string_view bytes);
@@ -31,6 +33,8 @@ class Client {
   std::string rest();
 
  private:
+  explicit Client(asio::io_context& io) : io_(io), socket_(io) {}
+  void connect(const tcp::endpoint& server);
   bool read();
 
   asio::io_context& io_;

@@ -174,7 +174,7 @@ TEST_F(RobotPortTest, ABarrierReadsAllArrivedBytes) {
 }
 
 TEST_F(RobotPortTest, StopsReadingALineThatReadsNoReplies) {
-  Client client(io_, port_.endpoint());
+  Client client = Client::narrow(io_, port_.endpoint());
   const std::string asked = inquiries(1024);
   std::size_t sent = 0;
   for (bool is_taken = true; is_taken; settle()) {
