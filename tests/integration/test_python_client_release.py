@@ -1,7 +1,5 @@
-"""The unit tests of the Python client in clients/python, against the built xr3. They also run against the
-release build, because they compare the client's kinematics with those of `xr3 kin`."""
-
-# labels: release
+"""The unit tests of the Python client in clients/python, against the release build: they test the client, for which the
+server is only what it talks to, and they compare its kinematics with those of `xr3 kin`."""
 
 import os
 import sys
