@@ -1,5 +1,5 @@
 """A short form of `./test --abuse`: one round of some attacks. Bounds of counts hold. Bounds of
-times are ten times as long, because other programs disturb them. Also the verdicts of that command."""
+times are ten times as long, because other programs disturb them, and half a second is measured. Also the verdicts of that command."""
 # labels: release serial
 
 import contextlib
@@ -13,6 +13,7 @@ from support import ROOT
 sys.path.insert(0, os.path.join(ROOT, "tests", "abuse"))
 
 import abuse  # noqa: E402 (needs the folder above)
+import attack as attacks  # noqa: E402
 import catalogue  # noqa: E402
 from attack import Attack, Measured  # noqa: E402
 
@@ -24,12 +25,14 @@ COUNTED = ("memory.lines/camera", "memory.json-images/camera", "memory.websocket
            "full.health-checks", "crowd.silent", "log.warnings-fast", "log.strangers", "log.pty-cooked",
            "log.device-unasked")
 WIDER = 10
+MEASURED_S = 0.5
 
 
 class Short(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         abuse.prepare()
+        attacks.MEASURED_S = MEASURED_S
 
     def test_timed_attacks(self):
         for name in TIMED:
