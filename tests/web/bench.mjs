@@ -9,7 +9,10 @@ import { chromium } from "../../clients/web/node_modules/playwright-core/index.m
 
 export const kDeadlineMs = 30_000;
 export const root = fileURLToPath(new URL("../../", import.meta.url));
-const kFlags = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
+// Software stands in for a graphics card: for WebGL only, since composing the page in the same way costs half a core.
+const kFlags = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist",
+  "--disable-gpu-compositing", "--disable-gpu-rasterization"];
+const kViewport = { width: 1280, height: 720 };
 
 const servers = new Set();
 
@@ -64,7 +67,7 @@ export const kWithoutWebGl = ["--no-sandbox", "--disable-gpu"];
 let browser;
 export async function open(url, { flags = kFlags, ...options } = {}) {
   browser ??= await chromium.launch({ executablePath: "/usr/bin/chromium", args: flags });
-  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, ...options });
+  const context = await browser.newContext({ viewport: kViewport, ...options });
   const page = await context.newPage();
   page.setDefaultTimeout(kDeadlineMs);
   page.errors = [];
@@ -87,16 +90,40 @@ export async function close() {
 /** The page's errors without Chromium's warnings about slow software rendering. */
 export const ofThePage = (page) => page.errors.filter((text) => !/GPU stall|GL Driver|swiftshader/i.test(text));
 
+let kept; // an empty page that a test has left: to show another server there costs half as much as a new page
+
+/** An empty page without options, new or left by another test. */
+export async function takePage() {
+  const page = kept ?? await open("about:blank");
+  kept = undefined;
+  page.errors.length = 0;
+  return page;
+}
+
+/** Keeps a page of `takePage` for the next test, after a test that passed; returns true. (Each server has an origin of its own,
+ * but its port may return.) */
+export async function leavePage(page) {
+  for (const other of page.context().pages()) if (other !== page) await other.close();
+  await page.evaluate(() => localStorage.clear());
+  await page.goto("about:blank");
+  await page.setViewportSize(kViewport);
+  kept = page;
+  return true;
+}
+
 /** Runs `act` on a page of a new server; any error in the console fails the test. */
 export async function withPage(options, act, pageOptions) {
   const server = await serve(...options);
-  const page = await open(server.url, pageOptions);
+  const page = pageOptions ? await open("about:blank", pageOptions) : await takePage();
+  let isLeft = false;
   try {
+    await page.goto(server.url);
     await ready(page);
     await act(page, server);
     assert.deepEqual(ofThePage(page), []);
+    if (!pageOptions) isLeft = await leavePage(page);
   } finally {
-    await page.context().close();
+    if (!isLeft) await page.context().close();
     await server.stop("SIGKILL");
   }
 }

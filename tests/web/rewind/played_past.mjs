@@ -1,7 +1,7 @@
 // A past for tests of the time bar: the page's connection goes to a real server, but the calls of rewind are answered here,
 // with frames of that server in which the first joint tells the moment.
 import assert from "node:assert/strict";
-import { close, kDeadlineMs, ofThePage, open, ready, serve } from "../bench.mjs";
+import { close, kDeadlineMs, leavePage, ofThePage, open, ready, serve, takePage } from "../bench.mjs";
 
 const kChannels = new Set(["state", "model", "image", "display"]);
 
@@ -23,54 +23,60 @@ export const countAt = (tick) => Math.floor(tick / 100);
  * `alters(frame)` returns another frame of the past, and the channels `silent` do not come again in the present.
  */
 export async function playPast(page) {
-  const played = { requests: [], history: structuredClone(kHistory), answers: {}, alters: (frame) => frame, held: [], silent: [], sockets: 0 };
-  const latest = new Map(); // of the server's messages by channel
-  await page.routeWebSocket(/\/ws$/, (socket) => {
-    const server = socket.connectToServer();
-    let isLooking = false;
-    const toPage = (message) => socket.send(JSON.stringify(message));
-    ++played.sockets;
-    Object.assign(played, { send: toPage, cut: () => socket.close() });
-    server.onMessage((text) => {
-      const message = JSON.parse(text);
-      if (kChannels.has(message.op) && message.id === undefined) {
-        latest.set(message.op, message);
-        if (isLooking) return;
-      }
-      socket.send(text);
-    });
-    const frames = {
-      look({ tick, epoch, channels }, id) {
-        isLooking = true;
-        for (const op of channels) if (latest.has(op)) toPage(played.alters(pastFrame(latest.get(op), { id, epoch, tick })));
-        return { epoch, tick };
-      },
-      live() {
-        isLooking = false;
-        setTimeout(() => [...latest.values()].filter(({ op }) => !played.silent.includes(op)).forEach(toPage));
-        return { epoch: played.history.epoch, tick: played.history.tick };
-      },
-      history: () => played.history,
-    };
-    socket.onMessage((text) => {
-      const request = JSON.parse(text);
-      const { fn, args, id } = request;
-      if (!frames[fn] && !played.answers[fn]) return server.send(text);
-      played.requests.push({ fn, ...args });
-      const answer = () => {
-        try {
-          toPage({ op: "result", id, ok: true, value: (played.answers[fn] ?? frames[fn])(args, id) });
-        } catch (error) {
-          toPage({ op: "result", id, ok: false, error: { hint: null, details: [], ...error } });
-        }
-      };
-      if (fn === "look" && played.holds) played.held.push(answer);
-      else answer();
-    });
-  });
+  const isPlayed = page.played !== undefined; // by an earlier test on this page, whose route stays
+  page.played = { requests: [], history: structuredClone(kHistory), answers: {}, alters: (frame) => frame, held: [], silent: [], sockets: 0 };
+  const { played } = page;
+  played.latest = new Map(); // of the server's messages by channel
   played.release = () => played.held.splice(0).forEach((answer) => answer());
   played.asked = (fn) => played.requests.filter((request) => request.fn === fn);
+  if (!isPlayed) await page.routeWebSocket(/\/ws$/, (socket) => playOn(socket, page.played));
   return played;
+}
+
+/** Answers on one connection of the page. */
+function playOn(socket, played) {
+  const { latest } = played;
+  const server = socket.connectToServer();
+  let isLooking = false;
+  const toPage = (message) => socket.send(JSON.stringify(message));
+  ++played.sockets;
+  Object.assign(played, { send: toPage, cut: () => socket.close() });
+  server.onMessage((text) => {
+    const message = JSON.parse(text);
+    if (kChannels.has(message.op) && message.id === undefined) {
+      latest.set(message.op, message);
+      if (isLooking) return;
+    }
+    socket.send(text);
+  });
+  const frames = {
+    look({ tick, epoch, channels }, id) {
+      isLooking = true;
+      for (const op of channels) if (latest.has(op)) toPage(played.alters(pastFrame(latest.get(op), { id, epoch, tick })));
+      return { epoch, tick };
+    },
+    live() {
+      isLooking = false;
+      setTimeout(() => [...latest.values()].filter(({ op }) => !played.silent.includes(op)).forEach(toPage));
+      return { epoch: played.history.epoch, tick: played.history.tick };
+    },
+    history: () => played.history,
+  };
+  socket.onMessage((text) => {
+    const request = JSON.parse(text);
+    const { fn, args, id } = request;
+    if (!frames[fn] && !played.answers[fn]) return server.send(text);
+    played.requests.push({ fn, ...args });
+    const answer = () => {
+      try {
+        toPage({ op: "result", id, ok: true, value: (played.answers[fn] ?? frames[fn])(args, id) });
+      } catch (error) {
+        toPage({ op: "result", id, ok: false, error: { hint: null, details: [], ...error } });
+      }
+    };
+    if (fn === "look" && played.holds) played.held.push(answer);
+    else answer();
+  });
 }
 
 function pastFrame(message, { id, epoch, tick }) {
@@ -97,7 +103,9 @@ export async function pass(page, ms) {
 /** Runs `act(page, played, server)` on a page with a played past and an open time bar; `playsClock`: for `pass`. */
 export async function withPast(options, act, { playsClock = false, ...pageOptions } = {}) {
   const server = await serve(...options);
-  const page = await open("about:blank", pageOptions);
+  const isKept = !playsClock && Object.keys(pageOptions).length === 0; // a played clock stays played
+  const page = isKept ? await takePage() : await open("about:blank", pageOptions);
+  let isLeft = false;
   try {
     const played = await playPast(page);
     if (playsClock) await page.clock.install();
@@ -107,8 +115,9 @@ export async function withPast(options, act, { playsClock = false, ...pageOption
     await page.waitForFunction(() => document.querySelector("#past-slider").max === "40000");
     await act(page, played, server);
     assert.deepEqual(ofThePage(page), []);
+    if (isKept) isLeft = await leavePage(page);
   } finally {
-    await page.context().close();
+    if (!isLeft) await page.context().close();
     await server.stop("SIGKILL");
   }
 }
