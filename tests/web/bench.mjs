@@ -79,7 +79,7 @@ export async function open(url, { flags = kFlags, ...options } = {}) {
   return page;
 }
 /** Waits until the page has received and drawn model and state. */
-export const ready = (page) => page.waitForFunction(() => window.xr3?.known?.model && window.xr3.known.state && window.xr3?.tipDrawn());
+export const ready = (page) => page.waitForFunction(() => window.xr3?.known?.model && window.xr3.known.state && (window.xr3.tipDrawn() || document.querySelector("#solid .instead")));
 
 /** Closes the browser and kills servers that failed tests have left running. */
 export async function close() {
@@ -87,15 +87,27 @@ export async function close() {
   await browser?.close();
 }
 
-/** The page's errors without Chromium's warnings about slow software rendering. */
-export const ofThePage = (page) => page.errors.filter((text) => !/GPU stall|GL Driver|swiftshader/i.test(text));
+/** The page's errors without Chromium's warnings about slow software rendering, and the page's about WebGL. */
+export const ofThePage = (page) => page.errors.filter((text) => !/GPU stall|GL Driver|swiftshader|this browser has no WebGL/i.test(text));
 
-let kept; // an empty page that a test has left: to show another server there costs half as much as a new page
+/** In a page: there is no WebGL, so that the page draws no picture in three dimensions. */
+export function refuseWebGl() {
+  const real = HTMLCanvasElement.prototype.getContext;
+  HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+    return kind.startsWith("webgl") ? null : real.call(this, kind, ...rest);
+  };
+}
 
-/** An empty page without options, new or left by another test. */
-export async function takePage() {
-  const page = kept ?? await open("about:blank");
-  kept = undefined;
+const kept = new Map(); // empty pages that tests have left: to show another server there costs half as much as a new page
+
+/** An empty page without options, new or left by another test. Without `picture`, it draws none in three dimensions, which costs
+ * software most: for tests that do not look at it. */
+export async function takePage({ picture = true } = {}) {
+  const left = kept.get(picture);
+  kept.delete(picture);
+  const page = left ?? await open("about:blank");
+  if (!left && !picture) await page.addInitScript(refuseWebGl);
+  page.picture = picture;
   page.errors.length = 0;
   return page;
 }
@@ -107,21 +119,22 @@ export async function leavePage(page) {
   await page.evaluate(() => localStorage.clear());
   await page.goto("about:blank");
   await page.setViewportSize(kViewport);
-  kept = page;
+  kept.set(page.picture, page);
   return true;
 }
 
-/** Runs `act` on a page of a new server; any error in the console fails the test. */
-export async function withPage(options, act, pageOptions) {
+/** Runs `act` on a page of a new server; any error in the console fails the test. `picture`: see takePage. */
+export async function withPage(options, act, { picture = true, ...pageOptions } = {}) {
+  const isKept = Object.keys(pageOptions).length === 0;
   const server = await serve(...options);
-  const page = pageOptions ? await open("about:blank", pageOptions) : await takePage();
+  const page = isKept ? await takePage({ picture }) : await open("about:blank", pageOptions);
   let isLeft = false;
   try {
     await page.goto(server.url);
     await ready(page);
     await act(page, server);
     assert.deepEqual(ofThePage(page), []);
-    if (!pageOptions) isLeft = await leavePage(page);
+    if (isKept) isLeft = await leavePage(page);
   } finally {
     if (!isLeft) await page.context().close();
     await server.stop("SIGKILL");

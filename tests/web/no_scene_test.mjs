@@ -1,19 +1,14 @@
 // A browser without WebGL: the page shows the reason in place of the picture, and the rest works.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, open, serve, type } from "./bench.mjs";
+import { close, open, refuseWebGl, serve, type } from "./bench.mjs";
 
 after(close);
 
 test("without WebGL the paper's view, the joints and the wire panel work", async () => {
   const server = await serve();
   const page = await open("about:blank");
-  await page.addInitScript(() => {
-    const real = HTMLCanvasElement.prototype.getContext;
-    HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
-      return kind.startsWith("webgl") ? null : real.call(this, kind, ...rest);
-    };
-  });
+  await page.addInitScript(refuseWebGl);
   await page.goto(server.url);
   await type(server.robot, "F+20\r");
   await page.waitForSelector("tr[data-label=F] .count:has-text('20')");

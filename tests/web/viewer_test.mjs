@@ -155,7 +155,7 @@ test("the wire panel explains bytes, and after a reload shows the last 256 messa
     await page.waitForFunction(() => document.querySelectorAll("#wire li").length === 256);
     await page.fill("#wire-filter", "no such thing");
     assert.equal(await page.locator("#wire li").count(), 0);
-  }));
+  }, { picture: false }));
 
 test("the console's replies are decoded, and jogging moves a joint", () =>
   withPage(["--clock", "manual"], async (page) => {
@@ -170,7 +170,7 @@ test("the console's replies are decoded, and jogging moves a joint", () =>
     await page.locator("#jog button").first().focus();
     await page.keyboard.press("Enter");
     await page.waitForFunction(() => window.xr3.known.state.joints[0].error !== 0);
-  }));
+  }, { picture: false }));
 
 test("command mode: Alt keys, plain keys and the menu do the same", () =>
   withPage([], async (page) => {
@@ -198,7 +198,7 @@ test("command mode: Alt keys, plain keys and the menu do the same", () =>
     await page.fill("#view-y", "-4");
     await page.click("#ask-view button[value=ok]");
     await page.waitForFunction(() => window.xr3.known.display.view[1] === -4);
-  }));
+  }, { picture: false }));
 
 test("time is paused, stepped and resumed; input lines are clicked", () =>
   withPage([], async (page) => {
@@ -213,7 +213,7 @@ test("time is paused, stepped and resumed; input lines are clicked", () =>
     assert.equal(await page.evaluate(() => window.xr3.known.state.tick), tick + 100);
     await page.click("#pause");
     await page.waitForSelector("#pause:has-text('Pause')");
-  }));
+  }, { picture: false }));
 
 test("the page is read-only without a token; #token= unlocks it and is removed from the address bar", async () => {
   process.env.XR3_TOKEN = "a-token-of-a-test";

@@ -115,7 +115,7 @@ for (const [robot, way] of Object.entries(kWays))
           assert.equal(said.trim().split("\n").length, way.length, said);
           await fresh.stop();
         }
-      }));
+      }, { picture: false }));
 
 test("plain bytes on a line of 9600 baud end at the counts of the playback", () =>
   withPage(["--robot", "rhino-xr3", ...kClock], async (page, server) => {
@@ -132,7 +132,7 @@ test("plain bytes on a line of 9600 baud end at the counts of the playback", () 
       assert.ok((await fresh.state()).blocks.find(({ name }) => name === "red").xyz_mm[1] > 40, "the block was carried");
       await fresh.stop();
     }
-  }));
+  }, { picture: false }));
 
 test("a program that stalls stops and tells at which point", () =>
   withPage(kClock, async (page, server) => {
@@ -148,4 +148,4 @@ test("a program that stalls stops and tells at which point", () =>
       assert.match(said, /^1 stopped on the way to point 2, too far: /, kind);
       await fresh.stop();
     }
-  }));
+  }, { picture: false }));

@@ -172,7 +172,7 @@ test("the path of the tool, the named view and the size of the picture stay as t
     await page.waitForFunction(() => Math.abs(window.xr3.tipDrawn()[1] - window.xr3.known.state.tool.xyz_mm[1]) < 0.01);
     (await eye()).forEach((each, i) => assert.ok(Math.abs(each - before[i]) < 1e-6, `${each} ${before[i]}`));
     assert.equal(await pieces(), drawn);
-  }));
+  }, { picture: true }));
 
 test("a block in the hand is drawn where it was, at every moment", () =>
   withPast(["--clock", "manual"], async (page, played) => {
@@ -187,7 +187,7 @@ test("a block in the hand is drawn where it was, at every moment", () =>
       await page.keyboard.press(key);
       await page.waitForFunction(([block, xyz]) => window.xr3.blockDrawn(block).every((v, i) => Math.abs(v - xyz[i]) < 0.01), [name, at(tick)]);
     }
-  }));
+  }, { picture: true }));
 
 test("the blocks of the past are shown, and then those of the present again", () =>
   withPast(["--clock", "manual"], async (page, played) => {
@@ -211,7 +211,7 @@ test("the blocks of the past are shown, and then those of the present again", ()
     await page.keyboard.press("Escape");
     await names(workcell.blocks);
     await page.waitForFunction((name) => window.xr3.blockDrawn(name) !== null, gone.name);
-  }));
+  }, { picture: true }));
 
 test("a jog button that is held does not go on under the lock", () =>
   withPast(["--clock", "real:0.5"], async (page, played, server) => {

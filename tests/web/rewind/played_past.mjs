@@ -100,11 +100,12 @@ export async function pass(page, ms) {
   await page.evaluate(() => window.xr3.call("fault_list"));
 }
 
-/** Runs `act(page, played, server)` on a page with a played past and an open time bar; `playsClock`: for `pass`. */
-export async function withPast(options, act, { playsClock = false, ...pageOptions } = {}) {
+/** Runs `act(page, played, server)` on a page with a played past and an open time bar; `playsClock`: for `pass`;
+ * `picture`: see takePage. */
+export async function withPast(options, act, { playsClock = false, picture = false, ...pageOptions } = {}) {
   const server = await serve(...options);
   const isKept = !playsClock && Object.keys(pageOptions).length === 0; // a played clock stays played
-  const page = isKept ? await takePage() : await open("about:blank", pageOptions);
+  const page = isKept ? await takePage({ picture }) : await open("about:blank", pageOptions);
   let isLeft = false;
   try {
     const played = await playPast(page);

@@ -68,7 +68,7 @@ test("a grasped block and a stall have marks, and a click looks there", () =>
     await page.waitForFunction(() => window.xr3.known.past?.stalled);
     await page.click("#past-live");
     await kind(page, "hint");
-  }));
+  }, { picture: false }));
 
 test("continue from here takes the robot back; Resume goes on from there, to the end undoes it", () =>
   withPage([], async (page, server) => {
@@ -94,7 +94,7 @@ test("continue from here takes the robot back; Resume goes on from there, to the
     await page.waitForFunction(() => window.xr3.known.state.clock.past === undefined);
     await type(server.robot, "F+5\r");
     await shows(page, 45);
-  }));
+  }, { picture: false }));
 
 test("a branch goes on as a robot of its own, and its link opens it", () =>
   withPage([], async (page, server) => {
@@ -146,4 +146,4 @@ test("without a history the bar says how to get one", () =>
     await kind(page, "trouble");
     assert.match(await page.textContent("#past-what"), /keeps no history.*--history 1h/);
     assert.equal(await page.isDisabled(slider), true);
-  }));
+  }, { picture: false }));
