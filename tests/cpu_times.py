@@ -81,12 +81,13 @@ def measure(preset, test, output):
 
 
 def run(preset, test):
-    """Runs a test; prints its output if it fails."""
+    """Runs a test; prints its row, and its output if it fails."""
     with tempfile.TemporaryFile() as output:
         cost = measure(preset, test, output)
         if cost.status:
             output.seek(0)
             print(f"{preset} {test['name']} FAILED\n{output.read().decode(errors='replace')}", flush=True)
+    print(row(cost), file=sys.stderr)
     return cost
 
 
