@@ -4,7 +4,8 @@
 Usage: abuse.py [--rounds N] [--list] [NAME...]. A NAME is the beginning of the name of an attack. The environment
 has XR3, the executable, and XR3_ROOT, the checkout. The exit code is 0 if every bound is kept. On a machine with more
 cores, two are used. A round that exceeds a bound of time is repeated if a bystander, an idle program on each core
-that the server does not concern, had to wait for more than half of that bound, too: the machine is busy."""
+that the server does not concern, had to wait for more than half of that bound, too, or the server for a core: the
+machine is busy."""
 
 import argparse
 import contextlib
@@ -33,12 +34,13 @@ def worst_of(attack, rounds):
     """(the worst of so many rounds, the number of rounds in which the machine was busy with something else); raises the
     failure of a round. A disturbed round is repeated."""
     measured, disturbed = [], 0
-    while len(measured) < rounds:
-        each = attack.measure()
-        if not each.is_disturbed(attack.bound):
-            measured.append(each)
-        elif (disturbed := disturbed + 1) > MOST_DISTURBED:
-            raise AssertionError(f"the machine is too busy to judge: {each.note}")
+    with attack.in_force() as measure:
+        while len(measured) < rounds:
+            each = measure()
+            if not each.is_disturbed(attack.bound):
+                measured.append(each)
+            elif (disturbed := disturbed + 1) > MOST_DISTURBED:
+                raise AssertionError(f"the machine is too busy to judge: {each.note}")
     return max(measured, key=lambda each: each.value), disturbed
 
 

@@ -1,5 +1,6 @@
-"""Attacks, each with a measurement and its bound. The attack of an `Attack` runs in this process; that of a `Beside`
-in a process of its own, while a well-behaved client measures."""
+"""Attacks, each with a bound and with rounds, each of which measures anew. The attack of an `Attack` runs in this
+process, and each of its rounds has a server of its own; that of a `Beside` runs in a process of its own, while a
+well-behaved client measures, and its rounds follow each other on one server, under the same load."""
 
 import contextlib
 import dataclasses
@@ -15,9 +16,11 @@ import typing
 from cells import BOUND_MS, SHIPPED, Cell
 from serial_ports import NoPort
 from support import DEADLINE_S, SHUTDOWN_S, Server
+from victim import process_clock
 
 FOLDER = pathlib.Path(__file__).parent
-MEASURED_S = 2.0
+MEASURED_S = {"line": 1.0, "session": 2.0}  # a thousand inquiries, four hundred pings
+MOST_WAIT_S = 90  # more than the patience of the victim
 CROWD_MS = 20
 MIB = 1 << 20
 
@@ -25,7 +28,7 @@ MIB = 1 << 20
 @dataclasses.dataclass(frozen=True)
 class Measured:
     """The figure that a bound limits, others for the reader, the least that it would be on an idle machine, and the
-    figure of a bystander, which the server does not concern."""
+    figure of a bystander, which the server does not concern, or what the server itself had to wait for a core."""
     value: float
     note: str = ""
     least: float | None = None
@@ -36,8 +39,16 @@ class Measured:
         return self.value > bound and self.bystander > bound / 2
 
 
+class Repeated:
+    """An attack that begins again for each round."""
+
+    def in_force(self):
+        """A context manager for a function that measures a round."""
+        return contextlib.nullcontext(self.measure)
+
+
 @dataclasses.dataclass(frozen=True)
-class Attack:
+class Attack(Repeated):
     """`measure()` returns a Measured; its value may be at most `bound`."""
     name: str
     bound: float
@@ -48,10 +59,10 @@ class Attack:
 @dataclasses.dataclass(frozen=True)
 class Beside:
     """The wait that 99 of 100 replies of another line keep, beside a load. The load goes on when SIGTERM stops the
-    server, which must take at most two seconds. `crowd`: the load is many connections that are busy at once, each as
-    light as the other line, so that this has to wait for its turn among them. `port`: a serial port of the server.
-    `victim`: `line`, or `session` for pings on the monitor port, where the inquiries of a line go to a device.
-    `own_bound`: instead of the usual one."""
+    server after the last round, which must take at most two seconds. `crowd`: the load is many connections that are
+    busy at once, each as light as the other line, so that this has to wait for its turn among them. `port`: a serial
+    port of the server. `victim`: `line`, or `session` for pings on the monitor port, where the inquiries of a line go
+    to a device. `own_bound`: instead of the usual one."""
     name: str
     load: typing.Callable
     cell: str = SHIPPED
@@ -69,25 +80,32 @@ class Beside:
             return self.own_bound
         return CROWD_MS if self.crowd else BOUND_MS[self.cell]
 
-    def measure(self):
+    @contextlib.contextmanager
+    def in_force(self):
+        """Server, load and victim; then SIGTERM under the load. What must start is started before the load begins."""
         with Cell(self.cell) as options, self.port() as port, \
                 Server(*options, *port.options, *self.options, clock=self.clock) as xr3:
-            with load_process(self.name, xr3, port) as load:
-                before, started = cpu_s(xr3.pid), time.monotonic()
-                figures = ask_beside(xr3, self.victim)
-                if load.poll() is not None:
-                    raise AssertionError(f"the load has ended: {last_line(load)}")
-                busy = (cpu_s(xr3.pid) - before) / (time.monotonic() - started)
-                peak = xr3.status("VmHWM") / 1024
+            with victim_process(xr3, self.victim) as victim, load_process(self.name, xr3, port) as load:
+                yield lambda: measured_beside(xr3, victim, load)
                 code = xr3.stop(within_s=SHUTDOWN_S)
             if code != 0:
                 raise AssertionError(f"the server ended with {code}")
-        waits, work, bystander = figures["waits"], figures["work"], figures["bystander"]
-        return Measured(waits["p99"], f"p50 {waits['p50']:.2f}, max {waits['max']:.1f}; the server's work p99 "
-                                      f"{work['p99']:.2f}, max {work['max']:.1f}; a bystander's "
-                                      f"{bystander['p99']:.2f}, max {bystander['max']:.1f}; {busy:.0%} of a core, "
-                                      f"{peak:.0f} MiB",
-                        work["p99"], bystander["p99"])
+
+
+def measured_beside(xr3, victim, load):
+    """A round."""
+    before, started = cpu_s(xr3.pid), time.monotonic()
+    figures = ask(victim)
+    if load.poll() is not None:
+        raise AssertionError(f"the load has ended: {last_line(load)}")
+    busy = (cpu_s(xr3.pid) - before) / (time.monotonic() - started)
+    peak = xr3.status("VmHWM") / 1024
+    waits, work, bystander = figures["waits"], figures["work"], figures["bystander"]
+    return Measured(waits["p99"], f"p50 {waits['p50']:.2f}, max {waits['max']:.1f}; the server's work p99 "
+                                  f"{work['p99']:.2f}, max {work['max']:.1f}; a bystander's "
+                                  f"{bystander['p99']:.2f}, max {bystander['max']:.1f}; {busy:.0%} of a core, "
+                                  f"{peak:.0f} MiB",
+                    work["p99"], bystander["p99"])
 
 
 def beside(name, load, *cells, **more):
@@ -101,11 +119,53 @@ def cpu_s(pid):
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
-def ask_beside(xr3, victim="line"):
-    port = xr3.robot_port if victim == "line" else xr3.monitor_port
-    done = subprocess.run([sys.executable, FOLDER / "victim.py", *map(str, (port, xr3.pid, MEASURED_S)), victim],
-                          stdout=subprocess.PIPE, check=True)
-    return json.loads(done.stdout)
+def measure_once(attack):
+    """The Measured of one round."""
+    with attack.in_force() as measure:
+        return measure()
+
+
+def waited_s(pid):
+    """Seconds for which the main thread of a process could have worked, and had to wait for a core."""
+    try:
+        return int(pathlib.Path(f"/proc/{pid}/schedstat").read_text(encoding="ascii").split()[1]) / 1e9
+    except FileNotFoundError:  # a kernel that does not count
+        return 0.0
+
+
+def busy_share(xr3):
+    """The percentage of a core that all threads of the server need for a second."""
+    worked, started = process_clock(xr3.pid), time.monotonic_ns()
+    before = worked()
+    select.select([], [], [], 1.0)
+    return 100 * (worked() - before) / (time.monotonic_ns() - started)
+
+
+@contextlib.contextmanager
+def victim_process(xr3, kind="line"):
+    """The well-behaved client, which measures whenever it is asked to, until the end of the block."""
+    port = xr3.robot_port if kind == "line" else xr3.monitor_port
+    arguments = map(str, (port, xr3.pid, MEASURED_S[kind], kind))
+    process = subprocess.Popen([sys.executable, FOLDER / "victim.py", *arguments],
+                               stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    with process:
+        try:
+            yield process
+        finally:
+            process.stdin.close()  # it ends its bystanders
+
+
+def ask(victim):
+    """The figures of a round."""
+    victim.stdin.write(b"\n")
+    victim.stdin.flush()
+    if not select.select([victim.stdout], [], [], MOST_WAIT_S)[0]:
+        victim.kill()
+        raise AssertionError("the well-behaved client is not served")
+    figures = victim.stdout.readline()
+    if not figures:
+        raise AssertionError(f"the well-behaved client has ended: {last_line(victim)}")
+    return json.loads(figures)
 
 
 def last_line(process):

@@ -9,9 +9,9 @@ import threading
 import time
 import typing
 
-from attack import Beside, Measured, load_process
+from attack import Beside, Measured, Repeated, load_process, waited_s
 from lines import GARBAGE, MOVES
-from logs import MEASURED_S, Logged
+from logs import Logged
 from memory import peak_mib, settle
 from serial_ports import Device, OwnDevice, plug_in
 from support import DEADLINE_S, Server
@@ -24,6 +24,7 @@ SLOW_BYTES, SLOW_S = 10, 0.01  # about 9600 baud
 SWITCH = b"A@"
 INQUIRIES = b"E?F?D?C?"
 NOT_FOR_IT = bytes(range(128, 255)) + b"ETA.6.A$"
+LOADED_S = 2.0
 STOP = b"AXBXCXDXEXFXGXHX"
 
 
@@ -113,7 +114,7 @@ def flood_unasked_and_asked(target):
 
 
 @dataclasses.dataclass(frozen=True)
-class Grown:
+class Grown(Repeated):
     """The growth of the peak of memory under a load, in MiB."""
     name: str
     load: typing.Callable
@@ -126,12 +127,12 @@ class Grown:
             settle(xr3)
             before = peak_mib(xr3)
             with load_process(self.name, xr3, port):
-                select.select([], [], [], MEASURED_S)
+                select.select([], [], [], LOADED_S)
                 return Measured(peak_mib(xr3) - before, f"{before:.0f} MiB before")
 
 
 @dataclasses.dataclass(frozen=True)
-class Stopped:
+class Stopped(Repeated):
     """The time from the call device_stop to the arrival of its bytes at the device, which 99 of 100 calls keep, while
     lines flood the device. This process reads the device's end, so that the load's device must be read_nothing()."""
     name: str
@@ -143,23 +144,24 @@ class Stopped:
     def measure(self):
         with OwnDevice() as device, Server("--log-level", "warn", *device.options, clock="real") as xr3, \
                 xr3.monitor() as monitor, load_process(self.name, xr3, device):
-            waits = [stop_ns(monitor, device.end) for _ in range(self.stops)]
-        figures = quantiles(waits)
-        return Measured(figures["p99"], f"p50 {figures['p50']:.2f}, max {figures['max']:.1f}")
+            waits, without_core = zip(*(stop_ns(xr3, monitor, device.end) for _ in range(self.stops)))
+        figures, machine = quantiles(waits), quantiles(without_core)
+        return Measured(figures["p99"], f"p50 {figures['p50']:.2f}, max {figures['max']:.1f}; without a core "
+                                        f"p99 {machine['p99']:.2f}", bystander=machine["p99"])
 
 
-def stop_ns(monitor, end):
-    """The time of one stop, amid bytes of the lines."""
+def stop_ns(xr3, monitor, end):
+    """The time of one stop, amid bytes of the lines, and how much of it the server had to wait for a core."""
     read_end(end)
-    started = time.monotonic_ns()
+    started, waited_before = time.monotonic_ns(), waited_s(xr3.pid)
     monitor.send(json_line("call", id=1, fn="device_stop", args={}))
     seen = b""
     while STOP not in seen:
         seen = seen[-len(STOP):] + read_end(end)
-    took = time.monotonic_ns() - started
+    took, waited = time.monotonic_ns() - started, waited_s(xr3.pid) - waited_before
     if not monitor.read()["ok"]:
         raise AssertionError("device_stop is refused")
-    return took
+    return took, waited * 1e9
 
 
 def read_end(end):
@@ -187,7 +189,7 @@ ATTACKS = [
     beside("switches", flood(b"E+5F?" + SWITCH, answer, count=1)),
     beside("comes-and-goes", flood(MOVES, come_and_go)),
     Stopped("device.stop", flood(MOVES, read_nothing)),
-    Stopped("device.stop-unanswered", flood(MOVES + INQUIRIES, read_nothing), stops=20),
+    Stopped("device.stop-unanswered", flood(MOVES + INQUIRIES, read_nothing), stops=10),
     Grown("memory.device-unasked", flood_unasked),
     Grown("memory.device-moves", flood(MOVES)),
     Grown("memory.device-unread", flood(MOVES, read_nothing)),

@@ -47,8 +47,8 @@ def slowloris(target):
         target.ready()
 
 
-def storm(data, **more):
-    return lambda target: target.storm(target.monitor_port, data, **more)
+def storm(data):
+    return lambda target: target.storm(target.monitor_port, data)
 
 
 def changing(path):

@@ -43,8 +43,8 @@ def trickle(data):
     return load
 
 
-def storm(data, **more):
-    return lambda target: target.storm(target.robot_port, data, **more)
+def storm(data):
+    return lambda target: target.storm(target.robot_port, data)
 
 
 def watched(data, *requests):

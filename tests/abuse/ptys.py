@@ -5,7 +5,7 @@ import os
 import select
 import termios
 
-from attack import MIB, Attack, Beside, Measured, cpu_s
+from attack import MIB, Attack, Beside, Measured, busy_share
 from lines import GARBAGE, MOVES
 from logs import Logged
 from memory import peak_mib, settle
@@ -119,16 +119,9 @@ def idle_share(data):
         with Pty() as place, Server("--log-level", "warn", *place.options, clock="real") as xr3:
             program = opened(xr3.ptys[0])
             fill([program], data)
+            select.select([], [], [], 1.0)  # for what the server has to do first
             return Measured(busy_share(xr3), "after a second of its own")
     return measure
-
-
-def busy_share(xr3):
-    """The percentage of a core that the server needs, after a second for what it has to do first."""
-    select.select([], [], [], 1.0)
-    before = cpu_s(xr3.pid)
-    select.select([], [], [], 2.0)
-    return 100 * (cpu_s(xr3.pid) - before) / 2.0
 
 
 def greedy(data):

@@ -2,6 +2,7 @@
 in a process of its own until it is killed. It calls ready() when the attack is in force."""
 
 import contextlib
+import itertools
 import json
 import os
 import select
@@ -13,9 +14,7 @@ LOCALHOST = "127.0.0.1"
 PATIENCE_S = 30.0
 BLOCK_BYTES = 64 * 1024
 MOST_AT_ONCE = 1 << 20
-MOST_OPENED = 3000
 BURST = 1000
-MOST_BURSTS = 20
 RESET = struct.pack("ii", 1, 0)  # of SO_LINGER
 
 
@@ -121,20 +120,19 @@ class Target:
             file.readline()  # hello
             return json.loads(file.readline())["blocks"][0]["name"]
 
-    def storm(self, port, data, most=MOST_OPENED):
+    def storm(self, port, data):
         """Connections that send something and end at once, one after the other, with a reset, so that their ports are
         free again."""
-        for number in range(most):
+        for number in itertools.count():
             with connect(port) as sock:
                 sock.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, RESET)
                 sock.sendall(data)
             if number == 20:
                 self.ready()
-        self.hold()
 
     def bursts(self, port, data=b""):
         """Many connections at once, which send something and end at once, again and again."""
-        for _ in range(MOST_BURSTS):
+        while True:
             with contextlib.ExitStack() as stack:
                 socks = [stack.enter_context(socket.socket()) for _ in range(BURST)]
                 for sock in socks:
@@ -146,7 +144,6 @@ class Target:
                         sock.send(data)
                 select.select([], socks[-1:], [], PATIENCE_S)
             self.ready()
-        self.hold()
 
     def hold(self):
         """Waits for ever, and does nothing."""

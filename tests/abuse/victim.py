@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 """A well-behaved client in a process of its own: sends an inquiry each millisecond, or a ping each five milliseconds,
-whether or not the replies to the earlier ones have arrived. Prints how long the replies took, how long the server
-worked meanwhile (its processor time does not depend on other programs on the machine), and how long the slower
-bystander took: on each core, an idle program echoes what it gets.
+whether or not the replies to the earlier ones have arrived. For each line of its input it does so for some seconds on
+a connection of its own, and prints how long the replies took, how long the server worked meanwhile (its processor time
+does not depend on other programs on the machine), and how long the slower bystander took: on each core, an idle
+program echoes what it gets.
 Usage: victim.py PORT PID SECONDS line|session"""
 
 import collections
@@ -25,6 +26,12 @@ PERF_EVENT_OPEN = {"x86_64": 298, "aarch64": 241}
 PERF_TYPE_SOFTWARE, PERF_COUNT_SW_TASK_CLOCK, PERF_ATTR_SIZE = 1, 1, 64
 
 
+def process_clock(pid):
+    """A function that returns the processor time of a process, in nanoseconds: see clock_getcpuclockid(3)."""
+    clock = (~pid << 3) | 2
+    return lambda: time.clock_gettime_ns(clock)
+
+
 def processor_clock(pid):
     """A function that returns the processor time of a process's main thread, in nanoseconds: see perf_event_open(2)
     (a counter of software, the task clock). Where that is not allowed, the clock of the whole process, which the kernel
@@ -34,8 +41,7 @@ def processor_clock(pid):
     descriptor = ctypes.CDLL(None).syscall(number, attributes.ljust(PERF_ATTR_SIZE, b"\0"), pid, -1, -1, 0)
     if descriptor >= 0:
         return lambda: int.from_bytes(os.read(descriptor, 8), sys.byteorder)
-    clock = (~pid << 3) | 2  # as clock_getcpuclockid(3)
-    return lambda: time.clock_gettime_ns(clock)
+    return process_clock(pid)
 
 
 class Line:
@@ -54,6 +60,12 @@ class Line:
         first = 0
         while first < self.FIRST_REPLIES:
             first += self.read()[0]
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.socket.close()
 
     def send(self):
         self.socket.sendall(self.REQUEST)
@@ -152,18 +164,28 @@ def quantiles(values):
     return {"p50": at(0.5), "p99": at(0.99), "max": at(1)}
 
 
+def figures(opener, worked, bystanders, seconds):
+    """A round."""
+    with opener() as line:
+        server = Probe(line, worked)
+        probes = [Probe(each) for each in bystanders]
+        measure([server, *probes], seconds)
+    waits, work = zip(*server.waits)
+    return {"waits": quantiles(waits), "work": quantiles(work),
+            "bystander": max((quantiles(wait for wait, _ in each.waits) for each in probes),
+                             key=lambda each: each["p99"])}
+
+
 def main():
     gc.disable()
     _, port, pid, seconds, kind = sys.argv
-    server = Probe((Line if kind == "line" else Session)(int(port)), processor_clock(int(pid)))
-    bystanders = [Probe(Bystander(core)) for core in os.sched_getaffinity(0)]
-    measure([server, *bystanders], float(seconds))
+    opener = lambda: (Line if kind == "line" else Session)(int(port))
+    bystanders = [Bystander(core) for core in os.sched_getaffinity(0)]
+    worked = processor_clock(int(pid))
+    for _ in sys.stdin:
+        print(json.dumps(figures(opener, worked, bystanders, float(seconds))), flush=True)
     for each in bystanders:
-        each.line.end()
-    waits, work = zip(*server.waits)
-    print(json.dumps({"waits": quantiles(waits), "work": quantiles(work),
-                      "bystander": max((quantiles(wait for wait, _ in each.waits) for each in bystanders),
-                                       key=lambda each: each["p99"])}))
+        each.end()
 
 
 if __name__ == "__main__":
