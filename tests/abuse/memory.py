@@ -49,8 +49,8 @@ def send_greedily(sock, data):
 
 
 @contextlib.contextmanager
-def serving(cell, **more):
-    with Cell(cell) as options, Server("--log-level", "warn", *options, **more) as xr3:
+def serving(cell, others=(), **more):
+    with Cell(cell) as options, Server("--log-level", "warn", *options, *others, **more) as xr3:
         yield xr3, Target(xr3.robot_port, xr3.monitor_port)
 
 
@@ -110,16 +110,18 @@ def thousand(name, cell, *openers):
     return Attack(f"memory.{name}/{cell}", CAP_MIB + USUAL_MIB, "MiB", measure)
 
 
-def calls(name, bound, cell, request, count, before=b""):
-    """The growth of memory by calls whose answers are read."""
+def calls(name, bound, cell, request, count, options=("--history", 0)):
+    """The growth of memory by calls whose answers are read, by default without a past of the cell, which may grow."""
     def measure():
-        with serving(cell) as (xr3, target):
-            with target.ask(*before) as sock, sock.makefile("rb") as answers:
+        with serving(cell, options) as (xr3, target):
+            with target.ask() as sock, sock.makefile("rb") as answers:
                 for turn in range(10 + count):
                     if turn == 10:
                         start = peak_mib(xr3)
-                    sock.sendall(request(turn) if callable(request) else request)
-                    answers.readline()
+                    data = request(turn) if callable(request) else request
+                    sock.sendall(data)
+                    for _ in range(data.count(b"\n")):
+                        answers.readline()
             return Measured(peak_mib(xr3) - start, f"{count} calls")
     return Attack(f"memory.{name}/{cell}", bound, "MiB", measure)
 
