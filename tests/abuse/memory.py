@@ -156,7 +156,7 @@ ATTACKS = [
     greedy("json-images", CAMERA, page, images(GET_IMAGE)),
     greedy("json-states", LARGEST, page, images(json_line("get", channel="state"))),
     greedy("json-models", LARGEST, page, images(json_line("get", channel="model"))),
-    greedy("json-workcells", LARGEST, page, images(call("snapshot_save", inline=True))),
+    greedy("json-workcells", LARGEST, page, call("snapshot_save", inline=True) * 3),  # each is refused, after long work
     greedy("json-events", SHIPPED, page, json_line("get", channel="event", since=1) * 300),
     greedy("json-sends", CAMERA, page, call("send", text="A**" * 1000) * REPEATED, own=call("send", text="A**")),
     greedy("json-unfinished", SHIPPED, page, b'{"op":"ping","more":"' + b"x" * 250_000),
