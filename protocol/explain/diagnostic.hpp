@@ -1,6 +1,6 @@
-// Diagnostics as text: a stable code and one sentence for every problem in the bytes of a line, every
-// warning of the machine, and the problems of a line that none of its bytes caused. The log and the
-// monitor port use them.
+// Diagnostics as text: a stable code and one sentence for every problem in the bytes of a line,
+// every warning of the machine, and the problems of a line that none of its bytes caused. The log
+// and the monitor port use them.
 #pragma once
 
 #include <string>

@@ -5,8 +5,8 @@
 namespace xr3 {
 namespace {
 
-/// The name of a kind, and what such a fault does from its begin on, or has done. `#` stands for the
-/// offset of the byte or the count of the motor, `@` for the joint.
+/// The name of a kind, and what such a fault does from its begin on, or has done. `#` stands for
+/// the offset of the byte or the count of the motor, `@` for the joint.
 struct FaultText {
   std::string_view code;
   std::string_view effect;

@@ -12,8 +12,8 @@
 
 namespace xr3 {
 
-/// Distinct labels, names and masks, homes and switches within limits, references to existing joints,
-/// and both homes outside the protected region.
+/// Distinct labels, names and masks, homes and switches within limits, references to existing
+/// joints, and both homes outside the protected region.
 void check_robot(const Robot& robot, data::Reading& reading);
 
 /// Positions at the hard home: every motor at its microswitch, coupling included (paper,
@@ -21,10 +21,10 @@ void check_robot(const Robot& robot, data::Reading& reading);
 Positions hard_home(const Model& model);
 
 /// Errors: duplicate names, a camera that is not above the work surface or is reached by a block.
-/// Warnings: blocks that overlap, float, lie below the work surface or outside the workspace, are too
-/// wide for the robot's tool or out of its reach. `robot` may be nullptr. The reach is checked for
-/// the blocks from index `first_reach` on; if the robot's inverse kinematics has no closed form, for
-/// 100 of them.
+/// Warnings: blocks that overlap, float, lie below the work surface or outside the workspace, are
+/// too wide for the robot's tool or out of its reach. `robot` may be nullptr. The reach is checked
+/// for the blocks from index `first_reach` on; if the robot's inverse kinematics has no closed form,
+/// for 100 of them.
 void check_workcell(const Workcell& workcell, const Robot* robot, std::size_t first_reach,
                     data::Reading& reading);
 

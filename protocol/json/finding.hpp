@@ -54,8 +54,8 @@ std::string cut(std::string_view text, std::size_t most);
 /// Stable sort by line, errors and warnings mixed. The finding that counts others is last.
 void sort_by_line(Findings& findings);
 
-/// The result of reading a file: its value unless a finding is an error, and the findings, sorted by
-/// line.
+/// The result of reading a file: its value unless a finding is an error, and the findings, sorted
+/// by line.
 template <class V>
 struct FileReading {
   std::optional<V> value;

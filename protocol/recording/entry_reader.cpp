@@ -151,8 +151,8 @@ const monitor::CallForm* call_form(const Place& fn) {
   return is_name ? monitor::find_call(fn.value.text()) : nullptr;
 }
 
-/// Reads what monitor::written() has made. `args` may be empty: no arguments. Reports errors at `fn`
-/// and in `args`.
+/// Reads what monitor::written() has made. `args` may be empty: no arguments. Reports errors at
+/// `fn` and in `args`.
 std::optional<call::Call> read_call(const Place& fn, JsonValue args) {
   const auto refuse = [&fn] {
     fn.refuse("the name of a call that changes the cell");

@@ -74,8 +74,8 @@ class Reader {
   std::string json() const { return root_.dump(); }
   const std::string& file() const { return file_; }
   /// The JSON loader's result with this reader's findings and the loader's, sorted. The loader's
-  /// findings get the line numbers of the plain file; those about places that this reader has already
-  /// refused are dropped.
+  /// findings get the line numbers of the plain file; those about places that this reader has
+  /// already refused are dropped.
   template <class V>
   FileReading<V> merged(FileReading<V> of_loader) const {
     of_loader.findings = merged(std::move(of_loader.findings));
