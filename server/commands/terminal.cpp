@@ -4,7 +4,6 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <charconv>
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
@@ -12,6 +11,8 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+
+#include "server/options/whole_number.hpp"
 
 #define NCURSES_NOMACROS 1  // its macros have names such as `move`
 #define NCURSES_WIDECHAR 1
@@ -71,12 +72,7 @@ bool can_move_its_cursor() {
 int environment_size(const char* name, int otherwise) {
   constexpr int kMax = 1000;
   const char* text = std::getenv(name);
-  if (text == nullptr) return otherwise;
-  const std::string_view digits = text;
-  int number = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  const bool is_good = error == std::errc{} && end == digits.data() + digits.size();
-  return is_good && number > 0 && number <= kMax ? number : otherwise;
+  return text == nullptr ? otherwise : whole_number(text, 1, kMax).value_or(otherwise);
 }
 
 /// Terminfo numbers F1...F12 with Alt from 49 on.

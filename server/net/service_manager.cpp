@@ -7,15 +7,15 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <system_error>
+#include <limits>
 #include <utility>
 
 #include "server/net/spawn.hpp"
+#include "server/options/whole_number.hpp"
 
 namespace xr3 {
 namespace {
@@ -35,9 +35,8 @@ std::string variable(const char* name) {
 
 /// A whole number from 1; nullopt with a warning for another text.
 std::optional<std::int64_t> number_in(const char* name, const std::string& text) {
-  std::int64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error == std::errc() && end == text.data() + text.size() && number > 0) return number;
+  constexpr auto kMost = std::numeric_limits<std::int64_t>::max();
+  if (const auto number = whole_number<std::int64_t>(text, 1, kMost)) return number;
   spdlog::warn("{} is ignored: it is a whole number from 1, set by the service manager", name);
   return std::nullopt;
 }

@@ -1,19 +1,11 @@
 #include "server/options/address.hpp"
 
-#include <charconv>
 #include <cstdint>
 #include <stdexcept>
 
+#include "server/options/whole_number.hpp"
+
 namespace xr3 {
-namespace {
-
-bool is_port(const std::string& text) {
-  std::uint16_t port = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
-  return error == std::errc{} && end == text.data() + text.size() && port != 0;
-}
-
-}  // namespace
 
 // With a port, an IPv6 address must be in brackets, since it contains colons itself.
 PortAddress parse_address(const std::string& text, const std::string& usual_port) {
@@ -27,7 +19,7 @@ PortAddress parse_address(const std::string& text, const std::string& usual_port
   }
   std::string& host = address.host;
   if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
-  if (host.empty() || !is_port(address.port)) {
+  if (host.empty() || !whole_number<std::uint16_t>(address.port, 1, 65535)) {
     throw std::invalid_argument(text + ": an address is HOST:PORT, as in localhost:" + usual_port);
   }
   return address;

@@ -1,11 +1,11 @@
 #include "server/options/cells.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <utility>
 
 #include "server/options/options.hpp"
+#include "server/options/whole_number.hpp"
 
 namespace xr3 {
 namespace {
@@ -93,10 +93,8 @@ CellChoice parse_cell(const std::string& text) {
   CellChoice choice{text.substr(0, equals), next_part(rest), next_part(rest), {}};
   if (choice.robot.empty() || (!has_port && !rest.empty())) refuse_cell(text);
   if (!has_port) return choice;
-  std::uint16_t port = 0;
-  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), port);
-  if (error != std::errc() || end != rest.data() + rest.size()) refuse_cell(text);
-  choice.port = port;
+  choice.port = whole_number<std::uint16_t>(rest, 0, kMaxPort);
+  if (!choice.port) refuse_cell(text);
   return choice;
 }
 

@@ -43,49 +43,17 @@ void add_limits(CLI::App& command, RunLimits& limits) {
           "maximum simulated time of a run in seconds (default: 600)")
       ->type_name("SECONDS")
       ->check(number_between(0, kMaxSimSeconds));
-  command.add_option("--max-seconds", limits.wall_s, "maximum time of a run in seconds")
-      ->type_name("SECONDS")
+  add_value(command, "--max-seconds", limits.wall_s, "SECONDS", "maximum time of a run in seconds")
       ->check(number_between(0, kMaxSeconds))
       ->capture_default_str();
-  command.add_option("--max-bytes", limits.bytes, "maximum number of bytes that a program sends")
-      ->type_name("N")
+  add_value(command, "--max-bytes", limits.bytes, "N",
+            "maximum number of bytes that a program sends")
       ->check(whole_number_between(1, kMaxBytes));
-  command
-      .add_option("--memory", limits.memory_mib,
-                  "MiB of memory that each of its processes may have")
-      ->type_name("MIB")
+  add_value(command, "--memory", limits.memory_mib, "MIB",
+            "MiB of memory that each of its processes may have")
       ->check(whole_number_between(1, kMaxMemoryMib));
-  command.add_option("--processes", limits.processes, "number of processes that it may have")
-      ->type_name("N")
+  add_value(command, "--processes", limits.processes, "N", "number of processes that it may have")
       ->check(whole_number_between(1, kMaxProcesses));
-}
-
-void add_variation(CLI::App& command, ExecOptions& options) {
-  command
-      .add_option_function<std::string>(
-          "--vary", [&options](const std::string& text) { options.vary = parse_variation(text); },
-          "move the blocks at random by at most 40 mm (or MM) and 180 degrees (or DEG)")
-      ->type_name("SEED[:MM[,DEG]]")
-      ->check(parses(parse_variation, ""));
-}
-
-void add_repetition(CLI::App& command, ExecOptions& options) {
-  command
-      .add_option(
-          "--repeat", options.repeat,
-          "number of runs; with --vary each has the next seed, without it all must be equal")
-      ->type_name("N")
-      ->check(whole_number_between(1, kMaxRepeat))
-      ->capture_default_str();
-}
-
-void add_results(CLI::App& command, ExecOptions& options) {
-  command.add_option("--junit", options.junit, "write the results for test reporters")
-      ->type_name("OUT.xml");
-  command.add_option("--json", options.json, "write the results as JSON, one object a line")
-      ->type_name("OUT.json");
-  command.add_option("--markdown", options.markdown, "write the results as a table in Markdown")
-      ->type_name("OUT.md");
 }
 
 /// What exec and grade have in common: the robot, the goals, limits.
@@ -96,10 +64,11 @@ void add_run(CLI::App& command, ExecOptions& options, ServeOptions& server) {
   add_time(command, server,
            "bytes (default): time follows the program; real, FACTOR times as fast; manual");
   add_line_speed(command, server);
-  command.add_option("--goals", options.goals, "file with the goals by which a run is judged")
-      ->type_name("FILE");
+  add_value(command, "--goals", options.goals, "FILE",
+            "file with the goals by which a run is judged");
   add_limits(command, options.limits);
-  add_variation(command, options);
+  add_parsed(command, "--vary", options.vary, parse_variation, "SEED[:MM[,DEG]]",
+             "move the blocks at random by at most 40 mm (or MM) and 180 degrees (or DEG)");
   command
       .add_option_function<std::string>(
           "--monitor",
@@ -114,16 +83,10 @@ void add_sandbox(CLI::App& command, ExecOptions& options) {
       "--sandbox", options.is_sandboxed,
       "run it under bubblewrap: no network but the robot, no files but the system's and its own");
   command.get_option("--monitor")->excludes(sandbox);
-  command
-      .add_option("--read", options.readable,
-                  "with --sandbox: a further file or folder that it may read; repeatable")
-      ->type_name("PATH")
+  add_value(command, "--read", options.readable, "PATH",
+            "with --sandbox: a further file or folder that it may read; repeatable")
       ->allow_extra_args(false)
       ->needs(sandbox);
-}
-
-void add_command(CLI::App& command, ExecOptions& options, const std::string& what) {
-  command.add_option("command", options.command, what)->type_name("PROGRAM ARGS...")->required();
 }
 
 }  // namespace
@@ -158,37 +121,44 @@ void add_exec(CLI::App& app, ExecOptions& options, ServeOptions& server) {
   CLI::App& exec = *app.add_subcommand(
       "exec", "run a robot program against a fresh robot, and judge it by its goals");
   add_run(exec, options, server);
-  add_repetition(exec, options);
-  exec.add_option("--record", server.record, "record the run in this new file")->type_name("FILE");
-  exec.add_option("--csv", options.csv, "write joints, counts and tip each 100 ms as a table")
-      ->type_name("OUT.csv");
-  add_results(exec, options);
-  exec.add_option("--out", options.out,
-                  "new folder for output, recording, picture of the end and result of each run")
-      ->type_name("FOLDER");
+  add_value(exec, "--repeat", options.repeat, "N",
+            "number of runs; with --vary each has the next seed, without it all must be equal")
+      ->check(whole_number_between(1, kMaxRepeat))
+      ->capture_default_str();
+  add_value(exec, "--record", server.record, "FILE", "record the run in this new file");
+  add_value(exec, "--csv", options.csv, "OUT.csv",
+            "write joints, counts and tip each 100 ms as a table");
+  add_value(exec, "--junit", options.junit, "OUT.xml", "write the results for test reporters");
+  add_value(exec, "--json", options.json, "OUT.json",
+            "write the results as JSON, one object a line");
+  add_value(exec, "--markdown", options.markdown, "OUT.md",
+            "write the results as a table in Markdown");
+  add_value(exec, "--out", options.out, "FOLDER",
+            "new folder for output, recording, picture of the end and result of each run");
   exec.add_flag("--stdin", options.has_terminal, "the program reads standard input");
   exec.add_flag("--quiet", options.is_quiet, "do not show what the program prints");
   add_sandbox(exec, options);
   add_log(exec, server);
-  add_command(exec, options, "the program and its arguments, after --");
+  add_value(exec, "command", options.command, "PROGRAM ARGS...",
+            "the program and its arguments, after --")
+      ->required();
 }
 
 void add_grade(CLI::App& app, GradeOptions& options, ExecOptions& exec, ServeOptions& server) {
   CLI::App& grade = *app.add_subcommand(
       "grade", "run every submission in a folder as xr3 exec does, and write a report");
-  grade.add_option("folder", options.folder, "the submissions: each file or folder in it is one")
-      ->type_name("FOLDER")
+  add_value(grade, "folder", options.folder, "FOLDER",
+            "the submissions: each file or folder in it is one")
       ->required();
   add_run(grade, exec, server);
   grade.get_option("--goals")->required();
-  grade.add_option("--report", options.report, "new folder for the report")
-      ->type_name("FOLDER")
-      ->required();
+  add_value(grade, "--report", options.report, "FOLDER", "new folder for the report")->required();
   add_sandbox(grade, exec);
-  grade.add_option("--jobs", options.jobs, "number of submissions that run at a time")
-      ->type_name("N")
+  add_value(grade, "--jobs", options.jobs, "N", "number of submissions that run at a time")
       ->check(whole_number_between(1, kMaxJobs));
-  add_command(grade, exec, "the program and its arguments, after --; {} is the submission");
+  add_value(grade, "command", exec.command, "PROGRAM ARGS...",
+            "the program and its arguments, after --; {} is the submission")
+      ->required();
 }
 
 }  // namespace xr3

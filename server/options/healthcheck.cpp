@@ -31,21 +31,16 @@ void complete(CLI::App& health, HealthOptions& options) {
 void add_health(CLI::App& app, HealthOptions& options) {
   CLI::App& health = *app.add_subcommand(
       "healthcheck", "check that the server on this machine serves lines; exit code 0 if it does");
-  health.add_option("--listen", options.listen, "address of the server, as for serve")
-      ->type_name("ADDR")
+  add_value(health, "--listen", options.listen, "ADDR", "address of the server, as for serve")
       ->check(CLI::Validator(check_listen, ""))
       ->capture_default_str();
-  health.add_option("--monitor-port", options.monitor_port, "its monitor port")
-      ->type_name("PORT")
+  add_value(health, "--monitor-port", options.monitor_port, "PORT", "its monitor port")
       ->check(CLI::Validator(check_port, ""))
       ->capture_default_str();
-  health
-      .add_option("--port-file", options.port_file,
-                  "read the port from this file, which serve wrote")
-      ->type_name("FILE");
-  health
-      .add_option("--wait", options.wait_s, "retry for this many seconds until the server is ready")
-      ->type_name("SECONDS")
+  add_value(health, "--port-file", options.port_file, "FILE",
+            "read the port from this file, which serve wrote");
+  add_value(health, "--wait", options.wait_s, "SECONDS",
+            "retry for this many seconds until the server is ready")
       ->check(number_between(0, kMaxWaitS))
       ->configurable(false);
   add_config(health, options.config);

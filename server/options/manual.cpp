@@ -9,6 +9,7 @@
 #include "server/manual/completion.hpp"
 #include "server/manual/man_page.hpp"
 #include "server/options/pose_argument.hpp"
+#include "server/options/shared_options.hpp"
 
 namespace xr3 {
 namespace {
@@ -61,13 +62,10 @@ DescribedProgram describe_program(const CLI::App& app) {
 void add_manual(CLI::App& app, ManualOptions& options) {
   CLI::App& manual =
       *app.add_subcommand("manual", "print the manual page of a command, for example to man -l -");
-  CLI::Option* command =
-      manual.add_option("command", options.command, "the command; without it, the page of xr3")
-          ->type_name("COMMAND");
-  manual
-      .add_option("--write", options.folder,
-                  "write all pages and the completions of all shells below this folder")
-      ->type_name("FOLDER")
+  CLI::Option* command = add_value(manual, "command", options.command, "COMMAND",
+                                   "the command; without it, the page of xr3");
+  add_value(manual, "--write", options.folder, "FOLDER",
+            "write all pages and the completions of all shells below this folder")
       ->excludes(command);
 }
 

@@ -12,6 +12,7 @@
 #include "server/options/manual.hpp"
 #include "server/options/pose_argument.hpp"
 #include "server/options/shared_options.hpp"
+#include "server/options/whole_number.hpp"
 #include "tools/drawing/picture.hpp"
 
 namespace xr3 {
@@ -34,13 +35,10 @@ constexpr const char* kFooter =
 void add_check(CLI::App& app, CheckOptions& options) {
   CLI::App& check =
       *app.add_subcommand("check", "validate robot, workcell and fault files and summarise them");
-  check.add_option("files", options.files, "the files: JSON, or the paper's plain form")
-      ->type_name("FILE")
+  add_value(check, "files", options.files, "FILE", "the files: JSON, or the paper's plain form")
       ->required();
-  check
-      .add_option("--robot", options.robot,
-                  "check workcells against this robot's tool, and faults against its joints")
-      ->type_name("NAME|FILE");
+  add_value(check, "--robot", options.robot, "NAME|FILE",
+            "check workcells against this robot's tool, and faults against its joints");
   add_profile(check, options.profile);
 }
 
@@ -51,41 +49,22 @@ std::string check_picture_name(const std::string& name) {
 
 void add_draw(CLI::App& app, DrawOptions& options) {
   CLI::App& draw = *app.add_subcommand("draw", "draw a robot and its workcell as a picture");
-  draw.add_option("out", options.out, "the picture file; its name determines the format")
-      ->type_name("OUT.svg|OUT.png")
+  add_value(draw, "out", options.out, "OUT.svg|OUT.png",
+            "the picture file; its name determines the format")
       ->required()
       ->check(CLI::Validator(check_picture_name, ""));
-  draw.add_option("--robot", options.robot, "robot: a name, or a file")
-      ->type_name("NAME|FILE")
+  add_value(draw, "--robot", options.robot, "NAME|FILE", "robot: a name, or a file")
       ->capture_default_str();
-  draw.add_option("--workcell", options.workcell,
-                  "workcell: a name, or a file (default: the one named after the robot)")
-      ->type_name("NAME|FILE");
-  draw.add_option_function<std::string>(
-          "--joints", [&options](const std::string& text) { options.joints = parse_numbers(text); },
-          "joint variables from the base on, degrees or mm (default: soft home)")
-      ->type_name("V1,V2,...")
-      ->check(parses(parse_numbers, ""));
-  draw.add_option("--tool", options.tool, "tool variable, mm or degrees (default: soft home)")
-      ->type_name("V");
-  draw.add_option_function<std::string>(
-          "--view", [&options](const std::string& text) { options.view = parse_view(text); },
-          "view vector: whole numbers from -9 to 9 (default 1,1,1)")
-      ->type_name("X,Y,Z")
-      ->check(parses(parse_view, ""));
-  draw.add_option("--width", options.width_px, "width in pixels")
-      ->type_name("PX")
+  add_value(draw, "--workcell", options.workcell, "NAME|FILE",
+            "workcell: a name, or a file (default: the one named after the robot)");
+  add_parsed(draw, "--joints", options.joints, parse_numbers, "V1,V2,...",
+             "joint variables from the base on, degrees or mm (default: soft home)");
+  add_value(draw, "--tool", options.tool, "V", "tool variable, mm or degrees (default: soft home)");
+  add_parsed(draw, "--view", options.view, parse_view, "X,Y,Z",
+             "view vector: whole numbers from -9 to 9 (default 1,1,1)");
+  add_value(draw, "--width", options.width_px, "PX", "width in pixels")
       ->check(whole_number_between(kMinPictureWidthPx, kMaxPictureWidthPx))
       ->capture_default_str();
-}
-
-void add_list(CLI::App& command, const std::string& name, std::vector<double>& numbers,
-              const std::string& type, const std::string& what) {
-  command
-      .add_option_function<std::string>(
-          name, [&numbers](const std::string& text) { numbers = parse_numbers(text); }, what)
-      ->type_name(type)
-      ->check(parses(parse_numbers, ""));
 }
 
 void add_kin(CLI::App& app, KinOptions& options) {
@@ -93,34 +72,30 @@ void add_kin(CLI::App& app, KinOptions& options) {
       "kin",
       "forward and inverse kinematics: the pose for joint values, or joint values for a pose");
   KinOptionValues& values = options.values;
-  kin.add_option("--robot", options.robot, "robot: a name, or a file")
-      ->type_name("NAME|FILE")
+  add_value(kin, "--robot", options.robot, "NAME|FILE", "robot: a name, or a file")
       ->capture_default_str();
-  add_list(kin, "--joints", values.joints, "V1,...",
-           "joint variables from the base, degrees or mm");
-  add_list(kin, "--counts", values.counts, "N1,...", "motor counts from the base");
-  kin.add_option("--tool", values.tool,
-                 "with --joints or --counts: the tool variable, mm or degrees")
-      ->type_name("V");
-  add_list(kin, "--pose", values.pose, "X,Y,Z[,YAW,PITCH,ROLL]",
-           "tip in mm; orientation R = Rz(yaw) Ry(pitch) Rx(roll) in degrees");
-  kin.add_option("--down", values.down, "with X,Y,Z: tool straight down at this net roll, degrees")
-      ->type_name("NET_ROLL");
-  add_list(kin, "--approach", values.approach, "AX,AY,AZ", "with X,Y,Z: the approach vector");
-  kin.add_option("--roll", values.roll, "with --approach: the variable of the last joint")
-      ->type_name("Q");
-  kin.add_option(
-         "--slide", values.slide,
-         "with a target: the place of the slide on which the arm stands, mm; default: its home")
-      ->type_name("MM");
-  add_list(kin, "--configuration", values.configuration, "W1,...,W6", "tool-configuration vector");
-  kin.add_option("--tolerance", values.tolerance.tolerance_deg,
-                 "maximum error of the approach vector, if the arm cannot reach it exactly")
-      ->type_name("DEG")
+  add_parsed(kin, "--joints", values.joints, parse_numbers, "V1,...",
+             "joint variables from the base, degrees or mm");
+  add_parsed(kin, "--counts", values.counts, parse_numbers, "N1,...", "motor counts from the base");
+  add_value(kin, "--tool", values.tool, "V",
+            "with --joints or --counts: the tool variable, mm or degrees");
+  add_parsed(kin, "--pose", values.pose, parse_numbers, "X,Y,Z[,YAW,PITCH,ROLL]",
+             "tip in mm; orientation R = Rz(yaw) Ry(pitch) Rx(roll) in degrees");
+  add_value(kin, "--down", values.down, "NET_ROLL",
+            "with X,Y,Z: tool straight down at this net roll, degrees");
+  add_parsed(kin, "--approach", values.approach, parse_numbers, "AX,AY,AZ",
+             "with X,Y,Z: the approach vector");
+  add_value(kin, "--roll", values.roll, "Q", "with --approach: the variable of the last joint");
+  add_value(kin, "--slide", values.slide, "MM",
+            "with a target: the place of the slide on which the arm stands, mm; default: its home");
+  add_parsed(kin, "--configuration", values.configuration, parse_numbers, "W1,...,W6",
+             "tool-configuration vector");
+  add_value(kin, "--tolerance", values.tolerance.tolerance_deg, "DEG",
+            "maximum error of the approach vector, if the arm cannot reach it exactly")
       ->check(number_between(0, 45))
       ->capture_default_str();
-  kin.add_option("--tolerance-mm", values.tolerance.tolerance_mm, "maximum error of the tip, mm")
-      ->type_name("MM")
+  add_value(kin, "--tolerance-mm", values.tolerance.tolerance_mm, "MM",
+            "maximum error of the tip, mm")
       ->check(number_between(0, 1000))
       ->capture_default_str();
   kin.add_flag("--json", options.is_json, "everything as JSON");
@@ -129,9 +104,9 @@ void add_kin(CLI::App& app, KinOptions& options) {
 void add_convert(CLI::App& app, ConvertOptions& options) {
   CLI::App& convert = *app.add_subcommand(
       "convert", "turn a robot or workcell file into the paper's plain form, or back into JSON");
-  convert.add_option("in", options.in, "the file, of either form")->type_name("IN")->required();
-  convert.add_option("out", options.out, "the new file: .json, or .txt or .dat for the plain form")
-      ->type_name("OUT")
+  add_value(convert, "in", options.in, "IN", "the file, of either form")->required();
+  add_value(convert, "out", options.out, "OUT",
+            "the new file: .json, or .txt or .dat for the plain form")
       ->required();
   convert.add_flag("--force", options.force, "replace OUT if it is there already");
 }
@@ -139,15 +114,12 @@ void add_convert(CLI::App& app, ConvertOptions& options) {
 void add_workcell(CLI::App& app, WorkcellOptions& options) {
   CLI::App& workcell =
       *app.add_subcommand("workcell", "make a workcell file, or change one, question by question");
-  workcell.add_option("file", options.file, "the file; opened if it is there already")
-      ->type_name("NEW.json")
+  add_value(workcell, "file", options.file, "NEW.json", "the file; opened if it is there already")
       ->required();
-  workcell
-      .add_option("--robot", options.robot,
-                  "robot to check against (default: named like the file, else rhino-xr3)")
-      ->type_name("NAME|FILE");
-  workcell.add_option("--from", options.from, "begin with this workcell: a name, or a file")
-      ->type_name("NAME|FILE");
+  add_value(workcell, "--robot", options.robot, "NAME|FILE",
+            "robot to check against (default: named like the file, else rhino-xr3)");
+  add_value(workcell, "--from", options.from, "NAME|FILE",
+            "begin with this workcell: a name, or a file");
 }
 
 bool is_help_wanted(const CLI::App& app) {
@@ -169,29 +141,20 @@ Leave leave(const CLI::App& app, const CLI::ParseError& error,
   return {ExitCode::kGood, out.str(), err.str()};
 }
 
-/// A whole number in this range; nullopt: none.
-std::optional<std::int64_t> whole_number(std::string_view text, std::int64_t low,
-                                         std::int64_t high) {
-  std::int64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool is_number = error == std::errc() && end == text.data() + text.size();
-  return is_number && low <= number && number <= high ? std::optional(number) : std::nullopt;
-}
-
 /// `INQUIRY_MS[,settle=MS]`, which begins at `from`.
 ByteClockSettings parse_byte_clock(const std::string& text, std::size_t from) {
   constexpr std::string_view kSettle = "settle=";
   using Limits = ByteClockSettings;
   const std::string_view rules = std::string_view(text).substr(from);
   const std::size_t comma = rules.find(',');
-  const auto inquiry = whole_number(rules.substr(0, comma), 0, Limits::kMaxInquiryMs);
+  const auto inquiry = whole_number<std::int64_t>(rules.substr(0, comma), 0, Limits::kMaxInquiryMs);
   ByteClockSettings settings;
   bool is_good = inquiry.has_value();
   if (comma != std::string_view::npos) {
     const std::string_view rest = rules.substr(comma + 1);
     if (rest.starts_with(kSettle))
-      settings.settle_ms =
-          whole_number(rest.substr(kSettle.size()), Limits::kMinSettleMs, Limits::kMaxSettleMs);
+      settings.settle_ms = whole_number<std::int64_t>(rest.substr(kSettle.size()),
+                                                      Limits::kMinSettleMs, Limits::kMaxSettleMs);
     is_good = is_good && settings.settle_ms;
   }
   if (!is_good) {
@@ -275,10 +238,8 @@ LineSpeed parse_line_speed(const std::string& text) {
 }
 
 std::uint32_t parse_mode(const std::string& text) {
-  std::uint32_t mode = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), mode, 8);
   constexpr std::uint32_t kMaxMode = 0777;
-  if (error == std::errc() && end == text.data() + text.size() && mode <= kMaxMode) return mode;
+  if (const auto mode = whole_number<std::uint32_t>(text, 0, kMaxMode, 8)) return *mode;
   throw std::invalid_argument(text + ": a mode has three octal digits, as in 0660");
 }
 

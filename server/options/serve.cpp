@@ -46,22 +46,9 @@ void add_names(CLI::App& serve, const std::string& name, std::vector<std::string
       ->check(CLI::Validator(check, ""));
 }
 
-void add_device(CLI::App& serve, ServeOptions& options) {
-  serve
-      .add_option_function<std::string>(
-          "--serial", [&options](const std::string& text) { options.device = parse_device(text); },
-          "physical controller that gets the commands while the simulator is disabled (A@)")
-      ->type_name("DEVICE[:9600-7e2]")
-      ->check(parses(parse_device, ""));
-  add_flag(serve, "--mirror", options.is_mirrored,
-           "with --serial: the simulation carries out the commands of the device, too");
-}
-
 void add_cells(CLI::App& serve, ServeOptions& options) {
-  serve
-      .add_option("--cells", options.cells,
-                  "serve N robots, the cells 1 to N, on consecutive ports from 9701 on")
-      ->type_name("N")
+  add_value(serve, "--cells", options.cells, "N",
+            "serve N robots, the cells 1 to N, on consecutive ports from 9701 on")
       ->check(whole_number_between(1, kMaxCells));
   serve
       .add_option_function<std::vector<std::string>>(
@@ -73,71 +60,24 @@ void add_cells(CLI::App& serve, ServeOptions& options) {
           "a cell with its own robot and workcell, and perhaps port; repeatable")
       ->type_name("NAME=ROBOT,WORKCELL[,PORT]")
       ->allow_extra_args(false)
-      ->check(parses(parse_cell, ""));
+      ->check(parses(parse_cell));
   add_flag(serve, "--cell-per-connection", options.is_cell_per_connection,
            "each connection of the robot port gets a cell of its own");
-  serve.add_option("--max-cells", options.max_cells, "maximum number of cells")
-      ->type_name("N")
+  add_value(serve, "--max-cells", options.max_cells, "N", "maximum number of cells")
       ->check(whole_number_between(1, kMaxCells))
       ->capture_default_str();
-  serve
-      .add_option("--linger", options.linger_s,
-                  "seconds that a cell of one connection, or the owner of a port, is kept after it")
-      ->type_name("SECONDS")
+  add_value(serve, "--linger", options.linger_s, "SECONDS",
+            "seconds that a cell of one connection, or the owner of a port, is kept after it")
       ->check(number_between(0, kMaxLingerS))
       ->capture_default_str();
   add_flag(serve, "--bind-peer", options.binds_peer,
            "the first address that speaks on a robot port keeps it; others are disconnected");
 }
 
-void add_recording(CLI::App& serve, ServeOptions& options) {
-  serve
-      .add_option(
-          "--record", options.record,
-          "record all inputs and replies in this new file, or for several cells in this folder")
-      ->type_name("FILE");
-  serve
-      .add_option("--record-max", options.record_max_mib,
-                  "maximum size of the recording in MiB; the robot goes on without it")
-      ->type_name("MIB")
-      ->check(whole_number_between(1, kMaxMemoryMib))
-      ->capture_default_str();
-}
-
-void add_history(CLI::App& serve, ServeOptions& options) {
-  serve
-      .add_option_function<std::string>(
-          "--history",
-          [&options](const std::string& text) { options.history_ticks = parse_duration(text); },
-          "how long the past of a cell is kept, to look at it and go back to it (default: 1h)")
-      ->type_name("90s|10m|1h|0")
-      ->check(parses(parse_duration, ""));
-}
-
-void add_ptys(CLI::App& serve, ServeOptions& options) {
-  serve
-      .add_option("--pty", options.ptys,
-                  "also serve a pseudo-terminal, with a link to it at this path; repeatable")
-      ->type_name("PATH")
-      ->allow_extra_args(false)
-      ->delimiter(',');
-  serve
-      .add_option_function<std::string>(
-          "--pty-mode",
-          [&options](const std::string& text) { options.pty_mode = parse_mode(text); },
-          "rights of the pseudo-terminals, in octal (default: 0600)")
-      ->type_name("MODE")
-      ->check(parses(parse_mode, ""));
-}
-
 Leave refuse(const std::string& why) { return {ExitCode::kBadInput, "", "xr3: " + why + "\n"}; }
 
-Leave refuse_listen(const ServeOptions& options) {
-  return refuse(
-      source_of(options.option_sources, "--listen") + " " + options.listen +
-      " accepts other machines: set a token for calls with --token-file FILE (XR3_TOKEN_FILE), "
-      "XR3_TOKEN or --token auto (the robot port still has no password), or use "
-      "--insecure (XR3_INSECURE=1)");
+Leave refuse(const ServeOptions& options, const char* option, const std::string& why) {
+  return refuse(source_of(options.option_sources, option) + " " + why);
 }
 
 bool is_set(const CLI::App& command, const std::string& name) {
@@ -156,17 +96,15 @@ void complete_cells(const CLI::App& serve, ServeOptions& options) {
 }
 
 std::optional<Leave> refuse_cells(const ServeOptions& options) {
-  const auto named = [&](const char* name) { return source_of(options.option_sources, name); };
+  constexpr const char* kOneCell = "needs a server of one cell: leave out --cells and --cell";
   const bool is_listed = options.cells > 0 || !options.cell_choices.empty();
   if (options.is_cell_per_connection && is_listed)
-    return refuse(named("--cell-per-connection") + " cannot be used with --cells or --cell");
+    return refuse(options, "--cell-per-connection", "cannot be used with --cells or --cell");
   if (options.is_cell_per_connection && options.binds_peer)
-    return refuse(named("--bind-peer") +
-                  " cannot be used with --cell-per-connection: there each client has its own cell");
-  if (has_many_cells(options) && !options.ptys.empty())
-    return refuse(named("--pty") + " needs a server of one cell: leave out --cells and --cell");
-  if (has_many_cells(options) && options.device)
-    return refuse(named("--serial") + " needs a server of one cell: leave out --cells and --cell");
+    return refuse(options, "--bind-peer",
+                  "cannot be used with --cell-per-connection: there each client has its own cell");
+  if (has_many_cells(options) && !options.ptys.empty()) return refuse(options, "--pty", kOneCell);
+  if (has_many_cells(options) && options.device) return refuse(options, "--serial", kOneCell);
   try {
     plan_cells(options);
   } catch (const CellPlanError& error) {
@@ -189,79 +127,55 @@ void complete(CLI::App& serve, ServeOptions& options) {
 }  // namespace
 
 void add_machine(CLI::App& command, ServeOptions& options) {
-  command.add_option("--robot", options.robot, "robot: a name, or a file")
-      ->type_name("NAME|FILE")
+  add_value(command, "--robot", options.robot, "NAME|FILE", "robot: a name, or a file")
       ->capture_default_str();
-  command
-      .add_option("--workcell", options.workcell,
-                  "workcell: a name, or a file (default: the one named after the robot)")
-      ->type_name("NAME|FILE");
-  command
-      .add_option("--fault", options.fault_file,
-                  "faults of the robot and its lines: a name, or a file")
-      ->type_name("NAME|FILE");
+  add_value(command, "--workcell", options.workcell, "NAME|FILE",
+            "workcell: a name, or a file (default: the one named after the robot)");
+  add_value(command, "--fault", options.fault_file, "NAME|FILE",
+            "faults of the robot and its lines: a name, or a file");
 }
 
 void add_time(CLI::App& command, ServeOptions& options, const std::string& clocks) {
   add_profile(command, options.profile);
-  command
-      .add_option_function<std::string>(
-          "--clock", [&options](const std::string& text) { options.clock = parse_clock(text); },
-          clocks)
-      ->type_name("real[:FACTOR]|manual|bytes[:INQUIRY_MS[,settle=MS]]")
-      ->check(parses(parse_clock, ""));
+  add_parsed(command, "--clock", options.clock, parse_clock,
+             "real[:FACTOR]|manual|bytes[:INQUIRY_MS[,settle=MS]]", clocks);
   add_flag(command, "--concurrent-lines", options.has_concurrent_lines,
            "with --clock bytes: all lines are obeyed together, not one at a time");
 }
 
 void add_line_speed(CLI::App& command, ServeOptions& options) {
-  command
-      .add_option_function<std::string>(
-          "--line-speed",
-          [&options](const std::string& text) { options.line_speed = parse_line_speed(text); },
-          "time that bytes of serial lines take, by these settings or those of the client")
-      ->type_name("9600-7e2|auto[:FACTOR]")
-      ->check(parses(parse_line_speed, ""));
+  add_parsed(command, "--line-speed", options.line_speed, parse_line_speed,
+             "9600-7e2|auto[:FACTOR]",
+             "time that bytes of serial lines take, by these settings or those of the client");
 }
 
 void add_ports(CLI::App& serve, ServeOptions& options) {
-  serve
-      .add_option("--listen", options.listen,
-                  "address to listen on; any except loopback needs a token or --insecure")
-      ->type_name("ADDR")
+  add_value(serve, "--listen", options.listen, "ADDR",
+            "address to listen on; any except loopback needs a token or --insecure")
       ->check(CLI::Validator(check_listen, ""))
       ->capture_default_str();
-  serve
-      .add_option("--robot-port", options.robot_port,
-                  "port of the serial lines; 0 takes a free one")
-      ->type_name("PORT")
+  add_value(serve, "--robot-port", options.robot_port, "PORT",
+            "port of the serial lines; 0 takes a free one")
       ->check(CLI::Validator(check_port, ""))
       ->capture_default_str();
-  serve
-      .add_option("--monitor-port", options.monitor_port,
-                  "port of the JSON monitor; 0 takes a free one")
-      ->type_name("PORT")
+  add_value(serve, "--monitor-port", options.monitor_port, "PORT",
+            "port of the JSON monitor; 0 takes a free one")
       ->check(CLI::Validator(check_port, ""))
       ->capture_default_str();
 }
 
 void add_port_file(CLI::App& serve, ServeOptions& options) {
-  serve
-      .add_option("--port-file", options.port_file,
-                  "write the ports to this file as JSON when the server is ready")
-      ->type_name("FILE");
+  add_value(serve, "--port-file", options.port_file, "FILE",
+            "write the ports to this file as JSON when the server is ready");
 }
 
 void add_log(CLI::App& serve, ServeOptions& options) {
-  serve.add_option("--log-level", options.log_level, "trace, debug, info, warn, error or off")
-      ->type_name("L")
+  add_value(serve, "--log-level", options.log_level, "L", "trace, debug, info, warn, error or off")
       ->check(CLI::IsMember(kLogLevels).description(""))
       ->capture_default_str();
-  serve
-      .add_option("--log-file", options.log_file,
-                  "write the log to this file, rotated at 10 MB, at most 5 files; else to standard "
-                  "error")
-      ->type_name("FILE");
+  add_value(serve, "--log-file", options.log_file, "FILE",
+            "write the log to this file, rotated at 10 MB, at most 5 files; else to standard "
+            "error");
 }
 
 void add_access(CLI::App& serve, ServeOptions& options) {
@@ -298,35 +212,39 @@ void add_serve(CLI::App& app, ServeOptions& options) {
   add_cells(serve, options);
   add_time(serve, options,
            "real (default), FACTOR times as fast; manual: by the monitor; bytes: by the programs");
-  serve
-      .add_option("--max-lines", options.max_lines,
-                  "maximum number of open robot connections; further ones are closed at once")
-      ->type_name("N")
+  add_value(serve, "--max-lines", options.max_lines, "N",
+            "maximum number of open robot connections; further ones are closed at once")
       ->check(whole_number_between(1, kMaxLines))
       ->capture_default_str();
-  serve
-      .add_option("--max-per-address", options.max_per_address,
-                  "maximum number of connections of one address on each port")
-      ->type_name("N")
+  add_value(serve, "--max-per-address", options.max_per_address, "N",
+            "maximum number of connections of one address on each port")
       ->check(whole_number_between(1, kMaxLines));
-  serve
-      .add_option("--max-memory", options.max_memory_mib,
-                  "MiB of memory beyond which the greediest client is disconnected")
-      ->type_name("MIB")
+  add_value(serve, "--max-memory", options.max_memory_mib, "MIB",
+            "MiB of memory beyond which the greediest client is disconnected")
       ->check(whole_number_between(kMinMemoryMib, kMaxMemoryMib))
       ->capture_default_str();
-  serve
-      .add_option_function<std::string>(
-          "--guard", [&options](const std::string& text) { options.guard = parse_guard(text); },
-          "which clients the robot port disconnects by their first bytes (default: normal)")
-      ->type_name("strict|normal|off")
-      ->check(parses(parse_guard, ""));
-  add_device(serve, options);
+  add_parsed(serve, "--guard", options.guard, parse_guard, "strict|normal|off",
+             "which clients the robot port disconnects by their first bytes (default: normal)");
+  add_parsed(serve, "--serial", options.device, parse_device, "DEVICE[:9600-7e2]",
+             "physical controller that gets the commands while the simulator is disabled (A@)");
+  add_flag(serve, "--mirror", options.is_mirrored,
+           "with --serial: the simulation carries out the commands of the device, too");
   add_line_speed(serve, options);
-  add_ptys(serve, options);
+  add_value(serve, "--pty", options.ptys, "PATH",
+            "also serve a pseudo-terminal, with a link to it at this path; repeatable")
+      ->allow_extra_args(false)
+      ->delimiter(',');
+  add_parsed(serve, "--pty-mode", options.pty_mode, parse_mode, "MODE",
+             "rights of the pseudo-terminals, in octal (default: 0600)");
   add_port_file(serve, options);
-  add_recording(serve, options);
-  add_history(serve, options);
+  add_value(serve, "--record", options.record, "FILE",
+            "record all inputs and replies in this new file, or for several cells in this folder");
+  add_value(serve, "--record-max", options.record_max_mib, "MIB",
+            "maximum size of the recording in MiB; the robot goes on without it")
+      ->check(whole_number_between(1, kMaxMemoryMib))
+      ->capture_default_str();
+  add_parsed(serve, "--history", options.history_ticks, parse_duration, "90s|10m|1h|0",
+             "how long the past of a cell is kept, to look at it and go back to it (default: 1h)");
   add_log(serve, options);
   add_access(serve, options);
   add_config(serve, options.config);
@@ -336,33 +254,39 @@ void add_serve(CLI::App& app, ServeOptions& options) {
 
 Options checked_serve(ServeOptions options) {
   const bool has_token = !std::holds_alternative<NoToken>(options.token);
+  const bool is_beyond = !is_loopback(options.listen);
   if (options.is_private && !has_token)
-    return refuse(source_of(options.option_sources, "--private") +
-                  " needs a token: --token-file FILE, XR3_TOKEN or --token auto");
-  const bool is_safe = is_loopback(options.listen) || has_token || options.is_insecure;
-  if (!is_safe) return refuse_listen(options);
+    return refuse(options, "--private",
+                  "needs a token: --token-file FILE, XR3_TOKEN or --token auto");
+  if (is_beyond && !has_token && !options.is_insecure)
+    return refuse(
+        options, "--listen",
+        options.listen +
+            " accepts other machines: set a token for calls with --token-file FILE "
+            "(XR3_TOKEN_FILE), XR3_TOKEN or --token auto (the robot port still has no password), "
+            "or use --insecure (XR3_INSECURE=1)");
   if (options.is_mirrored && !options.device)
-    return refuse(source_of(options.option_sources, "--mirror") + " needs --serial DEVICE");
+    return refuse(options, "--mirror", "needs --serial DEVICE");
   if (options.device && !options.fault_file.empty())
-    return refuse(source_of(options.option_sources, "--fault") +
-                  " cannot be used with --serial: faults are for the simulation, not for an arm");
+    return refuse(options, "--fault",
+                  "cannot be used with --serial: faults are for the simulation, not for an arm");
   if (options.device && !(options.clock == ClockChoice{}))
-    return refuse(source_of(options.option_sources, "--serial") +
-                  " needs --clock real: a physical arm does not run faster or wait");
+    return refuse(options, "--serial",
+                  "needs --clock real: a physical arm does not run faster or wait");
   if (options.has_concurrent_lines && options.clock.mode != ClockMode::kBytes)
-    return refuse(source_of(options.option_sources, "--concurrent-lines") +
-                  " needs --clock bytes: with the other clocks all lines are obeyed together");
+    return refuse(options, "--concurrent-lines",
+                  "needs --clock bytes: with the other clocks all lines are obeyed together");
   if (options.has_concurrent_lines && options.clock.bytes.settle_ms)
     return refuse(
-        source_of(options.option_sources, "--concurrent-lines") +
-        " cannot be used with settle=: the silence of one line says nothing of the others");
+        options, "--concurrent-lines",
+        "cannot be used with settle=: the silence of one line says nothing of the others");
   if (options.device && options.line_speed)
-    return refuse(source_of(options.option_sources, "--line-speed") +
-                  " cannot be used with --serial: the arm's port has a speed of its own");
+    return refuse(options, "--line-speed",
+                  "cannot be used with --serial: the arm's port has a speed of its own");
   if (auto refused = refuse_cells(options)) return *std::move(refused);
-  if (options.device && !is_loopback(options.listen) && !has_token)
-    return refuse(source_of(options.option_sources, "--serial") +
-                  " with --listen beyond this machine needs a token, also with --insecure");
+  if (options.device && is_beyond && !has_token)
+    return refuse(options, "--serial",
+                  "with --listen beyond this machine needs a token, also with --insecure");
   return options;
 }
 

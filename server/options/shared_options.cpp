@@ -1,11 +1,11 @@
 #include "server/options/shared_options.hpp"
 
-#include <charconv>
 #include <cstdint>
 #include <sstream>
 #include <stdexcept>
 
 #include "server/net/asio.hpp"
+#include "server/options/whole_number.hpp"
 
 namespace xr3 {
 
@@ -16,10 +16,9 @@ std::string check_listen(const std::string& text) {
 }
 
 std::string check_port(const std::string& text) {
-  std::uint16_t port = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
-  const bool is_port = error == std::errc{} && end == text.data() + text.size();
-  return is_port ? "" : text + ": a port is a number from 0 to 65535";
+  return whole_number<std::uint16_t>(text, 0, 65535)
+             ? ""
+             : text + ": a port is a number from 0 to 65535";
 }
 
 std::string check_flag(const std::string& text) {
@@ -45,11 +44,7 @@ CLI::Validator number_between(double least, double most) {
 CLI::Validator whole_number_between(std::int64_t least, std::int64_t most) {
   return CLI::Validator(
       [least, most](const std::string& text) -> std::string {
-        std::int64_t number = 0;
-        const char* const end = text.data() + text.size();
-        const auto [rest, error] = std::from_chars(text.data(), end, number);
-        const bool is_whole = error == std::errc() && rest == end;
-        if (is_whole && number >= least && number <= most) return {};
+        if (whole_number(text, least, most)) return {};
         return text + ": a whole number from " + std::to_string(least) + " to " +
                std::to_string(most);
       },
@@ -64,12 +59,8 @@ Profile parse_profile(const std::string& text) {
 }
 
 void add_profile(CLI::App& command, Profile& profile) {
-  command
-      .add_option_function<std::string>(
-          "--compat", [&profile](const std::string& text) { profile = parse_profile(text); },
-          "controller to simulate: paper (default), or mark3 (the hardware)")
-      ->type_name("paper|mark3")
-      ->check(parses(parse_profile, ""));
+  add_parsed(command, "--compat", profile, parse_profile, "paper|mark3",
+             "controller to simulate: paper (default), or mark3 (the hardware)");
 }
 
 void add_flag(CLI::App& command, const std::string& name, bool& value, const std::string& what) {

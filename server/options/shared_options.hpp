@@ -11,7 +11,7 @@ namespace xr3 {
 
 /// A CLI11 validator that calls the parser; the message of its std::invalid_argument is the error.
 template <class Parse>
-CLI::Validator parses(Parse parse, const std::string& what) {
+CLI::Validator parses(Parse parse) {
   return CLI::Validator(
       [parse](const std::string& text) -> std::string {
         try {
@@ -21,7 +21,24 @@ CLI::Validator parses(Parse parse, const std::string& what) {
           return error.what();
         }
       },
-      what);
+      "");
+}
+
+/// Adds an option with a value, which --help shows as `type`, such as FILE.
+template <class Value>
+CLI::Option* add_value(CLI::App& command, const std::string& name, Value& value,
+                       const std::string& type, const std::string& what) {
+  return command.add_option(name, value, what)->type_name(type);
+}
+
+/// The same for a value that `parse` reads.
+template <class Value, class Parse>
+CLI::Option* add_parsed(CLI::App& command, const std::string& name, Value& value, Parse parse,
+                        const std::string& type, const std::string& what) {
+  const auto set = [&value, parse](const std::string& text) { value = parse(text); };
+  return command.add_option_function<std::string>(name, set, what)
+      ->type_name(type)
+      ->check(parses(parse));
 }
 
 /// Validators: empty if the text is a valid address to listen on, port, or value of a flag; else

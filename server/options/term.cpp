@@ -35,20 +35,14 @@ void add_peer(CLI::App& term, TermOptions& options) {
           "peer", [&options](const std::string& text) { set_peer(options, text); },
           "the robot port (default localhost:9600), or a serial device or pseudo-terminal")
       ->type_name("HOST:PORT|PATH")
-      ->check(parses(
-          [](const std::string& text) {
-            TermOptions unused;
-            set_peer(unused, text);
-          },
-          ""));
+      ->check(parses([](const std::string& text) {
+        TermOptions unused;
+        set_peer(unused, text);
+      }));
   term.add_flag("--rfc2217", options.is_rfc2217,
                 "HOST:PORT is a terminal server: set up its serial port (RFC 2217)");
-  term.add_option_function<std::string>(
-          "--line-settings",
-          [&options](const std::string& text) { options.settings = parse_line_settings(text); },
-          "speed and frame of the serial port (default 9600-7e2)")
-      ->type_name("SETTINGS")
-      ->check(parses(parse_line_settings, ""));
+  add_parsed(term, "--line-settings", options.settings, parse_line_settings, "SETTINGS",
+             "speed and frame of the serial port (default 9600-7e2)");
 }
 
 // The line's settings mean nothing to a plain TCP connection.
@@ -79,15 +73,13 @@ void add_term(CLI::App& app, TermOptions& options) {
   hex->excludes(raw);
   term.add_flag("--line", options.edits_lines,
                 "edit lines, with a history, and send each at Enter");
-  term.add_option("--robot", options.robot,
-                  "the robot of the line, for the names of its switches and its camera")
-      ->type_name("NAME|FILE");
-  term.add_option("--workcell", options.workcell,
-                  "its workcell, for its camera (default: the one named after the robot)")
-      ->type_name("NAME|FILE");
+  add_value(term, "--robot", options.robot, "NAME|FILE",
+            "the robot of the line, for the names of its switches and its camera");
+  add_value(term, "--workcell", options.workcell, "NAME|FILE",
+            "its workcell, for its camera (default: the one named after the robot)");
   add_profile(term, options.profile);
-  term.add_option("--timeout", options.timeout_s, "how long to wait for a reply, in seconds")
-      ->type_name("SECONDS")
+  add_value(term, "--timeout", options.timeout_s, "SECONDS",
+            "how long to wait for a reply, in seconds")
       ->check(number_between(kMinTimeoutS, kMaxTimeoutS))
       ->capture_default_str();
   term.parse_complete_callback([&term, &options] { check_consistency(term, options); });

@@ -27,14 +27,12 @@ void add_watch(CLI::App& app, WatchOptions& options) {
           "address", [&options](const std::string& text) { set_address(options, text); },
           "the monitor port (default localhost:9601)")
       ->type_name("HOST:PORT")
-      ->check(parses([](const std::string& text) { return parse_address(text, kUsualMonitorPort); },
-                     ""));
-  watch.add_option("--cell", options.cell, "the cell to show (default: the server's first)")
-      ->type_name("NAME");
-  watch
-      .add_option("--token-file", options.token_file,
-                  "file with the server's token (default: XR3_TOKEN); the key t asks for it")
-      ->type_name("FILE");
+      ->check(
+          parses([](const std::string& text) { return parse_address(text, kUsualMonitorPort); }));
+  add_value(watch, "--cell", options.cell, "NAME",
+            "the cell to show (default: the server's first)");
+  add_value(watch, "--token-file", options.token_file, "FILE",
+            "file with the server's token (default: XR3_TOKEN); the key t asks for it");
   watch.add_flag("--lines", options.shows_lines, "begin with the serial lines, as the key l");
   watch.add_flag("--once", options.is_once, "print one screen as text and exit");
   watch.add_flag("--no-color", options.is_plain, "no colours; NO_COLOR does the same");
