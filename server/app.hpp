@@ -97,7 +97,7 @@ class App {
   void check_byte_clock() const;
   void open_planned();
   void serve_connections();
-  CellPtr make_cell(const std::string& name, const CellSeed& seed, const std::string& token);
+  CellPtr make_cell(const std::string& name, const CellSeed& seed);
   CellPtr open_for_connection(const std::string& name);
   void close_cell(const CellPtr& cell);
   RobotPortRules port_rules() const;

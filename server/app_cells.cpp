@@ -34,12 +34,12 @@ WallNs linger_of(const ServeOptions& options) {
 
 RobotPort& App::first_port() const { return *(probe_cell_ ? *probe_cell_ : first()).port(); }
 
-CellPtr App::make_cell(const std::string& name, const CellSeed& seed, const std::string& token) {
+CellPtr App::make_cell(const std::string& name, const CellSeed& seed) {
   const std::string shown = has_many_cells(options_) ? name : "";
   const auto log = [this, shown](const CellEvent& event, const Model& model) {
     if (!is_replaying_) log_event(event, model, shown);
   };
-  return xr3::make_cell(context_, options_, seed, {name, log, token});
+  return xr3::make_cell(context_, options_, seed, name, log, cell_token(options_));
 }
 
 void App::check_byte_clock() const {
@@ -58,7 +58,7 @@ void App::check_byte_clock() const {
 void App::open_planned() {
   assert(seeds_.size() == plans_.size());
   for (std::size_t i = 0; i < plans_.size(); ++i) {
-    const CellPtr cell = make_cell(plans_[i].name, seeds_[i], cell_token(options_));
+    const CellPtr cell = make_cell(plans_[i].name, seeds_[i]);
     cell->add_port(port_rules());
     cells_.add(cell);
   }
@@ -90,7 +90,7 @@ void App::serve_connections() {
 }
 
 CellPtr App::open_for_connection(const std::string& name) {
-  CellPtr cell = make_cell(name, seeds_.front(), cell_token(options_));
+  CellPtr cell = make_cell(name, seeds_.front());
   cells_.add(cell);
   record_connection(*cell);
   keep_history(*cell);
@@ -144,7 +144,7 @@ std::variant<CellPtr, call::Refused> App::open_branch(HostedCell& of, MachineSna
 CellPtr App::make_branch(const std::string& name, HostedCell& of, const MachineSnapshot& past) {
   const FaultPlan& faults = of.cell().initial_faults();
   const CellSeed seed{past.model, faults.faults.empty() ? std::nullopt : std::optional(faults)};
-  CellPtr cell = make_cell(name, seed, cell_token(options_));
+  CellPtr cell = make_cell(name, seed);
   cell->add_port(port_rules());
   return cell;
 }

@@ -13,7 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include "protocol/files/faults.hpp"
 #include "protocol/json/finding.hpp"
 #include "server/app.hpp"
 #include "server/build_info.hpp"
@@ -46,14 +45,6 @@ void warn_of_open_token(const TokenSource& source) {
   }
 }
 
-std::optional<FaultPlan> load_fault_file(const ServeOptions& options, const Model& model) {
-  if (options.fault_file.empty()) return std::nullopt;
-  const DataFile file = with_option_source(options.option_sources, "--fault", [&] {
-    return find_data_file(options.fault_file, "faults");
-  });
-  return load_faults(file.text, file.path, model.labels());
-}
-
 /// The seeds of the cells; cells of the same files share a model.
 std::vector<CellSeed> load_seeds(const ServeOptions& options) {
   std::vector<CellPlan> plans = plan_cells(options);
@@ -62,10 +53,7 @@ std::vector<CellSeed> load_seeds(const ServeOptions& options) {
   std::vector<CellSeed> seeds;
   for (const CellPlan& plan : plans) {
     CellSeed& seed = loaded[{plan.robot, plan.workcell}];
-    if (!seed.model) {
-      seed.model = load_model({plan.robot, plan.workcell, options.profile, options.option_sources});
-      seed.faults = load_fault_file(options, *seed.model);
-    }
+    if (!seed.model) seed = load_seed(options, plan.robot, plan.workcell);
     seeds.push_back(seed);
   }
   return seeds;

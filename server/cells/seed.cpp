@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "protocol/files/faults.hpp"
+#include "server/files/load_model.hpp"
 #include "server/net/wall_clock.hpp"
 
 namespace xr3 {
@@ -16,6 +18,18 @@ void start_time(const ServeOptions& options, Cell& cell) {
 }
 
 }  // namespace
+
+CellSeed load_seed(const ServeOptions& options, const std::string& robot,
+                   const std::string& workcell) {
+  CellSeed seed;
+  seed.model = load_model({robot, workcell, options.profile, options.option_sources});
+  if (options.fault_file.empty()) return seed;
+  const DataFile file = with_option_source(options.option_sources, "--fault", [&] {
+    return find_data_file(options.fault_file, "faults");
+  });
+  seed.faults = load_faults(file.text, file.path, seed.model->labels());
+  return seed;
+}
 
 ByteClockSettings byte_clock_settings(const ServeOptions& options) {
   ByteClockSettings settings = options.clock.bytes;
@@ -33,10 +47,10 @@ SimClock start_clock(const ClockChoice& choice) {
 }
 
 CellPtr make_cell(CellContext& context, const ServeOptions& options, const CellSeed& seed,
-                  CellIdentity identity) {
+                  std::string name, CellEventSink sink, std::string token) {
   CellPtr cell =
-      HostedCell::make(context, {std::move(identity.name), seed.model, start_clock(options.clock),
-                                 std::move(identity.sink), std::move(identity.token)});
+      HostedCell::make(context, {std::move(name), seed.model, start_clock(options.clock),
+                                 std::move(sink), std::move(token)});
   start_time(options, cell->cell());
   if (seed.faults) cell->cell().set_faults(*seed.faults);
   return cell;

@@ -17,21 +17,19 @@ struct CellSeed {
   std::optional<FaultPlan> faults;
 };
 
+/// Loads the files of a cell. Throws FileError and DataError.
+CellSeed load_seed(const ServeOptions& options, const std::string& robot,
+                   const std::string& workcell);
+
 /// The rules of the byte clock that the options choose.
 ByteClockSettings byte_clock_settings(const ServeOptions& options);
 
 /// The clock of a cell that starts now.
 SimClock start_clock(const ClockChoice& choice);
 
-/// Names of a cell, and the receiver of its events, which may be empty.
-struct CellIdentity {
-  std::string name;
-  CellEventSink sink = {};
-  std::string token = {};  ///< empty: none
-};
-
 /// A cell without ports, with the clock, the line speed and the faults of the options and the seed.
+/// `token`: empty: it has none.
 CellPtr make_cell(CellContext& context, const ServeOptions& options, const CellSeed& seed,
-                  CellIdentity identity);
+                  std::string name, CellEventSink sink, std::string token = {});
 
 }  // namespace xr3

@@ -28,8 +28,7 @@ ExitCode draw(const DrawOptions& options) {
   const Picture picture =
       drawing(*model, state_for(*model, options), options.view, options.width_px);
   const bool is_svg = options.out.ends_with(".svg");
-  write_file_atomically(options.out, is_svg ? to_svg(picture) : to_png(rasterized(picture)),
-                        Existing::kReplace, [](const DataFile&) {});
+  write_file(options.out, is_svg ? to_svg(picture) : to_png(rasterized(picture)));
   return ExitCode::kGood;
 }
 

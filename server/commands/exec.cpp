@@ -9,6 +9,7 @@
 
 #include "server/exec/exercise.hpp"
 #include "server/exec/pool.hpp"
+#include "server/files/atomic_write.hpp"
 #include "server/log.hpp"
 
 namespace xr3 {
@@ -78,9 +79,10 @@ void print(const std::vector<RunReport>& reports) {
 void write_results(const ExecCommand& command, const std::vector<RunReport>& reports) {
   std::string json;
   for (const RunReport& each : reports) json += to_json(each);
-  write_result(command.exec.json, json);
-  write_result(command.exec.junit, to_junit(reports));
-  write_result(command.exec.markdown, to_markdown(reports));
+  const ExecOptions& files = command.exec;
+  if (!files.json.empty()) write_file(files.json, json);
+  if (!files.junit.empty()) write_file(files.junit, to_junit(reports));
+  if (!files.markdown.empty()) write_file(files.markdown, to_markdown(reports));
 }
 
 bool has_any(const std::vector<RunReport>& reports, RunOutcome outcome) {

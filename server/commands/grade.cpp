@@ -10,6 +10,7 @@
 #include "protocol/goals/goal_text.hpp"
 #include "server/exec/exercise.hpp"
 #include "server/exec/pool.hpp"
+#include "server/files/atomic_write.hpp"
 #include "server/files/data_files.hpp"
 #include "server/log.hpp"
 #include "tools/report/class_report.hpp"
@@ -115,9 +116,9 @@ ExitCode grade_submissions(const GradeCommand& command) {
     has_all = has_all && texts[i];
   }
   const std::string folder = command.grade.report + "/";
-  write_result(folder + kPage, to_html(reports));
-  write_result(folder + kTable, to_csv(reports));
-  write_result(folder + kJunit, to_junit(reports));
+  write_file(folder + kPage, to_html(reports));
+  write_file(folder + kTable, to_csv(reports));
+  write_file(folder + kJunit, to_junit(reports));
   print_table(reports);
   return has_all ? ExitCode::kGood : ExitCode::kInternal;
 }

@@ -15,7 +15,7 @@ ExitCode write_manual(const ManualFiles& manual) {
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
     if (error) throw FileError(path.parent_path().string() + ": " + error.message());
-    write_file_atomically(path, file.text, Existing::kReplace, [](const DataFile&) {});
+    write_file(path, file.text);
   }
   std::cout << manual.folder << ": " << manual.files.size() << " files\n";
   return ExitCode::kGood;

@@ -102,9 +102,7 @@ class ReplayRun {
     }
     if (!apply_all(replayer)) return false;
     replayer.run_to_stop();
-    if (table)
-      write_file_atomically(options_.csv, table->text(), Existing::kReplace,
-                            [](const DataFile&) {});
+    if (table) write_file(options_.csv, table->text());
     require_stop(cell);
     report(cell, replayer);
     return true;
@@ -163,7 +161,7 @@ void show_end(const ReplayOptions& options, const Cell& cell) {
   if (options.svg.empty()) return;
   const State& state = cell.state();
   const Picture picture = drawing(cell.model(), state, state.display.view, kUsualPictureWidthPx);
-  write_file_atomically(options.svg, to_svg(picture), Existing::kReplace, [](const DataFile&) {});
+  write_file(options.svg, to_svg(picture));
 }
 
 }  // namespace

@@ -6,26 +6,15 @@
 #include <thread>
 #include <utility>
 
-#include "protocol/files/faults.hpp"
 #include "protocol/goals/file.hpp"
 #include "server/exec/sandbox.hpp"
 #include "server/files/atomic_write.hpp"
 #include "server/files/data_files.hpp"
-#include "server/files/load_model.hpp"
 #include "tools/drawing/picture.hpp"
 #include "tools/drawing/svg.hpp"
 
 namespace xr3 {
 namespace {
-
-CellSeed load_seed(const ServeOptions& options) {
-  CellSeed seed;
-  seed.model = load_model({options.robot, options.workcell, options.profile, {}});
-  if (options.fault_file.empty()) return seed;
-  const DataFile file = find_data_file(options.fault_file, "faults");
-  seed.faults = load_faults(file.text, file.path, seed.model->labels());
-  return seed;
-}
 
 GoalList load_goal_list(const std::string& path, const Model& model) {
   if (path.empty()) return {};
@@ -50,7 +39,7 @@ std::string picture_of(const RunResult& result) {
 Exercise::Exercise(const ExecOptions& options, const ServeOptions& server)
     : options_(options),
       server_(server),
-      seed_(load_seed(server)),
+      seed_(load_seed(server, server.robot, server.workcell)),
       goals_(load_goal_list(options.goals, *seed_.model)) {
   if (options.is_sandboxed && !has_sandbox())
     throw FileError("--sandbox: bubblewrap is not installed (Debian package bubblewrap)");
@@ -85,10 +74,10 @@ RunReport Exercise::run(const RunPlace& place) const {
   result.report.program = place.title;
   if (options_.vary) result.report.seed = options_.vary->seed + place.index;
   if (!place.folder.empty()) {
-    write_result(place.folder + "/end.svg", picture_of(result));
-    write_result(place.folder + "/transcript.txt", result.transcript);
-    write_result(place.folder + "/result.json", to_json(result.report));
-    write_result(place.folder + "/result.txt", to_text(result.report));
+    write_file(place.folder + "/end.svg", picture_of(result));
+    write_file(place.folder + "/transcript.txt", result.transcript);
+    write_file(place.folder + "/result.json", to_json(result.report));
+    write_file(place.folder + "/result.txt", to_text(result.report));
   }
   return std::move(result.report);
 }
@@ -99,11 +88,6 @@ RunReport failed_report(const std::string& title) {
   report.outcome = RunOutcome::kFailed;
   report.why = "the run could not be made; standard error says why";
   return report;
-}
-
-void write_result(const std::string& path, const std::string& text) {
-  if (path.empty()) return;
-  write_file_atomically(path, text, Existing::kReplace, [](const DataFile&) {});
 }
 
 std::size_t usual_jobs() {

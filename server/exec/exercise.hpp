@@ -42,10 +42,6 @@ class Exercise {
 /// The report of a run whose process failed.
 RunReport failed_report(const std::string& title);
 
-/// Writes a file with results, replacing an older one. No effect if the path is empty. Throws
-/// FileError.
-void write_result(const std::string& path, const std::string& text);
-
 /// How many programs run at a time unless the user says otherwise.
 std::size_t usual_jobs();
 

@@ -36,8 +36,8 @@ RobotHost::RobotHost(const ServeOptions& options, const CellSeed& seed, MonitorA
                  if (on_action_) on_action_();
                }},
       cell_(make_cell(
-          context_, options, seed,
-          {"main", [](const CellEvent& event, const Model& model) { log_event(event, model); }})),
+          context_, options, seed, "main",
+          [](const CellEvent& event, const Model& model) { log_event(event, model); })),
       policy_(rules_of(access)) {
   cell_->add_port({options.max_lines, options.guard});
   cells_.add(cell_);

@@ -249,9 +249,7 @@ class Run {
   }
 
   RunResult judged() {
-    if (table_)
-      write_file_atomically(settings_.exec.csv, table_->text(), Existing::kReplace,
-                            [](const DataFile&) {});
+    if (table_) write_file(settings_.exec.csv, table_->text());
     const Cell& cell = host_.cell();
     const RunFacts facts = observer_.facts();
     report_.wall_s = wall_s();

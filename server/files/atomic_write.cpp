@@ -88,4 +88,8 @@ bool write_file_atomically(const fs::path& path, const std::string& text, Existi
   return draft.take_name(existing);
 }
 
+void write_file(const fs::path& path, const std::string& text) {
+  write_file_atomically(path, text, Existing::kReplace, [](const DataFile&) {});
+}
+
 }  // namespace xr3

@@ -20,4 +20,7 @@ enum class Existing : std::uint8_t { kKeep, kReplace };
 bool write_file_atomically(const std::filesystem::path& path, const std::string& text,
                            Existing existing, const std::function<void(const DataFile&)>& check);
 
+/// The same, over an existing file and without a check.
+void write_file(const std::filesystem::path& path, const std::string& text);
+
 }  // namespace xr3
