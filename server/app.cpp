@@ -26,7 +26,7 @@ constexpr std::size_t kHistoryBytes = std::size_t{64} * 1024 * 1024;
 constexpr const char* kRecordingEnd = ".xr3rec";
 constexpr std::size_t kAddressesOfPort = 2;  // 127.0.0.1 and ::1
 
-ListenError listen_error(const std::string& what, const tcp::endpoint& endpoint, ErrorCode error) {
+ExitError listen_error(const std::string& what, const tcp::endpoint& endpoint, ErrorCode error) {
   if (error == asio::error::address_in_use) {
     return {ExitCode::kPortInUse,
             what + " port " + to_text(endpoint) +

@@ -25,16 +25,6 @@
 
 namespace xr3 {
 
-/// The server cannot listen on a port.
-class ListenError : public std::runtime_error {
- public:
-  ListenError(ExitCode code, const std::string& what) : std::runtime_error(what), code_(code) {}
-  ExitCode code() const { return code_; }
-
- private:
-  ExitCode code_;
-};
-
 /// How long cells of connections, and branches, are kept without use.
 WallNs linger_of(const ServeOptions& options);
 
@@ -54,7 +44,8 @@ class App {
 
   /// Serves until SIGTERM, SIGINT or SIGHUP, then sends pending replies and returns kGood. An
   /// exception from any loop or handler ends it at once: it is logged, and the result is kBroken.
-  /// Throws ListenError, and FileError if a file or pseudo-terminal cannot be made.
+  /// Throws ExitError if it cannot listen on a port; FileError if a file
+  /// or pseudo-terminal cannot be made.
   ExitCode run();
 
   /// Valid once run() has begun to serve.

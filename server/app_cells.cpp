@@ -127,7 +127,7 @@ std::variant<CellPtr, call::Refused> App::open_branch(HostedCell& of, MachineSna
   const CellPtr cell = make_branch(name, of, *past);
   try {
     listen_on_cell(*cell, 0);
-  } catch (const ListenError& error) {
+  } catch (const ExitError& error) {
     cell->retire();
     asio::post(io_, [cell] {});
     return call::Refused{"limit", error.what(), "close another cell or connection"};

@@ -1,6 +1,9 @@
 // The exit codes of xr3, as `xr3 --help` lists them.
 #pragma once
 
+#include <stdexcept>
+#include <string>
+
 namespace xr3 {
 
 enum class ExitCode : int {
@@ -17,5 +20,15 @@ enum class ExitCode : int {
 };
 
 constexpr int as_int(ExitCode code) { return static_cast<int>(code); }
+
+/// An error that ends a command; the message says why and what to do.
+class ExitError : public std::runtime_error {
+ public:
+  ExitError(ExitCode code, const std::string& what) : std::runtime_error(what), code_(code) {}
+  ExitCode code() const { return code_; }
+
+ private:
+  ExitCode code_;
+};
 
 }  // namespace xr3

@@ -1,9 +1,9 @@
-#include "server/commands/check.hpp"
-
 #include <iostream>
 #include <optional>
 
 #include "protocol/files/paper_form/paper_form.hpp"
+#include "server/commands/commands.hpp"
+#include "server/commands/fail.hpp"
 #include "server/files/data_files.hpp"
 #include "server/files/load_model.hpp"
 
@@ -29,13 +29,13 @@ bool check_file(const CheckOptions& options, const std::string& file) {
 
 }  // namespace
 
-ExitCode check_files(const CheckOptions& options) {
+ExitCode run_command(const CheckOptions& options) {
   bool all_good = true;
   for (const std::string& file : options.files) {
     try {
       all_good &= check_file(options, file);
     } catch (const FileError& error) {
-      std::cerr << "xr3: " << error.what() << "\n";
+      fail(error.code(), error.what());
       all_good = false;
     }
   }

@@ -1,11 +1,10 @@
-#include "server/commands/convert.hpp"
-
 #include <iostream>
 #include <optional>
 
 #include "protocol/files/paper_form/paper_form.hpp"
 #include "protocol/json/text.hpp"
-#include "server/commands/refuse.hpp"
+#include "server/commands/commands.hpp"
+#include "server/commands/fail.hpp"
 #include "server/files/atomic_write.hpp"
 #include "server/files/data_files.hpp"
 #include "server/files/load_model.hpp"
@@ -52,11 +51,12 @@ void print_summary(const ConvertOptions& options, Form form, const CheckResult& 
 
 }  // namespace
 
-ExitCode convert_file(const ConvertOptions& options) {
+ExitCode run_command(const ConvertOptions& options) {
   const std::optional<Form> form = form_of(options.out);
   if (!form) {
-    return refuse(options.out +
-                  ": the name must end in .json, or in .txt or .dat for the paper's plain form");
+    return fail(ExitCode::kBadInput,
+                options.out +
+                    ": the name must end in .json, or in .txt or .dat for the paper's plain form");
   }
   const DataFile in = read_file(options.in);
   const std::optional<Robot> robot = robot_with_name_of(options.in);
@@ -65,12 +65,14 @@ ExitCode convert_file(const ConvertOptions& options) {
   std::cerr << to_text(data.findings);
   if (!data.is_good()) return ExitCode::kBadInput;
   if (data.faults)
-    return refuse(options.in + ": found a fault file; only robots and workcells have two forms");
+    return fail(ExitCode::kBadInput,
+                options.in + ": found a fault file; only robots and workcells have two forms");
   const Existing existing = options.force ? Existing::kReplace : Existing::kKeep;
   const bool is_written =
       write_file_atomically(options.out, text_in(*form, data), existing,
                             [&](const DataFile& draft) { check_draft(draft, data); });
-  if (!is_written) return refuse(options.out + ": already exists; --force replaces it");
+  if (!is_written)
+    return fail(ExitCode::kBadInput, options.out + ": already exists; --force replaces it");
   print_summary(options, *form, data);
   return ExitCode::kGood;
 }

@@ -1,7 +1,6 @@
-#include "server/commands/draw.hpp"
-
 #include "core/coupling.hpp"
 #include "core/home.hpp"
+#include "server/commands/commands.hpp"
 #include "server/files/atomic_write.hpp"
 #include "server/files/load_model.hpp"
 #include "server/files/png.hpp"
@@ -23,7 +22,7 @@ State state_for(const Model& model, const DrawOptions& options) {
 
 }  // namespace
 
-ExitCode draw(const DrawOptions& options) {
+ExitCode run_command(const DrawOptions& options) {
   const ModelPtr model = load_model({options.robot, options.workcell});
   const Picture picture =
       drawing(*model, state_for(*model, options), options.view, options.width_px);

@@ -1,5 +1,3 @@
-#include "server/commands/exec.hpp"
-
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
@@ -7,6 +5,8 @@
 #include <sstream>
 #include <utility>
 
+#include "server/commands/commands.hpp"
+#include "server/commands/fail.hpp"
 #include "server/exec/exercise.hpp"
 #include "server/exec/pool.hpp"
 #include "server/files/atomic_write.hpp"
@@ -92,7 +92,8 @@ bool has_any(const std::vector<RunReport>& reports, RunOutcome outcome) {
 
 }  // namespace
 
-ExitCode exec_program(const ExecCommand& command) {
+ExitCode run_command(const ExecCommand& command) {
+  ignore_signals_of_writing();
   start_log(command.server.log_level, command.server.log_file);
   const Exercise exercise(command.exec, command.server);
   const std::vector<RunReport> reports = run_all(command, exercise);

@@ -1,5 +1,3 @@
-#include "server/commands/grade.hpp"
-
 #include <algorithm>
 #include <filesystem>
 #include <iomanip>
@@ -8,6 +6,8 @@
 #include <utility>
 
 #include "protocol/goals/goal_text.hpp"
+#include "server/commands/commands.hpp"
+#include "server/commands/fail.hpp"
 #include "server/exec/exercise.hpp"
 #include "server/exec/pool.hpp"
 #include "server/files/atomic_write.hpp"
@@ -86,7 +86,8 @@ void print_table(const std::vector<RunReport>& reports) {
 
 }  // namespace
 
-ExitCode grade_submissions(const GradeCommand& command) {
+ExitCode run_command(const GradeCommand& command) {
+  ignore_signals_of_writing();
   start_log(command.server.log_level, "");
   require_place(command.exec.command);
   const std::vector<fs::path> submissions = submissions_in(command.grade.folder);

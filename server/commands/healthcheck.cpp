@@ -1,15 +1,13 @@
-#include "server/commands/healthcheck.hpp"
-
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <thread>
 #include <utility>
 
 #include "protocol/monitor/health_probe.hpp"
+#include "server/commands/commands.hpp"
+#include "server/commands/fail.hpp"
 #include "server/files/data_files.hpp"
 #include "server/files/port_file.hpp"
 #include "server/net/listener.hpp"
@@ -130,15 +128,10 @@ Outcome try_once(const HealthOptions& options, Clock::time_point deadline) {
   }
 }
 
-ExitCode fail(const Outcome& outcome) {
-  std::cerr << "xr3: " << outcome.trouble << "\n";
-  return outcome.code;
-}
-
 }  // namespace
 
-ExitCode check_health(const HealthOptions& options) {
-  std::signal(SIGPIPE, SIG_IGN);
+ExitCode run_command(const HealthOptions& options) {
+  ignore_signals_of_writing();
   const bool is_one_try = options.wait_s == 0;
   const auto wait =
       std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.wait_s));
@@ -147,7 +140,8 @@ ExitCode check_health(const HealthOptions& options) {
     const Outcome outcome = try_once(options, std::min(deadline, Clock::now() + kMaxTry));
     if (outcome.trouble.empty()) return ExitCode::kGood;
     // (twice, to leave some time for the last attempt)
-    if (is_one_try || Clock::now() + 2 * kBetweenTries > deadline) return fail(outcome);
+    if (is_one_try || Clock::now() + 2 * kBetweenTries > deadline)
+      return fail(outcome.code, outcome.trouble);
     std::this_thread::sleep_for(kBetweenTries);
   }
 }

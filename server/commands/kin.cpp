@@ -1,11 +1,10 @@
-#include "server/commands/kin.hpp"
-
 #include <algorithm>
 #include <iostream>
 
 #include "protocol/files/paper_form/paper_form.hpp"
 #include "protocol/json/text.hpp"
-#include "server/commands/refuse.hpp"
+#include "server/commands/commands.hpp"
+#include "server/commands/fail.hpp"
 #include "server/files/data_files.hpp"
 #include "tools/kin/report.hpp"
 #include "tools/kin/text.hpp"
@@ -21,23 +20,24 @@ ExitCode answer(const Model& model, const DirectQuestion& question, bool as_json
 ExitCode answer(const Model& model, const InverseQuestion& question, bool as_json) {
   const InverseResult result = solve_inverse(model, question.target, question.options);
   if (as_json) std::cout << json_text(inverse_json(model, question.target, result));
-  if (result.solutions.empty()) return refuse(refusal_of(result).text);
+  if (result.solutions.empty()) return fail(ExitCode::kBadInput, refusal_of(result).text);
   if (!as_json) std::cout << inverse_text(model, question.target, result);
   const bool is_allowed = std::any_of(result.solutions.begin(), result.solutions.end(),
                                       [](const InverseSolution& one) { return one.is_allowed(); });
   return is_allowed ? ExitCode::kGood
-                    : refuse("no solution is within the limits and outside the protected region");
+                    : fail(ExitCode::kBadInput,
+                           "no solution is within the limits and outside the protected region");
 }
 
 }  // namespace
 
-ExitCode show_kinematics(const KinOptions& options) try {
+ExitCode run_command(const KinOptions& options) try {
   const DataFile file = find_data_file(options.robot, "robots");
   const Model model(load_robot_of_either_form(file.text, file.path), Workcell{}, Profile::kPaper);
   return std::visit([&](const auto& question) { return answer(model, question, options.is_json); },
                     kin_question(model, options.values));
 } catch (const KinQuestionError& error) {
-  return refuse(error.what());
+  return fail(ExitCode::kBadInput, error.what());
 }
 
 }  // namespace xr3

@@ -1,15 +1,14 @@
-#include "server/commands/manual.hpp"
-
 #include <filesystem>
 #include <iostream>
 
+#include "server/commands/commands.hpp"
 #include "server/files/atomic_write.hpp"
 
 namespace xr3 {
 
 namespace fs = std::filesystem;
 
-ExitCode write_manual(const ManualFiles& manual) {
+ExitCode run_command(const ManualFiles& manual) {
   for (const ManualFile& file : manual.files) {
     const fs::path path = fs::path(manual.folder) / file.path;
     std::error_code error;

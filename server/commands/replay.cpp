@@ -1,5 +1,3 @@
-#include "server/commands/replay.hpp"
-
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -16,6 +14,8 @@
 #include "protocol/monitor/snapshot.hpp"
 #include "protocol/recording/reader.hpp"
 #include "server/app.hpp"
+#include "server/commands/commands.hpp"
+#include "server/commands/fail.hpp"
 #include "server/files/atomic_write.hpp"
 #include "server/log.hpp"
 #include "server/recording/joint_table.hpp"
@@ -80,8 +80,8 @@ std::string time_text(const Cell& cell) {
 /// Repeats a recording on a fresh cell.
 class ReplayRun {
  public:
-  ReplayRun(const ReplayOptions& options, const std::string& path)
-      : options_(options), source_(path), header_(source_.header()) {}
+  explicit ReplayRun(const ReplayOptions& options)
+      : options_(options), source_(options.file), header_(source_.header()) {}
 
   const recording::Header& header() const { return header_; }
 
@@ -164,10 +164,8 @@ void show_end(const ReplayOptions& options, const Cell& cell) {
   write_file(options.svg, to_svg(picture));
 }
 
-}  // namespace
-
 ExitCode replay_file(const ReplayOptions& options) {
-  ReplayRun run(options, options.file);
+  ReplayRun run(options);
   const recording::Header& header = run.header();
   Cell cell(header.cell, header.model, replay_clock(header), {});
   prepare_replay(cell, header);
@@ -177,12 +175,13 @@ ExitCode replay_file(const ReplayOptions& options) {
 }
 
 ExitCode replay_and_serve(const ReplayCommand& command) {
+  ignore_signals_of_writing();
   ServeOptions server = command.server;
   with_option_source(server.option_sources, "--log-file",
                      [&] { start_log(server.log_level, server.log_file); });
   const std::string token = with_option_source(server.option_sources, "--token-file",
                                                [&] { return read_token(server.token); });
-  ReplayRun run(command.replay, command.replay.file);
+  ReplayRun run(command.replay);
   const recording::Header& header = run.header();
   if (header.device)
     throw FileError(command.replay.file +
@@ -199,6 +198,12 @@ ExitCode replay_and_serve(const ReplayCommand& command) {
     if (is_same) show_end(command.replay, cell);
   });
   return is_same ? app.run() : ExitCode::kDifferent;
+}
+
+}  // namespace
+
+ExitCode run_command(const ReplayCommand& command) {
+  return command.replay.is_serving ? replay_and_serve(command) : replay_file(command.replay);
 }
 
 }  // namespace xr3

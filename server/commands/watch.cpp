@@ -1,5 +1,3 @@
-#include "server/commands/watch.hpp"
-
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -11,6 +9,8 @@
 #include <iostream>
 #include <map>
 
+#include "server/commands/commands.hpp"
+#include "server/commands/fail.hpp"
 #include "server/commands/terminal.hpp"
 #include "server/commands/watch_connection.hpp"
 #include "server/monitor_port/token.hpp"
@@ -214,11 +214,6 @@ ExitCode watch_on(const WatchOptions& options) {
   return ExitCode::kGood;
 }
 
-ExitCode fail(ExitCode code, const std::string& message) {
-  std::cerr << "xr3: " << message << "\n";
-  return code;
-}
-
 ExitCode watch_once(const WatchOptions& options) {
   asio::io_context context;
   watch::WatchModel model(wish_of(options, watch::Interest::kOnce));
@@ -248,8 +243,8 @@ ExitCode watch_once(const WatchOptions& options) {
 
 }  // namespace
 
-ExitCode watch_cell(const WatchOptions& options) {
-  std::signal(SIGPIPE, SIG_IGN);
+ExitCode run_command(const WatchOptions& options) {
+  ignore_signals_of_writing();
   return options.is_once || !is_terminal() ? watch_once(options) : watch_on(options);
 }
 

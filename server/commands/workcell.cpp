@@ -1,4 +1,4 @@
-#include "server/commands/workcell.hpp"
+#include "protocol/files/workcell.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "protocol/files/paper_form/paper_form.hpp"
-#include "protocol/files/workcell.hpp"
+#include "server/commands/commands.hpp"
 #include "server/files/atomic_write.hpp"
 #include "server/files/data_files.hpp"
 #include "tools/workcell_editor/dialogue.hpp"
@@ -188,7 +188,7 @@ DialogueTurn handle_line(KeyboardInput& input, WorkcellDialogue& dialogue) {
 
 }  // namespace
 
-ExitCode edit_workcell(const WorkcellOptions& options) {
+ExitCode run_command(const WorkcellOptions& options) {
   WorkcellDialogue dialogue(start_of(options));
   KeyboardInput input;
   DialogueTurn turn = dialogue.begin();

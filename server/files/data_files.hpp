@@ -3,16 +3,17 @@
 
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "server/exit_code.hpp"
 
 namespace xr3 {
 
 /// A file that cannot be found, read or written; the message names the file and the reason.
-class FileError : public std::runtime_error {
+class FileError : public ExitError {
  public:
-  using std::runtime_error::runtime_error;
+  explicit FileError(const std::string& what) : ExitError(ExitCode::kBadInput, what) {}
 };
 
 struct DataFile {

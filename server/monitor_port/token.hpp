@@ -3,9 +3,10 @@
 #pragma once
 
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <variant>
+
+#include "server/exit_code.hpp"
 
 namespace xr3 {
 
@@ -25,9 +26,9 @@ using TokenSource = std::variant<NoToken, TokenFile, TokenInEnvironment, FreshTo
 inline constexpr const char* kTokenVariable = "XR3_TOKEN";
 
 /// A missing or invalid token; the message never contains the token.
-class TokenError : public std::runtime_error {
+class TokenError : public ExitError {
  public:
-  using std::runtime_error::runtime_error;
+  explicit TokenError(const std::string& what) : ExitError(ExitCode::kBadInput, what) {}
 };
 
 /// Whether XR3_TOKEN is set; an empty value counts as unset.

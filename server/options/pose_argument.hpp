@@ -2,18 +2,18 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "core/model.hpp"
+#include "server/exit_code.hpp"
 
 namespace xr3 {
 
 /// An invalid argument; the message names it and the allowed values.
-class ArgumentError : public std::runtime_error {
+class ArgumentError : public ExitError {
  public:
-  using std::runtime_error::runtime_error;
+  explicit ArgumentError(const std::string& what) : ExitError(ExitCode::kBadInput, what) {}
 };
 
 /// Numbers separated by commas, such as "0,-39.01,109.89". Throws std::invalid_argument.

@@ -28,7 +28,7 @@ DevicePeer::DevicePeer(asio::io_context& context, const std::string& path,
     lock_.emplace(path);
     device_.assign(open_serial_device(path, settings));
   } catch (const SerialDeviceError& error) {
-    throw PeerError(error.is_in_use() ? ExitCode::kPortInUse : ExitCode::kBadInput, error.what());
+    throw ExitError(error.is_in_use() ? ExitCode::kPortInUse : ExitCode::kBadInput, error.what());
   }
 }
 

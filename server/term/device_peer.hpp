@@ -14,7 +14,7 @@ namespace xr3 {
 
 class DevicePeer : public TermPeer {
  public:
-  /// Opens the device, for this process alone, and sets it up. Throws PeerError.
+  /// Opens the device, for this process alone, and sets it up. Throws ExitError.
   DevicePeer(asio::io_context& context, const std::string& path, const SerialSettings& settings);
 
   asio::awaitable<std::string_view> read() override;

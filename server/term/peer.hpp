@@ -2,24 +2,12 @@
 #pragma once
 
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
-#include "server/exit_code.hpp"
 #include "server/net/asio.hpp"
 
 namespace xr3 {
-
-/// The line cannot be opened. The message says why and what to do.
-class PeerError : public std::runtime_error {
- public:
-  PeerError(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
-  ExitCode code() const { return code_; }
-
- private:
-  ExitCode code_;
-};
 
 class TermPeer {
  public:

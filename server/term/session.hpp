@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "server/exit_code.hpp"
 #include "server/term/peer.hpp"
 #include "tools/term/line_decoder.hpp"
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "server/exit_code.hpp"
 #include "server/net/spawn.hpp"
 
 namespace xr3 {
@@ -140,7 +141,7 @@ std::unique_ptr<TcpPeer> connect_peer(asio::io_context& context, const TermOptio
   context.run_for(kMaxConnecting);
   if (!result.peer) {
     const bool is_late = result.trouble.empty();
-    throw PeerError(ExitCode::kNoServer,
+    throw ExitError(ExitCode::kNoServer,
                     is_late ? options.peer + " does not answer" : result.trouble);
   }
   context.restart();

@@ -41,7 +41,7 @@ class TcpPeer : public TermPeer {
   std::string data_;        ///< what the last read() returned, with telnet
 };
 
-/// Connects, and negotiates if the options say so. Throws PeerError if nobody answers in 5 s.
+/// Connects, and negotiates if the options say so. Throws ExitError if nobody answers in 5 s.
 std::unique_ptr<TcpPeer> connect_peer(asio::io_context& context, const TermOptions& options);
 
 }  // namespace xr3

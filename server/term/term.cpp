@@ -1,11 +1,10 @@
-#include "server/term/term.hpp"
+#include "server/commands/commands.hpp"
 
 #include <unistd.h>
 
-#include <csignal>
-#include <iostream>
 #include <memory>
 
+#include "server/commands/fail.hpp"
 #include "server/files/load_model.hpp"
 #include "server/term/console.hpp"
 #include "server/term/device_peer.hpp"
@@ -84,19 +83,14 @@ ExitCode run_pipe(asio::io_context& context, const TermOptions& options, OpenPee
 
 }  // namespace
 
-ExitCode run_term(const TermOptions& options) {
-  std::signal(SIGPIPE, SIG_IGN);
+ExitCode run_command(const TermOptions& options) {
+  ignore_signals_of_writing();
   const ReplyContext robot = robot_of(options);
   const bool is_interactive = ::isatty(STDIN_FILENO) != 0 && ::isatty(STDOUT_FILENO) != 0;
-  try {
-    asio::io_context context;
-    OpenPeer open = open_peer(context, options);
-    return is_interactive ? run_console(context, options, open, robot)
-                          : run_pipe(context, options, open, robot);
-  } catch (const PeerError& error) {
-    std::cerr << "xr3: " << error.what() << "\n";
-    return error.code();
-  }
+  asio::io_context context;
+  OpenPeer open = open_peer(context, options);
+  return is_interactive ? run_console(context, options, open, robot)
+                        : run_pipe(context, options, open, robot);
 }
 
 }  // namespace xr3

@@ -202,7 +202,7 @@ void Run::serve(const ServeOptions& options, ModelPtr model) {
     code_ = ExitCode::kInternal;  // main() reports it
   } catch (const VitalFailure&) {
     code_ = ExitCode::kInternal;
-  } catch (const ListenError& error) {
+  } catch (const ExitError& error) {
     code_ = error.code();
     if (faults_.socket > 0 || faults_.watch > 0) return;
   } catch (const boost::system::system_error&) {

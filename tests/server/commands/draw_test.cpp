@@ -1,5 +1,5 @@
 // `xr3 draw`: parsing of poses, rasterization of lines, and files that other programs can read.
-#include "server/commands/draw.hpp"
+#include "server/commands/commands.hpp"
 
 #include <gtest/gtest.h>
 #include <png.h>
@@ -141,7 +141,7 @@ class Draw : public testing::Test {
 
   std::string drawn(const std::string& name, DrawOptions options) {
     options.out = folder_ / name;
-    EXPECT_EQ(draw(options), ExitCode::kGood);
+    EXPECT_EQ(run_command(options), ExitCode::kGood);
     return read_file(options.out).text;
   }
 
@@ -186,7 +186,7 @@ TEST_F(Draw, ShowsTheGivenPoseAndView) {
 TEST_F(Draw, ThrowsIfItCannotWrite) {
   DrawOptions options;
   options.out = "/nonexistent/folder/a.svg";
-  EXPECT_THROW(draw(options), FileError);
+  EXPECT_THROW(run_command(options), FileError);
 }
 
 }  // namespace
