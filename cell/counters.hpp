@@ -28,6 +28,13 @@ struct PortCounters {
   std::uint64_t refused = 0;          ///< beyond the maximum number
   std::uint64_t accept_failures = 0;  ///< attempts that failed, such as without descriptors
   std::uint64_t other_peers = 0;      ///< closed since another address has the port
+
+  PortCounters& operator+=(const PortCounters& more) {
+    refused += more.refused;
+    accept_failures += more.accept_failures;
+    other_peers += more.other_peers;
+    return *this;
+  }
 };
 
 struct CellCounters {

@@ -63,12 +63,7 @@ void LineSessions::end(LineId line, LineCloseReason reason) {
 
 PortCounters LineSessions::counters() const {
   PortCounters all;
-  for (const LineSource* source : sources_) {
-    const PortCounters its = source->counters();
-    all.refused += its.refused;
-    all.accept_failures += its.accept_failures;
-    all.other_peers += its.other_peers;
-  }
+  for (const LineSource* source : sources_) all += source->counters();
   return all;
 }
 

@@ -15,66 +15,43 @@ namespace {
 
 using std::chrono::milliseconds;
 
-bool moves_time(const monitor::CallRequest& wanted) {
-  const auto* call = std::get_if<call::Call>(&wanted.call);
-  return call != nullptr && (std::holds_alternative<call::Step>(*call) ||
-                             std::holds_alternative<call::RunUntil>(*call));
+/// Whether a variant holds one of these types.
+template <class... Types, class Variant>
+bool holds_any(const Variant& variant) {
+  return (std::holds_alternative<Types>(variant) || ...);
 }
 
 bool concerns_past(const monitor::CallRequest& wanted) {
-  const auto& call = wanted.call;
-  return std::holds_alternative<monitor::ReadHistory>(call) ||
-         std::holds_alternative<monitor::Look>(call) ||
-         std::holds_alternative<monitor::Live>(call) ||
-         std::holds_alternative<monitor::Seek>(call) ||
-         std::holds_alternative<monitor::Branch>(call);
+  return holds_any<monitor::ReadHistory, monitor::Look, monitor::Live, monitor::Seek,
+                   monitor::Branch>(wanted.call);
 }
 
-bool concerns_faults(const monitor::CallRequest& wanted) {
-  const auto* call = std::get_if<call::Call>(&wanted.call);
-  return call != nullptr && (std::holds_alternative<call::SetFault>(*call) ||
-                             std::holds_alternative<call::ClearFault>(*call));
-}
+bool moves_time(const call::Call& call) { return holds_any<call::Step, call::RunUntil>(call); }
 
-monitor::RequestError timeout(const monitor::After& after, std::uint64_t bytes_in) {
+call::Refused timeout(const monitor::After& after, std::uint64_t bytes_in) {
   const std::string message = "line " + std::to_string(after.line) + " has received " +
                               std::to_string(bytes_in) + " of " + std::to_string(after.bytes_in) +
                               " bytes after " + std::to_string(after.within_ms) + " ms";
-  return {{},
-          "timeout",
-          message,
-          "nothing was changed; send the bytes, or allow more time by within_ms",
-          {}};
+  return {"timeout", message,
+          "nothing was changed; send the bytes, or allow more time by within_ms"};
 }
 
 /// The error if a client's snapshot has a state that is impossible on this robot; else nullopt.
-std::optional<monitor::RequestError> validate_snapshot(const Model& model, const call::Call& call) {
+std::optional<monitor::RequestError> validate_snapshot(const monitor::RequestId& id,
+                                                       const Model& model, const call::Call& call) {
   const auto* load = std::get_if<call::LoadSnapshot>(&call);
   if (load == nullptr || !load->saved || load->saved->robot_hash != robot_hash(model))
     return std::nullopt;
   auto details = monitor::validate(model, *load->saved);
   if (details.empty()) return std::nullopt;
-  return monitor::RequestError{{},
-                               "bad_args",
-                               "the snapshot does not fit the robot",
-                               "nothing was changed",
-                               std::move(details)};
-}
-
-monitor::RequestError no_memory() {
-  return {{},
-          "limit",
-          "the server has allocated more than --max-memory",
-          "remove blocks, or restart the server",
-          {}};
+  return monitor::RequestError{id, "bad_args", "the snapshot does not fit the robot",
+                               "nothing was changed", std::move(details)};
 }
 
 /// Whether a call can make a cell larger for good.
 bool enlarges(const call::Call& call) {
   const auto* save = std::get_if<call::SaveSnapshot>(&call);
-  return std::holds_alternative<call::AddBlock>(call) ||
-         std::holds_alternative<call::ReplaceWorkcell>(call) ||
-         std::holds_alternative<call::LoadSnapshot>(call) ||
+  return holds_any<call::AddBlock, call::ReplaceWorkcell, call::LoadSnapshot>(call) ||
          (save != nullptr && !save->name.empty());
 }
 
@@ -99,9 +76,8 @@ void add_saved(const SavedCell& cell, const std::string& name, bool is_inline, J
 
 }  // namespace
 
-monitor::Message refused(const monitor::RequestId& id, monitor::RequestError error) {
-  error.id = id;
-  return monitor::result(error);
+monitor::Message refused(const monitor::RequestId& id, const call::Refused& why) {
+  return monitor::result({id, why.code, why.message, why.hint, {}});
 }
 
 Json value_now(const Cell& cell) { return {{"epoch", cell.epoch()}, {"tick", cell.state().tick}}; }
@@ -119,31 +95,27 @@ asio::awaitable<void> MonitorService::call(CellPtr at, MonitorSession& session,
   }
   const bool in_real_clock = at->cell().clock().mode() == ClockMode::kReal;
   if (wanted.after && !in_real_clock) {  // the real clock is refused below, without waiting
-    Error error = co_await wait_for(*at, *wanted.after);
+    const std::optional<call::Refused> error = co_await wait_for(*at, *wanted.after);
     if (error) {
-      session.client().send(refused(request.id, *std::move(error)));
+      session.send(refused(request.id, *error));
       co_return;
     }
   }
   co_await making_long_.until_free();
   if (at->is_retired()) {
-    session.client().send(monitor::result(monitor::unknown_cell(request, visible_cells(session))));
+    session.send(unknown_cell(session, request));
     co_return;
   }
   Answer answer = carry_out_call(*at, session, request);
   at->acted();
-  monitor::Message message;
-  if (answer.is_long) {
-    message = co_await make_long(std::move(answer));
-  } else {
-    message = answer.make();
-  }
-  session.client().send(std::move(message));
+  monitor::Message message = co_await message_of(std::move(answer));
+  session.send(std::move(message));
 }
 
-// Meanwhile other calls wait, so that one copy of a large state exists at most, however many
-// clients have called.
-asio::awaitable<monitor::Message> MonitorService::make_long(Answer answer) {
+// While the worker makes one, other calls wait, so that one copy of a large state exists at most,
+// however many clients have called.
+asio::awaitable<monitor::Message> MonitorService::message_of(Answer answer) {
+  if (!answer.is_long) co_return answer.make();
   const Exclusive::Hold hold(making_long_);
   monitor::Message message = co_await worker_.run(std::move(answer.make));
   co_return message;
@@ -165,8 +137,8 @@ MonitorService::Answer MonitorService::carry_out_call(HostedCell& at, MonitorSes
 
 // --- Calls of the cell.
 
-asio::awaitable<MonitorService::Error> MonitorService::wait_for(HostedCell& at,
-                                                                monitor::After after) {
+asio::awaitable<std::optional<call::Refused>> MonitorService::wait_for(HostedCell& at,
+                                                                       monitor::After after) {
   const Cell& cell = at.cell();
   const bool arrived = co_await at.transports().wait_for_bytes(after.line, after.bytes_in,
                                                                milliseconds(after.within_ms));
@@ -181,16 +153,18 @@ asio::awaitable<MonitorService::Error> MonitorService::wait_for(HostedCell& at,
 MonitorService::Answer MonitorService::call_cell(HostedCell& at, monitor::Request& request) {
   Cell& cell = at.cell();
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  if (moves_time(wanted)) at.transports().read_arrived();
+  const auto& call = std::get<call::Call>(wanted.call);
+  if (moves_time(call)) at.transports().read_arrived();
   if (const auto error = monitor::limit_ticks(request, cell.state().tick))
     return at_once(monitor::result(*error));
-  const auto& call = std::get<call::Call>(wanted.call);
-  if (!may_enlarge(call)) return at_once(refused(request.id, no_memory()));
-  if (auto error = validate_snapshot(cell.model(), call))
-    return at_once(refused(request.id, *std::move(error)));
+  if (!may_enlarge(call))
+    return at_once(refused(request.id, {"limit", "the server has allocated more than --max-memory",
+                                        "remove blocks, or restart the server"}));
+  if (const auto error = validate_snapshot(request.id, cell.model(), call))
+    return at_once(monitor::result(*error));
   const Applied applied = cell.apply(call, wall_now());
   if (const auto* no = std::get_if<call::Refused>(&applied.outcome))
-    return at_once(refused(request.id, {{}, no->code, no->message, no->hint, {}}));
+    return at_once(refused(request.id, *no));
   return done(at, request, std::get<call::Done>(applied.outcome));
 }
 
@@ -204,12 +178,14 @@ MonitorService::Answer MonitorService::done(HostedCell& at, const monitor::Reque
                                             const call::Done& done) {
   const Cell& cell = at.cell();
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
+  const auto& call = std::get<call::Call>(wanted.call);
   Json value = value_now(cell);
   if (done.reached) value["reached"] = *done.reached;
   if (done.ran_ticks) value["ran_ticks"] = *done.ran_ticks;
-  if (concerns_faults(wanted)) return at_once(monitor::result(request.id, value_with_faults(cell)));
+  if (holds_any<call::SetFault, call::ClearFault>(call))
+    return at_once(monitor::result(request.id, value_with_faults(cell)));
   const bool is_large = cell.state().blocks.size() > FrameMaker::kMaxBlocksAtOnce;
-  if (moves_time(wanted)) {
+  if (moves_time(call)) {
     return {[id = request.id, fields = wanted.fields, model = cell.model_ptr(),
              now = cell.snapshot(), value]() mutable {
               value["state"] = state_json(*model, now, fields);
@@ -218,7 +194,6 @@ MonitorService::Answer MonitorService::done(HostedCell& at, const monitor::Reque
             is_large};
   }
   if (!done.saved) return at_once(monitor::result(request.id, value));
-  const auto& call = std::get<call::Call>(wanted.call);
   const std::string name = snapshot_name(call);
   const bool is_inline = name.empty() && std::holds_alternative<call::SaveSnapshot>(call);
   return {[id = request.id, saved = done.saved, name, is_inline, value]() mutable {

@@ -18,21 +18,15 @@ constexpr std::size_t kMaxLinesAtOnce = 50;
 constexpr std::size_t kMaxReplyBytesAtOnce = 4096;
 constexpr WallNs kMaxSendTime = 2'000'000;
 
-monitor::RequestError line_waits(LineId current) {
+call::Refused line_waits(LineId current) {
   const std::string line = "line " + std::to_string(current);
-  return {{},
-          "line_waits",
-          "the byte clock obeys one line at a time, and " + line + " is open",
-          "close " + line + ", also by line_disconnect, or start with --concurrent-lines",
-          {}};
+  return {"line_waits", "the byte clock obeys one line at a time, and " + line + " is open",
+          "close " + line + ", also by line_disconnect, or start with --concurrent-lines"};
 }
 
-monitor::RequestError too_many_lines() {
-  return {{},
-          "limit",
-          "this client has lines of its own in 64 cells",
-          "close one by line_disconnect, or use another connection",
-          {}};
+call::Refused too_many_lines() {
+  return {"limit", "this client has lines of its own in 64 cells",
+          "close one by line_disconnect, or use another connection"};
 }
 
 /// A line as the call `lines` shows it.
@@ -93,12 +87,9 @@ Json device_line_json(const DeviceLink& device) {
 
 }  // namespace
 
-monitor::RequestError no_such_line(LineId line) {
-  return {{},
-          "no_such_line",
-          "line " + std::to_string(line) + " is not open",
-          "lines are numbered from 1 as they are opened",
-          {}};
+call::Refused no_such_line(LineId line) {
+  return {"no_such_line", "line " + std::to_string(line) + " is not open",
+          "lines are numbered from 1 as they are opened"};
 }
 
 std::optional<LineId> MonitorService::open_own_line(const HostedCell& at, MonitorSession& session) {
@@ -127,10 +118,7 @@ MonitorService::Answer MonitorService::send(HostedCell& at, MonitorSession& sess
   Cell& cell = at.cell();
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   const std::string& bytes = std::get<monitor::Send>(wanted.call).bytes;
-  if (cell.is_in_past()) {
-    const call::Refused no = Cell::in_the_past();
-    return at_once(refused(request.id, {{}, no.code, no.message, no.hint, {}}));
-  }
+  if (cell.is_in_past()) return at_once(refused(request.id, Cell::in_the_past()));
   if (const std::optional<LineId> current = cell.current_line();
       current && current != open_own_line(at, session))
     return at_once(refused(request.id, line_waits(*current)));

@@ -16,14 +16,11 @@ namespace {
 constexpr std::size_t kMaxEpochs = 1000;
 constexpr std::size_t kMaxMarks = 500;
 
-monitor::RequestError no_history(const HostedCell& at) {
+call::Refused no_history(const HostedCell& at) {
   const bool has_device = at.cell().device() != nullptr;
-  return {{},
-          "no_history",
-          "this cell keeps no history",
+  return {"no_history", "this cell keeps no history",
           has_device ? "a cell with a physical controller has none"
-                     : "start the server without --history 0",
-          {}};
+                     : "start the server without --history 0"};
 }
 
 std::string span_text(const EpochSpan& span) {
@@ -31,10 +28,10 @@ std::string span_text(const EpochSpan& span) {
          " to " + std::to_string(span.to);
 }
 
-monitor::RequestError not_kept(const ReplayTime& time, const std::vector<EpochSpan>& spans) {
+call::Refused not_kept(const ReplayTime& time, const std::vector<EpochSpan>& spans) {
   const std::string wanted =
       "tick " + std::to_string(time.tick) + " of epoch " + std::to_string(time.epoch);
-  if (spans.empty()) return {{}, "not_kept", wanted + " is not kept", "no input has acted yet", {}};
+  if (spans.empty()) return {"not_kept", wanted + " is not kept", "no input has acted yet"};
   const auto same = std::find_if(spans.begin(), spans.end(), [&time](const EpochSpan& span) {
     return span.epoch == time.epoch;
   });
@@ -42,15 +39,7 @@ monitor::RequestError not_kept(const ReplayTime& time, const std::vector<EpochSp
       same != spans.end()
           ? span_text(*same) + " is kept"
           : "the call history lists what is kept: " + span_text(spans.front()) + ", and later";
-  return {{}, "not_kept", wanted + " is not kept", hint, {}};
-}
-
-monitor::RequestError not_repeatable(const Difference& difference) {
-  return {{},
-          "not_repeatable",
-          "the history does not fit itself: " + to_text(difference),
-          "this is a defect of xr3; please report it with this message",
-          {}};
+  return {"not_kept", wanted + " is not kept", hint};
 }
 
 const monitor::PastTime& time_of(const monitor::Request& request) {
@@ -147,7 +136,7 @@ asio::awaitable<void> MonitorService::call_past(CellPtr at, MonitorSession& sess
     co_return;
   }
   if (at->history() == nullptr) {
-    session.client().send(refused(id, no_history(*at)));
+    session.send(refused(id, no_history(*at)));
     co_return;
   }
   if (std::holds_alternative<monitor::ReadHistory>(call)) {
@@ -181,9 +170,7 @@ asio::awaitable<std::optional<MonitorService::Moment>> MonitorService::make_mome
     std::vector<monitor::Selection> selections) {
   const monitor::PastTime& wanted = time_of(request);
   const ReplayTime time{wanted.epoch.value_or(at->cell().epoch()), wanted.tick};
-  const auto refuse = [&](monitor::RequestError error) {
-    session.client().send(refused(request.id, std::move(error)));
-  };
+  const auto refuse = [&](const call::Refused& why) { session.send(refused(request.id, why)); };
   co_await making_past_.until_free();
   const Exclusive::Hold hold(making_past_);
   const HistoryPartPtr part = at->is_retired() ? nullptr : at->history()->part_before(time);
@@ -197,9 +184,10 @@ asio::awaitable<std::optional<MonitorService::Moment>> MonitorService::make_mome
   };
   Made made = co_await worker_.run(std::move(work));
   if (made.difference) {
-    refuse(not_repeatable(*made.difference));
+    refuse({"not_repeatable", "the history does not fit itself: " + to_text(*made.difference),
+            "this is a defect of xr3; please report it with this message"});
   } else if (at->is_retired()) {
-    session.client().send(monitor::result(monitor::unknown_cell(request, visible_cells(session))));
+    session.send(unknown_cell(session, request));
   } else if (!at->history()->covers(time)) {
     refuse(not_kept(time, at->history()->epochs()));
   } else {
@@ -224,13 +212,13 @@ asio::awaitable<void> MonitorService::list_history(CellPtr at, MonitorSession& s
                   return monitor::result(id, value);
                 },
                 true};
-  monitor::Message message = co_await make_long(std::move(answer));
-  session.client().send(std::move(message));
+  monitor::Message message = co_await message_of(std::move(answer));
+  session.send(std::move(message));
 }
 
 void MonitorService::end_look(HostedCell& at, MonitorSession& session,
                               const monitor::RequestId& id) {
-  session.client().send(monitor::result(id, value_now(at.cell())));
+  session.send(monitor::result(id, value_now(at.cell())));
   session.client().release_frames(at.name());
   at.hub().acted();
 }
@@ -238,8 +226,7 @@ void MonitorService::end_look(HostedCell& at, MonitorSession& session,
 MonitorService::Answer MonitorService::open_branch(HostedCell& at, const Moment& moment,
                                                    const monitor::RequestId& id) {
   const auto opened = open_branch_(at, moment.machine);
-  if (const auto* no = std::get_if<call::Refused>(&opened))
-    return at_once(refused(id, {{}, no->code, no->message, no->hint, {}}));
+  if (const auto* no = std::get_if<call::Refused>(&opened)) return at_once(refused(id, *no));
   const CellPtr& cell = std::get<CellPtr>(opened);
   Json value = value_now(cell->cell());
   value["cell"] = cell->name();

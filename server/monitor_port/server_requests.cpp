@@ -63,24 +63,18 @@ asio::awaitable<void> MonitorService::list_cells(MonitorSession& session,
   Answer answer{
       [id = request.id, entries = std::move(entries)] { return cells_message(id, entries); },
       is_long};
-  monitor::Message message;
-  if (is_long) {
-    co_await making_long_.until_free();
-    message = co_await make_long(std::move(answer));
-  } else {
-    message = answer.make();
-  }
-  session.client().send(std::move(message));
+  if (is_long) co_await making_long_.until_free();
+  monitor::Message message = co_await message_of(std::move(answer));
+  session.send(std::move(message));
 }
 
 /// Epoch and tick are those of the cell; null without one.
 void MonitorService::describe(CellPtr at, MonitorSession& session,
                               const monitor::Request& request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  Json value = {{"epoch", nullptr}, {"tick", nullptr}};
-  if (at) value = {{"epoch", at->cell().epoch()}, {"tick", at->cell().state().tick}};
+  Json value = at ? value_now(at->cell()) : Json{{"epoch", nullptr}, {"tick", nullptr}};
   value.update(monitor::description(std::get<monitor::Describe>(wanted.call).fn));
-  session.client().send(monitor::result(request.id, value));
+  session.send(monitor::result(request.id, value));
   if (at) at->acted();
 }
 

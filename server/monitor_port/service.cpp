@@ -43,10 +43,7 @@ void merge(AllChannelStats& sum, const AllChannelStats& more) {
 void merge(CellCounters& sum, const HostedCell& at) {
   sum += at.cell().counters();
   sum.lines_open += at.cell().lines().size();
-  const PortCounters port = at.port_counters();
-  sum.robot_port.refused += port.refused;
-  sum.robot_port.accept_failures += port.accept_failures;
-  sum.robot_port.other_peers += port.other_peers;
+  sum.robot_port += at.port_counters();
 }
 
 bool is_overview(const monitor::Request& request) {
@@ -72,39 +69,21 @@ bool concerns_a_cell(const monitor::Request& request) {
          !is_call<monitor::ListCells>(request) && !is_call<monitor::Describe>(request);
 }
 
-monitor::RequestError no_camera(const monitor::RequestId& id) {
-  return {id,
-          "no_camera",
-          "this workcell has no camera",
-          "give the workcell file a camera, or replace it by the call workcell",
-          {}};
+monitor::Message no_camera(const monitor::RequestId& id) {
+  return refused(id, {"no_camera", "this workcell has no camera",
+                      "give the workcell file a camera, or replace it by the call workcell"});
 }
 
-monitor::RequestError too_many_subscriptions(const monitor::RequestId& id) {
-  return {id,
-          "limit",
-          "this client has 256 subscriptions",
-          "end one by unsub, or subscribe to the channel overview, which shows all cells",
-          {}};
-}
-
-monitor::RequestError token_required(const monitor::RequestId& id, const std::string& what) {
-  return {id,
-          "token_required",
-          what + " needs the token",
-          R"(send {"op":"auth","token":"..."} first)",
-          {}};
-}
-
-std::optional<monitor::RequestError> check_access(const MonitorSession& session,
-                                                  const monitor::Heading& heading) {
-  if (session.highest_access() == Access::kControl) return std::nullopt;
-  if (heading.op == "call")
-    return token_required(heading.id, heading.fn.empty() ? "a call" : "the call " + heading.fn);
+/// The answer to a request for which the session lacks the access; nullptr if it has it.
+monitor::Message refuse_access(const MonitorSession& session, const monitor::Heading& heading) {
+  if (session.highest_access() == Access::kControl) return nullptr;
   const bool reads = heading.op == "sub" || heading.op == "get";
-  if (reads && session.access() == Access::kNone)
-    return token_required(heading.id, "reading this server");
-  return std::nullopt;
+  std::string what;
+  if (heading.op == "call") what = heading.fn.empty() ? "a call" : "the call " + heading.fn;
+  if (reads && session.access() == Access::kNone) what = "reading this server";
+  if (what.empty()) return nullptr;
+  return refused(heading.id, {"token_required", what + " needs the token",
+                              R"(send {"op":"auth","token":"..."} first)"});
 }
 
 /// The `result` of a `sub`: the parameters in effect.
@@ -199,8 +178,6 @@ void MonitorService::stop() {
   lag_.stop();
 }
 
-void MonitorService::keep_counters(const HostedCell& cell) { merge(gone_cells_, cell); }
-
 CellCounters MonitorService::counters() const {
   CellCounters counters = gone_cells_;
   counters.lines_open = 0;
@@ -229,14 +206,14 @@ void MonitorService::forget(HostedCell& cell) {
     cell.hub().remove(*session);
     session->wake();
   }
-  keep_counters(cell);
+  merge(gone_cells_, cell);
 }
 
 void MonitorService::between() {
   if (!cells_.is_empty()) cells_.all().front()->transports().run_turns();
 }
 
-bool MonitorService::may_see(const MonitorSession& session, const HostedCell& cell) const {
+bool MonitorService::may_see(const MonitorSession& session, const HostedCell& cell) {
   return session.access() != Access::kNone || session.is_granted(cell.name());
 }
 
@@ -247,12 +224,16 @@ CellPtr MonitorService::find_cell(const MonitorSession& session,
   return at && may_see(session, *at) ? at : nullptr;
 }
 
+monitor::Message MonitorService::unknown_cell(const MonitorSession& session,
+                                              const monitor::Request& request) const {
+  return monitor::result(monitor::unknown_cell(request, visible_cells(session)));
+}
+
 // --- Requests.
 
-MonitorService::Error MonitorService::refuse(const MonitorSession& session,
-                                             std::string_view message) const {
-  if (session.access() == Access::kControl) return std::nullopt;
-  return check_access(session, monitor::heading_of(message));
+monitor::Message MonitorService::refuse(const MonitorSession& session, std::string_view message) {
+  if (session.access() == Access::kControl) return nullptr;
+  return refuse_access(session, monitor::heading_of(message));
 }
 
 asio::awaitable<monitor::RequestReading> MonitorService::read(std::string_view message) {
@@ -263,16 +244,16 @@ asio::awaitable<monitor::RequestReading> MonitorService::read(std::string_view m
 
 asio::awaitable<void> MonitorService::carry_out(MonitorSession& session, monitor::Request request) {
   note_work();
-  if (const Error error = check_access(session, monitor::heading_of(request))) {
-    session.client().send(monitor::result(*error));
+  if (monitor::Message refusal = refuse_access(session, monitor::heading_of(request))) {
+    session.send(std::move(refusal));
     co_return;
   }
   const bool is_auth = std::holds_alternative<monitor::Auth>(request.what);  // sees nothing yet
   CellPtr at = find_cell(session, request);
   if (!at && !is_auth && (request.cell || concerns_a_cell(request))) {
-    session.client().send(monitor::result(monitor::unknown_cell(request, visible_cells(session))));
+    session.send(unknown_cell(session, request));
   } else if (std::holds_alternative<monitor::Ping>(request.what)) {
-    session.client().send(monitor::pong(request.id));
+    session.send(monitor::pong(request.id));
   } else if (is_auth) {
     co_await authorize(session, std::move(request));
   } else if (is_overview(request)) {
@@ -305,27 +286,23 @@ asio::awaitable<void> MonitorService::authorize(MonitorSession& session, monitor
   if (!policy_.needs_token() || policy_.is_right(std::get<monitor::Auth>(request.what).token)) {
     const bool had_no_access = session.access() == Access::kNone;
     session.grant(Access::kControl);
-    session.client().send(monitor::result(request.id, {{"access", "control"}}));
-    if (had_no_access) session.client().send(hello(session));
+    session.send(monitor::result(request.id, {{"access", "control"}}));
+    if (had_no_access) session.send(hello(session));
     if (had_no_access) overview_.restart(session);
     co_return;
   }
   if (const CellPtr cell = cells_.find_by_token(std::get<monitor::Auth>(request.what).token)) {
     session.grant(cell->name());
-    session.client().send(
-        monitor::result(request.id, {{"access", "control"}, {"cell", cell->name()}}));
-    if (session.access() == Access::kNone) session.client().send(hello(session));
+    session.send(monitor::result(request.id, {{"access", "control"}, {"cell", cell->name()}}));
+    if (session.access() == Access::kNone) session.send(hello(session));
     overview_.restart(session);
     co_return;
   }
   note_wrong_token();
   asio::steady_timer delay(io_, kWrongTokenDelay);
   co_await delay.async_wait(kAwait);
-  session.client().send(monitor::result({request.id,
-                                         "bad_token",
-                                         "this is not the token",
-                                         "five wrong ones end the connection",
-                                         {}}));
+  session.send(refused(
+      request.id, {"bad_token", "this is not the token", "five wrong ones end the connection"}));
   if (session.note_wrong_token() >= kMaxWrongTokens) session.end(monitor::CloseReason::kBadToken);
 }
 
@@ -346,7 +323,10 @@ asio::awaitable<void> MonitorService::subscribe(CellPtr at, MonitorSession& sess
   const Channel channel = wanted.selection.channel;
   const bool is_new = !session.client().follows(at->name(), channel);
   if (is_new && session.client().subscriptions() >= kMaxSubscriptions) {
-    session.client().send(monitor::result(too_many_subscriptions(request.id)));
+    session.send(
+        refused(request.id,
+                {"limit", "this client has 256 subscriptions",
+                 "end one by unsub, or subscribe to the channel overview, which shows all cells"}));
     co_return;
   }
   if (is_feed(channel)) {
@@ -354,20 +334,15 @@ asio::awaitable<void> MonitorService::subscribe(CellPtr at, MonitorSession& sess
     const std::shared_ptr<monitor::Feed> feed = feed_of(*at, channel);
     const std::int64_t next = feed->next();
     const std::int64_t since = std::clamp<std::int64_t>(wanted.since.value_or(next), 1, next);
-    session.client().send(monitor::result(request.id, terms(at->name(), wanted, since)));
+    session.send(monitor::result(request.id, terms(at->name(), wanted, since)));
     session.client().follow_feed(at->name(), wanted, feed);
   } else {
     const std::optional<monitor::Frame> frame = co_await current_frame(at, wanted.selection);
-    if (at->is_retired()) {
-      session.client().send(
-          monitor::result(monitor::unknown_cell(request, visible_cells(session))));
+    if (at->is_retired() || !frame) {
+      session.send(at->is_retired() ? unknown_cell(session, request) : no_camera(request.id));
       co_return;
     }
-    if (!frame) {
-      session.client().send(monitor::result(no_camera(request.id)));
-      co_return;
-    }
-    session.client().send(monitor::result(request.id, terms(at->name(), wanted, 0)));
+    session.send(monitor::result(request.id, terms(at->name(), wanted, 0)));
     session.client().follow_frames(at->name(), wanted).offer(*frame, at->hub().now());
   }
   at->hub().add(session);
@@ -379,7 +354,7 @@ void MonitorService::unsubscribe(HostedCell& at, MonitorSession& session,
   const Channel channel = std::get<monitor::Unsubscribe>(request.what).channel;
   session.client().unfollow(at.name(), channel);
   if (!session.client().follows(at.name())) at.hub().remove(session);
-  session.client().send(monitor::result(request.id, Json::object()));
+  session.send(monitor::result(request.id, Json::object()));
 }
 
 asio::awaitable<void> MonitorService::show(CellPtr at, MonitorSession& session,
@@ -388,12 +363,11 @@ asio::awaitable<void> MonitorService::show(CellPtr at, MonitorSession& session,
   if (is_feed(get.selection.channel)) {
     at->cell().catch_up(wall_now());
     session.client().replay(feed_of(*at, get.selection.channel), at->name(), get, request.id);
-    session.client().send(monitor::result(request.id, Json::object()));
+    session.send(monitor::result(request.id, Json::object()));
     co_return;
   }
   const std::optional<monitor::Frame> frame = co_await current_frame(at, get.selection);
-  session.client().send(frame ? monitor::with_id(frame->message, request.id)
-                              : monitor::result(no_camera(request.id)));
+  session.send(frame ? monitor::with_id(frame->message, request.id) : no_camera(request.id));
 }
 
 }  // namespace xr3

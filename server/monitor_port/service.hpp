@@ -29,9 +29,9 @@ namespace xr3 {
 Json value_now(const Cell& cell);
 
 /// The answer with an error.
-monitor::Message refused(const monitor::RequestId& id, monitor::RequestError error);
+monitor::Message refused(const monitor::RequestId& id, const call::Refused& why);
 /// The error of a request that names a line that is not open.
-monitor::RequestError no_such_line(LineId line);
+call::Refused no_such_line(LineId line);
 
 class MonitorService {
  public:
@@ -54,10 +54,9 @@ class MonitorService {
   /// The names of the cells that the session may see.
   std::vector<std::string> visible_cells(const MonitorSession& session) const;
 
-  /// The error if the session lacks the access for this request; else nullopt, even if the request
+  /// The answer if the session lacks the access for this request; else nullptr, even if the request
   /// is invalid. Parses only the heading, so that requests without access are cheap.
-  std::optional<monitor::RequestError> refuse(const MonitorSession& session,
-                                              std::string_view message) const;
+  static monitor::Message refuse(const MonitorSession& session, std::string_view message);
 
   /// Parses a message, a long one in the worker. `message` must exist until it resumes.
   asio::awaitable<monitor::RequestReading> read(std::string_view message);
@@ -100,13 +99,13 @@ class MonitorService {
   CellCounters counters() const;
 
  private:
-  void keep_counters(const HostedCell& cell);
-  using Error = std::optional<monitor::RequestError>;
-
   asio::awaitable<void> authorize(MonitorSession& session, monitor::Request request);
   void note_wrong_token();
   void between();
-  bool may_see(const MonitorSession& session, const HostedCell& cell) const;
+  static bool may_see(const MonitorSession& session, const HostedCell& cell);
+  /// The answer to a request that names a cell that the session does not know.
+  monitor::Message unknown_cell(const MonitorSession& session,
+                                const monitor::Request& request) const;
   /// The cell of a request; nullptr if the session does not know it.
   CellPtr find_cell(const MonitorSession& session, const monitor::Request& request) const;
   asio::awaitable<void> carry_out_overview(MonitorSession& session, monitor::Request request);
@@ -129,7 +128,7 @@ class MonitorService {
     bool is_long = false;  ///< to be made in the worker
   };
   static Answer at_once(const monitor::Message& message);
-  asio::awaitable<monitor::Message> make_long(Answer answer);
+  asio::awaitable<monitor::Message> message_of(Answer answer);
 
   asio::awaitable<void> call(CellPtr at, MonitorSession& session, monitor::Request request);
   struct Moment;
@@ -140,7 +139,8 @@ class MonitorService {
                                                      std::vector<monitor::Selection> selections);
   void end_look(HostedCell& at, MonitorSession& session, const monitor::RequestId& id);
   Answer open_branch(HostedCell& at, const Moment& moment, const monitor::RequestId& id);
-  static asio::awaitable<Error> wait_for(HostedCell& at, monitor::After after);
+  static asio::awaitable<std::optional<call::Refused>> wait_for(HostedCell& at,
+                                                                monitor::After after);
   Answer carry_out_call(HostedCell& at, MonitorSession& session, monitor::Request& request);
   Answer call_cell(HostedCell& at, monitor::Request& request);
   Answer send(HostedCell& at, MonitorSession& session, const monitor::Request& request);

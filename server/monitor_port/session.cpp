@@ -16,8 +16,8 @@ MonitorSession::MonitorSession(MonitorService& service, MessageSink& sink)
 MonitorSession::~MonitorSession() { service_.remove(*this); }
 
 asio::awaitable<void> MonitorSession::handle(std::string_view message) {
-  if (const auto error = service_.refuse(*this, message)) {
-    client_.send(monitor::result(*error));
+  if (auto refusal = service_.refuse(*this, message)) {
+    client_.send(std::move(refusal));
   } else if (auto request = client_.accept(co_await service_.read(message))) {
     co_await service_.carry_out(*this, *std::move(request));
   }

@@ -55,6 +55,7 @@ class MonitorSession {
   // --- For the service and the subscribers.
 
   monitor::Client& client() { return client_; }
+  void send(monitor::Message message) { client_.send(std::move(message)); }
   /// Notifies the transport of output.
   void wake() { sink_.pump(); }
   /// Whether the client has yet to accept bytes.

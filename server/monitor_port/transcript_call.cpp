@@ -8,11 +8,6 @@
 namespace xr3 {
 namespace {
 
-monitor::RequestError no_transcript(const monitor::RequestId& id) {
-  return {
-      id, "no_transcript", "only the byte clock has a transcript", "start with --clock bytes", {}};
-}
-
 Json marks_json(const TranscriptSummary& summary) {
   Json marks = Json::array();
   for (const TranscriptMark mark : summary.marks) marks.push_back(name_of(mark));
@@ -24,7 +19,9 @@ Json marks_json(const TranscriptSummary& summary) {
 MonitorService::Answer MonitorService::transcript(HostedCell& at, const monitor::Request& request) {
   Cell& cell = at.cell();
   cell.catch_up(wall_now());
-  if (cell.transcript() == nullptr) return at_once(monitor::result(no_transcript(request.id)));
+  if (cell.transcript() == nullptr)
+    return at_once(refused(request.id, {"no_transcript", "only the byte clock has a transcript",
+                                        "start with --clock bytes"}));
   const bool is_large = cell.state().blocks.size() > FrameMaker::kMaxBlocksAtOnce;
   return {[id = request.id, summary = cell.transcript()->summary(), model = cell.model_ptr(),
            state = cell.state(), remainder = cell.clock_remainder(),
