@@ -17,6 +17,7 @@
 #include "server/commands/commands.hpp"
 #include "server/commands/fail.hpp"
 #include "server/files/atomic_write.hpp"
+#include "server/files/descriptor.hpp"
 #include "server/log.hpp"
 #include "server/recording/joint_table.hpp"
 #include "tools/drawing/picture.hpp"
@@ -30,11 +31,8 @@ class RecordingSource {
  public:
   explicit RecordingSource(const std::string& path)
       : path_(path), file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)), reader_(path) {
-    if (file_ < 0) fail();
+    if (!file_.is_open()) fail();
   }
-  RecordingSource(const RecordingSource&) = delete;
-  RecordingSource& operator=(const RecordingSource&) = delete;
-  ~RecordingSource() { ::close(file_); }
 
   recording::Header header() {
     auto header = next_of<recording::Header>([this] { return reader_.header(); });
@@ -55,7 +53,7 @@ class RecordingSource {
   }
   bool has_more() {
     if (is_at_end_) return false;
-    const ::ssize_t count = ::read(file_, piece_.data(), piece_.size());
+    const ::ssize_t count = ::read(file_.get(), piece_.data(), piece_.size());
     if (count < 0 && errno != EINTR) fail();
     if (count > 0) reader_.add({piece_.data(), static_cast<std::size_t>(count)});
     is_at_end_ = count == 0;
@@ -67,7 +65,7 @@ class RecordingSource {
   }
 
   std::string path_;
-  int file_;
+  Descriptor file_;
   recording::Reader reader_;
   bool is_at_end_ = false;
   std::array<char, 65536> piece_{};

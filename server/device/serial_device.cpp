@@ -14,6 +14,8 @@
 #include <cstring>
 #include <map>
 
+#include "server/files/descriptor.hpp"
+
 namespace xr3 {
 namespace {
 
@@ -125,16 +127,11 @@ void set_up(int device, const std::string& path, const SerialSettings& settings)
 }  // namespace
 
 int open_serial_device(const std::string& path, const SerialSettings& settings) {
-  const int device = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  if (device < 0) refuse_open(path, errno);
-  try {
-    claim(device, path);
-    set_up(device, path, settings);
-  } catch (const SerialDeviceError&) {
-    ::close(device);
-    throw;
-  }
-  return device;
+  Descriptor device(::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+  if (!device.is_open()) refuse_open(path, errno);
+  claim(device.get(), path);
+  set_up(device.get(), path, settings);
+  return device.release();
 }
 
 void discard_all(int device) { ::tcflush(device, TCIOFLUSH); }

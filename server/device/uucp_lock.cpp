@@ -11,17 +11,17 @@
 #include <utility>
 
 #include "server/device/serial_device.hpp"
+#include "server/files/descriptor.hpp"
 
 namespace xr3 {
 namespace {
 
 /// The process in a lock file; 0 if there is none.
 ::pid_t owner_in(const std::string& file) {
-  const int lock = ::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK);
-  if (lock < 0) return 0;
+  const Descriptor lock(::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
+  if (!lock.is_open()) return 0;
   std::array<char, 16> text{};
-  const auto size = ::read(lock, text.data(), text.size() - 1);
-  ::close(lock);
+  const auto size = ::read(lock.get(), text.data(), text.size() - 1);
   return size <= 0 ? 0 : static_cast<::pid_t>(std::strtol(text.data(), nullptr, 10));
 }
 
@@ -59,12 +59,11 @@ UucpLock::~UucpLock() {
 bool UucpLock::create() const {
   constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
   constexpr ::mode_t kForAll = 0644;
-  const int lock = ::open(file_.c_str(), kFlags, kForAll);
-  if (lock < 0) return false;
+  const Descriptor lock(::open(file_.c_str(), kFlags, kForAll));
+  if (!lock.is_open()) return false;
   std::array<char, 16> text{};
   const int size = std::snprintf(text.data(), text.size(), "%10d\n", ::getpid());
-  const bool is_written = ::write(lock, text.data(), static_cast<std::size_t>(size)) == size;
-  ::close(lock);
+  const bool is_written = write_all(lock.get(), {text.data(), static_cast<std::size_t>(size)});
   if (!is_written) ::unlink(file_.c_str());
   return is_written;
 }

@@ -1,6 +1,5 @@
 #include "server/exec/pool.hpp"
 
-#include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -13,8 +12,9 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
-#include <system_error>
+#include <utility>
 
+#include "server/exec/pipe.hpp"
 #include "server/exec/throw_errno.hpp"
 
 namespace xr3 {
@@ -23,18 +23,9 @@ namespace {
 struct Job {
   std::size_t index;
   ::pid_t process;
-  int pipe;
+  Descriptor pipe;
   std::string text;
 };
-
-bool write_all(int file, std::string_view text) {
-  while (!text.empty()) {
-    const ::ssize_t count = ::write(file, text.data(), text.size());
-    if (count < 0 && errno != EINTR) return false;
-    if (count > 0) text.remove_prefix(static_cast<std::size_t>(count));
-  }
-  return true;
-}
 
 /// In the child: never returns.
 [[noreturn]] void work(const std::function<std::string(std::size_t)>& task, std::size_t index,
@@ -50,30 +41,28 @@ bool write_all(int file, std::string_view text) {
 }
 
 Job start(const std::function<std::string(std::size_t)>& task, std::size_t index) {
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw_errno("pipe");
+  Pipe ends;
   std::cout.flush();
   const ::pid_t process = ::fork();
   if (process < 0) throw_errno("fork");
   if (process == 0) {
-    ::close(ends[0]);
-    work(task, index, ends[1]);
+    ends.reading = Descriptor();
+    work(task, index, ends.writing.get());
   }
-  ::close(ends[1]);
-  return {index, process, ends[0], {}};
+  return {index, process, std::move(ends.reading), {}};
 }
 
 /// Reads what has arrived. Returns false at the end.
 bool read_some(Job& job) {
   std::array<char, 65536> buffer;
-  const ::ssize_t count = ::read(job.pipe, buffer.data(), buffer.size());
+  const ::ssize_t count = ::read(job.pipe.get(), buffer.data(), buffer.size());
   if (count > 0) job.text.append(buffer.data(), static_cast<std::size_t>(count));
   return count > 0 || (count < 0 && errno == EINTR);
 }
 
 /// Waits for the end of a process. Returns whether it succeeded.
-bool finish(const Job& job) {
-  ::close(job.pipe);
+bool finish(Job& job) {
+  job.pipe = Descriptor();
   int status = 0;
   while (::waitpid(job.process, &status, 0) < 0)
     if (errno != EINTR) return false;
@@ -82,7 +71,7 @@ bool finish(const Job& job) {
 
 void wait_for_any(const std::vector<Job>& jobs, std::vector<pollfd>& watched) {
   watched.clear();
-  for (const Job& job : jobs) watched.push_back({job.pipe, POLLIN, 0});
+  for (const Job& job : jobs) watched.push_back({job.pipe.get(), POLLIN, 0});
   if (::poll(watched.data(), watched.size(), -1) < 0 && errno != EINTR) throw_errno("poll");
 }
 

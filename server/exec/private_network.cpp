@@ -25,12 +25,8 @@ constexpr std::size_t kDescriptors = 3;  // listener, network namespace, user na
 using Descriptors = std::array<int, kDescriptors>;
 
 bool write_to(const char* path, const std::string& text) {
-  const int file = ::open(path, O_WRONLY | O_CLOEXEC);
-  if (file < 0) return false;
-  const bool is_good =
-      ::write(file, text.data(), text.size()) == static_cast<::ssize_t>(text.size());
-  ::close(file);
-  return is_good;
+  const Descriptor file(::open(path, O_WRONLY | O_CLOEXEC));
+  return file.is_open() && write_all(file.get(), text);
 }
 
 /// Keeps the user and group that this process had.
@@ -41,13 +37,11 @@ bool map_own_user(::uid_t user, ::gid_t group) {
 }
 
 bool bring_loopback_up() {
-  const int any = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  const Descriptor any(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   ifreq request{};
   std::strncpy(request.ifr_name, "lo", IFNAMSIZ - 1);
   request.ifr_flags = IFF_UP | IFF_RUNNING;
-  const bool is_up = ::ioctl(any, SIOCSIFFLAGS, &request) == 0;
-  ::close(any);
-  return is_up;
+  return ::ioctl(any.get(), SIOCSIFFLAGS, &request) == 0;
 }
 
 /// A socket that listens on a free port of loopback; -1 with errno.
@@ -131,24 +125,15 @@ PrivateNetwork::PrivateNetwork() {
     errno = WIFEXITED(status) ? WEXITSTATUS(status) : EIO;
     throw_errno("a network namespace");
   }
-  listener_ = descriptors[0];
-  network_ = descriptors[1];
-  if (has_user) {
-    user_ = descriptors[2];
-  } else {
-    ::close(descriptors[2]);
-  }
+  listener_ = Descriptor(descriptors[0]);
+  network_ = Descriptor(descriptors[1]);
+  Descriptor user(descriptors[2]);
+  if (has_user) user_ = std::move(user);
 }
-
-PrivateNetwork::~PrivateNetwork() {
-  for (const int each : {listener_, network_, user_})
-    if (each >= 0) ::close(each);
-}
-
-int PrivateNetwork::release_listener() { return std::exchange(listener_, -1); }
 
 bool PrivateNetwork::enter() const {
-  return (user_ < 0 || ::setns(user_, CLONE_NEWUSER) == 0) && ::setns(network_, CLONE_NEWNET) == 0;
+  return (!user_.is_open() || ::setns(user_.get(), CLONE_NEWUSER) == 0) &&
+         ::setns(network_.get(), CLONE_NEWNET) == 0;
 }
 
 }  // namespace xr3

@@ -2,6 +2,8 @@
 // robot, and nothing else.
 #pragma once
 
+#include "server/files/descriptor.hpp"
+
 namespace xr3 {
 
 class PrivateNetwork {
@@ -9,21 +11,18 @@ class PrivateNetwork {
   /// Makes the namespace, in a user namespace of its own unless this process is privileged. Throws
   /// std::system_error if the system does not allow it.
   PrivateNetwork();
-  PrivateNetwork(const PrivateNetwork&) = delete;
-  PrivateNetwork& operator=(const PrivateNetwork&) = delete;
-  ~PrivateNetwork();
 
   /// A socket that listens on 127.0.0.1 and a free port in it. The caller owns it; to be called once.
-  int release_listener();
+  int release_listener() { return listener_.release(); }
 
   /// Enters it, in a child process before exec. Only async-signal-safe calls. Returns whether it
   /// succeeded.
   bool enter() const;
 
  private:
-  int listener_ = -1;
-  int network_ = -1;
-  int user_ = -1;  ///< -1: that of this process
+  Descriptor listener_;
+  Descriptor network_;
+  Descriptor user_;  ///< none: that of this process
 };
 
 }  // namespace xr3

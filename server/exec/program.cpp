@@ -8,7 +8,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cassert>
 #include <cerrno>
 #include <csignal>
@@ -18,29 +17,11 @@
 
 extern char** environ;
 
+#include "server/exec/pipe.hpp"
 #include "server/exec/throw_errno.hpp"
 
 namespace xr3 {
 namespace {
-
-/// Two ends of a pipe, closed at the end of the scope unless they are released.
-struct Pipe {
-  Pipe() {
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw_errno("pipe");
-  }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-  ~Pipe() {
-    for (const int end : ends)
-      if (end >= 0) ::close(end);
-  }
-  int reading() const { return ends[0]; }
-  int writing() const { return ends[1]; }
-  int release_reading() { return std::exchange(ends[0], -1); }
-  void close_writing() { ::close(std::exchange(ends[1], -1)); }
-
-  std::array<int, 2> ends{-1, -1};
-};
 
 /// The arguments of execvpe(), which must not be made after the fork.
 struct Arguments {
@@ -118,12 +99,12 @@ void become_program(const ProgramSettings& settings, int output, ::pid_t parent)
     become_program(settings, output, parent);
     ::execvpe(arguments.pointers[0], arguments.pointers.data(), variables.pointers.data());
     const int error = errno;
-    [[maybe_unused]] const auto sent = ::write(result.writing(), &error, sizeof error);
+    [[maybe_unused]] const auto sent = ::write(result.writing.get(), &error, sizeof error);
     ::_exit(127);
   }
-  result.close_writing();
+  result.writing = Descriptor();
   int error = 0;
-  if (::read(result.reading(), &error, sizeof error) == sizeof error) {
+  if (::read(result.reading.get(), &error, sizeof error) == sizeof error) {
     ::waitpid(child, nullptr, 0);
     errno = error;
     throw_errno(settings.command.front());
@@ -153,11 +134,11 @@ Program::Program(asio::io_context& io, const ProgramSettings& settings, Output o
   assert(!settings.command.empty());
   std::optional<Pipe> pipe;
   if (settings.is_captured) pipe.emplace();
-  pid_ = start(settings, pipe ? pipe->writing() : -1);
+  pid_ = start(settings, pipe ? pipe->writing.get() : -1);
   if (has_group_of_its_own_) ::setpgid(pid_, pid_);  // whoever is first, parent or child
   ended_.assign(open_pidfd(pid_));
   if (!pipe) return;
-  output_.assign(pipe->release_reading());
+  output_.assign(pipe->reading.release());
   read();
 }
 

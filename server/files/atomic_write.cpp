@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "server/files/descriptor.hpp"
+
 namespace xr3 {
 namespace {
 
@@ -14,16 +16,6 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path& path, const std::string& why) {
   throw FileError(path.string() + ": cannot be written: " + why);
-}
-
-bool write_all(int file, const std::string& text) {
-  for (std::size_t done = 0; done < text.size();) {
-    const ::ssize_t wrote = ::write(file, text.data() + done, text.size() - done);
-    if (wrote < 0 && errno == EINTR) continue;
-    if (wrote <= 0) return false;
-    done += static_cast<std::size_t>(wrote);
-  }
-  return ::fsync(file) == 0;
 }
 
 /// A draft file; the destructor removes it unless take_name() has renamed it.
@@ -45,7 +37,7 @@ class Draft {
     const int file = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kRights);
     if (file < 0) fail(target_, std::strerror(errno));
     is_made_ = true;
-    const bool is_written = write_all(file, text);
+    const bool is_written = write_all(file, text) && ::fsync(file) == 0;
     const int why = errno;
     if (::close(file) != 0 || !is_written) fail(target_, std::strerror(why));
   }

@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "server/files/descriptor.hpp"
+
 namespace xr3 {
 namespace {
 
@@ -48,17 +50,14 @@ class OpenFile {
  public:
   explicit OpenFile(const fs::path& path)
       : name_(path.string()), file_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
-    if (file_ < 0) fail(std::string("cannot be read: ") + std::strerror(errno));
+    if (!file_.is_open()) fail(std::string("cannot be read: ") + std::strerror(errno));
   }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  ~OpenFile() { ::close(file_); }
 
   std::string read_all() {
     std::string content;
     std::array<char, 65536> piece;
     for (;;) {
-      const ::ssize_t count = ::read(file_, piece.data(), piece.size());
+      const ::ssize_t count = ::read(file_.get(), piece.data(), piece.size());
       if (count == 0) return content;
       if (count > 0) content.append(piece.data(), static_cast<std::size_t>(count));
       if (content.size() > kLargestFile) fail("too large; a data file has at most 64 MiB");
@@ -72,12 +71,12 @@ class OpenFile {
   void wait(int why) const {
     if (why == EINTR) return;
     if (why != EAGAIN) fail(std::string("cannot be read: ") + std::strerror(why));
-    pollfd readable{file_, POLLIN, 0};
+    pollfd readable{file_.get(), POLLIN, 0};
     if (::poll(&readable, 1, kMaxWaitMs) == 0) fail("cannot be read: no data for 10 s");
   }
 
   std::string name_;
-  int file_;
+  Descriptor file_;
 };
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <limits>
 #include <utility>
 
+#include "server/files/descriptor.hpp"
 #include "server/net/spawn.hpp"
 #include "server/options/whole_number.hpp"
 
@@ -68,14 +69,12 @@ int send_datagram(const std::string& name, std::string_view bytes) {
   address.sun_family = AF_UNIX;
   name.copy(address.sun_path, sizeof address.sun_path - 1);
   if (name.front() == '@') address.sun_path[0] = '\0';
-  const int file = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  if (file < 0) return errno;
+  const Descriptor file(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  if (!file.is_open()) return errno;
   const auto length = static_cast<::socklen_t>(offsetof(::sockaddr_un, sun_path) + name.size());
-  const ::ssize_t sent = ::sendto(file, bytes.data(), bytes.size(), MSG_NOSIGNAL,
+  const ::ssize_t sent = ::sendto(file.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL,
                                   reinterpret_cast<const ::sockaddr*>(&address), length);
-  const int why = sent < 0 ? errno : 0;
-  ::close(file);
-  return why;
+  return sent < 0 ? errno : 0;
 }
 
 }  // namespace

@@ -52,16 +52,14 @@ PtyLink::PtyLink(std::string path, const std::string& slave)
     if (exists(path_) && !is_ours()) fail("is there already and is no link of xr3; it is kept");
     point_to(slave);
   } catch (const FileError&) {
-    if (content_of(lock_).empty()) ::unlink(lock_path_.c_str());
-    ::close(lock_);
+    if (content_of(lock_.get()).empty()) ::unlink(lock_path_.c_str());
     throw;
   }
 }
 
 PtyLink::~PtyLink() {
   if (target_of(path_) == slave_) ::unlink(path_.c_str());
-  if (is_file_at(lock_, lock_path_)) ::unlink(lock_path_.c_str());
-  ::close(lock_);
+  if (is_file_at(lock_.get(), lock_path_)) ::unlink(lock_path_.c_str());
 }
 
 void PtyLink::fail(const std::string& why) const {
@@ -71,12 +69,12 @@ void PtyLink::fail(const std::string& why) const {
 void PtyLink::lock() {
   constexpr int kFlags = O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK;
   for (;;) {
-    lock_ = ::open(lock_path_.c_str(), kFlags, S_IRUSR | S_IWUSR);
-    if (lock_ < 0) fail("cannot be locked (" + lock_path_ + "): " + std::strerror(errno));
-    const bool is_locked = ::flock(lock_, LOCK_EX | LOCK_NB) == 0;
-    if (is_locked && is_file_at(lock_, lock_path_)) return;
-    ::close(lock_);
-    if (!is_locked) fail("is in use by another xr3, which has locked " + lock_path_);
+    Descriptor file(::open(lock_path_.c_str(), kFlags, S_IRUSR | S_IWUSR));
+    if (!file.is_open()) fail("cannot be locked (" + lock_path_ + "): " + std::strerror(errno));
+    if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0)
+      fail("is in use by another xr3, which has locked " + lock_path_);
+    lock_ = std::move(file);
+    if (is_file_at(lock_.get(), lock_path_)) return;
   }
 }
 
@@ -84,7 +82,7 @@ void PtyLink::lock() {
 // each.
 bool PtyLink::is_ours() const {
   const std::string target = target_of(path_);
-  const std::string recorded = content_of(lock_);
+  const std::string recorded = content_of(lock_.get());
   std::string_view rest = recorded;
   while (!target.empty() && !rest.empty()) {
     const std::size_t end = rest.find('\n');
@@ -99,7 +97,8 @@ void PtyLink::record(const std::string& slave) {
   const std::string last = exists(path_) ? target_of(path_) + "\n" : "";
   const std::string text = last + slave + "\n";
   const auto size = static_cast<::ssize_t>(text.size());
-  if (::ftruncate(lock_, 0) != 0 || ::pwrite(lock_, text.data(), text.size(), 0) != size)
+  if (::ftruncate(lock_.get(), 0) != 0 ||
+      ::pwrite(lock_.get(), text.data(), text.size(), 0) != size)
     fail("cannot be recorded in " + lock_path_ + ": " + std::strerror(errno));
 }
 

@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "server/files/descriptor.hpp"
+
 namespace xr3 {
 
 class PtyLink {
@@ -31,7 +33,7 @@ class PtyLink {
   std::string path_;
   std::string lock_path_;
   std::string slave_;  ///< empty before the first link
-  int lock_ = -1;
+  Descriptor lock_;
 };
 
 }  // namespace xr3

@@ -5,14 +5,12 @@
 #include <poll.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <array>
 #include <cassert>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <utility>
 
 #include "server/files/data_files.hpp"
 
@@ -39,65 +37,42 @@ void make_raw(int master) {
 
 }  // namespace
 
-PseudoTerminal::PseudoTerminal(::mode_t rights) {
-  try {
-    make(rights);
-  } catch (const FileError&) {
-    if (master_ >= 0) ::close(master_);
-    throw;
-  }
-}
-
-void PseudoTerminal::make(::mode_t rights) {
+PseudoTerminal::PseudoTerminal(::mode_t rights)
+    : master_(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)) {
   std::array<char, 64> name{};
-  master_ = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  if (master_ < 0) fail_to("opened");
-  if (::grantpt(master_) != 0 || ::unlockpt(master_) != 0 ||
-      ::ptsname_r(master_, name.data(), name.size()) != 0)
+  if (!master_.is_open()) fail_to("opened");
+  if (::grantpt(master()) != 0 || ::unlockpt(master()) != 0 ||
+      ::ptsname_r(master(), name.data(), name.size()) != 0)
     fail_to("unlocked");
   slave_ = name.data();
   if (::chmod(name.data(), rights) != 0) fail_to("given its mode");
   prepare();
 }
 
-PseudoTerminal::PseudoTerminal(PseudoTerminal&& other) noexcept
-    : master_(std::exchange(other.master_, -1)), slave_(std::move(other.slave_)) {}
-
-PseudoTerminal& PseudoTerminal::operator=(PseudoTerminal&& other) noexcept {
-  std::swap(master_, other.master_);
-  std::swap(slave_, other.slave_);
-  return *this;
-}
-
-PseudoTerminal::~PseudoTerminal() {
-  if (master_ >= 0) ::close(master_);
-}
-
 bool PseudoTerminal::has_client() const {
-  assert(master_ >= 0);
-  ::pollfd state{master_, POLLIN, 0};
+  assert(master_.is_open());
+  ::pollfd state{master(), POLLIN, 0};
   if (::poll(&state, 1, 0) < 0) return false;
   return (state.revents & POLLIN) != 0 || (state.revents & POLLHUP) == 0;
 }
 
 bool PseudoTerminal::has_room() const {
-  ::pollfd state{master_, POLLOUT, 0};
+  ::pollfd state{master(), POLLOUT, 0};
   return ::poll(&state, 1, 0) != 0;
 }
 
 // The master reports POLLHUP only after the slave has been open once, and the slave alone can
 // discard what its programs have not read.
 void PseudoTerminal::prepare() const {
-  make_raw(master_);
-  const int slave = ::open(slave_.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  if (slave < 0) fail_to("opened");
-  ::ioctl(slave, TCFLSH, TCIFLUSH);
-  ::close(slave);
+  make_raw(master());
+  const Descriptor slave(::open(slave_.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+  if (!slave.is_open()) fail_to("opened");
+  ::ioctl(slave.get(), TCFLSH, TCIFLUSH);
 }
 
 PtyModes PseudoTerminal::modes() const {
   struct termios2 modes {};
-  if (::ioctl(master_, TCGETS2, &modes) != 0) return {};
+  if (::ioctl(master(), TCGETS2, &modes) != 0) return {};
   return {modes.c_ospeed, (modes.c_lflag & (ECHO | ICANON)) != 0};
 }
 

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <string>
 
+#include "server/files/descriptor.hpp"
+
 namespace xr3 {
 
 /// The settings of a program on the slave side, without the frame, which the driver drops.
@@ -21,11 +23,8 @@ class PseudoTerminal {
  public:
   /// Makes a pseudo-terminal whose slave has these rights, ready for a program. Throws FileError.
   explicit PseudoTerminal(::mode_t rights);
-  PseudoTerminal(PseudoTerminal&& other) noexcept;
-  PseudoTerminal& operator=(PseudoTerminal&& other) noexcept;
-  ~PseudoTerminal();
 
-  int master() const { return master_; }
+  int master() const { return master_.get(); }
   /// The path of the slave, such as /dev/pts/3.
   const std::string& slave() const { return slave_; }
 
@@ -39,9 +38,7 @@ class PseudoTerminal {
   PtyModes modes() const;
 
  private:
-  void make(::mode_t rights);
-
-  int master_ = -1;
+  Descriptor master_;
   std::string slave_;
 };
 

@@ -20,11 +20,11 @@ constexpr std::size_t kMaxUnwritten = std::size_t{256} * 1024;
 // Servers that start to record into one folder within one second.
 constexpr int kMaxRunsOfASecond = 100;
 
-int new_file(const std::string& path) {
+Descriptor new_file(const std::string& path) {
   constexpr ::mode_t kOwnerOnly = S_IRUSR | S_IWUSR;
-  const int file =
-      ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kOwnerOnly);
-  if (file >= 0) return file;
+  Descriptor file(
+      ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kOwnerOnly));
+  if (file.is_open()) return file;
   if (errno == EEXIST)
     throw FileError(path +
                     ": exists already; a recording replaces no file, so choose another name");
@@ -69,11 +69,6 @@ std::string make_run_folder(const std::string& folder,
 
 RecordingFile::RecordingFile(std::string path) : path_(std::move(path)), file_(new_file(path_)) {}
 
-RecordingFile::~RecordingFile() {
-  flush();
-  ::close(file_);
-}
-
 void RecordingFile::add(std::string_view line) {
   if (!failure_.empty()) return;
   unwritten_ += line;
@@ -83,14 +78,15 @@ void RecordingFile::add(std::string_view line) {
 void RecordingFile::flush() {
   std::size_t done = 0;
   while (done < unwritten_.size() && failure_.empty()) {
-    const ::ssize_t wrote = ::write(file_, unwritten_.data() + done, unwritten_.size() - done);
+    const ::ssize_t wrote =
+        ::write(file_.get(), unwritten_.data() + done, unwritten_.size() - done);
     if (wrote > 0) done += static_cast<std::size_t>(wrote);
     if (wrote < 0 && errno != EINTR) failure_ = std::strerror(errno);
   }
   if (!failure_.empty()) {
     const std::size_t feed = unwritten_.rfind('\n', done == 0 ? 0 : done - 1);
     done = done == 0 || feed == std::string::npos ? 0 : feed + 1;
-    const int failed = ::ftruncate(file_, static_cast<::off_t>(written_ + done));
+    const int failed = ::ftruncate(file_.get(), static_cast<::off_t>(written_ + done));
     (void)failed;  // then the last line is incomplete, which readers accept
     unwritten_.resize(done);
   }

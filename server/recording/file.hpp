@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "server/files/descriptor.hpp"
+
 namespace xr3 {
 
 /// Makes `folder` unless it exists, and in it a new folder for the recordings of one run, named
@@ -18,17 +20,14 @@ class RecordingFile {
  public:
   /// Makes the file. Throws FileError, also if there is one already.
   explicit RecordingFile(std::string path);
-  RecordingFile(const RecordingFile&) = delete;
-  RecordingFile& operator=(const RecordingFile&) = delete;
   /// Writes what is left, and closes the file.
-  ~RecordingFile();
+  ~RecordingFile() { flush(); }
 
   /// Adds a whole line.
   void add(std::string_view line);
   /// Writes what has been added. After a failure the file ends with its last whole line, if possible.
   void flush();
 
-  bool has_unwritten() const { return !unwritten_.empty(); }
   /// The size of the file when everything is written.
   std::uint64_t size() const { return written_ + unwritten_.size(); }
   const std::string& path() const { return path_; }
@@ -37,7 +36,7 @@ class RecordingFile {
 
  private:
   std::string path_;
-  int file_;
+  Descriptor file_;
   std::string unwritten_;
   std::uint64_t written_ = 0;
   std::string failure_;
