@@ -299,10 +299,7 @@ void App::stop() {
 
 // Sessions end by themselves when they are resumed. But requests may wait for the worker, for long.
 void App::end_soon() {
-  drain_limit_.expires_after(kAbortLimit);
-  drain_limit_.async_wait([this](ErrorCode cancelled) {
-    if (!cancelled) io_.stop();
-  });
+  run_after(drain_limit_, kAbortLimit, [this] { io_.stop(); });
 }
 
 }  // namespace xr3

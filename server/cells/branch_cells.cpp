@@ -26,11 +26,8 @@ void BranchCells::stop() {
 
 void BranchCells::arm() {
   if (members_.empty() || is_stopped_) return;
-  timer_.expires_at(
-      as_time_point(wall_now() + std::min(kCheckEvery, std::max<WallNs>(linger_, 1))));
-  timer_.async_wait([this](ErrorCode cancelled) {
-    if (!cancelled) close_unused();
-  });
+  run_at(timer_, wall_now() + std::min(kCheckEvery, std::max<WallNs>(linger_, 1)),
+         [this] { close_unused(); });
 }
 
 void BranchCells::close_unused() {

@@ -17,12 +17,6 @@ namespace {
 constexpr const char* kConnectionsName = "the robot port";
 constexpr WallNs kRefusalLogEvery = 1'000'000'000;
 
-std::string peer_name(const tcp::socket& socket) {
-  ErrorCode error;
-  const auto peer = socket.remote_endpoint(error);
-  return error ? "unknown" : to_text(peer);
-}
-
 /// The socket is reported as readable when it has so many bytes, or has ended.
 void set_low_water(tcp::socket& socket, std::size_t bytes) {
   const int count = static_cast<int>(bytes);
@@ -157,10 +151,7 @@ void ConnectionCells::close_cell(const HostedCell* cell) {
 // One timer for all: every cell lingers for the same time, so the first of the queue goes first.
 void ConnectionCells::arm() {
   if (lingering_.empty() || is_closing_) return;
-  timer_.expires_at(as_time_point(lingering_.front().first));
-  timer_.async_wait([this](ErrorCode cancelled) {
-    if (!cancelled) close_due();
-  });
+  run_at(timer_, lingering_.front().first, [this] { close_due(); });
 }
 
 void ConnectionCells::close_due() {

@@ -152,10 +152,7 @@ class Watcher {
   void refresh_lines() {
     if (is_stopping_ || page() != Page::kLines) return;
     if (const auto request = model_.ask_lines()) connection_.send(*request);
-    refresh_.expires_after(kLinesEvery);
-    refresh_.async_wait([this](ErrorCode cancelled) {
-      if (!cancelled) refresh_lines();
-    });
+    run_after(refresh_, kLinesEvery, [this] { refresh_lines(); });
   }
 
   void act(const auto& wanted) {

@@ -108,25 +108,19 @@ asio::awaitable<void> WatchConnection::send_all(std::shared_ptr<MonitorSocket> s
 
 void WatchConnection::close_when_due() {
   is_late_ = false;
-  deadline_.expires_after(kMaxWait);
-  deadline_.async_wait([this](ErrorCode cancelled) {
-    if (cancelled) return;
-    is_late_ = true;
-    close();
-  });
+  run_after(deadline_, kMaxWait, [this] { close_late(); });
+}
+
+void WatchConnection::close_late() {
+  is_late_ = true;
+  close();
 }
 
 // A server sends nothing while nothing happens, so only a ping shows whether it is still there.
 void WatchConnection::ask_for_life() {
   has_heard_ = false;
   send(model_.ping());
-  deadline_.expires_after(kMaxWait);
-  deadline_.async_wait([this](ErrorCode cancelled) {
-    if (cancelled) return;
-    if (has_heard_) return ask_for_life();
-    is_late_ = true;
-    close();
-  });
+  run_after(deadline_, kMaxWait, [this] { has_heard_ ? ask_for_life() : close_late(); });
 }
 
 void WatchConnection::close() {

@@ -33,6 +33,7 @@ class WatchConnection {
   bool feed(std::string_view bytes);
   std::string close_reason(bool is_greeted) const;
   void close_when_due();
+  void close_late();
   void ask_for_life();
 
   asio::io_context& context_;

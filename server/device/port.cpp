@@ -135,9 +135,8 @@ void DevicePort::await_deadline() {
   const auto due = cell_.device()->deadline();
   if (!due) return;
   const Tick left = std::max<Tick>(*due - cell_.state().tick, 0);
-  deadline_.expires_after(std::chrono::milliseconds(left + 1));
-  deadline_.async_wait([this](ErrorCode cancelled) {
-    if (cancelled || is_closing_) return;
+  run_after(deadline_, std::chrono::milliseconds(left + 1), [this] {
+    if (is_closing_) return;
     vital(kDeviceName, [this] {
       cell_.catch_up(wall_now());
       acted_();

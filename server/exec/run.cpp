@@ -169,9 +169,8 @@ class Run {
   // --- Limits.
 
   void watch_limits() {
-    timer_.expires_after(kCheckEvery);
-    timer_.async_wait([this](ErrorCode cancelled) {
-      if (cancelled || is_over_) return;
+    run_after(timer_, kCheckEvery, [this] {
+      if (is_over_) return;
       host_.cell().catch_up(wall_now());
       check_limits();
       watch_limits();

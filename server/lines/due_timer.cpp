@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "cell/failure.hpp"
-#include "server/net/wall_clock.hpp"
 
 namespace xr3 {
 
@@ -17,10 +16,7 @@ void DueTimer::update() {
   const WallNs moment = cell_.clock().when(*due);
   if (waits_until_ && *waits_until_ <= moment) return;
   waits_until_ = moment;
-  timer_.expires_at(as_time_point(moment));
-  timer_.async_wait([this](ErrorCode cancelled) {
-    if (!cancelled) vital("the serial lines", [this] { advance(); });
-  });
+  run_at(timer_, moment, [this] { vital("the serial lines", [this] { advance(); }); });
 }
 
 void DueTimer::advance() {

@@ -42,10 +42,7 @@ WallNs SilenceTimer::due() const {
 
 void SilenceTimer::wait() {
   is_waiting_ = true;
-  timer_.expires_at(as_time_point(due()));
-  timer_.async_wait([this](ErrorCode cancelled) {
-    if (!cancelled) vital("the byte clock", [this] { look(); });
-  });
+  run_at(timer_, due(), [this] { vital("the byte clock", [this] { look(); }); });
 }
 
 // Bytes that have arrived meanwhile act first: a busy machine makes no silence.

@@ -54,9 +54,8 @@ asio::awaitable<std::string> MonitorConnection::open() {
 }
 
 void MonitorConnection::greet_after_silence() {
-  silence_.expires_after(kSilence);
-  silence_.async_wait([self = shared_from_this()](ErrorCode cancelled) {
-    if (cancelled || self->detector_.protocol() != monitor::Protocol::kUndecided) return;
+  run_after(silence_, kSilence, [self = shared_from_this()] {
+    if (self->detector_.protocol() != monitor::Protocol::kUndecided) return;
     self->detector_.settle_for_lines();
     self->greet();
   });
@@ -102,11 +101,7 @@ std::size_t MonitorConnection::held_bytes() const {
          (websocket_ ? websocket_->held_bytes() : 0);
 }
 
-std::string MonitorConnection::peer() const {
-  ErrorCode error;
-  const auto peer = socket_->stream().remote_endpoint(error);
-  return error ? "unknown" : to_text(peer);
-}
+std::string MonitorConnection::peer() const { return peer_name(socket_->stream()); }
 
 // --- The end.
 

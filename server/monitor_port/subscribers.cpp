@@ -99,10 +99,7 @@ void SubscriberHub::arm_second() { arm(Wake::kSecond, wall_now() + kSecond); }
 
 void SubscriberHub::arm(Wake wake, WallNs when) {
   armed_ = wake;
-  timer_.expires_at(as_time_point(when));
-  timer_.async_wait([this](ErrorCode cancelled) {
-    if (!cancelled) beat();
-  });
+  run_at(timer_, when, [this] { beat(); });
 }
 
 void SubscriberHub::stop() {

@@ -263,8 +263,8 @@ void BeastWebsocket::watch() {
       last_received_ + (is_pinged_ ? patience_.before_close : patience_.before_ping);
   const auto of_writing = stream_.next_layer().last_progress() + patience_.before_close;
   watch_.expires_at(message_ ? std::min(of_silence, of_writing) : of_silence);
-  watch_.async_wait([self = self()](ErrorCode cancelled) {
-    if (!cancelled && self->socket_->is_open()) self->look_after(Clock::now());
+  when_expired(watch_, [self = self()] {
+    if (self->socket_->is_open()) self->look_after(Clock::now());
   });
 }
 

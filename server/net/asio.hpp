@@ -1,5 +1,5 @@
-// The Asio headers and names that the server uses, and its completion token: coroutines resume with
-// (error, result) instead of an exception.
+// The Asio headers and names that the server uses, its completion token, with which coroutines resume
+// with (error, result) instead of an exception, and timers that call a function.
 #pragma once
 
 #include <boost/asio/as_tuple.hpp>
@@ -8,6 +8,9 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
+#include <utility>
+
+#include "server/net/wall_clock.hpp"
 
 namespace xr3 {
 
@@ -16,5 +19,27 @@ using asio::ip::tcp;
 using ErrorCode = boost::system::error_code;
 
 inline constexpr auto kAwait = asio::as_tuple(asio::use_awaitable);
+
+/// Calls `act` when the timer expires, unless it is cancelled or set again before.
+template <class Act>
+void when_expired(asio::steady_timer& timer, Act act) {
+  timer.async_wait([act = std::move(act)](ErrorCode cancelled) {
+    if (!cancelled) act();
+  });
+}
+
+/// The same at a wall time, to which the timer is set.
+template <class Act>
+void run_at(asio::steady_timer& timer, WallNs moment, Act act) {
+  timer.expires_at(as_time_point(moment));
+  when_expired(timer, std::move(act));
+}
+
+/// The same after this time.
+template <class Act>
+void run_after(asio::steady_timer& timer, asio::steady_timer::duration time, Act act) {
+  timer.expires_after(time);
+  when_expired(timer, std::move(act));
+}
 
 }  // namespace xr3

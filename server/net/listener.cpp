@@ -46,6 +46,12 @@ std::string to_text(const tcp::endpoint& endpoint) {
   return host + ":" + std::to_string(endpoint.port());
 }
 
+std::string peer_name(const tcp::socket& socket) {
+  ErrorCode lost;
+  const tcp::endpoint peer = socket.remote_endpoint(lost);
+  return lost ? "unknown" : to_text(peer);
+}
+
 ErrorCode Listener::listen(const tcp::endpoint& endpoint) {
   ErrorCode error;
   tcp::acceptor acceptor(io_);

@@ -11,6 +11,8 @@ namespace xr3 {
 
 /// Address and port as text: `127.0.0.1:9600`, `[::1]:9600`.
 std::string to_text(const tcp::endpoint& endpoint);
+/// The same of the peer; `unknown` if the connection is lost already.
+std::string peer_name(const tcp::socket& socket);
 
 class Listener {
  public:

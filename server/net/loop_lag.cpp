@@ -12,9 +12,7 @@ void LoopLag::measure() {
   if (is_stopped_) return;
   is_measuring_ = true;
   const WallNs due = wall_now() + kInterval;
-  timer_.expires_at(as_time_point(due));
-  timer_.async_wait([this, due](ErrorCode cancelled) {
-    if (cancelled) return;
+  run_at(timer_, due, [this, due] {
     is_measuring_ = false;
     const WallNs now = wall_now();
     record(now - due, now);

@@ -24,10 +24,9 @@ void limit_unacknowledged(tcp::socket& socket) {
 
 void close_when_due(asio::steady_timer& timer, milliseconds time,
                     std::shared_ptr<tcp::socket> socket) {
-  timer.expires_after(time);
-  timer.async_wait([socket = std::move(socket)](ErrorCode cancelled) {
+  run_after(timer, time, [socket = std::move(socket)] {
     ErrorCode ignored;
-    if (!cancelled) socket->close(ignored);
+    socket->close(ignored);
   });
 }
 
@@ -105,9 +104,8 @@ asio::awaitable<void> MonitorSocket::linger() {
 void MonitorSocket::close_after(milliseconds time) { close_when_due(deadline_, time, socket_); }
 
 void MonitorSocket::stop_reading_after(milliseconds time) {
-  deadline_.expires_after(time);
-  deadline_.async_wait([socket = socket_, waited = has_waited_enough_](ErrorCode cancelled) {
-    if (cancelled || !socket->is_open()) return;
+  run_after(deadline_, time, [socket = socket_, waited = has_waited_enough_] {
+    if (!socket->is_open()) return;
     *waited = true;
     ErrorCode ignored;
     socket->shutdown(tcp::socket::shutdown_receive, ignored);

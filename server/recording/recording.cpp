@@ -73,10 +73,7 @@ void Recording::add_line(const std::string& line) {
 
 void Recording::flush_soon() {
   if (std::exchange(is_timer_on_, true)) return;
-  timer_.expires_after(kFlushAfter);
-  timer_.async_wait([this](ErrorCode cancelled) {
-    if (!cancelled) flush();
-  });
+  run_after(timer_, kFlushAfter, [this] { flush(); });
 }
 
 void Recording::flush() {

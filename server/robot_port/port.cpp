@@ -10,12 +10,6 @@
 namespace xr3 {
 namespace {
 
-std::string name_of(const tcp::socket& socket) {
-  ErrorCode error;
-  const auto peer = socket.remote_endpoint(error);
-  return error ? "unknown" : to_text(peer);
-}
-
 // A name such as localhost leads to 127.0.0.1 or ::1, as the client likes.
 asio::ip::address this_machine_as_one(const asio::ip::address& peer) {
   if (peer == asio::ip::address_v6::loopback()) return asio::ip::address_v4::loopback();
@@ -47,7 +41,7 @@ void RobotPort::open(tcp::socket socket) {
   if (!is_probe && is_owned_by_other(peer)) return refuse_other(peer);
   auto place = rules_.peers.take(address);
   if (!place && !is_probe) return refuse_peer(address);
-  const LineOpened opened{name_of(socket), LineKind::kTcp, is_probe, rules_.guard};
+  const LineOpened opened{peer_name(socket), LineKind::kTcp, is_probe, rules_.guard};
   if (!is_probe) ++open_;
   const auto line = lines_.open(*this, std::make_unique<RobotSocket>(std::move(socket)), opened,
                                 std::move(place));
@@ -106,9 +100,8 @@ void RobotPort::become_owner(const asio::ip::address& peer) {
 
 void RobotPort::release_later() {
   if (is_closed_) return;
-  release_.expires_after(std::chrono::nanoseconds(*rules_.owner_lingers));
-  release_.async_wait([this](ErrorCode cancelled) {
-    if (!cancelled && peers_of_lines_.empty()) owner_.reset();
+  run_after(release_, std::chrono::nanoseconds(*rules_.owner_lingers), [this] {
+    if (peers_of_lines_.empty()) owner_.reset();
   });
 }
 

@@ -78,10 +78,10 @@ asio::awaitable<std::string> RobotProbe::ask() {
   const auto socket = std::make_shared<tcp::socket>(io_);
   if (const ErrorCode error = open(*socket, reachable(port_.endpoint().address())))
     co_return "the robot port cannot be asked: " + error.message();
-  asio::steady_timer deadline(io_, kPatience);
-  deadline.async_wait([socket](ErrorCode cancelled) {
+  asio::steady_timer deadline(io_);
+  run_after(deadline, kPatience, [socket] {
     ErrorCode ignored;
-    if (!cancelled) socket->close(ignored);
+    socket->close(ignored);
   });
   const Reply reply = co_await exchange(*socket);
   if (socket->is_open()) co_return verdict(reply);

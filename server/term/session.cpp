@@ -185,10 +185,7 @@ void TermSession::wake() {
 void TermSession::end_input() {
   is_input_ended_ = true;
   if (!peer_.finish()) return stop(exit_code_);
-  last_words_.expires_after(kLastWords);
-  last_words_.async_wait([this](ErrorCode cancelled) {
-    if (!cancelled) stop(exit_code_);
-  });
+  run_after(last_words_, kLastWords, [this] { stop(exit_code_); });
 }
 
 void TermSession::lose_peer() {
@@ -205,10 +202,7 @@ void TermSession::stop(ExitCode code) {
 // --- Time.
 
 void TermSession::restart_timeout() {
-  timeout_.expires_after(limits_.timeout);
-  timeout_.async_wait([this](ErrorCode cancelled) {
-    if (!cancelled) note_timeout();
-  });
+  run_after(timeout_, limits_.timeout, [this] { note_timeout(); });
 }
 
 void TermSession::note_timeout() {
@@ -226,9 +220,7 @@ void TermSession::note_timeout() {
 }
 
 void TermSession::restart_burst() {
-  burst_.expires_after(kBurstEnd);
-  burst_.async_wait([this](ErrorCode cancelled) {
-    if (cancelled) return;
+  run_after(burst_, kBurstEnd, [this] {
     listener_.note_received({}, decoder_.end_of_burst());
     wake();
   });
