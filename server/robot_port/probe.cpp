@@ -31,23 +31,12 @@ ErrorCode open(tcp::socket& socket, const asio::ip::address& address) {
   return error;
 }
 
-}  // namespace
-
-/// Marks the probe as running. The destructor resumes the coroutines that wait for the result.
-class RobotProbe::Asking {
- public:
-  explicit Asking(RobotProbe& probe) : probe_(probe) { probe_.is_asking_ = true; }
-  Asking(const Asking&) = delete;
-  Asking& operator=(const Asking&) = delete;
-  ~Asking() {
-    probe_.is_asking_ = false;
-    probe_.port_.forget_probe();
-    probe_.answered_.cancel();
-  }
-
- private:
-  RobotProbe& probe_;
+/// The port no longer expects a probe.
+struct Forget {
+  void operator()(RobotPort* port) const { port->forget_probe(); }
 };
+
+}  // namespace
 
 /// The reply before the connection ended.
 struct RobotProbe::Reply {
@@ -55,13 +44,11 @@ struct RobotProbe::Reply {
   std::size_t bytes = 0;  ///< 2: more than one
 };
 
-RobotProbe::RobotProbe(asio::io_context& io, RobotPort& port)
-    : io_(io), port_(port), answered_(io, Clock::time_point::max()) {}
-
 asio::awaitable<std::string> RobotProbe::trouble() {
-  while (is_asking_) co_await answered_.async_wait(kAwait);
+  co_await asking_.until_free();
   if (Clock::now() < fresh_until_) co_return trouble_;
-  const Asking asking(*this);
+  const Exclusive::Hold hold(asking_);
+  const std::unique_ptr<RobotPort, Forget> expected(&port_);
   is_full_ = false;
   trouble_ = co_await ask();
   fresh_until_ = Clock::now() + kFresh;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "server/net/asio.hpp"
+#include "server/net/exclusive.hpp"
 #include "server/robot_port/port.hpp"
 
 namespace xr3 {
@@ -20,7 +21,7 @@ class RobotProbe {
   static constexpr std::chrono::milliseconds kFresh{100};
 
   /// `port` must outlive the probe. Precondition of trouble(): the port is listening.
-  RobotProbe(asio::io_context& io, RobotPort& port);
+  RobotProbe(asio::io_context& io, RobotPort& port) : io_(io), port_(port), asking_(io) {}
 
   /// Empty if lines are served; otherwise the reason, as a sentence. Only one probe runs at a time;
   /// all callers in that time get its result.
@@ -30,7 +31,6 @@ class RobotProbe {
   asio::awaitable<std::string> failure();
 
  private:
-  class Asking;
   struct Reply;
 
   asio::awaitable<std::string> ask();
@@ -39,10 +39,9 @@ class RobotProbe {
 
   asio::io_context& io_;
   RobotPort& port_;
-  bool is_asking_ = false;
-  asio::steady_timer answered_;  ///< never expires; cancelled when a probe is done
-  std::string trouble_;          ///< of the last probe
-  bool is_full_ = false;         ///< it found every line in use
+  Exclusive asking_;      ///< held by the probe that runs
+  std::string trouble_;   ///< of the last probe
+  bool is_full_ = false;  ///< it found every line in use
   std::chrono::steady_clock::time_point fresh_until_;
 };
 
