@@ -28,7 +28,7 @@ void set_low_water(tcp::socket& socket, std::size_t bytes) {
 /// A connection without a cell. Its bytes stay in the kernel until it has one.
 struct ConnectionCells::Client {
   tcp::socket socket;
-  std::unique_ptr<PeerCounts::Place> place;
+  PeerCounts::Place place;
   HttpTlsDetector detector;
   std::size_t seen = 0;  ///< bytes that the detector has examined
 };

@@ -31,8 +31,7 @@ constexpr std::uint64_t kAllOutput = std::numeric_limits<std::uint64_t>::max();
 }  // namespace
 
 LineSession::LineSession(std::unique_ptr<LineStream> stream, const LineOpened& opened,
-                         LineSessionContext& context, LineSource& source,
-                         std::unique_ptr<PeerCounts::Place> place)
+                         LineSessionContext& context, LineSource& source, PeerCounts::Place place)
     : stream_(std::move(stream)),
       id_(context.cell.apply(opened, wall_now()).line),
       context_(context),

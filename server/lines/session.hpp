@@ -29,8 +29,7 @@ class LineSession {
   /// Opens a line of the cell. `context` and `source` must outlive the session, which keeps `place`
   /// to its end; null: it takes no place.
   LineSession(std::unique_ptr<LineStream> stream, const LineOpened& opened,
-              LineSessionContext& context, LineSource& source,
-              std::unique_ptr<PeerCounts::Place> place);
+              LineSessionContext& context, LineSource& source, PeerCounts::Place place);
 
   LineSource& source() const { return source_; }
   LineId line() const { return id_; }
@@ -91,7 +90,7 @@ class LineSession {
   LineId id_;
   LineSessionContext& context_;
   LineSource& source_;
-  std::unique_ptr<PeerCounts::Place> place_;
+  PeerCounts::Place place_;
   std::uint64_t load_ = 0;
   std::string pending_;     ///< read, but not applied because the outbox was full
   bool is_ending_ = false;  ///< the stream ends after the bytes that have arrived

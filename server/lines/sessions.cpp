@@ -37,8 +37,7 @@ LineSessions::LineSessions(LineTurns& turns, Cell& cell, std::function<void()> a
                [this](LineId line, LineCloseReason reason) { end(line, reason); }} {}
 
 std::optional<LineId> LineSessions::open(LineSource& source, std::unique_ptr<LineStream> stream,
-                                         const LineOpened& opened,
-                                         std::unique_ptr<PeerCounts::Place> place) {
+                                         const LineOpened& opened, PeerCounts::Place place) {
   const auto session =
       std::make_shared<LineSession>(std::move(stream), opened, context_, source, std::move(place));
   const LineId line = session->line();

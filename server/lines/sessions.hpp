@@ -33,8 +33,7 @@ class LineSessions final : public LineTransports {
   /// Opens a line, which has its turns from now on. nullopt if the system refuses to watch the
   /// stream; the line is closed then. `place` may be null.
   std::optional<LineId> open(LineSource& source, std::unique_ptr<LineStream> stream,
-                             const LineOpened& opened,
-                             std::unique_ptr<PeerCounts::Place> place = nullptr);
+                             const LineOpened& opened, PeerCounts::Place place = nullptr);
 
   void read_arrived() override;
   void run_turns() override { turns_.run_turns(); }

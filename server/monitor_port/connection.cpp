@@ -15,7 +15,7 @@ constexpr std::chrono::seconds kSilence{1};
 }  // namespace
 
 MonitorConnection::MonitorConnection(tcp::socket socket, MonitorConnectionContext& context,
-                                     std::unique_ptr<PeerCounts::Place> place)
+                                     PeerCounts::Place place)
     : context_(context),
       place_(std::move(place)),
       socket_(std::make_shared<MonitorSocket>(std::move(socket), context.memory)),

@@ -34,8 +34,7 @@ struct MonitorConnectionContext {
 class MonitorConnection : public std::enable_shared_from_this<MonitorConnection> {
  public:
   /// Keeps `place` to its end.
-  MonitorConnection(tcp::socket socket, MonitorConnectionContext& context,
-                    std::unique_ptr<PeerCounts::Place> place);
+  MonitorConnection(tcp::socket socket, MonitorConnectionContext& context, PeerCounts::Place place);
 
   /// Runs until the connection ends.
   void start();
@@ -63,7 +62,7 @@ class MonitorConnection : public std::enable_shared_from_this<MonitorConnection>
   asio::awaitable<void> serve_websocket(std::string head);
 
   MonitorConnectionContext& context_;
-  std::unique_ptr<PeerCounts::Place> place_;
+  PeerCounts::Place place_;
   std::shared_ptr<MonitorSocket> socket_;
   monitor::ProtocolDetector detector_;
   asio::steady_timer silence_;

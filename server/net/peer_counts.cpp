@@ -2,16 +2,15 @@
 
 namespace xr3 {
 
-std::unique_ptr<PeerCounts::Place> PeerCounts::take(const asio::ip::address& peer) {
-  const auto found = counts_.find(peer);
-  const std::size_t count = found == counts_.end() ? 0 : found->second;
-  if (count >= (peer.is_loopback() ? max_local_ : max_)) return nullptr;
-  return std::make_unique<Place>(*this, peer);
-}
-
-PeerCounts::Place::~Place() {
-  const auto found = counts_.counts_.find(peer_);
-  if (--found->second == 0) counts_.counts_.erase(found);
+PeerCounts::Place PeerCounts::take(const asio::ip::address& peer) {
+  const auto place = counts_.try_emplace(peer).first;
+  const bool is_full = place->second >= (peer.is_loopback() ? max_local_ : max_);
+  if (!is_full) ++place->second;
+  if (place->second == 0) counts_.erase(place);
+  if (is_full) return nullptr;
+  return {&counts_, [place](Counts* counts) {
+            if (--place->second == 0) counts->erase(place);
+          }};
 }
 
 asio::ip::address peer_address(const tcp::socket& socket) {

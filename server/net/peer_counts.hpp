@@ -19,31 +19,18 @@ class PeerCounts {
   explicit PeerCounts(std::size_t max = kUnlimited, std::size_t max_local = kUnlimited)
       : max_(max), max_local_(max_local) {}
 
-  /// The place of one connection, until its destructor frees it.
-  class Place;
+  /// The place of one connection, until it is released.
+  using Place = std::shared_ptr<void>;
 
   /// nullptr if the address has as many connections as it may have. The counts must outlive the
   /// place.
-  std::unique_ptr<Place> take(const asio::ip::address& peer);
+  Place take(const asio::ip::address& peer);
 
  private:
   std::size_t max_;
   std::size_t max_local_;
-  std::map<asio::ip::address, std::size_t> counts_;
-};
-
-class PeerCounts::Place {
- public:
-  Place(PeerCounts& counts, const asio::ip::address& peer) : counts_(counts), peer_(peer) {
-    ++counts_.counts_[peer_];
-  }
-  Place(const Place&) = delete;
-  Place& operator=(const Place&) = delete;
-  ~Place();
-
- private:
-  PeerCounts& counts_;
-  asio::ip::address peer_;
+  using Counts = std::map<asio::ip::address, std::size_t>;
+  Counts counts_;
 };
 
 /// The address of the peer; unspecified if the connection is lost already.

@@ -23,7 +23,7 @@ TEST(PeerCounts, LimitsEachAddress) {
 TEST(PeerCounts, LimitsThisMachineSeparately) {
   const auto local = asio::ip::make_address("127.0.0.1");
   PeerCounts unlimited(1);
-  std::vector<std::unique_ptr<PeerCounts::Place>> places;
+  std::vector<PeerCounts::Place> places;
   for (int i = 0; i < 100; ++i) places.push_back(unlimited.take(local));
   for (const auto& place : places) EXPECT_TRUE(place);
   PeerCounts limited(5, 1);
