@@ -59,7 +59,7 @@ class Watcher {
         resizes_(context, SIGWINCH),
         keyboard_(context),
         terminal_(letters_of(options, letters_of_locale()), colors_of(options)) {
-    link_.address = options.address;
+    link_.address = options.address.text;
     is_lines_open_ = options.shows_lines;
   }
 
@@ -225,12 +225,12 @@ ExitCode watch_once(const WatchOptions& options) {
   context.run_for(kOnceAtMost);
   if (!model.is_complete()) {
     return fail(ExitCode::kNoServer,
-                trouble.empty() ? options.address + " does not answer" : trouble);
+                trouble.empty() ? options.address.text + " does not answer" : trouble);
   }
   const bool lacks_lines = options.shows_lines && !model.known().lines;
   if (!model.known().state || lacks_lines)
     return fail(ExitCode::kBadInput, model.known().last_message);
-  const Link link{Link::Phase::kLive, options.address, ""};
+  const Link link{Link::Phase::kLive, options.address.text, ""};
   const TerminalSize size = terminal_size();
   const Page page = options.shows_lines ? Page::kPrintLines : Page::kPrint;
   std::cout << text_of(watch::watch_screen(model.known(), link, page, size.rows, size.columns),

@@ -52,14 +52,14 @@ asio::awaitable<std::string> WatchConnection::run(std::function<void()> on_news)
 
 asio::awaitable<std::string> WatchConnection::connect() {
   const auto [unknown, places] =
-      co_await resolver_.async_resolve(options_.host, options_.port, kAwait);
-  if (is_late_) co_return options_.address + " does not answer";
-  if (unknown) co_return "no address is known for " + options_.host;
+      co_await resolver_.async_resolve(options_.address.host, options_.address.port, kAwait);
+  if (is_late_) co_return options_.address.text + " does not answer";
+  if (unknown) co_return "no address is known for " + options_.address.host;
   connecting_ = tcp::socket(context_);
   const auto [refused, place] = co_await asio::async_connect(connecting_, places, kAwait);
-  if (is_late_) co_return options_.address + " does not answer";
+  if (is_late_) co_return options_.address.text + " does not answer";
   if (refused) {
-    co_return "cannot connect to " + options_.address + " (" + refused.message() + ")";
+    co_return "cannot connect to " + options_.address.text + " (" + refused.message() + ")";
   }
   ErrorCode ignored;
   connecting_.non_blocking(true, ignored);
@@ -83,9 +83,9 @@ bool WatchConnection::feed(std::string_view bytes) {
 std::string WatchConnection::close_reason(bool is_greeted) const {
   const std::string& message = model_.known().last_message;
   if (model_.has_left() && !message.empty()) return message;
-  if (!is_greeted) return options_.address + " is no monitor port: it sent no hello";
-  if (is_late_) return options_.address + " does not answer";
-  return "the connection to " + options_.address + " is lost";
+  if (!is_greeted) return options_.address.text + " is no monitor port: it sent no hello";
+  if (is_late_) return options_.address.text + " does not answer";
+  return "the connection to " + options_.address.text + " is lost";
 }
 
 void WatchConnection::send(const std::string& bytes) {

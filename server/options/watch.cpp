@@ -2,33 +2,20 @@
 
 #include <CLI/CLI.hpp>
 
-#include "server/options/address.hpp"
 #include "server/options/shared_options.hpp"
 
 namespace xr3 {
 namespace {
 
-constexpr const char* kUsualMonitorPort = "9601";
-
-void set_address(WatchOptions& options, const std::string& text) {
-  const PortAddress address = parse_address(text, kUsualMonitorPort);
-  options.address = address.text;
-  options.host = address.host;
-  options.port = address.port;
-}
+PortAddress parse_monitor_address(const std::string& text) { return parse_address(text, "9601"); }
 
 }  // namespace
 
 void add_watch(CLI::App& app, WatchOptions& options) {
   CLI::App& watch =
       *app.add_subcommand("watch", "show a robot in the terminal, through its monitor port");
-  watch
-      .add_option_function<std::string>(
-          "address", [&options](const std::string& text) { set_address(options, text); },
-          "the monitor port (default localhost:9601)")
-      ->type_name("HOST:PORT")
-      ->check(
-          parses([](const std::string& text) { return parse_address(text, kUsualMonitorPort); }));
+  add_parsed(watch, "address", options.address, parse_monitor_address, "HOST:PORT",
+             "the monitor port (default localhost:9601)");
   add_value(watch, "--cell", options.cell, "NAME",
             "the cell to show (default: the server's first)");
   add_value(watch, "--token-file", options.token_file, "FILE",

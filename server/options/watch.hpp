@@ -4,14 +4,13 @@
 #include <cstdint>
 #include <string>
 
+#include "server/options/address.hpp"
 #include "server/options/cli_fwd.hpp"
 
 namespace xr3 {
 
 struct WatchOptions {
-  std::string address = "localhost:9601";  ///< HOST, HOST:PORT or [IPv6]:PORT, as given
-  std::string host = "localhost";
-  std::string port = "9601";
+  PortAddress address{"localhost:9601", "localhost", "9601"};
   std::string cell;          ///< empty: the server's first
   std::string token_file;    ///< empty: the token in XR3_TOKEN, if any
   bool is_once = false;      ///< print one screen as text, then exit
