@@ -15,11 +15,11 @@
 #include "protocol/text/table.hpp"
 #include "server/exec/descendants.hpp"
 #include "server/exec/sandbox.hpp"
-#include "server/exec/table_sampler.hpp"
 #include "server/exec/transcript_text.hpp"
 #include "server/files/atomic_write.hpp"
 #include "server/files/data_files.hpp"
 #include "server/net/wall_clock.hpp"
+#include "server/recording/joint_table.hpp"
 #include "tools/watch/top_view.hpp"
 
 namespace xr3 {
@@ -75,6 +75,33 @@ class KeptOutput {
   bool is_quiet_;
   std::ofstream file_;
   std::size_t kept_ = 0;
+};
+
+/// Samples a cell for the table of --csv, from now on.
+class TableSampler final : private CellWatcher {
+ public:
+  explicit TableSampler(Cell& cell) : cell_(cell), table_(cell.model()), epoch_(cell.epoch()) {
+    after_tick(cell);
+    cell.watch(*this);
+  }
+  ~TableSampler() override { cell_.end_watch(*this); }
+
+  const std::string& text() const { return table_.text(); }
+
+ private:
+  static constexpr Tick kEvery = 100;  // between two lines
+
+  void event(const Cell&, const CellEvent&) override {}
+  // A cell passes over ticks at rest, in which nothing changes.
+  void after_tick(const Cell& cell) override {
+    if (std::exchange(epoch_, cell.epoch()) != cell.epoch()) next_ = 0;
+    for (; next_ <= cell.state().tick; next_ += kEvery) table_.add(cell, next_);
+  }
+
+  Cell& cell_;
+  JointTable table_;
+  Epoch epoch_;
+  Tick next_ = 0;
 };
 
 class Run {
