@@ -36,7 +36,4 @@ struct DescribedProgram {
   std::vector<DescribedCommand> commands;
 };
 
-/// The command with this name; nullptr if there is none.
-const DescribedCommand* find_command(const DescribedProgram& program, const std::string& name);
-
 }  // namespace xr3

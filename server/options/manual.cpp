@@ -82,11 +82,11 @@ void add_completion(CLI::App& app, ManualOptions& options) {
 std::string manual_page(const CLI::App& app, const ManualOptions& options) {
   const DescribedProgram program = describe_program(app);
   if (options.command.empty()) return man_page(program);
-  const DescribedCommand* command = find_command(program, options.command);
-  if (command == nullptr) {
+  const auto command =
+      std::ranges::find(program.commands, options.command, &DescribedCommand::name);
+  if (command == program.commands.end())
     throw ArgumentError("there is no command " + options.command +
                         "; use one of: " + command_list(program));
-  }
   return man_page(program, *command);
 }
 
