@@ -45,10 +45,10 @@ CellPtr App::make_cell(const std::string& name, const CellSeed& seed) {
 void App::check_byte_clock() const {
   if (options_.clock.mode != ClockMode::kBytes) return;
   const ByteClock clock(byte_clock_settings(options_), options_.line_speed);
-  if (std::none_of(seeds_.begin(), seeds_.end(), [&clock](const CellSeed& seed) {
-        return is_quicker_than_a_count(clock, *seed.model);
-      }))
-    return;
+  const auto is_too_quick = [&clock](const CellSeed& seed) {
+    return is_quicker_than_a_count(clock, *seed.model);
+  };
+  if (std::ranges::none_of(seeds_, is_too_quick)) return;
   spdlog::warn(
       "the byte clock lets less time pass for an inquiry than the slowest motor needs for a count: "
       "a program that compares two replies may take a moving joint for stuck; raise INQUIRY_MS of "

@@ -61,8 +61,7 @@ std::set<std::string> transcripts(const std::vector<RunReport>& reports) {
 }
 
 std::size_t count_passed(const std::vector<RunReport>& reports) {
-  return static_cast<std::size_t>(std::count_if(
-      reports.begin(), reports.end(), [](const RunReport& each) { return each.is_passed(); }));
+  return static_cast<std::size_t>(std::ranges::count_if(reports, &RunReport::is_passed));
 }
 
 /// Of several runs, those that failed are shown in full.
@@ -86,8 +85,7 @@ void write_results(const ExecCommand& command, const std::vector<RunReport>& rep
 }
 
 bool has_any(const std::vector<RunReport>& reports, RunOutcome outcome) {
-  return std::any_of(reports.begin(), reports.end(),
-                     [outcome](const RunReport& each) { return each.outcome == outcome; });
+  return std::ranges::count(reports, outcome, &RunReport::outcome) > 0;
 }
 
 }  // namespace

@@ -44,10 +44,8 @@ std::vector<std::string> command_for(const fs::path& submission, std::vector<std
 }
 
 void require_place(const std::vector<std::string>& command) {
-  const bool has_place = std::any_of(command.begin(), command.end(), [](const std::string& each) {
-    return each.find("{}") != std::string::npos;
-  });
-  if (!has_place)
+  const auto is_place = [](const std::string& each) { return each.find("{}") != each.npos; };
+  if (std::ranges::none_of(command, is_place))
     throw FileError(
         "grade: the command has no {} where the submission belongs, as in: "
         "xr3 grade FOLDER --goals FILE --report NEW -- python3 {}");

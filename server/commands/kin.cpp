@@ -22,11 +22,10 @@ ExitCode answer(const Model& model, const InverseQuestion& question, bool as_jso
   if (as_json) std::cout << json_text(inverse_json(model, question.target, result));
   if (result.solutions.empty()) return fail(ExitCode::kBadInput, refusal_of(result).text);
   if (!as_json) std::cout << inverse_text(model, question.target, result);
-  const bool is_allowed = std::any_of(result.solutions.begin(), result.solutions.end(),
-                                      [](const InverseSolution& one) { return one.is_allowed(); });
-  return is_allowed ? ExitCode::kGood
-                    : fail(ExitCode::kBadInput,
-                           "no solution is within the limits and outside the protected region");
+  return std::ranges::any_of(result.solutions, &InverseSolution::is_allowed)
+             ? ExitCode::kGood
+             : fail(ExitCode::kBadInput,
+                    "no solution is within the limits and outside the protected region");
 }
 
 }  // namespace

@@ -45,10 +45,8 @@ void LineTurns::close() {
 // --- The limit of memory.
 
 std::shared_ptr<LineSession> LineTurns::greediest() const {
-  const auto holds_less = [](const auto& a, const auto& b) {
-    return a.second->held_bytes() < b.second->held_bytes();
-  };
-  const auto most = std::max_element(sessions_.begin(), sessions_.end(), holds_less);
+  const auto most = std::ranges::max_element(
+      sessions_, {}, [](const auto& each) { return each.second->held_bytes(); });
   return most == sessions_.end() ? nullptr : most->second;
 }
 

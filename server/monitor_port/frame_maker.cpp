@@ -87,8 +87,9 @@ std::vector<FrameSource> FrameMaker::new_sources(const std::vector<Selection>& s
   std::vector<FrameSource> sources;
   for (const Selection& selection : selections) {
     const Channel channel = selection.channel;
-    if (frames().is_current(channel, cell_.revision()) || shows_channel(sources, channel)) continue;
-    sources.push_back(frame_source(cell_, channel));
+    const bool is_known = std::ranges::count(sources, channel, &FrameSource::channel) > 0;
+    if (!is_known && !frames().is_current(channel, cell_.revision()))
+      sources.push_back(frame_source(cell_, channel));
   }
   return sources;
 }

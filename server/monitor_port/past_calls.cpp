@@ -32,9 +32,7 @@ call::Refused not_kept(const ReplayTime& time, const std::vector<EpochSpan>& spa
   const std::string wanted =
       "tick " + std::to_string(time.tick) + " of epoch " + std::to_string(time.epoch);
   if (spans.empty()) return {"not_kept", wanted + " is not kept", "no input has acted yet"};
-  const auto same = std::find_if(spans.begin(), spans.end(), [&time](const EpochSpan& span) {
-    return span.epoch == time.epoch;
-  });
+  const auto same = std::ranges::find(spans, time.epoch, &EpochSpan::epoch);
   const std::string hint =
       same != spans.end()
           ? span_text(*same) + " is kept"

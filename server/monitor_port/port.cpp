@@ -38,8 +38,8 @@ void MonitorPort::open(tcp::socket socket) {
 
 // A client that has closed its connection looks like one that only listens, until a write fails.
 void MonitorPort::make_room() {
-  const auto idle = std::find_if(connections_.begin(), connections_.end(),
-                                 [](const auto& connection) { return connection->only_listens(); });
+  const auto idle = std::ranges::find_if(
+      connections_, [](const auto& connection) { return connection->only_listens(); });
   if (idle == connections_.end()) return;
   const auto taken = *idle;
   connections_.erase(idle);
@@ -58,10 +58,8 @@ void MonitorPort::refuse(tcp::socket socket) {
 }
 
 std::shared_ptr<MonitorConnection> MonitorPort::greediest() const {
-  const auto holds_less = [](const auto& a, const auto& b) {
-    return a->held_bytes() < b->held_bytes();
-  };
-  const auto most = std::max_element(connections_.begin(), connections_.end(), holds_less);
+  const auto most = std::ranges::max_element(connections_, {},
+                                             [](const auto& each) { return each->held_bytes(); });
   return most == connections_.end() ? nullptr : *most;
 }
 

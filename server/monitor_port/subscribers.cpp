@@ -52,7 +52,7 @@ void SubscriberHub::add(MonitorSession& session) {
 }
 
 void SubscriberHub::remove(MonitorSession& session) {
-  const auto found = std::find(sessions_.begin(), sessions_.end(), &session);
+  const auto found = std::ranges::find(sessions_, &session);
   if (found == sessions_.end()) return;
   const auto index = static_cast<std::size_t>(found - sessions_.begin());
   sessions_.erase(found);
@@ -206,9 +206,7 @@ bool SubscriberHub::offer_frame(monitor::FrameSubscription& subscription) {
 /// Offers the frame from the worker. A subscription that began in the meantime has none yet.
 bool SubscriberHub::offer_made_frame(monitor::FrameSubscription& subscription) {
   const monitor::Selection& wanted = subscription.wanted().selection;
-  const auto found = std::find_if(made_.begin(), made_.end(), [&wanted](const SelectedFrame& made) {
-    return made.first == wanted;
-  });
+  const auto found = std::ranges::find(made_, wanted, &SelectedFrame::first);
   if (found == made_.end()) return false;
   return offer(subscription, found->second ? &*found->second : nullptr);
 }

@@ -76,8 +76,7 @@ void PtyPort::accept_arrived() {
 }
 
 void PtyPort::line_ended(LineId line, LineCloseReason reason) {
-  const auto place = std::find_if(places_.begin(), places_.end(),
-                                  [line](const Place& each) { return each.line == line; });
+  const auto place = std::ranges::find(places_, std::optional(line), &Place::line);
   if (is_closing_ || place == places_.end()) return;
   place->line.reset();
   make_ready(*place, reason);
