@@ -55,14 +55,6 @@ class App {
   asio::io_context::executor_type executor() { return io_.get_executor(); }
 
  private:
-  /// Makes shutdown() public. It destroys waiting handlers and coroutines; the objects that they
-  /// refer to must still exist.
-  class Loop : public asio::io_context {
-   public:
-    Loop() : asio::io_context(1) {}
-    using asio::io_context::shutdown;
-  };
-
   ExitCode serve();
   ExitCode break_off(const char* what);
   void listen();
@@ -109,7 +101,7 @@ class App {
   std::string fresh_token_;  ///< generated for this run, to be printed; else empty
   /// Freed before a failure is logged, since memory may be exhausted.
   std::unique_ptr<char[]> reserve_;
-  Loop io_;
+  EventLoop io_;
   Stage stage_ = Stage::kStarting;
   bool is_replaying_ = false;
   std::string run_folder_;  ///< of the recordings of several cells; else empty

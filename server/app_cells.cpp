@@ -175,7 +175,7 @@ void App::close_cell(const CellPtr& cell) {
 void App::count_more(CellCounters& counters) const {
   if (!connection_cells_) return;
   counters.robot_port.refused += connection_cells_->refused();
-  counters.robot_port.accept_failures += probe_cell_->port_counters().accept_failures;
+  counters.robot_port.accept_failures += probe_cell_->transports().counters().accept_failures;
   counters.of(LineCloseReason::kNotARobotProgram) += connection_cells_->turned_away();
 }
 

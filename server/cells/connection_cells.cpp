@@ -40,7 +40,6 @@ class ConnectionCells::Guest final : public LineSource {
   const CellPtr& cell() const { return cell_; }
 
   void accept_arrived() override {}
-  void line_acted(LineId) override {}
   void line_ended(LineId, LineCloseReason) override { owner_.line_ended(*this); }
 
  private:

@@ -67,8 +67,6 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   LineSessions& lines() { return lines_; }
   /// The lines, as far as the calls of the monitor need them.
   LineTransports& transports() { return lines_; }
-  /// Clients that its ports did not serve.
-  PortCounters port_counters() const { return lines_.counters(); }
   FrameMaker& frames() { return frames_; }
   SubscriberHub& hub() { return hub_; }
   http::CellBodies& bodies();
@@ -102,8 +100,6 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   /// Accepts no further clients; the lines end as LineSessions::close() says.
   void close_ports();
   void close(WallNs deadline = kNever);
-  /// Arms no timer any more for the subscribers, and ends their subscriptions.
-  void stop_subscribers() { hub_.stop(); }
   /// The cell is closed for good: nothing of it arms a timer any more. Whoever still holds it may use
   /// it, without effect on anybody. Precondition: no line is open.
   void retire();

@@ -53,14 +53,7 @@ class RobotHost {
   void finish_recording() { cell_->finish_recording(); }
 
  private:
-  /// Makes shutdown() public, see App.
-  class Loop : public asio::io_context {
-   public:
-    Loop() : asio::io_context(1) {}
-    using asio::io_context::shutdown;
-  };
-
-  Loop io_;
+  EventLoop io_;
   LineTurns turns_{io_};
   Worker worker_;
   std::function<void()> on_action_;

@@ -1,13 +1,9 @@
 #include "server/lines/due_timer.hpp"
 
-#include <utility>
-
 #include "cell/failure.hpp"
+#include "server/net/wall_clock.hpp"
 
 namespace xr3 {
-
-DueTimer::DueTimer(asio::io_context& io, Cell& cell, std::function<void()> acted)
-    : cell_(cell), acted_(std::move(acted)), timer_(io) {}
 
 // With the manual clock, a call advances the cell, and with the byte clock, each input does.
 void DueTimer::update() {

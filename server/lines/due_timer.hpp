@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "cell/cell.hpp"
 #include "server/net/asio.hpp"
@@ -12,7 +13,8 @@ namespace xr3 {
 class DueTimer {
  public:
   /// `acted` is called after the cell has advanced.
-  DueTimer(asio::io_context& io, Cell& cell, std::function<void()> acted);
+  DueTimer(asio::io_context& io, Cell& cell, std::function<void()> acted)
+      : cell_(cell), acted_(std::move(acted)), timer_(io) {}
 
   /// Waits for the byte that is due next. To be called after each input of the cell.
   void update();

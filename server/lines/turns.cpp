@@ -21,8 +21,6 @@ constexpr WallNs kMaxDueTime = 100'000;
 
 }  // namespace
 
-LineTurns::LineTurns(asio::io_context& io) : io_(io), watch_(io) {}
-
 std::optional<SessionNumber> LineTurns::add(std::shared_ptr<LineSession> session) {
   while (sessions_.contains(++last_)) {
   }

@@ -20,7 +20,7 @@ namespace xr3 {
 class LineTurns {
  public:
   /// Throws boost::system::system_error if no descriptor is left.
-  explicit LineTurns(asio::io_context& io);
+  explicit LineTurns(asio::io_context& io) : io_(io), watch_(io) {}
   LineTurns(const LineTurns&) = delete;
   LineTurns& operator=(const LineTurns&) = delete;
 

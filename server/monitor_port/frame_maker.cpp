@@ -20,11 +20,6 @@ bool is_large_image(const Model& model) {
   return camera && camera->pixels_x * camera->pixels_y > kMaxPixelsAtOnce;
 }
 
-bool shows_channel(const std::vector<FrameSource>& sources, Channel channel) {
-  return std::any_of(sources.begin(), sources.end(),
-                     [channel](const FrameSource& source) { return source.channel == channel; });
-}
-
 /// The frame of a selection, after the sources have been shown.
 std::optional<Frame> frame_of(FrameCache& frames, const Selection& selection) {
   const Frame* frame = frames.frame(selection);

@@ -39,7 +39,7 @@ asio::awaitable<void> JsonLines::run(std::string first_bytes, monitor::Protocol 
   bool has_more = !first_bytes.empty();
   while (socket_->is_open()) {
     co_await answer_lines();
-    if (session_->has_ended() || !has_more) break;
+    if (session_->client().has_ended() || !has_more) break;
     const std::string_view bytes = co_await socket_->read();
     has_more = !bytes.empty();
     lines_.feed(bytes);
@@ -53,19 +53,22 @@ asio::awaitable<void> JsonLines::run(std::string first_bytes, monitor::Protocol 
 /// Handles the buffered requests one after the other, only while the client reads the answers.
 /// Yields to the event loop before each one, so that a robot line waits for at most one request.
 asio::awaitable<void> JsonLines::answer_lines() {
-  for (bool is_first = true; socket_->is_open() && !session_->has_ended(); is_first = false) {
+  for (bool is_first = true; socket_->is_open() && !session_->client().has_ended();
+       is_first = false) {
     co_await until_there_is_room();
-    if (!socket_->is_open() || session_->has_ended()) co_return;
+    if (!socket_->is_open() || session_->client().has_ended()) co_return;
     const auto line = lines_.next();
     if (!line) break;
     if (!is_first) co_await asio::post(socket_->executor(), asio::use_awaitable);
     co_await session_->handle(*line);
   }
   const bool is_over = lines_.fault() != monitor::LineFault::kNone;
-  if (is_over && !session_->has_ended()) session_->end(lines_.fault());
+  if (is_over && !session_->client().has_ended()) session_->end(lines_.fault());
 }
 
-bool JsonLines::is_full() const { return session_->is_full() || out_bytes_ >= kBatchBytes; }
+bool JsonLines::is_full() const {
+  return session_->client().is_full() || out_bytes_ >= kBatchBytes;
+}
 
 asio::awaitable<void> JsonLines::until_there_is_room() {
   while (is_full() && socket_->is_open()) co_await progress_.async_wait(kAwait);
@@ -79,7 +82,7 @@ asio::awaitable<void> JsonLines::until_all_is_written() {
 
 bool JsonLines::is_done() const {
   if (!socket_->is_open()) return true;
-  return out_.empty() && !is_blocked_ && !session_->follows_anything();
+  return out_.empty() && !is_blocked_ && !session_->client().follows_anything();
 }
 
 void JsonLines::finish() {

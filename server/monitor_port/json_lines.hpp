@@ -33,7 +33,7 @@ class JsonLines : public std::enable_shared_from_this<JsonLines>, private Messag
 
   /// The bytes of queued messages and of an incomplete request.
   std::size_t held_bytes() const {
-    return out_bytes_ + lines_.size() + (session_ ? session_->held_bytes() : 0);
+    return out_bytes_ + lines_.size() + (session_ ? session_->client().held_bytes() : 0);
   }
 
   /// Resumes waiting coroutines after the connection was lost.

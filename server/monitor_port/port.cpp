@@ -23,8 +23,6 @@ MonitorPort::MonitorPort(asio::io_context& io, CellRegistry& cells, Worker& work
       listener_(io, "the monitor port", [this](tcp::socket socket) { open(std::move(socket)); }),
       refusals_(resources_, limits.refusals, ended) {}
 
-ErrorCode MonitorPort::listen(const tcp::endpoint& endpoint) { return listener_.listen(endpoint); }
-
 void MonitorPort::open(tcp::socket socket) {
   if (connections_.size() >= max_connections_) make_room();
   if (connections_.size() >= max_connections_) return refuse(std::move(socket));

@@ -27,7 +27,7 @@ class MonitorPort {
   MonitorService& service() { return service_; }
 
   /// Binds and starts to accept; endpoint() is then valid. Returns the error.
-  ErrorCode listen(const tcp::endpoint& endpoint);
+  ErrorCode listen(const tcp::endpoint& endpoint) { return listener_.listen(endpoint); }
   tcp::endpoint endpoint() const { return listener_.endpoint(); }
 
   /// Accepts no further connection; sessions finish their request, send `bye` and end. HTTP

@@ -40,10 +40,10 @@ void merge(AllChannelStats& sum, const AllChannelStats& more) {
 }
 
 /// Adds the statistics of a cell and its lines.
-void merge(CellCounters& sum, const HostedCell& at) {
+void merge(CellCounters& sum, HostedCell& at) {
   sum += at.cell().counters();
   sum.lines_open += at.cell().lines().size();
-  sum.robot_port += at.port_counters();
+  sum.robot_port += at.transports().counters();
 }
 
 bool is_overview(const monitor::Request& request) {
@@ -174,7 +174,7 @@ void MonitorService::acted(HostedCell& cell) {
 
 void MonitorService::stop() {
   overview_.stop();
-  for (const CellPtr& each : cells_.all()) each->stop_subscribers();
+  for (const CellPtr& each : cells_.all()) each->hub().stop();
   lag_.stop();
 }
 

@@ -31,30 +31,20 @@ class MonitorSession {
   ~MonitorSession();
 
   /// Carries out one message and queues the answer. Preconditions: the previous call has finished,
-  /// and is_full() is false.
+  /// and the client's queue is not full.
   asio::awaitable<void> handle(std::string_view message);
 
   /// The next message to send, or nullptr.
   monitor::Message next_output();
 
-  /// The queue is full: no request may be handled until the client has read some answers.
-  bool is_full() const { return client_.is_full(); }
-  /// The bytes of queued answers and frames.
-  std::size_t held_bytes() const { return client_.held_bytes(); }
-  /// The last message is queued; once it is sent, the transport closes the connection.
-  bool has_ended() const { return client_.has_ended(); }
-  /// nullopt unless has_ended().
-  std::optional<monitor::CloseReason> close_reason() const { return client_.close_reason(); }
-  /// The session has a subscription, so messages can follow without further requests.
-  bool follows_anything() const { return client_.follows_anything(); }
-
   /// Queues `bye`.
   void end(monitor::CloseReason why);
   void end(monitor::LineFault fault);
 
-  // --- For the service and the subscribers.
+  // --- For the service, the subscribers and the transports.
 
   monitor::Client& client() { return client_; }
+  const monitor::Client& client() const { return client_; }
   void send(monitor::Message message) { client_.send(std::move(message)); }
   /// Notifies the transport of output.
   void wake() { sink_.pump(); }
@@ -69,8 +59,6 @@ class MonitorSession {
   /// Grants control of one cell, by its token.
   void grant(const std::string& cell) { granted_.insert(cell); }
   bool is_granted(const std::string& cell) const { return granted_.contains(cell); }
-  /// The cells whose tokens the client has given.
-  const std::set<std::string>& granted() const { return granted_; }
   /// The most that the session may do with any cell.
   Access highest_access() const { return granted_.empty() ? access_ : Access::kControl; }
 

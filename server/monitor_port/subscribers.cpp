@@ -61,8 +61,9 @@ void SubscriberHub::remove(MonitorSession& session) {
 }
 
 bool SubscriberHub::has_followers() const {
-  return std::any_of(sessions_.begin(), sessions_.end(),
-                     [](const MonitorSession* session) { return session->follows_anything(); });
+  return std::any_of(sessions_.begin(), sessions_.end(), [](const MonitorSession* session) {
+    return session->client().follows_anything();
+  });
 }
 
 // --- Timing.

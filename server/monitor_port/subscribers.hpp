@@ -54,7 +54,6 @@ class SubscriberHub {
   /// The same; during a round, the point of the round.
   monitor::FrameNumber now() const { return is_serving_ ? frame_ : wall_frame(); }
 
-  std::size_t size() const { return sessions_.size(); }
   const std::vector<MonitorSession*>& sessions() const { return sessions_; }
 
  private:

@@ -206,7 +206,7 @@ asio::awaitable<bool> BeastWebsocket::read_text() {
 }
 
 bool BeastWebsocket::is_full() const {
-  return session_->is_full() || (message_ && message_->size() >= kLongMessage);
+  return session_->client().is_full() || (message_ && message_->size() >= kLongMessage);
 }
 
 asio::awaitable<void> BeastWebsocket::until_there_is_room() {
@@ -224,8 +224,8 @@ void BeastWebsocket::pump() {
     socket_->note_bytes(message_->size());
     stream_.async_write(asio::buffer(*message_),
                         [self = self()](ErrorCode error, std::size_t) { self->written(error); });
-  } else if (session_->has_ended()) {
-    close(code_of(session_->close_reason()));
+  } else if (session_->client().has_ended()) {
+    close(code_of(session_->client().close_reason()));
   }
 }
 
@@ -248,7 +248,7 @@ void BeastWebsocket::close(ws::close_code code) {
 
 std::size_t BeastWebsocket::held_bytes() const {
   return received_.size() + (message_ ? message_->size() : 0) +
-         (session_ ? session_->held_bytes() : 0);
+         (session_ ? session_->client().held_bytes() : 0);
 }
 
 void BeastWebsocket::finish() {

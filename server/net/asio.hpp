@@ -20,6 +20,14 @@ using ErrorCode = boost::system::error_code;
 
 inline constexpr auto kAwait = asio::as_tuple(asio::use_awaitable);
 
+/// An event loop of one thread. shutdown() destroys waiting handlers and coroutines; the objects that
+/// they refer to must still exist.
+class EventLoop : public asio::io_context {
+ public:
+  EventLoop() : asio::io_context(1) {}
+  using asio::io_context::shutdown;
+};
+
 /// Calls `act` when the timer expires, unless it is cancelled or set again before.
 template <class Act>
 void when_expired(asio::steady_timer& timer, Act act) {

@@ -5,9 +5,6 @@
 
 namespace xr3 {
 
-LoopLag::LoopLag(asio::io_context& io, std::function<bool()> is_busy)
-    : timer_(io), is_busy_(std::move(is_busy)) {}
-
 void LoopLag::measure() {
   if (is_stopped_) return;
   is_measuring_ = true;

@@ -17,7 +17,8 @@ class LoopLag {
   static constexpr WallNs kWindow = 30'000'000'000;
 
   /// `is_busy` is called after a measurement; if true, the next one begins at once.
-  LoopLag(asio::io_context& io, std::function<bool()> is_busy);
+  LoopLag(asio::io_context& io, std::function<bool()> is_busy)
+      : timer_(io), is_busy_(std::move(is_busy)) {}
 
   /// Begins a measurement at new work, unless one is under way.
   void note_work() {

@@ -28,8 +28,6 @@ constexpr const char* kPtyName = "the pseudo-terminals";
 
 }  // namespace
 
-PtyPort::PtyPort(asio::io_context& io, LineSessions& lines) : io_(io), lines_(lines), opens_(io) {}
-
 void PtyPort::serve(const std::vector<std::string>& paths, ::mode_t rights) {
   assert(places_.empty());
   if (paths.empty()) return;

@@ -17,7 +17,7 @@ namespace xr3 {
 class PtyPort final : public LineSource {
  public:
   /// `lines` must outlive the port.
-  PtyPort(asio::io_context& io, LineSessions& lines);
+  PtyPort(asio::io_context& io, LineSessions& lines) : io_(io), lines_(lines), opens_(io) {}
 
   /// Makes a pseudo-terminal at each path, whose slave has these rights, and opens lines from now
   /// on. Throws FileError.
@@ -26,7 +26,6 @@ class PtyPort final : public LineSource {
   void close();
 
   void accept_arrived() override;
-  void line_acted(LineId) override {}
   void line_ended(LineId line, LineCloseReason reason) override;
 
  private:

@@ -29,8 +29,6 @@ RobotPort::RobotPort(asio::io_context& io, Cell& cell, LineSessions& lines, Robo
   lines_.add(*this);
 }
 
-ErrorCode RobotPort::listen(const tcp::endpoint& endpoint) { return listener_.listen(endpoint); }
-
 void RobotPort::open(tcp::socket socket) {
   const bool is_probe = this->is_probe(socket);
   if (!is_probe && rules_.divert) return rules_.divert(std::move(socket));

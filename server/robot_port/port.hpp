@@ -41,7 +41,7 @@ class RobotPort final : public LineSource {
   std::size_t max_lines() const { return rules_.max_lines; }
 
   /// Binds and starts to accept; endpoint() is then valid. Returns the error.
-  ErrorCode listen(const tcp::endpoint& endpoint);
+  ErrorCode listen(const tcp::endpoint& endpoint) { return listener_.listen(endpoint); }
   /// The same for a socket that listens already, which the port owns from now on.
   ErrorCode adopt(int listening) { return listener_.adopt(listening); }
   tcp::endpoint endpoint() const { return listener_.endpoint(); }

@@ -7,9 +7,6 @@
 
 namespace xr3 {
 
-TermPipe::TermPipe(asio::io_context& context, TermView view)
-    : context_(context), view_(view), input_(context) {}
-
 void TermPipe::start(TermSession& session) {
   session_ = &session;
   spawn_loop(context_.get_executor(), "term", copy_input());

@@ -15,7 +15,8 @@ namespace xr3 {
 
 class TermPipe : public TermListener {
  public:
-  TermPipe(asio::io_context& context, TermView view);
+  TermPipe(asio::io_context& context, TermView view)
+      : context_(context), view_(view), input_(context) {}
 
   /// Starts to read standard input; its end finishes the session, which must outlive the context's
   /// run.

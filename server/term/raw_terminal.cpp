@@ -1,28 +1,19 @@
 #include "server/term/raw_terminal.hpp"
 
-#include <termios.h>
-#include <unistd.h>
-
 #include <stdexcept>
 
 namespace xr3 {
 
-struct RawTerminal::Settings {
-  termios state{};
-};
-
-RawTerminal::RawTerminal() : before_(std::make_unique<Settings>()) {
-  if (::tcgetattr(STDIN_FILENO, &before_->state) != 0) {
+RawTerminal::RawTerminal() {
+  if (::tcgetattr(STDIN_FILENO, &before_) != 0) {
     throw std::runtime_error("standard input is no terminal");
   }
   enter();
 }
 
-RawTerminal::~RawTerminal() { ::tcsetattr(STDIN_FILENO, TCSANOW, &before_->state); }
-
 // Output is still processed: \n begins a new line.
 void RawTerminal::enter() {
-  termios raw = before_->state;
+  ::termios raw = before_;
   raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO | ISIG | IEXTEN);
   raw.c_iflag &= ~static_cast<tcflag_t>(ICRNL | INLCR | IGNCR | IXON | ISTRIP | BRKINT | PARMRK);
   raw.c_cc[VMIN] = 1;

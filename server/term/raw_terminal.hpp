@@ -1,7 +1,8 @@
 // The terminal on standard input without line editing and echo, so that each key arrives at once.
 #pragma once
 
-#include <memory>
+#include <termios.h>
+#include <unistd.h>
 
 namespace xr3 {
 
@@ -10,7 +11,7 @@ class RawTerminal {
  public:
   /// Throws std::runtime_error if standard input is no terminal.
   RawTerminal();
-  ~RawTerminal();
+  ~RawTerminal() { ::tcsetattr(STDIN_FILENO, TCSANOW, &before_); }
   RawTerminal(const RawTerminal&) = delete;
   RawTerminal& operator=(const RawTerminal&) = delete;
 
@@ -18,8 +19,7 @@ class RawTerminal {
   void enter();
 
  private:
-  struct Settings;
-  std::unique_ptr<Settings> before_;
+  ::termios before_{};
 };
 
 }  // namespace xr3

@@ -67,9 +67,6 @@ asio::awaitable<void> connect(asio::io_context& context, const TermOptions& opti
 
 }  // namespace
 
-TcpPeer::TcpPeer(tcp::socket socket, std::optional<TelnetClient> telnet)
-    : socket_(std::move(socket)), telnet_(std::move(telnet)) {}
-
 asio::awaitable<bool> TcpPeer::negotiate() {
   if (!telnet_) co_return true;
   protocol_bytes_ = telnet_->opening();

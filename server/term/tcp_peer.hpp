@@ -15,7 +15,8 @@ namespace xr3 {
 class TcpPeer : public TermPeer {
  public:
   /// With `telnet`, for RFC 2217.
-  TcpPeer(tcp::socket socket, std::optional<TelnetClient> telnet);
+  TcpPeer(tcp::socket socket, std::optional<TelnetClient> telnet)
+      : socket_(std::move(socket)), telnet_(std::move(telnet)) {}
 
   /// Negotiates, until the settings of the port are answered. False if the connection is lost.
   asio::awaitable<bool> negotiate();

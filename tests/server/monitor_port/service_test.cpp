@@ -143,13 +143,13 @@ TEST_F(MonitorServiceTest, ASubscriptionGetsTheMessagesOfItsCell) {
   io_.restart();
   io_.run_for(50ms);
   EXPECT_TRUE(read(one_).empty());
-  EXPECT_EQ(second.hub().size(), 1U);
-  EXPECT_EQ(hosted_.hub().size(), 0U);
+  EXPECT_EQ(second.hub().sessions().size(), 1U);
+  EXPECT_EQ(hosted_.hub().sessions().size(), 0U);
   second.cell().apply(LineOpened{"test"}, wall_now());
   second.acted();
   EXPECT_EQ(wait(one_).front()["cell"], "second");
   ask(one_, R"({"op":"unsub","channel":"event","cell":"second"})");
-  EXPECT_EQ(second.hub().size(), 0U);
+  EXPECT_EQ(second.hub().sessions().size(), 0U);
 }
 
 TEST_F(MonitorServiceTest, TheSubscriptionsOfAClosedCellEndWithItsLastEvent) {
@@ -165,8 +165,8 @@ TEST_F(MonitorServiceTest, TheSubscriptionsOfAClosedCellEndWithItsLastEvent) {
   const std::vector<Json> rest = read(one_);
   ASSERT_EQ(rest.size(), 1U);
   EXPECT_EQ(rest[0]["event"], "cell_closed");
-  EXPECT_FALSE(one_.follows_anything());
-  EXPECT_EQ(kept->hub().size(), 0U);
+  EXPECT_FALSE(one_.client().follows_anything());
+  EXPECT_EQ(kept->hub().sessions().size(), 0U);
   EXPECT_EQ(answer(one_, R"({"op":"ping","cell":"second"})")["error"]["code"], "unknown_cell");
 }
 
@@ -502,7 +502,7 @@ TEST_F(WithToken, FiveWrongTokensEndTheConnection) {
   EXPECT_EQ(service_.counters().wrong_tokens, 5U);
   ASSERT_EQ(last.size(), 2U);
   EXPECT_EQ(last[1]["why"], "bad_token");
-  EXPECT_TRUE(one_.has_ended());
+  EXPECT_TRUE(one_.client().has_ended());
 }
 
 class Private : public MonitorServiceTest {
