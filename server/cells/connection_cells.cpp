@@ -78,7 +78,8 @@ asio::awaitable<void> ConnectionCells::await_first_byte(ClientPtr client) {
     first = error || is_closing_ ? First::kEnd : look(*client);
   }
   waiting_.erase(client);
-  settle(*client, first);
+  if (first == First::kOther) ++turned_away_;
+  if (first == First::kRobot && !is_closing_) serve(*client);
 }
 
 /// Examines the bytes that have arrived, and leaves them where they are.
@@ -103,11 +104,6 @@ ConnectionCells::First ConnectionCells::judge(Client& client, std::string_view b
     if (found == Detection::kNotARobotProgram) return First::kOther;
   }
   return First::kNothing;
-}
-
-void ConnectionCells::settle(Client& client, First first) {
-  if (first == First::kOther) ++turned_away_;
-  if (first == First::kRobot && !is_closing_) serve(client);
 }
 
 // --- Cells.

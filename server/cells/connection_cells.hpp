@@ -61,7 +61,6 @@ class ConnectionCells {
   asio::awaitable<void> await_first_byte(ClientPtr client);
   First look(Client& client);
   First judge(Client& client, std::string_view bytes) const;
-  void settle(Client& client, First first);
   void serve(Client& client);
   void refuse(const char* why);
   void line_ended(Guest& guest);

@@ -35,9 +35,8 @@ RobotHost::RobotHost(const ServeOptions& options, const CellSeed& seed, MonitorA
                  if (monitor_) monitor_->service().acted(cell);
                  if (on_action_) on_action_();
                }},
-      cell_(make_cell(
-          context_, options, seed, "main",
-          [](const CellEvent& event, const Model& model) { log_event(event, model); })),
+      cell_(make_cell(context_, options, seed, "main",
+                      [](const CellEvent& event, const Model& model) { log_event(event, model); })),
       policy_(rules_of(access)) {
   cell_->add_port({options.max_lines, options.guard});
   cells_.add(cell_);
@@ -49,8 +48,7 @@ RobotHost::RobotHost(const ServeOptions& options, const CellSeed& seed, MonitorA
   if (access == MonitorAccess::kNone) return;
   monitor_.emplace(
       io_, cells_, worker_, policy_,
-      []() -> asio::awaitable<std::string> { co_return std::string(); }, on_monitor_end_,
-      SocketLimits());
+      []() -> asio::awaitable<std::string> { co_return std::string(); }, [] {}, SocketLimits());
   require_port(monitor_->listen(any_port()), "monitor");
 }
 

@@ -57,7 +57,6 @@ class RobotHost {
   LineTurns turns_{io_};
   Worker worker_;
   std::function<void()> on_action_;
-  std::function<void()> on_monitor_end_ = [] {};
   CellContext context_;
   CellRegistry cells_;
   CellPtr cell_;

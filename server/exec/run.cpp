@@ -145,8 +145,8 @@ class Run {
     ProgramSettings program;
     program.command = settings_.exec.command;
     if (network_) {
-      program.command = sandboxed(settings_.exec.command,
-                                  {settings_.exec.readable, std::filesystem::read_symlink(pty)});
+      program.command = sandboxed(settings_.exec.command, settings_.exec.readable,
+                                  std::filesystem::read_symlink(pty));
       program.network = &*network_;
       program.is_stranger = true;
     }

@@ -72,7 +72,8 @@ bool has_sandbox() {
 }
 
 std::vector<std::string> sandboxed(const std::vector<std::string>& command,
-                                   const SandboxSettings& settings) {
+                                   const std::vector<std::string>& readable,
+                                   const std::string& pty) {
   std::vector<std::string> all{kProgram,        "--die-with-parent", "--unshare-pid",
                                "--unshare-ipc", "--unshare-uts",     "--unshare-cgroup-try",
                                "--new-session", "--cap-drop",        "ALL"};
@@ -83,8 +84,8 @@ std::vector<std::string> sandboxed(const std::vector<std::string>& command,
   const std::string here = fs::current_path();
   add_current_folder(all, here);
   for (const std::string& each : command) add_readable(all, each);
-  for (const std::string& each : settings.readable) add_readable(all, each);
-  add(all, {"--dev-bind", settings.pty, kSandboxPty});
+  for (const std::string& each : readable) add_readable(all, each);
+  add(all, {"--dev-bind", pty, kSandboxPty});
   add(all, {"--remount-ro", "/dev", "--remount-ro", "/", "--chdir", here, "--"});
   all.insert(all.end(), command.begin(), command.end());
   return all;

@@ -8,19 +8,16 @@
 
 namespace xr3 {
 
-struct SandboxSettings {
-  std::vector<std::string> readable;  ///< further files and folders, which it can read
-  std::string pty;                    ///< the device of its pseudo-terminal
-};
-
 /// Where the program finds its pseudo-terminal in the sandbox.
 inline constexpr const char* kSandboxPty = "/run/xr3/serial";
 
 /// Whether bubblewrap is installed.
 bool has_sandbox();
 
-/// The command with bubblewrap before it.
+/// The command with bubblewrap before it. `readable`: further files and folders, which it can read;
+/// `pty`: the device of its pseudo-terminal.
 std::vector<std::string> sandboxed(const std::vector<std::string>& command,
-                                   const SandboxSettings& settings);
+                                   const std::vector<std::string>& readable,
+                                   const std::string& pty);
 
 }  // namespace xr3

@@ -6,14 +6,11 @@
 #include "protocol/json/source.hpp"
 
 namespace xr3::http {
-namespace {
 
 Answer closing(Answer answer) {
   answer.then = Then::kClose;
   return answer;
 }
-
-}  // namespace
 
 Answer text(Body body) { return {200, "text/plain; charset=utf-8", std::move(body), {}}; }
 

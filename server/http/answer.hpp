@@ -26,6 +26,9 @@ Answer json(Body body);
 Answer error(unsigned status, const char* code, const std::string& message,
              const std::string& hint);
 
+/// The same answer, after which the connection closes.
+Answer closing(Answer answer);
+
 inline constexpr const char* kRequestHint =
     "an example: GET /healthz HTTP/1.1 with one Host field; CR LF ends each line";
 /// 400. Closes the connection, since the next request cannot be located reliably.

@@ -52,12 +52,6 @@ Answer no_camera() {
                      "start with a workcell that has one, such as rhino-xr3");
 }
 
-Answer forbidden(const char* code, const std::string& message, const std::string& hint) {
-  Answer answer = http::error(403, code, message, hint);
-  answer.then = http::Then::kClose;
-  return answer;
-}
-
 bool has_token(std::string_view list, std::string_view wanted) {
   while (!list.empty()) {
     const std::size_t comma = std::min(list.find(','), list.size());
@@ -112,12 +106,14 @@ std::optional<Answer> HttpResources::refuse(const Request& request) const {
   if (hosts.size() != 1) return http::bad_request("a request has exactly one Host");
   if (origins.size() > 1) return http::bad_request("a request has at most one Origin");
   if (!policy_.is_host_allowed(hosts.front())) {
-    return forbidden("wrong_host", "this server does not answer to that Host",
-                     "use its IP address or localhost, or start it with --allow-host NAME");
+    return http::closing(
+        http::error(403, "wrong_host", "this server does not answer to that Host",
+                    "use its IP address or localhost, or start it with --allow-host NAME"));
   }
   if (!origins.empty() && !policy_.is_origin_allowed(origins.front(), hosts.front())) {
-    return forbidden("wrong_origin", "a page from another origin may not read this",
-                     "open the page from this server's own address, or use --allow-origin");
+    return http::closing(
+        http::error(403, "wrong_origin", "a page from another origin may not read this",
+                    "open the page from this server's own address, or use --allow-origin"));
   }
   if (request.method != "GET" && request.method != "HEAD") return http::method_not_allowed();
   if (!request.target.starts_with('/'))

@@ -131,11 +131,6 @@ void LineSession::end_by_fault() {
   pending_.clear();
 }
 
-void LineSession::act_on_pending(const Turn& turn) {
-  const std::string bytes = std::exchange(pending_, {});
-  act(bytes, turn);
-}
-
 void LineSession::report_settings() {
   if (const auto settings = stream_->take_settings(id_)) context_.cell.apply(*settings, wall_now());
 }
@@ -144,11 +139,6 @@ void LineSession::end_input() {
   if (context_.cell.find_line(id_)->has_input_ended()) return;
   context_.cell.apply(InputEnded{id_}, wall_now());
   context_.acted(id_);
-}
-
-// The replies to bytes that have arrived leave before the line is closed.
-void LineSession::end_unless_under_way(const SerialLine& line) {
-  if (line.is_drained() || end_ == LineCloseReason::kShutdown) close(end_);
 }
 
 // Sends as much as the stream accepts now, and applies the bytes that waited for room in the outbox.
@@ -173,12 +163,13 @@ LineSession::Left LineSession::flush(const Turn& turn) {
     if (line.is_paced()) context_.acted(id_);  // bytes may act again
     if (!stream_->is_open()) return Left::kWaits;
     if (count == 0 && !line.outbox().empty()) return Left::kWaits;
-    if (accepts_pending()) act_on_pending(turn);
+    if (accepts_pending()) act(std::exchange(pending_, {}), turn);
     if (!stream_->is_open()) return Left::kWaits;
     const bool is_done = line.outbox().empty() && pending_.empty();
     if (!is_done && is_over(turn)) return Left::kSome;
   }
-  if (has_ended_) end_unless_under_way(line);
+  // The replies to bytes that have arrived leave before the line is closed.
+  if (has_ended_ && (line.is_drained() || end_ == LineCloseReason::kShutdown)) close(end_);
   return stream_->is_open() ? Left::kNothing : Left::kWaits;
 }
 

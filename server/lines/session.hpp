@@ -80,10 +80,8 @@ class LineSession {
   std::size_t read(std::size_t most);
   void act(std::string_view bytes, const Turn& turn);
   void keep(std::string_view bytes);
-  void act_on_pending(const Turn& turn);
   void end_input();
   void end_by_fault();
-  void end_unless_under_way(const SerialLine& line);
   void report_settings();
 
   std::unique_ptr<LineStream> stream_;

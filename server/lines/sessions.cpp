@@ -106,19 +106,15 @@ void LineSessions::read_arrived() {
   });
 }
 
-void LineSessions::read_arrived_on(LineId line) {
-  vital(kLinesName, [&, this] {
-    accept_arrived();
-    read_to_end(line);
-  });
-}
-
 asio::awaitable<bool> LineSessions::wait_for_bytes(LineId id, std::uint64_t bytes_in,
                                                    std::chrono::milliseconds within) {
   asio::steady_timer timer(turns_.io(), within);
   const auto deadline = timer.expiry();
   for (;;) {
-    read_arrived_on(id);
+    vital(kLinesName, [id, this] {
+      accept_arrived();
+      read_to_end(id);
+    });
     if (cell_.bytes_in(id).value_or(0) >= bytes_in) co_return true;
     const bool may_come = cell_.find_line(id) != nullptr && !is_closing_;
     if (!may_come || asio::steady_timer::clock_type::now() >= deadline) co_return false;

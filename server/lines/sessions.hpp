@@ -68,7 +68,6 @@ class LineSessions final : public LineTransports {
   void notify(LineId line);
   Sessions sessions() const { return sessions_; }
   void accept_arrived();
-  void read_arrived_on(LineId line);
   void read_to_end(LineId line);
 
   LineTurns& turns_;

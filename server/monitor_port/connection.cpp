@@ -33,7 +33,23 @@ void MonitorConnection::start() {
 
 asio::awaitable<void> MonitorConnection::run() {
   std::string first_bytes = co_await open();
-  co_await serve(std::move(first_bytes));
+  if (!socket_->is_open()) co_return;
+  const monitor::Protocol protocol = detector_.protocol();
+  if (protocol == monitor::Protocol::kTls) {
+    context_.tls_refused();
+  } else if (protocol == monitor::Protocol::kHttp) {
+    http_.emplace(*socket_, context_.resources,
+                  [this](std::string head) { return serve_websocket(std::move(head)); });
+    co_await http_->run(std::move(first_bytes));
+  } else {
+    greet();
+    co_await lines_->run(std::move(first_bytes), protocol);
+  }
+}
+
+asio::awaitable<void> MonitorConnection::serve_websocket(std::string head) {
+  websocket_ = Websocket::make(socket_, context_.service);
+  co_await websocket_->run(std::move(head));
 }
 
 // --- The detector.
@@ -64,32 +80,6 @@ void MonitorConnection::greet_after_silence() {
 /// Sends `hello`, once.
 void MonitorConnection::greet() {
   if (!lines_) lines_ = JsonLines::greet(socket_, context_.service);
-}
-
-asio::awaitable<void> MonitorConnection::serve(std::string first_bytes) {
-  if (!socket_->is_open()) co_return;
-  const monitor::Protocol protocol = detector_.protocol();
-  if (protocol == monitor::Protocol::kTls) {
-    context_.tls_refused();
-  } else if (protocol == monitor::Protocol::kHttp) {
-    co_await serve_http(std::move(first_bytes));
-  } else {
-    greet();
-    co_await lines_->run(std::move(first_bytes), protocol);
-  }
-}
-
-// --- HTTP.
-
-asio::awaitable<void> MonitorConnection::serve_http(std::string first_bytes) {
-  http_.emplace(*socket_, context_.resources,
-                [this](std::string head) { return serve_websocket(std::move(head)); });
-  co_await http_->run(std::move(first_bytes));
-}
-
-asio::awaitable<void> MonitorConnection::serve_websocket(std::string head) {
-  websocket_ = Websocket::make(socket_, context_.service);
-  co_await websocket_->run(std::move(head));
 }
 
 // --- Memory.

@@ -57,8 +57,6 @@ class MonitorConnection : public std::enable_shared_from_this<MonitorConnection>
   asio::awaitable<std::string> open();
   void greet_after_silence();
   void greet();
-  asio::awaitable<void> serve(std::string first_bytes);
-  asio::awaitable<void> serve_http(std::string first_bytes);
   asio::awaitable<void> serve_websocket(std::string head);
 
   MonitorConnectionContext& context_;

@@ -22,13 +22,13 @@ constexpr std::string_view kLineEnd = "\n";
 
 std::shared_ptr<JsonLines> JsonLines::greet(std::shared_ptr<MonitorSocket> socket,
                                             MonitorService& service) {
-  std::shared_ptr<JsonLines> lines(new JsonLines(std::move(socket), service));
+  std::shared_ptr<JsonLines> lines(new JsonLines(std::move(socket)));
   lines->session_ = std::make_unique<MonitorSession>(service, static_cast<MessageSink&>(*lines));
   lines->pump();
   return lines;
 }
 
-JsonLines::JsonLines(std::shared_ptr<MonitorSocket> socket, MonitorService&)
+JsonLines::JsonLines(std::shared_ptr<MonitorSocket> socket)
     : socket_(std::move(socket)), progress_(socket_->executor(), kNoProgressDeadline) {}
 
 // --- In.

@@ -43,7 +43,7 @@ class JsonLines : public std::enable_shared_from_this<JsonLines>, private Messag
   void retire() { session_.reset(); }
 
  private:
-  JsonLines(std::shared_ptr<MonitorSocket> socket, MonitorService& service);
+  explicit JsonLines(std::shared_ptr<MonitorSocket> socket);
 
   asio::awaitable<void> answer_lines();
   bool is_full() const;

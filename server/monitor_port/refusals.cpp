@@ -32,8 +32,7 @@ asio::awaitable<std::string> http_answer(MonitorSocket& socket, std::string byte
                          !resources.refuse(head.request);
   if (!is_served) co_return http::to_bytes(http::full(), "GET");
   http::Answer answer = co_await resources.answer(head.request);
-  answer.then = http::Then::kClose;
-  co_return http::to_bytes(answer, head.request.method);
+  co_return http::to_bytes(http::closing(std::move(answer)), head.request.method);
 }
 
 asio::awaitable<void> refuse(std::shared_ptr<MonitorSocket> socket, HttpResources& resources) {
