@@ -17,12 +17,12 @@
 #include "cell/byte_clock.hpp"
 #include "cell/counters.hpp"
 #include "cell/input.hpp"
+#include "cell/judge/watcher.hpp"
 #include "cell/line_listener.hpp"
 #include "cell/mirror.hpp"
 #include "cell/recording/input_log.hpp"
 #include "cell/transcript.hpp"
 #include "cell/warning_limiter.hpp"
-#include "cell/judge/watcher.hpp"
 #include "core/sim_clock.hpp"
 #include "core/simulation.hpp"
 #include "protocol/explain/cell_event.hpp"
@@ -43,9 +43,10 @@ class Cell final : private LineListener {
   Cell(const Cell&) = delete;
   Cell& operator=(const Cell&) = delete;
 
-  /// From now on, commands of the lines go to a physical controller while the simulator is disabled.
-  /// Preconditions: no line is open, the clock is real at rate 1, and there was no device.
-  /// `is_mirrored`: the simulation carries the commands out, too, and is compared with the device.
+  /// From now on, commands of the lines go to a physical controller while the simulator is
+  /// disabled. Preconditions: no line is open, the clock is real at rate 1, and there was no
+  /// device. `is_mirrored`: the simulation carries the commands out, too, and is compared with the
+  /// device.
   void connect_device(std::string path, const SerialSettings& settings, bool is_mirrored = false);
   /// Sets the faults with which the cell starts, and to which a reset returns. Precondition: no
   /// line is open, and the robot has the joints.
@@ -119,9 +120,9 @@ class Cell final : private LineListener {
   void watch(CellWatcher& watcher) { watchers_.push_back(&watcher); }
   /// No effect if it does not watch.
   void end_watch(const CellWatcher& watcher) { std::erase(watchers_, &watcher); }
-  /// For a replay: from now on time passes only by this function, to `tick`, and at most `max_bytes`
-  /// bytes that become due act. Inputs act at the current tick; their wall time must be 0. A tick in
-  /// the past means now. Throws as apply() does.
+  /// For a replay: from now on time passes only by this function, to `tick`, and at most
+  /// `max_bytes` bytes that become due act. Inputs act at the current tick; their wall time must be
+  /// 0. A tick in the past means now. Throws as apply() does.
   void replay_to(Tick tick, std::size_t max_bytes = kEveryByte);
   /// Ends a replay: time passes by the clock again, from the current tick at `now`.
   void end_replay(WallNs now);
@@ -130,9 +131,9 @@ class Cell final : private LineListener {
   struct Checkpoint;
   /// Precondition: there is no device.
   Checkpoint checkpoint() const;
-  /// Continues from a checkpoint of a cell with the same robot, profile, line speed and faults of the
-  /// start, as a replay: inputs that follow have the same effect as on that cell. Events and records
-  /// of lines stay. Precondition: there is no device.
+  /// Continues from a checkpoint of a cell with the same robot, profile, line speed and faults of
+  /// the start, as a replay: inputs that follow have the same effect as on that cell. Events and
+  /// records of lines stay. Precondition: there is no device.
   void restore(const Checkpoint& checkpoint);
   /// The number of bytes of lines that have acted, or left, because they became due.
   std::uint64_t acts() const { return acts_; }

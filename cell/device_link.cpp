@@ -119,8 +119,8 @@ std::optional<DeviceLink::Asked> DeviceLink::expire(Tick now) {
   return silent;
 }
 
-// An inquiry is the last of the outbox. If it has left, its reply may come: it must not be taken for
-// that of the next inquiry.
+// An inquiry is the last of the outbox. If it has left, its reply may come: it must not be taken
+// for that of the next inquiry.
 void DeviceLink::stop(Tick now) {
   ++stops_;
   const auto answered_later = outbox_.empty() ? asked_ : std::nullopt;

@@ -34,8 +34,8 @@ class LineFaults {
   LineFaults(LineId line, const State& state)
       : line_(line), power_cycles_(state.faults.power_cycles) {}
 
-  /// Whether no fault concerns the next data byte of the client. If so, the byte is counted; if not,
-  /// receive() must be called.
+  /// Whether no fault concerns the next data byte of the client. If so, the byte is counted; if
+  /// not, receive() must be called.
   bool passes_input(const State& state) {
     if (has_line_faults(state)) return false;
     ++received_;

@@ -52,9 +52,10 @@ void listen_too(Port& port, const std::string& what, bool was_chosen) {
 }
 
 AccessRules access_rules(const ServeOptions& options, std::string token) {
-  const auto reach = is_loopback(options.listen) ? http::Reach::kThisMachine : http::Reach::kBeyond;
+  const auto reach =
+      is_loopback(options.listen) ? http::HostReach::kThisMachine : http::HostReach::kBeyond;
   return {{reach, options.allow_hosts, options.allow_origins},
-          options.is_private ? Reading::kWithToken : Reading::kFree,
+          options.is_private ? ReadAccess::kWithToken : ReadAccess::kFree,
           std::move(token)};
 }
 

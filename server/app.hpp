@@ -38,8 +38,8 @@ class App {
   App& operator=(const App&) = delete;
   ~App();
 
-  /// Lets `replay` bring the first cell, fresh, to which it may apply inputs, to the state with which
-  /// this server begins. Its lines are closed after it, and its events are not logged.
+  /// Lets `replay` bring the first cell, fresh, to which it may apply inputs, to the state with
+  /// which this server begins. Its lines are closed after it, and its events are not logged.
   void begin_with(const std::function<void(Cell&)>& replay);
 
   /// Serves until SIGTERM, SIGINT or SIGHUP, then sends pending replies and returns kGood. An

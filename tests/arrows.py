@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Project rules that a compiler does not check: the includes that each library may have, the maximum length
-of a file, the maximum size of a folder, and that no file names a path outside the project. Prints every
-breach as file:line."""
+of a file and of its lines, the maximum size of a folder, that each type of a header has a name of its own, and that
+no file names a path outside the project. Prints every breach as file:line."""
 
 import os
 import re
@@ -10,6 +10,7 @@ import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 MAX_LINES = 400
+MAX_COLUMNS = 100
 MAX_ROOMS = 32  # a room is a subfolder, or a header with its source
 
 # For each library: the libraries it may include, the start of every <path/> with a folder in it (None:
@@ -37,6 +38,9 @@ PRIVATE_PATH = re.compile(
 # scripts/emscripten compiles these libraries with Debian 12's libc++, which has no such algorithms.
 PORTABLE = ("core", "protocol", "cell")
 NOT_IN_LIBCXX = re.compile(r"\b(?:std::ranges::\w+\(|(?:std|ranges)::views::)")
+
+# A type that the namespace of a header defines; nested types belong to their class.
+TYPE = re.compile(r"^(?:struct|class|enum class) ([A-Z]\w*)(?: final)?(?: : [^;{]*)?\s*\{|^using ([A-Z]\w*) =", re.MULTILINE)
 
 CONSTANT = re.compile(r"^(?:inline )?(?:constexpr|const)\b[^()=;{]*?\b(k[A-Z]\w*)(?= =|\{|\[)", re.MULTILINE)
 
@@ -87,6 +91,8 @@ def breaches(path, text):
         reason = include and (forbidden(folder, *include.groups()) or joins_separate(path, include[1]))
         if reason:
             yield f"{path}:{number}: {reason}"
+        if folder in RULES and path.endswith((".cpp", ".hpp")) and len(line) > MAX_COLUMNS:
+            yield f"{path}:{number}: longer than {MAX_COLUMNS} columns"
         if folder in PORTABLE and NOT_IN_LIBCXX.search(line):
             yield f"{path}:{number}: {folder} may not use algorithms of std::ranges; Emscripten's libc++ lacks them"
     if folder in RULES and len(lines) > MAX_LINES:
@@ -119,6 +125,18 @@ def hidden_constants(texts):
                     yield f"{path}: {name} has the name of a constant in {shared[name]}"
 
 
+def doubled_types(texts):
+    """Types of two headers that have one name."""
+    owners = {}
+    for path, text in texts.items():
+        if path.endswith(".hpp") and path.startswith(tuple(library + "/" for library in RULES)):
+            for match in TYPE.finditer(text):
+                owners.setdefault(match[1] or match[2], set()).add(path)
+    for name, paths in sorted(owners.items()):
+        if len(paths) > 1:
+            yield f"{' and '.join(sorted(paths))} each define a type {name}"
+
+
 def named_files_that_are_missing(texts):
     """Files that a comment names but that do not exist, such as those that were renamed."""
     existing = {"/" + path for path in texts}
@@ -138,6 +156,7 @@ def main():
             texts[path] = file.read()
         found.extend(breaches(path, texts[path]))
     found.extend(hidden_constants(texts))
+    found.extend(doubled_types(texts))
     found.extend(named_files_that_are_missing(texts))
     for breach in found:
         print(breach)

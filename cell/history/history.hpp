@@ -1,7 +1,7 @@
 // The past of a cell, from which each of its moments can be made again: checkpoints, and the inputs
 // after each. A checkpoint is taken before an input, after some motion or many inputs, so nothing
-// wakes an idle cell, and no moment is far from a checkpoint. Blocks and paths that have not changed
-// are shared. Without I/O and wall time.
+// wakes an idle cell, and no moment is far from a checkpoint. Blocks and paths that have not
+// changed are shared. Without I/O and wall time.
 #pragma once
 
 #include <cstddef>
@@ -50,8 +50,8 @@ class History final : private Recorder, private monitor::ByteBudget::Member {
   static constexpr Tick kMovedTicks = 10 * kTickHz;
   static constexpr std::size_t kInputs = 4096;
   static constexpr std::size_t kInputBytes = std::size_t{512} * 1024;
-  /// A checkpoint with more bytes in the queues of its lines is not taken: the history has a gap until
-  /// they are shorter. Whether they are is looked at after so many inputs.
+  /// A checkpoint with more bytes in the queues of its lines is not taken: the history has a gap
+  /// until they are shorter. Whether they are is looked at after so many inputs.
   static constexpr std::size_t kMaxQueues = std::size_t{2} * 1024 * 1024;
   static constexpr std::size_t kRetryInputs = 256;
   /// When memory is short, or there are too many parts, parts are joined up to these limits, which
@@ -61,16 +61,16 @@ class History final : private Recorder, private monitor::ByteBudget::Member {
   static constexpr std::size_t kJoinedInputs = 256;
 
   /// Keeps the past `longest` ticks of the cell from now on, within a budget that all histories
-  /// share. Preconditions: longest > 0, and the cell has no device. Cell and budget must outlive the
-  /// history.
+  /// share. Preconditions: longest > 0, and the cell has no device. Cell and budget must outlive
+  /// the history.
   History(Cell& cell, Tick longest, monitor::ByteBudget& budget);
   History(const History&) = delete;
   History& operator=(const History&) = delete;
   ~History() override;
 
-  /// The times that can be made again, the oldest first; empty before the first input. An epoch with
-  /// a gap has several. While the cell is in the past, they include the future to which it may still
-  /// return.
+  /// The times that can be made again, the oldest first; empty before the first input. An epoch
+  /// with a gap has several. While the cell is in the past, they include the future to which it may
+  /// still return.
   std::vector<EpochSpan> epochs() const;
   bool covers(const ReplayTime& time) const;
   /// The part from which a time can be made again: see past.hpp. It can be used by another thread.

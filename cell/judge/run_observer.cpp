@@ -106,7 +106,7 @@ bool RunObserver::has_moved(const State& state) {
 void RunObserver::check(std::size_t index, const Cell& cell) {
   std::optional<Breach>& first = facts_.breaches[index];
   if (first) return;
-  const goal::Body& body = goals_.goals[index].body;
+  const goal::Condition& body = goals_.goals[index].body;
   if (const auto* untouched = std::get_if<goal::Untouched>(&body)) first = breach(*untouched, cell);
   if (const auto* keep_out = std::get_if<goal::KeepOut>(&body)) first = breach(*keep_out, cell);
 }

@@ -1,5 +1,5 @@
-// The interface of a log of a cell. The cell reports its inputs, and how time has passed between them
-// where its state depends on that. A log must not change the cell. It hears what it overrides.
+// The interface of a log of a cell. The cell reports its inputs, and how time has passed between
+// them where its state depends on that. A log must not change the cell. It hears what it overrides.
 #pragma once
 
 #include <string_view>

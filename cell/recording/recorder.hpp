@@ -54,12 +54,12 @@ class Recorder : public InputLog {
     int us = 0;
   };
   struct EntryMaker;
-  using MaybeBody = std::optional<recording::Body>;
+  using MaybeBody = std::optional<recording::EntryBody>;
 
   static At now(const Cell& cell) {
     return {cell.epoch(), cell.state().tick, static_cast<int>(cell.clock_remainder())};
   }
-  void add(const At& at, recording::Body body);
+  void add(const At& at, recording::EntryBody body);
   void add_outputs();
   std::string take_replies(LineId line);
 

@@ -169,8 +169,8 @@ Replayer::Result Replayer::carry_on(const recording::Entry& entry) {
   return std::visit(Applier{*this, entry}, entry.body);
 }
 
-/// Applies the bytes of an input, and returns how many were taken. If they take time, and come to the
-/// time to stop, the rest is left.
+/// Applies the bytes of an input, and returns how many were taken. If they take time, and come to
+/// the time to stop, the rest is left.
 std::size_t Replayer::take(const recording::LineInput& input) {
   ++inputs_;
   const SerialLine& line = *cell_.find_line(input.line);

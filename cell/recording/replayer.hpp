@@ -30,8 +30,8 @@ enum class Compared : std::uint8_t { kAll, kReplies, kNothing };
 
 class Replayer : private InputLog {
  public:
-  /// `cell` must be prepared, or restored from a checkpoint after which no byte was late, and outlive
-  /// the replayer.
+  /// `cell` must be prepared, or restored from a checkpoint after which no byte was late, and
+  /// outlive the replayer.
   Replayer(Cell& cell, Compared compared);
   ~Replayer() override;
 

@@ -1,5 +1,5 @@
-// The digest of all that a cell's future depends on, beside its inputs: the machine, the clock and the
-// lines with their parsers and queues. Equal on every machine.
+// The digest of all that a cell's future depends on, beside its inputs: the machine, the clock and
+// the lines with their parsers and queues. Equal on every machine.
 #pragma once
 
 #include <string>

@@ -15,8 +15,8 @@ constexpr Tick running_ticks(std::uint8_t percent, Tick from, Tick to) {
   return to * percent / kFullSpeed - from * percent / kFullSpeed;
 }
 
-/// The first tick after `from` by which a motor of this speed has run for `ticks` ticks, at least 1.
-/// kNoTick if it does not run.
+/// The first tick after `from` by which a motor of this speed has run for `ticks` ticks, at least
+/// 1. kNoTick if it does not run.
 constexpr Tick tick_after_running(std::uint8_t percent, Tick from, Tick ticks) {
   if (percent == 0) return kNoTick;
   return ((from * percent / kFullSpeed + ticks) * kFullSpeed + percent - 1) / percent;

@@ -97,8 +97,8 @@ struct CellClosedNote {
   std::string cell;
 };
 
-/// In a cell with a physical controller: the simulator was enabled or disabled. In a cell without one
-/// this is EnabledChanged.
+/// In a cell with a physical controller: the simulator was enabled or disabled. In a cell without
+/// one this is EnabledChanged.
 struct HandoverNote {
   bool enabled = true;
   std::string device;  ///< its path

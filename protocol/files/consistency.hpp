@@ -23,8 +23,8 @@ Positions hard_home(const Model& model);
 /// Errors: duplicate names, a camera that is not above the work surface or is reached by a block.
 /// Warnings: blocks that overlap, float, lie below the work surface or outside the workspace, are
 /// too wide for the robot's tool or out of its reach. `robot` may be nullptr. The reach is checked
-/// for the blocks from index `first_reach` on; if the robot's inverse kinematics has no closed form,
-/// for 100 of them.
+/// for the blocks from index `first_reach` on; if the robot's inverse kinematics has no closed
+/// form, for 100 of them.
 void check_workcell(const Workcell& workcell, const Robot* robot, std::size_t first_reach,
                     data::Reading& reading);
 

@@ -137,7 +137,7 @@ struct MaxTipPath {
   bool operator==(const MaxTipPath&) const = default;
 };
 
-using Body =
+using Condition =
     std::variant<BlockPlace, Stacked, Sorted, Holding, JointValue, TipPlace, NoStall, NoWarnings,
                  NoSoftHome, Untouched, KeepOut, Order, MaxSimTime, MaxBytes, MaxTipPath>;
 
@@ -146,7 +146,7 @@ using Body =
 struct Goal {
   int points = 1;
   std::string hint{};  ///< shown if the goal is missed; may be empty
-  goal::Body body;
+  goal::Condition body;
 };
 
 /// The contents of a goals file.

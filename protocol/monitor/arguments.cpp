@@ -37,22 +37,22 @@ Json shown(JsonValue value) {
   return std::string(kind) + " of " + std::to_string(size) + " bytes";
 }
 
-void Findings::keep(const std::string& pointer, Json found, std::string allowed) {
+void InvalidValues::keep(const std::string& pointer, Json found, std::string allowed) {
   details_.push_back({cut(pointer, kMaxFoundLength), std::move(found), std::move(allowed)});
 }
 
-void Findings::add(const std::string& pointer, JsonValue found, std::string allowed) {
+void InvalidValues::add(const std::string& pointer, JsonValue found, std::string allowed) {
   if (counts()) keep(pointer, found ? shown(found) : Json(), std::move(allowed));
 }
 
-void Findings::add_errors(const data::Reading& reading, const std::string& at) {
+void InvalidValues::add_errors(const data::Reading& reading, const std::string& at) {
   for (const data::Reading::Kept& kept : reading.kept()) {
     if (counts()) keep(at + kept.finding.pointer, found_by(kept), kept.finding.allowed);
   }
   count_ += reading.errors() - reading.kept().size();
 }
 
-RequestError Findings::error(RequestId id) const {
+RequestError InvalidValues::error(RequestId id) const {
   std::string message = std::to_string(count_) + (count_ == 1 ? " wrong field" : " wrong fields");
   if (count_ > details_.size()) message += ", the first of them in details";
   return {std::move(id), "bad_args", std::move(message), "nothing was changed", details_};

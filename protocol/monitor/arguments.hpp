@@ -16,7 +16,7 @@
 namespace xr3::monitor {
 
 /// The invalid values of a request. Stores the first kMaxDetails of them and counts the others.
-class Findings {
+class InvalidValues {
  public:
   static constexpr std::size_t kMaxDetails = 32;
 
@@ -60,7 +60,7 @@ enum class Presence : std::uint8_t { kRequired, kOptional };
 class ArgsReader {
  public:
   /// An empty `object` has no members. `pointer` is its position in the message.
-  ArgsReader(JsonValue object, std::string pointer, Findings& findings)
+  ArgsReader(JsonValue object, std::string pointer, InvalidValues& findings)
       : object_(object), pointer_(std::move(pointer)), findings_(findings) {}
 
   /// The member, unchecked, or empty. From now on refuse_others() regards it as known.
@@ -90,13 +90,13 @@ class ArgsReader {
   /// Records an error for every member that was not requested.
   void refuse_others();
 
-  Findings& findings() const { return findings_; }
+  InvalidValues& findings() const { return findings_; }
   const std::vector<Asked>& asked() const { return asked_; }
 
  private:
   JsonValue object_;
   std::string pointer_;
-  Findings& findings_;
+  InvalidValues& findings_;
   std::vector<Asked> asked_;
 };
 

@@ -68,8 +68,8 @@ class Client {
   /// The cell closes: ends all subscriptions to it. Of each channel without loss, the messages that
   /// are not sent yet go to the reply queue: all if they are few, else a `lag` and the last one.
   void finish(const std::string& cell);
-  /// From now on, no frame of the cell is sent, also of later subscriptions: the client looks at the
-  /// past. Messages of channels without loss go on.
+  /// From now on, no frame of the cell is sent, also of later subscriptions: the client looks at
+  /// the past. Messages of channels without loss go on.
   void hold_frames(const std::string& cell);
   /// Ends hold_frames().
   void release_frames(const std::string& cell);

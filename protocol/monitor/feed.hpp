@@ -1,6 +1,6 @@
 // Channels without loss (event, line): a ring buffer keeps the latest messages, numbered over the
-// cell's lifetime, and grows as it is filled. A subscription is a cursor into it. A message is converted to text when first
-// requested.
+// cell's lifetime, and grows as it is filled. A subscription is a cursor into it. A message is
+// converted to text when first requested.
 #pragma once
 
 #include <algorithm>

@@ -80,7 +80,7 @@ bool is_host_allowed(std::string_view host, const GuardRules& rules) {
   const auto name = without_port(host);
   if (!name) return false;
   const auto is_this = [&](const std::string& allowed) { return is_same_name(*name, allowed); };
-  return is_local_name(*name) || (rules.reach == Reach::kBeyond && is_single_label(*name)) ||
+  return is_local_name(*name) || (rules.reach == HostReach::kBeyond && is_single_label(*name)) ||
          std::any_of(rules.hosts.begin(), rules.hosts.end(), is_this);
 }
 

@@ -11,11 +11,11 @@
 namespace xr3::http {
 
 /// The hosts that can reach the server's address.
-enum class Reach : std::uint8_t { kThisMachine, kBeyond };
+enum class HostReach : std::uint8_t { kThisMachine, kBeyond };
 
 /// Hosts and origins allowed in addition to the server's own addresses.
 struct GuardRules {
-  Reach reach = Reach::kThisMachine;
+  HostReach reach = HostReach::kThisMachine;
   std::vector<std::string> hosts;    ///< names, compared case-insensitively
   std::vector<std::string> origins;  ///< exactly as a browser sends them
 };

@@ -93,8 +93,8 @@ class FrameSubscription {
   ChannelStats* tally_;
 };
 
-/// The subscription of a client to `overview`: one slot. A message in it shows all changes since the
-/// one sent before, so the next one is made when the slot is empty.
+/// The subscription of a client to `overview`: one slot. A message in it shows all changes since
+/// the one sent before, so the next one is made when the slot is empty.
 class OverviewSubscription {
  public:
   /// `stats` must outlive it.

@@ -118,15 +118,15 @@ struct End {
   std::string why;   ///< `stopped` or `limit`
 };
 
-using Body = std::variant<LineBegin, LineSettings, LineInput, LineUnsent, InputEnded, LineSilent,
-                          LineClosed, CallMade, Rewound, DeviceOpened, DeviceLost, DeviceInput,
-                          DeviceOut, DeviceSilent, Late, Replies, StateHash, End>;
+using EntryBody = std::variant<LineBegin, LineSettings, LineInput, LineUnsent, InputEnded,
+                               LineSilent, LineClosed, CallMade, Rewound, DeviceOpened, DeviceLost,
+                               DeviceInput, DeviceOut, DeviceSilent, Late, Replies, StateHash, End>;
 
 struct Entry {
   Epoch epoch = 0;
   Tick tick = 0;
   int us = 0;  ///< of a clock that counts bytes: microseconds after the tick, 0...999
-  Body body;
+  EntryBody body;
 };
 
 }  // namespace xr3::recording

@@ -13,8 +13,8 @@ namespace xr3::recording {
 /// is not repeated.
 std::string members_of(const Entry& entry, Epoch epoch);
 
-/// Reads what members_of() has made, with its closing brace and beside a member `c`. Errors go to the
-/// reading.
+/// Reads what members_of() has made, with its closing brace and beside a member `c`. Errors go to
+/// the reading.
 std::optional<Entry> read_entry(data::Reading& reading, Epoch epoch);
 
 }  // namespace xr3::recording

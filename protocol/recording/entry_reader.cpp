@@ -127,16 +127,16 @@ const Members<Raw>& raw_members() {
   return members;
 }
 
-/// A kind of entry: the member that shows it, those that it needs, and those that it may have, beside
-/// tick, epoch and us.
+/// A kind of entry: the member that shows it, those that it needs, and those that it may have,
+/// beside tick, epoch and us.
 struct EntryForm {
   std::string_view shown_by;
   std::vector<std::string_view> needs;
   std::vector<std::string_view> allows;
-  std::optional<Body> (*make)(Raw&, Reading&);
+  std::optional<EntryBody> (*make)(Raw&, Reading&);
 };
 
-std::optional<Body> make_input(Raw& raw, Reading& reading) {
+std::optional<EntryBody> make_input(Raw& raw, Reading& reading) {
   LineInput input{*raw.line, *std::move(raw.in), 0, raw.unsent.value_or(0),
                   std::move(raw.out).value_or("")};
   input.taken = raw.taken.value_or(input.bytes.size());
@@ -160,7 +160,7 @@ std::optional<call::Call> read_call(const Place& fn, JsonValue args) {
   };
   const monitor::CallForm* form = call_form(fn);
   if (form == nullptr) return refuse();
-  monitor::Findings findings;
+  monitor::InvalidValues findings;
   monitor::ArgsReader reader(args, args ? args.pointer_from(fn.reading.root()) : "", findings);
   monitor::CallValue value = form->read(reader);
   reader.refuse_others();
@@ -174,13 +174,13 @@ std::optional<call::Call> read_call(const Place& fn, JsonValue args) {
   return std::move(*call);
 }
 
-std::optional<Body> make_call(Raw& raw, Reading& reading) {
+std::optional<EntryBody> make_call(Raw& raw, Reading& reading) {
   auto call = read_call({reading, raw.call}, raw.args);
   if (!call) return std::nullopt;
   return CallMade{*std::move(call)};
 }
 
-std::optional<Body> make_seek(Raw& raw, Reading& reading) {
+std::optional<EntryBody> make_seek(Raw& raw, Reading& reading) {
   Reading inner(raw.seek, Unit::kMm);
   auto saved = read_saved_cell(inner);
   reading.refuse_part("/seek", inner.take_findings());
@@ -188,13 +188,13 @@ std::optional<Body> make_seek(Raw& raw, Reading& reading) {
   return Rewound{std::make_shared<const SavedCell>(*std::move(saved))};
 }
 
-std::optional<Body> make_device(Raw& raw, Reading&) {
+std::optional<EntryBody> make_device(Raw& raw, Reading&) {
   if (*raw.device == Device::kOpened) return DeviceOpened{};
   if (*raw.device == Device::kSilent) return DeviceSilent{};
   return DeviceLost{std::move(raw.why).value_or("")};
 }
 
-using MaybeBody = std::optional<Body>;
+using MaybeBody = std::optional<EntryBody>;
 
 MaybeBody make_begin(Raw& raw, Reading&) {
   return LineBegin{*raw.line, *std::move(raw.peer), *raw.open, *raw.guard};

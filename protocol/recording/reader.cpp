@@ -14,7 +14,7 @@ constexpr std::size_t kCheckSize = kCheckMember.size() + RunningCheck::kSize + k
 
 }  // namespace
 
-void Reader::add(std::string_view bytes) {
+void RecordingReader::add(std::string_view bytes) {
   text_.erase(0, begin_);
   searched_ -= begin_;
   begin_ = 0;
@@ -22,7 +22,7 @@ void Reader::add(std::string_view bytes) {
 }
 
 // A line that lacks only its line feed has been cut off there. Anything after it is a changed byte.
-void Reader::end() {
+void RecordingReader::end() {
   has_ended_ = true;
   const std::string_view rest = std::string_view(text_).substr(begin_);
   const std::size_t close = rest.rfind(kLineEnd);
@@ -33,7 +33,7 @@ void Reader::end() {
     fail(line_ + 1, "other bytes at the end", "a line feed after each line");
 }
 
-std::optional<std::string_view> Reader::next_line() {
+std::optional<std::string_view> RecordingReader::next_line() {
   const std::size_t feed = text_.find('\n', searched_);
   const std::size_t length = std::min(feed, text_.size()) - begin_;
   if (length >= kMaxLine)
@@ -48,7 +48,7 @@ std::optional<std::string_view> Reader::next_line() {
   return line;
 }
 
-void Reader::check_line(std::string_view line) {
+void RecordingReader::check_line(std::string_view line) {
   const bool has_check = line.size() > kCheckSize && line.ends_with(kLineEnd) &&
                          line.substr(line.size() - kCheckSize).starts_with(kCheckMember);
   if (!has_check)
@@ -62,12 +62,12 @@ void Reader::check_line(std::string_view line) {
   check_.add("\n");
 }
 
-void Reader::require_json(const JsonDocument& document) const {
+void RecordingReader::require_json(const JsonDocument& document) const {
   if (document.fault() == JsonDocument::Fault::kNone) return;
   fail(line_, "no JSON: " + document.complaint().message, "one JSON object");
 }
 
-std::optional<Header> Reader::header() {
+std::optional<Header> RecordingReader::header() {
   const auto line = next_line();
   if (!line) return std::nullopt;
   const JsonDocument document(*line);
@@ -84,7 +84,7 @@ std::optional<Header> Reader::header() {
   return header;
 }
 
-std::optional<Entry> Reader::next() {
+std::optional<Entry> RecordingReader::next() {
   const auto line = next_line();
   if (!line) return std::nullopt;
   if (is_whole_) fail(line_, "a line after the end", "no line after the one with \"end\"");
@@ -99,11 +99,12 @@ std::optional<Entry> Reader::next() {
   return entry;
 }
 
-void Reader::fail(std::int64_t line, const std::string& found, const std::string& allowed) const {
+void RecordingReader::fail(std::int64_t line, const std::string& found,
+                           const std::string& allowed) const {
   throw DataError({{Severity::kError, file_, static_cast<int>(line), 0, "", found, allowed}});
 }
 
-void Reader::fail(data::Reading& reading) const {
+void RecordingReader::fail(data::Reading& reading) const {
   Findings findings = reading.take_findings();
   for (Finding& finding : findings) {
     finding.file = file_;

@@ -1,6 +1,6 @@
-// Reads a recording strictly, line by line, from bytes that the caller has read. A recording may come
-// from a stranger: lines and memory are bounded, and errors tell the line, the JSON pointer and what is
-// allowed. Without I/O.
+// Reads a recording strictly, line by line, from bytes that the caller has read. A recording may
+// come from a stranger: lines and memory are bounded, and errors tell the line, the JSON pointer
+// and what is allowed. Without I/O.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +15,18 @@
 
 namespace xr3::recording {
 
-class Reader {
+class RecordingReader {
  public:
   /// `file` is its name for messages.
-  explicit Reader(std::string file) : file_(std::move(file)) {}
+  explicit RecordingReader(std::string file) : file_(std::move(file)) {}
 
   /// Adds bytes of the file. Call it when header() or next() have returned nullopt.
   void add(std::string_view bytes);
   /// The file has no more bytes. Throws DataError if its last line is no beginning of a line.
   void end();
 
-  /// The first line; nullopt: more bytes are needed, or after end() there is none. Throws DataError.
+  /// The first line; nullopt: more bytes are needed, or after end() there is none. Throws
+  /// DataError.
   std::optional<Header> header();
   /// The next line after the header, likewise. Throws DataError.
   std::optional<Entry> next();

@@ -6,19 +6,19 @@
 
 namespace xr3::recording {
 
-std::string Writer::line(const Header& header) {
+std::string RecordingWriter::line(const Header& header) {
   std::string json = header_to_json(header).dump(-1, ' ', true);
   json.pop_back();  // the closing brace
   return checked(std::move(json));
 }
 
-std::string Writer::line(const Entry& entry) {
+std::string RecordingWriter::line(const Entry& entry) {
   std::string json = members_of(entry, epoch_);
   epoch_ = entry.epoch;
   return checked(std::move(json));
 }
 
-std::string Writer::checked(std::string json) {
+std::string RecordingWriter::checked(std::string json) {
   json += ",\"c\":\"";
   check_.add(json);
   const std::string rest = check_.text() + "\"}\n";

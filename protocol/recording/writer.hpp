@@ -1,5 +1,5 @@
-// Turns the header and the entries of a recording into its lines, each with the check of all bytes up
-// to it. Without I/O.
+// Turns the header and the entries of a recording into its lines, each with the check of all bytes
+// up to it. Without I/O.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace xr3::recording {
 /// No line of a recording is longer, with its line feed.
 inline constexpr std::size_t kMaxLine = std::size_t{8} << 20U;
 
-class Writer {
+class RecordingWriter {
  public:
   /// The first line, with its line feed.
   std::string line(const Header& header);

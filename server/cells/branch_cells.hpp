@@ -1,5 +1,5 @@
-// The cells of the call `branch`: each goes on from a time of another cell's past, with a robot port
-// of its own, and goes some time after its last line and subscriber.
+// The cells of the call `branch`: each goes on from a time of another cell's past, with a robot
+// port of its own, and goes some time after its last line and subscriber.
 #pragma once
 
 #include <cstdint>

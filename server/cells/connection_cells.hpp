@@ -1,5 +1,6 @@
-// The cells of `--cell-per-connection`: each connection of the robot port gets a cell when its first
-// byte may act, and the cell goes some time after its line. A client of HTTP or TLS gets none.
+// The cells of `--cell-per-connection`: each connection of the robot port gets a cell when its
+// first byte may act, and the cell goes some time after its line. A client of HTTP or TLS gets
+// none.
 #pragma once
 
 #include <array>

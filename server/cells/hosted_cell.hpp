@@ -82,8 +82,8 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   /// Throws SerialDeviceError. Precondition: connect_device() was called.
   void open_device() { device_->open(); }
 
-  /// Records the cell in this new file; see recording.hpp. Throws FileError. Preconditions: no input
-  /// has acted, and the device, if there will be one, is connected.
+  /// Records the cell in this new file; see recording.hpp. Throws FileError. Preconditions: no
+  /// input has acted, and the device, if there will be one, is connected.
   void record(std::string path, std::uint64_t max_bytes);
   /// The cell gets no more input.
   void finish_recording();
@@ -100,8 +100,8 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   /// Accepts no further clients; the lines end as LineSessions::close() says.
   void close_ports();
   void close(WallNs deadline = kNever);
-  /// The cell is closed for good: nothing of it arms a timer any more. Whoever still holds it may use
-  /// it, without effect on anybody. Precondition: no line is open.
+  /// The cell is closed for good: nothing of it arms a timer any more. Whoever still holds it may
+  /// use it, without effect on anybody. Precondition: no line is open.
   void retire();
   bool is_retired() const { return is_retired_; }
   /// Ignores all further inputs, for the end of the process.

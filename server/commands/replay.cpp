@@ -42,7 +42,7 @@ class RecordingSource {
   std::optional<recording::Entry> next() {
     return next_of<recording::Entry>([this] { return reader_.next(); });
   }
-  const recording::Reader& reader() const { return reader_; }
+  const recording::RecordingReader& reader() const { return reader_; }
 
  private:
   template <class Item, class Take>
@@ -66,7 +66,7 @@ class RecordingSource {
 
   std::string path_;
   Descriptor file_;
-  recording::Reader reader_;
+  recording::RecordingReader reader_;
   bool is_at_end_ = false;
   std::array<char, 65536> piece_{};
 };
@@ -128,7 +128,7 @@ class ReplayRun {
                     std::to_string(options_.until->epoch) + "; it came to " + time_text(cell));
   }
   void report(const Cell& cell, const Replayer& replayer) const {
-    const recording::Reader& reader = source_.reader();
+    const recording::RecordingReader& reader = source_.reader();
     if (reader.cut_off() > 0)
       note("the last line is incomplete; the recording ends at line " +
            std::to_string(reader.line()));

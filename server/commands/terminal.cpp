@@ -76,7 +76,7 @@ int environment_size(const char* name, int otherwise) {
 }
 
 /// Terminfo numbers F1...F12 with Alt from 49 on.
-watch::Key key_of(int code) {
+watch::ModeKey key_of(int code) {
   constexpr int kLastByte = 0xFF;  // above, the codes of ncurses begin
   constexpr int kFunctionKeys = 12;
   constexpr int kFirstWithAlt = 49;
@@ -157,12 +157,12 @@ void Terminal::resize() {
   clearok(stdscr, TRUE);
 }
 
-std::optional<watch::Key> Terminal::key() {
+std::optional<watch::ModeKey> Terminal::key() {
   constexpr int kEscape = 0x1B;
   const int code = getch();
   if (code == ERR) return {};
   const int after = code == kEscape ? getch() : ERR;
-  watch::Key key = key_of(after == ERR ? code : after);
+  watch::ModeKey key = key_of(after == ERR ? code : after);
   key.is_alt = key.is_alt || after != ERR;
   return key;
 }

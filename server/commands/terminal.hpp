@@ -39,9 +39,9 @@ class Terminal {
   /// Call after the size of the terminal has changed. The next show() repaints everything.
   void resize();
 
-  /// The next key from the input queue; nullopt if it is empty. Alt is recognised in the sequences of xterm
-  /// and of terminals that send an escape first.
-  std::optional<watch::Key> key();
+  /// The next key from the input queue; nullopt if it is empty. Alt is recognised in the sequences
+  /// of xterm and of terminals that send an escape first.
+  std::optional<watch::ModeKey> key();
 
  private:
   struct Screen;

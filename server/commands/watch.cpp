@@ -115,7 +115,7 @@ class Watcher {
     }
   }
 
-  void press(const watch::Key& key) {
+  void press(const watch::ModeKey& key) {
     const Page before = page();
     if (token_prompt_.is_open()) {
       if (auto token = token_prompt_.press(key)) connection_.send(model_.unlock(*std::move(token)));
@@ -126,7 +126,7 @@ class Watcher {
     show();
   }
 
-  void press_in_page(const watch::Key& key) {
+  void press_in_page(const watch::ModeKey& key) {
     const watch::CommandMode::Outcome outcome = command_mode_.press(key, model_.known().display);
     if (outcome.call) act(*outcome.call);
     if (!outcome.is_taken && !key.is_alt) press_letter(key.letter);

@@ -9,9 +9,9 @@ namespace xr3 {
 
 class UucpLock {
  public:
-  /// Locks a device. Takes over the lock of a process that has ended. Throws SerialDeviceError if another
-  /// process has the device. Without effect if this user may not write to the folder, as is usual,
-  /// and for pseudo-terminals.
+  /// Locks a device. Takes over the lock of a process that has ended. Throws SerialDeviceError if
+  /// another process has the device. Without effect if this user may not write to the folder, as is
+  /// usual, and for pseudo-terminals.
   explicit UucpLock(const std::string& device, const std::filesystem::path& folder = "/var/lock");
   UucpLock(const UucpLock&) = delete;
   UucpLock& operator=(const UucpLock&) = delete;

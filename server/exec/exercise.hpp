@@ -27,7 +27,8 @@ class Exercise {
   /// Loads the robot, the workcell, the faults and the goals. Throws FileError and DataError.
   explicit Exercise(const ExecOptions& options, const ServeOptions& server);
 
-  /// Runs a program. Throws FileError if a file cannot be written, or no place was found for a block.
+  /// Runs a program. Throws FileError if a file cannot be written, or no place was found for a
+  /// block.
   RunReport run(const RunPlace& place) const;
 
  private:

@@ -12,7 +12,8 @@ class PrivateNetwork {
   /// std::system_error if the system does not allow it.
   PrivateNetwork();
 
-  /// A socket that listens on 127.0.0.1 and a free port in it. The caller owns it; to be called once.
+  /// A socket that listens on 127.0.0.1 and a free port in it. The caller owns it; to be called
+  /// once.
   int release_listener() { return listener_.release(); }
 
   /// Enters it, in a child process before exec. Only async-signal-safe calls. Returns whether it

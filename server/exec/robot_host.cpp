@@ -21,8 +21,8 @@ void require_port(ErrorCode error, const char* what) {
 /// Calls need a token that nobody knows, unless the program may control the cell.
 AccessRules rules_of(MonitorAccess access) {
   const bool is_read_only = access == MonitorAccess::kRead;
-  return {{http::Reach::kThisMachine, {}, {}},
-          Reading::kFree,
+  return {{http::HostReach::kThisMachine, {}, {}},
+          ReadAccess::kFree,
           is_read_only ? read_token(FreshToken{}) : ""};
 }
 

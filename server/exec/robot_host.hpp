@@ -21,8 +21,9 @@ namespace xr3 {
 class RobotHost {
  public:
   /// `options`: of `serve`, for the clock, the lines, and the recording. `pty`: path of a
-  /// pseudo-terminal. `listener`: a socket that listens for the serial lines, which the host owns from
-  /// now on; -1: a free port of loopback. Throws FileError, and std::system_error if no port can be had.
+  /// pseudo-terminal. `listener`: a socket that listens for the serial lines, which the host owns
+  /// from now on; -1: a free port of loopback. Throws FileError, and std::system_error if no port
+  /// can be had.
   RobotHost(const ServeOptions& options, const CellSeed& seed, MonitorAccess access,
             const std::string& pty, int listener);
   RobotHost(const RobotHost&) = delete;

@@ -27,9 +27,9 @@ struct ServedPorts {
 /// A port file that exists as long as this object.
 class PortFile {
  public:
-  /// Writes {"robot":9600,"monitor":9601,"pid":...,"cells":[{"name":"main","robot":9600}]}, with the
-  /// tokens if there are any; then only the owner could read the file at any time. Replaces a symbolic link instead of following it.
-  /// Throws FileError if it cannot be written.
+  /// Writes {"robot":9600,"monitor":9601,"pid":...,"cells":[{"name":"main","robot":9600}]}, with
+  /// the tokens if there are any; then only the owner could read the file at any time. Replaces a
+  /// symbolic link instead of following it. Throws FileError if it cannot be written.
   PortFile(std::string path, const ServedPorts& ports);
   PortFile(const PortFile&) = delete;
   PortFile& operator=(const PortFile&) = delete;

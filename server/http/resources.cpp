@@ -14,15 +14,15 @@
 #include "server/http/web_assets.hpp"
 #include "server/net/wall_clock.hpp"
 #include "server/options/options.hpp"
-#include "tools/drawing/picture.hpp"
 #include "tools/drawing/pbm.hpp"
+#include "tools/drawing/picture.hpp"
 #include "tools/drawing/svg.hpp"
 
 namespace xr3 {
 namespace {
 
 using http::Answer;
-using http::Request;
+using http::HttpRequest;
 using Revision = http::CellBodies::Revision;
 template <class Key>
 using Recipe = typename http::BodyMaker<Key>::Recipe;
@@ -38,8 +38,8 @@ constexpr std::string_view kIcon = "/assets/icon.svg";
 constexpr const char* kNoViewer = R"(<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>xr3</title></head><body>
 <h1>xr3 runs, but without its viewer</h1>
-<p>This binary was built before the viewer's files were there. With npm installed, <code>./run --build</code>
-builds both, in this order. Everything else works:</p>
+<p>This binary was built before the viewer's files were there. With npm installed,
+<code>./run --build</code> builds both, in this order. Everything else works:</p>
 <ul>
 <li><a href="/view.svg">the robot now</a>, <a href="/camera.png">what its camera sees</a></li>
 <li><a href="/state">state</a>, <a href="/robot">robot</a>, <a href="/workcell">workcell</a>,
@@ -100,7 +100,7 @@ HttpResources::HttpResources(MonitorService& service, const AccessPolicy& policy
 
 // --- Access.
 
-std::optional<Answer> HttpResources::refuse(const Request& request) const {
+std::optional<Answer> HttpResources::refuse(const HttpRequest& request) const {
   const auto hosts = request.values("Host");
   const auto origins = request.values("Origin");
   if (hosts.size() != 1) return http::bad_request("a request has exactly one Host");
@@ -121,7 +121,7 @@ std::optional<Answer> HttpResources::refuse(const Request& request) const {
   return std::nullopt;
 }
 
-std::optional<Answer> HttpResources::refuse_websocket(const Request& request) {
+std::optional<Answer> HttpResources::refuse_websocket(const HttpRequest& request) {
   const auto versions = request.values("Sec-WebSocket-Version");
   const auto keys = request.values("Sec-WebSocket-Key");
   if (!request.is_upgrade) return upgrade_required();
@@ -165,11 +165,11 @@ const HttpResources::Route HttpResources::kRoutes[] = {
     {"/view.svg", Route::Kind::kCell, &HttpResources::view},
 };
 
-bool HttpResources::is_health_check(const Request& request) {
+bool HttpResources::is_health_check(const HttpRequest& request) {
   return request.path() == kHealth || request.path() == kReady;
 }
 
-asio::awaitable<Answer> HttpResources::answer(const Request& request) {
+asio::awaitable<Answer> HttpResources::answer(const HttpRequest& request) {
   service_.note_work();
   const std::string_view path = request.path();
   if (wall_now() >= deadline_)
@@ -187,13 +187,13 @@ asio::awaitable<Answer> HttpResources::answer(const Request& request) {
 }
 
 /// The cell in the query, or the first one; nullptr if there is none.
-CellPtr HttpResources::cell_of(const Request& request) const {
+CellPtr HttpResources::cell_of(const HttpRequest& request) const {
   const auto name = request.parameter("cell");
   if (name) return service_.cells().find(*name);
   return service_.cells().is_empty() ? nullptr : service_.cells().all().front();
 }
 
-Answer HttpResources::page(const Request& request) const {
+Answer HttpResources::page(const HttpRequest& request) const {
   const std::string_view path = request.path();
   const bool is_of_cell =
       path.starts_with(kCellPage) && is_cell_name(path.substr(kCellPage.size()));
@@ -210,24 +210,24 @@ Answer HttpResources::page(const Request& request) const {
 
 // --- The server.
 
-asio::awaitable<Answer> HttpResources::health(CellPtr, Request) {
+asio::awaitable<Answer> HttpResources::health(CellPtr, HttpRequest) {
   co_return http::text(http::Body::of_static("ok\n"));
 }
 
-asio::awaitable<Answer> HttpResources::readiness(CellPtr, Request) {
+asio::awaitable<Answer> HttpResources::readiness(CellPtr, HttpRequest) {
   const std::string trouble = co_await not_ready_();
   if (trouble.empty()) co_return http::text(http::Body::of_static("ok\n"));
   co_return http::error(503, "not_ready", trouble, "try again, or start it again");
 }
 
-asio::awaitable<Answer> HttpResources::metrics(CellPtr, Request) {
+asio::awaitable<Answer> HttpResources::metrics(CellPtr, HttpRequest) {
   CellRegistry& cells = service_.cells();
   co_await service_.overview().summaries();  // advances all cells, but not all at once
   const std::string cell = cells.is_single() ? cells.all().front()->name() : "";
   co_return Answer{200, kMetricsType, metrics_text(cell, count_(), process_stats()), {}};
 }
 
-asio::awaitable<Answer> HttpResources::schema(CellPtr, Request) {
+asio::awaitable<Answer> HttpResources::schema(CellPtr, HttpRequest) {
   const auto read = [] {
     return read_file(data_folder() / "schema" / "monitor-v1.schema.json").text;
   };
@@ -242,13 +242,13 @@ asio::awaitable<Answer> HttpResources::schema(CellPtr, Request) {
 
 // --- The cell.
 
-asio::awaitable<Answer> HttpResources::state(CellPtr at, Request) {
+asio::awaitable<Answer> HttpResources::state(CellPtr at, HttpRequest) {
   monitor::Selection whole{monitor::Channel::kState, {}, {}};
   const std::optional<monitor::Frame> frame = co_await service_.current_frame(at, std::move(whole));
   co_return http::json(at->bodies().state(frame->message));
 }
 
-asio::awaitable<Answer> HttpResources::robot(CellPtr at, Request) {
+asio::awaitable<Answer> HttpResources::robot(CellPtr at, HttpRequest) {
   const http::BodyMaker<const Robot*>::Now now = [at]() -> Recipe<const Robot*> {
     const ModelPtr model = at->cell().model_ptr();
     return {&model->robot(), [model] { return json_text(robot_to_json(model->robot())); }};
@@ -257,7 +257,7 @@ asio::awaitable<Answer> HttpResources::robot(CellPtr at, Request) {
   co_return http::json(body);
 }
 
-asio::awaitable<Answer> HttpResources::workcell(CellPtr at, Request) {
+asio::awaitable<Answer> HttpResources::workcell(CellPtr at, HttpRequest) {
   const http::BodyMaker<Revision>::Now now = [at]() -> Recipe<Revision> {
     at->cell().catch_up(wall_now());
     return {at->cell().revision(), [model = at->cell().model_ptr(), state = at->cell().state()] {
@@ -268,7 +268,7 @@ asio::awaitable<Answer> HttpResources::workcell(CellPtr at, Request) {
   co_return http::json(body);
 }
 
-asio::awaitable<Answer> HttpResources::bitmap(CellPtr at, Request) {
+asio::awaitable<Answer> HttpResources::bitmap(CellPtr at, HttpRequest) {
   if (!at->cell().model().workcell().camera) co_return no_camera();
   const http::BodyMaker<ImagePtr>::Now now = [at]() -> Recipe<ImagePtr> {
     at->cell().catch_up(wall_now());
@@ -279,7 +279,7 @@ asio::awaitable<Answer> HttpResources::bitmap(CellPtr at, Request) {
   co_return Answer{200, "image/x-portable-bitmap", body, {}};
 }
 
-asio::awaitable<Answer> HttpResources::png(CellPtr at, Request) {
+asio::awaitable<Answer> HttpResources::png(CellPtr at, HttpRequest) {
   if (!at->cell().model().workcell().camera) co_return no_camera();
   const http::BodyMaker<ImagePtr>::Now now = [at]() -> Recipe<ImagePtr> {
     at->cell().catch_up(wall_now());
@@ -290,7 +290,7 @@ asio::awaitable<Answer> HttpResources::png(CellPtr at, Request) {
   co_return Answer{200, "image/png", body, {}};
 }
 
-asio::awaitable<Answer> HttpResources::view(CellPtr at, Request request) {
+asio::awaitable<Answer> HttpResources::view(CellPtr at, HttpRequest request) {
   const auto vector = request.parameter("vector");
   ViewVector from = at->cell().state().display.view;
   try {

@@ -32,38 +32,38 @@ class HttpResources {
   void close_at(WallNs deadline) { deadline_ = deadline; }
 
   /// The error response for a forbidden Host, Origin or method, or an invalid target; else nullopt.
-  std::optional<http::Answer> refuse(const http::Request& request) const;
+  std::optional<http::Answer> refuse(const http::HttpRequest& request) const;
 
   /// The answer to a request that refuse() accepts. Waits for the resources that the worker makes,
   /// and for /readyz, which probes the robot port.
-  asio::awaitable<http::Answer> answer(const http::Request& request);
+  asio::awaitable<http::Answer> answer(const http::HttpRequest& request);
 
   /// Whether the request asks for /healthz or /readyz.
-  static bool is_health_check(const http::Request& request);
+  static bool is_health_check(const http::HttpRequest& request);
 
   /// The error response for an invalid WebSocket handshake; else nullopt.
-  static std::optional<http::Answer> refuse_websocket(const http::Request& request);
+  static std::optional<http::Answer> refuse_websocket(const http::HttpRequest& request);
 
  private:
   /// The cell is null for a resource of the server.
-  using Show = asio::awaitable<http::Answer> (HttpResources::*)(CellPtr, http::Request);
+  using Show = asio::awaitable<http::Answer> (HttpResources::*)(CellPtr, http::HttpRequest);
   struct Route;
   static const Route kRoutes[];
 
-  http::Answer page(const http::Request& request) const;
+  http::Answer page(const http::HttpRequest& request) const;
 
-  asio::awaitable<http::Answer> health(CellPtr at, http::Request request);
-  asio::awaitable<http::Answer> readiness(CellPtr at, http::Request request);
-  asio::awaitable<http::Answer> metrics(CellPtr at, http::Request request);
-  asio::awaitable<http::Answer> state(CellPtr at, http::Request request);
-  asio::awaitable<http::Answer> robot(CellPtr at, http::Request request);
-  asio::awaitable<http::Answer> workcell(CellPtr at, http::Request request);
-  asio::awaitable<http::Answer> schema(CellPtr at, http::Request request);
-  asio::awaitable<http::Answer> bitmap(CellPtr at, http::Request request);
-  asio::awaitable<http::Answer> png(CellPtr at, http::Request request);
-  asio::awaitable<http::Answer> view(CellPtr at, http::Request request);
+  asio::awaitable<http::Answer> health(CellPtr at, http::HttpRequest request);
+  asio::awaitable<http::Answer> readiness(CellPtr at, http::HttpRequest request);
+  asio::awaitable<http::Answer> metrics(CellPtr at, http::HttpRequest request);
+  asio::awaitable<http::Answer> state(CellPtr at, http::HttpRequest request);
+  asio::awaitable<http::Answer> robot(CellPtr at, http::HttpRequest request);
+  asio::awaitable<http::Answer> workcell(CellPtr at, http::HttpRequest request);
+  asio::awaitable<http::Answer> schema(CellPtr at, http::HttpRequest request);
+  asio::awaitable<http::Answer> bitmap(CellPtr at, http::HttpRequest request);
+  asio::awaitable<http::Answer> png(CellPtr at, http::HttpRequest request);
+  asio::awaitable<http::Answer> view(CellPtr at, http::HttpRequest request);
 
-  CellPtr cell_of(const http::Request& request) const;
+  CellPtr cell_of(const http::HttpRequest& request) const;
 
   MonitorService& service_;
   const AccessPolicy& policy_;

@@ -28,13 +28,13 @@ bool has_folded_field(std::string_view head) {
          head.find("\r\n\t") != std::string_view::npos;
 }
 
-Request request_of(const Parser& parser) {
+HttpRequest request_of(const Parser& parser) {
   const auto& message = parser.get();
-  Request request{std::string(view(message.method_string())),
-                  std::string(view(message.target())),
-                  {},
-                  Then::kClose,
-                  beast::websocket::is_upgrade(message)};
+  HttpRequest request{std::string(view(message.method_string())),
+                      std::string(view(message.target())),
+                      {},
+                      Then::kClose,
+                      beast::websocket::is_upgrade(message)};
   for (const auto& field : message)
     request.fields.push_back(
         {std::string(view(field.name_string())), std::string(view(field.value()))});
@@ -44,7 +44,7 @@ Request request_of(const Parser& parser) {
   return request;
 }
 
-HeadFault fault_of(const Request& request) {
+HeadFault fault_of(const HttpRequest& request) {
   if (request.target.size() > kMaxTargetBytes) return HeadFault::kTargetTooLong;
   return request.fields.size() > kMaxFields ? HeadFault::kTooLarge : HeadFault::kNone;
 }
@@ -135,7 +135,7 @@ std::string decoded(std::string_view text) {
 
 }  // namespace
 
-std::vector<std::string_view> Request::values(std::string_view name) const {
+std::vector<std::string_view> HttpRequest::values(std::string_view name) const {
   std::vector<std::string_view> found;
   for (const Field& field : fields) {
     if (is_same_name(field.name, name)) found.push_back(field.value);
@@ -143,11 +143,11 @@ std::vector<std::string_view> Request::values(std::string_view name) const {
   return found;
 }
 
-std::string_view Request::path() const {
+std::string_view HttpRequest::path() const {
   return std::string_view(target).substr(0, target.find('?'));
 }
 
-std::optional<std::string> Request::parameter(std::string_view name) const {
+std::optional<std::string> HttpRequest::parameter(std::string_view name) const {
   std::string_view rest = std::string_view(target).substr(path().size());
   while (!rest.empty()) {
     rest.remove_prefix(1);  // ? or &

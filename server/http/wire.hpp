@@ -26,7 +26,7 @@ struct Field {
   std::string value;  ///< without surrounding blanks
 };
 
-struct Request {
+struct HttpRequest {
   std::string method;
   std::string target;
   std::vector<Field> fields;
@@ -54,7 +54,7 @@ enum class HeadFault : std::uint8_t {
 
 struct HeadReading {
   HeadFault fault = HeadFault::kNone;
-  Request request;             ///< valid if there is no fault
+  HttpRequest request;         ///< valid if there is no fault
   std::size_t head_bytes = 0;  ///< size of the head; the bytes after it are not parsed
 };
 

@@ -141,7 +141,8 @@ void LineSession::end_input() {
   context_.acted(id_);
 }
 
-// Sends as much as the stream accepts now, and applies the bytes that waited for room in the outbox.
+// Sends as much as the stream accepts now, and applies the bytes that waited for room in the
+// outbox.
 LineSession::Left LineSession::flush(const Turn& turn) {
   if (!stream_->is_open()) return Left::kWaits;
   if (context_.cell.find_line(id_)->is_cut()) end_by_fault();

@@ -18,11 +18,11 @@ using TokenDigest = std::array<std::uint8_t, 32>;
 TokenDigest digest_of_token(std::string_view token);
 
 /// Whether reading the cell requires the token, too.
-enum class Reading : std::uint8_t { kFree, kWithToken };
+enum class ReadAccess : std::uint8_t { kFree, kWithToken };
 
 struct AccessRules {
   http::GuardRules guard;
-  Reading reading = Reading::kFree;
+  ReadAccess reading = ReadAccess::kFree;
   std::string token;  ///< empty: calls require no token
 };
 
@@ -35,7 +35,7 @@ class AccessPolicy {
   /// Whether calls require the token.
   bool needs_token() const { return !rules_.token.empty(); }
   /// Whether reading requires it, too. Always false without a token.
-  bool is_private() const { return needs_token() && rules_.reading == Reading::kWithToken; }
+  bool is_private() const { return needs_token() && rules_.reading == ReadAccess::kWithToken; }
   /// Compares in constant time. Always false if no token is set.
   bool is_right(std::string_view token) const;
 

@@ -80,8 +80,8 @@ class MonitorService {
   /// For the end of the process: starts no timer any more, except for waiting requests.
   void stop();
 
-  /// From now on, calls that enlarge one of several cells are refused beyond a limit of memory, which
-  /// must outlive the service.
+  /// From now on, calls that enlarge one of several cells are refused beyond a limit of memory,
+  /// which must outlive the service.
   void limit_memory(MemoryLimit& limit) { memory_ = &limit; }
   /// Opens the cells of the call `branch`: a cell that begins with this state of another one, or
   /// the refusal.

@@ -1,9 +1,8 @@
-// The monitor sessions that follow a cell, and the schedule for serving them: on a grid of 1/60 s, at the
-// points where a subscription is due, only while a subscribed channel may have changed. A few
-// sessions are served at a time, so that a robot line never waits for a thousand of them. The
-// sessions of a large cell wait for the worker, which makes their frames. Without
-// subscriptions, a moving cell is advanced once a second, for the log and the rings. At rest no
-// timer runs.
+// The monitor sessions that follow a cell, and the schedule for serving them: on a grid of 1/60 s,
+// at the points where a subscription is due, only while a subscribed channel may have changed. A
+// few sessions are served at a time, so that a robot line never waits for a thousand of them. The
+// sessions of a large cell wait for the worker, which makes their frames. Without subscriptions, a
+// moving cell is advanced once a second, for the log and the rings. At rest no timer runs.
 #pragma once
 
 #include <cstddef>

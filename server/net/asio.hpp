@@ -1,5 +1,5 @@
-// The Asio headers and names that the server uses, its completion token, with which coroutines resume
-// with (error, result) instead of an exception, and timers that call a function.
+// The Asio headers and names that the server uses, its completion token, with which coroutines
+// resume with (error, result) instead of an exception, and timers that call a function.
 #pragma once
 
 #include <boost/asio/as_tuple.hpp>
@@ -20,8 +20,8 @@ using ErrorCode = boost::system::error_code;
 
 inline constexpr auto kAwait = asio::as_tuple(asio::use_awaitable);
 
-/// An event loop of one thread. shutdown() destroys waiting handlers and coroutines; the objects that
-/// they refer to must still exist.
+/// An event loop of one thread. shutdown() destroys waiting handlers and coroutines; the objects
+/// that they refer to must still exist.
 class EventLoop : public asio::io_context {
  public:
   EventLoop() : asio::io_context(1) {}

@@ -49,8 +49,8 @@ void MemoryLimit::check() {
                allocated >> 20);
 }
 
-/// Closes connections that hold so many bytes together, but at most kMaxClosed, since the search for
-/// each takes some 20 us. Returns the bytes that they held.
+/// Closes connections that hold so many bytes together, but at most kMaxClosed, since the search
+/// for each takes some 20 us. Returns the bytes that they held.
 std::size_t MemoryLimit::close_some(std::size_t excess) {
   constexpr int kMaxClosed = 16;
   std::size_t closed = 0;

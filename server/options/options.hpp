@@ -165,7 +165,8 @@ using Options = std::variant<ServeOptions, CheckOptions, DrawOptions, KinOptions
 /// completion` finds no data folder, ArgumentError if `xr3 manual` is given no command of xr3.
 Options parse_options(int argc, const char* const* argv, const std::string& build = "");
 
-/// `real`, `real:FACTOR`, `manual` or `bytes[:INQUIRY_MS[,settle=MS]]`. Throws std::invalid_argument, with the allowed values.
+/// `real`, `real:FACTOR`, `manual` or `bytes[:INQUIRY_MS[,settle=MS]]`. Throws
+/// std::invalid_argument, with the allowed values.
 ClockChoice parse_clock(const std::string& text);
 
 /// `strict`, `normal` or `off`. Throws std::invalid_argument, with the allowed values.

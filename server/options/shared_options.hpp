@@ -60,8 +60,8 @@ void add_profile(CLI::App& command, Profile& profile);
 /// Adds a flag. In the environment and in a config file it has a value, such as true.
 void add_flag(CLI::App& command, const std::string& name, bool& value, const std::string& what);
 
-/// Options of `serve` that `exec` and `grade` have, too: robot, workcell and faults; profile, clock,
-/// whose description is `clocks`, and turns of lines; the speed of lines.
+/// Options of `serve` that `exec` and `grade` have, too: robot, workcell and faults; profile,
+/// clock, whose description is `clocks`, and turns of lines; the speed of lines.
 void add_machine(CLI::App& command, ServeOptions& options);
 void add_time(CLI::App& command, ServeOptions& options, const std::string& clocks);
 void add_line_speed(CLI::App& command, ServeOptions& options);

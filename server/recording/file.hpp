@@ -25,7 +25,8 @@ class RecordingFile {
 
   /// Adds a whole line.
   void add(std::string_view line);
-  /// Writes what has been added. After a failure the file ends with its last whole line, if possible.
+  /// Writes what has been added. After a failure the file ends with its last whole line, if
+  /// possible.
   void flush();
 
   /// The size of the file when everything is written.

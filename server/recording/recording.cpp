@@ -50,7 +50,7 @@ void Recording::begin_file() {
 void Recording::add(recording::Entry entry) {
   if (is_over_) return;
   const recording::Entry here{entry.epoch, entry.tick, entry.us, recording::End{"", "limit"}};
-  recording::Writer next = writer_;
+  recording::RecordingWriter next = writer_;
   const std::string line = next.line(entry);
   if (file_.size() + line.size() + kRoomForEnd <= max_bytes_ &&
       line.size() <= recording::kMaxLine) {

@@ -42,7 +42,7 @@ class Recording {
   std::uint64_t max_bytes_;
   std::function<void()> acted_;
   RecordingFile file_;
-  recording::Writer writer_;
+  recording::RecordingWriter writer_;
   Recorder recorder_;
   asio::steady_timer timer_;
   bool is_timer_on_ = false;

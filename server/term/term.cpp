@@ -1,9 +1,8 @@
-#include "server/commands/commands.hpp"
-
 #include <unistd.h>
 
 #include <memory>
 
+#include "server/commands/commands.hpp"
 #include "server/commands/fail.hpp"
 #include "server/files/load_model.hpp"
 #include "server/term/console.hpp"

@@ -30,8 +30,8 @@ constexpr std::size_t kMaxTotal = 64UL * 1024;  // four heads of the maximum siz
 using http::Field;
 using http::HeadFault;
 using http::HeadReading;
+using http::HttpRequest;
 using http::read_head;
-using http::Request;
 
 constexpr std::string_view kLineEnd = "\r\n";
 constexpr std::string_view kHeadEnd = "\r\n\r\n";
@@ -155,7 +155,7 @@ bool needs_no_name_server(std::string_view host) {
 
 void check_guard(std::string_view host) {
   const http::GuardRules strict;
-  const http::GuardRules beyond{http::Reach::kBeyond, {}, {}};
+  const http::GuardRules beyond{http::HostReach::kBeyond, {}, {}};
   const bool is_allowed = http::is_host_allowed(host, strict);
   require(is_allowed == http::is_local_host(host), "without rules only local hosts are allowed");
   require(!is_allowed || http::is_host_allowed(host, beyond), "a wider reach allows more");
@@ -163,7 +163,8 @@ void check_guard(std::string_view host) {
   require(is_allowed == http::is_host_allowed(upper(host), strict), "hosts ignore the case");
   require(!http::is_host_allowed(host, beyond) || is_allowed || host.find('.') == host.npos,
           "a wider reach allows names of one label");
-  const http::GuardRules rules{http::Reach::kThisMachine, {std::string(host)}, {std::string(host)}};
+  const http::GuardRules rules{
+      http::HostReach::kThisMachine, {std::string(host)}, {std::string(host)}};
   require(!http::is_host_name(host) || http::is_host_allowed(host, rules), "a rule's host");
   require(http::is_origin_allowed(host, "localhost", rules), "a rule's origin");
   require(!http::is_origin_allowed("null", host, strict), "the origin null");

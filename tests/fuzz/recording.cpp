@@ -34,7 +34,7 @@ recording::Header header_for(unsigned choice) {
 }
 
 void read_file_text(std::string_view text) {
-  recording::Reader reader("fuzz");
+  recording::RecordingReader reader("fuzz");
   try {
     reader.add(text);
     if (!reader.header()) return reader.end();

@@ -17,13 +17,13 @@ RecordedCell::RecordedCell(ModelPtr model, const CellSetup& setup)
 }
 
 std::string RecordedCell::text() {
-  recording::Writer writer = writer_;
+  recording::RecordingWriter writer = writer_;
   return text_ + writer.line(recorder_.end_of(cell, "stopped"));
 }
 
 Replayed replay(const std::string& text, std::optional<ReplayTime> until) {
   constexpr std::size_t kPiece = 1000;
-  recording::Reader reader("test");
+  recording::RecordingReader reader("test");
   std::size_t at = 0;
   const auto add_more = [&] {
     if (at > text.size()) return false;

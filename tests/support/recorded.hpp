@@ -34,7 +34,7 @@ class RecordedCell {
 
  private:
   std::vector<recording::Entry> entries_;
-  recording::Writer writer_;
+  recording::RecordingWriter writer_;
   std::string text_;
   Recorder recorder_;
 };

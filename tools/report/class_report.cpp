@@ -23,7 +23,8 @@ constexpr const char* kHead = R"(<!doctype html>
   body { max-width: 66rem; margin: 2rem auto; padding: 0 1rem; overflow-wrap: anywhere; }
   .scroll { overflow-x: auto; overflow-wrap: normal; }
   table { border-collapse: collapse; width: 100%; }
-  th, td { text-align: left; padding: .3rem .6rem; border-bottom: 1px solid #8886; vertical-align: top; }
+  th, td { text-align: left; padding: .3rem .6rem; vertical-align: top; }
+  th, td { border-bottom: 1px solid #8886; }
   td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
   .met { color: #18794e; } .missed { color: #b3261e; }
   @media (prefers-color-scheme: dark) { .met { color: #6fd39a; } .missed { color: #ff8a80; } }

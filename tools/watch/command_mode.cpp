@@ -77,7 +77,7 @@ std::string value_text(std::string_view name, const Display& display, bool is_en
   return "";
 }
 
-std::size_t index_of(const Key& key, bool is_menu_open) {
+std::size_t index_of(const ModeKey& key, bool is_menu_open) {
   const bool is_function_key = key.function > 0 && (key.is_alt || is_menu_open);
   const auto* found = std::find_if(kFunctions.begin(), kFunctions.end(), [&](const auto& each) {
     return is_function_key ? each.alt == key.function
@@ -88,9 +88,9 @@ std::size_t index_of(const Key& key, bool is_menu_open) {
 
 }  // namespace
 
-CommandMode::Outcome CommandMode::press(const Key& key, const std::optional<Display>& display) {
+CommandMode::Outcome CommandMode::press(const ModeKey& key, const std::optional<Display>& display) {
   if (asked_) return press_in_prompt(key);
-  const bool is_menu_key = key == Key{kMenuKey, 0, false} || key == Key{'-', 0, true};
+  const bool is_menu_key = key == ModeKey{kMenuKey, 0, false} || key == ModeKey{'-', 0, true};
   if (is_menu_key || (is_menu_open_ && key.letter == kEscape)) {
     is_menu_open_ = !is_menu_open_;
     return {true, {}};
@@ -107,7 +107,7 @@ CommandMode::Outcome CommandMode::press(const Key& key, const std::optional<Disp
   return {true, {}};
 }
 
-CommandMode::Outcome CommandMode::press_in_prompt(const Key& key) {
+CommandMode::Outcome CommandMode::press_in_prompt(const ModeKey& key) {
   constexpr std::string_view kTyped = "0123456789- ,";
   constexpr std::string_view kRubout = "\b\x7F";
   const Function& wanted = kFunctions[*asked_];

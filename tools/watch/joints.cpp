@@ -135,7 +135,7 @@ void paint_row(TextScreen& screen, int at, int from, const std::vector<Column>& 
 }  // namespace
 
 void paint_joints(TextScreen& screen, const TextArea& area, const Known& known,
-                  const State& state) {
+                  const WatchedState& state) {
   std::vector<Row> rows;
   const auto add = [&](const Axis& axis) {
     const auto found = known.limits.find(axis.label);

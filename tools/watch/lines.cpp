@@ -11,8 +11,8 @@ constexpr std::size_t kLineColumns = 8;
 using LineCells = std::array<std::string, kLineColumns>;
 using LineWidths = std::array<int, kLineColumns>;
 
-/// A column is as wide as its widest cell, up to `max`, and left out if it is empty. If room is short, the columns of the highest
-/// rank are left out first; rank 0 is never left out.
+/// A column is as wide as its widest cell, up to `max`, and left out if it is empty. If room is
+/// short, the columns of the highest rank are left out first; rank 0 is never left out.
 struct LineColumn {
   const char* name;
   int max;

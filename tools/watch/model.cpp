@@ -218,7 +218,8 @@ std::optional<std::string> WatchModel::ask(Action action) {
   };
   switch (action) {
     case Action::kPauseOrResume:
-      return call(kKeyId, known_.mode == ClockMode::kManual ? "resume" : "pause", Json::object());
+      return call(kKeyId, known_.mode == WatchedClockMode::kManual ? "resume" : "pause",
+                  Json::object());
     case Action::kStep: return step(kStepTicks);
     case Action::kStepSecond: return step(known_.tick_hz);
   }

@@ -35,8 +35,8 @@ class WatchModel {
  public:
   explicit WatchModel(Wish wish) : wish_(std::move(wish)) {}
 
-  /// The first bytes to send on a connection: the server sends `hello` at once to a client that sends first. They
-  /// are the beginning of a line, which the first result of `take` continues.
+  /// The first bytes to send on a connection: the server sends `hello` at once to a client that
+  /// sends first. They are the beginning of a line, which the first result of `take` continues.
   std::string opening();
 
   /// A ping request, with its line feed.

@@ -24,7 +24,7 @@ std::string right(double number, std::size_t columns) {
   return text.size() < columns ? std::string(columns - text.size(), ' ') + text : " " + text;
 }
 
-void paint_block(TextScreen& screen, int row, const TextArea& area, const Block& block) {
+void paint_block(TextScreen& screen, int row, const TextArea& area, const WatchedBlock& block) {
   constexpr std::size_t kColumn = 8;
   const TextStyle style = block.is_held ? TextStyle::kGood : TextStyle::kPlain;
   const int name = std::min(kBlockName, area.columns);
@@ -36,7 +36,8 @@ void paint_block(TextScreen& screen, int row, const TextArea& area, const Block&
 }
 
 /// If not all blocks fit, the last row shows the number of the others.
-void paint_blocks(TextScreen& screen, const TextArea& area, const std::vector<Block>& blocks) {
+void paint_blocks(TextScreen& screen, const TextArea& area,
+                  const std::vector<WatchedBlock>& blocks) {
   const auto rows = static_cast<std::size_t>(std::max(area.rows, 0));
   const std::size_t shown =
       blocks.size() <= rows ? blocks.size() : rows - std::min<std::size_t>(rows, 1);
@@ -78,7 +79,7 @@ char32_t half_block(bool upper, bool lower) {
   return lower ? U'▄' : U' ';
 }
 
-bool is_third_set(const Image& image, std::size_t x0, std::size_t x1, std::size_t y0,
+bool is_third_set(const WatchedImage& image, std::size_t x0, std::size_t x1, std::size_t y0,
                   std::size_t y1) {
   std::size_t set = 0;
   for (std::size_t y = y0; y < y1; ++y) {
@@ -93,7 +94,7 @@ std::string seconds_text(std::int64_t tick, std::int64_t tick_hz) {
   return fixed_number(static_cast<double>(tick) / static_cast<double>(tick_hz), 3) + " s";
 }
 
-ImageSize shrunk_size(const Image& image, std::size_t most_columns, std::size_t most_rows) {
+ImageSize shrunk_size(const WatchedImage& image, std::size_t most_columns, std::size_t most_rows) {
   const std::size_t by_height = image.width * most_rows / image.height;
   const std::size_t width =
       std::max<std::size_t>(std::min({image.width, most_columns, by_height}), 1);
@@ -101,9 +102,9 @@ ImageSize shrunk_size(const Image& image, std::size_t most_columns, std::size_t 
   return {width, std::clamp<std::size_t>(height, 1, std::max<std::size_t>(most_rows, 1))};
 }
 
-Image shrunk(const Image& image, std::size_t most_columns, std::size_t most_rows) {
+WatchedImage shrunk(const WatchedImage& image, std::size_t most_columns, std::size_t most_rows) {
   const ImageSize size = shrunk_size(image, most_columns, most_rows);
-  Image small{size.width, size.height, {}};
+  WatchedImage small{size.width, size.height, {}};
   const auto edge = [](std::size_t i, std::size_t from, std::size_t to) { return i * from / to; };
   for (std::size_t y = 0; y < small.height; ++y) {
     for (std::size_t x = 0; x < small.width; ++x) {
@@ -122,8 +123,8 @@ void paint_rule(TextScreen& screen, const TextArea& area, const std::string& nam
   screen.put(area.row, area.column + 2, " " + name + " ", TextStyle::kRule, area.columns - 2);
 }
 
-void paint_tool(TextScreen& screen, const TextArea& area, const State& state) {
-  const Tool& tool = state.tool;
+void paint_tool(TextScreen& screen, const TextArea& area, const WatchedState& state) {
+  const WatchedTool& tool = state.tool;
   const auto& xyz = tool.xyz_mm;
   const std::string text = "tool " + tool.axis.label + "  opening " +
                            fixed_number(tool.opening_mm, 1) + " mm  tip x" + right(xyz[0], 7) +
@@ -135,7 +136,7 @@ void paint_tool(TextScreen& screen, const TextArea& area, const State& state) {
              holds ? TextStyle::kGood : TextStyle::kFaint, end - at);
 }
 
-void paint_blocks_and_lines(TextScreen& screen, const TextArea& area, const State& state) {
+void paint_blocks_and_lines(TextScreen& screen, const TextArea& area, const WatchedState& state) {
   if (area.rows < 1) return;
   const std::string lines = "inputs " + lines_text(state.inputs) + "  outputs " +
                             lines_text(state.outputs) + "  aux " + lines_text(state.aux);
@@ -159,12 +160,12 @@ void paint_notes(TextScreen& screen, const TextArea& area, const Known& known) {
   }
 }
 
-void paint_image(TextScreen& screen, const TextArea& area, const Image& image) {
+void paint_image(TextScreen& screen, const TextArea& area, const WatchedImage& image) {
   paint_rule(screen, area,
              "camera " + std::to_string(image.width) + " x " + std::to_string(image.height));
   const int rows = area.rows - 1;
   if (rows < 1 || area.columns < 1) return;
-  const Image small =
+  const WatchedImage small =
       shrunk(image, static_cast<std::size_t>(area.columns), 2 * static_cast<std::size_t>(rows));
   for (std::size_t y = 0; y < small.height; y += 2) {
     for (std::size_t x = 0; x < small.width; ++x) {

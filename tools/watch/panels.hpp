@@ -14,13 +14,14 @@ namespace xr3::watch {
 inline constexpr int kMinBarLength = 10;
 
 /// A heading, the joints, then the tool as the last row. The heading is left out if room is short.
-void paint_joints(TextScreen& screen, const TextArea& area, const Known& known, const State& state);
+void paint_joints(TextScreen& screen, const TextArea& area, const Known& known,
+                  const WatchedState& state);
 
 /// One row: opening, tip and the held block.
-void paint_tool(TextScreen& screen, const TextArea& area, const State& state);
+void paint_tool(TextScreen& screen, const TextArea& area, const WatchedState& state);
 
 /// A rule, the blocks, and the digital lines in the last row.
-void paint_blocks_and_lines(TextScreen& screen, const TextArea& area, const State& state);
+void paint_blocks_and_lines(TextScreen& screen, const TextArea& area, const WatchedState& state);
 
 /// A rule, then the latest notes, the newest at the bottom.
 void paint_notes(TextScreen& screen, const TextArea& area, const Known& known);
@@ -34,7 +35,7 @@ void paint_serial_lines(TextScreen& screen, const TextArea& area, const Known& k
 std::string age_text(std::int64_t seconds);
 
 /// A rule, then the image in half blocks, two pixels per cell, shrunk to fit.
-void paint_image(TextScreen& screen, const TextArea& area, const Image& image);
+void paint_image(TextScreen& screen, const TextArea& area, const WatchedImage& image);
 
 /// A line across the area's first row that contains a name.
 void paint_rule(TextScreen& screen, const TextArea& area, const std::string& name);
@@ -43,9 +44,9 @@ void paint_rule(TextScreen& screen, const TextArea& area, const std::string& nam
 std::string seconds_text(std::int64_t tick, std::int64_t tick_hz);
 
 /// The largest size with the image's proportions that exceeds neither the image nor these limits.
-ImageSize shrunk_size(const Image& image, std::size_t most_columns, std::size_t most_rows);
+ImageSize shrunk_size(const WatchedImage& image, std::size_t most_columns, std::size_t most_rows);
 
 /// The image shrunk to shrunk_size(). A pixel is set if a third of the pixels that it replaces are.
-Image shrunk(const Image& image, std::size_t most_columns, std::size_t most_rows);
+WatchedImage shrunk(const WatchedImage& image, std::size_t most_columns, std::size_t most_rows);
 
 }  // namespace xr3::watch

@@ -23,8 +23,8 @@ Axis read_axis(const Json& object) {
   return axis;
 }
 
-Tool read_tool(const Json& object) {
-  Tool tool;
+WatchedTool read_tool(const Json& object) {
+  WatchedTool tool;
   tool.axis = read_axis(object);
   read(object, "opening_mm", tool.opening_mm);
   read(object, "xyz_mm", tool.xyz_mm);
@@ -32,8 +32,8 @@ Tool read_tool(const Json& object) {
   return tool;
 }
 
-Block read_block(const Json& object) {
-  Block block;
+WatchedBlock read_block(const Json& object) {
+  WatchedBlock block;
   read(object, "name", block.name);
   read(object, "xyz_mm", block.xyz_mm);
   read(object, "yaw_deg", block.yaw_deg);
@@ -93,11 +93,11 @@ bool is_size(std::int64_t pixels) {
 
 }  // namespace
 
-State read_state(const Json& message) {
-  State state;
+WatchedState read_state(const Json& message) {
+  WatchedState state;
   state.joints = read_each<Axis>(message, "joints", read_axis);
   state.tool = read_tool(member(message, "tool"));
-  state.blocks = read_each<Block>(message, "blocks", read_block);
+  state.blocks = read_each<WatchedBlock>(message, "blocks", read_block);
   const Json& io = member(message, "io");
   read(io, "inputs", state.inputs);
   read(io, "outputs", state.outputs);
@@ -137,9 +137,9 @@ Display read_display(const Json& message) {
 void read_clock(const Json& clock, Known& known) {
   if (!clock.is_object()) return;
   const auto mode = value_of<std::string>(clock, "mode");
-  known.mode = mode == "manual"  ? ClockMode::kManual
-               : mode == "bytes" ? ClockMode::kBytes
-                                 : ClockMode::kReal;
+  known.mode = mode == "manual"  ? WatchedClockMode::kManual
+               : mode == "bytes" ? WatchedClockMode::kBytes
+                                 : WatchedClockMode::kReal;
   read(clock, "rate", known.rate);
 }
 
@@ -151,11 +151,11 @@ void read_limits(const Json& drive, std::map<std::string, Limits>& limits) {
       range[0].get<double>(), range[1].get<double>()};
 }
 
-std::optional<Image> read_image(const Json& message) {
+std::optional<WatchedImage> read_image(const Json& message) {
   const auto width = value_of<std::int64_t>(message, "width");
   const auto height = value_of<std::int64_t>(message, "height");
   if (!is_size(width) || !is_size(height)) return {};
-  Image image{static_cast<std::size_t>(width), static_cast<std::size_t>(height), {}};
+  WatchedImage image{static_cast<std::size_t>(width), static_cast<std::size_t>(height), {}};
   const bool is_text = value_of<std::string>(message, "encoding") == "rows";
   const Json& rows = member(message, "rows");
   if (!rows.is_array() || rows.size() != image.height) return {};

@@ -22,7 +22,7 @@ using monitor::value_of;
 inline constexpr std::size_t kMaxPixels = 4096;
 
 /// Reads a `state` message.
-State read_state(const Json& message);
+WatchedState read_state(const Json& message);
 /// Reads the value of the call `lines`.
 std::vector<LineEntry> read_lines(const Json& value);
 /// Reads a `display` message.
@@ -32,6 +32,6 @@ void read_clock(const Json& clock, Known& known);
 /// Reads label and limits of a joint or the tool, in the form of a robot file.
 void read_limits(const Json& drive, std::map<std::string, Limits>& limits);
 /// Reads an `image` message of either encoding; nullopt if it is inconsistent.
-std::optional<Image> read_image(const Json& message);
+std::optional<WatchedImage> read_image(const Json& message);
 
 }  // namespace xr3::watch

@@ -50,9 +50,9 @@ void paint_ends(TextScreen& screen, int row, const std::string& left, const std:
 
 std::string mode_text(const Known& known) {
   switch (known.mode) {
-    case ClockMode::kReal: return "real x " + plain_number(known.rate, 6);
-    case ClockMode::kManual: return "manual";
-    case ClockMode::kBytes: return "bytes";
+    case WatchedClockMode::kReal: return "real x " + plain_number(known.rate, 6);
+    case WatchedClockMode::kManual: return "manual";
+    case WatchedClockMode::kBytes: return "bytes";
   }
   return "";
 }
@@ -74,7 +74,7 @@ void paint_title(TextScreen& screen, const Known& known, const Link& link) {
 }
 
 std::string keys_text(const Known& known) {
-  const bool is_standing = known.mode == ClockMode::kManual;
+  const bool is_standing = known.mode == WatchedClockMode::kManual;
   std::string keys = "q quit   ? help   m menu   l lines";
   if (known.has_control) {
     keys += is_standing ? "   space resume   . step   h home" : "   space pause   h home";
@@ -108,7 +108,7 @@ std::string disabled_text(const std::optional<Device>& device) {
 }
 
 /// The most important notice; empty if there is none.
-std::string banner_text(const State& state, const Link& link) {
+std::string banner_text(const WatchedState& state, const Link& link) {
   if (link.phase != Link::Phase::kLive) {
     return (link.trouble.empty() ? "no connection" : link.trouble) +
            "; retrying, the last known state is below";
@@ -150,13 +150,13 @@ struct Heights {
 };
 
 /// Rows that the image can use in `columns` columns, including its rule.
-int useful_image_rows(const Image& image, int columns) {
+int useful_image_rows(const WatchedImage& image, int columns) {
   const auto room = static_cast<std::size_t>(std::max(columns, 1));
   return static_cast<int>(shrunk_size(image, room, image.height).height + 1) / 2 + 1;
 }
 
 /// `image_rows`: the rows of the middle that the image can use.
-Heights heights_for(const State& state, int rows, int image_rows) {
+Heights heights_for(const WatchedState& state, int rows, int image_rows) {
   Heights heights;
   const int table = static_cast<int>(state.joints.size()) + 2;
   heights.joints = std::min(rows, table);
@@ -171,7 +171,8 @@ Heights heights_for(const State& state, int rows, int image_rows) {
   return heights;
 }
 
-void paint_middle(TextScreen& screen, TextArea area, const Known& known, const State& state) {
+void paint_middle(TextScreen& screen, TextArea area, const Known& known,
+                  const WatchedState& state) {
   const bool has_room = area.columns > kLinesWidth + kMinBarLength && area.rows >= kMinImage;
   if (known.image && has_room) {
     const int width = std::min(area.columns - kLinesWidth - 1, 2 * (area.rows - 1) + 12);
@@ -185,8 +186,8 @@ void paint_middle(TextScreen& screen, TextArea area, const Known& known, const S
 }
 
 /// Joints and tool. Returns the area below them, of the middle.
-TextArea paint_upper(TextScreen& screen, TextArea area, const Known& known, const State& state,
-                     const Heights& heights) {
+TextArea paint_upper(TextScreen& screen, TextArea area, const Known& known,
+                     const WatchedState& state, const Heights& heights) {
   paint_joints(screen, {area.row, area.column, heights.joints, area.columns}, known, state);
   area.row += heights.joints;
   if (heights.tool > 0) {
@@ -198,8 +199,8 @@ TextArea paint_upper(TextScreen& screen, TextArea area, const Known& known, cons
 }
 
 /// The wide layout, without title, banner and footer: the camera beside all tables.
-void paint_wide(TextScreen& screen, TextArea area, const Known& known, const State& state,
-                const Image& image) {
+void paint_wide(TextScreen& screen, TextArea area, const Known& known, const WatchedState& state,
+                const WatchedImage& image) {
   const int most_columns = area.columns - kWideLeft - 2;
   const int image_rows = useful_image_rows(image, most_columns);
   const int table = static_cast<int>(state.joints.size()) + 3;
@@ -213,7 +214,7 @@ void paint_wide(TextScreen& screen, TextArea area, const Known& known, const Sta
 }
 
 void paint_narrow(TextScreen& screen, const TextArea& area, const Known& known,
-                  const State& state) {
+                  const WatchedState& state) {
   const int columns = area.columns - kLinesWidth - 1;
   const int image_rows = known.image ? useful_image_rows(*known.image, columns) : 0;
   const Heights heights = heights_for(state, area.rows, image_rows);
@@ -225,7 +226,7 @@ void paint_narrow(TextScreen& screen, const TextArea& area, const Known& known,
 }
 
 /// Returns the area between the banner, if there is one, and the footer.
-TextArea paint_banner(TextScreen& screen, const State& state, const Link& link) {
+TextArea paint_banner(TextScreen& screen, const WatchedState& state, const Link& link) {
   TextArea area{1, 1, std::max(0, screen.rows() - 2), std::max(0, screen.columns() - 2)};
   const std::string banner = banner_text(state, link);
   if (banner.empty() || area.rows == 0) return area;
@@ -234,7 +235,8 @@ TextArea paint_banner(TextScreen& screen, const State& state, const Link& link) 
   return area;
 }
 
-void paint_state(TextScreen& screen, const Known& known, const State& state, const Link& link) {
+void paint_state(TextScreen& screen, const Known& known, const WatchedState& state,
+                 const Link& link) {
   TextArea area = paint_banner(screen, state, link);
   if (known.display && !known.display->status_text.empty() && area.rows > 0) {
     --area.rows;
@@ -249,7 +251,7 @@ void paint_state(TextScreen& screen, const Known& known, const State& state, con
   }
 }
 
-void paint_lines_page(TextScreen& screen, const Known& known, const State& state,
+void paint_lines_page(TextScreen& screen, const Known& known, const WatchedState& state,
                       const Link& link) {
   const TextArea area = paint_banner(screen, state, link);
   if (!known.has_control)

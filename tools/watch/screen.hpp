@@ -22,8 +22,8 @@ struct Link {
 /// or the cell or the lines without a line of keys, for printing.
 enum class Page : std::uint8_t { kCell, kHelp, kMenu, kLines, kPrint, kPrintLines };
 
-/// Any size is allowed. A `prompt` replaces the line of keys. After the connection is lost the last data stay on the screen, with a
-/// notice.
+/// Any size is allowed. A `prompt` replaces the line of keys. After the connection is lost the last
+/// data stay on the screen, with a notice.
 TextScreen watch_screen(const Known& known, const Link& link, Page page, int rows, int columns,
                         const std::string& prompt = "");
 

@@ -14,7 +14,7 @@ constexpr std::size_t kMaxToken = 1024;
 
 }  // namespace
 
-std::optional<std::string> TokenPrompt::press(const Key& key) {
+std::optional<std::string> TokenPrompt::press(const ModeKey& key) {
   if (key.letter == 0 || key.is_alt) return {};
   if (key.letter == kLeave) {
     close();

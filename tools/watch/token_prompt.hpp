@@ -14,7 +14,7 @@ class TokenPrompt {
   bool is_open() const { return is_open_; }
 
   /// Handles a key of the open prompt. Returns the token at Enter, unless nothing was typed.
-  std::optional<std::string> press(const Key& key);
+  std::optional<std::string> press(const ModeKey& key);
 
   /// The question, with the length of the input so far; empty if the prompt is closed.
   std::string text() const;

@@ -31,14 +31,14 @@ struct Axis {
   std::string blocked;  ///< "limit", "block"; empty: not blocked
 };
 
-struct Tool {
+struct WatchedTool {
   Axis axis;
   double opening_mm = 0;
   std::array<double, 3> xyz_mm{};  ///< of the tip
   std::string holding;             ///< name of a block; empty: none
 };
 
-struct Block {
+struct WatchedBlock {
   std::string name;
   std::array<double, 3> xyz_mm{};  ///< of its centroid
   double yaw_deg = 0;
@@ -53,10 +53,10 @@ struct Device {
 };
 
 /// The channel `state`.
-struct State {
+struct WatchedState {
   std::vector<Axis> joints;  ///< from the base
-  Tool tool;
-  std::vector<Block> blocks;
+  WatchedTool tool;
+  std::vector<WatchedBlock> blocks;
   std::vector<bool> inputs;  ///< index i is line i+1; the same for outputs and aux
   std::vector<bool> outputs;
   std::vector<bool> aux;
@@ -89,7 +89,7 @@ struct Display {
 };
 
 /// The channel `image`, row by row.
-struct Image {
+struct WatchedImage {
   std::size_t width = 0;
   std::size_t height = 0;
   std::vector<bool> pixels;  ///< width * height elements
@@ -112,7 +112,7 @@ struct Note {
   std::int64_t times = 1;
 };
 
-enum class ClockMode : std::uint8_t { kReal, kManual, kBytes };
+enum class WatchedClockMode : std::uint8_t { kReal, kManual, kBytes };
 
 /// Everything received. `cell` is empty before the `hello` message, `state` before the first state.
 struct Known {
@@ -124,12 +124,12 @@ struct Known {
   std::int64_t epoch = 0;
   std::int64_t tick = 0;
   std::int64_t tick_hz = 1000;
-  ClockMode mode = ClockMode::kReal;
+  WatchedClockMode mode = WatchedClockMode::kReal;
   double rate = 1;
   std::map<std::string, Limits> limits;  ///< by label; empty before the model arrives
-  std::optional<State> state;
+  std::optional<WatchedState> state;
   std::optional<Display> display;
-  std::optional<Image> image;          ///< none: no camera, or no image received yet
+  std::optional<WatchedImage> image;   ///< none: no camera, or no image received yet
   std::map<std::int64_t, Note> notes;  ///< the latest ones, by seq
   /// The physical controller first, if there is one. None before the first answer of `lines`.
   std::optional<std::vector<LineEntry>> lines;

@@ -34,19 +34,19 @@ bool is_inside(const std::string& pointer, const std::string& around) {
 
 }  // namespace
 
-Reader::Reader(std::string_view text, std::string file)
+PaperReader::Reader(std::string_view text, std::string file)
     : file_(std::move(file)), lines_(split(text, file_)), findings_(lines_.findings) {}
 
-void Reader::open(const std::string& part, const Extras& extras) {
+void PaperReader::open(const std::string& part, const Extras& extras) {
   if (has_more()) line_of_[part] = lines_.data[next_].line;
   parts_.push_back({part, extras});
 }
 
-void Reader::close() { parts_.pop_back(); }
+void PaperReader::close() { parts_.pop_back(); }
 
 /// The next line, after handling its additions. At the end of the file: reports it, returns
 /// nullptr.
-const DataLine* Reader::next_line(const std::string& title, const std::string& pointer) {
+const DataLine* PaperReader::next_line(const std::string& title, const std::string& pointer) {
   if (is_lost_) return nullptr;
   if (next_ == lines_.data.size()) {
     is_lost_ = true;
@@ -59,21 +59,22 @@ const DataLine* Reader::next_line(const std::string& title, const std::string& p
   return &line;
 }
 
-bool Reader::matches(const Row& row, const DataLine& line) const {
+bool PaperReader::matches(const Row& row, const DataLine& line) const {
   if (line.items.size() != row.cells.size()) return false;
   return row.cells.size() > 1 || row.cells[0].is_label == looks_like_label(line.items[0]);
 }
 
 /// Reports an invalid line. A missing or additional line shifts all that follow: after two invalid
 /// lines in a row, reading ends.
-void Reader::report_mismatch(const Row& row, const std::string& pointer, const DataLine& line) {
+void PaperReader::report_mismatch(const Row& row, const std::string& pointer,
+                                  const DataLine& line) {
   is_lost_ = is_after_mismatch_;
   is_after_mismatch_ = true;
   report(line.line, pointer, shown_items(line.items),
          item_count(row.cells.size()) + ": " + row.title + (is_lost_ ? kRestUnread : ""));
 }
 
-bool Reader::row(const Row& row, const std::string& part) {
+bool PaperReader::row(const Row& row, const std::string& part) {
   const std::string pointer = part + row.member;
   const DataLine* line = next_line(row.title, pointer);
   if (line == nullptr) return false;
@@ -85,7 +86,8 @@ bool Reader::row(const Row& row, const std::string& part) {
   return true;
 }
 
-void Reader::put(const Cell& cell, const std::string& part, const std::string& item, int line) {
+void PaperReader::put(const PaperCell& cell, const std::string& part, const std::string& item,
+                      int line) {
   const std::string pointer = part + cell.member;
   const Json value = number_or_text(item);
   line_of_[pointer] = line;
@@ -100,17 +102,17 @@ void Reader::put(const Cell& cell, const std::string& part, const std::string& i
   report(line, pointer, data::shown(value), allowed);
 }
 
-std::size_t Reader::count(const std::string& title, const std::string& list, std::size_t most,
-                          std::size_t least) {
-  const Row number{title, {Cell{list}}, list};
+std::size_t PaperReader::count(const std::string& title, const std::string& list, std::size_t most,
+                               std::size_t least) {
+  const Row number{title, {PaperCell{list}}, list};
   if (row(number, "")) return count_at(list, list, most, least);
   if (!is_lost_) findings_.back().allowed += kRestUnread;
   is_lost_ = true;
   return 0;
 }
 
-std::size_t Reader::count_at(const std::string& at_pointer, const std::string& list,
-                             std::size_t most, std::size_t least) {
+std::size_t PaperReader::count_at(const std::string& at_pointer, const std::string& list,
+                                  std::size_t most, std::size_t least) {
   const Json number = value(at_pointer);
   const std::size_t slash = at_pointer.rfind('/');
   root_[at(at_pointer.substr(0, slash))].erase(at_pointer.substr(slash + 1));
@@ -126,31 +128,33 @@ std::size_t Reader::count_at(const std::string& at_pointer, const std::string& l
   return number.get<std::size_t>();
 }
 
-bool Reader::list(const std::string& title, const std::string& list) {
+bool PaperReader::list(const std::string& title, const std::string& list) {
   const DataLine* line = next_line(title, list);
   if (line == nullptr) return false;
   for (std::size_t i = 0; i < line->items.size(); ++i) {
-    put(Cell{"/" + std::to_string(i)}, list, line->items[i], line->line);
+    put(PaperCell{"/" + std::to_string(i)}, list, line->items[i], line->line);
   }
   return true;
 }
 
-Json Reader::value(const std::string& pointer) const {
+Json PaperReader::value(const std::string& pointer) const {
   return root_.contains(at(pointer)) ? root_.at(at(pointer)) : Json();
 }
 
-void Reader::set(const std::string& pointer, Json value) { root_[at(pointer)] = std::move(value); }
+void PaperReader::set(const std::string& pointer, Json value) {
+  root_[at(pointer)] = std::move(value);
+}
 
-void Reader::set_default(const std::string& pointer, Json value) {
+void PaperReader::set_default(const std::string& pointer, Json value) {
   if (!root_.contains(at(pointer))) set(pointer, std::move(value));
 }
 
-void Reader::apply_additions(const std::vector<Addition>& additions) {
+void PaperReader::apply_additions(const std::vector<Addition>& additions) {
   for (const Addition& addition : additions) apply(addition);
 }
 
 /// The member goes to the innermost part that has such a member.
-void Reader::apply(const Addition& addition) {
+void PaperReader::apply(const Addition& addition) {
   for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) {
     for (const Extra& extra : part->extras) {
       if (extra.key == addition.key) return put(addition, extra, part->pointer);
@@ -159,7 +163,7 @@ void Reader::apply(const Addition& addition) {
   refuse_addition(addition);
 }
 
-void Reader::put(const Addition& addition, const Extra& extra, const std::string& part) {
+void PaperReader::put(const Addition& addition, const Extra& extra, const std::string& part) {
   const std::string pointer = part + extra.member;
   if (line_of_.contains(pointer)) {
     return report(addition.line, pointer, "\"" + extra.key + "\", a duplicate", "each member once");
@@ -168,7 +172,7 @@ void Reader::put(const Addition& addition, const Extra& extra, const std::string
   set(pointer, addition.value);
 }
 
-void Reader::refuse_addition(const Addition& addition) {
+void PaperReader::refuse_addition(const Addition& addition) {
   std::vector<std::string> names;
   for (const Part& part : parts_) {
     for (const Extra& extra : part.extras) names.push_back(extra.key);
@@ -180,7 +184,7 @@ void Reader::refuse_addition(const Addition& addition) {
                          : "perhaps \"" + nearest + "\" was meant");
 }
 
-void Reader::finish() {
+void PaperReader::finish() {
   if (is_lost_) return;
   apply_additions(lines_.last);
   if (next_ == lines_.data.size()) return;
@@ -190,13 +194,14 @@ void Reader::finish() {
          "nothing more: the file is complete");
 }
 
-void Reader::report(int line, const std::string& pointer, std::string found, std::string allowed) {
+void PaperReader::report(int line, const std::string& pointer, std::string found,
+                         std::string allowed) {
   add_bounded(findings_, {Severity::kError, file_, line, 0, cut(pointer, kMaxLength),
                           cut(found, kMaxLength), std::move(allowed)});
 }
 
 /// Whether the value, a value around it, or another item of its row has been refused.
-bool Reader::is_refused(const std::string& pointer) const {
+bool PaperReader::is_refused(const std::string& pointer) const {
   return std::any_of(findings_.begin(), findings_.end(), [&](const Finding& finding) {
     if (finding.pointer.empty() || pointer.empty()) return false;
     const bool is_row = line_of(pointer) == finding.line && is_inside(finding.pointer, pointer);
@@ -204,7 +209,7 @@ bool Reader::is_refused(const std::string& pointer) const {
   });
 }
 
-int Reader::line_of(std::string pointer) const {
+int PaperReader::line_of(std::string pointer) const {
   while (true) {
     const auto known = line_of_.find(pointer);
     if (known != line_of_.end()) return known->second;
@@ -214,7 +219,7 @@ int Reader::line_of(std::string pointer) const {
   }
 }
 
-Findings Reader::merged(Findings of_loader) const {
+Findings PaperReader::merged(Findings of_loader) const {
   Findings all = findings_;
   for (Finding& finding : of_loader) {
     // A member that is missing only because reading ended is not reported.

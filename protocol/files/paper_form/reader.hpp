@@ -17,7 +17,7 @@ namespace xr3::paper {
 
 /// One item of a row: its place in the JSON, relative to its part, and the words that its numbers
 /// stand for.
-struct Cell {
+struct PaperCell {
   std::string member;  ///< such as "/limits/0"
   std::vector<std::pair<int, Json>>
       words{};            ///< numbers and the words they stand for; empty: a plain value
@@ -27,7 +27,7 @@ struct Cell {
 /// One line of data and the comment above it.
 struct Row {
   std::string title;
-  std::vector<Cell> cells;
+  std::vector<PaperCell> cells;
   std::string member{};  ///< of the row, such as "/limits"; empty: the part itself
 };
 
@@ -39,9 +39,9 @@ struct Extra {
 };
 using Extras = std::vector<Extra>;
 
-class Reader {
+class PaperReader {
  public:
-  Reader(std::string_view text, std::string file);
+  PaperReader(std::string_view text, std::string file);
 
   /// Until close(), rows and `*+` lines belong to this part. Parts may be nested.
   void open(const std::string& part, const Extras& extras);
@@ -92,7 +92,7 @@ class Reader {
   const DataLine* next_line(const std::string& title, const std::string& pointer);
   bool matches(const Row& row, const DataLine& line) const;
   void report_mismatch(const Row& row, const std::string& pointer, const DataLine& line);
-  void put(const Cell& cell, const std::string& part, const std::string& item, int line);
+  void put(const PaperCell& cell, const std::string& part, const std::string& item, int line);
   void apply_additions(const std::vector<Addition>& additions);
   void apply(const Addition& addition);
   void put(const Addition& addition, const Extra& extra, const std::string& part);

@@ -101,11 +101,11 @@ std::string element(const std::string& list, std::size_t index) {
 
 // Reading.
 
-void read_rows(Reader& reader, const std::vector<Row>& rows, const std::string& part) {
+void read_rows(PaperReader& reader, const std::vector<Row>& rows, const std::string& part) {
   for (const Row& row : rows) reader.row(row, part);
 }
 
-void read_joints(Reader& reader) {
+void read_joints(PaperReader& reader) {
   const std::size_t joints = reader.count(kAxesTitle, "/joints", kMaxJoints, 1);
   for (std::size_t i = 0; i < joints; ++i) {
     const std::string joint = element("/joints", i);
@@ -116,14 +116,14 @@ void read_joints(Reader& reader) {
   }
 }
 
-void read_points(Reader& reader, const std::string& outline) {
+void read_points(PaperReader& reader, const std::string& outline) {
   const std::string points = outline + "/points";
   const std::size_t count = reader.count_at(points, points, kMaxPoints);
   for (std::size_t i = 0; i < count; ++i) reader.row(kPointRow, element(points, i));
 }
 
 /// Reads a table of outlines: the tool's moving parts or the links.
-void read_outlines(Reader& reader, const std::string& list, std::size_t count, const Row& row,
+void read_outlines(PaperReader& reader, const std::string& list, std::size_t count, const Row& row,
                    const Extras& extras) {
   for (std::size_t i = 0; i < count; ++i) {
     const std::string outline = element(list, i);
@@ -133,7 +133,7 @@ void read_outlines(Reader& reader, const std::string& list, std::size_t count, c
   }
 }
 
-std::optional<double> number_at(const Reader& reader, const std::string& pointer) {
+std::optional<double> number_at(const PaperReader& reader, const std::string& pointer) {
   const Json value = reader.value(pointer);
   if (!value.is_number()) return std::nullopt;
   return value.get<double>();
@@ -141,7 +141,7 @@ std::optional<double> number_at(const Reader& reader, const std::string& pointer
 
 /// The paper's form has no home of the tool. It is chosen such that the jaws are at a limit, open
 /// or shut, where their switch closes.
-void default_home(Reader& reader) {
+void default_home(PaperReader& reader) {
   const auto min = number_at(reader, "/tool/limits/0");
   const auto max = number_at(reader, "/tool/limits/1");
   const auto precision = number_at(reader, "/tool/precision");
@@ -155,7 +155,7 @@ void default_home(Reader& reader) {
 
 /// The fingers of angular jaws end at the tip. Their hinge is at the point of a moving part that is
 /// furthest from it.
-double finger_length(const Reader& reader) {
+double finger_length(const PaperReader& reader) {
   double furthest = 0;
   const Json parts = reader.value("/tool/parts");
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -168,7 +168,7 @@ double finger_length(const Reader& reader) {
   return furthest < 0 ? -furthest : kUsualFingerInches * (is_inch ? 1 : data::kMmPerInch);
 }
 
-void default_hinges(Reader& reader) {
+void default_hinges(PaperReader& reader) {
   if (reader.value("/tool/kind") != "angular") return;
   reader.set_default("/tool/finger_length", finger_length(reader));
   const double length = number_at(reader, "/tool/finger_length").value_or(0);
@@ -177,7 +177,7 @@ void default_hinges(Reader& reader) {
   }
 }
 
-void read_tool(Reader& reader) {
+void read_tool(PaperReader& reader) {
   reader.open("/tool", kToolExtras);
   read_rows(reader, kToolRows, "/tool");
   const std::size_t parts = reader.count(kPartsTitle, "/tool/parts", kMaxToolParts);
@@ -185,7 +185,7 @@ void read_tool(Reader& reader) {
   read_outlines(reader, "/tool/parts", parts, kPartRow, kPartExtras);
 }
 
-void read_general(Reader& reader) {
+void read_general(PaperReader& reader) {
   const std::size_t pairs = reader.count(kPairsTitle, "/coupling", kMaxPairs);
   for (std::size_t i = 0; i < pairs; ++i) reader.row(kPairRow, element("/coupling", i));
   reader.row(kRegionRow, "/protected_region");
@@ -193,7 +193,7 @@ void read_general(Reader& reader) {
   if (reader.value("/net_roll") == Json::array({0})) reader.set("/net_roll", Json::array());
 }
 
-void set_defaults(Reader& reader) {
+void set_defaults(PaperReader& reader) {
   reader.set_default("/name", stem_of(reader.file()));
   reader.set_default("/length_unit", "mm");
   reader.set_default("/net_roll_offset_deg", 0);
@@ -204,14 +204,14 @@ void set_defaults(Reader& reader) {
 
 // Writing.
 
-void write_points(Writer& writer, const Json& points) {
+void write_points(PaperWriter& writer, const Json& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     i == 0 ? writer.row(kPointRow, points[i]) : writer.line(kPointRow, points[i]);
   }
 }
 
-void write_outlines(Writer& writer, const std::string& title, const Json& outlines, const Row& row,
-                    const Extras& extras, int first) {
+void write_outlines(PaperWriter& writer, const std::string& title, const Json& outlines,
+                    const Row& row, const Extras& extras, int first) {
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     Json counted = outlines[i];
     counted["points"] = counted["points"].size();
@@ -222,11 +222,11 @@ void write_outlines(Writer& writer, const std::string& title, const Json& outlin
   }
 }
 
-void write_rows(Writer& writer, const std::vector<Row>& rows, const Json& part) {
+void write_rows(PaperWriter& writer, const std::vector<Row>& rows, const Json& part) {
   for (const Row& row : rows) writer.row(row, part);
 }
 
-void write_joints(Writer& writer, const Json& joints) {
+void write_joints(PaperWriter& writer, const Json& joints) {
   writer.number(kAxesTitle, joints.size());
   for (std::size_t i = 0; i < joints.size(); ++i) {
     writer.comment("--- joint " + std::to_string(i + 1));
@@ -235,7 +235,7 @@ void write_joints(Writer& writer, const Json& joints) {
   }
 }
 
-void write_tool(Writer& writer, const Json& tool) {
+void write_tool(PaperWriter& writer, const Json& tool) {
   writer.comment("--- tool");
   writer.extras(kToolExtras, tool);
   write_rows(writer, kToolRows, tool);
@@ -243,7 +243,7 @@ void write_tool(Writer& writer, const Json& tool) {
   write_outlines(writer, "moving part", tool["parts"], kPartRow, kPartExtras, 1);
 }
 
-void write_general(Writer& writer, const Json& robot) {
+void write_general(PaperWriter& writer, const Json& robot) {
   writer.comment("--- general");
   writer.number(kPairsTitle, robot["coupling"].size());
   for (const Json& pair : robot["coupling"]) writer.row(kPairRow, pair);
@@ -258,7 +258,7 @@ void write_general(Writer& writer, const Json& robot) {
 }  // namespace
 
 FileReading<Robot> read_paper_robot(std::string_view text, const std::string& file) {
-  Reader reader(text, file);
+  PaperReader reader(text, file);
   reader.open("", kRobotExtras);
   read_joints(reader);
   read_tool(reader);
@@ -272,7 +272,7 @@ FileReading<Robot> read_paper_robot(std::string_view text, const std::string& fi
 
 std::string robot_to_paper_form(const Robot& robot) {
   const Json json = robot_to_json(robot);
-  Writer writer;
+  PaperWriter writer;
   writer.comment("robot data file; docs/paper-form.md describes the form");
   writer.extras(kRobotExtras, json);
   write_joints(writer, json["joints"]);

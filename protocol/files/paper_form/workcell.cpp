@@ -38,7 +38,7 @@ const std::vector<Row> kCameraRows = {
 
 constexpr const char* kBlocksTitle = "number of blocks";
 
-void read_blocks(Reader& reader) {
+void read_blocks(PaperReader& reader) {
   const std::size_t blocks = reader.count(kBlocksTitle, "/blocks", kMaxBlocks);
   for (std::size_t i = 0; i < blocks; ++i) {
     const std::string block = child_pointer("/blocks", i);
@@ -52,14 +52,14 @@ void read_blocks(Reader& reader) {
 }
 
 /// The rest of the file, if any, is the camera.
-void read_camera(Reader& reader) {
+void read_camera(PaperReader& reader) {
   if (!reader.has_more()) return;
   reader.open("/camera", kCameraExtras);
   for (const Row& row : kCameraRows) reader.row(row, "/camera");
   reader.close();
 }
 
-void write_blocks(Writer& writer, const Json& blocks) {
+void write_blocks(PaperWriter& writer, const Json& blocks) {
   writer.number(kBlocksTitle, blocks.size());
   if (!blocks.empty()) writer.comment(kBlockRow.title);
   for (const Json& block : blocks) {
@@ -72,7 +72,7 @@ void write_blocks(Writer& writer, const Json& blocks) {
 
 FileReading<Workcell> read_paper_workcell(std::string_view text, const std::string& file,
                                           const Robot* robot) {
-  Reader reader(text, file);
+  PaperReader reader(text, file);
   reader.open("", kWorkcellExtras);
   reader.row(kWorkspaceRow, "/workspace");
   read_blocks(reader);
@@ -85,7 +85,7 @@ FileReading<Workcell> read_paper_workcell(std::string_view text, const std::stri
 
 std::string workcell_to_paper_form(const Workcell& workcell) {
   const Json json = workcell_to_json(workcell);
-  Writer writer;
+  PaperWriter writer;
   writer.comment("workcell data file; docs/paper-form.md describes the form");
   writer.extras(kWorkcellExtras, json);
   writer.row(kWorkspaceRow, json["workspace"]);

@@ -5,7 +5,7 @@
 namespace xr3::paper {
 namespace {
 
-std::string item_of(const Cell& cell, const Json& value) {
+std::string item_of(const PaperCell& cell, const Json& value) {
   for (const auto& [number, word] : cell.words) {
     if (word == value) return std::to_string(number);
   }
@@ -14,9 +14,9 @@ std::string item_of(const Cell& cell, const Json& value) {
 
 }  // namespace
 
-void Writer::comment(std::string_view text) { text_ += "* " + std::string(text) + "\n"; }
+void PaperWriter::comment(std::string_view text) { text_ += "* " + std::string(text) + "\n"; }
 
-void Writer::extras(const Extras& extras, const Json& part) {
+void PaperWriter::extras(const Extras& extras, const Json& part) {
   std::string members;
   for (const Extra& extra : extras) {
     const Json::json_pointer member(extra.member);
@@ -27,21 +27,21 @@ void Writer::extras(const Extras& extras, const Json& part) {
   if (!members.empty()) text_ += "*+ " + members + "\n";
 }
 
-void Writer::row(const Row& row, const Json& part) {
+void PaperWriter::row(const Row& row, const Json& part) {
   comment(row.title);
   line(row, part);
 }
 
-void Writer::line(const Row& row, const Json& part) {
+void PaperWriter::line(const Row& row, const Json& part) {
   std::string items;
-  for (const Cell& cell : row.cells) {
+  for (const PaperCell& cell : row.cells) {
     if (!items.empty()) items += " ";
     items += item_of(cell, part.at(Json::json_pointer(cell.member)));
   }
   text_ += items + "\n";
 }
 
-void Writer::number(std::string_view title, std::size_t number) {
+void PaperWriter::number(std::string_view title, std::size_t number) {
   comment(title);
   text_ += std::to_string(number) + "\n";
 }

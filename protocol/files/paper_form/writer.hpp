@@ -9,7 +9,7 @@
 
 namespace xr3::paper {
 
-class Writer {
+class PaperWriter {
  public:
   /// A comment line.
   void comment(std::string_view text);

@@ -17,9 +17,9 @@ namespace xr3::monitor {
 
 using CallValue = decltype(CallRequest::call);
 
-/// A read function reads the args of a call into its value. It requests every argument regardless of
-/// what it finds, so that reading an empty object yields the description of the call. If there are
-/// findings, the returned value is meaningless.
+/// A read function reads the args of a call into its value. It requests every argument regardless
+/// of what it finds, so that reading an empty object yields the description of the call. If there
+/// are findings, the returned value is meaningless.
 using ReadCall = CallValue (*)(ArgsReader&);
 /// The exact inverse, for recordings: the args of a call, or nullopt if it is another call.
 using WriteCall = std::optional<Json> (*)(const call::Call&);
@@ -60,8 +60,8 @@ std::optional<Json> write_nothing(const call::Call& call) {
   return std::holds_alternative<Call>(call) ? std::optional<Json>(Json::object()) : std::nullopt;
 }
 
-/// An object in the form of a file; empty if it is omitted or invalid. Records the error. Objects of
-/// more members than any valid document has are refused: comparing their names would take long.
+/// An object in the form of a file; empty if it is omitted or invalid. Records the error. Objects
+/// of more members than any valid document has are refused: comparing their names would take long.
 JsonValue document(ArgsReader& args, const std::string& name, Presence presence,
                    const std::string& allowed);
 

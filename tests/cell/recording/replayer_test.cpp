@@ -54,7 +54,7 @@ TEST(Replayer, ComesToTheSameStateWithoutWallTime) {
 /// The first difference of a recording in which a text was replaced, and the checks made anew.
 std::string difference_after(RecordedCell& recorded,
                              const std::function<void(recording::Entry&)>& change) {
-  recording::Writer writer;
+  recording::RecordingWriter writer;
   std::string text = writer.line(recording_header(recorded.cell, "xr3 test"));
   for (recording::Entry entry : recorded.entries()) {
     change(entry);

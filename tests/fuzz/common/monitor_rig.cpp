@@ -82,12 +82,12 @@ class MonitorRig::Peer {
 };
 
 MonitorRig& MonitorRig::shared() {
-  static MonitorRig rig(Reading::kFree);
+  static MonitorRig rig(ReadAccess::kFree);
   return rig;
 }
 
 MonitorRig& MonitorRig::closed() {
-  static MonitorRig rig(Reading::kWithToken);
+  static MonitorRig rig(ReadAccess::kWithToken);
   return rig;
 }
 
@@ -189,7 +189,7 @@ std::string MonitorRig::converse_once(const Pieces& pieces) {
   return peer.take_received();
 }
 
-http::Answer MonitorRig::answer(const http::Request& request) {
+http::Answer MonitorRig::answer(const http::HttpRequest& request) {
   http::Answer answer;
   bool is_answered = false;
   asio::co_spawn(

@@ -30,7 +30,7 @@ class MonitorRig {
 
   const HttpResources& resources() const { return resources_; }
   /// The answer to a request that HttpResources::refuse() accepts.
-  http::Answer answer(const http::Request& request);
+  http::Answer answer(const http::HttpRequest& request);
 
  private:
   class Peer;

@@ -7,9 +7,9 @@ namespace xr3::http {
 namespace {
 
 const GuardRules kHere;
-const GuardRules kBeyond{Reach::kBeyond, {}, {}};
+const GuardRules kBeyond{HostReach::kBeyond, {}, {}};
 const GuardRules kNamed{
-    Reach::kThisMachine, {"robot.lab.example", "Arm"}, {"https://page.example:8443"}};
+    HostReach::kThisMachine, {"robot.lab.example", "Arm"}, {"https://page.example:8443"}};
 
 TEST(HttpGuard, AcceptsHostsThatDnsCannotRebind) {
   for (const char* host : {"localhost", "LOCALHOST:9601", "localhost:", "127.0.0.1", "127.0.0.1:80",

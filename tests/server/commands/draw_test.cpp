@@ -1,6 +1,4 @@
 // `xr3 draw`: parsing of poses, rasterization of lines, and files that other programs can read.
-#include "server/commands/commands.hpp"
-
 #include <gtest/gtest.h>
 #include <png.h>
 #include <unistd.h>
@@ -10,6 +8,7 @@
 #include <filesystem>
 
 #include "core/coupling.hpp"
+#include "server/commands/commands.hpp"
 #include "server/files/data_files.hpp"
 #include "server/files/png.hpp"
 #include "server/options/pose_argument.hpp"

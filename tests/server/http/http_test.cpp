@@ -321,7 +321,7 @@ TEST_F(HttpTest, ServesImages) {
                           []() -> asio::awaitable<std::string> { co_return std::string(); }, {});
   const auto show = [&](const std::string& target) {
     std::string body;
-    const http::Request request = read_head(get(target)).request;
+    const http::HttpRequest request = read_head(get(target)).request;
     asio::co_spawn(
         io_,
         [&]() -> asio::awaitable<void> {
@@ -351,7 +351,7 @@ TEST_F(HttpTest, ServesTheSchemaAndThePage) {
 }
 
 TEST_F(HttpTest, PrivateReadingNeedsTheToken) {
-  policy_ = AccessPolicy({{}, Reading::kWithToken, kToken});
+  policy_ = AccessPolicy({{}, ReadAccess::kWithToken, kToken});
   for (const char* path : {"/state", "/robot", "/workcell", "/camera.png", "/camera.pbm",
                            "/view.svg", "/metrics", "/state?cell=other"}) {
     const std::string refused = answer(get(path));
@@ -363,7 +363,7 @@ TEST_F(HttpTest, PrivateReadingNeedsTheToken) {
 }
 
 TEST_F(HttpTest, AcceptsNamesOfTheRules) {
-  policy_ = AccessPolicy({{http::Reach::kBeyond, {"arm.lab"}, {"https://page.lab"}}, {}, ""});
+  policy_ = AccessPolicy({{http::HostReach::kBeyond, {"arm.lab"}, {"https://page.lab"}}, {}, ""});
   EXPECT_EQ(status_of(get("/healthz", "Host: xr3:9601\r\n")), "200");
   EXPECT_EQ(status_of(get("/healthz", "Host: arm.lab\r\nOrigin: https://page.lab\r\n")), "200");
   EXPECT_EQ(status_of(get("/healthz", "Host: leg.lab\r\n")), "403");

@@ -17,7 +17,7 @@ TEST(Access, WithoutATokenNoTokenIsNeededOrRight) {
 }
 
 TEST(Access, AcceptsOnlyTheCompleteToken) {
-  const AccessPolicy policy({{}, Reading::kFree, kToken});
+  const AccessPolicy policy({{}, ReadAccess::kFree, kToken});
   EXPECT_TRUE(policy.needs_token());
   EXPECT_FALSE(policy.is_private());
   EXPECT_TRUE(policy.is_right(kToken));
@@ -26,12 +26,12 @@ TEST(Access, AcceptsOnlyTheCompleteToken) {
 }
 
 TEST(Access, IsPrivateOnlyWithAToken) {
-  EXPECT_TRUE(AccessPolicy({{}, Reading::kWithToken, kToken}).is_private());
-  EXPECT_FALSE(AccessPolicy({{}, Reading::kWithToken, ""}).is_private());
+  EXPECT_TRUE(AccessPolicy({{}, ReadAccess::kWithToken, kToken}).is_private());
+  EXPECT_FALSE(AccessPolicy({{}, ReadAccess::kWithToken, ""}).is_private());
 }
 
 TEST(Access, AppliesTheRulesForHostsAndOrigins) {
-  const AccessPolicy policy({{http::Reach::kBeyond, {}, {"https://a.example"}}, {}, ""});
+  const AccessPolicy policy({{http::HostReach::kBeyond, {}, {"https://a.example"}}, {}, ""});
   EXPECT_TRUE(policy.is_host_allowed("xr3:9601"));
   EXPECT_TRUE(policy.is_origin_allowed("https://a.example", "xr3:9601"));
   EXPECT_FALSE(AccessPolicy().is_host_allowed("xr3:9601"));

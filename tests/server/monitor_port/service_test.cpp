@@ -20,7 +20,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-AccessPolicy with_token(Reading reading) {
+AccessPolicy with_token(ReadAccess reading) {
   AccessRules rules;
   rules.token = "sixteen-letters!";
   rules.reading = reading;
@@ -452,7 +452,7 @@ TEST_F(MonitorServiceTest, KeysWorkWhileTheSimulatorIsDisabled) {
 
 class WithToken : public MonitorServiceTest {
  protected:
-  WithToken() : MonitorServiceTest(with_token(Reading::kFree)) {}
+  WithToken() : MonitorServiceTest(with_token(ReadAccess::kFree)) {}
 };
 
 TEST_F(WithToken, ReadingIsFreeAndCallsNeedTheToken) {
@@ -507,7 +507,7 @@ TEST_F(WithToken, FiveWrongTokensEndTheConnection) {
 
 class Private : public MonitorServiceTest {
  protected:
-  Private() : MonitorServiceTest(with_token(Reading::kWithToken)) {}
+  Private() : MonitorServiceTest(with_token(ReadAccess::kWithToken)) {}
 };
 
 TEST_F(Private, ReadingNeedsTheToken) {

@@ -12,8 +12,8 @@ using ::testing::HasSubstr;
 
 constexpr char kEscape = '\x1B';
 
-Key letter(char c) { return {c, 0, false}; }
-Key alt(int function) { return {0, function, true}; }
+ModeKey letter(char c) { return {c, 0, false}; }
+ModeKey alt(int function) { return {0, function, true}; }
 
 /// The functions that a row of letters runs.
 std::vector<FunctionCall> run(CommandMode& mode, const std::string& letters) {

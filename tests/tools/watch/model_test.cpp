@@ -82,7 +82,7 @@ TEST(WatchModel, ReadsTheState) {
   EXPECT_EQ(known.robot, "Teaching arm");
   EXPECT_EQ(known.epoch, 2);
   EXPECT_EQ(known.tick, 12345);
-  EXPECT_EQ(known.mode, ClockMode::kReal);
+  EXPECT_EQ(known.mode, WatchedClockMode::kReal);
   ASSERT_EQ(known.state->joints.size(), 2U);
   const Axis& second = known.state->joints[1];
   EXPECT_EQ(second.label, "B");
@@ -215,7 +215,7 @@ TEST(WatchModel, APrivateServerIsNotAskedWithoutTheToken) {
 TEST(WatchModel, ReadsTheByteClockAndLinesThatWait) {
   WatchModel model = test::watched_model();
   model.handle(test::watched_state("\"mode\":\"real\"", "\"mode\":\"bytes\""));
-  EXPECT_EQ(model.known().mode, ClockMode::kBytes);
+  EXPECT_EQ(model.known().mode, WatchedClockMode::kBytes);
   EXPECT_THAT(*model.ask(Action::kPauseOrResume), HasSubstr(R"("fn":"pause")"));
   EXPECT_TRUE(model.ask_lines());
   std::string lines = test::watched_lines();

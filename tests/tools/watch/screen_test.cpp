@@ -223,9 +223,9 @@ TEST(WatchScreen, TruncatesLongNamesOfBlocks) {
 }
 
 TEST(WatchScreen, ShrinksAnImageUntilItFits) {
-  Image image{6, 4, std::vector<bool>(24, false)};
+  WatchedImage image{6, 4, std::vector<bool>(24, false)};
   image.pixels[0] = image.pixels[1] = true;  // two of the four left upper pixels
-  const Image small = shrunk(image, 3, 99);
+  const WatchedImage small = shrunk(image, 3, 99);
   EXPECT_EQ(small.width, 3U);
   EXPECT_EQ(small.height, 2U);
   EXPECT_THAT(small.pixels, ElementsAre(true, false, false, false, false, false));
@@ -237,7 +237,7 @@ TEST(WatchScreen, ShrinksAnImageUntilItFits) {
 
 TEST(WatchScreen, ACharacterHoldsTwoPixels) {
   Known known = test::watched_model().known();
-  known.image = Image{4, 2, {true, true, false, false, true, false, true, false}};
+  known.image = WatchedImage{4, 2, {true, true, false, false, true, false, true, false}};
   EXPECT_THAT(text(known, 30, 80), HasSubstr("█▀▄"));
 }
 
