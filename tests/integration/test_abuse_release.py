@@ -1,5 +1,5 @@
-"""A short form of `./test --abuse`: one round of some attacks. Bounds of counts hold. Bounds of
-times are ten times as long, because other programs disturb them, and half a second is measured. Also the verdicts of that command."""
+"""A short form of `./test --abuse`: one round of some attacks. Bounds of counts hold. Bounds of times are ten times as
+long, because other programs disturb them, and half a second is measured. Also the verdicts of that command."""
 # labels: release serial
 
 import contextlib
