@@ -231,8 +231,12 @@ FileReading<SavedCell> read_saved_cell(const Json& json) {
   return {std::move(saved), reading.take_findings()};
 }
 
+// Many blocks are refused by their number: writing them takes longer than other lines may wait.
 bool monitor::fits_a_request(const SavedCell& saved) {
-  constexpr std::size_t kCall = 1024;  // includes an escaped id of 64 bytes and the cell's name
+  constexpr std::size_t kCall = 1024;      // includes an escaped id of 64 bytes and the cell's name
+  constexpr std::size_t kLeastBlock = 40;  // the JSON of a block is longer
+  const std::size_t blocks = saved.workcell.blocks.size() + saved.state.blocks.size();
+  if (blocks > kMaxMessageBytes / kLeastBlock) return false;
   return saved_cell_to_json(saved).dump().size() <= kMaxMessageBytes - kCall;
 }
 

@@ -159,6 +159,7 @@ ATTACKS = [
     *beside("json.resets", flood(call("reset")), *SHIPPED_AND_LARGEST),
     *beside("json.snapshots-saved", flood(SAVED), *SHIPPED_AND_LARGEST),
     *beside("json.snapshots-loaded", flood(LOADED, before=[SAVED]), *SHIPPED_AND_LARGEST),
+    *beside("json.snapshots-refused", flood(call("snapshot_save", inline=True) + json_line("ping")), LARGEST),
     *beside("json.snapshots-inline", inline_snapshots, SHIPPED),
     *beside("json.steps", flood(STEP), *SHIPPED_AND_LARGEST, **MANUAL),
     *beside("json.runs", flood(RUN), *SHIPPED_AND_LARGEST, **MANUAL),

@@ -273,6 +273,19 @@ TEST(SavedCellJson, ACellThatFitsARequestCanBeSentBack) {
   EXPECT_TRUE(std::holds_alternative<monitor::Request>(reading));
 }
 
+// Without names, rotation and colour a block is as short as it can be.
+TEST(SavedCellJson, BlocksThatFitAreNotRefusedByTheirNumber) {
+  SavedCell saved = at_home();
+  const std::size_t empty = saved_cell_to_json(saved).dump().size();
+  Block block;
+  block.size_um = {1000, 1000, 1000};
+  saved.workcell.blocks.push_back(block);
+  const std::size_t in_workcell = saved_cell_to_json(saved).dump().size() - empty;
+  EXPECT_GT(in_workcell, 40U);
+  saved.state.blocks.push_back(block);
+  EXPECT_GT(saved_cell_to_json(saved).dump().size() - empty - in_workcell, 40U);
+}
+
 // --- Invalid saved cells.
 
 TEST(SavedCellJson, RejectsMissingAndUnknownMembers) {
