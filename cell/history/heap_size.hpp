@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/model.hpp"
 #include "core/state.hpp"
 
 namespace xr3 {
@@ -15,5 +16,15 @@ inline std::size_t heap_of(const std::vector<Block>& blocks) {
 }
 
 inline std::size_t heap_of(const TipPath& path) { return path.points.capacity() * sizeof(PointUm); }
+
+inline std::size_t heap_of(const Workcell& workcell) {
+  return workcell.name.capacity() + workcell.notes.capacity() + heap_of(workcell.blocks);
+}
+
+/// At most: each joint may have a table, beside which its part of the robot is small.
+inline std::size_t heap_of(const Model& model) {
+  const auto joints = static_cast<std::size_t>(model.joint_count());
+  return joints * SinCosTable::kMaxTableBytes + heap_of(model.workcell());
+}
 
 }  // namespace xr3

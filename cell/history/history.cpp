@@ -38,6 +38,27 @@ std::size_t bytes_of(const std::map<LineId, SerialLine>& lines) {
   return bytes;
 }
 
+std::size_t bytes_of(const Model& model) { return sizeof(Model) + heap_of(model); }
+
+/// The memory of a snapshot, without a model that is the part's, too.
+std::size_t bytes_of(const MachineSnapshot& snapshot, const ModelPtr& known) {
+  const State& state = snapshot.state;
+  return sizeof(MachineSnapshot) + heap_of(state.blocks) + heap_of(state.tip_path) +
+         (snapshot.model == known ? 0 : bytes_of(*snapshot.model));
+}
+
+/// The memory of the model and the snapshots of a checkpoint that the next one does not have. Those
+/// of the last one are mostly the cell's own.
+std::size_t bytes_left(const Cell::Checkpoint& checkpoint, const Cell::Checkpoint& later) {
+  std::size_t bytes = checkpoint.model == later.model ? 0 : bytes_of(*checkpoint.model);
+  for (const auto& [name, snapshot] : checkpoint.snapshots) {
+    const auto found = later.snapshots.find(name);
+    if (found == later.snapshots.end() || found->second != snapshot)
+      bytes += bytes_of(*snapshot, checkpoint.model);
+  }
+  return bytes;
+}
+
 /// The memory of a part, without what it shares with `neighbour`; nullptr: it has none.
 std::size_t bytes_of(const HistoryPart& part, const HistoryPart* neighbour) {
   const KeptCheckpoint* other = neighbour == nullptr ? nullptr : &neighbour->start;
@@ -184,6 +205,7 @@ void History::begin_part() {
   const bool is_gap = std::exchange(retry_in_, 0) > 0;
   if (epochs_.empty() || is_gap) epochs_.push_back({cell_.epoch(), cell_.state().tick, 0});
   used_ += bytes_of(*part, parts_.empty() ? nullptr : parts_.back().get());
+  if (!parts_.empty()) used_ += bytes_left(parts_.back()->start.rest, part->start.rest);
   parts_.push_back(std::move(part));
   if (parts_.size() > kMaxParts) join_dense();
   while (parts_.size() > kMaxParts) drop_oldest();
@@ -257,6 +279,7 @@ void History::recount() {
   const HistoryPart* last = nullptr;
   for (const Part& part : parts_) {
     used_ += bytes_of(*part, last);
+    if (last != nullptr) used_ += bytes_left(last->start.rest, part->start.rest);
     last = part.get();
   }
 }
@@ -273,7 +296,8 @@ Tick History::covered_from(const ReplayTime& begin) const {
 
 void History::drop_oldest() {
   if (parts_.size() <= 1) return forget();
-  used_ -= bytes_of(*parts_[0], parts_[1].get());
+  used_ -= bytes_of(*parts_[0], parts_[1].get()) +
+           bytes_left(parts_[0]->start.rest, parts_[1]->start.rest);
   parts_.pop_front();
   const ReplayTime from = parts_.front()->from();
   while (epochs_.size() > 1 && ReplayTime{epochs_[1].epoch, epochs_[1].from} <= from)

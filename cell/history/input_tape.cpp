@@ -27,13 +27,13 @@ struct HeapOf {
     return std::visit(*this, made.call);
   }
   std::size_t operator()(const call::ReplaceWorkcell& replace) const {
-    return heap_of(replace.workcell.blocks);
+    return heap_of(replace.workcell);
   }
   std::size_t operator()(const call::AddBlock& add) const { return add.block.name.capacity(); }
   std::size_t operator()(const call::LoadSnapshot& load) const {
     if (!load.saved) return 0;
     const State& state = load.saved->state;
-    return sizeof(SavedCell) + heap_of(load.saved->workcell.blocks) + heap_of(state.blocks) +
+    return sizeof(SavedCell) + heap_of(load.saved->workcell) + heap_of(state.blocks) +
            heap_of(state.tip_path);
   }
   template <class Other>

@@ -1,6 +1,6 @@
 """The memory that clients make the server take: a connection at most 1 MiB, beyond the one message made for it alone
 if it asks for that; a thousand of the greediest at most the cap; a request at most 1 MiB beyond eight times its bytes;
-and calls that change the workcell nothing that stays."""
+calls that change the workcell nothing that stays, and the past of a cell no more than its limit."""
 
 import contextlib
 import itertools
@@ -18,6 +18,7 @@ from target import Target, call, get, json_line
 GREEDY = 64
 MOST_CONNECTIONS = 1024
 CAP_MIB = 512
+PAST_MIB = 64  # of all cells
 USUAL_MIB = 32  # a server that serves nobody
 SMALL_BUFFER = 4096
 REPEATED = 20
@@ -144,6 +145,7 @@ def images(request):
 GET_IMAGE = json_line("get", channel="image")
 UNFINISHED_HEAD = get("/state", "X: " + "x" * 7000, "Y: " + "y" * 7000)[:-2]
 UNFINISHED_TEXT = websocket.frame(websocket.TEXT, b"{" + b"x" * 250_000, False)
+WORKCELL = call("workcell", workcell=workcell())
 WORKCELL_OF_HUNDRED = call("workcell", workcell=workcell([block(number) for number in range(100)]))
 
 ATTACKS = [
@@ -176,6 +178,9 @@ ATTACKS = [
     calls("workcells", 4, HUNDRED, WORKCELL_OF_HUNDRED, 4000),
     calls("large-workcells", 8, SHIPPED, largest_workcell_call(), 500),
     calls("snapshots", 16, LARGEST, lambda turn: call("snapshot_save", name=str(turn % 16)), 100),
+    calls("past-workcells", PAST_MIB + 8, SHIPPED, largest_workcell_call(), 250, options=()),
+    calls("past-models", PAST_MIB + 8, SHIPPED, WORKCELL + call("reset"), 1000, options=()),
+    calls("past-snapshots", PAST_MIB + 16, LARGEST, call("snapshot_save", name="a") + call("reset"), 60, options=()),
     *(request_cost(name, data) for name, data in INVALID.items()),
     request_cost("workcell", largest_workcell_call()),
 ]

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cell/history/heap_size.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3 {
@@ -199,6 +200,46 @@ TEST(History, StaysInItsBudget) {
   ASSERT_EQ(spans.size(), 1U);
   EXPECT_GT(spans[0].from, 0);
   EXPECT_LT(spans[0].from, 890'000);
+}
+
+TEST(History, CountsTheModelsThatOnlyItKeeps) {
+  Kept kept(3'600'000'000, kAmple);
+  const Workcell workcell = kept.cell.model().workcell();
+  kept.call(1, call::Reset{});
+  const std::size_t before = kept.history.used_bytes();
+  constexpr int kTimes = 10;
+  for (int ms = 2; ms < 2 + kTimes; ++ms) {
+    kept.call(ms, call::ReplaceWorkcell{workcell});
+    kept.call(ms, call::Reset{});
+  }
+  EXPECT_GE(kept.history.used_bytes() - before, (kTimes - 1) * heap_of(kept.cell.model()));
+}
+
+TEST(History, CountsTheSnapshotsThatOnlyItKeeps) {
+  Kept kept(3'600'000'000, kAmple);
+  kept.call(1, call::Reset{});
+  const auto grown = [&kept](int ms, const call::Call& call) {
+    const std::size_t before = kept.history.used_bytes();
+    for (int turn = 0; turn < 10; ++turn) {
+      kept.call(ms + turn, call);
+      kept.call(ms + turn, call::Reset{});
+    }
+    return kept.history.used_bytes() - before;
+  };
+  const std::size_t without = grown(2, call::Home{});
+  EXPECT_GE(grown(20, call::SaveSnapshot{"a"}), without + 9 * sizeof(MachineSnapshot));
+}
+
+TEST(History, GivesBackWhatItHasCounted) {
+  Kept kept(3'600'000'000, kAmple);
+  for (int ms = 1; ms < 3000; ++ms) {
+    kept.call(ms, call::ReplaceWorkcell{kept.cell.model().workcell()});
+    kept.call(ms, call::SaveSnapshot{std::to_string(ms % 3)});
+    kept.call(ms, call::Reset{});
+  }
+  EXPECT_LE(kept.history.used_bytes(), kAmple);
+  for (int ms = 3000; ms < 6000; ++ms) kept.call(ms, call::Reset{});
+  EXPECT_LT(kept.history.used_bytes(), 6000 * 2 * sizeof(HistoryPart));
 }
 
 TEST(History, CellsShareTheBudget) {
