@@ -92,9 +92,8 @@ void tick(const Model& model, State& state, Events& events) {
   update_blocked(model, state, positions, events);
 }
 
-}  // namespace
-
-bool is_at_rest(const Model& model, const State& state) {
+// See is_at_rest(). Inline, because it is asked at every advance of time.
+inline bool rests(const Model& model, const State& state) {
   if (state.stall != Stall::kNo) return true;
   for (int i = 0; i < model.motor_count(); ++i) {
     if (will_run(state, i)) return false;
@@ -102,17 +101,31 @@ bool is_at_rest(const Model& model, const State& state) {
   return true;
 }
 
+}  // namespace
+
+bool is_at_rest(const Model& model, const State& state) { return rests(model, state); }
+
 void step(const Model& model, State& state, Events& events) {
   tick(model, state, events);
   assert(broken_invariant(model, state) == nullptr);
 }
 
-bool run_to_rest(const Model& model, State& state, Tick target, Events& events) {
-  if (state.tick >= target || is_at_rest(model, state)) return false;
+namespace {
+
+// Goes on to `target` or until the machine is at rest, but makes at least the next step. Apart from
+// its callers, so that at rest they cost little. Precondition: state.tick < target.
+void run(const Model& model, State& state, Tick target, Events& events) {
   do {
     coast(model, state, quiet_ticks(model, state, target - state.tick));
     if (state.tick < target) step(model, state, events);
-  } while (state.tick < target && !is_at_rest(model, state));
+  } while (state.tick < target && !rests(model, state));
+}
+
+}  // namespace
+
+bool run_to_rest(const Model& model, State& state, Tick target, Events& events) {
+  if (state.tick >= target || rests(model, state)) return false;
+  run(model, state, target, events);
   return true;
 }
 
@@ -120,8 +133,7 @@ bool advance_to(const Model& model, State& state, Tick target, Events& events) {
   bool changed = run_to_rest(model, state, target, events);
   while (state.faults.now.next_stop <= target && state.tick < target) {
     state.tick = state.faults.now.next_stop - 1;
-    step(model, state, events);
-    run_to_rest(model, state, target, events);
+    run(model, state, target, events);
     changed = true;
   }
   state.tick = std::max(state.tick, target);
