@@ -66,8 +66,10 @@ void SerialLine::act_on(std::uint8_t byte, std::uint64_t offset, const Effects& 
 void SerialLine::execute(std::uint8_t byte, std::uint64_t offset, const Effects& effects) {
   Simulation& simulation = effects.simulation;
   const bool was_enabled = simulation.state().enabled;
+  const std::vector<Parsed>& items = endpoint_.parse(byte, offset, was_enabled);
+  if (items.empty()) return;  // as most bytes: they complete nothing
   std::string replies;
-  for (const Parsed& item : endpoint_.parse(byte, offset, was_enabled)) {
+  for (const Parsed& item : items) {
     if (!announce(item)) return;
     endpoint_.execute(item, simulation, replies, effects.exchanges);
   }
