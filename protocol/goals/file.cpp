@@ -192,7 +192,7 @@ struct Kind {
   bool (*read)(const Place&, Goal&);
 };
 
-/// In the order of goal::Body.
+/// In the order of goal::Condition.
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> all = {{"block", read_as<BlockPlace>},
                                         {"stacked", read_as<Stacked>},
@@ -247,7 +247,7 @@ const Members<GoalList>& list_members() {
 }  // namespace
 
 const std::string& kind_of(const Goal& goal) {
-  static_assert(std::variant_size_v<Body> == 15, "each kind has a row in kinds()");
+  static_assert(std::variant_size_v<Condition> == 15, "each kind has a row in kinds()");
   return goal_kinds()[goal.body.index()];
 }
 

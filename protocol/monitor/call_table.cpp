@@ -49,7 +49,7 @@ CallRequest read_args(const CallForm& form, ArgsReader& args) {
 
 /// The arguments that the call's reader requests from an empty object.
 Json form_json(const CallForm& form) {
-  Findings ignored;
+  InvalidValues ignored;
   ArgsReader nothing({}, "", ignored);
   read_args(form, nothing);
   Json args = Json::array();

@@ -93,7 +93,7 @@ RequestError unknown(const RequestId& id, const std::string& kind, JsonValue fou
   return {id, "unknown_" + kind, message, "there is " + data::quoted_names(names), {}};
 }
 
-RequestId read_id(ArgsReader& members, Findings& findings) {
+RequestId read_id(ArgsReader& members, InvalidValues& findings) {
   const JsonValue value = members.ask("id");
   if (const auto id = id_of(value)) return *id;
   findings.add("/id", value, "a text of at most 64 bytes or a whole number below 2^53");
@@ -121,7 +121,7 @@ Json duplicate_json(JsonValue member) {
 }
 
 /// Duplicates are errors, since it is unclear which of the members is meant.
-void refuse_duplicates(const JsonDocument& document, Findings& findings) {
+void refuse_duplicates(const JsonDocument& document, InvalidValues& findings) {
   document.for_each_duplicate([&](JsonValue member) {
     if (!findings.counts()) return;
     findings.keep(in_document(member.pointer_from(document.root())), duplicate_json(member),
@@ -223,7 +223,7 @@ class RequestReader {
     return std::nullopt;
   }
 
-  Findings findings_;
+  InvalidValues findings_;
   ArgsReader members_;
   Request request_;
 };
@@ -259,7 +259,7 @@ std::optional<RequestError> limit_ticks(Request& request, Tick now) {
     run->max_ticks = std::min(run->max_ticks, room);
   const auto* step = std::get_if<call::Step>(of_cell);
   if (step == nullptr || step->ticks <= room) return std::nullopt;
-  Findings findings;
+  InvalidValues findings;
   if (findings.counts())
     findings.keep("/args/ticks", step->ticks,
                   "a whole number 0..." + std::to_string(room) + ": no tick lies beyond 2^53-1");

@@ -100,7 +100,7 @@ void draw_camera(Grid& picture, const Camera& camera) {
 }
 
 /// Every character whose centre lies in the block, and the one at the block's centre.
-void draw_block(Grid& picture, const WatchedBlock& block, char letter) {
+void draw_block(Grid& picture, const Block& block, char letter) {
   const double x = mm(block.centroid_um.x);
   const double y = mm(block.centroid_um.y);
   const double yaw = degrees(block.yaw_udeg) * kPi / 180;
@@ -124,7 +124,7 @@ void draw_block(Grid& picture, const WatchedBlock& block, char letter) {
 }
 
 /// In order of their tops, so that the upper of stacked blocks is visible.
-void draw_blocks(Grid& picture, const std::vector<WatchedBlock>& blocks) {
+void draw_blocks(Grid& picture, const std::vector<Block>& blocks) {
   std::vector<std::size_t> order(blocks.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto top = [&](std::size_t i) { return blocks[i].centroid_um.z * 2 + blocks[i].size_um.z; };
@@ -133,7 +133,7 @@ void draw_blocks(Grid& picture, const std::vector<WatchedBlock>& blocks) {
 }
 
 /// `a red, b green`, over several lines. Blocks without a letter are only counted.
-std::string block_legend(const std::vector<WatchedBlock>& blocks) {
+std::string block_legend(const std::vector<Block>& blocks) {
   std::string text;
   std::string line;
   for (std::size_t i = 0; i < std::min(blocks.size(), kLetters.size()); ++i) {

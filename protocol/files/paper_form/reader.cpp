@@ -34,7 +34,7 @@ bool is_inside(const std::string& pointer, const std::string& around) {
 
 }  // namespace
 
-PaperReader::Reader(std::string_view text, std::string file)
+PaperReader::PaperReader(std::string_view text, std::string file)
     : file_(std::move(file)), lines_(split(text, file_)), findings_(lines_.findings) {}
 
 void PaperReader::open(const std::string& part, const Extras& extras) {

@@ -19,7 +19,7 @@ Workcell small_cell() {
   return cell;
 }
 
-WatchedBlock block(const std::string& name, PointUm size, PointUm centroid, int yaw_deg) {
+Block block(const std::string& name, PointUm size, PointUm centroid, int yaw_deg) {
   return {name, size, centroid, yaw_deg * Microdegrees{1'000'000}, 9};
 }
 
