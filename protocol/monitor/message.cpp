@@ -89,6 +89,21 @@ ByeText text_of_reason(CloseReason why) {
   return {"internal", ""};
 }
 
+/// The members of `hello` that are always the same, with the comma before them and the brace behind
+/// them: most of the message.
+const std::string& end_of_hello() {
+  static const std::string end = [] {
+    const Json members = {{"channels", channels()},
+                          {"calls", calls()},
+                          {"limits",
+                           {{"message_bytes", kMaxMessageBytes},
+                            {"depth", kMaxDepth},
+                            {"max_hz", kMaxHz}}}};
+    return "," + text_of(members).substr(1);
+  }();
+  return end;
+}
+
 /// The same message with more members behind `op`.
 Message with_members(const Message& message, const std::string& members) {
   std::string text = *message;
@@ -105,13 +120,10 @@ std::string text_of(const Json& json) {
 Message hello(const Greeting& greeting) {
   Json message = {{"op", "hello"}, {"proto", kProtocol}, {"server", greeting.server}};
   if (greeting.access != Access::kNone) message.update(cell_members(greeting));
-  message.update({
-      {"access", name_of(greeting.access)},
-      {"channels", channels()},
-      {"calls", calls()},
-      {"limits", {{"message_bytes", kMaxMessageBytes}, {"depth", kMaxDepth}, {"max_hz", kMaxHz}}},
-  });
-  return message_of(message);
+  message["access"] = name_of(greeting.access);
+  std::string text = text_of(message);
+  text.pop_back();  // its closing brace
+  return std::make_shared<const std::string>(text.append(end_of_hello()));
 }
 
 Message result(const RequestId& id, const Json& value) {
