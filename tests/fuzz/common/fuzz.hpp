@@ -23,8 +23,8 @@ extern const std::size_t kMaxInput;
 /// Checks the fuzzer's properties on one input. Defined by each fuzzer.
 void run(std::string_view input, Effort effort);
 
-/// Calls run(), and requires that it allocates at most 64 MiB at any time and takes at most 5 s of
-/// processor time.
+/// Calls run(), twice if it takes long, and requires that it allocates at most 64 MiB at any time
+/// and takes at most 5 s of processor time.
 void run_within_limits(std::string_view input, Effort effort);
 
 /// Ends the process with a message unless the property holds.
