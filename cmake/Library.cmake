@@ -34,11 +34,15 @@ function(xr3_together variable name)
   set(${variable} ${files} PARENT_SCOPE)
 endfunction()
 
-# xr3_library(<folder>): the static library xr3_<folder> of every .cpp below the calling folder but
-# main.cpp. Why the folder is globbed: docs/decisions/0006-globbed-folders.md.
+# xr3_library(<folder> [<regex>]): the static library xr3_<folder> of every .cpp below the calling folder but
+# main.cpp. With XR3_FUZZ also without those that match: no fuzzer uses them, but libFuzzer looks at the counters of
+# all linked code after each input. Why the folder is globbed: docs/decisions/0006-globbed-folders.md.
 function(xr3_library folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
   list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+  if(XR3_FUZZ AND ARGN)
+    list(FILTER sources EXCLUDE REGEX "${ARGN}")
+  endif()
   xr3_together(sources ${folder} ${sources})
   add_library(xr3_${folder} STATIC ${sources})
 endfunction()

@@ -36,7 +36,7 @@ using http::read_head;
 constexpr std::string_view kLineEnd = "\r\n";
 constexpr std::string_view kHeadEnd = "\r\n\r\n";
 
-bool is_same(const Request& a, const Request& b) {
+bool is_same(const HttpRequest& a, const HttpRequest& b) {
   const auto is_same_field = [](const Field& x, const Field& y) {
     return x.name == y.name && x.value == y.value;
   };
@@ -79,7 +79,7 @@ bool has_control_character(std::string_view text) {
 void check_limits(const HeadReading& reading, std::string_view head) {
   require(reading.head_bytes <= http::kMaxHeadBytes, "a head's size is bounded");
   require(head.find(kHeadEnd) + kHeadEnd.size() == head.size(), "a head ends at its empty line");
-  const Request& request = reading.request;
+  const HttpRequest& request = reading.request;
   require(request.target.size() <= http::kMaxTargetBytes, "a target's size is bounded");
   require(request.fields.size() <= http::kMaxFields, "the number of fields is bounded");
   require(!request.method.empty() && !request.target.empty(), "a request has method and target");
@@ -93,7 +93,7 @@ void check_limits(const HeadReading& reading, std::string_view head) {
 }
 
 /// The request with one blank or colon and blank between its parts.
-std::string written(const Request& request, std::string_view version) {
+std::string written(const HttpRequest& request, std::string_view version) {
   std::string head = request.method + " " + request.target + " " + std::string(version) + "\r\n";
   for (const Field& field : request.fields) head += field.name + ": " + field.value + "\r\n";
   return head + "\r\n";
@@ -128,7 +128,7 @@ std::string percent_encoded(std::string_view text) {
 }
 
 void check_query(std::string_view text) {
-  Request request;
+  HttpRequest request;
   request.target = "/view.svg?a=1&vector=" + percent_encoded(text) + "&vector=x";
   require(request.path() == "/view.svg", "the path ends at the query");
   require(request.parameter("vector") == text, "a query parameter encoded and decoded");
@@ -206,7 +206,7 @@ void check_response(const http::Answer& answer, std::string_view method, Effort 
 }
 
 /// Without the token, only health checks, the page, the schema and errors are answered.
-void check_closed(const Request& request) {
+void check_closed(const HttpRequest& request) {
   const http::Answer answer = MonitorRig::closed().answer(request);
   const std::string_view path = request.path();
   const bool is_page = path == "/" || path == "/favicon.ico" || path.starts_with("/assets/");

@@ -122,24 +122,24 @@ TEST(Replayer, AHostileRecordingDoesNotHarmIt) {
   open_line(recorded.cell, 0);
   send_on(recorded.cell, 1, "E?", 0);
   using namespace recording;  // NOLINT: the entries
-  const std::vector<Body> bodies = {DeviceOpened{},
-                                    DeviceOut{7},
-                                    DeviceInput{"x"},
-                                    DeviceLost{""},
-                                    InputEnded{9},
-                                    LineClosed{9},
-                                    LineUnsent{9, 1},
-                                    LineUnsent{1, 1},
-                                    LineInput{9, "E?", 2, 0, ""},
-                                    LineSettings{9, {}, false},
-                                    Late{0, false},
-                                    Late{5, true},
-                                    Replies{1, "x"},
-                                    CallMade{call::Step{1}},
-                                    CallMade{call::RunUntil{5, 5}},
-                                    CallMade{call::RemoveBlock{"none"}},
-                                    CallMade{call::StopDevice{}}};
-  for (const Body& body : bodies) {
+  const std::vector<EntryBody> bodies = {DeviceOpened{},
+                                         DeviceOut{7},
+                                         DeviceInput{"x"},
+                                         DeviceLost{""},
+                                         InputEnded{9},
+                                         LineClosed{9},
+                                         LineUnsent{9, 1},
+                                         LineUnsent{1, 1},
+                                         LineInput{9, "E?", 2, 0, ""},
+                                         LineSettings{9, {}, false},
+                                         Late{0, false},
+                                         Late{5, true},
+                                         Replies{1, "x"},
+                                         CallMade{call::Step{1}},
+                                         CallMade{call::RunUntil{5, 5}},
+                                         CallMade{call::RemoveBlock{"none"}},
+                                         CallMade{call::StopDevice{}}};
+  for (const EntryBody& body : bodies) {
     const std::string text = difference_after(recorded, changing<LineInput>([](LineInput&) {}));
     EXPECT_EQ(text, "");
     const std::string changed = difference_after(recorded, [&](Entry& entry) {

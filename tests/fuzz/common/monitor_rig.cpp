@@ -91,7 +91,7 @@ MonitorRig& MonitorRig::closed() {
   return rig;
 }
 
-MonitorRig::MonitorRig(Reading reading)
+MonitorRig::MonitorRig(ReadAccess reading)
     : policy_({{}, reading, kToken}),
       service_(io_, host_.cells, host_.worker, policy_),
       resources_(

@@ -35,7 +35,7 @@ class MonitorRig {
  private:
   class Peer;
 
-  explicit MonitorRig(Reading reading);
+  explicit MonitorRig(ReadAccess reading);
   std::string converse_once(const Pieces& pieces);
   bool run_ready();
   void wait_for_worker();

@@ -20,12 +20,12 @@ struct JudgedRun {
   State end = initial_state(model);
   RunFacts facts;
 
-  GoalResult result(Body body, const std::string& hint = "") {
+  GoalResult result(Condition body, const std::string& hint = "") {
     facts.breaches.resize(1);
     return judge({"", {{1, hint, std::move(body)}}}, model, end, facts).at(0);
   }
   /// The expected and, if it is missed, what was found.
-  std::string text(Body body) {
+  std::string text(Condition body) {
     const GoalResult each = result(std::move(body));
     EXPECT_EQ(each.is_met, each.found.empty());
     return each.is_met ? each.expected : each.expected + ": " + each.found;

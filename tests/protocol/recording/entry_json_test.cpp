@@ -16,7 +16,7 @@ std::string every_byte() {
   return bytes;
 }
 
-std::vector<Body> all_bodies() {
+std::vector<EntryBody> all_bodies() {
   return {
       LineBegin{1, "127.0.0.1:5000", LineKind::kTcp, Guard::kStrict},
       LineBegin{2, "/dev/\xff", LineKind::kPty, Guard::kOff},
@@ -57,7 +57,7 @@ std::optional<Entry> read_text(const std::string& text, Findings* findings = nul
 
 TEST(RecordedEntry, EveryKindSurvivesTheRoundTrip) {
   std::set<std::size_t> kinds;
-  for (const Body& body : all_bodies()) {
+  for (const EntryBody& body : all_bodies()) {
     const Entry entry{3, 9'007'199'254'740'991, 999, body};
     const std::string text = members_of(entry, 2) + ",\"c\":\"AAAA\"}";
     const auto read = read_text(text);
@@ -67,7 +67,7 @@ TEST(RecordedEntry, EveryKindSurvivesTheRoundTrip) {
     EXPECT_EQ(read->us, 999);
     kinds.insert(body.index());
   }
-  EXPECT_EQ(kinds.size(), std::variant_size_v<Body>);
+  EXPECT_EQ(kinds.size(), std::variant_size_v<EntryBody>);
 }
 
 TEST(RecordedEntry, BytesAreExactAndTheLineIsAscii) {

@@ -18,7 +18,7 @@ Header small_header() {
 
 /// A recording of five lines.
 std::string small_recording() {
-  Writer writer;
+  RecordingWriter writer;
   std::string text = writer.line(small_header());
   text += writer.line({0, 0, 0, LineBegin{1, "a", LineKind::kTcp, Guard::kNormal}});
   text += writer.line({0, 20, 0, LineInput{1, "A?", 2, 0, " "}});
@@ -36,7 +36,7 @@ struct ReadAll {
 
 ReadAll read_recording(std::string_view text, std::size_t piece = 1 << 20) {
   ReadAll all;
-  Reader reader("file");
+  RecordingReader reader("file");
   try {
     bool has_header = false;
     for (std::size_t at = 0;; at += piece) {
@@ -126,14 +126,14 @@ TEST(RecordingReader, RefusesOtherFilesAndOtherFormats) {
 }
 
 TEST(RecordingReader, LinesAreBounded) {
-  Writer writer;
+  RecordingWriter writer;
   std::string text = writer.line(small_header()) + "{\"tick\":1,\"line\":1,\"in\":\"";
   text.append(kMaxLine, 'x');
   EXPECT_EQ(read_recording(text, 65536).error_line, 2);
 }
 
 TEST(RecordingReader, ErrorsHaveLineAndPointer) {
-  Writer writer;
+  RecordingWriter writer;
   std::string text = writer.line(small_header());
   text += writer.line({0, 0, 0, CallMade{call::SetInput{9, true}}});
   const ReadAll all = read_recording(text);
