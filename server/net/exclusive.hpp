@@ -17,9 +17,7 @@ class Exclusive {
 
   /// Resumes when nobody holds it, those that wait one after the other: if the caller takes hold of
   /// it at once, the next one goes on waiting.
-  asio::awaitable<void> until_free() {
-    while (is_held_) co_await freed_.async_wait(kAwait);
-  }
+  asio::awaitable<void> until_free();
 
   /// Holds it as long as it exists. Precondition: nobody else does.
   class Hold {

@@ -227,7 +227,8 @@ TEST(History, CountsTheSnapshotsThatOnlyItKeeps) {
     return kept.history.used_bytes() - before;
   };
   const std::size_t without = grown(2, call::Home{});
-  EXPECT_GE(grown(20, call::SaveSnapshot{"a"}), without + 9 * sizeof(MachineSnapshot));
+  // Ten are saved: the cell itself keeps the last one, and a part begins after the first one.
+  EXPECT_GE(grown(20, call::SaveSnapshot{"a"}), without + 8 * sizeof(MachineSnapshot));
 }
 
 TEST(History, GivesBackWhatItHasCounted) {
