@@ -32,7 +32,7 @@ class Short(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         abuse.prepare()
-        attacks.MEASURED_S = MEASURED_S
+        attacks.MEASURED_S = dict.fromkeys(attacks.MEASURED_S, MEASURED_S)
 
     def test_timed_attacks(self):
         for name in TIMED:

@@ -42,7 +42,7 @@ KINDS = {
     "runs_the_checkout": r"\./run( .*)?",
     "runs_a_suite": r"\./test( .*)?",
     "is_a_script": r"(scripts/(build-cost|capacity|emscripten|package|pictures|release|site|viewer|llvm-tool|setup)"
-                   r"|tests/fuzz/minimise)"
+                   r"|tests/fuzz/minimise|tests/bench/side_by_side.py)"
                    r"( (?!-).*)?",
     "uses_a_preset": r"(cmake|cmake --build|ctest) --preset \S+.*",
     "is_an_option_of_cmake": r"cmake --install( build/release)?",
@@ -221,8 +221,8 @@ class Commands(unittest.TestCase):
         if script == "scripts/setup":
             for group in arguments:
                 self.assertRegex(usage.splitlines()[2], rf"\b{group}\b")
-        elif arguments in (["VERSION"], ["NAME"]):
-            self.assertIn(f"{script} {arguments[0]}", usage)
+        elif arguments in (["VERSION"], ["NAME"], ["OLD", "NEW"]):
+            self.assertIn(" ".join([path.name, *arguments]), usage)
         for word in arguments if script == "scripts/package" else []:
             self.assertRegex(usage.splitlines()[3], rf"\b{word}\b")
 
