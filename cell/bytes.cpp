@@ -122,7 +122,7 @@ void Cell::restart_bytes() {
 
 // --- Bytes.
 
-/// What the line has done so far is reported; then time passes, with what replies owe.
+/// Reports what the line has done so far, and lets pass the time that its replies take.
 void Cell::pass_before(LineId id, Micros time) {
   emit_exchanges(id, *open_line(id), emitted_);
   emitted_ = exchanges_.size();

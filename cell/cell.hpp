@@ -145,7 +145,7 @@ class Cell final : private LineListener {
   /// The cell was taken back: time stands, lines are not read, and calls that change the cell are
   /// refused with `in_the_past`, until the call `resume`. The clock is then as it was before.
   bool is_in_past() const { return is_in_past_; }
-  /// The refusal of whatever would change a cell that is in its past.
+  /// The refusal of calls that would change a cell in its past.
   static call::Refused in_the_past();
   /// Whether the bytes of an open line wait: for another line, or because the cell is in the past.
   bool is_unread(LineId line) const {
