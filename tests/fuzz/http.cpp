@@ -209,7 +209,8 @@ void check_response(const http::Answer& answer, std::string_view method, Effort 
 void check_closed(const HttpRequest& request) {
   const http::Answer answer = MonitorRig::closed().answer(request);
   const std::string_view path = request.path();
-  const bool is_page = path == "/" || path == "/favicon.ico" || path.starts_with("/assets/");
+  const bool is_page = path == "/" || path == "/favicon.ico" || path.starts_with("/assets/") ||
+                       path.starts_with("/cell/");
   const bool is_open = path == "/healthz" || path == "/readyz" || path == "/schema/v1.json";
   require(answer.status >= 400 || is_page || is_open, "reading needs the token");
 }

@@ -44,6 +44,7 @@ def heads():
     yield "split", [get()[:20], get()[20:40], get()[40:]]
     yield "state", [get(b"/state?cell=main")]
     yield "view", [get(b"/view.svg?a=b&vector=1%2c-9,0")]
+    yield "page_of_a_cell", [get(b"/cell/main")]
     yield "no_camera", [get(b"/camera.pbm", method=b"HEAD")]
     yield "metrics", [get(b"/metrics", version=b"HTTP/1.0")]
     yield "origin", [get(fields=HOST + b"Origin: http://localhost:9601\r\n")]
