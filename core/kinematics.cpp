@@ -64,8 +64,9 @@ std::vector<Transform> base_transforms(const Model& model, const Positions& posi
 }
 
 Transform tool_transform(const Model& model, const Positions& positions) {
-  Transform pose = mount_transform(model);
-  for (int k = 0; k < model.joint_count(); ++k) pose *= link_transform(model, k, at(positions, k));
+  Transform pose = link_transform(model, 0, at(positions, 0));
+  if (model.mount_angles()) pose = mount_transform(model) * pose;
+  for (int k = 1; k < model.joint_count(); ++k) pose *= link_transform(model, k, at(positions, k));
   return pose;
 }
 

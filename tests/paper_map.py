@@ -12,7 +12,7 @@ MAP = ROOT / "docs" / "paper-map.md"
 COLUMNS = 4
 STATUSES = ("done", "planned", "replaced")
 LIBRARIES = ("core", "protocol", "cell", "tools", "server")
-GTEST = re.compile(r"^(TEST|TEST_F|TEST_P|RC_GTEST_PROP)\(\s*(\w+),\s*(\w+)", re.MULTILINE)
+GTEST = re.compile(r"^(TEST|TEST_F|TEST_P|RC_GTEST_PROP)\(\s*(\w+),", re.MULTILINE)
 
 # The tests of ctest that use the other files of tests/.
 RUNNERS = {
@@ -30,10 +30,10 @@ def cells(line):
 
 
 def unit_tests(path):
-    """The names in ctest of the tests in a file of GoogleTest; `*` stands for the name of an instantiation."""
+    """The names in ctest of the suites in a file of GoogleTest; `*` stands for the name of an instantiation."""
     library = path.split("/")[1]
-    for kind, suite, name in GTEST.findall((ROOT / path).read_text(encoding="utf-8")):
-        yield f"{library}.*/{suite}.{name}" if kind == "TEST_P" else f"{library}.{suite}.{name}"
+    suites = sorted(set(GTEST.findall((ROOT / path).read_text(encoding="utf-8"))))
+    return [f"{library}.*/{suite}" if kind == "TEST_P" else f"{library}.{suite}" for kind, suite in suites]
 
 
 def names_of(path):
@@ -47,7 +47,7 @@ def names_of(path):
     if script:
         return [f"integration.{script[1]}"]
     if re.fullmatch(rf"tests/({'|'.join(LIBRARIES)})/.*_test\.cpp", path):
-        return list(unit_tests(path))
+        return unit_tests(path)
     return RUNNERS.get(path.rpartition("/")[0], [])
 
 
@@ -70,7 +70,7 @@ def is_known(name, known):
     if "*" not in name:
         return name in known
     before, after = name.split("*")
-    return any(each.startswith(before) and f"{after}/" in each for each in known)
+    return any(each.startswith(before) and each.endswith(after) for each in known)
 
 
 def wrong_tests(paths, word, known):
