@@ -23,6 +23,16 @@ void to_previous_frame(PointMm& p, const SinCos& alpha, double d, double a, Thet
   p.y = turn.sin * along + turn.cos * across;
 }
 
+// Inline, because a product of these is all that the forward kinematics computes.
+inline Transform dh_transform(const SinCos& theta, const SinCos& alpha, double d, double a) {
+  Transform t;
+  t << theta.cos, -alpha.cos * theta.sin, alpha.sin * theta.sin, a * theta.cos,  //
+      theta.sin, alpha.cos * theta.cos, -alpha.sin * theta.cos, a * theta.sin,   //
+      0.0, alpha.sin, alpha.cos, d,                                              //
+      0.0, 0.0, 0.0, 1.0;
+  return t;
+}
+
 /// The place of the arm behind its first slides.
 Transform behind_slides(const Model& model, const Positions& positions) {
   Transform place = mount_transform(model);
@@ -33,17 +43,12 @@ Transform behind_slides(const Model& model, const Positions& positions) {
 }  // namespace
 
 Transform row_transform(const SinCos& theta, const SinCos& alpha, double d, double a) {
-  Transform t;
-  t << theta.cos, -alpha.cos * theta.sin, alpha.sin * theta.sin, a * theta.cos,  //
-      theta.sin, alpha.cos * theta.cos, -alpha.sin * theta.cos, a * theta.sin,   //
-      0.0, alpha.sin, alpha.cos, d,                                              //
-      0.0, 0.0, 0.0, 1.0;
-  return t;
+  return dh_transform(theta, alpha, d, a);
 }
 
 Transform link_transform(const Model& model, int joint, Counts position) {
-  return row_transform(model.theta(joint, position), model.twist(joint),
-                       model.link_offset_mm(joint, position), model.link_length_mm(joint));
+  return dh_transform(model.theta(joint, position), model.twist(joint),
+                      model.link_offset_mm(joint, position), model.link_length_mm(joint));
 }
 
 Transform mount_transform(const Model& model) {

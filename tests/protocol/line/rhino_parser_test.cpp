@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "protocol/explain/diagnostic.hpp"
 #include "protocol/json/values.hpp"
@@ -531,6 +533,8 @@ TEST(RhinoParser, DisablingDiscardsAnIncompleteCommand) {
 
 // --- Everything there is.
 
+using Parsers = std::vector<RhinoParser>;
+
 bool is_as_new_after_a_carriage_return(RhinoParser parser, Profile profile,
                                        std::vector<Parsed>& out) {
   out.clear();
@@ -538,34 +542,30 @@ bool is_as_new_after_a_carriage_return(RhinoParser parser, Profile profile,
   return out.size() <= 3 && parser == RhinoParser(profile);
 }
 
-// A parser that equals a new one after a CR accepts any input, so this proves more than that E+5
-// moves E.
-void expect_every_three_bytes_are_bounded(Profile profile) {
+// Feeds every byte to every parser. Returns the different parsers that result.
+Parsers fed_every_byte(const Parsers& parsers, std::uint64_t offset, Profile profile) {
+  Parsers result;
   std::vector<Parsed> out;
-  out.reserve(8);
-  for (unsigned first = 0; first < 256; ++first) {
-    RhinoParser one(profile);
-    out.clear();
-    one.feed(static_cast<std::uint8_t>(first), 0, out);
-    ASSERT_LE(out.size(), 3U);
-    ASSERT_TRUE(is_as_new_after_a_carriage_return(one, profile, out)) << first;
-    for (unsigned second = 0; second < 256; ++second) {
-      RhinoParser two = one;
+  for (const RhinoParser& before : parsers) {
+    for (unsigned byte = 0; byte < 256; ++byte) {
+      RhinoParser parser = before;
       out.clear();
-      two.feed(static_cast<std::uint8_t>(second), 1, out);
-      ASSERT_LE(out.size(), 3U);
-      ASSERT_TRUE(is_as_new_after_a_carriage_return(two, profile, out)) << first << " " << second;
-      for (unsigned third = 0; third < 256; ++third) {
-        RhinoParser three = two;
-        out.clear();
-        three.feed(static_cast<std::uint8_t>(third), 2, out);
-        const bool is_bounded = out.size() <= 3;
-        if (!is_bounded || !is_as_new_after_a_carriage_return(three, profile, out)) {
-          FAIL() << first << " " << second << " " << third;
-        }
-      }
+      parser.feed(static_cast<std::uint8_t>(byte), offset, out);
+      EXPECT_LE(out.size(), 3U) << byte;
+      EXPECT_TRUE(is_as_new_after_a_carriage_return(parser, profile, out)) << byte;
+      if (std::find(result.begin(), result.end(), parser) == result.end()) result.push_back(parser);
     }
   }
+  return result;
+}
+
+// A parser that equals a new one after a CR accepts any input, so this proves more than that E+5
+// moves E. Equal parsers behave alike: only different ones go on to the next byte.
+void expect_every_three_bytes_are_bounded(Profile profile) {
+  Parsers parsers{RhinoParser(profile)};
+  for (std::uint64_t offset = 0; offset < 3; ++offset)
+    parsers = fed_every_byte(parsers, offset, profile);
+  EXPECT_GT(parsers.size(), 1000U);
 }
 
 TEST(RhinoParser, AcceptsEveryThreeBytesInThePaperProfile) {
