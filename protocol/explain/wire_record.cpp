@@ -38,7 +38,10 @@ What& add_item(std::vector<Item>& items, std::uint64_t from, std::uint64_t to) {
   Item& item = items.emplace_back();
   item.from = from;
   item.to = to;
-  return item.what.emplace<What>();
+  if constexpr (std::is_same_v<What, std::variant_alternative_t<0, wire::Meaning>>)
+    return std::get<What>(item.what);
+  else
+    return item.what.emplace<What>();
 }
 
 // Problems that skip a single byte. They are merged, as a client may send megabytes of garbage.
