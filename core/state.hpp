@@ -89,6 +89,10 @@ struct TipPath {
   bool operator==(const TipPath&) const = default;
 };
 
+/// The version of State in digests. It changes with the members of State and with their meaning, so
+/// that digests of other versions of xr3 are not compared.
+inline constexpr int kStateFormat = 1;
+
 struct State {
   Tick tick = 0;
   Motors motors;

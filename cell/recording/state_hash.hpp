@@ -8,10 +8,6 @@
 
 namespace xr3 {
 
-/// The version of the digest. It changes with the meaning of the state or with its form, so that
-/// digests of other versions of xr3 are not compared.
-inline constexpr int kStateFormat = 1;
-
 class StateHasher {
  public:
   /// `sha256:` and 64 hexadecimal digits.

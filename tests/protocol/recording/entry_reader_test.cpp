@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "core/home.hpp"
 #include "protocol/json/document.hpp"
@@ -32,7 +36,17 @@ Fault some_fault() {
   return fault;
 }
 
-/// At least one call of each kind, with unusual arguments.
+/// Adds the kinds that are not among the calls, as they are by default.
+template <std::size_t... kinds>
+void add_other_kinds(std::vector<call::Call>& calls, std::index_sequence<kinds...>) {
+  const auto is_missing = [&](std::size_t kind) {
+    return std::none_of(calls.begin(), calls.end(),
+                        [&](const call::Call& each) { return each.index() == kind; });
+  };
+  ((is_missing(kinds) ? void(calls.emplace_back(std::in_place_index<kinds>)) : void()), ...);
+}
+
+/// At least one call of each kind, with unusual arguments if it has any.
 std::vector<call::Call> all_calls() {
   using namespace call;  // NOLINT: the calls
   std::vector<Call> calls = {
@@ -48,8 +62,6 @@ std::vector<call::Call> all_calls() {
       RunUntil{123'456'789, 7},
       Reset{},
       Home{},
-      StopDevice{},
-      AlignMirror{},
       SetInput{8, true},
       SetInput{1, false},
       AddBlock{{"a \"block\"", {12'345, 1, 999'999}, {-1, 2, 33'333}, 89'999'999, 3}},
@@ -71,6 +83,7 @@ std::vector<call::Call> all_calls() {
         Command(SelectStatus{6}), Command(ToggleSimulator{}), Command(ToggleFunctionKeys{}),
         Command(SetRefreshPeriod{255}), Command(ToggleErasing{})})
     calls.emplace_back(Key{command});
+  add_other_kinds(calls, std::make_index_sequence<std::variant_size_v<Call>>());
   return calls;
 }
 
