@@ -91,7 +91,7 @@ def breaches(path, text):
         reason = include and (forbidden(folder, *include.groups()) or joins_separate(path, include[1]))
         if reason:
             yield f"{path}:{number}: {reason}"
-        if folder in RULES and path.endswith((".cpp", ".hpp")) and len(line) > MAX_COLUMNS:
+        if path.endswith((".cpp", ".hpp")) and len(line) > MAX_COLUMNS:
             yield f"{path}:{number}: longer than {MAX_COLUMNS} columns"
         if folder in PORTABLE and NOT_IN_LIBCXX.search(line):
             yield f"{path}:{number}: {folder} may not use algorithms of std::ranges; Emscripten's libc++ lacks them"

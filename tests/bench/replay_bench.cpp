@@ -1,5 +1,5 @@
-// The time to repeat a recording: an hour of ordinary polling, 50 inquiries a second, of a robot that
-// keeps moving.
+// The time to repeat a recording: an hour of ordinary polling, 50 inquiries a second, of a robot
+// that keeps moving.
 #include <benchmark/benchmark.h>
 
 #include <array>

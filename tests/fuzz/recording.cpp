@@ -1,6 +1,6 @@
-// Fuzzes the reader of recordings and the replay. Properties: any text gives entries or an error; an
-// entry is equal after writing and reading; a replay of any entries on a fresh cell ends, with or
-// without a difference, and its replies in memory are bounded.
+// Fuzzes the reader of recordings and the replay. Properties: any text gives entries or an error;
+// an entry is equal after writing and reading; a replay of any entries on a fresh cell ends, with
+// or without a difference, and its replies in memory are bounded.
 //
 // Input: the first byte selects what follows. Bit 7: the text of a file, with its checks. Otherwise
 // entries, one a line, without checks; bits 0 and 1: clock and line speed, bit 2: a device.

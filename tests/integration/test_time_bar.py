@@ -1,5 +1,5 @@
-"""The time bar of the browser page without a browser: its requests and its axis. test_time_bar_history.py runs the page in
-real Chromium with the history of a server, soak_viewer.py with a past that a test plays."""
+"""The time bar of the browser page without a browser: its requests and its axis. test_time_bar_history.py runs the page
+in real Chromium with the history of a server, soak_viewer.py with a past that a test plays."""
 
 import os
 import shutil
@@ -14,8 +14,9 @@ REWIND = os.path.join(ROOT, "tests", "web", "rewind")
 class TimeBar(unittest.TestCase):
     def test_requests_and_axis(self):
         self.assertTrue(shutil.which("node"), "node is not installed (scripts/setup test)")
-        run = subprocess.run(["node", "--test", *(os.path.join(REWIND, f"{name}_test.mjs") for name in ("axis", "past"))],
-                             capture_output=True, text=True, timeout=60, check=False, cwd=ROOT)
+        tests = [os.path.join(REWIND, f"{name}_test.mjs") for name in ("axis", "past")]
+        run = subprocess.run(["node", "--test", *tests], capture_output=True, text=True, timeout=60,
+                             check=False, cwd=ROOT)
         self.assertEqual(0, run.returncode, run.stdout[-6000:] + run.stderr[-3000:])
 
 

@@ -1,5 +1,5 @@
-"""The time bar of the browser page with the history of this xr3: runs some tests of tests/web/rewind/rewind_test.mjs in real
-Chromium. soak_viewer.py runs them all."""
+"""The time bar of the browser page with the history of this xr3: runs some tests of tests/web/rewind/rewind_test.mjs in
+real Chromium. soak_viewer.py runs them all."""
 # labels: serial
 
 import os

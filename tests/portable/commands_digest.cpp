@@ -1,10 +1,10 @@
-// Sends random commands to robots with the byte clock, and prints digests of all replies and states:
-// the same on every machine and by every compiler.
+// Sends random commands to robots with the byte clock, and prints digests of all replies and
+// states: the same on every machine and by every compiler.
 //
 //   commands_digest DATA COMMANDS
 //
-// DATA is the folder of the robot files; each robot gets an equal part of COMMANDS. A line for every
-// kPerLine commands, with the digest of everything before it, shows where two builds part.
+// DATA is the folder of the robot files; each robot gets an equal part of COMMANDS. A line for
+// every kPerLine commands, with the digest of everything before it, shows where two builds part.
 #include <array>
 #include <charconv>
 #include <cstdio>

@@ -30,7 +30,8 @@ constexpr const char* kRequests =
     "\n"
     R"({"op":"call","fn":"send","args":{"text":"E+50\r"}})"
     "\n"
-    R"({"op":"call","fn":"step","args":{"ticks":1,"after":{"line":1,"bytes_in":99,"within_ms":60000}}})"
+    R"({"op":"call","fn":"step","args":{"ticks":1,"after":{"line":1,"bytes_in":99,)"
+    R"("within_ms":60000}}})"
     "\n";
 
 /// Blocking clients of every kind, for use in another thread than the server's.

@@ -38,7 +38,8 @@ Body only_body(const std::string& members) {
 
 TEST(GoalsFile, ABlockAtAPoint) {
   const Goal goal = only_goal(
-      R"("kind":"block","name":"red","xyz_mm":[400,-12.5,null],"mm":8,"yaw_deg":90,"deg":3,"points":4,"hint":"look")");
+      R"("kind":"block","name":"red","xyz_mm":[400,-12.5,null],"mm":8,"yaw_deg":90,"deg":3,)"
+      R"("points":4,"hint":"look")");
   EXPECT_EQ(goal.points, 4);
   EXPECT_EQ(goal.hint, "look");
   const auto& body = std::get<goal::BlockPlace>(goal.body);
@@ -121,9 +122,10 @@ TEST(GoalsFile, AnotherFileIsRefusedInOneSentence) {
 }
 
 TEST(GoalsFile, HasASummary) {
-  const GoalList list = load_goals(
-      R"({"notes":"Pick it.","goals":[{"kind":"no_stall","points":2},{"kind":"holding","name":null}]})",
-      "goals.json", rhino_of_goals());
+  const GoalList list =
+      load_goals(R"({"notes":"Pick it.","goals":[{"kind":"no_stall","points":2},{"kind":"holding",)"
+                 R"("name":null}]})",
+                 "goals.json", rhino_of_goals());
   EXPECT_EQ(goals_summary(list), "2 goals, 3 points\nPick it.\n  no_stall\n  holding\n");
 }
 

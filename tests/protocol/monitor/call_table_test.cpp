@@ -68,8 +68,9 @@ TEST(MonitorCalls, ParsesTheTicksOfAStep) {
 }
 
 TEST(MonitorCalls, ParsesTheBarrierOfAStep) {
-  const Request request = good(
-      R"({"op":"call","id":8,"fn":"step","args":{"ticks":50,"after":{"line":3,"bytes_in":120,"within_ms":2000},"fields":["joints"]}})");
+  const Request request =
+      good(R"({"op":"call","id":8,"fn":"step","args":{"ticks":50,"after":{"line":3,"bytes_in":120,)"
+           R"("within_ms":2000},"fields":["joints"]}})");
   const auto& wanted = std::get<CallRequest>(request.what);
   ASSERT_TRUE(wanted.after);
   EXPECT_EQ(wanted.after->line, 3U);
@@ -180,7 +181,8 @@ TEST(MonitorCalls, ParsesLinesAndLineDisconnect) {
 TEST(MonitorCalls, ParsesFaults) {
   const auto set = call_of<call::SetFault>(
       "fault_set",
-      R"({"fault":{"name":"jam","kind":"motor_slow","joint":"E","percent":5,"at_tick":9},"seed":4})");
+      R"({"fault":{"name":"jam","kind":"motor_slow","joint":"E","percent":5,"at_tick":9},)"
+      R"("seed":4})");
   EXPECT_EQ(set.fault.name, "jam");
   EXPECT_EQ(set.fault.percent, 5U);
   EXPECT_EQ(set.seed, 4U);
@@ -252,7 +254,8 @@ TEST(MonitorCalls, ParsesBlockAdd) {
   const Block block =
       call_of<call::AddBlock>(
           "block_add",
-          R"({"name":"green","size_mm":[40,20.5,10],"xyz_mm":[300,-0.001,20],"yaw_deg":-270,"color":2})")
+          R"({"name":"green","size_mm":[40,20.5,10],"xyz_mm":[300,-0.001,20],"yaw_deg":-270,)"
+          R"("color":2})")
           .block;
   EXPECT_EQ(block,
             (Block{"green", {40'000, 20'500, 10'000}, {300'000, -1, 20'000}, 90'000'000, 2}));

@@ -26,7 +26,8 @@ TEST(MonitorHeading, IsReadFromAnyText) {
   };
   const Row rows[] = {
       {R"({"op":"call","id":7,"fn":"step","args":{"ticks":1}})", call(seven, "step")},
-      {R"(  { "args" : {"op":"ping","x":["}",{"id":1}]} , "fn" : "step", "id":"a", "op" : "call" } )",
+      {R"(  { "args" : {"op":"ping","x":["}",{"id":1}]} , "fn" : "step", "id":"a",)"
+       R"( "op" : "call" } )",
        call("a", "step")},
       {R"({"\u006fp":"c\u0061ll","i\u0064":"\u00e9","\u0066\u006e":"step"})", call("é", "step")},
       {R"({"op":"call","fn":"step","id":7,"args":{"ticks":[[[[[)", call(seven, "step")},

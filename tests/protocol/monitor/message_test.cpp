@@ -17,9 +17,11 @@ TEST(MonitorMessage, Hello) {
   const ModelPtr model = test::rhino();
   EXPECT_EQ(
       *hello({"xr3 0.1.0", {"main"}, GreetedCell{"main", *model, {}}}),
-      R"({"op":"hello","proto":1,"server":"xr3 0.1.0","cell":"main","cells":["main"],"epoch":0,"tick":0,)"
+      R"({"op":"hello","proto":1,"server":"xr3 0.1.0","cell":"main","cells":["main"],"epoch":0,)"
+      R"("tick":0,)"
       R"("tick_hz":1000,"clock":{"mode":"real","rate":1.0},"compat":"paper",)"
-      R"("robot":{"name":"Rhino XR-3","joints":["F","E","D","C","B"],"tool":"A"},"access":"control",)"
+      R"("robot":{"name":"Rhino XR-3","joints":["F","E","D","C","B"],"tool":"A"},)"
+      R"("access":"control",)"
       R"("channels":["state","image","event","line","display","model","overview"],)"
       R"("calls":)" +
           Json(calls()).dump() + "," +
@@ -72,7 +74,8 @@ TEST(MonitorMessage, Details) {
   EXPECT_EQ(
       *result(error),
       R"({"op":"result","id":"x","ok":false,"error":{"code":"bad_args","message":"2 wrong fields",)"
-      R"("hint":"nothing was changed","details":[{"pointer":"/args/ticks","found":-5,"allowed":"a number above 0"},)"
+      R"("hint":"nothing was changed","details":[{"pointer":"/args/ticks","found":-5,)"
+      R"("allowed":"a number above 0"},)"
       R"({"pointer":"/args/after","found":null,"allowed":"an object"}]}})");
 }
 
@@ -84,10 +87,10 @@ TEST(MonitorMessage, Pong) {
 
 TEST(MonitorMessage, StateWithAndWithoutId) {
   const Json members = {{"stalled", nullptr}, {"moving", false}};
-  EXPECT_EQ(
-      *with_id(channel_message(Channel::kState, {"main", 0, 90, 1200}, text_of(members)),
-               std::int64_t{5}),
-      R"({"op":"state","id":5,"cell":"main","epoch":0,"seq":90,"tick":1200,"stalled":null,"moving":false})");
+  EXPECT_EQ(*with_id(channel_message(Channel::kState, {"main", 0, 90, 1200}, text_of(members)),
+                     std::int64_t{5}),
+            R"({"op":"state","id":5,"cell":"main","epoch":0,"seq":90,"tick":1200,"stalled":null,)"
+            R"("moving":false})");
   EXPECT_EQ(*channel_message(Channel::kState, {"main", 1, 91, 0}, "{}"),
             R"({"op":"state","cell":"main","epoch":1,"seq":91,"tick":0})");
 }

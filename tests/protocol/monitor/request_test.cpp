@@ -63,7 +63,8 @@ TEST(MonitorRequest, ParsesSub) {
   EXPECT_TRUE(plain.on_change);
   EXPECT_EQ(plain.since, std::nullopt);
   const auto all = what_of<Subscribe>(
-      R"({"op":"sub","channel":"image","max_hz":0.1,"on_change":false,"fields":["rows","width"],"encoding":"rle"})");
+      R"({"op":"sub","channel":"image","max_hz":0.1,"on_change":false,"fields":["rows","width"],)"
+      R"("encoding":"rle"})");
   EXPECT_EQ(all.selection, (Selection{Channel::kImage, {{"rows", "width"}}, Encoding::kRle}));
   EXPECT_EQ(all.max_millihz, 100);
   EXPECT_FALSE(all.on_change);
@@ -136,8 +137,8 @@ TEST(MonitorRequest, AcceptsOnlyFieldsOfTheChannel) {
 
 TEST(MonitorRequest, ReportsEveryInvalidMemberOfASubscription) {
   EXPECT_EQ(
-      wrong(
-          R"({"op":"sub","id":1.5,"channel":"image","fields":"all","encoding":1,"max_hz":99,"on_change":1})"),
+      wrong(R"({"op":"sub","id":1.5,"channel":"image","fields":"all","encoding":1,"max_hz":99,)"
+            R"("on_change":1})"),
       (Pointers{"/id", "/fields", "/encoding", "/max_hz", "/on_change"}));
 }
 
@@ -159,8 +160,9 @@ TEST(MonitorRequest, FindsCellsByName) {
 }
 
 TEST(MonitorRequest, ReportsEveryInvalidField) {
-  const RequestError error = bad(
-      R"({"op":"call","id":[],"fn":"step","args":{"ticks":-1,"a/b":2,"after":{"line":0,"x":1,"within_ms":60001},"fields":["nope",3]}})");
+  const RequestError error =
+      bad(R"({"op":"call","id":[],"fn":"step","args":{"ticks":-1,"a/b":2,"after":{"line":0,"x":1,)"
+          R"("within_ms":60001},"fields":["nope",3]}})");
   EXPECT_EQ(error.message, "9 wrong fields");
   EXPECT_EQ(error.hint, "nothing was changed");
   EXPECT_EQ(pointers_of(error),
