@@ -22,17 +22,9 @@ namespace {
 
 using Parents = std::multimap<::pid_t, ::pid_t>;  // parent to child
 
-/// The parent of a process, or 0 if it has ended. The name in its `stat` may hold any byte.
 ::pid_t parent_of(::pid_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  const std::size_t name_end = text.rfind(')');
-  int parent = 0;
-  char state = 0;
-  if (name_end == std::string::npos ||
-      std::sscanf(text.c_str() + name_end + 1, " %c %d", &state, &parent) != 2)
-    return 0;
-  return state == 'Z' ? 0 : parent;
+  return parent_in(file);
 }
 
 /// All processes that run, by their parents.
@@ -64,6 +56,18 @@ std::vector<::pid_t> descendants() {
 }
 
 }  // namespace
+
+::pid_t parent_in(std::istream& stat) {
+  std::string text;  // the name of the program in it may hold any byte but 0
+  std::getline(stat, text, '\0');
+  const std::size_t name_end = text.rfind(')');
+  int parent = 0;
+  char state = 0;
+  if (name_end == std::string::npos ||
+      std::sscanf(text.c_str() + name_end + 1, " %c %d", &state, &parent) != 2)
+    return 0;
+  return state == 'Z' ? 0 : parent;
+}
 
 void adopt_orphans() {
   if (::prctl(PR_SET_CHILD_SUBREAPER, 1) != 0) throw_errno("prctl(PR_SET_CHILD_SUBREAPER)");

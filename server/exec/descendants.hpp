@@ -5,9 +5,14 @@
 #include <sys/types.h>
 
 #include <cstddef>
+#include <istream>
 #include <vector>
 
 namespace xr3 {
+
+/// The parent of a process by its file `/proc/PID/stat`, or 0 if the process has ended, also if it
+/// ends while the file is read: then reading fails.
+::pid_t parent_in(std::istream& stat);
 
 /// From now on, orphaned descendants become children of this process. Throws std::system_error.
 void adopt_orphans();
