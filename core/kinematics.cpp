@@ -1,5 +1,6 @@
 #include "core/kinematics.hpp"
 
+#include <cassert>
 #include <cmath>
 #include <optional>
 
@@ -23,16 +24,6 @@ void to_previous_frame(PointMm& p, const SinCos& alpha, double d, double a, Thet
   p.y = turn.sin * along + turn.cos * across;
 }
 
-// Inline, because a product of these is all that the forward kinematics computes.
-inline Transform dh_transform(const SinCos& theta, const SinCos& alpha, double d, double a) {
-  Transform t;
-  t << theta.cos, -alpha.cos * theta.sin, alpha.sin * theta.sin, a * theta.cos,  //
-      theta.sin, alpha.cos * theta.cos, -alpha.sin * theta.cos, a * theta.sin,   //
-      0.0, alpha.sin, alpha.cos, d,                                              //
-      0.0, 0.0, 0.0, 1.0;
-  return t;
-}
-
 /// The place of the arm behind its first slides.
 Transform behind_slides(const Model& model, const Positions& positions) {
   Transform place = mount_transform(model);
@@ -43,12 +34,17 @@ Transform behind_slides(const Model& model, const Positions& positions) {
 }  // namespace
 
 Transform row_transform(const SinCos& theta, const SinCos& alpha, double d, double a) {
-  return dh_transform(theta, alpha, d, a);
+  Transform t;
+  t << theta.cos, -alpha.cos * theta.sin, alpha.sin * theta.sin, a * theta.cos,  //
+      theta.sin, alpha.cos * theta.cos, -alpha.sin * theta.cos, a * theta.sin,   //
+      0.0, alpha.sin, alpha.cos, d,                                              //
+      0.0, 0.0, 0.0, 1.0;
+  return t;
 }
 
 Transform link_transform(const Model& model, int joint, Counts position) {
-  return dh_transform(model.theta(joint, position), model.twist(joint),
-                      model.link_offset_mm(joint, position), model.link_length_mm(joint));
+  return row_transform(model.theta(joint, position), model.twist(joint),
+                       model.link_offset_mm(joint, position), model.link_length_mm(joint));
 }
 
 Transform mount_transform(const Model& model) {
@@ -69,6 +65,7 @@ std::vector<Transform> base_transforms(const Model& model, const Positions& posi
 }
 
 Transform tool_transform(const Model& model, const Positions& positions) {
+  assert(model.joint_count() > 0);
   Transform pose = link_transform(model, 0, at(positions, 0));
   if (model.mount_angles()) pose = mount_transform(model) * pose;
   for (int k = 1; k < model.joint_count(); ++k) pose *= link_transform(model, k, at(positions, k));

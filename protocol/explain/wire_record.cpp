@@ -32,7 +32,7 @@ void begin(WireRecord& record, Direction direction, const WirePlace& place, std:
 }
 
 // Adds an item to be filled in place: a copy of what was written just before costs more than all
-// the rest of a short record.
+// the rest of a short record. A new item has the first alternative already.
 template <class What>
 What& add_item(std::vector<Item>& items, std::uint64_t from, std::uint64_t to) {
   Item& item = items.emplace_back();
