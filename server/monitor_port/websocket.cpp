@@ -1,5 +1,6 @@
 #include "server/monitor_port/websocket.hpp"
 
+#include <bit>
 #include <boost/asio/post.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http/empty_body.hpp>
@@ -27,6 +28,23 @@ constexpr std::chrono::milliseconds kMaxCloseTime{500};
 constexpr std::size_t kLongMessage = std::size_t{64} * 1024;
 // Requests handled before yielding to the event loop.
 constexpr int kRequestsATurn = 64;
+
+std::string_view text_in(const beast::flat_buffer& buffer) {
+  return {static_cast<const char*>(buffer.cdata().data()), buffer.size()};
+}
+
+/// Whether the last character of a UTF-8 text is incomplete. Beast checks all of a message but this
+/// if its last frame is empty.
+bool ends_within_character(std::string_view text) {
+  constexpr int kContinuation = 1;  // leading ones of a byte that continues a character
+  int size = 0;                     // of the character, as far as it has arrived
+  for (auto at = text.rbegin(); at != text.rend(); ++at) {
+    const int ones = std::countl_one(static_cast<unsigned char>(*at));
+    ++size;
+    if (ones != kContinuation) return ones > size;
+  }
+  return false;
+}
 
 /// The stream below Beast. Records when the connection last accepted bytes.
 class Wire {
@@ -180,15 +198,14 @@ asio::awaitable<void> BeastWebsocket::read_messages() {
     co_await until_there_is_room();
     const bool is_text = co_await read_text();
     if (!is_text) co_return;
-    const auto text = received_.cdata();
-    co_await session_->handle({static_cast<const char*>(text.data()), text.size()});
+    co_await session_->handle(text_in(received_));
     received_.clear();
     if (taken % kRequestsATurn == 0) co_await asio::post(socket_->executor(), asio::use_awaitable);
   }
 }
 
-/// Reads the next message. False if the connection has ended, or was closed because of a binary
-/// message.
+/// Reads the next message. False if the connection has ended, or was closed because of a message
+/// that is no text in UTF-8.
 asio::awaitable<bool> BeastWebsocket::read_text() {
   last_received_ = Clock::now();  // nothing was read until now: no silence of the client
   is_reading_ = true;
@@ -197,10 +214,11 @@ asio::awaitable<bool> BeastWebsocket::read_text() {
   last_received_ = Clock::now();
   socket_->note_bytes(count);
   if (error) co_return false;
-  if (stream_.got_text()) co_return true;
+  if (stream_.got_text() && !ends_within_character(text_in(received_))) co_return true;
   if (!std::exchange(is_closing_, true)) {
     socket_->close_after(kMaxCloseTime);
-    co_await stream_.async_close(ws::close_code::unknown_data, kAwait);
+    const bool is_text = stream_.got_text();
+    co_await stream_.async_close(is_text ? ws::bad_payload : ws::unknown_data, kAwait);
   }
   co_return false;
 }

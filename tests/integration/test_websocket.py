@@ -174,6 +174,8 @@ class Bytes(unittest.TestCase):
         cases = [("binary", frame(BINARY, b"{}"), 1003),
                  ("bad UTF-8", frame(TEXT, b'{"op":"\xff"}'), 1007),
                  ("bad UTF-8 over fragments", frame(TEXT, b"\xe2\x82", last=False) + frame(CONTINUATION, b"{"), 1007),
+                 ("half a character before an empty last frame",
+                  frame(TEXT, b"{\xe2\x82", last=False) + frame(CONTINUATION, b""), 1007),
                  ("too big", frame(TEXT, b" " * (LONGEST + 1)), 1009),
                  ("too big in fragments",
                   frame(TEXT, b" " * LONGEST, last=False) + frame(CONTINUATION, b" "), 1009),

@@ -124,9 +124,7 @@ class Reader {
     const std::string message = std::exchange(message_, {});
     if (!is_text_) return end(ClientStream::End::kClosed, kUnknownData);
     if (is_utf8(message)) return stream_.messages.push_back(message);
-    // Beast does not check the last character before an empty last frame.
-    end(frame.payload.empty() ? ClientStream::End::kUnknown : ClientStream::End::kClosed,
-        kBadPayload);
+    end(ClientStream::End::kClosed, kBadPayload);
   }
 
   /// Ends in an incomplete frame.
