@@ -22,14 +22,6 @@ std::uint8_t letter_of(std::uint8_t byte) {
 
 }  // namespace
 
-void RawBytes::push(std::uint8_t byte) {
-  if (size == kMax) {
-    was_cut = true;
-    return;
-  }
-  bytes[size++] = byte;
-}
-
 void RhinoParser::Number::push(std::uint8_t digit) {
   const int value = digit - '0';
   magnitude = std::min(kSaturated, magnitude * 10 + value);

@@ -55,7 +55,12 @@ struct RawBytes {
   std::uint8_t size = 0;
   bool was_cut = false;
 
-  void push(std::uint8_t byte);
+  void push(std::uint8_t byte) {
+    if (size < kMax)
+      bytes[size++] = byte;
+    else
+      was_cut = true;
+  }
   std::string_view view() const { return {reinterpret_cast<const char*>(bytes.data()), size}; }
   bool operator==(const RawBytes&) const = default;
 };

@@ -34,7 +34,7 @@ std::string lower(std::string_view text) {
 /// `7e2` and an optional flow control.
 std::optional<SerialFrame> parse_frame(std::string_view text) {
   if (text.size() < 3) return std::nullopt;
-  const int data_bits = text[0] - '0';
+  const auto data_bits = static_cast<std::uint8_t>(text[0] - '0');
   const std::size_t parity = kParities.find(text[1]);
   const std::size_t end = std::min(text.find('-'), text.size());
   const auto stop_bits = find_name<StopBits>(kStopBits, text.substr(2, end - 2));

@@ -21,7 +21,7 @@ inline constexpr int kMaxDataBits = 8;
 
 /// The frame of a character. The default is that of the Mark III controller's port.
 struct SerialFrame {
-  int data_bits = 7;  ///< kMinDataBits to kMaxDataBits
+  std::uint8_t data_bits = 7;  ///< kMinDataBits to kMaxDataBits
   Parity parity = Parity::kEven;
   StopBits stop_bits = StopBits::kTwo;
   FlowControl flow = FlowControl::kNone;

@@ -61,9 +61,9 @@ class TelnetParser {
 
   Mode mode_ = Mode::kData;
   std::uint8_t verb_ = 0;  ///< WILL, WONT, DO or DONT before an option
-  int length_ = 0;         ///< of the subnegotiation so far; a command in it counts as one byte
+  std::uint8_t kept_bytes_ = 0;
+  std::uint16_t length_ = 0;  ///< of the subnegotiation so far; a command in it counts as one byte
   std::array<std::uint8_t, kMaxKept> kept_{};
-  std::size_t kept_bytes_ = 0;
 };
 
 }  // namespace xr3

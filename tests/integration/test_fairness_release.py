@@ -12,7 +12,7 @@ from garbage import ask_without_end, pour, pour_garbage
 from support import Server
 
 ASKED = 500
-ROUNDS = 3
+ROUNDS = 2
 TRIES = 6
 
 

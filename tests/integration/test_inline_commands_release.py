@@ -1,7 +1,7 @@
 """Every command in the text of README.md, CONTRIBUTING.md, SECURITY.md, docs, docker, deploy and clients. Each is of one
 of the kinds below and runs as its kind says: unchanged, or with other ports, files and values for placeholders.
 Of a command that would change the machine, or that needs an engine or a long time, its parts are checked:
-options, scripts, presets, files, packages and units. (The commands in fences: test_docs.py.)"""
+options, scripts, presets, files, packages and units. (The commands in fences: test_docs_release.py.)"""
 
 import json
 import os
@@ -21,7 +21,7 @@ from support import DEADLINE_S, LOCALHOST, ROOT, XR3, Server, run_xr3
 from telnet import Telnet
 
 BUILD = pathlib.Path(XR3).parent
-HINT = "correct it, or add a kind that runs it to KINDS in tests/integration/test_inline_commands.py"
+HINT = "correct it, or add a kind that runs it to KINDS in tests/integration/test_inline_commands_release.py"
 COMMAND_S = 120.0  # some compile a program of a client
 COMPILERS = {"c": ["gcc"], "cpp": ["g++"], "java": ["javac"], "rust": ["rustc"], "bash": ["nc"]}
 HELLO = pathlib.Path(ROOT, "tests", "clients", "expected", "1_hello.txt").read_text(encoding="utf-8")

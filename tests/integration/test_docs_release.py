@@ -25,7 +25,7 @@ CLIENT_COMMAND = re.compile(r"(?:\$ )?(?:nc|curl|printf|echo) .*localhost")
 ELSEWHERE = {
     "README.md: cc ": "test_course.py",
     "README.md: ./run": "test_run.py",
-    "README.md: ./test": "test_inline_commands.py",
+    "README.md: ./test": "test_inline_commands_release.py",
     "README.md: $ telnet": "test_readme.py",
     "README.md: xr3/": "test_ci_recipes.py",
     "operations.md: ./run --build": "test_operations.py",
