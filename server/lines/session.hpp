@@ -44,6 +44,9 @@ class LineSession {
   /// whether there may be more to do now.
   bool run_turn();
 
+  /// The load of a new line: its first turns wait for those of lines that only ask, since to open,
+  /// to examine and to close a line costs much more than an inquiry.
+  static constexpr std::uint64_t kNewLoad = 4'000;
   /// An estimate of the time of its latest turns in nanoseconds; half of it is forgotten each turn.
   std::uint64_t load() const { return load_; }
 
@@ -89,7 +92,7 @@ class LineSession {
   LineSessionContext& context_;
   LineSource& source_;
   PeerCounts::Place place_;
-  std::uint64_t load_ = 0;
+  std::uint64_t load_ = kNewLoad;
   std::string pending_;     ///< read, but not applied because the outbox was full
   bool is_ending_ = false;  ///< the stream ends after the bytes that have arrived
   bool is_broken_ = false;

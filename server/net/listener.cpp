@@ -17,7 +17,7 @@ namespace {
 constexpr std::chrono::milliseconds kRetryAfter{100};
 
 // Connections accepted in one turn of the event loop, so that others need not wait for a thousand.
-constexpr int kConnectionsATurn = 16;
+constexpr int kConnectionsATurn = 4;
 
 // TCP keepalive: a dead peer is detected 60 s after its last byte.
 constexpr int kIdleSeconds = 30;

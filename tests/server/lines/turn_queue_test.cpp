@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "server/lines/session.hpp"
+
 namespace xr3 {
 namespace {
 
@@ -18,6 +20,13 @@ TEST(TurnQueue, LightLinesGoFirst) {
   EXPECT_EQ(turns.take_lightest(), 2U);
   EXPECT_EQ(turns.take_lightest(), 1U);
   EXPECT_TRUE(turns.empty());
+}
+
+TEST(TurnQueue, NewLinesGoAfterLinesThatOnlyAsk) {
+  TurnQueue turns;
+  turns.add(1, LineSession::kNewLoad);
+  turns.add(2, kLight);
+  EXPECT_EQ(turns.take_lightest(), 2U);
 }
 
 TEST(TurnQueue, LinesOfAboutTheSameLoadTakeTurns) {
