@@ -85,7 +85,7 @@ Transform lying_pose(const Block& block) {
 }
 
 Transform block_pose(const Model& model, const State& state, std::size_t index) {
-  const Transform upright = lying_pose(state.blocks[index]);
+  Transform upright = lying_pose(state.blocks[index]);
   if (!state.held || state.held->block != index) return upright;
   const Transform grasped = tool_transform(model, state.held->grasped_at);
   Transform now = tool_transform(model, positions(model, state.motors));

@@ -178,8 +178,7 @@ asio::awaitable<std::string> App::not_ready() {
 }
 
 void App::listen() {
-  for (std::size_t i = 0; i < plans_.size(); ++i)
-    listen_on_cell(*cells_.find(plans_[i].name), plans_[i].port);
+  for (const CellPlan& plan : plans_) listen_on_cell(*cells_.find(plan.name), plan.port);
   if (probe_cell_) listen_on_cell(*probe_cell_, options_.robot_port);
   const bool is_local = options_.listen == "localhost";
   listen_on(monitor_port_, "monitor", {address_of(options_.listen), options_.monitor_port});

@@ -51,7 +51,8 @@ struct Commands {
   CommandText operator()(const SetAuxiliary& set) const {
     constexpr std::array<std::string_view, 4> kCodes = {"auxiliary_1_off", "auxiliary_1_on",
                                                         "auxiliary_2_off", "auxiliary_2_on"};
-    return {kCodes.at(static_cast<std::size_t>(set.port * 2 - 2 + (set.on ? 1 : 0))),
+    const int code = set.port * 2 - 2 + (set.on ? 1 : 0);
+    return {kCodes.at(static_cast<std::size_t>(code)),
             "auxiliary port " + number(set.port) + (set.on ? " on" : " off")};
   }
   CommandText operator()(const SetOutput& set) const {

@@ -22,7 +22,7 @@ Codec<std::string> fault_name() {
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
   const auto parse = [=](JsonValue value) -> std::optional<std::string> {
     if (!value.is_text() || value.text_size() > Fault::kMaxName) return std::nullopt;
-    std::string name = value.text();
+    const std::string name = value.text();
     if (name.empty() || name.find_first_not_of(kLetters) != name.npos) return std::nullopt;
     return name;
   };

@@ -28,11 +28,12 @@ Codec<char> label() {
 /// One of a few integers.
 template <class I>
 Codec<I> integer_among(std::string allowed, std::vector<int> values) {
-  return parsed<I>(std::move(allowed), [values](JsonValue value) -> std::optional<I> {
-    for (const int each : values)
-      if (value.is(each)) return static_cast<I>(each);
-    return std::nullopt;
-  });
+  return parsed<I>(std::move(allowed),
+                   [values = std::move(values)](JsonValue value) -> std::optional<I> {
+                     for (const int each : values)
+                       if (value.is(each)) return static_cast<I>(each);
+                     return std::nullopt;
+                   });
 }
 
 Codec<int> sign() { return integer_among<int>("1 or -1", {1, -1}); }

@@ -1,6 +1,7 @@
 #include "protocol/goals/file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -69,7 +70,8 @@ Codec<std::optional<std::string>> name_or_null() {
 Codec<Tick> seconds() {
   return converted<Tick, double>(
       number({0, kMaxSeconds, true, "seconds"}),
-      [](const double& seconds) { return static_cast<Tick>(seconds * kTickHz + 0.5); }, nullptr);
+      [](const double& seconds) { return static_cast<Tick>(std::llround(seconds * kTickHz)); },
+      nullptr);
 }
 
 /// A tolerance, kept in whole microdegrees.

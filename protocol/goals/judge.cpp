@@ -331,7 +331,7 @@ std::vector<GoalResult> judge(const GoalList& list, const Model& model, const St
                       std::move(judged.expected),
                       judged.missed.value_or(""),
                       ""};
-    if (!result.is_met) result.hint = goal.hint.empty() ? std::move(judged.hint) : goal.hint;
+    if (!result.is_met) result.hint = goal.hint.empty() ? judged.hint : goal.hint;
     results.push_back(std::move(result));
   }
   return results;

@@ -75,7 +75,7 @@ Codec<V> row(std::string allowed, Codec<F> item, std::vector<F V::*> fields) {
   };
   const auto write = [fields, write = item.write](const V& value) {
     Json list = Json::array();
-    for (F V::*field : fields) list.push_back(write(value.*field));
+    for (const auto field : fields) list.push_back(write(value.*field));
     return list;
   };
   return {std::move(allowed), read, write};

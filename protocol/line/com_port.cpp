@@ -87,14 +87,14 @@ BufferControl ComPort::handle(Bytes request, std::string& answers) {
 }
 
 void ComPort::append_modem_state(std::string& answers) {
-  constexpr std::array value = {kModemState};
-  append_answer(answers, com_port::kNotifyModemState, value);
+  constexpr std::array kValue = {kModemState};
+  append_answer(answers, com_port::kNotifyModemState, kValue);
 }
 
 void ComPort::append_parity_error(std::string& answers) const {
-  constexpr std::array value = {kParityError};
+  constexpr std::array kValue = {kParityError};
   if ((line_state_mask_ & kParityError) != 0)
-    append_answer(answers, com_port::kNotifyLineState, value);
+    append_answer(answers, com_port::kNotifyLineState, kValue);
 }
 
 void ComPort::set_baud(Bytes value, std::string& answers) {

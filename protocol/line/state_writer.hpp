@@ -28,6 +28,7 @@ class StateWriter {
     requires std::integral<Part> || std::is_enum_v<Part>
   void put(Part part) {
     constexpr int kBits = 8;
+    // NOLINTNEXTLINE(bugprone-signed-char-misuse): a negative number is not a character
     auto rest = static_cast<std::uint64_t>(part);
     for (std::size_t i = 0; i < sizeof rest; ++i, rest >>= kBits)
       bytes_.push_back(static_cast<char>(rest & UINT8_MAX));

@@ -152,8 +152,9 @@ Codec<Workcell> workcell_file() {
     Reading reading(place.value, Unit::kOfDocument);
     std::optional<Workcell> read = read_workcell(reading);
     place.reading.adopt(reading);
-    if (read) workcell = *std::move(read);
-    return read.has_value();
+    if (!read) return false;
+    workcell = *std::move(read);
+    return true;
   };
   codec.write = workcell_to_json;
   return codec;

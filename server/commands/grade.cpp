@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 /// The submissions in the order of their names. Hidden files are none.
 std::vector<fs::path> submissions_in(const std::string& folder) {
   std::error_code error;
-  fs::directory_iterator entries(folder, error);
+  const fs::directory_iterator entries(folder, error);
   if (error) throw FileError(folder + ": cannot be read: " + error.message());
   std::vector<fs::path> found;
   for (const fs::directory_entry& each : entries)

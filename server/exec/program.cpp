@@ -43,7 +43,8 @@ std::vector<std::string> environment_of(const ProgramSettings& settings) {
   std::vector<std::string> all;
   for (char** each = environ; *each != nullptr; ++each)
     if (is_passed_on(*each, settings.is_stranger)) all.emplace_back(*each);
-  for (const auto& [name, value] : settings.environment) all.push_back(name + "=" + value);
+  for (const auto& [name, value] : settings.environment)
+    all.emplace_back(name).append("=").append(value);
   return all;
 }
 

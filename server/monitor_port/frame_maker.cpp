@@ -65,8 +65,8 @@ asio::awaitable<std::vector<SelectedFrame>> FrameMaker::make(std::vector<Selecti
   co_await making_.until_free();
   const Exclusive::Hold hold(making_);
   cell_.catch_up(wall_now());
-  auto work = [cache = &frames(), sources = new_sources(selections),
-               wanted = std::move(selections)] {
+  auto sources = new_sources(selections);
+  auto work = [cache = &frames(), sources = std::move(sources), wanted = std::move(selections)] {
     for (const FrameSource& source : sources) cache->show(source);
     std::vector<SelectedFrame> frames;
     for (const Selection& selection : wanted)

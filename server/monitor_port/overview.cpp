@@ -139,7 +139,7 @@ asio::awaitable<void> Overview::look_at_cells() {
 
 void Overview::look_at(HostedCell& cell) {
   if (sessions_.empty()) return;
-  monitor::CellSummary summary = summary_of(cell);
+  const monitor::CellSummary summary = summary_of(cell);
   if (cell.cell().has_news_to_come()) changed_.insert(&cell);
   Shown& shown = shown_[&cell];
   if (shown.version > 0 && !monitor::is_news(shown.summary, summary)) return;

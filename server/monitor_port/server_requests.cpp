@@ -69,7 +69,7 @@ asio::awaitable<void> MonitorService::list_cells(MonitorSession& session,
 }
 
 /// Epoch and tick are those of the cell; null without one.
-void MonitorService::describe(CellPtr at, MonitorSession& session,
+void MonitorService::describe(const CellPtr& at, MonitorSession& session,
                               const monitor::Request& request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   Json value = at ? value_now(at->cell()) : Json{{"epoch", nullptr}, {"tick", nullptr}};

@@ -220,7 +220,7 @@ bool MonitorService::may_see(const MonitorSession& session, const HostedCell& ce
 CellPtr MonitorService::find_cell(const MonitorSession& session,
                                   const monitor::Request& request) const {
   const std::optional<std::string>& name = request.cell ? request.cell : session.own_cell();
-  CellPtr at = name ? cells_.find(*name) : nullptr;
+  const CellPtr at = name ? cells_.find(*name) : nullptr;
   return at && may_see(session, *at) ? at : nullptr;
 }
 

@@ -110,7 +110,7 @@ class MonitorService {
   CellPtr find_cell(const MonitorSession& session, const monitor::Request& request) const;
   asio::awaitable<void> carry_out_overview(MonitorSession& session, monitor::Request request);
   asio::awaitable<void> list_cells(MonitorSession& session, monitor::Request request);
-  void describe(CellPtr at, MonitorSession& session, const monitor::Request& request);
+  void describe(const CellPtr& at, MonitorSession& session, const monitor::Request& request);
   asio::awaitable<void> carry_out_at(CellPtr at, MonitorSession& session, monitor::Request request);
   /// The session's own line of a cell, which a first `send` opens.
   /// nullopt: it has too many of other cells.

@@ -28,7 +28,7 @@ class MonitorSession {
   MonitorSession(MonitorService& service, MessageSink& sink);
   MonitorSession(const MonitorSession&) = delete;
   MonitorSession& operator=(const MonitorSession&) = delete;
-  ~MonitorSession();
+  ~MonitorSession();  // NOLINT(bugprone-exception-escape): as in the definition
 
   /// Carries out one message and queues the answer. Preconditions: the previous call has finished,
   /// and the client's queue is not full.

@@ -1,5 +1,6 @@
 #include "server/monitor_port/websocket.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <boost/asio/post.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
@@ -33,17 +34,16 @@ std::string_view text_in(const beast::flat_buffer& buffer) {
   return {static_cast<const char*>(buffer.cdata().data()), buffer.size()};
 }
 
+/// The leading ones of a byte of UTF-8: 1 if it continues a character, else the size of the one
+/// that it begins, or 0 in ASCII.
+int leading_ones(char byte) { return std::countl_one(static_cast<unsigned char>(byte)); }
+
 /// Whether the last character of a UTF-8 text is incomplete. Beast checks all of a message but this
 /// if its last frame is empty.
 bool ends_within_character(std::string_view text) {
-  constexpr int kContinuation = 1;  // leading ones of a byte that continues a character
-  int size = 0;                     // of the character, as far as it has arrived
-  for (auto at = text.rbegin(); at != text.rend(); ++at) {
-    const int ones = std::countl_one(static_cast<unsigned char>(*at));
-    ++size;
-    if (ones != kContinuation) return ones > size;
-  }
-  return false;
+  const auto first =
+      std::find_if(text.rbegin(), text.rend(), [](char byte) { return leading_ones(byte) != 1; });
+  return first != text.rend() && leading_ones(*first) > first - text.rbegin() + 1;
 }
 
 /// The stream below Beast. Records when the connection last accepted bytes.

@@ -28,7 +28,7 @@ class Exclusive {
     }
     Hold(const Hold&) = delete;
     Hold& operator=(const Hold&) = delete;
-    ~Hold() {
+    ~Hold() {  // NOLINT(bugprone-exception-escape): cancelling a timer does not fail
       exclusive_.is_held_ = false;
       exclusive_.freed_.cancel();
     }

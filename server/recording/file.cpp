@@ -57,10 +57,10 @@ std::string make_run_folder(const std::string& folder,
                             std::chrono::system_clock::time_point start) {
   if (!make_private_folder(folder) && !is_folder(folder))
     throw FileError(folder + ": is a file; several cells record into a folder");
-  const std::string path = folder + "/" + run_name(start);
+  std::string path = folder + "/" + run_name(start);
   if (make_private_folder(path)) return path;
   for (int run = 2; run <= kMaxRunsOfASecond; ++run) {
-    const std::string next = path + "-" + std::to_string(run);
+    std::string next = path + "-" + std::to_string(run);
     if (make_private_folder(next)) return next;
   }
   throw FileError(path + ": more than " + std::to_string(kMaxRunsOfASecond) +

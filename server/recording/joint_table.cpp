@@ -22,7 +22,8 @@ JointTable::JointTable(const Model& model) {
   text_ = "epoch,tick";
   for (int i = 0; i < model.motor_count(); ++i) {
     const std::string label(1, model.motor(i).drive.label);
-    text_ += "," + label + (model.is_length(i) ? "_mm," : "_deg,") + label + "_count";
+    const char* const unit = model.is_length(i) ? "_mm," : "_deg,";
+    text_.append(",").append(label).append(unit).append(label).append("_count");
   }
   text_ += ",x_mm,y_mm,z_mm,holding\n";
 }

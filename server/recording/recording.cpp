@@ -47,7 +47,7 @@ void Recording::begin_file() {
     throw FileError(file_.path() + ": the recording cannot be written: " + file_.failure());
 }
 
-void Recording::add(recording::Entry entry) {
+void Recording::add(const recording::Entry& entry) {
   if (is_over_) return;
   const recording::Entry here{entry.epoch, entry.tick, entry.us, recording::End{"", "limit"}};
   recording::RecordingWriter next = writer_;

@@ -30,7 +30,7 @@ class Recording {
 
  private:
   void begin_file();
-  void add(recording::Entry entry);
+  void add(const recording::Entry& entry);
   void add_line(const std::string& line);
   void flush_soon();
   void flush();

@@ -28,6 +28,7 @@ class TermPeer {
   /// The peer has asked to send no data for now.
   virtual bool is_suspended() const { return false; }
   /// Calls `due` when one of the two may have changed.
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): other peers keep it
   virtual void when_protocol(std::function<void()> /*due*/) {}
 
   /// No more data will be sent. Returns whether the peer can then end the line itself.

@@ -50,7 +50,7 @@ std::string sentence_of(const IgnoredRun& run) {
 
 /// Without the line end and the blanks around it.
 std::string text_of_inquiry(const RawBytes& raw) {
-  std::string text = readable(raw.view());
+  const std::string text = readable(raw.view());
   const std::size_t end = text.find_last_not_of(' ');
   return text.substr(0, end == std::string::npos ? 0 : end + 1);
 }

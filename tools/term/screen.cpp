@@ -44,7 +44,7 @@ std::string TermScreen::print(std::string_view lines) {
 std::string TermScreen::edit(const LineEditor& editor, std::size_t columns) {
   const std::size_t width = std::max(columns, kMinColumns) - kPrompt.size() - 1;
   const Window window = window_of(editor, width);
-  std::string text = erase_edit();
+  const std::string text = erase_edit();
   edited_ = std::string(kPrompt) + std::string(window.text);
   cursor_ = kPrompt.size() + window.cursor;
   return text + edited_ + std::string(edited_.size() - cursor_, '\b');
@@ -59,7 +59,7 @@ std::string TermScreen::end_edit() {
 
 std::string TermScreen::erase_edit() {
   if (edited_.empty()) return {};
-  const std::string text = "\r" + std::string(edited_.size(), ' ') + "\r";
+  std::string text = "\r" + std::string(edited_.size(), ' ') + "\r";
   edited_.clear();
   cursor_ = 0;
   return text;

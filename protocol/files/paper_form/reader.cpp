@@ -194,7 +194,7 @@ void PaperReader::finish() {
          "nothing more: the file is complete");
 }
 
-void PaperReader::report(int line, const std::string& pointer, std::string found,
+void PaperReader::report(int line, const std::string& pointer, const std::string& found,
                          std::string allowed) {
   add_bounded(findings_, {Severity::kError, file_, line, 0, cut(pointer, kMaxLength),
                           cut(found, kMaxLength), std::move(allowed)});

@@ -97,7 +97,7 @@ class PaperReader {
   void apply(const Addition& addition);
   void put(const Addition& addition, const Extra& extra, const std::string& part);
   void refuse_addition(const Addition& addition);
-  void report(int line, const std::string& pointer, std::string found, std::string allowed);
+  void report(int line, const std::string& pointer, const std::string& found, std::string allowed);
   bool is_refused(const std::string& pointer) const;
   Findings merged(Findings of_loader) const;
   int line_of(std::string pointer) const;

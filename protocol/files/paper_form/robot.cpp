@@ -9,7 +9,6 @@
 
 #include "protocol/files/paper_form/paper_form.hpp"
 #include "protocol/files/paper_form/writer.hpp"
-#include "protocol/files/robot.hpp"
 #include "protocol/json/codec.hpp"
 
 namespace xr3 {

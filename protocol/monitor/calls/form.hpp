@@ -45,10 +45,10 @@ CallForms server_calls();
 // --- For the files of these functions.
 
 /// The WriteCall of a call, by a function that writes its args.
-template <class Call, Json (*kWrite)(const Call&)>
+template <class Call, Json (*Write)(const Call&)>
 std::optional<Json> write_as(const call::Call& call) {
   const Call* one = std::get_if<Call>(&call);
-  return one == nullptr ? std::nullopt : std::optional(kWrite(*one));
+  return one == nullptr ? std::nullopt : std::optional(Write(*one));
 }
 
 template <class Call>

@@ -105,8 +105,9 @@ class Reader {
   bool is_mistake(const FrameHead& head) const {
     const bool continues = head.opcode == Opcode::kContinuation;
     if (!is_known(head.opcode) || head.reserved != 0 || !head.is_masked) return true;
+    if (!head.has_shortest_length) return true;
     if (is_control(head.opcode)) return !head.is_final || head.length > kMaxControlPayload;
-    return continues != is_in_message_ || !head.has_shortest_length;
+    return continues != is_in_message_;
   }
 
   void handle_control(const Frame& frame) {
