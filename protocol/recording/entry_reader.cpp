@@ -246,7 +246,7 @@ const EntryForm* form_of(JsonValue root) {
 
 /// Reports members that this kind of entry does not have, and needed ones that are missing.
 bool has_form(const EntryForm& form, Reading& reading) {
-  static const std::vector<std::string_view> kCommon = {"tick", "epoch", "us", "c"};
+  static const std::vector<std::string_view> common = {"tick", "epoch", "us", "c"};
   const JsonValue root = reading.root();
   for (const std::string_view name : form.needs) {
     if (!root.find(name))
@@ -254,7 +254,7 @@ bool has_form(const EntryForm& form, Reading& reading) {
   }
   for (const JsonValue member : root) {
     const JsonValue name = member.name();
-    if (name.is_one_of(kCommon) || name.is_one_of(form.needs) || name.is_one_of(form.allows))
+    if (name.is_one_of(common) || name.is_one_of(form.needs) || name.is_one_of(form.allows))
       continue;
     reading.refuse(member.pointer_from(root), shown(member),
                    "no such member beside " + std::string(form.shown_by));
