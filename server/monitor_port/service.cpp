@@ -261,7 +261,7 @@ asio::awaitable<void> MonitorService::carry_out(MonitorSession& session, monitor
   } else if (is_call<monitor::ListCells>(request)) {
     co_await list_cells(session, std::move(request));
   } else if (is_call<monitor::Describe>(request)) {
-    describe(std::move(at), session, request);
+    describe(at, session, request);
   } else {
     co_await carry_out_at(std::move(at), session, std::move(request));
   }

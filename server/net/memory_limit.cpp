@@ -7,6 +7,7 @@
 #include <utility>
 
 // Provided by the address sanitizer, which replaces the allocator that mallinfo2() describes.
+// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming): of the sanitizers
 extern "C" __attribute__((weak)) std::size_t __sanitizer_get_current_allocated_bytes();
 
 namespace xr3 {

@@ -28,7 +28,7 @@ Recording::Recording(asio::io_context& io, Cell& cell, std::string path, std::ui
       max_bytes_(max_bytes),
       acted_(std::move(acted)),
       file_(std::move(path)),
-      recorder_([this](recording::Entry entry) { add(std::move(entry)); }),
+      recorder_([this](const recording::Entry& entry) { add(entry); }),
       timer_(io) {
   begin_file();
   cell_.add_log(recorder_);
