@@ -40,9 +40,11 @@ SessionNumber TurnQueue::take_lightest() {
   return take(*std::find_if(classes_.begin(), classes_.end(), has_lines));
 }
 
-SessionNumber TurnQueue::take_heaviest() {
-  assert(!empty());
-  return take(*std::find_if(classes_.rbegin(), classes_.rend(), has_lines));
+std::vector<SessionNumber> TurnQueue::take_first_of_each() {
+  std::vector<SessionNumber> lines;
+  for (auto each = classes_.rbegin(); each != classes_.rend(); ++each)
+    if (has_lines(*each)) lines.push_back(take(*each));
+  return lines;
 }
 
 }  // namespace xr3

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <set>
+#include <vector>
 
 namespace xr3 {
 
@@ -24,9 +25,9 @@ class TurnQueue {
 
   /// Removes the line that waits longest of those with the least load. Precondition: not empty.
   SessionNumber take_lightest();
-  /// Removes the line that waits longest of those with the most load, so that these are not
-  /// forgotten. Precondition: not empty.
-  SessionNumber take_heaviest();
+  /// Removes the line that waits longest of each class of load, heavy ones first, so that no class is
+  /// forgotten.
+  std::vector<SessionNumber> take_first_of_each();
 
  private:
   static constexpr std::size_t kClasses = 4;

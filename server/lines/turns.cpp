@@ -72,13 +72,13 @@ void LineTurns::run_due_turns() {
   });
 }
 
-// Light lines go first, and new ones are looked for again and again. One of the heaviest has a turn
-// at the end, so that they are slow, but not forgotten. Then timers, signals and other ports get
-// theirs.
+// Light lines go first, and new ones are looked for again and again. One of each load has a turn at
+// the end, so that heavy and new lines are slow, but not forgotten. Then timers, signals and other
+// ports get theirs.
 void LineTurns::run_turns() {
   run_lightest(kMaxTurnsTime);
   if (queue_.empty()) return;
-  run_turn(queue_.take_heaviest());
+  for (const SessionNumber number : queue_.take_first_of_each()) run_turn(number);
   schedule();
 }
 

@@ -44,9 +44,17 @@ TEST(TurnQueue, HeavyLinesAreNotForgotten) {
   turns.add(1, kEndless);
   turns.add(2, kEndless);
   turns.add(3, kLight);
-  EXPECT_EQ(turns.take_heaviest(), 1U);
-  EXPECT_EQ(turns.take_heaviest(), 2U);
-  EXPECT_EQ(turns.take_heaviest(), 3U);
+  EXPECT_EQ(turns.take_first_of_each(), (std::vector<SessionNumber>{1, 3}));
+  EXPECT_EQ(turns.take_first_of_each(), std::vector<SessionNumber>{2});
+  EXPECT_TRUE(turns.take_first_of_each().empty());
+}
+
+TEST(TurnQueue, NewLinesAreNotForgottenBesideLightAndHeavyOnes) {
+  TurnQueue turns;
+  turns.add(1, kEndless);
+  turns.add(2, LineSession::kNewLoad);
+  turns.add(3, kLight);
+  EXPECT_EQ(turns.take_first_of_each(), (std::vector<SessionNumber>{1, 2, 3}));
 }
 
 TEST(TurnQueue, ALineWaitsOnce) {
