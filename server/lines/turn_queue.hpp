@@ -25,8 +25,8 @@ class TurnQueue {
 
   /// Removes the line that waits longest of those with the least load. Precondition: not empty.
   SessionNumber take_lightest();
-  /// Removes the line that waits longest of each class of load, heavy ones first, so that no class is
-  /// forgotten.
+  /// Removes the line that waits longest of each class of load, heavy ones first, so that no class
+  /// is forgotten.
   std::vector<SessionNumber> take_first_of_each();
 
  private:
