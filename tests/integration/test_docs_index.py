@@ -64,6 +64,13 @@ class Index(unittest.TestCase):
                     checked += 1
         self.assertGreater(checked, 300)
 
+    def test_every_linked_page_is_a_page_of_the_site(self):
+        pages = set(places())
+        for place in places():
+            for path, _ in links(place):
+                with self.subTest(f"{place}: {path}"):
+                    self.assertTrue(not path.endswith(".md") or path in pages, "mkdocs.yml does not add it (outside)")
+
     def test_the_index_lists_every_page_once(self):
         """A page that docs/README.md does not list has a link in the README.md of its folder, which is listed there."""
         items = listed("docs/README.md")
