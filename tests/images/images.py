@@ -3,6 +3,7 @@
 Arguments are those of unittest, such as `-k healthcheck`."""
 
 import os
+import subprocess
 import sys
 import time
 import unittest
@@ -20,8 +21,11 @@ def say(started, what):
 def build(started):
     from containers import ROOT, docker  # pylint: disable=import-outside-toplevel
     say(started, "building (the first time takes minutes)")
+    commit = subprocess.run(["git", "rev-parse", "--short=12", "HEAD"], cwd=ROOT, capture_output=True, text=True,
+                            check=True).stdout.strip()
     for image, file in BUILDS.items():
-        docker("build", "-f", file, "-t", image, ".", cwd=ROOT, deadline_s=BUILD_DEADLINE_S)
+        arguments = ["--build-arg", f"XR3_COMMIT={commit}"] if image == "xr3" else []
+        docker("build", "-f", file, "-t", image, *arguments, ".", cwd=ROOT, deadline_s=BUILD_DEADLINE_S)
         say(started, f"{image} is built from {file}")
 
 

@@ -1,6 +1,7 @@
 """Tests of the compose files: they are valid, the lab starts and stops, and the test project has the exit
-code of the student's container."""
+code of the check, which alone has the token."""
 
+import json
 import pathlib
 import re
 import shutil
@@ -17,6 +18,15 @@ from xr3 import Monitor, MonitorError
 LAB, TEST = "docker/compose.yml", "docker/compose.test.yml"
 TOKEN = "a token of the tests"
 RECIPE = ROOT / "docs" / "ci"
+
+PEEK = """
+import json, os, socket
+with socket.create_connection(("xr3", 9601)) as monitor, monitor.makefile("rw") as lines:
+    print('{"op": "get", "id": 1, "channel": "state"}', file=lines, flush=True)
+    answer = next(message for message in map(json.loads, lines) if message.get("id") == 1)
+print(json.dumps({"error": answer["error"]["code"],
+                  "variables": sorted(name for name in os.environ if "XR3" in name)}))
+"""
 
 
 def free_ports(count):
@@ -63,10 +73,12 @@ class Files(unittest.TestCase):
                 for setting in ("mem_limit", "pids_limit", "driver: json-file", "max-size: ", "max-file: "):
                     self.assertEqual(services, len(re.findall(rf"^ +{setting}", config, re.MULTILINE)), setting)
 
-    def test_lab_needs_a_token(self):
-        done = Project(LAB).run("config", "--quiet")
-        self.assertNotEqual(0, done.returncode)
-        self.assertIn("XR3_TOKEN", done.stderr)
+    def test_needs_a_token(self):
+        for file in LAB, TEST:
+            with self.subTest(file):
+                done = Project(file).run("config", "--quiet")
+                self.assertNotEqual(0, done.returncode)
+                self.assertIn("XR3_TOKEN", done.stderr)
 
 
 class Lab(unittest.TestCase):
@@ -107,13 +119,17 @@ class Student(unittest.TestCase):
         for name in ("my_program.py", "my_check.py"):
             shutil.copy(RECIPE / name, self.folder)
 
-    def verdict(self, **environment):
-        with Project(TEST, **environment) as project:
-            return project.run("up", "--no-build", "--exit-code-from", "student")
+    def verdict(self, service="check", token=TOKEN, **environment):
+        """The result of the service, with the output of the program in `program`."""
+        with Project(TEST, XR3_TOKEN=token, **environment) as project:
+            done = project.run("run", "--rm", "-T", service)
+            done.program = project.run("logs", "student").stdout
+            return done
 
     def test_a_correct_program_passes(self):
         done = self.verdict(STUDENT=str(self.folder))
         self.assertEqual(0, done.returncode, done.stdout + done.stderr)
+        self.assertIn("E is there", done.program)
         self.assertIn("the arm is where it should be", done.stdout)
 
     def test_a_wrong_program_fails(self):
@@ -122,10 +138,21 @@ class Student(unittest.TestCase):
                            encoding="utf-8")
         done = self.verdict(STUDENT=str(self.folder))
         self.assertNotEqual(0, done.returncode)
-        self.assertIn("'E': 49", done.stdout)
+        self.assertIn("'E': 49", done.stdout + done.stderr)
 
-    def test_returns_the_exit_code_of_the_program(self):
-        self.assertEqual(7, self.verdict(RUN="exit 7").returncode)
+    def test_a_program_that_fails_is_not_checked(self):
+        done = self.verdict(RUN="exit 7", CHECK="echo checked")
+        self.assertNotEqual(0, done.returncode)
+        self.assertNotIn("checked", done.stdout)
+        self.assertEqual(7, self.verdict("student", RUN="exit 7").returncode)
+
+    def test_a_program_learns_nothing_at_the_monitor_port(self):
+        """It has no token, and without one the port shows no state."""
+        (self.folder / "peek.py").write_text(PEEK, encoding="utf-8")
+        done = self.verdict(STUDENT=str(self.folder), RUN="python3 peek.py", CHECK="true")
+        self.assertEqual(0, done.returncode, done.stdout + done.stderr)
+        found = json.loads(re.search(r"\{.*\}", done.program)[0])
+        self.assertEqual({"error": "token_required", "variables": ["XR3_HOST", "XR3_PORT"]}, found)
 
 
 if __name__ == "__main__":

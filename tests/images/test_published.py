@@ -22,7 +22,7 @@ class Readme(unittest.TestCase):
         ours = {name: f"{LABEL}-{uuid.uuid4().hex[:8]}" for name in ("arm", "lab", "try")}
         self.addCleanup(quiet, "docker", "rm", "--force", ours["arm"])
         scripts = FENCE.findall(README.read_text(encoding="utf-8"))
-        self.assertEqual(4, len(scripts))
+        self.assertEqual(5, len(scripts))
         for script in scripts:
             for port in ports:
                 script = script.replace(f"127.0.0.1:{port}:", f"127.0.0.1:{ports[port]}:")
