@@ -42,6 +42,12 @@ with open(os.environ["CALLS"], "a", encoding="utf-8") as file:
     print(json.dumps([sys.argv[1:], data]), file=file)
 """
 
+# An engine that writes its arguments; an image that it has pulled has a digest.
+DOCKER = """#!/bin/sh
+echo "$*" >>"$CALLS"
+case $1 in image) grep -q ^pull "$CALLS" && echo debian@sha256:12 ;; esac
+"""
+
 
 class Workflows(unittest.TestCase):
     def check_commands(self, lines):
@@ -116,6 +122,17 @@ class Workflows(unittest.TestCase):
                 commands = "".join(step.get("run", "") for step in job.get("steps", []))
                 if "scripts/release" in commands or "--packages" in commands:
                     self.assertIn("--privileged", job["container"]["options"], key)
+
+    def test_the_image_of_a_release_pins_the_newest_base(self):
+        folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        (folder / "docker").write_text(DOCKER, encoding="utf-8")
+        (folder / "docker").chmod(0o755)
+        subprocess.run([os.path.join(ROOT, "scripts/image"), "1.2.3", folder], check=True, capture_output=True,
+                       timeout=60, env={**os.environ, "PATH": f"{folder}:{os.environ['PATH']}", "CALLS": str(folder / "calls")})
+        calls = (folder / "calls").read_text(encoding="utf-8").splitlines()
+        self.assertEqual(["version", "pull", "image", "build", "save"], [call.split()[0] for call in calls])
+        self.assertIn("--build-arg BASE=debian@sha256:12", calls[3])
+        self.assertTrue((folder / "xr3-1.2.3-image.tar.gz").exists())
 
     def test_a_release_on_gitlab_links_its_files(self):
         folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))

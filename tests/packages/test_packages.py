@@ -64,13 +64,19 @@ def replace_once(path, pattern, text):
 
 
 def prepare_release(folder, version):
-    """Does what CONTRIBUTING.md says must be done before a release."""
+    """Does what docs/packages.md says must be done before a release."""
     replace_once(folder / "CMakeLists.txt", r"project\(xr3 VERSION \S+", f"project(xr3 VERSION {version}")
     replace_once(folder / "CHANGELOG.md", r"^## \[Unreleased\]$", f"## [Unreleased]\n\n## [{version}] - 2026-11-24")
     replace_once(folder / "CITATION.cff", r"^version: .*$", f"version: {version}")
     replace_once(folder / "clients/python/xr3/__init__.py", r'^__version__ = "[^"]*"',
                  f'__version__ = "{version}"')
     replace_once(folder / "clients/web/package.json", r'^  "version": ".*",$', f'  "version": "{version}",')
+    lock = folder / "clients/web/package-lock.json"
+    for indent in "  ", "      ":
+        replace_once(lock, rf'^({indent}"name": "xr3-viewer",\n{indent}"version": )".*",$', rf'\1"{version}",')
+    for page in (folder / "docs").rglob("*.md"):
+        text = page.read_text(encoding="utf-8")
+        page.write_text(re.sub(r"\bxr3 \d+\.\d+\.\d+", f"xr3 {version}", text), encoding="utf-8")
     git(folder, "commit", "--quiet", "--all", "--message", f"Release {version}")
 
 
@@ -269,7 +275,9 @@ class Release(unittest.TestCase):
         self.assertIn("has changes", self.refused(folder, VERSION))
 
     def test_refuses_a_version_that_one_file_lacks(self):
-        for file in ("CITATION.cff", "clients/python/xr3/__init__.py", "clients/web/package.json"):
+        for file in ("CITATION.cff", "clients/python/xr3/__init__.py", "clients/web/package.json",
+                     "clients/web/package-lock.json", "docs/monitor.md", "docs/monitor-messages.md", "docs/watch.md",
+                     "docs/tutorial/2-moves.md"):
             folder = clone(WORK / "lagging", NEXT)
             git(folder, "checkout", "--quiet", "HEAD~", "--", file)
             git(folder, "commit", "--quiet", "--all", "--message", "Forget a file")
@@ -298,7 +306,8 @@ class Release(unittest.TestCase):
         document = json.loads(path.read_text(encoding="utf-8"))
         self.assertEqual("SPDX-2.3", document["spdxVersion"])
         names = {each["name"]: each for each in document["packages"]}
-        self.assertLessEqual({"xr3", "libboost1.81-dev", "nettle-dev", "three", "uplot"}, set(names))
+        self.assertLessEqual({"xr3", "libgcc-s1", "libstdc++6", "libboost1.81-dev", "nettle-dev", "three", "uplot"},
+                             set(names))
         self.assertEqual(NEXT, names["xr3"]["versionInfo"])
         self.assertTrue(all(each["versionInfo"] and each["licenseDeclared"] for each in names.values()))
         identifiers = [each["SPDXID"] for each in document["packages"]]
