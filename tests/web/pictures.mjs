@@ -31,7 +31,8 @@ await still("intelledex-660", "light", move("G-120\rF+100\rE-90\rF?"));
 // A robot and a workcell of one's own, as in own-robot.md; the script runs in the top folder of the checkout.
 await still("docs/own-robot/scara.json", "light", move("E+100\rD+100\rC+100\rD?"), "own-robot/page",
   "--workcell", "docs/own-robot/bench.json");
-// For the tutorial: bytes that had no effect, and the blocks in their plan.
+// For the tutorial: the start, bytes that had no effect, and the blocks in their plan.
+await still("rhino-xr3", "light", () => {}, "viewer-start");
 await still("rhino-xr3", "light", move("E+200\rE+50\rZ"), "viewer-wire");
 await still("rhino-xr3", "light", (page) => page.click("#tab-workcell"), "viewer-workcell");
 
