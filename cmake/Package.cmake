@@ -4,7 +4,9 @@ set(manual "${PROJECT_BINARY_DIR}/server/manual")
 set(doc "${CMAKE_INSTALL_DATADIR}/doc/xr3")
 install(TARGETS xr3)
 install(DIRECTORY data/ DESTINATION "${CMAKE_INSTALL_DATADIR}/xr3")
-install(DIRECTORY "${manual}/" DESTINATION "${CMAKE_INSTALL_DATADIR}")
+install(DIRECTORY "${manual}/" DESTINATION "${CMAKE_INSTALL_DATADIR}" PATTERN zsh EXCLUDE)
+install(DIRECTORY clients/python/ DESTINATION "${CMAKE_INSTALL_DATADIR}/xr3/python"
+  PATTERN tests EXCLUDE PATTERN __pycache__ EXCLUDE PATTERN pyproject.toml EXCLUDE)
 install(FILES README.md CHANGELOG.md SECURITY.md DESTINATION "${doc}")
 install(FILES LICENSE DESTINATION "${doc}" RENAME copyright)
 install(FILES deploy/systemd/xr3.toml DESTINATION "${doc}")
@@ -22,6 +24,15 @@ install(CODE "
   if(CMAKE_INSTALL_PREFIX STREQUAL /usr)
     file(INSTALL \"${PROJECT_SOURCE_DIR}/deploy/systemd/xr3.toml\" DESTINATION /etc/xr3)
   endif()")
+
+# zsh has a folder for the completions of packages, and another one for those of the machine.
+install(CODE "
+  set(functions site-functions)
+  if(CMAKE_INSTALL_PREFIX STREQUAL /usr)
+    set(functions vendor-completions)
+  endif()
+  file(INSTALL \"${manual}/zsh/vendor-completions/_xr3\"
+    DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/zsh/\${functions}\")")
 
 # Shared libraries that have no static form here go with the program.
 if(XR3_PORTABLE)

@@ -177,7 +177,7 @@ class Install(unittest.TestCase):
         self.assertEqual("./run --build", install.pop(0))
         self.assertEqual("xr3 healthcheck --wait 10", check)
         script = STUBS + "\n".join(install)
-        (self.folder / "etc/systemd/system").mkdir(parents=True)
+        (self.folder / "etc").mkdir()
         script = script.replace("/etc/", f"{self.folder}/etc/").replace("build/release", str(pathlib.Path(XR3).parent))
         done = subprocess.run(["bash", "-c", script], cwd=ROOT, capture_output=True, text=True, timeout=DEADLINE_S,
                               env={**os.environ, "DESTDIR": str(self.folder)}, check=False)
@@ -186,8 +186,10 @@ class Install(unittest.TestCase):
         token = (etc / "xr3/token").read_text(encoding="ascii").strip()
         self.assertEqual(0o600, (etc / "xr3/token").stat().st_mode & 0o777)
         program = self.folder / "usr/local/bin/xr3"
+        units = list(self.folder.rglob("xr3.service"))
+        self.assertEqual([self.folder / "usr/local/lib/systemd/system/xr3.service"], units, "one unit, and not two")
         self.assertIn(f"ExecStart={str(program).removeprefix(str(self.folder))} serve --config /etc/xr3/xr3.toml",
-                      (etc / "systemd/system/xr3.service").read_text(encoding="utf-8"))
+                      units[0].read_text(encoding="utf-8"))
         command = (program, "serve", "--config", etc / "xr3/xr3.toml", "--token-file", etc / "xr3/token")
         with Server(command=command) as xr3, xr3.monitor() as monitor:
             self.assertEqual("read", monitor.hello["access"])

@@ -141,6 +141,7 @@ class DebianPackage(Built):
         root.run(f"apt-get install --yes --no-install-recommends {package}")
         self.assertRegex(root.run("xr3 --version"), rf"^xr3 {re.escape(VERSION)} \(commit [0-9a-f]{{12}}, GNU ")
         self.check_token(root)
+        self.assertTrue(root.has("/usr/share/xr3/python/xr3/__init__.py"))
         self.assertIn("ExecStart=/usr/bin/xr3 serve", root.read("/usr/lib/systemd/system/xr3.service"))
         self.assertIn("reply [ ]", root.run(SERVE_AND_ASK, timeout=60))  # a blank: no error
         self.assertIn("rhino-xr3", root.run("cd /tmp && xr3 draw /tmp/arm.png && xr3 completion robots"))
