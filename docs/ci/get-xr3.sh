@@ -4,6 +4,7 @@
 #     get-xr3.sh
 #
 # XR3_PACKAGE is the address or the path of a package, xr3_VERSION_amd64.deb; without it, xr3 is built.
+# XR3_PACKAGE_SHA256, if it is set, is the digest that the package must have.
 # XR3_CACHE is a folder that the pipeline keeps: for downloaded packages, and for what the compiler made.
 set -eu
 
@@ -28,6 +29,7 @@ case ${XR3_PACKAGE-} in
     ;;
   *) package=$(cd "$(dirname "$XR3_PACKAGE")" && pwd)/$(basename "$XR3_PACKAGE") ;;
 esac
+[ -z "${XR3_PACKAGE_SHA256-}" ] || printf '%s  %s\n' "$XR3_PACKAGE_SHA256" "$package" | sha256sum --check --quiet -
 apt-get install -y --no-install-recommends "$package"
 # At the same place as one that is built.
 mkdir -p "$(dirname "$0")/../../build/release"

@@ -1,6 +1,7 @@
 """The recipes of docs/ci: the shell recipe is run unchanged, with a program that works, one that fails and
 one that moves to the wrong place; the other recipes must contain the same commands."""
 
+import hashlib
 import os
 import pathlib
 import re
@@ -81,6 +82,24 @@ class Recipes(unittest.TestCase):
         text = (RECIPES / "github-actions.yml").read_text(encoding="utf-8")
         self.assertEqual(path, re.search(r"^ +path: (\.\S+)$", text, re.MULTILINE)[1])
         self.assertIn(f"XR3_CACHE: {path}\n", text)
+
+    def test_a_package_with_another_digest_is_not_installed(self):
+        script, package, programs = self.folder / "a/docs/ci/get-xr3.sh", self.folder / "xr3.deb", self.folder / "bin"
+        script.parent.mkdir(parents=True)
+        shutil.copy(RECIPES / "get-xr3.sh", script)
+        package.write_bytes(b"a package")
+        programs.mkdir()
+        for name, text in (("apt-get", 'echo "$@" >>installed'), ("xr3", "echo xr3 1.2.3")):
+            (programs / name).write_text(f"#!/bin/sh\n{text}\n", encoding="utf-8")
+            (programs / name).chmod(0o755)
+        environment = {"XR3_PACKAGE": str(package), "PATH": f"{programs}:{os.environ['PATH']}", "XR3_CACHE": ""}
+        refused = self.run_recipe(f"{script}", XR3_PACKAGE_SHA256="0" * 64, **environment)
+        self.assertNotEqual(0, refused.returncode)
+        self.assertFalse((self.folder / "installed").exists())
+        right = hashlib.sha256(b"a package").hexdigest()
+        installed = self.run_recipe(f"{script}", XR3_PACKAGE_SHA256=right, **environment)
+        self.assertEqual((0, "xr3 1.2.3\n"), (installed.returncode, installed.stdout), installed.stderr)
+        self.assertIn(str(package), (self.folder / "installed").read_text(encoding="utf-8"))
 
     def test_a_correct_program_passes(self):
         ran = self.run_recipe()
