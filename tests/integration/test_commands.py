@@ -12,7 +12,7 @@ PAGE = pathlib.Path(ROOT, "docs", "commands.md")
 EXIT_CODES = pathlib.Path(ROOT, "docs", "exit-codes.md")
 HEAD = """# Commands
 
-Every command of the program with its arguments and options, as `xr3 COMMAND --help` and the manual pages (`man xr3-kin`) have them. The
+Every command of the program with its arguments and options, as `--help` and the manual pages (`man xr3-kin`) have them. The
 [exit codes](exit-codes.md) are the same for all.
 
 This page is made from the manual pages; a test compares them.
