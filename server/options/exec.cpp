@@ -84,7 +84,7 @@ void add_sandbox(CLI::App& command, ExecOptions& options) {
       "run it under bubblewrap: no network but the robot, no files but the system's and its own");
   command.get_option("--monitor")->excludes(sandbox);
   add_value(command, "--read", options.readable, "PATH",
-            "with --sandbox: a further file or folder that it may read; repeatable")
+            "with --sandbox: a further file or folder that it may read")
       ->allow_extra_args(false)
       ->needs(sandbox);
 }
@@ -139,7 +139,7 @@ void add_exec(CLI::App& app, ExecOptions& options, ServeOptions& server) {
   exec.add_flag("--quiet", options.is_quiet, "do not show what the program prints");
   add_sandbox(exec, options);
   add_log(exec, server);
-  add_value(exec, "command", options.command, "PROGRAM ARGS...",
+  add_value(exec, "command", options.command, "PROGRAM [ARG]",
             "the program and its arguments, after --")
       ->required();
 }
@@ -156,7 +156,7 @@ void add_grade(CLI::App& app, GradeOptions& options, ExecOptions& exec, ServeOpt
   add_sandbox(grade, exec);
   add_value(grade, "--jobs", options.jobs, "N", "number of submissions that run at a time")
       ->check(whole_number_between(1, kMaxJobs));
-  add_value(grade, "command", exec.command, "PROGRAM ARGS...",
+  add_value(grade, "command", exec.command, "PROGRAM [ARG]",
             "the program and its arguments, after --; {} is the submission")
       ->required();
 }

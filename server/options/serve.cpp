@@ -57,7 +57,7 @@ void add_cells(CLI::App& serve, ServeOptions& options) {
             options.cell_choices.clear();
             for (const std::string& text : texts) options.cell_choices.push_back(parse_cell(text));
           },
-          "a cell with its own robot and workcell, and perhaps port; repeatable")
+          "a cell with its own robot and workcell, and perhaps port")
       ->type_name("NAME=ROBOT,WORKCELL[,PORT]")
       ->allow_extra_args(false)
       ->check(parses(parse_cell));
@@ -231,7 +231,7 @@ void add_serve(CLI::App& app, ServeOptions& options) {
            "with --serial: the simulation carries out the commands of the device, too");
   add_line_speed(serve, options);
   add_value(serve, "--pty", options.ptys, "PATH",
-            "also serve a pseudo-terminal, with a link to it at this path; repeatable")
+            "also serve a pseudo-terminal, with a link to it at this path")
       ->allow_extra_args(false)
       ->delimiter(',');
   add_parsed(serve, "--pty-mode", options.pty_mode, parse_mode, "MODE",

@@ -18,7 +18,7 @@ Every command of the program with its arguments and options, as `--help` and the
 This page is made from the manual pages; a test compares them.
 """
 # The pages that explain a command.
-MORE = {"check": "data-files.md", "draw": "data-files.md", "kin": "kinematics.md",
+MORE = {"check": "data-files.md", "draw": "own-workcell.md", "kin": "kinematics.md",
         "convert": "paper-form.md", "workcell": "workcell-editor.md", "watch": "watch.md", "term": "term.md",
         "healthcheck": "monitor.md#health-check", "replay": "recording.md", "exec": "exec.md", "grade": "exec.md",
         "manual": "packages.md", "completion": "packages.md"}

@@ -1,5 +1,5 @@
 """docs/monitor.md and the schema have every call with its arguments, every member of `state`, and every event with its
-codes and members."""
+codes and members, and the values of those members that have few."""
 
 import pathlib
 import re
@@ -47,6 +47,19 @@ def events_of_schema():
     return found
 
 
+def values_of_schema():
+    """{event: the values of its members that are one of a few words}"""
+    schema = load("monitor-v1")["$defs"]
+    found = {}
+    for name, form in schema.items():
+        if name.startswith("event_") and "properties" in form:
+            words = found.setdefault(form["properties"]["event"]["const"], set())
+            for member, values in form["properties"].items():
+                if member != "code":
+                    words.update(schema.get(values.get("$ref", "").removeprefix("#/$defs/"), values).get("enum", []))
+    return found
+
+
 class Lists(unittest.TestCase):
     def test_calls(self):
         with Server() as xr3, xr3.monitor() as monitor:
@@ -72,6 +85,12 @@ class Lists(unittest.TestCase):
                 if event not in LISTED_ELSEWHERE:
                     self.assertEqual(documented[event][0], codes)
                 self.assertEqual(documented[event][1], members)
+
+    def test_values_of_members_of_events(self):
+        texts = dict(re.findall(r"^\| `(\w+)` \|.*\| (.*?) \|$", part("Events"), re.MULTILINE))
+        for event, values in values_of_schema().items():
+            with self.subTest(event):
+                self.assertLessEqual(values, quoted(texts[event]))
 
 
 if __name__ == "__main__":

@@ -122,6 +122,10 @@ class Workflows(unittest.TestCase):
                 commands = "".join(step.get("run", "") for step in job.get("steps", []))
                 if "scripts/release" in commands or "--packages" in commands:
                     self.assertIn("--privileged", job["container"]["options"], key)
+        for key, job in jobs_of_gitlab(read(GITLAB[0])).items():
+            commands = "".join(job["script"])
+            if "scripts/release" in commands or "--packages" in commands:
+                self.assertEqual(["privileged"], job["tags"], key)
 
     def test_the_image_of_a_release_pins_the_newest_base(self):
         folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))

@@ -188,7 +188,7 @@ TEST(Options, ErrorsAreSentencesWithTheNameThatWasMeant) {
       {{"exec", "--vary", "x", "--", "true"},
        "--vary: x: a variation is a seed, mm and degrees such as 7, 7:40 or 7:40,180; xr3 exec "
        "--help lists the arguments"},
-      {{"exec", "--"}, "xr3 exec needs PROGRAM ARGS...; xr3 exec --help lists the arguments"},
+      {{"exec", "--"}, "xr3 exec needs PROGRAM [ARG]; xr3 exec --help lists the arguments"},
       {{"serve", "--max-lines", "many"},
        "--max-lines: many: a whole number from 1 to 20000; xr3 serve --help lists the arguments"},
       {{"check"}, "xr3 check needs FILE; xr3 check --help lists the arguments"},
