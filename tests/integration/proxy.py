@@ -2,6 +2,7 @@
 network does; bytes from the server are not delayed."""
 
 import collections
+import contextlib
 import selectors
 import socket
 import threading
@@ -35,6 +36,14 @@ class Proxy:
         self._thread.join()
         for sock in [*self._sockets, self._woken]:
             sock.close()
+
+    def redirect(self, port):
+        """Forwards new connections to another port, and closes the others: a browser may have opened one that it
+        has not used yet."""
+        self.target = port
+        for sock in self._sockets[1:]:
+            with contextlib.suppress(OSError):
+                sock.shutdown(socket.SHUT_RDWR)
 
     def _run(self):
         while True:

@@ -69,7 +69,7 @@ class PagesOfOtherSites(unittest.TestCase):
             with Site() as site, Proxy(site.port) as resolver, \
                     Chromium(hosts={f"evil.test:{port}": f"{LOCALHOST}:{resolver.port}"}) as browser:
                 page = browser.open(f"http://evil.test:{port}/")
-                resolver.target = port
+                resolver.redirect(port)
                 tried = dict(robot.attack(page, f"http://evil.test:{port}/", call))
                 if port == robot.xr3.monitor_port:
                     self.assertRegex(tried["fetch same-origin /state"], "^read: 403 ", "it may read the error")
@@ -81,7 +81,7 @@ class PagesOfOtherSites(unittest.TestCase):
         with Site() as site, Proxy(site.port) as resolver, \
                 Chromium(hosts={f"evil.test:{port}": f"{LOCALHOST}:{resolver.port}"}) as browser:
             page = browser.open(f"http://evil.test:{port}/")
-            resolver.target = port
+            resolver.redirect(port)
             for method in METHODS:
                 with self.subTest(method[:20], length=len(method)):
                     page.run(f"fetch('/', {{method: {json.dumps(method)}}}).catch(() => 0)")
