@@ -36,12 +36,15 @@ LineSession::LineSession(std::unique_ptr<LineStream> stream, const LineOpened& o
       id_(context.cell.apply(opened, wall_now()).line),
       context_(context),
       source_(source),
-      place_(std::move(place)) {
+      place_(std::move(place)),
+      load_(kNewLoad, wall_now()) {
   report_settings();
 }
 
+std::uint64_t LineSession::load() { return load_.at(wall_now()); }
+
 bool LineSession::run_turn() {
-  load_ /= 2;
+  load_.begin_turn();
   return work({fair_share(), kAllOutput, wall_now() + kFairTime}) == Left::kSome;
 }
 
@@ -99,7 +102,7 @@ void LineSession::act(std::string_view bytes, const Turn& turn) {
   const std::size_t taken = context_.cell.apply(BytesIn{id_, bytes, is_enough}, start).bytes_taken;
   note(context_.turns.memory(), held_bytes());
   note_load(taken, held_bytes());
-  if (moves_time()) load_ += static_cast<std::uint64_t>(wall_now() - start);
+  if (moves_time()) load_.add(static_cast<std::uint64_t>(wall_now() - start));
   source_.line_acted(id_);
   context_.acted(id_);
   if (!stream_->is_open()) return;
@@ -112,7 +115,8 @@ void LineSession::act(std::string_view bytes, const Turn& turn) {
 // An estimate, since reading the clock would cost more than an inquiry.
 void LineSession::note_load(std::uint64_t bytes_in, std::uint64_t bytes_out) {
   constexpr std::uint64_t kPerByteIn = 100;
-  load_ += bytes_in * kPerByteIn + bytes_out;
+  constexpr std::uint64_t kPerByteOut = 4;  // made, kept, and sent to the kernel
+  load_.add(bytes_in * kPerByteIn + bytes_out * kPerByteOut);
 }
 
 // If memory is exhausted, only this line ends.

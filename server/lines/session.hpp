@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cell/cell.hpp"
+#include "server/lines/load.hpp"
 #include "server/lines/source.hpp"
 #include "server/lines/stream.hpp"
 #include "server/net/peer_counts.hpp"
@@ -46,9 +47,9 @@ class LineSession {
 
   /// The load of a new line: its first turns wait for those of lines that only ask, since to open,
   /// to examine and to close a line costs much more than an inquiry.
-  static constexpr std::uint64_t kNewLoad = 4'000;
-  /// An estimate of the time of its latest turns in nanoseconds; half of it is forgotten each turn.
-  std::uint64_t load() const { return load_; }
+  static constexpr std::uint64_t kNewLoad = 15'000;
+  /// Its load now: LineLoad::at().
+  std::uint64_t load();
 
   /// Applies every byte that has arrived, until replies wait for the client or exceed kMaxAnswered
   /// bytes; with the byte clock, only those of a limited time, and none of a line that waits.
@@ -92,7 +93,7 @@ class LineSession {
   LineSessionContext& context_;
   LineSource& source_;
   PeerCounts::Place place_;
-  std::uint64_t load_ = kNewLoad;
+  LineLoad load_;
   std::string pending_;     ///< read, but not applied because the outbox was full
   bool is_ending_ = false;  ///< the stream ends after the bytes that have arrived
   bool is_broken_ = false;

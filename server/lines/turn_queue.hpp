@@ -1,5 +1,5 @@
-// The lines that wait for a turn, light ones first: a line whose latest turns took little time does
-// not wait for those that take much.
+// The lines that wait for a turn, light ones first: a line that causes little work does not wait for
+// those that cause much.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@ using SessionNumber = std::uint32_t;
 
 class TurnQueue {
  public:
-  /// Adds a line behind those of about the same load (an estimate of its latest turns in
-  /// nanoseconds). No effect if it waits already.
+  /// Adds a line behind those of about the same load (LineLoad::at(), in nanoseconds). No effect if
+  /// it waits already.
   void add(SessionNumber line, std::uint64_t load);
   bool contains(SessionNumber line) const { return members_.contains(line); }
   bool empty() const { return members_.empty(); }

@@ -15,6 +15,7 @@ MIB = 1 << 20
 LIMIT_MIB = 64
 CLIENTS = 400
 MOST_HELD_MIB = 2  # by one client
+KERNEL_BYTES = 300_000  # that a socket takes at most
 # Beyond the limit: the program itself, freed memory that the allocator keeps, and the sanitizer's shadow.
 MARGIN_MIB = 160
 REQUESTS = {
@@ -42,6 +43,14 @@ class MaxMemory(unittest.TestCase):
         sock.connect((LOCALHOST, port))
         sock.sendall(request)
         return sock
+
+    def test_the_kernel_keeps_little_of_what_a_client_does_not_read(self):
+        with self.serve() as xr3, xr3.monitor() as monitor:
+            self.client(xr3.robot_port, b"A**")
+            while not (line := monitor.call("lines")["lines"][0])["bytes_out"]:
+                pass
+            self.assertLess(line["bytes_out"], KERNEL_BYTES)
+            self.assertGreater(2048 * 2048 // 6, 2 * KERNEL_BYTES, "the image is larger")
 
     def test_the_greediest_clients_are_closed(self):
         for what, (port, request) in REQUESTS.items():

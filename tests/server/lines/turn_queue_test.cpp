@@ -8,13 +8,13 @@ namespace xr3 {
 namespace {
 
 constexpr std::uint64_t kLight = 200;
-constexpr std::uint64_t kImage = 6'500;
-constexpr std::uint64_t kEndless = 50'000;
+constexpr std::uint64_t kImages = 13'000;
+constexpr std::uint64_t kEndless = 100'000;
 
 TEST(TurnQueue, LightLinesGoFirst) {
   TurnQueue turns;
   turns.add(1, kEndless);
-  turns.add(2, kImage);
+  turns.add(2, kImages);
   turns.add(3, kLight);
   EXPECT_EQ(turns.take_lightest(), 3U);
   EXPECT_EQ(turns.take_lightest(), 2U);
@@ -37,6 +37,14 @@ TEST(TurnQueue, LinesOfAboutTheSameLoadTakeTurns) {
   EXPECT_EQ(turns.take_lightest(), 5U);
   EXPECT_EQ(turns.take_lightest(), 6U);
   EXPECT_EQ(turns.take_lightest(), 7U);
+}
+
+TEST(TurnQueue, ALineThatAsksOnceAMillisecondIsLightAfterAWaitOf17) {
+  constexpr std::uint64_t kAfterAWait = 2 * 17 * kLight;  // half of a load is forgotten each turn
+  TurnQueue turns;
+  turns.add(1, kAfterAWait);
+  turns.add(2, kLight);
+  EXPECT_EQ(turns.take_lightest(), 1U);
 }
 
 TEST(TurnQueue, HeavyLinesAreNotForgotten) {
@@ -70,9 +78,9 @@ TEST(TurnQueue, ALineWaitsOnce) {
 TEST(TurnQueue, ALineIsNextIfNoLighterOneOrEqualOneWaits) {
   TurnQueue turns;
   EXPECT_TRUE(turns.is_next(kEndless));
-  turns.add(1, kImage);
+  turns.add(1, kImages);
   EXPECT_TRUE(turns.is_next(kLight));
-  EXPECT_FALSE(turns.is_next(kImage));
+  EXPECT_FALSE(turns.is_next(kImages));
   EXPECT_FALSE(turns.is_next(kEndless));
 }
 
