@@ -1,5 +1,5 @@
-// The lines that wait for a turn, light ones first: a line that causes little work does not wait for
-// those that cause much.
+// The lines that wait for a turn, light ones first: a line that causes little work does not wait
+// for those that cause much.
 #pragma once
 
 #include <array>

@@ -24,6 +24,7 @@ cells | server/options/serve.cpp | kMaxCells
 subscriptions of a monitor client, and lines of its own by `send` | server/monitor_port/service.hpp | kMaxSubscriptions
 subscriptions of a monitor client, and lines of its own by `send` | server/monitor_port/service.hpp | kMaxOwnLines
 memory of the process | server/options/options.hpp | max_memory_mib
+unread bytes of a connection in the kernel | server/net/listener.cpp | kSendBuffer | 1024
 first bytes of a line that are examined together | protocol/line/line_guard.hpp | kFirstChunk
 one turn of a line | server/lines/session.cpp | kBytesATurn
 one turn of a line | server/lines/session.cpp | kFairTime | 1000
