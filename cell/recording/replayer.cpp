@@ -22,8 +22,8 @@ std::string to_text(const Difference& difference) {
 }
 
 SimClock replay_clock(const recording::Header& header) {
-  if (header.mode == ClockMode::kBytes) return SimClock::bytes();
-  SimClock clock = SimClock::real(header.rate, 0);
+  const bool has_byte_clock = header.mode == ClockMode::kBytes || header.byte_clock.has_value();
+  SimClock clock = has_byte_clock ? SimClock::bytes() : SimClock::real(header.rate, 0);
   if (header.mode == ClockMode::kManual) clock.pause(0);
   return clock;
 }

@@ -150,10 +150,12 @@ void LineSession::end_input() {
 LineSession::Left LineSession::flush(const Turn& turn) {
   if (!stream_->is_open()) return Left::kWaits;
   if (context_.cell.find_line(id_)->is_cut()) end_by_fault();
-  if (!has_ended_ && context_.cell.is_unread(id_)) return Left::kWaits;
+  const bool is_unread = !has_ended_ && context_.cell.is_unread(id_);
+  if (is_unread && !is_broken_) return Left::kWaits;
   if (has_ended_) end_input();
   const SerialLine& line = *context_.cell.find_line(id_);  // exists while the stream is open
-  if (is_broken_ && (line.is_paced() || line.holds_replies())) close(LineCloseReason::kError);
+  if (is_broken_ && (is_unread || line.is_paced() || line.holds_replies()))
+    close(LineCloseReason::kError);
   if (!stream_->is_open()) return Left::kWaits;
   const auto accepts_pending = [&] { return !pending_.empty() && line.accepts(pending_.front()); };
   while (!line.outbox().empty() || !pending_.empty()) {

@@ -147,6 +147,20 @@ class Turns(unittest.TestCase):
             self.assertEqual(2, closed(monitor)["lines"])
             self.assertEqual("D5", counts(monitor.get()))
 
+    def test_a_waiting_line_is_closed_if_its_connection_breaks(self):
+        with Server(clock="bytes") as xr3, xr3.monitor() as monitor:
+            first = xr3.line()
+            first.ask("E?")
+            second = xr3.line()
+            second.send("D+5\r")
+            wait_until(lambda: len(monitor.call("lines")["lines"]) == 2)
+            second.abort()
+            wait_until(lambda: [1] == [line["line"] for line in monitor.call("lines")["lines"]])
+            self.assertEqual(32, first.ask("E?"))
+            first.close()
+            self.assertEqual(["not_bytes_alone"], closed(monitor)["marks"])
+            self.assertEqual("", counts(monitor.get()))
+
     def test_line_disconnect_ends_a_silent_line(self):
         with Server(clock="bytes") as xr3, xr3.monitor() as monitor:
             first, second = xr3.line(), xr3.line()

@@ -108,5 +108,20 @@ TEST(Past, TheByteClockStopsWithinARead) {
   EXPECT_NE(past.cell->state(), cell.state());
 }
 
+TEST(Past, AHistoryBeginsWhileTheByteClockIsPaused) {
+  monitor::ByteBudget budget(kPastBudget);
+  Cell cell("main", past_model(), SimClock::bytes(), {});
+  cell.set_byte_clock({});
+  cell.apply(Input{call::Call{call::Pause{}}}, 0);
+  const History history(cell, 3'600'000, budget);
+  cell.apply(Input{call::Call{call::Resume{}}}, 0);
+  cell.apply(LineOpened{"test"}, 0);
+  cell.apply(BytesIn{1, "E+90\r" + std::string(400, 'I')}, 0);
+  ASSERT_GT(cell.state().tick, 2000);
+  const Past past = past_at(cell, history, {0, cell.state().tick});
+  EXPECT_FALSE(past.difference);
+  EXPECT_EQ(past.cell->state(), cell.state());
+}
+
 }  // namespace
 }  // namespace xr3
