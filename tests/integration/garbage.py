@@ -6,17 +6,22 @@ import sys
 from support import LOCALHOST
 
 POUR = """
-import socket, sys, time
+import select, socket, time
 sock = socket.create_connection(("%s", %d))
 garbage = bytes(number * 7 %% 256 for number in range(65536)).replace(b"A", b"z").replace(b"\\xff", b"z") * 4
+sock.setblocking(False)
 until = time.monotonic() + %f
-while time.monotonic() < until:
-    sock.sendall(garbage)
+while (left := until - time.monotonic()) > 0:
+    readable, writable, _ = select.select([sock], [sock], [], left)
+    if readable and not sock.recv(1 << 20):
+        break
+    if writable:
+        sock.send(garbage)
 """
 
 
 def pour_garbage(port, seconds):
-    """Starts a process that writes garbage for `seconds`, as fast as the server reads it."""
+    """Starts a process that writes garbage for `seconds`, as fast as the server reads it, and reads the replies."""
     return subprocess.Popen([sys.executable, "-c", POUR % (LOCALHOST, port, seconds)], stderr=subprocess.DEVNULL)
 
 
