@@ -72,7 +72,7 @@ std::shared_ptr<HistoryPart> joined(const HistoryPart& first, const HistoryPart&
   auto both = std::make_shared<HistoryPart>(first);
   both->moved += second.moved;
   second.inputs.for_each([&](const recording::Entry& entry) {
-    both->inputs.add(entry);
+    both->inputs.add(recording::Entry(entry));
     return true;
   });
   return both;
@@ -89,7 +89,7 @@ std::shared_ptr<HistoryPart> cut(const HistoryPart& part, const ReplayTime& end)
   rest->inputs = {};
   part.inputs.for_each([&](const recording::Entry& entry) {
     const bool is_kept = ReplayTime{entry.epoch, entry.tick} <= end;
-    if (is_kept) rest->inputs.add(entry);
+    if (is_kept) rest->inputs.add(recording::Entry(entry));
     return is_kept;
   });
   return rest;
@@ -105,7 +105,7 @@ Cell::Checkpoint KeptCheckpoint::whole() const {
 }
 
 History::History(Cell& cell, Tick longest, monitor::ByteBudget& budget)
-    : Recorder([this](recording::Entry entry) { add(std::move(entry)); }, Contents::kInputs),
+    : Recorder([this](recording::Entry&& entry) { add(std::move(entry)); }, Contents::kInputs),
       cell_(cell),
       longest_(longest),
       budget_(budget) {
@@ -163,7 +163,7 @@ void History::end(const Cell& cell, const Input& input, const Applied& applied) 
   settle();
 }
 
-void History::add(recording::Entry entry) {
+void History::add(recording::Entry&& entry) {
   if (parts_.empty() || retry_in_ > 0) return;  // only the probe has acted, or there is a gap
   InputTape& inputs = parts_.back()->inputs;
   used_ -= inputs.bytes();

@@ -92,7 +92,7 @@ class History final : private Recorder, private monitor::ByteBudget::Member {
   void shrink() override;
 
   ReplayTime now() const { return {cell_.epoch(), cell_.state().tick}; }
-  void add(recording::Entry entry);
+  void add(recording::Entry&& entry);
   bool is_checkpoint_due() const;
   void try_part();
   void begin_part();

@@ -92,7 +92,7 @@ void InputTape::put(std::uint64_t number) {
   bytes_.push_back(static_cast<char>(number));
 }
 
-void InputTape::add(recording::Entry entry) {
+void InputTape::add(recording::Entry&& entry) {
   if (size_++ == 0) epoch_ = entry.epoch;
   if (!is_short(entry)) {
     bytes_.push_back(kOther);

@@ -15,7 +15,7 @@ class InputTape {
  public:
   /// Replies and digests of an entry are not kept. Precondition: its time is not before that of the
   /// entry added last.
-  void add(recording::Entry entry);
+  void add(recording::Entry&& entry);
 
   /// Calls `use` for each entry, in order, until it returns false.
   void for_each(const std::function<bool(const recording::Entry&)>& use) const;

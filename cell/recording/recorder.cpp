@@ -136,7 +136,7 @@ recording::Entry Recorder::end_of(const Cell& cell, std::string why) {
   return {at.epoch, at.tick, at.us, End{hasher_.hash(cell), std::move(why)}};
 }
 
-void Recorder::add(const At& at, recording::EntryBody body) {
+void Recorder::add(const At& at, recording::EntryBody&& body) {
   sink_({at.epoch, at.tick, at.us, std::move(body)});
 }
 

@@ -21,7 +21,7 @@ recording::Header recording_header(const Cell& cell, std::string program);
 
 class Recorder : public InputLog {
  public:
-  using Sink = std::function<void(recording::Entry)>;
+  using Sink = std::function<void(recording::Entry&&)>;
 
   /// The first input past each multiple of this tick is recorded with the digest of the state.
   static constexpr Tick kHashEvery = 10'000;
@@ -59,7 +59,7 @@ class Recorder : public InputLog {
   static At now(const Cell& cell) {
     return {cell.epoch(), cell.state().tick, static_cast<int>(cell.clock_remainder())};
   }
-  void add(const At& at, recording::EntryBody body);
+  void add(const At& at, recording::EntryBody&& body);
   void add_outputs();
   std::string take_replies(LineId line);
 

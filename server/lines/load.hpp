@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 
 #include "core/sim_clock.hpp"
@@ -27,6 +28,7 @@ class LineLoad {
   /// about as much; and half of that of the latest time, since a line may have many turns that
   /// cost nothing between those that cost much. Precondition: time does not go back.
   std::uint64_t at(WallNs now) {
+    assert(now >= since_);
     const WallNs half_lives = (now - since_) / kHalfLife;
     of_time_ >>= std::min<WallNs>(half_lives, 63);
     since_ += half_lives * kHalfLife;

@@ -41,11 +41,9 @@ LineSession::LineSession(std::unique_ptr<LineStream> stream, const LineOpened& o
   report_settings();
 }
 
-std::uint64_t LineSession::load() { return load_.at(wall_now()); }
-
-bool LineSession::run_turn() {
+bool LineSession::run_turn(WallNs now) {
   load_.begin_turn();
-  return work({fair_share(), kAllOutput, wall_now() + kFairTime}) == Left::kSome;
+  return work({fair_share(), kAllOutput, now + kFairTime}) == Left::kSome;
 }
 
 // The first bytes are examined together; the time of the turn is limited all the same.
@@ -100,15 +98,16 @@ void LineSession::act(std::string_view bytes, const Turn& turn) {
   const auto is_enough = [&turn] { return wall_now() >= turn.end; };
   const WallNs start = wall_now();
   const std::size_t taken = context_.cell.apply(BytesIn{id_, bytes, is_enough}, start).bytes_taken;
-  note(context_.turns.memory(), held_bytes());
-  note_load(taken, held_bytes());
+  const std::size_t held = held_bytes();
+  note(context_.turns.memory(), held);
+  note_load(taken, held);
   if (moves_time()) load_.add(static_cast<std::uint64_t>(wall_now() - start));
   source_.line_acted(id_);
   context_.acted(id_);
   if (!stream_->is_open()) return;
-  if (context_.cell.find_line(id_)->is_not_a_robot_program())
-    return close(LineCloseReason::kNotARobotProgram);
-  if (context_.cell.find_line(id_)->is_cut()) return end_by_fault();
+  const SerialLine& line = *context_.cell.find_line(id_);
+  if (line.is_not_a_robot_program()) return close(LineCloseReason::kNotARobotProgram);
+  if (line.is_cut()) return end_by_fault();
   if (taken < bytes.size()) keep(bytes.substr(taken));
 }
 
@@ -149,14 +148,16 @@ void LineSession::end_input() {
 // outbox.
 LineSession::Left LineSession::flush(const Turn& turn) {
   if (!stream_->is_open()) return Left::kWaits;
-  if (context_.cell.find_line(id_)->is_cut()) end_by_fault();
+  const SerialLine& line = *context_.cell.find_line(id_);  // exists while the stream is open
+  if (line.is_cut()) end_by_fault();
   const bool is_unread = !has_ended_ && context_.cell.is_unread(id_);
   if (is_unread && !is_broken_) return Left::kWaits;
   if (has_ended_) end_input();
-  const SerialLine& line = *context_.cell.find_line(id_);  // exists while the stream is open
-  if (is_broken_ && (is_unread || line.is_paced() || line.holds_replies()))
-    close(LineCloseReason::kError);
   if (!stream_->is_open()) return Left::kWaits;
+  if (is_broken_ && (is_unread || line.is_paced() || line.holds_replies())) {
+    close(LineCloseReason::kError);
+    return Left::kWaits;
+  }
   const auto accepts_pending = [&] { return !pending_.empty() && line.accepts(pending_.front()); };
   while (!line.outbox().empty() || !pending_.empty()) {
     if (line.outbox().empty() && !accepts_pending()) {  // suspended replies, or the device

@@ -43,13 +43,13 @@ class LineSession {
 
   /// Sends what can be sent, then reads and applies bytes up to the limits of a turn. Returns
   /// whether there may be more to do now.
-  bool run_turn();
+  bool run_turn(WallNs now);
 
   /// The load of a new line: its first turns wait for those of lines that only ask, since to open,
   /// to examine and to close a line costs much more than an inquiry.
   static constexpr std::uint64_t kNewLoad = 15'000;
-  /// Its load now: LineLoad::at().
-  std::uint64_t load();
+  /// LineLoad::at().
+  std::uint64_t load(WallNs now) { return load_.at(now); }
 
   /// Applies every byte that has arrived, until replies wait for the client or exceed kMaxAnswered
   /// bytes; with the byte clock, only those of a limited time, and none of a line that waits.

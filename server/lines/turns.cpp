@@ -78,45 +78,59 @@ void LineTurns::run_due_turns() {
 void LineTurns::run_turns() {
   run_lightest(kMaxTurnsTime);
   if (queue_.empty()) return;
-  for (const SessionNumber number : queue_.take_first_of_each()) run_turn(number);
+  for (const SessionNumber number : queue_.take_first_of_each()) run_turn(number, wall_now());
   schedule();
 }
 
+// Looks again at once if several lines had news: others have probably asked meanwhile, and to wait
+// for the event loop costs more.
 void LineTurns::run_lightest(WallNs time) {
-  const WallNs start = wall_now();
-  take_news();
-  for (WallNs now = start; !queue_.empty() && now < start + time; now = wall_now()) {
-    while (!queue_.empty() && wall_now() < now + kNewsEvery) run_turn(queue_.take_lightest());
-    take_news();
+  WallNs now = wall_now();
+  const WallNs end = now + time;
+  std::size_t lines = take_news();
+  while ((now = wall_now()) < end && (lines > 1 || !queue_.empty())) {
+    for (const WallNs look = now + kNewsEvery; !queue_.empty() && now < look; now = wall_now())
+      run_turn(queue_.take_lightest(), now);
+    lines = take_news();
   }
-  next_turns_ = wall_now() + kTurnsEvery;
+  next_turns_ = now + kTurnsEvery;
 }
 
 // A line has its turn at once if no other one goes before it.
-void LineTurns::take_news() {
-  const WallNs end = wall_now() + kNewsEvery;
-  for (const auto& [number, is_end, is_loss] : watch_.news()) {
+std::size_t LineTurns::take_news() {
+  const std::span<const LineWatch::News> news = watch_.news();
+  WallNs now = wall_now();
+  const WallNs end = now + kNewsEvery;
+  for (const auto& [number, is_end, is_loss] : news) {
     const auto found = sessions_.find(number);
     if (found == sessions_.end()) continue;
     if (is_end) found->second->note_end();
     if (is_loss) found->second->note_loss();
-    const std::uint64_t load = found->second->load();
-    const bool is_now = !queue_.contains(number) && queue_.is_next(load) && wall_now() < end;
-    is_now ? run_turn(number) : queue_.add(number, load);
+    const std::uint64_t load = found->second->load(now);
+    if (queue_.contains(number) || !queue_.is_next(load) || now >= end) {
+      queue_.add(number, load);
+    } else {
+      run_turn(number, found->second, now);
+      now = wall_now();
+    }
   }
+  return news.size();
 }
 
-void LineTurns::run_turn(SessionNumber number) {
+void LineTurns::run_turn(SessionNumber number, WallNs now) {
   const auto found = sessions_.find(number);
-  if (found == sessions_.end()) return;
-  const auto session = found->second;  // it may remove itself from the map
-  if (session->run_turn()) queue_.add(number, session->load());
+  if (found != sessions_.end()) run_turn(number, found->second, now);
+}
+
+// The session may remove itself from the map.
+void LineTurns::run_turn(SessionNumber number, std::shared_ptr<LineSession> session, WallNs now) {
+  if (session->run_turn(now)) queue_.add(number, session->load(wall_now()));
 }
 
 void LineTurns::wake(SessionNumber number) {
   const auto found = sessions_.find(number);
   if (found == sessions_.end()) return;
-  queue_.add(number, found->second->load());
+  queue_.add(number, found->second->load(wall_now()));
   schedule();
 }
 

@@ -54,8 +54,9 @@ class LineTurns {
   /// Gives a session a turn soon, after all handlers that are ready now.
   void wake(SessionNumber number);
 
-  /// Looks for streams that have ended without notice so far.
-  void take_news();
+  /// Runs the turns of lines with news, among them streams that have ended; queues those that have
+  /// to wait. Returns the number of these lines.
+  std::size_t take_news();
 
   /// Stops to watch when the last session has ended, so that nothing keeps the event loop running.
   void close();
@@ -64,7 +65,8 @@ class LineTurns {
  private:
   asio::awaitable<void> run();
   void run_lightest(WallNs time);
-  void run_turn(SessionNumber number);
+  void run_turn(SessionNumber number, WallNs now);
+  void run_turn(SessionNumber number, std::shared_ptr<LineSession> session, WallNs now);
   void schedule();
   std::shared_ptr<LineSession> greediest() const;
 

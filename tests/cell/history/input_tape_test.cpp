@@ -33,7 +33,7 @@ TEST(InputTape, GivesBackWhatWasAdded) {
   InputTape tape;
   std::vector<std::string> expected;
   for (const Entry& entry : entries) {
-    tape.add(entry);
+    tape.add(recording::Entry(entry));
     expected.push_back(members_of(entry, -1));
   }
   EXPECT_EQ(tape.size(), entries.size());
