@@ -108,7 +108,7 @@ class Docs(unittest.TestCase):
                     self.serve(options, variables)
                     continue
                 if arguments[:1] == ["docs/graded/submissions"]:
-                    continue  # test_graded.py
+                    continue  # test_graded_release.py
                 if what == "convert" and "--force" not in arguments:
                     (self.folder / arguments[-1]).unlink(missing_ok=True)
                 if what == "watch":

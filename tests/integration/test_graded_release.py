@@ -1,5 +1,5 @@
 """The graded class of docs/graded: its report is what `xr3 grade` writes now, names nothing of the machine that has
-written it, and works as a page in a browser. `test_graded.py --write` writes the report again."""
+written it, and works as a page in a browser. `test_graded_release.py --write` writes the report again."""
 
 import csv
 import functools
@@ -77,7 +77,7 @@ class Graded(unittest.TestCase):
         for name in sorted(files(REPORT)):
             with self.subTest(name):
                 self.assertTrue(contents(self.fresh / name) == contents(REPORT / name),
-                                "not so any more: write it again with test_graded.py --write, and read the changes")
+                                "not so any more: write it again with test_graded_release.py --write, and read the changes")
 
     def test_every_verdict_is_right(self):
         with open(REPORT / "grades.csv", encoding="utf-8") as file:
