@@ -23,6 +23,10 @@ constexpr WallNs kFairTime = 150'000;
 // The capacity of a receive buffer. read_arrived() reads no more, even if the client keeps writing.
 constexpr std::size_t kMaxArrivedBytes = 16 * 1024 * 1024;
 
+// After a read of so many bytes, more is read, although it gave less than was wanted: the rest of a
+// burst that is larger than the receive buffer arrives during the read.
+constexpr std::size_t kBurst = 2048;
+
 // Maximum time of read_arrived() if bytes move time: then each may cost as much as a step of time.
 constexpr WallNs kArrivedTime = 2'000'000;
 
@@ -75,7 +79,7 @@ LineSession::Left LineSession::work(Turn turn) {
     const std::size_t wanted = std::min(turn.most_read, context_.turns.scratch().size());
     const std::size_t count = read(wanted);
     act({context_.turns.scratch().data(), count}, turn);
-    has_more = count == wanted || (is_ending_ && count > 0);
+    has_more = count == wanted || count >= kBurst || (is_ending_ && count > 0);
     turn.most_read -= count;
   }
 }

@@ -41,8 +41,8 @@ class LineSession {
   /// The stream is broken. Bytes that are not due yet are dropped with the line.
   void note_loss() { is_broken_ = true; }
 
-  /// Sends what can be sent, then reads and applies bytes up to the limits of a turn. Returns
-  /// whether there may be more to do now.
+  /// Sends what can be sent, then reads and applies bytes up to the limits of a turn, which begins
+  /// `now`. Returns whether there may be more to do.
   bool run_turn(WallNs now);
 
   /// The load of a new line: its first turns wait for those of lines that only ask, since to open,

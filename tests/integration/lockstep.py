@@ -8,6 +8,7 @@ Nothing is pipelined: the next try begins after the check of the answer.
 import itertools
 import os
 import signal
+import socket
 
 from support import Server, connect
 
@@ -97,6 +98,19 @@ class Lockstep:
             self.test.assertEqual((count, 0), self.answer()["E"], f"try {number}")
             if fresh:
                 sock.close()
+
+    def frozen_bursts(self, tries, size=100_000):
+        """A burst that is larger than the server's receive buffer: the rest of it arrives while the server reads."""
+        sock = self.server.line().socket
+        sock.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 2 * size)
+        for number in range(tries):
+            count = 1 - number % 2
+            self.stop_server()
+            self.monitor.socket.sendall(STEP[:10])
+            sock.sendall(b"F+0\r" * (size // 4) + (b"E+1\r" if count else b"E-1\r"))
+            self.monitor.socket.sendall(STEP[10:] % TICKS)
+            os.kill(self.server.pid, signal.SIGCONT)
+            self.test.assertEqual((count, 0), self.answer()["E"], f"try {number}")
 
     def stop_server(self):
         os.kill(self.server.pid, signal.SIGSTOP)

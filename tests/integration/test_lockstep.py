@@ -31,6 +31,10 @@ class LockstepTests(unittest.TestCase):
         with Lockstep(self) as lockstep:
             lockstep.bursts(10)
 
+    def test_bursts_that_exceed_the_receive_buffer(self):
+        with Lockstep(self) as lockstep:
+            lockstep.frozen_bursts(10)
+
 
 if __name__ == "__main__":
     unittest.main()
