@@ -74,7 +74,7 @@ def prepare_release(folder, version):
     lock = folder / "clients/web/package-lock.json"
     for indent in "  ", "      ":
         replace_once(lock, rf'^({indent}"name": "xr3-viewer",\n{indent}"version": )".*",$', rf'\1"{version}",')
-    for page in (folder / "docs").rglob("*.md"):
+    for page in [*(folder / "docs").rglob("*.md"), *(folder / "tests" / "golden").glob("watch-*.txt")]:
         text = page.read_text(encoding="utf-8")
         page.write_text(re.sub(r"\bxr3 \d+\.\d+\.\d+", f"xr3 {version}", text), encoding="utf-8")
     git(folder, "commit", "--quiet", "--all", "--message", f"Release {version}")
@@ -216,11 +216,12 @@ class Zsh:
         os.close(self.terminal)
 
     def type(self, text, expected):
-        """Types the text; returns what the terminal shows until the expected text is there, or the time is over."""
+        """Types the text; returns what the terminal shows, without bells, until the expected text is there, or the time is
+        over."""
         os.write(self.terminal, text.encode())
         shown, end = "", time.monotonic() + self.DEADLINE_S
         while expected not in shown and select.select([self.terminal], [], [], max(0, end - time.monotonic()))[0]:
-            shown += os.read(self.terminal, 4096).decode(errors="replace")
+            shown += os.read(self.terminal, 4096).decode(errors="replace").replace("\a", "")
         return shown
 
     def complete(self, text, expected):
