@@ -122,7 +122,8 @@ void LineTurns::run_turn(SessionNumber number, WallNs now) {
   if (found != sessions_.end()) run_turn(number, found->second, now);
 }
 
-// The session may remove itself from the map.
+// The pointer is a copy, since the session may remove itself from the map.
+// NOLINTNEXTLINE(performance-unnecessary-value-param)
 void LineTurns::run_turn(SessionNumber number, std::shared_ptr<LineSession> session, WallNs now) {
   if (session->run_turn(now)) queue_.add(number, session->load(wall_now()));
 }
