@@ -82,35 +82,24 @@ class Lockstep:
                 sock.sendall(b"E+1\r" if count else b"E-1\r")
                 self.test.assertEqual((count, 0), self.step()["E"])
 
-    def frozen(self, tries, fresh):
+    def frozen(self, tries, fresh, before=b""):
         """The worst order: the beginning of a request makes the monitor's socket ready first; then the
         move arrives, on an open line or on a new connection; then the rest of the request. The server is
-        stopped meanwhile, so that it finds everything at once."""
+        stopped meanwhile, so that it finds everything at once. `before` is sent before the move; what does not fit
+        into the server's receive buffer arrives while the server reads."""
         old = self.server.line().socket
+        old.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 200_000)
         for number in range(tries):
             count = 1 - number % 2
             self.stop_server()
             self.monitor.socket.sendall(STEP[:10])
             sock = connect(self.server.robot_port) if fresh else old
-            sock.sendall(b"E+1\r" if count else b"E-1\r")
+            sock.sendall(before + (b"E+1\r" if count else b"E-1\r"))
             self.monitor.socket.sendall(STEP[10:] % TICKS)
             os.kill(self.server.pid, signal.SIGCONT)
             self.test.assertEqual((count, 0), self.answer()["E"], f"try {number}")
             if fresh:
                 sock.close()
-
-    def frozen_bursts(self, tries, size=100_000):
-        """A burst that is larger than the server's receive buffer: the rest of it arrives while the server reads."""
-        sock = self.server.line().socket
-        sock.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 2 * size)
-        for number in range(tries):
-            count = 1 - number % 2
-            self.stop_server()
-            self.monitor.socket.sendall(STEP[:10])
-            sock.sendall(b"F+0\r" * (size // 4) + (b"E+1\r" if count else b"E-1\r"))
-            self.monitor.socket.sendall(STEP[10:] % TICKS)
-            os.kill(self.server.pid, signal.SIGCONT)
-            self.test.assertEqual((count, 0), self.answer()["E"], f"try {number}")
 
     def stop_server(self):
         os.kill(self.server.pid, signal.SIGSTOP)

@@ -33,7 +33,7 @@ class LockstepTests(unittest.TestCase):
 
     def test_bursts_that_exceed_the_receive_buffer(self):
         with Lockstep(self) as lockstep:
-            lockstep.frozen_bursts(10)
+            lockstep.frozen(10, fresh=False, before=25_000 * b"F+0\r")
 
 
 if __name__ == "__main__":
