@@ -23,8 +23,9 @@ constexpr WallNs kFairTime = 150'000;
 // The capacity of a receive buffer. read_arrived() reads no more, even if the client keeps writing.
 constexpr std::size_t kMaxArrivedBytes = 16 * 1024 * 1024;
 
-// After a read of so many bytes, more is read, although it gave less than was wanted: the rest of a
-// burst that is larger than the receive buffer arrives during the read.
+// After a read of so many bytes, more is read once, although it gave less than was wanted: the rest
+// of a burst that is larger than the receive buffer arrives during the read. Once, since a flood
+// would arrive without end.
 constexpr std::size_t kBurst = 2048;
 
 // Maximum time of read_arrived() if bytes move time: then each may cost as much as a step of time.
@@ -70,6 +71,7 @@ bool LineSession::moves_time() const { return context_.cell.clock().mode() == Cl
 LineSession::Left LineSession::work(Turn turn) {
   bool has_more = true;
   bool has_read = false;
+  bool may_be_burst = true;
   for (;;) {
     const Left left = flush(turn);
     if (left != Left::kNothing) return left;
@@ -79,7 +81,8 @@ LineSession::Left LineSession::work(Turn turn) {
     const std::size_t wanted = std::min(turn.most_read, context_.turns.scratch().size());
     const std::size_t count = read(wanted);
     act({context_.turns.scratch().data(), count}, turn);
-    has_more = count == wanted || count >= kBurst || (is_ending_ && count > 0);
+    has_more = count == wanted || (is_ending_ && count > 0) ||
+               (count >= kBurst && std::exchange(may_be_burst, false));
     turn.most_read -= count;
   }
 }
