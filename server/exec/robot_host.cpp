@@ -68,7 +68,7 @@ void RobotHost::run(const std::function<bool()>& is_over) {
 }
 
 void RobotHost::close_ports() {
-  cell_->lines().read_arrived();  // clients that have connected, but are not accepted yet
+  cell_->lines().read_arrived_at_once();  // clients that have connected, but are not accepted yet
   cell_->port()->close();
 }
 

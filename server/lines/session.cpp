@@ -20,15 +20,12 @@ constexpr std::size_t kBytesATurn = 256;
 // requests it. A turn can exceed it by one piece of 64 bytes, or by one full outbox. The clock does
 // not affect the state: it only decides which bytes act now and which in the next turn.
 constexpr WallNs kFairTime = 150'000;
-// The capacity of a receive buffer. read_arrived() reads no more, even if the client keeps writing.
-constexpr std::size_t kMaxArrivedBytes = 16 * 1024 * 1024;
 
-// After a read of so many bytes, more is read once, although it gave less than was wanted: the rest
-// of a burst that is larger than the receive buffer arrives during the read. Once, since a flood
-// would arrive without end.
+// After so many arrived bytes, reading ends when a read gives nothing, not when one gives less than
+// was wanted: the rest of a burst that is larger than the receive buffer arrives during the read.
 constexpr std::size_t kBurst = 2048;
 
-// Maximum time of read_arrived() if bytes move time: then each may cost as much as a step of time.
+// Maximum time of arrived bytes that move time: each may cost as much as a step of time.
 constexpr WallNs kArrivedTime = 2'000'000;
 
 constexpr std::uint64_t kAllOutput = std::numeric_limits<std::uint64_t>::max();
@@ -48,7 +45,8 @@ LineSession::LineSession(std::unique_ptr<LineStream> stream, const LineOpened& o
 
 bool LineSession::run_turn(WallNs now) {
   load_.begin_turn();
-  return work({fair_share(), kAllOutput, now + kFairTime}) == Left::kSome;
+  Limits turn{fair_share(), kAllOutput, now + kFairTime};
+  return work(turn) == Left::kSome;
 }
 
 // The first bytes are examined together; the time of the turn is limited all the same.
@@ -57,38 +55,45 @@ std::size_t LineSession::fair_share() const {
   return is_first ? kFirstChunk : kBytesATurn;
 }
 
-bool LineSession::read_arrived() {
-  if (!stream_->is_open()) return false;
+LineSession::Limits LineSession::arrived_limits() const {
   const std::uint64_t output = context_.cell.find_line(id_)->output_end();
-  const WallNs end = moves_time() ? wall_now() + kArrivedTime : kNever;
-  return work({kMaxArrivedBytes, output + kMaxAnswered, end}) == Left::kSome;
+  return {kMaxArrived, output + kMaxAnswered, moves_time() ? wall_now() + kArrivedTime : kNever};
+}
+
+bool LineSession::read_arrived(Limits& limits, std::size_t most) {
+  if (!stream_->is_open()) return false;
+  const std::size_t others = limits.most_read - std::min(most, limits.most_read);
+  limits.is_burst = kMaxArrived - limits.most_read >= kBurst;
+  limits.most_read -= others;
+  const Left left = work(limits);
+  limits.most_read += others;
+  return left == Left::kSome;
 }
 
 bool LineSession::moves_time() const { return context_.cell.clock().mode() == ClockMode::kBytes; }
 
 // Does not read while replies are unsent, so that a client must read its replies. Reads at least
 // once, however late it is: else a line would never be read on a machine that is too slow.
-LineSession::Left LineSession::work(Turn turn) {
+LineSession::Left LineSession::work(Limits& limits) {
   bool has_more = true;
   bool has_read = false;
-  bool may_be_burst = true;
   for (;;) {
-    const Left left = flush(turn);
+    const Left left = flush(limits);
     if (left != Left::kNothing) return left;
     if (!has_more || has_ended_) return Left::kNothing;
-    if (turn.most_read == 0 || (has_read && is_over(turn))) return Left::kSome;
+    if (limits.most_read == 0 || (has_read && is_over(limits))) return Left::kSome;
     has_read = true;
-    const std::size_t wanted = std::min(turn.most_read, context_.turns.scratch().size());
+    const std::size_t wanted = std::min(limits.most_read, context_.turns.scratch().size());
     const std::size_t count = read(wanted);
-    act({context_.turns.scratch().data(), count}, turn);
-    has_more = count == wanted || (is_ending_ && count > 0) ||
-               (count >= kBurst && std::exchange(may_be_burst, false));
-    turn.most_read -= count;
+    act({context_.turns.scratch().data(), count}, limits);
+    has_more = count == wanted || (count > 0 && (limits.is_burst || is_ending_));
+    limits.most_read -= count;
   }
 }
 
-bool LineSession::is_over(const Turn& turn) const {
-  return context_.cell.find_line(id_)->output_end() >= turn.output_end || wall_now() >= turn.end;
+bool LineSession::is_over(const Limits& limits) const {
+  return context_.cell.find_line(id_)->output_end() >= limits.output_end ||
+         wall_now() >= limits.end;
 }
 
 // Reads into the scratch buffer. 0: no bytes now, or, if has_ended_, no more at all.
@@ -99,10 +104,10 @@ std::size_t LineSession::read(std::size_t most) {
   return count;
 }
 
-void LineSession::act(std::string_view bytes, const Turn& turn) {
+void LineSession::act(std::string_view bytes, const Limits& limits) {
   if (bytes.empty()) return;
   report_settings();
-  const auto is_enough = [&turn] { return wall_now() >= turn.end; };
+  const auto is_enough = [&limits] { return wall_now() >= limits.end; };
   const WallNs start = wall_now();
   const std::size_t taken = context_.cell.apply(BytesIn{id_, bytes, is_enough}, start).bytes_taken;
   const std::size_t held = held_bytes();
@@ -153,7 +158,7 @@ void LineSession::end_input() {
 
 // Sends as much as the stream accepts now, and applies the bytes that waited for room in the
 // outbox.
-LineSession::Left LineSession::flush(const Turn& turn) {
+LineSession::Left LineSession::flush(const Limits& limits) {
   if (!stream_->is_open()) return Left::kWaits;
   const SerialLine& line = *context_.cell.find_line(id_);  // exists while the stream is open
   if (line.is_cut()) end_by_fault();
@@ -178,10 +183,10 @@ LineSession::Left LineSession::flush(const Turn& turn) {
     if (line.is_paced()) context_.acted(id_);  // bytes may act again
     if (!stream_->is_open()) return Left::kWaits;
     if (count == 0 && !line.outbox().empty()) return Left::kWaits;
-    if (accepts_pending()) act(std::exchange(pending_, {}), turn);
+    if (accepts_pending()) act(std::exchange(pending_, {}), limits);
     if (!stream_->is_open()) return Left::kWaits;
     const bool is_done = line.outbox().empty() && pending_.empty();
-    if (!is_done && is_over(turn)) return Left::kSome;
+    if (!is_done && is_over(limits)) return Left::kSome;
   }
   // The replies to bytes that have arrived leave before the line is closed.
   if (has_ended_ && (line.is_drained() || end_ == LineCloseReason::kShutdown)) close(end_);

@@ -35,6 +35,7 @@ class LineSession {
   LineSource& source() const { return source_; }
   LineId line() const { return id_; }
   int descriptor() const { return stream_->descriptor(); }
+  bool is_open() const { return stream_->is_open(); }
 
   /// The stream has ended or is broken: the next turns read to the end.
   void note_end() { is_ending_ = true; }
@@ -51,11 +52,27 @@ class LineSession {
   /// LineLoad::at().
   std::uint64_t load(WallNs now) { return load_.at(now); }
 
-  /// Applies every byte that has arrived, until replies wait for the client or exceed kMaxAnswered
-  /// bytes; with the byte clock, only those of a limited time, and none of a line that waits.
-  /// Returns whether there may be more to do now.
-  bool read_arrived();
+  /// What a line may do until another has its turn.
+  struct Limits {
+    std::size_t most_read;
+    std::uint64_t output_end;  ///< of the line
+    WallNs end;
+    bool is_burst = false;  ///< reading ends when a read gives nothing
+  };
+
+  /// The limits of the bytes that have arrived and must act before a call. With the byte clock,
+  /// their time is limited, too. Precondition: the line exists.
+  Limits arrived_limits() const;
+  static constexpr std::size_t kMaxArrived = 512 * 1024;
   static constexpr std::size_t kMaxAnswered = 1024 * 1024;
+
+  /// Applies at most `most` bytes that have arrived, and takes them off the limits, until replies
+  /// wait for the client. With the byte clock, none of a line that waits. Returns whether there may
+  /// be more to do now.
+  bool read_arrived(Limits& limits, std::size_t most);
+
+  /// Precondition: the line exists.
+  bool is_over(const Limits& limits) const;
 
   /// The bytes that wait for the client to read.
   std::size_t held_bytes() const;
@@ -67,22 +84,15 @@ class LineSession {
   void close(LineCloseReason reason);
 
  private:
-  /// The limits of one turn.
-  struct Turn {
-    std::size_t most_read;
-    std::uint64_t output_end;  ///< of the line
-    WallNs end;
-  };
   enum class Left : std::uint8_t { kNothing, kSome, kWaits };  ///< kWaits: for news
 
-  Left work(Turn turn);
-  Left flush(const Turn& turn);
-  bool is_over(const Turn& turn) const;
+  Left work(Limits& limits);
+  Left flush(const Limits& limits);
   bool moves_time() const;
   std::size_t fair_share() const;
   void note_load(std::uint64_t bytes_in, std::uint64_t bytes_out);
   std::size_t read(std::size_t most);
-  void act(std::string_view bytes, const Turn& turn);
+  void act(std::string_view bytes, const Limits& limits);
   void keep(std::string_view bytes);
   void end_input();
   void end_by_fault();

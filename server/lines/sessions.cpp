@@ -1,5 +1,6 @@
 #include "server/lines/sessions.hpp"
 
+#include <boost/asio/post.hpp>
 #include <utility>
 
 #include "cell/failure.hpp"
@@ -8,6 +9,9 @@ namespace xr3 {
 namespace {
 
 constexpr const char* kLinesName = "the serial lines";
+
+// The time of arrived bytes until other ports have their turns.
+constexpr WallNs kPiece = 500'000;
 
 /// While it exists, the timer is cancelled when bytes of the line have acted.
 class Waiting {
@@ -91,19 +95,36 @@ void LineSessions::accept_arrived() {
   for (LineSource* source : sources_) source->accept_arrived();
 }
 
-void LineSessions::read_to_end(LineId line) {
-  const auto found = sessions_.find(line);
-  if (found == sessions_.end()) return;
-  const auto session = found->second.session;  // it may remove itself from the map
-  if (session->read_arrived()) wake(line);
+ArrivedBytes LineSessions::no_bytes() {
+  return ArrivedBytes([this](LineId line) { wake(line); });
 }
 
-// sessions() copies the map: a session that ends removes itself from it.
-void LineSessions::read_arrived() {
-  vital(kLinesName, [this] {
-    accept_arrived();
-    for (const auto& [line, entry] : sessions()) read_to_end(line);
-  });
+ArrivedBytes LineSessions::arrived() {
+  accept_arrived();
+  ArrivedBytes bytes = no_bytes();
+  for (const auto& [line, entry] : sessions_) bytes.add(entry.session);
+  return bytes;
+}
+
+ArrivedBytes LineSessions::arrived(LineId line) {
+  accept_arrived();
+  ArrivedBytes bytes = no_bytes();
+  const auto found = sessions_.find(line);
+  if (found != sessions_.end()) bytes.add(found->second.session);
+  return bytes;
+}
+
+asio::awaitable<void> LineSessions::read(ArrivedBytes bytes) {
+  const auto read_some = [&bytes] { return bytes.read(wall_now() + kPiece); };
+  while (vital(kLinesName, read_some)) co_await asio::post(turns_.io(), kAwait);
+}
+
+asio::awaitable<void> LineSessions::read_arrived() {
+  return read(vital(kLinesName, [this] { return arrived(); }));
+}
+
+void LineSessions::read_arrived_at_once() {
+  vital(kLinesName, [this] { arrived().read(kNever); });
 }
 
 asio::awaitable<bool> LineSessions::wait_for_bytes(LineId id, std::uint64_t bytes_in,
@@ -111,10 +132,7 @@ asio::awaitable<bool> LineSessions::wait_for_bytes(LineId id, std::uint64_t byte
   asio::steady_timer timer(turns_.io(), within);
   const auto deadline = timer.expiry();
   for (;;) {
-    vital(kLinesName, [id, this] {
-      accept_arrived();
-      read_to_end(id);
-    });
+    co_await read(vital(kLinesName, [id, this] { return arrived(id); }));
     if (cell_.bytes_in(id).value_or(0) >= bytes_in) co_return true;
     const bool may_come = cell_.find_line(id) != nullptr && !is_closing_;
     if (!may_come || asio::steady_timer::clock_type::now() >= deadline) co_return false;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cell/cell.hpp"
+#include "server/lines/arrived.hpp"
 #include "server/lines/session.hpp"
 #include "server/lines/source.hpp"
 #include "server/lines/turns.hpp"
@@ -35,7 +36,9 @@ class LineSessions final : public LineTransports {
   std::optional<LineId> open(LineSource& source, std::unique_ptr<LineStream> stream,
                              const LineOpened& opened, PeerCounts::Place place = nullptr);
 
-  void read_arrived() override;
+  asio::awaitable<void> read_arrived() override;
+  /// The same without a pause, for callers that need no other port meanwhile.
+  void read_arrived_at_once();
   void run_turns() override { turns_.run_turns(); }
   asio::awaitable<bool> wait_for_bytes(LineId line, std::uint64_t bytes_in,
                                        std::chrono::milliseconds within) override;
@@ -68,7 +71,10 @@ class LineSessions final : public LineTransports {
   void notify(LineId line);
   Sessions sessions() const { return sessions_; }
   void accept_arrived();
-  void read_to_end(LineId line);
+  ArrivedBytes no_bytes();
+  ArrivedBytes arrived();
+  ArrivedBytes arrived(LineId line);
+  asio::awaitable<void> read(ArrivedBytes bytes);
 
   LineTurns& turns_;
   Cell& cell_;

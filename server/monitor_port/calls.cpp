@@ -28,6 +28,11 @@ bool concerns_past(const monitor::CallRequest& wanted) {
 
 bool moves_time(const call::Call& call) { return holds_any<call::Step, call::RunUntil>(call); }
 
+bool moves_time(const monitor::CallRequest& wanted) {
+  const auto* call = std::get_if<call::Call>(&wanted.call);
+  return call != nullptr && moves_time(*call);
+}
+
 call::Refused timeout(const monitor::After& after, std::uint64_t bytes_in) {
   const std::string message = "line " + std::to_string(after.line) + " has received " +
                               std::to_string(bytes_in) + " of " + std::to_string(after.bytes_in) +
@@ -101,6 +106,7 @@ asio::awaitable<void> MonitorService::call(CellPtr at, MonitorSession& session,
       co_return;
     }
   }
+  if (moves_time(wanted)) co_await at->transports().read_arrived();
   co_await making_long_.until_free();
   if (at->is_retired()) {
     session.send(unknown_cell(session, request));
@@ -148,13 +154,10 @@ asio::awaitable<std::optional<call::Refused>> MonitorService::wait_for(HostedCel
   co_return timeout(after, cell.bytes_in(after.line).value_or(0));
 }
 
-// Not a coroutine: nothing may run between reading the bytes that have arrived and the call that
-// must see their effect.
 MonitorService::Answer MonitorService::call_cell(HostedCell& at, monitor::Request& request) {
   Cell& cell = at.cell();
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   const auto& call = std::get<call::Call>(wanted.call);
-  if (moves_time(call)) at.transports().read_arrived();
   if (const auto error = monitor::limit_ticks(request, cell.state().tick))
     return at_once(monitor::result(*error));
   if (!may_enlarge(call))

@@ -14,8 +14,8 @@ class LineTransports {
  public:
   /// Applies every byte that has already arrived, including those of connections that are not
   /// accepted yet, as long as the line's replies can be sent. `step` and `run_until` call it first,
-  /// so that bytes sent before them act before them.
-  virtual void read_arrived() = 0;
+  /// so that bytes sent before them act before them. Other handlers run meanwhile if it takes long.
+  virtual asio::awaitable<void> read_arrived() = 0;
 
   /// Runs a turn for each line with news, and one turn for one of the lines with unfinished work.
   /// It is cheap enough to be called between writes to monitor sessions, so that a line never waits

@@ -19,7 +19,7 @@ from support import DEADLINE_S, SHUTDOWN_S, Server
 from victim import process_clock
 
 FOLDER = pathlib.Path(__file__).parent
-MEASURED_S = {"line": 1.0, "session": 2.0}  # a thousand inquiries, four hundred pings
+MEASURED_S = {"line": 1.0, "session": 2.0, "step": 2.0}  # a thousand inquiries, four hundred pings
 MOST_WAIT_S = 90  # more than the patience of the victim
 CROWD_MS = 30
 MIB = 1 << 20
@@ -62,7 +62,7 @@ class Beside:
     server after the last round, which must take at most two seconds. `crowd`: the load is many connections that are
     busy at once, each as light as the other line, so that this has to wait for its turn among them. `port`: a serial
     port of the server. `victim`: `line`, or `session` for pings on the monitor port, where the inquiries of a line go
-    to a device. `own_bound`: instead of the usual one."""
+    to a device, or `step` for steps of time. `own_bound`: instead of the usual one."""
     name: str
     load: typing.Callable
     cell: str = SHIPPED

@@ -9,6 +9,7 @@ from target import PING, call, json_line
 
 MANY_LINES = 1000
 SMALL_BUFFER = 4096
+STEP_MS, CROWDED_STEP_MS = 250, 1500
 MOVES = b"".join(b"%c%+d\r" % (label, sign) for label in b"ABCDEF" for sign in (1, -1))
 ROWS = b"".join(b"A*%d*A*%d,7*" % (row, row) for row in range(192))
 GARBAGE = bytes(number * 7 % 256 for number in range(65536)).replace(b"A", b"z").replace(b"\xff", b"z")
@@ -56,6 +57,15 @@ def watched(data, *requests):
     return load
 
 
+def stepped(data, count=1):
+    """Floods on lines while a monitor session makes one step of time after another."""
+    def load(target):
+        clients = [(target.line, data)] * count + [(target.page, STEP)]
+        target.flood_each(clients)
+    return load
+
+
+STEP = call("step", ticks=1, fields=[])
 PATH = call("key", function="path")
 DISPLAY = json_line("sub", channel="display", max_hz=60)
 STATE = json_line("sub", channel="state", max_hz=60)
@@ -75,6 +85,15 @@ ATTACKS = [
     *beside("lines.long-path", watched(MOVES, PATH, DISPLAY), SHIPPED, clock="real:100000"),
     *beside("lines.watched", watched(MOVES + b"A$", STATE, IMAGE, DISPLAY, EVENT), SHIPPED, LARGEST),
     *beside("lines.moves-fast", flood(b"A255SB255SC255SD255SE255SF255S" + MOVES), SHIPPED, clock="real:100000"),
+    *beside("lines.stepped", stepped(MOVES), SHIPPED, LARGEST, clock="manual"),
+    *beside("lines.stepped-images", stepped(b"A**"), SHIPPED, LARGEST, clock="manual"),
+    *beside("lines.stepped-many", stepped(MOVES, 100), SHIPPED, clock="manual"),
+    *beside("lines.stepped-crowd", stepped(MOVES, MANY_LINES), SHIPPED, clock="manual", crowd=True),
+    *beside("lines.steps", flood(MOVES), SHIPPED, clock="manual", victim="step", own_bound=STEP_MS),
+    *beside("lines.steps-images", flood(b"A**"), SHIPPED, LARGEST, clock="manual", victim="step", own_bound=STEP_MS),
+    *beside("lines.steps-garbage", flood(GARBAGE), SHIPPED, clock="manual", victim="step", own_bound=STEP_MS),
+    *beside("lines.steps-crowd", lambda target: target.flood(target.line, MOVES, count=MANY_LINES), SHIPPED,
+            clock="manual", victim="step", own_bound=CROWDED_STEP_MS),
     *beside("lines.garbage", flood(GARBAGE, reads=False), SHIPPED),
     *beside("lines.warnings-fast", flood(b"zE+500\r"), SHIPPED, clock="real:100000"),
     *beside("lines.telnet", flood(TELNET), SHIPPED),

@@ -1,15 +1,16 @@
 #!/usr/bin/python3
 """A well-behaved client in a process of its own: sends an inquiry each millisecond, or a ping each five milliseconds,
-whether or not the replies to the earlier ones have arrived. For each line of its input it does so for some seconds on
-a connection of its own, and prints how long the replies took, how long the server worked meanwhile (its processor time
-does not depend on other programs on the machine), and how long the slower bystander took: on each core, an idle
-program echoes what it gets.
-Usage: victim.py PORT PID SECONDS line|session"""
+whether or not the replies to the earlier ones have arrived, or one step of time after another. For each line of its
+input it does so for some seconds on a connection of its own, and prints how long the replies took, how long the server
+worked meanwhile (its processor time does not depend on other programs on the machine), and how long the slower
+bystander took: on each core, an idle program echoes what it gets.
+Usage: victim.py PORT PID SECONDS line|session|step"""
 
 import collections
 import ctypes
 import gc
 import json
+import math
 import os
 import pathlib
 import select
@@ -51,6 +52,7 @@ class Line:
     EVERY_NS = 1_000_000
     REQUEST = b"E?"
     FIRST_REPLIES = 1
+    HAS_ONE_AT_A_TIME = False
 
     def __init__(self, port):
         self.socket = socket.create_connection(("127.0.0.1", port))
@@ -100,6 +102,14 @@ class Session(Line):
         return data.count(b"\n")
 
 
+class Step(Session):
+    """The same with steps of time, each of which is sent some time after the answer to the last one."""
+
+    EVERY_NS = 50_000_000
+    HAS_ONE_AT_A_TIME = True
+    REQUEST = b'{"op":"call","id":1,"fn":"step","args":{"ticks":1,"fields":[]}}\n'
+
+
 class Bystander(Line):
     """The same from an idle process on one core that does not know the server: what it waits, the machine costs."""
 
@@ -127,7 +137,7 @@ class Probe:
     def send(self, now):
         self.sent.append((time.time_ns(), self.worked()))
         self.line.send()
-        self.due = max(self.due + self.line.EVERY_NS, now)
+        self.due = math.inf if self.line.HAS_ONE_AT_A_TIME else max(self.due + self.line.EVERY_NS, now)
 
     def read(self):
         work = self.worked()
@@ -135,6 +145,7 @@ class Probe:
         for _ in range(count):
             sent_at, worked_before = self.sent.popleft()
             self.waits.append((arrived - sent_at, min(work - worked_before, arrived - sent_at)))
+        self.due = min(self.due, time.time_ns() + self.line.EVERY_NS)
 
     def give_up(self, now):
         self.waits += [(now - each, 0) for each, _ in self.sent]
@@ -176,10 +187,13 @@ def figures(opener, worked, bystanders, seconds):
                              key=lambda each: each["p99"])}
 
 
+KINDS = {"line": Line, "session": Session, "step": Step}
+
+
 def main():
     gc.disable()
     _, port, pid, seconds, kind = sys.argv
-    opener = lambda: (Line if kind == "line" else Session)(int(port))
+    opener = lambda: KINDS[kind](int(port))
     bystanders = [Bystander(core) for core in os.sched_getaffinity(0)]
     worked = processor_clock(int(pid))
     for _ in sys.stdin:

@@ -101,7 +101,7 @@ TEST_F(RobotPortTest, TheEndArrivesAlone) {
 TEST_F(RobotPortTest, BytesSentBeforeTheLineOpensTakeEffect) {
   Client client(io_, port_.endpoint());
   client.send("E+5\rE?");
-  lines_.read_arrived();
+  lines_.read_arrived_at_once();
   EXPECT_EQ(received(1), 6U) << "accepted and read without a turn of the loop";
   EXPECT_EQ(client.bytes(1), "%");
 }
@@ -152,7 +152,7 @@ TEST_F(RobotPortTest, ABarrierLimitsImageReplies) {
   settle();
   const std::string asked = pictures(500);
   client.send(asked);
-  lines_.read_arrived();
+  lines_.read_arrived_at_once();
   const std::uint64_t answered = received(1) / 3 * kPictureReply;
   EXPECT_GE(answered, SerialLine::kFullOutbox);
   EXPECT_LE(answered, LineSession::kMaxAnswered + 2 * SerialLine::kFullOutbox);
@@ -168,7 +168,7 @@ TEST_F(RobotPortTest, ABarrierReadsAllArrivedBytes) {
   settle();
   flood.send(kJunk);
   other.send("E+5\r");
-  lines_.read_arrived();
+  lines_.read_arrived_at_once();
   EXPECT_EQ(received(1), kJunk.size());
   EXPECT_EQ(received(2), 4U);
 }
@@ -200,7 +200,7 @@ TEST_F(RobotPortTest, LinesAboveTheMaximumAreClosed) {
 TEST_F(RobotPortTest, ClosingSendsPendingReplies) {
   Client client(io_, port_.endpoint());
   client.send("E+5\rE?");
-  lines_.read_arrived();
+  lines_.read_arrived_at_once();
   port_.close();
   lines_.close();
   EXPECT_EQ(client.rest(), "%");
