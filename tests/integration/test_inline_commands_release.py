@@ -52,8 +52,8 @@ KINDS = {
     "is_a_session": r"telnet localhost 9600",
     "names_packages": r"(apt-get install|gcc|g\+\+|rustc|octave) [a-z+].*",
     "writes_the_manual": r"xr3 manual .*",
-    "is_of_the_tests_of_packages": r"apt (remove|purge)|docker load|sudo tar xf .* --strip-components=1",
-    "is_of_a_release": r"sudo apt install .*|tar xf xr3-.*|docker load -i .*|docker run .* xr3:VERSION",
+    "is_of_the_tests_of_packages": r"apt (remove|purge)|gunzip|docker load -i|sudo tar xf .* --strip-components=1",
+    "is_of_a_release": r"sudo apt install .*|tar xf xr3-.*|gunzip xr3-.*|docker load -i xr3-.*|docker run .* xr3:VERSION",
     "is_of_the_image": r"docker (build|exec|run|stop)( .*)?",
     "is_of_the_tests_of_images": r"buildah bud --format docker|rm -rf build/images",
     "is_of_the_cluster": r"kubectl .*|podman kube \w+",
@@ -301,7 +301,7 @@ class Commands(unittest.TestCase):
         """There is no published release yet, and the page says so. Options of the image are in docker/README.md."""
         page = command.place.partition(":")[0]
         self.assertIn("From the first published release on", pathlib.Path(ROOT, page).read_text(encoding="utf-8"))
-        self.assertRegex(command.text, r" (\./xr3_\*\.deb|xr3:VERSION|xr3-VERSION-(linux-x86_64|image)\.tar\.gz)$")
+        self.assertRegex(command.text, r" (\./xr3_\*\.deb|xr3:VERSION|xr3-VERSION-(linux-x86_64|image)\.tar(\.gz)?)$")
         of_the_image = pathlib.Path(ROOT, "docker", "README.md").read_text(encoding="utf-8")
         for option in re.findall(r" (-[ep] \S+)", command.text):
             self.assertIn(f" {option} ", of_the_image)
