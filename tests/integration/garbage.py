@@ -1,4 +1,5 @@
-"""Floods at full speed, each from a separate process: a line of garbage, a client that sends requests."""
+"""Floods at full speed, each from a separate process: a line of garbage, a client that sends requests. The processes
+have a low priority, so that they load the server, and not the scheduler of a machine with two cores."""
 
 import subprocess
 import sys
@@ -6,7 +7,8 @@ import sys
 from support import LOCALHOST
 
 POUR = """
-import select, socket, time
+import os, select, socket, time
+os.nice(10)
 sock = socket.create_connection(("%s", %d))
 garbage = bytes(number * 7 %% 256 for number in range(65536)).replace(b"A", b"z").replace(b"\\xff", b"z") * 4
 sock.setblocking(False)
@@ -26,7 +28,8 @@ def pour_garbage(port, seconds):
 
 
 ASK = """
-import socket, threading
+import os, socket, threading
+os.nice(10)
 sock = socket.create_connection(("%s", %d))
 def take():
     while sock.recv(1 << 20):
@@ -48,7 +51,8 @@ def pour(port, data):
 
 
 WRITE = """
-import socket
+import os, socket
+os.nice(10)
 sock = socket.create_connection(("%s", %d))
 while True:
     sock.sendall(%r * 200)
