@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "server/lines/session.hpp"
 #include "server/net/wall_clock.hpp"

@@ -25,8 +25,9 @@ constexpr WallNs kFairTime = 150'000;
 // was wanted: the rest of a burst that is larger than the receive buffer arrives during the read.
 constexpr std::size_t kBurst = 2048;
 
-// Maximum time of arrived bytes that move time: each may cost as much as a step of time.
-constexpr WallNs kArrivedTime = 2'000'000;
+// Maximum time of arrived bytes that move time: each may cost as much as a step of time. It is so
+// long that a busy machine does not decide how many bytes act before a call.
+constexpr WallNs kArrivedTime = 1'000'000'000;
 
 constexpr std::uint64_t kAllOutput = std::numeric_limits<std::uint64_t>::max();
 
@@ -62,11 +63,13 @@ LineSession::Limits LineSession::arrived_limits() const {
 
 bool LineSession::read_arrived(Limits& limits, std::size_t most) {
   if (!stream_->is_open()) return false;
-  const std::size_t others = limits.most_read - std::min(most, limits.most_read);
-  limits.is_burst = kMaxArrived - limits.most_read >= kBurst;
-  limits.most_read -= others;
-  const Left left = work(limits);
-  limits.most_read += others;
+  Limits round = limits;
+  round.most_read = std::min(most, limits.most_read);
+  if (moves_time()) round.end = std::min(limits.end, wall_now() + kFairTime);
+  round.is_burst = kMaxArrived - limits.most_read >= kBurst;
+  limits.most_read -= round.most_read;
+  const Left left = work(round);
+  limits.most_read += round.most_read;  // what was not read
   return left == Left::kSome;
 }
 

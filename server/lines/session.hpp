@@ -52,10 +52,11 @@ class LineSession {
   /// LineLoad::at().
   std::uint64_t load(WallNs now) { return load_.at(now); }
 
-  /// What a line may do until another has its turn.
+  /// The limits of a turn, or of a barrier: the bytes that have arrived before a call. Bytes act
+  /// until one of them is reached.
   struct Limits {
-    std::size_t most_read;
-    std::uint64_t output_end;  ///< of the line
+    std::size_t most_read;     ///< bytes
+    std::uint64_t output_end;  ///< the line's output_end()
     WallNs end;
     bool is_burst = false;  ///< reading ends when a read gives nothing
   };

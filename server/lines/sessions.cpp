@@ -1,6 +1,5 @@
 #include "server/lines/sessions.hpp"
 
-#include <boost/asio/post.hpp>
 #include <utility>
 
 #include "cell/failure.hpp"
@@ -95,20 +94,19 @@ void LineSessions::accept_arrived() {
   for (LineSource* source : sources_) source->accept_arrived();
 }
 
-ArrivedBytes LineSessions::no_bytes() {
+ArrivedBytes LineSessions::begin_reading() {
+  accept_arrived();
   return ArrivedBytes([this](LineId line) { wake(line); });
 }
 
 ArrivedBytes LineSessions::arrived() {
-  accept_arrived();
-  ArrivedBytes bytes = no_bytes();
+  ArrivedBytes bytes = begin_reading();
   for (const auto& [line, entry] : sessions_) bytes.add(entry.session);
   return bytes;
 }
 
 ArrivedBytes LineSessions::arrived(LineId line) {
-  accept_arrived();
-  ArrivedBytes bytes = no_bytes();
+  ArrivedBytes bytes = begin_reading();
   const auto found = sessions_.find(line);
   if (found != sessions_.end()) bytes.add(found->second.session);
   return bytes;
@@ -116,7 +114,7 @@ ArrivedBytes LineSessions::arrived(LineId line) {
 
 asio::awaitable<void> LineSessions::read(ArrivedBytes bytes) {
   const auto read_some = [&bytes] { return bytes.read(wall_now() + kPiece); };
-  while (vital(kLinesName, read_some)) co_await asio::post(turns_.io(), kAwait);
+  while (vital(kLinesName, read_some)) co_await turns_.pause();
 }
 
 asio::awaitable<void> LineSessions::read_arrived() {

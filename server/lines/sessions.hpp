@@ -42,6 +42,7 @@ class LineSessions final : public LineTransports {
   void run_turns() override { turns_.run_turns(); }
   asio::awaitable<bool> wait_for_bytes(LineId line, std::uint64_t bytes_in,
                                        std::chrono::milliseconds within) override;
+  asio::awaitable<void> pause() override { return turns_.pause(); }
   bool disconnect(LineId line) override;
   PortCounters counters() const override;
 
@@ -71,7 +72,7 @@ class LineSessions final : public LineTransports {
   void notify(LineId line);
   Sessions sessions() const { return sessions_; }
   void accept_arrived();
-  ArrivedBytes no_bytes();
+  ArrivedBytes begin_reading();  ///< of no line yet
   ArrivedBytes arrived();
   ArrivedBytes arrived(LineId line);
   asio::awaitable<void> read(ArrivedBytes bytes);

@@ -135,6 +135,12 @@ void LineTurns::wake(SessionNumber number) {
   schedule();
 }
 
+asio::awaitable<void> LineTurns::pause() {
+  co_await pausing_.until_free();
+  const Exclusive::Hold hold(pausing_);
+  co_await asio::post(io_, kAwait);
+}
+
 // The turns run after all handlers that are ready now.
 void LineTurns::schedule() {
   if (std::exchange(is_again_, true)) return;

@@ -12,6 +12,7 @@
 #include "server/lines/turn_queue.hpp"
 #include "server/lines/watch.hpp"
 #include "server/net/asio.hpp"
+#include "server/net/exclusive.hpp"
 #include "server/net/memory_limit.hpp"
 #include "server/net/wall_clock.hpp"
 
@@ -54,6 +55,9 @@ class LineTurns {
   /// Gives a session a turn soon, after all handlers that are ready now.
   void wake(SessionNumber number);
 
+  /// LineTransports::pause(), of all cells together.
+  asio::awaitable<void> pause();
+
   /// Runs the turns of lines with news, among them streams that have ended; queues those that have
   /// to wait. Returns the number of these lines.
   std::size_t take_news();
@@ -80,6 +84,7 @@ class LineTurns {
   SessionNumber last_ = 0;
   std::map<SessionNumber, std::shared_ptr<LineSession>> sessions_;
   MemoryLimit* memory_ = nullptr;
+  Exclusive pausing_{io_};
   bool is_closing_ = false;
 };
 

@@ -112,7 +112,11 @@ asio::awaitable<void> MonitorService::call(CellPtr at, MonitorSession& session,
     session.send(unknown_cell(session, request));
     co_return;
   }
-  Answer answer = carry_out_call(*at, session, request);
+  Answer answer;
+  if (std::holds_alternative<monitor::Send>(wanted.call))
+    answer = co_await send(*at, session, request);
+  else
+    answer = carry_out_call(*at, request);
   at->acted();
   monitor::Message message = co_await message_of(std::move(answer));
   session.send(std::move(message));
@@ -127,12 +131,10 @@ asio::awaitable<monitor::Message> MonitorService::message_of(Answer answer) {
   co_return message;
 }
 
-// Not a coroutine: the call takes effect before anything else runs.
-MonitorService::Answer MonitorService::carry_out_call(HostedCell& at, MonitorSession& session,
-                                                      monitor::Request& request) {
+// Carries out a call other than `send`. Not a coroutine: it takes effect before anything else runs.
+MonitorService::Answer MonitorService::carry_out_call(HostedCell& at, monitor::Request& request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   if (std::holds_alternative<call::Call>(wanted.call)) return call_cell(at, request);
-  if (std::holds_alternative<monitor::Send>(wanted.call)) return send(at, session, request);
   if (std::holds_alternative<monitor::ListLines>(wanted.call)) return list_lines(at, request);
   if (std::holds_alternative<monitor::ListFaults>(wanted.call))
     return at_once(monitor::result(request.id, value_with_faults(at.cell())));

@@ -16,7 +16,10 @@ namespace {
 // some 20 ns.
 constexpr std::size_t kMaxLinesAtOnce = 50;
 constexpr std::size_t kMaxReplyBytesAtOnce = 4096;
-constexpr WallNs kMaxSendTime = 2'000'000;
+// With the byte clock, the time of a piece of `send`, and of all its pieces: so long that a busy
+// machine does not decide how many bytes are taken.
+constexpr WallNs kSendPiece = 500'000;
+constexpr WallNs kMaxSendTime = 1'000'000'000;
 
 call::Refused line_waits(LineId current) {
   const std::string line = "line " + std::to_string(current);
@@ -113,36 +116,50 @@ std::optional<LineId> MonitorService::own_line(HostedCell& at, MonitorSession& s
   return opened;
 }
 
-MonitorService::Answer MonitorService::send(HostedCell& at, MonitorSession& session,
-                                            const monitor::Request& request) {
+// Camera images can fill the outbox. The client sends the rest of the bytes with the next call, so
+// that no call takes long.
+asio::awaitable<std::size_t> MonitorService::receive(HostedCell& at, LineId line,
+                                                     std::string_view bytes) {
+  Cell& cell = at.cell();
+  const WallNs end = wall_now() + kMaxSendTime;
+  for (std::size_t taken = 0;;) {
+    const bool moves_time = cell.clock().mode() == ClockMode::kBytes;
+    const WallNs piece_end = moves_time ? wall_now() + kSendPiece : kNever;
+    const auto is_enough = [piece_end] { return wall_now() >= piece_end; };
+    taken += cell.apply(BytesIn{line, bytes.substr(taken), is_enough}, wall_now()).bytes_taken;
+    if (taken == bytes.size() || wall_now() < piece_end || wall_now() >= end) co_return taken;
+    co_await at.transports().pause();
+    if (cell.find_line(line) == nullptr || cell.is_in_past()) co_return taken;
+  }
+}
+
+asio::awaitable<MonitorService::Answer> MonitorService::send(HostedCell& at,
+                                                             MonitorSession& session,
+                                                             const monitor::Request& request) {
   Cell& cell = at.cell();
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   const std::string& bytes = std::get<monitor::Send>(wanted.call).bytes;
-  if (cell.is_in_past()) return at_once(refused(request.id, Cell::in_the_past()));
+  if (cell.is_in_past()) co_return at_once(refused(request.id, Cell::in_the_past()));
   if (const std::optional<LineId> current = cell.current_line();
       current && current != open_own_line(at, session))
-    return at_once(refused(request.id, line_waits(*current)));
+    co_return at_once(refused(request.id, line_waits(*current)));
   const std::optional<LineId> line = own_line(at, session);
-  if (!line) return at_once(refused(request.id, too_many_lines()));
-  const LineId id = *line;
-  // Camera images can fill the outbox, and with the byte clock each byte takes work. The client
-  // sends the rest of the bytes with the next call, so that no call takes long.
-  const bool moves_time = cell.clock().mode() == ClockMode::kBytes;
-  const WallNs end = moves_time ? wall_now() + kMaxSendTime : kNever;
-  const auto is_enough = [end] { return wall_now() >= end; };
-  const std::size_t taken = cell.apply(BytesIn{id, bytes, is_enough}, wall_now()).bytes_taken;
-  std::string replies(cell.find_line(id)->outbox());
-  cell.apply(BytesOut{id, replies.size()}, wall_now());
+  if (!line) co_return at_once(refused(request.id, too_many_lines()));
+  const std::size_t taken = co_await receive(at, *line, bytes);
+  co_await making_long_.until_free();
+  if (cell.find_line(*line) == nullptr) co_return at_once(refused(request.id, no_such_line(*line)));
+  std::string replies(cell.find_line(*line)->outbox());
+  cell.apply(BytesOut{*line, replies.size()}, wall_now());
   Json value = value_now(cell);
-  value["line"] = id;
+  value["line"] = *line;
   if (taken < bytes.size()) value["taken"] = taken;
   const bool is_long = replies.size() > kMaxReplyBytesAtOnce;
-  return {[id = request.id, value, replies = std::move(replies)]() mutable {
-            value["hex"] = hexadecimal(replies);
-            value["text"] = readable(replies);
-            return monitor::result(id, value);
-          },
-          is_long};
+  co_return Answer{[id = request.id, value, replies = std::move(replies)]() mutable {
+                     value["hex"] = hexadecimal(replies);
+                     value["text"] = readable(replies);
+                     return monitor::result(id, value);
+                   },
+                   is_long};
 }
 
 MonitorService::Answer MonitorService::list_lines(HostedCell& at, const monitor::Request& request) {

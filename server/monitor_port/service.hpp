@@ -141,9 +141,12 @@ class MonitorService {
   Answer open_branch(HostedCell& at, const Moment& moment, const monitor::RequestId& id);
   static asio::awaitable<std::optional<call::Refused>> wait_for(HostedCell& at,
                                                                 monitor::After after);
-  Answer carry_out_call(HostedCell& at, MonitorSession& session, monitor::Request& request);
+  Answer carry_out_call(HostedCell& at, monitor::Request& request);
   Answer call_cell(HostedCell& at, monitor::Request& request);
-  Answer send(HostedCell& at, MonitorSession& session, const monitor::Request& request);
+  asio::awaitable<Answer> send(HostedCell& at, MonitorSession& session,
+                               const monitor::Request& request);
+  /// Applies bytes piece by piece. Returns the number of bytes taken.
+  static asio::awaitable<std::size_t> receive(HostedCell& at, LineId line, std::string_view bytes);
   static Answer list_lines(HostedCell& at, const monitor::Request& request);
   static Answer transcript(HostedCell& at, const monitor::Request& request);
   static monitor::Message disconnect(HostedCell& at, const monitor::Request& request);

@@ -22,6 +22,10 @@ class LineTransports {
   /// for a thousand sessions, nor for many flooding lines.
   virtual void run_turns() = 0;
 
+  /// Resumes when other handlers have run, callers one after the other. So others wait for one
+  /// piece of work at a time, however many callers work in pieces.
+  virtual asio::awaitable<void> pause() = 0;
+
   /// Waits until a line has received `bytes_in` bytes in total. Returns false if the time is over,
   /// the line has closed before, or the transports are closing.
   virtual asio::awaitable<bool> wait_for_bytes(LineId line, std::uint64_t bytes_in,

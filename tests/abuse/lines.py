@@ -1,15 +1,21 @@
 """Loads on the robot port."""
 
+import ctypes
 import itertools
+import os
+import select
+import signal
 import socket
 
 from attack import beside
 from cells import HEAPED, HUNDRED, LARGEST, SHIPPED
-from target import PING, call, json_line
+from target import MOST_AT_ONCE, PING, call, json_line
 
 MANY_LINES = 1000
+STEPPERS = 500
+PR_SET_PDEATHSIG = 1
 SMALL_BUFFER = 4096
-STEP_MS, CROWDED_STEP_MS = 250, 1500
+PING_MS, STEP_MS, CROWDED_STEP_MS = 20, 250, 1500
 MOVES = b"".join(b"%c%+d\r" % (label, sign) for label in b"ABCDEF" for sign in (1, -1))
 ROWS = b"".join(b"A*%d*A*%d,7*" % (row, row) for row in range(192))
 GARBAGE = bytes(number * 7 % 256 for number in range(65536)).replace(b"A", b"z").replace(b"\xff", b"z")
@@ -65,6 +71,22 @@ def stepped(data, count=1):
     return load
 
 
+def many_steps(target):
+    """A flood beside many monitor sessions, each of which makes one step of time after another. The flood is a process
+    of its own, since the answers would delay it."""
+    if os.fork() == 0:
+        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+        line = target.line()
+        while True:
+            line.sendall(MOVES * 1000)
+    sessions = [target.tell(STEP) for _ in range(STEPPERS)]
+    target.ready()
+    while True:
+        for sock in select.select(sessions, [], [])[0]:
+            sock.recv(MOST_AT_ONCE)
+            sock.sendall(STEP)
+
+
 STEP = call("step", ticks=1, fields=[])
 PATH = call("key", function="path")
 DISPLAY = json_line("sub", channel="display", max_hz=60)
@@ -89,6 +111,8 @@ ATTACKS = [
     *beside("lines.stepped-images", stepped(b"A**"), SHIPPED, LARGEST, clock="manual"),
     *beside("lines.stepped-many", stepped(MOVES, 100), SHIPPED, clock="manual"),
     *beside("lines.stepped-crowd", stepped(MOVES, MANY_LINES), SHIPPED, clock="manual", crowd=True),
+    *beside("lines.many-steps", many_steps, SHIPPED, clock="manual"),
+    *beside("lines.many-steps-pings", many_steps, SHIPPED, clock="manual", victim="session", own_bound=PING_MS),
     *beside("lines.steps", flood(MOVES), SHIPPED, clock="manual", victim="step", own_bound=STEP_MS),
     *beside("lines.steps-images", flood(b"A**"), SHIPPED, LARGEST, clock="manual", victim="step", own_bound=STEP_MS),
     *beside("lines.steps-garbage", flood(GARBAGE), SHIPPED, clock="manual", victim="step", own_bound=STEP_MS),

@@ -18,7 +18,8 @@ import catalogue  # noqa: E402
 from attack import Attack, Measured, measure_once  # noqa: E402
 
 TIMED = ("lines.images/shipped", "lines.trickle/shipped", "lines.storm/shipped", "lines.stepped/shipped",
-         "lines.steps-crowd/shipped", "pty.moves", "device.moves", "http.state/shipped", "http.slowloris/shipped", "json.churn/shipped", "json.wrong-tokens/shipped",
+         "lines.steps-crowd/shipped", "lines.many-steps-pings/shipped", "pty.moves", "device.moves",
+         "http.state/shipped", "http.slowloris/shipped", "json.churn/shipped", "json.wrong-tokens/shipped",
          "websocket.fragments/shipped")
 COUNTED = ("memory.lines/camera", "memory.json-images/camera", "memory.websocket-unfinished/shipped",
            "memory.followers/shipped", "memory.pty-images", "memory.device-moves", "pty.unread-images", "full.cpu",

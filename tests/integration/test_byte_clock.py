@@ -210,6 +210,21 @@ class Turns(unittest.TestCase):
             monitor.close()
             self.assertEqual(b" ", line.read(1))
 
+    def test_send_takes_its_bytes_however_slow_the_machine_is(self):
+        with Server(clock="bytes") as xr3, xr3.monitor() as monitor:
+            sent = monitor.call("send", text="E?" * 2000)
+            self.assertNotIn("taken", sent)
+            self.assertEqual("20" * 2000, sent["hex"])
+
+    def test_a_line_closed_during_a_send_is_told(self):
+        with Server(clock="bytes:60000") as xr3, xr3.monitor() as monitor, xr3.monitor() as other:
+            monitor.send({"op": "call", "id": "send", "fn": "send", "args": {"text": "E?" * 2000}})
+            wait_until(lambda: other.call("lines")["lines"])
+            other.call("line_disconnect", line=1)
+            refused = monitor.read_until(lambda message: message.get("id") == "send")[-1]
+            self.assertEqual("no_such_line", refused["error"]["code"])
+            self.assertIn("text", monitor.call("send", text="E?"))
+
     def test_concurrent_lines(self):
         with Server("--concurrent-lines", clock="bytes") as xr3, xr3.monitor() as monitor:
             first, second = xr3.line(), xr3.line()
@@ -284,6 +299,12 @@ class Time(unittest.TestCase):
             self.assertEqual("E50", counts(monitor.settle(after=line)))
             monitor.call("resume")
             self.assertEqual("bytes", monitor.get()["clock"]["mode"])
+
+    def test_bytes_act_before_a_step_however_slow_the_machine_is(self):
+        with Server(clock="bytes") as xr3, xr3.monitor() as monitor, xr3.line() as line:
+            line.send("E?" * 1000)
+            monitor.step(1, after=line)
+            self.assertEqual([2000], [entry["bytes_acted"] for entry in monitor.call("lines")["lines"]])
 
     def test_a_program_that_sleeps_is_told(self):
         with Server(clock="bytes") as xr3, xr3.monitor() as monitor, xr3.line() as line:
