@@ -35,8 +35,8 @@ bytes of a line that have not acted yet | cell/line_pace.hpp | kMaxInput
 bytes of all lines that act in one advance of real time | cell/cell.hpp | kMaxDueBytes
 time before an inquiry (`--clock bytes`) | protocol/line/byte_clock_settings.hpp | kMaxInquiryMs | 1000
 a run to rest (`--clock bytes`) | cell/cell.hpp | kMaxSleep
-a `send`, or the bytes before a `step` (`--clock bytes`) | server/monitor_port/line_calls.cpp | kMaxSendTime | 1000000
-a `send`, or the bytes before a `step` (`--clock bytes`) | server/lines/session.cpp | kArrivedTime | 1000000
+a `send`, or the bytes before a `step` (`--clock bytes`) | server/monitor_port/line_calls.cpp | kMaxSendTime | 1000000000
+a `send`, or the bytes before a `step` (`--clock bytes`) | server/lines/session.cpp | kArrivedTime | 1000000000
 commands of a line that wait for the physical controller | cell/device_link.hpp | kMaxWaiting
 warnings in the log, per line and simulated second | cell/warning_limiter.hpp | kMaxNotesPerSecond
 monitor connections | server/net/socket_limits.hpp | connections
