@@ -21,7 +21,7 @@ from victim import process_clock
 FOLDER = pathlib.Path(__file__).parent
 MEASURED_S = {"line": 1.0, "session": 2.0, "step": 2.0}  # a thousand inquiries, four hundred pings
 MOST_WAIT_S = 90  # more than the patience of the victim
-CROWD_MS = 30
+CROWD_MS = 40
 MIB = 1 << 20
 
 
