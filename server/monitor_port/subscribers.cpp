@@ -4,6 +4,7 @@
 #include <boost/asio/post.hpp>
 #include <chrono>
 #include <limits>
+#include <new>
 
 #include "cell/failure.hpp"
 #include "server/net/spawn.hpp"
@@ -47,8 +48,15 @@ SubscriberHub::~SubscriberHub() {
   for (MonitorSession* session : sessions_) session->leave(*this);
 }
 
+// Without memory, neither of the two knows the other.
 void SubscriberHub::add(MonitorSession& session) {
-  if (session.join(*this)) sessions_.push_back(&session);
+  if (!session.join(*this)) return;
+  try {
+    sessions_.push_back(&session);
+  } catch (const std::bad_alloc&) {
+    session.leave(*this);
+    throw;
+  }
 }
 
 void SubscriberHub::remove(MonitorSession& session) {
