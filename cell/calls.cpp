@@ -51,7 +51,8 @@ call::Refused block_held(const std::string& name) {
 }
 
 /// Whether the blocks are equal except for their positions.
-bool are_same_things(const std::vector<Block>& a, const std::vector<Block>& b) {
+bool are_same_things(const SharedVector<Block>& a, const SharedVector<Block>& b) {
+  if (a.is_shared_with(b)) return true;
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Block& x, const Block& y) {
     return x.name == y.name && x.size_um == y.size_um && x.color == y.color;
   });
@@ -137,7 +138,7 @@ void Cell::begin_epoch(std::string_view call, WallNs now, const std::function<vo
   for (const auto& [id, line] : lines_) emit_all(id, warnings_.forget(id));
   const EpochNote note{call, epoch_, state().tick};
   const ModelPtr old_model = simulation_.model_ptr();
-  const std::vector<Block> old_blocks = state().blocks;
+  const SharedVector<Block> old_blocks = state().blocks;
   change();
   if (device_ && state().enabled && device_->is_engaged()) device_->engage(false);
   ++epoch_;
@@ -204,7 +205,7 @@ call::Outcome Cell::carry_out(const call::AddBlock& add, WallNs) {
   }
   if (auto refused = refuse_rows(model(), state(), camera_rows(model().workcell(), {add.block})))
     return *std::move(refused);
-  simulation_.edit().blocks.push_back(add.block);
+  simulation_.edit().blocks.edit().push_back(add.block);
   placed_block("block_add", state().blocks.size() - 1);
   return call::Done{};
 }
@@ -220,7 +221,7 @@ call::Outcome Cell::carry_out(const call::MoveBlock& move, WallNs) {
   const std::int64_t more_rows =
       camera_rows(workcell, {moved}) - camera_rows(workcell, {state().blocks[*index]});
   if (auto refused = refuse_rows(model(), state(), more_rows)) return *std::move(refused);
-  simulation_.edit().blocks[*index] = std::move(moved);
+  simulation_.edit().blocks.edit()[*index] = std::move(moved);
   placed_block("block_move", *index);
   return call::Done{};
 }

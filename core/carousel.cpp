@@ -101,7 +101,7 @@ Block as_turned(const Model& model, const State& state, const Rider& rider) {
 
 void carry_riders(const Model& model, State& state) {
   for (const Rider& rider : state.riders)
-    state.blocks[rider.block] = as_turned(model, state, rider);
+    state.blocks.edit()[rider.block] = as_turned(model, state, rider);
 }
 
 void find_riders(const Model& model, State& state) {

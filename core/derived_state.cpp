@@ -25,7 +25,7 @@ State derived(const Model& model, State state) {
   update_blocked(model, state, now, ignored);
   state.below_surface = is_below_surface(model, tool_tip(model, now));
   if (state.held) {
-    state.blocks[state.held->block] =
+    state.blocks.edit()[state.held->block] =
         as_released(model, state, *state.held, state.held->grasped_at);
   }
   if (model.carousel()) carry_riders(model, state);

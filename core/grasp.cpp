@@ -136,7 +136,7 @@ bool can_hold(const Model& model, const Block& block, const Held& held) {
 void release(const Model& model, State& state, const Positions& positions, Events& events) {
   if (!state.held) return;
   const std::uint32_t index = state.held->block;
-  Block& block = state.blocks[index];
+  Block& block = state.blocks.edit()[index];
   block = as_released(model, state, *state.held, positions);
   state.held.reset();
   find_riders(model, state);
@@ -147,7 +147,7 @@ void release(const Model& model, State& state, const Positions& positions, Event
 bool drop(const Model& model, State& state, const Positions& positions, Events& events) {
   assert(state.held);
   const Held held = *state.held;
-  Block& block = state.blocks[held.block];
+  Block& block = state.blocks.edit()[held.block];
   const Block at_grasp = std::exchange(block, as_released(model, state, held, positions));
   state.held.reset();
   const Micrometres height_um = height_above_support_um(model, state, held.block);
@@ -176,14 +176,15 @@ void update_grasp(const Model& model, State& state, const Positions& positions,
   if (opened) state.jaws_warned = false;
   if (opened && state.held) return release(model, state, positions, events);
   if (contact.kind == Kind::kFree) return;
-  Block& block = state.blocks[contact.block];
   if (contact.kind == Kind::kTooNarrow) {
     if (!state.jaws_warned) {
-      events.push_back({state.tick, Warning{WarningCode::kJawsTooNarrow, 'A', 0, 0, block.name}});
+      const std::string& name = state.blocks[contact.block].name;
+      events.push_back({state.tick, Warning{WarningCode::kJawsTooNarrow, 'A', 0, 0, name}});
     }
     state.jaws_warned = true;
     return;
   }
+  Block& block = state.blocks.edit()[contact.block];
   block.yaw_udeg = flat_yaw(net_roll_deg(model, positions), contact.quarter_turns);
   if (contact.kind == Kind::kTurns) return find_riders(model, state);
   block.centroid_um = tool_tip(model, positions);

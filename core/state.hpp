@@ -10,6 +10,7 @@
 #include "core/event.hpp"
 #include "core/faults/fault_state.hpp"
 #include "core/model.hpp"
+#include "core/shared_vector.hpp"
 #include "core/units.hpp"
 
 namespace xr3 {
@@ -77,13 +78,13 @@ struct Rider {
 /// The path of the tool tip since erasing was turned off: the last kMaxTipPoints points.
 struct TipPath {
   static constexpr std::size_t kMaxTipPoints = 4096;
-  std::vector<PointUm> points;  ///< a ring buffer once it is full
-  std::size_t oldest = 0;       ///< index of the oldest point
+  SharedVector<PointUm> points;  ///< a ring buffer once it is full
+  std::size_t oldest = 0;        ///< index of the oldest point
 
   /// Adds a point; overwrites the oldest if the path is full.
   void add(const PointUm& tip) {
-    if (points.size() < kMaxTipPoints) return points.push_back(tip);
-    points[oldest] = tip;
+    if (points.size() < kMaxTipPoints) return points.edit().push_back(tip);
+    points.edit()[oldest] = tip;
     oldest = (oldest + 1) % kMaxTipPoints;
   }
   bool operator==(const TipPath&) const = default;
@@ -101,7 +102,7 @@ struct State {
   bool enabled = true;
   DisplaySettings display;
   InputOutput io;
-  std::vector<Block> blocks;
+  SharedVector<Block> blocks;
   std::optional<Held> held;
   std::vector<Rider> riders;  ///< in the order of their blocks; none without a carousel
   bool jaws_warned = false;   ///< jaws_too_narrow was already reported for the current closing

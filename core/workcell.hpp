@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "core/shared_vector.hpp"
 #include "core/units.hpp"
 
 namespace xr3 {
@@ -51,7 +51,7 @@ struct Workcell {
   Workspace workspace;
   Micrometres work_surface_um = 0;  ///< z of the table's plane
   bool surface_stalls = false;      ///< a tip below the surface stalls the robot instead of warning
-  std::vector<Block> blocks;
+  SharedVector<Block> blocks;
   std::optional<Camera> camera;
   bool operator==(const Workcell&) const = default;
 };

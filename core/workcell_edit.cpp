@@ -24,7 +24,8 @@ bool is_held(const State& state, std::size_t block) {
 
 void remove_block(const Model& model, State& state, std::size_t block) {
   assert(block < state.blocks.size() && !is_held(state, block));
-  state.blocks.erase(state.blocks.begin() + static_cast<std::ptrdiff_t>(block));
+  std::vector<Block>& blocks = state.blocks.edit();
+  blocks.erase(blocks.begin() + static_cast<std::ptrdiff_t>(block));
   if (state.held && state.held->block > block) --state.held->block;
   std::erase_if(state.riders, [block](const Rider& rider) { return rider.block == block; });
   for (Rider& rider : state.riders) rider.block -= rider.block > block ? 1 : 0;

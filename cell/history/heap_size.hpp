@@ -15,7 +15,9 @@ inline std::size_t heap_of(const std::vector<Block>& blocks) {
   return bytes;
 }
 
-inline std::size_t heap_of(const TipPath& path) { return path.points.capacity() * sizeof(PointUm); }
+inline std::size_t heap_of(const TipPath& path) {
+  return path.points.all().capacity() * sizeof(PointUm);
+}
 
 inline std::size_t heap_of(const Workcell& workcell) {
   return workcell.name.capacity() + workcell.notes.capacity() + heap_of(workcell.blocks);

@@ -14,19 +14,11 @@ namespace {
 // Asked of the budget at once beyond what is needed now.
 constexpr std::size_t kMoreBytes = 4096;
 
-/// The value of `last`, if it is equal, so that it is stored once; else a copy.
-template <class Value>
-std::shared_ptr<const Value> shared(Value&& value, const std::shared_ptr<const Value>* last) {
-  if (last != nullptr && **last == value) return *last;
-  return std::make_shared<const Value>(std::forward<Value>(value));
-}
-
-KeptCheckpoint keep(Cell::Checkpoint all, const KeptCheckpoint* last) {
-  KeptCheckpoint kept;
-  kept.blocks = shared(std::exchange(all.state.blocks, {}), last ? &last->blocks : nullptr);
-  kept.path = shared(std::exchange(all.state.tip_path, {}), last ? &last->path : nullptr);
-  kept.rest = std::move(all);
-  return kept;
+/// Blocks and paths that have changed and changed back are equal, but not shared: they are stored
+/// once, too.
+void share_equal(const State& last, State& state) {
+  if (state.blocks == last.blocks) state.blocks = last.blocks;
+  if (state.tip_path == last.tip_path) state.tip_path = last.tip_path;
 }
 
 /// An estimate of the memory of lines with their queues.
@@ -61,11 +53,13 @@ std::size_t bytes_left(const Cell::Checkpoint& checkpoint, const Cell::Checkpoin
 
 /// The memory of a part, without what it shares with `neighbour`; nullptr: it has none.
 std::size_t bytes_of(const HistoryPart& part, const HistoryPart* neighbour) {
-  const KeptCheckpoint* other = neighbour == nullptr ? nullptr : &neighbour->start;
-  std::size_t bytes = part.fixed_bytes + part.inputs.bytes();
-  if (other == nullptr || other->blocks != part.start.blocks) bytes += heap_of(*part.start.blocks);
-  if (other == nullptr || other->path != part.start.path) bytes += heap_of(*part.start.path);
-  return bytes;
+  const State& state = part.start.state;
+  const State* other = neighbour == nullptr ? nullptr : &neighbour->start.state;
+  const bool has_blocks = other == nullptr || !state.blocks.is_shared_with(other->blocks);
+  const bool has_path =
+      other == nullptr || !state.tip_path.points.is_shared_with(other->tip_path.points);
+  return part.fixed_bytes + part.inputs.bytes() + (has_blocks ? heap_of(state.blocks) : 0) +
+         (has_path ? heap_of(state.tip_path) : 0);
 }
 
 std::shared_ptr<HistoryPart> joined(const HistoryPart& first, const HistoryPart& second) {
@@ -96,13 +90,6 @@ std::shared_ptr<HistoryPart> cut(const HistoryPart& part, const ReplayTime& end)
 }
 
 }  // namespace
-
-Cell::Checkpoint KeptCheckpoint::whole() const {
-  Cell::Checkpoint all = rest;
-  all.state.blocks = *blocks;
-  all.state.tip_path = *path;
-  return all;
-}
 
 History::History(Cell& cell, Tick longest, monitor::ByteBudget& budget)
     : Recorder([this](recording::Entry&& entry) { add(std::move(entry)); }, Contents::kInputs),
@@ -200,12 +187,13 @@ void History::try_part() {
 
 void History::begin_part() {
   auto part = std::make_shared<HistoryPart>();
-  part->start = keep(cell_.checkpoint(), parts_.empty() ? nullptr : &parts_.back()->start);
-  part->fixed_bytes = sizeof(HistoryPart) + bytes_of(part->start.rest.lines);
+  part->start = cell_.checkpoint();
+  if (!parts_.empty()) share_equal(parts_.back()->start.state, part->start.state);
+  part->fixed_bytes = sizeof(HistoryPart) + bytes_of(part->start.lines);
   const bool is_gap = std::exchange(retry_in_, 0) > 0;
   if (epochs_.empty() || is_gap) epochs_.push_back({cell_.epoch(), cell_.state().tick, 0});
   used_ += bytes_of(*part, parts_.empty() ? nullptr : parts_.back().get());
-  if (!parts_.empty()) used_ += bytes_left(parts_.back()->start.rest, part->start.rest);
+  if (!parts_.empty()) used_ += bytes_left(parts_.back()->start, part->start);
   parts_.push_back(std::move(part));
   if (parts_.size() > kMaxParts) join_dense();
   while (parts_.size() > kMaxParts) drop_oldest();
@@ -279,7 +267,7 @@ void History::recount() {
   const HistoryPart* last = nullptr;
   for (const Part& part : parts_) {
     used_ += bytes_of(*part, last);
-    if (last != nullptr) used_ += bytes_left(last->start.rest, part->start.rest);
+    if (last != nullptr) used_ += bytes_left(last->start, part->start);
     last = part.get();
   }
 }
@@ -296,8 +284,7 @@ Tick History::covered_from(const ReplayTime& begin) const {
 
 void History::drop_oldest() {
   if (parts_.size() <= 1) return forget();
-  used_ -= bytes_of(*parts_[0], parts_[1].get()) +
-           bytes_left(parts_[0]->start.rest, parts_[1]->start.rest);
+  used_ -= bytes_of(*parts_[0], parts_[1].get()) + bytes_left(parts_[0]->start, parts_[1]->start);
   parts_.pop_front();
   const ReplayTime from = parts_.front()->from();
   while (epochs_.size() > 1 && ReplayTime{epochs_[1].epoch, epochs_[1].from} <= from)

@@ -17,23 +17,14 @@
 
 namespace xr3 {
 
-/// A checkpoint whose large parts are shared with others.
-struct KeptCheckpoint {
-  Cell::Checkpoint rest;  ///< without the following parts
-  std::shared_ptr<const std::vector<Block>> blocks;
-  std::shared_ptr<const TipPath> path;
-
-  Cell::Checkpoint whole() const;
-};
-
 /// A part of a history: what the cell was, and its inputs up to the next part.
 struct HistoryPart {
-  KeptCheckpoint start;
+  Cell::Checkpoint start;
   InputTape inputs;
   Tick moved = 0;               ///< time in which something may have moved
-  std::size_t fixed_bytes = 0;  ///< an estimate of the memory of `start`, without shared parts
+  std::size_t fixed_bytes = 0;  ///< an estimate of the memory of `start`, without blocks and path
 
-  ReplayTime from() const { return {start.rest.epoch, start.rest.state.tick}; }
+  ReplayTime from() const { return {start.epoch, start.state.tick}; }
 };
 using HistoryPartPtr = std::shared_ptr<const HistoryPart>;
 

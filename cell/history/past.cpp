@@ -9,7 +9,7 @@ Past make_past(const recording::Header& header, const HistoryPart& part, const R
   past.cell =
       std::make_unique<Cell>(header.cell, header.model, replay_clock(header), CellEventSink{});
   prepare_replay(*past.cell, header);
-  past.cell->restore(part.start.whole());
+  past.cell->restore(part.start);
   Replayer replayer(*past.cell, Compared::kNothing);
   replayer.stop_at(time);
   part.inputs.for_each([&](const recording::Entry& entry) {

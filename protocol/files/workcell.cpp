@@ -40,7 +40,7 @@ const Members<Workcell>& workcell_members() {
       required("workspace", &Workcell::workspace, object(workspace_members())),
       optional("work_surface", &Workcell::work_surface_um, length_um(kCoordinate)),
       optional("surface_stalls", &Workcell::surface_stalls, boolean()),
-      required("blocks", &Workcell::blocks, list(object(block_members()), 0, kMaxBlocks)),
+      required("blocks", &Workcell::blocks, shared(list(object(block_members()), 0, kMaxBlocks))),
       optional("camera", &Workcell::camera, object(camera_members()))};
   return members;
 }

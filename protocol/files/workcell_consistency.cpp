@@ -244,7 +244,7 @@ double widest_opening_mm(const Robot& robot) {
 
 void check_workcell(const Workcell& workcell, const Robot* robot, std::size_t first_reach,
                     Reading& reading) {
-  data::check_names(workcell.blocks, "/blocks", "block", reading);
+  data::check_names(workcell.blocks.all(), "/blocks", "block", reading);
   check_surface(workcell, reading);
   check_camera(workcell, reading);
   if (reading.has_errors()) return;

@@ -43,7 +43,7 @@ class Varier {
       block.centroid_um.x += below(variation_.most_um);
       block.centroid_um.y += below(variation_.most_um);
       block.yaw_udeg = normalized(block.yaw_udeg + below(variation_.most_udeg));
-      result_.blocks[index] = block;
+      result_.blocks.edit()[index] = block;
       if (is_apart(index) && is_in_view(block) && reach_.has_grasp(block)) return true;
     }
     return false;

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/shared_vector.hpp"
 #include "protocol/json/finding.hpp"
 #include "protocol/json/source.hpp"
 
@@ -166,6 +167,9 @@ Codec<E> choice(std::vector<std::pair<std::string, E>> names);
 /// A list of min_count to max_count values.
 template <class V>
 Codec<std::vector<V>> list(Codec<V> item, std::size_t min_count, std::size_t max_count);
+/// The same as a vector that copies share.
+template <class V>
+Codec<SharedVector<V>> shared(Codec<std::vector<V>> values);
 
 /// A member of an object T. `read` stores it in the T; `write` returns nullopt if it is omitted.
 template <class T>

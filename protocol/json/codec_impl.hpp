@@ -132,6 +132,18 @@ Codec<std::vector<V>> list(Codec<V> item, std::size_t min_count, std::size_t max
   return codec;
 }
 
+template <class V>
+Codec<SharedVector<V>> shared(Codec<std::vector<V>> values) {
+  const auto read = [read = values.read](const Place& place, SharedVector<V>& result) {
+    std::vector<V> all;
+    const bool is_good = read(place, all);
+    result = std::move(all);
+    return is_good;
+  };
+  return {values.allowed, read,
+          [write = values.write](const SharedVector<V>& all) { return write(all.all()); }};
+}
+
 template <class T, class V>
 Member<T> required(std::string name, V T::*field, Codec<V> codec) {
   return {

@@ -13,7 +13,7 @@ Workcell workcell_now(const Model& model, const State& state) {
   Workcell workcell = model.workcell();
   workcell.blocks = state.blocks;
   if (state.held) {
-    workcell.blocks[state.held->block] =
+    workcell.blocks.edit()[state.held->block] =
         as_released(model, state, *state.held, positions(model, state.motors));
   }
   return workcell;

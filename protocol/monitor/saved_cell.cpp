@@ -120,7 +120,7 @@ Members<Rider> rider_members() {
 
 Members<TipPath> tip_path_members() {
   constexpr std::size_t kMax = TipPath::kMaxTipPoints;
-  return {required("points", &TipPath::points, list(place_um(), 0, kMax)),
+  return {required("points", &TipPath::points, shared(list(place_um(), 0, kMax))),
           required("oldest", &TipPath::oldest, integer<std::size_t>(0, kMax - 1))};
 }
 
@@ -136,7 +136,8 @@ Members<State> saved_state_members() {
       required("enabled", &State::enabled, boolean()),
       required("display", &State::display, object(display_members())),
       required("io", &State::io, object(io_members())),
-      required("blocks", &State::blocks, list(object(lying_block_members()), 0, kMaxBlocks)),
+      required("blocks", &State::blocks,
+               shared(list(object(lying_block_members()), 0, kMaxBlocks))),
       optional("held", &State::held, object(held_members())),
       optional("riders", &State::riders, list(object(rider_members()), 0, kMaxBlocks)),
       required("jaws_warned", &State::jaws_warned, boolean()),
@@ -216,7 +217,7 @@ Json saved_state_to_json(const State& state) {
 
 std::optional<SavedCell> read_saved_cell(Reading& reading) {
   return read_root(reading, saved_cell_members(), [](const SavedCell& saved, Reading& into) {
-    data::check_names(saved.state.blocks, "/state/blocks", "block", into);
+    data::check_names(saved.state.blocks.all(), "/state/blocks", "block", into);
     check_held(saved.state, into);
     check_riders(saved.state, into);
     check_path(saved.state.tip_path, into);

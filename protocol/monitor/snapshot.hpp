@@ -64,7 +64,7 @@ class StateEncoder {
   /// The list of the blocks. A held block moves with the tool, so it is always encoded again.
   std::string blocks_text(const Model& model, const Snapshot& snapshot);
 
-  std::vector<Block> blocks_;       ///< of the last call
+  SharedVector<Block> blocks_;      ///< of the last call
   std::vector<std::string> texts_;  ///< of these blocks, as if none was held
 };
 

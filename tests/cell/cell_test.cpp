@@ -66,7 +66,7 @@ Workcell heaped(std::size_t covering) {
   const PointUm under = {workcell.camera->location_um.x, workcell.camera->location_um.y, 1000};
   workcell.blocks = {{"apart", {900'000, 900'000, 2000}, {under.x, 5'000'000, 1000}, 0, 1}};
   for (std::size_t i = 0; i < covering; ++i)
-    workcell.blocks.push_back({std::to_string(i), {900'000, 900'000, 2000}, under, 0, 1});
+    workcell.blocks.edit().push_back({std::to_string(i), {900'000, 900'000, 2000}, under, 0, 1});
   return workcell;
 }
 

@@ -84,7 +84,7 @@ TEST(Camera, GoldenPicturesOfDefaultWorkcells) {
 
 TEST(Camera, GoldenPicturesOfATiltedBlock) {
   Workcell workcell = workcell_named("rhino-xr3");
-  workcell.blocks.resize(1);
+  workcell.blocks.edit().resize(1);
   for (const Projection projection : {Projection::kOrthographic, Projection::kPerspective}) {
     workcell.camera->projection = projection;
     const ModelPtr model = model_with(workcell);
@@ -214,7 +214,7 @@ Workcell some_workcell() {
   Workcell workcell = test::bare_workcell();
   workcell.camera = some_camera();
   const int blocks = in_range(1, 3);
-  for (int i = 0; i < blocks; ++i) workcell.blocks.push_back(some_block(*workcell.camera));
+  for (int i = 0; i < blocks; ++i) workcell.blocks.edit().push_back(some_block(*workcell.camera));
   return workcell;
 }
 
@@ -226,7 +226,7 @@ RC_GTEST_PROP(Camera, EveryPixelEqualsTheReference, ()) {
 
 RC_GTEST_PROP(Camera, EveryPixelOfAHeldBlockEqualsTheReference, ()) {
   Workcell workcell = workcell_named("rhino-xr3");
-  workcell.blocks.resize(1);
+  workcell.blocks.edit().resize(1);
   workcell.camera->field_x_um = workcell.camera->field_y_um = 90'000;
   workcell.camera->pixels_x = in_range(1, 24);
   workcell.camera->pixels_y = in_range(1, 24);

@@ -264,7 +264,7 @@ TEST(Carousel, AStateIsItsOwnDerivedState) {
   rig.travel('H', 131);
   EXPECT_EQ(derived(rig.model(), rig.state()), rig.state());
   State moved = rig.state();
-  moved.blocks[1].centroid_um.x += 1;
+  moved.blocks.edit()[1].centroid_um.x += 1;
   EXPECT_EQ(derived(rig.model(), moved), rig.state());
 }
 

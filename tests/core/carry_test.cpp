@@ -233,7 +233,7 @@ Rig about_to_stall(const UndoneCase& c) {
   const auto tip_at = [&](Counts count) { return tool_tip(*bare, at(count)); };
   while (!is_in_protected_region(*bare, at(e - 1), tip_at(e - 1))) --e;
   Workcell workcell = table_with(tip_at(e), {40'000, 30'000, 36'000});
-  workcell.blocks[0].yaw_udeg =
+  workcell.blocks.edit()[0].yaw_udeg =
       microdegrees(net_roll_deg(*bare, test::positions_at(*bare, {{'E', e}})) + c.delta);
   Rig rig(rhino_on(workcell));
   rig.stand_at({{'E', e}, {'A', c.jaws}});

@@ -50,7 +50,7 @@ const Case kCases[] = {
     {"without faults none is in force", [](State& s) { s.faults.now.next_stop = 5; }},
     {"the faults in force follow from the tick and their effects",
      [](State& s) { s.faults.all.emplace_back(); }},
-    {"the number of blocks is bounded", [](State& s) { s.blocks.resize(kMaxBlocks + 1); }},
+    {"the number of blocks is bounded", [](State& s) { s.blocks.edit().resize(kMaxBlocks + 1); }},
     {"the tip is below the surface exactly where the state says so",
      [](State& s) { s.below_surface = true; }},
     {"the held block exists", [](State& s) { s.held = Held{}; }},

@@ -27,7 +27,7 @@ PointUm tip(const Rig& rig) { return tool_tip(rig.model(), where(rig)); }
 
 std::uint32_t index_of(const Rig& rig, const std::string& name) {
   std::uint32_t index = 0;
-  while (rig.state().blocks.at(index).name != name) ++index;
+  while (rig.state().blocks.all().at(index).name != name) ++index;
   return index;
 }
 

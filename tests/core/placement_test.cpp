@@ -176,7 +176,7 @@ TEST(Placement, AHeldBlockIsNotWhereItWasGrasped) {
   scene.state.held = Held{2, 0, {}};
   EXPECT_TRUE(scene.warnings().empty());
   scene.state.held = Held{1, 0, {}};
-  scene.state.blocks.pop_back();
+  scene.state.blocks.edit().pop_back();
   EXPECT_EQ(scene.warnings(), (std::vector{in_air(40'000)}));
 }
 

@@ -109,8 +109,8 @@ void WorkcellDialogue::remove() {
   ask_yes_no("Remove \"" + block_.name + "\"?", true, "yes: remove it. no: keep it.",
              [this](bool removes) {
                if (!removes) return;
-               const auto index = static_cast<std::ptrdiff_t>(block_index_);
-               workcell_.blocks.erase(workcell_.blocks.begin() + index);
+               std::vector<Block>& blocks = workcell_.blocks.edit();
+               blocks.erase(blocks.begin() + static_cast<std::ptrdiff_t>(block_index_));
                say("Removed. The letters of later blocks move up.\n");
              });
 }
@@ -118,8 +118,9 @@ void WorkcellDialogue::remove() {
 /// After errors the items are asked again; a block with mere warnings may be kept.
 void WorkcellDialogue::judge_block() {
   Workcell candidate = workcell_;
-  candidate.blocks.resize(std::max(candidate.blocks.size(), block_index_ + 1));
-  candidate.blocks[block_index_] = block_;
+  std::vector<Block>& blocks = candidate.blocks.edit();
+  blocks.resize(std::max(blocks.size(), block_index_ + 1));
+  blocks[block_index_] = block_;
   const Findings findings = dialogue::check_block(workcell_, block_index_, block_, arm_);
   if (findings.empty()) return keep_block();
   say(dialogue::notes(candidate, findings));
@@ -133,8 +134,9 @@ void WorkcellDialogue::judge_block() {
 
 void WorkcellDialogue::keep_block() {
   const bool is_added = block_index_ == workcell_.blocks.size();
-  if (is_added) workcell_.blocks.emplace_back();
-  workcell_.blocks[block_index_] = block_;
+  std::vector<Block>& blocks = workcell_.blocks.edit();
+  if (is_added) blocks.emplace_back();
+  blocks[block_index_] = block_;
   say(std::string(is_added ? "Added" : "Changed") + ": " + block_letter(block_index_) + " \"" +
       block_.name + "\" at (" + dialogue::mm_text(block_.centroid_um.x) + ", " +
       dialogue::mm_text(block_.centroid_um.y) + ", " + dialogue::mm_text(block_.centroid_um.z) +

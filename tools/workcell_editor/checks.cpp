@@ -26,10 +26,9 @@ std::string pointer_of(std::size_t block) { return kBlocks + std::to_string(bloc
 /// one.
 Workcell with_last(const Workcell& workcell, std::size_t index, const Block& block) {
   Workcell result = workcell;
-  if (index < result.blocks.size()) {
-    result.blocks.erase(result.blocks.begin() + static_cast<std::ptrdiff_t>(index));
-  }
-  result.blocks.push_back(block);
+  std::vector<Block>& blocks = result.blocks.edit();
+  if (index < blocks.size()) blocks.erase(blocks.begin() + static_cast<std::ptrdiff_t>(index));
+  blocks.push_back(block);
   return result;
 }
 

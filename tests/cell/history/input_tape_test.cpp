@@ -64,7 +64,7 @@ TEST(InputTape, KnowsTheMemoryOfLargeCalls) {
   Block block;
   block.name = std::string(1000, 'x');
   call::ReplaceWorkcell replace;
-  replace.workcell.blocks.assign(100, block);
+  replace.workcell.blocks.edit().assign(100, block);
   tape.add({0, 0, 0, recording::CallMade{replace}});
   EXPECT_GE(tape.bytes(), 100'000U);
 }

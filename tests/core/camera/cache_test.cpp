@@ -59,7 +59,7 @@ void edit(Rig& rig) {
   State& state = rig.simulation.edit();
   const auto block = static_cast<std::size_t>(any(0, 99)) % state.blocks.size();
   if (state.held && state.held->block == block) return;
-  Block& changed = state.blocks[block];
+  Block& changed = state.blocks.edit()[block];
   switch (any(0, 4)) {
     case 0: changed.centroid_um.x += 10'000; break;
     case 1: changed.centroid_um.z += 10'000; break;

@@ -93,7 +93,7 @@ TEST(WorkcellJson, RoundTripKeepsMissingMembers) {
   cell.camera->projection = Projection::kPerspective;
   EXPECT_EQ(load_workcell(workcell_to_json(cell).dump(), "f"), cell);
   cell.camera.reset();
-  cell.blocks.clear();
+  cell.blocks = {};
   EXPECT_EQ(load_workcell(workcell_to_json(cell).dump(), "f"), cell);
 }
 

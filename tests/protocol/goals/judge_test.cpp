@@ -31,7 +31,7 @@ struct JudgedRun {
     return each.is_met ? each.expected : each.expected + ": " + each.found;
   }
   Block& block(const std::string& name) {
-    for (Block& each : end.blocks)
+    for (Block& each : end.blocks.edit())
       if (each.name == name) return each;
     throw std::invalid_argument(name);
   }

@@ -45,10 +45,10 @@ TEST(Vary, BlocksAreWithinReachInViewAndApart) {
 
 TEST(Vary, ABlockOnAnotherStays) {
   Workcell workcell = test::workcell_named("rhino-xr3");
-  workcell.blocks.resize(2);
-  workcell.blocks[1].centroid_um = workcell.blocks[0].centroid_um;
-  workcell.blocks[1].centroid_um.z += 100'000;
-  workcell.blocks[0].centroid_um.x += 200'000;
+  workcell.blocks.edit().resize(2);
+  workcell.blocks.edit()[1].centroid_um = workcell.blocks[0].centroid_um;
+  workcell.blocks.edit()[1].centroid_um.z += 100'000;
+  workcell.blocks.edit()[0].centroid_um.x += 200'000;
   const Block stays = workcell.blocks[1];
   const auto result = varied(workcell, varied_robot(), {1, 20'000, 0});
   if (result) EXPECT_EQ(result->blocks[1], stays);
@@ -56,8 +56,9 @@ TEST(Vary, ABlockOnAnotherStays) {
 
 TEST(Vary, ThereMayBeNoPlace) {
   Workcell workcell = test::workcell_named("rhino-xr3");
-  for (Block& block : workcell.blocks) block.centroid_um = workcell.blocks[0].centroid_um;
-  for (Block& block : workcell.blocks) block.centroid_um.z = block.size_um.z / 2;
+  const PointUm centroid = workcell.blocks[0].centroid_um;
+  for (Block& block : workcell.blocks.edit()) block.centroid_um = centroid;
+  for (Block& block : workcell.blocks.edit()) block.centroid_um.z = block.size_um.z / 2;
   EXPECT_FALSE(varied(workcell, varied_robot(), {1, 1'000, 0}));
 }
 

@@ -51,7 +51,7 @@ TEST(ModelJson, HasCurrentPlacesOfBlocksToTheMicrometre) {
   Rig rig(at_its_table("rhino-xr3"));
   for (int round = 0; round < 500; ++round) {
     State state = rig.state();
-    for (Block& block : state.blocks) {
+    for (Block& block : state.blocks.edit()) {
       block.centroid_um = {within(900'000), within(900'000), within(900'000)};
       block.yaw_udeg = within(180'000'000);
     }

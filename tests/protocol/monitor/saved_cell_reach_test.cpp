@@ -126,7 +126,7 @@ class Wanderer {
     workcell.workspace.z_um = 10'000'000;
     workcell.work_surface_um = about.z + any(-40'000, 10'000);
     workcell.surface_stalls = one_in(2);
-    for (int i = any(0, 8); i > 0; --i) workcell.blocks.push_back(any_block(about));
+    for (int i = any(0, 8); i > 0; --i) workcell.blocks.edit().push_back(any_block(about));
     return workcell;
   }
 
@@ -181,15 +181,15 @@ class Wanderer {
   void block() {
     const std::size_t size = state().blocks.size();
     if (one_in(3) || size == 0) {
-      edit().blocks.push_back(any_block(tip()));
+      edit().blocks.edit().push_back(any_block(tip()));
       return find_riders(model(), edit());
     }
     const auto index = static_cast<std::size_t>(any(0, static_cast<int>(size) - 1));
     if (is_held(state(), index)) return;
     if (one_in(4)) return remove_block(model(), edit(), index);
     const Block place = any_block(tip());
-    edit().blocks[index].centroid_um = one_in(4) ? tip() : place.centroid_um;
-    edit().blocks[index].yaw_udeg = place.yaw_udeg;
+    edit().blocks.edit()[index].centroid_um = one_in(4) ? tip() : place.centroid_um;
+    edit().blocks.edit()[index].yaw_udeg = place.yaw_udeg;
     find_riders(model(), edit());
   }
 

@@ -93,9 +93,10 @@ Held any_held(std::size_t blocks) {
 TipPath any_path() {
   TipPath path;
   const bool is_full = any_bool();
-  path.points.resize(is_full ? TipPath::kMaxTipPoints : any<std::size_t>(0, 5));
-  for (PointUm& point : path.points) point.x = &point - path.points.data() - 2000;
-  if (!path.points.empty()) path.points.front() = any_place();
+  std::vector<PointUm>& points = path.points.edit();
+  points.resize(is_full ? TipPath::kMaxTipPoints : any<std::size_t>(0, 5));
+  for (PointUm& point : points) point.x = &point - points.data() - 2000;
+  if (!points.empty()) points.front() = any_place();
   if (is_full) path.oldest = any<std::size_t>(0, TipPath::kMaxTipPoints - 1);
   return path;
 }
@@ -256,18 +257,18 @@ TEST(SavedCellJson, AFullPathFitsAMessage) {
 
 TEST(SavedCellJson, ACellThatFitsARequestCanBeSentBack) {
   SavedCell saved = at_home();
-  saved.state.blocks.clear();
+  saved.state.blocks = {};
   const std::string before = R"({"op":"call","id":")" + std::string(64, '7') +
                              R"(","cell":"main","fn":"snapshot_load","args":{"snapshot":)";
   constexpr std::size_t kMore = 100;
   Block block = saved.workcell.blocks[0];
   block.name = "10000000";
-  saved.state.blocks.resize(1000, block);
+  saved.state.blocks.edit().resize(1000, block);
   while (monitor::fits_a_request(saved))
-    saved.state.blocks.resize(saved.state.blocks.size() + kMore, block);
-  saved.state.blocks.resize(saved.state.blocks.size() - kMore);
+    saved.state.blocks.edit().resize(saved.state.blocks.size() + kMore, block);
+  saved.state.blocks.edit().resize(saved.state.blocks.size() - kMore);
   for (std::size_t i = 0; i < saved.state.blocks.size(); ++i)
-    saved.state.blocks[i].name = std::to_string(10'000'000 + i);
+    saved.state.blocks.edit()[i].name = std::to_string(10'000'000 + i);
   ASSERT_TRUE(monitor::fits_a_request(saved));
   const auto reading = monitor::read_request(before + saved_cell_to_json(saved).dump() + "}}");
   EXPECT_TRUE(std::holds_alternative<monitor::Request>(reading));
@@ -279,10 +280,10 @@ TEST(SavedCellJson, BlocksThatFitAreNotRefusedByTheirNumber) {
   const std::size_t empty = saved_cell_to_json(saved).dump().size();
   Block block;
   block.size_um = {1000, 1000, 1000};
-  saved.workcell.blocks.push_back(block);
+  saved.workcell.blocks.edit().push_back(block);
   const std::size_t in_workcell = saved_cell_to_json(saved).dump().size() - empty;
   EXPECT_GT(in_workcell, 40U);
-  saved.state.blocks.push_back(block);
+  saved.state.blocks.edit().push_back(block);
   EXPECT_GT(saved_cell_to_json(saved).dump().size() - empty - in_workcell, 40U);
 }
 
@@ -381,7 +382,7 @@ TEST(SavedCellJson, RejectsTooManyBlocks) {
 
 TEST(SavedCellJson, WarningsAreNotErrors) {
   SavedCell saved = at_home();
-  saved.workcell.blocks[0].centroid_um = saved.workcell.blocks[1].centroid_um;
+  saved.workcell.blocks.edit()[0].centroid_um = saved.workcell.blocks[1].centroid_um;
   const FileReading<SavedCell> reading = read_again(saved);
   EXPECT_TRUE(reading.findings.empty()) << "warnings are dropped";
   EXPECT_TRUE(reading.value);

@@ -63,7 +63,7 @@ TEST(SavedCellValidation, ABlockOnTheCarouselIsWhereItsCountPutsIt) {
   SavedCell saved = on_carousel();
   ASSERT_EQ(saved.state.riders.size(), 2U);
   EXPECT_TRUE(monitor::validate(*model, saved).empty());
-  saved.state.blocks[3].centroid_um.x += 1;
+  saved.state.blocks.edit()[3].centroid_um.x += 1;
   const auto moved = monitor::validate(*model, saved);
   ASSERT_EQ(moved.size(), 1U);
   EXPECT_EQ(moved[0].pointer, "/state/blocks/3/centroid_um");
@@ -217,7 +217,8 @@ TEST(SavedCellValidation, RejectsAnotherHeldBlock) {
   saved.state.held->block = 1;
   EXPECT_EQ(invalid_pointers(saved), (Strings{"/state/blocks/1/centroid_um", "/state/held/block"}));
   saved = holding();
-  std::swap(saved.state.blocks[0].size_um, saved.state.blocks[1].size_um);
+  std::vector<Block>& blocks = saved.state.blocks.edit();
+  std::swap(blocks[0].size_um, blocks[1].size_um);
   EXPECT_EQ(invalid_pointers(saved), Strings{"/state/held/block"});
   saved = holding();
   saved.state.held->quarter_turns ^= 1;
@@ -328,9 +329,9 @@ TEST(SavedCellValidation, BoundsTheRowsOfTheCamera) {
   saved.workcell.camera->pixels_x = saved.workcell.camera->pixels_y = 2048;
   const PointUm eye = saved.workcell.camera->location_um;
   const Block block{"b", {900'000, 900'000, 2000}, {eye.x, eye.y, 1000}, 0, 1};
-  saved.state.blocks.assign(kMaxCameraRows / 2048, block);
+  saved.state.blocks.edit().assign(kMaxCameraRows / 2048, block);
   EXPECT_EQ(invalid_pointers(saved), Strings{});
-  saved.state.blocks.push_back(block);
+  saved.state.blocks.edit().push_back(block);
   expect_refused(saved, "/state/blocks", "blocks that take 501760 rows of the camera's image",
                  "at most 500000, counted for each block");
 }

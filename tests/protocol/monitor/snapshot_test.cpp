@@ -241,15 +241,15 @@ TEST(StateEncoder, EncodesWhatHasChanged) {
   };
   State state = initial_state(model);
   expect_same(state);
-  state.blocks[1].centroid_um.x += 1000;
+  state.blocks.edit()[1].centroid_um.x += 1000;
   expect_same(state);
   state.held = Held{1, 1, {}};
   state.motor(0).count = 90;
   expect_same(state);
   state.held.reset();
-  state.blocks.pop_back();
+  state.blocks.edit().pop_back();
   expect_same(state);
-  state.blocks.clear();
+  state.blocks = {};
   expect_same(state);
 }
 

@@ -296,7 +296,7 @@ TEST_F(HttpTest, ServesTheCurrentCell) {
   EXPECT_EQ(state["blocks"][0]["name"], "red");
   EXPECT_EQ(json_of(answer(get("/robot")))["name"], cell_.model().robot().name);
   const std::string workcell = body_of(answer(get("/workcell")));
-  EXPECT_EQ(load_workcell(workcell, "answer").blocks.at(0).name, "red");
+  EXPECT_EQ(load_workcell(workcell, "answer").blocks[0].name, "red");
   EXPECT_EQ(status_of(get("/state?cell=main")), "200");
   for (const char* path : {"/state", "/robot", "/workcell", "/camera.png", "/view.svg"}) {
     const std::string other = answer(get(std::string(path) + "?cell=other"));

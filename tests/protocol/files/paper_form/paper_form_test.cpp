@@ -182,7 +182,7 @@ Workcell any_workcell() {
   workcell.work_surface_um = workcell.workspace.z_um - any_um(1);
   workcell.surface_stalls = *rc::gen::arbitrary<bool>();
   for (std::size_t i = *rc::gen::inRange<std::size_t>(0, 5); i-- > 0;) {
-    workcell.blocks.push_back(any_block(i));
+    workcell.blocks.edit().push_back(any_block(i));
   }
   if (*rc::gen::arbitrary<bool>()) {
     const Micrometres height = workcell.work_surface_um + 5000000;
