@@ -41,7 +41,8 @@ std::optional<LineId> Cell::current_line() const {
 
 std::optional<LineId> Cell::line_before(LineId line) const {
   const std::optional<LineId> current = current_line();
-  return line != kProbeLine && current != line && lines_.contains(line) ? current : std::nullopt;
+  if (!current || current == line || line == kProbeLine) return std::nullopt;
+  return lines_.contains(line) ? current : std::nullopt;
 }
 
 /// The line that was obeyed, or the last one, has closed: the robot runs to rest, and the next line

@@ -112,10 +112,14 @@ Snapshot Cell::snapshot() const {
           state(), std::move(device), is_in_past_};
 }
 
+// An input asks for its line again and again.
 const SerialLine* Cell::find_line(LineId line) const {
   if (line == kProbeLine) return probe_line_ ? &*probe_line_ : nullptr;
+  if (found_ != nullptr && found_->first == line) return &found_->second;
   const auto found = lines_.find(line);
-  return found == lines_.end() ? nullptr : &found->second;
+  if (found == lines_.end()) return nullptr;
+  found_ = &*found;
+  return &found->second;
 }
 
 SerialLine* Cell::open_line(LineId line) { return const_cast<SerialLine*>(find_line(line)); }
@@ -262,6 +266,7 @@ void Cell::handle(const LineClosed& closed, WallNs) {
   if (closed_bytes_in_.size() > kRememberedLines) closed_bytes_in_.erase(closed_bytes_in_.begin());
   const bool was_current = current_line() == closed.line;
   lines_.erase(closed.line);
+  found_ = nullptr;
   note_end(closed.line, closed.reason);
   if (was_current || lines_.empty()) end_turn(closed.reason);
 }

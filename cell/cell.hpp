@@ -333,6 +333,7 @@ class Cell final : private LineListener {
   std::optional<Mirror> mirror_;
   std::vector<LineId> woken_;
   std::map<LineId, SerialLine> lines_;
+  mutable const std::pair<const LineId, SerialLine>* found_ = nullptr;  ///< the last one in lines_
   LineId last_line_ = 0;
   std::optional<SerialLine> probe_line_;
   std::map<LineId, std::uint64_t> closed_bytes_in_;  ///< of closed lines; the lowest goes first

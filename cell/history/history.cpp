@@ -142,7 +142,13 @@ void History::begin(const Cell& cell, const Input& input) {
 
 void History::end(const Cell& cell, const Input& input, const Applied& applied) {
   const auto* rewind = std::get_if<Rewind>(&input);
-  if (rewind == nullptr) Recorder::end(cell, input, applied);
+  if (const auto* in = std::get_if<BytesIn>(&input)) {
+    if (const auto read = read_of(cell, *in, applied))
+      add(InputTape::Read{read->at.epoch, read->at.tick, read->at.us, in->line, read->bytes,
+                          read->taken, read->unsent});
+  } else if (rewind == nullptr) {
+    Recorder::end(cell, input, applied);
+  }
   note_epoch(before_);
   if (rewind != nullptr) go_back(rewind->from);
   if (back_at_ && !cell.is_in_past()) drop_future();
@@ -150,11 +156,12 @@ void History::end(const Cell& cell, const Input& input, const Applied& applied) 
   settle();
 }
 
-void History::add(recording::Entry&& entry) {
+template <class Entry>
+void History::add(Entry&& entry) {
   if (parts_.empty() || retry_in_ > 0) return;  // only the probe has acted, or there is a gap
   InputTape& inputs = parts_.back()->inputs;
   used_ -= inputs.bytes();
-  inputs.add(std::move(entry));
+  inputs.add(std::forward<Entry>(entry));
   used_ += inputs.bytes();
 }
 

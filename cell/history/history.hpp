@@ -83,7 +83,8 @@ class History final : private Recorder, private monitor::ByteBudget::Member {
   void shrink() override;
 
   ReplayTime now() const { return {cell_.epoch(), cell_.state().tick}; }
-  void add(recording::Entry&& entry);
+  template <class Entry>
+  void add(Entry&& entry);
   bool is_checkpoint_due() const;
   void try_part();
   void begin_part();

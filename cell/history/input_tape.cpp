@@ -1,6 +1,8 @@
 #include "cell/history/input_tape.hpp"
 
+#include <array>
 #include <cassert>
+#include <iterator>
 #include <utility>
 
 #include "cell/history/heap_size.hpp"
@@ -18,6 +20,16 @@ constexpr unsigned kMore = 1U << kBits;
 // What stands in the bytes of a tape.
 constexpr char kOther = 0;  ///< the next one of the other entries
 constexpr char kInput = 1;  ///< an input of a line: its numbers and bytes follow
+
+constexpr std::size_t kMostDigits = (64 + kBits - 1) / kBits;
+
+/// Writes a number with kBits of it in each byte, the lowest first. Returns the end.
+char* write(std::uint64_t number, char* to) {
+  for (; number >= kMore; number >>= kBits)
+    *to++ = static_cast<char>((number & (kMore - 1)) | kMore);
+  *to++ = static_cast<char>(number);
+  return to;
+}
 
 /// An estimate of the memory of an entry outside of itself.
 struct HeapOf {
@@ -81,35 +93,43 @@ void InputTape::for_each(const std::function<bool(const recording::Entry&)>& use
   }
 }
 
-bool InputTape::is_short(const recording::Entry& entry) const {
-  return std::holds_alternative<LineInput>(entry.body) && entry.epoch == epoch_ &&
-         entry.tick >= tick_;
-}
-
-void InputTape::put(std::uint64_t number) {
-  for (; number >= kMore; number >>= kBits)
-    bytes_.push_back(static_cast<char>((number & (kMore - 1)) | kMore));
-  bytes_.push_back(static_cast<char>(number));
-}
-
 void InputTape::add(recording::Entry&& entry) {
   if (size_++ == 0) epoch_ = entry.epoch;
-  if (!is_short(entry)) {
-    bytes_.push_back(kOther);
-    other_bytes_ += sizeof(Entry) + std::visit(HeapOf{}, entry.body);
-    others_.push_back(std::move(entry));
-    return;
-  }
-  const auto& input = std::get<LineInput>(entry.body);
-  assert(input.taken <= input.bytes.size());
-  bytes_.push_back(kInput);
-  put(static_cast<std::uint64_t>(entry.tick - std::exchange(tick_, entry.tick)));
-  put(static_cast<std::uint64_t>(entry.us));
-  put(input.line);
-  put(input.bytes.size());
-  put(input.bytes.size() - input.taken);
-  put(input.unsent);
-  bytes_ += input.bytes;
+  const auto* input = std::get_if<LineInput>(&entry.body);
+  if (input == nullptr || !is_short(entry.epoch, entry.tick)) return put(std::move(entry));
+  put(Read{entry.epoch, entry.tick, entry.us, input->line, input->bytes, input->taken,
+           input->unsent});
+}
+
+void InputTape::add(const Read& read) {
+  if (size_++ == 0) epoch_ = read.epoch;
+  if (is_short(read.epoch, read.tick)) return put(read);
+  put(Entry{read.epoch, read.tick, read.us,
+            LineInput{read.line, std::string(read.bytes), read.taken, read.unsent, {}}});
+}
+
+void InputTape::put(recording::Entry&& entry) {
+  bytes_.push_back(kOther);
+  other_bytes_ += sizeof(Entry) + std::visit(HeapOf{}, entry.body);
+  others_.push_back(std::move(entry));
+}
+
+void InputTape::put(const Read& read) {
+  assert(read.taken <= read.bytes.size());
+  const std::uint64_t passed = static_cast<std::uint64_t>(read.tick - tick_);
+  tick_ = read.tick;
+  const std::uint64_t numbers[] = {passed,
+                                   static_cast<std::uint64_t>(read.us),
+                                   read.line,
+                                   read.bytes.size(),
+                                   read.bytes.size() - read.taken,
+                                   read.unsent};
+  std::array<char, 1 + std::size(numbers) * kMostDigits> packed;
+  char* end = packed.data();
+  *end++ = kInput;
+  for (const std::uint64_t number : numbers) end = write(number, end);
+  bytes_.append(packed.data(), end);
+  bytes_ += read.bytes;
 }
 
 }  // namespace xr3

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "protocol/recording/entry.hpp"
@@ -13,9 +14,22 @@ namespace xr3 {
 
 class InputTape {
  public:
+  /// An input of a line, as a recording::LineInput with its time.
+  struct Read {
+    Epoch epoch = 0;
+    Tick tick = 0;
+    int us = 0;
+    LineId line = 0;
+    std::string_view bytes;
+    std::size_t taken = 0;
+    std::size_t unsent = 0;
+  };
+
   /// Replies and digests of an entry are not kept. Precondition: its time is not before that of the
   /// entry added last.
   void add(recording::Entry&& entry);
+  /// The same for the frequent entries, without making one.
+  void add(const Read& read);
 
   /// Calls `use` for each entry, in order, until it returns false.
   void for_each(const std::function<bool(const recording::Entry&)>& use) const;
@@ -27,8 +41,9 @@ class InputTape {
 
  private:
   struct Reader;
-  bool is_short(const recording::Entry& entry) const;
-  void put(std::uint64_t number);
+  bool is_short(Epoch epoch, Tick tick) const { return epoch == epoch_ && tick >= tick_; }
+  void put(const Read& read);
+  void put(recording::Entry&& entry);
 
   std::string bytes_;                     ///< inputs of lines, and marks for the others
   std::vector<recording::Entry> others_;  ///< in order

@@ -22,6 +22,7 @@ void Cell::restore(const Checkpoint& from) {
   transcript_ = from.transcript;
   agenda_ = from.agenda;
   lines_ = from.lines;
+  found_ = nullptr;
   if (transcript_) {
     for (auto& [id, line] : lines_) line.listen(*this, id);
   }

@@ -39,13 +39,10 @@ struct Recorder::EntryMaker {
   MaybeBody operator()(const LineOpened& opened) const {
     return LineBegin{applied.line, opened.peer, opened.kind, opened.guard};
   }
-  /// The first bytes may have been refused.
   MaybeBody operator()(const BytesIn& in) const {
-    const bool is_refused = cell.find_line(in.line)->is_not_a_robot_program();
-    if (applied.bytes_taken == 0 && !is_refused) return std::nullopt;
-    const std::string_view bytes =
-        recorder.is_first_ ? in.bytes : in.bytes.substr(0, applied.bytes_taken);
-    return LineInput{in.line, std::string(bytes), applied.bytes_taken, recorder.unsent_,
+    const auto read = recorder.read_of(cell, in, applied);
+    if (!read) return std::nullopt;
+    return LineInput{in.line, std::string(read->bytes), read->taken, read->unsent,
                      recorder.take_replies(in.line)};
   }
   MaybeBody operator()(const BytesOut&) const { return std::nullopt; }
@@ -92,6 +89,16 @@ void Recorder::end(const Cell& cell, const Input& input, const Applied& applied)
       add(input_at_, *std::move(body));
   }
   add_outputs();
+}
+
+/// The first bytes may have been refused.
+std::optional<Recorder::Read> Recorder::read_of(const Cell& cell, const BytesIn& in,
+                                                const Applied& applied) const {
+  if (!is_open_) return std::nullopt;
+  const bool is_refused = cell.find_line(in.line)->is_not_a_robot_program();
+  if (applied.bytes_taken == 0 && !is_refused) return std::nullopt;
+  const std::string_view bytes = is_first_ ? in.bytes : in.bytes.substr(0, applied.bytes_taken);
+  return Read{input_at_, bytes, applied.bytes_taken, unsent_};
 }
 
 /// When a paced line is full, and goes on, depends on what its transport has sent.

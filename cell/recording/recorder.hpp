@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cell/cell.hpp"
@@ -47,12 +48,23 @@ class Recorder : public InputLog {
   void after_advance(const Cell& cell, bool is_behind) override;
   void expired(const Cell& cell) override;
 
- private:
+ protected:
   struct At {
     Epoch epoch = 0;
     Tick tick = 0;
     int us = 0;
   };
+  /// What a recording has of an input of bytes, besides replies. The bytes are those of the input.
+  struct Read {
+    At at;
+    std::string_view bytes;
+    std::size_t taken = 0;
+    std::size_t unsent = 0;
+  };
+  /// nullopt: it has nothing of it. For end().
+  std::optional<Read> read_of(const Cell& cell, const BytesIn& in, const Applied& applied) const;
+
+ private:
   struct EntryMaker;
   using MaybeBody = std::optional<recording::EntryBody>;
 
