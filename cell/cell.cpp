@@ -290,11 +290,12 @@ void Cell::emit(std::optional<LineId> line, CellNote note) {
   emit_at(state().tick, line, std::move(note));
 }
 
-std::vector<CellEvent> Cell::latest_events() const {
-  std::vector<CellEvent> latest;
-  for (std::int64_t seq = events_.first(); seq < events_.next(); ++seq)
-    latest.push_back(events_.value_at(seq));
-  return latest;
+std::int64_t Cell::copy_events(std::int64_t seq, std::int64_t count,
+                               std::vector<CellEvent>& to) const {
+  seq = std::max(seq, events_.first());
+  for (const std::int64_t end = std::min(seq + count, events_.next()); seq < end; ++seq)
+    to.push_back(events_.value_at(seq));
+  return seq;
 }
 
 void Cell::emit_at(Tick tick, std::optional<LineId> line, CellNote note) {

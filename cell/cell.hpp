@@ -175,8 +175,9 @@ class Cell final : private LineListener {
   /// The latest events, and the latest bytes of the lines with their interpretation.
   monitor::Feed& events() { return events_; }
   monitor::Feed& wires() { return wires_; }
-  /// Copies of the latest events, the oldest first.
-  std::vector<CellEvent> latest_events() const;
+  /// Copies events from number `seq` on, at most `count` of them, without those that the ring has
+  /// dropped. Returns the number of the next one.
+  std::int64_t copy_events(std::int64_t seq, std::int64_t count, std::vector<CellEvent>& to) const;
   static constexpr std::size_t kMaxEvents = 4096;
   static constexpr std::size_t kMaxWires = 1024;
   /// Estimates of the memory of an event and a record outside of their slots, with their text.

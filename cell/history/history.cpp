@@ -62,14 +62,12 @@ std::size_t bytes_of(const HistoryPart& part, const HistoryPart* neighbour) {
          (has_path ? heap_of(state.tip_path) : 0);
 }
 
-std::shared_ptr<HistoryPart> joined(const HistoryPart& first, const HistoryPart& second) {
-  auto both = std::make_shared<HistoryPart>(first);
-  both->moved += second.moved;
+void append(HistoryPart& first, const HistoryPart& second) {
+  first.moved += second.moved;
   second.inputs.for_each([&](const recording::Entry& entry) {
-    both->inputs.add(recording::Entry(entry));
+    first.inputs.add(recording::Entry(entry));
     return true;
   });
-  return both;
 }
 
 bool may_join(const HistoryPart& first, const HistoryPart& second) {
@@ -202,9 +200,21 @@ void History::begin_part() {
   used_ += bytes_of(*part, parts_.empty() ? nullptr : parts_.back().get());
   if (!parts_.empty()) used_ += bytes_left(parts_.back()->start, part->start);
   parts_.push_back(std::move(part));
-  if (parts_.size() > kMaxParts) join_dense();
-  while (parts_.size() > kMaxParts) drop_oldest();
+  limit_parts();
   while (parts_.size() > 1 && covered_from(parts_[1]->from()) >= longest_) drop_oldest();
+}
+
+/// Parts of different epochs cannot be joined. To look for others takes long, so if there are none,
+/// they are looked for again only after many parts.
+void History::limit_parts() {
+  if (parts_.size() <= kMaxParts) return;
+  if (join_in_ > 0) {
+    --join_in_;
+  } else {
+    join_dense(kJoinsAtOnce);
+    if (parts_.size() > kMaxParts) join_in_ = kJoinsAtOnce;
+  }
+  while (parts_.size() > kMaxParts) drop_oldest();
 }
 
 /// If an input has begun an epoch, the one before ended at `before`.
@@ -263,7 +273,7 @@ void History::settle() {
 
 void History::shrink() {
   const std::size_t wanted = granted_ / 2;
-  join_dense();
+  join_dense(parts_.size());
   while (used_ > wanted) drop_oldest();
   granted_ = wanted;
 }
@@ -299,15 +309,21 @@ void History::drop_oldest() {
   epochs_.front().from = std::max(epochs_.front().from, from.tick);
 }
 
-/// Joins adjacent parts with few inputs, in one pass. The last part stays as it is.
-void History::join_dense() {
+/// Joins adjacent parts with few inputs, the oldest first, at most so many pairs. The last part
+/// stays as it is. Others may use the parts, so a copy is made of each that grows.
+void History::join_dense(std::size_t pairs) {
   std::deque<Part> kept;
+  bool is_copy = false;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const bool is_last = i + 1 == parts_.size();
-    if (!kept.empty() && !is_last && may_join(*kept.back(), *parts_[i]))
-      kept.back() = joined(*kept.back(), *parts_[i]);
-    else
+    if (kept.empty() || is_last || pairs == 0 || !may_join(*kept.back(), *parts_[i])) {
       kept.push_back(parts_[i]);
+      is_copy = false;
+      continue;
+    }
+    if (!std::exchange(is_copy, true)) kept.back() = std::make_shared<HistoryPart>(*kept.back());
+    append(*kept.back(), *parts_[i]);
+    --pairs;
   }
   parts_ = std::move(kept);
   recount();

@@ -50,6 +50,9 @@ class History final : private Recorder, private monitor::ByteBudget::Member {
   static constexpr std::size_t kMaxParts = 2048;
   static constexpr Tick kJoinedTicks = 4 * kMovedTicks;
   static constexpr std::size_t kJoinedInputs = 256;
+  /// When there are too many parts, at most so many pairs are joined at once; if there are none, so
+  /// many parts begin before others are looked for.
+  static constexpr std::size_t kJoinsAtOnce = 256;
 
   /// Keeps the past `longest` ticks of the cell from now on, within a budget that all histories
   /// share. Preconditions: longest > 0, and the cell has no device. Cell and budget must outlive
@@ -88,6 +91,7 @@ class History final : private Recorder, private monitor::ByteBudget::Member {
   bool is_checkpoint_due() const;
   void try_part();
   void begin_part();
+  void limit_parts();
   void note_motion();
   void note_epoch(const ReplayTime& before);
   void go_back(const ReplayTime& from);
@@ -96,7 +100,7 @@ class History final : private Recorder, private monitor::ByteBudget::Member {
   void recount();
   Tick covered_from(const ReplayTime& begin) const;
   void drop_oldest();
-  void join_dense();
+  void join_dense(std::size_t pairs);
   void forget();
 
   Cell& cell_;
@@ -108,6 +112,7 @@ class History final : private Recorder, private monitor::ByteBudget::Member {
   ReplayTime before_;             ///< the begin of the input that acts
   bool was_at_rest_ = true;
   std::size_t retry_in_ = 0;           ///< above 0: nothing is kept until so many inputs have come
+  std::size_t join_in_ = 0;            ///< above 0: parts are joined after so many
   std::optional<ReplayTime> back_at_;  ///< the cell is in the past, at this time of the history
   std::size_t used_ = 0;
   std::size_t granted_ = 0;

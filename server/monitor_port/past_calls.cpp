@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t kMaxEpochs = 1000;
 constexpr std::size_t kMaxMarks = 500;
+constexpr std::int64_t kEventsAtOnce = 256;  ///< copied in one piece
 
 call::Refused no_history(const HostedCell& at) {
   const bool has_device = at.cell().device() != nullptr;
@@ -84,6 +85,18 @@ Json spans_json(const std::vector<EpochSpan>& spans) {
   for (const EpochSpan& span : spans)
     list.push_back({{"epoch", span.epoch}, {"from", span.from}, {"to", span.to}});
   return list;
+}
+
+/// Copies of the latest events, the oldest first. Others are served between pieces.
+asio::awaitable<std::vector<CellEvent>> latest_events(HostedCell& cell) {
+  std::vector<CellEvent> events;
+  const std::int64_t end = cell.cell().events().next();
+  std::int64_t seq = cell.cell().copy_events(0, kEventsAtOnce, events);
+  while (seq < end) {
+    co_await cell.transports().pause();
+    seq = cell.cell().copy_events(seq, kEventsAtOnce, events);
+  }
+  co_return events;
 }
 
 // --- A time of the past, made in the worker.
@@ -203,8 +216,13 @@ asio::awaitable<void> MonitorService::list_history(CellPtr at, MonitorSession& s
   Json value = value_now(cell);
   value["past"] = cell.is_in_past();
   co_await making_long_.until_free();
+  std::vector<CellEvent> events;
+  {
+    const Exclusive::Hold hold(making_long_);
+    events = co_await latest_events(*at);
+  }
   Answer answer{[id = std::move(id), value = std::move(value), spans = std::move(spans),
-                 events = cell.latest_events(), model = cell.model_ptr()]() mutable {
+                 events = std::move(events), model = cell.model_ptr()]() mutable {
                   value["epochs"] = spans_json(spans);
                   value["events"] = marks_json(events, spans, *model);
                   return monitor::result(id, value);

@@ -49,6 +49,22 @@ struct Lab {
   }
 };
 
+TEST(Cell, EventsAreCopiedInPieces) {
+  Lab lab;
+  std::vector<CellEvent> copies;
+  const std::int64_t first = lab.cell.events().next();
+  for (int i = 0; i < 5; ++i) lab.call(call::Reset{});
+  EXPECT_EQ(lab.cell.copy_events(first, 2, copies), first + 2);
+  EXPECT_EQ(lab.cell.copy_events(first + 2, 100, copies), lab.cell.events().next());
+  ASSERT_EQ(copies.size(), lab.events.size());
+  for (std::size_t i = 0; i < copies.size(); ++i) EXPECT_EQ(copies[i].epoch, lab.events[i].epoch);
+
+  for (std::size_t i = 0; i < Cell::kMaxEvents; ++i) lab.call(call::Reset{});
+  copies.clear();
+  EXPECT_EQ(lab.cell.copy_events(first, 1, copies), lab.cell.events().first() + 1)
+      << "the ring has dropped those before";
+}
+
 TEST(Cell, WithAManualClockNothingMovesUntilAStep) {
   Lab lab;
   lab.open(1);
