@@ -50,8 +50,8 @@ class History final : private Recorder, private monitor::ByteBudget::Member {
   static constexpr std::size_t kMaxParts = 2048;
   static constexpr Tick kJoinedTicks = 4 * kMovedTicks;
   static constexpr std::size_t kJoinedInputs = 256;
-  /// When there are too many parts, at most so many pairs are joined at once; if there are none, so
-  /// many parts begin before others are looked for.
+  /// Maximum number of pairs that are joined at once when there are too many parts. If none can be
+  /// joined, the history tries again after so many further parts.
   static constexpr std::size_t kJoinsAtOnce = 256;
 
   /// Keeps the past `longest` ticks of the cell from now on, within a budget that all histories

@@ -54,14 +54,14 @@ class Recorder : public InputLog {
     Tick tick = 0;
     int us = 0;
   };
-  /// What a recording has of an input of bytes, besides replies. The bytes are those of the input.
+  /// The part of an input of bytes that is recorded, without replies. `bytes` refers to the input.
   struct Read {
     At at;
     std::string_view bytes;
     std::size_t taken = 0;
     std::size_t unsent = 0;
   };
-  /// nullopt: it has nothing of it. For end().
+  /// nullopt: nothing of the input is recorded. Precondition: end() of this input.
   std::optional<Read> read_of(const Cell& cell, const BytesIn& in, const Applied& applied) const;
 
  private:
