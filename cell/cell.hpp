@@ -102,9 +102,9 @@ class Cell final : private LineListener {
   /// visible has changed.
   std::uint64_t revision() const { return revision_; }
 
-  /// Advances time to `now`, then applies the input. A call that needs the manual clock is refused
-  /// with `clock_running` if the clock is real. Throws only VitalFailure; the input may then be
-  /// half applied.
+  /// Advances time to `now`, then applies the input. No time passes if `now` is earlier than that
+  /// of the input before. A call that needs the manual clock is refused with `clock_running` if the
+  /// clock is real. Throws only VitalFailure; the input may then be half applied.
   Applied apply(const Input& input, WallNs now);
 
   /// Advances time to `now` and emits the events of that time. Throws as apply() does.

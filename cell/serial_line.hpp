@@ -154,7 +154,7 @@ class SerialLine {
   LineKind kind() const;
 
   /// Bytes for the transport to send. Valid until the next receive() or sent().
-  std::string_view outbox() const { return std::string_view(outbox_).substr(sent_); }
+  std::string_view outbox() const { return {outbox_.data() + sent_, outbox_.size() - sent_}; }
   /// Removes the first `count` bytes of the outbox. Precondition: count <= outbox().size().
   void sent(std::size_t count, Micros now);
 

@@ -133,7 +133,7 @@ HistoryPartPtr History::part_before(const ReplayTime& time) const {
 
 void History::begin(const Cell& cell, const Input& input) {
   before_ = now();
-  note_motion();
+  if (before_ != last_) note_motion();  // else nothing has moved since the last input
   if (is_checkpoint_due() && !is_of_probe(input) && !is_behind()) try_part();
   Recorder::begin(cell, input);
 }

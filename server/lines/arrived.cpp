@@ -24,7 +24,7 @@ void ArrivedBytes::read_next() {
 }
 
 bool ArrivedBytes::is_over(const LineSession& session, const LineSession::Limits& limits) const {
-  return left_ == 0 || limits.most_read == 0 || session.is_over(limits);
+  return left_ == 0 || limits.most_read == 0 || session.is_over(limits, wall_now());
 }
 
 bool ArrivedBytes::read_round(LineSession& session, LineSession::Limits& limits) {

@@ -41,13 +41,13 @@ LineSession::LineSession(std::unique_ptr<LineStream> stream, const LineOpened& o
       source_(source),
       place_(std::move(place)),
       load_(kNewLoad, wall_now()) {
-  report_settings();
+  report_settings(wall_now());
 }
 
 bool LineSession::run_turn(WallNs now) {
   load_.begin_turn();
   Limits turn{fair_share(), kAllOutput, now + kFairTime};
-  return work(turn) == Left::kSome;
+  return work(turn, now) == Left::kSome;
 }
 
 // The first bytes are examined together; the time of the turn is limited all the same.
@@ -65,10 +65,11 @@ bool LineSession::read_arrived(Limits& limits, std::size_t most) {
   if (!stream_->is_open()) return false;
   Limits round = limits;
   round.most_read = std::min(most, limits.most_read);
-  if (moves_time()) round.end = std::min(limits.end, wall_now() + kFairTime);
+  const WallNs now = wall_now();
+  if (moves_time()) round.end = std::min(limits.end, now + kFairTime);
   round.is_burst = kMaxArrived - limits.most_read >= kBurst;
   limits.most_read -= round.most_read;
-  const Left left = work(round);
+  const Left left = work(round, now);
   limits.most_read += round.most_read;  // what was not read
   return left == Left::kSome;
 }
@@ -76,27 +77,28 @@ bool LineSession::read_arrived(Limits& limits, std::size_t most) {
 bool LineSession::moves_time() const { return context_.cell.clock().mode() == ClockMode::kBytes; }
 
 // Does not read while replies are unsent, so that a client must read its replies. Reads at least
-// once, however late it is: else a line would never be read on a machine that is too slow.
-LineSession::Left LineSession::work(Limits& limits) {
+// once, however late it is: else a line would never be read on a machine that is too slow. The
+// clock is read again only before further bytes: to read it costs a hundredth of an inquiry.
+LineSession::Left LineSession::work(Limits& limits, WallNs now) {
   bool has_more = true;
   bool has_read = false;
   for (;;) {
-    const Left left = flush(limits);
+    const Left left = flush(limits, now);
     if (left != Left::kNothing) return left;
     if (!has_more || has_ended_) return Left::kNothing;
-    if (limits.most_read == 0 || (has_read && is_over(limits))) return Left::kSome;
+    if (has_read) now = wall_now();
+    if (limits.most_read == 0 || (has_read && is_over(limits, now))) return Left::kSome;
     has_read = true;
     const std::size_t wanted = std::min(limits.most_read, context_.turns.scratch().size());
     const std::size_t count = read(wanted);
-    act({context_.turns.scratch().data(), count}, limits);
+    act({context_.turns.scratch().data(), count}, limits, now);
     has_more = count == wanted || (count > 0 && (limits.is_burst || is_ending_));
     limits.most_read -= count;
   }
 }
 
-bool LineSession::is_over(const Limits& limits) const {
-  return context_.cell.find_line(id_)->output_end() >= limits.output_end ||
-         wall_now() >= limits.end;
+bool LineSession::is_over(const Limits& limits, WallNs now) const {
+  return context_.cell.find_line(id_)->output_end() >= limits.output_end || now >= limits.end;
 }
 
 // Reads into the scratch buffer. 0: no bytes now, or, if has_ended_, no more at all.
@@ -107,16 +109,15 @@ std::size_t LineSession::read(std::size_t most) {
   return count;
 }
 
-void LineSession::act(std::string_view bytes, const Limits& limits) {
+void LineSession::act(std::string_view bytes, const Limits& limits, WallNs now) {
   if (bytes.empty()) return;
-  report_settings();
+  report_settings(now);
   const auto is_enough = [&limits] { return wall_now() >= limits.end; };
-  const WallNs start = wall_now();
-  const std::size_t taken = context_.cell.apply(BytesIn{id_, bytes, is_enough}, start).bytes_taken;
+  const std::size_t taken = context_.cell.apply(BytesIn{id_, bytes, is_enough}, now).bytes_taken;
   const std::size_t held = held_bytes();
   note(context_.turns.memory(), held);
   note_load(taken, held);
-  if (moves_time()) load_.add(static_cast<std::uint64_t>(wall_now() - start));
+  if (moves_time()) load_.add(static_cast<std::uint64_t>(wall_now() - now));
   source_.line_acted(id_);
   context_.acted(id_);
   if (!stream_->is_open()) return;
@@ -149,8 +150,8 @@ void LineSession::end_by_fault() {
   pending_.clear();
 }
 
-void LineSession::report_settings() {
-  if (const auto settings = stream_->take_settings(id_)) context_.cell.apply(*settings, wall_now());
+void LineSession::report_settings(WallNs now) {
+  if (const auto settings = stream_->take_settings(id_)) context_.cell.apply(*settings, now);
 }
 
 void LineSession::end_input() {
@@ -161,7 +162,7 @@ void LineSession::end_input() {
 
 // Sends as much as the stream accepts now, and applies the bytes that waited for room in the
 // outbox.
-LineSession::Left LineSession::flush(const Limits& limits) {
+LineSession::Left LineSession::flush(const Limits& limits, WallNs now) {
   if (!stream_->is_open()) return Left::kWaits;
   const SerialLine& line = *context_.cell.find_line(id_);  // exists while the stream is open
   if (line.is_cut()) end_by_fault();
@@ -182,14 +183,17 @@ LineSession::Left LineSession::flush(const Limits& limits) {
     const std::size_t count = line.outbox().empty() ? 0 : stream_->write(line.outbox());
     if (stream_->is_lost()) close(LineCloseReason::kError);
     if (!stream_->is_open()) return Left::kWaits;
-    context_.cell.apply(BytesOut{id_, count}, wall_now());
+    context_.cell.apply(BytesOut{id_, count}, now);
     if (line.is_paced()) context_.acted(id_);  // bytes may act again
     if (!stream_->is_open()) return Left::kWaits;
     if (count == 0 && !line.outbox().empty()) return Left::kWaits;
-    if (accepts_pending()) act(std::exchange(pending_, {}), limits);
-    if (!stream_->is_open()) return Left::kWaits;
     const bool is_done = line.outbox().empty() && pending_.empty();
-    if (!is_done && is_over(limits)) return Left::kSome;
+    if (is_done) continue;
+    now = wall_now();
+    if (accepts_pending()) act(std::exchange(pending_, {}), limits, now);
+    if (!stream_->is_open()) return Left::kWaits;
+    const bool is_left = !line.outbox().empty() || !pending_.empty();
+    if (is_left && is_over(limits, wall_now())) return Left::kSome;
   }
   // The replies to bytes that have arrived leave before the line is closed.
   if (has_ended_ && (line.is_drained() || end_ == LineCloseReason::kShutdown)) close(end_);
@@ -205,7 +209,7 @@ void LineSession::finish() {
   has_ended_ = true;
   end_ = LineCloseReason::kShutdown;
   pending_.clear();
-  flush({0, kAllOutput, kNever});
+  flush({0, kAllOutput, kNever}, wall_now());
 }
 
 void LineSession::close(LineCloseReason reason) {

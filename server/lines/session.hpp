@@ -73,7 +73,7 @@ class LineSession {
   bool read_arrived(Limits& limits, std::size_t most);
 
   /// Precondition: the line exists.
-  bool is_over(const Limits& limits) const;
+  bool is_over(const Limits& limits, WallNs now) const;
 
   /// The bytes that wait for the client to read.
   std::size_t held_bytes() const;
@@ -87,17 +87,17 @@ class LineSession {
  private:
   enum class Left : std::uint8_t { kNothing, kSome, kWaits };  ///< kWaits: for news
 
-  Left work(Limits& limits);
-  Left flush(const Limits& limits);
+  Left work(Limits& limits, WallNs now);
+  Left flush(const Limits& limits, WallNs now);
   bool moves_time() const;
   std::size_t fair_share() const;
   void note_load(std::uint64_t bytes_in, std::uint64_t bytes_out);
   std::size_t read(std::size_t most);
-  void act(std::string_view bytes, const Limits& limits);
+  void act(std::string_view bytes, const Limits& limits, WallNs now);
   void keep(std::string_view bytes);
   void end_input();
   void end_by_fault();
-  void report_settings();
+  void report_settings(WallNs now);
 
   std::unique_ptr<LineStream> stream_;
   LineId id_;

@@ -15,7 +15,7 @@ constexpr const char* kTurnsName = "the serial lines";
 // The time after which other ports get a turn, and the time after which new bytes are looked for,
 // which costs a microsecond.
 constexpr WallNs kMaxTurnsTime = 500'000;
-constexpr WallNs kNewsEvery = 30'000;
+constexpr WallNs kNewsEvery = LineTurns::kTurnsEvery;
 // The time of the turns between two handlers of other ports: a third of all time at most.
 constexpr WallNs kMaxDueTime = 100'000;
 
@@ -87,20 +87,22 @@ void LineTurns::run_turns() {
 void LineTurns::run_lightest(WallNs time) {
   WallNs now = wall_now();
   const WallNs end = now + time;
-  std::size_t lines = take_news();
+  std::size_t lines = run_news(end);
   while ((now = wall_now()) < end && (lines > 1 || !queue_.empty())) {
-    for (const WallNs look = now + kNewsEvery; !queue_.empty() && now < look; now = wall_now())
+    const WallNs look = std::min(now + kNewsEvery, end);
+    for (; !queue_.empty() && now < look; now = wall_now())
       run_turn(queue_.take_lightest(), now);
-    lines = take_news();
+    lines = run_news(end);
   }
   next_turns_ = now + kTurnsEvery;
 }
 
-// A line has its turn at once if no other one goes before it.
-std::size_t LineTurns::take_news() {
+// Runs the turns of lines with news until `end`, and queues those that have to wait: a line has its
+// turn at once if no other one goes before it. Returns the number of lines with news.
+std::size_t LineTurns::run_news(WallNs end) {
   const std::span<const LineWatch::News> news = watch_.news();
   WallNs now = wall_now();
-  const WallNs end = now + kNewsEvery;
+  end = std::min(end, now + kNewsEvery);
   for (const auto& [number, is_end, is_loss] : news) {
     const auto found = sessions_.find(number);
     if (found == sessions_.end()) continue;
@@ -115,6 +117,11 @@ std::size_t LineTurns::take_news() {
     }
   }
   return news.size();
+}
+
+void LineTurns::take_news() {
+  run_news(kNever);
+  if (!queue_.empty()) schedule();
 }
 
 void LineTurns::run_turn(SessionNumber number, WallNs now) {

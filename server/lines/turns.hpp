@@ -58,9 +58,9 @@ class LineTurns {
   /// LineTransports::pause(), of all cells together.
   asio::awaitable<void> pause();
 
-  /// Runs the turns of lines with news, among them streams that have ended; queues those that have
-  /// to wait. Returns the number of these lines.
-  std::size_t take_news();
+  /// Looks for lines with news, among them streams that have ended. They have their turns now or
+  /// soon.
+  void take_news();
 
   /// Stops to watch when the last session has ended, so that nothing keeps the event loop running.
   void close();
@@ -69,6 +69,7 @@ class LineTurns {
  private:
   asio::awaitable<void> run();
   void run_lightest(WallNs time);
+  std::size_t run_news(WallNs end);
   void run_turn(SessionNumber number, WallNs now);
   void run_turn(SessionNumber number, std::shared_ptr<LineSession> session, WallNs now);
   void schedule();

@@ -215,12 +215,9 @@ asio::awaitable<void> MonitorService::list_history(CellPtr at, MonitorSession& s
     spans.erase(spans.begin(), spans.end() - static_cast<std::ptrdiff_t>(kMaxEpochs));
   Json value = value_now(cell);
   value["past"] = cell.is_in_past();
-  co_await making_long_.until_free();
-  std::vector<CellEvent> events;
-  {
-    const Exclusive::Hold hold(making_long_);
-    events = co_await latest_events(*at);
-  }
+  co_await listing_events_.until_free();
+  const Exclusive::Hold hold(listing_events_);
+  std::vector<CellEvent> events = co_await latest_events(*at);
   Answer answer{[id = std::move(id), value = std::move(value), spans = std::move(spans),
                  events = std::move(events), model = cell.model_ptr()]() mutable {
                   value["epochs"] = spans_json(spans);
@@ -228,6 +225,7 @@ asio::awaitable<void> MonitorService::list_history(CellPtr at, MonitorSession& s
                   return monitor::result(id, value);
                 },
                 true};
+  co_await making_long_.until_free();
   monitor::Message message = co_await message_of(std::move(answer));
   session.send(std::move(message));
 }

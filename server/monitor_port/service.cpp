@@ -113,7 +113,8 @@ MonitorService::MonitorService(asio::io_context& io, CellRegistry& cells, Worker
       overview_(io, cells, [this] { between(); }),
       lag_(io, [this] { return cells_.has_news_to_come(); }),
       making_long_(io),
-      making_past_(io) {}
+      making_past_(io),
+      listing_events_(io) {}
 
 // --- Sessions.
 

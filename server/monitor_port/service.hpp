@@ -166,8 +166,9 @@ class MonitorService {
   std::function<void(CellCounters&)> count_more_;
   Overview overview_;
   LoopLag lag_;
-  Exclusive making_long_;  ///< an answer to a call; meanwhile calls wait
-  Exclusive making_past_;  ///< a time of a cell's past; meanwhile others who look wait
+  Exclusive making_long_;     ///< an answer to a call; meanwhile calls wait
+  Exclusive making_past_;     ///< a time of a cell's past; meanwhile others who look wait
+  Exclusive listing_events_;  ///< the latest of a cell; meanwhile others who ask for them wait
   OpenBranch open_branch_;
 };
 

@@ -11,7 +11,9 @@ namespace xr3::test {
 
 struct CellHost {
   explicit CellHost(asio::io_context& loop)
-      : io(loop), context{io, turns, worker, [this](HostedCell& cell) { acted(cell); }} {}
+      : io(loop),
+        context{io,      turns,     worker, [this](HostedCell& cell) { acted(cell); },
+                nullptr, &histories} {}
 
   /// Adds a cell with a manual clock.
   HostedCell& add(ModelPtr model, const std::string& name = "main", CellEventSink sink = {}) {
@@ -24,6 +26,7 @@ struct CellHost {
   asio::io_context& io;
   LineTurns turns{io};
   Worker worker;
+  monitor::ByteBudget histories{1 << 20};
   std::function<void(HostedCell&)> acted = [](HostedCell&) {};
   CellContext context;
   CellRegistry cells;

@@ -40,8 +40,7 @@ class MonitorServiceTest : public testing::Test {
 
   /// Passes a message to the session; returns all output.
   std::vector<Json> ask(MonitorSession& session, const std::string& message) {
-    asio::co_spawn(
-        io_, [&session, message] { return session.handle(message); }, asio::detached);
+    begin(session, message);
     io_.restart();
     io_.poll();
     return read(session);
@@ -66,6 +65,11 @@ class MonitorServiceTest : public testing::Test {
     const std::vector<Json> answers = read(session);
     EXPECT_EQ(answers.size(), 1U) << message;
     return answers.empty() ? Json() : answers.front();
+  }
+  /// Passes a message to the session, and does not wait for its answer.
+  void begin(MonitorSession& session, const std::string& message) {
+    asio::co_spawn(
+        io_, [&session, message] { return session.handle(message); }, asio::detached);
   }
   std::vector<Json> read(MonitorSession& session) {
     std::vector<Json> messages;
@@ -342,6 +346,19 @@ TEST_F(MonitorServiceTest, SendOpensALineThatClosesWithTheSession) {
     EXPECT_EQ(cell_.lines().size(), 1U);
   }
   EXPECT_TRUE(cell_.lines().empty());
+}
+
+TEST_F(MonitorServiceTest, ACallDoesNotWaitForAHistory) {
+  hosted_.keep_history(kTickHz);
+  MonitorSession other{service_, sink_};
+  for (int i = 0; i < 300; ++i) cell_.apply(LineOpened{"test"}, wall_now());  // an event each
+  read(one_);
+  read(other);
+  begin(one_, R"({"op":"call","id":1,"fn":"history","args":{}})");
+  begin(other, R"({"op":"call","id":2,"fn":"home","args":{}})");
+  EXPECT_EQ(wait(other).front()["ok"], true);
+  EXPECT_TRUE(read(one_).empty()) << "its events are copied in two pieces";
+  EXPECT_FALSE(wait(one_).front()["value"]["events"].empty());
 }
 
 TEST_F(MonitorServiceTest, SendPassesBytesUnchanged) {
