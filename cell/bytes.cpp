@@ -172,7 +172,7 @@ std::size_t Cell::receive_timed(LineId id, SerialLine& line, std::string_view by
   }
   if (taken == 0) return 0;
   counters_.bytes_in += taken;
-  emit_fault_events(id, line);
+  if (line.has_fault_events()) emit_fault_events(id, line);
   fill_in(wires_.push(), {epoch_, state().tick, id, in_from}, bytes.substr(0, taken), telnet,
           exchanges_, simulation_);
   record_out({epoch_, state().tick, id, out_from}, line, unsent);

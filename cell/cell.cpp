@@ -192,7 +192,7 @@ Applied Cell::handle(const BytesIn& in, WallNs) {
     if (taken < in.bytes.size() && in.is_enough && in.is_enough()) break;
   }
   schedule(in.line, *line);
-  emit_all(in.line, warnings_.finish(in.line, state().tick));
+  if (warnings_.has_lines()) emit_all(in.line, warnings_.finish(in.line, state().tick));
   return {.bytes_taken = taken};
 }
 
@@ -208,7 +208,7 @@ std::size_t Cell::receive_piece(LineId id, SerialLine& line, std::string_view by
   const std::size_t taken = line.receive(bytes, simulation_, exchanges_);
   if (taken == 0) return 0;
   counters_.bytes_in += taken;
-  emit_fault_events(id, line);
+  if (line.has_fault_events()) emit_fault_events(id, line);
   if (waits && !line.is_not_a_robot_program()) return taken;  // recorded when they act
   fill_in(wires_.push(), in, bytes.substr(0, taken), telnet, exchanges_, simulation_,
           device_.has_value());

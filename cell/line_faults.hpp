@@ -85,6 +85,7 @@ class LineFaults {
   }
   bool is_cut() const { return is_cut_; }
 
+  bool has_events() const { return !events_.empty(); }
   /// Removes and returns the events of the faults, in order.
   Events take_events() { return std::exchange(events_, {}); }
 

@@ -91,7 +91,7 @@ bool Cell::act_due() {
 void Cell::act_input(LineId id, SerialLine& line, Micros now) {
   if (!line.acted().is_followed_by(line.next_offset())) record_acted(id, line);
   line.act_due(now, simulation_, exchanges_);
-  emit_fault_events(id, line);
+  if (line.has_fault_events()) emit_fault_events(id, line);
   const bool is_last = line.input_under_way() == 0;
   if (!exchanges_.empty() || is_last || line.acted().bytes.size() >= kMaxShownIn)
     record_acted(id, line);

@@ -69,8 +69,9 @@ class SerialLine {
   }
   /// From now on, faults of the machine act on the line's bytes. `own` is the line's number.
   void expose(LineId own, const State& state) { faults_.emplace(own, state); }
-  /// Removes and returns the events of faults on this line, in order.
-  Events take_fault_events() { return faults_ ? faults_->take_events() : Events{}; }
+  bool has_fault_events() const { return faults_ && faults_->has_events(); }
+  /// Removes and returns the events of faults on this line, in order. Precondition: there are some.
+  Events take_fault_events() { return faults_->take_events(); }
   /// Disconnects the line by a fault: what waits is lost.
   void cut();
   /// Whether a fault has disconnected the line: it takes no more bytes, and the transport must

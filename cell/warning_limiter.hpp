@@ -22,6 +22,9 @@ class WarningLimiter {
   /// Adds a problem of a line; returns the notes that are due now, in order.
   std::vector<CellNote> add(LineId line, Tick tick, ProblemNote note);
 
+  /// Whether a line may have notes that are due.
+  bool has_lines() const { return !lines_.empty(); }
+
   /// Ends the current run of a line, at the end of a read or before another event; returns the
   /// notes that are due.
   std::vector<CellNote> finish(LineId line, Tick tick);

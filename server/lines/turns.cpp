@@ -90,8 +90,7 @@ void LineTurns::run_lightest(WallNs time) {
   std::size_t lines = run_news(end);
   while ((now = wall_now()) < end && (lines > 1 || !queue_.empty())) {
     const WallNs look = std::min(now + kNewsEvery, end);
-    for (; !queue_.empty() && now < look; now = wall_now())
-      run_turn(queue_.take_lightest(), now);
+    for (; !queue_.empty() && now < look; now = wall_now()) run_turn(queue_.take_lightest(), now);
     lines = run_news(end);
   }
   next_turns_ = now + kTurnsEvery;

@@ -31,6 +31,15 @@ TEST(WarningLimiter, LinesDoNotShareRuns) {
   EXPECT_TRUE(limiter.finish(2, 0).empty());
 }
 
+TEST(WarningLimiter, HasALineFromItsFirstWarningUntilItCloses) {
+  WarningLimiter limiter;
+  EXPECT_FALSE(limiter.has_lines());
+  limiter.add(1, 0, note("unknown_byte", 0));
+  EXPECT_TRUE(limiter.has_lines());
+  limiter.forget(1);
+  EXPECT_FALSE(limiter.has_lines());
+}
+
 TEST(WarningLimiter, SummarizesNotesAboveSixtyFourASecond) {
   WarningLimiter limiter;
   std::size_t notes = 0;

@@ -12,8 +12,7 @@ namespace xr3::test {
 struct CellHost {
   explicit CellHost(asio::io_context& loop)
       : io(loop),
-        context{io,      turns,     worker, [this](HostedCell& cell) { acted(cell); },
-                nullptr, &histories} {}
+        context{io, turns, worker, [this](HostedCell& at) { acted(at); }, nullptr, &histories} {}
 
   /// Adds a cell with a manual clock.
   HostedCell& add(ModelPtr model, const std::string& name = "main", CellEventSink sink = {}) {
