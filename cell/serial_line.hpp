@@ -5,6 +5,7 @@
 // session or a test.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -71,7 +72,10 @@ class SerialLine {
   void expose(LineId own, const State& state) { faults_.emplace(own, state); }
   bool has_fault_events() const { return faults_ && faults_->has_events(); }
   /// Removes and returns the events of faults on this line, in order. Precondition: there are some.
-  Events take_fault_events() { return faults_->take_events(); }
+  Events take_fault_events() {
+    assert(has_fault_events());
+    return faults_->take_events();
+  }
   /// Disconnects the line by a fault: what waits is lost.
   void cut();
   /// Whether a fault has disconnected the line: it takes no more bytes, and the transport must

@@ -204,8 +204,9 @@ void History::begin_part() {
   while (parts_.size() > 1 && covered_from(parts_[1]->from()) >= longest_) drop_oldest();
 }
 
-/// Joins parts, or drops the oldest. The search for parts to join takes long. If it finds none, as
-/// when each part is an epoch of its own, it is repeated only after kJoinsAtOnce further parts.
+/// Joins parts, or drops the oldest. The search for parts to join takes long. It may find none:
+/// parts of different epochs cannot be joined. The next search then comes after kJoinsAtOnce new
+/// parts.
 void History::limit_parts() {
   if (parts_.size() <= kMaxParts) return;
   if (join_in_ > 0) {

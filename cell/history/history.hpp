@@ -112,7 +112,7 @@ class History final : private Recorder, private monitor::ByteBudget::Member {
   ReplayTime before_;             ///< the begin of the input that acts
   bool was_at_rest_ = true;
   std::size_t retry_in_ = 0;           ///< above 0: nothing is kept until so many inputs have come
-  std::size_t join_in_ = 0;            ///< above 0: parts are joined after so many
+  std::size_t join_in_ = 0;            ///< new parts until the next search for parts to join
   std::optional<ReplayTime> back_at_;  ///< the cell is in the past, at this time of the history
   std::size_t used_ = 0;
   std::size_t granted_ = 0;

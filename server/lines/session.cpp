@@ -78,7 +78,7 @@ bool LineSession::moves_time() const { return context_.cell.clock().mode() == Cl
 
 // Does not read while replies are unsent, so that a client must read its replies. Reads at least
 // once, however late it is: else a line would never be read on a machine that is too slow. The
-// clock is read again only before further bytes: to read it costs a hundredth of an inquiry.
+// first bytes act at the time at which the turn began; an inquiry needs no other look at the clock.
 LineSession::Left LineSession::work(Limits& limits, WallNs now) {
   bool has_more = true;
   bool has_read = false;
@@ -175,7 +175,8 @@ LineSession::Left LineSession::flush(const Limits& limits, WallNs now) {
     return Left::kWaits;
   }
   const auto accepts_pending = [&] { return !pending_.empty() && line.accepts(pending_.front()); };
-  while (!line.outbox().empty() || !pending_.empty()) {
+  const auto is_done = [&] { return line.outbox().empty() && pending_.empty(); };
+  while (!is_done()) {
     if (line.outbox().empty() && !accepts_pending()) {  // suspended replies, or the device
       if (!is_ending_ || line.has_input_ended()) return Left::kWaits;
       end_input();
@@ -187,13 +188,11 @@ LineSession::Left LineSession::flush(const Limits& limits, WallNs now) {
     if (line.is_paced()) context_.acted(id_);  // bytes may act again
     if (!stream_->is_open()) return Left::kWaits;
     if (count == 0 && !line.outbox().empty()) return Left::kWaits;
-    const bool is_done = line.outbox().empty() && pending_.empty();
-    if (is_done) continue;
+    if (is_done()) break;
     now = wall_now();
     if (accepts_pending()) act(std::exchange(pending_, {}), limits, now);
     if (!stream_->is_open()) return Left::kWaits;
-    const bool is_left = !line.outbox().empty() || !pending_.empty();
-    if (is_left && is_over(limits, wall_now())) return Left::kSome;
+    if (!is_done() && is_over(limits, wall_now())) return Left::kSome;
   }
   // The replies to bytes that have arrived leave before the line is closed.
   if (has_ended_ && (line.is_drained() || end_ == LineCloseReason::kShutdown)) close(end_);

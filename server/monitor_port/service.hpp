@@ -168,7 +168,7 @@ class MonitorService {
   LoopLag lag_;
   Exclusive making_long_;     ///< an answer to a call; meanwhile calls wait
   Exclusive making_past_;     ///< a time of a cell's past; meanwhile others who look wait
-  Exclusive listing_events_;  ///< the latest of a cell; meanwhile others who ask for them wait
+  Exclusive listing_events_;  ///< for a call `history`; meanwhile other such calls wait
   OpenBranch open_branch_;
 };
 
