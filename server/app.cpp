@@ -262,9 +262,10 @@ void App::acted(HostedCell& cell) {
 
 /// A line or a connection may have ended.
 void App::ended() {
-  const bool is_over = turns_.is_empty() && monitor_port_.is_empty();
-  if (stage_ == Stage::kDraining && is_over) drain_limit_.cancel();
+  if (stage_ == Stage::kDraining && has_no_clients()) io_.stop();
 }
+
+bool App::has_no_clients() const { return turns_.is_empty() && monitor_port_.is_empty(); }
 
 std::size_t App::close_greediest() {
   if (const std::size_t trimmed = trim_frames()) return trimmed;
@@ -275,7 +276,7 @@ std::size_t App::close_greediest() {
   return std::max(of_lines, of_monitor);
 }
 
-// Closes everything that keeps the event loop running, so that run() returns.
+// The event loop ends when no client is left, whatever else waits in it.
 void App::stop() {
   stage_ = Stage::kDraining;
   service_manager_.stopping();
@@ -287,13 +288,11 @@ void App::stop() {
   for (const CellPtr& each : cells_.all()) each->close(deadline - kDrainLimit / 2);
   turns_.close();
   monitor_port_.close(deadline);
-  if (turns_.is_empty() && monitor_port_.is_empty()) return;
-  drain_limit_.expires_at(as_time_point(deadline));
-  drain_limit_.async_wait([this](ErrorCode cancelled) {
-    // No effect if the wait was cancelled: all have ended.
+  if (has_no_clients()) return io_.stop();
+  run_at(drain_limit_, deadline, [this] {
     for (const CellPtr& each : cells_.all()) each->lines().abort();
     monitor_port_.abort();
-    if (!cancelled) end_soon();
+    end_soon();
   });
 }
 

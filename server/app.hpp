@@ -89,6 +89,7 @@ class App {
   void count_more(CellCounters& counters) const;
   void acted(HostedCell& cell);
   void ended();
+  bool has_no_clients() const;
   std::size_t close_greediest();
   std::size_t trim_frames();
   asio::awaitable<std::string> not_ready();

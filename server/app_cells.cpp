@@ -26,6 +26,11 @@ call::Refused too_many_cells(std::size_t most) {
           "subscriber (--linger)"};
 }
 
+call::Refused is_stopping() {
+  return {"stopping", "the server is stopping and opens no further cell",
+          "connect again when it has been started again"};
+}
+
 }  // namespace
 
 WallNs linger_of(const ServeOptions& options) {
@@ -121,6 +126,7 @@ void App::keep_history(HostedCell& cell) {
 }
 
 std::variant<CellPtr, call::Refused> App::open_branch(HostedCell& of, MachineSnapshotPtr past) {
+  if (stage_ != Stage::kReady) return is_stopping();
   if (cells_.size() >= options_.max_cells) return too_many_cells(cells_.size());
   std::string name = branch_cells_.next_name();
   while (cells_.find(name)) name = branch_cells_.next_name();

@@ -7,6 +7,7 @@
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/read.hpp>
+#include <boost/asio/read_until.hpp>
 #include <boost/asio/write.hpp>
 #include <csignal>
 #include <list>
@@ -33,6 +34,12 @@ constexpr const char* kRequests =
     R"({"op":"call","fn":"step","args":{"ticks":1,"after":{"line":1,"bytes_in":99,)"
     R"("within_ms":60000}}})"
     "\n";
+constexpr const char* kPastOfAThousandTicks = R"({"op":"call","fn":"step","args":{"ticks":1000}})"
+                                              "\n";
+constexpr const char* kBranch = R"({"op":"call","fn":"branch","args":{"tick":999}})"
+                                "\n";
+constexpr int kBranchingClients = 8;
+constexpr int kBranchesOfAClient = 20;
 
 /// Blocking clients of every kind, for use in another thread than the server's.
 class Crowd {
@@ -45,6 +52,14 @@ class Crowd {
     talk(monitor_port, "GET /readyz HTTP/1.1\r\nHost: localhost\r\n\r\n");
   }
 
+  /// The clients request more branches than the server has opened when this returns.
+  void branch(std::uint16_t monitor_port) {
+    std::string requests = kPastOfAThousandTicks;
+    for (int i = 0; i < kBranchesOfAClient; ++i) requests += kBranch;
+    for (int i = 0; i < kBranchingClients; ++i) talk(monitor_port, requests);
+    read_until(sockets_.back(), "robot_port\":");
+  }
+
  private:
   /// Connects, sends, and waits for the first byte of the answer.
   void talk(std::uint16_t port, const std::string& bytes) {
@@ -55,14 +70,20 @@ class Crowd {
     asio::read(socket, asio::buffer(&first, 1));
   }
 
+  static void read_until(tcp::socket& socket, const std::string& text) {
+    std::string bytes;
+    asio::read_until(socket, asio::dynamic_buffer(bytes), text);
+  }
+
   asio::io_context io_;
   std::list<tcp::socket> sockets_;
 };
 
-/// Starts the server, connects all clients, then runs `work` in its loop. Returns exit code and
-/// log.
-template <class Work>
-std::pair<ExitCode, std::string> ending(const Work& work) {
+using Ending = std::pair<ExitCode, std::string>;  ///< the exit code and the log
+
+/// Starts the server, lets clients `come`, then runs `work` in its loop.
+template <class Come, class Work>
+Ending ending(const Come& come, const Work& work) {
   ServeOptions options;
   options.robot_port = options.monitor_port = 0;
   options.clock.mode = ClockMode::kManual;
@@ -76,7 +97,7 @@ std::pair<ExitCode, std::string> ending(const Work& work) {
     App app(options, {{test::rhino(), {}}}, "");
     asio::post(app.executor(), [&] {
       clients = std::thread([&] {
-        crowd.come(app.robot_endpoint().port(), app.monitor_endpoint().port());
+        come(crowd, app);
         asio::post(app.executor(), work);
       });
     });
@@ -87,14 +108,27 @@ std::pair<ExitCode, std::string> ending(const Work& work) {
   return {code, testing::internal::GetCapturedStderr()};
 }
 
+void come_all(Crowd& crowd, const App& app) {
+  crowd.come(app.robot_endpoint().port(), app.monitor_endpoint().port());
+}
+
+void come_to_branch(Crowd& crowd, const App& app) { crowd.branch(app.monitor_endpoint().port()); }
+
 TEST(App, AnExceptionInAHandlerGivesItsOwnExitCode) {
-  const auto [code, log] = ending([] { throw std::bad_alloc(); });
+  const auto [code, log] = ending(come_all, [] { throw std::bad_alloc(); });
   EXPECT_EQ(code, ExitCode::kBroken);
   EXPECT_THAT(log, HasSubstr("the server has failed and ends: std::bad_alloc"));
 }
 
 TEST(App, ASignalGivesASuccessfulExit) {
-  const auto [code, log] = ending([] { std::raise(SIGTERM); });
+  const auto [code, log] = ending(come_all, [] { std::raise(SIGTERM); });
+  EXPECT_EQ(code, ExitCode::kGood);
+  EXPECT_EQ(log, "");
+}
+
+// A cell that opened then would listen for ever.
+TEST(App, ASignalEndsAServerThatMakesBranches) {
+  const auto [code, log] = ending(come_to_branch, [] { std::raise(SIGTERM); });
   EXPECT_EQ(code, ExitCode::kGood);
   EXPECT_EQ(log, "");
 }
