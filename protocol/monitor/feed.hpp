@@ -4,8 +4,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -50,8 +52,10 @@ class Ring final : public Feed, private ByteBudget::Member {
   /// Adds a value and returns its slot, which may still hold the overwritten value. The caller must
   /// fill it at once.
   Value& push() {
-    if (count() >= slots_.size()) grow();
-    if (count() >= slots_.size()) ++first_;
+    if (count() >= capacity_) grow();
+    if (count() >= capacity_) ++first_;
+    SegmentPtr& segment = segment_of(next_);
+    if (!segment) segment = std::make_unique<Segment>();
     Slot& slot = slot_of(next_++);
     slot.text.reset();
     return slot.value;
@@ -66,10 +70,11 @@ class Ring final : public Feed, private ByteBudget::Member {
   }
   /// The value of a message. Requires first() <= seq < next().
   const Value& value_at(std::int64_t seq) const {
-    return slots_[static_cast<std::size_t>(seq) % slots_.size()].value;
+    return (*segments_[place_of(seq, segments_.size())])[static_cast<std::size_t>(seq) % kSegment]
+        .value;
   }
-  /// The number of messages for which there is memory now.
-  std::size_t capacity() const { return slots_.size(); }
+  /// The number of messages that it may keep now.
+  std::size_t capacity() const { return capacity_; }
 
  private:
   struct Slot {
@@ -77,35 +82,57 @@ class Ring final : public Feed, private ByteBudget::Member {
     Message text;
   };
   static constexpr std::size_t kLeast = 16;
+  // Slots are made by the segment, when the first one of it is needed, and stay where they are: to
+  // make or move all of a large ring at once would take milliseconds.
+  static constexpr std::size_t kSegment = 8;
+  using Segment = std::array<Slot, kSegment>;
+  using SegmentPtr = std::unique_ptr<Segment>;
 
+  /// The number of segments that so many messages may touch.
+  static std::size_t segments_for(std::size_t messages) {
+    return (messages + kSegment - 1) / kSegment + 1;
+  }
   std::size_t count() const { return static_cast<std::size_t>(next_ - first_); }
-  Slot& slot_of(std::int64_t seq) { return slots_[static_cast<std::size_t>(seq) % slots_.size()]; }
-  std::size_t bytes() const override { return slots_.size() * slot_bytes_; }
+  /// The place of a message's segment among `count` segments.
+  static std::size_t place_of(std::int64_t seq, std::size_t count) {
+    return static_cast<std::size_t>(seq) / kSegment % count;
+  }
+  SegmentPtr& segment_of(std::int64_t seq) { return segments_[place_of(seq, segments_.size())]; }
+  Slot& slot_of(std::int64_t seq) {
+    return (*segment_of(seq))[static_cast<std::size_t>(seq) % kSegment];
+  }
+  std::size_t bytes() const override { return capacity_ * slot_bytes_; }
 
   // The first places are always granted: without them nothing could be stored.
   void grow() {
-    if (slots_.size() >= most_) return;
-    const std::size_t wanted = std::min(most_, std::max(kLeast, 2 * slots_.size()));
+    if (capacity_ >= most_) return;
+    const std::size_t wanted = std::min(most_, std::max(kLeast, 2 * capacity_));
     const auto necessity =
-        slots_.empty() ? ByteBudget::Necessity::kVital : ByteBudget::Necessity::kUseful;
+        capacity_ == 0 ? ByteBudget::Necessity::kVital : ByteBudget::Necessity::kUseful;
     if (budget_ == nullptr || budget_->grant(*this, wanted * slot_bytes_, necessity))
       resize(wanted);
   }
   void shrink() override {
-    if (slots_.size() > kLeast) resize(std::max(kLeast, slots_.size() / 2));
+    if (capacity_ > kLeast) resize(std::max(kLeast, capacity_ / 2));
   }
   /// Keeps the latest messages.
   void resize(std::size_t size) {
-    std::vector<Slot> slots(size);
+    std::vector<SegmentPtr> segments(segments_for(size));
     first_ = std::max(first_, next_ - static_cast<std::int64_t>(size));
-    for (std::int64_t seq = first_; seq < next_; ++seq)
-      slots[static_cast<std::size_t>(seq) % size] = std::move(slot_of(seq));
-    slots_ = std::move(slots);
+    for (std::int64_t seq = first_; seq < next_; seq = first_of_next_segment(seq))
+      segments[place_of(seq, segments.size())] = std::move(segment_of(seq));
+    segments_ = std::move(segments);
+    capacity_ = size;
+  }
+  static std::int64_t first_of_next_segment(std::int64_t seq) {
+    constexpr auto kSize = static_cast<std::int64_t>(kSegment);
+    return (seq / kSize + 1) * kSize;
   }
 
   std::size_t most_;
   std::size_t slot_bytes_;
-  std::vector<Slot> slots_;
+  std::size_t capacity_ = 0;
+  std::vector<SegmentPtr> segments_;  ///< null: not needed yet
   ToMessage to_message_;
   ByteBudget* budget_;
   std::int64_t first_ = 1;

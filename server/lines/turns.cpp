@@ -14,7 +14,7 @@ constexpr const char* kTurnsName = "the serial lines";
 
 // The time after which other ports get a turn, and the time after which new bytes are looked for,
 // which costs a microsecond.
-constexpr WallNs kMaxTurnsTime = 500'000;
+constexpr WallNs kMaxTurnsTime = 250'000;
 constexpr WallNs kNewsEvery = LineTurns::kTurnsEvery;
 // The time of the turns between two handlers of other ports: a third of all time at most.
 constexpr WallNs kMaxDueTime = 100'000;

@@ -47,6 +47,15 @@ TEST(Ring, GrowsToItsCapacityAndThenOverwrites) {
   expect_sound(all);
 }
 
+// Moving the messages of a large ring would take milliseconds.
+TEST(Ring, MessagesStayWhereTheyAreWhenItGrows) {
+  Ring<int> all = ring();
+  const int* first = &all.push();
+  fill(all, kMost - 1);
+  EXPECT_EQ(all.capacity(), kMost);
+  EXPECT_EQ(&all.value_at(1), first);
+}
+
 TEST(ByteBudget, TheLargestRingGivesItsOldestMessages) {
   Ring<int> sample = ring();
   ByteBudget measure(1'000'000);
