@@ -57,7 +57,6 @@ TEST(Ring, MessagesStayWhereTheyAreWhenItGrows) {
 }
 
 TEST(ByteBudget, TheLargestRingGivesItsOldestMessages) {
-  Ring<int> sample = ring();
   ByteBudget measure(1'000'000);
   std::size_t one_slot = 0;
   {
