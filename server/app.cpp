@@ -276,7 +276,8 @@ std::size_t App::close_greediest() {
   return std::max(of_lines, of_monitor);
 }
 
-// The event loop ends when no client is left, whatever else waits in it.
+// Closes the ports, and lets lines and connections end by themselves until the deadline. ended()
+// stops the event loop when the last of them has ended, even if other handlers still wait.
 void App::stop() {
   stage_ = Stage::kDraining;
   service_manager_.stopping();

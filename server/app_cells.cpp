@@ -28,7 +28,7 @@ call::Refused too_many_cells(std::size_t most) {
 
 call::Refused is_stopping() {
   return {"stopping", "the server is stopping and opens no further cell",
-          "connect again when it has been started again"};
+          "connect again after its restart"};
 }
 
 }  // namespace

@@ -69,10 +69,7 @@ class Ring final : public Feed, private ByteBudget::Member {
     return slot.text;
   }
   /// The value of a message. Requires first() <= seq < next().
-  const Value& value_at(std::int64_t seq) const {
-    return (*segments_[place_of(seq, segments_.size())])[static_cast<std::size_t>(seq) % kSegment]
-        .value;
-  }
+  const Value& value_at(std::int64_t seq) const { return slot_of(seq).value; }
   /// The number of messages that it may keep now.
   std::size_t capacity() const { return capacity_; }
 
@@ -82,8 +79,8 @@ class Ring final : public Feed, private ByteBudget::Member {
     Message text;
   };
   static constexpr std::size_t kLeast = 16;
-  // Slots are made by the segment, when the first one of it is needed, and stay where they are: to
-  // make or move all of a large ring at once would take milliseconds.
+  // A segment is allocated when its first slot is needed, and its slots never move. To allocate or
+  // move all slots of a large ring at once would take milliseconds.
   static constexpr std::size_t kSegment = 8;
   using Segment = std::array<Slot, kSegment>;
   using SegmentPtr = std::unique_ptr<Segment>;
@@ -98,8 +95,8 @@ class Ring final : public Feed, private ByteBudget::Member {
     return static_cast<std::size_t>(seq) / kSegment % count;
   }
   SegmentPtr& segment_of(std::int64_t seq) { return segments_[place_of(seq, segments_.size())]; }
-  Slot& slot_of(std::int64_t seq) {
-    return (*segment_of(seq))[static_cast<std::size_t>(seq) % kSegment];
+  Slot& slot_of(std::int64_t seq) const {
+    return (*segments_[place_of(seq, segments_.size())])[static_cast<std::size_t>(seq) % kSegment];
   }
   std::size_t bytes() const override { return capacity_ * slot_bytes_; }
 
