@@ -112,10 +112,8 @@ Snapshot Cell::snapshot() const {
           state(), std::move(device), is_in_past_};
 }
 
-// An input asks for its line again and again.
-const SerialLine* Cell::find_line(LineId line) const {
+const SerialLine* Cell::search_line(LineId line) const {
   if (line == kProbeLine) return probe_line_ ? &*probe_line_ : nullptr;
-  if (found_ != nullptr && found_->first == line) return &found_->second;
   const auto found = lines_.find(line);
   if (found == lines_.end()) return nullptr;
   found_ = &*found;

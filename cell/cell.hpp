@@ -185,7 +185,10 @@ class Cell final : private LineListener {
   static constexpr std::size_t kWireHeap = 768;
 
   /// nullptr if closed.
-  const SerialLine* find_line(LineId line) const;
+  const SerialLine* find_line(LineId line) const {
+    const bool is_found = found_ != nullptr && found_->first == line;
+    return is_found ? &found_->second : search_line(line);
+  }
   /// The open lines without kProbeLine, which is not counted, recorded or reported.
   const std::map<LineId, SerialLine>& lines() const { return lines_; }
 
@@ -213,6 +216,7 @@ class Cell final : private LineListener {
   void report_closed() { emit(std::nullopt, CellClosedNote{name_}); }
 
  private:
+  const SerialLine* search_line(LineId line) const;
   SerialLine* open_line(LineId line);
   Applied take_in(const Input& input, WallNs now);
   void advance(WallNs now);

@@ -41,6 +41,13 @@ class LineFaults {
     ++received_;
     return true;
   }
+  /// Whether nothing happens but that the next data byte is counted: passes_input() would return
+  /// true, and take_power_cycle() false.
+  bool is_idle(const State& state) const {
+    return !has_line_faults(state) && power_cycles_ == state.faults.power_cycles;
+  }
+  /// Counts a data byte. Precondition: is_idle().
+  void count_input() { ++received_; }
   /// Returns the bytes that arrive at the controller for a data byte of the client. Preconditions:
   /// faults concern lines, and the simulation has no pending events; those of faults are kept here.
   std::string receive(std::uint8_t byte, Simulation& simulation);

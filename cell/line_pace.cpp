@@ -18,7 +18,7 @@ void LinePace::start(Direction direction, Micros now) {
   if (has_bytes && !is_halted(direction) && !clock.is_busy()) clock.start(now);
 }
 
-void LinePace::add_input(const ReceivedByte& byte, Micros now) {
+void LinePace::add_input(ReceivedByte byte, Micros now) {
   assert(accepts_input());
   input_.push_back(byte);
   start(Direction::kIn, now);

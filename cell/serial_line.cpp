@@ -35,6 +35,11 @@ void SerialLine::receive_byte(std::uint8_t byte, std::uint64_t offset, const Eff
 }
 
 void SerialLine::filter(std::uint8_t byte, std::uint64_t offset, const Effects& effects) {
+  if (telnet_.is_plain(byte)) return take_data(byte, offset, effects);
+  filter_telnet(byte, offset, effects);
+}
+
+void SerialLine::filter_telnet(std::uint8_t byte, std::uint64_t offset, const Effects& effects) {
   const TelnetInput input = telnet_.feed(byte, outbox_);
   if (input.data) return take_data(*input.data, offset, effects);
   if (speed_) update_pace();
@@ -46,7 +51,20 @@ void SerialLine::take_data(std::uint8_t byte, std::uint64_t offset, const Effect
   pace_->add_input({byte, offset}, effects.now);
 }
 
+// Almost every byte concerns the controller alone. Its path is short; the rest is elsewhere.
 void SerialLine::act_on(std::uint8_t byte, std::uint64_t offset, const Effects& effects) {
+  if (!is_for_controller_alone(effects.simulation.state()))
+    return act_on_others(byte, offset, effects);
+  if (faults_) faults_->count_input();
+  interpret(byte, offset, effects);
+}
+
+bool SerialLine::is_for_controller_alone(const State& state) const {
+  return listener_ == nullptr && device_ == nullptr && (!faults_ || faults_->is_idle(state));
+}
+
+/// Lets the listener, the device and the faults act on a byte before the controller does.
+void SerialLine::act_on_others(std::uint8_t byte, std::uint64_t offset, const Effects& effects) {
   if (listener_ != nullptr) {
     listener_->byte_comes(id_, byte);
     if (is_cut()) return;
@@ -55,19 +73,21 @@ void SerialLine::act_on(std::uint8_t byte, std::uint64_t offset, const Effects& 
     drop_unfinished();
     if (device_->is_engaged()) return act_on_device(byte, offset, effects);
   }
-  if (!faults_) return execute(byte, offset, effects);
-  if (faults_->take_power_cycle(effects.simulation.state())) endpoint_.reset();
-  if (faults_->passes_input(effects.simulation.state())) return execute(byte, offset, effects);
-  for (const char each : faults_->receive(byte, effects.simulation))
-    execute(static_cast<std::uint8_t>(each), offset, effects);
-  if (is_cut()) drop_input();
+  const State& state = effects.simulation.state();
+  if (faults_ && faults_->take_power_cycle(state)) endpoint_.reset();
+  if (faults_ && !faults_->passes_input(state)) return act_on_faulty(byte, offset, effects);
+  interpret(byte, offset, effects);
 }
 
-void SerialLine::execute(std::uint8_t byte, std::uint64_t offset, const Effects& effects) {
+void SerialLine::interpret(std::uint8_t byte, std::uint64_t offset, const Effects& effects) {
+  const std::vector<Parsed>& items =
+      endpoint_.parse(byte, offset, effects.simulation.state().enabled);
+  if (!items.empty()) execute(items, effects);  // most bytes complete nothing
+}
+
+void SerialLine::execute(const std::vector<Parsed>& items, const Effects& effects) {
   Simulation& simulation = effects.simulation;
   const bool was_enabled = simulation.state().enabled;
-  const std::vector<Parsed>& items = endpoint_.parse(byte, offset, was_enabled);
-  if (items.empty()) return;  // as most bytes: they complete nothing
   std::string replies;
   for (const Parsed& item : items) {
     if (!announce(item)) return;
@@ -75,7 +95,7 @@ void SerialLine::execute(std::uint8_t byte, std::uint64_t offset, const Effects&
   }
   if (device_ != nullptr && was_enabled && !simulation.state().enabled) device_->engage(true);
   // A byte completes at most one inquiry, and that is the last exchange.
-  if (!replies.empty()) answer(std::move(replies), effects.exchanges.back(), effects);
+  if (!replies.empty()) answer(replies, effects.exchanges.back(), effects);
 }
 
 /// Returns whether the line still obeys: a fault may cut it in the time that passes.
@@ -86,7 +106,7 @@ bool SerialLine::announce(const Parsed& item) {
   return !is_cut();
 }
 
-void SerialLine::answer(std::string replies, Exchange& exchange, const Effects& effects) {
+void SerialLine::answer(std::string& replies, Exchange& exchange, const Effects& effects) {
   if (faults_ && !leaves_now(replies, exchange, effects)) return;
   if (pace_) return pace_->add_reply(replies, answer_of(exchange), effects.now);
   if (hold_.is_on()) return hold_.add(replies, answer_of(exchange));

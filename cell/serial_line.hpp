@@ -203,11 +203,19 @@ class SerialLine {
   }
   void receive_byte(std::uint8_t byte, std::uint64_t offset, const Effects& effects);
   void filter(std::uint8_t byte, std::uint64_t offset, const Effects& effects);
+  // What is marked so is seldom needed: inlined, it would cost every byte a stack frame.
+  [[gnu::noinline]] void filter_telnet(std::uint8_t byte, std::uint64_t offset,
+                                       const Effects& effects);
   void take_data(std::uint8_t byte, std::uint64_t offset, const Effects& effects);
   void act_on(std::uint8_t byte, std::uint64_t offset, const Effects& effects);
-  void execute(std::uint8_t byte, std::uint64_t offset, const Effects& effects);
+  bool is_for_controller_alone(const State& state) const;
+  [[gnu::noinline]] void act_on_others(std::uint8_t byte, std::uint64_t offset,
+                                       const Effects& effects);
+  void act_on_faulty(std::uint8_t byte, std::uint64_t offset, const Effects& effects);
+  void interpret(std::uint8_t byte, std::uint64_t offset, const Effects& effects);
+  [[gnu::noinline]] void execute(const std::vector<Parsed>& items, const Effects& effects);
   bool announce(const Parsed& item);
-  void answer(std::string replies, Exchange& exchange, const Effects& effects);
+  void answer(std::string& replies, Exchange& exchange, const Effects& effects);
   bool leaves_now(std::string& reply, const Exchange& exchange, const Effects& effects);
   void leave(const DelayedReply& reply, Micros now);
   void update_pace();

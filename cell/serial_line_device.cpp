@@ -30,8 +30,7 @@ void SerialLine::act_on_device(std::uint8_t byte, std::uint64_t offset, const Ef
   std::vector<Parsed> parsed;
   device_parser_.feed(byte, offset, parsed);
   for (Parsed& item : parsed) {
-    Exchange& exchange =
-        effects.exchanges.emplace_back(Exchange{std::move(item), NoReply{}, {}, 0, 0});
+    Exchange& exchange = effects.exchanges.emplace_back(std::move(item));
     auto& what = exchange.parsed.what;
     const Command* command = std::get_if<Command>(&what);
     if (command != nullptr && std::holds_alternative<ToggleSimulator>(*command)) {

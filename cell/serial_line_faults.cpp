@@ -5,6 +5,13 @@
 
 namespace xr3 {
 
+/// Lets faults act on a byte of data: what arrives at the controller is interpreted.
+void SerialLine::act_on_faulty(std::uint8_t byte, std::uint64_t offset, const Effects& effects) {
+  for (const char each : faults_->receive(byte, effects.simulation))
+    interpret(static_cast<std::uint8_t>(each), offset, effects);
+  if (is_cut()) drop_input();
+}
+
 /// Lets faults act on a reply. Returns whether it leaves now; if not, it is lost or waits.
 bool SerialLine::leaves_now(std::string& reply, const Exchange& exchange, const Effects& effects) {
   if (faults_->passes_reply(effects.simulation.state(), reply.size())) return true;

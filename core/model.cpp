@@ -51,6 +51,7 @@ Model::Model(Robot robot, Workcell workcell, Profile profile)
     motors_.push_back(motor_model(robot_.carousel->drive, profile));
     carousel_ = carousel_model(*robot_.carousel);
   }
+  for (const MotorModel& motor : motors_) motor_labels_ += motor.drive.label;
   assert(motor_count() <= kMaxMotors);
   find_gains();
   fill_tables();
@@ -98,15 +99,12 @@ void Model::fill_tables() {
 }
 
 int Model::index_of(char label) const {
-  const auto found = std::find_if(motors_.begin(), motors_.end(), [label](const MotorModel& motor) {
-    return motor.drive.label == label;
-  });
-  return found == motors_.end() ? -1 : static_cast<int>(found - motors_.begin());
+  const std::size_t index = motor_labels_.find(label);
+  return index == std::string::npos ? -1 : static_cast<int>(index);
 }
 
 std::string Model::labels() const {
-  std::string letters;
-  for (const MotorModel& motor : motors_) letters += motor.drive.label;
+  std::string letters = motor_labels_;
   std::sort(letters.begin(), letters.end());
   return letters;
 }

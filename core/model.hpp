@@ -132,6 +132,7 @@ class Model {
   Workcell workcell_;
   Profile profile_;
   std::vector<MotorModel> motors_;
+  std::string motor_labels_;  ///< in the order of motors_; a member, as every command searches it
   int joint_count_;  ///< a member, as is motor_count_, because loops of every tick ask for it
   int motor_count_;
   std::array<std::vector<CoupledJoint>, kMaxMotors> driven_;

@@ -23,8 +23,7 @@ const std::vector<Parsed>& RhinoEndpoint::parse(std::uint8_t byte, std::uint64_t
 
 void RhinoEndpoint::execute(const Parsed& item, Simulation& simulation, std::string& replies,
                             std::vector<Exchange>& exchanges) const {
-  Exchange& exchange = exchanges.emplace_back();
-  exchange.parsed = item;
+  Exchange& exchange = exchanges.emplace_back(item);
   const Command* command = std::get_if<Command>(&exchange.parsed.what);
   if (command == nullptr) return;
   exchange.reply = simulation.execute(*command);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/simulation.hpp"
@@ -13,6 +14,8 @@ namespace xr3 {
 
 /// A command with its reply and its immediate events, or a problem.
 struct Exchange {
+  explicit Exchange(Parsed item) : parsed(std::move(item)) {}
+
   Parsed parsed;
   Reply reply;
   Events events;

@@ -29,9 +29,12 @@ class TelnetParser {
   static constexpr std::size_t kMaxKept = 7;
 
   TelnetItem feed(std::uint8_t byte) {
-    if (mode_ == Mode::kData && byte != telnet::kIac) return {TelnetItem::Kind::kData, byte};
+    if (is_plain(byte)) return {TelnetItem::Kind::kData, byte};
     return feed_protocol(byte);
   }
+
+  /// Whether feed() would return this byte as data and change nothing. Almost every byte is plain.
+  bool is_plain(std::uint8_t byte) const { return mode_ == Mode::kData && byte != telnet::kIac; }
 
   /// Whether feed() would return this byte as data.
   bool is_data(std::uint8_t byte) const;

@@ -56,7 +56,7 @@ class Ring final : public Feed, private ByteBudget::Member {
     if (count() >= capacity_) ++first_;
     SegmentPtr& segment = segment_of(next_);
     if (!segment) segment = std::make_unique<Segment>();
-    Slot& slot = slot_of(next_++);
+    Slot& slot = (*segment)[index_of(next_++)];
     slot.text.reset();
     return slot.value;
   }
@@ -94,9 +94,11 @@ class Ring final : public Feed, private ByteBudget::Member {
   static std::size_t place_of(std::int64_t seq, std::size_t count) {
     return static_cast<std::size_t>(seq) / kSegment % count;
   }
+  /// The place of a message in its segment.
+  static std::size_t index_of(std::int64_t seq) { return static_cast<std::size_t>(seq) % kSegment; }
   SegmentPtr& segment_of(std::int64_t seq) { return segments_[place_of(seq, segments_.size())]; }
   Slot& slot_of(std::int64_t seq) const {
-    return (*segments_[place_of(seq, segments_.size())])[static_cast<std::size_t>(seq) % kSegment];
+    return (*segments_[place_of(seq, segments_.size())])[index_of(seq)];
   }
   std::size_t bytes() const override { return capacity_ * slot_bytes_; }
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <array>
+#include <boost/container/flat_set.hpp>
 #include <cstdint>
 #include <deque>
-#include <set>
 #include <vector>
 
 namespace xr3 {
@@ -37,7 +37,7 @@ class TurnQueue {
   SessionNumber take(Class& lines);
 
   std::array<Class, kClasses> classes_;
-  std::set<SessionNumber> members_;
+  boost::container::flat_set<SessionNumber> members_;  ///< no allocation for a turn
 };
 
 }  // namespace xr3

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <array>
+#include <boost/container/flat_map.hpp>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <span>
 
@@ -83,7 +83,7 @@ class LineTurns {
   bool is_again_ = false;  ///< the next turns are scheduled
   WallNs next_turns_ = 0;  ///< earliest time of the next run_due_turns()
   SessionNumber last_ = 0;
-  std::map<SessionNumber, std::shared_ptr<LineSession>> sessions_;
+  boost::container::flat_map<SessionNumber, std::shared_ptr<LineSession>> sessions_;
   MemoryLimit* memory_ = nullptr;
   Exclusive pausing_{io_};
   bool is_closing_ = false;

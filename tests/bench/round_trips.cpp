@@ -3,7 +3,8 @@
 // inquiries at once, the median round trip time of a single line, and how many inquiries a second
 // are answered with 16 in flight. Usage: bench_round_trips XR3
 // [LINES [ROUNDS [COST_BOUND PIPELINED_BOUND TIME_BOUND RATE_BOUND]]]; exit code 1 if a ratio is
-// above its bound; the rate has a lower bound.
+// above its bound; the rate has a lower bound. With another program of XR3 in the environment
+// variable XR3_AGAINST, that one takes the place of the bare loop: an older release, for example.
 #include <sys/epoll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -191,11 +192,23 @@ struct Bounds {
   double rate = 0.9;
 };
 
+/// What the program is compared with: `other`, a program of XR3 too, or the bare loop if null.
+struct Rival {
+  explicit Rival(const char* other)
+      : name(other != nullptr ? "the other program" : "the bare loop"),
+        child(other != nullptr ? serve(other) : Child([] { bare_loop(); })),
+        port(port_in(child.greeting(), other != nullptr ? "robot" : "bare")) {}
+
+  std::string name;
+  Child child;
+  int port;
+};
+
 bool run(const std::string& xr3, int lines, int rounds, const Bounds& bounds) {
   const Child server = serve(xr3);
-  const Child loop([] { bare_loop(); });
+  const Rival rival(std::getenv("XR3_AGAINST"));
   const Lines ours(server.pid(), port_in(server.greeting(), "robot"), lines);
-  const Lines bare(loop.pid(), port_in(loop.greeting(), "bare"), lines);
+  const Lines theirs(rival.child.pid(), rival.port, lines);
   std::printf("%d lines with %d and %d inquiries at once; then a single line; %d rounds\n", lines,
               1, kPipelined, rounds);
   std::vector<double> cost;
@@ -203,20 +216,21 @@ bool run(const std::string& xr3, int lines, int rounds, const Bounds& bounds) {
   std::vector<double> time;
   std::vector<double> rate;
   for (int i = 0; i < rounds; ++i) {
-    const Figures of_bare = measured(bare);
+    const Figures of_rival = measured(theirs);
     const Figures of_ours = measured(ours);
-    print("bare", of_bare);
-    print("xr3 ", of_ours);
-    cost.push_back(of_ours.cost_us / of_bare.cost_us);
-    pipelined.push_back(of_ours.pipelined_us / of_bare.pipelined_us);
-    time.push_back(of_ours.time_us / of_bare.time_us);
-    rate.push_back(of_bare.rate / of_ours.rate);
+    print("rival", of_rival);
+    print("xr3  ", of_ours);
+    cost.push_back(of_ours.cost_us / of_rival.cost_us);
+    pipelined.push_back(of_ours.pipelined_us / of_rival.pipelined_us);
+    time.push_back(of_ours.time_us / of_rival.time_us);
+    rate.push_back(of_rival.rate / of_ours.rate);
   }
-  const bool kept[] = {judge("an inquiry against the bare loop, CPU", median(cost), bounds.cost),
-                       judge("the same, 64 at once", median(pipelined), bounds.pipelined),
-                       judge("a round trip against the bare loop, time", median(time), bounds.time),
-                       judge("the time for an inquiry with 16 in flight, against the bare loop",
-                             median(rate), 1 / bounds.rate)};
+  const std::string against = " against " + rival.name;
+  const bool kept[] = {
+      judge(("an inquiry" + against + ", CPU").c_str(), median(cost), bounds.cost),
+      judge("the same, 64 at once", median(pipelined), bounds.pipelined),
+      judge(("a round trip" + against + ", time").c_str(), median(time), bounds.time),
+      judge(("16 in flight" + against + ", time for one").c_str(), median(rate), 1 / bounds.rate)};
   return std::all_of(std::begin(kept), std::end(kept), [](bool is_kept) { return is_kept; });
 }
 
