@@ -41,12 +41,12 @@ class LineFaults {
     ++received_;
     return true;
   }
-  /// Whether nothing happens but that the next data byte is counted: passes_input() would return
-  /// true, and take_power_cycle() false.
+  /// Whether no fault concerns the next data byte and the power has not failed: passes_input()
+  /// would return true, and take_power_cycle() false. If so, count_input() suffices.
   bool is_idle(const State& state) const {
     return !has_line_faults(state) && power_cycles_ == state.faults.power_cycles;
   }
-  /// Counts a data byte. Precondition: is_idle().
+  /// Counts a data byte that no fault concerns.
   void count_input() { ++received_; }
   /// Returns the bytes that arrive at the controller for a data byte of the client. Preconditions:
   /// faults concern lines, and the simulation has no pending events; those of faults are kept here.

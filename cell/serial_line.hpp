@@ -203,7 +203,7 @@ class SerialLine {
   }
   void receive_byte(std::uint8_t byte, std::uint64_t offset, const Effects& effects);
   void filter(std::uint8_t byte, std::uint64_t offset, const Effects& effects);
-  // What is marked so is seldom needed: inlined, it would cost every byte a stack frame.
+  // Few bytes need the functions with `noinline`. Inlined, they would slow down every byte.
   [[gnu::noinline]] void filter_telnet(std::uint8_t byte, std::uint64_t offset,
                                        const Effects& effects);
   void take_data(std::uint8_t byte, std::uint64_t offset, const Effects& effects);

@@ -3,8 +3,8 @@
 // inquiries at once, the median round trip time of a single line, and how many inquiries a second
 // are answered with 16 in flight. Usage: bench_round_trips XR3
 // [LINES [ROUNDS [COST_BOUND PIPELINED_BOUND TIME_BOUND RATE_BOUND]]]; exit code 1 if a ratio is
-// above its bound; the rate has a lower bound. With another program of XR3 in the environment
-// variable XR3_AGAINST, that one takes the place of the bare loop: an older release, for example.
+// above its bound; the rate has a lower bound. The environment variable XR3_AGAINST may name
+// another xr3 program, such as an older release. It then replaces the bare loop.
 #include <sys/epoll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -192,7 +192,7 @@ struct Bounds {
   double rate = 0.9;
 };
 
-/// What the program is compared with: `other`, a program of XR3 too, or the bare loop if null.
+/// The server for comparison: the program `other`, or the bare loop if it is null.
 struct Rival {
   explicit Rival(const char* other)
       : name(other != nullptr ? "the other program" : "the bare loop"),
