@@ -45,7 +45,6 @@ void Cell::catch_up(WallNs now) {
 }
 
 Applied Cell::take_in(const Input& input, WallNs now) {
-  if (const auto* out = std::get_if<BytesOut>(&input)) return handle(*out, now);
   if (is_frozen_) return {};
   advance(now);
   ++revision_;
@@ -224,13 +223,14 @@ void Cell::record_out(const WirePlace& out, const SerialLine& line, std::size_t 
   for (InputLog* log : logs_) log->output(*this, out.line, added);
 }
 
-Applied Cell::handle(const BytesOut& out, WallNs) {
-  SerialLine* line = open_line(out.line);
-  if (line == nullptr) return {};
-  for (InputLog* log : logs_) log->sent(*this, out);
-  line->sent(out.count, micros_at(state().tick));
-  schedule(out.line, *line);
-  return {};
+void Cell::sent(const BytesOut& out) {
+  vital("the cell", [&] {
+    SerialLine* line = open_line(out.line);
+    if (line == nullptr) return;
+    for (InputLog* log : logs_) log->sent(*this, out);
+    line->sent(out.count, micros_at(state().tick));
+    schedule(out.line, *line);
+  });
 }
 
 void Cell::handle(const InputEnded& ended, WallNs) {

@@ -98,7 +98,7 @@ class Cell final : private LineListener {
   Epoch epoch() const { return epoch_; }
   /// The revision of the workcell, from 1. Editing or replacing the workcell increments it.
   int model_rev() const { return model_rev_; }
-  /// Every input but BytesOut and every advance of time increments it. If it is equal, nothing
+  /// Every input and every advance of time increments it. If it is equal, nothing
   /// visible has changed.
   std::uint64_t revision() const { return revision_; }
 
@@ -106,6 +106,10 @@ class Cell final : private LineListener {
   /// of the input before. A call that needs the manual clock is refused with `clock_running` if the
   /// clock is real. Throws only VitalFailure; the input may then be half applied.
   Applied apply(const Input& input, WallNs now);
+
+  /// Removes bytes that the transport has sent from the line's outbox. It needs no time, and works
+  /// on a frozen cell, too. No effect if the line is closed. Throws as apply() does.
+  void sent(const BytesOut& out);
 
   /// Advances time to `now` and emits the events of that time. Throws as apply() does.
   void catch_up(WallNs now);
@@ -232,7 +236,6 @@ class Cell final : private LineListener {
   Applied handle(const LineOpened& opened, WallNs now);
   void handle(const LineSettings& reported, WallNs now);
   Applied handle(const BytesIn& in, WallNs now);
-  Applied handle(const BytesOut& out, WallNs now);
   void handle(const InputEnded& ended, WallNs now);
   void handle(const LineClosed& closed, WallNs now);
   void handle(const LineSilent& silent, WallNs now);

@@ -37,13 +37,6 @@ struct BytesIn {
   std::function<bool()> is_enough = {};
 };
 
-/// The transport has sent bytes of the line's outbox, which are removed. It needs no time and
-/// concerns nothing else, so it also works on a frozen cell.
-struct BytesOut {
-  LineId line = 0;
-  std::size_t count = 0;
-};
-
 /// The physical controller has sent bytes. Precondition of this and the other inputs of the device:
 /// the cell has one.
 struct DeviceIn {
@@ -78,9 +71,15 @@ struct RecordingFailed {
   std::string why;
 };
 
-using Input = std::variant<LineOpened, LineSettings, BytesIn, BytesOut, InputEnded, LineClosed,
-                           LineSilent, DeviceOpened, DeviceLost, DeviceIn, DeviceOut, Rewind,
-                           RecordingFailed, call::Call>;
+using Input = std::variant<LineOpened, LineSettings, BytesIn, InputEnded, LineClosed, LineSilent,
+                           DeviceOpened, DeviceLost, DeviceIn, DeviceOut, Rewind, RecordingFailed,
+                           call::Call>;
+
+/// The transport has sent bytes of the line's outbox. It is no input: time does not advance for it.
+struct BytesOut {
+  LineId line = 0;
+  std::size_t count = 0;
+};
 
 /// The line of an input of an open line; nullopt for others.
 std::optional<LineId> line_of(const Input& input);

@@ -41,13 +41,14 @@ class LineFaults {
     ++received_;
     return true;
   }
-  /// Whether no fault concerns the next data byte and the power has not failed: passes_input()
-  /// would return true, and take_power_cycle() false. If so, count_input() suffices.
+  /// Whether the faults would let data bytes and replies pass at once, and change nothing. If so,
+  /// count_input() suffices.
   bool is_idle(const State& state) const {
-    return !has_line_faults(state) && power_cycles_ == state.faults.power_cycles;
+    return !has_line_faults(state) && power_cycles_ == state.faults.power_cycles &&
+           waiting_.empty() && !is_cut_;
   }
-  /// Counts a data byte that no fault concerns.
-  void count_input() { ++received_; }
+  /// Counts data bytes that no fault concerns.
+  void count_input(std::size_t bytes) { received_ += bytes; }
   /// Returns the bytes that arrive at the controller for a data byte of the client. Preconditions:
   /// faults concern lines, and the simulation has no pending events; those of faults are kept here.
   std::string receive(std::uint8_t byte, Simulation& simulation);

@@ -9,14 +9,34 @@ std::size_t SerialLine::receive(std::string_view bytes, Simulation& simulation,
                                 std::vector<Exchange>& exchanges) {
   released_.clear();
   const Effects effects{simulation, exchanges, micros_at(simulation.tick())};
+  std::size_t taken = is_undisturbed(simulation.state()) ? receive_plain(bytes, effects) : 0;
+  if (taken == bytes.size()) return taken;
   const bool was_paced = is_paced();
-  const bool was_data = !bytes.empty() && is_data(bytes.front());
-  std::size_t taken = 0;
+  const bool was_data = is_data(bytes[taken]);
   while (taken < bytes.size() && accepts(bytes[taken]) && !is_not_a_robot_program_) {
     if (is_paced() != was_paced || (was_paced && is_data(bytes[taken]) != was_data)) break;
     const auto byte = static_cast<std::uint8_t>(bytes[taken++]);
     receive_byte(byte, bytes_in_++, effects);
   }
+  return taken;
+}
+
+bool SerialLine::is_undisturbed(const State& state) const {
+  const bool is_examined = guard_ == Guard::kOff || detector_.has_passed();
+  const bool is_alone = listener_ == nullptr && device_ == nullptr && !pace_ && !hold_.is_on();
+  return is_network() && is_examined && !is_not_a_robot_program_ && is_alone &&
+         (!faults_ || faults_->is_idle(state));
+}
+
+// Almost all bytes are taken here.
+std::size_t SerialLine::receive_plain(std::string_view bytes, const Effects& effects) {
+  std::size_t taken = 0;
+  for (; taken < bytes.size() && !is_full(); ++taken) {
+    const auto byte = static_cast<std::uint8_t>(bytes[taken]);
+    if (!telnet_.is_plain(byte)) break;
+    interpret(byte, bytes_in_++, effects);
+  }
+  if (faults_) faults_->count_input(taken);
   return taken;
 }
 
@@ -35,11 +55,6 @@ void SerialLine::receive_byte(std::uint8_t byte, std::uint64_t offset, const Eff
 }
 
 void SerialLine::filter(std::uint8_t byte, std::uint64_t offset, const Effects& effects) {
-  if (telnet_.is_plain(byte)) return take_data(byte, offset, effects);
-  filter_telnet(byte, offset, effects);
-}
-
-void SerialLine::filter_telnet(std::uint8_t byte, std::uint64_t offset, const Effects& effects) {
   const TelnetInput input = telnet_.feed(byte, outbox_);
   if (input.data) return take_data(*input.data, offset, effects);
   if (speed_) update_pace();
@@ -51,20 +66,8 @@ void SerialLine::take_data(std::uint8_t byte, std::uint64_t offset, const Effect
   pace_->add_input({byte, offset}, effects.now);
 }
 
-// Almost every byte concerns the controller alone. Its path is short; the rest is elsewhere.
-void SerialLine::act_on(std::uint8_t byte, std::uint64_t offset, const Effects& effects) {
-  if (!is_for_controller_alone(effects.simulation.state()))
-    return act_on_others(byte, offset, effects);
-  if (faults_) faults_->count_input();
-  interpret(byte, offset, effects);
-}
-
-bool SerialLine::is_for_controller_alone(const State& state) const {
-  return listener_ == nullptr && device_ == nullptr && (!faults_ || faults_->is_idle(state));
-}
-
 /// Lets the listener, the device and the faults act on a byte before the controller does.
-void SerialLine::act_on_others(std::uint8_t byte, std::uint64_t offset, const Effects& effects) {
+void SerialLine::act_on(std::uint8_t byte, std::uint64_t offset, const Effects& effects) {
   if (listener_ != nullptr) {
     listener_->byte_comes(id_, byte);
     if (is_cut()) return;

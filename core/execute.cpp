@@ -98,8 +98,11 @@ class Executor {
   MotorState* find(char label) {
     const int index = model_.index_of(label);
     if (index >= 0) return &state_.motor(index);
+    return warn_of(label), nullptr;
+  }
+  // Inlined, it would slow down every command.
+  [[gnu::noinline]] void warn_of(char label) {
     emit(Warning{WarningCode::kNoSuchJoint, label, 0, 0, {}});
-    return nullptr;
   }
 
   void counters_changed() {

@@ -51,8 +51,8 @@ Model::Model(Robot robot, Workcell workcell, Profile profile)
     motors_.push_back(motor_model(robot_.carousel->drive, profile));
     carousel_ = carousel_model(*robot_.carousel);
   }
-  for (const MotorModel& motor : motors_) motor_labels_ += motor.drive.label;
   assert(motor_count() <= kMaxMotors);
+  find_labels();
   find_gains();
   fill_tables();
   region_radius_um_ = micrometres(robot_.protected_region.radius_mm);
@@ -98,14 +98,17 @@ void Model::fill_tables() {
   }
 }
 
-int Model::index_of(char label) const {
-  const std::size_t index = motor_labels_.find(label);
-  return index == std::string::npos ? -1 : static_cast<int>(index);
+void Model::find_labels() {
+  indices_.fill(-1);
+  for (int index = 0; index < motor_count(); ++index)
+    indices_.at(static_cast<std::size_t>(motor(index).drive.label - 'A')) =
+        static_cast<std::int8_t>(index);
 }
 
 std::string Model::labels() const {
-  std::string letters = motor_labels_;
-  std::sort(letters.begin(), letters.end());
+  std::string letters;
+  for (char label = 'A'; label <= kLastLabel; ++label)
+    if (index_of(label) >= 0) letters += label;
   return letters;
 }
 

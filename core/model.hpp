@@ -84,7 +84,10 @@ class Model {
 
   const MotorModel& motor(int index) const { return motors_[static_cast<std::size_t>(index)]; }
   /// Index of the motor with this label, or -1.
-  int index_of(char label) const;
+  int index_of(char label) const {
+    return label >= 'A' && label <= kLastLabel ? indices_[static_cast<std::size_t>(label - 'A')]
+                                               : -1;
+  }
   /// The labels of all motors, in the order of the alphabet.
   std::string labels() const;
   /// The name of a joint or of the carousel, or `tool`.
@@ -125,6 +128,9 @@ class Model {
   Micrometres region_height_um() const { return region_height_um_; }
 
  private:
+  static constexpr char kLastLabel = 'H';
+
+  void find_labels();
   void find_gains();
   void fill_tables();
 
@@ -132,9 +138,9 @@ class Model {
   Workcell workcell_;
   Profile profile_;
   std::vector<MotorModel> motors_;
-  std::string motor_labels_;  ///< in the order of motors_; a member, as every command searches it
   int joint_count_;  ///< a member, as is motor_count_, because loops of every tick ask for it
   int motor_count_;
+  std::array<std::int8_t, kLastLabel - 'A' + 1> indices_{};  ///< of motors by label, or -1
   std::array<std::vector<CoupledJoint>, kMaxMotors> driven_;
   std::array<std::array<std::int8_t, kMaxMotors>, kMaxMotors> gain_{};
   std::vector<SinCosTable> thetas_;

@@ -23,8 +23,11 @@ constexpr char kInput = 1;  ///< an input of a line: its numbers and bytes follo
 
 constexpr std::size_t kMostDigits = (64 + kBits - 1) / kBits;
 
+// A piece has at least so many bytes before the next one begins.
+constexpr std::size_t kPiece = 4096;
+
 /// Writes a number with kBits of it in each byte, the lowest first. Returns the end.
-char* write(std::uint64_t number, char* to) {
+char* pack(std::uint64_t number, char* to) {
   for (; number >= kMore; number >>= kBits)
     *to++ = static_cast<char>((number & (kMore - 1)) | kMore);
   *to++ = static_cast<char>(number);
@@ -56,17 +59,18 @@ struct HeapOf {
 
 }  // namespace
 
-/// Reads the entries from the bytes.
+/// Reads the entries of one piece.
 struct InputTape::Reader {
   const InputTape& tape;
-  std::size_t at = 0;
-  std::size_t other = 0;
-  Tick tick = 0;
+  std::string_view rest;
+  std::size_t other;
+  Tick tick;
 
   std::uint64_t number() {
     std::uint64_t value = 0;
     for (unsigned shift = 0;; shift += kBits) {
-      const auto byte = static_cast<unsigned char>(tape.bytes_[at++]);
+      const auto byte = static_cast<unsigned char>(rest.front());
+      rest.remove_prefix(1);
       value |= static_cast<std::uint64_t>(byte & (kMore - 1)) << shift;
       if (byte < kMore) return value;
     }
@@ -80,16 +84,27 @@ struct InputTape::Reader {
     const auto count = static_cast<std::size_t>(number());
     input.taken = count - static_cast<std::size_t>(number());
     input.unsent = static_cast<std::size_t>(number());
-    input.bytes = tape.bytes_.substr(at, count);
-    at += count;
+    input.bytes = rest.substr(0, count);
+    rest.remove_prefix(count);
     return {tape.epoch_, tick, us, std::move(input)};
+  }
+
+  /// Returns whether there is more.
+  bool read(const std::function<bool(const recording::Entry&)>& use) {
+    while (!rest.empty()) {
+      const bool is_other = rest.front() == kOther;
+      rest.remove_prefix(1);
+      if (!use(is_other ? tape.others_[other++] : input())) return false;
+    }
+    return true;
   }
 };
 
 void InputTape::for_each(const std::function<bool(const recording::Entry&)>& use) const {
-  for (Reader reader{*this}; reader.at < bytes_.size();) {
-    const bool is_other = bytes_[reader.at++] == kOther;
-    if (!use(is_other ? others_[reader.other++] : reader.input())) return;
+  Reader reader{*this, {}, 0, 0};
+  for (const std::string& piece : pieces_) {
+    reader.rest = piece;
+    if (!reader.read(use)) return;
   }
 }
 
@@ -109,7 +124,7 @@ void InputTape::add(const Read& read) {
 }
 
 void InputTape::put(recording::Entry&& entry) {
-  bytes_.push_back(kOther);
+  write({&kOther, 1}, {});
   other_bytes_ += sizeof(Entry) + std::visit(HeapOf{}, entry.body);
   others_.push_back(std::move(entry));
 }
@@ -127,9 +142,18 @@ void InputTape::put(const Read& read) {
   std::array<char, 1 + std::size(numbers) * kMostDigits> packed;
   char* end = packed.data();
   *end++ = kInput;
-  for (const std::uint64_t number : numbers) end = write(number, end);
-  bytes_.append(packed.data(), end);
-  bytes_ += read.bytes;
+  for (const std::uint64_t number : numbers) end = pack(number, end);
+  write({packed.data(), static_cast<std::size_t>(end - packed.data())}, read.bytes);
+}
+
+// One long piece would be copied again and again while it grows.
+void InputTape::write(std::string_view head, std::string_view bytes) {
+  if (pieces_.empty() || pieces_.back().size() >= kPiece) pieces_.emplace_back();
+  std::string& piece = pieces_.back();
+  const std::size_t before = piece.capacity();
+  piece.append(head);
+  piece.append(bytes);
+  piece_bytes_ += piece.capacity() - before;
 }
 
 }  // namespace xr3

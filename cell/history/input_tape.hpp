@@ -37,19 +37,23 @@ class InputTape {
   /// The number of entries.
   std::size_t size() const { return size_; }
   /// An estimate of its memory.
-  std::size_t bytes() const { return bytes_.capacity() + other_bytes_; }
+  std::size_t bytes() const {
+    return piece_bytes_ + pieces_.capacity() * sizeof(std::string) + other_bytes_;
+  }
 
  private:
   struct Reader;
   bool is_short(Epoch epoch, Tick tick) const { return epoch == epoch_ && tick >= tick_; }
   void put(const Read& read);
   void put(recording::Entry&& entry);
+  void write(std::string_view head, std::string_view bytes);
 
-  std::string bytes_;                     ///< inputs of lines, and marks for the others
+  std::vector<std::string> pieces_;       ///< inputs of lines, and marks for the others
+  std::size_t piece_bytes_ = 0;           ///< their memory
   std::vector<recording::Entry> others_;  ///< in order
   std::size_t other_bytes_ = 0;
   std::size_t size_ = 0;
-  Epoch epoch_ = 0;  ///< of the entries in bytes_
+  Epoch epoch_ = 0;  ///< of the entries in pieces_
   Tick tick_ = 0;    ///< of the last one there
 };
 

@@ -62,7 +62,7 @@ Replayer::Result Replayer::leave_unsent(LineId line, std::size_t unsent) {
   const std::size_t waiting = cell_.find_line(line)->outbox().size();
   if (unsent > waiting)
     return difference("unsent bytes", std::to_string(unsent), std::to_string(waiting), line);
-  cell_.apply(BytesOut{line, waiting - unsent}, 0);
+  cell_.sent({line, waiting - unsent});
   return std::nullopt;
 }
 

@@ -17,7 +17,7 @@ class InputLog {
   InputLog& operator=(const InputLog&) = delete;
   virtual ~InputLog() = default;
 
-  /// Time has advanced to the tick of an input, which acts next. Not for BytesOut.
+  /// Time has advanced to the tick of an input, which acts next.
   virtual void begin(const Cell& /*cell*/, const Input& /*input*/) {}
   /// The input has acted.
   virtual void end(const Cell& /*cell*/, const Input& /*input*/, const Applied& /*applied*/) {}

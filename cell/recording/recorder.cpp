@@ -45,7 +45,6 @@ struct Recorder::EntryMaker {
     return LineInput{in.line, std::string(read->bytes), read->taken, read->unsent,
                      recorder.take_replies(in.line)};
   }
-  MaybeBody operator()(const BytesOut&) const { return std::nullopt; }
   MaybeBody operator()(const DeviceIn& in) const { return DeviceInput{std::string(in.bytes)}; }
   MaybeBody operator()(const DeviceOut& out) const {
     return out.count > 0 ? MaybeBody(out) : std::nullopt;
@@ -67,9 +66,7 @@ struct Recorder::EntryMaker {
 
 void Recorder::begin(const Cell& cell, const Input& input) {
   input_at_ = now(cell);
-  const bool is_hash_due =
-      input_at_.epoch != hashed_.epoch || input_at_.tick / kHashEvery > hashed_.tick / kHashEvery;
-  if (is_hash_due && contents_ == Contents::kAll) {
+  if (contents_ == Contents::kAll && is_hash_due()) {
     hashed_ = input_at_;
     add(hashed_, StateHash{hasher_.hash(cell)});
   }
@@ -81,6 +78,11 @@ void Recorder::begin(const Cell& cell, const Input& input) {
     unsent_ = line->outbox().size();
     is_first_ = line->bytes_in() == 0;
   }
+}
+
+bool Recorder::is_hash_due() const {
+  return input_at_.epoch != hashed_.epoch ||
+         input_at_.tick / kHashEvery > hashed_.tick / kHashEvery;
 }
 
 void Recorder::end(const Cell& cell, const Input& input, const Applied& applied) {

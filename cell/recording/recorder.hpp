@@ -71,6 +71,7 @@ class Recorder : public InputLog {
   static At now(const Cell& cell) {
     return {cell.epoch(), cell.state().tick, static_cast<int>(cell.clock_remainder())};
   }
+  bool is_hash_due() const;
   void add(const At& at, recording::EntryBody&& body);
   void add_outputs();
   std::string take_replies(LineId line);

@@ -26,6 +26,8 @@ class HttpTlsDetector {
   /// appended to held(); the byte that decides is not.
   Detection feed(std::uint8_t byte);
 
+  /// Whether feed() would return kPass and hold no byte: that was decided before.
+  bool has_passed() const { return detection_ == Detection::kPass && held_.empty(); }
   /// The held bytes, at most kMaxHeld.
   std::string_view held() const { return held_; }
   /// Removes and returns the held bytes; the caller must execute them.

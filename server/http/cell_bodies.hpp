@@ -10,6 +10,8 @@
 #include "server/http/body.hpp"
 #include "server/http/body_maker.hpp"
 #include "server/net/asio.hpp"
+#include "server/net/exclusive.hpp"
+#include "server/net/worker.hpp"
 
 namespace xr3::http {
 
@@ -23,7 +25,8 @@ class CellBodies {
         workcell(io, worker),
         robot(io, worker),
         io_(io),
-        worker_(worker) {}
+        worker_(worker),
+        copying_(io) {}
 
   /// The maker of the view from a point. At most kMaxViews are kept: one more discards all that
   /// nobody waits for.
@@ -33,14 +36,10 @@ class CellBodies {
     if (!maker) maker = std::make_shared<BodyMaker<Revision>>(io_, worker_);
     return maker;
   }
-  /// The body with the text of this message of the channel `state`.
-  const Body& state(const monitor::Message& message) {
-    if (state_of_ != message) {
-      state_ = Body(*message + "\n");
-      state_of_ = message;
-    }
-    return state_;
-  }
+  /// The body with the text of this message of the channel `state`. A long text is copied in the
+  /// worker's thread.
+  asio::awaitable<Body> state(monitor::Message message);
+  static constexpr std::size_t kMaxCopiedAtOnce = std::size_t{32} * 1024;
 
   BodyMaker<ImagePtr> bitmap;
   BodyMaker<ImagePtr> png;
@@ -52,6 +51,7 @@ class CellBodies {
 
   asio::io_context& io_;
   Worker& worker_;
+  Exclusive copying_;
   monitor::Message state_of_;  ///< the message whose text is `state_`
   Body state_;
   std::map<std::array<int, 3>, std::shared_ptr<BodyMaker<Revision>>> views_;

@@ -245,7 +245,8 @@ asio::awaitable<Answer> HttpResources::schema(CellPtr, HttpRequest) {
 asio::awaitable<Answer> HttpResources::state(CellPtr at, HttpRequest) {
   monitor::Selection whole{monitor::Channel::kState, {}, {}};
   const std::optional<monitor::Frame> frame = co_await service_.current_frame(at, std::move(whole));
-  co_return http::json(at->bodies().state(frame->message));
+  const http::Body body = co_await at->bodies().state(frame->message);
+  co_return http::json(body);
 }
 
 asio::awaitable<Answer> HttpResources::robot(CellPtr at, HttpRequest) {

@@ -52,7 +52,7 @@ bool LineSession::run_turn(WallNs now) {
 
 // The first bytes are examined together; the time of the turn is limited all the same.
 std::size_t LineSession::fair_share() const {
-  const bool is_first = stream_->is_open() && context_.cell.find_line(id_)->bytes_in() == 0;
+  const bool is_first = is_open_ && context_.cell.find_line(id_)->bytes_in() == 0;
   return is_first ? kFirstChunk : kBytesATurn;
 }
 
@@ -62,7 +62,7 @@ LineSession::Limits LineSession::arrived_limits() const {
 }
 
 bool LineSession::read_arrived(Limits& limits, std::size_t most) {
-  if (!stream_->is_open()) return false;
+  if (!is_open_) return false;
   Limits round = limits;
   round.most_read = std::min(most, limits.most_read);
   const WallNs now = wall_now();
@@ -120,7 +120,7 @@ void LineSession::act(std::string_view bytes, const Limits& limits, WallNs now) 
   if (moves_time()) load_.add(static_cast<std::uint64_t>(wall_now() - now));
   source_.line_acted(id_);
   context_.acted(id_);
-  if (!stream_->is_open()) return;
+  if (!is_open_) return;
   const SerialLine& line = *context_.cell.find_line(id_);
   if (line.is_not_a_robot_program()) return close(LineCloseReason::kNotARobotProgram);
   if (line.is_cut()) return end_by_fault();
@@ -163,13 +163,13 @@ void LineSession::end_input() {
 // Sends as much as the stream accepts now, and applies the bytes that waited for room in the
 // outbox.
 LineSession::Left LineSession::flush(const Limits& limits, WallNs now) {
-  if (!stream_->is_open()) return Left::kWaits;
+  if (!is_open_) return Left::kWaits;
   const SerialLine& line = *context_.cell.find_line(id_);  // exists while the stream is open
   if (line.is_cut()) end_by_fault();
   const bool is_unread = !has_ended_ && context_.cell.is_unread(id_);
   if (is_unread && !is_broken_) return Left::kWaits;
   if (has_ended_) end_input();
-  if (!stream_->is_open()) return Left::kWaits;
+  if (!is_open_) return Left::kWaits;
   if (is_broken_ && (is_unread || line.is_paced() || line.holds_replies())) {
     close(LineCloseReason::kError);
     return Left::kWaits;
@@ -183,20 +183,20 @@ LineSession::Left LineSession::flush(const Limits& limits, WallNs now) {
     }
     const std::size_t count = line.outbox().empty() ? 0 : stream_->write(line.outbox());
     if (stream_->is_lost()) close(LineCloseReason::kError);
-    if (!stream_->is_open()) return Left::kWaits;
-    context_.cell.apply(BytesOut{id_, count}, now);
+    if (!is_open_) return Left::kWaits;
+    context_.cell.sent({id_, count});
     if (line.is_paced()) context_.acted(id_);  // bytes may act again
-    if (!stream_->is_open()) return Left::kWaits;
+    if (!is_open_) return Left::kWaits;
     if (count == 0 && !line.outbox().empty()) return Left::kWaits;
     if (is_done()) break;
     now = wall_now();
     if (accepts_pending()) act(std::exchange(pending_, {}), limits, now);
-    if (!stream_->is_open()) return Left::kWaits;
+    if (!is_open_) return Left::kWaits;
     if (!is_done() && is_over(limits, wall_now())) return Left::kSome;
   }
   // The replies to bytes that have arrived leave before the line is closed.
   if (has_ended_ && (line.is_drained() || end_ == LineCloseReason::kShutdown)) close(end_);
-  return stream_->is_open() ? Left::kNothing : Left::kWaits;
+  return is_open_ ? Left::kNothing : Left::kWaits;
 }
 
 std::size_t LineSession::held_bytes() const {
@@ -212,7 +212,7 @@ void LineSession::finish() {
 }
 
 void LineSession::close(LineCloseReason reason) {
-  if (!stream_->is_open()) return;
+  if (!std::exchange(is_open_, false)) return;
   stream_->close();
   context_.cell.apply(LineClosed{id_, reason}, wall_now());
   context_.ended(id_, reason);

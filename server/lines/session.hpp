@@ -35,7 +35,7 @@ class LineSession {
   LineSource& source() const { return source_; }
   LineId line() const { return id_; }
   int descriptor() const { return stream_->descriptor(); }
-  bool is_open() const { return stream_->is_open(); }
+  bool is_open() const { return is_open_; }
 
   /// The stream has ended or is broken: the next turns read to the end.
   void note_end() { is_ending_ = true; }
@@ -105,7 +105,8 @@ class LineSession {
   LineSource& source_;
   PeerCounts::Place place_;
   LineLoad load_;
-  std::string pending_;     ///< read, but not applied because the outbox was full
+  std::string pending_;  ///< read, but not applied because the outbox was full
+  bool is_open_ = true;
   bool is_ending_ = false;  ///< the stream ends after the bytes that have arrived
   bool is_broken_ = false;
   bool has_ended_ = false;                                ///< no more bytes will be read

@@ -87,20 +87,20 @@ void LineTurns::run_turns() {
 void LineTurns::run_lightest(WallNs time) {
   WallNs now = wall_now();
   const WallNs end = now + time;
-  std::size_t lines = run_news(end);
-  while ((now = wall_now()) < end && (lines > 1 || !queue_.empty())) {
+  std::size_t lines = run_news(now, end);
+  while (now < end && (lines > 1 || !queue_.empty())) {
     const WallNs look = std::min(now + kNewsEvery, end);
     for (; !queue_.empty() && now < look; now = wall_now()) run_turn(queue_.take_lightest(), now);
-    lines = run_news(end);
+    lines = run_news(now, end);
   }
   next_turns_ = now + kTurnsEvery;
 }
 
 // Runs the turns of lines with news until `end`, and queues those that have to wait: a line has its
-// turn at once if no other one goes before it. Returns the number of lines with news.
-std::size_t LineTurns::run_news(WallNs end) {
+// turn at once if no other one goes before it. `now` is the time before, then the time after them.
+// Returns the number of lines with news.
+std::size_t LineTurns::run_news(WallNs& now, WallNs end) {
   const std::span<const LineWatch::News> news = watch_.news();
-  WallNs now = wall_now();
   end = std::min(end, now + kNewsEvery);
   for (const auto& [number, is_end, is_loss] : news) {
     const auto found = sessions_.find(number);
@@ -119,7 +119,8 @@ std::size_t LineTurns::run_news(WallNs end) {
 }
 
 void LineTurns::take_news() {
-  run_news(kNever);
+  WallNs now = wall_now();
+  run_news(now, kNever);
   if (!queue_.empty()) schedule();
 }
 

@@ -69,7 +69,7 @@ class LineTurns {
  private:
   asio::awaitable<void> run();
   void run_lightest(WallNs time);
-  std::size_t run_news(WallNs end);
+  std::size_t run_news(WallNs& now, WallNs end);
   void run_turn(SessionNumber number, WallNs now);
   void run_turn(SessionNumber number, std::shared_ptr<LineSession> session, WallNs now);
   void schedule();

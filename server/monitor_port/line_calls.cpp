@@ -149,7 +149,7 @@ asio::awaitable<MonitorService::Answer> MonitorService::send(HostedCell& at,
   co_await making_long_.until_free();
   if (cell.find_line(*line) == nullptr) co_return at_once(refused(request.id, no_such_line(*line)));
   std::string replies(cell.find_line(*line)->outbox());
-  cell.apply(BytesOut{*line, replies.size()}, wall_now());
+  cell.sent({*line, replies.size()});
   Json value = value_now(cell);
   value["line"] = *line;
   if (taken < bytes.size()) value["taken"] = taken;

@@ -30,7 +30,7 @@ struct MovingHour {
         cell.apply(BytesIn{1, i % (2 * kAsksInAMotion) == 0 ? "E+60\rC-20\r" : "E-60\rC+20\r"},
                    now);
       cell.apply(BytesIn{1, kInquiries[static_cast<std::size_t>(i) % kInquiries.size()]}, now);
-      cell.apply(BytesOut{1, cell.find_line(1)->outbox().size()}, now);
+      cell.sent({1, cell.find_line(1)->outbox().size()});
     }
   }
 
@@ -77,7 +77,7 @@ void inquiry_with_history(benchmark::State& state) {
   for (auto _ : state) {
     now += 1'000'000;
     cell.apply(BytesIn{1, "E?"}, now);
-    cell.apply(BytesOut{1, 1}, now);
+    cell.sent({1, 1});
   }
 }
 

@@ -32,7 +32,7 @@ RecordedHour recorded_hour() {
     if (i % kPollsInAMove == 0)
       cell.apply(BytesIn{1, i % (2 * kPollsInAMove) == 0 ? "E+60\rC-20\r" : "E-60\rC+20\r"}, now);
     cell.apply(BytesIn{1, kInquiries[static_cast<std::size_t>(i) % kInquiries.size()]}, now);
-    cell.apply(BytesOut{1, cell.find_line(1)->outbox().size()}, now);
+    cell.sent({1, cell.find_line(1)->outbox().size()});
   }
   return {recorded.text(), StateHasher().hash(cell)};
 }

@@ -40,7 +40,7 @@ class ByteLab {
   }
   std::string take(LineId line) {
     const std::string bytes(cell.find_line(line)->outbox());
-    cell.apply(BytesOut{line, bytes.size()}, wall);
+    cell.sent({line, bytes.size()});
     return bytes;
   }
   std::string ask(LineId line, std::string_view bytes) {

@@ -31,7 +31,7 @@ struct Lab {
   std::string send(LineId line, std::string_view bytes, WallNs now = 0) {
     cell.apply(BytesIn{line, bytes}, now);
     const std::string reply(cell.find_line(line)->outbox());
-    cell.apply(BytesOut{line, reply.size()}, now);
+    cell.sent({line, reply.size()});
     return reply;
   }
   call::Outcome call(call::Call call, WallNs now = 0) {
@@ -342,7 +342,7 @@ TEST(Cell, AFrozenCellStillRemovesSentBytes) {
   lab.cell.apply(BytesIn{1, "E?"}, 0);
   lab.cell.freeze();
   ASSERT_EQ(lab.cell.find_line(1)->outbox(), " ");
-  lab.cell.apply(BytesOut{1, 1}, 0);
+  lab.cell.sent({1, 1});
   EXPECT_EQ(lab.cell.find_line(1)->outbox(), "");
   EXPECT_EQ(lab.cell.find_line(1)->bytes_out(), 1U);
 }
@@ -362,7 +362,7 @@ class Seen {
   }
   void bytes(std::string_view bytes) {
     cell_.apply(BytesIn{1, bytes}, 0);
-    cell_.apply(BytesOut{1, cell_.find_line(1)->outbox().size()}, 0);
+    cell_.sent({1, cell_.find_line(1)->outbox().size()});
   }
   void call(const call::Call& call) { cell_.apply(Input{call}, 0); }
   void pass(Tick ticks) { call(call::Step{ticks}); }

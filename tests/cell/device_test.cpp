@@ -31,7 +31,7 @@ class DeviceTest : public testing::Test {
   }
   std::string replies(LineId line) {
     const std::string bytes(cell_.find_line(line)->outbox());
-    cell_.apply(BytesOut{line, bytes.size()}, now_);
+    cell_.sent({line, bytes.size()});
     return bytes;
   }
   /// The bytes that leave for the device now.

@@ -30,7 +30,7 @@ struct Faulty {
   std::string send(LineId line, std::string_view bytes) {
     cell.apply(BytesIn{line, bytes}, 0);
     std::string reply(cell.find_line(line)->outbox());
-    cell.apply(BytesOut{line, reply.size()}, 0);
+    cell.sent({line, reply.size()});
     return reply;
   }
   call::Outcome call(call::Call call) { return cell.apply(Input{std::move(call)}, 0).outcome; }

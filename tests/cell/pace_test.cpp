@@ -31,7 +31,7 @@ class Paced {
   }
   std::string take(LineId line) {
     const std::string bytes(cell.find_line(line)->outbox());
-    cell.apply(BytesOut{line, bytes.size()}, 0);
+    cell.sent({line, bytes.size()});
     return bytes;
   }
   void step(Tick ticks) { cell.apply(Input{call::Call{call::Step{ticks}}}, 0); }

@@ -68,7 +68,7 @@ class ByteLines {
   void take(LineId line) {
     const std::string bytes(cell_.find_line(line)->outbox());
     replies_ += bytes;
-    cell_.apply(BytesOut{line, bytes.size()}, 0);
+    cell_.sent({line, bytes.size()});
   }
 
   std::size_t piece_;

@@ -51,7 +51,7 @@ class PacedLines {
     for (LineId line = 1; line <= 2; ++line) {
       const std::string bytes(cell_.find_line(line)->outbox());
       replies_ += bytes;
-      cell_.apply(BytesOut{line, bytes.size()}, 0);
+      cell_.sent({line, bytes.size()});
     }
   }
   /// The clients end their input and read their replies until nothing is under way.

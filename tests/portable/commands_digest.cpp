@@ -99,7 +99,7 @@ void play(const std::string& data, const char* robot, int count, Digest& digest)
     cell.apply(xr3::BytesIn{1, commands.next()}, 0);
     const std::string_view replies = cell.find_line(1)->outbox();
     digest.add(replies);
-    cell.apply(xr3::BytesOut{1, replies.size()}, 0);
+    cell.sent({1, replies.size()});
     if (i % kPerState == 0 || i == count) digest.add(hasher.hash(cell));
     if (i % kPerHome == 0 && cell.state().stall != xr3::Stall::kNo)
       cell.apply(xr3::Input{xr3::call::Call{xr3::call::Home{}}}, 0);

@@ -32,7 +32,7 @@ std::string Reference::replies(std::string_view bytes) {
     bytes.remove_prefix(cell.apply(BytesIn{line, bytes}, 0).bytes_taken);
     const std::string_view outbox = cell.find_line(line)->outbox();
     all.append(outbox);
-    cell.apply(BytesOut{line, outbox.size()}, 0);
+    cell.sent({line, outbox.size()});
     if (bytes.empty() || cell.find_line(line)->is_not_a_robot_program()) return all;
   }
 }

@@ -55,7 +55,7 @@ void RandomInputs::close() {
 void RandomInputs::take() {
   const LineId line = some_line();
   const auto waiting = static_cast<std::uint32_t>(cell_.find_line(line)->outbox().size());
-  cell_.apply(BytesOut{line, below(waiting + 1)}, now_);
+  cell_.sent({line, below(waiting + 1)});
   if (below(4) == 0)
     cell_.apply(LineSettings{line, *parse_serial_settings(below(2) == 0 ? "9600-7e2" : "300-8n1")},
                 now_);
@@ -106,7 +106,7 @@ void RandomInputs::send() {
   const SerialLine& its = *cell_.find_line(line);
   if (its.is_not_a_robot_program())
     return void(cell_.apply(LineClosed{line, LineCloseReason::kNotARobotProgram}, now_));
-  if (below(3) != 0) cell_.apply(BytesOut{line, its.outbox().size()}, now_);
+  if (below(3) != 0) cell_.sent({line, its.outbox().size()});
 }
 
 void RandomInputs::call() {

@@ -22,7 +22,7 @@ struct Kept {
   /// Sends bytes at a millisecond.
   void send(int ms, std::string_view bytes) {
     cell.apply(BytesIn{1, bytes}, ms * kHistoryMs);
-    cell.apply(BytesOut{1, cell.find_line(1)->outbox().size()}, ms * kHistoryMs);
+    cell.sent({1, cell.find_line(1)->outbox().size()});
   }
   void call(int ms, call::Call call) { cell.apply(Input{std::move(call)}, ms * kHistoryMs); }
   /// Takes the cell back to a time of which only the tick matters here.
@@ -150,7 +150,7 @@ TEST(History, LongQueuesMakeAGap) {
   const auto poll_until = [&](int ms) {
     for (int each = static_cast<int>(cell.state().tick) + 1; each <= ms; ++each) {
       for (int i = 0; i < 10; ++i) cell.apply(BytesIn{monitor, "E?"}, each * kHistoryMs);
-      cell.apply(BytesOut{monitor, 10}, each * kHistoryMs);
+      cell.sent({monitor, 10});
     }
   };
   poll_until(600);  // 6,000 inputs

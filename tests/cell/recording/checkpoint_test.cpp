@@ -16,7 +16,7 @@ void disturb(Cell& cell, int ms) {
   const WallNs now = ms * kCheckpointMs;
   const LineId line = ms % 2 == 0 ? 1U : 2U;
   if (ms % 7 == 0) cell.apply(BytesIn{line, ms % 14 == 0 ? "E+40\rE?C" : "?D-3\rV"}, now);
-  if (ms % 11 == 0) cell.apply(BytesOut{line, cell.find_line(line)->outbox().size()}, now);
+  if (ms % 11 == 0) cell.sent({line, cell.find_line(line)->outbox().size()});
   if (ms == 300) cell.apply(Input{call::Call{call::SaveSnapshot{"a"}}}, now);
   if (ms == 700) cell.apply(Input{call::Call{call::LoadSnapshot{"a", nullptr}}}, now);
   if (ms == 500) cell.apply(Input{call::Call{call::SetRate{{3'000'000}}}}, now);

@@ -25,7 +25,7 @@ using Lines = std::vector<std::string>;
 
 void ask(Cell& cell, std::string_view bytes, WallNs now) {
   cell.apply(BytesIn{1, bytes}, now);
-  cell.apply(BytesOut{1, cell.find_line(1)->outbox().size()}, now);
+  cell.sent({1, cell.find_line(1)->outbox().size()});
 }
 
 TEST(Recorder, APollIsOneShortLine) {
@@ -44,7 +44,7 @@ TEST(Recorder, TheProbeAndRefusedCallsAreNotRecorded) {
   Cell& cell = recorded.cell;
   cell.apply(LineOpened{"probe", LineKind::kTcp, true}, 0);
   cell.apply(BytesIn{kProbeLine, "A?"}, 0);
-  cell.apply(BytesOut{kProbeLine, 1}, 0);
+  cell.sent({kProbeLine, 1});
   cell.apply(LineClosed{kProbeLine, LineCloseReason::kClientClosed}, 0);
   cell.apply(LineClosed{7, LineCloseReason::kClientClosed}, 0);
   cell.apply(Input{call::Call{call::Step{5}}}, 0);
@@ -72,7 +72,7 @@ TEST(Recorder, UnsentRepliesAndCutReadsAreTold) {
   Cell& cell = recorded.cell;
   cell.apply(LineOpened{"test", LineKind::kPty}, 0);
   cell.apply(BytesIn{1, "A?A?"}, 0);
-  cell.apply(BytesOut{1, 1}, 0);
+  cell.sent({1, 1});
   cell.apply(BytesIn{1, "A?"}, 0);
   cell.apply(BytesIn{1, std::string(100, '?'), [] { return true; }}, 0);
   const auto& last = std::get<recording::LineInput>(recorded.entries().back().body);

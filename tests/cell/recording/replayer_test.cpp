@@ -32,7 +32,7 @@ void open_line(Cell& cell, WallNs now, LineKind kind = LineKind::kTcp) {
 std::string send_on(Cell& cell, LineId line, std::string_view bytes, WallNs now) {
   cell.apply(BytesIn{line, bytes}, now);
   std::string reply(cell.find_line(line)->outbox());
-  cell.apply(BytesOut{line, reply.size()}, now);
+  cell.sent({line, reply.size()});
   return reply;
 }
 
@@ -234,11 +234,10 @@ TEST(Replayer, RepeatsAPacedLineWhoseClientDoesNotRead) {
     cell.apply(BytesIn{1, i == 0 ? "E?" : std::string(60, '?')}, now);
     if (i % 700 == 650) {
       const std::size_t waiting = cell.find_line(1)->outbox().size();
-      cell.apply(BytesOut{1, waiting / 2}, now);
-      cell.apply(BytesOut{1, waiting / 4}, now);
+      cell.sent({1, waiting / 2});
+      cell.sent({1, waiting / 4});
     }
-    if (i % 10 == 0)
-      cell.apply(BytesOut{1, std::min<std::size_t>(9, cell.find_line(1)->outbox().size())}, now);
+    if (i % 10 == 0) cell.sent({1, std::min<std::size_t>(9, cell.find_line(1)->outbox().size())});
   }
   const auto replayed = replay(recorded.text());
   EXPECT_EQ(replayed.difference ? to_text(*replayed.difference) : "", "");

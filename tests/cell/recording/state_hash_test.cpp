@@ -12,7 +12,7 @@ std::string hash_after(std::string_view bytes, std::size_t sent = 0) {
   Cell cell("main", test::rhino(), SimClock::manual(), {});
   cell.apply(LineOpened{"test"}, 0);
   cell.apply(BytesIn{1, bytes}, 0);
-  cell.apply(BytesOut{1, sent}, 0);
+  cell.sent({1, sent});
   return StateHasher().hash(cell);
 }
 

@@ -1,9 +1,13 @@
 #include "server/net/worker.hpp"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
+#include <cstddef>
+#include <filesystem>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -30,6 +34,62 @@ TEST(Worker, WorksInAnotherThreadAndResumesInTheLoop) {
   io.run();
   EXPECT_NE(of_work, std::this_thread::get_id());
   EXPECT_EQ(of_rest, std::this_thread::get_id());
+}
+
+std::ptrdiff_t threads() {
+  const std::filesystem::directory_iterator all("/proc/self/task");
+  return std::distance(begin(all), end(all));
+}
+
+TEST(Worker, StartsItsThreadWithTheFirstWork) {
+  asio::io_context io;
+  const std::ptrdiff_t before = threads();
+  Worker worker;
+  EXPECT_EQ(threads(), before);
+  for (int i = 0; i < 2; ++i)
+    asio::co_spawn(
+        io, [&]() -> asio::awaitable<void> { co_await worker.run([] { return 0; }); },
+        asio::detached);
+  io.run();
+  EXPECT_EQ(threads(), before + 1);
+}
+
+/// While it exists, no thread can be started: its stack would be larger than the address space.
+class NoThreads {
+ public:
+  NoThreads() {
+    ::pthread_getattr_default_np(&usual_);
+    pthread_attr_t huge;
+    ::pthread_attr_init(&huge);
+    ::pthread_attr_setstacksize(&huge, std::size_t{1} << 50);
+    ::pthread_setattr_default_np(&huge);
+    ::pthread_attr_destroy(&huge);
+  }
+  NoThreads(const NoThreads&) = delete;
+  NoThreads& operator=(const NoThreads&) = delete;
+  ~NoThreads() {
+    ::pthread_setattr_default_np(&usual_);
+    ::pthread_attr_destroy(&usual_);
+  }
+
+ private:
+  pthread_attr_t usual_{};
+};
+
+TEST(Worker, WorksInTheLoopIfNoThreadCanBeStarted) {
+  asio::io_context io;
+  const std::ptrdiff_t before = threads();
+  Worker worker;
+  const auto work = [&]() -> asio::awaitable<void> {
+    const auto where = co_await worker.run([] { return std::this_thread::get_id(); });
+    EXPECT_EQ(where, std::this_thread::get_id());
+  };
+  {
+    const NoThreads none;
+    asio::co_spawn(io, work(), asio::detached);
+    io.run();
+  }
+  EXPECT_EQ(threads(), before);
 }
 
 TEST(Worker, PassesExceptionsOn) {

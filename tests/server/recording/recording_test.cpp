@@ -34,7 +34,7 @@ class CellRecording : public testing::Test {
   std::string text() const { return read_file(path()).text; }
   void ask(std::string_view bytes) {
     cell_.apply(BytesIn{1, bytes}, 0);
-    cell_.apply(BytesOut{1, cell_.find_line(1)->outbox().size()}, 0);
+    cell_.sent({1, cell_.find_line(1)->outbox().size()});
   }
 
   fs::path folder_;
