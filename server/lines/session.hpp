@@ -105,8 +105,8 @@ class LineSession {
   LineSource& source_;
   PeerCounts::Place place_;
   LineLoad load_;
-  std::string pending_;  ///< read, but not applied because the outbox was full
-  bool is_open_ = true;
+  std::string pending_;     ///< read, but not applied because the outbox was full
+  bool is_open_ = true;     ///< as stream_->is_open(), without a virtual call
   bool is_ending_ = false;  ///< the stream ends after the bytes that have arrived
   bool is_broken_ = false;
   bool has_ended_ = false;                                ///< no more bytes will be read
