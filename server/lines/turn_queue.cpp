@@ -6,10 +6,11 @@
 namespace xr3 {
 namespace {
 
-// The first class has inquiries, also those of 17 milliseconds if a line asks once a millisecond: a
+// The first class has inquiries, also those of 68 milliseconds if a line asks once a millisecond: a
 // line that has to wait among a thousand others must not count as heavier for that, and wait even
-// longer. The last one has many images or commands without end.
-constexpr std::array<std::uint64_t, 3> kBounds = {7'000, 16'000, 64'000};
+// longer. The second one has lines that request an image now and then, or inquire without end. The
+// last one has many images or commands without end.
+constexpr std::array<std::uint64_t, 3> kBounds = {14'000, 32'000, 64'000};
 
 bool has_lines(const std::deque<SessionNumber>& lines) { return !lines.empty(); }
 

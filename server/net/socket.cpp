@@ -3,6 +3,7 @@
 #include <netinet/tcp.h>
 
 #include <algorithm>
+#include <boost/asio/bind_cancellation_slot.hpp>
 #include <boost/asio/buffer.hpp>
 #include <utility>
 
@@ -20,6 +21,10 @@ constexpr std::size_t kMaxLingerBytes = 16 * 1024 * 1024;
 void limit_unacknowledged(tcp::socket& socket) {
   const int timeout = static_cast<int>(milliseconds(kMaxStuck).count());
   ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_USER_TIMEOUT, &timeout, sizeof timeout);
+}
+
+bool must_wait(ErrorCode error) {
+  return error == asio::error::would_block || error == asio::error::try_again;
 }
 
 void close_when_due(asio::steady_timer& timer, milliseconds time,
@@ -42,11 +47,25 @@ MonitorSocket::MonitorSocket(tcp::socket socket, MemoryLimit* limit)
 }
 
 asio::awaitable<std::string_view> MonitorSocket::read() {
-  const auto [error, count] = co_await socket_->async_read_some(asio::buffer(buffer_), kAwait);
+  if (reading_->is_stopped) co_return read_arrived();
+  const auto [error, count] = co_await socket_->async_read_some(
+      asio::buffer(buffer_), asio::bind_cancellation_slot(reading_->waiting.slot(), kAwait));
+  const bool is_stopped = error == asio::error::operation_aborted && reading_->is_stopped;
+  co_return received(is_stopped ? ErrorCode() : error, count);
+}
+
+/// The bytes that have arrived already.
+std::string_view MonitorSocket::read_arrived() {
+  ErrorCode error;
+  const std::size_t count = socket_->read_some(asio::buffer(buffer_), error);
+  return received(must_wait(error) ? ErrorCode() : error, count);
+}
+
+std::string_view MonitorSocket::received(ErrorCode error, std::size_t count) {
   if (error && error != asio::error::eof) close();
-  if (!is_open()) co_return std::string_view{};
+  if (!is_open()) return {};
   note_bytes(count);
-  co_return std::string_view(buffer_.data(), count);
+  return {buffer_.data(), count};
 }
 
 asio::awaitable<bool> MonitorSocket::send(std::string_view bytes, std::string_view more) {
@@ -67,8 +86,7 @@ std::size_t MonitorSocket::send_some(std::span<const asio::const_buffer> buffers
   ErrorCode error;
   const std::size_t count = buffers.size() == 1 ? socket_->write_some(buffers.front(), error)
                                                 : socket_->write_some(buffers, error);
-  const bool must_wait = error == asio::error::would_block || error == asio::error::try_again;
-  if (error && !must_wait) close();
+  if (error && !must_wait(error)) close();
   note_bytes(asio::buffer_size(buffers));
   return count;
 }
@@ -94,9 +112,10 @@ asio::awaitable<void> MonitorSocket::linger() {
   socket_->shutdown(tcp::socket::shutdown_send, ignored);
   close_after(kMaxLinger);
   for (std::size_t forgotten = 0; is_open() && forgotten < kMaxLingerBytes;) {
-    const std::string_view bytes = co_await read();
-    if (bytes.empty()) break;
-    forgotten += bytes.size();
+    const auto [error, count] = co_await socket_->async_read_some(asio::buffer(buffer_), kAwait);
+    if (error) break;
+    note_bytes(count);
+    forgotten += count;
   }
   close();
 }
@@ -104,17 +123,18 @@ asio::awaitable<void> MonitorSocket::linger() {
 void MonitorSocket::close_after(milliseconds time) { close_when_due(deadline_, time, socket_); }
 
 void MonitorSocket::stop_reading_after(milliseconds time) {
-  run_after(deadline_, time, [socket = socket_, waited = has_waited_enough_] {
+  run_after(deadline_, time, [socket = socket_, reading = reading_] {
     if (!socket->is_open()) return;
-    *waited = true;
-    ErrorCode ignored;
-    socket->shutdown(tcp::socket::shutdown_receive, ignored);
+    reading->has_waited_enough = true;
+    reading->stop();
   });
 }
 
-void MonitorSocket::stop_reading() {
-  ErrorCode ignored;
-  socket_->shutdown(tcp::socket::shutdown_receive, ignored);
+void MonitorSocket::stop_reading() { reading_->stop(); }
+
+void MonitorSocket::Reading::stop() {
+  is_stopped = true;
+  waiting.emit(asio::cancellation_type::terminal);
 }
 
 // (The destructors of the timers cancel them.)

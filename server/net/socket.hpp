@@ -4,6 +4,7 @@
 
 #include <array>
 #include <boost/asio/buffer.hpp>
+#include <boost/asio/cancellation_signal.hpp>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -58,21 +59,33 @@ class MonitorSocket {
 
   /// Closes after this time, unless cancelled by call_off().
   void close_after(std::chrono::milliseconds time);
-  /// Stops reading after this time, unless cancelled by call_off(): read() then returns nothing.
+  /// Stops reading after this time, unless cancelled by call_off().
   void stop_reading_after(std::chrono::milliseconds time);
   /// Whether stop_reading_after() has stopped reading.
-  bool has_waited_enough() const { return *has_waited_enough_; }
+  bool has_waited_enough() const { return reading_->has_waited_enough; }
   void call_off() { deadline_.cancel(); }
 
-  /// Stops reading; sending is still possible.
+  /// Stops reading: read() then returns only what has arrived already. (The receiving side is not
+  /// shut down: each byte that the client sends after that would reset the connection, see linger().)
   void stop_reading();
   void close();
 
  private:
+  /// Shared with the handler of a timer, which stops reading.
+  struct Reading {
+    void stop();
+
+    bool is_stopped = false;
+    bool has_waited_enough = false;
+    asio::cancellation_signal waiting;  ///< ends the read that waits for bytes
+  };
+
+  std::string_view read_arrived();
+  std::string_view received(ErrorCode error, std::size_t count);
   asio::awaitable<bool> wait_until_writable();
 
   std::shared_ptr<tcp::socket> socket_;  ///< shared with the handlers of the timers, which close it
-  std::shared_ptr<bool> has_waited_enough_ = std::make_shared<bool>(false);
+  std::shared_ptr<Reading> reading_ = std::make_shared<Reading>();
   MemoryLimit* limit_;
   asio::steady_timer deadline_;
   asio::steady_timer stuck_;

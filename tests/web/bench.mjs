@@ -79,7 +79,23 @@ export async function open(url, { flags = kFlags, ...options } = {}) {
   return page;
 }
 /** Waits until the page has received and drawn model and state. */
-export const ready = (page) => page.waitForFunction(() => window.xr3?.known?.model && window.xr3.known.state && (window.xr3.tipDrawn() || document.querySelector("#solid .instead")));
+export async function ready(page) {
+  try {
+    await page.waitForFunction(() => window.xr3?.known?.model && window.xr3.known.state && (window.xr3.tipDrawn() || document.querySelector("#solid .instead")));
+  } catch (cause) {
+    throw new Error(`the page is not ready: ${JSON.stringify(await situation(page))}`, { cause });
+  }
+}
+
+/** What a page that is not ready has, for the message of a failure. */
+async function situation(page) {
+  const now = await page.evaluate(() => ({
+    document: document.readyState, connection: document.querySelector("#connection")?.textContent,
+    known: Object.keys(window.xr3?.known ?? {}), tip: window.xr3?.tipDrawn() ?? null,
+    files: performance.getEntriesByType("resource").map(({ name, responseStatus, responseEnd }) => [name, responseStatus, Math.round(responseEnd)]),
+  }));
+  return { url: page.url(), ...now, errors: page.errors };
+}
 
 /** Closes the browser and kills servers that failed tests have left running. */
 export async function close() {

@@ -8,7 +8,7 @@ namespace xr3 {
 namespace {
 
 constexpr std::uint64_t kLight = 200;
-constexpr std::uint64_t kImages = 13'000;
+constexpr std::uint64_t kImages = 25'000;
 constexpr std::uint64_t kEndless = 100'000;
 
 TEST(TurnQueue, LightLinesGoFirst) {
@@ -39,8 +39,8 @@ TEST(TurnQueue, LinesOfAboutTheSameLoadTakeTurns) {
   EXPECT_EQ(turns.take_lightest(), 7U);
 }
 
-TEST(TurnQueue, ALineThatAsksOnceAMillisecondIsLightAfterAWaitOf17) {
-  constexpr std::uint64_t kAfterAWait = 2 * 17 * kLight;  // half of a load is forgotten each turn
+TEST(TurnQueue, ALineThatAsksOnceAMillisecondStaysLightAfterAWaitOf64) {
+  constexpr std::uint64_t kAfterAWait = 64 * 204;
   TurnQueue turns;
   turns.add(1, kAfterAWait);
   turns.add(2, kLight);
