@@ -66,7 +66,7 @@ class MonitorSocket {
   void call_off() { deadline_.cancel(); }
 
   /// Stops reading: read() then returns only what has arrived already. (The receiving side is not
-  /// shut down: each byte that the client sends after that would reset the connection, see linger().)
+  /// shut down: the next byte of the client would then reset the connection, see linger().)
   void stop_reading();
   void close();
 
