@@ -78,10 +78,12 @@ export async function open(url, { flags = kFlags, ...options } = {}) {
   await page.goto(url);
   return page;
 }
-/** Waits until the page has received and drawn model and state. */
+/** Waits until the page has received and drawn model and state. (Asks in intervals, not in each frame of the page: a busy machine may
+ * show none for long while another page of the browser ends.) */
 export async function ready(page) {
+  const isReady = () => window.xr3?.known?.model && window.xr3.known.state && (window.xr3.tipDrawn() || document.querySelector("#solid .instead"));
   try {
-    await page.waitForFunction(() => window.xr3?.known?.model && window.xr3.known.state && (window.xr3.tipDrawn() || document.querySelector("#solid .instead")));
+    await page.waitForFunction(isReady, undefined, { polling: 50 });
   } catch (cause) {
     throw new Error(`the page is not ready: ${JSON.stringify(await situation(page))}`, { cause });
   }
