@@ -246,6 +246,7 @@ TEST_F(MonitorPortTest, EveryClientGetsAByeAtShutdown) {
             "{\"op\":\"bye\",\"why\":\"shutdown\",\"message\":\"the server is stopping\"}\n");
   EXPECT_EQ(waiting.json()["why"], "shutdown");
   waiting.rest();
+  for (Client* client : {&idle, &waiting}) client->half_close();
   io_.run_for(200ms);
   EXPECT_TRUE(monitor_port_.is_empty());
   EXPECT_EQ(cell_.state().tick, 0);
