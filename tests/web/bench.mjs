@@ -78,8 +78,8 @@ export async function open(url, { flags = kFlags, ...options } = {}) {
   await page.goto(url);
   return page;
 }
-/** Waits until the page has received and drawn model and state. (Asks in intervals, not in each frame of the page: a busy machine may
- * show none for long while another page of the browser ends.) */
+/** Waits until the page has received and drawn model and state. (Polls in intervals, not in animation frames, which a busy browser
+ * may delay.) */
 export async function ready(page) {
   const isReady = () => window.xr3?.known?.model && window.xr3.known.state && (window.xr3.tipDrawn() || document.querySelector("#solid .instead"));
   try {

@@ -45,7 +45,7 @@ struct MonitorSocketTest : testing::Test {
 
   void send(std::string_view bytes) { asio::write(client, asio::buffer(bytes)); }
 
-  /// What the client receives until the server stops sending, and how that ends.
+  /// All further bytes that the client receives, and the error code that ends reading.
   std::pair<std::string, ErrorCode> rest() {
     std::string bytes;
     ErrorCode end;

@@ -106,7 +106,7 @@ test("a branch goes on as a robot of its own, and its link opens it", () =>
     const [, port] = /robot port (\d+)/.exec(await page.textContent("#past-made"));
     await type(Number(port), "F+7\r");
     await page.click("#past-made a");
-    await page.waitForURL(/\/cell\/\w+$/); // before it, the page that was left may answer, or none
+    await page.waitForURL(/\/cell\/\w+$/); // until then, the old page may answer
     await ready(page);
     await shows(page, 47);
     assert.equal((await server.state()).joints[0].count, 80);
