@@ -36,10 +36,11 @@ constexpr std::uint64_t kAllOutput = std::numeric_limits<std::uint64_t>::max();
 LineSession::LineSession(std::unique_ptr<LineStream> stream, const LineOpened& opened,
                          LineSessionContext& context, LineSource& source, PeerCounts::Place place)
     : stream_(std::move(stream)),
+      place_(std::move(place)),
+      peer_(context.turns.peer(place_.get())),
       id_(context.cell.apply(opened, wall_now()).line),
       context_(context),
       source_(source),
-      place_(std::move(place)),
       load_(kNewLoad, wall_now()) {
   report_settings(wall_now());
 }

@@ -10,6 +10,7 @@
 #include "server/lines/load.hpp"
 #include "server/lines/source.hpp"
 #include "server/lines/stream.hpp"
+#include "server/lines/turn_queue.hpp"
 #include "server/net/peer_counts.hpp"
 
 namespace xr3 {
@@ -28,7 +29,7 @@ struct LineSessionContext {
 class LineSession {
  public:
   /// Opens a line of the cell. `context` and `source` must outlive the session, which keeps `place`
-  /// to its end; null: it takes no place.
+  /// to its end; null: it takes no place, and shares its turns with no other line.
   LineSession(std::unique_ptr<LineStream> stream, const LineOpened& opened,
               LineSessionContext& context, LineSource& source, PeerCounts::Place place);
 
@@ -51,6 +52,8 @@ class LineSession {
   static constexpr std::uint64_t kNewLoad = 15'000;
   /// LineLoad::at().
   std::uint64_t load(WallNs now) { return load_.at(now); }
+  /// The lines of one address share it.
+  TurnQueue::Peer& peer() { return *peer_; }
 
   /// The limits of a turn, or of a barrier: the bytes that have arrived before a call. Bytes act
   /// until one of them is reached.
@@ -100,10 +103,11 @@ class LineSession {
   void report_settings(WallNs now);
 
   std::unique_ptr<LineStream> stream_;
+  PeerCounts::Place place_;
+  std::shared_ptr<TurnQueue::Peer> peer_;
   LineId id_;
   LineSessionContext& context_;
   LineSource& source_;
-  PeerCounts::Place place_;
   LineLoad load_;
   std::string pending_;     ///< read, but not applied because the outbox was full
   bool is_open_ = true;     ///< as stream_->is_open(), without a virtual call

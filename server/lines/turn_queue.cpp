@@ -12,8 +12,6 @@ namespace {
 // last one has many images or commands without end.
 constexpr std::array<std::uint64_t, 3> kBounds = {14'000, 32'000, 64'000};
 
-bool has_lines(const std::deque<SessionNumber>& lines) { return !lines.empty(); }
-
 }  // namespace
 
 std::size_t TurnQueue::class_of(std::uint64_t load) {
@@ -22,8 +20,15 @@ std::size_t TurnQueue::class_of(std::uint64_t load) {
   return static_cast<std::size_t>(above - kBounds.begin());
 }
 
-void TurnQueue::add(SessionNumber line, std::uint64_t load) {
-  if (members_.insert(line).second) classes_[class_of(load)].push_back(line);
+// Start-time fair queueing, where each turn costs the same: a line takes part in the round that is
+// under way, or in the one after that of its peer's line before.
+void TurnQueue::add(SessionNumber line, std::uint64_t load, Peer& peer) {
+  if (!members_.insert(line).second) return;
+  const std::size_t number = class_of(load);
+  Class& to = classes_[number];
+  const std::uint64_t round = std::max(to.round, peer.next_round_[number]);
+  peer.next_round_[number] = round + 1;
+  to.lines.push({round, added_++, line});
 }
 
 bool TurnQueue::is_next(std::uint64_t load) const {
@@ -31,11 +36,12 @@ bool TurnQueue::is_next(std::uint64_t load) const {
   return std::none_of(classes_.begin(), end, has_lines);
 }
 
-SessionNumber TurnQueue::take(Class& lines) {
-  const SessionNumber line = lines.front();
-  lines.pop_front();
-  members_.erase(line);
-  return line;
+SessionNumber TurnQueue::take(Class& from) {
+  const Entry first = from.lines.top();
+  from.lines.pop();
+  from.round = first.round;
+  members_.erase(first.line);
+  return first.line;
 }
 
 SessionNumber TurnQueue::take_lightest() {

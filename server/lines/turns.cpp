@@ -109,7 +109,7 @@ std::size_t LineTurns::run_news(WallNs& now, WallNs end) {
     if (is_loss) found->second->note_loss();
     const std::uint64_t load = found->second->load(now);
     if (queue_.contains(number) || !queue_.is_next(load) || now >= end) {
-      queue_.add(number, load);
+      queue_.add(number, load, found->second->peer());
     } else {
       run_turn(number, found->second, now);
       now = wall_now();
@@ -132,13 +132,13 @@ void LineTurns::run_turn(SessionNumber number, WallNs now) {
 // The pointer is a copy, since the session may remove itself from the map.
 // NOLINTNEXTLINE(performance-unnecessary-value-param)
 void LineTurns::run_turn(SessionNumber number, std::shared_ptr<LineSession> session, WallNs now) {
-  if (session->run_turn(now)) queue_.add(number, session->load(wall_now()));
+  if (session->run_turn(now)) queue_.add(number, session->load(wall_now()), session->peer());
 }
 
 void LineTurns::wake(SessionNumber number) {
   const auto found = sessions_.find(number);
   if (found == sessions_.end()) return;
-  queue_.add(number, found->second->load(wall_now()));
+  queue_.add(number, found->second->load(wall_now()), found->second->peer());
   schedule();
 }
 

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "server/lines/session.hpp"
+#include "server/lines/turn_peers.hpp"
 #include "server/lines/turn_queue.hpp"
 #include "server/lines/watch.hpp"
 #include "server/net/asio.hpp"
@@ -26,6 +27,10 @@ class LineTurns {
   LineTurns& operator=(const LineTurns&) = delete;
 
   asio::io_context& io() { return io_; }
+  /// TurnPeers::at().
+  std::shared_ptr<TurnQueue::Peer> peer(const asio::ip::address* address) {
+    return peers_.at(address);
+  }
   /// A buffer for one read, shared by all sessions.
   std::span<char> scratch() { return scratch_; }
 
@@ -79,6 +84,7 @@ class LineTurns {
   std::array<char, 64 * 1024> scratch_{};
   LineWatch watch_;
   bool is_watching_ = false;
+  TurnPeers peers_;
   TurnQueue queue_;
   bool is_again_ = false;  ///< the next turns are scheduled
   WallNs next_turns_ = 0;  ///< earliest time of the next run_due_turns()

@@ -8,8 +8,8 @@ PeerCounts::Place PeerCounts::take(const asio::ip::address& peer) {
   if (!is_full) ++place->second;
   if (place->second == 0) counts_.erase(place);
   if (is_full) return nullptr;
-  return {&counts_, [place](Counts* counts) {
-            if (--place->second == 0) counts->erase(place);
+  return {&place->first, [place, this](const asio::ip::address*) {
+            if (--place->second == 0) counts_.erase(place);
           }};
 }
 

@@ -19,8 +19,8 @@ class PeerCounts {
   explicit PeerCounts(std::size_t max = kUnlimited, std::size_t max_local = kUnlimited)
       : max_(max), max_local_(max_local) {}
 
-  /// The place of one connection, until it is released.
-  using Place = std::shared_ptr<void>;
+  /// The place of one connection, until it is released; points to the peer's address.
+  using Place = std::shared_ptr<const asio::ip::address>;
 
   /// nullptr if the address has as many connections as it may have. The counts must outlive the
   /// place.

@@ -37,7 +37,7 @@ void RobotPort::open(tcp::socket socket) {
   const asio::ip::address address = peer_address(socket);
   const asio::ip::address peer = this_machine_as_one(address);
   if (!is_probe && is_owned_by_other(peer)) return refuse_other(peer);
-  auto place = rules_.peers.take(address);
+  auto place = is_probe ? nullptr : rules_.peers.take(address);
   if (!place && !is_probe) return refuse_peer(address);
   const LineOpened opened{peer_name(socket), LineKind::kTcp, is_probe, rules_.guard};
   if (!is_probe) ++open_;

@@ -22,6 +22,7 @@ FOLDER = pathlib.Path(__file__).parent
 MEASURED_S = {"line": 1.0, "session": 2.0, "step": 2.0}  # a thousand inquiries, four hundred pings
 MOST_WAIT_S = 90  # more than the patience of the victim
 CROWD_MS = 40
+LOCALHOST, NEIGHBOUR = "127.0.0.1", "127.0.0.2"
 MIB = 1 << 20
 
 
@@ -59,33 +60,32 @@ class Attack(Repeated):
 @dataclasses.dataclass(frozen=True)
 class Beside:
     """The wait that 99 of 100 replies of another line keep, beside a load. The load goes on when SIGTERM stops the
-    server after the last round, which must take at most two seconds. `crowd`: the load is many connections that are
-    busy at once, each as light as the other line, so that this has to wait for its turn among them. `port`: a serial
-    port of the server. `victim`: `line`, or `session` for pings on the monitor port, where the inquiries of a line go
-    to a device, or `step` for steps of time. `own_bound`: instead of the usual one."""
+    server after the last round, which must take at most two seconds. `port`: a serial port of the server. `victim`:
+    `line`, or `session` for pings on the monitor port, where the inquiries of a line go to a device, or `step` for
+    steps of time. `address`: that of the other line. `own_bound`: instead of the usual one."""
     name: str
     load: typing.Callable
     cell: str = SHIPPED
     clock: str = "real"
     options: tuple = ()
     unit: str = "ms"
-    crowd: bool = False
     port: typing.Callable = NoPort
     victim: str = "line"
+    address: str = LOCALHOST
     own_bound: float | None = None
 
     @property
     def bound(self):
         if self.own_bound is not None:
             return self.own_bound
-        return CROWD_MS if self.crowd else BOUND_MS[self.cell]
+        return BOUND_MS[self.cell]
 
     @contextlib.contextmanager
     def in_force(self):
         """Server, load and victim; then SIGTERM under the load. What must start is started before the load begins."""
         with Cell(self.cell) as options, self.port() as port, \
                 Server(*options, *port.options, *self.options, clock=self.clock) as xr3:
-            with victim_process(xr3, self.victim) as victim, load_process(self.name, xr3, port) as load:
+            with victim_process(xr3, self.victim, self.address) as victim, load_process(self.name, xr3, port) as load:
                 yield lambda: measured_beside(xr3, victim, load)
                 code = xr3.stop(within_s=SHUTDOWN_S)
             if code != 0:
@@ -111,6 +111,13 @@ def measured_beside(xr3, victim, load):
 def beside(name, load, *cells, **more):
     """An attack for each of these workcells."""
     return [Beside(f"{name}/{cell}", load, cell, **more) for cell in cells or (SHIPPED,)]
+
+
+def crowd(name, load, **more):
+    """The attack of many connections that are busy at once, each as light as the other line. If this comes from another
+    address, it takes turns with all of them together. If not, it waits for its turn among them."""
+    return [Beside(f"{name}/neighbour", load, address=NEIGHBOUR, **more),
+            Beside(f"{name}/same-address", load, own_bound=CROWD_MS, **more)]
 
 
 def cpu_s(pid):
@@ -142,10 +149,10 @@ def busy_share(xr3):
 
 
 @contextlib.contextmanager
-def victim_process(xr3, kind="line"):
+def victim_process(xr3, kind="line", address=LOCALHOST):
     """The well-behaved client, which measures whenever it is asked to, until the end of the block."""
     port = xr3.robot_port if kind == "line" else xr3.monitor_port
-    arguments = map(str, (port, xr3.pid, MEASURED_S[kind], kind))
+    arguments = map(str, (port, xr3.pid, MEASURED_S[kind], kind, address))
     process = subprocess.Popen([sys.executable, FOLDER / "victim.py", *arguments],
                                stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     with process:

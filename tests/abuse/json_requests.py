@@ -6,7 +6,7 @@ import itertools
 import json
 import select
 
-from attack import beside
+from attack import beside, crowd
 from cells import HEAPED, HUNDRED, LARGEST, SHIPPED, THOUSAND, block, workcell
 from lines import MANY_LINES, MOVES
 from target import call, get, json_line
@@ -167,7 +167,7 @@ ATTACKS = [
     *beside("json.churn", churn, *SHIPPED_AND_LARGEST),
     *beside("json.viewers", viewers(permutation), SHIPPED, HUNDRED, THOUSAND, LARGEST),
     *beside("json.image-viewers", viewers(image_fields, "image"), SHIPPED, LARGEST),
-    *beside("json.waiting", waiting, SHIPPED, crowd=True, **MANUAL),
+    *crowd("json.waiting", waiting, **MANUAL),
     *beside("json.wrong-tokens", wrong_tokens, SHIPPED, options=("--token", "auto")),
     *beside("json.mixture", mixture, *SHIPPED_AND_LARGEST),
     *(each for name, data in INVALID.items() for each in beside(f"json.invalid-{name}", flood(data), SHIPPED)),

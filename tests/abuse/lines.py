@@ -7,7 +7,7 @@ import select
 import signal
 import socket
 
-from attack import beside
+from attack import beside, crowd
 from cells import HEAPED, HUNDRED, LARGEST, SHIPPED
 from target import MOST_AT_ONCE, PING, call, json_line
 
@@ -110,7 +110,7 @@ ATTACKS = [
     *beside("lines.stepped", stepped(MOVES), SHIPPED, LARGEST, clock="manual"),
     *beside("lines.stepped-images", stepped(b"A**"), SHIPPED, LARGEST, clock="manual"),
     *beside("lines.stepped-many", stepped(MOVES, 100), SHIPPED, clock="manual"),
-    *beside("lines.stepped-crowd", stepped(MOVES, MANY_LINES), SHIPPED, clock="manual", crowd=True),
+    *crowd("lines.stepped-crowd", stepped(MOVES, MANY_LINES), clock="manual"),
     *beside("lines.many-steps", many_steps, SHIPPED, clock="manual"),
     *beside("lines.many-steps-pings", many_steps, SHIPPED, clock="manual", victim="session", own_bound=PING_MS),
     *beside("lines.steps", flood(MOVES), SHIPPED, clock="manual", victim="step", own_bound=STEP_MS),
@@ -126,13 +126,13 @@ ATTACKS = [
     *beside("lines.com-port-unread", flood(COM_PORT, reads=False), SHIPPED),
     *beside("lines.suspended", flood(SUSPENDED), SHIPPED),
     *beside("lines.negotiation", flood(NEGOTIATION), SHIPPED),
-    *beside("lines.trickle", trickle(b"\r"), SHIPPED, crowd=True),
-    *beside("lines.trickle-inquiries", trickle(b"E?"), SHIPPED, crowd=True),
-    *beside("lines.trickle-images", trickle(b"A**"), SHIPPED, crowd=True),
+    *crowd("lines.trickle", trickle(b"\r")),
+    *crowd("lines.trickle-inquiries", trickle(b"E?")),
+    *crowd("lines.trickle-images", trickle(b"A**")),
     *beside("lines.storm", storm(b"E?"), SHIPPED),
     *beside("lines.storm-held", storm(b"GET"), SHIPPED),
     *beside("lines.storm-strangers", storm(b"GET / HTTP/1.1\r\n"), SHIPPED),
-    *beside("lines.bursts", lambda target: target.bursts(target.robot_port, b"E?"), SHIPPED, crowd=True),
-    *beside("lines.refused", lambda target: target.flood(target.untried_line, b"A**", count=100), SHIPPED, crowd=True),
+    *crowd("lines.bursts", lambda target: target.bursts(target.robot_port, b"E?")),
+    *crowd("lines.refused", lambda target: target.flood(target.untried_line, b"A**", count=100)),
     *beside("lines.many-images", lambda target: target.flood(target.line, b"A**", count=100), SHIPPED, LARGEST),
 ]

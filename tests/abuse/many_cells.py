@@ -50,5 +50,5 @@ def overviews(target):
 ATTACKS = [
     Beside("cells.connections", cell_flood, options=PER_CONNECTION),
     Beside("cells.undecided", undecided_flood, options=PER_CONNECTION),
-    Beside("cells.overviews", overviews, options=("--cells", CELLS), crowd=True),
+    Beside("cells.overviews", overviews, options=("--cells", CELLS)),
 ]

@@ -4,7 +4,7 @@ whether or not the replies to the earlier ones have arrived, or one step of time
 input it does so for some seconds on a connection of its own, and prints how long the replies took, how long the server
 worked meanwhile (its processor time does not depend on other programs on the machine), and how long the slower
 bystander took: on each core, an idle program echoes what it gets.
-Usage: victim.py PORT PID SECONDS line|session|step"""
+Usage: victim.py PORT PID SECONDS line|session|step ADDRESS, from which it connects"""
 
 import collections
 import ctypes
@@ -20,6 +20,7 @@ import subprocess
 import sys
 import time
 
+LOCALHOST = "127.0.0.1"
 ECHO = pathlib.Path(__file__).with_name("echo.py")
 PATIENCE_NS = 60 * 10**9
 SO_TIMESTAMPNS = 35
@@ -60,11 +61,12 @@ class Line:
     BURSTS = 4  # before the measurement, see CONGESTION_CONTROL
     HAS_ONE_AT_A_TIME = False
 
-    def __init__(self, port):
+    def __init__(self, port, address=LOCALHOST):
         self.socket = socket.socket()
         self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_CONGESTION, CONGESTION_CONTROL)
-        self.socket.connect(("127.0.0.1", port))
+        self.socket.bind((address, 0))
+        self.socket.connect((LOCALHOST, port))
         self.socket.setsockopt(socket.SOL_SOCKET, SO_TIMESTAMPNS, 1)
         self.send()
         self.read_replies(self.FIRST_REPLIES)
@@ -208,8 +210,8 @@ KINDS = {"line": Line, "session": Session, "step": Step}
 
 def main():
     gc.disable()
-    _, port, pid, seconds, kind = sys.argv
-    opener = lambda: KINDS[kind](int(port))
+    _, port, pid, seconds, kind, address = sys.argv
+    opener = lambda: KINDS[kind](int(port), address)
     bystanders = [Bystander(core) for core in os.sched_getaffinity(0)]
     worked = processor_clock(int(pid))
     for _ in sys.stdin:

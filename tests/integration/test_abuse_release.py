@@ -17,7 +17,7 @@ import attack as attacks  # noqa: E402
 import catalogue  # noqa: E402
 from attack import Attack, Measured, measure_once  # noqa: E402
 
-TIMED = ("lines.images/shipped", "lines.trickle/shipped", "lines.storm/shipped", "lines.stepped/shipped",
+TIMED = ("lines.images/shipped", "lines.trickle-inquiries/neighbour", "lines.storm/shipped", "lines.stepped/shipped",
          "lines.steps-crowd/shipped", "lines.many-steps-pings/shipped", "pty.moves", "device.moves",
          "http.state/shipped", "http.slowloris/shipped", "json.churn/shipped", "json.wrong-tokens/shipped",
          "websocket.fragments/shipped")

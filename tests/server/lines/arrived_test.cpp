@@ -7,8 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "server/lines/turns.hpp"
-#include "tests/support/models.hpp"
+#include "tests/support/line_sessions.hpp"
 
 namespace xr3 {
 namespace {
@@ -38,32 +37,17 @@ class CrStream final : public LineStream {
   bool is_closed_ = false;
 };
 
-class NoSource final : public LineSource {
- public:
-  void accept_arrived() override {}
-  void line_ended(LineId, LineCloseReason) override {}
-};
-
-class ArrivedBytesTest : public testing::Test {
+class ArrivedBytesTest : public test::LineSessionsTest {
  protected:
   /// Line 1 is the first one.
   LineId add(std::size_t count, std::size_t at_once = kFlood) {
-    const auto session = std::make_shared<LineSession>(std::make_unique<CrStream>(count, at_once),
-                                                       LineOpened{}, context_, source_, nullptr);
+    const auto session = open(std::make_unique<CrStream>(count, at_once));
     arrived_.add(session);
     sessions_[session->line()] = session;
     return session->line();
   }
   std::uint64_t received(LineId line) const { return cell_.bytes_in(line).value_or(0); }
 
-  asio::io_context io_{1};
-  LineTurns turns_{io_};
-  Cell cell_{"main",
-             std::make_shared<const Model>(test::robot_named("rhino-xr3"),
-                                           test::workcell_named("rhino-xr3"), Profile::kPaper),
-             SimClock::manual(), [](const CellEvent&, const Model&) {}};
-  LineSessionContext context_{cell_, turns_, [](LineId) {}, [](LineId, LineCloseReason) {}};
-  NoSource source_;
   std::vector<LineId> woken_;
   std::map<LineId, std::shared_ptr<LineSession>> sessions_;
   ArrivedBytes arrived_{[this](LineId line) { woken_.push_back(line); }};

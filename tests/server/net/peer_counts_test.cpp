@@ -15,7 +15,9 @@ TEST(PeerCounts, LimitsEachAddress) {
   const auto second = counts.take(one);
   EXPECT_TRUE(first && second);
   EXPECT_FALSE(counts.take(one));
-  EXPECT_TRUE(counts.take(other));
+  const auto its = counts.take(other);
+  ASSERT_TRUE(its);
+  EXPECT_EQ(*its, other);
   first.reset();
   EXPECT_TRUE(counts.take(one)) << "a place is free again";
 }

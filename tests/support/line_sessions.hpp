@@ -1,0 +1,37 @@
+// Sessions of serial lines on streams that a test makes up, in a cell of its own.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "server/lines/turns.hpp"
+#include "tests/support/models.hpp"
+
+namespace xr3::test {
+
+class LineSessionsTest : public testing::Test {
+ protected:
+  /// Has no clients of its own.
+  struct NoSource final : LineSource {
+    void accept_arrived() override {}
+    void line_ended(LineId, LineCloseReason) override {}
+  };
+
+  std::shared_ptr<LineSession> open(std::unique_ptr<LineStream> stream,
+                                    PeerCounts::Place place = nullptr) {
+    return std::make_shared<LineSession>(std::move(stream), LineOpened{}, context_, source_,
+                                         std::move(place));
+  }
+
+  asio::io_context io_{1};
+  LineTurns turns_{io_};
+  Cell cell_{"main",
+             std::make_shared<const Model>(robot_named("rhino-xr3"), workcell_named("rhino-xr3"),
+                                           Profile::kPaper),
+             SimClock::manual(), [](const CellEvent&, const Model&) {}};
+  LineSessionContext context_{cell_, turns_, [](LineId) {}, [](LineId, LineCloseReason) {}};
+  NoSource source_;
+};
+
+}  // namespace xr3::test
