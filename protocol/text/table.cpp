@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <iomanip>
-#include <sstream>
+
+#include "protocol/text/text_stream.hpp"
 
 namespace xr3 {
 namespace {
@@ -29,7 +30,7 @@ void drop_trailing(std::string& text, char unwanted) {
 }  // namespace
 
 std::string fixed_number(double number, int decimals) {
-  std::ostringstream out;
+  TextStream out;
   out << std::fixed << std::setprecision(decimals) << number;
   const std::string text = out.str();
   const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
@@ -46,7 +47,7 @@ std::string plain_number(double number, int decimals) {
 }
 
 std::string significant_digits(double number, int digits) {
-  std::ostringstream out;
+  TextStream out;
   out << std::setprecision(digits) << number;
   return out.str();
 }

@@ -2,9 +2,9 @@
 #include <iomanip>
 #include <iostream>
 #include <set>
-#include <sstream>
 #include <utility>
 
+#include "protocol/text/text_stream.hpp"
 #include "server/commands/commands.hpp"
 #include "server/commands/fail.hpp"
 #include "server/exec/exercise.hpp"
@@ -18,7 +18,7 @@ namespace {
 /// The folder of one of several runs: 001, 002, ...
 std::string run_name(std::size_t index) {
   constexpr int kDigits = 3;
-  std::ostringstream name;
+  TextStream name;
   name << std::setw(kDigits) << std::setfill('0') << index + 1;
   return name.str();
 }

@@ -4,7 +4,6 @@
 #include <prometheus/text_serializer.h>
 
 #include <optional>
-#include <sstream>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "protocol/explain/command_text.hpp"
 #include "protocol/explain/event_report.hpp"
 #include "protocol/monitor/message.hpp"
+#include "protocol/text/text_stream.hpp"
 
 namespace xr3 {
 namespace {
@@ -74,7 +74,7 @@ class Page {
     families_.push_back({"process_" + name, help, type, {std::move(metric)}});
   }
   std::string text() const {
-    std::ostringstream out;
+    TextStream out;
     prometheus::TextSerializer().Serialize(out, families_);
     return out.str();
   }

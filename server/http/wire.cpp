@@ -6,9 +6,9 @@
 #include <boost/beast/http/string_body.hpp>
 #include <boost/beast/http/write.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
-#include <sstream>
 
 #include "protocol/monitor/http_guard.hpp"
+#include "protocol/text/text_stream.hpp"
 
 namespace xr3::http {
 namespace {
@@ -183,7 +183,7 @@ std::string head_text(unsigned status, const std::vector<Field>& fields, std::si
   head.set(beast::http::field::content_length, std::to_string(body_bytes));
   for (const Field& field : safety_fields()) head.insert(field.name, field.value);
   head.insert(beast::http::field::connection, then == Then::kKeep ? "keep-alive" : "close");
-  std::ostringstream text;
+  TextStream text;
   text << head;
   return text.str();
 }

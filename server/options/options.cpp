@@ -3,10 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "protocol/text/text_stream.hpp"
 #include "server/options/argument_error.hpp"
 #include "server/options/environment.hpp"
 #include "server/options/manual.hpp"
@@ -135,8 +135,8 @@ Leave leave(const CLI::App& app, const CLI::ParseError& error,
     return {ExitCode::kBadInput, "",
             "xr3: " + describe_argument_error(app, error, arguments) + "\n"};
   }
-  std::ostringstream out;
-  std::ostringstream err;
+  TextStream out;
+  TextStream err;
   app.exit(error, out, err);
   return {ExitCode::kGood, out.str(), err.str()};
 }

@@ -1,9 +1,9 @@
 #include "server/options/shared_options.hpp"
 
 #include <cstdint>
-#include <sstream>
 #include <stdexcept>
 
+#include "protocol/text/text_stream.hpp"
 #include "server/net/asio.hpp"
 #include "server/options/whole_number.hpp"
 
@@ -34,7 +34,7 @@ CLI::Validator number_between(double least, double most) {
         double number = 0;
         const bool is_number = CLI::detail::lexical_cast(text, number);
         if (is_number && number >= least && number <= most) return {};
-        std::ostringstream allowed;
+        TextStream allowed;
         allowed << text << ": a number from " << least << " to " << most;
         return allowed.str();
       },

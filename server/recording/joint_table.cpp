@@ -1,17 +1,17 @@
 #include "server/recording/joint_table.hpp"
 
 #include <iomanip>
-#include <sstream>
 
 #include "core/coupling.hpp"
 #include "core/kinematics.hpp"
 #include "protocol/json/values.hpp"
+#include "protocol/text/text_stream.hpp"
 
 namespace xr3 {
 namespace {
 
 std::string fixed_text(double value, int decimals) {
-  std::ostringstream out;
+  TextStream out;
   out << std::fixed << std::setprecision(decimals) << rounded(value, decimals);
   return out.str();
 }

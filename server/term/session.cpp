@@ -2,9 +2,9 @@
 
 #include <array>
 #include <filesystem>
-#include <sstream>
 #include <utility>
 
+#include "protocol/text/text_stream.hpp"
 #include "server/net/spawn.hpp"
 
 namespace xr3 {
@@ -17,7 +17,7 @@ constexpr std::chrono::milliseconds kBurstEnd{250};
 constexpr std::chrono::milliseconds kLastWords{500};
 
 std::string text_of_seconds(std::chrono::milliseconds time) {
-  std::ostringstream text;
+  TextStream text;
   text << static_cast<double>(time.count()) / 1000 << " s";
   return text.str();
 }

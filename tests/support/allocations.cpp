@@ -12,6 +12,7 @@ namespace {
 
 std::atomic<std::size_t> held{0};
 std::atomic<std::size_t> most{0};
+std::atomic<bool> is_exhausted{false};
 
 void note(std::size_t bytes) {
   const std::size_t now = held += bytes;
@@ -26,9 +27,13 @@ Allocations::Allocations() : before_(held) { most = before_; }
 
 std::size_t Allocations::peak() const { return std::max(most.load(), before_) - before_; }
 
+NoMemory::NoMemory() { is_exhausted = true; }
+NoMemory::~NoMemory() { is_exhausted = false; }
+
 }  // namespace xr3::test
 
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  if (xr3::test::is_exhausted) return nullptr;
   void* memory = std::malloc(std::max<std::size_t>(size, 1));
   if (memory != nullptr) xr3::test::note(malloc_usable_size(memory));
   return memory;

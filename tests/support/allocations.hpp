@@ -1,5 +1,5 @@
 // Measures the peak of memory allocated with operator new, which it replaces in a program that
-// links it. All threads are counted together.
+// links it, or lets it fail. All threads are counted together.
 #pragma once
 
 #include <cstddef>
@@ -16,6 +16,15 @@ class Allocations {
 
  private:
   std::size_t before_;
+};
+
+/// While it exists, each allocation fails.
+class NoMemory {
+ public:
+  NoMemory();
+  NoMemory(const NoMemory&) = delete;
+  NoMemory& operator=(const NoMemory&) = delete;
+  ~NoMemory();
 };
 
 }  // namespace xr3::test

@@ -16,8 +16,8 @@
 namespace xr3 {
 namespace {
 
-const std::vector<std::string> kWorkcells = {"rhino-xr3", "rhino-hundred", "adept-one",
-                                             "intelledex-660"};
+const std::vector<std::string> kPaperWorkcells = {"rhino-xr3", "rhino-hundred", "adept-one",
+                                                  "intelledex-660"};
 
 /// Only the items that the paper names, as a student would type them.
 const std::string kArm =
@@ -77,7 +77,7 @@ TEST(PaperForm, ShippedRobotsRoundTrip) {
 }
 
 TEST(PaperForm, ShippedWorkcellsRoundTrip) {
-  for (const std::string& name : kWorkcells) {
+  for (const std::string& name : kPaperWorkcells) {
     const Workcell& workcell = test::workcell_named(name);
     const std::string text = workcell_to_paper_form(workcell);
     const FileReading<Workcell> reading = read_paper_workcell(text, name);
