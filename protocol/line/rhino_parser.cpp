@@ -36,8 +36,9 @@ void RhinoParser::feed(std::uint8_t byte, std::uint64_t offset, std::vector<Pars
 }
 
 void RhinoParser::feed_disabled(std::uint8_t byte, std::uint64_t offset, std::vector<Parsed>& out) {
-  const bool completes = byte == '@' && mode_ == Mode::kIdle && label_ == 'A';
-  const bool keeps = is_space(byte) && label_ == 'A';
+  const bool has_a = mode_ == Mode::kIdle && label_ == 'A';
+  const bool completes = has_a && byte == '@';
+  const bool keeps = has_a && is_space(byte);
   if (!completes && !keeps) *this = RhinoParser(profile_);
   offset_ = offset;
   if (completes) return feed_environment(byte, out);

@@ -40,12 +40,13 @@ class Parser:
 
     def is_enabling(self, byte):
         """Handles a byte that arrives while the simulator is disabled; returns whether it ends an `A@`. A partial
-        command and the selected joint are lost."""
+        command and the selected joint are lost, but not an A without a partial command."""
         char = chr(byte).upper()
-        self.partial = ""
-        if self.joint == "A" and char in BLANKS:
+        has_a = self.joint == "A" and not self.partial
+        if has_a and char in BLANKS:
             return False
-        is_end = self.joint == "A" and char == "@"
+        is_end = has_a and char == "@"
+        self.reset()
         self.joint = "A" if char == "A" else None
         if not is_end and char not in "A\r\n" + BLANKS:
             self.warn("disabled")
@@ -141,7 +142,7 @@ class Parser:
     def _view(self, numbers):
         vector = [int(re.sub(f"[{BLANKS}]", "", number)) for number in numbers or "111"
                   if re.fullmatch(f"[+-]?[{BLANKS}]*[0-9]+", number)]
-        if len(vector) == max(3, len(numbers)) and any(vector) and all(-9 <= number <= 9 for number in vector):
+        if len(numbers) in (0, 3) and len(vector) == 3 and any(vector) and all(-9 <= number <= 9 for number in vector):
             self.execute("set_view_vector", *vector)
         else:
             self.warn("bad_view_vector")

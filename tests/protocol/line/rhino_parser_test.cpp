@@ -512,6 +512,9 @@ TEST(RhinoParser, WhileDisabledAcceptsOnlyTheEnablingCommand) {
       {"E+5", "\r", ""},
       {"E+5", "A@", "A@"},
       {"A+5", "@", "disabled"},
+      {"A+", "@", "disabled"},
+      {"A+", " @", "disabled"},
+      {"A+5 ", "@", "A@"},
       {"A*3", "*", "disabled"},
       {"A*3", "A@", "A@"},
       {"P", "3", "disabled"},
@@ -529,6 +532,15 @@ TEST(RhinoParser, DisablingDiscardsAnIncompleteCommand) {
   parser.feed_disabled('I', 3, parsed);
   for (const char byte : "9\r"sv) parser.feed(static_cast<std::uint8_t>(byte), 4, parsed);
   EXPECT_EQ(words(parsed), "disabled no_joint_selected");
+}
+
+TEST(RhinoParser, DisablingDiscardsAnIncompleteCommandAlsoAtABlank) {
+  RhinoParser parser(Profile::kPaper);
+  std::vector<Parsed> parsed;
+  for (const char byte : "A+5"sv) parser.feed(static_cast<std::uint8_t>(byte), 0, parsed);
+  parser.feed_disabled(' ', 3, parsed);
+  parser.feed('\r', 4, parsed);
+  EXPECT_EQ(words(parsed), "");
 }
 
 // --- Everything there is.
