@@ -12,7 +12,7 @@ namespace xr3 {
 class TurnPeers {
  public:
   /// The peer of this address, the same one for all lines of it that exist at the same time.
-  /// nullptr, as for a pseudo-terminal: a peer of its own.
+  /// Without an address (nullptr), as for a pseudo-terminal, each call returns a new peer.
   std::shared_ptr<TurnQueue::Peer> at(const asio::ip::address* address);
 
   /// The number of addresses that are known, some of which may have no line any more.

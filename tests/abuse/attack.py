@@ -16,13 +16,14 @@ import typing
 from cells import BOUND_MS, SHIPPED, Cell
 from serial_ports import NoPort
 from support import DEADLINE_S, SHUTDOWN_S, Server
+from target import LOCALHOST
 from victim import process_clock
 
 FOLDER = pathlib.Path(__file__).parent
 MEASURED_S = {"line": 1.0, "session": 2.0, "step": 2.0}  # a thousand inquiries, four hundred pings
 MOST_WAIT_S = 90  # more than the patience of the victim
 CROWD_MS = 40
-LOCALHOST, NEIGHBOUR = "127.0.0.1", "127.0.0.2"
+NEIGHBOUR = "127.0.0.2"
 MIB = 1 << 20
 
 

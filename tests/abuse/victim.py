@@ -20,7 +20,8 @@ import subprocess
 import sys
 import time
 
-LOCALHOST = "127.0.0.1"
+from target import LOCALHOST
+
 ECHO = pathlib.Path(__file__).with_name("echo.py")
 PATIENCE_NS = 60 * 10**9
 SO_TIMESTAMPNS = 35

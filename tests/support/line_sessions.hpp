@@ -1,4 +1,4 @@
-// Sessions of serial lines on streams that a test makes up, in a cell of its own.
+// A fixture for tests of line sessions: a cell, and sessions on streams that the test provides.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace xr3::test {
 
 class LineSessionsTest : public testing::Test {
  protected:
-  /// Has no clients of its own.
+  /// A source that accepts no clients.
   struct NoSource final : LineSource {
     void accept_arrived() override {}
     void line_ended(LineId, LineCloseReason) override {}
