@@ -153,7 +153,7 @@ class Cell final : private LineListener {
   static call::Refused in_the_past();
   /// Whether the bytes of an open line wait: for another line, or because the cell is in the past.
   bool is_unread(LineId line) const {
-    return line != kProbeLine && (is_in_past_ || line_before(line));
+    return line != kProbeLine && (is_in_past_ || (byte_clock_ && line_before(line)));
   }
   /// The model of this robot and profile with another workcell.
   ModelPtr model_with(const Workcell& workcell) const;

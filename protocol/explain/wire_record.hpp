@@ -4,6 +4,7 @@
 // reuses its memory.
 #pragma once
 
+#include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -104,7 +105,8 @@ struct WireRecord {
   std::uint64_t bytes = 0;             ///< number of bytes
   std::string shown;                   ///< the first kMaxShownIn or kMaxShownOut bytes
   std::optional<TelnetFilter> telnet;  ///< kIn: the line's filter, if any, before the first byte
-  std::vector<wire::Item> items;
+  /// Most records have one item; it is in the record itself.
+  boost::container::small_vector<wire::Item, 1> items;
 };
 
 /// Maximum number of bytes kept in a record. A longer read is split into several records, so that

@@ -13,6 +13,7 @@
 
 #include "protocol/monitor/byte_budget.hpp"
 #include "protocol/monitor/message.hpp"
+#include "protocol/monitor/prefetch.hpp"
 
 namespace xr3::monitor {
 
@@ -58,6 +59,9 @@ class Ring final : public Feed, private ByteBudget::Member {
     if (!segment) segment = std::make_unique<Segment>();
     Slot& slot = (*segment)[index_of(next_++)];
     slot.text.reset();
+    // The slot after the next one was last used a whole round ago, and has left the cache since.
+    const std::int64_t later = next_ + 1;
+    if (const SegmentPtr& its = segment_of(later)) prefetch(&(*its)[index_of(later)]);
     return slot.value;
   }
 
