@@ -60,8 +60,7 @@ class Ring final : public Feed, private ByteBudget::Member {
     Slot& slot = (*segment)[index_of(next_++)];
     slot.text.reset();
     // The slot after the next one was last used a whole round ago, and has left the cache since.
-    const std::int64_t later = next_ + 1;
-    if (const SegmentPtr& its = segment_of(later)) prefetch(&(*its)[index_of(later)]);
+    if (const SegmentPtr& ahead = segment_of(next_ + 1)) prefetch(&(*ahead)[index_of(next_ + 1)]);
     return slot.value;
   }
 
