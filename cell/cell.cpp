@@ -131,7 +131,6 @@ std::optional<std::uint64_t> Cell::bytes_in(LineId line) const {
 // --- Lines.
 
 std::vector<LineId> Cell::take_woken_lines() {
-  if (woken_.empty() && !device_) return {};  // after nearly every input
   std::vector<LineId> all = std::exchange(woken_, {});
   if (device_) {
     const std::vector<LineId> accepting = device_->take_woken();

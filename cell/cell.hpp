@@ -151,7 +151,8 @@ class Cell final : private LineListener {
   bool is_in_past() const { return is_in_past_; }
   /// The refusal of calls that would change a cell in its past.
   static call::Refused in_the_past();
-  /// Whether the bytes of an open line wait: for another line, or because the cell is in the past.
+  /// Whether the bytes of an open line wait: for another line, with a byte clock only, or because
+  /// the cell is in the past.
   bool is_unread(LineId line) const {
     return line != kProbeLine && (is_in_past_ || (byte_clock_ && line_before(line)));
   }

@@ -19,7 +19,7 @@ NO_IO = {"thread", "mutex", "shared_mutex", "condition_variable", "future", "ios
          "chrono", "ctime", "filesystem"}
 RULES = {
     "core": (("core/",), ("Eigen/",), NO_IO),
-    "protocol": (("core/", "protocol/"), ("Eigen/", "nlohmann/", "boost/container/"), NO_IO),
+    "protocol": (("core/", "protocol/"), ("Eigen/", "nlohmann/"), NO_IO),
     "cell": (("core/", "protocol/", "cell/"), ("Eigen/", "nlohmann/"), NO_IO),
     "tools": (("core/", "protocol/", "tools/"), ("Eigen/", "nlohmann/"), NO_IO),
     "server": (("core/", "protocol/", "cell/", "tools/", "server/"), None, set()),

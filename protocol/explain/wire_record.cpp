@@ -16,8 +16,6 @@ using wire::NoMotion;
 using wire::PictureSize;
 using wire::WarningRaised;
 
-using Items = decltype(WireRecord::items);
-
 // Records of the ring are overwritten hundreds of thousands of times per second.
 static_assert(std::is_trivially_copyable_v<Item>);
 
@@ -36,7 +34,7 @@ void begin(WireRecord& record, Direction direction, const WirePlace& place, std:
 // Adds an item to be filled in place: a copy of what was written just before costs more than all
 // the rest of a short record. A new item has the first alternative already.
 template <class What>
-What& add_item(Items& items, std::uint64_t from, std::uint64_t to) {
+What& add_item(std::vector<Item>& items, std::uint64_t from, std::uint64_t to) {
   Item& item = items.emplace_back();
   item.from = from;
   item.to = to;
@@ -52,7 +50,7 @@ bool is_junk(const Problem& problem) {
          problem.code == ProblemCode::kNoJointSelected || problem.code == ProblemCode::kDisabled;
 }
 
-void add_problem(Items& items, const Parsed& parsed, const Problem& problem) {
+void add_problem(std::vector<Item>& items, const Parsed& parsed, const Problem& problem) {
   if (is_junk(problem) && !items.empty() && items.back().to == parsed.from) {
     auto* run = std::get_if<Ignored>(&items.back().what);
     if (run != nullptr && run->problem == problem) {
@@ -79,7 +77,7 @@ NoMotion held_back(const MoveTaken& move, const Simulation& machine) {
   return {move.label, machine.state().stall, motor.blocked};
 }
 
-void add_command(Items& items, const Exchange& exchange, const Command& command,
+void add_command(std::vector<Item>& items, const Exchange& exchange, const Command& command,
                  const Simulation& machine) {
   const auto [from, to] = std::pair(exchange.parsed.from, exchange.parsed.to);
   const MoveTaken* move = move_in(exchange);
@@ -102,7 +100,7 @@ void add_command(Items& items, const Exchange& exchange, const Command& command,
 }
 
 // Sets the members of each toggle, going back from the state after the last byte.
-void settle_toggles(Items& items, const State& after, bool has_device) {
+void settle_toggles(std::vector<Item>& items, const State& after, bool has_device) {
   bool display = after.display.on;
   bool erase = after.display.erase;
   bool enabled = after.enabled;

@@ -4,7 +4,6 @@
 // reuses its memory.
 #pragma once
 
-#include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,6 +13,7 @@
 
 #include "core/command.hpp"
 #include "core/event.hpp"
+#include "core/prefetch.hpp"
 #include "core/simulation.hpp"
 #include "protocol/explain/cell_event.hpp"
 #include "protocol/line/rhino_endpoint.hpp"
@@ -105,9 +105,13 @@ struct WireRecord {
   std::uint64_t bytes = 0;             ///< number of bytes
   std::string shown;                   ///< the first kMaxShownIn or kMaxShownOut bytes
   std::optional<TelnetFilter> telnet;  ///< kIn: the line's filter, if any, before the first byte
-  /// Most records have one item; it is in the record itself.
-  boost::container::small_vector<wire::Item, 1> items;
+  std::vector<wire::Item> items;
 };
+
+/// For monitor::Ring, which refills old records.
+[[gnu::always_inline]] inline void prefetch_held(const WireRecord& record) {
+  prefetch(record.items.data());
+}
 
 /// Maximum number of bytes kept in a record. A longer read is split into several records, so that
 /// every received byte is kept.

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "protocol/monitor/prefetch.hpp"
+#include "core/prefetch.hpp"
 
 namespace xr3 {
 
