@@ -5,6 +5,7 @@
 
 #include "server/log.hpp"
 #include "server/monitor_port/token.hpp"
+#include "server/net/spawn.hpp"
 #include "server/net/wall_clock.hpp"
 
 namespace xr3 {
@@ -68,6 +69,10 @@ void RobotHost::run(const std::function<bool()>& is_over) {
 }
 
 void RobotHost::close_ports() {
+  bool is_settled = false;
+  spawn_session(io_.get_executor(), "the serial lines", cell_->lines().settle(),
+                [&is_settled] { is_settled = true; });
+  run([&is_settled] { return is_settled; });
   cell_->lines().read_arrived_at_once();  // clients that have connected, but are not accepted yet
   cell_->port()->close();
 }

@@ -179,7 +179,8 @@ LineSession::Left LineSession::flush(const Limits& limits, WallNs now) {
   const auto is_done = [&] { return line.outbox().empty() && pending_.empty(); };
   while (!is_done()) {
     if (line.outbox().empty() && !accepts_pending()) {  // suspended replies, or the device
-      if (!is_ending_ || line.has_input_ended()) return Left::kWaits;
+      const bool may_end = is_ending_ || stream_->is_hung_up();
+      if (!may_end || line.has_input_ended()) return Left::kWaits;
       end_input();
     }
     const std::size_t count = line.outbox().empty() ? 0 : stream_->write(line.outbox());

@@ -117,8 +117,13 @@ asio::awaitable<void> LineSessions::read(ArrivedBytes bytes) {
   while (vital(kLinesName, read_some)) co_await turns_.pause();
 }
 
+asio::awaitable<void> LineSessions::settle() {
+  for (LineSource* source : sources_) co_await source->settle();
+}
+
 asio::awaitable<void> LineSessions::read_arrived() {
-  return read(vital(kLinesName, [this] { return arrived(); }));
+  co_await settle();
+  co_await read(vital(kLinesName, [this] { return arrived(); }));
 }
 
 void LineSessions::read_arrived_at_once() {

@@ -37,7 +37,9 @@ class LineSessions final : public LineTransports {
                              const LineOpened& opened, PeerCounts::Place place = nullptr);
 
   asio::awaitable<void> read_arrived() override;
-  /// The same without a pause, for callers that need no other port meanwhile.
+  /// Waits until the bytes that clients have sent before this call can be read.
+  asio::awaitable<void> settle();
+  /// read_arrived() after settle(), without a pause, for callers that need no other port meanwhile.
   void read_arrived_at_once();
   void run_turns() override { turns_.run_turns(); }
   asio::awaitable<bool> wait_for_bytes(LineId line, std::uint64_t bytes_in,

@@ -3,11 +3,14 @@
 
 #include "cell/counters.hpp"
 #include "protocol/explain/cell_event.hpp"
+#include "server/net/asio.hpp"
 
 namespace xr3 {
 
 class LineSource {
  public:
+  /// Waits until the bytes that clients have sent before this call can be read.
+  virtual asio::awaitable<void> settle() { co_return; }
   /// Opens a line for each client that has arrived, without waiting.
   virtual void accept_arrived() = 0;
   /// Bytes of one of its lines have acted.

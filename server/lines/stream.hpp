@@ -33,6 +33,10 @@ class LineStream {
   /// this line.
   virtual std::optional<LineSettings> take_settings(LineId) { return std::nullopt; }
 
+  /// The client is gone, but bytes that it has sent may still have to be read. (The watch of the
+  /// lines tells this of a connection.)
+  virtual bool is_hung_up() const { return false; }
+
   /// The client sends no more bytes.
   bool has_ended() const { return has_ended_; }
   /// The connection is broken.

@@ -14,7 +14,6 @@ constexpr double kMaxSimSeconds = 1e6;
 constexpr double kMaxSeconds = 86'400;
 constexpr int kMaxRepeat = 100'000;
 constexpr std::int64_t kMaxBytes = std::int64_t{1} << 53;
-constexpr int kMaxMemoryMib = 1 << 20;
 constexpr int kMaxProcesses = 100'000;
 constexpr int kMaxJobs = 256;
 

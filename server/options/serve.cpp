@@ -16,7 +16,6 @@ constexpr int kMaxLines = 20000;
 constexpr int kMaxCells = 10000;
 constexpr double kMaxLingerS = 86400;
 constexpr int kMinMemoryMib = 64;
-constexpr int kMaxMemoryMib = 1 << 20;
 
 std::string check_token_word(const std::string& word) {
   return word == "auto" ? ""

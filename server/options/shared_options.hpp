@@ -9,6 +9,9 @@
 
 namespace xr3 {
 
+/// The largest limit of memory that a command accepts, MiB.
+inline constexpr int kMaxMemoryMib = 1 << 20;
+
 /// A CLI11 validator that calls the parser; the message of its std::invalid_argument is the error.
 template <class Parse>
 CLI::Validator parses(Parse parse) {

@@ -1,11 +1,9 @@
 #include "server/pty/port.hpp"
 
+#include <fcntl.h>
 #include <spdlog/spdlog.h>
-#include <sys/inotify.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <boost/system/system_error.hpp>
 #include <cassert>
 #include <cerrno>
@@ -22,80 +20,91 @@ namespace {
 
 constexpr const char* kPtyName = "the pseudo-terminals";
 
-[[noreturn]] void fail_to_watch() {
-  throw FileError(std::string("a pseudo-terminal cannot be watched: ") + std::strerror(errno));
+/// A copy, which its owner may close.
+int copy_of(int descriptor) {
+  const int copy = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+  if (copy < 0)
+    throw FileError(std::string("a pseudo-terminal cannot be watched: ") + std::strerror(errno));
+  return copy;
 }
 
 }  // namespace
 
-void PtyPort::serve(const std::vector<std::string>& paths, ::mode_t rights) {
-  assert(places_.empty());
-  if (paths.empty()) return;
-  const int opens = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
-  if (opens < 0) fail_to_watch();
-  opens_.assign(opens);
-  rights_ = rights;
-  for (const std::string& path : paths) {
-    watch(places_.emplace_back(path, rights).terminal);
-  }
-  lines_.add(*this);
-  spawn_loop(io_.get_executor(), kPtyName, run());
-}
+PtyPort::PtyPort(asio::io_context& io, LineSessions& lines)
+    : io_(io), lines_(lines), news_(io), attended_(io, asio::steady_timer::time_point::max()) {}
 
-void PtyPort::watch(const PseudoTerminal& terminal) {
-  if (::inotify_add_watch(opens_.native_handle(), terminal.slave().c_str(), IN_OPEN) < 0)
-    fail_to_watch();
+void PtyPort::serve(const std::vector<std::string>& paths, ::mode_t rights) {
+  assert(!watch_);
+  if (paths.empty()) return;
+  watch_.emplace(paths, rights);
+  news_.assign(copy_of(watch_->news().descriptor()));
+  for (PtyPlace& place : watch_->places()) served_.push_back({place, std::nullopt});
+  lines_.add(*this);
+  spawn_loop(io_.get_executor(), kPtyName, follow_news());
 }
 
 void PtyPort::close() {
   is_closing_ = true;
   ErrorCode ignored;
-  opens_.close(ignored);
+  news_.close(ignored);
+  attended_.cancel();
 }
 
-// An event says only that something was opened, perhaps by this process: accept_arrived() looks.
-asio::awaitable<void> PtyPort::run() {
-  std::array<char, 4096> events{};
-  while (opens_.is_open()) {
-    const auto [error, count] = co_await opens_.async_read_some(asio::buffer(events), kAwait);
+asio::awaitable<void> PtyPort::follow_news() {
+  while (news_.is_open()) {
+    const auto [error] =
+        co_await news_.async_wait(asio::posix::stream_descriptor::wait_read, kAwait);
     if (is_closing_) co_return;
-    if (error) throw boost::system::system_error(error, "inotify");
-    vital(kPtyName, [this] { accept_arrived(); });
+    if (error) throw boost::system::system_error(error, "eventfd");
+    vital(kPtyName, [this] { take_news(); });
   }
+}
+
+void PtyPort::take_news() {
+  watch_->news().take();
+  const int failure = watch_->failure();
+  if (failure != 0)
+    throw boost::system::system_error(failure, boost::system::system_category(), "epoll");
+  attended_.cancel();
+  accept_arrived();
+  for (Served& served : served_) report_failure(served);
+}
+
+asio::awaitable<void> PtyPort::settle() {
+  if (!watch_ || is_closing_) co_return;
+  const std::uint64_t round = watch_->attend_to_all();
+  while (!is_closing_ && !watch_->has_attended(round)) co_await attended_.async_wait(kAwait);
 }
 
 void PtyPort::accept_arrived() {
   if (is_closing_) return;
-  for (Place& place : places_) {
-    if (place.line || !place.terminal.has_client()) continue;
-    place.line = lines_.open(*this, std::make_unique<PtyStream>(place.terminal),
-                             LineOpened{place.link.path(), LineKind::kPty});
-  }
+  for (Served& served : served_)
+    if (served.place.stage() == PtyPlace::Stage::kArrived) open_line(served);
 }
 
-void PtyPort::line_ended(LineId line, LineCloseReason reason) {
-  const auto place = std::ranges::find(places_, std::optional(line), &Place::line);
-  if (is_closing_ || place == places_.end()) return;
-  place->line.reset();
-  make_ready(*place, reason);
+// A program that has left before its line began is noticed when the thread attends to the place.
+void PtyPort::open_line(Served& served) {
+  served.line = lines_.open(*this, std::make_unique<PtyStream>(*watch_, served.place),
+                            LineOpened{served.place.path(), LineKind::kPty});
+  if (!served.line) served.place.end_line(true);
+  watch_->attend(served.place);
+}
+
+void PtyPort::report_failure(Served& served) const {
+  if (served.place.stage() != PtyPlace::Stage::kFailed || served.is_failure_reported) return;
+  spdlog::error("{}: {}; nothing is served there any more", served.place.path(),
+                served.place.failure());
+  served.is_failure_reported = true;
 }
 
 // A program whose line the server has ended sees a hangup, as if the plug of an adapter were
-// pulled.
-void PtyPort::make_ready(Place& place, LineCloseReason reason) {
-  try {
-    reason == LineCloseReason::kClientClosed ? place.terminal.prepare() : renew(place);
-    accept_arrived();  // the next program may have opened the slave meanwhile
-  } catch (const FileError& error) {
-    spdlog::error("{}: {}; nothing is served there any more", place.link.path(), error.what());
-  }
-}
-
-void PtyPort::renew(Place& place) {
-  PseudoTerminal fresh(rights_);
-  place.link.point_to(fresh.slave());
-  place.terminal = std::move(fresh);
-  watch(place.terminal);
+// pulled: its terminal is replaced.
+void PtyPort::line_ended(LineId line, LineCloseReason reason) {
+  const auto served = std::ranges::find(served_, std::optional(line), &Served::line);
+  if (is_closing_ || served == served_.end()) return;
+  served->line.reset();
+  served->place.end_line(reason != LineCloseReason::kClientClosed);
+  watch_->attend(served->place);
 }
 
 }  // namespace xr3

@@ -2,22 +2,20 @@
 #pragma once
 
 #include <boost/asio/posix/stream_descriptor.hpp>
-#include <list>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "server/lines/sessions.hpp"
 #include "server/net/asio.hpp"
-#include "server/pty/link.hpp"
-#include "server/pty/pseudo_terminal.hpp"
+#include "server/pty/watch.hpp"
 
 namespace xr3 {
 
 class PtyPort final : public LineSource {
  public:
   /// `lines` must outlive the port.
-  PtyPort(asio::io_context& io, LineSessions& lines) : io_(io), lines_(lines), opens_(io) {}
+  PtyPort(asio::io_context& io, LineSessions& lines);
 
   /// Makes a pseudo-terminal at each path, whose slave has these rights, and opens lines from now
   /// on. Throws FileError.
@@ -25,29 +23,28 @@ class PtyPort final : public LineSource {
   /// Opens no further line.
   void close();
 
+  asio::awaitable<void> settle() override;
   void accept_arrived() override;
   void line_ended(LineId line, LineCloseReason reason) override;
 
  private:
-  struct Place {
-    Place(const std::string& path, ::mode_t rights)
-        : terminal(rights), link(path, terminal.slave()) {}
-
-    PseudoTerminal terminal;
-    PtyLink link;
-    std::optional<LineId> line;  ///< nullopt: no program has it open
+  struct Served {
+    PtyPlace& place;
+    std::optional<LineId> line;  ///< nullopt: no program is there
+    bool is_failure_reported = false;
   };
 
-  void watch(const PseudoTerminal& terminal);
-  asio::awaitable<void> run();
-  void make_ready(Place& place, LineCloseReason reason);
-  void renew(Place& place);
+  asio::awaitable<void> follow_news();
+  void take_news();
+  void open_line(Served& served);
+  void report_failure(Served& served) const;
 
   asio::io_context& io_;
   LineSessions& lines_;
-  asio::posix::stream_descriptor opens_;  ///< inotify: a program has opened a slave
-  ::mode_t rights_ = 0;
-  std::list<Place> places_;
+  asio::posix::stream_descriptor news_;  ///< of the watch
+  asio::steady_timer attended_;          ///< never expires; cancelled to resume those that settle
+  std::optional<PtyWatch> watch_;        ///< nullopt: no pseudo-terminals
+  std::vector<Served> served_;
   bool is_closing_ = false;
 };
 

@@ -49,16 +49,17 @@ PseudoTerminal::PseudoTerminal(::mode_t rights)
   prepare();
 }
 
-bool PseudoTerminal::has_client() const {
+PseudoTerminal::State PseudoTerminal::poll() const {
   assert(master_.is_open());
-  ::pollfd state{master(), POLLIN, 0};
-  if (::poll(&state, 1, 0) < 0) return false;
-  return (state.revents & POLLIN) != 0 || (state.revents & POLLHUP) == 0;
+  ::pollfd state{master(), POLLIN | POLLOUT, 0};
+  if (::poll(&state, 1, 0) < 0) fail_to("polled");
+  const auto has = [&state](int event) { return (state.revents & event) != 0; };
+  return {!has(POLLHUP), has(POLLIN), has(POLLOUT)};
 }
 
-bool PseudoTerminal::has_room() const {
-  ::pollfd state{master(), POLLOUT, 0};
-  return ::poll(&state, 1, 0) != 0;
+bool PseudoTerminal::has_bytes() const {
+  int count = 0;
+  return ::ioctl(master(), FIONREAD, &count) == 0 && count > 0;
 }
 
 // The master reports POLLHUP only after the slave has been open once, and the slave alone can

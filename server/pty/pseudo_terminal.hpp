@@ -28,10 +28,16 @@ class PseudoTerminal {
   /// The path of the slave, such as /dev/pts/3.
   const std::string& slave() const { return slave_; }
 
-  /// Whether a program has the slave open, or has left bytes that are not read yet.
-  bool has_client() const;
-  /// Whether a write could take a byte, or would find that no program has the slave open.
-  bool has_room() const;
+  struct State {
+    bool is_open;    ///< a program has the slave open
+    bool has_bytes;  ///< a read would give bytes
+    bool has_room;   ///< a write would take a byte
+  };
+  /// Waits until the kernel has handed on the bytes that programs have written, which takes long if
+  /// the system is busy.
+  State poll() const;
+  /// Whether a read would give bytes now. Does not wait; a read that would give none waits.
+  bool has_bytes() const;
   /// Makes the slave as a program expects a serial port: raw, 9600 baud, and without replies that
   /// the last program has not read. Bytes from a program are kept. Throws FileError.
   void prepare() const;

@@ -8,35 +8,53 @@
 
 namespace xr3 {
 
-// The error is EIO as soon as no program has the slave open and all bytes are read.
+bool PtyStream::is_over() const {
+  const PtyPlace::Stage stage = place_.stage();
+  return stage == PtyPlace::Stage::kLeft || stage == PtyPlace::Stage::kFailed;
+}
+
+// The last bytes of a program may arrive after its hangup: the thread tells whether there are more.
 std::size_t PtyStream::read(std::span<char> into) {
-  const auto count =
-      retry_interrupted([&] { return ::read(terminal_.master(), into.data(), into.size()); });
-  if (count > 0) return static_cast<std::size_t>(count);
-  if (count == 0 || errno == EIO)
+  const auto use = place_.try_use();
+  if (!use) return 0;
+  if (is_over()) {
     note_ended();
-  else if (errno != EAGAIN)
-    note_lost();
+    return 0;
+  }
+  const std::size_t count = read_arrived(into);
+  if (count < into.size() && place_.is_leaving()) watch_.attend(place_);
+  return count;
+}
+
+// A read without bytes would wait for the kernel.
+std::size_t PtyStream::read_arrived(std::span<char> into) {
+  const PseudoTerminal& terminal = place_.terminal();
+  if (!terminal.has_bytes()) return 0;
+  const auto count =
+      retry_interrupted([&] { return ::read(terminal.master(), into.data(), into.size()); });
+  if (count >= 0) return static_cast<std::size_t>(count);
+  if (errno != EAGAIN && errno != EIO) note_lost();
   return 0;
 }
 
-// Even a write that takes nothing wakes those who watch the master: a line whose program reads
-// nothing, but has written more, would be reported again and again. (Not before each write, since
-// poll() may wait for a worker of the kernel.)
 std::size_t PtyStream::write(std::string_view bytes) {
-  if (has_ended()) return bytes.size();
-  if (was_full_ && !terminal_.has_room()) return 0;
-  const auto count =
-      retry_interrupted([&] { return ::write(terminal_.master(), bytes.data(), bytes.size()); });
+  const auto use = place_.try_use();
+  if (!use) return 0;
+  if (is_over()) return bytes.size();
+  if (was_full_ && !place_.take_room()) return 0;
+  const int master = place_.terminal().master();
+  const auto count = retry_interrupted([&] { return ::write(master, bytes.data(), bytes.size()); });
   was_full_ = count < 0 && errno == EAGAIN;
+  if (was_full_) watch_.await_room(place_);
   if (count >= 0) return static_cast<std::size_t>(count);
+  if (was_full_) return 0;
   if (errno == EIO) return bytes.size();
-  if (errno != EAGAIN) note_lost();
+  note_lost();
   return 0;
 }
 
 std::optional<LineSettings> PtyStream::take_settings(LineId line) {
-  const PtyModes now = terminal_.modes();
+  const PtyModes now = is_over() ? modes_ : place_.terminal().modes();
   if (now == modes_ || now.baud == 0) return std::nullopt;
   modes_ = now;
   return LineSettings{line, {now.baud, std::nullopt}, now.is_cooked};

@@ -1,26 +1,34 @@
-// The master of a pseudo-terminal as the stream of a serial line, from the first program that opens
-// the slave to the last that closes it.
+// A pseudo-terminal as the stream of a serial line, from the first program that opens it to the
+// last that closes it.
 #pragma once
 
 #include "server/lines/stream.hpp"
-#include "server/pty/pseudo_terminal.hpp"
+#include "server/pty/watch.hpp"
 
 namespace xr3 {
 
 class PtyStream final : public LineStream {
  public:
-  /// The terminal must outlive the stream and keeps its descriptor.
-  explicit PtyStream(const PseudoTerminal& terminal) : terminal_(terminal) {}
+  /// Begins the line of the place, of this watch. Both must outlive the stream. Precondition: a
+  /// program has arrived there.
+  PtyStream(PtyWatch& watch, PtyPlace& place) : watch_(watch), place_(place) {
+    place_.begin_line();
+  }
 
-  int descriptor() const override { return is_closed_ ? -1 : terminal_.master(); }
+  int descriptor() const override { return is_closed_ ? -1 : place_.news(); }
   std::size_t read(std::span<char> into) override;
-  /// Discards the bytes if no program has the slave open, for nobody could read them.
+  /// Discards the bytes if no program has the terminal open, for nobody could read them.
   std::size_t write(std::string_view bytes) override;
   void close() override { is_closed_ = true; }
+  bool is_hung_up() const override { return place_.is_leaving(); }
   std::optional<LineSettings> take_settings(LineId line) override;
 
  private:
-  const PseudoTerminal& terminal_;
+  bool is_over() const;
+  std::size_t read_arrived(std::span<char> into);
+
+  PtyWatch& watch_;
+  PtyPlace& place_;
   PtyModes modes_;
   bool is_closed_ = false;
   bool was_full_ = false;  ///< the last write took nothing

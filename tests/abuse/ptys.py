@@ -16,9 +16,6 @@ CYCLES = 3000
 PORTS = 16
 TURNS = 5  # of filling the ports: what the server reads meanwhile makes room
 PAUSE_S = 0.2
-# poll() on a terminal waits for the kernel's worker that carries the bytes (flush_work in n_tty_poll), and a program
-# that opens and closes the terminal or sets its modes without end keeps the worker busy.
-KERNEL_MS = 250
 MOST_READ = 1 << 16
 LOCAL_MODES = 3  # in the list of tcgetattr
 COOKED = termios.ECHO | termios.ICANON
@@ -163,10 +160,10 @@ ATTACKS = [
     beside("inquiries-unread", flood(b"E?" * 1000, reads=False)),
     beside("images-unread", flood(b"A**" * 100, reads=False)),
     beside("moves", flood(MOVES + b"A**")),
-    beside("storm", storm(b"E?"), own_bound=KERNEL_MS),
-    beside("storm-half", storm(b"E+5"), own_bound=KERNEL_MS),
-    beside("toggles", toggle, own_bound=KERNEL_MS),
-    beside("cooked", cook_each_line, own_bound=KERNEL_MS),
+    beside("storm", storm(b"E?")),
+    beside("storm-half", storm(b"E+5")),
+    beside("toggles", toggle),
+    beside("cooked", cook_each_line),
     Attack("pty.unread-inquiries", 5, "% of a core", idle_share(b"E?")),
     Attack("pty.unread-images", 5, "% of a core", idle_share(b"A**")),
     Attack("pty.turns", 0, "unanswered", unanswered),

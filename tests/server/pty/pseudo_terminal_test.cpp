@@ -1,60 +1,47 @@
 #include "server/pty/pseudo_terminal.hpp"
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <termios.h>
 #include <unistd.h>
 
 #include <array>
 #include <string>
 
+#include "tests/server/pty/slave.hpp"
+
 namespace xr3 {
 namespace {
 
-class Slave {
- public:
-  explicit Slave(const PseudoTerminal& terminal)
-      : file_(::open(terminal.slave().c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK)) {}
-  Slave(const Slave&) = delete;
-  Slave& operator=(const Slave&) = delete;
-  ~Slave() { ::close(file_); }
+using test::Slave;
 
-  void write(const std::string& text) const {
-    EXPECT_EQ(::write(file_, text.data(), text.size()), static_cast<ssize_t>(text.size()));
-  }
-  bool has_bytes() const {
-    char byte = 0;
-    return ::read(file_, &byte, 1) == 1;
-  }
-  void set(speed_t speed, tcflag_t local) const {
-    struct ::termios modes {};
-    ASSERT_EQ(::tcgetattr(file_, &modes), 0);
-    ::cfsetspeed(&modes, speed);
-    modes.c_lflag = local;
-    ASSERT_EQ(::tcsetattr(file_, TCSANOW, &modes), 0);
-  }
-
- private:
-  int file_;
-};
-
-TEST(PseudoTerminal, HasAClientWhileTheSlaveIsOpen) {
+TEST(PseudoTerminal, IsOpenWhileAProgramHasTheSlaveOpen) {
   const PseudoTerminal terminal(0600);
-  EXPECT_FALSE(terminal.has_client()) << "not even before the first";
+  EXPECT_FALSE(terminal.poll().is_open) << "not even before the first";
   {
     const Slave slave(terminal);
-    EXPECT_TRUE(terminal.has_client());
+    EXPECT_TRUE(terminal.poll().is_open);
   }
-  EXPECT_FALSE(terminal.has_client());
+  EXPECT_FALSE(terminal.poll().is_open);
 }
 
-TEST(PseudoTerminal, BytesThatAClientHasLeftCount) {
+TEST(PseudoTerminal, KeepsTheBytesOfAProgramThatHasLeft) {
   const PseudoTerminal terminal(0600);
+  EXPECT_FALSE(terminal.has_bytes());
   Slave(terminal).write("E?");
-  EXPECT_TRUE(terminal.has_client());
+  EXPECT_TRUE(terminal.poll().has_bytes);
+  EXPECT_TRUE(terminal.has_bytes()) << "poll() has waited for them";
   std::array<char, 8> bytes{};
   EXPECT_EQ(::read(terminal.master(), bytes.data(), bytes.size()), 2);
-  EXPECT_FALSE(terminal.has_client());
+  EXPECT_FALSE(terminal.poll().has_bytes);
+}
+
+TEST(PseudoTerminal, HasRoomUntilItIsFull) {
+  const PseudoTerminal terminal(0600);
+  const Slave slave(terminal);
+  EXPECT_TRUE(terminal.poll().has_room);
+  const std::string replies(1024, ' ');
+  while (::write(terminal.master(), replies.data(), replies.size()) > 0) {
+  }
+  EXPECT_FALSE(terminal.poll().has_room);
 }
 
 TEST(PseudoTerminal, PrepareDropsRepliesAndKeepsBytes) {
@@ -62,8 +49,8 @@ TEST(PseudoTerminal, PrepareDropsRepliesAndKeepsBytes) {
   Slave(terminal).write("E?");
   EXPECT_EQ(::write(terminal.master(), "reply", 5), 5);
   terminal.prepare();
-  EXPECT_FALSE(Slave(terminal).has_bytes());
-  EXPECT_TRUE(terminal.has_client()) << "E? is not read yet";
+  EXPECT_EQ(Slave(terminal).read(), "");
+  EXPECT_TRUE(terminal.poll().has_bytes) << "E? is not read yet";
 }
 
 TEST(PseudoTerminal, PrepareUndoesTheModesOfAClient) {

@@ -1,0 +1,138 @@
+// The stages of a pseudo-terminal's place, without the thread: the test attends to it.
+#include "server/pty/place.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <optional>
+
+#include "server/files/data_files.hpp"
+#include "tests/server/pty/slave.hpp"
+
+namespace xr3 {
+namespace {
+
+using test::Slave;
+using Stage = PtyPlace::Stage;
+
+class PtyPlaceTest : public testing::Test {
+ protected:
+  Stage attended() {
+    place_.attend();
+    return place_.stage();
+  }
+  /// A line that serves a program.
+  void serve(const Slave&) {
+    ASSERT_EQ(attended(), Stage::kArrived);
+    place_.begin_line();
+  }
+  std::size_t read() {
+    std::array<char, 64> bytes{};
+    const ssize_t count = ::read(place_.terminal().master(), bytes.data(), bytes.size());
+    return count < 0 ? 0 : static_cast<std::size_t>(count);
+  }
+
+  test::PtyFolder folder_;
+  PtyPlace place_{folder_.file("rhino"), 0600};
+};
+
+TEST_F(PtyPlaceTest, IsIdleUntilAProgramArrives) {
+  EXPECT_EQ(attended(), Stage::kIdle);
+  const Slave program(place_.path());
+  EXPECT_EQ(attended(), Stage::kArrived);
+}
+
+TEST_F(PtyPlaceTest, AProgramThatHasLeftBytesHasArrived) {
+  Slave(place_.path()).write("E?");
+  EXPECT_EQ(attended(), Stage::kArrived);
+}
+
+TEST_F(PtyPlaceTest, IsLeftWhenAllBytesAreRead) {
+  {
+    const Slave program(place_.path());
+    serve(program);
+    program.set(B1200, ECHO);
+    program.write("E?");
+    EXPECT_EQ(attended(), Stage::kServed);
+    EXPECT_FALSE(place_.is_leaving());
+  }
+  EXPECT_EQ(attended(), Stage::kServed) << "E? is not read yet";
+  EXPECT_TRUE(place_.is_leaving());
+  EXPECT_EQ(read(), 2U);
+  EXPECT_EQ(attended(), Stage::kLeft);
+  EXPECT_EQ(place_.terminal().modes(), (PtyModes{9600, false})) << "ready for the next program";
+  EXPECT_EQ(attended(), Stage::kLeft) << "until the line has ended";
+  place_.end_line(false);
+  EXPECT_EQ(attended(), Stage::kIdle);
+}
+
+TEST_F(PtyPlaceTest, RepliesAreNoneOfTheNextProgram) {
+  {
+    const Slave program(place_.path());
+    serve(program);
+    EXPECT_EQ(::write(place_.terminal().master(), "reply", 5), 5);
+  }
+  EXPECT_EQ(attended(), Stage::kLeft);
+  EXPECT_EQ(Slave(place_.path()).read(), "");
+}
+
+TEST_F(PtyPlaceTest, AProgramThatComesInTimeGoesOnWithTheLine) {
+  std::optional<Slave> first(std::in_place, place_.path());
+  serve(*first);
+  const Slave second(place_.path());
+  second.set(B1200, 0);
+  first.reset();
+  EXPECT_EQ(attended(), Stage::kServed);
+  EXPECT_FALSE(place_.is_leaving());
+  EXPECT_EQ(place_.terminal().modes().baud, 1200U) << "its modes are kept";
+}
+
+TEST_F(PtyPlaceTest, TheNextProgramIsNotServedBeforeTheLineHasEnded) {
+  {
+    const Slave program(place_.path());
+    serve(program);
+  }
+  ASSERT_EQ(attended(), Stage::kLeft);
+  const Slave next(place_.path());
+  EXPECT_EQ(attended(), Stage::kLeft);
+  place_.end_line(false);
+  EXPECT_EQ(attended(), Stage::kArrived);
+}
+
+TEST_F(PtyPlaceTest, ADroppedProgramSeesAHangup) {
+  const Slave program(place_.path());
+  serve(program);
+  place_.end_line(true);
+  EXPECT_EQ(attended(), Stage::kDropped);
+  EXPECT_FALSE(program.is_hung_up());
+  place_.renew();
+  EXPECT_TRUE(program.is_hung_up());
+  EXPECT_EQ(attended(), Stage::kIdle);
+  const Slave next(place_.path());
+  EXPECT_EQ(attended(), Stage::kArrived);
+}
+
+TEST_F(PtyPlaceTest, RoomIsToldOnce) {
+  const Slave program(place_.path());
+  serve(program);
+  attended();
+  EXPECT_TRUE(place_.take_room());
+  EXPECT_FALSE(place_.take_room());
+}
+
+TEST_F(PtyPlaceTest, TellsWhyItHasFailed) {
+  serve(Slave(place_.path()));
+  place_.end_line(true);
+  folder_.remove();
+  try {
+    place_.renew();
+  } catch (const FileError&) {
+    place_.fail();
+  }
+  EXPECT_EQ(place_.stage(), Stage::kFailed);
+  EXPECT_NE(place_.failure().find(place_.path()), std::string::npos) << place_.failure();
+}
+
+}  // namespace
+}  // namespace xr3

@@ -1,0 +1,121 @@
+// The thread that attends to pseudo-terminals: real terminals, no sleep.
+#include "server/pty/watch.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "server/files/data_files.hpp"
+#include "tests/server/pty/slave.hpp"
+
+namespace xr3 {
+namespace {
+
+using test::Slave;
+using Stage = PtyPlace::Stage;
+
+class PtyWatchTest : public testing::Test {
+ protected:
+  bool await_stage(Stage stage, const PtyPlace& place) {
+    return test::await(watch_.news().descriptor(), [&] { return place.stage() == stage; });
+  }
+  bool await_round() {
+    const std::uint64_t round = watch_.attend_to_all();
+    return test::await(watch_.news().descriptor(), [&] { return watch_.has_attended(round); });
+  }
+
+  test::PtyFolder folder_;
+  PtyWatch watch_{{folder_.file("rhino"), folder_.file("other")}, 0600};
+  PtyPlace& place_ = watch_.places().front();
+  PtyPlace& other_ = watch_.places().back();
+};
+
+TEST_F(PtyWatchTest, TellsThatAProgramHasArrived) {
+  const Slave program(other_.path());
+  EXPECT_TRUE(await_stage(Stage::kArrived, other_));
+  EXPECT_EQ(place_.stage(), Stage::kIdle);
+}
+
+TEST_F(PtyWatchTest, TellsThatAProgramHasComeAndGone) {
+  Slave(place_.path()).write("E?");
+  EXPECT_TRUE(await_stage(Stage::kArrived, place_));
+}
+
+TEST_F(PtyWatchTest, ARoundHandsOnWhatProgramsHaveWritten) {
+  const Slave program(place_.path());
+  ASSERT_TRUE(await_stage(Stage::kArrived, place_));
+  place_.begin_line();
+  for (int i = 0; i < 200; ++i) {
+    program.write("E?");
+    ASSERT_TRUE(await_round());
+    ASSERT_TRUE(place_.terminal().has_bytes());
+    char bytes[2];
+    ASSERT_EQ(::read(place_.terminal().master(), bytes, sizeof bytes), 2);
+  }
+}
+
+TEST_F(PtyWatchTest, ARoundFindsThoseWhoHaveComeBefore) {
+  const Slave program(place_.path());
+  EXPECT_TRUE(await_round());
+  EXPECT_EQ(place_.stage(), Stage::kArrived);
+}
+
+TEST_F(PtyWatchTest, BytesAndTheEndAreNewsOfTheLine) {
+  {
+    const Slave program(place_.path());
+    ASSERT_TRUE(await_stage(Stage::kArrived, place_));
+    place_.begin_line();
+    program.write("E?");
+    EXPECT_TRUE(test::await(place_.news(), [&] { return place_.terminal().has_bytes(); }));
+  }
+  EXPECT_TRUE(test::await(place_.news(), [&] { return place_.is_leaving(); }));
+  char bytes[2];
+  EXPECT_EQ(::read(place_.terminal().master(), bytes, sizeof bytes), 2);
+  watch_.attend(place_);
+  EXPECT_TRUE(test::await(place_.news(), [&] { return place_.stage() == Stage::kLeft; }));
+}
+
+TEST_F(PtyWatchTest, RoomIsNews) {
+  const Slave program(place_.path());
+  ASSERT_TRUE(await_stage(Stage::kArrived, place_));
+  place_.begin_line();
+  const std::string replies(1024, ' ');
+  while (::write(place_.terminal().master(), replies.data(), replies.size()) > 0) {
+  }
+  ASSERT_TRUE(await_round());
+  place_.take_room();
+  watch_.await_room(place_);
+  while (!program.read().empty()) {
+  }
+  EXPECT_TRUE(test::await(place_.news(), [&] { return place_.take_room(); }));
+}
+
+TEST_F(PtyWatchTest, ADroppedPlaceServesTheNextProgram) {
+  const Slave program(place_.path());
+  ASSERT_TRUE(await_stage(Stage::kArrived, place_));
+  place_.begin_line();
+  place_.end_line(true);
+  EXPECT_TRUE(await_round());
+  EXPECT_EQ(place_.stage(), Stage::kIdle);
+  EXPECT_TRUE(program.is_hung_up());
+  const Slave next(place_.path());
+  EXPECT_TRUE(await_stage(Stage::kArrived, place_));
+}
+
+TEST_F(PtyWatchTest, AFailedPlaceIsNewsAndOthersAreServed) {
+  const Slave program(place_.path());
+  const Slave other(other_.path());
+  ASSERT_TRUE(await_round());
+  place_.begin_line();
+  folder_.remove();
+  place_.end_line(true);
+  watch_.attend(place_);
+  EXPECT_TRUE(await_stage(Stage::kFailed, place_));
+  EXPECT_EQ(other_.stage(), Stage::kArrived);
+}
+
+TEST_F(PtyWatchTest, APathThatIsInUseIsRefused) {
+  EXPECT_THROW(PtyWatch({place_.path()}, 0600), FileError);
+}
+
+}  // namespace
+}  // namespace xr3
