@@ -1,6 +1,9 @@
 #include "server/pty/place.hpp"
 
 #include <cassert>
+#include <utility>
+
+#include "server/files/data_files.hpp"
 
 namespace xr3 {
 
@@ -12,13 +15,15 @@ PtyPlace::PtyPlace(const std::string& path, ::mode_t rights)
 void PtyPlace::begin_line() {
   assert(stage_ == Stage::kArrived);
   is_leaving_ = false;
+  is_unready_ = false;
   stage_ = Stage::kServed;
 }
 
 void PtyPlace::end_line(bool is_dropped) {
-  if (stage_ == Stage::kFailed) return;
-  assert(is_dropped || stage_ == Stage::kLeft);
-  stage_ = is_dropped ? Stage::kDropped : Stage::kIdle;
+  [[maybe_unused]] const Stage stage = stage_;
+  assert(stage == Stage::kLeft || (is_dropped && stage == Stage::kServed));
+  const bool is_to_be_replaced = is_dropped || std::exchange(is_unready_, false);
+  stage_ = is_to_be_replaced ? Stage::kDropped : Stage::kIdle;
 }
 
 std::string PtyPlace::failure() const {
@@ -51,13 +56,17 @@ void PtyPlace::make_ready() {
   const std::scoped_lock use(use_);
   const PseudoTerminal::State state = terminal_.poll();
   if (state.is_open || state.has_bytes) return;
-  terminal_.prepare();
+  try {
+    terminal_.prepare();
+  } catch (const FileError&) {
+    is_unready_ = true;
+  }
   Stage served = Stage::kServed;  // unless the server has ended the line meanwhile
   stage_.compare_exchange_strong(served, Stage::kLeft);
 }
 
 void PtyPlace::renew() {
-  assert(stage_ == Stage::kDropped);
+  assert(stage_ == Stage::kDropped || stage_ == Stage::kFailed);
   PseudoTerminal fresh(rights_);
   link_.point_to(fresh.slave());
   terminal_ = std::move(fresh);
@@ -65,9 +74,8 @@ void PtyPlace::renew() {
 }
 
 void PtyPlace::fail() {
-  failure_ = std::current_exception();
+  if (stage_ != Stage::kFailed) failure_ = std::current_exception();
   stage_ = Stage::kFailed;
-  news_.give();
 }
 
 }  // namespace xr3

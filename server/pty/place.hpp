@@ -23,7 +23,7 @@ class PtyPlace {
     kServed,   ///< a line reads and writes
     kLeft,     ///< all have closed it, their bytes are read, and it is ready for the next program
     kDropped,  ///< the server has ended the line: the terminal has to be replaced
-    kFailed,   ///< the terminal cannot be made ready: nothing is served any more
+    kFailed,   ///< the terminal could not be replaced: nothing is served until it can
   };
 
   /// Makes a terminal, whose slave has these rights, and the link to it. Throws FileError.
@@ -62,9 +62,9 @@ class PtyPlace {
 
   /// Polls the terminal, which waits for the kernel, and enters the stage that follows.
   void attend();
-  /// Replaces the terminal. Precondition: kDropped.
+  /// Replaces the terminal. Precondition: kDropped or kFailed. Throws FileError.
   void renew();
-  /// kFailed with the exception that is being handled.
+  /// kFailed with the exception that is being handled. Precondition: as of renew().
   void fail();
 
  private:
@@ -80,7 +80,8 @@ class PtyPlace {
   std::atomic<bool> has_room_ = false;
   std::atomic<bool> is_requested_ = false;
   std::atomic<bool> is_room_requested_ = false;
-  std::mutex use_;  ///< the thread makes the terminal ready, or the line reads or writes
+  std::mutex use_;           ///< the thread makes the terminal ready, or the line reads or writes
+  bool is_unready_ = false;  ///< written before kLeft: it could not be made ready
   std::exception_ptr failure_;  ///< written before kFailed
 };
 

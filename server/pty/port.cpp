@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstring>
 #include <memory>
+#include <utility>
 
 #include "cell/failure.hpp"
 #include "server/files/data_files.hpp"
@@ -67,7 +68,7 @@ void PtyPort::take_news() {
     throw boost::system::system_error(failure, boost::system::system_category(), "epoll");
   attended_.cancel();
   accept_arrived();
-  for (Served& served : served_) report_failure(served);
+  for (Served& served : served_) report(served);
 }
 
 asio::awaitable<void> PtyPort::settle() {
@@ -90,11 +91,14 @@ void PtyPort::open_line(Served& served) {
   watch_->attend(served.place);
 }
 
-void PtyPort::report_failure(Served& served) const {
-  if (served.place.stage() != PtyPlace::Stage::kFailed || served.is_failure_reported) return;
-  spdlog::error("{}: {}; nothing is served there any more", served.place.path(),
-                served.place.failure());
-  served.is_failure_reported = true;
+void PtyPort::report(Served& served) {
+  const bool has_failed = served.place.stage() == PtyPlace::Stage::kFailed;
+  if (has_failed == std::exchange(served.has_failed, has_failed)) return;
+  if (has_failed)
+    spdlog::error("{}: {}; it is tried again every second", served.place.path(),
+                  served.place.failure());
+  else
+    spdlog::info("{}: the pseudo-terminal is served again", served.place.path());
 }
 
 // A program whose line the server has ended sees a hangup, as if the plug of an adapter were

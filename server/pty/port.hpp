@@ -31,13 +31,13 @@ class PtyPort final : public LineSource {
   struct Served {
     PtyPlace& place;
     std::optional<LineId> line;  ///< nullopt: no program is there
-    bool is_failure_reported = false;
+    bool has_failed = false;     ///< as reported
   };
 
   asio::awaitable<void> follow_news();
   void take_news();
   void open_line(Served& served);
-  void report_failure(Served& served) const;
+  static void report(Served& served);
 
   asio::io_context& io_;
   LineSessions& lines_;

@@ -13,6 +13,7 @@
 #include <cstring>
 
 #include "server/files/data_files.hpp"
+#include "server/net/interrupted.hpp"
 
 namespace xr3 {
 namespace {
@@ -52,7 +53,7 @@ PseudoTerminal::PseudoTerminal(::mode_t rights)
 PseudoTerminal::State PseudoTerminal::poll() const {
   assert(master_.is_open());
   ::pollfd state{master(), POLLIN | POLLOUT, 0};
-  if (::poll(&state, 1, 0) < 0) fail_to("polled");
+  retry_interrupted([&state] { return ::poll(&state, 1, 0); });
   const auto has = [&state](int event) { return (state.revents & event) != 0; };
   return {!has(POLLHUP), has(POLLIN), has(POLLOUT)};
 }

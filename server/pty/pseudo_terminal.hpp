@@ -34,7 +34,7 @@ class PseudoTerminal {
     bool has_room;   ///< a write would take a byte
   };
   /// Waits until the kernel has handed on the bytes that programs have written, which takes long if
-  /// the system is busy.
+  /// the system is busy. If the terminal cannot be polled, nothing has changed: it is open.
   State poll() const;
   /// Whether a read would give bytes now. Does not wait; a read that would give none waits.
   bool has_bytes() const;

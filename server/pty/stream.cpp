@@ -8,10 +8,7 @@
 
 namespace xr3 {
 
-bool PtyStream::is_over() const {
-  const PtyPlace::Stage stage = place_.stage();
-  return stage == PtyPlace::Stage::kLeft || stage == PtyPlace::Stage::kFailed;
-}
+bool PtyStream::is_over() const { return place_.stage() == PtyPlace::Stage::kLeft; }
 
 // The last bytes of a program may arrive after its hangup: the thread tells whether there are more.
 std::size_t PtyStream::read(std::span<char> into) {

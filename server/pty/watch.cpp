@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <system_error>
 
@@ -21,12 +22,30 @@ constexpr std::uint32_t kAlways = EPOLLIN | EPOLLET;
   throw FileError(std::string("a pseudo-terminal cannot be watched: ") + std::strerror(error));
 }
 
-/// Reads all that a descriptor has, which is not needed.
+constexpr WallNs kRetryEvery = 1'000'000'000;
+constexpr int kRetryMs = 1000;
+
+/// Reads what a descriptor has, which is not needed.
 void discard(int descriptor) {
   std::array<char, 4096> events{};
-  while (::read(descriptor, events.data(), events.size()) > 0) {
-  }
+  [[maybe_unused]] const ::ssize_t count = ::read(descriptor, events.data(), events.size());
 }
+
+/// While it exists, no signal interrupts this thread, nor those that it starts.
+class SignalsBlocked {
+ public:
+  SignalsBlocked() {
+    ::sigset_t all;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+  }
+  SignalsBlocked(const SignalsBlocked&) = delete;
+  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
+  ~SignalsBlocked() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  ::sigset_t before_{};
+};
 
 }  // namespace
 
@@ -35,8 +54,9 @@ PtyWatch::PtyWatch(const std::vector<std::string>& paths, ::mode_t rights)
   if (!set_.is_open() || !opens_.is_open()) fail_to_watch(errno);
   for (const int each : {requests_.descriptor(), opens_.get()})
     if (!control(EPOLL_CTL_ADD, each, EPOLLIN, nullptr)) fail_to_watch(errno);
-  for (const std::string& path : paths) add(places_.emplace_back(path, rights));
+  for (const std::string& path : paths) watch(places_.emplace_back(path, rights));
   try {
+    const SignalsBlocked blocked;
     thread_ = std::thread([this] { run(); });
   } catch (const std::system_error& error) {
     fail_to_watch(error.code().value());
@@ -49,7 +69,7 @@ PtyWatch::~PtyWatch() {
   thread_.join();
 }
 
-void PtyWatch::add(PtyPlace& place) {
+void PtyWatch::watch(PtyPlace& place) {
   const PseudoTerminal& terminal = place.terminal();
   if (!control(EPOLL_CTL_ADD, terminal.master(), kAlways, &place) ||
       ::inotify_add_watch(opens_.get(), terminal.slave().c_str(), IN_OPEN) < 0)
@@ -83,17 +103,33 @@ void PtyWatch::await_room(PtyPlace& place) {
 // --- The thread.
 
 void PtyWatch::run() {
-  std::array<epoll_event, kMaxEvents> events{};
   while (!is_stopping_ && failure_ == 0) {
-    const int count = ::epoll_wait(set_.get(), events.data(), kMaxEvents, -1);
-    if (count < 0 && errno != EINTR) failure_ = errno;
-    for (int i = 0; i < count; ++i) {
-      const epoll_event& event = events[static_cast<std::size_t>(i)];
-      auto* const place = static_cast<PtyPlace*>(event.data.ptr);
-      place == nullptr ? take_own_events() : handle(*place, event.events);
-    }
+    wait();
+    retry();
   }
   news_.give();
+}
+
+void PtyWatch::wait() {
+  std::array<epoll_event, kMaxEvents> events{};
+  const int count =
+      ::epoll_wait(set_.get(), events.data(), kMaxEvents, retry_at_ == kNever ? -1 : kRetryMs);
+  if (count < 0 && errno != EINTR) failure_ = errno;
+  for (int i = 0; i < count; ++i) {
+    const epoll_event& event = events[static_cast<std::size_t>(i)];
+    auto* const place = static_cast<PtyPlace*>(event.data.ptr);
+    place == nullptr ? take_own_events() : handle(*place, event.events);
+  }
+}
+
+void PtyWatch::retry() {
+  if (wall_now() < retry_at_) return;
+  retry_at_ = kNever;
+  for (PtyPlace& place : places_)
+    if (place.stage() == PtyPlace::Stage::kFailed) {
+      renew(place);
+      move_on(place);
+    }
 }
 
 // A place that is requested meanwhile is attended to again: the signal follows the request. After
@@ -118,19 +154,23 @@ void PtyWatch::handle(PtyPlace& place, std::uint32_t events) {
 }
 
 void PtyWatch::move_on(PtyPlace& place) {
+  if (place.stage() == PtyPlace::Stage::kDropped) renew(place);
   const PtyPlace::Stage before = place.stage();
+  place.attend();
+  if (place.stage() == PtyPlace::Stage::kArrived && before != PtyPlace::Stage::kArrived)
+    news_.give();
+}
+
+void PtyWatch::renew(PtyPlace& place) {
+  const bool is_again = place.stage() == PtyPlace::Stage::kFailed;
   try {
-    if (before == PtyPlace::Stage::kDropped) {
-      place.renew();
-      add(place);
-    }
-    place.attend();
+    place.renew();
+    watch(place);
   } catch (const std::exception&) {
     place.fail();
+    retry_at_ = wall_now() + kRetryEvery;
   }
-  const PtyPlace::Stage now = place.stage();
-  const bool concerns_no_line = now == PtyPlace::Stage::kArrived || now == PtyPlace::Stage::kFailed;
-  if (now != before && concerns_no_line) news_.give();
+  if (is_again != (place.stage() == PtyPlace::Stage::kFailed)) news_.give();
 }
 
 }  // namespace xr3

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "server/files/descriptor.hpp"
+#include "server/net/wall_clock.hpp"
 #include "server/pty/place.hpp"
 #include "server/pty/signal.hpp"
 
@@ -38,27 +39,31 @@ class PtyWatch {
   /// would do so after each write.)
   void await_room(PtyPlace& place);
 
-  /// Given when a program has arrived or a place has failed, when a round has ended, and when the
-  /// thread has failed.
+  /// Given when a program has arrived, when a place has failed or is served again, when a round has
+  /// ended, and when the thread has failed.
   const Signal& news() const { return news_; }
   /// The errno of the thread. 0: it runs.
   int failure() const { return failure_; }
 
  private:
-  void add(PtyPlace& place);
+  void watch(PtyPlace& place);
   /// Watches a descriptor. `place`: nullptr for those of the watch itself.
   bool control(int how, int descriptor, std::uint32_t events, PtyPlace* place) const;
   void run();
+  void wait();
+  void retry();
   void take_own_events();
   void answer(PtyPlace& place);
   void handle(PtyPlace& place, std::uint32_t events);
   void move_on(PtyPlace& place);
+  void renew(PtyPlace& place);
 
   Descriptor set_;    ///< epoll
   Descriptor opens_;  ///< inotify: a program has opened a slave
   Signal requests_;
   Signal news_;
   std::list<PtyPlace> places_;
+  WallNs retry_at_ = kNever;  ///< of places that have failed
   std::atomic<std::uint64_t> requested_ = 0;
   std::atomic<std::uint64_t> attended_ = 0;
   std::atomic<int> failure_ = 0;

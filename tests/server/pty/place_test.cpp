@@ -2,6 +2,7 @@
 #include "server/pty/place.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <array>
@@ -15,6 +16,22 @@ namespace {
 
 using test::Slave;
 using Stage = PtyPlace::Stage;
+
+/// While it exists, this process can open no file.
+class NoDescriptors {
+ public:
+  NoDescriptors() {
+    ::getrlimit(RLIMIT_NOFILE, &before_);
+    const ::rlimit none{STDERR_FILENO + 1, before_.rlim_max};
+    ::setrlimit(RLIMIT_NOFILE, &none);
+  }
+  NoDescriptors(const NoDescriptors&) = delete;
+  NoDescriptors& operator=(const NoDescriptors&) = delete;
+  ~NoDescriptors() { ::setrlimit(RLIMIT_NOFILE, &before_); }
+
+ private:
+  ::rlimit before_{};
+};
 
 class PtyPlaceTest : public testing::Test {
  protected:
@@ -111,6 +128,18 @@ TEST_F(PtyPlaceTest, ADroppedProgramSeesAHangup) {
   EXPECT_EQ(attended(), Stage::kIdle);
   const Slave next(place_.path());
   EXPECT_EQ(attended(), Stage::kArrived);
+}
+
+TEST_F(PtyPlaceTest, ATerminalThatCannotBeMadeReadyIsReplaced) {
+  serve(Slave(place_.path()));
+  {
+    const NoDescriptors none;
+    EXPECT_EQ(attended(), Stage::kLeft);
+  }
+  place_.end_line(false);
+  EXPECT_EQ(place_.stage(), Stage::kDropped);
+  place_.renew();
+  EXPECT_EQ(attended(), Stage::kIdle);
 }
 
 TEST_F(PtyPlaceTest, RoomIsToldOnce) {

@@ -55,11 +55,12 @@ class Slave {
 /// A folder for links, removed at the end.
 class PtyFolder {
  public:
-  PtyFolder() { std::filesystem::create_directories(path_); }
+  PtyFolder() { make(); }
   PtyFolder(const PtyFolder&) = delete;
   PtyFolder& operator=(const PtyFolder&) = delete;
   ~PtyFolder() { remove(); }
 
+  void make() const { std::filesystem::create_directories(path_); }
   void remove() const { std::filesystem::remove_all(path_); }
   std::string file(const char* name) const { return path_ / name; }
 

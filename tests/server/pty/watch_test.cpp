@@ -101,7 +101,7 @@ TEST_F(PtyWatchTest, ADroppedPlaceServesTheNextProgram) {
   EXPECT_TRUE(await_stage(Stage::kArrived, place_));
 }
 
-TEST_F(PtyWatchTest, AFailedPlaceIsNewsAndOthersAreServed) {
+TEST_F(PtyWatchTest, AFailedPlaceIsNewsUntilItIsServedAgain) {
   const Slave program(place_.path());
   const Slave other(other_.path());
   ASSERT_TRUE(await_round());
@@ -110,7 +110,12 @@ TEST_F(PtyWatchTest, AFailedPlaceIsNewsAndOthersAreServed) {
   place_.end_line(true);
   watch_.attend(place_);
   EXPECT_TRUE(await_stage(Stage::kFailed, place_));
-  EXPECT_EQ(other_.stage(), Stage::kArrived);
+  EXPECT_NE(place_.failure().find("cannot be"), std::string::npos) << place_.failure();
+  EXPECT_EQ(other_.stage(), Stage::kArrived) << "others are served";
+  folder_.make();
+  EXPECT_TRUE(await_stage(Stage::kIdle, place_));
+  const Slave next(place_.path());
+  EXPECT_TRUE(await_stage(Stage::kArrived, place_));
 }
 
 TEST_F(PtyWatchTest, APathThatIsInUseIsRefused) {
