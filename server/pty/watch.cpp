@@ -17,13 +17,12 @@ namespace {
 
 constexpr std::size_t kMaxEvents = 16;
 constexpr std::uint32_t kAlways = EPOLLIN | EPOLLET;
+constexpr int kRetryMs = 1000;
+constexpr WallNs kRetryEvery = kRetryMs * WallNs{1'000'000};
 
 [[noreturn]] void fail_to_watch(int error) {
   throw FileError(std::string("a pseudo-terminal cannot be watched: ") + std::strerror(error));
 }
-
-constexpr WallNs kRetryEvery = 1'000'000'000;
-constexpr int kRetryMs = 1000;
 
 /// Reads what a descriptor has, which is not needed.
 void discard(int descriptor) {

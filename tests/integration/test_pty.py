@@ -231,6 +231,23 @@ class OpenAndClose(Ptys):
                 port.write(b"E?")
                 self.assertEqual(1, len(port.read(1)))
 
+    def test_a_port_that_cannot_be_replaced_is_tried_again(self):
+        with self.server() as xr3, xr3.monitor() as monitor:
+            with Port(self.path) as port:
+                port.write(INQUIRY)
+                port.read(1)
+                away = self.folder.with_suffix(".away")
+                self.folder.rename(away)
+                line, = monitor.call("lines")["lines"]
+                monitor.call("line_disconnect", line=line["line"])
+                xr3.wait_log(f"error.*{self.path}: .* cannot be made: No such file.*; it is tried again every second")
+                away.rename(self.folder)
+                xr3.wait_log(f"{self.path}: the pseudo-terminal is served again")
+                self.assertTrue(port.is_readable(), "hung up")
+            with Port(self.path) as port:
+                port.write(b"E?")
+                self.assertEqual(1, len(port.read(1)))
+
     def test_a_step_takes_bytes_that_have_arrived(self):
         """As on the robot port: the bytes of a program that has just opened the port act before the step."""
         with self.server() as xr3, xr3.monitor() as monitor:
