@@ -40,7 +40,7 @@ class PtyPlace {
   /// The line has ended. `is_dropped`: although its program may be there.
   void end_line(bool is_dropped);
 
-  /// Held while the line uses the terminal. Not to be had: there is news later.
+  /// Held while the line uses the terminal. If the thread holds it, the line has news later.
   std::unique_lock<std::mutex> try_use() { return std::unique_lock(use_, std::try_to_lock); }
   /// For an edge-triggered set: it has an event each time the line has news.
   int news() const { return news_.descriptor(); }
@@ -64,7 +64,7 @@ class PtyPlace {
   void attend();
   /// Replaces the terminal. Precondition: kDropped or kFailed. Throws FileError.
   void renew();
-  /// kFailed with the exception that is being handled. Precondition: as of renew().
+  /// kFailed with the exception that is being handled. Precondition: that of renew().
   void fail();
 
  private:

@@ -123,6 +123,14 @@ class Exec(unittest.TestCase):
         done = self.judge(text, code=5)
         self.assertEqual(["127.0.0.1 True True False", "1"], done.stdout.splitlines()[:2])
 
+    def test_the_bytes_of_a_program_that_leaves_its_pseudo_terminal_at_once(self):
+        text = ("import os\nline = os.open(os.environ['XR3_PTY'], os.O_RDWR | os.O_NOCTTY)\n"
+                "os.write(line, b'F+9\\r' * 200)\n")
+        done = self.run_exec("--repeat", 12, "--json", "all.json", "--", sys.executable, self.write("p.py", text))
+        self.assertEqual("12 of 12 runs passed\n", done.stdout)
+        results = [json.loads(line) for line in (self.folder / "all.json").read_text(encoding="utf-8").splitlines()]
+        self.assertEqual([800] * 12, [each["bytes"] for each in results])
+
     def test_runs_of_one_program_are_the_same(self):
         path = self.write("p.py", PLACE)
         done = self.run_exec("--goals", self.goals, "--repeat", 6, "--", sys.executable, path)
