@@ -69,11 +69,9 @@ void RobotHost::run(const std::function<bool()>& is_over) {
 }
 
 void RobotHost::close_ports() {
-  bool is_settled = false;
-  spawn_session(io_.get_executor(), "the serial lines", cell_->lines().settle(),
-                [&is_settled] { is_settled = true; });
-  run([&is_settled] { return is_settled; });
-  cell_->lines().read_arrived_at_once();  // clients that have connected, but are not accepted yet
+  spawn_session(io_.get_executor(), "the serial lines", cell_->lines().read_arrived(),
+                [this] { has_read_arrived_ = true; });
+  run([this] { return has_read_arrived_; });
   cell_->port()->close();
 }
 

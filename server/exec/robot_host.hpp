@@ -42,7 +42,8 @@ class RobotHost {
   /// leaves a handler.
   void run(const std::function<bool()>& is_over);
 
-  /// Accepts no further client, and lets the lines that are open be read to their end.
+  /// Accepts no further client than those that have arrived, and lets the open lines be read to
+  /// their end. To be called once.
   void close_ports();
   /// Whether every line has been read to its end.
   bool are_lines_closed();
@@ -58,6 +59,7 @@ class RobotHost {
   LineTurns turns_{io_};
   Worker worker_;
   std::function<void()> on_action_;
+  bool has_read_arrived_ = false;
   CellContext context_;
   CellRegistry cells_;
   CellPtr cell_;

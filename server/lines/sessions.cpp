@@ -12,6 +12,11 @@ constexpr const char* kLinesName = "the serial lines";
 // The time of arrived bytes until other ports have their turns.
 constexpr WallNs kPiece = 500'000;
 
+// Maximum number of further rounds of settling and reading. A pseudo-terminal holds at most 22 KiB,
+// of which a round gives 4095 bytes; the end of a line and the begin of the next take one each.
+// More only come from programs that go on meanwhile.
+constexpr int kMaxRounds = 12;
+
 /// While it exists, the timer is cancelled when bytes of the line have acted.
 class Waiting {
  public:
@@ -105,6 +110,13 @@ ArrivedBytes LineSessions::arrived() {
   return bytes;
 }
 
+ArrivedBytes LineSessions::arrived(const LineSource& source) {
+  ArrivedBytes bytes = begin_reading();
+  for (const auto& [line, entry] : sessions_)
+    if (&entry.session->source() == &source) bytes.add(entry.session);
+  return bytes;
+}
+
 ArrivedBytes LineSessions::arrived(LineId line) {
   ArrivedBytes bytes = begin_reading();
   const auto found = sessions_.find(line);
@@ -121,13 +133,28 @@ asio::awaitable<void> LineSessions::settle() {
   for (LineSource* source : sources_) co_await source->settle();
 }
 
-asio::awaitable<void> LineSessions::read_arrived() {
-  co_await settle();
-  co_await read(vital(kLinesName, [this] { return arrived(); }));
+std::uint64_t LineSessions::progress() const {
+  std::uint64_t sum = 0;
+  for (const LineSource* source : sources_) sum += source->progress();
+  return sum;
 }
 
-void LineSessions::read_arrived_at_once() {
-  vital(kLinesName, [this] { arrived().read(kNever); });
+asio::awaitable<void> LineSessions::read_arrived() {
+  const std::uint64_t before = progress();
+  co_await settle();
+  co_await read(vital(kLinesName, [this] { return arrived(); }));
+  if (progress() == before) co_return;
+  for (LineSource* source : sources_) co_await read_rest(*source);
+}
+
+// What the first round of settling and reading has left.
+asio::awaitable<void> LineSessions::read_rest(LineSource& source) {
+  for (int round = 0; round < kMaxRounds; ++round) {
+    const std::uint64_t before = source.progress();
+    co_await source.settle();
+    co_await read(vital(kLinesName, [&, this] { return arrived(source); }));
+    if (source.progress() == before) co_return;
+  }
 }
 
 asio::awaitable<bool> LineSessions::wait_for_bytes(LineId id, std::uint64_t bytes_in,

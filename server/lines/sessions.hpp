@@ -37,10 +37,6 @@ class LineSessions final : public LineTransports {
                              const LineOpened& opened, PeerCounts::Place place = nullptr);
 
   asio::awaitable<void> read_arrived() override;
-  /// Waits until the bytes that clients have sent before this call can be read.
-  asio::awaitable<void> settle();
-  /// read_arrived() after settle(), without a pause, for callers that need no other port meanwhile.
-  void read_arrived_at_once();
   void run_turns() override { turns_.run_turns(); }
   asio::awaitable<bool> wait_for_bytes(LineId line, std::uint64_t bytes_in,
                                        std::chrono::milliseconds within) override;
@@ -76,8 +72,12 @@ class LineSessions final : public LineTransports {
   void accept_arrived();
   ArrivedBytes begin_reading();  ///< of no line yet
   ArrivedBytes arrived();
+  ArrivedBytes arrived(const LineSource& source);
   ArrivedBytes arrived(LineId line);
   asio::awaitable<void> read(ArrivedBytes bytes);
+  asio::awaitable<void> settle();
+  std::uint64_t progress() const;
+  asio::awaitable<void> read_rest(LineSource& source);
 
   LineTurns& turns_;
   Cell& cell_;

@@ -33,8 +33,8 @@ class LineStream {
   /// this line.
   virtual std::optional<LineSettings> take_settings(LineId) { return std::nullopt; }
 
-  /// The client is gone, but bytes that it has sent may still have to be read. (The watch of the
-  /// lines tells this of a connection.)
+  /// The client is gone, but bytes that it has sent may still have to be read. (For a connection,
+  /// LineWatch reports this.)
   virtual bool is_hung_up() const { return false; }
 
   /// The client sends no more bytes.

@@ -3,12 +3,10 @@
 #include <cassert>
 #include <utility>
 
-#include "server/files/data_files.hpp"
-
 namespace xr3 {
 
 PtyPlace::PtyPlace(const std::string& path, ::mode_t rights)
-    : rights_(rights), terminal_(rights), link_(path, terminal_.slave()) {}
+    : terminal_(rights), link_(path, terminal_.slave()) {}
 
 // --- For the event loop.
 
@@ -27,7 +25,7 @@ void PtyPlace::end_line(bool is_dropped) {
 }
 
 std::string PtyPlace::failure() const {
-  assert(stage_ == Stage::kFailed);
+  assert(failure_);
   try {
     std::rethrow_exception(failure_);
   } catch (const std::exception& error) {
@@ -37,43 +35,58 @@ std::string PtyPlace::failure() const {
 
 // --- For the thread.
 
-void PtyPlace::attend() {
+void PtyPlace::poll() {
   const Stage stage = stage_;
-  const PseudoTerminal::State state = terminal_.poll();
-  if (stage == Stage::kServed) follow(state);
-  if (stage == Stage::kIdle && (state.is_open || state.has_bytes)) stage_ = Stage::kArrived;
+  if (stage == Stage::kIdle) look_for_program();
+  if (stage == Stage::kServed) tell_line();
 }
 
-void PtyPlace::follow(const PseudoTerminal::State& state) {
+// A program that has changed the modes and left again, such as `stty -F PATH`, is no line.
+void PtyPlace::look_for_program() {
+  const PseudoTerminal::State state = terminal_.poll();
+  if (state.is_open || state.has_bytes)
+    stage_ = Stage::kArrived;
+  else if (!terminal_.is_raw())
+    try_to_prepare();
+}
+
+void PtyPlace::tell_line() {
+  PseudoTerminal::State state = terminal_.poll();
+  if (!state.is_open && !state.has_bytes) state = make_ready();
   is_leaving_ = !state.is_open;
   if (state.has_room || !state.is_open) has_room_ = true;
-  if (!state.is_open && !state.has_bytes) make_ready();
   news_.give();
 }
 
 // Another program may have opened the terminal since: the line goes on with it.
-void PtyPlace::make_ready() {
+PseudoTerminal::State PtyPlace::make_ready() {
   const std::scoped_lock use(use_);
   const PseudoTerminal::State state = terminal_.poll();
-  if (state.is_open || state.has_bytes) return;
-  try {
-    terminal_.prepare();
-  } catch (const FileError&) {
-    is_unready_ = true;
-  }
+  if (state.is_open || state.has_bytes) return state;
+  is_unready_ = !try_to_prepare();
   Stage served = Stage::kServed;  // unless the server has ended the line meanwhile
   stage_.compare_exchange_strong(served, Stage::kLeft);
+  return state;
 }
 
-void PtyPlace::renew() {
+bool PtyPlace::try_to_prepare() const {
+  try {
+    terminal_.prepare();
+    return true;
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+void PtyPlace::replace(PseudoTerminal fresh) {
   assert(stage_ == Stage::kDropped || stage_ == Stage::kFailed);
-  PseudoTerminal fresh(rights_);
   link_.point_to(fresh.slave());
   terminal_ = std::move(fresh);
   stage_ = Stage::kIdle;
 }
 
 void PtyPlace::fail() {
+  assert(stage_ == Stage::kDropped || stage_ == Stage::kFailed);
   if (stage_ != Stage::kFailed) failure_ = std::current_exception();
   stage_ = Stage::kFailed;
 }

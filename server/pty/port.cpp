@@ -8,6 +8,7 @@
 #include <cassert>
 #include <cerrno>
 #include <cstring>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -31,84 +32,88 @@ int copy_of(int descriptor) {
 
 }  // namespace
 
+PtyPort::Terminal::Terminal(asio::io_context& io, const std::string& path, ::mode_t rights)
+    : watch(path, rights), news(io, copy_of(watch.news().descriptor())) {}
+
 PtyPort::PtyPort(asio::io_context& io, LineSessions& lines)
-    : io_(io), lines_(lines), news_(io), attended_(io, asio::steady_timer::time_point::max()) {}
+    : io_(io), lines_(lines), round_(io, asio::steady_timer::time_point::max()) {}
 
 void PtyPort::serve(const std::vector<std::string>& paths, ::mode_t rights) {
-  assert(!watch_);
-  if (paths.empty()) return;
-  watch_.emplace(paths, rights);
-  news_.assign(copy_of(watch_->news().descriptor()));
-  for (PtyPlace& place : watch_->places()) served_.push_back({place, std::nullopt});
+  assert(terminals_.empty());
+  for (const std::string& path : paths) terminals_.emplace_back(io_, path, rights);
   lines_.add(*this);
-  spawn_loop(io_.get_executor(), kPtyName, follow_news());
+  for (Terminal& terminal : terminals_)
+    spawn_loop(io_.get_executor(), kPtyName, follow_news(terminal));
 }
 
 void PtyPort::close() {
   is_closing_ = true;
   ErrorCode ignored;
-  news_.close(ignored);
-  attended_.cancel();
+  for (Terminal& terminal : terminals_) terminal.news.close(ignored);
+  round_.cancel();
 }
 
-asio::awaitable<void> PtyPort::follow_news() {
-  while (news_.is_open()) {
+asio::awaitable<void> PtyPort::follow_news(Terminal& terminal) {
+  while (!is_closing_) {
     const auto [error] =
-        co_await news_.async_wait(asio::posix::stream_descriptor::wait_read, kAwait);
+        co_await terminal.news.async_wait(asio::posix::stream_descriptor::wait_read, kAwait);
     if (is_closing_) co_return;
     if (error) throw boost::system::system_error(error, "eventfd");
-    vital(kPtyName, [this] { take_news(); });
+    vital(kPtyName, [&, this] { take_news(terminal); });
   }
 }
 
-void PtyPort::take_news() {
-  watch_->news().take();
-  const int failure = watch_->failure();
+void PtyPort::take_news(Terminal& terminal) {
+  terminal.watch.news().take();
+  const int failure = terminal.watch.failure();
   if (failure != 0)
     throw boost::system::system_error(failure, boost::system::system_category(), "epoll");
-  attended_.cancel();
-  accept_arrived();
-  for (Served& served : served_) report(served);
+  round_.cancel();
+  accept(terminal);
+  report(terminal);
 }
 
 asio::awaitable<void> PtyPort::settle() {
-  if (!watch_ || is_closing_) co_return;
-  const std::uint64_t round = watch_->attend_to_all();
-  while (!is_closing_ && !watch_->has_attended(round)) co_await attended_.async_wait(kAwait);
+  std::map<const PtyWatch*, std::uint64_t> rounds;
+  for (Terminal& terminal : terminals_) rounds[&terminal.watch] = terminal.watch.begin_round();
+  for (const auto& [watch, round] : rounds)
+    while (!is_closing_ && !watch->has_ended(round)) co_await round_.async_wait(kAwait);
 }
 
 void PtyPort::accept_arrived() {
-  if (is_closing_) return;
-  for (Served& served : served_)
-    if (served.place.stage() == PtyPlace::Stage::kArrived) open_line(served);
+  for (Terminal& terminal : terminals_) accept(terminal);
 }
 
-// A program that has left before its line began is noticed when the thread attends to the place.
-void PtyPort::open_line(Served& served) {
-  served.line = lines_.open(*this, std::make_unique<PtyStream>(*watch_, served.place),
-                            LineOpened{served.place.path(), LineKind::kPty});
-  if (!served.line) served.place.end_line(true);
-  watch_->attend(served.place);
+// A program that has left before its line began is noticed when the thread polls.
+void PtyPort::accept(Terminal& terminal) {
+  PtyPlace& place = terminal.watch.place();
+  if (is_closing_ || place.stage() != PtyPlace::Stage::kArrived) return;
+  ++progress_;
+  terminal.line = lines_.open(*this, std::make_unique<PtyStream>(terminal.watch),
+                              LineOpened{place.path(), LineKind::kPty});
+  if (!terminal.line) place.end_line(true);
+  terminal.watch.poll_soon();
 }
 
-void PtyPort::report(Served& served) {
-  const bool has_failed = served.place.stage() == PtyPlace::Stage::kFailed;
-  if (has_failed == std::exchange(served.has_failed, has_failed)) return;
+void PtyPort::report(Terminal& terminal) {
+  const PtyPlace& place = terminal.watch.place();
+  const bool has_failed = place.stage() == PtyPlace::Stage::kFailed;
+  if (has_failed == std::exchange(terminal.has_failed, has_failed)) return;
   if (has_failed)
-    spdlog::error("{}: {}; it is tried again every second", served.place.path(),
-                  served.place.failure());
+    spdlog::error("{}: {}; it is tried again every second", place.path(), place.failure());
   else
-    spdlog::info("{}: the pseudo-terminal is served again", served.place.path());
+    spdlog::info("{}: the pseudo-terminal is served again", place.path());
 }
 
 // A program whose line the server has ended sees a hangup, as if the plug of an adapter were
 // pulled: its terminal is replaced.
 void PtyPort::line_ended(LineId line, LineCloseReason reason) {
-  const auto served = std::ranges::find(served_, std::optional(line), &Served::line);
-  if (is_closing_ || served == served_.end()) return;
-  served->line.reset();
-  served->place.end_line(reason != LineCloseReason::kClientClosed);
-  watch_->attend(served->place);
+  const auto ended = std::ranges::find(terminals_, std::optional(line), &Terminal::line);
+  if (is_closing_ || ended == terminals_.end()) return;
+  ++progress_;
+  ended->line.reset();
+  ended->watch.place().end_line(reason != LineCloseReason::kClientClosed);
+  ended->watch.poll_soon();
 }
 
 }  // namespace xr3

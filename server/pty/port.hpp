@@ -2,6 +2,8 @@
 #pragma once
 
 #include <boost/asio/posix/stream_descriptor.hpp>
+#include <cstdint>
+#include <list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,27 +26,31 @@ class PtyPort final : public LineSource {
   void close();
 
   asio::awaitable<void> settle() override;
+  std::uint64_t progress() const override { return progress_; }
   void accept_arrived() override;
+  void line_acted(LineId) override { ++progress_; }
   void line_ended(LineId line, LineCloseReason reason) override;
 
  private:
-  struct Served {
-    PtyPlace& place;
-    std::optional<LineId> line;  ///< nullopt: no program is there
-    bool has_failed = false;     ///< as reported
+  struct Terminal {
+    Terminal(asio::io_context& io, const std::string& path, ::mode_t rights);
+
+    PtyWatch watch;
+    asio::posix::stream_descriptor news;  ///< of the watch
+    std::optional<LineId> line;           ///< nullopt: no program is there
+    bool has_failed = false;              ///< as reported
   };
 
-  asio::awaitable<void> follow_news();
-  void take_news();
-  void open_line(Served& served);
-  static void report(Served& served);
+  asio::awaitable<void> follow_news(Terminal& terminal);
+  void take_news(Terminal& terminal);
+  void accept(Terminal& terminal);
+  static void report(Terminal& terminal);
 
   asio::io_context& io_;
   LineSessions& lines_;
-  asio::posix::stream_descriptor news_;  ///< of the watch
-  asio::steady_timer attended_;          ///< never expires; cancelled to resume those that settle
-  std::optional<PtyWatch> watch_;        ///< nullopt: no pseudo-terminals
-  std::vector<Served> served_;
+  asio::steady_timer round_;  ///< never expires; cancelled to resume those that settle
+  std::list<Terminal> terminals_;
+  std::uint64_t progress_ = 0;  ///< lines begun and ended, and actions of lines
   bool is_closing_ = false;
 };
 

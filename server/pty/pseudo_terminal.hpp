@@ -38,9 +38,12 @@ class PseudoTerminal {
   State poll() const;
   /// Whether a read would give bytes now. Does not wait; a read that would give none waits.
   bool has_bytes() const;
-  /// Makes the slave as a program expects a serial port: raw, 9600 baud, and without replies that
-  /// the last program has not read. Bytes from a program are kept. Throws FileError.
+  /// Makes the slave as a program expects a serial port: raw, 9600 baud, neither stopped nor
+  /// exclusive, and without replies that the last program has not read. Bytes from a program are
+  /// kept. Throws FileError, also if the last program has left another line discipline.
   void prepare() const;
+  /// Whether the modes are those that prepare() sets.
+  bool is_raw() const;
   PtyModes modes() const;
 
  private:

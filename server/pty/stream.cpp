@@ -8,6 +8,11 @@
 
 namespace xr3 {
 
+PtyStream::PtyStream(PtyWatch& watch)
+    : watch_(watch), place_(watch.place()), modes_(place_.terminal().modes()) {
+  place_.begin_line();
+}
+
 bool PtyStream::is_over() const { return place_.stage() == PtyPlace::Stage::kLeft; }
 
 // The last bytes of a program may arrive after its hangup: the thread tells whether there are more.
@@ -19,7 +24,7 @@ std::size_t PtyStream::read(std::span<char> into) {
     return 0;
   }
   const std::size_t count = read_arrived(into);
-  if (count < into.size() && place_.is_leaving()) watch_.attend(place_);
+  if (count < into.size() && place_.is_leaving()) watch_.poll_soon();
   return count;
 }
 
@@ -29,6 +34,7 @@ std::size_t PtyStream::read_arrived(std::span<char> into) {
   if (!terminal.has_bytes()) return 0;
   const auto count =
       retry_interrupted([&] { return ::read(terminal.master(), into.data(), into.size()); });
+  if (count > 0) modes_ = terminal.modes();
   if (count >= 0) return static_cast<std::size_t>(count);
   if (errno != EAGAIN && errno != EIO) note_lost();
   return 0;
@@ -42,7 +48,7 @@ std::size_t PtyStream::write(std::string_view bytes) {
   const int master = place_.terminal().master();
   const auto count = retry_interrupted([&] { return ::write(master, bytes.data(), bytes.size()); });
   was_full_ = count < 0 && errno == EAGAIN;
-  if (was_full_) watch_.await_room(place_);
+  if (was_full_) watch_.await_room();
   if (count >= 0) return static_cast<std::size_t>(count);
   if (was_full_) return 0;
   if (errno == EIO) return bytes.size();
@@ -51,10 +57,9 @@ std::size_t PtyStream::write(std::string_view bytes) {
 }
 
 std::optional<LineSettings> PtyStream::take_settings(LineId line) {
-  const PtyModes now = is_over() ? modes_ : place_.terminal().modes();
-  if (now == modes_ || now.baud == 0) return std::nullopt;
-  modes_ = now;
-  return LineSettings{line, {now.baud, std::nullopt}, now.is_cooked};
+  if (modes_ == taken_ || modes_.baud == 0) return std::nullopt;
+  taken_ = modes_;
+  return LineSettings{line, {modes_.baud, std::nullopt}, modes_.is_cooked};
 }
 
 }  // namespace xr3

@@ -9,18 +9,17 @@ namespace xr3 {
 
 class PtyStream final : public LineStream {
  public:
-  /// Begins the line of the place, of this watch. Both must outlive the stream. Precondition: a
+  /// Begins the line of the watch's place. The watch must outlive the stream. Precondition: a
   /// program has arrived there.
-  PtyStream(PtyWatch& watch, PtyPlace& place) : watch_(watch), place_(place) {
-    place_.begin_line();
-  }
+  explicit PtyStream(PtyWatch& watch);
 
-  int descriptor() const override { return is_closed_ ? -1 : place_.news(); }
+  int descriptor() const override { return is_closed_ ? -1 : place_.news_descriptor(); }
   std::size_t read(std::span<char> into) override;
   /// Discards the bytes if no program has the terminal open, for nobody could read them.
   std::size_t write(std::string_view bytes) override;
   void close() override { is_closed_ = true; }
   bool is_hung_up() const override { return place_.is_leaving(); }
+  /// Those with which the last bytes came.
   std::optional<LineSettings> take_settings(LineId line) override;
 
  private:
@@ -29,7 +28,8 @@ class PtyStream final : public LineStream {
 
   PtyWatch& watch_;
   PtyPlace& place_;
-  PtyModes modes_;
+  PtyModes modes_;  ///< when bytes were read last: those of the program that had written them
+  PtyModes taken_;
   bool is_closed_ = false;
   bool was_full_ = false;  ///< the last write took nothing
 };

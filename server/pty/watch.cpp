@@ -4,18 +4,20 @@
 #include <sys/inotify.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <system_error>
+#include <utility>
 
 #include "server/files/data_files.hpp"
 
 namespace xr3 {
 namespace {
 
-constexpr std::size_t kMaxEvents = 16;
+constexpr std::size_t kMaxEvents = 4;
 constexpr std::uint32_t kAlways = EPOLLIN | EPOLLET;
 constexpr int kRetryMs = 1000;
 constexpr WallNs kRetryEvery = kRetryMs * WallNs{1'000'000};
@@ -24,7 +26,7 @@ constexpr WallNs kRetryEvery = kRetryMs * WallNs{1'000'000};
   throw FileError(std::string("a pseudo-terminal cannot be watched: ") + std::strerror(error));
 }
 
-/// Reads what a descriptor has, which is not needed.
+/// Reads and discards pending events.
 void discard(int descriptor) {
   std::array<char, 4096> events{};
   [[maybe_unused]] const ::ssize_t count = ::read(descriptor, events.data(), events.size());
@@ -48,12 +50,18 @@ class SignalsBlocked {
 
 }  // namespace
 
-PtyWatch::PtyWatch(const std::vector<std::string>& paths, ::mode_t rights)
-    : set_(::epoll_create1(EPOLL_CLOEXEC)), opens_(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
-  if (!set_.is_open() || !opens_.is_open()) fail_to_watch(errno);
+PtyWatch::PtyWatch(const std::string& path, ::mode_t rights)
+    : rights_(rights),
+      set_(::epoll_create1(EPOLL_CLOEXEC)),
+      opens_(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)),
+      place_(path, rights) {
+  if (!opens_.is_open())
+    throw FileError(
+        "a pseudo-terminal cannot be watched: this user has as many instances of "
+        "inotify as fs.inotify.max_user_instances allows");
   for (const int each : {requests_.descriptor(), opens_.get()})
-    if (!control(EPOLL_CTL_ADD, each, EPOLLIN, nullptr)) fail_to_watch(errno);
-  for (const std::string& path : paths) watch(places_.emplace_back(path, rights));
+    if (!control(EPOLL_CTL_ADD, each, EPOLLIN)) fail_to_watch(errno);
+  watch(place_.terminal());
   try {
     const SignalsBlocked blocked;
     thread_ = std::thread([this] { run(); });
@@ -68,35 +76,27 @@ PtyWatch::~PtyWatch() {
   thread_.join();
 }
 
-void PtyWatch::watch(PtyPlace& place) {
-  const PseudoTerminal& terminal = place.terminal();
-  if (!control(EPOLL_CTL_ADD, terminal.master(), kAlways, &place) ||
+void PtyWatch::watch(const PseudoTerminal& terminal) const {
+  if (!control(EPOLL_CTL_ADD, terminal.master(), kAlways) ||
       ::inotify_add_watch(opens_.get(), terminal.slave().c_str(), IN_OPEN) < 0)
     fail_to_watch(errno);
 }
 
-bool PtyWatch::control(int how, int descriptor, std::uint32_t events, PtyPlace* place) const {
+bool PtyWatch::control(int how, int descriptor, std::uint32_t events) const {
   epoll_event event{};
   event.events = events;
-  event.data.ptr = place;
   return ::epoll_ctl(set_.get(), how, descriptor, &event) == 0;
 }
 
-void PtyWatch::attend(PtyPlace& place) {
-  place.request();
-  requests_.give();
-}
-
-std::uint64_t PtyWatch::attend_to_all() {
-  for (PtyPlace& place : places_) place.request();
-  const std::uint64_t round = ++requested_;
-  requests_.give();
+std::uint64_t PtyWatch::begin_round() {
+  const std::uint64_t round = ++begun_;
+  poll_soon();
   return round;
 }
 
-void PtyWatch::await_room(PtyPlace& place) {
-  place.request_room();
-  requests_.give();
+void PtyWatch::await_room() {
+  is_room_requested_ = true;
+  poll_soon();
 }
 
 // --- The thread.
@@ -104,72 +104,58 @@ void PtyWatch::await_room(PtyPlace& place) {
 void PtyWatch::run() {
   while (!is_stopping_ && failure_ == 0) {
     wait();
-    retry();
+    update();
   }
   news_.give();
 }
 
+// Whatever has woken the thread, it looks at everything.
 void PtyWatch::wait() {
   std::array<epoll_event, kMaxEvents> events{};
-  const int count =
-      ::epoll_wait(set_.get(), events.data(), kMaxEvents, retry_at_ == kNever ? -1 : kRetryMs);
+  const int timeout = retry_at_ == kNever ? -1 : kRetryMs;
+  const int count = ::epoll_wait(set_.get(), events.data(), kMaxEvents, timeout);
   if (count < 0 && errno != EINTR) failure_ = errno;
-  for (int i = 0; i < count; ++i) {
-    const epoll_event& event = events[static_cast<std::size_t>(i)];
-    auto* const place = static_cast<PtyPlace*>(event.data.ptr);
-    place == nullptr ? take_own_events() : handle(*place, event.events);
-  }
+  const bool has_room = std::any_of(events.begin(), events.begin() + std::max(count, 0),
+                                    [](const auto& each) { return (each.events & EPOLLOUT) != 0; });
+  if (has_room) control(EPOLL_CTL_MOD, place_.terminal().master(), kAlways);
 }
 
-void PtyWatch::retry() {
-  if (wall_now() < retry_at_) return;
-  retry_at_ = kNever;
-  for (PtyPlace& place : places_)
-    if (place.stage() == PtyPlace::Stage::kFailed) {
-      renew(place);
-      move_on(place);
-    }
-}
-
-// A place that is requested meanwhile is attended to again: the signal follows the request. After
-// an open, all places without a line are looked at.
-void PtyWatch::take_own_events() {
+// A signal follows each request, so that one which comes meanwhile is not missed.
+void PtyWatch::update() {
   requests_.take();
   discard(opens_.get());
-  const std::uint64_t round = requested_;
-  for (PtyPlace& place : places_) answer(place);
-  if (attended_.exchange(round) != round) news_.give();
+  const std::uint64_t round = begun_;
+  if (is_room_requested_.exchange(false))
+    control(EPOLL_CTL_MOD, place_.terminal().master(), kAlways | EPOLLOUT);
+  if (is_renewal_due()) renew();
+  poll();
+  if (ended_.exchange(round) != round) news_.give();
 }
 
-void PtyWatch::answer(PtyPlace& place) {
-  if (place.take_room_request())
-    control(EPOLL_CTL_MOD, place.terminal().master(), kAlways | EPOLLOUT, &place);
-  if (place.take_request() || place.stage() == PtyPlace::Stage::kIdle) move_on(place);
+void PtyWatch::poll() {
+  const auto has_arrived = [this] { return place_.stage() == PtyPlace::Stage::kArrived; };
+  const bool had_arrived = has_arrived();
+  place_.poll();
+  if (has_arrived() && !had_arrived) news_.give();
 }
 
-void PtyWatch::handle(PtyPlace& place, std::uint32_t events) {
-  if ((events & EPOLLOUT) != 0) control(EPOLL_CTL_MOD, place.terminal().master(), kAlways, &place);
-  move_on(place);
+bool PtyWatch::is_renewal_due() const {
+  return place_.stage() == PtyPlace::Stage::kDropped || wall_now() >= retry_at_;
 }
 
-void PtyWatch::move_on(PtyPlace& place) {
-  if (place.stage() == PtyPlace::Stage::kDropped) renew(place);
-  const PtyPlace::Stage before = place.stage();
-  place.attend();
-  if (place.stage() == PtyPlace::Stage::kArrived && before != PtyPlace::Stage::kArrived)
-    news_.give();
-}
-
-void PtyWatch::renew(PtyPlace& place) {
-  const bool is_again = place.stage() == PtyPlace::Stage::kFailed;
+// The new terminal is watched before a program can find it.
+void PtyWatch::renew() {
+  const bool had_failed = place_.stage() == PtyPlace::Stage::kFailed;
+  retry_at_ = kNever;
   try {
-    place.renew();
-    watch(place);
+    PseudoTerminal fresh(rights_);
+    watch(fresh);
+    place_.replace(std::move(fresh));
   } catch (const std::exception&) {
-    place.fail();
+    place_.fail();
     retry_at_ = wall_now() + kRetryEvery;
   }
-  if (is_again != (place.stage() == PtyPlace::Stage::kFailed)) news_.give();
+  if (had_failed != (place_.stage() == PtyPlace::Stage::kFailed)) news_.give();
 }
 
 }  // namespace xr3

@@ -258,6 +258,39 @@ class OpenAndClose(Ptys):
                     port.write(b"E?")
                     self.assertEqual(b" ", port.read(1))
 
+    def test_a_step_takes_more_bytes_than_the_kernel_hands_on_at_once(self):
+        with self.server() as xr3, xr3.monitor() as monitor:
+            for number in range(20):
+                with Port(self.path) as port:
+                    port.write(b"\r" * 10_000 + (b"E-50\r" if number % 2 else b"E+50\r"))
+                monitor.call("step", ticks=1000)
+                with Port(self.path) as port:
+                    port.write(b"E?")
+                    self.assertEqual(b" ", port.read(1))
+
+    def test_a_step_takes_bytes_of_the_program_after_one_that_has_left(self):
+        with self.server() as xr3, xr3.monitor() as monitor:
+            for number in range(20):
+                with Port(self.path) as port:
+                    port.write(b"E?")
+                    port.read(1)
+                with Port(self.path) as port:
+                    port.write(b"E-50\r" if number % 2 else b"E+50\r")
+                    monitor.call("step", ticks=1000)
+                    port.write(b"E?")
+                    self.assertEqual(b" ", port.read(1))
+
+    def test_modes_that_a_program_leaves_do_not_last(self):
+        """The server does not tell when it has seen a program that only came and went, so it is asked for a step."""
+        with self.server() as xr3, xr3.monitor() as monitor:
+            subprocess.run(["stty", "-F", self.path, "sane", "1200"], check=True)
+            monitor.call("step", ticks=1)
+            with Port(self.path) as port:
+                port.write(INQUIRY)
+                self.assertEqual(REPLY, port.read(1))
+                line, = monitor.call("lines")["lines"]
+                self.assertEqual("9600", line["serial"])
+
 
 class ThePath(Ptys):
     def refusal(self, *options):

@@ -1,4 +1,4 @@
-// The stages of a pseudo-terminal's place, without the thread: the test attends to it.
+// The stages of a pseudo-terminal's place, without the thread: the test polls it.
 #include "server/pty/place.hpp"
 
 #include <gtest/gtest.h>
@@ -35,13 +35,13 @@ class NoDescriptors {
 
 class PtyPlaceTest : public testing::Test {
  protected:
-  Stage attended() {
-    place_.attend();
+  Stage polled() {
+    place_.poll();
     return place_.stage();
   }
   /// A line that serves a program.
   void serve(const Slave&) {
-    ASSERT_EQ(attended(), Stage::kArrived);
+    ASSERT_EQ(polled(), Stage::kArrived);
     place_.begin_line();
   }
   std::size_t read() {
@@ -55,14 +55,20 @@ class PtyPlaceTest : public testing::Test {
 };
 
 TEST_F(PtyPlaceTest, IsIdleUntilAProgramArrives) {
-  EXPECT_EQ(attended(), Stage::kIdle);
+  EXPECT_EQ(polled(), Stage::kIdle);
   const Slave program(place_.path());
-  EXPECT_EQ(attended(), Stage::kArrived);
+  EXPECT_EQ(polled(), Stage::kArrived);
+}
+
+TEST_F(PtyPlaceTest, ModesOfAProgramThatHasGoneDoNotLast) {
+  Slave(place_.path()).set(B1200, ECHO);
+  EXPECT_EQ(polled(), Stage::kIdle);
+  EXPECT_TRUE(place_.terminal().is_raw());
 }
 
 TEST_F(PtyPlaceTest, AProgramThatHasLeftBytesHasArrived) {
   Slave(place_.path()).write("E?");
-  EXPECT_EQ(attended(), Stage::kArrived);
+  EXPECT_EQ(polled(), Stage::kArrived);
 }
 
 TEST_F(PtyPlaceTest, IsLeftWhenAllBytesAreRead) {
@@ -71,17 +77,17 @@ TEST_F(PtyPlaceTest, IsLeftWhenAllBytesAreRead) {
     serve(program);
     program.set(B1200, ECHO);
     program.write("E?");
-    EXPECT_EQ(attended(), Stage::kServed);
+    EXPECT_EQ(polled(), Stage::kServed);
     EXPECT_FALSE(place_.is_leaving());
   }
-  EXPECT_EQ(attended(), Stage::kServed) << "E? is not read yet";
+  EXPECT_EQ(polled(), Stage::kServed) << "E? is not read yet";
   EXPECT_TRUE(place_.is_leaving());
   EXPECT_EQ(read(), 2U);
-  EXPECT_EQ(attended(), Stage::kLeft);
+  EXPECT_EQ(polled(), Stage::kLeft);
   EXPECT_EQ(place_.terminal().modes(), (PtyModes{9600, false})) << "ready for the next program";
-  EXPECT_EQ(attended(), Stage::kLeft) << "until the line has ended";
+  EXPECT_EQ(polled(), Stage::kLeft) << "until the line has ended";
   place_.end_line(false);
-  EXPECT_EQ(attended(), Stage::kIdle);
+  EXPECT_EQ(polled(), Stage::kIdle);
 }
 
 TEST_F(PtyPlaceTest, RepliesAreNoneOfTheNextProgram) {
@@ -90,7 +96,7 @@ TEST_F(PtyPlaceTest, RepliesAreNoneOfTheNextProgram) {
     serve(program);
     EXPECT_EQ(::write(place_.terminal().master(), "reply", 5), 5);
   }
-  EXPECT_EQ(attended(), Stage::kLeft);
+  EXPECT_EQ(polled(), Stage::kLeft);
   EXPECT_EQ(Slave(place_.path()).read(), "");
 }
 
@@ -100,9 +106,22 @@ TEST_F(PtyPlaceTest, AProgramThatComesInTimeGoesOnWithTheLine) {
   const Slave second(place_.path());
   second.set(B1200, 0);
   first.reset();
-  EXPECT_EQ(attended(), Stage::kServed);
+  EXPECT_EQ(polled(), Stage::kServed);
   EXPECT_FALSE(place_.is_leaving());
   EXPECT_EQ(place_.terminal().modes().baud, 1200U) << "its modes are kept";
+}
+
+TEST_F(PtyPlaceTest, ALineIsNotLeavingWhenAnotherProgramHasCome) {
+  std::optional<Slave> first(std::in_place, place_.path());
+  serve(*first);
+  first->write("E?");
+  first.reset();
+  polled();
+  ASSERT_TRUE(place_.is_leaving());
+  EXPECT_EQ(read(), 2U);
+  const Slave second(place_.path());
+  EXPECT_EQ(polled(), Stage::kServed);
+  EXPECT_FALSE(place_.is_leaving());
 }
 
 TEST_F(PtyPlaceTest, TheNextProgramIsNotServedBeforeTheLineHasEnded) {
@@ -110,42 +129,42 @@ TEST_F(PtyPlaceTest, TheNextProgramIsNotServedBeforeTheLineHasEnded) {
     const Slave program(place_.path());
     serve(program);
   }
-  ASSERT_EQ(attended(), Stage::kLeft);
+  ASSERT_EQ(polled(), Stage::kLeft);
   const Slave next(place_.path());
-  EXPECT_EQ(attended(), Stage::kLeft);
+  EXPECT_EQ(polled(), Stage::kLeft);
   place_.end_line(false);
-  EXPECT_EQ(attended(), Stage::kArrived);
+  EXPECT_EQ(polled(), Stage::kArrived);
 }
 
 TEST_F(PtyPlaceTest, ADroppedProgramSeesAHangup) {
   const Slave program(place_.path());
   serve(program);
   place_.end_line(true);
-  EXPECT_EQ(attended(), Stage::kDropped);
+  EXPECT_EQ(polled(), Stage::kDropped);
   EXPECT_FALSE(program.is_hung_up());
-  place_.renew();
+  place_.replace(PseudoTerminal(0600));
   EXPECT_TRUE(program.is_hung_up());
-  EXPECT_EQ(attended(), Stage::kIdle);
+  EXPECT_EQ(polled(), Stage::kIdle);
   const Slave next(place_.path());
-  EXPECT_EQ(attended(), Stage::kArrived);
+  EXPECT_EQ(polled(), Stage::kArrived);
 }
 
 TEST_F(PtyPlaceTest, ATerminalThatCannotBeMadeReadyIsReplaced) {
   serve(Slave(place_.path()));
   {
     const NoDescriptors none;
-    EXPECT_EQ(attended(), Stage::kLeft);
+    EXPECT_EQ(polled(), Stage::kLeft);
   }
   place_.end_line(false);
   EXPECT_EQ(place_.stage(), Stage::kDropped);
-  place_.renew();
-  EXPECT_EQ(attended(), Stage::kIdle);
+  place_.replace(PseudoTerminal(0600));
+  EXPECT_EQ(polled(), Stage::kIdle);
 }
 
 TEST_F(PtyPlaceTest, RoomIsToldOnce) {
   const Slave program(place_.path());
   serve(program);
-  attended();
+  polled();
   EXPECT_TRUE(place_.take_room());
   EXPECT_FALSE(place_.take_room());
 }
@@ -155,7 +174,7 @@ TEST_F(PtyPlaceTest, TellsWhyItHasFailed) {
   place_.end_line(true);
   folder_.remove();
   try {
-    place_.renew();
+    place_.replace(PseudoTerminal(0600));
   } catch (const FileError&) {
     place_.fail();
   }

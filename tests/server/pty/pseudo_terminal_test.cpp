@@ -1,11 +1,14 @@
 #include "server/pty/pseudo_terminal.hpp"
 
 #include <gtest/gtest.h>
+#include <linux/tty.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <array>
 #include <string>
 
+#include "server/files/data_files.hpp"
 #include "tests/server/pty/slave.hpp"
 
 namespace xr3 {
@@ -63,8 +66,35 @@ TEST(PseudoTerminal, PrepareUndoesTheModesOfAClient) {
     slave.set(B115200, 0);
     EXPECT_EQ(terminal.modes(), (PtyModes{115200, false}));
   }
+  EXPECT_FALSE(terminal.is_raw());
   terminal.prepare();
   EXPECT_EQ(terminal.modes(), (PtyModes{9600, false}));
+  EXPECT_TRUE(terminal.is_raw());
+}
+
+TEST(PseudoTerminal, PrepareStartsTheOutputThatAClientHasStopped) {
+  const PseudoTerminal terminal(0600);
+  ASSERT_EQ(::tcflow(Slave(terminal).file(), TCOOFF), 0);
+  terminal.prepare();
+  Slave(terminal).write("E?");
+  EXPECT_TRUE(terminal.poll().has_bytes);
+}
+
+TEST(PseudoTerminal, PrepareSharesTheTerminalOfAnExclusiveClient) {
+  const PseudoTerminal terminal(0600);
+  ASSERT_EQ(::ioctl(Slave(terminal).file(), TIOCEXCL), 0);
+  terminal.prepare();
+  const Slave next(terminal);
+  int is_exclusive = 1;
+  ASSERT_EQ(::ioctl(next.file(), TIOCGEXCL, &is_exclusive), 0);
+  EXPECT_EQ(is_exclusive, 0);
+}
+
+TEST(PseudoTerminal, PrepareRefusesAnotherLineDiscipline) {
+  const PseudoTerminal terminal(0600);
+  const int null_discipline = N_NULL;
+  ASSERT_EQ(::ioctl(Slave(terminal).file(), TIOCSETD, &null_discipline), 0);
+  EXPECT_THROW(terminal.prepare(), FileError);
 }
 
 }  // namespace

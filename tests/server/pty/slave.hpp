@@ -26,6 +26,7 @@ class Slave {
   Slave& operator=(const Slave&) = delete;
   ~Slave() { ::close(file_); }
 
+  int file() const { return file_; }
   void write(const std::string& text) const {
     EXPECT_EQ(::write(file_, text.data(), text.size()), static_cast<ssize_t>(text.size()));
   }

@@ -1,4 +1,4 @@
-// A pseudo-terminal as the stream of a line, with the thread that attends to it.
+// A pseudo-terminal as the stream of a line, with its thread.
 #include "server/pty/stream.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ class PtyStreamTest : public testing::Test {
     program_.emplace(place_.path());
     EXPECT_TRUE(
         test::await(watch_.news().descriptor(), [&] { return place_.stage() == Stage::kArrived; }));
-    stream_.emplace(watch_, place_);
+    stream_.emplace(watch_);
   }
 
   /// Reads until this many bytes have come, or the end.
@@ -40,8 +40,8 @@ class PtyStreamTest : public testing::Test {
   }
 
   test::PtyFolder folder_;
-  PtyWatch watch_{{folder_.file("rhino")}, 0600};
-  PtyPlace& place_ = watch_.places().front();
+  PtyWatch watch_{folder_.file("rhino"), 0600};
+  PtyPlace& place_ = watch_.place();
   std::optional<Slave> program_;
   std::optional<PtyStream> stream_;
 };
@@ -111,10 +111,24 @@ TEST_F(PtyStreamTest, TakesSettingsThatHaveChanged) {
   EXPECT_FALSE(begin->is_cooked);
   EXPECT_FALSE(stream_->take_settings(3)) << "nothing has changed";
   program_->set(B1200, ICANON);
+  EXPECT_FALSE(stream_->take_settings(3)) << "no byte has come with them";
+  program_->write("E?\n");
+  EXPECT_EQ(read(3), "E?\n");
   const auto changed = stream_->take_settings(3);
   ASSERT_TRUE(changed);
   EXPECT_EQ(changed->settings.baud, 1200U);
   EXPECT_TRUE(changed->is_cooked);
+}
+
+TEST_F(PtyStreamTest, TheLastBytesHaveTheSettingsOfTheirProgram) {
+  program_->set(B1200, 0);
+  program_->write("E?");
+  program_.reset();
+  EXPECT_EQ(read(std::string::npos), "E?");
+  ASSERT_TRUE(stream_->has_ended());
+  const auto settings = stream_->take_settings(3);
+  ASSERT_TRUE(settings);
+  EXPECT_EQ(settings->settings.baud, 1200U);
 }
 
 TEST_F(PtyStreamTest, HasNoDescriptorWhenClosed) {

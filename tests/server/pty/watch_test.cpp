@@ -1,4 +1,4 @@
-// The thread that attends to pseudo-terminals: real terminals, no sleep.
+// The thread of a pseudo-terminal: real terminals, no sleep.
 #include "server/pty/watch.hpp"
 
 #include <gtest/gtest.h>
@@ -15,34 +15,32 @@ using Stage = PtyPlace::Stage;
 
 class PtyWatchTest : public testing::Test {
  protected:
-  bool await_stage(Stage stage, const PtyPlace& place) {
-    return test::await(watch_.news().descriptor(), [&] { return place.stage() == stage; });
+  bool await_stage(Stage stage) {
+    return test::await(watch_.news().descriptor(), [&] { return place_.stage() == stage; });
   }
   bool await_round() {
-    const std::uint64_t round = watch_.attend_to_all();
-    return test::await(watch_.news().descriptor(), [&] { return watch_.has_attended(round); });
+    const std::uint64_t round = watch_.begin_round();
+    return test::await(watch_.news().descriptor(), [&] { return watch_.has_ended(round); });
   }
 
   test::PtyFolder folder_;
-  PtyWatch watch_{{folder_.file("rhino"), folder_.file("other")}, 0600};
-  PtyPlace& place_ = watch_.places().front();
-  PtyPlace& other_ = watch_.places().back();
+  PtyWatch watch_{folder_.file("rhino"), 0600};
+  PtyPlace& place_ = watch_.place();
 };
 
 TEST_F(PtyWatchTest, TellsThatAProgramHasArrived) {
-  const Slave program(other_.path());
-  EXPECT_TRUE(await_stage(Stage::kArrived, other_));
-  EXPECT_EQ(place_.stage(), Stage::kIdle);
+  const Slave program(place_.path());
+  EXPECT_TRUE(await_stage(Stage::kArrived));
 }
 
 TEST_F(PtyWatchTest, TellsThatAProgramHasComeAndGone) {
   Slave(place_.path()).write("E?");
-  EXPECT_TRUE(await_stage(Stage::kArrived, place_));
+  EXPECT_TRUE(await_stage(Stage::kArrived));
 }
 
 TEST_F(PtyWatchTest, ARoundHandsOnWhatProgramsHaveWritten) {
   const Slave program(place_.path());
-  ASSERT_TRUE(await_stage(Stage::kArrived, place_));
+  ASSERT_TRUE(await_stage(Stage::kArrived));
   place_.begin_line();
   for (int i = 0; i < 200; ++i) {
     program.write("E?");
@@ -62,64 +60,64 @@ TEST_F(PtyWatchTest, ARoundFindsThoseWhoHaveComeBefore) {
 TEST_F(PtyWatchTest, BytesAndTheEndAreNewsOfTheLine) {
   {
     const Slave program(place_.path());
-    ASSERT_TRUE(await_stage(Stage::kArrived, place_));
+    ASSERT_TRUE(await_stage(Stage::kArrived));
     place_.begin_line();
     program.write("E?");
-    EXPECT_TRUE(test::await(place_.news(), [&] { return place_.terminal().has_bytes(); }));
+    EXPECT_TRUE(
+        test::await(place_.news_descriptor(), [&] { return place_.terminal().has_bytes(); }));
   }
-  EXPECT_TRUE(test::await(place_.news(), [&] { return place_.is_leaving(); }));
+  EXPECT_TRUE(test::await(place_.news_descriptor(), [&] { return place_.is_leaving(); }));
   char bytes[2];
   EXPECT_EQ(::read(place_.terminal().master(), bytes, sizeof bytes), 2);
-  watch_.attend(place_);
-  EXPECT_TRUE(test::await(place_.news(), [&] { return place_.stage() == Stage::kLeft; }));
+  watch_.poll_soon();
+  EXPECT_TRUE(
+      test::await(place_.news_descriptor(), [&] { return place_.stage() == Stage::kLeft; }));
 }
 
 TEST_F(PtyWatchTest, RoomIsNews) {
   const Slave program(place_.path());
-  ASSERT_TRUE(await_stage(Stage::kArrived, place_));
+  ASSERT_TRUE(await_stage(Stage::kArrived));
   place_.begin_line();
   const std::string replies(1024, ' ');
   while (::write(place_.terminal().master(), replies.data(), replies.size()) > 0) {
   }
   ASSERT_TRUE(await_round());
   place_.take_room();
-  watch_.await_room(place_);
+  watch_.await_room();
   while (!program.read().empty()) {
   }
-  EXPECT_TRUE(test::await(place_.news(), [&] { return place_.take_room(); }));
+  EXPECT_TRUE(test::await(place_.news_descriptor(), [&] { return place_.take_room(); }));
 }
 
 TEST_F(PtyWatchTest, ADroppedPlaceServesTheNextProgram) {
   const Slave program(place_.path());
-  ASSERT_TRUE(await_stage(Stage::kArrived, place_));
+  ASSERT_TRUE(await_stage(Stage::kArrived));
   place_.begin_line();
   place_.end_line(true);
   EXPECT_TRUE(await_round());
   EXPECT_EQ(place_.stage(), Stage::kIdle);
   EXPECT_TRUE(program.is_hung_up());
   const Slave next(place_.path());
-  EXPECT_TRUE(await_stage(Stage::kArrived, place_));
+  EXPECT_TRUE(await_stage(Stage::kArrived));
 }
 
 TEST_F(PtyWatchTest, AFailedPlaceIsNewsUntilItIsServedAgain) {
   const Slave program(place_.path());
-  const Slave other(other_.path());
   ASSERT_TRUE(await_round());
   place_.begin_line();
   folder_.remove();
   place_.end_line(true);
-  watch_.attend(place_);
-  EXPECT_TRUE(await_stage(Stage::kFailed, place_));
+  watch_.poll_soon();
+  EXPECT_TRUE(await_stage(Stage::kFailed));
   EXPECT_NE(place_.failure().find("cannot be"), std::string::npos) << place_.failure();
-  EXPECT_EQ(other_.stage(), Stage::kArrived) << "others are served";
   folder_.make();
-  EXPECT_TRUE(await_stage(Stage::kIdle, place_));
+  EXPECT_TRUE(await_stage(Stage::kIdle));
   const Slave next(place_.path());
-  EXPECT_TRUE(await_stage(Stage::kArrived, place_));
+  EXPECT_TRUE(await_stage(Stage::kArrived));
 }
 
 TEST_F(PtyWatchTest, APathThatIsInUseIsRefused) {
-  EXPECT_THROW(PtyWatch({place_.path()}, 0600), FileError);
+  EXPECT_THROW(PtyWatch(place_.path(), 0600), FileError);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "cell/failure.hpp"
+#include "server/net/spawn.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/tcp_client.hpp"
 
@@ -65,6 +66,13 @@ class RobotPortTest : public testing::Test {
     while (io_.poll() > 0) {
     }
   }
+  /// Runs the loop until the bytes that have arrived are read.
+  void read_arrived() {
+    bool is_read = false;
+    spawn_session(io_.get_executor(), "lines", lines_.read_arrived(), [&] { is_read = true; });
+    io_.restart();
+    while (!is_read) io_.run_one();
+  }
 
   asio::io_context io_{1};
   bool fails_ = false;
@@ -101,8 +109,8 @@ TEST_F(RobotPortTest, TheEndArrivesAlone) {
 TEST_F(RobotPortTest, BytesSentBeforeTheLineOpensTakeEffect) {
   Client client(io_, port_.endpoint());
   client.send("E+5\rE?");
-  lines_.read_arrived_at_once();
-  EXPECT_EQ(received(1), 6U) << "accepted and read without a turn of the loop";
+  read_arrived();
+  EXPECT_EQ(received(1), 6U) << "accepted and read";
   EXPECT_EQ(client.bytes(1), "%");
 }
 
@@ -152,7 +160,7 @@ TEST_F(RobotPortTest, ABarrierLimitsImageReplies) {
   settle();
   const std::string asked = pictures(500);
   client.send(asked);
-  lines_.read_arrived_at_once();
+  read_arrived();
   const std::uint64_t answered = received(1) / 3 * kPictureReply;
   EXPECT_GE(answered, SerialLine::kFullOutbox);
   EXPECT_LE(answered, LineSession::kMaxAnswered + 2 * SerialLine::kFullOutbox);
@@ -168,7 +176,7 @@ TEST_F(RobotPortTest, ABarrierReadsAllArrivedBytes) {
   settle();
   flood.send(kJunk);
   other.send("E+5\r");
-  lines_.read_arrived_at_once();
+  read_arrived();
   EXPECT_EQ(received(1), kJunk.size());
   EXPECT_EQ(received(2), 4U);
 }
@@ -200,7 +208,7 @@ TEST_F(RobotPortTest, LinesAboveTheMaximumAreClosed) {
 TEST_F(RobotPortTest, ClosingSendsPendingReplies) {
   Client client(io_, port_.endpoint());
   client.send("E+5\rE?");
-  lines_.read_arrived_at_once();
+  read_arrived();
   port_.close();
   lines_.close();
   EXPECT_EQ(client.rest(), "%");
