@@ -59,7 +59,8 @@ std::size_t LineSession::fair_share() const {
 
 LineSession::Limits LineSession::arrived_limits() const {
   const std::uint64_t output = context_.cell.find_line(id_)->output_end();
-  return {kMaxArrived, output + kMaxAnswered, moves_time() ? wall_now() + kArrivedTime : kNever};
+  const std::size_t most = std::min(kMaxArrived, stream_->max_settled());
+  return {most, output + kMaxAnswered, moves_time() ? wall_now() + kArrivedTime : kNever};
 }
 
 bool LineSession::read_arrived(Limits& limits, std::size_t most) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -28,6 +29,9 @@ class LineStream {
   /// The number of bytes written. 0: none now, or is_lost().
   virtual std::size_t write(std::string_view bytes) = 0;
   virtual void close() = 0;
+
+  /// The maximum number of bytes that LineSource::settle() makes readable.
+  virtual std::size_t max_settled() const { return std::numeric_limits<std::size_t>::max(); }
 
   /// The settings of the serial port if they have changed since the last call, as an input for
   /// this line.

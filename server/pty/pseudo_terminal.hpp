@@ -4,6 +4,7 @@
 
 #include <sys/types.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -23,6 +24,9 @@ class PseudoTerminal {
  public:
   /// Makes a pseudo-terminal whose slave has these rights, ready for a program. Throws FileError.
   explicit PseudoTerminal(::mode_t rights);
+
+  /// The maximum number of bytes of a program that the kernel hands on at once.
+  static constexpr std::size_t kMaxShown = 4095;
 
   int master() const { return master_.get(); }
   /// The path of the slave, such as /dev/pts/3.

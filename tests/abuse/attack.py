@@ -20,7 +20,7 @@ from target import LOCALHOST
 from victim import process_clock
 
 FOLDER = pathlib.Path(__file__).parent
-MEASURED_S = {"line": 1.0, "session": 2.0, "step": 2.0}  # a thousand inquiries, four hundred pings
+MEASURED_S = {"line": 1.0, "pty": 1.0, "session": 2.0, "step": 2.0}  # a thousand inquiries, four hundred pings
 MOST_WAIT_S = 90  # more than the patience of the victim
 CROWD_MS = 40
 NEIGHBOUR = "127.0.0.2"
@@ -62,8 +62,8 @@ class Attack(Repeated):
 class Beside:
     """The wait that 99 of 100 replies of another line keep, beside a load. The load goes on when SIGTERM stops the
     server after the last round, which must take at most two seconds. `port`: a serial port of the server. `victim`:
-    `line`, or `session` for pings on the monitor port, where the inquiries of a line go to a device, or `step` for
-    steps of time. `address`: that of the other line. `own_bound`: instead of the usual one."""
+    `line`, or `pty` for a line on the last pseudo-terminal of the server, or `session` for pings on the monitor port,
+    where the inquiries of a line go to a device, or `step` for steps of time. `address`: that of the other line. `own_bound`: instead of the usual one."""
     name: str
     load: typing.Callable
     cell: str = SHIPPED
@@ -152,8 +152,8 @@ def busy_share(xr3):
 @contextlib.contextmanager
 def victim_process(xr3, kind="line", address=LOCALHOST):
     """The well-behaved client, which measures whenever it is asked to, until the end of the block."""
-    port = xr3.robot_port if kind == "line" else xr3.monitor_port
-    arguments = map(str, (port, xr3.pid, MEASURED_S[kind], kind, address))
+    ports = {"line": xr3.robot_port, "pty": xr3.ptys[-1] if xr3.ptys else None}
+    arguments = map(str, (ports.get(kind, xr3.monitor_port), xr3.pid, MEASURED_S[kind], kind, address))
     process = subprocess.Popen([sys.executable, FOLDER / "victim.py", *arguments],
                                stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     with process:

@@ -6,14 +6,17 @@ import select
 import termios
 
 from attack import MIB, Attack, Beside, Measured, busy_share
-from lines import GARBAGE, MOVES
+from lines import GARBAGE, MOVES, STEP_MS
 from logs import Logged
 from memory import peak_mib, settle
-from serial_ports import Pty
+from serial_ports import Pty, TwoPtys
 from support import DEADLINE_S, Server
 
 CYCLES = 3000
 PORTS = 16
+# Beside a storm, the bytes of another pseudo-terminal wait for the kernel, those of a bystander as long as those for the
+# server, and a step waits for them. The bound shows that both are served.
+KERNEL_MS = 1000
 TURNS = 5  # of filling the ports: what the server reads meanwhile makes room
 PAUSE_S = 0.2
 MOST_READ = 1 << 16
@@ -153,17 +156,23 @@ def beside(name, load, **more):
     return Beside(f"pty.{name}", load, port=Pty, **more)
 
 
+def around(name, load, step_ms=KERNEL_MS):
+    """Beside another line, a line on another pseudo-terminal, and steps of time, which wait for all pseudo-terminals."""
+    return [beside(name, load), Beside(f"pty.{name}/other-pty", load, port=TwoPtys, victim="pty", own_bound=KERNEL_MS),
+            beside(f"{name}/steps", load, victim="step", clock="manual", own_bound=step_ms)]
+
+
 ATTACKS = [
     beside("garbage", flood(GARBAGE)),
     beside("garbage-unread", flood(GARBAGE, reads=False)),
-    beside("inquiries", flood(b"E?" * 1000)),
+    *around("inquiries", flood(b"E?" * 1000), STEP_MS),
     beside("inquiries-unread", flood(b"E?" * 1000, reads=False)),
     beside("images-unread", flood(b"A**" * 100, reads=False)),
     beside("moves", flood(MOVES + b"A**")),
-    beside("storm", storm(b"E?")),
-    beside("storm-half", storm(b"E+5")),
-    beside("toggles", toggle),
-    beside("cooked", cook_each_line),
+    *around("storm", storm(b"E?")),
+    *around("storm-half", storm(b"E+5")),
+    *around("toggles", toggle),
+    *around("cooked", cook_each_line),
     Attack("pty.unread-inquiries", 5, "% of a core", idle_share(b"E?")),
     Attack("pty.unread-images", 5, "% of a core", idle_share(b"A**")),
     Attack("pty.turns", 0, "unanswered", unanswered),

@@ -34,6 +34,15 @@ class Pty(NoPort):
         self.folder.cleanup()
 
 
+class TwoPtys(Pty):
+    """The load gets the path of the first of two pseudo-terminals."""
+
+    def __enter__(self):
+        super().__enter__()
+        self.options += ("--pty", pathlib.Path(self.folder.name, "other"))
+        return self
+
+
 class Device(NoPort):
     """A pseudo-terminal at the end of a link. The load gets the path of the link, and the device's end."""
 

@@ -2,9 +2,9 @@
 """A well-behaved client in a process of its own: sends an inquiry each millisecond, or a ping each five milliseconds,
 whether or not the replies to the earlier ones have arrived, or one step of time after another. For each line of its
 input it does so for some seconds on a connection of its own, and prints how long the replies took, how long the server
-worked meanwhile (its processor time does not depend on other programs on the machine), and how long the slower
-bystander took: on each core, an idle program echoes what it gets.
-Usage: victim.py PORT PID SECONDS line|session|step ADDRESS, from which it connects"""
+worked meanwhile (its processor time does not depend on other programs on the machine), and how long the slowest
+bystander took: on each core, and on a pseudo-terminal beside that of a client, an idle program echoes what it gets.
+Usage: victim.py PORT PID SECONDS line|pty|session|step ADDRESS, from which it connects. PORT is a path for `pty`."""
 
 import collections
 import ctypes
@@ -67,7 +67,7 @@ class Line:
         self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_CONGESTION, CONGESTION_CONTROL)
         self.socket.bind((address, 0))
-        self.socket.connect((LOCALHOST, port))
+        self.socket.connect((LOCALHOST, int(port)))
         self.socket.setsockopt(socket.SOL_SOCKET, SO_TIMESTAMPNS, 1)
         self.send()
         self.read_replies(self.FIRST_REPLIES)
@@ -103,6 +103,22 @@ class Line:
             if (level, kind) == (socket.SOL_SOCKET, SO_TIMESTAMPNS):
                 seconds, nanoseconds = struct.unpack("qq", value)
                 return self.count(data), seconds * 10**9 + nanoseconds
+        return self.count(data), time.time_ns()
+
+
+class Pty(Line):
+    """The same on a pseudo-terminal, which does not tell when replies arrived: the time is that at which they are read."""
+
+    def __init__(self, path, _):
+        self.socket = open(path, "r+b", buffering=0, opener=lambda path, flags: os.open(path, flags | os.O_NOCTTY))
+        self.send()
+        self.read_replies(self.FIRST_REPLIES)
+
+    def send(self):
+        self.socket.write(self.REQUEST)
+
+    def read(self):
+        data = self.socket.read(4096)
         return self.count(data), time.time_ns()
 
 
@@ -142,6 +158,19 @@ class Bystander(Line):
     def end(self):
         self.process.kill()
         self.process.communicate()
+
+
+class PtyBystander(Pty):
+    """The same on a pseudo-terminal."""
+
+    EVERY_NS = 2_000_000
+    REQUEST = b"?"
+
+    def __init__(self):
+        self.process = subprocess.Popen([sys.executable, ECHO, "pty"], stdout=subprocess.PIPE)
+        super().__init__(self.process.stdout.readline().decode().strip(), None)
+
+    end = Bystander.end
 
 
 class Probe:
@@ -206,14 +235,16 @@ def figures(opener, worked, bystanders, seconds):
                              key=lambda each: each["p99"])}
 
 
-KINDS = {"line": Line, "session": Session, "step": Step}
+KINDS = {"line": Line, "pty": Pty, "session": Session, "step": Step}
 
 
 def main():
     gc.disable()
     _, port, pid, seconds, kind, address = sys.argv
-    opener = lambda: KINDS[kind](int(port), address)
+    opener = lambda: KINDS[kind](port, address)
     bystanders = [Bystander(core) for core in os.sched_getaffinity(0)]
+    if kind == "pty":
+        bystanders.append(PtyBystander())
     worked = processor_clock(int(pid))
     for _ in sys.stdin:
         print(json.dumps(figures(opener, worked, bystanders, float(seconds))), flush=True)

@@ -37,6 +37,19 @@ TEST(PseudoTerminal, KeepsTheBytesOfAProgramThatHasLeft) {
   EXPECT_FALSE(terminal.poll().has_bytes);
 }
 
+TEST(PseudoTerminal, ShowsALimitedNumberOfBytesAtOnce) {
+  const PseudoTerminal terminal(0600);
+  const std::string all(5000, 'E');
+  Slave(terminal).write(all);
+  std::array<char, 5000> bytes{};
+  const auto read = [&] {
+    terminal.poll();
+    return static_cast<std::size_t>(::read(terminal.master(), bytes.data(), bytes.size()));
+  };
+  EXPECT_EQ(read(), PseudoTerminal::kMaxShown);
+  EXPECT_EQ(read(), all.size() - PseudoTerminal::kMaxShown);
+}
+
 TEST(PseudoTerminal, HasRoomUntilItIsFull) {
   const PseudoTerminal terminal(0600);
   const Slave slave(terminal);
