@@ -13,7 +13,7 @@ constexpr const char* kLinesName = "the serial lines";
 constexpr WallNs kPiece = 500'000;
 
 // Maximum number of further rounds of settling and reading. A pseudo-terminal holds at most 22 KiB,
-// of which a round gives 4095 bytes; the end of a line and the begin of the next take one each.
+// of which a round gives 4095 bytes; the end of a line and the start of the next take one each.
 // More only come from programs that go on meanwhile.
 constexpr int kMaxRounds = 12;
 

@@ -25,6 +25,7 @@ void PtyPlace::end_line(bool is_dropped) {
 }
 
 std::string PtyPlace::failure() const {
+  const std::scoped_lock use(failure_use_);
   assert(failure_);
   try {
     std::rethrow_exception(failure_);
@@ -35,41 +36,47 @@ std::string PtyPlace::failure() const {
 
 // --- For the thread.
 
-void PtyPlace::poll() {
+bool PtyPlace::poll() {
   const Stage stage = stage_;
-  if (stage == Stage::kIdle) look_for_program();
-  if (stage == Stage::kServed) tell_line();
+  if (stage == Stage::kIdle) return look_for_program();
+  if (stage == Stage::kServed) return report_to_line();
+  return false;
 }
 
-// A program that has changed the modes and left again, such as `stty -F PATH`, is no line.
-void PtyPlace::look_for_program() {
+// A program that has only changed the settings, such as `stty -F PATH`, is no line.
+bool PtyPlace::look_for_program() {
   const PseudoTerminal::State state = terminal_.poll();
-  if (state.is_open || state.has_bytes)
+  if (state.is_open || state.has_bytes) {
     stage_ = Stage::kArrived;
-  else if (!terminal_.is_raw())
-    try_to_prepare();
+    return false;
+  }
+  if (!was_opened_) return false;
+  if (!try_to_prepare()) stage_ = Stage::kDropped;
+  return true;
 }
 
-void PtyPlace::tell_line() {
+bool PtyPlace::report_to_line() {
   PseudoTerminal::State state = terminal_.poll();
-  if (!state.is_open && !state.has_bytes) state = make_ready();
+  const bool is_left = !state.is_open && !state.has_bytes && has_left(state);
   is_leaving_ = !state.is_open;
   if (state.has_room || !state.is_open) has_room_ = true;
   news_.give();
+  return is_left;
 }
 
 // Another program may have opened the terminal since: the line goes on with it.
-PseudoTerminal::State PtyPlace::make_ready() {
+bool PtyPlace::has_left(PseudoTerminal::State& state) {
   const std::scoped_lock use(use_);
-  const PseudoTerminal::State state = terminal_.poll();
-  if (state.is_open || state.has_bytes) return state;
+  state = terminal_.poll();
+  if (state.is_open || state.has_bytes) return false;
   is_unready_ = !try_to_prepare();
   Stage served = Stage::kServed;  // unless the server has ended the line meanwhile
   stage_.compare_exchange_strong(served, Stage::kLeft);
-  return state;
+  return true;
 }
 
-bool PtyPlace::try_to_prepare() const {
+bool PtyPlace::try_to_prepare() {
+  was_opened_ = false;
   try {
     terminal_.prepare();
     return true;
@@ -82,11 +89,13 @@ void PtyPlace::replace(PseudoTerminal fresh) {
   assert(stage_ == Stage::kDropped || stage_ == Stage::kFailed);
   link_.point_to(fresh.slave());
   terminal_ = std::move(fresh);
+  was_opened_ = false;
   stage_ = Stage::kIdle;
 }
 
 void PtyPlace::fail() {
   assert(stage_ == Stage::kDropped || stage_ == Stage::kFailed);
+  const std::scoped_lock use(failure_use_);
   if (stage_ != Stage::kFailed) failure_ = std::current_exception();
   stage_ = Stage::kFailed;
 }

@@ -1,7 +1,6 @@
 // The path of a pseudo-terminal and the terminal that it has now. A thread (`watch`) finds the
 // programs that come and go, and makes the terminal ready for the next one. The event loop serves
-// a program while it is there. The stage says what happens now. kServed and kDropped are entered by
-// the event loop, the others by the thread, except that the end of a line that was left is kIdle.
+// a program while it is there. The stage says what happens now.
 #pragma once
 
 #include <atomic>
@@ -49,23 +48,26 @@ class PtyPlace {
   bool is_leaving() const { return is_leaving_; }
   /// Whether a write may take a byte since the last call.
   bool take_room() { return has_room_.exchange(false); }
-  /// Why the place has failed. Precondition: it was kFailed, and no line has begun since.
+  /// Why the place has failed last. Precondition: it has.
   std::string failure() const;
 
   // --- For the thread.
 
-  /// Polls the terminal, which waits for the kernel, and enters the stage that follows.
-  void poll();
+  /// A program has opened the terminal, and may have closed it again.
+  void note_opened() { was_opened_ = true; }
+  /// Polls the terminal, which waits for the kernel, and enters the stage that follows. Returns
+  /// whether it has opened the terminal itself, to make it ready.
+  bool poll();
   /// Gives the place another terminal. Precondition: kDropped or kFailed. Throws FileError.
   void replace(PseudoTerminal fresh);
   /// kFailed with the exception that is being handled. Precondition: that of replace().
   void fail();
 
  private:
-  void look_for_program();
-  void tell_line();
-  PseudoTerminal::State make_ready();
-  bool try_to_prepare() const;
+  bool look_for_program();
+  bool report_to_line();
+  bool has_left(PseudoTerminal::State& state);
+  bool try_to_prepare();
 
   PseudoTerminal terminal_;
   PtyLink link_;
@@ -75,7 +77,9 @@ class PtyPlace {
   std::atomic<bool> has_room_ = false;
   std::mutex use_;           ///< the thread makes the terminal ready, or the line reads or writes
   bool is_unready_ = false;  ///< written before kLeft: it could not be made ready
-  std::exception_ptr failure_;  ///< written before kFailed
+  bool was_opened_ = false;  ///< of the thread: since it was made ready
+  mutable std::mutex failure_use_;
+  std::exception_ptr failure_;
 };
 
 }  // namespace xr3

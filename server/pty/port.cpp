@@ -8,7 +8,6 @@
 #include <cassert>
 #include <cerrno>
 #include <cstring>
-#include <map>
 #include <memory>
 #include <utility>
 
@@ -36,7 +35,7 @@ PtyPort::Terminal::Terminal(asio::io_context& io, const std::string& path, ::mod
     : watch(path, rights), news(io, copy_of(watch.news().descriptor())) {}
 
 PtyPort::PtyPort(asio::io_context& io, LineSessions& lines)
-    : io_(io), lines_(lines), round_(io, asio::steady_timer::time_point::max()) {}
+    : io_(io), lines_(lines), round_ended_(io, asio::steady_timer::time_point::max()) {}
 
 void PtyPort::serve(const std::vector<std::string>& paths, ::mode_t rights) {
   assert(terminals_.empty());
@@ -50,7 +49,7 @@ void PtyPort::close() {
   is_closing_ = true;
   ErrorCode ignored;
   for (Terminal& terminal : terminals_) terminal.news.close(ignored);
-  round_.cancel();
+  round_ended_.cancel();
 }
 
 asio::awaitable<void> PtyPort::follow_news(Terminal& terminal) {
@@ -65,19 +64,19 @@ asio::awaitable<void> PtyPort::follow_news(Terminal& terminal) {
 
 void PtyPort::take_news(Terminal& terminal) {
   terminal.watch.news().take();
-  const int failure = terminal.watch.failure();
-  if (failure != 0)
-    throw boost::system::system_error(failure, boost::system::system_category(), "epoll");
-  round_.cancel();
+  const int error = terminal.watch.error();
+  if (error != 0)
+    throw boost::system::system_error(error, boost::system::system_category(), "epoll");
+  round_ended_.cancel();
   accept(terminal);
   report(terminal);
 }
 
 asio::awaitable<void> PtyPort::settle() {
-  std::map<const PtyWatch*, std::uint64_t> rounds;
-  for (Terminal& terminal : terminals_) rounds[&terminal.watch] = terminal.watch.begin_round();
+  std::vector<std::pair<const PtyWatch*, std::uint64_t>> rounds;
+  for (Terminal& each : terminals_) rounds.emplace_back(&each.watch, each.watch.begin_round());
   for (const auto& [watch, round] : rounds)
-    while (!is_closing_ && !watch->has_ended(round)) co_await round_.async_wait(kAwait);
+    while (!is_closing_ && !watch->has_ended(round)) co_await round_ended_.async_wait(kAwait);
 }
 
 void PtyPort::accept_arrived() {

@@ -48,7 +48,7 @@ class PtyPort final : public LineSource {
 
   asio::io_context& io_;
   LineSessions& lines_;
-  asio::steady_timer round_;  ///< never expires; cancelled to resume those that settle
+  asio::steady_timer round_ended_;  ///< never expires; cancelled to resume those that settle
   std::list<Terminal> terminals_;
   std::uint64_t progress_ = 0;  ///< lines begun and ended, and actions of lines
   bool is_closing_ = false;

@@ -22,16 +22,12 @@ namespace {
   throw FileError("a pseudo-terminal cannot be " + what + ": " + std::strerror(errno));
 }
 
-constexpr std::uint32_t kReadyBaud = 9600;
-
 // IGNBRK has no effect, since there is no break. Programs that make a port raw clear it. Without
 // this change, the C library of Debian would refuse their 7 bits or parity with EINVAL.
-constexpr ::tcflag_t kReadyInput = IGNBRK;
-
 void make_raw(int master) {
   struct termios2 modes {};
   if (::ioctl(master, TCGETS2, &modes) != 0) fail_to("read");
-  modes.c_iflag = kReadyInput;
+  modes.c_iflag = IGNBRK;
   modes.c_oflag = 0;
   modes.c_lflag = 0;
   modes.c_cflag = B9600 | CS8 | CREAD | CLOCAL;
@@ -76,13 +72,6 @@ void PseudoTerminal::prepare() const {
   if (::ioctl(slave.get(), TCFLSH, TCIFLUSH) != 0) fail_to("flushed");
   if (::ioctl(slave.get(), TCXONC, TCOON) != 0) fail_to("started");
   if (::ioctl(slave.get(), TIOCNXCL) != 0) fail_to("shared");
-}
-
-bool PseudoTerminal::is_raw() const {
-  struct termios2 modes {};
-  return ::ioctl(master(), TCGETS2, &modes) == 0 && modes.c_iflag == kReadyInput &&
-         modes.c_oflag == 0 && modes.c_lflag == 0 && modes.c_ospeed == kReadyBaud &&
-         modes.c_cc[VMIN] == 1 && modes.c_cc[VTIME] == 0;
 }
 
 PtyModes PseudoTerminal::modes() const {

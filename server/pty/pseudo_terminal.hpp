@@ -46,8 +46,6 @@ class PseudoTerminal {
   /// exclusive, and without replies that the last program has not read. Bytes from a program are
   /// kept. Throws FileError, also if the last program has left another line discipline.
   void prepare() const;
-  /// Whether the modes are those that prepare() sets.
-  bool is_raw() const;
   PtyModes modes() const;
 
  private:

@@ -47,12 +47,13 @@ std::size_t PtyStream::write(std::string_view bytes) {
   if (was_full_ && !place_.take_room()) return 0;
   const int master = place_.terminal().master();
   const auto count = retry_interrupted([&] { return ::write(master, bytes.data(), bytes.size()); });
-  was_full_ = count < 0 && errno == EAGAIN;
-  if (was_full_) watch_.await_room();
+  was_full_ = false;
   if (count >= 0) return static_cast<std::size_t>(count);
-  if (was_full_) return 0;
-  if (errno == EIO) return bytes.size();
-  note_lost();
+  if (errno != EAGAIN && errno != EIO) note_lost();
+  if (is_lost()) return 0;
+  if (errno == EIO || place_.is_leaving()) return bytes.size();
+  was_full_ = true;
+  watch_.await_room();
   return 0;
 }
 

@@ -15,7 +15,7 @@ class PtyStream final : public LineStream {
 
   int descriptor() const override { return is_closed_ ? -1 : place_.news_descriptor(); }
   std::size_t read(std::span<char> into) override;
-  /// Discards the bytes if no program has the terminal open, for nobody could read them.
+  /// If no program has the terminal open, takes also what the terminal does not: nobody reads it.
   std::size_t write(std::string_view bytes) override;
   void close() override { is_closed_ = true; }
   bool is_hung_up() const override { return place_.is_leaving(); }

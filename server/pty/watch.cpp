@@ -26,10 +26,20 @@ constexpr WallNs kRetryEvery = kRetryMs * WallNs{1'000'000};
   throw FileError(std::string("a pseudo-terminal cannot be watched: ") + std::strerror(error));
 }
 
-/// Reads and discards pending events.
-void discard(int descriptor) {
-  std::array<char, 4096> events{};
-  [[maybe_unused]] const ::ssize_t count = ::read(descriptor, events.data(), events.size());
+Descriptor made_set() {
+  Descriptor set(::epoll_create1(EPOLL_CLOEXEC));
+  if (!set.is_open()) fail_to_watch(errno);
+  return set;
+}
+
+Descriptor made_inotify() {
+  Descriptor inotify(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC));
+  if (!inotify.is_open() && errno == EMFILE)
+    throw FileError(
+        "a pseudo-terminal cannot be watched: no instance of inotify is left for this user "
+        "(fs.inotify.max_user_instances), or no descriptor for this process");
+  if (!inotify.is_open()) fail_to_watch(errno);
+  return inotify;
 }
 
 /// While it exists, no signal interrupts this thread, nor those that it starts.
@@ -51,14 +61,7 @@ class SignalsBlocked {
 }  // namespace
 
 PtyWatch::PtyWatch(const std::string& path, ::mode_t rights)
-    : rights_(rights),
-      set_(::epoll_create1(EPOLL_CLOEXEC)),
-      opens_(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)),
-      place_(path, rights) {
-  if (!opens_.is_open())
-    throw FileError(
-        "a pseudo-terminal cannot be watched: this user has as many instances of "
-        "inotify as fs.inotify.max_user_instances allows");
+    : rights_(rights), set_(made_set()), opens_(made_inotify()), place_(path, rights) {
   for (const int each : {requests_.descriptor(), opens_.get()})
     if (!control(EPOLL_CTL_ADD, each, EPOLLIN)) fail_to_watch(errno);
   watch(place_.terminal());
@@ -102,7 +105,7 @@ void PtyWatch::await_room() {
 // --- The thread.
 
 void PtyWatch::run() {
-  while (!is_stopping_ && failure_ == 0) {
+  while (!is_stopping_ && error_ == 0) {
     wait();
     update();
   }
@@ -114,7 +117,7 @@ void PtyWatch::wait() {
   std::array<epoll_event, kMaxEvents> events{};
   const int timeout = retry_at_ == kNever ? -1 : kRetryMs;
   const int count = ::epoll_wait(set_.get(), events.data(), kMaxEvents, timeout);
-  if (count < 0 && errno != EINTR) failure_ = errno;
+  if (count < 0 && errno != EINTR) error_ = errno;
   const bool has_room = std::any_of(events.begin(), events.begin() + std::max(count, 0),
                                     [](const auto& each) { return (each.events & EPOLLOUT) != 0; });
   if (has_room) control(EPOLL_CTL_MOD, place_.terminal().master(), kAlways);
@@ -123,7 +126,6 @@ void PtyWatch::wait() {
 // A signal follows each request, so that one which comes meanwhile is not missed.
 void PtyWatch::update() {
   requests_.take();
-  discard(opens_.get());
   const std::uint64_t round = begun_;
   if (is_room_requested_.exchange(false))
     control(EPOLL_CTL_MOD, place_.terminal().master(), kAlways | EPOLLOUT);
@@ -132,10 +134,26 @@ void PtyWatch::update() {
   if (ended_.exchange(round) != round) news_.give();
 }
 
+/// Whether a program has opened the terminal since the last call.
+bool PtyWatch::take_opens() const {
+  std::array<char, 4096> events{};
+  return ::read(opens_.get(), events.data(), events.size()) > 0;
+}
+
+// To make the terminal ready, the thread opens it itself. This is no program, but one may have come
+// at the same time.
+void PtyWatch::poll_place() {
+  if (take_opens()) place_.note_opened();
+  if (!place_.poll()) return;
+  take_opens();
+  place_.poll();
+}
+
 void PtyWatch::poll() {
   const auto has_arrived = [this] { return place_.stage() == PtyPlace::Stage::kArrived; };
   const bool had_arrived = has_arrived();
-  place_.poll();
+  poll_place();
+  if (place_.stage() == PtyPlace::Stage::kDropped) poll_soon();
   if (has_arrived() && !had_arrived) news_.give();
 }
 

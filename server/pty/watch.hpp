@@ -43,8 +43,8 @@ class PtyWatch {
   /// Given when a program has arrived, when the place has failed or no longer has, when a round has
   /// ended, and when the thread has failed.
   const Signal& news() const { return news_; }
-  /// The errno of the thread. 0: it runs.
-  int failure() const { return failure_; }
+  /// The errno with which the thread has ended. 0: it runs.
+  int error() const { return error_; }
 
  private:
   void watch(const PseudoTerminal& terminal) const;
@@ -52,7 +52,9 @@ class PtyWatch {
   void run();
   void wait();
   void update();
+  bool take_opens() const;
   void poll();
+  void poll_place();
   bool is_renewal_due() const;
   void renew();
 
@@ -66,7 +68,7 @@ class PtyWatch {
   std::atomic<std::uint64_t> begun_ = 0;
   std::atomic<std::uint64_t> ended_ = 0;
   std::atomic<bool> is_room_requested_ = false;
-  std::atomic<int> failure_ = 0;
+  std::atomic<int> error_ = 0;
   std::atomic<bool> is_stopping_ = false;
   std::thread thread_;
 };

@@ -124,6 +124,16 @@ def idle_share(data):
     return measure
 
 
+def left_unread():
+    """The processor time after a program has left that had read none of its replies."""
+    with Pty() as place, Server("--log-level", "warn", *place.options, clock="real") as xr3:
+        program = opened(xr3.ptys[0])
+        fill([program], b"E?")
+        os.close(program)
+        settle(xr3)
+        return Measured(busy_share(xr3))
+
+
 def greedy(data):
     """The peak of memory for each of several ports whose programs write what is taken, and read nothing."""
     def measure():
@@ -175,6 +185,7 @@ ATTACKS = [
     *around("cooked", cook_each_line),
     Attack("pty.unread-inquiries", 5, "% of a core", idle_share(b"E?")),
     Attack("pty.unread-images", 5, "% of a core", idle_share(b"A**")),
+    Attack("pty.unread-left", 5, "% of a core", left_unread),
     Attack("pty.turns", 0, "unanswered", unanswered),
     Attack("pty.left-open", 0, "left", left_open),
     Attack("memory.pty-images", 1, "MiB each", greedy(b"A**")),

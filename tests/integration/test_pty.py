@@ -73,6 +73,15 @@ def next_event(monitor, kind):
     return monitor.read_until(lambda message: message.get("event") == kind)[-1]
 
 
+def fill_both_directions(path):
+    """A program that asks as long as it can, reads no reply, and leaves."""
+    with Port(path) as port:
+        os.set_blocking(port.file, False)
+        with contextlib.suppress(BlockingIOError):
+            while select.select([], [port.file], [], 0.2)[1]:
+                os.write(port.file, b"E?" * 1000)
+
+
 class APort(Ptys):
     def test_a_program_that_sets_nothing(self):
         with self.server() as xr3, Port(self.path) as port:
@@ -257,6 +266,15 @@ class OpenAndClose(Ptys):
                     monitor.call("step", ticks=1000)
                     port.write(b"E?")
                     self.assertEqual(b" ", port.read(1))
+
+    def test_a_line_ends_whose_program_has_read_no_reply(self):
+        with self.server() as xr3, xr3.monitor() as monitor:
+            monitor.subscribe("event")
+            fill_both_directions(self.path)
+            next_event(monitor, "line_close")
+            with Port(self.path) as port:
+                port.write(INQUIRY)
+                self.assertEqual(REPLY, port.read(1))
 
     def test_a_step_takes_more_bytes_than_the_kernel_hands_on_at_once(self):
         with self.server() as xr3, xr3.monitor() as monitor:

@@ -2,6 +2,8 @@
 #include "server/pty/place.hpp"
 
 #include <gtest/gtest.h>
+#include <linux/tty.h>
+#include <sys/ioctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -63,7 +65,18 @@ TEST_F(PtyPlaceTest, IsIdleUntilAProgramArrives) {
 TEST_F(PtyPlaceTest, ModesOfAProgramThatHasGoneDoNotLast) {
   Slave(place_.path()).set(B1200, ECHO);
   EXPECT_EQ(polled(), Stage::kIdle);
-  EXPECT_TRUE(place_.terminal().is_raw());
+  EXPECT_EQ(place_.terminal().modes().baud, 1200U) << "nobody has told that it was opened";
+  place_.note_opened();
+  EXPECT_TRUE(place_.poll()) << "opened to make it ready";
+  EXPECT_EQ(place_.terminal().modes(), (PtyModes{9600, false}));
+  EXPECT_FALSE(place_.poll()) << "it is ready";
+}
+
+TEST_F(PtyPlaceTest, IsReplacedIfAProgramThatHasGoneHasSpoiltIt) {
+  const int null_discipline = N_NULL;
+  ASSERT_EQ(::ioctl(Slave(place_.path()).file(), TIOCSETD, &null_discipline), 0);
+  place_.note_opened();
+  EXPECT_EQ(polled(), Stage::kDropped);
 }
 
 TEST_F(PtyPlaceTest, AProgramThatHasLeftBytesHasArrived) {

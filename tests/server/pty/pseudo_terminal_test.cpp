@@ -79,10 +79,8 @@ TEST(PseudoTerminal, PrepareUndoesTheModesOfAClient) {
     slave.set(B115200, 0);
     EXPECT_EQ(terminal.modes(), (PtyModes{115200, false}));
   }
-  EXPECT_FALSE(terminal.is_raw());
   terminal.prepare();
   EXPECT_EQ(terminal.modes(), (PtyModes{9600, false}));
-  EXPECT_TRUE(terminal.is_raw());
 }
 
 TEST(PseudoTerminal, PrepareStartsTheOutputThatAClientHasStopped) {

@@ -69,6 +69,18 @@ TEST_F(PtyStreamTest, DiscardsRepliesToNobody) {
   EXPECT_EQ(stream_->write("reply"), 5U);
 }
 
+TEST_F(PtyStreamTest, EndsAlthoughNobodyHasReadItsReplies) {
+  const std::string replies(1024, ' ');
+  while (stream_->write(replies) > 0) {
+  }
+  program_->write("E?");
+  program_.reset();
+  ASSERT_TRUE(test::await(stream_->descriptor(), [&] { return stream_->is_hung_up(); }));
+  EXPECT_EQ(stream_->write(replies), replies.size()) << "discarded";
+  EXPECT_EQ(read(std::string::npos), "E?");
+  EXPECT_TRUE(stream_->has_ended());
+}
+
 TEST_F(PtyStreamTest, IsHungUpBeforeItsBytesAreRead) {
   program_->write("E?");
   EXPECT_FALSE(stream_->is_hung_up());

@@ -2,6 +2,8 @@
 #include "server/pty/watch.hpp"
 
 #include <gtest/gtest.h>
+#include <linux/tty.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include "server/files/data_files.hpp"
@@ -21,6 +23,13 @@ class PtyWatchTest : public testing::Test {
   bool await_round() {
     const std::uint64_t round = watch_.begin_round();
     return test::await(watch_.news().descriptor(), [&] { return watch_.has_ended(round); });
+  }
+  /// That of a program which has come and gone, if the thread has seen it while it was there.
+  void end_line() {
+    if (place_.stage() != Stage::kArrived) return;
+    place_.begin_line();
+    await_round();
+    place_.end_line(place_.stage() != Stage::kLeft);
   }
 
   test::PtyFolder folder_;
@@ -114,6 +123,36 @@ TEST_F(PtyWatchTest, AFailedPlaceIsNewsUntilItIsServedAgain) {
   EXPECT_TRUE(await_stage(Stage::kIdle));
   const Slave next(place_.path());
   EXPECT_TRUE(await_stage(Stage::kArrived));
+}
+
+TEST_F(PtyWatchTest, SettingsOfAProgramThatHasGoneDoNotLast) {
+  for (int i = 0; i < 50; ++i) {
+    {
+      const Slave program(place_.path());
+      program.set(B1200, ECHO);
+      ASSERT_EQ(::ioctl(program.file(), TIOCEXCL), 0);
+      ASSERT_EQ(::tcflow(program.file(), TCOOFF), 0);
+    }
+    ASSERT_TRUE(await_round());
+    end_line();
+    ASSERT_TRUE(await_round());
+    EXPECT_EQ(place_.terminal().modes(), (PtyModes{9600, false}));
+  }
+}
+
+TEST_F(PtyWatchTest, ATerminalThatAProgramHasSpoiltIsReplaced) {
+  for (int i = 0; i < 50; ++i) {
+    const int null_discipline = N_NULL;
+    ASSERT_EQ(::ioctl(Slave(place_.path()).file(), TIOCSETD, &null_discipline), 0);
+    ASSERT_TRUE(await_round());
+    end_line();
+    ASSERT_TRUE(await_round());
+    int discipline = N_NULL;
+    ASSERT_EQ(::ioctl(Slave(place_.path()).file(), TIOCGETD, &discipline), 0);
+    EXPECT_EQ(discipline, N_TTY);
+    ASSERT_TRUE(await_round());
+    end_line();
+  }
 }
 
 TEST_F(PtyWatchTest, APathThatIsInUseIsRefused) {
