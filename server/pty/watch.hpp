@@ -33,8 +33,8 @@ class PtyWatch {
   void poll_soon() const { requests_.give(); }
   /// The same, with news at the end. Returns the number of this round.
   std::uint64_t begin_round();
-  /// What programs did before the round began is known: those that have come or gone, and the bytes,
-  /// as far as the terminal shows them at once.
+  /// What programs did before the round began is known: whether they have come or gone, and their
+  /// bytes, as far as the terminal shows them at once.
   bool has_ended(std::uint64_t round) const { return ended_ >= round; }
   /// The thread polls when there is room for bytes to the program, once. (Each write would wake it
   /// if it always did.)
