@@ -144,10 +144,11 @@ asio::awaitable<void> LineSessions::read_arrived() {
   co_await settle();
   co_await read(vital(kLinesName, [this] { return arrived(); }));
   if (progress() == before) co_return;
-  for (LineSource* source : sources_) co_await read_rest(*source);
+  for (LineSource* source : sources_)
+    if (source->progress() > 0) co_await read_rest(*source);
 }
 
-// What the first round of settling and reading has left.
+// Settles and reads until nothing more is found.
 asio::awaitable<void> LineSessions::read_rest(LineSource& source) {
   for (int round = 0; round < kMaxRounds; ++round) {
     const std::uint64_t before = source.progress();

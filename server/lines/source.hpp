@@ -14,7 +14,7 @@ class LineSource {
   /// Waits until the bytes that clients have sent before this call can be read, or some of them.
   virtual asio::awaitable<void> settle() { co_return; }
   /// A number that differs from an earlier one if a line has begun, acted or ended since: then
-  /// there may be more to settle. Always the same if settle() leaves nothing.
+  /// there may be more to settle. Always 0 if settle() leaves nothing.
   virtual std::uint64_t progress() const { return 0; }
   /// Opens a line for each client that has arrived, without waiting.
   virtual void accept_arrived() = 0;

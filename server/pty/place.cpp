@@ -57,7 +57,7 @@ bool PtyPlace::look_for_program() {
 
 bool PtyPlace::report_to_line() {
   PseudoTerminal::State state = terminal_.poll();
-  const bool is_left = !state.is_open && !state.has_bytes && has_left(state);
+  const bool is_left = !state.is_open && !state.has_bytes && try_to_leave(state);
   is_leaving_ = !state.is_open;
   if (state.has_room || !state.is_open) has_room_ = true;
   news_.give();
@@ -65,7 +65,7 @@ bool PtyPlace::report_to_line() {
 }
 
 // Another program may have opened the terminal since: the line goes on with it.
-bool PtyPlace::has_left(PseudoTerminal::State& state) {
+bool PtyPlace::try_to_leave(PseudoTerminal::State& state) {
   const std::scoped_lock use(use_);
   state = terminal_.poll();
   if (state.is_open || state.has_bytes) return false;

@@ -66,7 +66,7 @@ class PtyPlace {
  private:
   bool look_for_program();
   bool report_to_line();
-  bool has_left(PseudoTerminal::State& state);
+  bool try_to_leave(PseudoTerminal::State& state);
   bool try_to_prepare();
 
   PseudoTerminal terminal_;

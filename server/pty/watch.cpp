@@ -142,17 +142,14 @@ bool PtyWatch::take_opens() const {
 
 // To make the terminal ready, the thread opens it itself. This is no program, but one may have come
 // at the same time.
-void PtyWatch::poll_place() {
-  if (take_opens()) place_.note_opened();
-  if (!place_.poll()) return;
-  take_opens();
-  place_.poll();
-}
-
 void PtyWatch::poll() {
   const auto has_arrived = [this] { return place_.stage() == PtyPlace::Stage::kArrived; };
   const bool had_arrived = has_arrived();
-  poll_place();
+  if (take_opens()) place_.note_opened();
+  if (place_.poll()) {
+    take_opens();
+    place_.poll();
+  }
   if (place_.stage() == PtyPlace::Stage::kDropped) poll_soon();
   if (has_arrived() && !had_arrived) news_.give();
 }

@@ -1,7 +1,7 @@
 // A pseudo-terminal at a path, and the thread that polls it. poll() of a terminal waits for the
 // worker of the kernel that hands on its bytes. A program that opens and closes its terminal, or
-// changes its modes, without end keeps this worker busy for milliseconds, so the event loop never
-// polls one, and each terminal has a thread of its own.
+// changes its modes, without end keeps this worker busy for milliseconds. So the event loop never
+// polls a terminal. A thread does it, one for each terminal.
 #pragma once
 
 #include <atomic>
@@ -54,7 +54,6 @@ class PtyWatch {
   void update();
   bool take_opens() const;
   void poll();
-  void poll_place();
   bool is_renewal_due() const;
   void renew();
 

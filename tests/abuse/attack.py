@@ -63,7 +63,8 @@ class Beside:
     """The wait that 99 of 100 replies of another line keep, beside a load. The load goes on when SIGTERM stops the
     server after the last round, which must take at most two seconds. `port`: a serial port of the server. `victim`:
     `line`, or `pty` for a line on the last pseudo-terminal of the server, or `session` for pings on the monitor port,
-    where the inquiries of a line go to a device, or `step` for steps of time. `address`: that of the other line. `own_bound`: instead of the usual one."""
+    where the inquiries of a line go to a device, or `step` for steps of time. `address`: that of the other line.
+    `own_bound`: instead of the usual one."""
     name: str
     load: typing.Callable
     cell: str = SHIPPED

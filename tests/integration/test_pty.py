@@ -299,7 +299,7 @@ class OpenAndClose(Ptys):
                     self.assertEqual(b" ", port.read(1))
 
     def test_modes_that_a_program_leaves_do_not_last(self):
-        """The server does not tell when it has seen a program that only came and went, so it is asked for a step."""
+        """The step waits until the server knows of the program that came and went."""
         with self.server() as xr3, xr3.monitor() as monitor:
             subprocess.run(["stty", "-F", self.path, "sane", "1200"], check=True)
             monitor.call("step", ticks=1)
