@@ -90,7 +90,9 @@ void App::serve_connections() {
   probe_cell_ = HostedCell::make(
       context_, {"probe", seeds_.front().model, start_clock(options_.clock), {}, {}});
   RobotPortRules port{1, options_.guard};
-  port.divert = [this](tcp::socket socket) { connection_cells_->take(std::move(socket)); };
+  port.divert = [this](NewConnection connection) {
+    connection_cells_->take(std::move(connection));
+  };
   probe_cell_->add_port(std::move(port));
 }
 

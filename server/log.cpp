@@ -3,24 +3,23 @@
 #include <poll.h>
 #include <spdlog/details/null_mutex.h>
 #include <spdlog/fmt/fmt.h>
-#include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/base_sink.h>
 #include <spdlog/sinks/rotating_file_sink.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <utility>
 
 #include "protocol/explain/event_report.hpp"
 #include "server/files/data_files.hpp"
+#include "server/log_budget.hpp"
 #include "server/net/wall_clock.hpp"
 
 namespace xr3 {
 namespace {
-
-constexpr WallNs kSecond = 1'000'000'000;
 
 /// The length of a character in UTF-8 at the start of `text` that changes the direction of text.
 /// Such characters can make a line look different from what it says. 0 if there is none.
@@ -35,12 +34,17 @@ std::size_t bidi_length(std::string_view text) {
   return 0;
 }
 
-/// Escapes control characters (C0, DEL, C1 and those of direction): names chosen by clients may
-/// contain any character.
-std::string one_line(std::string_view formatted) {
+bool is_printable_ascii(char c) { return c >= ' ' && c < '\x7F'; }
+
+/// One line without control characters (C0, DEL, C1 and those of direction), which are escaped:
+/// names chosen by clients may contain any character.
+std::string one_line(std::string_view text) {
   std::string line;
-  const std::string_view text = formatted.substr(0, formatted.size() - 1);
   for (std::size_t i = 0; i < text.size();) {
+    const auto plain_end = std::find_if_not(text.begin() + i, text.end(), is_printable_ascii);
+    line.append(text.begin() + i, plain_end);
+    i = static_cast<std::size_t>(plain_end - text.begin());
+    if (i == text.size()) break;
     if (const std::size_t length = bidi_length(text.substr(i)); length > 0) {
       for (const std::size_t end = i + length; i < end; ++i)
         line += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[i]));
@@ -57,25 +61,8 @@ std::string one_line(std::string_view formatted) {
       line += c;
     }
   }
-  return line + '\n';
+  return line;
 }
-
-/// Formats a message as one line without control characters.
-class OneLineFormatter : public spdlog::formatter {
- public:
-  void format(const spdlog::details::log_msg& message, spdlog::memory_buf_t& result) override {
-    spdlog::memory_buf_t formatted;
-    pattern_.format(message, formatted);
-    const std::string line = one_line({formatted.data(), formatted.size()});
-    result.append(line.data(), line.data() + line.size());
-  }
-  std::unique_ptr<spdlog::formatter> clone() const override {
-    return std::make_unique<OneLineFormatter>();
-  }
-
- private:
-  spdlog::pattern_formatter pattern_{"%H:%M:%S.%e %l %v"};
-};
 
 // A parent process that never reads our standard error must not block the robot. A pipe that polls
 // writable accepts PIPE_BUF bytes without blocking; longer messages are cut.
@@ -93,42 +80,42 @@ class PatientSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex>
   void flush_() override {}
 };
 
-/// Passes at most kMaxLogBytes a second on to another sink, and says how many messages it dropped.
+/// Passes on to another sink what the budget admits, as one line each, and says how many messages
+/// it has dropped.
 class LimitedSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
  public:
   explicit LimitedSink(spdlog::sink_ptr target) : sink_(std::move(target)) {
-    sink_->set_formatter(std::make_unique<OneLineFormatter>());
+    sink_->set_pattern("%H:%M:%S.%e %l %v");
   }
 
+  /// Whether an event may be logged now. If not, it counts as dropped. Events leave a reserve for
+  /// the server's own messages: clients cause them.
+  bool admit_event() { return budget_.admit(wall_now(), kReserve); }
+
  private:
+  static constexpr std::size_t kReserve = std::size_t{16} * 1024;
   static constexpr std::size_t kPrefixBytes = 24;  // approximately: time and level
 
   void sink_it_(const spdlog::details::log_msg& message) override {
-    begin_second(wall_now() / kSecond);
-    if (bytes_ >= kMaxLogBytes && message.level != spdlog::level::critical) {
-      ++suppressed_;
-      return;
-    }
-    bytes_ += kPrefixBytes +
-              one_line(std::string(message.payload.begin(), message.payload.end()) + '\n').size();
-    sink_->log(message);
+    const WallNs now = wall_now();
+    if (message.level != spdlog::level::critical && !budget_.admit(now)) return;
+    if (const std::uint64_t count = budget_.take_dropped(now); count > 0)
+      write(spdlog::level::warn, fmt::format("suppressed {} messages", count));
+    write(message.level, one_line({message.payload.data(), message.payload.size()}));
   }
   void flush_() override { sink_->flush(); }
 
-  void begin_second(WallNs second) {
-    if (second == second_) return;
-    second_ = second;
-    bytes_ = 0;
-    if (suppressed_ == 0) return;
-    const std::string text = fmt::format("suppressed {} messages", std::exchange(suppressed_, 0));
-    sink_->log({"xr3", spdlog::level::warn, text});
+  void write(spdlog::level::level_enum level, const std::string& line) {
+    budget_.spend(kPrefixBytes + line.size());
+    sink_->log({"xr3", level, line});
   }
 
   spdlog::sink_ptr sink_;
-  WallNs second_ = 0;
-  std::size_t bytes_ = 0;  ///< of this second
-  std::uint64_t suppressed_ = 0;
+  LogBudget budget_{wall_now()};
 };
+
+/// The sink of spdlog's default logger; null before start_log().
+std::shared_ptr<LimitedSink> limited_sink;
 
 spdlog::sink_ptr open_sink(const std::string& file) {
   if (file.empty()) return std::make_shared<PatientSink>();
@@ -178,8 +165,8 @@ std::string behind(const CellNote& note) {
 }  // namespace
 
 void start_log(const std::string& level, const std::string& file) {
-  auto logger =
-      std::make_shared<spdlog::logger>("xr3", std::make_shared<LimitedSink>(open_sink(file)));
+  limited_sink = std::make_shared<LimitedSink>(open_sink(file));
+  auto logger = std::make_shared<spdlog::logger>("xr3", limited_sink);
   logger->set_level(spdlog::level::from_str(level));
   logger->flush_on(spdlog::level::info);
   spdlog::set_default_logger(std::move(logger));
@@ -188,6 +175,7 @@ void start_log(const std::string& level, const std::string& file) {
 void log_event(const CellEvent& event, const Model& model, const std::string& cell) {
   const auto level = level_of(event.note);
   if (!spdlog::should_log(level)) return;
+  if (limited_sink && !limited_sink->admit_event()) return;  // before the text is made
   const EventReport about = report(event, model);
   const std::string of_cell = cell.empty() ? "" : "cell " + cell + ": ";
   spdlog::log(level, "{}{}{}{}", of_cell, before(event, about.code), about.message,

@@ -1,5 +1,6 @@
 // The log, on standard error or in a file. It never blocks: messages are dropped while a pipe is
-// full, and beyond kMaxLogBytes in a second, so that no client can fill a disk.
+// full, and beyond a budget, see log_budget.hpp. Messages of level critical are never dropped for
+// the budget.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +10,6 @@
 #include "protocol/explain/cell_event.hpp"
 
 namespace xr3 {
-
-/// Bytes a second, with escapes, after which messages are dropped. Their number is logged. Messages
-/// of level critical are never dropped.
-inline constexpr std::size_t kMaxLogBytes = std::size_t{256} * 1024;
 
 /// Rotation of a log file: FILE, FILE.1 ... up to this number of files of this size.
 inline constexpr std::size_t kMaxLogFileBytes = std::size_t{10} * 1024 * 1024;

@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <utility>
 
-#include "server/net/listener.hpp"
 #include "server/net/spawn.hpp"
 #include "server/robot_port/socket.hpp"
 
@@ -28,6 +27,7 @@ void set_low_water(tcp::socket& socket, std::size_t bytes) {
 /// A connection without a cell. Its bytes stay in the kernel until it has one.
 struct ConnectionCells::Client {
   tcp::socket socket;
+  tcp::endpoint peer;
   PeerCounts::Place place;
   HttpTlsDetector detector;
   std::size_t seen = 0;  ///< bytes that the detector has examined
@@ -59,14 +59,16 @@ ConnectionCells::~ConnectionCells() = default;
 
 // --- Connections without a cell.
 
-void ConnectionCells::take(tcp::socket socket) {
+void ConnectionCells::take(NewConnection connection) {
   if (is_closing_) return;
   if (waiting_.size() + lines_ >= rules_.max_lines)
     return refuse("as many lines are open as --max-lines allows");
-  auto place = rules_.peers.take(peer_address(socket));
+  auto place = rules_.peers.take(connection.peer.address());
   if (!place)
     return refuse("the client has as many lines open as one address may have (--max-per-address)");
-  const auto client = std::make_shared<Client>(Client{std::move(socket), std::move(place), {}, 0});
+  const tcp::endpoint peer = connection.peer;
+  const auto client = std::make_shared<Client>(
+      Client{to_socket(io_, std::move(connection)), peer, std::move(place), {}, 0});
   waiting_.insert(client);
   spawn_loop(io_.get_executor(), kConnectionsName, await_first_byte(client));
 }
@@ -115,9 +117,11 @@ void ConnectionCells::serve(Client& client) {
     return refuse("as many cells have a line as --max-cells allows");
   const CellPtr cell = open_("c" + std::to_string(++last_));
   const auto guest = guests_.emplace(cell.get(), std::make_unique<Guest>(*this, cell)).first;
-  const LineOpened opened{peer_name(client.socket), LineKind::kTcp, false, rules_.guard};
+  const LineOpened opened{to_text(client.peer), LineKind::kTcp, false, rules_.guard};
   ++lines_;
-  cell->lines().open(*guest->second, std::make_unique<RobotSocket>(std::move(client.socket)),
+  ErrorCode ignored;
+  cell->lines().open(*guest->second,
+                     std::make_unique<RobotSocket>(Descriptor(client.socket.release(ignored))),
                      opened, std::move(client.place));
 }
 

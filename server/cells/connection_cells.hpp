@@ -16,6 +16,7 @@
 #include "protocol/line/line_guard.hpp"
 #include "server/cells/hosted_cell.hpp"
 #include "server/net/asio.hpp"
+#include "server/net/listener.hpp"
 #include "server/net/peer_counts.hpp"
 #include "server/net/wall_clock.hpp"
 
@@ -41,8 +42,8 @@ class ConnectionCells {
 
   ~ConnectionCells();
 
-  /// Takes over a connection, which must be non-blocking.
-  void take(tcp::socket socket);
+  /// Takes over a connection.
+  void take(NewConnection connection);
   /// Takes no further connection; those that wait for their first byte are closed.
   void close();
 

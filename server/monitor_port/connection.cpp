@@ -3,7 +3,6 @@
 #include <chrono>
 #include <utility>
 
-#include "server/net/listener.hpp"
 #include "server/net/spawn.hpp"
 
 namespace xr3 {
@@ -14,9 +13,10 @@ constexpr std::chrono::seconds kSilence{1};
 
 }  // namespace
 
-MonitorConnection::MonitorConnection(tcp::socket socket, MonitorConnectionContext& context,
-                                     PeerCounts::Place place)
+MonitorConnection::MonitorConnection(tcp::socket socket, const tcp::endpoint& peer,
+                                     MonitorConnectionContext& context, PeerCounts::Place place)
     : context_(context),
+      peer_(peer),
       place_(std::move(place)),
       socket_(std::make_shared<MonitorSocket>(std::move(socket), context.memory)),
       silence_(socket_->executor()) {}
@@ -90,8 +90,6 @@ std::size_t MonitorConnection::held_bytes() const {
   return (http_ ? http_->held_bytes() : 0) + (lines_ ? lines_->held_bytes() : 0) +
          (websocket_ ? websocket_->held_bytes() : 0);
 }
-
-std::string MonitorConnection::peer() const { return peer_name(socket_->stream()); }
 
 // --- The end.
 

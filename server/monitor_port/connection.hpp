@@ -14,6 +14,7 @@
 #include "server/monitor_port/service.hpp"
 #include "server/monitor_port/websocket.hpp"
 #include "server/net/asio.hpp"
+#include "server/net/listener.hpp"
 #include "server/net/peer_counts.hpp"
 #include "server/net/socket.hpp"
 
@@ -34,7 +35,8 @@ struct MonitorConnectionContext {
 class MonitorConnection : public std::enable_shared_from_this<MonitorConnection> {
  public:
   /// Keeps `place` to its end.
-  MonitorConnection(tcp::socket socket, MonitorConnectionContext& context, PeerCounts::Place place);
+  MonitorConnection(tcp::socket socket, const tcp::endpoint& peer,
+                    MonitorConnectionContext& context, PeerCounts::Place place);
 
   /// Runs until the connection ends.
   void start();
@@ -50,7 +52,7 @@ class MonitorConnection : public std::enable_shared_from_this<MonitorConnection>
 
   /// The bytes that wait for the client to read, or to complete its request.
   std::size_t held_bytes() const;
-  std::string peer() const;
+  std::string peer() const { return to_text(peer_); }
 
  private:
   asio::awaitable<void> run();
@@ -60,6 +62,7 @@ class MonitorConnection : public std::enable_shared_from_this<MonitorConnection>
   asio::awaitable<void> serve_websocket(std::string head);
 
   MonitorConnectionContext& context_;
+  tcp::endpoint peer_;
   PeerCounts::Place place_;
   std::shared_ptr<MonitorSocket> socket_;
   monitor::ProtocolDetector detector_;

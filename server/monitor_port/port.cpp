@@ -10,7 +10,8 @@ namespace xr3 {
 MonitorPort::MonitorPort(asio::io_context& io, CellRegistry& cells, Worker& worker,
                          const AccessPolicy& policy, HttpResources::NotReady not_ready,
                          const std::function<void()>& ended, const SocketLimits& limits)
-    : max_connections_(limits.connections),
+    : io_(io),
+      max_connections_(limits.connections),
       peers_(peer_counts(limits.connections, limits.per_address)),
       service_(io, cells, worker, policy),
       resources_(service_, policy, std::move(not_ready), [this] { return counters(); }),
@@ -20,16 +21,18 @@ MonitorPort::MonitorPort(asio::io_context& io, CellRegistry& cells, Worker& work
                  has_logged_full_ = false;
                  ended();
                }},
-      listener_(io, "the monitor port", [this](tcp::socket socket) { open(std::move(socket)); }),
+      listener_(io, "the monitor port",
+                [this](NewConnection connection) { open(std::move(connection)); }),
       refusals_(resources_, limits.refusals, ended) {}
 
-void MonitorPort::open(tcp::socket socket) {
+void MonitorPort::open(NewConnection accepted) {
   if (connections_.size() >= max_connections_) make_room();
-  if (connections_.size() >= max_connections_) return refuse(std::move(socket));
-  auto place = peers_.take(peer_address(socket));
-  if (!place) return refuse(std::move(socket));
-  const auto connection =
-      std::make_shared<MonitorConnection>(std::move(socket), context_, std::move(place));
+  if (connections_.size() >= max_connections_) return refuse(std::move(accepted));
+  auto place = peers_.take(accepted.peer.address());
+  if (!place) return refuse(std::move(accepted));
+  const tcp::endpoint peer = accepted.peer;
+  const auto connection = std::make_shared<MonitorConnection>(to_socket(io_, std::move(accepted)),
+                                                              peer, context_, std::move(place));
   connections_.push_back(connection);
   connection->start();
 }
@@ -44,7 +47,7 @@ void MonitorPort::make_room() {
   taken->abort();
 }
 
-void MonitorPort::refuse(tcp::socket socket) {
+void MonitorPort::refuse(NewConnection accepted) {
   ++refused_;
   if (!std::exchange(has_logged_full_, true)) {
     spdlog::warn(
@@ -52,7 +55,7 @@ void MonitorPort::refuse(tcp::socket socket) {
         "(--max-per-address; reported once until one ends)",
         connections_.size());
   }
-  refusals_.add(std::move(socket));
+  refusals_.add(to_socket(io_, std::move(accepted)));
 }
 
 std::shared_ptr<MonitorConnection> MonitorPort::greediest() const {

@@ -51,13 +51,14 @@ class MonitorPort {
   /// In the order in which they were opened.
   using Connections = std::vector<std::shared_ptr<MonitorConnection>>;
 
-  void open(tcp::socket socket);
-  void refuse(tcp::socket socket);
+  void open(NewConnection accepted);
+  void refuse(NewConnection accepted);
   CellCounters counters() const;
   void make_room();
   std::shared_ptr<MonitorConnection> greediest() const;
   void report_tls();
 
+  asio::io_context& io_;
   std::size_t max_connections_;
   PeerCounts peers_;
   MonitorService service_;

@@ -2,12 +2,15 @@
 
 #include <netinet/tcp.h>
 #include <spdlog/spdlog.h>
+#include <sys/socket.h>
 
 #include <boost/asio/ip/v6_only.hpp>
 #include <boost/system/system_error.hpp>
+#include <cerrno>
 #include <chrono>
 #include <utility>
 
+#include "server/net/interrupted.hpp"
 #include "server/net/spawn.hpp"
 
 namespace xr3 {
@@ -29,19 +32,19 @@ constexpr int kProbes = 3;
 // copy as much for each of a thousand clients that do not read.
 constexpr int kSendBuffer = 128 * 1024;
 
-void set_option(tcp::socket& socket, int name, int value) {
-  ::setsockopt(socket.native_handle(), IPPROTO_TCP, name, &value, sizeof value);
+void set_option(tcp::acceptor& acceptor, int level, int name, int value) {
+  ::setsockopt(acceptor.native_handle(), level, name, &value, sizeof value);
 }
 
-void prepare(tcp::socket& socket) {
-  ErrorCode ignored;
-  socket.non_blocking(true, ignored);
-  socket.set_option(tcp::no_delay(true), ignored);
-  socket.set_option(asio::socket_base::keep_alive(true), ignored);
-  socket.set_option(asio::socket_base::send_buffer_size(kSendBuffer), ignored);
-  set_option(socket, TCP_KEEPIDLE, kIdleSeconds);
-  set_option(socket, TCP_KEEPINTVL, kSecondsBetweenProbes);
-  set_option(socket, TCP_KEEPCNT, kProbes);
+/// Sets the options that connections inherit when they are made (tests/server/net/listener_test.cpp
+/// checks it), so that none needs a system call for each.
+void set_options(tcp::acceptor& acceptor) {
+  set_option(acceptor, SOL_SOCKET, SO_KEEPALIVE, 1);
+  set_option(acceptor, SOL_SOCKET, SO_SNDBUF, kSendBuffer);
+  set_option(acceptor, IPPROTO_TCP, TCP_NODELAY, 1);
+  set_option(acceptor, IPPROTO_TCP, TCP_KEEPIDLE, kIdleSeconds);
+  set_option(acceptor, IPPROTO_TCP, TCP_KEEPINTVL, kSecondsBetweenProbes);
+  set_option(acceptor, IPPROTO_TCP, TCP_KEEPCNT, kProbes);
 }
 
 }  // namespace
@@ -52,10 +55,12 @@ std::string to_text(const tcp::endpoint& endpoint) {
   return host + ":" + std::to_string(endpoint.port());
 }
 
-std::string peer_name(const tcp::socket& socket) {
-  ErrorCode lost;
-  const tcp::endpoint peer = socket.remote_endpoint(lost);
-  return lost ? "unknown" : to_text(peer);
+tcp::socket to_socket(asio::io_context& io, NewConnection connection) {
+  tcp::socket socket(io);
+  socket.assign(connection.peer.protocol(), connection.descriptor.get());
+  connection.descriptor.release();
+  socket.non_blocking(true);
+  return socket;
 }
 
 ErrorCode Listener::listen(const tcp::endpoint& endpoint) {
@@ -65,6 +70,7 @@ ErrorCode Listener::listen(const tcp::endpoint& endpoint) {
   if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
   if (!error && endpoint.protocol() == tcp::v6())
     acceptor.set_option(asio::ip::v6_only(true), error);
+  if (!error) set_options(acceptor);
   if (!error) acceptor.bind(endpoint, error);
   if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
   return error ? error : begin(std::move(acceptor));
@@ -74,6 +80,7 @@ ErrorCode Listener::adopt(int listening) {
   ErrorCode error;
   tcp::acceptor acceptor(io_);
   acceptor.assign(tcp::v4(), listening, error);
+  if (!error) set_options(acceptor);
   return error ? error : begin(std::move(acceptor));
 }
 
@@ -81,8 +88,6 @@ ErrorCode Listener::adopt(int listening) {
 ErrorCode Listener::begin(tcp::acceptor acceptor) {
   ErrorCode error;
   acceptor.non_blocking(true, error);
-  // Otherwise accept() waits for the next connection after one that its peer has aborted.
-  if (!error) acceptor.set_option(asio::socket_base::enable_connection_aborted(true), error);
   if (error) return error;
   if (entrances_.empty()) endpoint_ = acceptor.local_endpoint(error);
   Entrance& kept = entrances_.emplace_back(Entrance{std::move(acceptor), asio::steady_timer(io_)});
@@ -126,15 +131,27 @@ void Listener::note_failure(ErrorCode error) {
                 error.message());
 }
 
+// (Asio's accept() would make the event loop watch the connection: two system calls, which a line
+// does not need. It does not tell the peer of a connection that is lost already.)
 ErrorCode Listener::accept_one(tcp::acceptor& acceptor) {
-  ErrorCode error;
-  tcp::socket socket(io_);
-  acceptor.accept(socket, error);
-  if (error == asio::error::connection_aborted) return {};
-  if (error) return error;
+  tcp::endpoint peer;
+  auto size = static_cast<socklen_t>(peer.capacity());
+  const auto accepted = retry_interrupted([&] {
+    return ::accept4(acceptor.native_handle(), peer.data(), &size, SOCK_NONBLOCK | SOCK_CLOEXEC);
+  });
+  if (accepted < 0 && (errno == ECONNABORTED || errno == EPROTO)) return {};  // lost before
+  if (accepted < 0) return {errno, boost::system::system_category()};
+  peer.resize(size);
+  return hand_over({Descriptor(static_cast<int>(accepted)), peer});
+}
+
+ErrorCode Listener::hand_over(NewConnection connection) {
+  try {
+    accepted_(std::move(connection));
+  } catch (const boost::system::system_error& failure) {
+    return failure.code();
+  }
   has_logged_failure_ = false;
-  prepare(socket);
-  accepted_(std::move(socket));
   return {};
 }
 

@@ -5,21 +5,31 @@
 #include <list>
 #include <string>
 
+#include "server/files/descriptor.hpp"
 #include "server/net/asio.hpp"
 
 namespace xr3 {
 
 /// Address and port as text: `127.0.0.1:9600`, `[::1]:9600`.
 std::string to_text(const tcp::endpoint& endpoint);
-/// The same of the peer; `unknown` if the connection is lost already.
-std::string peer_name(const tcp::socket& socket);
+
+/// A new connection: non-blocking, with TCP_NODELAY and TCP keepalive, which detects dead peers
+/// within 60 s. The event loop does not know it yet.
+struct NewConnection {
+  Descriptor descriptor;
+  tcp::endpoint peer;  ///< known even if the connection is lost already
+};
+
+/// The socket of a connection in the event loop. Throws boost::system::system_error if the loop
+/// cannot watch it; the connection is then closed.
+tcp::socket to_socket(asio::io_context& io, NewConnection connection);
 
 class Listener {
  public:
-  using Accepted = std::function<void(tcp::socket)>;
+  using Accepted = std::function<void(NewConnection)>;
 
-  /// `accepted` is called with each new connection, non-blocking, with TCP_NODELAY and TCP
-  /// keepalive, which detects dead peers within 60 s.
+  /// `accepted` is called with each new connection. If it throws boost::system::system_error, that
+  /// counts as a failure to accept.
   /// `name` is a literal, for the log.
   Listener(asio::io_context& io, const char* name, Accepted accepted)
       : io_(io), name_(name), accepted_(std::move(accepted)) {}
@@ -27,7 +37,8 @@ class Listener {
   /// Binds and starts to accept, in addition to the endpoints that are already open. Returns the
   /// error; the endpoint is then not open.
   ErrorCode listen(const tcp::endpoint& endpoint);
-  /// Accepts on a socket that listens already, and owns it from now on. Returns the error.
+  /// Accepts on a socket that listens already, and owns it from now on. Returns the error. (Clients
+  /// that have connected before are without keepalive.)
   ErrorCode adopt(int listening);
   /// The first endpoint that was opened.
   tcp::endpoint endpoint() const { return endpoint_; }
@@ -50,6 +61,7 @@ class Listener {
   /// Accepts a few connections. False if one is pending that cannot be accepted now.
   bool accept_some(tcp::acceptor& acceptor);
   ErrorCode accept_one(tcp::acceptor& acceptor);
+  ErrorCode hand_over(NewConnection connection);
   void note_failure(ErrorCode error);
 
   asio::io_context& io_;

@@ -13,9 +13,4 @@ PeerCounts::Place PeerCounts::take(const asio::ip::address& peer) {
           }};
 }
 
-asio::ip::address peer_address(const tcp::socket& socket) {
-  ErrorCode lost;
-  return socket.remote_endpoint(lost).address();
-}
-
 }  // namespace xr3

@@ -33,7 +33,4 @@ class PeerCounts {
   Counts counts_;
 };
 
-/// The address of the peer; unspecified if the connection is lost already.
-asio::ip::address peer_address(const tcp::socket& socket);
-
 }  // namespace xr3

@@ -24,25 +24,27 @@ RobotPort::RobotPort(asio::io_context& io, Cell& cell, LineSessions& lines, Robo
     : cell_(cell),
       lines_(lines),
       rules_(std::move(rules)),
-      listener_(io, "the robot port", [this](tcp::socket socket) { open(std::move(socket)); }),
+      listener_(io, "the robot port",
+                [this](NewConnection connection) { open(std::move(connection)); }),
       release_(io) {
   lines_.add(*this);
 }
 
-void RobotPort::open(tcp::socket socket) {
-  const bool is_probe = this->is_probe(socket);
-  if (!is_probe && rules_.divert) return rules_.divert(std::move(socket));
+void RobotPort::open(NewConnection connection) {
+  const bool is_probe = this->is_probe(connection.peer);
+  if (!is_probe && rules_.divert) return rules_.divert(std::move(connection));
   if (is_full()) lines_.take_news();       // a client may have closed its line without our notice
   if (is_full()) return refuse(is_probe);  // closed without a byte
-  const asio::ip::address address = peer_address(socket);
+  const asio::ip::address address = connection.peer.address();
   const asio::ip::address peer = this_machine_as_one(address);
   if (!is_probe && is_owned_by_other(peer)) return refuse_other(peer);
   auto place = is_probe ? nullptr : rules_.peers.take(address);
   if (!place && !is_probe) return refuse_peer(address);
-  const LineOpened opened{peer_name(socket), LineKind::kTcp, is_probe, rules_.guard};
+  const LineOpened opened{to_text(connection.peer), LineKind::kTcp, is_probe, rules_.guard};
   if (!is_probe) ++open_;
-  const auto line = lines_.open(*this, std::make_unique<RobotSocket>(std::move(socket)), opened,
-                                std::move(place));
+  const auto line =
+      lines_.open(*this, std::make_unique<RobotSocket>(std::move(connection.descriptor)), opened,
+                  std::move(place));
   if (is_probe || !line || !rules_.owner_lingers) return;
   peers_of_lines_.emplace(*line, peer);
   release_.cancel();
@@ -125,10 +127,8 @@ void RobotPort::expect_probe(const tcp::endpoint& from) {
   probe_progress_ = ProbeProgress::kUnseen;
 }
 
-bool RobotPort::is_probe(const tcp::socket& socket) {
-  if (!probe_from_) return false;
-  ErrorCode error;
-  if (socket.remote_endpoint(error) != *probe_from_ || error) return false;
+bool RobotPort::is_probe(const tcp::endpoint& peer) {
+  if (probe_from_ != peer) return false;
   probe_from_.reset();
   probe_progress_ = ProbeProgress::kAccepted;
   return true;

@@ -31,7 +31,7 @@ struct RobotPortRules {
   /// port is for everybody (--bind-peer).
   std::optional<WallNs> owner_lingers = {};
   /// Takes over all connections but the probe's; may be empty.
-  std::function<void(tcp::socket)> divert = {};
+  std::function<void(NewConnection)> divert = {};
 };
 
 class RobotPort final : public LineSource {
@@ -64,8 +64,8 @@ class RobotPort final : public LineSource {
   ProbeProgress probe_progress() const { return probe_progress_; }
 
  private:
-  void open(tcp::socket socket);
-  bool is_probe(const tcp::socket& socket);
+  void open(NewConnection connection);
+  bool is_probe(const tcp::endpoint& peer);
   bool is_full() const { return open_ >= rules_.max_lines; }
   void refuse(bool is_probe);
   void refuse_peer(const asio::ip::address& peer);

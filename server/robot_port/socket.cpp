@@ -1,7 +1,6 @@
 #include "server/robot_port/socket.hpp"
 
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <array>
 #include <cerrno>
@@ -10,12 +9,6 @@
 
 namespace xr3 {
 namespace {
-
-int released(tcp::socket socket) {
-  ErrorCode ignored;
-  socket.set_option(asio::socket_base::keep_alive(true), ignored);
-  return socket.release(ignored);
-}
 
 bool must_wait() { return errno == EAGAIN || errno == EWOULDBLOCK; }
 
@@ -31,11 +24,9 @@ void discard_input(int descriptor) {
 
 }  // namespace
 
-RobotSocket::RobotSocket(tcp::socket socket) : descriptor_(released(std::move(socket))) {}
-
 std::size_t RobotSocket::read(std::span<char> into) {
   const auto count =
-      retry_interrupted([&] { return ::recv(descriptor_, into.data(), into.size(), 0); });
+      retry_interrupted([&] { return ::recv(descriptor(), into.data(), into.size(), 0); });
   if (count > 0) return static_cast<std::size_t>(count);
   if (count == 0) note_ended();
   if (count < 0 && !must_wait()) note_lost();
@@ -44,7 +35,7 @@ std::size_t RobotSocket::read(std::span<char> into) {
 
 std::size_t RobotSocket::write(std::string_view bytes) {
   const auto count = retry_interrupted(
-      [&] { return ::send(descriptor_, bytes.data(), bytes.size(), MSG_NOSIGNAL); });
+      [&] { return ::send(descriptor(), bytes.data(), bytes.size(), MSG_NOSIGNAL); });
   if (count >= 0) {
     has_written_ = true;
     return static_cast<std::size_t>(count);
@@ -56,11 +47,10 @@ std::size_t RobotSocket::write(std::string_view bytes) {
 void RobotSocket::close() {
   if (!is_open()) return;
   if (has_written_) {
-    ::shutdown(descriptor_, SHUT_WR);
-    discard_input(descriptor_);
+    ::shutdown(descriptor(), SHUT_WR);
+    discard_input(descriptor());
   }
-  ::close(descriptor_);
-  descriptor_ = -1;
+  connection_ = Descriptor();
 }
 
 }  // namespace xr3

@@ -71,7 +71,8 @@ wrong tokens of a connection | server/monitor_port/service.cpp | kMaxWrongTokens
 wrong tokens of a connection | server/monitor_port/service.cpp | kWrongTokenDelay
 a token | server/monitor_port/token.hpp | kMinTokenBytes
 a token | server/monitor_port/token.hpp | kMaxTokenBytes
-log | server/log.hpp | kMaxLogBytes | 1024
+log | server/log_budget.hpp | kMaxLogBurst | 1024
+log | server/log_budget.hpp | kMaxLogBytesPerSecond | 1024
 log file | server/log.hpp | kMaxLogFiles
 log file | server/log.hpp | kMaxLogFileBytes | 1048576
 probes of a line for health checks | server/robot_port/probe.hpp | kFresh | 10

@@ -112,6 +112,7 @@ ConnectionPtr Kernel::connect(std::uint16_t port, std::size_t to_server, std::si
   connection->ports[1] = port;
   connection->sides[0].in.capacity = to_client;
   connection->sides[1].in.capacity = to_server;
+  connection->sides[1].keeps_alive = listener->keeps_alive;
   connections_.push_back(connection);
   listener->backlog.push_back(connection);
   for (auto& [fd, file] : files_) {

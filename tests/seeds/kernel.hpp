@@ -148,7 +148,9 @@ class Kernel {
   int socket();
   int bind(Fd fd, std::uint16_t port);
   int listen(Fd fd);
-  int accept(Fd fd);
+  int accept(Fd fd, bool blocks);
+  /// The port of the peer, also if the connection is lost.
+  int peer_of_accepted(Fd fd);
   int connect(Fd fd, std::uint16_t port);
   int port_of(Fd fd, bool of_peer);
   ssize_t receive(Fd fd, std::span<char> into, bool may_wait);
@@ -177,6 +179,7 @@ class Kernel {
   struct File {
     Kind kind;
     bool blocks = true;
+    bool keeps_alive = false;  ///< a listener: its connections
     std::uint16_t port = 0;
     ConnectionPtr connection = {};
     int side = 0;

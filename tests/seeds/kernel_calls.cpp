@@ -32,7 +32,7 @@ int Kernel::listen(Fd fd) {
   return 0;
 }
 
-int Kernel::accept(Fd fd) {
+int Kernel::accept(Fd fd, bool blocks) {
   count_call();
   File* listener = find(fd);
   if (listener == nullptr || listener->kind != Kind::kListener) return refuse(EINVAL);
@@ -54,10 +54,16 @@ int Kernel::accept(Fd fd) {
   }
   const ConnectionPtr connection = listener->backlog.front();
   listener->backlog.pop_front();
-  const Fd accepted = open({.kind = Kind::kStream, .connection = connection, .side = 1});
+  const Fd accepted =
+      open({.kind = Kind::kStream, .blocks = blocks, .connection = connection, .side = 1});
   connection->sides[1].fd = accepted;
   note("accept of " + std::to_string(connection->ports[0]), fd, accepted);
   return accepted;
+}
+
+int Kernel::peer_of_accepted(Fd fd) {
+  const File* file = find(fd);
+  return file->connection->ports[1 - file->side];
 }
 
 // To the server's own port. It succeeds at once, but reports that later, as Linux does.
@@ -164,7 +170,11 @@ void Kernel::set_blocking(Fd fd, bool blocks) {
 }
 
 void Kernel::set_keepalive(Fd fd) {
-  if (Side* side = side_of(fd)) side->keeps_alive = true;
+  if (Side* side = side_of(fd)) {
+    side->keeps_alive = true;
+  } else if (File* file = find(fd)) {
+    file->keeps_alive = true;
+  }
 }
 
 void Kernel::set_max_unacknowledged(Fd fd, Ns time) {

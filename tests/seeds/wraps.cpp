@@ -83,11 +83,10 @@ int __wrap_bind(int fd, const sockaddr* address, socklen_t) {
 int __wrap_listen(int fd, int) {
   return in_kernel([&] { return current_kernel->listen(fd); });
 }
-int __wrap_accept(int fd, sockaddr* address, socklen_t* size) {
+int __wrap_accept4(int fd, sockaddr* address, socklen_t* size, int flags) {
   return in_kernel([&] {
-    const int accepted = current_kernel->accept(fd);
-    if (accepted >= 0 && address != nullptr)
-      give_address(current_kernel->port_of(accepted, true), address, size);
+    const int accepted = current_kernel->accept(fd, (flags & SOCK_NONBLOCK) == 0);
+    if (accepted >= 0) give_address(current_kernel->peer_of_accepted(accepted), address, size);
     return accepted;
   });
 }
@@ -227,8 +226,6 @@ int __wrap_ioctl(int fd, unsigned long request, ...) {
 ssize_t __wrap_sendto(int, const void*, size_t, int, const sockaddr*, socklen_t) {
   return no_such_call("sendto");
 }
-int __wrap_accept4(int, sockaddr*, socklen_t*, int) {
-  return static_cast<int>(no_such_call("accept4"));
-}
+int __wrap_accept(int, sockaddr*, socklen_t*) { return static_cast<int>(no_such_call("accept")); }
 
 }  // extern "C"

@@ -177,7 +177,8 @@ std::string MonitorRig::converse_once(const Pieces& pieces) {
   is_over_ = false;
   tcp::socket socket(io_, tcp::v4(), peer.server());
   socket.non_blocking(true);
-  const auto connection = std::make_shared<MonitorConnection>(std::move(socket), context_, nullptr);
+  const auto connection =
+      std::make_shared<MonitorConnection>(std::move(socket), tcp::endpoint(), context_, nullptr);
   connection->start();
   for (const std::string& piece : pieces) send(peer, piece);
   peer.shut_down();

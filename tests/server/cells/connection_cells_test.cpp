@@ -27,7 +27,7 @@ class ConnectionCellsTest : public testing::Test {
             io_, std::move(rules), [this](const std::string& name) { return open(name); },
             [this](const CellPtr& cell) { close(cell); }),
         listener_(io_, "test",
-                  [this](tcp::socket socket) { connections_.take(std::move(socket)); }) {
+                  [this](NewConnection connection) { connections_.take(std::move(connection)); }) {
     EXPECT_FALSE(listener_.listen({asio::ip::address_v4::loopback(), 0}));
   }
   ~ConnectionCellsTest() override {

@@ -1,0 +1,58 @@
+// How much the log may write, so that no client can fill a disk, or keep busy whoever reads the
+// log. Independent of the log's library and of the clock.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "server/net/wall_clock.hpp"
+
+namespace xr3 {
+
+/// Bytes that may be logged at once, as when a class connects, and in each second from then on.
+inline constexpr std::size_t kMaxLogBurst = std::size_t{256} * 1024;
+inline constexpr std::size_t kMaxLogBytesPerSecond = std::size_t{64} * 1024;
+
+class LogBudget {
+ public:
+  explicit LogBudget(WallNs now) : granted_at_(now / kGrantEvery), told_at_(now / kSecond) {}
+
+  /// Whether a message may be written now. If not, it counts as dropped. `reserve`: bytes that it
+  /// must leave for others.
+  bool admit(WallNs now, std::size_t reserve = 0) {
+    grant(now / kGrantEvery);
+    if (left_ > reserve) return true;
+    ++dropped_;
+    return false;
+  }
+
+  void spend(std::size_t bytes) { left_ -= std::min(left_, bytes); }
+
+  /// The number of dropped messages that has to be told now: at most once a second. It is then
+  /// forgotten.
+  std::uint64_t take_dropped(WallNs now) {
+    if (dropped_ == 0 || now / kSecond == told_at_) return 0;
+    told_at_ = now / kSecond;
+    return std::exchange(dropped_, 0);
+  }
+
+ private:
+  static constexpr WallNs kSecond = 1'000'000'000;
+  static constexpr int kGrantsPerSecond = 64;  // small ones, so that the reader has pauses
+  static constexpr WallNs kGrantEvery = kSecond / kGrantsPerSecond;
+  static constexpr std::size_t kGrant = kMaxLogBytesPerSecond / kGrantsPerSecond;
+
+  void grant(WallNs moment) {
+    const auto grants = static_cast<std::size_t>(moment - std::exchange(granted_at_, moment));
+    left_ = std::min(kMaxLogBurst, left_ + std::min(grants, kMaxLogBurst / kGrant) * kGrant);
+  }
+
+  std::size_t left_ = kMaxLogBurst;
+  WallNs granted_at_;  ///< in units of kGrantEvery
+  WallNs told_at_;     ///< in seconds
+  std::uint64_t dropped_ = 0;
+};
+
+}  // namespace xr3
