@@ -155,7 +155,8 @@ def victim_process(xr3, kind="line", address=LOCALHOST):
     """The well-behaved client, which measures whenever it is asked to, until the end of the block."""
     ports = {"line": xr3.robot_port, "pty": xr3.ptys[-1] if xr3.ptys else None}
     arguments = map(str, (ports.get(kind, xr3.monitor_port), xr3.pid, MEASURED_S[kind], kind, address))
-    process = subprocess.Popen([sys.executable, FOLDER / "victim.py", *arguments],
+    bystander = ["pty"] if kind == "pty" or (kind == "step" and xr3.ptys) else []
+    process = subprocess.Popen([sys.executable, FOLDER / "victim.py", *arguments, *bystander],
                                stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     with process:
         try:

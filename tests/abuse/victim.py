@@ -3,8 +3,9 @@
 whether or not the replies to the earlier ones have arrived, or one step of time after another. For each line of its
 input it does so for some seconds on a connection of its own, and prints how long the replies took, how long the server
 worked meanwhile (its processor time does not depend on other programs on the machine), and how long the slowest
-bystander took: on each core, and on a pseudo-terminal beside that of a client, an idle program echoes what it gets.
-Usage: victim.py PORT PID SECONDS line|pty|session|step ADDRESS, from which it connects. PORT is a path for `pty`."""
+bystander took: on each core, and on a pseudo-terminal if that is asked for, an idle program echoes what it gets.
+Usage: victim.py PORT PID SECONDS line|pty|session|step ADDRESS [pty]. It connects from the ADDRESS. PORT is a path for
+`pty`."""
 
 import collections
 import ctypes
@@ -240,10 +241,10 @@ KINDS = {"line": Line, "pty": Pty, "session": Session, "step": Step}
 
 def main():
     gc.disable()
-    _, port, pid, seconds, kind, address = sys.argv
+    _, port, pid, seconds, kind, address, *more = sys.argv
     opener = lambda: KINDS[kind](port, address)
     bystanders = [Bystander(core) for core in os.sched_getaffinity(0)]
-    if kind == "pty":
+    if more == ["pty"]:
         bystanders.append(PtyBystander())
     worked = processor_clock(int(pid))
     for _ in sys.stdin:
