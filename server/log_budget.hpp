@@ -1,5 +1,5 @@
-// How much the log may write, so that no client can fill a disk, or keep busy whoever reads the
-// log. Independent of the log's library and of the clock.
+// Limits the bytes of the log, so that no client can fill a disk or overload the program that reads
+// the log. Independent of the logging library and of the clock.
 #pragma once
 
 #include <algorithm>
@@ -11,16 +11,16 @@
 
 namespace xr3 {
 
-/// Bytes that may be logged at once, as when a class connects, and in each second from then on.
+/// Bytes that may be logged at once, such as when a class connects, and in each second after that.
 inline constexpr std::size_t kMaxLogBurst = std::size_t{256} * 1024;
 inline constexpr std::size_t kMaxLogBytesPerSecond = std::size_t{64} * 1024;
 
 class LogBudget {
  public:
-  explicit LogBudget(WallNs now) : granted_at_(now / kGrantEvery), told_at_(now / kSecond) {}
+  explicit LogBudget(WallNs now) : granted_at_(now / kGrantEvery), reported_at_(now / kSecond) {}
 
-  /// Whether a message may be written now. If not, it counts as dropped. `reserve`: bytes that it
-  /// must leave for others.
+  /// Whether a message may be written now. If not, it counts as dropped. `reserve`: bytes that must
+  /// remain for other messages.
   bool admit(WallNs now, std::size_t reserve = 0) {
     grant(now / kGrantEvery);
     if (left_ > reserve) return true;
@@ -30,11 +30,11 @@ class LogBudget {
 
   void spend(std::size_t bytes) { left_ -= std::min(left_, bytes); }
 
-  /// The number of dropped messages that has to be told now: at most once a second. It is then
-  /// forgotten.
+  /// The number of messages dropped since the last report, at most once a second; 0 if no report is
+  /// due.
   std::uint64_t take_dropped(WallNs now) {
-    if (dropped_ == 0 || now / kSecond == told_at_) return 0;
-    told_at_ = now / kSecond;
+    if (dropped_ == 0 || now / kSecond == reported_at_) return 0;
+    reported_at_ = now / kSecond;
     return std::exchange(dropped_, 0);
   }
 
@@ -50,8 +50,8 @@ class LogBudget {
   }
 
   std::size_t left_ = kMaxLogBurst;
-  WallNs granted_at_;  ///< in units of kGrantEvery
-  WallNs told_at_;     ///< in seconds
+  WallNs granted_at_;   ///< in units of kGrantEvery
+  WallNs reported_at_;  ///< in seconds
   std::uint64_t dropped_ = 0;
 };
 

@@ -139,7 +139,7 @@ ErrorCode Listener::accept_one(tcp::acceptor& acceptor) {
   const auto accepted = retry_interrupted([&] {
     return ::accept4(acceptor.native_handle(), peer.data(), &size, SOCK_NONBLOCK | SOCK_CLOEXEC);
   });
-  if (accepted < 0 && (errno == ECONNABORTED || errno == EPROTO)) return {};  // lost before
+  if (accepted < 0 && (errno == ECONNABORTED || errno == EPROTO)) return {};  // lost already
   if (accepted < 0) return {errno, boost::system::system_category()};
   peer.resize(size);
   return hand_over({Descriptor(static_cast<int>(accepted)), peer});
