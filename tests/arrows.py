@@ -29,7 +29,7 @@ SEPARATE = (("server/robot_port/", "server/monitor_port/"), ("server/robot_port/
             ("server/lines/", "server/monitor_port/"), ("server/lines/", "server/http/"))
 HOUSED = tuple(RULES) + ("tests", "clients/web/src")
 # One case per file: lists, not rooms.
-LISTS = ("tests/transcripts/", "tests/integration/", "tests/data/broken/", "tests/fuzz/corpus/")
+LISTS = ("tests/transcripts/", "tests/integration/", "tests/data/broken/", "tests/data/recordings/", "tests/fuzz/corpus/")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 PRIVATE_PATH = re.compile(
     r"(?:^|[^\w.])/(?:work|farm)/|\.\./shared"
