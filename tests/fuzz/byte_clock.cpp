@@ -11,7 +11,7 @@
 #include "tests/fuzz/common/fuzz.hpp"
 #include "tests/support/models.hpp"
 
-namespace xr3::fuzz {
+namespace xr3::fuzz::byte_clock_fuzzer {
 namespace {
 
 constexpr Tick kMaxChunkTicks = 1'000;
@@ -77,10 +77,6 @@ class ByteLines {
   std::string replies_;
 };
 
-}  // namespace
-
-const std::size_t kMaxInput = 256;
-
 void run(std::string_view input, Effort) {
   static const ModelPtr models[] = {test::rhino(Profile::kPaper), test::rhino(Profile::kMark3)};
   if (input.empty()) return;
@@ -96,4 +92,7 @@ void run(std::string_view input, Effort) {
   }
 }
 
-}  // namespace xr3::fuzz
+const Registration kRegistration{{"byte_clock", 256, run}};
+
+}  // namespace
+}  // namespace xr3::fuzz::byte_clock_fuzzer

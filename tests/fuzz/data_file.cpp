@@ -12,7 +12,7 @@
 #include "tests/fuzz/common/fuzz.hpp"
 #include "tests/support/models.hpp"
 
-namespace xr3::fuzz {
+namespace xr3::fuzz::data_file_fuzzer {
 namespace {
 
 // A few moves of every motor, until limits, region or blocks stop them.
@@ -74,10 +74,6 @@ void read_as_faults(std::string_view text) {
   exercise(*reading.value);
 }
 
-}  // namespace
-
-const std::size_t kMaxInput = 0;
-
 void run(std::string_view input, Effort /*all inputs are alike*/) {
   if (input.empty()) return;
   const std::string_view text = input.substr(1);
@@ -85,4 +81,7 @@ void run(std::string_view input, Effort /*all inputs are alike*/) {
   input[0] % 2 == 0 ? read_as_robot(text) : read_as_workcell(text);
 }
 
-}  // namespace xr3::fuzz
+const Registration kRegistration{{"data_file", 0, run}};
+
+}  // namespace
+}  // namespace xr3::fuzz::data_file_fuzzer

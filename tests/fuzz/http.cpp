@@ -22,7 +22,7 @@
 #include "tests/fuzz/common/monitor_rig.hpp"
 #include "tests/fuzz/common/pieces.hpp"
 
-namespace xr3::fuzz {
+namespace xr3::fuzz::http_fuzzer {
 namespace {
 
 constexpr std::size_t kMaxTotal = 64UL * 1024;  // four heads of the maximum size
@@ -233,10 +233,6 @@ void check_answers(const HeadReading& reading, Effort effort, bool asks_closed) 
           "only a request to this machine is answered");
 }
 
-}  // namespace
-
-const std::size_t kMaxInput = kMaxStreamInput;
-
 void run(std::string_view input, Effort effort) {
   constexpr std::size_t kMaxHost = 80;
   const Pieces pieces = pieces_of(input, effort, kMaxTotal);
@@ -253,4 +249,7 @@ void run(std::string_view input, Effort effort) {
   check_query(host);
 }
 
-}  // namespace xr3::fuzz
+const Registration kRegistration{{"http", kMaxStreamInput, run}};
+
+}  // namespace
+}  // namespace xr3::fuzz::http_fuzzer

@@ -13,7 +13,7 @@
 #include "tests/support/rig.hpp"
 #include "tests/support/wire.hpp"
 
-namespace xr3::fuzz {
+namespace xr3::fuzz::line_fuzzer {
 namespace {
 
 constexpr Tick kMaxTicks = 500'000;  // more only take time
@@ -78,10 +78,6 @@ ModelPtr model_for(Profile profile) {
                                        test::workcell_named("rhino-xr3"), profile);
 }
 
-}  // namespace
-
-const std::size_t kMaxInput = 256;
-
 void run(std::string_view input, Effort effort) {
   static const ModelPtr models[] = {model_for(Profile::kPaper), model_for(Profile::kMark3)};
   if (input.empty()) return;
@@ -96,4 +92,7 @@ void run(std::string_view input, Effort effort) {
   if (is_full || input.size() % kRestInterval == 0) check_rest(undivided.rig);
 }
 
-}  // namespace xr3::fuzz
+const Registration kRegistration{{"line", 256, run}};
+
+}  // namespace
+}  // namespace xr3::fuzz::line_fuzzer

@@ -13,7 +13,7 @@
 #include "tests/fuzz/common/fuzz.hpp"
 #include "tests/support/models.hpp"
 
-namespace xr3::fuzz {
+namespace xr3::fuzz::line_speed_fuzzer {
 namespace {
 
 constexpr Tick kMaxPacedTicks = 100'000;
@@ -85,10 +85,6 @@ class PacedLines {
   std::string replies_;
 };
 
-}  // namespace
-
-const std::size_t kMaxInput = 256;
-
 void run(std::string_view input, Effort effort) {
   static const ModelPtr models[] = {test::rhino(Profile::kPaper), test::rhino(Profile::kMark3)};
   if (input.empty()) return;
@@ -114,4 +110,7 @@ void run(std::string_view input, Effort effort) {
   undivided.finish();
 }
 
-}  // namespace xr3::fuzz
+const Registration kRegistration{{"line_speed", 256, run}};
+
+}  // namespace
+}  // namespace xr3::fuzz::line_speed_fuzzer

@@ -26,7 +26,7 @@
 #include "tests/fuzz/common/monitor_rig.hpp"
 #include "tests/fuzz/common/pieces.hpp"
 
-namespace xr3::fuzz {
+namespace xr3::fuzz::monitor_connection_fuzzer {
 namespace {
 
 constexpr std::size_t kMaxTotal = 384UL * 1024;  // one message of the maximum size, and more
@@ -161,10 +161,6 @@ void check_closed(const Pieces& pieces) {
   require(answer.starts_with("HTTP/1.1 ") || !shows_the_cell(answer), "reading needs the token");
 }
 
-}  // namespace
-
-const std::size_t kMaxInput = kMaxStreamInput;
-
 void run(std::string_view input, Effort effort) {
   const bool is_full = effort == Effort::kFull;
   const Pieces pieces = pieces_of(input, effort, kMaxTotal);
@@ -180,4 +176,7 @@ void run(std::string_view input, Effort effort) {
   if (is_full) check_divided(in_pieces, MonitorRig::shared().converse({whole}));
 }
 
-}  // namespace xr3::fuzz
+const Registration kRegistration{{"monitor_connection", kMaxStreamInput, run}};
+
+}  // namespace
+}  // namespace xr3::fuzz::monitor_connection_fuzzer

@@ -20,7 +20,7 @@
 #include "tests/fuzz/common/fuzz.hpp"
 #include "tests/support/models.hpp"
 
-namespace xr3::fuzz {
+namespace xr3::fuzz::monitor_request_fuzzer {
 namespace {
 
 using namespace monitor;  // NOLINT: the subject of this file
@@ -78,14 +78,13 @@ void check(const RequestError& error) {
   require(!Json::parse(*result(error)).is_discarded(), "an answer is JSON");
 }
 
-}  // namespace
-
-const std::size_t kMaxInput = 2048;
-
 void run(std::string_view input, Effort /*all inputs are alike*/) {
   const RequestReading reading = read_request(input);
   if (const auto* request = std::get_if<Request>(&reading)) check(*request, input);
   if (const auto* error = std::get_if<RequestError>(&reading)) check(*error);
 }
 
-}  // namespace xr3::fuzz
+const Registration kRegistration{{"monitor_request", 2048, run}};
+
+}  // namespace
+}  // namespace xr3::fuzz::monitor_request_fuzzer

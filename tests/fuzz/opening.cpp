@@ -14,7 +14,7 @@
 #include "tests/fuzz/common/fuzz.hpp"
 #include "tests/fuzz/common/pieces.hpp"
 
-namespace xr3::fuzz {
+namespace xr3::fuzz::opening_fuzzer {
 namespace {
 
 constexpr std::size_t kMaxTotal = 384UL * 1024;  // one line of the maximum length, and more
@@ -139,10 +139,6 @@ Lines simple_lines(std::string_view text) {
   return found;
 }
 
-}  // namespace
-
-const std::size_t kMaxInput = kMaxStreamInput;
-
 void run(std::string_view input, Effort effort) {
   const Pieces pieces = pieces_of(input, effort, kMaxTotal);
   const std::string whole = joined(pieces);
@@ -152,4 +148,7 @@ void run(std::string_view input, Effort effort) {
   require(lines_of({whole}) == simple, "the lines of the whole text");
 }
 
-}  // namespace xr3::fuzz
+const Registration kRegistration{{"opening", kMaxStreamInput, run}};
+
+}  // namespace
+}  // namespace xr3::fuzz::opening_fuzzer

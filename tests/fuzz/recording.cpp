@@ -13,7 +13,7 @@
 #include "tests/fuzz/common/fuzz.hpp"
 #include "tests/support/models.hpp"
 
-namespace xr3::fuzz {
+namespace xr3::fuzz::recording_fuzzer {
 namespace {
 
 recording::Header header_for(unsigned choice) {
@@ -79,10 +79,6 @@ void replay_lines(std::string_view text, unsigned choice) {
   }
 }
 
-}  // namespace
-
-const std::size_t kMaxInput = 4096;
-
 void run(std::string_view input, Effort) {
   if (input.empty()) return;
   constexpr unsigned kIsFile = 0x80;
@@ -91,4 +87,7 @@ void run(std::string_view input, Effort) {
   replay_lines(input.substr(1), choice);
 }
 
-}  // namespace xr3::fuzz
+const Registration kRegistration{{"recording", 4096, run}};
+
+}  // namespace
+}  // namespace xr3::fuzz::recording_fuzzer

@@ -23,7 +23,7 @@
 #include "tests/fuzz/common/telnet_reference.hpp"
 #include "tests/support/models.hpp"
 
-namespace xr3::fuzz {
+namespace xr3::fuzz::telnet_fuzzer {
 namespace {
 
 constexpr std::size_t kMaxTotal = 4096;  // bytes; a picture fills the outbox with three
@@ -190,10 +190,6 @@ ModelPtr model_for(Profile profile) {
                                        test::workcell_named("rhino-xr3"), profile);
 }
 
-}  // namespace
-
-const std::size_t kMaxInput = 96;
-
 void run(std::string_view input, Effort effort) {
   static const ModelPtr models[] = {model_for(Profile::kPaper), model_for(Profile::kMark3)};
   if (input.empty()) return;
@@ -203,4 +199,7 @@ void run(std::string_view input, Effort effort) {
   check_line(pieces, models[input[0] & 1], kind, effort);
 }
 
-}  // namespace xr3::fuzz
+const Registration kRegistration{{"telnet", 96, run}};
+
+}  // namespace
+}  // namespace xr3::fuzz::telnet_fuzzer

@@ -22,7 +22,7 @@
 #include "tests/fuzz/common/pieces.hpp"
 #include "tests/fuzz/common/websocket_frames.hpp"
 
-namespace xr3::fuzz {
+namespace xr3::fuzz::websocket_fuzzer {
 namespace {
 
 constexpr std::size_t kMaxTotal = 384UL * 1024;  // one message of the maximum size, and more
@@ -106,10 +106,6 @@ void check_at_once(const Received& in_pieces, std::string_view whole, const Clie
   require(in_pieces.answers == at_once.answers, "the answers to divided bytes");
 }
 
-}  // namespace
-
-const std::size_t kMaxInput = kMaxStreamInput;
-
 void run(std::string_view input, Effort effort) {
   const bool is_full = effort == Effort::kFull;
   const Pieces pieces = pieces_of(input, effort, kMaxTotal);
@@ -126,4 +122,7 @@ void run(std::string_view input, Effort effort) {
   if (is_full) check_at_once(in_pieces, whole, sent);
 }
 
-}  // namespace xr3::fuzz
+const Registration kRegistration{{"websocket", kMaxStreamInput, run}};
+
+}  // namespace
+}  // namespace xr3::fuzz::websocket_fuzzer

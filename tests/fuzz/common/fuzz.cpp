@@ -25,14 +25,24 @@ std::uint64_t hash_of(std::string_view input) {
 
 // Reading the processor time takes a system call, a tenth of the time of the quickest inputs. So it
 // is measured only if an input took long: perhaps the machine had other work.
-void measure_again(std::string_view input, Effort effort) {
+void measure_again(const Fuzzer& fuzzer, std::string_view input, Effort effort) {
   const std::clock_t start = std::clock();
-  run(input, effort);
+  fuzzer.run(input, effort);
   require(std::clock() - start <= kMaxSeconds * CLOCKS_PER_SEC,
           "an input needs at most 5 s of processor time");
 }
 
+/// A local variable, so that it exists before the first registration.
+std::vector<Fuzzer>& registered() {
+  static std::vector<Fuzzer> fuzzers;
+  return fuzzers;
+}
+
 }  // namespace
+
+Registration::Registration(const Fuzzer& fuzzer) { registered().push_back(fuzzer); }
+
+const std::vector<Fuzzer>& fuzzers() { return registered(); }
 
 Effort effort_for(std::string_view input) {
   constexpr unsigned kHighBits = 32;  // they depend on every byte of the input
@@ -46,12 +56,12 @@ void require(bool holds, const char* property) {
   std::abort();
 }
 
-void run_within_limits(std::string_view input, Effort effort) {
+void run_within_limits(const Fuzzer& fuzzer, std::string_view input, Effort effort) {
   const test::Allocations allocations;
   const auto start = std::chrono::steady_clock::now();
-  run(input, effort);
+  fuzzer.run(input, effort);
   require(allocations.peak() <= kMaxAllocated, "an input needs at most 64 MiB");
-  if (std::chrono::steady_clock::now() - start > kSurelyQuick) measure_again(input, effort);
+  if (std::chrono::steady_clock::now() - start > kSurelyQuick) measure_again(fuzzer, input, effort);
 }
 
 }  // namespace xr3::fuzz

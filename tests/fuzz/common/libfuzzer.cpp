@@ -48,6 +48,9 @@ class Progress {
   double next_ = kSeconds;
 };
 
+/// The one fuzzer of this program.
+const xr3::fuzz::Fuzzer& fuzzer() { return xr3::fuzz::fuzzers().at(0); }
+
 }  // namespace
 
 // Freed memory is found while 2 MB more are freed: many quick inputs. The default, 256 MB, would
@@ -63,7 +66,7 @@ extern "C" const char* __asan_default_options() {
 // Inserts the limits before the other arguments.
 extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
   static std::vector<char*> arguments{(*argv)[0]};
-  static std::string max_len = "-max_len=" + std::to_string(xr3::fuzz::kMaxInput);
+  static std::string max_len = "-max_len=" + std::to_string(fuzzer().max_input);
   for (const char* limit : kLimits) arguments.push_back(const_cast<char*>(limit));
   arguments.push_back(max_len.data());
   arguments.insert(arguments.end(), *argv + 1, *argv + *argc);
@@ -76,7 +79,7 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view input(reinterpret_cast<const char*>(data), size);
   static Progress progress;
-  xr3::fuzz::run_within_limits(input, xr3::fuzz::effort_for(input));
+  xr3::fuzz::run_within_limits(fuzzer(), input, xr3::fuzz::effort_for(input));
   progress.note();
   return 0;
 }

@@ -1,5 +1,5 @@
-// Runs a fuzzer's property checks on every file of the given folders, with each effort, without
-// libFuzzer. The test fuzz_replay.x does so in every build with unit tests.
+// Runs the property checks of a fuzzer on every file of the given folders, with each effort,
+// without libFuzzer. The test fuzz_replay.x does so in every build with unit tests.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -13,6 +13,8 @@
 
 namespace {
 
+using xr3::fuzz::Effort;
+using xr3::fuzz::Fuzzer;
 using Paths = std::vector<std::filesystem::path>;
 
 /// The files of a folder, in the same order on every machine.
@@ -25,32 +27,46 @@ Paths files_of(const std::filesystem::path& folder) {
   return files;
 }
 
-void replay(const std::filesystem::path& path) {
+void replay(const Fuzzer& fuzzer, const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string input(std::istreambuf_iterator<char>(file), {});
   // Printed first: if the input breaks a property, the process ends.
   std::printf("%s, %zu bytes\n", path.filename().c_str(), input.size());
   std::fflush(stdout);
-  for (const auto effort : {xr3::fuzz::Effort::kQuick, xr3::fuzz::Effort::kFull})
-    xr3::fuzz::run_within_limits(input, effort);
+  for (const auto effort : {Effort::kQuick, Effort::kFull})
+    run_within_limits(fuzzer, input, effort);
+}
+
+/// Replays a folder; returns the exit code.
+int replay_folder(const Fuzzer& fuzzer, const std::filesystem::path& folder) {
+  const Paths files = files_of(folder);
+  if (files.empty()) {
+    std::fprintf(stderr, "%s: this folder has no inputs\n", folder.c_str());
+    return 1;
+  }
+  for (const auto& file : files) replay(fuzzer, file);
+  return 0;
+}
+
+int usage(const char* program) {
+  std::fprintf(stderr, "usage: %s FUZZER FOLDER...\nReplays every file of each folder. Fuzzers:",
+               program);
+  for (const Fuzzer& each : xr3::fuzz::fuzzers()) std::fprintf(stderr, " %s", each.name.data());
+  std::fprintf(stderr, "\n");
+  return 2;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) try {
-  if (argc < 2) {
-    std::fprintf(stderr, "usage: %s FOLDER...\nReplays every file of each folder.\n", argv[0]);
-    return 2;
-  }
-  for (int i = 1; i < argc; ++i) {
-    const Paths files = files_of(argv[i]);
-    if (files.empty()) {
-      std::fprintf(stderr, "%s: this folder has no inputs\n", argv[i]);
-      return 1;
-    }
-    std::for_each(files.begin(), files.end(), replay);
-  }
-  return 0;
+  const auto& all = xr3::fuzz::fuzzers();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Fuzzer& each) {
+    return argc > 2 && each.name == argv[1];
+  });
+  if (found == all.end()) return usage(argv[0]);
+  int code = 0;
+  for (int i = 2; i < argc; ++i) code = std::max(code, replay_folder(*found, argv[i]));
+  return code;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s: %s\n", argv[0], error.what());
   return 1;
