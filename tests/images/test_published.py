@@ -53,7 +53,10 @@ class Dockerfiles(unittest.TestCase):
 
     def test_base_image_is_the_published_one(self):
         for path in ROOT.glob("docker/**/Dockerfile"):
-            bases = set(re.findall(r"^FROM (\S+)", path.read_text(encoding="utf-8"), re.MULTILINE))
+            text = path.read_text(encoding="utf-8")
+            defaults = dict(re.findall(r"^ARG (\w+)=(\S+)", text, re.MULTILINE))
+            bases = {re.sub(r"\$\{(\w+)\}", lambda found: defaults[found[1]], name)
+                     for name in re.findall(r"^FROM (\S+)", text, re.MULTILINE)}
             self.assertLessEqual(bases, {"debian:bookworm-slim", "build", "scratch"})
 
 
