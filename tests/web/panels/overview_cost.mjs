@@ -1,12 +1,13 @@
 // Measures the frames of the overview while it scrolls through 1,000 cards, a tenth of whose robots move at 4 Hz.
-// Prints the frame times; exit code 1 if fewer than 30 frames a second were drawn.
+// Prints the frame times and what the page's thread worked; exit code 1 if fewer than 10 frames a second were drawn, which
+// is a sixth of what a quiet machine draws, and looks jerky.
 import { close, kWithoutWebGl, open, serve } from "../bench.mjs";
 import { cellNamed, playClass } from "./class.mjs";
 
 const kCells = 1000;
 const kMoving = 100;
 const kSeconds = 6;
-const kLeastHz = 30;
+const kLeastHz = 10;
 
 const server = await serve();
 const page = await open("about:blank", { flags: kWithoutWebGl });
@@ -55,5 +56,4 @@ console.log(`scrolling ${kCells} cards for ${kSeconds} s: ${hz.toFixed(1)} frame
 const share = (name) => `${(((after[name] - before[name]) / kSeconds) * 100).toFixed(0)} %`;
 console.log(`the page's thread worked for ${share("TaskDuration")} of the time: scripts ${share("ScriptDuration")}, styles ${share("RecalcStyleDuration")}, layout ${share("LayoutDuration")}`);
 await close();
-await server.stop().catch(() => {});
 process.exitCode = hz < kLeastHz ? 1 : 0;
