@@ -38,9 +38,16 @@ if(XR3_UNINSTRUMENTED)
   add_compile_options("-fsanitize-ignorelist=${headers}" "-DXR3_UNINSTRUMENTED=\"${digest}\"")
 endif()
 
+# ccache caches what uses a precompiled header only with these settings and, for clang, without the time in it.
+option(XR3_PRECOMPILE "Compile headers of other libraries once for each target" OFF)
 find_program(XR3_CCACHE ccache)
 if(XR3_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${XR3_CCACHE}")
+  if(XR3_PRECOMPILE)
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}"
+      "CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime" "${XR3_CCACHE}")
+    add_compile_options("SHELL:-Xclang -fno-pch-timestamp")
+  endif()
 endif()
 
 find_program(XR3_MOLD mold)

@@ -34,6 +34,16 @@ function(xr3_together variable name)
   set(${variable} ${files} PARENT_SCOPE)
 endfunction()
 
+# xr3_precompile(<target> <header>...): with XR3_PRECOMPILE, the target parses these headers once. It saves a third of
+# the processor time in protocol and its tests, and nothing in server, whose termios.h breaks pty/pseudo_terminal.
+set(XR3_PRECOMPILED <algorithm> <array> <cmath> <functional> <map> <memory> <optional> <string> <string_view>
+  <utility> <variant> <vector> <Eigen/Geometry>)
+function(xr3_precompile target)
+  if(XR3_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE ${XR3_PRECOMPILED} ${ARGN})
+  endif()
+endfunction()
+
 # xr3_library(<folder> [<regex>]): the static library xr3_<folder> of every .cpp below the calling folder but
 # main.cpp. With XR3_FUZZ also without those that match: no fuzzer uses them, but libFuzzer looks at the counters of
 # all linked code after each input. Why the folder is globbed: docs/decisions/0006-globbed-folders.md.

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Runs the tests of ctest and prints what they cost in seconds of processor time, the dearest first, and the sum.
-Usage: tests/cpu_times.py [option of ctest that selects tests...], for example -R integration. Build the presets dev and
-release before, and let nothing else run: other programs make the same work cost more.
+Usage: tests/cpu_times.py [--preset PRESET] [option of ctest that selects tests...], for example -R integration. PRESET is
+quick if it is not given; build it before, and let nothing else run: other programs make the same work cost more.
 
 The sum counts every process that a test starts, and those that they start, such as the processes of Chromium: each test
 has a parent of its own that adopts them when their parents end (a subreaper, see prctl(2)), and waits for all."""
@@ -18,8 +18,6 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PRESETS = ("dev", "release")
-MOST_S = 480
 DEAREST = 40
 LINGER_S = 5
 PR_SET_CHILD_SUBREAPER = 36
@@ -107,14 +105,16 @@ def print_sums(costs):
 
 
 def main(options):
-    tests = [(preset, test) for preset in PRESETS for test in tests_of(preset, options)]
-    costs = sorted((run(*each) for each in tests), reverse=True)
+    preset = "quick"
+    if options[:1] == ["--preset"]:
+        preset, options = options[1], options[2:]
+    costs = sorted((run(preset, test) for test in tests_of(preset, options)), reverse=True)
     print(f"{'processor':>9} {'seconds':>7}")
     print("\n".join(map(row, costs[:DEAREST])))
     print_sums(costs)
     total = sum(each.seconds for each in costs)
-    print(f"{total:8.2f} {len(costs):8}  in all: {total / 60:.1f} minutes of processor time, at most {MOST_S / 60:.0f}")
-    return 1 if total > MOST_S or any(each.status for each in costs) else 0
+    print(f"{total:8.2f} {len(costs):8}  in all: {total / 60:.1f} minutes of processor time")
+    return 1 if any(each.status for each in costs) else 0
 
 
 if __name__ == "__main__":

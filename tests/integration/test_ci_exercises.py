@@ -1,5 +1,6 @@
 """The recipes of docs/ci for exercises: their commands and files are run unchanged, with a right program, wrong ones,
 and ones that try to write the result themselves. In the place of a service is what it reads: lines, JUnit, requests."""
+# labels: full
 
 import ast
 import base64

@@ -1,5 +1,6 @@
 """The recipes of docs/ci: the shell recipe is run unchanged, with a program that works, one that fails and
 one that moves to the wrong place; the other recipes must contain the same commands."""
+# labels: full
 
 import hashlib
 import os

@@ -1,5 +1,6 @@
 """CITATION.cff: it is YAML with the members that CFF 1.2.0 requires, and agrees with the project's version, licence and
 authors, and with what the documentation says about the paper."""
+# labels: full
 
 import pathlib
 import re

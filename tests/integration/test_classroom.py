@@ -1,5 +1,6 @@
 """docs/classroom.md: a teacher does what it says (reader.py), with thirty robots. Its figures are those of
 the page that says how they were measured."""
+# labels: full
 
 import pathlib
 import re

@@ -1,5 +1,6 @@
 """docs/commands.md lists the options of every command but serve (docs/options.md), as its manual page does, and
 docs/exit-codes.md every exit code. With --write as an argument: rewrites docs/commands.md."""
+# labels: full
 
 import pathlib
 import re

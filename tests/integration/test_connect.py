@@ -1,5 +1,6 @@
 """docs/connect: the first inquiry of its pages, with pyserial on each kind of port, netcat, plink and Octave, as the
 pages show it. The tests of the other programs are in tests/lines."""
+# labels: full
 
 import pathlib
 import re

@@ -1,5 +1,6 @@
 """docs/course: its first steps work as its page shows them, its figures are those that `xr3 draw` makes, its table of
 points is that of the goals files, and the fastest exercise is judged as its sheet says (`./test --course`: all)."""
+# labels: full
 
 import json
 import os

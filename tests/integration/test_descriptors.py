@@ -1,5 +1,5 @@
 """A server that may open few files: full ports, health checks, and recovery."""
-# labels: release serial
+# labels: release serial full
 
 import os
 import resource

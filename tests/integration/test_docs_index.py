@@ -1,5 +1,6 @@
 """The pages of docs/ as a reader of a git host or an editor sees them: docs/README.md lists each page once, every link
 leads to a file and to a heading, and the navigation of the site (mkdocs.yml) has each page once."""
+# labels: full
 
 import os
 import pathlib

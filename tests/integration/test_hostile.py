@@ -1,6 +1,6 @@
 """Hostile clients of the monitor port: any input ends with a clear error or a close, and it hardly delays the
 answers to another client."""
-# labels: serial
+# labels: serial full
 
 import socket
 import time

@@ -1,6 +1,6 @@
 """A robot at rest uses no processor time: even with connected clients and a running clock, the kernel never
 schedules the process. All cases are observed at the same time, each with its own server."""
-# labels: release serial
+# labels: release serial full
 
 import contextlib
 import os

@@ -46,7 +46,7 @@ KINDS = {
                    r"( (?!-).*)?",
     "uses_a_preset": r"(cmake|cmake --build|ctest) --preset \S+.*",
     "is_an_option_of_cmake": r"cmake --install( build/release)?",
-    "runs_unit_tests": r"build/dev/test_core .*",
+    "runs_unit_tests": r"build/quick/unit_tests .*",
     "is_an_option_of_seeds": r"seeds --\S+ N",
     "talks_to_the_server": r"(curl|printf|yes) .*localhost.*",
     "is_a_session": r"telnet localhost 9600",
@@ -210,8 +210,8 @@ class Commands(unittest.TestCase):
         printed = self.run_to_end([first, *arguments], checkout.folder, **checkout.environment)
         self.assertIn("== Summary", printed)
         self.assertNotIn("FAILED", printed)
-        is_suite = arguments[:1] and arguments[0].startswith("--")
-        self.assertEqual(not is_suite, "Tests of dev" in printed, "the script does not know the option")
+        is_suite = arguments[:1] and arguments[0].startswith("--") and arguments[0] != "--full"
+        self.assertEqual(not is_suite, "Tests of quick" in printed, "the script does not know the option")
 
     def is_a_script(self, command):
         script, *arguments = filled(command.text)
@@ -244,7 +244,8 @@ class Commands(unittest.TestCase):
         program = BUILD / pathlib.Path(path).name
         if program.exists():  # not in a release
             self.assertIn(".\n", self.run_to_end([program, *arguments, "--gtest_list_tests"]))
-        self.assertTrue(pathlib.Path(ROOT, "tests", program.name.removeprefix("test_")).is_dir())
+        targets = pathlib.Path(ROOT, "tests", "CMakeLists.txt").read_text(encoding="utf-8")
+        self.assertIn(f"add_executable({program.name})", targets)
         presets = json.loads(pathlib.Path(ROOT, "CMakePresets.json").read_text(encoding="utf-8"))
         self.assertIn(path.split("/")[1], [preset["name"] for preset in presets["configurePresets"]])
 

@@ -1,5 +1,6 @@
 """deploy/kubernetes: the server of this build accepts the options of the manifests. `./test --images` tests
 the rest."""
+# labels: full
 
 import pathlib
 import re

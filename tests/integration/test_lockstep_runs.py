@@ -1,6 +1,6 @@
 """Some lockstep runs under full load, which must all have the same hash (lockstep_runs.py). `./test --soak`
 makes a thousand."""
-# labels: serial
+# labels: serial full
 
 import concurrent.futures
 import unittest

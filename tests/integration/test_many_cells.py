@@ -1,5 +1,5 @@
 """A server of so many cells that the worker makes the answers about all of them."""
-# labels: release
+# labels: release full
 
 import json
 import unittest

@@ -1,5 +1,6 @@
 """The programs in clients/octave contain nothing that only Octave knows. MATLAB is not available here, so this reads
 the sources: syntax, names of files, and the functions called outside of `if exist('OCTAVE_VERSION', 'builtin')`."""
+# labels: full
 
 import os
 import re

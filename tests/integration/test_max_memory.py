@@ -1,6 +1,6 @@
 """Many clients that do not read what they have requested: the process keeps to --max-memory, the greediest clients
 are closed, and the others are served."""
-# labels: release serial
+# labels: release serial full
 
 import json
 import pathlib

@@ -1,5 +1,6 @@
 """docs/monitor.md and the schema have every call with its arguments, every member of `state`, and every event with its
 codes and members, and the values of those members that have few."""
+# labels: full
 
 import pathlib
 import re

@@ -1,5 +1,6 @@
 """docs/operations.md: its commands install a service that starts, its limits are those of the sources, its
 table of capacity is the one that scripts/capacity prints, and its metrics are those that the server has."""
+# labels: full
 
 import os
 import pathlib

@@ -1,5 +1,6 @@
 """The server's own page in real Chromium: it may read and make calls under every address of the server, also
 through a port mapping."""
+# labels: full
 
 import json
 import unittest

@@ -1,5 +1,6 @@
 """docs/own-robot.md: a reader does what it says (reader.py), its parts of the file are in the file, its figures are
 those that the program draws, and the calculation by hand agrees with the formulas of the page and with `xr3 kin`."""
+# labels: full
 
 import json
 import math

@@ -1,5 +1,6 @@
 """docs/own-workcell.md: a reader writes its files, does what it says and sees what it shows (reader.py). The pictures
 of the page are those that its commands draw."""
+# labels: full
 
 import pathlib
 import tempfile

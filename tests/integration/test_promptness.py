@@ -1,6 +1,6 @@
 """Latency of the monitor port: on an idle machine, messages arrive within 50 ms, in order. The median counts,
 because the machine is not always idle."""
-# labels: release serial
+# labels: release serial full
 
 import statistics
 import time

@@ -1,5 +1,6 @@
 """The commands of clients/python/README.md that install the package into a virtual environment, unchanged but for
 the home folder. Nothing is downloaded: setuptools and wheel are those of the system."""
+# labels: full
 
 import os
 import pathlib

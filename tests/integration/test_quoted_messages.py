@@ -1,5 +1,6 @@
 """The messages of the program that the documentation quotes: each is caused here and compared. Messages that need
 a rare failure are compared with the text in the sources; other tests cause them."""
+# labels: full
 
 import pathlib
 import re

@@ -1,5 +1,6 @@
 """The telnet session of the README ("Two minutes"), typed unchanged; the table below it has the reply. The clock is
 manual; two seconds pass before the inquiry."""
+# labels: full
 
 import pathlib
 import re

@@ -1,5 +1,6 @@
 """Web pages of other origins in real Chromium: one from another port, and one whose host name is rebound to
 this machine (DNS rebinding). On both ports their requests move nothing and read nothing."""
+# labels: full
 
 import json
 import pathlib

@@ -1,6 +1,6 @@
 """Subscribers that are slow or do not read, and lines that send garbage: the server closes none of them, it
 reports lost messages with exact counts (`lag`), and it uses little memory and time for them."""
-# labels: release serial
+# labels: release serial full
 
 import time
 import unittest

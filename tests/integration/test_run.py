@@ -1,5 +1,6 @@
 """The script ./run: it passes its arguments to `xr3 serve` and adds none. The tests run it in a temporary
 folder with stubs for packages and build, where build/release/xr3 is the executable under test."""
+# labels: full
 
 import json
 import pathlib

@@ -1,5 +1,6 @@
 """docs/course/syllabus.md: each plan has every exercise once, in its order, and numbers its weeks. The afternoon
 has four hours."""
+# labels: full
 
 import pathlib
 import re

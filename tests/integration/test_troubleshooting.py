@@ -1,5 +1,6 @@
 """docs/troubleshooting.md: each symptom is caused as its section says, on a server of its own, and looks as it says
 (reader.py). The options of the server are in a comment of the section, `<!-- server: OPTIONS -->`."""
+# labels: full
 
 import pathlib
 import re

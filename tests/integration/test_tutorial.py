@@ -1,5 +1,6 @@
 """docs/tutorial: a reader does what its pages say, in their order, and sees what they show (reader.py). Each page has a
 server of its own: the arm is at its soft home, and the blocks are where the workcell file puts them."""
+# labels: full
 
 import pathlib
 import re

@@ -1,5 +1,6 @@
 """deploy/systemd: the unit is valid and hardened, and its command line starts the real server, which reports
 to a service manager. systemd-analyze checks more, where it is installed."""
+# labels: full
 
 import os
 import pathlib

@@ -1,5 +1,6 @@
 """A page of another site makes real Chromium connect to the robot port with WebRTC, which needs no permission of
 the port: ICE over TCP, where the page chooses the name that is sent, TURN over TCP and over TLS. Nothing moves."""
+# labels: full
 
 import json
 import pathlib

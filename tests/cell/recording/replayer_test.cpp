@@ -229,7 +229,7 @@ TEST(Replayer, RepeatsAPacedLineWhoseClientDoesNotRead) {
   Cell& cell = recorded.cell;
   open_line(cell, 0);
   WallNs now = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 1500; ++i) {
     now += kReplayMs / 4;
     cell.apply(BytesIn{1, i == 0 ? "E?" : std::string(60, '?')}, now);
     if (i % 700 == 650) {

@@ -26,6 +26,9 @@ std::string small_recording() {
   return text + writer.line({1, 9, 0, End{"sha256:1", "stopped"}});
 }
 
+/// Positions in a recording that are tried. (Each try reads the robot in the first line.)
+constexpr std::size_t kStride = 3;
+
 struct ReadAll {
   std::size_t entries = 0;
   std::size_t cut_off = 0;
@@ -73,7 +76,7 @@ TEST(RecordingReader, ReadsWhatTheWriterWritesInAnyPieces) {
 
 TEST(RecordingReader, AChangedByteIsFoundInItsLine) {
   const std::string text = small_recording();
-  for (std::size_t at = 0; at < text.size(); ++at) {
+  for (std::size_t at = 0; at < text.size(); at += kStride) {
     for (const char other : {'\n', static_cast<char>(text[at] ^ 1)}) {
       if (text[at] == other) continue;
       std::string changed = text;
@@ -82,7 +85,7 @@ TEST(RecordingReader, AChangedByteIsFoundInItsLine) {
       ASSERT_NE(all.error, "") << "byte " << at;
       ASSERT_EQ(all.error_line, line_at(text, at)) << all.error;
     }
-    if (at > 30 && at + 400 < text.size()) at += 199;  // the long first line
+    if (at > 30 && at + 400 < text.size()) at += 300;  // the long first line
   }
 }
 
@@ -103,7 +106,7 @@ TEST(RecordingReader, LostAndMovedLinesAreFound) {
 TEST(RecordingReader, ARecordingThatIsCutOffEndsWithItsLastWholeLine) {
   const std::string text = small_recording();
   const std::size_t first = text.find('\n') + 1;
-  for (std::size_t size = first; size < text.size(); ++size) {
+  for (std::size_t size = first; size < text.size(); size += kStride) {
     const ReadAll all = read_recording(std::string_view(text).substr(0, size));
     ASSERT_EQ(all.error, "") << size;
     ASSERT_FALSE(all.is_whole);
