@@ -49,8 +49,8 @@ int replay_folder(const Fuzzer& fuzzer, const std::filesystem::path& folder) {
 }
 
 int usage(const char* program) {
-  std::fprintf(stderr, "usage: %s FUZZER FOLDER...\nReplays every file of each folder. Fuzzers:",
-               program);
+  std::fprintf(stderr,
+               "usage: %s FUZZER FOLDER...\nReplays every file of each folder. Fuzzers:", program);
   for (const Fuzzer& each : xr3::fuzz::fuzzers()) std::fprintf(stderr, " %s", each.name.data());
   std::fprintf(stderr, "\n");
   return 2;
@@ -60,9 +60,8 @@ int usage(const char* program) {
 
 int main(int argc, char** argv) try {
   const auto& all = xr3::fuzz::fuzzers();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Fuzzer& each) {
-    return argc > 2 && each.name == argv[1];
-  });
+  const auto found = std::find_if(
+      all.begin(), all.end(), [&](const Fuzzer& each) { return argc > 2 && each.name == argv[1]; });
   if (found == all.end()) return usage(argv[0]);
   int code = 0;
   for (int i = 2; i < argc; ++i) code = std::max(code, replay_folder(*found, argv[i]));
