@@ -1,13 +1,14 @@
 // Measures the frames of the overview while it scrolls through 1,000 cards, a tenth of whose robots move at 4 Hz.
-// Prints the frame times and what the page's thread worked; exit code 1 if fewer than 10 frames a second were drawn, which
-// is a sixth of what a quiet machine draws, and looks jerky.
+// Prints the times between frames and what the page's thread worked; exit code 1 if a frame took more than 100 ms of that
+// thread's processor time on average: scrolling then looks jerky even if nothing else runs. A bound of the times between
+// frames would depend on what else runs.
 import { close, kWithoutWebGl, open, serve } from "../bench.mjs";
 import { cellNamed, playClass } from "./class.mjs";
 
 const kCells = 1000;
 const kMoving = 100;
 const kSeconds = 6;
-const kLeastHz = 10;
+const kMostMs = 100;
 
 const server = await serve();
 const page = await open("about:blank", { flags: kWithoutWebGl });
@@ -43,8 +44,8 @@ const scroll = (seconds) => new Promise((resolve) => {
 });
 
 const session = await page.context().newCDPSession(page);
-await session.send("Performance.enable");
-/** Seconds that the page's thread has worked until now, by kind. */
+await session.send("Performance.enable", { timeDomain: "threadTicks" });
+/** Seconds of processor time of the page's thread until now, by kind. */
 const worked = async () => Object.fromEntries((await session.send("Performance.getMetrics")).metrics.map(({ name, value }) => [name, value]));
 const before = await worked();
 const times = (await page.evaluate(scroll, kSeconds)).sort((a, b) => a - b);
@@ -53,7 +54,9 @@ clearInterval(timer);
 const at = (part) => times[Math.min(times.length - 1, Math.floor(times.length * part))].toFixed(1);
 const hz = times.length / kSeconds;
 console.log(`scrolling ${kCells} cards for ${kSeconds} s: ${hz.toFixed(1)} frames a second; between frames: median ${at(0.5)} ms, 95 % ${at(0.95)} ms, 99 % ${at(0.99)} ms, longest ${at(1)} ms`);
-const share = (name) => `${(((after[name] - before[name]) / kSeconds) * 100).toFixed(0)} %`;
-console.log(`the page's thread worked for ${share("TaskDuration")} of the time: scripts ${share("ScriptDuration")}, styles ${share("RecalcStyleDuration")}, layout ${share("LayoutDuration")}`);
+const spent = (name) => after[name] - before[name];
+const share = (name) => `${((spent(name) / kSeconds) * 100).toFixed(0)} %`;
+const frameMs = (spent("TaskDuration") / times.length) * 1000;
+console.log(`the page's thread worked for ${share("TaskDuration")} of the time: scripts ${share("ScriptDuration")}, styles ${share("RecalcStyleDuration")}, layout ${share("LayoutDuration")}; ${frameMs.toFixed(1)} ms for a frame (bound ${kMostMs} ms)`);
 await close();
-process.exitCode = hz < kLeastHz ? 1 : 0;
+process.exitCode = frameMs > kMostMs ? 1 : 0;
