@@ -18,6 +18,7 @@ HANDSHAKE = ("GET /ws HTTP/1.1\r\nHost: localhost\r\nConnection: Upgrade\r\nUpgr
              f"Sec-WebSocket-Key: {KEY}\r\nSec-WebSocket-Version: 13\r\n")
 TEXT, BINARY, CLOSE, PING, PONG, CONTINUATION = 1, 2, 8, 9, 10, 0
 LONGEST = 256 * 1024
+STEP = b'{"op":"call","fn":"step","args":{"ticks":9}}'
 
 
 def frame(opcode, data=b"", last=True):
@@ -103,20 +104,6 @@ class Library(unittest.TestCase):
             self.hello = self.monitor.hello
             self.run_with(xr3.monitor_port, work)
 
-    def test_a_subscription(self):
-        async def work(socket):
-            await socket.recv()
-            await socket.send(json.dumps({"op": "sub", "channel": "state", "fields": ["joints"], "max_hz": 60}))
-            self.assertTrue(checked(await socket.recv())["ok"])
-            self.assertEqual(0, checked(await socket.recv())["joints"][1]["count"])
-            self.line.send("E+5\r")
-            count = 0
-            while count != 5:
-                count = checked(await socket.recv())["joints"][1]["count"]
-
-        with Server(clock="real") as xr3, xr3.line() as self.line:
-            self.run_with(xr3.monitor_port, work)
-
     def test_fragments_and_pings(self):
         async def work(socket):
             await socket.recv()
@@ -171,7 +158,7 @@ class Library(unittest.TestCase):
 
 class Bytes(unittest.TestCase):
     def test_close_codes(self):
-        cases = [("binary", frame(BINARY, b"{}"), 1003),
+        cases = [("binary", frame(BINARY, STEP), 1003),
                  ("bad UTF-8", frame(TEXT, b'{"op":"\xff"}'), 1007),
                  ("bad UTF-8 over fragments", frame(TEXT, b"\xe2\x82", last=False) + frame(CONTINUATION, b"{"), 1007),
                  ("half a character before an empty last frame",
@@ -180,6 +167,10 @@ class Bytes(unittest.TestCase):
                  ("too big in fragments",
                   frame(TEXT, b" " * LONGEST, last=False) + frame(CONTINUATION, b" "), 1009),
                  ("no mask", b"\x81\x02{}", 1002),
+                 ("a continuation of nothing", frame(CONTINUATION, STEP), 1002),
+                 ("an unknown kind", frame(3, STEP), 1002),
+                 ("a message in another one", frame(TEXT, b"{", last=False) + frame(TEXT, STEP), 1002),
+                 ("a long ping", frame(PING, b"x" * 126), 1002),
                  ("a close", frame(CLOSE, struct.pack("!H", 1000)), 1000)]
         with Server() as xr3, Raw(xr3.monitor_port) as good:
             good.text()
@@ -189,14 +180,42 @@ class Bytes(unittest.TestCase):
                     client.socket.sendall(data)
                     self.assertEqual(code, client.close_code())
                     self.assertIsNone(client.read())
-            good.send(TEXT, b'{"op":"ping","id":1}')
-            self.assertEqual({"op": "pong", "id": 1}, good.text())
+            good.send(TEXT, b'{"op":"get","id":1,"channel":"state","fields":[]}')
+            self.assertEqual(0, good.text()["tick"], "nothing has acted")
+
+    def test_an_impossible_length_is_refused(self):
+        with Server() as xr3:
+            for length in 2**31, 2**62, 2**64 - 1:
+                with self.subTest(length), Raw(xr3.monitor_port) as client:
+                    client.text()
+                    client.socket.sendall(struct.pack("!BBQ", 0x80 | TEXT, 0x80 | 127, length) + b"mask" + b"{" * 100)
+                    self.assertIn(client.close_code(), (1002, 1009, None))
+            with Raw(xr3.monitor_port) as good:
+                self.assertEqual("hello", good.text()["op"])
+
+    def test_pings_are_answered_between_fragments(self):
+        with Server() as xr3, Raw(xr3.monitor_port) as client:
+            client.text()
+            client.send(TEXT, b'{"op":', last=False)
+            client.send(PING, b"here?")
+            client.send(CONTINUATION, b'"ping","id":8}')
+            self.assertEqual((PONG, b"here?"), client.read())
+            self.assertEqual({"op": "pong", "id": 8}, client.text())
+
+    def test_an_incomplete_frame_has_no_effect(self):
+        with Server() as xr3, xr3.monitor() as monitor:
+            for cut in 1, 2, 5, 8, 12:
+                with Raw(xr3.monitor_port) as client:
+                    client.socket.sendall(frame(TEXT, STEP)[:cut])
+                    client.text()
+            self.assertEqual(0, monitor.get("moving")["tick"])
 
     def test_invalid_requests_do_not_close(self):
         with Server() as xr3, Raw(xr3.monitor_port) as client:
             client.text()
             for message, code in [(b"", "bad_json"), (b"[1]", "bad_json"), (b'{"op":', "bad_json"),
-                                  (b"[" * 1000, "bad_json"), (b'{"op":"fly"}', "unknown_op")]:
+                                  (b"[" * 1000, "bad_json"), (b"  \r\n", "bad_json"), (b"help", "bad_json"),
+                                  (b"GET / HTTP/1.1\r\n\r\n", "bad_json"), (b'{"op":"fly"}', "unknown_op")]:
                 client.send(TEXT, message)
                 answer = client.text()
                 self.assertFalse(answer["ok"], answer)
