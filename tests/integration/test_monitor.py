@@ -1,11 +1,10 @@
 """The monitor port with JSON lines: `hello`, the state, time and calls, in the documented form."""
 
-import select
 import time
 import unittest
 
-from monitor_schema import load, messages
-from support import MonitorError, Server, connect, counts, machine, motors
+from monitor_schema import load
+from support import Server, connect, counts, machine, motors
 
 STATE = set(load("monitor-v1")["$defs"]["state"]["properties"]) - {"id", "device", "past"}  # the whole state
 MOTOR = {"label", "count", "error", "value", "unit", "speed", "switch", "moving", "blocked"}
@@ -27,37 +26,6 @@ class Greeting(unittest.TestCase):
                              set(hello["calls"]))
         self.assertEqual((262144, 32), (hello["limits"]["message_bytes"], hello["limits"]["depth"]))
 
-    def test_a_silent_client_gets_hello_after_a_second(self):
-        with Server() as xr3:
-            started = time.monotonic()
-            sock = connect(xr3.monitor_port)
-            hello = sock.recv(65536)
-            self.assertRegex(hello, rb'\A\{"op":"hello",[^\n]*\}\n\Z')
-            messages(hello)
-            self.assertGreater(time.monotonic() - started, 0.9)
-            sock.sendall(b'{"op":"ping","id":"later"}\n')
-            self.assertEqual(b'{"op":"pong","id":"later"}\n', sock.recv(65536))
-            sock.close()
-
-    def test_blanks_and_a_byte_order_mark_at_the_start(self):
-        for start in [b"\r\n \r\n", b"\xef\xbb\xbf", b"\xef\xbb\xbf\r\n  ", b"  \n\n"]:
-            with self.subTest(start), Server() as xr3:
-                sock = connect(xr3.monitor_port)
-                with sock, sock.makefile("rb") as file:
-                    sock.sendall(start + b'{"op":"ping","id":7}\r\n\r\n\n')
-                    self.assertTrue(file.readline().startswith(b'{"op":"hello"'))
-                    self.assertEqual(b'{"op":"pong","id":7}\n', file.readline())
-
-    def test_other_text_gets_an_error(self):
-        for data in [b"hello?\n", b"[1]\n", b"e\n", b"\xff\xfe{", b"\x00\n"]:
-            with self.subTest(data), Server() as xr3:
-                sock = connect(xr3.monitor_port)
-                with sock, sock.makefile("rb") as file:
-                    sock.sendall(data)
-                    hello, bye = messages(file.read())
-                    self.assertEqual(("hello", "bye", "not_json"), (hello["op"], bye["op"], bye["why"]))
-                    self.assertIn("{", bye["message"], "an example")
-
     def test_tls_is_closed(self):
         with Server() as xr3:
             for _ in range(2):
@@ -67,16 +35,6 @@ class Greeting(unittest.TestCase):
             xr3.wait_log("TLS")
             xr3.monitor().close()
         self.assertEqual(1, xr3.log().count("TLS"), "logged once")
-
-    def test_a_half_closed_client_gets_its_replies(self):
-        with Server() as xr3, connect(xr3.monitor_port) as sock:
-            sock.sendall(b'{"op":"ping","id":1}\n{"op":"get","channel":"state"}\n{"op":"ping","id":2}')
-            sock.shutdown(1)
-            received = receive_all(sock)
-            messages(received)
-            lines = received.split(b"\n")
-            self.assertEqual([b'{"op":"hello"', b'{"op":"pong",', b'{"op":"state"', b'{"op":"pong",', b""],
-                             [line[:13] for line in lines])
 
 
 def receive_all(sock):
@@ -217,18 +175,6 @@ class Time(unittest.TestCase):
             self.assertEqual((before, 1, 0), (machine(state), state["epoch"], state["tick"]))
             self.assertEqual(32, line.ask("E?"))
 
-    def test_home(self):
-        with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
-            before = machine(monitor.get())
-            line.send("E-120\r" * 1)
-            for _ in range(3):
-                state = monitor.settle(after=line)
-                line.send("E-120\r")
-            state = monitor.settle(after=line)
-            self.assertIsNotNone(state["stalled"])
-            monitor.call("home")
-            self.assertEqual(before, machine(monitor.get()))
-
     def test_a_month_at_rest_takes_no_time(self):
         with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
             line.send("E+50\r")
@@ -238,29 +184,6 @@ class Time(unittest.TestCase):
             self.assertLess(time.monotonic() - started, 0.5)
             self.assertEqual((10**12, "E50"), (monitor.get()["tick"], counts(monitor.get())))
             self.assertEqual(32, line.ask("E?"))
-
-    def test_after_waits_for_later_bytes(self):
-        with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
-            monitor.send(b'{"op":"call","id":1,"fn":"step","args":{"ticks":50,'
-                         b'"after":{"line":1,"bytes_in":8,"within_ms":20000}}}\n')
-            with xr3.monitor() as other:
-                line.send("E+2\r")
-                other.step(0, after=line)
-                self.assertEqual(([], [], []), select.select([monitor.socket], [], [], 0))
-                self.assertEqual(0, other.get("moving")["tick"])
-                line.send("F+3\r")
-                result = monitor.read()
-            self.assertEqual((True, 50, "F3 E2"), (result["ok"], result["value"]["tick"],
-                                                   counts(result["value"]["state"])))
-
-    def test_after_times_out(self):
-        with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
-            line.send("E+5\r")
-            for fn, more in [("step", {"ticks": 50}), ("run_until", {"idle": True, "max_ticks": 100})]:
-                with self.assertRaises(MonitorError) as caught:
-                    monitor.call(fn, after={"line": 1, "bytes_in": 5, "within_ms": 30}, **more)
-                self.assertEqual("timeout", caught.exception.code)
-            self.assertEqual(0, monitor.get("moving")["tick"], "nothing was stepped")
 
 
 if __name__ == "__main__":
