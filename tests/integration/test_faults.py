@@ -7,7 +7,7 @@ import pathlib
 import tempfile
 import unittest
 
-from support import ROOT, MonitorError, Server, run_xr3
+from support import ROOT, Server, run_xr3
 
 # --- Clients of the robot port. Each returns what it has seen there, and nothing else.
 
@@ -221,12 +221,6 @@ class Calls(unittest.TestCase):
     def set(self, name, kind, **members):
         return self.monitor.call("fault_set", fault={"name": name, "kind": kind, **members})
 
-    def refused(self, code, fn, **arguments):
-        with self.assertRaises(MonitorError) as caught:
-            self.monitor.call(fn, **arguments)
-        self.assertEqual(code, caught.exception.code)
-        return caught.exception
-
     def test_a_fault_is_set_listed_and_cleared(self):
         self.monitor.step(1000)
         listed = self.set("jam", "motor_stuck", joint="E", at_tick=0, ticks=2000)
@@ -241,37 +235,6 @@ class Calls(unittest.TestCase):
         self.assertEqual(32, line.ask("E?"))
         events = [event for event in self.monitor.recall("event", since=0) if event["event"] == "fault"]
         self.assertEqual(["set", "began", "cleared"], [event["phase"] for event in events])
-
-    def test_what_is_wrong_is_refused(self):
-        self.assertIn("there are no faults", self.refused("no_such_fault", "fault_clear", name="x").hint)
-        self.refused("no_such_joint", "fault_set",
-                     fault={"name": "x", "kind": "motor_stuck", "joint": "G", "at_tick": 0})
-        wrong = self.refused("bad_args", "fault_set", fault={"name": "x", "kind": "motor_stuck", "joint": "E"})
-        self.assertEqual([""], [each["pointer"] for each in wrong.details])
-        for number in range(32):
-            self.set(f"f{number}", "byte_dropped", line=99, from_tick=0)
-        self.refused("limit", "fault_set", fault={"name": "more", "kind": "byte_dropped", "from_tick": 0})
-        self.assertEqual(32, len(self.set("f0", "byte_dropped", from_tick=0)["faults"]))
-        self.assertEqual([], self.monitor.call("fault_clear")["faults"])
-
-    def test_a_snapshot_contains_the_faults_with_their_effects(self):
-        self.monitor.call("fault_set", seed=3, fault={
-            "name": "slip", "kind": "encoder_slip", "joint": "E", "probability": 0.3})
-        line = self.xr3.line()
-
-        def go(counts):
-            line.send(f"E{counts:+}\r")
-            self.monitor.call("run_until", idle=True, max_ticks=10000, after={
-                "line": 1, "bytes_in": line.sent, "within_ms": 20000})
-            return self.monitor.get("joints")["joints"], self.monitor.call("fault_list")["faults"]
-
-        go(-50)
-        saved = self.monitor.call("snapshot_save", inline=True)["snapshot"]
-        first = go(80)
-        self.monitor.call("fault_clear")
-        self.monitor.call("snapshot_load", snapshot=saved)
-        self.assertEqual(first, go(80))
-        self.assertEqual(3, self.monitor.call("fault_list")["seed"])
 
 
 class Files(unittest.TestCase):
@@ -289,9 +252,6 @@ class Files(unittest.TestCase):
         self.assertEqual((0, ""), (done.returncode, done.stderr))
         self.assertIn("4 faults, seed 1\n", done.stdout)
         self.assertIn("  slip: encoder_slip\n", done.stdout)
-        done = run_xr3("check", os.path.join(ROOT, "tests", "data", "broken", "fault-triggers.json"))
-        self.assertEqual(2, done.returncode)
-        self.assertEqual(9, len(done.stderr.splitlines()))
 
     def test_a_bad_file_ends_the_start_with_all_findings(self):
         with tempfile.NamedTemporaryFile("w", suffix=".json") as file:

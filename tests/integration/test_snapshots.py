@@ -1,9 +1,7 @@
 """Snapshots: after loading one, the simulation continues exactly as it did after saving it, whatever happened
 in between; by name or from the client's copy, in the same server or in another one."""
 
-import functools
 import json
-import operator
 import random
 import unittest
 
@@ -77,17 +75,6 @@ class Snapshots(unittest.TestCase):
             self.assertEqual(first, self.without_revision(happen(monitor, seed=2)))
             self.assertEqual(ended["hash"], monitor.call("snapshot_save", name="end")["hash"])
 
-    def test_loading_starts_a_new_epoch(self):
-        self.monitor.step(70)
-        self.monitor.call("snapshot_save", name="then")
-        self.monitor.step(30)
-        self.monitor.call("snapshot_load", name="then")
-        state = self.monitor.get()
-        self.assertEqual((1, 70), (state["epoch"], state["tick"]))
-        event = [event for event in self.monitor.recall("event", since=0) if event["event"] == "epoch"][-1]
-        self.assertEqual(("snapshot_load", 0, 100, 1, 70), tuple(event[name] for name in (
-            "code", "from_epoch", "from_tick", "epoch", "tick")))
-
     def test_loading_keeps_lines_and_clock(self):
         with self.xr3.line() as line:
             line.send("E+5\rE+")
@@ -107,16 +94,6 @@ class Snapshots(unittest.TestCase):
         self.assertEqual(5, self.monitor.call("snapshot_load", name="number 3")["tick"])
         self.assertEqual(0, self.monitor.call("snapshot_load", name="number 4")["tick"])
         self.monitor.call("snapshot_save", inline=True)
-
-    def test_invalid_arguments_are_refused(self):
-        self.refused("no_such_snapshot", "snapshot_load", name="nowhere")
-        self.monitor.call("snapshot_save", name="here")
-        for arguments in {}, {"name": "here", "snapshot": {}}, {"snapshot": {}}, {"snapshot": 5}, {"name": 5}:
-            with self.subTest(arguments):
-                self.refused("bad_args", "snapshot_load", **arguments)
-        for arguments in {}, {"name": ""}, {"name": "a", "inline": True}, {"inline": False}:
-            with self.subTest(arguments):
-                self.refused("bad_args", "snapshot_save", **arguments)
 
     def test_a_damaged_snapshot_is_refused(self):
         saved = self.monitor.call("snapshot_save", inline=True)["snapshot"]
@@ -146,22 +123,12 @@ class Snapshots(unittest.TestCase):
 
     def test_an_impossible_state_is_refused(self):
         saved = self.monitor.call("snapshot_save", inline=True)["snapshot"]
-        for pointer, value, allowed in (
-                ("/motors/0/switch_closed", True, "false: at count 0 it is open"),
-                ("/motors/1/phase", 999, "0: it has no counts to go"),
-                ("/motors/2/blocked", "limit", '"no": it has no counts to go'),
-                ("/below_surface", True, "false: the tip is at z "),
-                ("/stall", "protected_region", '"no": no tick from this state moves the tip into the protected region'),
-                ("/tip_path/points", [[1, 2, 3]], "an empty list while display/erase is true")):
-            broken = json.loads(json.dumps(saved))
-            *path, name = [int(step) if step.isdigit() else step for step in pointer.split("/")[1:]]
-            functools.reduce(operator.getitem, path, broken["state"])[name] = value
-            with self.subTest(pointer):
-                with self.assertRaises(MonitorError) as caught:
-                    self.monitor.call("snapshot_load", snapshot=broken)
-                self.assertEqual("bad_args", caught.exception.code)
-                self.assertEqual(["/state" + pointer], [each["pointer"] for each in caught.exception.details])
-                self.assertTrue(caught.exception.details[0]["allowed"].startswith(allowed), caught.exception.details)
+        saved["state"]["motors"][0]["switch_closed"] = True
+        with self.assertRaises(MonitorError) as caught:
+            self.monitor.call("snapshot_load", snapshot=saved)
+        self.assertEqual("bad_args", caught.exception.code)
+        self.assertEqual([("/state/motors/0/switch_closed", "false: at count 0 it is open")],
+                         [(each["pointer"], each["allowed"]) for each in caught.exception.details])
         self.assertEqual(0, self.monitor.get("moving")["epoch"])
 
     def leaves(self, value, path=()):
