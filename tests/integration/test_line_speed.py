@@ -2,14 +2,11 @@
 manual clock each run is the same."""
 
 import os
-import socket
-import struct
 import tempfile
 import threading
 import unittest
 
-from support import DEADLINE_S, Server, counts, run_xr3
-from test_pty import next_event
+from support import DEADLINE_S, Server, run_xr3
 from test_rfc2217 import pyserial, serial
 
 MILLISECONDS_OF_200 = 229  # 200 characters of 11 bits at 9600 baud: 229.17 ms
@@ -52,29 +49,6 @@ class ManualClock(unittest.TestCase):
             self.assertEqual((200, "9600-7e2"), (line_of(monitor)["bytes_in"], line_of(monitor)["speed"]))
             monitor.step(2)
             self.assertEqual(200, len(line.read(200)))
-
-    def test_replies_leave_after_the_end_of_input(self):
-        with Server("--line-speed", "9600-7e2") as xr3, xr3.monitor() as monitor:
-            line = xr3.line()
-            line.send("E+5\rE?")
-            line.socket.shutdown(socket.SHUT_WR)
-            monitor.settle(after=line)
-            self.assertEqual(b"%", line.read_to_end())
-
-    def test_a_reset_connection_drops_its_bytes(self):
-        with Server("--line-speed", "9600-7e2") as xr3, xr3.monitor() as monitor:
-            monitor.subscribe("event")
-            line = xr3.line()
-            line.send("E+5\r")
-            monitor.step(1, after=line)
-            line.socket.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
-            line.socket.close()
-            next_event(monitor, "line_close")
-            self.assertEqual("", counts(monitor.settle()))
-
-    def test_lines_of_the_monitor_take_no_time(self):
-        with Server("--line-speed", "9600-7e2") as xr3, xr3.monitor() as monitor:
-            self.assertEqual(" ", monitor.call("send", text="E?")["text"])
 
 
 class RealClock(unittest.TestCase):

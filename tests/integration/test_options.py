@@ -41,7 +41,6 @@ class Environment(Options):
                 self.assertIn('"token"', pathlib.Path(folder, "ports").read_text(encoding="ascii"))
 
     def test_errors_name_the_variable(self):
-        self.refused("XR3_CLOCK: fast: a clock is", XR3_CLOCK="fast")
         self.refused("XR3_ROBOT: there is no robot named r2d2; use one of: adept-one", XR3_ROBOT="r2d2")
         self.refused("XR3_WORKCELL: .*absent.json", XR3_WORKCELL="/absent.json")
         self.refused("XR3_TOKEN_FILE: /absent", XR3_TOKEN_FILE="/absent")
@@ -97,15 +96,11 @@ class Config(Options):
             self.assertEqual((0, ""), (done.returncode, done.stderr))
 
     def test_errors_name_file_and_line(self):
-        for says, text in [("lab.toml:2: robt: unknown key; use one of: robot, workcell", "\nrobt = 1"),
-                           ("lab.toml:1: token: the token must not be", f'token = "{TOKEN}"'),
-                           ("lab.toml:1: max-lines: .*20000", "max-lines = 0"),
+        for says, text in [("lab.toml:1: token: the token must not be", f'token = "{TOKEN}"'),
                            ("lab.toml:3: robot: there is no robot named r2d2", "# a\n\nrobot = 'r2d2'"),
-                           ("lab.toml:1: token-file: /absent", "token-file = '/absent'"),
-                           ("lab.toml:1: listen 0.0.0.0 accepts", "listen = '0.0.0.0'")]:
+                           ("lab.toml:1: token-file: /absent", "token-file = '/absent'")]:
             with self.subTest(text):
                 self.refused(".*" + says, "--config", self.file(text))
-        self.refused("--config: .*absent.toml: cannot be read", "--config", self.folder / "absent.toml")
         self.refused("XR3_CONFIG: .*absent.toml: cannot be read", XR3_CONFIG=str(self.folder / "absent.toml"))
 
 

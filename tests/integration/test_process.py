@@ -88,26 +88,13 @@ class ExitCodes(unittest.TestCase):
             nowhere = str(pathlib.Path(folder, "absent", "ports.json"))
             for says, arguments in [
                 ("--dance", ["serve", "--dance"]),
-                ("dance", ["dance"]),
                 ("r2d2.*rhino-xr3", ["serve", "--robot", "r2d2"]),
                 ("r2d2.*rhino-xr3", ["serve", "--workcell", "r2d2"]),
                 ("absent.json", ["serve", "--robot", f"{folder}/absent.json"]),
                 (r"broken.json:1:\d+: ", ["serve", "--robot", broken]),
                 (r"broken.json:1:\d+: ", ["serve", "--workcell", broken]),
-                ("--compat", ["serve", "--compat", "mark4"]),
-                ("--clock", ["serve", "--clock", "stopped"]),
-                ("--clock", ["serve", "--clock", "real:0"]),
-                ("--clock", ["serve", "--clock", "real:fast"]),
-                ("--max-lines", ["serve", "--max-lines", "-1"]),
-                ("--robot-port", ["serve", "--robot-port", "65536"]),
-                ("--monitor-port", ["serve", "--monitor-port", "some"]),
-                ("--log-level", ["serve", "--log-level", "loud"]),
-                ("--listen", ["serve", "--listen", "nobody.invalid"]),
-                ("--insecure", ["serve", "--listen", "0.0.0.0"]),
-                ("--insecure", ["serve", "--listen", "::"]),
                 ("port file", ["serve", "--robot-port", 0, "--monitor-port", 0, "--port-file", nowhere]),
                 ("absent.json", ["check", f"{folder}/absent.json"]),
-                ("FILE|files", ["check"]),
             ]:
                 with self.subTest(arguments=arguments):
                     self.refused(2, says, *arguments)
