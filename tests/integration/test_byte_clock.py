@@ -237,13 +237,6 @@ class Turns(unittest.TestCase):
 
 
 class Time(unittest.TestCase):
-    def test_negotiation_takes_none(self):
-        with Server(clock="bytes") as xr3, xr3.monitor() as monitor, xr3.line() as line:
-            line.send(b"\xff\xfd\x03")
-            self.assertEqual(b"\xff\xfb\x03", line.read(3))
-            self.assertEqual(0, ticks(monitor))
-            line.ask("E?")
-            wait_until(lambda: ticks(monitor) == (3 * CHARACTER_US + INQUIRY_US) // 1000)
 
     def test_wall_time_moves_nothing(self):
         with Server(clock="bytes") as xr3, xr3.monitor() as monitor, xr3.line() as line:
@@ -286,22 +279,6 @@ class Time(unittest.TestCase):
             wait_until(lambda: counts(monitor.get()) == "E50")
             self.assertEqual(["silence"], monitor.call("transcript")["marks"])
             self.assertEqual(32, line.ask("E?"))
-
-    def test_calls(self):
-        with Server(clock="bytes") as xr3, xr3.monitor() as monitor, xr3.line() as line:
-            with self.assertRaisesRegex(MonitorError, "no_rate"):
-                monitor.call("rate", factor=2)
-            line.send("E+50\r")
-            monitor.step(100, after=line)
-            self.assertEqual("E11", counts(monitor.get()))
-            monitor.call("pause")
-            self.assertEqual("manual", monitor.get()["clock"]["mode"])
-            before = ticks(monitor)
-            line.ask("E?")
-            self.assertEqual(before, ticks(monitor))
-            self.assertEqual("E50", counts(monitor.settle(after=line)))
-            monitor.call("resume")
-            self.assertEqual("bytes", monitor.get()["clock"]["mode"])
 
     def test_bytes_act_before_a_step_however_slow_the_machine_is(self):
         with Server(clock="bytes") as xr3, xr3.monitor() as monitor, xr3.line() as line:

@@ -139,21 +139,6 @@ class ADeviceByHand(unittest.TestCase):
             self.assertLess(time.monotonic() - start, 0.5, "20 ms on a machine that has nothing else to do")
             self.assertFalse(controller.has_bytes(), "what waited is dropped")
 
-    def test_a_reply_that_comes_after_a_stop(self):
-        with self.served() as (controller, xr3), xr3.monitor() as monitor:
-            one, two = xr3.line(), xr3.line()
-            disable(xr3, one)
-            one.send("E?")
-            controller.arrived(2)
-            monitor.call("device_stop")
-            two.send("F?")
-            self.assertEqual(STOP, controller.arrived(len(STOP)))
-            controller.answer(b"1")
-            self.assertEqual(b"1", one.read(1), "not the line that asked last")
-            self.assertEqual(b"F?", controller.arrived(2))
-            controller.answer(b"2")
-            self.assertEqual(b"2", two.read(1))
-
     def test_a_device_that_does_not_answer(self):
         with self.served() as (controller, xr3), xr3.monitor() as monitor:
             monitor.subscribe("event")

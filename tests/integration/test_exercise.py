@@ -1,7 +1,6 @@
 """The exercise (exercise.py) with each of the three robots, over the robot port alone: the program sees every
 block, picks it up, places it elsewhere, and sees it there. The monitor port only serves to check the result."""
 
-import itertools
 import math
 import time
 import unittest
@@ -108,7 +107,7 @@ class Exercise(unittest.TestCase):
                 self.run_with(arm, profile, f"real:{FASTER}", lambda line, _: real_clock(line))
 
     def test_with_a_manual_clock(self):
-        for arm, profile in itertools.product(ARMS, ("paper", "mark3")):
+        for arm, profile in zip(ARMS, ("paper", "mark3", "paper")):  # the others have the real clock
             with self.subTest(arm.name, profile=profile):
                 self.run_with(arm, profile, "manual", manual_clock)
 

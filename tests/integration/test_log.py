@@ -5,7 +5,7 @@ import tempfile
 import time
 import unittest
 
-from support import DEADLINE_S, Server, connect, drive, run_xr3
+from support import Server, connect, drive, run_xr3
 
 BURST, BYTES_A_SECOND = 256 * 1024, 64 * 1024
 FLOOD_S = 3

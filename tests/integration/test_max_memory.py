@@ -11,7 +11,6 @@ import unittest
 
 from support import LOCALHOST, NO_QUARANTINE, ROOT, Server
 
-MIB = 1 << 20
 LIMIT_MIB = 64
 CLIENTS = 400
 MOST_HELD_MIB = 2  # by one client

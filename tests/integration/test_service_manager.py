@@ -19,12 +19,11 @@ SILENCE_S = 3 * WATCHDOG_US / 1e6
 
 
 @contextlib.contextmanager
-def manager(name=None):
-    """A socket like that of systemd, with a path unless `name` is an abstract one. Yields the socket and the
-    value of NOTIFY_SOCKET."""
+def manager():
+    """A socket like that of systemd. Yields it and the value of NOTIFY_SOCKET."""
     with tempfile.TemporaryDirectory() as folder, socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as sock:
-        path = name or str(pathlib.Path(folder, "notify"))
-        sock.bind("\0" + path[1:] if path.startswith("@") else path)
+        path = str(pathlib.Path(folder, "notify"))
+        sock.bind(path)
         sock.settimeout(DEADLINE_S)
         yield sock, path
 
@@ -56,14 +55,12 @@ def empty(sock):
 
 class States(unittest.TestCase):
     def test_ready_and_stopping(self):
-        for name in None, f"@xr3-test-{uuid.uuid4()}":
-            with self.subTest(name), manager(name) as (sock, value):
-                with Server(environment={"NOTIFY_SOCKET": value}) as xr3:
-                    self.assertEqual("READY=1", received(sock))
-                    xr3.line().ask("E?")  # clients can connect
-                    self.assertTrue(is_silent(sock, SILENCE_S), "no watchdog was asked for")
-                    xr3.stop()
-                    self.assertEqual("STOPPING=1", received(sock))
+        with manager() as (sock, value), Server(environment={"NOTIFY_SOCKET": value}) as xr3:
+            self.assertEqual("READY=1", received(sock))
+            xr3.line().ask("E?")  # clients can connect
+            self.assertTrue(is_silent(sock, SILENCE_S), "no watchdog was asked for")
+            xr3.stop()
+            self.assertEqual("STOPPING=1", received(sock))
 
     def test_a_server_that_does_not_start_is_not_ready(self):
         with manager() as (sock, value), Server() as first:
@@ -102,11 +99,10 @@ class Watchdog(unittest.TestCase):
             xr3.stop()
             empty(sock)
 
-    def test_of_another_process_and_wrong_values(self):
-        for variables in {"WATCHDOG_PID": "1"}, {"WATCHDOG_USEC": "0"}, {"WATCHDOG_USEC": "5s"}:
-            with self.subTest(variables), watched(**variables) as (xr3, sock):
-                self.assertTrue(is_silent(sock, SILENCE_S))
-                self.assertEqual("WATCHDOG_PID" not in variables, "WATCHDOG_USEC is ignored" in xr3.log())
+    def test_a_wrong_value_is_ignored(self):
+        with watched(WATCHDOG_USEC="5s") as (xr3, sock):
+            self.assertTrue(is_silent(sock, SILENCE_S))
+            self.assertIn("WATCHDOG_USEC is ignored", xr3.log())
 
     def test_full_lines_are_no_failure(self):
         """Otherwise a client that takes every line could have the server restarted."""

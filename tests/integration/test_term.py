@@ -109,16 +109,6 @@ class Script(unittest.TestCase):
             self.assertIn(b"(3 in a row)", done.stderr)
             self.assertEqual(b"", term(xr3, "E+200\r", "--raw").stderr)
 
-    def test_images_of_known_and_unknown_size(self):
-        with Server() as xr3:
-            known = term(xr3, "A**E?A*3*A*999*", "--robot", "rhino-xr3").stdout.decode().splitlines()
-            self.assertEqual(["6144 bytes  image of 192 x 192 pixels", "32  E: 0 counts to go"], known[:2])
-            self.assertRegex(known[2], "^32 bytes  row 3 of the image: 192 pixels: ")
-            self.assertEqual(3, len(known))
-            unknown = term(xr3, "A**E?").stdout.decode().splitlines()
-            self.assertEqual(["6144 bytes  image; --robot tells its size", "32  E: 0 counts to go"], unknown)
-            self.assertEqual(6145, len(term(xr3, "A**E?", "--raw").stdout))
-
     def test_another_robot_and_profile(self):
         with Server("--robot", "adept-one", "--compat", "mark3") as xr3:
             done = term(xr3, "I", "--robot", "adept-one", "--compat", "mark3")
@@ -244,7 +234,6 @@ class Errors(unittest.TestCase):
 
     def test_arguments(self):
         self.refused(2, ["HOST:PORT"], "localhost:")
-        self.refused(2, ["--rfc2217"], "localhost:1", "--line-settings", "9600-8n1")
         self.refused(2, ["no-such-robot"], "localhost:1", "--robot", "no-such-robot")
 
 
@@ -455,15 +444,6 @@ class Rfc2217(unittest.TestCase):
                 self.assertEqual([], select.select([robot], [], [], 0)[0], "nothing is sent")
                 robot.sendall(resume)
                 self.assertEqual(b"E?\r", robot.recv(3))
-
-    def test_a_server_without_com_port(self):
-        with listener() as (server, peer), console(peer, "--rfc2217") as terminal:
-            robot, _ = server.accept()
-            with robot:
-                robot.sendall(b"\xff\xfe\x2c")
-                terminal.wait_text("has refused COM-PORT")
-                terminal.press("~b")
-                terminal.wait_text("not possible here")
 
 
 class SerialDevice(unittest.TestCase):
