@@ -187,7 +187,7 @@ class Opening(unittest.TestCase):
             with self.subTest(pieces=pieces):
                 stream.send(*pieces)
                 last, = messages(stream.ends())
-                self.assertEqual("pong" if kind is JSON else "bye", last["op"])
+                self.assertEqual(("pong", None) if kind is JSON else ("bye", "not_json"), (last["op"], last.get("why")))
                 self.assert_nothing_acted()
 
     def test_blanks_and_a_byte_order_mark_count_as_silence(self):

@@ -1,8 +1,5 @@
 #include "tests/support/tcp_client.hpp"
 
-#include <netinet/in.h>
-#include <netinet/tcp.h>
-
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/write.hpp>
 #include <chrono>
@@ -14,35 +11,15 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kDeadline = 10s;
-constexpr int kNarrowBytes = 4096;
-constexpr int kNarrowSegment = 536;
 
 }  // namespace
 
-Client::Client(asio::io_context& io, const tcp::endpoint& server) : Client(io) { connect(server); }
-
-Client Client::narrow(asio::io_context& io, const tcp::endpoint& server) {
-  using SegmentBytes = asio::detail::socket_option::integer<IPPROTO_TCP, TCP_MAXSEG>;
-  Client client(io);
-  client.socket_.open(server.protocol());
-  client.socket_.set_option(tcp::socket::receive_buffer_size(kNarrowBytes));
-  client.socket_.set_option(tcp::socket::send_buffer_size(kNarrowBytes));
-  client.socket_.set_option(SegmentBytes(kNarrowSegment));
-  client.connect(server);
-  return client;
-}
-
-void Client::connect(const tcp::endpoint& server) {
+Client::Client(asio::io_context& io, const tcp::endpoint& server) : io_(io), socket_(io) {
   socket_.connect(server);
   socket_.non_blocking(true);
 }
 
 void Client::send(std::string_view bytes) { asio::write(socket_, asio::buffer(bytes)); }
-
-std::size_t Client::send_some(std::string_view bytes) {
-  ErrorCode blocked;
-  return socket_.write_some(asio::buffer(bytes), blocked);
-}
 
 std::string Client::bytes(std::size_t count) {
   while (received_.size() < count && read()) {

@@ -15,13 +15,9 @@ namespace xr3::test {
 class Client {
  public:
   Client(asio::io_context& io, const tcp::endpoint& server);
-  /// With small buffers and segments, so that few bytes are on their way.
-  static Client narrow(asio::io_context& io, const tcp::endpoint& server);
 
   /// Sends all bytes; the server does not run meanwhile.
   void send(std::string_view bytes);
-  /// Sends as much as the connection accepts. Returns the number of bytes sent.
-  std::size_t send_some(std::string_view bytes);
   void half_close() { socket_.shutdown(tcp::socket::shutdown_send); }
 
   /// Receives `count` bytes; fewer at the end of the connection or at the deadline.
@@ -33,8 +29,6 @@ class Client {
   std::string rest();
 
  private:
-  explicit Client(asio::io_context& io) : io_(io), socket_(io) {}
-  void connect(const tcp::endpoint& server);
   bool read();
 
   asio::io_context& io_;

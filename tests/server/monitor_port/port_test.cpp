@@ -8,8 +8,6 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "cell/failure.hpp"
 #include "protocol/json/source.hpp"
@@ -87,14 +85,6 @@ TEST_F(MonitorPortTest, SendsHelloAndThenRepliesInOrder) {
   EXPECT_EQ(client.line(), R"({"op":"pong","id":1})");
   EXPECT_EQ(client.line(),
             R"({"op":"state","cell":"main","epoch":0,"seq":1,"tick":0,"moving":false})");
-}
-
-TEST_F(MonitorPortTest, ASilentClientGetsHello) {
-  Client client = monitor();
-  EXPECT_EQ(client.json()["op"], "hello");
-  client.send("GET / HTTP/1.1\r\n");
-  EXPECT_EQ(client.json()["why"], "not_json");
-  EXPECT_EQ(client.rest(), "");
 }
 
 TEST_F(MonitorPortTest, AHalfClosedClientGetsReplies) {
@@ -250,23 +240,6 @@ TEST_F(MonitorPortTest, EveryClientGetsAByeAtShutdown) {
   io_.run_for(200ms);
   EXPECT_TRUE(monitor_port_.is_empty());
   EXPECT_EQ(cell_.state().tick, 0);
-}
-
-TEST_F(MonitorPortTest, LimitsTheNumberOfConnections) {
-  std::vector<Client> clients;
-  for (std::size_t i = 0; i < SocketLimits{}.connections; ++i) clients.push_back(monitor());
-  io_.run_for(50ms);
-  EXPECT_EQ(monitor().json()["why"], "full");
-  const auto status_of = [this](const std::string& path) {
-    Client browser = monitor();
-    browser.send("GET " + path + " HTTP/1.1\r\nHost: localhost\r\n\r\n");
-    return browser.rest().substr(0, 12);
-  };
-  EXPECT_EQ(status_of("/state"), "HTTP/1.1 503");
-  EXPECT_EQ(status_of("/healthz"), "HTTP/1.1 200") << "the port is full, not dead";
-  EXPECT_EQ(status_of("/readyz"), "HTTP/1.1 200");
-  trouble_ = "the robot port is gone";
-  EXPECT_EQ(status_of("/readyz"), "HTTP/1.1 503");
 }
 
 TEST_F(MonitorPortTest, AFailureOfTheCellEndsTheServer) {

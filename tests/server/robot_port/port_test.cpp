@@ -21,12 +21,6 @@ using test::Client;
 constexpr std::size_t kMaxLines = 4;
 const std::string kJunk(std::size_t{100} * 1024, 'z');
 
-std::string inquiries(std::size_t count) {
-  std::string all;
-  for (std::size_t i = 0; i < count; ++i) all += "E?";
-  return all;
-}
-
 std::string pictures(std::size_t count) {
   std::string all;
   for (std::size_t i = 0; i < count; ++i) all += "A**";
@@ -179,21 +173,6 @@ TEST_F(RobotPortTest, ABarrierReadsAllArrivedBytes) {
   read_arrived();
   EXPECT_EQ(received(1), kJunk.size());
   EXPECT_EQ(received(2), 4U);
-}
-
-TEST_F(RobotPortTest, StopsReadingALineThatReadsNoReplies) {
-  Client client = Client::narrow(io_, port_.endpoint());
-  const std::string asked = inquiries(1024);
-  std::size_t sent = 0;
-  for (bool is_taken = true; is_taken; settle()) {
-    const std::size_t count = client.send_some(std::string_view(asked).substr(sent % asked.size()));
-    sent += count;
-    is_taken = count > 0;
-  }
-  EXPECT_LT(received(1), sent);
-  EXPECT_EQ(client.bytes(sent / 2), std::string(sent / 2, ' ')) << "and no reply is lost";
-  settle();
-  EXPECT_EQ(received(1), sent);
 }
 
 TEST_F(RobotPortTest, LinesAboveTheMaximumAreClosed) {
