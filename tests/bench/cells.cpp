@@ -3,7 +3,8 @@
 // replies take is the machine's part. The clients ask at times that are spread at random (the same
 // in each run). A reply has the time of its arrival in the kernel, so that a late client is not a
 // late server. Linux only. Usage: bench_cells XR3 [CELLS [SECONDS [BOUND_MS [OPTION...]]]], with
-// options of `xr3 serve`. Exit code 1 if more than 1 of 100 replies take longer than the bound.
+// options of `xr3 serve`. Exit code 1 if more than 1 of 100 replies take longer than the bound and
+// than five times what the loop's take: on a busy machine those are late, too.
 #include <sys/epoll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -35,6 +36,7 @@ constexpr Ns kSecond = 1'000'000'000;
 constexpr Ns kPeriod = kSecond / 20;
 constexpr Ns kWarmUp = kSecond;
 constexpr long kMoveEvery = 10;  // inquiries
+constexpr double kLikeTheLoop = 5;
 constexpr std::string_view kInquiry = "E?";
 constexpr std::string_view kThere = "E+60\rD-60\rC+60\rE?";
 constexpr std::string_view kBack = "E-60\rD+60\rC-60\rE?";
@@ -249,16 +251,20 @@ void print(const char* name, const Figures& of) {
 bool run(const std::string& xr3, int cells, double seconds, double bound_ms,
          const std::vector<std::string>& options) {
   std::printf("%d cells, a client each that asks 20 times a second, moving robots\n", cells);
+  double of_loop_ms = 0;
   {
     const Child loop([] { answer_all(); });
     Load load(loop.pid(), port_in(loop.greeting(), "bare"), cells);
-    print("bare loop", load.measure(seconds));
+    const Figures figures = load.measure(seconds);
+    print("bare loop", figures);
+    of_loop_ms = figures.ms(0.99);
   }
   const Child server = serve_cells(xr3, cells, options);
   Load load(server.pid(), port_in(server.greeting(), "robot"), cells);
   const Figures figures = load.measure(seconds);
   print("xr3", figures);
-  return judge("99 of 100 replies, ms", figures.ms(0.99), bound_ms);
+  return judge("99 of 100 replies, ms", figures.ms(0.99),
+               std::max(bound_ms, kLikeTheLoop * of_loop_ms));
 }
 
 }  // namespace
