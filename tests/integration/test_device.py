@@ -244,7 +244,9 @@ class ASecondXr3(unittest.TestCase):
 
     def test_a_move_through_the_chain(self):
         with self.chain() as (arm, xr3), arm.monitor() as watcher:
-            self.assertEqual("9600", watcher.call("lines")["lines"][0]["serial"])
+            while not (lines := watcher.call("lines")["lines"]):  # the second xr3 opens the device
+                pass
+            self.assertEqual("9600", lines[0]["serial"])
             line = xr3.line()
             disable(xr3, line)
             line.send("E+50\r")
