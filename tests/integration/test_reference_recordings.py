@@ -20,7 +20,7 @@ FAULTS = ("byte_dropped byte_flipped byte_doubled stray_byte parity_error wrong_
 # Bytes of clients: an option of telnet, requests of RFC 2217, the camera.
 BYTES = {"telnet": "\xff\xfb", "suspend": "\xff\xfa\x2c\x08", "resume": "\xff\xfa\x2c\x09", "purge": "\xff\xfa\x2c\x0c",
          "image": "A**"}
-# What the recordings of a version have, as kinds_of() calls it.
+# The contents that the recordings of a version must have, in the words of kinds_of().
 COVERED = {
     "0.1.0": {
         *(f"robot {name}" for name in ("Adept One", "Intelledex 660", "Rhino XR-3", "Rhino XR-3 with accessories")),
