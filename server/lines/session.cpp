@@ -78,10 +78,16 @@ bool LineSession::read_arrived(Limits& limits, std::size_t most) {
 
 bool LineSession::moves_time() const { return context_.cell.clock().mode() == ClockMode::kBytes; }
 
+LineSession::Left LineSession::work(Limits& limits, WallNs now) {
+  const Left left = read_and_act(limits, now);
+  if (left != Left::kSome) stream_->acknowledge();
+  return left;
+}
+
 // Does not read while replies are unsent, so that a client must read its replies. Reads at least
 // once, however late it is: else a line would never be read on a machine that is too slow. The
 // first bytes act at the time at which the turn began; an inquiry needs no other look at the clock.
-LineSession::Left LineSession::work(Limits& limits, WallNs now) {
+LineSession::Left LineSession::read_and_act(Limits& limits, WallNs now) {
   bool has_more = true;
   bool has_read = false;
   for (;;) {

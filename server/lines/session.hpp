@@ -91,6 +91,7 @@ class LineSession {
   enum class Left : std::uint8_t { kNothing, kSome, kWaits };  ///< kWaits: for news
 
   Left work(Limits& limits, WallNs now);
+  Left read_and_act(Limits& limits, WallNs now);
   Left flush(const Limits& limits, WallNs now);
   bool moves_time() const;
   std::size_t fair_share() const;

@@ -30,6 +30,10 @@ class LineStream {
   virtual std::size_t write(std::string_view bytes) = 0;
   virtual void close() = 0;
 
+  /// To be called when all bytes read have acted: tells the client that they have arrived, if no
+  /// reply has.
+  virtual void acknowledge() {}
+
   /// The maximum number of bytes that LineSource::settle() makes readable.
   virtual std::size_t max_settled() const { return std::numeric_limits<std::size_t>::max(); }
 

@@ -13,6 +13,7 @@
 
 #include "server/http/wire.hpp"
 #include "server/monitor_port/session.hpp"
+#include "server/net/acknowledge.hpp"
 
 namespace xr3 {
 namespace {
@@ -56,6 +57,7 @@ class Wire {
   executor_type get_executor() { return socket_.get_executor(); }
   template <class Buffers, class Token>
   auto async_read_some(const Buffers& buffers, Token&& token) {
+    acknowledge_received(socket_.native_handle());
     return socket_.async_read_some(buffers, std::forward<Token>(token));
   }
   // Beast starts a write after the previous one has made progress.

@@ -7,6 +7,8 @@
 #include <boost/asio/buffer.hpp>
 #include <utility>
 
+#include "server/net/acknowledge.hpp"
+
 namespace xr3 {
 namespace {
 
@@ -47,11 +49,17 @@ MonitorSocket::MonitorSocket(tcp::socket socket, MemoryLimit* limit)
 }
 
 asio::awaitable<std::string_view> MonitorSocket::read() {
+  acknowledge();
   if (reading_->is_stopped) co_return read_arrived();
   const auto [error, count] = co_await socket_->async_read_some(
       asio::buffer(buffer_), asio::bind_cancellation_slot(reading_->waiting.slot(), kAwait));
   const bool is_stopped = error == asio::error::operation_aborted && reading_->is_stopped;
   co_return received(is_stopped ? ErrorCode() : error, count);
+}
+
+void MonitorSocket::acknowledge() {
+  if (is_open() && std::exchange(is_unacknowledged_, false))
+    acknowledge_received(socket_->native_handle());
 }
 
 /// The bytes that have arrived already.
@@ -65,6 +73,7 @@ std::string_view MonitorSocket::received(ErrorCode error, std::size_t count) {
   if (error && error != asio::error::eof) close();
   if (!is_open()) return {};
   note_bytes(count);
+  is_unacknowledged_ = count > 0;
   return {buffer_.data(), count};
 }
 
@@ -87,6 +96,7 @@ std::size_t MonitorSocket::send_some(std::span<const asio::const_buffer> buffers
   const std::size_t count = buffers.size() == 1 ? socket_->write_some(buffers.front(), error)
                                                 : socket_->write_some(buffers, error);
   if (error && !must_wait(error)) close();
+  if (count > 0) is_unacknowledged_ = false;
   note_bytes(asio::buffer_size(buffers));
   return count;
 }

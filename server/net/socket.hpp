@@ -31,7 +31,8 @@ class MonitorSocket {
   tcp::socket& stream() { return *socket_; }
   asio::any_io_executor executor() const { return socket_->get_executor(); }
 
-  /// Received bytes, valid until the next read. Empty if the client has stopped sending, or if the
+  /// Received bytes, valid until the next read. Acknowledges those of the last one, unless bytes
+  /// were sent after it. Empty if the client has stopped sending, or if the
   /// connection is lost (is_open() is then false).
   asio::awaitable<std::string_view> read();
 
@@ -80,6 +81,7 @@ class MonitorSocket {
     asio::cancellation_signal waiting;  ///< ends the read that waits for bytes
   };
 
+  void acknowledge();
   std::string_view read_arrived();
   std::string_view received(ErrorCode error, std::size_t count);
   asio::awaitable<bool> wait_until_writable();
@@ -87,6 +89,7 @@ class MonitorSocket {
   std::shared_ptr<tcp::socket> socket_;  ///< shared with the handlers of the timers, which close it
   std::shared_ptr<Reading> reading_ = std::make_shared<Reading>();
   MemoryLimit* limit_;
+  bool is_unacknowledged_ = false;  ///< bytes were received after the last ones sent
   asio::steady_timer deadline_;
   asio::steady_timer stuck_;
   std::array<char, 8192> buffer_;

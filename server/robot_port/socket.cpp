@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cerrno>
+#include <utility>
 
+#include "server/net/acknowledge.hpp"
 #include "server/net/interrupted.hpp"
 
 namespace xr3 {
@@ -27,7 +29,10 @@ void discard_input(int descriptor) {
 std::size_t RobotSocket::read(std::span<char> into) {
   const auto count =
       retry_interrupted([&] { return ::recv(descriptor(), into.data(), into.size(), 0); });
-  if (count > 0) return static_cast<std::size_t>(count);
+  if (count > 0) {
+    is_unacknowledged_ = true;
+    return static_cast<std::size_t>(count);
+  }
   if (count == 0) note_ended();
   if (count < 0 && !must_wait()) note_lost();
   return 0;
@@ -38,10 +43,15 @@ std::size_t RobotSocket::write(std::string_view bytes) {
       [&] { return ::send(descriptor(), bytes.data(), bytes.size(), MSG_NOSIGNAL); });
   if (count >= 0) {
     has_written_ = true;
+    is_unacknowledged_ = false;
     return static_cast<std::size_t>(count);
   }
   if (!must_wait()) note_lost();
   return 0;
+}
+
+void RobotSocket::acknowledge() {
+  if (is_open() && std::exchange(is_unacknowledged_, false)) acknowledge_received(descriptor());
 }
 
 void RobotSocket::close() {

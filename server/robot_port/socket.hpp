@@ -16,10 +16,12 @@ class RobotSocket final : public LineStream {
   std::size_t read(std::span<char> into) override;
   std::size_t write(std::string_view bytes) override;
   void close() override;
+  void acknowledge() override;
 
  private:
   Descriptor connection_;
   bool has_written_ = false;
+  bool is_unacknowledged_ = false;  ///< bytes were read after the last write
 };
 
 }  // namespace xr3
