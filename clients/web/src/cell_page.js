@@ -81,7 +81,7 @@ const consolePanel = new ConsolePanel({
   send: (text) => connection.call("send", { text }), getState: (fields) => connection.get("state", { fields }), onError: showError,
 });
 const teach = new TeachPanel({
-  host: byId("teach-panel"), send: (text) => consolePanel.transmit(text), getState: (fields) => connection.get("state", { fields }), lock, onError: showError,
+  host: byId("teach-panel"), send: (text) => consolePanel.transmit(text), getState: (fields) => connection.get("state", { fields }), lock, onError: showError, showMessage,
 });
 const workcell = new WorkcellPanel({
   host: byId("workcell-panel"), call: (fn, args) => connection.call(fn, args), getModel: () => connection.get("model"), mayCall: () => lock.isFree, onError: showError,

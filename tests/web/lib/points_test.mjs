@@ -3,8 +3,9 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { freshName, pointOf, pointsText, readPoints, withChange, withMoved, withoutPoint, withPoint, WrongPoints } from "../../../clients/web/src/lib/points.js";
 
-const kRobot = { name: "Rhino", labels: ["F", "E"] };
+const kRobot = { name: "Rhino", labels: ["F", "E"], closing: 1 };
 const point = (name, F = 0, rest = {}) => ({ name, joints: { F, E: -4 }, jaws: { count: 3, grip: false }, speed_percent: 100, pause_s: 0, ...rest });
+const fileOf = (version, points) => JSON.stringify({ format: "xr3-points", version, robot: "Rhino", points });
 const state = (tool) => ({ joints: [{ label: "F", count: 7 }, { label: "E", count: -2 }], tool: { count: 5, holding: null, blocked: null, ...tool } });
 
 test("a pose becomes a point; with a block between the jaws it grips", () => {
@@ -31,18 +32,27 @@ test("a new name is one that no point has", () => {
 
 test("a file is read as it was written", () => {
   const list = [point("a “b” \\ \" é", 12, { speed_percent: 40, pause_s: 0.5 }), point("c")];
-  assert.deepEqual(readPoints(pointsText("Rhino", list), kRobot), list);
-  assert.deepEqual(readPoints(pointsText("Rhino", []), kRobot), []);
+  assert.deepEqual(readPoints(pointsText("Rhino", list), kRobot), { points: list, areNegated: false });
+  assert.deepEqual(readPoints(pointsText("Rhino", []), kRobot), { points: [], areNegated: false });
 });
 
 test("speed and pause may be missing", () => {
   const { speed_percent, pause_s, ...rest } = point("a");
-  assert.deepEqual(readPoints(JSON.stringify({ format: "xr3-points", version: 1, robot: "Rhino", points: [rest] }), kRobot), [point("a")]);
+  assert.deepEqual(readPoints(fileOf(2, [rest]), kRobot).points, [point("a")]);
+});
+
+test("counts of jaws in version 1 are negated where A+ closes", () => {
+  const list = [point("a"), point("b", 5, { jaws: { count: 0, grip: true } })];
+  const negated = [point("a", 0, { jaws: { count: -3, grip: false } }), list[1]];
+  assert.deepEqual(readPoints(fileOf(1, list), kRobot), { points: negated, areNegated: true });
+  assert.deepEqual(readPoints(pointsText("Rhino", negated), kRobot), { points: negated, areNegated: false }, "once");
+  assert.deepEqual(readPoints(fileOf(1, list), { ...kRobot, closing: -1 }), { points: list, areNegated: false });
+  assert.deepEqual(readPoints(fileOf(1, []), kRobot), { points: [], areNegated: false });
 });
 
 /** The wrong places of a file whose members are changed so. */
 function problems(change) {
-  const file = { format: "xr3-points", version: 1, robot: "Rhino", points: [point("a"), point("b")] };
+  const file = JSON.parse(fileOf(2, [point("a"), point("b")]));
   change(file);
   try {
     readPoints(JSON.stringify(file), kRobot);
@@ -55,7 +65,7 @@ function problems(change) {
 
 const kWrong = [
   ["another format", (file) => (file.format = "points"), '/format "points"'],
-  ["a later version", (file) => (file.version = 2), "/version 2"],
+  ["a later version", (file) => (file.version = 3), "/version 3"],
   ["another robot", (file) => (file.robot = "Adept One"), '/robot "Adept One"'],
   ["no list", (file) => (file.points = {}), "/points {}"],
   ["a missing member", (file) => delete file.points[1].jaws, "/points/1/jaws nothing"],

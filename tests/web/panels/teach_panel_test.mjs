@@ -44,7 +44,7 @@ test("jog buttons stand beside the points, and a point has the pose of its momen
 test("values in the table are the server's, for every robot", async () => {
   for (const robot of ["rhino-xr3-accessories", "adept-one", "intelledex-660"])
     await withPage(["--robot", robot, "--workcell", robot, "--clock", "real:100"], async (page, server) => {
-      await record(page, server, ["B", "C", "D", "E", "F", "G", "H"].map((label, i) => `${label}+${30 + i}\r`).join("") + "A-9\r");
+      await record(page, server, ["B", "C", "D", "E", "F", "G", "H"].map((label, i) => `${label}+${30 + i}\r`).join("") + "A+9\r");
       await page.selectOption("#point-unit", "values");
       const shown = (await page.locator("#points td").allTextContents()).slice(1).map((text) => parseFloat(text.replace("−", "-")));
       const { joints, tool } = await server.state();
@@ -87,6 +87,35 @@ test("points survive a reload, each robot has its own", () =>
     await ready(page);
     assert.deepEqual(await points(page), before);
     assert.deepEqual(await page.evaluate(() => Object.keys(localStorage)), ["xr3-points Rhino XR-3"]);
+  }));
+
+const kOld = JSON.stringify({ format: "xr3-points", version: 1, robot: "Rhino XR-3",
+  points: [16, -40, 0].map((at, i) => ({ name: `p${i}`, joints: { F: i, E: 0, D: 0, C: 0, B: 0 }, jaws: { count: at, grip: false } })) });
+const jaws = async (page) => (await points(page)).map((point) => point.jaws.count);
+const negated = (page) => page.waitForSelector("#message:has-text('A counts have the other sign')");
+
+test("points of version 1 that the browser keeps get the other sign of A once, and the page says so", () =>
+  withPage(["--clock", "real:100"], async (page) => {
+    await page.evaluate((text) => localStorage.setItem("xr3-points Rhino XR-3", text), kOld);
+    await page.reload();
+    await ready(page);
+    await negated(page);
+    assert.deepEqual(await jaws(page), [-16, 40, 0]);
+    await page.reload();
+    await ready(page);
+    assert.deepEqual(await jaws(page), [-16, 40, 0]);
+    assert.ok(await page.isHidden("#message"));
+  }));
+
+test("a file of version 1 gets the other sign of A, and is saved as version 2", () =>
+  withPage(["--clock", "real:100"], async (page) => {
+    await page.click("#tab-teach");
+    await page.setInputFiles("#points-load", { name: "p.json", mimeType: "application/json", buffer: Buffer.from(kOld) });
+    await negated(page);
+    assert.deepEqual(await jaws(page), [-16, 40, 0]);
+    const [saved] = await Promise.all([page.waitForEvent("download"), page.click("#points-save")]);
+    const { version, points: list } = JSON.parse(await readFile(await saved.path(), "utf8"));
+    assert.deepEqual([version, list[0].jaws], [2, { count: -16, grip: false }]);
   }));
 
 test("next goes step by step, and go to it to the chosen point", () =>

@@ -1,37 +1,44 @@
 // Keeps the taught points of each robot in the browser, so that a reload loses nothing, and the way back
 // from the last changes.
+import { isSame } from "./dom.js";
 import { kMaxFile, pointsText, readPoints } from "./points.js";
 
 const kMaxBack = 50;
 const keyOf = (robot) => `xr3-points ${robot.name}`;
 
 export class PointStore {
-  /** `onChange()` is called after every change; `onError(error)` if the browser does not keep the points. */
-  constructor({ onChange, onError }) {
-    Object.assign(this, { onChange, onError });
+  /**
+   * `onChange()` is called after every change; `onError(error)` if the browser does not keep the points; `onNegated()` when
+   * points of version 1 were read and their counts of the jaws negated.
+   */
+  constructor({ onChange, onError, onNegated }) {
+    Object.assign(this, { onChange, onError, onNegated });
     this.robot = null;
     this.points = [];
     this.back = [];
     addEventListener("storage", (event) => this.#changedElsewhere(event));
   }
 
-  /** Reads the points of a robot { name, labels }. */
+  /** Reads the points of a robot { name, labels, closing }, as in readPoints(). */
   setRobot(robot) {
-    if (this.robot?.name === robot.name && this.robot.labels.join() === robot.labels.join()) return;
+    if (isSame(this.robot, robot)) return;
     this.robot = robot;
     this.back = [];
     this.#read();
   }
 
   #read() {
-    const text = kept(keyOf(this.robot));
+    const text = kept(keyOf(this.robot)) || pointsText(this.robot.name, []);
+    let areNegated = false;
     try {
-      this.points = text ? readPoints(text, this.robot) : [];
+      ({ points: this.points, areNegated } = readPoints(text, this.robot));
     } catch (error) {
       this.points = [];
       this.onError(new Error(`The points that this browser keeps for ${this.robot.name} do not suit it: ${error.message}`));
     }
-    this.onChange();
+    if (!areNegated) return this.onChange();
+    this.onNegated();
+    this.#put(this.points); // as version 2, so that they are negated once
   }
 
   /** Another tab of this browser has changed the points. */
@@ -66,7 +73,9 @@ export class PointStore {
   /** Replaces the points by those of a file; throws WrongPoints. */
   async open(file) {
     if (file.size > kMaxFile) throw new Error(`it has ${Math.ceil(file.size / 1024)} KiB; at most ${kMaxFile / 1024} are read`);
-    this.set(readPoints(await file.text(), this.robot));
+    const { points, areNegated } = readPoints(await file.text(), this.robot);
+    this.set(points);
+    if (areNegated) this.onNegated();
   }
 }
 

@@ -2,7 +2,7 @@
 // { name, joints: { F: 12, ... }, jaws: { count, grip }, speed_percent, pause_s }. Independent of the page.
 
 export const kFormat = "xr3-points";
-export const kVersion = 1;
+export const kVersion = 2;
 export const kMaxPoints = 500;
 export const kMaxName = 40; // letters
 export const kMaxPauseS = 600;
@@ -50,8 +50,9 @@ export class WrongPoints extends Error {
 }
 
 /**
- * The points of a file for a robot { name, labels }, labels being those of the joints. Throws WrongPoints, with every
- * wrong place, if anything is missing, of another kind, out of its range or unknown.
+ * The points of a file for a robot { name, labels, closing }: the labels of its joints, and the sign of counts that
+ * close its jaws. Throws WrongPoints, with every wrong place, if anything is missing, of another kind, out of its range
+ * or unknown. When files had version 1, A+ opened the jaws: where it closes them now, the counts of the jaws are negated.
  */
 export function readPoints(text, robot) {
   const file = parsed(text);
@@ -60,8 +61,12 @@ export function readPoints(text, robot) {
   const isObject = check(isPlainObject(file), "", file, `an object with "format": "${kFormat}"`);
   if (isObject) checkFile(check, file, robot);
   if (wrong.length > 0) throw new WrongPoints(`${wrong.length} wrong ${wrong.length === 1 ? "place" : "places"}`, wrong);
-  return file.points.map((point) => ({ ...kUsual, ...point }));
+  const points = file.points.map((point) => ({ ...kUsual, ...point }));
+  const areNegated = file.version === 1 && robot.closing > 0 && points.length > 0;
+  return { points: areNegated ? points.map(withJawsNegated) : points, areNegated };
 }
+
+const withJawsNegated = ({ jaws, ...rest }) => ({ ...rest, jaws: { ...jaws, count: 0 - jaws.count } }); // 0 stays 0, not -0
 
 function parsed(text) {
   try {
@@ -105,7 +110,7 @@ function members(check, value, pointer, required, optional = []) {
 function checkFile(check, file, robot) {
   if (!members(check, file, "", ["format", "version", "robot", "points"])) return;
   check(file.format === kFormat, "/format", file.format, `"${kFormat}"`);
-  check(file.version === kVersion, "/version", file.version, String(kVersion));
+  check(isWhole(file.version, 1, kVersion), "/version", file.version, `1 or ${kVersion}`);
   check(file.robot === robot.name, "/robot", file.robot, `"${robot.name}", the robot of this page`);
   const isList = check(Array.isArray(file.points) && file.points.length <= kMaxPoints, "/points", file.points, `a list of at most ${kMaxPoints} points`);
   if (isList) file.points.forEach((point, i) => checkPoint(check, point, `/points/${i}`, robot.labels));

@@ -5,20 +5,22 @@ import { motorFiles } from "../lib/motors.js";
 import { Player, Stopped } from "../lib/player.js";
 import { PointStore } from "../lib/point_store.js";
 import { freshName, isName, isPause, isSpeed, kMaxName, kMaxPauseS, kMaxPoints, pointOf, withChange, withMoved, withoutPoint, withPoint } from "../lib/points.js";
+import { jawsOf } from "../lib/stride.js";
 import { PointFiles } from "./point_files.js";
 import { PointTable } from "./point_table.js";
 
+const kNegated = "The points were taught when A+ opened the jaws: since it closes them now, their A counts have the other sign.";
 const kEmpty = "No points yet. Jog the arm to a place, then press Record.";
 
 export class TeachPanel {
   /**
    * `send(text)` sends bytes on the page's serial line and rejects if that fails; `getState(fields)` gets the state;
-   * `lock` is the page's ControlLock; `onError(error)` shows an error.
+   * `lock` is the page's ControlLock; `onError(error)` shows an error, `showMessage(text)` a message.
    */
-  constructor({ host, send, getState, lock, onError }) {
+  constructor({ host, send, getState, lock, onError, showMessage }) {
     Object.assign(this, { host, getState, lock, onError, chosen: null, reached: null });
     this.player = new Player({ send, getState });
-    this.store = new PointStore({ onChange: () => this.#show(), onError });
+    this.store = new PointStore({ onChange: () => this.#show(), onError, onNegated: () => showMessage(kNegated) });
     this.table = new PointTable({
       head: this.#part("points-head"), body: this.#part("points"), onChoose: (i) => this.choose(i), onKey: (event, i) => this.#key(event, i),
     });
@@ -46,7 +48,7 @@ export class TeachPanel {
     this.player.setRobot(robot);
     Object.assign(this, { chosen: null, reached: null });
     this.table.setRobot(robot, motors);
-    this.store.setRobot({ name: robot.name, labels: motors.slice(0, -1).map(({ label }) => label) });
+    this.store.setRobot({ name: robot.name, labels: motors.slice(0, -1).map(({ label }) => label), closing: jawsOf(robot).closing });
     this.#show();
   }
 
