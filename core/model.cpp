@@ -12,7 +12,9 @@ constexpr double kCountTolerance = 1e-6;
 
 MotorModel motor_model(const Drive& drive, Profile profile) {
   const CountRange range = count_limits(drive);
-  return {drive, range.low, range.high, closed_range(drive.microswitch, profile)};
+  const Counts period =
+      profile == Profile::kMark3 ? drive.microswitch.period.value_or(Counts{0}) : 0;
+  return {drive, range.low, range.high, closed_range(drive.microswitch, profile), period};
 }
 
 CarouselModel carousel_model(const Carousel& carousel) {

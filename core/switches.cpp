@@ -25,11 +25,20 @@ bool set_bit(std::uint8_t& bits, int number, bool set) {
   return true;
 }
 
-// J carries input lines 5-8 in its bits 2-5.
-std::uint8_t input_bits(std::uint8_t inputs, char inquiry) {
+std::uint8_t mask_of(const Model& model, char label) {
+  const int index = model.index_of(label);
+  return index < 0 ? std::uint8_t{0} : model.motor(index).drive.microswitch.mask;
+}
+
+std::uint8_t input_bits(const Model& model, std::uint8_t inputs, char inquiry) {
   if (inquiry == 'K') return static_cast<std::uint8_t>(inputs & kLowInputs);
-  if (inquiry == 'J') return static_cast<std::uint8_t>((inputs >> 4) << 2);
-  return 0;
+  if (inquiry != 'J') return 0;
+  const InputMasks masks = input_masks_of_j(mask_of(model, 'A'), mask_of(model, 'B'));
+  unsigned bits = 0;
+  for (std::size_t i = 0; i < masks.size(); ++i) {
+    if (has_bit(inputs, kFirstInputOfJ + static_cast<int>(i))) bits |= masks[i];
+  }
+  return static_cast<std::uint8_t>(bits);
 }
 
 }  // namespace
@@ -38,7 +47,25 @@ bool is_asked_for(char label, char inquiry) {
   return inquiry == 'I' ? label >= 'C' : inquiry == 'J' && label < 'C';
 }
 
+InputMasks input_masks_of_j(std::uint8_t mask_of_a, std::uint8_t mask_of_b) {
+  constexpr unsigned kReservedForSwitches = 3;  // in files of version 0.1
+  unsigned taken = static_cast<unsigned>(mask_of_a) | mask_of_b;
+  if ((taken & ~kReservedForSwitches) == 0) taken = kReservedForSwitches;
+  InputMasks masks{};
+  unsigned bit = 1;
+  for (std::uint8_t& mask : masks) {
+    while ((taken & bit) != 0) bit <<= 1U;
+    mask = static_cast<std::uint8_t>(bit);
+    bit <<= 1U;
+  }
+  return masks;
+}
+
 bool is_closed(const MotorModel& motor, Counts count) {
+  if (motor.period != 0) {  // the closed range is finite: the profile is mark3
+    const Counts beyond = (count - motor.closed.low) % motor.period;
+    count = motor.closed.low + (beyond < 0 ? beyond + motor.period : beyond);
+  }
   return count >= motor.closed.low && count <= motor.closed.high;
 }
 
@@ -75,7 +102,7 @@ void set_input(State& state, int line, bool high, Events& events) {
 SwitchBits switch_bits(const Model& model, const State& state, char inquiry) {
   SwitchBits bits;
   bits.inquiry = inquiry;
-  bits.inputs = input_bits(state.io.inputs, inquiry);
+  bits.inputs = input_bits(model, state.io.inputs, inquiry);
   for (int i = 0; i < model.motor_count(); ++i) {
     const std::uint8_t mask = model.motor(i).drive.microswitch.mask;
     if (!is_asked_for(model.motor(i).drive.label, inquiry)) continue;

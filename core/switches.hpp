@@ -2,6 +2,9 @@
 // count. And the controller's digital lines and ports.
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include "core/command.hpp"
 #include "core/event.hpp"
 #include "core/model.hpp"
@@ -11,6 +14,14 @@ namespace xr3 {
 
 /// Whether the reply to `inquiry` includes the switch of joint `label`: I has C...H, J has A and B.
 bool is_asked_for(char label, char inquiry);
+
+/// The bits of input lines 5...8, in this order, in the reply to J.
+using InputMasks = std::array<std::uint8_t, 4>;
+inline constexpr int kFirstInputOfJ = 5;
+
+/// The bits of the input lines in the reply to J: those that the switches of A and B leave free,
+/// from the lowest. With masks of 0, 1 and 2 only, as in files of version 0.1: bits 2...5.
+InputMasks input_masks_of_j(std::uint8_t mask_of_a, std::uint8_t mask_of_b);
 
 /// Whether the microswitch of a motor is closed at this count; see closed_range().
 bool is_closed(const MotorModel& motor, Counts count);

@@ -10,11 +10,11 @@ cd "$(dirname "$0")" || exit
 # Where the switches close, in counts from the soft home: upper arm upright, forearm level, tool
 # down. Seen from there each is open before this count, and closed from it on: for a few dozen
 # counts on a real arm, for longer in the simulator.
-declare -A place=([D]=40 [E]=-40 [C]=40 [B]=-25 [F]=30 [A]=16)
+declare -A place=([D]=40 [E]=-40 [C]=40 [B]=-25 [F]=30 [A]=-16)
 
 # One byte reports several switches: I those of joints C to F, J those of A and B. Each has one bit.
 declare -A asked=([D]=I [E]=I [C]=I [B]=J [F]=I [A]=J)
-declare -A bit=([D]=2 [E]=4 [C]=1 [B]=2 [F]=8 [A]=1)
+declare -A bit=([D]=2 [E]=4 [C]=1 [B]=32 [F]=8 [A]=16)
 
 stride=10 # counts of one move of the search; a switch stays closed for longer
 far=1600  # more counts than any joint has from a limit to its switch
@@ -73,7 +73,7 @@ find_near_edge() {
 }
 
 # The open jaws are at the end of their travel, and on their switch. It opens when they close.
-changes A $stride $far
+changes A -$stride $far
 read_switch A
 closed=$switch # what a closed switch reads, 0 or 1
 
@@ -90,11 +90,11 @@ stalled? Is the clock paused? (The examples 3 to 6 are for the Rhino XR-3 with i
   printf '%s is on its switch, at %+d\n' $joint "${place[$joint]}"
 done
 
-# All switches at once. J also reports four input lines, in its bits 4 to 32.
+# All switches at once. J also reports four input lines, in its bits 1 to 8.
 robot_ask I
 i=$((reply - 32))
 robot_ask J
-j=$(((reply - 32) & 3))
+j=$(((reply - 32) & 48))
 echo "a closed switch reads $closed; the switches of I are $i, those of J $j"
 
 # The soft home is at count 0: move each joint back by the count of its switch.

@@ -13,8 +13,8 @@ cd "$(dirname "$0")" || exit
 
 z=20        # height of the largest block's centre, mm
 above=100   # height above it for approach and departure, mm
-jaws_open=16
-jaws_shut=-64 # when closed
+jaws_open=-16
+jaws_shut=64 # when closed
 
 # The camera's picture is 192 rows of 32 bytes; od prints them as numbers, one row per line. Sets
 # $x, $y and $angle to the place of the largest block.
@@ -39,16 +39,16 @@ look
 robot_go A $jaws_open
 go_to "$x" "$y" "$angle" $((z + above))
 go_to "$x" "$y" "$angle" $z
-robot_send 'A-90\r' # as in example 5
+robot_send 'A+90\r' # as in example 5
 robot_wait A
-at[A]=$((jaws_open - (90 - left)))
-if [ "${at[A]}" -le $jaws_shut ]; then
+at[A]=$((jaws_open + (90 - left)))
+if [ "${at[A]}" -ge $jaws_shut ]; then
   go_to "$x" "$y" "$angle" $((z + above)) # back to the start position
   robot_go F 0 E 0 D 0 C 0 B 0 A 0
   give_up "$(printf 'the jaws closed on nothing: is the block at x %.0f, y %.0f mm?' "$x" "$y") \
 (The examples 3 to 6 are for the Rhino XR-3 with its own workcell)"
 fi
-awk -v jaws="${at[A]}" 'BEGIN { printf "the jaws closed on %.1f mm\n", 50.8 + 0.79375 * jaws }'
+awk -v jaws="${at[A]}" 'BEGIN { printf "the jaws closed on %.1f mm\n", 50.8 - 0.79375 * jaws }'
 go_to "$x" "$y" "$angle" $((z + above))
 
 # A free place, the block's long side along y.

@@ -11,7 +11,7 @@
 /* Where the switches close, in counts from the soft home: upper arm upright, forearm level, tool
    down. Seen from there each is open before this count, and closed from it on: for a few dozen
    counts on a real arm, for longer in the simulator. */
-static const int SWITCHES[JOINTS] = {[F] = 30, [E] = -40, [D] = 40, [C] = 40, [B] = -25, [A] = 16};
+static const int SWITCHES[JOINTS] = {[F] = 30, [E] = -40, [D] = 40, [C] = 40, [B] = -25, [A] = -16};
 
 /* The jaws, joint A, come first: they show how a closed switch reads. The elbow follows, since it
    lifts the hand off the table. */
@@ -19,7 +19,7 @@ static const int ORDER[JOINTS] = {A, D, E, C, B, F};
 
 /* One byte reports several switches: I those of joints C to F, J those of A and B. Each has one
    bit. */
-static const int BITS[JOINTS] = {[F] = 8, [E] = 4, [D] = 2, [C] = 1, [B] = 2, [A] = 1};
+static const int BITS[JOINTS] = {[F] = 8, [E] = 4, [D] = 2, [C] = 1, [B] = 32, [A] = 16};
 
 enum {
   STEP = 10,  /* counts of one move of the search; a switch stays closed for longer */
@@ -78,7 +78,7 @@ int main(int argc, char *argv[]) {
   robot_connect(argc, argv);
 
   /* The open jaws are at the end of their travel, and on their switch. It opens when they close. */
-  changes(A, STEP, FAR);
+  changes(A, -STEP, FAR);
   closed = read_switch(A);
 
   /* A shoulder on its switch may lean far back: it comes forward before the forearm moves. */
@@ -94,9 +94,9 @@ int main(int argc, char *argv[]) {
     printf("%c is on its switch, at %+d\n", LETTERS[joint], SWITCHES[joint]);
   }
 
-  /* All switches at once. J also reports four input lines, in its bits 4 to 32. */
+  /* All switches at once. J also reports four input lines, in its bits 1 to 8. */
   int i = robot_ask("I") - 32;
-  int j = (robot_ask("J") - 32) & 3;
+  int j = (robot_ask("J") - 32) & 48;
   printf("a closed switch reads %d; the switches of I are %d, those of J %d\n", closed, i, j);
 
   /* The soft home is at count 0: move each joint back by the count of its switch. */

@@ -8,8 +8,8 @@
 
 #include "robot.h"
 
-/* The jaws, joint A, are 50.8 mm open at count 0, and a count is 0.79375 mm: 0 mm is count -64. */
-enum { OPEN = 16, SHUT = -64 };
+/* The jaws, joint A, are 50.8 mm open at count 0, and a count is 0.79375 mm: 0 mm is count 64. */
+enum { OPEN = -16, SHUT = 64 };
 
 /* Motor counts from the soft home for each position of the tool.
    `xr3 kin --pose 262,0,20 --down 90` computes those at the block, whose centre is at x 262, y 0
@@ -46,9 +46,9 @@ int main(int argc, char *argv[]) {
   /* Command the jaws to close much further than the block permits. They stop at the block, and the
      remaining counts give its width. robot_wait also cancels the remaining counts (AX); otherwise
      the jaws would keep pressing. */
-  robot_send("A-90\r");
-  at[A] -= 90 - robot_wait(A);
-  if (at[A] <= SHUT) {
+  robot_send("A+90\r");
+  at[A] += 90 - robot_wait(A);
+  if (at[A] >= SHUT) {
     fprintf(stderr, "the jaws closed on nothing: is the block at x 262, y 0 mm? Restart the server "
                     "to have it there (the examples 3 to 6 are for the Rhino XR-3 with its own "
                     "workcell)\n");
@@ -56,7 +56,7 @@ int main(int argc, char *argv[]) {
     robot_go(HOME);
     return 1;
   }
-  printf("the jaws closed on %.1f mm\n", 50.8 + 0.79375 * at[A]);
+  printf("the jaws closed on %.1f mm\n", 50.8 - 0.79375 * at[A]);
 
   go(ABOVE_BLOCK);
   printf("lifted\n");

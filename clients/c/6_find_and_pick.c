@@ -16,7 +16,7 @@
    of 2 mm. Each byte of the picture has six pixels. */
 enum { PIXELS = 192, ROW_BYTES = PIXELS / 6 };
 
-enum { OPEN = 16, SHUT = -64 };     /* counts of the jaws, as in example 5 */
+enum { OPEN = -16, SHUT = 64 };     /* counts of the jaws, as in example 5 */
 static const double Z = 20;         /* height of the largest block's centre, mm */
 static const double ABOVE = 100;    /* height above it for approach and departure, mm */
 
@@ -131,9 +131,9 @@ int main(int argc, char *argv[]) {
   open_jaws();
   go_to(block, Z + ABOVE);
   go_to(block, Z);
-  robot_send("A-90\r"); /* as in example 5 */
-  at[A] -= 90 - robot_wait(A);
-  if (at[A] <= SHUT) {
+  robot_send("A+90\r"); /* as in example 5 */
+  at[A] += 90 - robot_wait(A);
+  if (at[A] >= SHUT) {
     fprintf(stderr, "the jaws closed on nothing: is the block at x %.0f, y %.0f mm? (The examples "
                     "3 to 6 are for the Rhino XR-3 with its own workcell)\n",
             block.x, block.y);
@@ -141,7 +141,7 @@ int main(int argc, char *argv[]) {
     robot_go(HOME);
     return 1;
   }
-  printf("the jaws closed on %.1f mm\n", 50.8 + 0.79375 * at[A]);
+  printf("the jaws closed on %.1f mm\n", 50.8 - 0.79375 * at[A]);
   go_to(block, Z + ABOVE);
 
   struct place target = {392, 60, 90}; /* a free place, the block's long side along y */

@@ -21,12 +21,12 @@ struct Switch {
 
 // The shoulder, whose switch needs care, and the jaws.
 const Switch kShoulder = {'E', -40, "I", 4};
-const Switch kJaws = {'A', 16, "J", 1};
+const Switch kJaws = {'A', -16, "J", 16};
 
 // The jaws come first: they show how a closed switch reads. The elbow, joint D, follows, since it
 // lifts the hand off the table.
 const Switch kSwitches[] = {
-    kJaws, {'D', 40, "I", 2}, kShoulder, {'C', 40, "I", 1}, {'B', -25, "J", 2}, {'F', 30, "I", 8}};
+    kJaws, {'D', 40, "I", 2}, kShoulder, {'C', 40, "I", 1}, {'B', -25, "J", 32}, {'F', 30, "I", 8}};
 
 const int kStep = 10;   // counts of one move of the search; a switch stays closed for longer
 const int kFar = 1600;  // more counts than any joint has from a limit to its switch
@@ -81,7 +81,7 @@ int main(int argc, char* argv[]) try {
   Robot robot(argc, argv);
 
   // The open jaws are at the end of their travel, and on their switch. It opens when they close.
-  changes(robot, kJaws, kStep, kFar);
+  changes(robot, kJaws, -kStep, kFar);
   const int closed = read_switch(robot, kJaws);  // what a closed switch reads, 0 or 1
 
   // A shoulder on its switch may lean far back: it comes forward before the forearm moves.
@@ -97,9 +97,9 @@ int main(int argc, char* argv[]) try {
     std::cout << of.joint << " is on its switch, at " << std::showpos << of.place << "\n";
   }
 
-  // All switches at once. J also reports four input lines, in its bits 4 to 32.
+  // All switches at once. J also reports four input lines, in its bits 1 to 8.
   const int i = robot.ask("I") - 32;
-  const int j = (robot.ask("J") - 32) & 3;
+  const int j = (robot.ask("J") - 32) & 48;
   std::cout << std::noshowpos << "a closed switch reads " << closed << "; the switches of I are "
             << i << ", those of J " << j << "\n";
 

@@ -18,7 +18,7 @@ const Counts kAboveBlock{{'F', 0}, {'E', 242}, {'D', -440}, {'C', 0}, {'B', 0}};
 const Counts kAtBlock{{'F', 0}, {'E', 449}, {'D', -625}, {'C', 0}, {'B', 0}};
 const Counts kAbovePlace{{'F', 0}, {'E', 483}, {'D', -238}, {'C', 0}, {'B', 288}};  // x 400, y 0
 const Counts kAtPlace{{'F', 0}, {'E', 623}, {'D', -354}, {'C', 0}, {'B', 288}};
-const int kShut = -64;  // count of A at which the jaws are closed
+const int kShut = 64;  // count of A at which the jaws are closed
 const Counts kHome{{'F', 0}, {'E', 0}, {'D', 0}, {'C', 0}, {'B', 0}, {'A', 0}};
 
 int main(int argc, char* argv[]) try {
@@ -27,7 +27,7 @@ int main(int argc, char* argv[]) try {
 
   // robot.go() moves all joints to these counts together. A single move is limited to 127 counts,
   // so go() sends several and waits after each.
-  robot.go({{'A', 16}});
+  robot.go({{'A', -16}});
   std::cout << "the jaws are open\n";
   robot.go(kAboveBlock);
   std::cout << "above the block\n";
@@ -36,9 +36,9 @@ int main(int argc, char* argv[]) try {
   // Command the jaws to close much further than the block permits. They stop at the block, and the
   // remaining counts give its width: A is 50.8 mm open at count 0, and a count is 0.79375 mm.
   // wait() also cancels the remaining counts (AX); otherwise the jaws would keep pressing.
-  robot.send("A-90\r");
-  robot.at['A'] -= 90 - robot.wait('A');
-  if (robot.at['A'] <= kShut) {
+  robot.send("A+90\r");
+  robot.at['A'] += 90 - robot.wait('A');
+  if (robot.at['A'] >= kShut) {
     std::cerr << "the jaws closed on nothing: is the block at x 262, y 0 mm? Restart the server to "
                  "have it there (the examples 3 to 6 are for the Rhino XR-3 with its own "
                  "workcell)\n";
@@ -46,14 +46,14 @@ int main(int argc, char* argv[]) try {
     robot.go(kHome);
     return 1;
   }
-  std::cout << "the jaws closed on " << 50.8 + 0.79375 * robot.at['A'] << " mm\n";
+  std::cout << "the jaws closed on " << 50.8 - 0.79375 * robot.at['A'] << " mm\n";
 
   robot.go(kAboveBlock);
   std::cout << "lifted\n";
   robot.go(kAbovePlace);
   robot.go(kAtPlace);
   std::cout << "at its new place\n";
-  robot.go({{'A', 16}});
+  robot.go({{'A', -16}});
   std::cout << "let go\n";
   robot.go(kAbovePlace);
   robot.go(kHome);

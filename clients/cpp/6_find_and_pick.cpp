@@ -20,8 +20,8 @@ const double kDegrees = 180 / std::acos(-1.0);
 const int kPixels = 192;
 const int kRowBytes = kPixels / 6;
 
-const int kOpen = 16;       // count of A with open jaws
-const int kShut = -64;      // count of A with closed jaws
+const int kOpen = -16;      // count of A with open jaws
+const int kShut = 64;       // count of A with closed jaws
 const double kZ = 20;       // height of the largest block's centre, mm
 const double kAbove = 100;  // height above it for approach and departure, mm
 
@@ -137,9 +137,9 @@ int main(int argc, char* argv[]) try {
   robot.go({{'A', kOpen}});
   go_to(robot, block, kZ + kAbove);
   go_to(robot, block, kZ);
-  robot.send("A-90\r");  // as in example 5
-  robot.at['A'] -= 90 - robot.wait('A');
-  if (robot.at['A'] <= kShut) {
+  robot.send("A+90\r");  // as in example 5
+  robot.at['A'] += 90 - robot.wait('A');
+  if (robot.at['A'] >= kShut) {
     std::cerr << "the jaws closed on nothing: is the block at x " << std::lround(block.x) << ", y "
               << std::lround(block.y)
               << " mm? (The examples 3 to 6 are for the Rhino XR-3 with its own workcell)\n";
@@ -147,7 +147,7 @@ int main(int argc, char* argv[]) try {
     robot.go(kHome);
     return 1;
   }
-  std::cout << "the jaws closed on " << std::setprecision(1) << 50.8 + 0.79375 * robot.at['A']
+  std::cout << "the jaws closed on " << std::setprecision(1) << 50.8 - 0.79375 * robot.at['A']
             << std::setprecision(0) << " mm\n";
   go_to(robot, block, kZ + kAbove);
 

@@ -14,12 +14,12 @@ class Home {
     // Where their switches close, in counts from the soft home: upper arm upright, forearm level,
     // tool down. Seen from there each is open before this count, and closed from it on: for a few
     // dozen counts on a real arm, for longer in the simulator.
-    static final int[] SWITCHES = {16, 40, -40, 40, -25, 30};
+    static final int[] SWITCHES = {-16, 40, -40, 40, -25, 30};
 
     // One byte reports several switches: I those of joints C to F, J those of A and B. Each has one
     // bit.
     static final String[] INQUIRIES = {"J", "I", "I", "I", "J", "I"};
-    static final int[] BITS = {1, 2, 4, 1, 2, 8};
+    static final int[] BITS = {16, 2, 4, 1, 32, 8};
 
     static final int STEP = 10; // counts of one move of the search; a switch is closed for longer
     static final int FAR = 1600; // more counts than any joint has from a limit to its switch
@@ -82,7 +82,7 @@ class Home {
 
         // The open jaws are at the end of their travel, and on their switch. It opens when they
         // close.
-        changes(JAWS, STEP, FAR);
+        changes(JAWS, -STEP, FAR);
         closed = readSwitch(JAWS);
 
         // A shoulder on its switch may lean far back: it comes forward before the forearm moves.
@@ -97,9 +97,9 @@ class Home {
             System.out.printf("%s is on its switch, at %+d%n", JOINTS[k], SWITCHES[k]);
         }
 
-        // All switches at once. J also reports four input lines, in its bits 4 to 32.
+        // All switches at once. J also reports four input lines, in its bits 1 to 8.
         int i = robot.ask("I") - 32;
-        int j = (robot.ask("J") - 32) & 3;
+        int j = (robot.ask("J") - 32) & 48;
         System.out.println("a closed switch reads " + closed + "; the switches of I are " + i
                 + ", those of J " + j);
 

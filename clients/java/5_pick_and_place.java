@@ -16,7 +16,7 @@ class PickAndPlace {
     static final Map<String, Integer> AT_BLOCK = Robot.arm(0, 449, -625, 0, 0);
     static final Map<String, Integer> ABOVE_PLACE = Robot.arm(0, 483, -238, 0, 288); // x 400, y 0
     static final Map<String, Integer> AT_PLACE = Robot.arm(0, 623, -354, 0, 288);
-    static final int SHUT = -64; // count of A at which the jaws are closed
+    static final int SHUT = 64; // count of A at which the jaws are closed
     static final Map<String, Integer> HOME = Robot.arm(0, 0, 0, 0, 0);
 
     static void pickAndPlace(String[] args) throws IOException, InterruptedException {
@@ -24,7 +24,7 @@ class PickAndPlace {
 
         // robot.go() moves all joints to these counts together. A single move is limited to 127
         // counts, so go() sends several and waits after each.
-        robot.go(Map.of("A", 16));
+        robot.go(Map.of("A", -16));
         System.out.println("the jaws are open");
         robot.go(ABOVE_BLOCK);
         System.out.println("above the block");
@@ -34,10 +34,10 @@ class PickAndPlace {
         // and the remaining counts give its width: A is 50.8 mm open at count 0, and a count is
         // 0.79375 mm. waitFor() also cancels the remaining counts (AX); otherwise the jaws would
         // keep pressing.
-        robot.send("A-90\r");
-        int jaws = 16 - (90 - robot.waitFor("A"));
+        robot.send("A+90\r");
+        int jaws = -16 + (90 - robot.waitFor("A"));
         robot.at.put("A", jaws);
-        if (jaws <= SHUT) {
+        if (jaws >= SHUT) {
             System.err.println("the jaws closed on nothing: is the block at x 262, y 0 mm? Restart "
                     + "the server to have it there (the examples 3 to 6 are for the Rhino XR-3 "
                     + "with its own workcell)");
@@ -46,14 +46,14 @@ class PickAndPlace {
             robot.go(Map.of("A", 0));
             System.exit(1);
         }
-        System.out.printf("the jaws closed on %.1f mm%n", 50.8 + 0.79375 * jaws);
+        System.out.printf("the jaws closed on %.1f mm%n", 50.8 - 0.79375 * jaws);
 
         robot.go(ABOVE_BLOCK);
         System.out.println("lifted");
         robot.go(ABOVE_PLACE);
         robot.go(AT_PLACE);
         System.out.println("at its new place");
-        robot.go(Map.of("A", 16));
+        robot.go(Map.of("A", -16));
         System.out.println("let go");
         robot.go(ABOVE_PLACE);
         robot.go(HOME);

@@ -14,8 +14,8 @@ class FindAndPick {
     static final int PIXELS = 192;
     static final int ROW_BYTES = PIXELS / 6;
 
-    static final int OPEN = 16; // count of A with open jaws
-    static final int SHUT = -64; // count of A with closed jaws
+    static final int OPEN = -16; // count of A with open jaws
+    static final int SHUT = 64; // count of A with closed jaws
     static final double Z = 20; // height of the largest block's centre, mm
     static final double ABOVE = 100; // height above it for approach and departure, mm
 
@@ -136,10 +136,10 @@ class FindAndPick {
         robot.go(Map.of("A", OPEN));
         goTo(block, Z + ABOVE);
         goTo(block, Z);
-        robot.send("A-90\r"); // as in example 5
-        int jaws = OPEN - (90 - robot.waitFor("A"));
+        robot.send("A+90\r"); // as in example 5
+        int jaws = OPEN + (90 - robot.waitFor("A"));
         robot.at.put("A", jaws);
-        if (jaws <= SHUT) {
+        if (jaws >= SHUT) {
             System.err.printf("the jaws closed on nothing: is the block at x %.0f, y %.0f mm? "
                     + "(The examples 3 to 6 are for the Rhino XR-3 with its own workcell)%n",
                     block.x(), block.y());
@@ -148,7 +148,7 @@ class FindAndPick {
             robot.go(Map.of("A", 0));
             System.exit(1);
         }
-        System.out.printf("the jaws closed on %.1f mm%n", 50.8 + 0.79375 * jaws);
+        System.out.printf("the jaws closed on %.1f mm%n", 50.8 - 0.79375 * jaws);
         goTo(block, Z + ABOVE);
 
         Place target = new Place(392, 60, 90); // a free place, the block's long side along y

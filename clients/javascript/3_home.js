@@ -9,11 +9,11 @@ const { Robot, giveUp, giveUpStanding, move } = require("./robot");
 // down. Seen from there each is open before this count, and closed from it on: for a few dozen
 // counts on a real arm, for longer in the simulator. The jaws, joint A, come first: they show how a
 // closed switch reads. The elbow follows, since it lifts the hand off the table.
-const switches = { A: 16, D: 40, E: -40, C: 40, B: -25, F: 30 };
+const switches = { A: -16, D: 40, E: -40, C: 40, B: -25, F: 30 };
 
 // One byte reports several switches: I those of joints C to F, J those of A and B. Each has one
 // bit.
-const bits = { D: ["I", 2], E: ["I", 4], C: ["I", 1], B: ["J", 2], F: ["I", 8], A: ["J", 1] };
+const bits = { D: ["I", 2], E: ["I", 4], C: ["I", 1], B: ["J", 32], F: ["I", 8], A: ["J", 16] };
 
 const STEP = 10; // counts of one move of the search; a switch stays closed for longer
 const FAR = 1600; // more counts than any joint has from a limit to its switch
@@ -69,7 +69,7 @@ async function findNearEdge(joint) {
 
 async function main() {
   // The open jaws are at the end of their travel, and on their switch. It opens when they close.
-  await changes("A", STEP, FAR);
+  await changes("A", -STEP, FAR);
   closed = await readSwitch("A");
 
   // A shoulder on its switch may lean far back: it comes forward before the forearm moves.
@@ -86,9 +86,9 @@ async function main() {
     console.log(`${joint} is on its switch, at ${place > 0 ? "+" : ""}${place}`);
   }
 
-  // All switches at once. J also reports four input lines, in its bits 4 to 32.
+  // All switches at once. J also reports four input lines, in its bits 1 to 8.
   const i = (await robot.ask("I")) - 32;
-  const j = ((await robot.ask("J")) - 32) & 3;
+  const j = ((await robot.ask("J")) - 32) & 48;
   console.log(`a closed switch reads ${closed}; the switches of I are ${i}, those of J ${j}`);
 
   // The soft home is at count 0: move each joint back by the count of its switch.

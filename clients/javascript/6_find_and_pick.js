@@ -14,8 +14,8 @@ const DEGREES = 180 / Math.PI;
 const PIXELS = 192;
 const ROW_BYTES = PIXELS / 6;
 
-const OPEN = 16; // count of A with open jaws
-const SHUT = -64; // count of A with closed jaws
+const OPEN = -16; // count of A with open jaws
+const SHUT = 64; // count of A with closed jaws
 const Z = 20; // height of the largest block's centre, mm
 const ABOVE = 100; // height above it for approach and departure, mm
 const HOME = { F: 0, E: 0, D: 0, C: 0, B: 0, A: 0 };
@@ -123,9 +123,9 @@ async function main() {
   await robot.go({ A: OPEN });
   await goTo(block, Z + ABOVE);
   await goTo(block, Z);
-  robot.send("A-90\r"); // as in example 5
-  robot.at.A -= 90 - (await robot.wait("A"));
-  if (robot.at.A <= SHUT) {
+  robot.send("A+90\r"); // as in example 5
+  robot.at.A += 90 - (await robot.wait("A"));
+  if (robot.at.A >= SHUT) {
     await goTo(block, Z + ABOVE); // back to the start position
     await robot.go(HOME);
     giveUp(
@@ -134,7 +134,7 @@ async function main() {
         "workcell)",
     );
   }
-  console.log(`the jaws closed on ${(50.8 + 0.79375 * robot.at.A).toFixed(1)} mm`);
+  console.log(`the jaws closed on ${(50.8 - 0.79375 * robot.at.A).toFixed(1)} mm`);
   await goTo(block, Z + ABOVE);
 
   const target = { x: 392, y: 60, angle: 90 }; // a free place, the block's long side along y

@@ -10,12 +10,12 @@ joints = 'ADECBF';
 % Where the switches close, in counts from the soft home: upper arm upright, forearm level, tool
 % down. Seen from there each is open before this count, and closed from it on: for a few dozen
 % counts on a real arm, for longer in the simulator.
-places = [16 40 -40 40 -25 30];
+places = [-16 40 -40 40 -25 30];
 
 robot = robot_connect();
 
 % The open jaws are at the end of their travel, and on their switch. It opens when they close.
-robot_changes(robot, 'A', 10, 1600);
+robot_changes(robot, 'A', -10, 1600);
 closed = robot_switch(robot, 'A');  % what a closed switch reads, 0 or 1
 
 % A shoulder on its switch may lean far back: it comes forward before the forearm moves.
@@ -31,9 +31,9 @@ for k = 1:6
   fprintf('%s is on its switch, at %+d\n', joint, places(k));
 end
 
-% All switches at once. J also reports four input lines, in its bits 4 to 32.
+% All switches at once. J also reports four input lines, in its bits 1 to 8.
 i = robot_ask(robot, 'I') - 32;
-j = mod(robot_ask(robot, 'J') - 32, 4);
+j = bitand(robot_ask(robot, 'J') - 32, 48);
 fprintf('a closed switch reads %d; the switches of I are %d, those of J %d\n', closed, i, j);
 
 % The soft home is at count 0: move each joint back by the count of its switch.

@@ -12,10 +12,10 @@ import xr3
 # down. Seen from there each is open before this count, and closed from it on: for a few dozen
 # counts on a real arm, for longer in the simulator. The jaws, joint A, come first: they show how a
 # closed switch reads. The elbow follows, since it lifts the hand off the table.
-SWITCHES = {"A": 16, "D": 40, "E": -40, "C": 40, "B": -25, "F": 30}
+SWITCHES = {"A": -16, "D": 40, "E": -40, "C": 40, "B": -25, "F": 30}
 
 # One byte reports several switches: I those of joints C to F, J those of A and B. Each has one bit.
-BITS = {"D": ("I", 2), "E": ("I", 4), "C": ("I", 1), "B": ("J", 2), "F": ("I", 8), "A": ("J", 1)}
+BITS = {"D": ("I", 2), "E": ("I", 4), "C": ("I", 1), "B": ("J", 32), "F": ("I", 8), "A": ("J", 16)}
 
 STEP = 10  # counts of one move of the search; a switch stays closed for longer
 FAR = 1600  # more counts than any joint has from a limit to its switch
@@ -71,7 +71,7 @@ def find_near_edge(joint):
 
 
 # The open jaws are at the end of their travel, and on their switch. It opens when they close.
-changes("A", STEP, FAR)
+changes("A", -STEP, FAR)
 closed = read_switch("A")  # what a closed switch reads, 0 or 1
 
 # A shoulder on its switch may lean far back: it comes forward before the forearm moves.
@@ -85,8 +85,8 @@ for joint, place in SWITCHES.items():
                  "with its own workcell)")
     print(f"{joint} is on its switch, at {place:+d}")
 
-# All switches at once. J also reports four input lines, in its bits 4 to 32.
-i, j = robot.ask("I") - 32, (robot.ask("J") - 32) & 3
+# All switches at once. J also reports four input lines, in its bits 1 to 8.
+i, j = robot.ask("I") - 32, (robot.ask("J") - 32) & 48
 print(f"a closed switch reads {closed}; the switches of I are {i}, those of J {j}")
 
 # The soft home is at count 0: move each joint back by the count of its switch.

@@ -20,13 +20,13 @@ ABOVE_BLOCK = {"F": 0, "E": 242, "D": -440, "C": 0, "B": 0}
 AT_BLOCK = {"F": 0, "E": 449, "D": -625, "C": 0, "B": 0}
 ABOVE_PLACE = {"F": 0, "E": 483, "D": -238, "C": 0, "B": 288}  # x 400, y 0, not turned
 AT_PLACE = {"F": 0, "E": 623, "D": -354, "C": 0, "B": 288}
-SHUT = -64  # count of A at which the jaws are closed
+SHUT = 64  # count of A at which the jaws are closed
 
 robot = xr3.connect()
 
 # robot.go() moves all joints to these counts together. A single move is limited to 127 counts, so
 # go() sends several and waits after each.
-robot.go({"A": 16})
+robot.go({"A": -16})
 print("the jaws are open")
 robot.go(ABOVE_BLOCK)
 print("above the block")
@@ -34,22 +34,22 @@ robot.go(AT_BLOCK)
 
 # Command the jaws to close much further than the block permits. They stop at the block, and the
 # remaining counts give its width: A is 50.8 mm open at count 0, and a count is 0.79375 mm.
-robot.send("A-90\r")
+robot.send("A+90\r")
 left = robot.wait("A")  # also cancels the rest (AX): the jaws would keep pressing
-robot.at["A"] -= 90 - left  # robot.at holds the motor positions, as tracked by go()
-if robot.at["A"] <= SHUT:
+robot.at["A"] += 90 - left  # robot.at holds the motor positions, as tracked by go()
+if robot.at["A"] >= SHUT:
     robot.go(ABOVE_BLOCK)  # back to the start position
     robot.go(HOME)
     sys.exit("the jaws closed on nothing: is the block at x 262, y 0 mm? Restart the server to "
              "have it there (the examples 3 to 6 are for the Rhino XR-3 with its own workcell)")
-print(f"the jaws closed on {50.8 + 0.79375 * robot.at['A']:.1f} mm")
+print(f"the jaws closed on {50.8 - 0.79375 * robot.at['A']:.1f} mm")
 
 robot.go(ABOVE_BLOCK)
 print("lifted")
 robot.go(ABOVE_PLACE)
 robot.go(AT_PLACE)
 print("at its new place")
-robot.go({"A": 16})
+robot.go({"A": -16})
 print("let go")
 robot.go(ABOVE_PLACE)
 robot.go(HOME)

@@ -18,7 +18,7 @@ struct Switch {
     bit: i32,
 }
 
-const JAWS: Switch = Switch { joint: 'A', place: 16, inquiry: "J", bit: 1 };
+const JAWS: Switch = Switch { joint: 'A', place: -16, inquiry: "J", bit: 16 };
 const SHOULDER: Switch = Switch { joint: 'E', place: -40, inquiry: "I", bit: 4 };
 
 // The jaws come first: they show how a closed switch reads. The elbow, joint D, follows, since it
@@ -28,7 +28,7 @@ const SWITCHES: [Switch; 6] = [
     Switch { joint: 'D', place: 40, inquiry: "I", bit: 2 },
     SHOULDER,
     Switch { joint: 'C', place: 40, inquiry: "I", bit: 1 },
-    Switch { joint: 'B', place: -25, inquiry: "J", bit: 2 },
+    Switch { joint: 'B', place: -25, inquiry: "J", bit: 32 },
     Switch { joint: 'F', place: 30, inquiry: "I", bit: 8 },
 ];
 
@@ -95,7 +95,7 @@ fn home() -> Result<()> {
     let mut robot = Robot::connect()?;
 
     // The open jaws are at the end of their travel, and on their switch. It opens when they close.
-    changes(&mut robot, &JAWS, STEP, FAR)?;
+    changes(&mut robot, &JAWS, -STEP, FAR)?;
     let closed = read_switch(&mut robot, &JAWS)?; // what a closed switch reads, 0 or 1
 
     // A shoulder on its switch may lean far back: it comes forward before the forearm moves.
@@ -115,9 +115,9 @@ fn home() -> Result<()> {
         println!("{} is on its switch, at {:+}", of.joint, of.place);
     }
 
-    // All switches at once. J also reports four input lines, in its bits 4 to 32.
+    // All switches at once. J also reports four input lines, in its bits 1 to 8.
     let i = robot.ask("I")? - 32;
-    let j = (robot.ask("J")? - 32) & 3;
+    let j = (robot.ask("J")? - 32) & 48;
     println!("a closed switch reads {closed}; the switches of I are {i}, those of J {j}");
 
     // The soft home is at count 0: move each joint back by the count of its switch.

@@ -14,8 +14,8 @@ use std::io::Result;
 const PIXELS: usize = 192;
 const ROW_BYTES: usize = PIXELS / 6;
 
-const OPEN: i32 = 16; // count of A with open jaws
-const SHUT: i32 = -64; // count of A with closed jaws
+const OPEN: i32 = -16; // count of A with open jaws
+const SHUT: i32 = 64; // count of A with closed jaws
 const Z: f64 = 20.0; // height of the largest block's centre, mm
 const ABOVE: f64 = 100.0; // height above it for approach and departure, mm
 
@@ -142,9 +142,9 @@ fn find_and_pick() -> Result<()> {
     robot.go_jaws(OPEN)?;
     go_to(&mut robot, &block, Z + ABOVE)?;
     go_to(&mut robot, &block, Z)?;
-    robot.send("A-90\r")?; // as in example 5
-    robot.at[JAWS] -= 90 - robot.wait('A')?;
-    if robot.at[JAWS] <= SHUT {
+    robot.send("A+90\r")?; // as in example 5
+    robot.at[JAWS] += 90 - robot.wait('A')?;
+    if robot.at[JAWS] >= SHUT {
         eprintln!(
             "the jaws closed on nothing: is the block at x {:.0}, y {:.0} mm? (The examples 3 to 6 \
              are for the Rhino XR-3 with its own workcell)",
@@ -154,7 +154,7 @@ fn find_and_pick() -> Result<()> {
         robot.go([0; 6])?;
         std::process::exit(1);
     }
-    println!("the jaws closed on {:.1} mm", 50.8 + 0.79375 * f64::from(robot.at[JAWS]));
+    println!("the jaws closed on {:.1} mm", 50.8 - 0.79375 * f64::from(robot.at[JAWS]));
     go_to(&mut robot, &block, Z + ABOVE)?;
 
     // A free place, the block's long side along y.

@@ -140,13 +140,15 @@ std::string closed_switches(const SwitchBits& bits, const ReplyContext& context)
   return labels.empty() ? "no microswitch closed" : "microswitches closed: " + labels;
 }
 
-// K carries lines 1...4 in bits 0...3, J lines 5...8 in bits 2...5.
-std::string high_inputs(const SwitchBits& bits) {
-  const unsigned inputs = bits.inputs;
-  const unsigned lines = bits.inquiry == 'K' ? inputs : inputs >> 2U << 4U;
+// K has lines 1...4 in bits 0...3.
+std::string high_inputs(const SwitchBits& bits, const ReplyContext& context) {
+  const bool is_k = bits.inquiry == 'K';
+  const InputMasks masks = is_k ? InputMasks{1, 2, 4, 8} : input_masks_of(context);
+  int line = is_k ? 1 : kFirstInputOfJ;
   std::string high;
-  for (unsigned i = 0; i < 8; ++i) {
-    if ((lines >> i & 1U) != 0) list(high, number(static_cast<int>(i) + 1));
+  for (const std::uint8_t mask : masks) {
+    if ((bits.inputs & mask) != 0) list(high, number(line));
+    ++line;
   }
   return high.empty() ? "no input line high" : "input lines high: " + high;
 }
@@ -172,9 +174,10 @@ struct Replies {
             label_of(command) + ": microswitch " + (state.closed ? "closed" : "open")};
   }
   ReplyText operator()(const SwitchBits& bits) const {
-    if (bits.inquiry == 'K') return {"reply_inputs", high_inputs(bits)};
+    if (bits.inquiry == 'K') return {"reply_inputs", high_inputs(bits, context)};
     const std::string closed = closed_switches(bits, context);
-    return {"reply_switches", bits.inquiry == 'I' ? closed : closed + "; " + high_inputs(bits)};
+    if (bits.inquiry == 'I') return {"reply_switches", closed};
+    return {"reply_switches", closed + "; " + high_inputs(bits, context)};
   }
   ReplyText operator()(const wire::PictureSize& size) const {
     if (const auto* row = std::get_if<CameraRow>(&command)) {

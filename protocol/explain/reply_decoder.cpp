@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "core/switches.hpp"
 #include "protocol/line/rhino_reply.hpp"
 
 namespace xr3 {
@@ -15,8 +14,6 @@ using DecodedReply = ReplyWith<PictureSize>;
 constexpr int kSevenBitValues = 128;
 constexpr int kMaxErrorMagnitude = 128;
 constexpr unsigned kSwitchesOfI = 0x3f;
-constexpr unsigned kSwitchesOfJ = 0x03;
-constexpr unsigned kInputsOfJ = 0x3c;
 constexpr unsigned kInputsOfK = 0x0f;
 
 std::size_t bytes_of_row(int pixels) {
@@ -102,7 +99,9 @@ struct ReplyOf {
   }
   DecodedReply operator()(const QuerySwitchesI&) const { return switches('I', kSwitchesOfI, 0); }
   DecodedReply operator()(const QuerySwitchesJ&) const {
-    return switches('J', kSwitchesOfJ, kInputsOfJ);
+    unsigned inputs = 0;
+    for (const std::uint8_t mask : input_masks_of(context)) inputs |= mask;
+    return switches('J', fitted_bits(context, 'J'), inputs);
   }
   DecodedReply operator()(const QueryInputs&) const { return switches('K', 0, kInputsOfK); }
   DecodedReply operator()(const CameraImage&) const { return picture(context.camera->height); }
@@ -125,6 +124,10 @@ struct ReplyOf {
 };
 
 }  // namespace
+
+InputMasks input_masks_of(const ReplyContext& context) {
+  return input_masks_of_j(context.masks[0], context.masks[1]);
+}
 
 ReplyContext context_of(const Model& model) {
   ReplyContext context;

@@ -10,6 +10,7 @@
 
 #include "core/command.hpp"
 #include "core/model.hpp"
+#include "core/switches.hpp"
 #include "protocol/explain/wire_record.hpp"
 
 namespace xr3 {
@@ -21,12 +22,15 @@ struct ReplyContext {
   Profile profile = Profile::kPaper;
   /// The bit of the microswitch of each joint A...H, in the reply to J (A and B) or I; 0: none.
   /// The default is the order that the robots of this project and the Mark III have.
-  std::array<std::uint8_t, kLabels> masks{1, 2, 1, 2, 4, 8, 16, 32};
+  std::array<std::uint8_t, kLabels> masks{16, 32, 1, 2, 4, 8, 16, 32};
   /// The camera's image; 0 x 0 without a camera, nullopt if unknown.
   std::optional<wire::PictureSize> camera = std::nullopt;
 };
 
 ReplyContext context_of(const Model& model);
+
+/// The bits of input lines 5...8 in the reply to J.
+InputMasks input_masks_of(const ReplyContext& context);
 
 /// The number of bytes of the reply to a command: 0 if it has none, nullopt if the context does not
 /// tell.

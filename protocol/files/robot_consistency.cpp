@@ -23,7 +23,6 @@ using data::Reading;
 constexpr double kMaxCountsFromHome = 1e8;
 
 constexpr const char* kToolPointer = "/tool";
-constexpr int kHighestBitOfJ = 2;  // bits 2 to 5 of J are input lines
 constexpr char kToolLabel = 'A';
 
 std::string number_text(double number) { return plain_number(number, 4); }
@@ -82,8 +81,7 @@ void check_limits(const CheckedMotor& motor, Reading& reading) {
   }
 }
 
-/// Requires a bit that no other switch of the same reply has. J has only two bits for switches; the
-/// others are input lines.
+/// Requires a bit that no other switch of the same reply has.
 void check_mask(const CheckedMotor& motor, Reading& reading, std::set<int>& taken_i,
                 std::set<int>& taken_j) {
   const std::string pointer = motor.pointer + "/switch/mask";
@@ -92,14 +90,21 @@ void check_mask(const CheckedMotor& motor, Reading& reading, std::set<int>& take
     return;
   const bool in_j = is_asked_for(motor.drive->label, 'J');
   const std::string reply = in_j ? "J" : "I";
-  if (in_j && mask > kHighestBitOfJ) {
-    return reading.refuse(pointer, std::to_string(mask),
-                          "1 or 2, or 0 for none: J has room for two switches");
-  }
   if (!(in_j ? taken_j : taken_i).insert(mask).second) {
     reading.refuse(pointer, std::to_string(mask) + ", a duplicate",
                    "a bit of the reply to " + reply + " that no other switch has");
   }
+}
+
+/// Requires that the switch is open during at least half of each period.
+void check_period(const CheckedMotor& motor, Reading& reading) {
+  const std::string pointer = motor.pointer + "/switch/period";
+  const Microswitch& microswitch = motor.drive->microswitch;
+  if (!microswitch.period || !reading.is_sound(pointer)) return;
+  const Counts least = 2 * microswitch.width.value_or(kMark3SwitchRange);
+  if (*microswitch.period >= least) return;
+  reading.refuse(pointer, std::to_string(*microswitch.period),
+                 std::to_string(least) + " or more: twice the counts in which it is closed");
 }
 
 void check_switch_position(const CheckedMotor& motor, Reading& reading) {
@@ -133,6 +138,7 @@ void check_motors(const Robot& robot, Reading& reading) {
     check_limits(motor, reading);
     check_mask(motor, reading, taken_i, taken_j);
     check_switch_position(motor, reading);
+    check_period(motor, reading);
   }
 }
 

@@ -48,7 +48,8 @@ Members<Microswitch> switch_members() {
   return {required("position", &Microswitch::position,
                    whole_number(-kMaxSwitchCounts, kMaxSwitchCounts)),
           required("mask", &Microswitch::mask, mask()),
-          optional("width", &Microswitch::width, whole_number(1, kMaxSwitchCounts))};
+          optional("width", &Microswitch::width, whole_number(1, kMaxSwitchCounts)),
+          optional("period", &Microswitch::period, whole_number(2, kMaxSwitchCounts))};
 }
 
 Codec<OutlinePoint> outline_point() {

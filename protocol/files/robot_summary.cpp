@@ -76,11 +76,13 @@ std::string motor_table(const Model& model) {
 }
 
 /// The range of counts of its own motor in which a switch is closed.
-std::string closed_when(const CountRange& closed) {
+std::string closed_when(const MotorModel& motor) {
+  const CountRange closed = motor.closed;
   using Limits = std::numeric_limits<Counts>;
   if (closed.low == Limits::min()) return std::to_string(closed.high) + " and below";
   if (closed.high == Limits::max()) return std::to_string(closed.low) + " and above";
-  return std::to_string(closed.low) + " to " + std::to_string(closed.high);
+  const std::string each = motor.period == 0 ? "" : ", every " + std::to_string(motor.period);
+  return std::to_string(closed.low) + " to " + std::to_string(closed.high) + each;
 }
 
 std::string switch_table(const Model& model) {
@@ -89,8 +91,8 @@ std::string switch_table(const Model& model) {
     const MotorModel& motor = model.motor(i);
     const int mask = motor.drive.microswitch.mask;
     const std::string reply = is_asked_for(motor.drive.label, 'J') ? "J" : "I";
-    rows.push_back({title_of(model, i), closed_when(motor.closed),
-                    mask == 0 ? "-" : std::to_string(mask), mask == 0 ? "neither" : reply});
+    rows.push_back({title_of(model, i), closed_when(motor), mask == 0 ? "-" : std::to_string(mask),
+                    mask == 0 ? "neither" : reply});
   }
   return "\nMicroswitches\n" + text_table(rows, "llrl");
 }

@@ -517,7 +517,7 @@ Run run_in_pieces(const std::string& program, const std::vector<std::size_t>& si
 
 RC_GTEST_PROP(ByteClockCell, TheSameBytesInAnyPiecesGiveTheSameRun, ()) {
   const auto command = rc::gen::element<std::string>(
-      "E+50\r", "E-20\r", "E?", "I", "J", "D+9", "E?", "F-30\r", "FX", "A-40\r", "?", "T", "A*5,5*",
+      "E+50\r", "E-20\r", "E?", "I", "J", "D+9", "E?", "F-30\r", "FX", "A+40\r", "?", "T", "A*5,5*",
       "A*3*", "A$", "\xff\xfd\x03", "\xff\xff", "x", "P", "P3", "OL", "E*60\r", "C?", "A@", "A@");
   std::string program;
   for (const std::string& each : *rc::gen::container<std::vector<std::string>>(command))

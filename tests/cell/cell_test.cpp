@@ -229,7 +229,7 @@ TEST(Cell, AHomedLineThatDropsABlockGetsAWarningWithItsBytes) {
   Lab lab;
   lab.open(1);
   lab.call(call::AddBlock{block_at_the_tip(lab)});
-  lab.send(1, "A-100\r");
+  lab.send(1, "A+100\r");
   lab.call(call::RunUntil{{}, 100'000});
   lab.events.clear();
   lab.send(1, "A$");
@@ -368,7 +368,7 @@ class Seen {
   void pass(Tick ticks) { call(call::Step{ticks}); }
   /// Moves the open jaws down around the first block.
   void go_to_a_block() {
-    bytes("A$A+16\r");
+    bytes("A$A-16\r");
     for (int i = 0; i < 6; ++i) {
       bytes(i < 3 ? "E+120\rD-120\r" : i == 3 ? "E+89\rD-120\r" : i == 4 ? "D-120\r" : "D-25\r");
       call(call::RunUntil{{}, 5000});
@@ -396,8 +396,8 @@ void something_happens(Seen& seen) {
   switch (any(0, 12)) {
     case 0: return seen.go_to_a_block();
     case 1:
-    case 2: seen.bytes("AXA-100\r"); return seen.pass(any(1, 3000));
-    case 3: seen.bytes("AXA+30\r"); return seen.pass(any(1, 500));
+    case 2: seen.bytes("AXA+100\r"); return seen.pass(any(1, 3000));
+    case 3: seen.bytes("AXA-30\r"); return seen.pass(any(1, 500));
     case 4:
     case 5: seen.bytes("E-20\rF+9\r"); return seen.pass(any(1, 99));
     case 6: return seen.call(call::MoveBlock{some_block(), PointUm{200'000, 0, 20'000}, {}});

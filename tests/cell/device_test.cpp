@@ -275,7 +275,7 @@ TEST_F(DeviceTest, ItsRepliesAreExplainedAsThoseOfASimulatedMark3) {
   };
   EXPECT_EQ(explained_reply("F?", "!"), "from the device: F: 1 count to go");
   EXPECT_EQ(explained_reply("I", "\x5d"), "from the device: microswitches closed: D");
-  EXPECT_EQ(explained_reply("J", "\x2e"),
+  EXPECT_EQ(explained_reply("J", "\x43"),
             "from the device: microswitches closed: A; input lines high: 5, 6");
   EXPECT_EQ(explained_reply("K", "!"), "from the device: input lines high: 1");
   EXPECT_EQ(explained_reply("K", "z"), "from the device: 7a hex, which is no reply to K");

@@ -156,7 +156,7 @@ void stand_over(Rig& rig, const PointUm& at) {
 }
 
 void squeeze(Rig& rig) {
-  rig.move('A', -127);
+  rig.move('A', 127);
   rig.settle();
   rig.execute(Stop{'A'});
   ASSERT_TRUE(rig.state().held);
@@ -172,7 +172,7 @@ TEST(Carousel, AHeldBlockStaysInTheJawsAndRidesAfterItsRelease) {
   EXPECT_EQ(block_pose(rig.model(), rig.state(), 0), in_jaws);
   EXPECT_EQ(place_of(rig, 1), (PointUm{kAxis, kAxis - 70'000, kTop + 15'000}));
   rig.simulation.take_events();
-  rig.travel('A', 16 - rig.count('A'));
+  rig.travel('A', -16 - rig.count('A'));
   EXPECT_TRUE(rig.events_of<Warning>().empty());
   EXPECT_EQ(riding(rig.state()), (std::vector<std::uint32_t>{0, 1}));
   EXPECT_EQ(rig.state().riders[0].count, kQuarter);
@@ -189,7 +189,7 @@ TEST(Carousel, ItTurnsUnderJawsThatClose) {
   Rig rig(with_blocks({block("on", 70'000, 0, kTop)}));
   stand_over(rig, place_of(rig, 0));
   rig.move('H', 3);
-  rig.move('A', -127);
+  rig.move('A', 127);
   rig.settle();
   ASSERT_TRUE(rig.state().held);
   EXPECT_EQ(derived(rig.model(), rig.state()), rig.state());

@@ -29,7 +29,7 @@ Positions where(const Rig& rig) { return positions(rig.model(), rig.state().moto
 PointUm tip(const Rig& rig) { return tool_tip(rig.model(), where(rig)); }
 
 void grip(Rig& rig) {
-  rig.move('A', -127);
+  rig.move('A', 127);
   rig.settle();
   rig.execute(Stop{'A'});
   ASSERT_TRUE(rig.state().held);
@@ -100,7 +100,7 @@ Rig holding(bool surface_stalls = false, PointUm size = {40'000, 30'000, 36'000}
   Workcell workcell = table_with(down(), size);
   workcell.surface_stalls = surface_stalls;
   Rig rig(rhino_on(workcell));
-  rig.stand_at({{'E', 449}, {'D', -625}, {'A', 16}});
+  rig.stand_at({{'E', 449}, {'D', -625}, {'A', -16}});
   grip(rig);
   return rig;
 }
@@ -117,7 +117,7 @@ TEST(Carry, AStallKeepsTheBlock) {
   run_into_the_region(rig);
   const std::optional<Held> held = rig.state().held;
   ASSERT_TRUE(held);
-  rig.move('A', 20);
+  rig.move('A', -20);
   rig.pass(5000);
   EXPECT_EQ(rig.state().held, held);
   EXPECT_TRUE(rig.events_of<Released>().empty());
@@ -147,8 +147,8 @@ TEST(Carry, WithoutSurfaceStallsACrossingWarnsOnceAndKeepsTheBlock) {
 
 TEST(Carry, ALimitOfAnyMotorKeepsTheBlock) {
   Rig rig = holding(false, {70'000, 63'500, 36'000});  // as wide as the jaws open
-  ASSERT_EQ(rig.count('A'), 16);
-  rig.move('A', 5);
+  ASSERT_EQ(rig.count('A'), -16);
+  rig.move('A', -5);
   rig.settle();
   EXPECT_EQ(rig.motor('A').blocked, Blocked::kLimit);
   EXPECT_TRUE(rig.state().held);
@@ -195,7 +195,7 @@ TEST(Carry, SoftHomeLeavesTheBlockInPlace) {
     EXPECT_EQ(rig.count('A'), 0);
     EXPECT_EQ(rig.error('A'), 0);
     const Block left = rig.state().blocks[0];
-    rig.travel('A', -20);
+    rig.travel('A', 20);
     rig.travel('F', 30);
     EXPECT_EQ(rig.state().blocks[0], left);
   }
@@ -220,9 +220,9 @@ struct UndoneCase {
 };
 
 const UndoneCase kUndone[] = {
-    {"would grasp", 0, -26, -1, false},          {"would turn it", 30, -5, -1, false},
-    {"would say too narrow", 0, -40, -1, false}, {"would close on nothing yet", 0, 10, -1, false},
-    {"would release", 0, 16, +1, true},
+    {"would grasp", 0, 26, +1, false},          {"would turn it", 30, 5, +1, false},
+    {"would say too narrow", 0, 40, +1, false}, {"would close on nothing yet", 0, -10, +1, false},
+    {"would release", 0, -16, -1, true},
 };
 
 // The shoulder's first count would enter the region; the jaws' count is due in the same tick.

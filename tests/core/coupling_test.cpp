@@ -28,11 +28,11 @@ const CouplingCase kCases[] = {
     {"the elbow moves the pitch the other way", {{'D', 50}}, {0, 0, 50, -50, 0, 0}},
     {"the pitch moves alone", {{'C', 50}}, {0, 0, 0, 50, 0, 0}},
     {"the roll moves alone", {{'B', 50}}, {0, 0, 0, 0, 50, 0}},
-    {"the jaws move alone", {{'A', -5}}, {0, 0, 0, 0, 0, -5}},
+    {"the jaws move alone", {{'A', 5}}, {0, 0, 0, 0, 0, 5}},
     {"E+m with D-m keeps the elbow's angle", {{'E', 40}, {'D', -40}}, {0, 40, 0, 40, 0, 0}},
     {"all at once",
-     {{'F', 90}, {'E', 40}, {'D', -60}, {'C', 30}, {'B', 48}, {'A', 7}},
-     {90, 40, -20, 90, 48, 7}},
+     {{'F', 90}, {'E', 40}, {'D', -60}, {'C', 30}, {'B', 48}, {'A', -7}},
+     {90, 40, -20, 90, 48, -7}},
 };
 
 TEST(Coupling, PositionsOfTheRhino) {

@@ -19,7 +19,7 @@ Rig busy_rig() {
   Rig rig(roomy_rhino());
   for (const Command& command :
        {Command{SetSpeed{'E', 77}}, Command{SetSpeed{'A', 9}}, Command{Move{'E', 50}},
-        Command{Move{'D', -60}}, Command{Move{'A', -5}}, Command{SetOutput{3, true}},
+        Command{Move{'D', -60}}, Command{Move{'A', 5}}, Command{SetOutput{3, true}},
         Command{SetOutput{8, true}}, Command{SetAuxiliary{1, true}}, Command{ToggleDisplay{}},
         Command{SetViewVector{1, -2, 3}}, Command{SetRefreshPeriod{20}}, Command{ToggleErasing{}},
         Command{SelectStatus{4}}, Command{ToggleFunctionKeys{}}}) {
@@ -113,7 +113,7 @@ TEST(Execute, InquiriesChangeNothing) {
       {"EV", QuerySwitch{'E'}, SwitchState{false}},
       {"DV", QuerySwitch{'D'}, SwitchState{false}},
       {"I", QuerySwitchesI{}, SwitchBits{0, 15, 0, 'I'}},
-      {"J", QuerySwitchesJ{}, SwitchBits{0, 3, 0, 'J'}},
+      {"J", QuerySwitchesJ{}, SwitchBits{0, 48, 0, 'J'}},
       {"K", QueryInputs{}, SwitchBits{0, 0, 2, 'K'}},
   };
   for (const AnswerCase& wanted : cases) {

@@ -178,7 +178,7 @@ class Wanderer {
   void jaws() {
     const bool opens = dice_.one_in(state().held ? 5 : 2);
     if (opens) both(Stop{'A'});
-    both(Move{'A', opens ? dice_.any(1, 4) * 30 : -dice_.any(1, 100)});
+    both(Move{'A', opens ? -30 * dice_.any(1, 4) : dice_.any(1, 100)});
   }
 
   // If the arm is far away, as after a home, every joint moves straight back.
@@ -290,7 +290,7 @@ class Wanderer {
       const Block& is = state().blocks[i];
       if (is == was) continue;
       ++tally_.turns;
-      EXPECT_LT(turned, 0) << "only closing jaws turn a block";
+      EXPECT_GT(turned, 0) << "only closing jaws turn a block";
       EXPECT_TRUE(is_in(was, tool_tip(model(), where(state()))));
       EXPECT_EQ(is.centroid_um, was.centroid_um);
       check_flat(was, is);

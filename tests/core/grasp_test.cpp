@@ -19,7 +19,7 @@ constexpr double kHairDeg = 1e-5;
 
 // Above the red block of the Rhino's table: tool down, net roll 90 degrees.
 constexpr std::initializer_list<test::LabelledCount> kDown = {{'E', 449}, {'D', -625}};
-constexpr Counts kFullyOpen = 16;
+constexpr Counts kFullyOpen = -16;
 
 ModelPtr rhino_with(std::vector<Block> blocks, Workcell workcell = test::bare_workcell()) {
   workcell.blocks = std::move(blocks);
@@ -56,7 +56,7 @@ Rig over(std::vector<Block> blocks, Workcell workcell = test::bare_workcell()) {
 }
 
 void close_jaws(Rig& rig, int counts = 100) {
-  rig.move('A', -counts);
+  rig.move('A', counts);
   rig.settle();
 }
 
@@ -128,7 +128,7 @@ TEST(Grasp, JawsNarrowerThanABlocksLengthDoNotGraspIt) {
   EXPECT_LT(angle_between(degrees(block(rig).yaw_udeg), 180), kHairDeg);
 
   Rig narrower = over({block_at(kPlace, 90 + 50.0, slender)});
-  narrower.stand_at({{'E', 449}, {'D', -625}, {'A', 5}});  // 54.77 mm
+  narrower.stand_at({{'E', 449}, {'D', -625}, {'A', -5}});  // 54.77 mm
   close_jaws(narrower);
   EXPECT_FALSE(narrower.state().held);
   EXPECT_EQ(block(narrower), block_at(kPlace, 140, slender));
@@ -138,13 +138,13 @@ TEST(Grasp, JawsNarrowerThanABlocksLengthDoNotGraspIt) {
 
 struct MeasureCase {
   Micrometres width;
-  Counts stop;  ///< ceil((width - home) / precision - 1e-6)
+  Counts stop;  ///< -ceil((width - home) / precision - 1e-6)
 };
 
 // Home 50.8 mm, 0.79375 mm per count.
 constexpr MeasureCase kMeasures[] = {
-    {32'000, -23}, {28'000, -28}, {50'800, 0},  {50'801, 1},  {50'799, 0},  {50'006, -1},
-    {50'007, 0},   {1'000, -62},  {63'500, 16}, {63'000, 16}, {62'700, 15}, {11'906, -49},
+    {32'000, 23}, {28'000, 28}, {50'800, 0},   {50'801, -1},  {50'799, 0},   {50'006, 1},
+    {50'007, 0},  {1'000, 62},  {63'500, -16}, {63'000, -16}, {62'700, -15}, {11'906, 49},
 };
 
 TEST(Grasp, JawsStopAtTheLastCountThatLeavesRoom) {
@@ -156,8 +156,8 @@ TEST(Grasp, JawsStopAtTheLastCountThatLeavesRoom) {
     EXPECT_EQ(rig.motor('A').blocked, Blocked::kBlock) << width;
     EXPECT_EQ(rig.motor('A').phase, 0) << width;
     EXPECT_TRUE(rig.simulation.is_at_rest());
-    EXPECT_EQ(rig.error('A'), -100 + (kFullyOpen - stop)) << "what was left of the closing move";
-    EXPECT_EQ(rig.execute(QueryError{'A'}), Reply(ErrorMagnitude{100 - (kFullyOpen - stop)}));
+    EXPECT_EQ(rig.error('A'), 100 + (kFullyOpen - stop)) << "what was left of the closing move";
+    EXPECT_EQ(rig.execute(QueryError{'A'}), Reply(ErrorMagnitude{100 + (kFullyOpen - stop)}));
   }
 }
 
@@ -175,77 +175,77 @@ const std::vector<Warning> kTouches = {{WarningCode::kJawsTouch, 'A', 0, 0, "blo
 
 TEST(Grasp, JawsThatOnlyTouchABlockDoNotHoldIt) {
   Rig rig = over({block_at(kPlace, 90)});
-  close_jaws(rig, kFullyOpen + 26);
-  EXPECT_EQ(rig.count('A'), -26);
+  close_jaws(rig, 26 - kFullyOpen);
+  EXPECT_EQ(rig.count('A'), 26);
   EXPECT_EQ(rig.error('A'), 0);
   EXPECT_FALSE(rig.state().held);
   EXPECT_EQ(rig.events_of<Warning>(), kTouches);
   EXPECT_TRUE(std::holds_alternative<Warning>(rig.simulation.events().back().body))
       << "after the report that A has reached its target";
   close_jaws(rig, 1);
-  EXPECT_EQ(rig.count('A'), -26);
+  EXPECT_EQ(rig.count('A'), 26);
   EXPECT_TRUE(rig.state().held);
   EXPECT_EQ(rig.events_of<Warning>(), kTouches) << "they hold it now";
 }
 
 TEST(Grasp, JawsThatTurnABlockAndStopAtItsWidthTouchIt) {
   Rig rig = over({block_at(kPlace, 90 + 20.0)});
-  close_jaws(rig, kFullyOpen + 26);
+  close_jaws(rig, 26 - kFullyOpen);
   EXPECT_NE(block(rig).yaw_udeg, microdegrees(110)) << "it was turned flat";
   EXPECT_EQ(rig.events_of<Warning>(), kTouches);
 }
 
 TEST(Grasp, OnlyAClosingMoveThatEndsAtTheWidthTouches) {
   Rig wider = over({block_at(kPlace, 90)});
-  close_jaws(wider, kFullyOpen + 25);
+  close_jaws(wider, 25 - kFullyOpen);
   EXPECT_TRUE(wider.events_of<Warning>().empty()) << "there is room for a count";
 
   Rig corners = over({block_at(kPlace, 90 + 30.0)});
-  close_jaws(corners, kFullyOpen + 6);  // 46.04 mm: the next count would turn the block
+  close_jaws(corners, 6 - kFullyOpen);  // 46.04 mm: the next count would turn the block
   EXPECT_EQ(block(corners), block_at(kPlace, 120));
   EXPECT_TRUE(corners.events_of<Warning>().empty()) << "at its corners, not at its width";
 
   Rig stopped = over({block_at(kPlace, 90)});
-  stopped.move('A', -100);
-  while (stopped.count('A') != -26) stopped.pass(1);
+  stopped.move('A', 100);
+  while (stopped.count('A') != 26) stopped.pass(1);
   stopped.execute(Stop{'A'});
   stopped.pass(1000);
   EXPECT_TRUE(stopped.events_of<Warning>().empty()) << "the move did not end, the program ended it";
 
   Rig opening_up = over({block_at(kPlace, 90)});
-  opening_up.stand_at({{'E', 449}, {'D', -625}, {'A', -40}});
-  opening_up.travel('A', 14);
-  EXPECT_EQ(opening_up.count('A'), -26);
+  opening_up.stand_at({{'E', 449}, {'D', -625}, {'A', 40}});
+  opening_up.travel('A', -14);
+  EXPECT_EQ(opening_up.count('A'), 26);
   EXPECT_TRUE(opening_up.events_of<Warning>().empty()) << "opening jaws are not meant to grasp";
 
   Rig nothing = over({block_at(beside(kPlace, 0, 60'000), 90)});
-  close_jaws(nothing, kFullyOpen + 26);
+  close_jaws(nothing, 26 - kFullyOpen);
   EXPECT_TRUE(nothing.events_of<Warning>().empty()) << "nothing is between them";
 }
 
 TEST(Grasp, WithoutAStopAnOpeningMoveReducesTheRemainingCounts) {
   Rig rig = over({block_at(kPlace, 90)});
   close_jaws(rig);
-  ASSERT_EQ(rig.error('A'), -58);
-  rig.move('A', 20);
+  ASSERT_EQ(rig.error('A'), 58);
+  rig.move('A', -20);
   rig.settle();
-  EXPECT_EQ(rig.error('A'), -38);
-  EXPECT_EQ(rig.count('A'), -26);
+  EXPECT_EQ(rig.error('A'), 38);
+  EXPECT_EQ(rig.count('A'), 26);
   EXPECT_TRUE(rig.state().held);
   rig.execute(Stop{'A'});
   EXPECT_EQ(rig.motor('A').blocked, Blocked::kNo);
   EXPECT_TRUE(rig.state().held) << "stopping is not opening";
-  rig.move('A', 20);
+  rig.move('A', -20);
   rig.settle();
-  EXPECT_EQ(rig.count('A'), -6);
+  EXPECT_EQ(rig.count('A'), 6);
   EXPECT_FALSE(rig.state().held);
 }
 
 TEST(Grasp, AClosingMoveOfJawsThatHoldIsBlockedAtOnce) {
   Rig rig = holding();
   close_jaws(rig, 30);
-  EXPECT_EQ(rig.count('A'), -26);
-  EXPECT_EQ(rig.error('A'), -30);
+  EXPECT_EQ(rig.count('A'), 26);
+  EXPECT_EQ(rig.error('A'), 30);
   EXPECT_EQ(rig.motor('A').blocked, Blocked::kBlock);
   EXPECT_TRUE(rig.events_of<Grasped>().empty()) << "it was held already";
 }
@@ -255,26 +255,26 @@ TEST(Grasp, JawsCloseIfNoBlockIsBetweenThem) {
                   block_at(beside(kPlace, 0, 0, -18'001), 0)});
   const std::vector<Block> before = rig.state().blocks;
   close_jaws(rig, 80);
-  EXPECT_EQ(rig.count('A'), -64) << "closed";
+  EXPECT_EQ(rig.count('A'), 64) << "closed";
   EXPECT_EQ(rig.error('A'), 0);
   EXPECT_EQ(rig.state().blocks, before);
 }
 
-TEST(Grasp, ARobotWithPositiveClosingCountsGrasps) {
+TEST(Grasp, ARobotWithNegativeClosingCountsGrasps) {
   Robot robot = test::robot_named("rhino-xr3");
-  robot.tool.drive.direction = -1;
-  robot.tool.drive.microswitch.position = -16;
+  robot.tool.drive.direction = 1;
+  robot.tool.drive.microswitch.position = 16;
   Workcell workcell = test::bare_workcell();
   workcell.blocks = {block_at(kPlace, 90)};
   Rig rig(std::make_shared<const Model>(robot, workcell, Profile::kPaper));
   rig.stand_at(kDown);
-  rig.move('A', 100);
+  rig.move('A', -100);
   rig.settle();
   EXPECT_TRUE(rig.state().held);
-  EXPECT_EQ(rig.count('A'), 26);
-  EXPECT_EQ(rig.error('A'), 74);
+  EXPECT_EQ(rig.count('A'), -26);
+  EXPECT_EQ(rig.error('A'), -74);
   rig.execute(Stop{'A'});
-  rig.move('A', -1);
+  rig.move('A', 1);
   rig.settle();
   EXPECT_FALSE(rig.state().held);
 }
@@ -290,16 +290,16 @@ int narrow_warnings(const Rig& rig) {
 
 TEST(Grasp, JawsNarrowerThanTheBlockWarnOnceAndGraspNothing) {
   Rig rig = over({block_at(kPlace, 90)});
-  rig.stand_at({{'E', 449}, {'D', -625}, {'A', -27}});
+  rig.stand_at({{'E', 449}, {'D', -625}, {'A', 27}});
   close_jaws(rig, 10);
-  EXPECT_EQ(rig.count('A'), -37) << "they close all the same";
+  EXPECT_EQ(rig.count('A'), 37) << "they close all the same";
   ASSERT_EQ(narrow_warnings(rig), 1);
   EXPECT_EQ(rig.events_of<Warning>()[0].block, "block");
   EXPECT_EQ(block(rig), block_at(kPlace, 90));
   EXPECT_FALSE(rig.state().held);
   close_jaws(rig, 10);
   EXPECT_EQ(narrow_warnings(rig), 1) << "the same closing goes on";
-  rig.travel('A', 5);
+  rig.travel('A', -5);
   close_jaws(rig, 10);
   EXPECT_EQ(narrow_warnings(rig), 2) << "opened in between";
   rig.travel('B', 3);
@@ -308,8 +308,8 @@ TEST(Grasp, JawsNarrowerThanTheBlockWarnOnceAndGraspNothing) {
 }
 
 TEST(Grasp, TheBlocksExtentMustFitBetweenTheJaws) {
-  Rig rig = over({block_at(kPlace, 90 + 30.0)});       // 46.0 mm as it lies, 30 mm flat
-  rig.stand_at({{'E', 449}, {'D', -625}, {'A', -7}});  // 45.2 mm
+  Rig rig = over({block_at(kPlace, 90 + 30.0)});      // 46.0 mm as it lies, 30 mm flat
+  rig.stand_at({{'E', 449}, {'D', -625}, {'A', 7}});  // 45.2 mm
   close_jaws(rig);
   EXPECT_FALSE(rig.state().held);
   EXPECT_EQ(narrow_warnings(rig), 1);
@@ -357,7 +357,7 @@ TEST(Grasp, OfTwoStackedBlocksTheOneAtTheTipIsGrasped) {
     EXPECT_EQ(rig.state().held->block, wanted);
     rig.execute(Stop{'A'});
     rig.travel('E', -100);
-    rig.travel('A', 10);
+    rig.travel('A', -10);
     EXPECT_EQ(block(rig, 1 - wanted), upper) << "the block below was removed: there is no gravity";
     EXPECT_EQ(block(rig, wanted).centroid_um, tip(rig));
   }
@@ -367,11 +367,11 @@ TEST(Grasp, OfTwoStackedBlocksTheOneAtTheTipIsGrasped) {
 
 TEST(Grasp, TheFirstOpeningCountReleasesTheBlock) {
   Rig rig = holding();
-  rig.move('A', 1);
+  rig.move('A', -1);
   rig.pass(16);  // 60 counts per second
   EXPECT_TRUE(rig.state().held);
   rig.pass(1);
-  EXPECT_EQ(rig.count('A'), -25);
+  EXPECT_EQ(rig.count('A'), 25);
   EXPECT_FALSE(rig.state().held);
   EXPECT_EQ(rig.events_of<Released>(), (std::vector<Released>{{"block", kPlace, 90'000'000}}));
 }
@@ -381,7 +381,7 @@ TEST(Grasp, AReleaseInTheAirWarnsAfterIt) {
   rig.travel('E', -207);
   rig.travel('D', 185);
   rig.simulation.take_events();
-  rig.travel('A', 1);
+  rig.travel('A', -1);
   const auto gap = static_cast<int>(tip(rig).z - 18'000);
   EXPECT_GT(gap, 100'000);
   EXPECT_EQ(rig.events_of<Warning>(),
@@ -398,7 +398,7 @@ TEST(Grasp, AReleaseIntoAnotherBlockWarns) {
   close_jaws(rig);
   rig.execute(Stop{'A'});
   rig.simulation.take_events();
-  rig.travel('A', 1);
+  rig.travel('A', -1);
   ASSERT_EQ(rig.events_of<Warning>().size(), 1U);
   EXPECT_EQ(rig.events_of<Warning>()[0].code, WarningCode::kBlocksOverlap);
 }
@@ -408,7 +408,7 @@ TEST(Grasp, ABlockPutBackOnTheTableIsReleasedInSilence) {
   table.work_surface_um = kPlace.z - 18'000;
   Rig rig = holding(table);
   rig.travel('F', 100);
-  rig.travel('A', 1);
+  rig.travel('A', -1);
   EXPECT_FALSE(rig.state().held);
   EXPECT_TRUE(rig.events_of<Warning>().empty());
 }
@@ -437,7 +437,7 @@ TEST(Grasp, AReleasedBlockIsUprightAtTheTipWithTheNetRollAsYaw) {
       const int quarters = rig.state().held->quarter_turns;
       for (const auto& [label, counts] : c.travel) rig.travel(label, counts);
       ASSERT_TRUE(rig.state().held) << c.what;
-      rig.travel('A', 1);
+      rig.travel('A', -1);
       ASSERT_FALSE(rig.state().held) << c.what;
       EXPECT_EQ(block(rig).centroid_um, tip(rig)) << c.what;
       EXPECT_LT(angle_between(degrees(block(rig).yaw_udeg), net_roll(rig) + 90 * quarters),
@@ -455,7 +455,7 @@ TEST(Grasp, AYawStaysWithinHalfATurn) {
   for (const Counts roll : {-2000, -577, 288, 576, 1152, 3000}) {
     Rig rig = holding();
     rig.travel('B', roll);
-    rig.travel('A', 1);
+    rig.travel('A', -1);
     EXPECT_GT(block(rig).yaw_udeg, -180'000'000) << roll;
     EXPECT_LE(block(rig).yaw_udeg, 180'000'000) << roll;
     EXPECT_LT(angle_between(degrees(block(rig).yaw_udeg), 90 - 0.3125 * roll), kHairDeg) << roll;

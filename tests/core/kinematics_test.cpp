@@ -168,11 +168,11 @@ TEST(Kinematics, WithTheToolDownNetRollIsTheYawOfItsXAxis) {
 TEST(Kinematics, OpeningsOfParallelAndAngularJaws) {
   const ModelPtr parallel = test::rhino();
   EXPECT_DOUBLE_EQ(opening_mm(*parallel, 0), 50.8);
-  EXPECT_DOUBLE_EQ(opening_mm(*parallel, -64), 0.0);
-  EXPECT_DOUBLE_EQ(opening_mm(*parallel, 16), 63.5);
+  EXPECT_DOUBLE_EQ(opening_mm(*parallel, 64), 0.0);
+  EXPECT_DOUBLE_EQ(opening_mm(*parallel, -16), 63.5);
   const ModelPtr angular = model_of(robot_named("intelledex-660"));
-  EXPECT_DOUBLE_EQ(opening_mm(*angular, -80), 0.0);
-  EXPECT_NEAR(opening_mm(*angular, 40), 60.0, 1e-12);
+  EXPECT_DOUBLE_EQ(opening_mm(*angular, 80), 0.0);
+  EXPECT_NEAR(opening_mm(*angular, -40), 60.0, 1e-12);
   EXPECT_NEAR(opening_mm(*angular, 0), 2 * 60 * std::sin(20 * kPi / 180), 1e-12);
 }
 

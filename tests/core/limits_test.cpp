@@ -25,7 +25,7 @@ constexpr EndCase kEnds[] = {
     {'F', 771, true, 175},           {'F', -771, false, -175}, {'E', 881, true, 10},
     {'E', -440, false, -140},        {'D', 925, false, -15},   {'D', -660, true, 165},
     {'C', 1101, false, -125},        {'C', -1101, true, 125},  {'B', 1152288, true, 360000},
-    {'B', -1151712, false, -360000}, {'A', 16, true, 63.5},    {'A', -64, false, 0},
+    {'B', -1151712, false, -360000}, {'A', -16, true, 63.5},   {'A', 64, false, 0},
 };
 
 int sign(int value) { return value < 0 ? -1 : 1; }
@@ -170,8 +170,8 @@ TEST(Limits, EachCountIsCheckedAgainstEarlierCountsOfTheTick) {
 
 TEST(Limits, AStuckMotorGivesTwoEqualReplies) {
   Rig rig(roomy_rhino());
-  rig.stand_at({{'A', 14}});
-  rig.move('A', 20);
+  rig.stand_at({{'A', -14}});
+  rig.move('A', -20);
   rig.pass(200);
   const Reply first = rig.execute(QueryError{'A'});
   rig.pass(22);

@@ -27,13 +27,13 @@ struct LimitCase {
 constexpr LimitCase kLimits[] = {
     {"rhino-xr3", 'F', {-771, 771}},         {"rhino-xr3", 'E', {-440, 881}},
     {"rhino-xr3", 'D', {-660, 925}},         {"rhino-xr3", 'C', {-1101, 1101}},
-    {"rhino-xr3", 'B', {-1151712, 1152288}}, {"rhino-xr3", 'A', {-64, 16}},
+    {"rhino-xr3", 'B', {-1151712, 1152288}}, {"rhino-xr3", 'A', {-16, 64}},
     {"adept-one", 'E', {-1500, 1500}},       {"adept-one", 'D', {-1470, 1470}},
     {"adept-one", 'C', {-200, 190}},         {"adept-one", 'B', {-1174, 598}},
-    {"adept-one", 'A', {-120, 40}},          {"intelledex-660", 'G', {-1500, 1500}},
+    {"adept-one", 'A', {-40, 120}},          {"intelledex-660", 'G', {-1500, 1500}},
     {"intelledex-660", 'F', {-1500, 1500}},  {"intelledex-660", 'E', {-1200, 1200}},
     {"intelledex-660", 'D', {-1500, 1500}},  {"intelledex-660", 'C', {-1200, 1200}},
-    {"intelledex-660", 'B', {-1152, 1152}},  {"intelledex-660", 'A', {-80, 40}},
+    {"intelledex-660", 'B', {-1152, 1152}},  {"intelledex-660", 'A', {-40, 80}},
 };
 
 TEST(Model, LimitsAreCountsRoundedInwards) {
@@ -123,8 +123,8 @@ TEST(Model, VariablesChangeFromHomeByPrecisionAndDirection) {
   EXPECT_DOUBLE_EQ(model->variable(model->index_of('D'), -20), 92.27);
   EXPECT_DOUBLE_EQ(model->variable(model->index_of('C'), 90), -10.215);
   EXPECT_DOUBLE_EQ(model->variable(model->index_of('B'), 48), -75.0);
-  EXPECT_DOUBLE_EQ(model->variable(model->index_of('A'), -64), 0.0);
-  EXPECT_DOUBLE_EQ(model->variable(model->index_of('A'), 16), 63.5);
+  EXPECT_DOUBLE_EQ(model->variable(model->index_of('A'), 64), 0.0);
+  EXPECT_DOUBLE_EQ(model->variable(model->index_of('A'), -16), 63.5);
 }
 
 TEST(Model, TheProfileSetsTheRangeOfSwitchesWithoutAWidth) {

@@ -24,7 +24,7 @@ ModelPtr rhino_on_slide() {
 }
 
 constexpr std::initializer_list<LabelledCount> kPostures[] = {
-    {}, {{'F', 90}, {'E', 40}, {'D', -60}}, {{'F', -300}, {'C', 77}, {'B', 48}, {'A', -20}}};
+    {}, {{'F', 90}, {'E', 40}, {'D', -60}}, {{'F', -300}, {'C', 77}, {'B', 48}, {'A', 20}}};
 
 TEST(Slide, MovesTheToolAlongY) {
   for (const auto& posture : kPostures) {

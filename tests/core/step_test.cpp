@@ -51,7 +51,7 @@ std::vector<Happening> arbitrary_day() {
 // Home, or a few counts from the region, from a limit, or from a coupled joint's limit.
 State arbitrary_start(const Model& model) {
   switch (*rc::gen::inRange(0, 4)) {
-    case 0: return test::state_at(model, {{'E', -320}, {'F', 765}, {'A', 12}});
+    case 0: return test::state_at(model, {{'E', -320}, {'F', 765}, {'A', -12}});
     case 1: return test::state_at(model, {{'D', 600}, {'C', -495}});
     case 2: return test::state_at(model, {{'E', 400}, {'D', 515}, {'B', -20}});
     default: return initial_state(model);

@@ -39,10 +39,11 @@ void exercise(const SavedCell& saved) {
   view_along(simulation.state().display.view);
   status_line(simulation.model(), simulation.state());
   simulation.advance_to(simulation.tick() + 300);
-  for (const char label : {'F', 'E', 'A', 'A'}) simulation.execute(Move{label, -100});
+  for (const char label : {'F', 'E'}) simulation.execute(Move{label, -100});
+  for (int i = 0; i < 2; ++i) simulation.execute(Move{'A', 100});
   simulation.execute(ToggleErasing{});
   simulation.advance_to(simulation.tick() + 300);
-  simulation.execute(Move{'A', 100});
+  simulation.execute(Move{'A', -100});
   simulation.run_to_rest(simulation.tick() + 100'000);
   state_json(simulation.model(), {0, ClockMode::kReal, {}, 1, simulation.state(), {}});
   simulation.execute(SoftHome{});

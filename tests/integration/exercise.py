@@ -126,9 +126,9 @@ class Robot:
     def close_jaws(self):
         """Closes the jaws; returns the opening in mm, or None if they closed on nothing. The counts that
         remain in the error counter measure the block; finish() clears them so that the jaws can open."""
-        self.send("A", -CLOSING)
+        self.send("A", CLOSING)
         left = self.finish("A")
-        self.at["A"] -= CLOSING - left
+        self.at["A"] += CLOSING - left
         return self.arm.opening(self.at["A"]) if left else None
 
     def pick(self, x, y, z, yaw):

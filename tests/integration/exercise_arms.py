@@ -23,9 +23,9 @@ def least(roll):
 class RhinoXr3:
     name = "rhino-xr3"
     homing = "DECBF"
-    masks = {"F": 8, "E": 4, "D": 2, "C": 1, "B": 2, "A": 1}
-    hard_home = {"F": 30, "E": -40, "D": 40, "C": 40, "B": -25, "A": 16}
-    displaced = {"F": 80, "E": 100, "D": -120, "B": 60, "A": -20}
+    masks = {"F": 8, "E": 4, "D": 2, "C": 1, "B": 32, "A": 16}
+    hard_home = {"F": 30, "E": -40, "D": 40, "C": 40, "B": -25, "A": -16}
+    displaced = {"F": 80, "E": 100, "D": -120, "B": 60, "A": 20}
     camera = Camera(290, 0, 384, 192)
     surface = 0
     sizes = {"red": (64, 32, 40), "green": (56, 28, 30), "blue": (60, 28, 30), "yellow": (48, 28, 24),
@@ -35,7 +35,7 @@ class RhinoXr3:
 
     @staticmethod
     def opening(jaws):
-        return 50.8 + 0.79375 * jaws
+        return 50.8 - 0.79375 * jaws
 
     @staticmethod
     def solve(x, y, z, yaw):
@@ -51,9 +51,9 @@ class RhinoXr3:
 class AdeptOne:
     name = "adept-one"
     homing = "CEDB"
-    masks = {"E": 4, "D": 2, "C": 1, "B": 2, "A": 1}
-    hard_home = {"E": -20, "D": -20, "C": -30, "B": 25, "A": 40}
-    displaced = {"E": 150, "D": 90, "C": 40, "B": -100, "A": -30}
+    masks = {"E": 4, "D": 2, "C": 1, "B": 32, "A": 16}
+    hard_home = {"E": -20, "D": -20, "C": -30, "B": 25, "A": -40}
+    displaced = {"E": 150, "D": 90, "C": 40, "B": -100, "A": 30}
     camera = Camera(540, 0, 480, 192)
     surface = 500
     sizes = {"red": (80, 40, 40), "green": (72, 36, 40), "blue": (70, 40, 30), "yellow": (60, 32, 30),
@@ -63,7 +63,7 @@ class AdeptOne:
 
     @staticmethod
     def opening(jaws):
-        return 60 + 0.5 * jaws
+        return 60 - 0.5 * jaws
 
     @staticmethod
     def solve(x, y, z, yaw):
@@ -78,9 +78,9 @@ class AdeptOne:
 class Intelledex660:
     name = "intelledex-660"
     homing = "DECBFG"
-    masks = {"G": 16, "F": 8, "E": 4, "D": 2, "C": 1, "B": 2, "A": 1}
-    hard_home = {"G": 20, "F": -20, "E": -25, "D": 25, "C": 30, "B": -30, "A": 40}
-    displaced = {"G": 100, "E": 120, "D": -120, "C": -100, "B": 60, "A": -20}
+    masks = {"G": 16, "F": 8, "E": 4, "D": 2, "C": 1, "B": 32, "A": 16}
+    hard_home = {"G": 20, "F": -20, "E": -25, "D": 25, "C": 30, "B": -30, "A": -40}
+    displaced = {"G": 100, "E": 120, "D": -120, "C": -100, "B": 60, "A": 20}
     camera = Camera(400, 0, 480, 192)
     surface = 0
     sizes = {"red": (60, 30, 40), "green": (56, 28, 30), "blue": (60, 28, 30), "yellow": (50, 30, 24),
@@ -90,7 +90,7 @@ class Intelledex660:
 
     @staticmethod
     def opening(jaws):
-        return 2 * 60 * math.sin(math.radians(40 + 0.5 * jaws) / 2)
+        return 2 * 60 * math.sin(math.radians(40 - 0.5 * jaws) / 2)
 
     @staticmethod
     def solve(x, y, z, yaw):

@@ -11,7 +11,7 @@ CHANNELS = ["state", "image", "display", "model", "event", "line"]
 MEMBERS = ["joints", "tool", "blocks", "clock", "moving", "rows", "rev", "message", "hex", "status", "workcell", "event",
            "parsed"]
 FUNCTIONS = ["display", "view", "home", "status", "enabled", "function_keys", "period", "path", "jump"]
-BYTES = ["E+5\r", "E-100\r", "A-120\r", "A+60\r", "D+127\rD+127\r", "E?", "I", "A**", "A@", "A#", "A$", "Q",
+BYTES = ["E+5\r", "E-100\r", "A+120\r", "A-60\r", "D+127\rD+127\r", "E?", "I", "A**", "A@", "A#", "A$", "Q",
          "LP3", "E+200\r", "z\0\x7f", "A!1,1,1!", "A%3", "\xff", "GET / HTTP/1.1\r\n\r\n"]
 ODD = [None, True, False, 0, 1, -1, 5, 2**31, 2**53 - 1, 2**53, -2**63, 10**30, 0.5, -0.0, 1e-9, 1e308, "", "red",
        "\0", "x" * 200, "\ud800", [], [1, 2, 3], [0, 0, 0], [None] * 3, {}, {"a": {"b": []}}, "main", "rle"]

@@ -19,14 +19,14 @@ class Arm:
     """The data sheet; `slide` is where the program wants the slide."""
     name = "rhino-xr3-accessories"
     homing = "DECBFGH"
-    masks = {"H": 32, "G": 16, "F": 8, "E": 4, "D": 2, "C": 1, "B": 2, "A": 1}
-    hard_home = {"H": 30, "G": -40, "F": 30, "E": -40, "D": 40, "C": 40, "B": -25, "A": 16}
-    displaced = {"H": -70, "G": 90, "F": 80, "E": 100, "D": -120, "B": 60, "A": -20}
+    masks = {"H": 32, "G": 16, "F": 8, "E": 4, "D": 2, "C": 1, "B": 32, "A": 16}
+    hard_home = {"H": 30, "G": -40, "F": 30, "E": -40, "D": 40, "C": 40, "B": -25, "A": -16}
+    displaced = {"H": -70, "G": 90, "F": 80, "E": 100, "D": -120, "B": 60, "A": 20}
     slide = 0
 
     @staticmethod
     def opening(jaws):
-        return 50.8 + 0.79375 * jaws
+        return 50.8 - 0.79375 * jaws
 
     def solve(self, x, y, z, yaw):
         done = run_xr3("kin", "--robot", self.name, f"--pose={x},{y},{z}", f"--down={yaw}", f"--slide={self.slide}",

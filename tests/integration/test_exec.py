@@ -39,17 +39,17 @@ def go(**counts):
 """
 # To the red block at x 262, y 0 mm, and with it to x 262, y 100 mm.
 GRASP = HEAD + """
-go(A=16)
+go(A=-16)
 go(E=242, D=-440)
 go(E=207, D=-185)
-send("A-90\\r")
+send("A+90\\r")
 before = None
 while (now := ask("A?")) != before:
     before = now
 send("AX")
 """
 CARRY = GRASP + "go(E=-207, D=185)\ngo(F=92)\n"
-PLACE = CARRY + "go(E=207, D=-185)\ngo(A=39)\ngo(E=-207, D=185)\nline.close()\n"
+PLACE = CARRY + "go(E=207, D=-185)\ngo(A=-39)\ngo(E=-207, D=185)\nline.close()\n"
 GOALS = {"goals": [
     {"kind": "block", "name": "red", "xyz_mm": [244, 94, 20], "mm": 8, "points": 3, "hint": "turn the base by 92 counts"},
     {"kind": "holding", "name": None},

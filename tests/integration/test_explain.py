@@ -157,7 +157,7 @@ class Calls(unittest.TestCase):
         line = self.xr3.line()
         self.monitor.call("input", input=3, value=True)
         self.monitor.call("input", input=6, value=True)
-        self.assertEqual((32 + 4, 32 + 8), (line.ask("K"), line.ask("J")))
+        self.assertEqual((32 + 4, 32 + 2), (line.ask("K"), line.ask("J")))
         self.assertEqual([False, False, True, False, False, True, False, False], self.monitor.get("io")["io"]["inputs"])
 
 

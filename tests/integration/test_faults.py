@@ -56,7 +56,7 @@ def hold_a_block(line, monitor):
     """The counts that the jaws have to go after a block was lifted. They stay the same while it is held."""
     tip = monitor.get("tool")["tool"]["xyz_mm"]
     monitor.call("block_move", name="red", xyz_mm=tip, yaw_deg=90)
-    line.send("A-60\r")
+    line.send("A+60\r")
     monitor.step(2000, after=line)
     line.send("F+20\r")
     monitor.step(2000, after=line)

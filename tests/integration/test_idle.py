@@ -100,7 +100,7 @@ class Idle(unittest.TestCase):
                 "with fifty viewers after a move": case(clock="real:100", viewers=50).move_while_time_runs("E+20\rD-9\r"),
                 "as mark3": case("--compat", "mark3"),
                 "after a move": case(clock="real:100").move_while_time_runs("E+20\rF+50\rD-9\r"),
-                "at a limit": case().move_in_standing_time("A+127\r"),
+                "at a limit": case().move_in_standing_time("A-127\r"),
                 "with a pseudo-terminal": case("--pty", f"{folder}/free"),
                 "with unread replies": case("--pty", f"{folder}/rhino").leave_replies_unread(),
                 "stalled": case().move_in_standing_time("E-120\r", "E-120\r", "E-120\r"),

@@ -16,7 +16,7 @@ KEYWORDS = set("break case catch continue else elseif end for function global if
 OPENING = {"for", "function", "if", "switch", "try", "while"}
 
 # Functions that MATLAB and Octave have with the same meaning. Before you add one, look it up in MATLAB's documentation.
-FUNCTIONS = set("abs acos any atan2 bitget ceil clear double error exist false fileparts find fix fprintf "
+FUNCTIONS = set("abs acos any atan2 bitand bitget ceil clear double error exist false fileparts find fix fprintf "
                 "getenv hypot isempty max mean mod numel pause pi read reshape round sign size sprintf "
                 "str2double strncmp tcpclient true uint8 varargin write zeros".split())
 

@@ -90,7 +90,7 @@ class State(unittest.TestCase):
             line.send("F+30\r")
             state = monitor.settle(after=line)
             self.assertEqual((True, False), tuple(motors(state)[label]["switch"] for label in "FE"))
-            self.assertEqual({"I": 63 - 8, "J": 3}, state["switches"])
+            self.assertEqual({"I": 63 - 8, "J": 48}, state["switches"])
             self.assertEqual(state["switches"]["I"], line.ask("I") - 32)
             self.assertEqual("mark3", monitor.hello["compat"])
 

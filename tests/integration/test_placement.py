@@ -31,7 +31,7 @@ class Placement(unittest.TestCase):
     def pick_red(self):
         self.go(**ABOVE_RED)
         self.go(**AT_RED)
-        self.send("A-100\r")
+        self.send("A+100\r")
         self.send("AX")
         self.go(**ABOVE_RED)
 
@@ -46,7 +46,7 @@ class Placement(unittest.TestCase):
         self.pick_red()
         self.go(**ABOVE_PLACE)
         self.go(**AT_PLACE)
-        self.send("A+20\r")
+        self.send("A-20\r")
         self.assertEqual(["grasped grasped: the jaws hold block red", "released released: block red released"],
                          self.events())
 
@@ -54,7 +54,7 @@ class Placement(unittest.TestCase):
         self.pick_red()
         self.go(**ABOVE_PLACE)  # and the program forgets to go down
         self.events()
-        self.send("A+20\r")
+        self.send("A-20\r")
         released, warning = self.events()
         self.assertEqual("released released: block red released", released)
         self.assertEqual("warning released_in_air: block red was released 99.977 mm above the work surface and stays "

@@ -39,7 +39,7 @@ class Case(unittest.TestCase):
         tool = self.monitor.get("tool")["tool"]
         self.monitor.call("block_add", name=name, **SMALL | {"xyz_mm": tool["xyz_mm"], "yaw_deg": tool["net_roll_deg"]})
         while not (state := self.monitor.settle())["tool"]["blocked"]:
-            self.monitor.call("send", text="A-60\r")
+            self.monitor.call("send", text="A+60\r")
         self.assertEqual(name, state["tool"]["holding"])
 
 
@@ -78,7 +78,7 @@ class Blocks(Case):
         self.refused("block_held", "block_move", name="small", yaw_deg=1)
         self.refused("block_held", "block_remove", name="small")
         self.monitor.call("block_move", name="red", yaw_deg=1)
-        self.monitor.call("send", text="AXA+60\r")
+        self.monitor.call("send", text="AXA-60\r")
         self.assertIsNone(self.monitor.settle()["tool"]["holding"])
         self.monitor.call("block_remove", name="small")
 

@@ -130,7 +130,9 @@ class Controller:
         return bytes([SPACE + (ALL_BITS - closed if self.is_mark3 else closed)])
 
     def query_switches_j(self):
-        lines = sum(4 << index for index, is_high in enumerate(self.inputs[4:]) if is_high)
+        taken = sum(motor.switch_mask for motor in self.robot.motors if motor.label in "AB")
+        free = [1 << bit for bit in range(6) if not taken & 1 << bit] if taken > 3 else [4, 8, 16, 32]
+        lines = sum(bit for bit, is_high in zip(free, self.inputs[4:]) if is_high)
         return bytes([SPACE + lines + self.masks("AB", closed=not self.is_mark3)])
 
     def query_inputs(self):

@@ -39,6 +39,7 @@ class Motor:
         self.switch_position = switch["position"]
         self.switch_mask = switch["mask"]
         self.switch_width = switch.get("width")
+        self.switch_period = switch.get("period") if profile == "mark3" else None
         self.switch_range = MARK3_SWITCH_RANGE if profile == "mark3" else math.inf
 
     def _limits(self, limits):
@@ -52,6 +53,13 @@ class Motor:
 
     def is_closed(self, count):
         """The state of the microswitch at this count of the motor."""
+        turns = [0]
+        if self.switch_period is not None:
+            nearest = round((count - self.switch_position) / self.switch_period)
+            turns = [turn * self.switch_period for turn in range(nearest - 1, nearest + 2)]
+        return any(self._is_closed_once(count - turn) for turn in turns)
+
+    def _is_closed_once(self, count):
         if self.switch_width is not None:
             return 2 * abs(count - self.switch_position) <= self.switch_width
         away = 1 if self.switch_position > 0 else -1

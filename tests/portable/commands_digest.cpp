@@ -74,7 +74,7 @@ class Commands {
         "I",   "J",      "K",      "ET", "BV", "FV",  "A**", "A*3*", "A*12*",  "A*10,10*",
         "A$",  "Q",      "A#",     "A|", "A%", "A.6", "A%4", "L",    "M",      "N",
         "O",   "P3",     "R3",     "P8", "X",  "?",   "T",   "E40S", "C255S",  "A!1,-2,3!",
-        "A!!", "A-99\r", "A+99\r", "!~", "#",  "\r",  "E+",  "7 ",   "A+9X2 ", "A*99,99*"};
+        "A!!", "A+99\r", "A-99\r", "!~", "#",  "\r",  "E+",  "7 ",   "A-9X2 ", "A*99,99*"};
     const std::uint32_t kind = below(10);
     if (kind >= 8) return kOthers[below(kOthers.size())];
     const char joint = static_cast<char>('A' + below(8));

@@ -46,7 +46,7 @@ Joint odd_joint(int index, int joints) {
   joint.drive.max = joint.drive.home + 2000 * joint.drive.precision;
   joint.drive.speed_counts_per_s = 100 + index;
   joint.drive.direction = index % 2 == 0 ? 1 : -1;
-  joint.drive.microswitch = {20, 0, std::nullopt};
+  joint.drive.microswitch = {20, 0, {}, {}};
   return joint;
 }
 
@@ -98,7 +98,7 @@ Robot on_slide(Robot robot) {
   slide.name = "slide";
   slide.variable = JointVariable::kD;
   slide.dh = {0, 0, 0, 90};
-  slide.drive = {'G', 0.5, -250, 250, 0, 120, 1, {-40, 16, std::nullopt}};
+  slide.drive = {'G', 0.5, -250, 250, 0, 120, 1, {-40, 16, {}, {}}};
   robot.mount = DhRow{0, 0, 0, -90};
   robot.joints.insert(robot.joints.begin(), slide);
   for (Coupling& c : robot.couplings) c = {c.joint + 1, c.coupled + 1, c.sign};
@@ -111,7 +111,7 @@ Robot odd_arm(int joints) {
   Robot robot;
   robot.name = "odd arm";
   for (int index = 0; index < joints; ++index) robot.joints.push_back(odd_joint(index, joints));
-  robot.tool.drive = {'A', 0.5, 0, 40, 20, 60, 1, {10, 0, std::nullopt}};
+  robot.tool.drive = {'A', 0.5, 0, 40, 20, 60, 1, {10, 0, {}, {}}};
   return robot;
 }
 

@@ -39,7 +39,7 @@ await still("rhino-xr3", "light", (page) => page.click("#tab-workcell"), "viewer
 // The panels for teaching and plots, and the overview of a class.
 const teach = async (page, server) => {
   await page.click("#tab-teach");
-  for (const text of ["A+16\r", "E+121\rD-120\r", "E+121\rD-120\r", "F+60\rB+90\r"]) {
+  for (const text of ["A-16\r", "E+121\rD-120\r", "E+121\rD-120\r", "F+60\rB+90\r"]) {
     await type(server.robot, text);
     await server.rest();
     const { length } = await page.$$("#points tr");
@@ -51,7 +51,7 @@ const teach = async (page, server) => {
 };
 const plots = async (page, server) => {
   await page.click("#tab-plots");
-  for (const text of ["F+90\rE+60\r", "D-90\rC+40\rA-30\r", "F-60\rB+90\r"]) {
+  for (const text of ["F+90\rE+60\r", "D-90\rC+40\rA+30\r", "F-60\rB+90\r"]) {
     await type(server.robot, text);
     await server.rest();
   }
@@ -79,7 +79,7 @@ await school.stop();
 // `xr3 kin --pose 262,0,20 --down 90`.
 const kStepTicks = 320;
 const kMaxCounts = 110;
-const kWay = [{ E: 449, D: -625 }, { A: -24 }, { E: -300, D: 420 }, { F: 190 }, { E: 260, D: -380 }, { A: 24 }, { E: -409, D: 585, F: -190 }];
+const kWay = [{ E: 449, D: -625 }, { A: 24 }, { E: -300, D: 420 }, { F: 190 }, { E: 260, D: -380 }, { A: -24 }, { E: -409, D: 585, F: -190 }];
 const server = await serve("--clock", "manual");
 const page = await open(server.url, { viewport: kSize });
 await ready(page);

@@ -14,7 +14,7 @@ const screenshots = process.env.XR3_SCREENSHOTS;
 for (const robot of kRobots) {
   test(`${robot}: the tip computed by the page, the drawn tip and the server's agree`, () =>
     withPage(["--robot", robot, "--clock", "real:20"], async (page, server) => {
-      await type(server.robot, "E+60\rD-40\rC+25\rB+90\rA-20\r");
+      await type(server.robot, "E+60\rD-40\rC+25\rB+90\rA+20\r");
       await page.waitForFunction(() => !window.xr3.known.state.moving && window.xr3.known.state.joints.some((j) => j.count !== 0));
       const { tool, joints } = await server.state();
       await page.waitForFunction((count) => window.xr3.known.state.joints[0].count === count, joints[0].count);

@@ -32,9 +32,9 @@ test("a warning of the machine stands between the bytes and is not counted", () 
     const rest = () => call(server.monitor, "run_until", { idle: true, max_ticks: 60000 });
     const { xyz_mm } = (await server.state()).tool;
     await call(server.monitor, "block_add", { name: "cube", size_mm: [20, 20, 20], xyz_mm, color: 1 });
-    await type(server.robot, "A-100\r");
+    await type(server.robot, "A+100\r");
     await rest();
-    await type(server.robot, "AXA+5\r");
+    await type(server.robot, "AXA-5\r");
     await rest();
     const row = page.locator("#wire li.warning");
     await row.waitFor();

@@ -38,7 +38,7 @@ const shows = (page, name, [x, y]) => page.waitForFunction(([each, at]) => {
 async function grasp(server) {
   const { tool } = await server.state();
   await call(server.monitor, "block_add", { name: "grey", size_mm: [20, 20, 20], xyz_mm: tool.xyz_mm, yaw_deg: 90, color: 7 });
-  await call(server.monitor, "send", { text: "A-120\r" });
+  await call(server.monitor, "send", { text: "A+120\r" });
   await call(server.monitor, "run_until", { idle: true, max_ticks: 60000 });
   assert.ok((await blockOf(server, "grey")).held);
 }

@@ -166,13 +166,13 @@ class AnyArm(WithFiles):
         with self.assertRaisesRegex(Unreachable, "nearest miss it by [0-9.]+ mm and [0-9.]+ degrees"):
             arm.solve(Pose(900, 0, 20))
 
-    def test_jaws_that_close_upwards_with_a_switch_on_the_closed_side(self):
+    def test_jaws_that_close_downwards_with_a_switch_on_the_closed_side(self):
         robot = copy.deepcopy(RHINO)
-        robot["tool"].update(direction=-1, switch={"position": 20, "mask": 1, "width": 9})
+        robot["tool"].update(direction=1, switch={"position": -20, "mask": 16, "width": 9})
         path = self.write(robot)
         arm = Arm.load(path)
-        self.assertEqual((-16, 16), (arm.jaws.fully_open, arm.jaws.switch.edge))
-        self.assertAlmostEqual(63.5, arm.jaws.opening(-16))
+        self.assertEqual((16, -16), (arm.jaws.fully_open, arm.jaws.switch.edge))
+        self.assertAlmostEqual(63.5, arm.jaws.opening(16))
         with Server("--robot", str(path), "--workcell", "rhino-xr3", "--clock", "real:500") as server, \
                 Robot(port=server.robot_port, arm=arm, pause=lambda: None) as robot, \
                 Monitor(port=server.monitor_port) as monitor:

@@ -82,8 +82,8 @@ class Forward(unittest.TestCase):
                     self.assertLess(math.dist(tool["xyz_mm"], arm.tip(counts)), 1e-6)
 
     def test_opening_of_the_jaws(self):
-        self.assertAlmostEqual(63.5, RHINO_XR3.jaws.opening(16))
-        self.assertAlmostEqual(60, INTELLEDEX_660.jaws.opening(40))
+        self.assertAlmostEqual(63.5, RHINO_XR3.jaws.opening(-16))
+        self.assertAlmostEqual(60, INTELLEDEX_660.jaws.opening(-40))
 
 
 class Back(unittest.TestCase):

@@ -232,9 +232,10 @@ class Robot:
 
     def home(self) -> None:
         """Opens the jaws, and moves every joint to the edge of its microswitch that is nearer to
-        the soft home. Afterwards `at` is correct, wherever the arm started. It does not matter
-        whether a closed switch reads 1 or 0: home() watches that of the jaws change. A joint whose
-        switch is not found is retried after the others have moved. Raises RobotError."""
+        the soft home. Afterwards `at` is correct, wherever the arm started, except for whole turns
+        of a joint that meets its switch once a turn. It does not matter whether a closed switch
+        reads 1 or 0: home() watches that of the jaws change. A joint whose switch is not found is
+        retried after the others have moved. Raises RobotError."""
         for label in self.arm.labels:
             self.stop(label)  # cancels the rest of earlier moves
         self._closed, self._waiting = None, list(self.arm.homing)

@@ -14,8 +14,8 @@ static const struct {
   int edge;
   const char *inquiry;
   int bit;
-} switches[] = {{'A', 16, "J", 1}, {'D', 40, "I", 2},  {'E', -40, "I", 4},
-                {'C', 40, "I", 1}, {'B', -25, "J", 2}, {'F', 30, "I", 8}};
+} switches[] = {{'A', -16, "J", 16}, {'D', 40, "I", 2},   {'E', -40, "I", 4},
+                {'C', 40, "I", 1},   {'B', -25, "J", 32}, {'F', 30, "I", 8}};
 enum { SWITCHES = sizeof switches / sizeof switches[0] };
 
 static bool closed; /* what a closed switch reads */
@@ -55,7 +55,7 @@ int main(void) {
   for (int k = 0; k < 5; ++k) move_and_wait(joints[k], joints[k] == 'D' ? -60 : 60);
 
   /* Jaws that are open to their end are on their switch. So that is how a closed switch reads. */
-  move_and_wait('A', 100);
+  move_and_wait('A', -100);
   closed = reads(0);
 
   for (int k = 0; k < SWITCHES; ++k) find_edge(k);

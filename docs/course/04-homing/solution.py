@@ -8,8 +8,8 @@ STEP = 10  # counts of a move in the search; a switch stays closed for longer
 FAR = 1600  # more counts than any joint has
 # The count of each switch's near edge, seen from the soft home, and its bit in the reply to I or J. The
 # jaws are first, because they show how a closed switch reads; the elbow lifts the hand off the table.
-EDGES = {"A": 16, "D": 40, "E": -40, "C": 40, "B": -25, "F": 30}
-BITS = {"A": ("J", 1), "B": ("J", 2), "C": ("I", 1), "D": ("I", 2), "E": ("I", 4), "F": ("I", 8)}
+EDGES = {"A": -16, "D": 40, "E": -40, "C": 40, "B": -25, "F": 30}
+BITS = {"A": ("J", 16), "B": ("J", 32), "C": ("I", 1), "D": ("I", 2), "E": ("I", 4), "F": ("I", 8)}
 
 robot = xr3.connect()
 
@@ -46,7 +46,7 @@ for joint, first in {"F": 60, "E": 60, "D": -60, "C": 60, "B": 60}.items():
     robot.wait(joint)
 
 # Jaws that are open to their end are on their switch. So that is how a closed switch reads.
-robot.move("A", 100)
+robot.move("A", -100)
 robot.wait("A")
 closed = reads("A")
 

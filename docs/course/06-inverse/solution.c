@@ -7,7 +7,7 @@
 static const double kA1 = 425, kA2 = 375;    /* lengths of the two links, mm */
 static const double kTop = 877, kHand = 200; /* height of the arm, from the slide to the tip, mm */
 static const double kDegrees = 57.29577951308232; /* of a radian */
-static const int kOpen = 40;                      /* count of A at which the jaws are wide open */
+static const int kOpen = -40;                     /* count of A at which the jaws are wide open */
 
 /* The same direction, from -180 to 180 degrees. */
 static double near(double angle) { return remainder(angle, 360); }
@@ -38,8 +38,8 @@ static void go_to(double x, double y, double z, double yaw) {
 
 /* Closes the jaws until they stand at the pin. */
 static void close_jaws(void) {
-  robot_send("A-100\r");
-  robot_at[0] -= 100 - robot_wait('A');
+  robot_send("A+100\r");
+  robot_at[0] += 100 - robot_wait('A');
 }
 
 int main(void) {

@@ -2,7 +2,7 @@
 
 #include "robot.h"
 
-enum { kOpen = 16, kClosing = 90, kShut = -64 }; /* counts of A */
+enum { kOpen = -16, kClosing = 90, kShut = 64 }; /* counts of A */
 
 /* Motor counts of F, E, D, C and B from the soft home, by `xr3 kin --pose X,Y,Z --down YAW`. */
 typedef int Counts[5];
@@ -22,10 +22,10 @@ static void move_jaws(int count) { robot_go("A", &count); }
 
 /* Closes the jaws until they stand; robot_wait clears the rest with AX. */
 static void close_jaws(void) {
-  robot_send("A-%d\r", kClosing);
-  robot_at[0] -= kClosing - robot_wait('A');
-  if (robot_at[0] <= kShut) robot_give_up("the jaws closed on nothing");
-  printf("the jaws hold %.1f mm\n", 50.8 + 0.79375 * robot_at[0]);
+  robot_send("A+%d\r", kClosing);
+  robot_at[0] += kClosing - robot_wait('A');
+  if (robot_at[0] >= kShut) robot_give_up("the jaws closed on nothing");
+  printf("the jaws hold %.1f mm\n", 50.8 - 0.79375 * robot_at[0]);
 }
 
 static void carry(const Counts above, const Counts at, const Counts above_goal,

@@ -5,7 +5,7 @@
 #include <math.h>
 
 enum { kColumns = 192, kRows = 192, kRowBytes = kColumns / 6 };
-enum { kOpen = 40, kClosing = 100, kLift = 100 };
+enum { kOpen = -40, kClosing = 100, kLift = 100 };
 static const double kMm = 2.5;               /* of a pixel */
 static const double kLeft = 160, kTop = 240; /* edges of the picture, mm */
 static const double kDegrees = 57.29577951308232;
@@ -94,9 +94,9 @@ static void move_jaws(int count) { robot_go("A", &count); }
 
 /* Closes the jaws until they stand; robot_wait clears the rest with AX. */
 static void close_jaws(void) {
-  robot_send("A-%d\r", kClosing);
+  robot_send("A+%d\r", kClosing);
   const int left = robot_wait('A');
-  robot_at[0] -= kClosing - left;
+  robot_at[0] += kClosing - left;
   if (left == 0) robot_give_up("the jaws closed on nothing");
 }
 

@@ -5,8 +5,8 @@
 #include <math.h>
 
 enum {
-  kOpen = 16,       /* count of A */
-  kShut = -64,      /* count of A at which the jaws are closed */
+  kOpen = -16,      /* count of A */
+  kShut = 64,       /* count of A at which the jaws are closed */
   kClosing = 100,   /* counts that close the jaws from any opening */
   kLift = 100,      /* mm */
   kEdge = -40,      /* count at which the switch of E closes */
@@ -188,10 +188,10 @@ static void carry(const Block *block, const double place[2]) {
   go_joint('A', kOpen);
   go_to(block->x, block->y, kZ + kLift, block->yaw);
   go_to(block->x, block->y, kZ, block->yaw);
-  robot_send("A-%d\r", kClosing);
-  robot_at[0] -= kClosing - wait_for('A');
+  robot_send("A+%d\r", kClosing);
+  robot_at[0] += kClosing - wait_for('A');
   go_to(block->x, block->y, kZ + kLift, block->yaw);
-  if (robot_at[0] <= kShut) {
+  if (robot_at[0] >= kShut) {
     puts("the jaws closed on nothing");
     return;
   }

@@ -26,18 +26,18 @@ def go(**counts):
                 pass
 
 
-go(A=16)
+go(A=-16)
 go(F=71, E=381, D=-343, B=260)
 go(E=543, D=-479)
-line.sendall(b"A-90\r")
+line.sendall(b"A+90\r")
 left = ask("A")
 while (now := ask("A")) != left:
     left = now
 line.sendall(b"AX")
-at["A"] -= 90 - left
+at["A"] += 90 - left
 go(E=381, D=-343)
 go(F=0, E=489, D=-245, B=0)
 go(E=632, D=-358)
-go(A=16)
+go(A=-16)
 go(E=489, D=-245)
 print("green done, jaws at", at["A"])

@@ -3,7 +3,7 @@
 import xr3
 
 arm = xr3.connect()
-arm.go({"A": 16, "F": 71, "B": 260})
+arm.go({"A": -16, "F": 71, "B": 260})
 for part in -120, -120, -120:
     arm.send(f"E{part:+d}\r")
     left = arm.wait("E")

@@ -8,7 +8,7 @@ ABOVE = {"green": {"F": 71, "E": 381, "D": -343, "B": 260}}
 sys.tracebacklimit = 0  # only the last line of a message
 
 arm = xr3.connect()
-arm.go({"A": 16})
+arm.go({"A": -16})
 arm.go(ABOVE["green"])
 print("above green")
 arm.go(ABOVE["gren"])

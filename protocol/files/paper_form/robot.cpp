@@ -36,16 +36,19 @@ const Extras kRobotExtras = {{"name", "/name"},
                              {"carousel_switch_position", "/carousel/switch/position"},
                              {"carousel_switch_mask", "/carousel/switch/mask"},
                              {"carousel_switch_width", "/carousel/switch/width"},
+                             {"carousel_switch_period", "/carousel/switch/period"},
                              {"carousel_center", "/carousel/center"},
                              {"carousel_radius", "/carousel/radius"},
                              {"carousel_height", "/carousel/height"},
                              {"carousel_color", "/carousel/color"},
                              {"net_roll_offset_deg", "/net_roll_offset_deg"}};
-const Extras kJointExtras = {{"joint", "/name"}, {"switch_width", "/switch/width"}};
+const Extras kJointExtras = {
+    {"joint", "/name"}, {"switch_width", "/switch/width"}, {"switch_period", "/switch/period"}};
 const Extras kToolExtras = {{"home", "/home"},
                             {"direction", "/direction"},
                             {"finger_length", "/finger_length"},
-                            {"switch_width", "/switch/width"}};
+                            {"switch_width", "/switch/width"},
+                            {"switch_period", "/switch/period"}};
 const Extras kPartExtras = {{"pivot", "/pivot"}};
 
 const Row kPrecision{"precision, degrees or length a count", {{"/precision"}}, "/precision"};

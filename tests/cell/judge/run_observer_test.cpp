@@ -36,8 +36,8 @@ struct ObservedCell {
 
 /// Counts that bring the jaws to the red block and close them.
 void pick_red(ObservedCell& run) {
-  for (const char* move : {"A+16\r", "E+121\rD-125\r", "E+121\rD-125\r", "E+121\rD-125\r",
-                           "E+86\rD-125\r", "D-125\r", "A-90\r"}) {
+  for (const char* move : {"A-16\r", "E+121\rD-125\r", "E+121\rD-125\r", "E+121\rD-125\r",
+                           "E+86\rD-125\r", "D-125\r", "A+90\r"}) {
     run.send(move);
     run.run_to_rest();
   }
@@ -105,7 +105,7 @@ TEST(RunObserver, GraspsAndReleasesInOrder) {
   EXPECT_FALSE(run.observer->facts().breaches[0]) << "grasped, but not moved";
   run.send("E-60\r");
   run.run_to_rest();
-  run.send("A+60\r");
+  run.send("A-60\r");
   run.run_to_rest();
   const RunFacts facts = run.observer->facts();
   EXPECT_EQ(facts.happenings, (std::vector<std::string>{"grasped red", "released red"}));
@@ -119,7 +119,7 @@ TEST(RunObserver, GraspsAndReleasesInOrder) {
 TEST(RunObserver, ABlockThatComesBackWasMoved) {
   ObservedCell run({{1, "", goal::Untouched{{"red"}, 1'000}}});
   pick_red(run);
-  for (const char* move : {"E-20\r", "E+20\r", "A+60\r"}) {
+  for (const char* move : {"E-20\r", "E+20\r", "A-60\r"}) {
     run.send(move);
     run.run_to_rest();
   }

@@ -15,7 +15,7 @@ using test::Rig;
 
 /// The counts with the Rhino's open jaws around the first block of its workcell.
 constexpr std::initializer_list<test::LabelledCount> kAtABlock = {
-    {'E', 449}, {'D', -625}, {'A', 16}};
+    {'E', 449}, {'D', -625}, {'A', -16}};
 
 ModelPtr rhino_with(const Workcell& workcell) {
   return std::make_shared<const Model>(test::robot_named("rhino-xr3"), workcell, Profile::kPaper);
@@ -73,10 +73,10 @@ void edit(Rig& rig) {
 /// Changes the machine at random, as between two inquiries; a restore brings back `saved`.
 void something_happens(Rig& rig, State& saved) {
   switch (any(0, 11)) {
-    case 0: rig.move('A', -100); return rig.pass(any(1, 3000));
+    case 0: rig.move('A', 100); return rig.pass(any(1, 3000));
     case 1:
       rig.execute(Stop{'A'});
-      rig.move('A', any(1, 60));
+      rig.move('A', -any(1, 60));
       return rig.pass(any(1, 1000));
     case 2:
     case 3:
@@ -117,7 +117,7 @@ TEST(CameraCache, ImagesFollowAGraspedCarriedAndReleasedBlock) {
     return *rig.simulation.camera_image() == camera_image(rig.model(), rig.state());
   };
   EXPECT_TRUE(is_fresh());
-  rig.move('A', -100);
+  rig.move('A', 100);
   for (int i = 0; i < 1000 && !rig.state().held; ++i) {
     rig.pass(1);
     ASSERT_TRUE(is_fresh()) << "while the jaws close, tick " << i;
@@ -130,7 +130,7 @@ TEST(CameraCache, ImagesFollowAGraspedCarriedAndReleasedBlock) {
     rig.pass(1);
     ASSERT_TRUE(is_fresh()) << "carried, tick " << i;
   }
-  rig.move('A', 5);
+  rig.move('A', -5);
   rig.settle();
   EXPECT_FALSE(rig.state().held);
   EXPECT_TRUE(is_fresh());
@@ -161,7 +161,7 @@ TEST(CameraCache, InvisibleChangesCauseNoRendering) {
 
 TEST(CameraCache, ACarriedBlockIsDrawnOverTheOthers) {
   Rig rig = rig_at_a_block();
-  rig.move('A', -100);
+  rig.move('A', 100);
   rig.settle();
   ASSERT_TRUE(rig.state().held);
   const ImagePtr before = rig.simulation.camera_image();

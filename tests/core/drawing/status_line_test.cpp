@@ -46,7 +46,7 @@ TEST(StatusLine, NamesTheHeldBlock) {
   test::Rig rig(std::make_shared<const Model>(test::robot_named("rhino-xr3"),
                                               test::workcell_named("rhino-xr3"), Profile::kPaper));
   rig.stand_at({{'E', 449}, {'D', -625}});
-  rig.move('A', -100);
+  rig.move('A', 100);
   rig.settle();
   EXPECT_EQ(line_of(rig, 6), "32.5 mm open, holds red");
 }

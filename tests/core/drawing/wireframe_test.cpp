@@ -125,7 +125,7 @@ double drawn_gap_mm(const Model& model, Counts tool) {
 TEST(Wireframe, TheDistanceOfTheDrawnFingersIsTheOpening) {
   for (const char* robot : kRobots) {
     const ModelPtr model = cell_of(robot);
-    for (const Counts tool : {0, model->motor(model->tool_index()).high}) {
+    for (const Counts tool : {0, model->motor(model->tool_index()).low}) {
       EXPECT_NEAR(drawn_gap_mm(*model, tool), opening_mm(*model, tool), 1.0)
           << robot << " " << tool;
     }

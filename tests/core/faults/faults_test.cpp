@@ -253,9 +253,9 @@ TEST(Faults, APowerCycleComesAtRestAndInAStall) {
 Rig rig_holding_a_block(std::vector<Fault> faults) {
   Rig rig(std::make_shared<const Model>(test::robot_named("rhino-xr3"),
                                         test::workcell_named("rhino-xr3"), Profile::kPaper));
-  rig.stand_at({{'E', 449}, {'D', -625}, {'A', 16}});
+  rig.stand_at({{'E', 449}, {'D', -625}, {'A', -16}});
   rig.simulation.install_faults({7, std::move(faults)});
-  rig.move('A', -60);
+  rig.move('A', 60);
   rig.settle();
   return rig;
 }

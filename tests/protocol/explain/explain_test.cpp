@@ -76,20 +76,20 @@ TEST(Explain, WarningsWhenNothingMoves) {
 
 TEST(Explain, AMotorAtItsLimitIsReportedAtOnce) {
   Tap tap(test::rhino());
-  tap.send("A+100\r");
+  tap.send("A-100\r");
   tap.simulation().run_to_rest(200'000);
-  EXPECT_EQ(tap.send("AXA+5\r"),
-            "> AXA+5\\r\n"
+  EXPECT_EQ(tap.send("AXA-5\r"),
+            "> AXA-5\\r\n"
             "  6..8 stop: stop A, counter 0\n"
-            "  8..12 move: move A +5, counter 5\n"
+            "  8..12 move: move A -5, counter -5\n"
             "  8..12 limit: A is at its upper limit of 63.5 mm, 5 counts short\n");
-  EXPECT_EQ(tap.send("A+1\r"),
-            "> A+1\\r\n"
-            "  12..16 move: move A +1, counter 6\n"
+  EXPECT_EQ(tap.send("A-1\r"),
+            "> A-1\\r\n"
+            "  12..16 move: move A -1, counter -6\n"
             "  12..16 limit: A is already at a limit; it can move the other way\n");
-  EXPECT_EQ(tap.send("A-10\r"),
-            "> A-10\\r\n"
-            "  16..21 move: move A -10, counter -4\n");
+  EXPECT_EQ(tap.send("A+10\r"),
+            "> A+10\\r\n"
+            "  16..21 move: move A +10, counter 4\n");
 }
 
 TEST(Explain, AStallNamesTheCommandThatEndsIt) {
@@ -112,7 +112,7 @@ TEST(Explain, ASoftHomeThatDropsABlockSaysHowHigh) {
   Tap tap(test::rhino());
   const PointUm tip = tool_tip(tap.simulation().model(), Positions{});
   tap.simulation().edit().blocks = {{"red", {20'000, 20'000, 20'000}, tip, 90'000'000, 1}};
-  tap.send("A-100\r");
+  tap.send("A+100\r");
   tap.simulation().run_to_rest(200'000);
   EXPECT_EQ(tap.send("A$"),
             "> A$\n"
@@ -186,7 +186,7 @@ TEST(Explain, DigitalLinesAndTheirAnswers) {
             "  6..7 query_switches_j: asks for the microswitches of A and B and for input lines "
             "5...8\n"
             "  7..8 query_inputs: asks for input lines 1...4\n"
-            "< 0\"\n"
+            "< $\"\n"
             "  0..1 reply_switches: no microswitch closed; input lines high: 7\n"
             "  1..2 reply_inputs: input lines high: 2\n");
 }

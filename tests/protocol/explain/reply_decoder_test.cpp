@@ -56,8 +56,8 @@ TEST(ReplyDecoder, InvertsTheEncoderInBothProfiles) {
       const auto all = static_cast<std::uint8_t>(bits);
       expect_same(QuerySwitchesI{}, SwitchBits{all, 63, 0, 'I'}, both);
       expect_same(QuerySwitchesJ{},
-                  SwitchBits{static_cast<std::uint8_t>(all & 3U), 3,
-                             static_cast<std::uint8_t>(all & 60U), 'J'},
+                  SwitchBits{static_cast<std::uint8_t>(all & 48U), 48,
+                             static_cast<std::uint8_t>(all & 15U), 'J'},
                   both);
       if (bits < 16) expect_same(QueryInputs{}, SwitchBits{0, 0, all, 'K'}, both);
     }
@@ -112,7 +112,7 @@ TEST(ReplyDecoder, SizesOfReplies) {
 
 TEST(ReplyDecoder, TheContextOfAModel) {
   const ReplyContext rhino = context_of(*test::rhino());
-  EXPECT_EQ(rhino.masks, (std::array<std::uint8_t, 8>{1, 2, 1, 2, 4, 8, 0, 0}));
+  EXPECT_EQ(rhino.masks, (std::array<std::uint8_t, 8>{16, 32, 1, 2, 4, 8, 0, 0}));
   ASSERT_TRUE(rhino.camera);
   EXPECT_EQ(rhino.camera->width, 0);
 }

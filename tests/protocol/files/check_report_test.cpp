@@ -56,21 +56,23 @@ TEST(CheckReport, SummaryOfTheRhino) {
       "  D elbow       0.1135 deg      -660        925  -14.987 to 164.91 deg         160         "
       "-1",
       "  E shoulder    -40 and below       4  I",
-      "  A tool        16 and above        1  J",
+      "  A tool        -16 and below      16  J",
+      "  B tool roll   -25 and below      32  J",
       "Coupling: motor E shoulder turns joint D elbow against its own",
       "Protected region: radius 100 mm, height 340 mm, about the base axis",
       "Net roll: + base - tool roll + 0 deg",
       "Jaws: open 0 to 63.5 mm, 50.8 mm at the soft home",
       "Soft home: tip (238.1, 0, 320.7) mm, approach (0, 0, -1), net roll 90 deg",
-      "Hard home: F+30 E-40 D+40 C+40 B-25 A+16",
+      "Hard home: F+30 E-40 D+40 C+40 B-25 A-16",
   };
   for (const std::string& line : lines) EXPECT_TRUE(has_line(text, line)) << line << "\n" << text;
 }
 
 TEST(CheckReport, TheProfileSetsTheRangeOfSwitches) {
   const std::string text = check_file("data/robots/rhino-xr3.json", Profile::kMark3).summary;
-  EXPECT_TRUE(has_line(text, "  E shoulder    -100 to -40         4  I")) << text;
-  EXPECT_TRUE(has_line(text, "  D elbow       40 to 100           2  I")) << text;
+  EXPECT_TRUE(has_line(text, "  E shoulder    -100 to -40               4  I")) << text;
+  EXPECT_TRUE(has_line(text, "  D elbow       40 to 100                 2  I")) << text;
+  EXPECT_TRUE(has_line(text, "  B tool roll   -85 to -25, every 1152   32  J")) << text;
 }
 
 TEST(CheckReport, SummariesOfTheOtherRobots) {

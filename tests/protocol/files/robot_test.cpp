@@ -31,13 +31,13 @@ TEST(RobotJson, LimitsOfAllDrivesInCounts) {
   const CountRow rows[] = {
       {"rhino-xr3", 'F', -771, 771},         {"rhino-xr3", 'E', -440, 881},
       {"rhino-xr3", 'D', -660, 925},         {"rhino-xr3", 'C', -1101, 1101},
-      {"rhino-xr3", 'B', -1151712, 1152288}, {"rhino-xr3", 'A', -64, 16},
+      {"rhino-xr3", 'B', -1151712, 1152288}, {"rhino-xr3", 'A', -16, 64},
       {"adept-one", 'E', -1500, 1500},       {"adept-one", 'D', -1470, 1470},
       {"adept-one", 'C', -200, 190},         {"adept-one", 'B', -1174, 598},
-      {"adept-one", 'A', -120, 40},          {"intelledex-660", 'G', -1500, 1500},
+      {"adept-one", 'A', -40, 120},          {"intelledex-660", 'G', -1500, 1500},
       {"intelledex-660", 'F', -1500, 1500},  {"intelledex-660", 'E', -1200, 1200},
       {"intelledex-660", 'D', -1500, 1500},  {"intelledex-660", 'C', -1200, 1200},
-      {"intelledex-660", 'B', -1152, 1152},  {"intelledex-660", 'A', -80, 40},
+      {"intelledex-660", 'B', -1152, 1152},  {"intelledex-660", 'A', -40, 80},
   };
   for (const CountRow& row : rows) {
     SCOPED_TRACE(row.robot + " " + row.label);
@@ -71,9 +71,9 @@ TEST(RobotJson, ReadsEveryFieldOfTheRhino) {
   EXPECT_EQ(elbow.name, "elbow");
   EXPECT_EQ(elbow.variable, JointVariable::kTheta);
   EXPECT_EQ(elbow.dh, (DhRow{90, 0, 228.6, 0}));
-  EXPECT_EQ(elbow.drive, (Drive{'D', 0.1135, -15, 165, 90, 160, -1, {40, 2, std::nullopt}}));
+  EXPECT_EQ(elbow.drive, (Drive{'D', 0.1135, -15, 165, 90, 160, -1, {40, 2, {}, {}}}));
   EXPECT_EQ(robot.tool.kind, ToolKind::kParallel);
-  EXPECT_EQ(robot.tool.drive, (Drive{'A', 0.79375, 0, 63.5, 50.8, 60, 1, {16, 1, std::nullopt}}));
+  EXPECT_EQ(robot.tool.drive, (Drive{'A', 0.79375, 0, 63.5, 50.8, 60, -1, {-16, 16, {}, {}}}));
   EXPECT_EQ(robot.tool.parts.size(), 2U);
   EXPECT_EQ(robot.couplings, (std::vector<Coupling>{{1, 2, -1}, {2, 3, -1}}));
   EXPECT_EQ(robot.protected_region, (ProtectedRegion{100, 340}));
@@ -158,7 +158,7 @@ TEST(RobotJson, WritesTheMembersOfTheShippedFiles) {
 
 TEST(RobotJson, RoundTripKeepsWidthsAndSigns) {
   Robot robot = shipped("rhino-xr3");
-  robot.joints[0].drive.microswitch = {0, 8, 60};
+  robot.joints[0].drive.microswitch = {0, 8, 60, {}};
   robot.couplings = {{0, 1, 1}, {0, 4, -1}};
   robot.links.clear();
   robot.notes.clear();

@@ -35,7 +35,7 @@ TEST(RhinoEndpoint, RepliesToInquiries) {
       {"EV", "\0"sv, "\x01"},
       {"I", " ", "_"},
       {"AI", " ", "_"},
-      {"J", " ", "#"},
+      {"J", " ", "P"},
       {"K", " ", " "},
       {"E?E?D?", "   ", "   "},
       {"G? T V", " \0\0"sv, " \0\x01"sv},

@@ -65,7 +65,7 @@ TEST(ModelJson, AHeldBlockHasItsCurrentPlace) {
   Rig rig(at_its_table("rhino-xr3"));
   rig.travel('E', 449);
   rig.travel('D', -625);
-  rig.move('A', -127);
+  rig.move('A', 127);
   rig.settle();
   rig.execute(Stop{'A'});
   ASSERT_TRUE(rig.state().held);
@@ -75,7 +75,7 @@ TEST(ModelJson, AHeldBlockHasItsCurrentPlace) {
   const std::uint32_t held = rig.state().held->block;
   const Workcell kept = reloaded(rig);
   EXPECT_NE(kept.blocks[held].centroid_um, rig.state().blocks[held].centroid_um);
-  rig.move('A', 5);
+  rig.move('A', -5);
   rig.settle();
   ASSERT_FALSE(rig.state().held);
   EXPECT_EQ(kept.blocks, rig.state().blocks);

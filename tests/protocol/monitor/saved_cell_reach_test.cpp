@@ -174,7 +174,7 @@ class Wanderer {
   void jaws() {
     const bool opens = one_in(state().held ? 6 : 2);
     if (opens) rig_.execute(Stop{'A'});
-    rig_.move('A', opens ? any(1, 4) * 30 : -any(1, 100));
+    rig_.move('A', opens ? -30 * any(1, 4) : any(1, 100));
   }
 
   /// As the monitor's calls do: a held block is not changed.

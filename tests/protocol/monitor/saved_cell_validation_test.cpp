@@ -189,7 +189,7 @@ SavedCell holding() {
   test::Rig rig(
       std::make_shared<const Model>(test::robot_named("rhino-xr3"), workcell, Profile::kPaper));
   rig.stand_at(kOverTheTable);
-  rig.move('A', -128);
+  rig.move('A', 127);
   rig.settle();
   rig.move('C', 30);
   rig.move('F', 33);

@@ -152,7 +152,7 @@ TEST(SnapshotJson, ShowsAMovingMotor) {
 
 TEST(SnapshotJson, AMotorAtItsLimitIsBlocked) {
   Rig rig(test::roomy_rhino());
-  rig.move('A', 100);
+  rig.move('A', -100);
   rig.settle();
   const Json state = shown(rig);
   EXPECT_EQ(state["tool"]["blocked"], "limit");
@@ -181,7 +181,7 @@ TEST(SnapshotJson, SwitchesEqualTheRepliesOfTheLine) {
     EXPECT_EQ(state["joints"][1]["switch"], true);  // closed is true in every profile
     EXPECT_EQ(state["joints"][0]["switch"], false);
     EXPECT_EQ(state["switches"]["I"], profile == Profile::kPaper ? 4 : 63 - 4);
-    EXPECT_EQ(state["switches"]["J"], profile == Profile::kPaper ? 0 : 3);
+    EXPECT_EQ(state["switches"]["J"], profile == Profile::kPaper ? 0 : 48);
   }
 }
 

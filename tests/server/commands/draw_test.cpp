@@ -33,14 +33,14 @@ TEST(PoseArgument, ValuesAreRoundedToCounts) {
   const Positions wanted =
       pose_argument(*rhino(), {0, -39.0385, 109.976, -70.9375, -90}, std::nullopt);
   EXPECT_EQ(motor_counts(*rhino(), wanted), (Positions{0, 449, -625, 0, 0, 0}));
-  EXPECT_EQ(pose_argument(*rhino(), {}, 63.5), (Positions{0, 0, 0, 0, 0, 16}));
+  EXPECT_EQ(pose_argument(*rhino(), {}, 63.5), (Positions{0, 0, 0, 0, 0, -16}));
   EXPECT_EQ(pose_argument(*rhino(), {}, std::nullopt), Positions{});
 }
 
 TEST(PoseArgument, AcceptsTheLimits) {
   EXPECT_EQ(pose_argument(*rhino(), {175, 10, -15, 125, 0}, 0),
             (Positions{rhino()->motor(0).high, rhino()->motor(1).high, rhino()->motor(2).high,
-                       rhino()->motor(3).low, 288, -64}));
+                       rhino()->motor(3).low, 288, 64}));
 }
 
 void expect_refused(const std::vector<double>& joints, std::optional<double> tool,

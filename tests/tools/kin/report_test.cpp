@@ -92,7 +92,7 @@ TEST(KinQuestion, CountsStartAtTheBase) {
 }
 
 TEST(KinQuestion, TheToolMayFollowTheJoints) {
-  EXPECT_DOUBLE_EQ(direct(*test::rhino(), counts({0, 0, 0, 0, 0, -64})).tool, 0);
+  EXPECT_DOUBLE_EQ(direct(*test::rhino(), counts({0, 0, 0, 0, 0, 64})).tool, 0);
   EXPECT_DOUBLE_EQ(direct(*test::rhino(), joints({0, -90, 90, 0, -90, 12.5})).tool, 12.5);
   KinOptionValues values = joints({0, -90, 90, 0, -90});
   values.tool = 30;

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Player, Stopped } from "../../../clients/web/src/lib/player.js";
 
-const kFile = { joints: [{ label: "F", speed: 100 }, { label: "E", speed: 200 }], tool: { label: "A", speed: 60, direction: 1, precision: 1, home: 50, limits: [0, 60] } };
+const kFile = { joints: [{ label: "F", speed: 100 }, { label: "E", speed: 200 }], tool: { label: "A", speed: 60, direction: -1, precision: 1, home: 50, limits: [0, 60] } };
 
 /** A robot that makes up to ten counts of each motor between two looks at it. */
 class Robot {
@@ -24,8 +24,8 @@ class Robot {
   #run(motor) {
     const step = Math.sign(motor.error) * Math.min(10, Math.abs(motor.error));
     for (let k = 0; k < Math.abs(step); ++k) {
-      motor.blocked = motor.label === "A" && this.width !== null && motor.count <= this.width && step < 0 ? "block" : null;
-      if (motor.label === "A" && step > 0) this.holding = null;
+      motor.blocked = motor.label === "A" && this.width !== null && motor.count >= this.width && step > 0 ? "block" : null;
+      if (motor.label === "A" && step < 0) this.holding = null;
       if (motor.blocked) return void (this.holding = "red");
       motor.count += Math.sign(step);
       motor.error -= Math.sign(step);
@@ -60,29 +60,29 @@ const play = (robot, points, onReached = () => {}) =>
 test("points are reached in order, in strides that fit, the arm before the jaws", async () => {
   const robot = new Robot();
   const reached = [];
-  await play(robot, [point(130, -20, 8), point(130, 0, 8)], (i) => reached.push([i, ...robot.counts]));
-  assert.deepEqual(reached, [[0, 130, -20, 8], [1, 130, 0, 8]]);
-  assert.deepEqual(robot.sent, ["F+43\rE-7\r", "F+43\rE-7\r", "F+44\rE-6\r", "A+8\r", "E+20\r"]);
+  await play(robot, [point(130, -20, -8), point(130, 0, -8)], (i) => reached.push([i, ...robot.counts]));
+  assert.deepEqual(reached, [[0, 130, -20, -8], [1, 130, 0, -8]]);
+  assert.deepEqual(robot.sent, ["F+43\rE-7\r", "F+43\rE-7\r", "F+44\rE-6\r", "A-8\r", "E+20\r"]);
 });
 
 test("a point that grips closes further, drops the rest, and is held until a point opens", async () => {
   const robot = new Robot();
-  robot.width = -30;
-  await play(robot, [point(0, 0, -30, { grip: true }), point(5, 0, -30, { grip: true }), point(5, 0, 10)]);
-  assert.deepEqual(robot.sent, ["A-50\r", "AX", "F+5\r", "A+40\r"]);
-  assert.deepEqual(robot.counts, [5, 0, 10]);
+  robot.width = 30;
+  await play(robot, [point(0, 0, 30, { grip: true }), point(5, 0, 30, { grip: true }), point(5, 0, -10)]);
+  assert.deepEqual(robot.sent, ["A+50\r", "AX", "F+5\r", "A-40\r"]);
+  assert.deepEqual(robot.counts, [5, 0, -10]);
   assert.equal(robot.motors.A.error, 0);
 });
 
 test("jaws that close on nothing stop the program", async () => {
   const robot = new Robot();
-  await assert.rejects(play(robot, [point(0, 0, -30, { grip: true })]), /Stopped on the way to point 1: the jaws closed on nothing/);
+  await assert.rejects(play(robot, [point(0, 0, 30, { grip: true })]), /Stopped on the way to point 1: the jaws closed on nothing/);
 });
 
 test("rests of earlier moves are dropped before the first one", async () => {
   const robot = new Robot();
   robot.width = 0;
-  Object.assign(robot.motors.A, { error: -20, blocked: "block" });
+  Object.assign(robot.motors.A, { error: 20, blocked: "block" });
   await play(robot, [point(3, 0, 0)]);
   assert.deepEqual(robot.sent, ["AX", "F+3\r"]);
 });
@@ -113,8 +113,8 @@ test("a reset, a disabled simulator and a block in the way stop the program", as
   disabled.enabled = false;
   await assert.rejects(play(disabled, [point(5, 0, 0)]), /disabled/);
   const blocked = new Robot();
-  blocked.width = -10;
-  await assert.rejects(play(blocked, [point(0, 0, -20)]), /A is at -10, not at -20: a block is between the jaws/);
+  blocked.width = 10;
+  await assert.rejects(play(blocked, [point(0, 0, 20)]), /A is at 10, not at 20: a block is between the jaws/);
 });
 
 test("a robot that does not do what was sent stops the program", async () => {

@@ -7,7 +7,7 @@ import { gripTarget, jawsOf, kStride, moveText, speedAt, speedText, strides } fr
 const robot = (name) => JSON.parse(readFileSync(new URL(`../../../data/robots/${name}.json`, import.meta.url)));
 
 test("strides add up to the way, and none is too long", () => {
-  for (const way of [{ F: 449, E: -625, B: 1 }, { A: -60 }, { F: 61, E: -61 }, { F: 0 }, { C: 7 }]) {
+  for (const way of [{ F: 449, E: -625, B: 1 }, { A: 60 }, { F: 61, E: -61 }, { F: 0 }, { C: 7 }]) {
     const sums = Object.fromEntries(Object.keys(way).map((label) => [label, 0]));
     const all = strides(way);
     for (const moves of all)
@@ -24,13 +24,13 @@ test("moves are bytes with signs and ends", () => assert.equal(moveText({ F: 5, 
 
 test("jaws close in the direction of their robot, and not beyond closed", () => {
   const rhino = jawsOf(robot("rhino-xr3"));
-  assert.deepEqual(rhino, { label: "A", closing: -1, shut: -64 });
-  assert.equal(gripTarget(rhino, -38), -58);
-  assert.equal(gripTarget(rhino, -60), -64);
-  const other = jawsOf({ tool: { label: "A", direction: -1, precision: 0.5, home: 60, limits: [0.25, 80] } });
-  assert.deepEqual(other, { label: "A", closing: 1, shut: 119 });
-  assert.equal(gripTarget(other, 110), 119);
-  assert.equal(gripTarget(other, 20), 40);
+  assert.deepEqual(rhino, { label: "A", closing: 1, shut: 64 });
+  assert.equal(gripTarget(rhino, 38), 58);
+  assert.equal(gripTarget(rhino, 60), 64);
+  const other = jawsOf({ tool: { label: "A", direction: 1, precision: 0.5, home: 60, limits: [0.25, 80] } });
+  assert.deepEqual(other, { label: "A", closing: -1, shut: -119 });
+  assert.equal(gripTarget(other, -110), -119);
+  assert.equal(gripTarget(other, -20), -40);
 });
 
 test("speeds are whole and at least 1", () => {

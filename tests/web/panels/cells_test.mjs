@@ -39,7 +39,7 @@ async function tokensOf(server) {
 test("the overview shows each robot; a card opens its page, which moves that robot alone", () =>
   withServer(["--cells", "3", "--clock", "real:50"], "", async (page, server) => {
     await page.waitForFunction(() => document.querySelectorAll(".card canvas").length === 3);
-    await type(await portOf(server, "2"), "F+40\rA-30\r");
+    await type(await portOf(server, "2"), "F+40\rA+30\r");
     await page.waitForFunction(() => window.xr3.overview.list.get("2").joints[0] > 9);
     await page.click(".card[data-cell='2'] a");
     await ready(page);

@@ -78,7 +78,7 @@ test("stall, grasp and epochs are marked; the file has what is kept", () =>
   withPage(["--clock", "manual"], async (page, server) => {
     await move(page, server);
     await call(server.monitor, "block_move", { name: "green", xyz_mm: (await server.state()).tool.xyz_mm, yaw_deg: 90 });
-    await type(server.robot, "A-100\r");
+    await type(server.robot, "A+100\r");
     await step(server, 2000);
     await call(server.monitor, "reset");
     await type(server.robot, "F+10\r");

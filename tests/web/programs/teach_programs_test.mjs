@@ -22,13 +22,13 @@ const kStep = 60;
 
 /** The Rhino picks up the red block, carries it, and puts it down: counts from the soft home. */
 const kPick = [
-  { A: 16 }, { E: 242, D: -440 }, { E: 449, D: -625 }, { A: -100 }, { E: 242, D: -440 }, { F: 60, B: 90 }, { E: 445, D: -620 }, { A: 16 }, { E: 242, D: -440, C: 20 },
+  { A: -16 }, { E: 242, D: -440 }, { E: 449, D: -625 }, { A: 100 }, { E: 242, D: -440 }, { F: 60, B: 90 }, { E: 445, D: -620 }, { A: -16 }, { E: 242, D: -440, C: 20 },
 ];
 const kWays = {
   "rhino-xr3": kPick,
-  "rhino-xr3-accessories": [{ G: 130, H: 75, A: 9 }, { F: -70, E: 80, D: -90 }, { C: 30, B: 150, H: -20 }],
-  "adept-one": [{ E: 110, D: -120, A: 12 }, { C: 90, B: 140 }, { E: -65, A: -30 }],
-  "intelledex-660": [{ G: -120, F: 100, A: -11 }, { E: -90, D: 61, C: 40 }, { B: 125, G: 10 }],
+  "rhino-xr3-accessories": [{ G: 130, H: 75, A: -9 }, { F: -70, E: 80, D: -90 }, { C: 30, B: 150, H: -20 }],
+  "adept-one": [{ E: 110, D: -120, A: -12 }, { C: 90, B: 140 }, { E: -65, A: 30 }],
+  "intelledex-660": [{ G: -120, F: 100, A: 11 }, { E: -90, D: 61, C: 40 }, { B: 125, G: 10 }],
 };
 
 const countsOf = ({ joints, tool }) => Object.fromEntries([...joints, tool].map(({ label, count }) => [label, count]));

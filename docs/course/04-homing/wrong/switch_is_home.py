@@ -6,7 +6,7 @@ import sys
 import xr3
 
 EDGES = dict.fromkeys("DECBF", 0)
-BITS = {"B": ("J", 2), "C": ("I", 1), "D": ("I", 2), "E": ("I", 4), "F": ("I", 8)}
+BITS = {"B": ("J", 32), "C": ("I", 1), "D": ("I", 2), "E": ("I", 4), "F": ("I", 8)}
 AWAY = {"D": 1, "E": -1, "C": 1, "B": -1, "F": 1}
 
 robot = xr3.connect()

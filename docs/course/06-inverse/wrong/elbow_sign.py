@@ -7,7 +7,7 @@ import xr3
 
 A1, A2 = 425, 375  # lengths of the two links, mm
 TOP, HAND = 877, 200  # height of the arm, length from the slide to the tip, mm
-OPEN = 40  # count of A at which the jaws are wide open
+OPEN = -40  # count of A at which the jaws are wide open
 
 
 def angles(x, y, elbow):

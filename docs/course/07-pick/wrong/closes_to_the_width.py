@@ -12,13 +12,13 @@ ABOVE_YELLOW = {"F": 144, "E": 242, "D": -468, "C": 0, "B": 201}  # x 212, y 136
 AT_YELLOW = {"F": 144, "E": 460, "D": -655, "C": 0, "B": 201}  # z 12
 ABOVE_YELLOW_GOAL = {"F": -38, "E": 485, "D": -256, "C": 0, "B": -28}  # x 392, y -60, yaw 90
 AT_YELLOW_GOAL = {"F": -38, "E": 630, "D": -369, "C": 0, "B": -28}
-OPEN = 16  # count of A: the jaws are 63.5 mm open
+OPEN = -16  # count of A: the jaws are 63.5 mm open
 
 
 def close_jaws(robot):
     """Closes the jaws until they stand, and clears the rest. Returns their opening in mm."""
-    robot.go({"A": int((28 - 50.8) / 0.79375)})
-    return 50.8 + 0.79375 * robot.at["A"]
+    robot.go({"A": int((50.8 - 28) / 0.79375)})
+    return 50.8 - 0.79375 * robot.at["A"]
 
 
 def carry(robot, above, at, above_goal, at_goal):

@@ -14,20 +14,20 @@ ABOVE_YELLOW = {"F": 144, "E": 242, "D": -468, "C": 0, "B": 201}  # x 212, y 136
 AT_YELLOW = {"F": 144, "E": 460, "D": -655, "C": 0, "B": 201}  # z 12
 ABOVE_YELLOW_GOAL = {"F": -38, "E": 485, "D": -256, "C": 0, "B": -28}  # x 392, y -60, yaw 90
 AT_YELLOW_GOAL = {"F": -38, "E": 630, "D": -369, "C": 0, "B": -28}
-OPEN = 16  # count of A: the jaws are 63.5 mm open
+OPEN = -16  # count of A: the jaws are 63.5 mm open
 CLOSING = 90  # counts, more than any block permits
-SHUT = -64  # count of A at which the jaws are closed
+SHUT = 64  # count of A at which the jaws are closed
 
 
 def close_jaws(robot):
     """Closes the jaws until they stand, and clears the rest. Returns their opening in mm."""
-    robot.send(f"A-{CLOSING}\r")
+    robot.send(f"A+{CLOSING}\r")
     left = same = 0
     while same < 4:  # stands: four equal replies
         before, left = left, robot.to_go("A")
         same = same + 1 if left == before else 0
-    robot.at["A"] -= CLOSING - left
-    return 50.8 + 0.79375 * robot.at["A"]
+    robot.at["A"] += CLOSING - left
+    return 50.8 - 0.79375 * robot.at["A"]
 
 
 def carry(robot, above, at, above_goal, at_goal):
@@ -36,13 +36,13 @@ def carry(robot, above, at, above_goal, at_goal):
     robot.go(above)
     robot.go(at)
     width = close_jaws(robot)
-    if robot.at["A"] <= SHUT:
+    if robot.at["A"] >= SHUT:
         sys.exit("the jaws closed on nothing")
     print(f"the jaws hold {width:.1f} mm")
     robot.go(above)
     robot.go(above_goal)
     robot.go(at_goal)
-    robot.send("A+40\r")
+    robot.send("A-40\r")
     robot.ask("A?")
     robot.go(above_goal)
 

@@ -215,8 +215,8 @@ TEST(PaperForm, ReadsARobotWithOnlyThePapersItems) {
   EXPECT_EQ(arm.joints[0].dh, (DhRow{0, 100, 200, 0}));
   EXPECT_EQ(arm.joints[0].name, "joint 1");
   EXPECT_EQ(arm.joints[1].variable, JointVariable::kD);
-  EXPECT_EQ(arm.joints[1].drive, (Drive{'B', 0.5, 0, 100, 50, 120, -1, {10, 1, std::nullopt}}));
-  EXPECT_EQ(arm.tool.drive, (Drive{'A', 0.5, 0, 80, 60, 60, 1, {40, 2, std::nullopt}}))
+  EXPECT_EQ(arm.joints[1].drive, (Drive{'B', 0.5, 0, 100, 50, 120, -1, {10, 1, {}, {}}}));
+  EXPECT_EQ(arm.tool.drive, (Drive{'A', 0.5, 0, 80, 60, 60, 1, {40, 2, {}, {}}}))
       << "wide open, 80 mm, where the switch closes 40 counts from the home";
   ASSERT_EQ(arm.links.size(), 3U);
   EXPECT_EQ(arm.links[0].points[1], (OutlinePoint{true, {0, 0, 100}}));
