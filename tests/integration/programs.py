@@ -1,11 +1,11 @@
-"""Three programs for the real arm, reduced to the bytes that they send and their reactions to the replies.
+"""Four programs for the real arm, reduced to the bytes that they send and their reactions to the replies.
 
 They use only a serial line and `wait(ms)`, which steps the manual clock, or does nothing if the clock
-runs. The first two need --compat mark3, where a switch bit of `I` is 1 for open.
+runs. The first three need --compat mark3, where a switch bit of `I` is 1 for open.
 """
 
 SPACE = 32  # offset of every one-byte reply
-BIT = {"F": 8, "E": 4, "D": 2, "C": 1}
+BIT = {"F": 8, "E": 4, "D": 2, "C": 1, "B": 32, "A": 16}  # of I, and of J: B and A
 
 
 class Trs80:
@@ -117,6 +117,84 @@ class LabProgram:
         while self.line.ask("I") - SPACE & BIT[label]:
             self.line.send(f"{label}+1\r\n")
             self.finish(label)
+
+
+class LabDriver:
+    """The driver of a laboratory: it resets, keeps error counters below 95 counts, takes ten equal replies for a
+    stalled motor and backs off, homes in steps of 20 by `I` and `J`, and closes the gripper by A+."""
+
+    SILENCE_MS = 500  # after the reset
+    POLL_MS = 20
+    ROOM = 95
+    STALL_REPLIES = 10
+    STEP = 20
+    TOWARD = {"E": -1, "D": 1, "B": 1, "C": 1, "F": 1}  # the way of homing, in its order
+    GRIP = 50
+
+    def __init__(self, line, wait):
+        self.line = line
+        self.wait = wait
+        line.send("Q")
+        wait(self.SILENCE_MS)
+
+    def to_go(self, label):
+        return self.line.ask(f"{label}?") - SPACE
+
+    def finish(self, label):
+        """Waits for the end of a move. False: the motor stalled; its move was cancelled."""
+        replies = [self.to_go(label)]
+        while replies[-1]:
+            self.wait(self.POLL_MS)
+            replies.append(self.to_go(label))
+            if replies[-self.STALL_REPLIES:].count(replies[-1]) == self.STALL_REPLIES:
+                self.line.send(f"{label}X")
+                return False
+        return True
+
+    def move(self, label, count, back_off=STEP):
+        """Moves by any number of counts. False: it stalled, and moved back by `back_off` counts."""
+        sign = 1 if count > 0 else -1
+        left = abs(count)
+        while left:
+            part = min(left, self.ROOM - self.to_go(label))
+            self.line.send(f"{label}{sign * part:+d}\r")
+            left -= part
+            if not self.finish(label):
+                self.line.send(f"{label}{-sign * back_off:+d}\r")
+                self.finish(label)
+                return False
+        return True
+
+    def reads(self, label):
+        """The bit of the switch."""
+        return self.line.ask("J" if label in "AB" else "I") - SPACE & BIT[label]
+
+    def is_home(self, label, _):
+        return self.reads(label) == 0
+
+    def home(self):
+        for label, way in self.TOWARD.items():
+            before = self.reads(label)
+            while not self.is_home(label, before):
+                assert self.move(label, way * self.STEP), f"{label} stalled before its switch closed"
+        self.move("A", 200, back_off=0)
+        self.ungrip()
+
+    def grip(self):
+        return self.move("A", self.GRIP, back_off=0)
+
+    def ungrip(self):
+        return self.move("A", -self.GRIP)
+
+
+class LabDriverForPaper(LabDriver):
+    """The same with two changes, for the profile `paper`: there a bit of 1 means closed, so it learns the polarity by
+    watching a switch change; and B meets its switch on one side only, so it turns B towards it."""
+
+    TOWARD = {**LabDriver.TOWARD, "B": -1}
+
+    def is_home(self, label, before):
+        return self.reads(label) != before
 
 
 def write_only(line, wait):
