@@ -7,7 +7,7 @@ from support import Server, drive
 
 AT_RED, ABOVE_RED = {"E": 449, "D": -625}, {"E": 242, "D": -440}
 AT_PLACE, ABOVE_PLACE = {"E": 623, "D": -354, "B": 288}, {"E": 483, "D": -238, "B": 288}  # x 400, y 0
-OPEN = 16  # counts of A
+OPEN = -16  # counts of A
 
 
 class Placement(unittest.TestCase):

@@ -48,7 +48,7 @@ std::string watching_words(Random& random) {
 /// Anything.
 std::string wild_words(Random& random) {
   switch (random.below(4)) {
-    case 0: return random.any_of({"A$", "A@A@", "Q", "A**", "E+100\rF+100\r", "A-30\r", "A@"});
+    case 0: return random.any_of({"A$", "A@A@", "Q", "A**", "E+100\rF+100\r", "A+30\r", "A@"});
     case 1: return std::string(1, static_cast<char>(random.below(256)));
     default: return harmless_words(random, static_cast<char>('A' + random.below(8)));
   }
