@@ -128,6 +128,7 @@ class LabDriver:
     ROOM = 95
     STALL_REPLIES = 10
     STEP = 20
+    MOST_STEPS = 60  # a turn of B, and a little
     TOWARD = {"E": -1, "D": 1, "B": 1, "C": 1, "F": 1}  # the way of homing, in its order
     GRIP = 50
 
@@ -175,8 +176,12 @@ class LabDriver:
     def home(self):
         for label, way in self.TOWARD.items():
             before = self.reads(label)
-            while not self.is_home(label, before):
+            for _ in range(self.MOST_STEPS):
+                if self.is_home(label, before):
+                    break
                 assert self.move(label, way * self.STEP), f"{label} stalled before its switch closed"
+            else:
+                raise AssertionError(f"{label} met no switch")
         self.move("A", 200, back_off=0)
         self.ungrip()
 
