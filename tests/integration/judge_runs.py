@@ -24,7 +24,7 @@ FIND = ["--goals", "find-and-pick"]
 CAMERA_PROGRAM = [sys.executable, CLIENTS / "python/6_find_and_pick.py"]
 STUDENTS = 200
 AT_ONCE = 8  # programs
-MOST_ADDED_MS, MOST_REPEATED_S, MOST_CLASS_S = 50, 20, 120
+MOST_ADDED_MS, MOST_REPEATED_S, MOST_CLASS_S = 100, 100, 300
 
 # What a wrong program does, the kinds of goals that it misses or the outcome, and what the student is told.
 WRONG = {
