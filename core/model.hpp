@@ -37,7 +37,7 @@ struct MotorModel {
   Counts low = 0;           ///< minimum joint position within the limits, counts from the soft home
   Counts high = 0;          ///< maximum joint position within the limits
   CountRange closed{0, 0};  ///< the motor's counts at which its microswitch is closed
-  Counts period = 0;        ///< the range repeats after so many counts; 0: it does not
+  Counts period = 0;        ///< counts after which the range repeats; 0: it does not
 
   /// By how many counts a position is past a limit; 0 within both.
   Counts excess(Counts position) const { return std::max({low - position, position - high, 0}); }

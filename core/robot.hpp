@@ -36,8 +36,8 @@ struct Microswitch {
   Counts position = 0;          ///< where it closes; its sign is the side on which it is closed
   std::uint8_t mask = 0;        ///< its bit in the reply to I or J; 0: in neither reply
   std::optional<Counts> width;  ///< if set, closed only while 2*|count - position| <= width
-  /// If set, the motor meets the switch again after so many counts, as a joint without stops does
-  /// once a turn. Only the mark3 profile uses it.
+  /// If set, the switch closes again after this number of counts, as that of a joint without stops
+  /// does once a turn. Only the mark3 profile uses it.
   std::optional<Counts> period;
   bool operator==(const Microswitch&) const = default;
 };
