@@ -121,7 +121,7 @@ std::optional<Answer> HttpResources::refuse(const HttpRequest& request) const {
   return std::nullopt;
 }
 
-std::optional<Answer> HttpResources::refuse_websocket(const HttpRequest& request) {
+std::optional<Answer> HttpResources::refuse_websocket(const HttpRequest& request) const {
   const auto versions = request.values("Sec-WebSocket-Version");
   const auto keys = request.values("Sec-WebSocket-Key");
   if (!request.is_upgrade) return upgrade_required();
@@ -131,9 +131,9 @@ std::optional<Answer> HttpResources::refuse_websocket(const HttpRequest& request
                              "send 16 random bytes in base64, as WebSocket libraries do");
   const auto offers = request.values("Sec-WebSocket-Protocol");
   for (const std::string_view offer : offers) {
-    if (has_token(offer, http::kSubprotocol)) return std::nullopt;
+    if (has_token(offer, http::kSubprotocol)) return refuse_cell(request);
   }
-  if (offers.empty()) return std::nullopt;
+  if (offers.empty()) return refuse_cell(request);
   return http::bad_request("no subprotocol that was offered is known here",
                            "offer xr3.v1, or none");
 }
@@ -193,6 +193,14 @@ CellPtr HttpResources::cell_of(const HttpRequest& request) const {
   return service_.cells().is_empty() ? nullptr : service_.cells().all().front();
 }
 
+/// The error response if a page or session for an unknown cell is requested. With --private nobody
+/// learns the names of cells without a token: the session gets no cell instead.
+std::optional<Answer> HttpResources::refuse_cell(const HttpRequest& request) const {
+  const bool is_known = !request.parameter("cell") || cell_of(request);
+  if (is_known || policy_.is_private()) return std::nullopt;
+  return unknown_cell(service_.cells());
+}
+
 Answer HttpResources::page(const HttpRequest& request) const {
   const std::string_view path = request.path();
   const bool is_of_cell =
@@ -201,6 +209,8 @@ Answer HttpResources::page(const HttpRequest& request) const {
   const bool is_icon = path == "/favicon.ico";  // requested by browsers for the tab
   const bool is_page = is_root || is_icon || path.starts_with(kAssets);
   if (!is_page) return http::not_found("there is nothing here");
+  if (is_root)
+    if (auto refused = refuse_cell(request)) return *std::move(refused);
   const WebAsset asset = find_web_asset(is_root ? "/index.html" : is_icon ? kIcon : path);
   if (!asset.type.empty())
     return {200, std::string(asset.type), http::Body::of_static(asset.bytes), {}};

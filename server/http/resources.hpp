@@ -41,8 +41,8 @@ class HttpResources {
   /// Whether the request asks for /healthz or /readyz.
   static bool is_health_check(const http::HttpRequest& request);
 
-  /// The error response for an invalid WebSocket handshake; else nullopt.
-  static std::optional<http::Answer> refuse_websocket(const http::HttpRequest& request);
+  /// The error response for an invalid WebSocket handshake, or one for an unknown cell; else nullopt.
+  std::optional<http::Answer> refuse_websocket(const http::HttpRequest& request) const;
 
  private:
   /// The cell is null for a resource of the server.
@@ -64,6 +64,7 @@ class HttpResources {
   asio::awaitable<http::Answer> view(CellPtr at, http::HttpRequest request);
 
   CellPtr cell_of(const http::HttpRequest& request) const;
+  std::optional<http::Answer> refuse_cell(const http::HttpRequest& request) const;
 
   MonitorService& service_;
   const AccessPolicy& policy_;

@@ -29,7 +29,7 @@ asio::awaitable<void> HttpSession::run(std::string first_bytes) {
     const http::HeadReading head = co_await next_head();
     if (!socket_.is_open() || bytes_.empty()) break;
     if (is_handshake(head)) {
-      co_await to_websocket_(std::exchange(bytes_, {}));
+      co_await to_websocket_(std::exchange(bytes_, {}), head.request.parameter("cell"));
       co_return;
     }
     goes_on = co_await serve(head);
@@ -62,7 +62,7 @@ asio::awaitable<http::Answer> HttpSession::answer(const http::HeadReading& head)
   if (auto refused = http::refuse_head(head.fault)) co_return *std::move(refused);
   if (auto refused = resources_.refuse(head.request)) co_return *std::move(refused);
   if (head.request.path() == kWebsocketPath) {
-    if (auto refused = HttpResources::refuse_websocket(head.request)) co_return *std::move(refused);
+    if (auto refused = resources_.refuse_websocket(head.request)) co_return *std::move(refused);
     co_return http::bad_request("a WebSocket client must wait for 101 before it sends frames",
                                 "send only the head of the handshake");
   }
@@ -72,7 +72,7 @@ asio::awaitable<http::Answer> HttpSession::answer(const http::HeadReading& head)
 bool HttpSession::is_handshake(const http::HeadReading& head) const {
   return head.fault == http::HeadFault::kNone && head.request.path() == kWebsocketPath &&
          bytes_.size() == head.head_bytes && !is_finishing_ && !resources_.refuse(head.request) &&
-         !HttpResources::refuse_websocket(head.request);
+         !resources_.refuse_websocket(head.request);
 }
 
 /// Answers the request. Returns whether the connection stays open for another one.

@@ -39,7 +39,9 @@ asio::awaitable<void> MonitorConnection::run() {
     context_.tls_refused();
   } else if (protocol == monitor::Protocol::kHttp) {
     http_.emplace(*socket_, context_.resources,
-                  [this](std::string head) { return serve_websocket(std::move(head)); });
+                  [this](std::string head, std::optional<std::string> cell) {
+                    return serve_websocket(std::move(head), std::move(cell));
+                  });
     co_await http_->run(std::move(first_bytes));
   } else {
     greet();
@@ -47,8 +49,9 @@ asio::awaitable<void> MonitorConnection::run() {
   }
 }
 
-asio::awaitable<void> MonitorConnection::serve_websocket(std::string head) {
-  websocket_ = Websocket::make(socket_, context_.service);
+asio::awaitable<void> MonitorConnection::serve_websocket(std::string head,
+                                                           std::optional<std::string> cell) {
+  websocket_ = Websocket::make(socket_, context_.service, std::move(cell));
   co_await websocket_->run(std::move(head));
 }
 

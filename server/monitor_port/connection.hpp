@@ -59,7 +59,7 @@ class MonitorConnection : public std::enable_shared_from_this<MonitorConnection>
   asio::awaitable<std::string> open();
   void greet_after_silence();
   void greet();
-  asio::awaitable<void> serve_websocket(std::string head);
+  asio::awaitable<void> serve_websocket(std::string head, std::optional<std::string> cell);
 
   MonitorConnectionContext& context_;
   tcp::endpoint peer_;

@@ -102,6 +102,14 @@ Json terms(const std::string& cell, const monitor::Subscribe& wanted, std::int64
   return value;
 }
 
+/// The cell that the session has chosen, or else the first; nullopt if it may not see that cell.
+std::optional<std::string> own_cell_of(const MonitorSession& session,
+                                       const std::vector<std::string>& visible) {
+  const auto own = session.chosen_cell() ? std::ranges::find(visible, *session.chosen_cell())
+                                         : visible.begin();
+  return own == visible.end() ? std::nullopt : std::optional(*own);
+}
+
 }  // namespace
 
 MonitorService::MonitorService(asio::io_context& io, CellRegistry& cells, Worker& worker,
@@ -150,10 +158,9 @@ std::vector<std::string> MonitorService::visible_cells(const MonitorSession& ses
 monitor::Message MonitorService::hello(MonitorSession& session) {
   monitor::Greeting greeting{
       "xr3 " XR3_VERSION, visible_cells(session), {}, session.highest_access()};
-  session.set_own_cell(std::nullopt);
-  if (greeting.cells.empty()) return monitor::hello(greeting);
-  session.set_own_cell(greeting.cells.front());
-  Cell& cell = cells_.find(greeting.cells.front())->cell();
+  session.set_own_cell(own_cell_of(session, greeting.cells));
+  if (!session.own_cell()) return monitor::hello(greeting);
+  Cell& cell = cells_.find(*session.own_cell())->cell();
   cell.catch_up(wall_now());
   const monitor::CellTime now{cell.epoch(), cell.state().tick, cell.clock().mode(),
                               cell.clock().rate()};

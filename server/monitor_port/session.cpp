@@ -7,8 +7,12 @@
 
 namespace xr3 {
 
-MonitorSession::MonitorSession(MonitorService& service, MessageSink& sink)
-    : service_(service), sink_(sink), access_(service.first_access()) {
+MonitorSession::MonitorSession(MonitorService& service, MessageSink& sink,
+                               std::optional<std::string> chosen)
+    : service_(service),
+      sink_(sink),
+      access_(service.first_access()),
+      chosen_cell_(std::move(chosen)) {
   client_.send(service_.hello(*this));
   service_.add(*this);  // last: if anything throws, the session is not registered
 }

@@ -25,7 +25,9 @@ using monitor::Access;
 class MonitorSession {
  public:
   /// Sends `hello`. Service and sink must outlive the session; the sink is notified of output.
-  MonitorSession(MonitorService& service, MessageSink& sink);
+  /// `chosen`: the cell of requests that name none; nullopt: the first that the session may see.
+  MonitorSession(MonitorService& service, MessageSink& sink,
+                 std::optional<std::string> chosen = std::nullopt);
   MonitorSession(const MonitorSession&) = delete;
   MonitorSession& operator=(const MonitorSession&) = delete;
   ~MonitorSession();  // NOLINT(bugprone-exception-escape): as in the definition
@@ -62,6 +64,7 @@ class MonitorSession {
   /// The most that the session may do with any cell.
   Access highest_access() const { return granted_.empty() ? access_ : Access::kControl; }
 
+  const std::optional<std::string>& chosen_cell() const { return chosen_cell_; }
   /// The cell of requests that name none, as in the last `hello`; nullopt: none.
   const std::optional<std::string>& own_cell() const { return own_cell_; }
   void set_own_cell(std::optional<std::string> cell) { own_cell_ = std::move(cell); }
@@ -84,6 +87,7 @@ class MonitorSession {
   Access access_;
   int wrong_tokens_ = 0;
   std::set<std::string> granted_;
+  std::optional<std::string> chosen_cell_;
   std::optional<std::string> own_cell_;
   std::vector<SubscriberHub*> hubs_;  ///< of the cells that it follows
   std::map<std::string, LineId> own_lines_;

@@ -103,7 +103,7 @@ ws::close_code code_of(std::optional<monitor::CloseReason> why) {
 class BeastWebsocket final : public Websocket, private MessageSink {
  public:
   BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorService& service,
-                 WebsocketPatience patience);
+                 std::optional<std::string> cell, WebsocketPatience patience);
 
   asio::awaitable<void> run(std::string head) override;
   void finish() override;
@@ -135,6 +135,7 @@ class BeastWebsocket final : public Websocket, private MessageSink {
 
   std::shared_ptr<MonitorSocket> socket_;
   MonitorService& service_;
+  std::optional<std::string> cell_;
   WebsocketPatience patience_;
   ws::stream<Wire> stream_;
   std::unique_ptr<MonitorSession> session_;  ///< after the handshake
@@ -150,9 +151,10 @@ class BeastWebsocket final : public Websocket, private MessageSink {
 };
 
 BeastWebsocket::BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorService& service,
-                               WebsocketPatience patience)
+                               std::optional<std::string> cell, WebsocketPatience patience)
     : socket_(std::move(socket)),
       service_(service),
+      cell_(std::move(cell)),
       patience_(patience),
       stream_(socket_->stream()),
       progress_(socket_->executor(), kNoDeadline),
@@ -169,7 +171,7 @@ BeastWebsocket::BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorSer
 asio::awaitable<void> BeastWebsocket::run(std::string head) {
   const bool accepted = co_await accept(head);
   if (accepted) {
-    session_ = std::make_unique<MonitorSession>(service_, static_cast<MessageSink&>(*this));
+    session_ = std::make_unique<MonitorSession>(service_, static_cast<MessageSink&>(*this), cell_);
     last_received_ = Clock::now();
     watch();
     pump();
@@ -308,8 +310,10 @@ void BeastWebsocket::ping() {
 }  // namespace
 
 std::shared_ptr<Websocket> Websocket::make(std::shared_ptr<MonitorSocket> socket,
-                                           MonitorService& service, WebsocketPatience patience) {
-  return std::make_shared<BeastWebsocket>(std::move(socket), service, patience);
+                                           MonitorService& service,
+                                           std::optional<std::string> cell,
+                                           WebsocketPatience patience) {
+  return std::make_shared<BeastWebsocket>(std::move(socket), service, std::move(cell), patience);
 }
 
 }  // namespace xr3

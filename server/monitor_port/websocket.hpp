@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "server/monitor_port/service.hpp"
@@ -20,9 +21,11 @@ struct WebsocketPatience {
 
 class Websocket : public std::enable_shared_from_this<Websocket> {
  public:
-  /// `service` must outlive the session.
+  /// `service` must outlive the session. `cell`: see MonitorSession.
   static std::shared_ptr<Websocket> make(std::shared_ptr<MonitorSocket> socket,
-                                         MonitorService& service, WebsocketPatience patience = {});
+                                         MonitorService& service,
+                                         std::optional<std::string> cell = std::nullopt,
+                                         WebsocketPatience patience = {});
   virtual ~Websocket() = default;
 
   /// Accepts the handshake and serves the connection until it ends. Precondition: `head` is

@@ -46,6 +46,7 @@ class Resources(unittest.TestCase):
     def test_unknown_resources(self):
         with Server("--robot", "adept-one") as xr3:
             for path, status, code in [("/nothing", 404, "not_found"), ("/state?cell=other", 404, "unknown_cell"),
+                                       ("/?cell=none", 404, "unknown_cell"),
                                        ("/view.svg?vector=0,0,0", 400, "bad_vector"), ("/assets/none.js", 404, "not_found"),
                                        ("/ws", 426, "upgrade_required")]:
                 with self.subTest(path):

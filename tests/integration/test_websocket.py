@@ -81,10 +81,10 @@ class Raw:
 
 
 class Library(unittest.TestCase):
-    def run_with(self, port, work, **options):
+    def run_with(self, port, work, query="", **options):
         async def run():
             options.setdefault("subprotocols", ["xr3.v1"])
-            async with websockets.connect(f"ws://{LOCALHOST}:{port}/ws", **options) as socket:
+            async with websockets.connect(f"ws://{LOCALHOST}:{port}/ws{query}", **options) as socket:
                 await asyncio.wait_for(work(socket), DEADLINE_S)
         asyncio.run(run())
 
@@ -127,6 +127,35 @@ class Library(unittest.TestCase):
             with self.assertRaises(REFUSED) as refused:
                 self.run_with(xr3.monitor_port, work, origin="http://evil.example")
             self.assertEqual(403, status_of(refused.exception))
+
+    def test_the_query_chooses_the_cell_of_requests_that_name_none(self):
+        async def work(socket):
+            self.assertEqual("2", checked(await socket.recv())["cell"])
+            await socket.send(json.dumps({"op": "call", "id": 1, "fn": "step", "args": {"ticks": 5, "fields": []}}))
+            self.assertTrue(checked(await socket.recv())["ok"])
+
+        with Server("--cells", 2) as xr3, xr3.monitor() as monitor:
+            self.run_with(xr3.monitor_port, work, query="?cell=2")
+            self.assertEqual([0, 5], [monitor.request("get", cell=cell, channel="state")["tick"] for cell in "12"])
+
+    def test_an_unknown_cell_in_the_query_is_refused(self):
+        with Server() as xr3:
+            for query in "?cell=2", "?cell=", "?cell=%":
+                with self.subTest(query), self.assertRaises(REFUSED) as refused:
+                    self.run_with(xr3.monitor_port, None, query=query)
+                self.assertEqual(404, status_of(refused.exception))
+
+    def test_without_the_token_nobody_learns_which_cells_there_are(self):
+        async def work(socket):
+            self.assertNotIn("cells", checked(await socket.recv()))
+            await socket.send(json.dumps({"op": "auth", "id": 1, "token": "sixteen letters!"}))
+            self.assertTrue(checked(await socket.recv())["ok"])
+            self.assertIsNone(checked(await socket.recv())["cell"])
+            await socket.send(json.dumps({"op": "get", "id": 2, "channel": "state"}))
+            self.assertEqual("unknown_cell", checked(await socket.recv())["error"]["code"])
+
+        with Server("--private", environment={"XR3_TOKEN": "sixteen letters!"}) as xr3:
+            self.run_with(xr3.monitor_port, work, query="?cell=2")
 
     def test_shutdown_closes_with_going_away(self):
         async def work(socket):

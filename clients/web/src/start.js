@@ -1,7 +1,7 @@
 // The connection to the server, which tells by its first `hello` which page this is.
 import { Connection } from "./lib/connection.js";
 import { byId, setText } from "./lib/dom.js";
-import { cellOfPath } from "./lib/place.js";
+import { cellOfPath, pathOfCell } from "./lib/place.js";
 import { kept, takeFromAddress } from "./lib/token.js";
 import "./lib/theme.js";
 
@@ -22,6 +22,8 @@ export const firstHello = new Promise((resolve) => (greet = resolve));
 export const connection = new Connection(`ws://${location.host}/ws`, {
   onMessage: (message) => message.op === "hello" && greet(message), onStatus: showConnection, onTokenRefused: (error) => earlyRefusals.push(error),
 });
+const asked = new URLSearchParams(location.search).get("cell");
+if (asked) history.replaceState(null, "", pathOfCell(asked) + location.hash);
 connection.cell = cellOfPath(location.pathname);
 connection.token = takeFromAddress() ?? kept();
 connection.open();
