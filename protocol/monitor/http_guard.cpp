@@ -55,6 +55,12 @@ bool is_ip6(std::string_view text) {
              std::string_view::npos;
 }
 
+/// A final dot makes a name absolute in the DNS; it names the same host.
+std::string_view without_final_dot(std::string_view name) {
+  if (name.ends_with('.')) name.remove_suffix(1);
+  return name;
+}
+
 bool is_localhost(std::string_view name) {
   if (is_same_name(name, kLocal)) return true;
   if (!is_host_name(name) || name.size() <= kLocal.size()) return false;
@@ -71,7 +77,7 @@ bool is_single_label(std::string_view name) {
 }
 
 bool is_local_name(std::string_view name) {
-  return is_ip4(name) || is_ip6(name) || is_localhost(name);
+  return is_ip4(name) || is_ip6(name) || is_localhost(without_final_dot(name));
 }
 
 }  // namespace
@@ -79,7 +85,9 @@ bool is_local_name(std::string_view name) {
 bool is_host_allowed(std::string_view host, const GuardRules& rules) {
   const auto name = without_port(host);
   if (!name) return false;
-  const auto is_this = [&](const std::string& allowed) { return is_same_name(*name, allowed); };
+  const auto is_this = [&](const std::string& allowed) {
+    return is_same_name(without_final_dot(*name), allowed);
+  };
   return is_local_name(*name) || (rules.reach == HostReach::kBeyond && is_single_label(*name)) ||
          std::any_of(rules.hosts.begin(), rules.hosts.end(), is_this);
 }

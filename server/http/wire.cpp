@@ -18,6 +18,7 @@ using Parser = beast::http::request_parser<beast::http::string_body>;
 
 constexpr std::string_view kLineEnd = "\r\n";
 constexpr std::string_view kHeadEnd = "\r\n\r\n";
+constexpr std::string_view kScheme = "http://";
 constexpr unsigned kHttp11 = 11;
 
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
@@ -26,6 +27,19 @@ std::string_view view(beast::string_view text) { return {text.data(), text.size(
 bool has_folded_field(std::string_view head) {
   return head.find("\r\n ") != std::string_view::npos ||
          head.find("\r\n\t") != std::string_view::npos;
+}
+
+/// RFC 9112, section 3.2.2: the authority in a target of absolute form takes the place of Host.
+void to_origin_form(HttpRequest& request) {
+  const std::string_view target = request.target;
+  if (!is_same_name(target.substr(0, kScheme.size()), kScheme)) return;
+  const std::string_view rest = target.substr(kScheme.size());
+  const std::string_view authority = rest.substr(0, rest.find_first_of("/?"));
+  for (Field& field : request.fields)
+    if (is_same_name(field.name, "Host")) field.value = authority;
+  std::string path(rest.substr(authority.size()));
+  if (!path.starts_with('/')) path.insert(path.begin(), '/');
+  request.target = std::move(path);
 }
 
 HttpRequest request_of(const Parser& parser) {
@@ -41,6 +55,7 @@ HttpRequest request_of(const Parser& parser) {
   const bool has_body = message.count(beast::http::field::transfer_encoding) > 0 ||
                         parser.content_length().value_or(0) > 0;
   if (message.keep_alive() && !has_body) request.then = Then::kKeep;
+  to_origin_form(request);
   return request;
 }
 

@@ -28,7 +28,7 @@ struct Field {
 
 struct HttpRequest {
   std::string method;
-  std::string target;
+  std::string target;  ///< in origin form: path and query; absolute form is converted
   std::vector<Field> fields;
   Then then = Then::kClose;  ///< as requested; kClose if there is a body, which is not read
   bool is_upgrade = false;   ///< requests WebSocket, perhaps incompletely

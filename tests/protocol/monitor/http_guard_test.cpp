@@ -14,7 +14,8 @@ const GuardRules kNamed{
 TEST(HttpGuard, AcceptsHostsThatDnsCannotRebind) {
   for (const char* host : {"localhost", "LOCALHOST:9601", "localhost:", "127.0.0.1", "127.0.0.1:80",
                            "10.1.2.3:65535", "255.255.255.255", "[::1]", "[::1]:9601", "[fe80::1]",
-                           "[::ffff:127.0.0.1]:1", "robot.localhost", "a.b-1.localhost:9601"}) {
+                           "[::ffff:127.0.0.1]:1", "robot.localhost", "a.b-1.localhost:9601",
+                           "localhost.", "localhost.:9601", "robot.localhost."}) {
     EXPECT_TRUE(is_local_host(host)) << host;
     EXPECT_TRUE(is_host_allowed(host, kHere)) << host;
   }
@@ -29,7 +30,8 @@ TEST(HttpGuard, RejectsHostsThatDnsCanRebind) {
                            "evillocalhost",
                            ".localhost",
                            "a..localhost",
-                           "localhost.",
+                           "localhost..",
+                           ".",
                            "localhost:x",
                            "localhost:1234567",
                            "127.0.0",

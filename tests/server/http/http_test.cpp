@@ -155,7 +155,8 @@ TEST_F(HttpTest, RejectsMalformedRequests) {
       {"GET / HTTP/1.1\r\nA: b\r\n folded: x\r\n", "400"},
       {"GET / HTTP/1.1\r\nA: b\x01\r\n", "400"},
       {"GET / HTTP/1.1\r\nA: b\n", "400"},
-      {"GET http://localhost/healthz HTTP/1.1\r\n" + kHost + "\r\n", "400"},
+      {"GET https://localhost/healthz HTTP/1.1\r\n" + kHost + "\r\n", "400"},
+      {"GET http://localhost/healthz HTTP/1.1\r\n\r\n", "400"},
       {get("/healthz", ""), "400"},
       {get("/healthz", kHost + kHost), "400"},
       {get("/healthz", kHost + "Origin: a\r\nOrigin: a\r\n"), "400"},
@@ -164,6 +165,20 @@ TEST_F(HttpTest, RejectsMalformedRequests) {
   };
   for (const auto& [request, status] : rows) EXPECT_EQ(status_of(request), status) << request;
   EXPECT_EQ(status_of("GET /healthz HTTP/1.0\r\n" + kHost + "\r\n"), "200");
+}
+
+TEST_F(HttpTest, AcceptsTargetsInAbsoluteForm) {
+  const auto of = [this](const std::string& target, const std::string& host) {
+    return status_of("GET " + target + " HTTP/1.1\r\nHost: " + host + "\r\n\r\n");
+  };
+  EXPECT_EQ(of("http://localhost/healthz", "localhost"), "200");
+  EXPECT_EQ(of("HTTP://127.0.0.1:9601/state?cell=none", "localhost"), "404");
+  EXPECT_EQ(of("http://localhost", "localhost"), "200");
+  EXPECT_EQ(of("http://localhost?cell=none", "localhost"), "404");
+  // The authority counts, as in a request that a proxy forwards, not the Host beside it.
+  EXPECT_EQ(of("http://localhost/healthz", "evil.example"), "200");
+  for (const char* authority : {"evil.example", "user@localhost", ""})
+    EXPECT_EQ(of(std::string("http://") + authority + "/healthz", "localhost"), "403") << authority;
 }
 
 TEST_F(HttpTest, RejectsRequestsAboveTheLimits) {
