@@ -69,10 +69,19 @@ bool is_ignored(int signal) {
   return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
 }
 
+/// The most branches that there can be at once.
+std::size_t most_branches(const ServeOptions& options, std::size_t cells) {
+  if (options.history_ticks == 0) return 0;
+  if (options.is_cell_per_connection) return options.max_cells;
+  return std::min(options.max_cells - std::min(options.max_cells, cells),
+                  cells * BranchCells::kMostPerOrigin);
+}
+
 SocketLimits socket_limits(const ServeOptions& options, std::size_t cells) {
   SocketLimits wanted;
   wanted.lines = options.max_lines;
   wanted.per_address = options.max_per_address;
+  wanted.branches = most_branches(options, cells);
   const std::size_t descriptors = raise_descriptor_limit();
   const std::size_t listeners = cells > 1 ? kAddressesOfPort * (cells - 1) : 0;
   const SocketLimits limits = divide_descriptors(descriptors, wanted, listeners);

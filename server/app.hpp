@@ -83,7 +83,8 @@ class App {
   CellPtr make_cell(const std::string& name, const CellSeed& seed);
   CellPtr open_for_connection(const std::string& name);
   void close_cell(const CellPtr& cell);
-  RobotPortRules port_rules() const;
+  std::size_t lines_per_cell() const;
+  RobotPortRules port_rules(std::size_t lines) const;
   void listen_on_cell(HostedCell& cell, std::uint16_t port);
   ServedPorts served_ports() const;
   void count_more(CellCounters& counters) const;

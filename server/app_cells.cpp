@@ -26,6 +26,18 @@ call::Refused too_many_cells(std::size_t most) {
           "subscriber (--linger)"};
 }
 
+call::Refused too_many_branches(const std::string& origin) {
+  return {"limit",
+          "cell " + origin + " has " + std::to_string(BranchCells::kMostPerOrigin) +
+              " branches already",
+          "close one: a branch closes some time after its last line and subscriber (--linger)"};
+}
+
+call::Refused too_few_descriptors(std::size_t most) {
+  return {"limit", "the limit of open files allows only " + std::to_string(most) + " branches",
+          "close one, or raise the limit with ulimit -n, or LimitNOFILE= of systemd"};
+}
+
 call::Refused is_stopping() {
   return {"stopping", "the server is stopping and opens no further cell",
           "connect again after its restart"};
@@ -64,15 +76,17 @@ void App::open_planned() {
   assert(seeds_.size() == plans_.size());
   for (std::size_t i = 0; i < plans_.size(); ++i) {
     const CellPtr cell = make_cell(plans_[i].name, seeds_[i]);
-    cell->add_port(port_rules());
+    cell->add_port(port_rules(lines_per_cell()));
     cells_.add(cell);
   }
 }
 
 // Each cell has an equal part of the lines, so that no client takes those of other cells.
-RobotPortRules App::port_rules() const {
-  const std::size_t lines =
-      std::max<std::size_t>(1, limits_.lines / std::max<std::size_t>(1, plans_.size()));
+std::size_t App::lines_per_cell() const {
+  return std::max<std::size_t>(1, limits_.lines / std::max<std::size_t>(1, plans_.size()));
+}
+
+RobotPortRules App::port_rules(std::size_t lines) const {
   RobotPortRules rules{lines, options_.guard, peer_counts(lines, limits_.per_address)};
   if (options_.binds_peer) rules.owner_lingers = linger_of(options_);
   return rules;
@@ -129,9 +143,12 @@ void App::keep_history(HostedCell& cell) {
 
 std::variant<CellPtr, call::Refused> App::open_branch(HostedCell& of, MachineSnapshotPtr past) {
   if (stage_ != Stage::kReady) return is_stopping();
+  const std::string origin = branch_cells_.origin_of(of);
+  if (branch_cells_.count(origin) >= BranchCells::kMostPerOrigin) return too_many_branches(origin);
   if (cells_.size() >= options_.max_cells) return too_many_cells(cells_.size());
-  std::string name = branch_cells_.next_name();
-  while (cells_.find(name)) name = branch_cells_.next_name();
+  if (branch_cells_.size() >= limits_.branches) return too_few_descriptors(limits_.branches);
+  std::string name = branch_cells_.next_name(origin);
+  while (cells_.find(name)) name = branch_cells_.next_name(origin);
   const CellPtr cell = make_branch(name, of, *past);
   try {
     listen_on_cell(*cell, 0);
@@ -143,7 +160,7 @@ std::variant<CellPtr, call::Refused> App::open_branch(HostedCell& of, MachineSna
   begin_branch(*cell, std::move(past));
   cells_.note_dynamic();
   cells_.add(cell);
-  branch_cells_.add(cell);
+  branch_cells_.add(cell, origin);
   cell->cell().report_opened();
   cell->acted();
   return cell;
@@ -153,7 +170,7 @@ CellPtr App::make_branch(const std::string& name, HostedCell& of, const MachineS
   const FaultPlan& faults = of.cell().initial_faults();
   const CellSeed seed{past.model, faults.faults.empty() ? std::nullopt : std::optional(faults)};
   CellPtr cell = make_cell(name, seed);
-  cell->add_port(port_rules());
+  cell->add_port(port_rules(std::min(kLinesPerBranch, lines_per_cell())));
   return cell;
 }
 
@@ -175,6 +192,7 @@ void App::close_cell(const CellPtr& cell) {
   cell->cell().report_closed();
   cell->finish_recording();
   monitor_port_.service().forget(*cell);
+  branch_cells_.forget(*cell);
   cells_.remove(*cell);
   cell->retire();
   asio::post(io_, [cell] {});

@@ -14,8 +14,23 @@ bool is_used(HostedCell& cell) {
 
 }  // namespace
 
-void BranchCells::add(CellPtr cell) {
-  members_.push_back({std::move(cell), wall_now()});
+const std::string& BranchCells::origin_of(const HostedCell& cell) const {
+  const auto is_this = [&cell](const Member& each) { return each.cell.get() == &cell; };
+  const auto member = std::ranges::find_if(members_, is_this);
+  return member == members_.end() ? cell.name() : member->origin;
+}
+
+std::size_t BranchCells::count(const std::string& origin) const {
+  return static_cast<std::size_t>(std::ranges::count(members_, origin, &Member::origin));
+}
+
+std::string BranchCells::next_name(const std::string& origin) {
+  const std::string end = "-b" + std::to_string(++named_[origin]);
+  return origin.substr(0, kMaxCellName - end.size()) + end;
+}
+
+void BranchCells::add(CellPtr cell, std::string origin) {
+  members_.push_back({std::move(cell), std::move(origin), wall_now()});
   if (members_.size() == 1) arm();
 }
 

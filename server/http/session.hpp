@@ -16,8 +16,8 @@ namespace xr3 {
 class HttpSession {
  public:
   /// Serves the connection from a WebSocket handshake on; the head of the handshake is valid.
-  using ToWebsocket = std::function<asio::awaitable<void>(
-      std::string head, std::optional<std::string> cell)>;
+  using ToWebsocket =
+      std::function<asio::awaitable<void>(std::string head, std::optional<std::string> cell)>;
 
   /// The socket and the resources must outlive the session.
   HttpSession(MonitorSocket& socket, HttpResources& resources, ToWebsocket to_websocket)

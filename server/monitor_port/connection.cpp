@@ -50,7 +50,7 @@ asio::awaitable<void> MonitorConnection::run() {
 }
 
 asio::awaitable<void> MonitorConnection::serve_websocket(std::string head,
-                                                           std::optional<std::string> cell) {
+                                                         std::optional<std::string> cell) {
   websocket_ = Websocket::make(socket_, context_.service, std::move(cell));
   co_await websocket_->run(std::move(head));
 }

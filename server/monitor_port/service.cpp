@@ -105,8 +105,8 @@ Json terms(const std::string& cell, const monitor::Subscribe& wanted, std::int64
 /// The cell that the session has chosen, or else the first; nullopt if it may not see that cell.
 std::optional<std::string> own_cell_of(const MonitorSession& session,
                                        const std::vector<std::string>& visible) {
-  const auto own = session.chosen_cell() ? std::ranges::find(visible, *session.chosen_cell())
-                                         : visible.begin();
+  const auto own =
+      session.chosen_cell() ? std::ranges::find(visible, *session.chosen_cell()) : visible.begin();
   return own == visible.end() ? std::nullopt : std::optional(*own);
 }
 

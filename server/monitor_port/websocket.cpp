@@ -310,8 +310,7 @@ void BeastWebsocket::ping() {
 }  // namespace
 
 std::shared_ptr<Websocket> Websocket::make(std::shared_ptr<MonitorSocket> socket,
-                                           MonitorService& service,
-                                           std::optional<std::string> cell,
+                                           MonitorService& service, std::optional<std::string> cell,
                                            WebsocketPatience patience) {
   return std::make_shared<BeastWebsocket>(std::move(socket), service, std::move(cell), patience);
 }

@@ -13,16 +13,24 @@ constexpr std::size_t kOwnDescriptors = 36;
 // Several health checks can wait for their answers at once.
 constexpr std::size_t kMinRefusals = 4;
 
+// 127.0.0.1 and ::1, and its lines.
+constexpr std::size_t kDescriptorsPerBranch = 2 + kLinesPerBranch;
+constexpr std::size_t kBranchesPart = 4;
+
 }  // namespace
 
 SocketLimits divide_descriptors(std::size_t descriptors, const SocketLimits& wanted,
                                 std::size_t listeners) {
   const std::size_t sum = wanted.lines + wanted.connections + wanted.refusals;
-  const std::size_t free = descriptors - std::min(descriptors, kOwnDescriptors + listeners);
-  if (sum <= free) return wanted;
+  const std::size_t rest = descriptors - std::min(descriptors, kOwnDescriptors + listeners);
+  const std::size_t branches =
+      std::min(wanted.branches, rest / kBranchesPart / kDescriptorsPerBranch);
+  const std::size_t free = rest - branches * kDescriptorsPerBranch;
+  if (sum <= free)
+    return {wanted.lines, wanted.connections, wanted.refusals, wanted.per_address, branches};
   const auto part = [&](std::size_t count) { return std::max<std::size_t>(1, count * free / sum); };
   return {part(wanted.lines), part(wanted.connections),
-          std::max(kMinRefusals, part(wanted.refusals)), wanted.per_address};
+          std::max(kMinRefusals, part(wanted.refusals)), wanted.per_address, branches};
 }
 
 PeerCounts peer_counts(std::size_t places, std::size_t per_address) {

@@ -8,7 +8,7 @@ import unittest
 import urllib.error
 import urllib.request
 
-from support import DEADLINE_S, LOCALHOST, XR3, Server, connect, run_xr3
+from support import DEADLINE_S, LOCALHOST, XR3, MonitorError, Server, connect, run_xr3
 
 FEW = 64
 ALMOST_NO_CPU = 0.05
@@ -35,6 +35,15 @@ def closed_by_peer(sock):
         return sock.recv(1) == b""
     except ConnectionResetError:
         return True
+
+
+def answers(sock):
+    """Whether a robot answers; it closes further lines without a byte."""
+    try:
+        sock.sendall(b"E?")
+        return sock.recv(1) == b" "
+    except (ConnectionResetError, BrokenPipeError):
+        return False
 
 
 class FewDescriptors(unittest.TestCase):
@@ -89,6 +98,33 @@ class FewDescriptors(unittest.TestCase):
             line.sendall(b"E?")
             self.assertEqual(b" ", line.recv(1))
         self.assertEqual(0, run_xr3("healthcheck", "--monitor-port", self.xr3.monitor_port).returncode)
+
+
+class Branches(unittest.TestCase):
+    def test_the_server_works_with_all_branches_that_it_can_have_and_all_their_lines(self):
+        command = ("prlimit", "--nofile=256:256", XR3, "serve")
+        socks, ports = [], []
+        with Server("--cells", 6, command=command) as xr3:
+            with xr3.monitor() as monitor:
+                self.assertRaisesRegex(MonitorError, "open files", self.branch_all, monitor, ports)
+                self.assertGreater(len(ports), 3)
+            try:
+                for port in [*ports, xr3.robot_port, xr3.monitor_port]:
+                    socks += [connect(port) for _ in range(40)]
+                for path in ("/healthz", "/readyz"):
+                    self.assertEqual(200, status(xr3.monitor_port, path))
+                self.assertEqual(8, sum(answers(sock) for sock in socks[:40]), "lines of a branch")
+            finally:
+                for sock in socks:
+                    sock.close()
+
+    def branch_all(self, monitor, ports):
+        """Adds the ports of four branches of each cell to `ports`."""
+        for cell in monitor.hello["cells"]:
+            monitor.request("call", cell=cell, fn="step", args={"ticks": 50})
+            for _ in range(4):
+                branch = monitor.request("call", cell=cell, fn="branch", args={"tick": 20})
+                ports.append(branch["value"]["robot_port"])
 
 
 class ManyDescriptors(unittest.TestCase):

@@ -17,7 +17,7 @@ COMMAND = re.compile(r"\$ ((?:\w+=\S+ )*)xr3 serve --clock (manual|bytes)")
 REPEATED = re.compile(r"(.*) \((\d+) times\)")
 CALLS = re.compile(r'("op":"hello".*"calls":\["pause"),.*?\]')  # their list grows
 PEER = re.compile(r"127\.0\.0\.1:\d+")  # differs from run to run
-FREE_PORT = re.compile(r'("cell":"b1","robot_port":)\d+')  # likewise
+FREE_PORT = re.compile(r'("cell":"main-b1","robot_port":)\d+')  # likewise
 
 
 class Player:

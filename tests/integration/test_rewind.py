@@ -152,13 +152,13 @@ class Rewind(unittest.TestCase):
             monitor.step(200, after=line)
             monitor.step(5000)
             branch = monitor.call("branch", tick=200)
-            self.assertEqual("b1", branch["cell"])
-            self.assertEqual({"main", "b1"}, names(monitor))
+            self.assertEqual("main-b1", branch["cell"])
+            self.assertEqual({"main", "main-b1"}, names(monitor))
             with Line(connect(branch["robot_port"])) as program:
                 program.send("C+9\r")
                 program.ask("E?")
-            self.at(monitor, "b1", "run_until", idle=True, max_ticks=10**5)
-            self.assertEqual("E60 C9", counts(monitor.request("get", cell="b1", channel="state")))
+            self.at(monitor, "main-b1", "run_until", idle=True, max_ticks=10**5)
+            self.assertEqual("E60 C9", counts(monitor.request("get", cell="main-b1", channel="state")))
             self.assertEqual("E60", counts(monitor.get()))
             self.assertEqual(5200, monitor.get()["tick"])
 
@@ -169,6 +169,21 @@ class Rewind(unittest.TestCase):
             deadline = time.monotonic() + DEADLINE_S
             while name in names(monitor):
                 self.assertLess(time.monotonic(), deadline)
+
+    def test_an_origin_has_at_most_four_branches(self):
+        with Server("--cells", 2) as xr3, xr3.monitor() as monitor:
+            monitor.call("step", ticks=50)
+            made = [monitor.call("branch", tick=20)["cell"] for _ in range(3)]
+            self.at(monitor, "1-b1", "step", ticks=50)
+            made.append(self.at(monitor, "1-b1", "branch", tick=30)["cell"])
+            self.assertEqual(["1-b1", "1-b2", "1-b3", "1-b4"], made)
+            for cell in "1", "1-b1", "1-b4":
+                with self.subTest(cell), self.assertRaises(MonitorError) as refused:
+                    self.at(monitor, cell, "branch", tick=20)
+                self.assertEqual("limit", refused.exception.code)
+                self.assertEqual("cell 1 has 4 branches already", refused.exception.message)
+            self.at(monitor, "2", "step", ticks=50)
+            self.assertEqual("2-b1", self.at(monitor, "2", "branch", tick=20)["cell"])
 
     def test_branches_count_for_the_limit(self):
         with Server("--max-cells", "2") as xr3, xr3.monitor() as monitor:

@@ -52,12 +52,12 @@ class Crowd {
     talk(monitor_port, "GET /readyz HTTP/1.1\r\nHost: localhost\r\n\r\n");
   }
 
-  /// The clients request more branches than the server has opened when this returns.
+  /// Further branches are requested when this returns than the server has opened.
   void branch(std::uint16_t monitor_port) {
     std::string requests = kPastOfAThousandTicks;
     for (int i = 0; i < kBranchesOfAClient; ++i) requests += kBranch;
     for (int i = 0; i < kBranchingClients; ++i) talk(monitor_port, requests);
-    read_until(sockets_.back(), "robot_port\":");
+    read_until(sockets_.front(), "robot_port\":");
   }
 
  private:

@@ -31,16 +31,33 @@ class BranchCellsTest : public testing::Test {
 
 TEST_F(BranchCellsTest, NamesAreGivenOnce) {
   BranchCells all = branches(0);
-  EXPECT_EQ(all.next_name(), "b1");
-  EXPECT_EQ(all.next_name(), "b2");
+  EXPECT_EQ(all.next_name("7"), "7-b1");
+  EXPECT_EQ(all.next_name("7"), "7-b2");
+  EXPECT_EQ(all.next_name("main"), "main-b1") << "the number does not depend on other origins";
+}
+
+TEST_F(BranchCellsTest, NamesFitIntoTheLengthOfNames) {
+  BranchCells all = branches(0);
+  EXPECT_EQ(all.next_name(std::string(32, 'x')), std::string(29, 'x') + "-b1");
+}
+
+TEST_F(BranchCellsTest, ABranchOfABranchCountsForTheOrigin) {
+  BranchCells all = branches(0);
+  const CellPtr origin = cell("7");
+  const CellPtr branch = cell("7-b1");
+  all.add(branch, all.origin_of(*origin));
+  all.add(cell("7-b2"), all.origin_of(*branch));
+  EXPECT_EQ(all.count("7"), 2U);
+  EXPECT_EQ(all.count("7-b1"), 0U);
+  EXPECT_EQ(all.count("8"), 0U);
 }
 
 TEST_F(BranchCellsTest, AnUnusedCellGoesAndOneWithALineStays) {
   BranchCells all = branches(0);
   const CellPtr used = cell("b1");
   used->cell().apply(LineOpened{"monitor", LineKind::kMonitor}, 0);
-  all.add(used);
-  all.add(cell("b2"));
+  all.add(used, "main");
+  all.add(cell("b2"), "main");
   while (closed_.empty()) io_.run_one();
   EXPECT_EQ(closed_, std::vector<std::string>{"b2"});
   used->cell().apply(LineClosed{1, LineCloseReason::kClientClosed}, 0);
@@ -50,14 +67,14 @@ TEST_F(BranchCellsTest, AnUnusedCellGoesAndOneWithALineStays) {
 
 TEST_F(BranchCellsTest, NothingWaitsWithoutBranches) {
   BranchCells all = branches(0);
-  all.add(cell("b1"));
+  all.add(cell("b1"), "main");
   while (closed_.empty()) io_.run_one();
   EXPECT_EQ(io_.run_one(), 0U) << "no timer is left";
 }
 
 TEST_F(BranchCellsTest, StopClosesNoFurtherCell) {
   BranchCells all = branches(0);
-  all.add(cell("b1"));
+  all.add(cell("b1"), "main");
   all.stop();
   io_.run();
   EXPECT_TRUE(closed_.empty());

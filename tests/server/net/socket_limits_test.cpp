@@ -27,6 +27,22 @@ TEST(SocketLimits, LeaveDescriptorsToTheListenersOfManyCells) {
   EXPECT_LE(limits.lines + limits.connections + limits.refusals, 4096U - 2000U);
 }
 
+TEST(SocketLimits, LeaveDescriptorsToBranches) {
+  SocketLimits wanted = kWanted;
+  wanted.branches = 4;
+  for (std::size_t descriptors = 256; descriptors < 2400; ++descriptors) {
+    const SocketLimits limits = divide_descriptors(descriptors, wanted);
+    EXPECT_EQ(limits.branches, 4U);
+    EXPECT_LE(limits.lines + limits.connections + limits.refusals + 4 * (kLinesPerBranch + 2),
+              descriptors - 31)
+        << descriptors;
+  }
+  wanted.branches = 1000;
+  EXPECT_EQ(divide_descriptors(1024, wanted).branches, 24U) << "a quarter of the descriptors";
+  EXPECT_EQ(divide_descriptors(20000, wanted).branches, 499U);
+  EXPECT_EQ(divide_descriptors(40, wanted).branches, 0U);
+}
+
 TEST(SocketLimits, AreAtLeastOne) {
   for (const std::size_t descriptors : {0U, 16U, 32U, 33U, 40U}) {
     const SocketLimits limits = divide_descriptors(descriptors, kWanted);

@@ -86,15 +86,15 @@ test("a refusal is a sentence over the picture", () =>
     await page.waitForSelector("#message:has-text('there are 1000 cells (raise --max-cells)')");
   }));
 
-for (const [what, token, address] of [["without a token", undefined, "/cell/b1"], ["with its token", "a+b/c", "/cell/b1#token=a%2Bb%2Fc"]]) {
+for (const [what, token, address] of [["without a token", undefined, "/cell/main-b1"], ["with its token", "a+b/c", "/cell/main-b1#token=a%2Bb%2Fc"]]) {
   test(`a branch is shown with the link to its page, ${what}, and its port`, () =>
     withPast([], async (page, played) => {
-      played.answers.branch = () => ({ epoch: 1, tick: 25_000, cell: "b1", robot_port: 40123, ...(token && { token }) });
+      played.answers.branch = () => ({ epoch: 1, tick: 25_000, cell: "main-b1", robot_port: 40123, ...(token && { token }) });
       await lookBack(page);
       await page.click("#past-branch");
       await page.waitForSelector("#past-made:visible");
       assert.deepEqual(played.asked("branch"), [{ fn: "branch", epoch: 0, tick: 25_000 }]);
-      assert.match(await page.textContent("#past-made"), /b1, robot port 40123/);
+      assert.match(await page.textContent("#past-made"), /main-b1, robot port 40123/);
       assert.equal(await page.getAttribute("#past-made a", "href"), address);
       await page.click("#past-made .close");
       assert.equal(await page.isHidden("#past-made"), true);
