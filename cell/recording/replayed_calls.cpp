@@ -1,5 +1,6 @@
 // The calls of a recording. Those that advance a manual clock do so piece by piece, for samples and
-// for the time to stop.
+// for the time to stop. With the byte clock such a call may let further time pass at its end, so it
+// is made at once.
 #include <algorithm>
 
 #include "cell/digest.hpp"
@@ -53,34 +54,39 @@ Tick Replayer::tick_limit(Tick wanted) const {
   return is_limited ? std::min(wanted, std::max(stop_->tick, cell_.state().tick)) : wanted;
 }
 
+/// Whether a sample is due before a call has advanced a manual clock to `target`.
+bool Replayer::has_sample(Tick target) const {
+  return every_ > 0 && cell_.clock().mode() == ClockMode::kManual && next_sample_.tick <= target;
+}
+
 Replayer::Result Replayer::step(const call::Step& step) {
-  if (cell_.clock().mode() != ClockMode::kManual || step.ticks > monitor::kMaxInteger - now().tick)
-    return difference("step", "the manual clock, and time before its end", "none of them");
+  if (cell_.clock().mode() == ClockMode::kReal || step.ticks > monitor::kMaxInteger - now().tick)
+    return difference("step", "no real clock, and time before its end", "another");
   const Tick wanted = cell_.state().tick + step.ticks;
   const Tick target = tick_limit(wanted);
   is_stopped_ = target < wanted;
   do {
-    const bool has_sample = every_ > 0 && next_sample_.tick <= target;
-    const Tick next = has_sample ? std::max(next_sample_.tick, cell_.state().tick) : target;
+    const bool is_sampled = has_sample(target);
+    const Tick next = is_sampled ? std::max(next_sample_.tick, cell_.state().tick) : target;
     cell_.apply(Input{call::Call{call::Step{next - cell_.state().tick}}}, 0);
-    if (has_sample) sample();
+    if (is_sampled) sample();
   } while (cell_.state().tick < target);
   return std::nullopt;
 }
 
 Replayer::Result Replayer::run_until(const call::RunUntil& run) {
-  if (cell_.clock().mode() != ClockMode::kManual)
-    return difference("run_until", "the manual clock", "the real one");
+  if (cell_.clock().mode() == ClockMode::kReal)
+    return difference("run_until", "no real clock", "the real one");
   const Tick room = std::min(run.max_ticks, monitor::kMaxInteger - cell_.state().tick);
   const Tick wanted = cell_.state().tick + room;
   const Tick target = tick_limit(wanted);
   for (bool is_done = false; !is_done;) {
-    const bool has_sample = every_ > 0 && next_sample_.tick <= target;
-    const Tick next = has_sample ? std::max(next_sample_.tick, cell_.state().tick) : target;
+    const bool is_sampled = has_sample(target);
+    const Tick next = is_sampled ? std::max(next_sample_.tick, cell_.state().tick) : target;
     const call::RunUntil piece{run.tick, next - cell_.state().tick};
     const Applied applied = cell_.apply(Input{call::Call{piece}}, 0);
     const bool is_reached = std::get<call::Done>(applied.outcome).reached.value_or(false);
-    if (has_sample && cell_.state().tick >= next_sample_.tick) sample();
+    if (is_sampled && cell_.state().tick >= next_sample_.tick) sample();
     is_done = is_reached || cell_.state().tick >= target;
     is_stopped_ = !is_reached && target < wanted;
   }

@@ -72,6 +72,7 @@ class Replayer : private InputLog {
   Result step(const call::Step& step);
   Result run_until(const call::RunUntil& run);
   Tick tick_limit(Tick wanted) const;
+  bool has_sample(Tick target) const;
   Result compare_replies(LineId line, Tick tick, std::string_view expected);
   Result refuse_other_replies() const;
   Result compare_hash(const std::string& expected);

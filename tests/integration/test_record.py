@@ -117,6 +117,41 @@ class Recordings(unittest.TestCase):
         self.assertEqual({"inquiry_ms": 20, "settle_ms": 10, "concurrent_lines": False}, header["byte_clock"])
         self.assertTrue(any("us" in entry for entry in entries))
 
+    def test_calls_that_advance_the_byte_clock(self):
+        with Server("--record", self.file, clock="bytes") as xr3, xr3.monitor() as monitor:
+            saved = monitor.call("snapshot_save", inline=True)["snapshot"]
+            begins = {"": lambda: None, "reset": lambda: monitor.call("reset"),
+                      "snapshot_load": lambda: monitor.call("snapshot_load", snapshot=saved),
+                      "seek": lambda: (monitor.call("seek", tick=monitor.get("tick")["tick"]), monitor.call("resume"))}
+            runs = [("step", {"ticks": 77}), ("run_until", {"idle": True, "max_ticks": 60_000}),
+                    ("run_until", {"tick": 10**6, "max_ticks": 33})]
+            for name, begin in begins.items():
+                for fn, args in runs:
+                    for is_open in False, True:
+                        with self.subTest(begin=name, call=fn, is_open=is_open):
+                            begin()
+                            self.advance(xr3, monitor, fn, args, is_open)
+            state = self.state_of(monitor)
+        self.assertEqual(state, self.replayed_state())
+        rows = list(csv.DictReader(self.replay("--csv", "--every", "10").stdout.splitlines()))
+        self.assertEqual(str(state["tick"] // 10 * 10), rows[-1]["tick"])
+
+    def advance(self, xr3, monitor, fn, args, is_open):
+        """A motion begins, and a call lets time pass for it, while its line is open or after its end; the past shows
+        the same."""
+        with xr3.line() as line:
+            line.ask("E+20\rE?")
+            if is_open:
+                monitor.call(fn, **args)
+        while monitor.call("lines")["lines"]:
+            pass
+        monitor.call(fn, **args)
+        now = monitor.get()
+        look = {"epoch": now["epoch"], "tick": now["tick"], "channels": ["state"]}
+        monitor.send({"op": "call", "id": "look", "fn": "look", "args": look})
+        *frames, result = monitor.read_until(lambda message: message["op"] == "result")
+        self.assertEqual((now["tick"], now["joints"]), (result["value"]["tick"], frames[-1]["joints"]))
+
     def runs(self, folder):
         """The folders of the runs of a server, in the order of their start."""
         return sorted(folder.iterdir(), key=lambda path: path.stat().st_ctime_ns)
