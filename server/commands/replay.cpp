@@ -94,13 +94,12 @@ class ReplayRun {
     if (options_.until) replayer.stop_at(*options_.until);
     std::optional<JointTable> table;
     if (!options_.csv.empty()) {
-      table.emplace(*header_.model);
-      replayer.sample_every(options_.every_ms,
-                            [&](const Cell& its) { table->add(its, its.state().tick); });
+      table.emplace(*header_.model, options_.csv);
+      replayer.sample_every(options_.every_ms, [&](const Cell& its) { add_row(*table, its); });
     }
     if (!apply_all(replayer)) return false;
     replayer.run_to_stop();
-    if (table) write_file(options_.csv, table->text());
+    if (table) table->finish();
     require_stop(cell);
     report(cell, replayer);
     return true;
@@ -118,6 +117,13 @@ class ReplayRun {
       }
     }
     return true;
+  }
+  void add_row(JointTable& table, const Cell& cell) const {
+    if (table.is_full())
+      throw FileError(options_.csv + ": the table would have more than " +
+                      std::to_string(JointTable::kMaxRows) + " lines; with a longer --every (now " +
+                      std::to_string(options_.every_ms) + " ms) it has fewer");
+    table.add(cell, cell.state().tick);
   }
   /// The time to stop must be one that the cell had.
   void require_stop(const Cell& cell) const {

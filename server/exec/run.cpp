@@ -16,7 +16,6 @@
 #include "server/exec/descendants.hpp"
 #include "server/exec/sandbox.hpp"
 #include "server/exec/transcript_text.hpp"
-#include "server/files/atomic_write.hpp"
 #include "server/files/data_files.hpp"
 #include "server/net/wall_clock.hpp"
 #include "server/recording/joint_table.hpp"
@@ -80,13 +79,14 @@ class KeptOutput {
 /// Samples a cell for the table of --csv, from now on.
 class TableSampler final : private CellWatcher {
  public:
-  explicit TableSampler(Cell& cell) : cell_(cell), table_(cell.model()), epoch_(cell.epoch()) {
+  TableSampler(Cell& cell, const std::string& path)
+      : cell_(cell), table_(cell.model(), path), epoch_(cell.epoch()) {
     after_tick(cell);
     cell.watch(*this);
   }
   ~TableSampler() override { cell_.end_watch(*this); }
 
-  const std::string& text() const { return table_.text(); }
+  JointTable& table() { return table_; }
 
  private:
   static constexpr Tick kEvery = 100;  // between two lines
@@ -95,7 +95,8 @@ class TableSampler final : private CellWatcher {
   // A cell passes over ticks at rest, in which nothing changes.
   void after_tick(const Cell& cell) override {
     if (std::exchange(epoch_, cell.epoch()) != cell.epoch()) next_ = 0;
-    for (; next_ <= cell.state().tick; next_ += kEvery) table_.add(cell, next_);
+    for (; next_ <= cell.state().tick && !table_.is_full(); next_ += kEvery)
+      table_.add(cell, next_);
   }
 
   Cell& cell_;
@@ -116,7 +117,7 @@ class Run {
         observer_(host_.cell(), goals),
         table_(settings.exec.csv.empty()
                    ? std::optional<TableSampler>()
-                   : std::optional<TableSampler>(std::in_place, host_.cell())),
+                   : std::optional<TableSampler>(std::in_place, host_.cell(), settings.exec.csv)),
         timer_(host_.io()),
         signals_(host_.io(), SIGINT, SIGTERM) {
     host_.cell().add_log(transcript_);
@@ -275,7 +276,7 @@ class Run {
   }
 
   RunResult judged() {
-    if (table_) write_file(settings_.exec.csv, table_->text());
+    if (table_) table_->table().finish();
     const Cell& cell = host_.cell();
     const RunFacts facts = observer_.facts();
     report_.wall_s = wall_s();

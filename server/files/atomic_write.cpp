@@ -18,65 +18,70 @@ namespace fs = std::filesystem;
   throw FileError(path.string() + ": cannot be written: " + why);
 }
 
-/// A draft file; the destructor removes it unless take_name() has renamed it.
-class Draft {
- public:
-  explicit Draft(const fs::path& target)
-      : target_(target), path_(target.string() + "." + std::to_string(::getpid())) {}
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
-  ~Draft() {
-    std::error_code ignored;
-    if (is_made_) fs::remove(path_, ignored);
-  }
+fs::path followed(const fs::path& path) {
+  std::error_code error;
+  return fs::is_symlink(path, error) ? fs::weakly_canonical(path) : path;
+}
 
-  const fs::path& path() const { return path_; }
-
-  void write(const std::string& text) {
-    constexpr int kRights = 0666;
-    const int file = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kRights);
-    if (file < 0) fail(target_, std::strerror(errno));
-    is_made_ = true;
-    const bool is_written = write_all(file, text) && ::fsync(file) == 0;
-    const int why = errno;
-    if (::close(file) != 0 || !is_written) fail(target_, std::strerror(why));
-  }
-
-  /// Renames the draft. False if the target exists and is to be kept.
-  bool take_name(Existing existing) {
-    const unsigned flags = existing == Existing::kKeep ? RENAME_NOREPLACE : 0;
-    int failed = ::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target_.c_str(), flags);
-    if (failed != 0 && flags != 0 && errno == EINVAL) {  // the file system has no RENAME_NOREPLACE
-      std::error_code ignored;
-      if (fs::exists(target_, ignored)) return false;
-      failed = ::rename(path_.c_str(), target_.c_str());
-    }
-    if (failed != 0 && flags != 0 && errno == EEXIST) return false;
-    if (failed != 0) fail(target_, std::strerror(errno));
-    is_made_ = false;
-    return true;
-  }
-
- private:
-  fs::path target_;
-  fs::path path_;
-  bool is_made_ = false;
-};
+/// The status of a target that does not exist, or is a regular file.
+fs::file_status writable_status(const fs::path& target) {
+  std::error_code error;
+  fs::file_status status = fs::status(target, error);
+  if (fs::exists(status) && !fs::is_regular_file(status)) fail(target, "it is not a file");
+  return status;
+}
 
 }  // namespace
+
+// --- A draft.
+
+Draft::Draft(const fs::path& path)
+    : target_(followed(path)),
+      before_(writable_status(target_)),
+      path_(target_.string() + "." + std::to_string(::getpid())) {
+  constexpr int kRights = 0666;
+  file_ = Descriptor(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kRights));
+  if (!file_.is_open()) fail(target_, std::strerror(errno));
+}
+
+Draft::~Draft() {
+  std::error_code ignored;
+  if (!is_renamed_) fs::remove(path_, ignored);
+}
+
+void Draft::append(std::string_view text) {
+  if (!write_all(file_.get(), text)) fail(target_, std::strerror(errno));
+}
+
+void Draft::sync() {
+  if (::fsync(file_.get()) != 0) fail(target_, std::strerror(errno));
+}
+
+bool Draft::take_name(Existing existing) {
+  std::error_code ignored;
+  if (fs::exists(before_)) fs::permissions(path_, before_.permissions(), ignored);
+  const unsigned flags = existing == Existing::kKeep ? RENAME_NOREPLACE : 0;
+  int failed = ::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target_.c_str(), flags);
+  if (failed != 0 && flags != 0 && errno == EINVAL) {  // the file system has no RENAME_NOREPLACE
+    if (fs::exists(target_, ignored)) return false;
+    failed = ::rename(path_.c_str(), target_.c_str());
+  }
+  if (failed != 0 && flags != 0 && errno == EEXIST) return false;
+  if (failed != 0) fail(target_, std::strerror(errno));
+  is_renamed_ = true;
+  return true;
+}
+
+// --- Whole files.
 
 bool write_file_atomically(const fs::path& path, const std::string& text, Existing existing,
                            const std::function<void(const DataFile&)>& check) {
   std::error_code error;
-  const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path) : path;
-  const fs::file_status before = fs::status(target, error);
-  const bool is_there = fs::exists(before);
-  if (is_there && !fs::is_regular_file(before)) fail(path, "it is not a file");
-  if (is_there && existing == Existing::kKeep) return false;
-  Draft draft(target);
-  draft.write(text);
+  if (existing == Existing::kKeep && fs::is_regular_file(path, error)) return false;
+  Draft draft(path);
+  draft.append(text);
+  draft.sync();
   check(read_file(draft.path()));
-  if (is_there) fs::permissions(draft.path(), before.permissions(), error);
   return draft.take_name(existing);
 }
 

@@ -5,13 +5,41 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "server/files/data_files.hpp"
+#include "server/files/descriptor.hpp"
 
 namespace xr3 {
 
 /// The treatment of an existing file.
 enum class Existing : std::uint8_t { kKeep, kReplace };
+
+/// A file that is written as it grows. Until take_name() it has a name of its own in the folder of
+/// the target, and the destructor removes it. Each function throws FileError.
+class Draft {
+ public:
+  /// Follows symbolic links. The target does not exist, or is a regular file.
+  explicit Draft(const std::filesystem::path& target);
+  Draft(const Draft&) = delete;
+  Draft& operator=(const Draft&) = delete;
+  ~Draft();
+
+  const std::filesystem::path& path() const { return path_; }
+  void append(std::string_view text);
+  /// Waits until the text is on the disk.
+  void sync();
+  /// Renames the draft, with the permissions of the file that it replaces. False if the target
+  /// exists and is to be kept.
+  bool take_name(Existing existing);
+
+ private:
+  std::filesystem::path target_;
+  std::filesystem::file_status before_;
+  std::filesystem::path path_;
+  Descriptor file_;
+  bool is_renamed_ = false;
+};
 
 /// Writes the text to a file. Before the rename it reads the draft back and passes it to `check`,
 /// which may throw. Returns false if the file exists and `existing` is kKeep. Throws FileError.

@@ -1,25 +1,37 @@
 // The table of `xr3 replay --csv` and `xr3 exec --csv`: joint variables, motor counts and the tip
-// over time.
+// over time, written as it grows.
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
 #include <string>
 
 #include "cell/cell.hpp"
+#include "server/files/atomic_write.hpp"
 
 namespace xr3 {
 
 class JointTable {
  public:
-  explicit JointTable(const Model& model);
+  /// The most lines after the header; some 500 MB.
+  static constexpr std::int64_t kMaxRows = 5'000'000;
 
-  /// Adds a line for a tick at which the cell was as it is now. Precondition: it has the robot of
-  /// the model.
+  /// Begins a draft of the file, with a header. Throws FileError.
+  JointTable(const Model& model, const std::filesystem::path& path);
+
+  bool is_full() const { return rows_ == kMaxRows; }
+  /// Adds a line for a tick at which the cell was as it is now. Throws FileError. Preconditions: it
+  /// has the robot of the model, and the table is not full.
   void add(const Cell& cell, Tick tick);
-  /// The header and all lines, each with a line feed.
-  const std::string& text() const { return text_; }
+  /// Gives the file its name; nothing is added afterwards. Throws FileError.
+  void finish();
 
  private:
-  std::string text_;
+  Draft draft_;
+  std::string waiting_;  ///< not written yet
+  std::int64_t rows_ = 0;
+  std::string last_;  ///< the columns of `motors_` and of the tip
+  Motors motors_;     ///< of the last line
 };
 
 }  // namespace xr3
