@@ -42,6 +42,7 @@ Json summary_json(const CellSummary& cell) {
           {"robot_port", json_or_null(cell.robot_port)},
           {"lines", cell.lines},
           {"peer", json_or_null(cell.peer)},
+          {"owner", json_or_null(cell.owner)},
           {"moving", cell.is_moving},
           {"stalled", stall_json(cell.stall)},
           {"holding", json_or_null(cell.holding)},
@@ -54,9 +55,9 @@ Json summary_json(const CellSummary& cell) {
 
 bool is_news(const CellSummary& before, const CellSummary& now) {
   const auto shown = [](const CellSummary& cell) {
-    return std::tie(cell.name, cell.robot, cell.robot_port, cell.lines, cell.peer, cell.is_moving,
-                    cell.stall, cell.holding, cell.last_input_tick, cell.epoch, cell.joints,
-                    cell.tool);
+    return std::tie(cell.name, cell.robot, cell.robot_port, cell.lines, cell.peer, cell.owner,
+                    cell.is_moving, cell.stall, cell.holding, cell.last_input_tick, cell.epoch,
+                    cell.joints, cell.tool);
   };
   return shown(before) != shown(now);
 }

@@ -17,10 +17,11 @@ namespace xr3::monitor {
 /// What the overview shows of a cell.
 struct CellSummary {
   std::string name;
-  std::string robot;                ///< name of the robot
-  std::optional<int> robot_port;    ///< nullopt: the cell has no port of its own
-  std::size_t lines = 0;            ///< open lines
-  std::optional<std::string> peer;  ///< of the line opened last; nullopt without a line
+  std::string robot;                 ///< name of the robot
+  std::optional<int> robot_port;     ///< nullopt: the cell has no port of its own
+  std::size_t lines = 0;             ///< open lines
+  std::optional<std::string> peer;   ///< of the line opened last; nullopt without a line
+  std::optional<std::string> owner;  ///< of the robot port (--bind-peer); nullopt: none
   bool is_moving = false;
   Stall stall = Stall::kNo;
   std::optional<std::string> holding;   ///< name of the block
@@ -31,7 +32,7 @@ struct CellSummary {
   double tool = 0;             ///< tool variable, deg or mm
 };
 
-/// The summary of a machine in this state; name, robot port, lines, peer, last input and epoch
+/// The summary of a machine in this state; name, robot port, lines, peer, owner, last input and epoch
 /// remain to be filled in.
 CellSummary machine_summary(const Model& model, const State& state);
 

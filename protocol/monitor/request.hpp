@@ -90,6 +90,8 @@ struct ListFaults {};
 struct DisconnectLine {
   std::uint32_t line = 0;
 };
+/// Frees the robot port of its owner (--bind-peer).
+struct ReleasePeer {};
 struct ReadTranscript {};
 struct ReadHistory {};
 /// A time of the cell's history.
@@ -118,8 +120,8 @@ struct Describe {
 
 struct CallRequest {
   std::string fn;
-  std::variant<call::Call, Send, ListLines, ListCells, ListFaults, DisconnectLine, ReadTranscript,
-               ReadHistory, Look, Live, Seek, Branch, Describe>
+  std::variant<call::Call, Send, ListLines, ListCells, ListFaults, DisconnectLine, ReleasePeer,
+               ReadTranscript, ReadHistory, Look, Live, Seek, Branch, Describe>
       call;
   std::optional<After> after;  ///< step and run_until only
   Fields fields;               ///< step and run_until only: members of the state in the result

@@ -63,7 +63,7 @@ void ConnectionCells::take(NewConnection connection) {
   if (is_closing_) return;
   if (waiting_.size() + lines_ >= rules_.max_lines)
     return refuse("as many lines are open as --max-lines allows");
-  auto place = rules_.peers.take(connection.peer.address());
+  auto place = rules_.peers.take(machine_of(connection));
   if (!place)
     return refuse("the client has as many lines open as one address may have (--max-per-address)");
   const tcp::endpoint peer = connection.peer;

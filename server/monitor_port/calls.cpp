@@ -140,6 +140,8 @@ MonitorService::Answer MonitorService::carry_out_call(HostedCell& at, monitor::R
     return at_once(monitor::result(request.id, value_with_faults(at.cell())));
   if (std::holds_alternative<monitor::DisconnectLine>(wanted.call))
     return at_once(disconnect(at, request));
+  if (std::holds_alternative<monitor::ReleasePeer>(wanted.call))
+    return at_once(release_peer(at, request));
   return transcript(at, request);
 }
 

@@ -1,4 +1,4 @@
-// The monitor's calls on serial lines: `send`, `lines` and `line_disconnect`.
+// The monitor's calls on serial lines: `send`, `lines`, `line_disconnect` and `peer_release`.
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
@@ -186,6 +186,13 @@ monitor::Message MonitorService::disconnect(HostedCell& at, const monitor::Reque
   if (!at.transports().disconnect(id))
     cell.apply(LineClosed{id, LineCloseReason::kDisconnected}, wall_now());
   return monitor::result(request.id, value_now(cell));
+}
+
+monitor::Message MonitorService::release_peer(HostedCell& at, const monitor::Request& request) {
+  const auto owner = at.port() ? at.port()->release_owner() : std::nullopt;
+  Json value = value_now(at.cell());
+  value["owner"] = owner ? Json(owner->to_string()) : Json();
+  return monitor::result(request.id, value);
 }
 
 }  // namespace xr3

@@ -23,7 +23,10 @@ monitor::CellSummary summary_of(HostedCell& at) {
   cell.catch_up(wall_now());
   monitor::CellSummary summary = monitor::machine_summary(cell.model(), cell.state());
   summary.name = cell.name();
-  if (at.port() != nullptr) summary.robot_port = at.port()->endpoint().port();
+  if (const RobotPort* port = at.port()) {
+    summary.robot_port = port->endpoint().port();
+    if (port->owner()) summary.owner = port->owner()->to_string();
+  }
   summary.lines = cell.lines().size();
   if (!cell.lines().empty()) summary.peer = cell.lines().rbegin()->second.peer();
   summary.last_input_tick = cell.last_input_tick();

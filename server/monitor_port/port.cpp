@@ -28,7 +28,7 @@ MonitorPort::MonitorPort(asio::io_context& io, CellRegistry& cells, Worker& work
 void MonitorPort::open(NewConnection accepted) {
   if (connections_.size() >= max_connections_) make_room();
   if (connections_.size() >= max_connections_) return refuse(std::move(accepted));
-  auto place = peers_.take(accepted.peer.address());
+  auto place = peers_.take(machine_of(accepted));
   if (!place) return refuse(std::move(accepted));
   const tcp::endpoint peer = accepted.peer;
   const auto connection = std::make_shared<MonitorConnection>(to_socket(io_, std::move(accepted)),

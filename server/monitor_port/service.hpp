@@ -150,6 +150,7 @@ class MonitorService {
   static Answer list_lines(HostedCell& at, const monitor::Request& request);
   static Answer transcript(HostedCell& at, const monitor::Request& request);
   static monitor::Message disconnect(HostedCell& at, const monitor::Request& request);
+  static monitor::Message release_peer(HostedCell& at, const monitor::Request& request);
   static Answer done(HostedCell& at, const monitor::Request& request, const call::Done& done);
 
   asio::io_context& io_;

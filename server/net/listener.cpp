@@ -55,6 +55,16 @@ std::string to_text(const tcp::endpoint& endpoint) {
   return host + ":" + std::to_string(endpoint.port());
 }
 
+asio::ip::address machine_of(const NewConnection& connection) {
+  tcp::endpoint local;
+  auto size = static_cast<socklen_t>(local.capacity());
+  const asio::ip::address peer = connection.peer.address();
+  const bool is_known = ::getsockname(connection.descriptor.get(), local.data(), &size) == 0;
+  const bool is_this =
+      peer == asio::ip::address_v6::loopback() || (is_known && peer == local.address());
+  return is_this ? asio::ip::address(asio::ip::address_v4::loopback()) : peer;
+}
+
 tcp::socket to_socket(asio::io_context& io, NewConnection connection) {
   tcp::socket socket(io);
   socket.assign(connection.peer.protocol(), connection.descriptor.get());

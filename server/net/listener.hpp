@@ -20,6 +20,10 @@ struct NewConnection {
   tcp::endpoint peer;  ///< known even if the connection is lost already
 };
 
+/// The address of the client's machine. All addresses of this machine count as one, 127.0.0.1: ::1,
+/// and the address under which the client has reached this server if it is also its own.
+asio::ip::address machine_of(const NewConnection& connection);
+
 /// The socket of a connection in the event loop. Throws boost::system::system_error if the loop
 /// cannot watch it; the connection is then closed.
 tcp::socket to_socket(asio::io_context& io, NewConnection connection);

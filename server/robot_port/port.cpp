@@ -10,12 +10,6 @@
 namespace xr3 {
 namespace {
 
-// A name such as localhost leads to 127.0.0.1 or ::1, as the client likes.
-asio::ip::address this_machine_as_one(const asio::ip::address& peer) {
-  if (peer == asio::ip::address_v6::loopback()) return asio::ip::address_v4::loopback();
-  return peer;
-}
-
 constexpr WallNs kOtherPeerLogEvery = 1'000'000'000;
 
 }  // namespace
@@ -35,11 +29,10 @@ void RobotPort::open(NewConnection connection) {
   if (!is_probe && rules_.divert) return rules_.divert(std::move(connection));
   if (is_full()) lines_.take_news();       // a client may have closed its line without our notice
   if (is_full()) return refuse(is_probe);  // closed without a byte
-  const asio::ip::address address = connection.peer.address();
-  const asio::ip::address peer = this_machine_as_one(address);
+  const asio::ip::address peer = machine_of(connection);
   if (!is_probe && is_owned_by_other(peer)) return refuse_other(peer);
-  auto place = is_probe ? nullptr : rules_.peers.take(address);
-  if (!place && !is_probe) return refuse_peer(address);
+  auto place = is_probe ? nullptr : rules_.peers.take(peer);
+  if (!place && !is_probe) return refuse_peer(peer);
   const LineOpened opened{to_text(connection.peer), LineKind::kTcp, is_probe, rules_.guard};
   if (!is_probe) ++open_;
   const auto line =
@@ -96,6 +89,13 @@ void RobotPort::become_owner(const asio::ip::address& peer) {
     refuse_other(its_peer);
     lines_.disconnect(line);
   }
+}
+
+std::optional<asio::ip::address> RobotPort::release_owner() {
+  const auto released = std::exchange(owner_, std::nullopt);
+  for (const auto& [line, peer] : std::map(peers_of_lines_))
+    if (peer == released) lines_.disconnect(line);
+  return released;
 }
 
 void RobotPort::release_later() {

@@ -55,6 +55,8 @@ class RobotPort final : public LineSource {
   PortCounters counters() const override { return {refused_, listener_.failures(), other_peers_}; }
   /// The address that keeps the port; nullopt: none.
   const std::optional<asio::ip::address>& owner() const { return owner_; }
+  /// Closes the owner's lines: the port belongs to the next address that speaks. Returns the owner.
+  std::optional<asio::ip::address> release_owner();
 
   /// The next connection from this endpoint is the server's own probe and becomes kProbeLine. It is
   /// refused if the limit of lines is reached, but does not count as a line.

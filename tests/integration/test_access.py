@@ -18,7 +18,8 @@ PRINTED_TOKEN = r"#token=([A-Za-z0-9_-]{16,})\s"  # on standard error, but not w
 CALLS = {"step": {"ticks": 1}, "run_until": {"tick": 5, "max_ticks": 5}, "pause": {}, "resume": {}, "rate": {"factor": 2},
          "reset": {}, "home": {}, "send": {"text": "E+5\r"}, "input": {"input": 1, "value": True},
          "block_move": {"name": "red", "yaw_deg": 1}, "block_remove": {"name": "red"}, "snapshot_save": {"inline": True},
-         "key": {"function": "display"}, "lines": {}, "line_disconnect": {"line": 1}, "describe": {}}
+         "key": {"function": "display"}, "lines": {}, "line_disconnect": {"line": 1}, "peer_release": {},
+         "describe": {}}
 
 
 class TokenFile:

@@ -30,12 +30,12 @@ def cell_ports(monitor):
     return {cell["name"]: cell["robot_port"] for cell in monitor.call("cells")["cells"]}
 
 
-def line_to(port, source=None):
+def line_to(port, source=None, address=LOCALHOST):
     sock = socket.socket()
     sock.settimeout(DEADLINE_S)
     if source:
         sock.bind((source, 0))
-    sock.connect((LOCALHOST, port))
+    sock.connect((address, port))
     return Line(sock, 1)
 
 
@@ -414,6 +414,28 @@ class BindPeer(unittest.TestCase):
             self.assertEqual("", counts(Request(monitor, "1").state()))
             self.assertEqual(2, samples(xr3)["xr3_other_peers_total"])
             self.assertRegex(xr3.wait_log("--bind-peer"), r"cell 1: 127\.0\.0\.2 is disconnected")
+
+    def test_the_owner_is_shown_and_can_be_released(self):
+        with Server("--bind-peer", "--linger", LONG_S) as xr3, xr3.monitor() as monitor:
+            self.assertIsNone(monitor.call("cells")["cells"][0]["owner"])
+            with line_to(xr3.robot_port, OTHER_ADDRESS) as first:
+                first.ask("E?")
+                self.assertEqual(OTHER_ADDRESS, monitor.call("cells")["cells"][0]["owner"])
+                self.assertEqual(OTHER_ADDRESS, monitor.call("peer_release")["owner"])
+                self.assertEqual(b"", first.read_to_end())
+            with line_to(xr3.robot_port) as second:
+                self.assertEqual(32, second.ask("E?"))
+                self.assertEqual("127.0.0.1", monitor.request("get", channel="overview")["cells"][0]["owner"])
+            monitor.call("peer_release")
+            self.assertIsNone(monitor.call("peer_release")["owner"])
+
+    def test_the_address_of_this_machine_in_the_network_is_this_machine(self):
+        with Server("--bind-peer", "--listen", "0.0.0.0", "--insecure") as xr3, xr3.monitor() as monitor:
+            with line_to(xr3.robot_port, OTHER_ADDRESS, OTHER_ADDRESS) as line:
+                line.ask("E?")
+                self.assertEqual("127.0.0.1", monitor.call("cells")["cells"][0]["owner"])
+                with line_to(xr3.robot_port) as second:
+                    self.assertEqual(32, second.ask("E?"))
 
     def test_a_port_without_lines_is_free_after_a_while(self):
         with Server("--bind-peer", "--linger", SHORT_S) as xr3:

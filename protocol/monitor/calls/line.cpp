@@ -1,4 +1,4 @@
-// The calls on serial lines: `send`, `lines`, `line_disconnect` and `transcript`.
+// The calls on serial lines: `send`, `lines`, `line_disconnect`, `peer_release` and `transcript`.
 #include <charconv>
 #include <string_view>
 #include <utility>
@@ -46,6 +46,9 @@ constexpr CallForm kLineCalls[] = {
     {"send", "Sends bytes on a serial line that belongs to this client.", read_send},
     {"lines", "Lists the open serial lines, and the physical controller.", read_nothing<ListLines>},
     {"line_disconnect", "Closes a serial line.", read_line_disconnect},
+    {"peer_release",
+     "Closes the lines of the address that keeps the robot port, and frees the port.",
+     read_nothing<ReleasePeer>},
     {"transcript", "Gives a digest of all bytes of the lines in this epoch, and of the state.",
      read_nothing<ReadTranscript>},
 };
