@@ -153,6 +153,7 @@ ExitCode App::run() {
 }
 
 void App::begin_with(const std::function<void(Cell&)>& replay) {
+  keep_histories();  // before the replay, so that what was recorded is the past
   is_replaying_ = true;
   Cell& cell = first().cell();
   replay(cell);

@@ -137,7 +137,7 @@ void App::keep_histories() {
 }
 
 void App::keep_history(HostedCell& cell) {
-  if (options_.history_ticks > 0 && cell.cell().device() == nullptr)
+  if (options_.history_ticks > 0 && cell.cell().device() == nullptr && cell.history() == nullptr)
     cell.keep_history(options_.history_ticks);
 }
 

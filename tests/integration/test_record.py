@@ -351,6 +351,11 @@ class Recordings(unittest.TestCase):
         del server.options[at:at + 2]
         with server as xr3, xr3.monitor() as monitor:
             self.assertEqual(state, self.state_of(monitor))
+            self.assertEqual([{"epoch": 0, "from": 0, "to": 200}], monitor.call("history")["epochs"])
+            self.assertEqual(100, monitor.call("seek", tick=100)["tick"], "what was recorded is the past")
+            self.assertEqual(200, monitor.call("seek", epoch=0, tick=200)["tick"])
+            monitor.call("resume")
+            self.assertEqual(state["joints"], monitor.get()["joints"])
             line = xr3.line()
             line.number = 2
             line.ask("E?")
