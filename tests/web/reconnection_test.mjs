@@ -14,6 +14,11 @@ async function again(page, server, ...options) {
   return next;
 }
 const rows = (page) => page.locator("#wire li").allTextContents();
+/** In the page: whether a row lies within its list. */
+const isInside = (row) => {
+  const [{ top, bottom }, list] = [row, row.parentElement].map((each) => each.getBoundingClientRect());
+  return top >= list.top && bottom <= list.bottom;
+};
 
 test("bytes of a restarted server are shown although its sequence numbers repeat", async () => {
   const first = await serve("--clock", "manual");
@@ -24,6 +29,7 @@ test("bytes of a restarted server are shown although its sequence numbers repeat
   await page.waitForFunction(() => document.querySelectorAll("#wire li").length === 2);
   const second = await again(page, first, "--clock", "manual");
   await page.waitForSelector("#wire .mark:has-text('restarted')");
+  assert.ok(await page.$eval("#wire .mark", isInside));
   await type(second.robot, "F+20\r"); // the same byte, number and tick
   await page.waitForFunction(() => document.querySelectorAll("#wire li").length === 4);
   const [before, , mark, after] = await rows(page);
