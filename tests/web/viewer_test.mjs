@@ -1,7 +1,9 @@
 // The page in Chromium with a real server: what it shows agrees with the server.
 import assert from "node:assert/strict";
 import { createServer } from "node:http";
-import { stat } from "node:fs/promises";
+import { readFile, rm, stat, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { after, test } from "node:test";
 import { close, leavePage, ofThePage, open, ready, root, serve, takePage, type, withPage } from "./bench.mjs";
 
@@ -30,6 +32,28 @@ for (const robot of kRobots) {
       await page.screenshot({ path: `${screenshots}/${robot}-dark.png` });
     }));
 }
+
+test("a robot without outlines has its joints, jog buttons, wire and tip", async () => {
+  const file = join(tmpdir(), `xr3-bare-robot-${process.pid}.json`);
+  const text = (await readFile(`${root}data/robots/rhino-xr3.json`, "utf8")).replace(/^\*.*$/gm, "");
+  const robot = JSON.parse(text);
+  delete robot.links;
+  delete robot.tool.parts;
+  await writeFile(file, JSON.stringify(robot));
+  try {
+    await withPage(["--robot", file, "--workcell", "rhino-xr3", "--clock", "real:20"], async (page, server) => {
+      await page.click("#tab-console");
+      await page.click("#jog [aria-label='base (F) up']");
+      await page.waitForSelector("tr[data-label=F] .count:has-text('5')");
+      await page.waitForSelector("#wire li.in", { state: "attached" });
+      await server.rest();
+      const { tool } = await server.state();
+      await page.waitForFunction((xyz) => window.xr3.tipDrawn().every((v, i) => Math.abs(v - xyz[i]) < 0.01), tool.xyz_mm);
+    });
+  } finally {
+    await rm(file);
+  }
+});
 
 test("a move sent on the robot port shows in the scene and in the joint table", () =>
   withPage(["--clock", "real:0.25"], async (page, server) => {  // slow, so that a slow browser sees the motion

@@ -29,8 +29,8 @@ export class RobotBody {
   }
 
   #makeParts(edge) {
-    const { links, tool } = this.robot;
-    this.links = links.map((link, k) => this.#link(link, k, edge));
+    const { joints, tool } = this.robot;
+    this.links = [null, ...joints].map((_, k) => this.#link(k, edge));
     this.group.add(...this.links);
     this.fingers = tool.parts.map((part) => this.#finger(part, edge));
     this.frameAxes = this.#mark(new THREE.AxesHelper(kAxesMm), "tool frame");
@@ -39,11 +39,13 @@ export class RobotBody {
     this.links.at(-1).add(...this.fingers, this.frameAxes, this.tipMark);
   }
 
-  #link({ points, color }, k, edge) {
+  // A robot's file may have no outlines: then its links are empty.
+  #link(k, edge) {
+    const outline = this.robot.links[k];
     const group = new THREE.Group();
     group.name = `link${k}`;
     group.matrixAutoUpdate = false;
-    group.add(solidOf(points, this.unit, color, edge, this.robot.links.length - k));
+    if (outline) group.add(solidOf(outline.points, this.unit, outline.color, edge, this.robot.links.length - k));
     return group;
   }
 
