@@ -31,6 +31,13 @@ test("by activity: stalled, moving, then what changed last", () => {
   assert.deepEqual(list.names("", "activity"), ["b", "d", "c", "a"]);
 });
 
+test("by activity from the start: stalled, moving, then by the last input", () => {
+  const list = listOf(cell("a"), cell("b", { last_input_tick: 5 }), cell("c", { last_input_tick: 900 }), cell("d", { moving: true }), cell("e", { stalled: "work_surface" }));
+  assert.deepEqual(list.names("", "activity"), ["e", "d", "c", "b", "a"]);
+  list.take({ whole: false, cells: [cell("b", { last_input_tick: 6 })], closed: [] });
+  assert.deepEqual(list.names("", "activity"), ["e", "d", "b", "c", "a"]);
+});
+
 test("every word of a search must be found, in name, robot, peer or state", () => {
   const list = listOf(cell("anna", { moving: true }), cell("berta", { lines: 1, peer: "10.0.0.7:4000", moving: true }), cell("carl", { holding: "red" }));
   assert.deepEqual(list.names("moving", "name"), ["anna", "berta"]);

@@ -3,12 +3,13 @@
 
 const kOrders = {
   name: (a, b) => byName(a, b),
-  activity: (a, b) => rank(b) - rank(a) || b.changed - a.changed || byName(a, b),
+  activity: (a, b) => rank(b) - rank(a) || b.changed - a.changed || lastInput(b) - lastInput(a) || byName(a, b),
 };
 const collator = new Intl.Collator("en", { numeric: true });
 const byName = (a, b) => collator.compare(a.name, b.name);
 /** What needs a look first: stalled robots, then those that move. */
 const rank = ({ stalled, moving }) => (stalled ? 2 : 0) + (moving ? 1 : 0);
+const lastInput = ({ last_input_tick: tick }) => tick ?? -1;
 
 export class CellList {
   constructor() {
