@@ -94,14 +94,16 @@ test("only cards on the screen have a canvas and are drawn", () =>
     assert.ok((await canvases()) < 150);
   }));
 
-test("a teacher copies a student's link with the token of that cell alone", () =>
+test("a teacher copies a student's link with the page's own host and the token of that cell alone", () =>
   withClass([cellNamed("1"), cellNamed("2")], async (page) => {
+    const url = server.url.replace("localhost", "127.0.0.1");
+    await page.goto(url);
     await page.waitForSelector(".card .copy");
     assert.equal(await page.locator(".card .copy").count(), 1);
     await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
     await page.click(".card[data-cell='2'] .copy");
     await page.waitForSelector(".copy:has-text('Copied')");
-    assert.equal(await page.evaluate(() => navigator.clipboard.readText()), `${server.url}cell/2#token=only-for-2%2B`);
+    assert.equal(await page.evaluate(() => navigator.clipboard.readText()), `${url}cell/2#token=only-for-2%2B`);
   }, { tokens: { 2: "only-for-2+" } }));
 
 test("names cannot break out of a card", () =>
