@@ -11,10 +11,10 @@ from xr3.kinematics import Joint, Matrix, Pose, Unreachable, Ways, product, two_
 
 Joints = Sequence[Joint]
 
-STARTS = 40  # numerical: starting points
+STARTS = 96  # numerical: starting points
 MAX_STEPS = 60  # numerical: of one descent
-ENOUGH = 4  # numerical: solutions within the limits, of possibly more
 DONE = 1e-9  # numerical: residual of a solution, relative to the length of the arm
+LEAST = 1e-6  # numerical: improvement of a step that goes on, relative to the squared residual
 
 
 # --- Closed forms.
@@ -46,15 +46,17 @@ def scara(joints: Joints, pose: Pose) -> Ways:
 
 
 def six_axis(joints: Joints, pose: Pose) -> Ways:
-    """An arm like the Intelledex 660. The shoulder's roll stays at -90 degrees, so that the arm
-    works in the vertical plane of the base. (Other solutions tilt this plane, which exceeds the
-    limits of the Intelledex.) The base turns the plane towards the block or away from it. In the
-    plane, two links lead to the wrist, straight above the tip."""
+    """An arm like the Intelledex 660. The shoulder's roll is -90 degrees, or 90 with base and
+    shoulder turned by half a turn, so that the arm works in the vertical plane of the base. The
+    base turns the plane towards the block or away from it. In the plane, two links lead to the
+    wrist, straight above the tip."""
     ways = []
     up = pose.z + joints[5].d - joints[0].d
     for base, upper, forearm in _front_and_back(pose, 0, up, joints[2].a, joints[3].a):
         shoulder, elbow = 90 + upper, forearm - upper
-        ways.append((base + 90, -90.0, shoulder, elbow, 90 - shoulder - elbow, base - pose.yaw))
+        for roll, turned in ((-90.0, 0), (90.0, 180)):
+            ways.append((base + 90 + turned, roll, shoulder + turned, elbow, 90 - shoulder - elbow,
+                         base - pose.yaw))
     return ways
 
 
@@ -113,8 +115,8 @@ def _slides(joints: Joints) -> List[int]:
 
 def numerical(joints: Joints, pose: Pose) -> Ways:
     """Any arm: damped least squares (Levenberg-Marquardt) from the soft home and from points
-    scattered over the joints' ranges, the same in every call. Stops after ENOUGH solutions within the
-    limits, and may miss solutions. Raises Unreachable with the error of the best approximation."""
+    scattered over the joints' ranges, the same in every call. May miss solutions; of infinitely many,
+    returns up to STARTS. Raises Unreachable with the error of the best approximation."""
     length = max(1.0, sum(abs(joint.a) + abs(joint.d) for joint in joints))
     scatter = random.Random(0)
     ways: List[List[float]] = []
@@ -127,8 +129,6 @@ def numerical(joints: Joints, pose: Pose) -> Ways:
             best = min(best, (math.hypot(*rest[:3]) * length, _lean_deg(rest)))
         elif not any(_is_same(joints, variables, way) for way in ways):
             ways.append(variables)
-            if sum(_is_within(joints, way) for way in ways) == ENOUGH:
-                break
     if not ways:
         raise Unreachable(f"no joint angles found for {pose}: the nearest miss it by {best[0]:.1f} mm and "
                           f"{best[1]:.1f} degrees")
@@ -139,11 +139,6 @@ def _usual_range(joint: Joint) -> Tuple[float, float]:
     """The limits of the variable, and for an angle at most half a turn about the soft home."""
     low, high = joint.limits
     return (low, high) if joint.slides else (max(low, joint.home - 180), min(high, joint.home + 180))
-
-
-def _is_within(joints: Joints, way: Sequence[float]) -> bool:
-    return all(joint.allows(round(joint.exact_counts(joint.within(variable))))
-               for joint, variable in zip(joints, way))
 
 
 def _is_same(joints: Joints, one: Sequence[float], other: Sequence[float]) -> bool:
@@ -158,7 +153,7 @@ def _lean_deg(rest: Sequence[float]) -> float:
 
 def _descend(joints: Joints, pose: Pose, length: float,
              variables: List[float]) -> Tuple[List[float], List[float]]:
-    """Improves the variables step by step; returns them with their residual."""
+    """Improves the variables step by step while that helps; returns them with their residual."""
     damping = 1e-3
     frames = _frames(joints, variables)
     rest = _residual(frames[-1], pose, length)
@@ -170,7 +165,10 @@ def _descend(joints: Joints, pose: Pose, length: float,
                  for joint, variable, delta in zip(joints, variables, step)]
         tried_frames = _frames(joints, tried)
         tried_rest = _residual(tried_frames[-1], pose, length)
-        if _square(tried_rest) < _square(rest):
+        gain = _square(rest) - _square(tried_rest)
+        if 0 < gain < LEAST * _square(rest):
+            break
+        if gain > 0:
             variables, frames, rest, damping = tried, tried_frames, tried_rest, max(damping / 10, 1e-15)
         else:
             damping *= 10

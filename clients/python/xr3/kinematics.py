@@ -256,7 +256,8 @@ class Arm:
 
     def solutions(self, pose: Pose, slide: Optional[float] = None) -> List[Counts]:
         """All solutions for a pose within the limits and outside the protected region, with the
-        slide as in solve(). Raises Unreachable if the arm is too short."""
+        slide as in solve(). Of angles that differ by whole turns, only the one nearest to the soft
+        home. Without a closed form, those found. Raises Unreachable if the arm is too short."""
         return [counts for counts in self._ways(pose, slide) if self.refusal(counts) is None]
 
     def _ways(self, pose: Pose, slide: Optional[float]) -> List[Counts]:
