@@ -6,10 +6,12 @@ import math
 import os
 import random
 import re
+import sys
 import time
 import unittest
 from unittest import mock
 
+import xr3
 from context import Server
 from xr3 import ARMS, RHINO_XR3, Monitor, MonitorError, Pose, Robot, RobotError, Switch, Unreachable
 
@@ -149,6 +151,26 @@ class AllJoints(WithServer):
                     ValueError, f"joint E: counts are whole numbers, not {counts!r}"):
                 self.robot.go({"E": counts})
 
+    def test_refuses_arguments_of_another_type(self):
+        for use, why in (
+                (lambda: self.robot.go_to((262, 0, 20)), r"pose, such as xr3.Pose\(.*not \(262, 0, 20\)"),
+                (lambda: self.robot.pick((262, 0, 20)), "pose, such as"),
+                (lambda: self.robot.place({"E": 5}), "pose, such as"),
+                (lambda: RHINO_XR3.solve([262, 0, 20]), "pose, such as"),
+                (lambda: Pose("262", 0, 20), "x, y, z and yaw of a pose are numbers, not '262'"),
+                (lambda: Pose(262, 0, math.nan), "numbers, not nan"),
+                (lambda: self.robot.go([50]), r"counts, such as {'E': 50}, .*not \[50\]"),
+                (lambda: RHINO_XR3.tip([50]), "counts, such as"),
+                (lambda: self.robot.wait(["E", "D"]), r"no joint \['E', 'D'\]"),
+                (lambda: self.robot.send(b"E+50\r"), "text, such as .*not b'E"),
+                (lambda: self.robot.ask(5), "text, such as"),
+                (lambda: Robot(port=self.server.robot_port, arm="adept-one"),
+                 "arm, such as xr3.ADEPT_ONE, .*not 'adept-one'"),
+                (lambda: Robot(port=self.server.robot_port, camera=5), "camera, such as")):
+            with self.subTest(why), self.assertRaisesRegex(ValueError, why):
+                use()
+        self.assertEqual({0}, set(self.monitor.counts().values()))
+
     def test_nowhere_to_go(self):
         self.robot.go({})
         self.assertEqual({0}, set(self.monitor.counts().values()))
@@ -160,7 +182,7 @@ class AllJoints(WithServer):
     def test_refuses_a_place_out_of_reach(self):
         with self.assertRaises(Unreachable):
             self.robot.pick(Pose(900, 0, 20))
-        self.assertEqual(-16, self.monitor.counts()["A"])  # only the jaws have opened
+        self.assertEqual({0}, set(self.monitor.counts().values()))
 
 
 class Home(WithServer):
@@ -366,6 +388,15 @@ class NobodyThere(unittest.TestCase):
         for port in ("abc", "-1", 70000):
             with self.assertRaisesRegex(ValueError, "1 to 65535, not "):
                 Robot(port=port)
+
+    def test_the_port_of_connect(self):
+        """It stands above that of the command line."""
+        with Server(*FAST) as server, mock.patch.object(sys, "argv", ["program", "localhost", "1"]), \
+                xr3.connect(port=server.robot_port) as robot:
+            self.assertEqual(0, robot.to_go("E"))
+        with mock.patch.object(sys, "argv", ["program"]), \
+                self.assertRaisesRegex(SystemExit, f"localhost port {server.robot_port}: is the server"):
+            xr3.connect(host="localhost", port=server.robot_port)
 
     def test_empty_variables_count_as_not_set(self):
         with Server(*FAST) as server, \

@@ -1,4 +1,6 @@
-"""Connects to a port of the server. Errors have a one-sentence message."""
+"""Connects to a port of the server, and checks the types of arguments. Errors have a one-sentence
+message.
+"""
 
 import os
 import socket
@@ -19,6 +21,12 @@ def connect(host: Optional[str], port: Union[int, str, None], variable: str, usu
                               f"./run ({error})") from error
     line.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)  # send small messages at once
     return line
+
+
+def check_type(value: object, kind: type, what: str) -> None:
+    """Raises ValueError if the value is not of this kind; `what` names it, with an example."""
+    if not isinstance(value, kind):
+        raise ValueError(f"give {what}, not {value!r}")
 
 
 def port_number(port: Union[int, str]) -> int:

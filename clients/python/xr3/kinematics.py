@@ -9,8 +9,12 @@ table.
 
 import math
 import os
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from numbers import Real
 from typing import Callable, Dict, List, Optional, Sequence, Tuple, Union
+
+from xr3.address import check_type
 
 Counts = Dict[str, int]
 Ways = Sequence[Sequence[float]]  # joint variables from the base, for each elbow configuration
@@ -29,12 +33,23 @@ class Unreachable(ValueError):
 class Pose:
     """The pose of a tool that points straight down: the position of the tip in mm, in base
     coordinates with z up, and `yaw`, the angle in degrees of the tool's x axis about the vertical,
-    from the x axis of the table. A block with this yaw fits squarely between the jaws."""
+    from the x axis of the table. A block with this yaw fits squarely between the jaws. Raises
+    ValueError if one of them is no finite number."""
 
     x: float
     y: float
     z: float
     yaw: float = 0.0
+
+    def __post_init__(self) -> None:
+        for value in (self.x, self.y, self.z, self.yaw):
+            if not (isinstance(value, Real) and math.isfinite(value)):
+                raise ValueError(f"x, y, z and yaw of a pose are numbers, not {value!r}")
+
+
+def check_pose(pose: object) -> None:
+    """Raises ValueError if this is no pose."""
+    check_type(pose, Pose, "a pose, such as xr3.Pose(262, 0, 20, 90)")
 
 
 @dataclass(frozen=True)
@@ -199,6 +214,7 @@ class Arm:
 
     def positions(self, counts: Counts) -> List[int]:
         """The position of each joint in counts: its own motor and the coupled ones."""
+        check_counts(counts)
         motors = [counts.get(joint.label, 0) for joint in self.joints]
         return [motor + round(self._added(k, motors)) for k, motor in enumerate(motors)]
 
@@ -262,6 +278,7 @@ class Arm:
 
     def _ways(self, pose: Pose, slide: Optional[float]) -> List[Counts]:
         """Motor counts for each elbow configuration, whether allowed or not."""
+        check_pose(pose)
         at = self.joints[0].home if slide is None else slide
         before = [at] if self.is_on_slide else []
         found = self.inverse(self.joints[len(before):], _seen_from(self._carrier(at), pose))
@@ -309,6 +326,11 @@ class Arm:
             return (f"the tip would be in the protected region, nearer than {radius:g} mm to the "
                     f"base axis and lower than {height:g} mm")
         return self.past_limit(counts)
+
+
+def check_counts(counts: object) -> None:
+    """Raises ValueError if these are no counts by label."""
+    check_type(counts, Mapping, "counts, such as {'E': 50}")
 
 
 def _seen_from(frame: Matrix, pose: Pose) -> Pose:

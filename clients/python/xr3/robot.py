@@ -10,9 +10,9 @@ import time
 from types import TracebackType
 from typing import Callable, List, Optional, Sequence, Type, Union
 
-from xr3.address import connect as connect_line
+from xr3.address import check_type, connect as connect_line
 from xr3.arms import RHINO_XR3
-from xr3.kinematics import Arm, Counts, Pose, Unreachable
+from xr3.kinematics import Arm, Counts, Pose, Unreachable, check_counts, check_pose
 from xr3.vision import CAMERAS, Camera, Picture
 
 SPACE = 32  # added to one-byte replies: a blank means 0
@@ -52,8 +52,8 @@ class Robot:
 
     The constructor raises ValueError if the port is no port, and ConnectionError if no robot
     answers. All methods raise OSError if the connection is lost, and TimeoutError if an answer does
-    not arrive within `timeout_s` seconds. A `label` that is no joint of the arm, or a number that
-    is not whole, raises ValueError, and nothing is sent.
+    not arrive within `timeout_s` seconds. A `label` that is no joint of the arm, a number that is
+    not whole, or an argument of another type raises ValueError, and nothing is sent.
 
     A joint counts as stopped if its error counter is the same for 40 questions, with `pause()`
     between two of them: by default 0.05 s, so 2 s in total, or as many milliseconds as the variable
@@ -62,6 +62,8 @@ class Robot:
     def __init__(self, host: Optional[str] = None, port: Union[int, str, None] = None, *,
                  arm: Arm = RHINO_XR3, camera: Optional[Camera] = None, timeout_s: float = 10.0,
                  pause: Callable[[], None] = lambda: time.sleep(_poll_s())) -> None:
+        check_type(arm, Arm, "an arm, such as xr3.ADEPT_ONE, or that of xr3.Arm.load(file)")
+        check_type(camera or Camera(), Camera, "a camera, such as xr3.Camera(x=290)")
         self.arm = arm
         self.camera = camera or CAMERAS.get(arm.name) or Camera()
         self.at: Counts = dict.fromkeys(arm.labels, 0)
@@ -87,6 +89,7 @@ class Robot:
     def send(self, text: str) -> None:
         """Sends commands, in ASCII, and does not wait. A move starts at the first byte after its
         number, so end it with a carriage return: `send("E+50\\r")`."""
+        check_type(text, str, "a text, such as 'E?'")
         self._socket.sendall(text.encode("ascii"))
 
     def read(self, count: int) -> bytes:
@@ -108,26 +111,25 @@ class Robot:
         self.send(inquiry)
         return self.read(1)[0]
 
-    def _check(self, counts: Counts) -> None:
-        """Raises ValueError if a label is no joint of the arm or a number is not whole. The server
-        ignores such commands and does not answer such inquiries."""
-        for label, number in counts.items():
-            if label not in tuple(self.arm.labels):
-                raise ValueError(f"there is no joint {label!r}: {self.arm.name} has the joints "
-                                 f"{', '.join(self.arm.labels)}, A being the jaws. For another robot "
-                                 "give its arm, as in Robot(arm=xr3.ADEPT_ONE)")
-            try:
-                operator.index(number)
-            except TypeError:
-                raise ValueError(f"joint {label}: counts are whole numbers, not {number!r}; round() "
-                                 "makes one") from None
+    def _check(self, label: str, number: int = 0) -> None:
+        """Raises ValueError if the label is no joint of the arm or the number is not whole. The
+        server ignores such commands and does not answer such inquiries."""
+        if label not in tuple(self.arm.labels):
+            raise ValueError(f"there is no joint {label!r}: {self.arm.name} has the joints "
+                             f"{', '.join(self.arm.labels)}, A being the jaws. For another robot "
+                             "give its arm, as in Robot(arm=xr3.ADEPT_ONE)")
+        try:
+            operator.index(number)
+        except TypeError:
+            raise ValueError(f"joint {label}: counts are whole numbers, not {number!r}; round() "
+                             "makes one") from None
 
     # --- One joint.
 
     def move(self, label: str, counts: int) -> None:
         """Starts a move by -128 to 127 counts and does not wait for it: see `wait()`. The counts
         are added to those that the joint still has to go. Raises ValueError for more counts."""
-        self._check({label: counts})
+        self._check(label, counts)
         if not -128 <= counts <= 127:
             raise ValueError(f"a move is -128...127 counts, not {counts}")
         self.send(f"{label}{counts:+d}\r")
@@ -135,14 +137,14 @@ class Robot:
     def to_go(self, label: str) -> int:
         """How many counts the joint still has to go, 0 to 128, without the direction. A Mark III
         answers with seven bits, so that 128 counts look like 0 there."""
-        self._check({label: 0})
+        self._check(label)
         byte = self.ask(f"{label}?")
         return byte - SPACE if byte >= SPACE else byte + 128 - SPACE
 
     def error(self, label: str) -> int:
         """The counts that the joint still has to go, with their sign, -128 to 127. A Mark III does
         not know this inquiry."""
-        self._check({label: 0})
+        self._check(label)
         byte = self.ask(f"{label}T")
         return byte - 256 if byte > 127 else byte
 
@@ -150,7 +152,7 @@ class Robot:
         """The joint's bit in the reply to I or J. Whether a closed microswitch reads 1 or 0 depends
         on the controller: it is True in the profile paper and False in mark3. Raises RobotError if
         the switch has no bit in either reply."""
-        self._check({label: 0})
+        self._check(label)
         mask = self.arm.switch(label).mask
         if not mask:
             raise RobotError(f"the switch of joint {label} is in the reply neither to I nor to J")
@@ -159,14 +161,14 @@ class Robot:
     def set_speed(self, label: str, counts_per_s: int) -> None:
         """Sets the speed of a joint, 1 to 255 counts per second; else raises ValueError. Not for a
         Mark III: it has no such command and would read the number as a move."""
-        self._check({label: counts_per_s})
+        self._check(label, counts_per_s)
         if not 1 <= counts_per_s <= 255:
             raise ValueError(f"a speed is 1...255 counts a second, not {counts_per_s}")
         self.send(f"{label}{counts_per_s}S")
 
     def stop(self, label: str) -> None:
         """Stops the joint at once and cancels the rest of its move."""
-        self._check({label: 0})
+        self._check(label)
         self.send(f"{label}X")
 
     def wait(self, label: str) -> int:
@@ -191,7 +193,9 @@ class Robot:
         Unreachable if a joint would be past its limit, both before anything moves. Raises
         RobotError if a joint does not arrive; `at` then has the positions where the joints
         stand."""
-        self._check(counts)
+        check_counts(counts)
+        for label, count in counts.items():
+            self._check(label, count)
         past_limit = self.arm.past_limit({**self.at, **counts})
         if past_limit:
             raise Unreachable(f"{self.arm.name}: {past_limit}")
@@ -337,8 +341,8 @@ class Robot:
         pose, down, closes the jaws, and up again. Returns the width of the block in mm, or None if
         the jaws closed on nothing. A block looks the same after half a turn, so the yaw that needs
         the smaller roll of the tool is used. Raises Unreachable or RobotError."""
-        self.open_jaws()
         pose = self._nearer(pose)
+        self.open_jaws()
         self.go_to(_above(pose))
         self.go_to(pose)
         width = self.close_jaws()
@@ -356,6 +360,7 @@ class Robot:
 
     def _nearer(self, pose: Pose) -> Pose:
         """The pose, or the pose after half a turn, whichever needs the smaller roll."""
+        check_pose(pose)
         either = [Pose(pose.x, pose.y, pose.z, yaw) for yaw in (pose.yaw, pose.yaw + 180)]
         slide, roll = self.arm.slide_at(self.at), self.arm.joints[-1].label
         reachable = [each for each in either if self.arm.solutions(each, slide)]
@@ -368,11 +373,14 @@ def _above(pose: Pose) -> Pose:
     return Pose(pose.x, pose.y, pose.z + LIFT_MM, pose.yaw)
 
 
-def connect(arm: Arm = RHINO_XR3, camera: Optional[Camera] = None) -> Robot:
-    """For interactive programs: a Robot at the HOST and PORT of the command line, or at its
-    defaults. If no robot answers within 5 s, ends the program with a message of one line."""
+def connect(arm: Arm = RHINO_XR3, camera: Optional[Camera] = None, *,
+            host: Optional[str] = None, port: Union[int, str, None] = None) -> Robot:
+    """For interactive programs: a Robot at `host` and `port`, else at the HOST and PORT of the
+    command line, else at its defaults. If no robot answers within 5 s, ends the program with a
+    message of one line."""
+    there = [*sys.argv[1:3], None, None]
     try:
-        robot = Robot(*sys.argv[1:3], arm=arm, camera=camera, timeout_s=5)
+        robot = Robot(host or there[0], port or there[1], arm=arm, camera=camera, timeout_s=5)
         robot.ask("I")  # a robot answers at once, another kind of server does not
         return robot
     except (OSError, ValueError) as error:
