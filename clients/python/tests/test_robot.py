@@ -107,6 +107,28 @@ class StandingTime(WithServer):
         self.assertEqual(-50, self.monitor.counts()["E"])
 
 
+class Inquiries(WithServer):
+    def test_a_text_without_an_inquiry_is_not_sent(self):
+        for text in ("E", "E+50\r", "EX", "A$", "", "e"):
+            with self.subTest(text), self.assertRaisesRegex(
+                    ValueError, re.escape(f"{text!r} is no inquiry, so that the robot does not answer: ask 'E?'")):
+                self.robot.ask(text)
+        self.assertEqual(0, self.monitor.counts()["E"])
+
+    def test_every_inquiry(self):
+        for text in ("E?", "e?", "ET", "EV", "I", "AI", "J", "K", "A*0,0*", "E+5\rE?", "E?\r"):
+            with self.subTest(text):
+                self.robot.ask(text)
+
+    def test_a_robot_that_has_answered_is_no_monitor_port(self):
+        robot = self.enterContext(Robot(port=self.server.robot_port, timeout_s=0.2))
+        robot.ask("I")
+        robot.send("A@")
+        with self.assertRaisesRegex(TimeoutError, "within 0.2 s: is it disabled .A@., or does it "
+                                                  "not know the inquiry"):
+            robot.ask("E?")
+
+
 class AllJoints(WithServer):
     def test_goes_far_in_parts_and_comes_back(self):
         target = {"F": 71, "E": 543, "D": -479, "C": 0, "B": 260}

@@ -4,6 +4,7 @@ a Rhino with its Mark III controller understands, except where a method says oth
 
 import operator
 import os
+import re
 import socket
 import sys
 import time
@@ -27,6 +28,7 @@ STEP = 5  # counts of one move in the search for a switch; a switch stays closed
 LEAN = 400  # counts that bring a joint of Arm.near_first out of its backmost position
 FAR = 1600  # more counts than any joint has from a limit to its switch
 MARGIN = 40  # counts by which a switch may stay closed longer than Switch.width says
+TEXT = "a text, such as 'E?'"
 WHY_IT_STANDS = ("Is it blocked at a limit, or stalled? Is a block in the jaws? Is the clock "
                  "paused or slow? Look at the page or at `xr3 watch`")
 
@@ -69,6 +71,7 @@ class Robot:
         self.at: Counts = dict.fromkeys(arm.labels, 0)
         self._closed: Optional[bool] = None  # the bit of a closed switch, once it is known
         self._waiting: List[str] = []  # the joints that home() has still to find
+        self._has_answered = False
         self._pause = pause
         self._timeout_s = timeout_s
         self._socket = connect_line(host, port, "XR3_PORT", 9600, timeout_s)
@@ -89,7 +92,7 @@ class Robot:
     def send(self, text: str) -> None:
         """Sends commands, in ASCII, and does not wait. A move starts at the first byte after its
         number, so end it with a carriage return: `send("E+50\\r")`."""
-        check_type(text, str, "a text, such as 'E?'")
+        check_type(text, str, TEXT)
         self._socket.sendall(text.encode("ascii"))
 
     def read(self, count: int) -> bytes:
@@ -99,15 +102,23 @@ class Robot:
             try:
                 part = self._socket.recv(count - len(reply))
             except socket.timeout:  # a subclass of TimeoutError only since Python 3.10
-                raise TimeoutError(f"the robot did not answer within {self._timeout_s} s: is this "
-                                   "the monitor port? The robot port is 9600") from None
+                why = ("is it disabled (A@), or does it not know the inquiry?" if self._has_answered
+                       else "is this the monitor port? The robot port is 9600")
+                raise TimeoutError(f"the robot did not answer within {self._timeout_s} s: "
+                                   f"{why}") from None
             if not part:
                 raise ConnectionError("the robot has closed the line")
+            self._has_answered = True
             reply += part
         return reply
 
     def ask(self, inquiry: str) -> int:
-        """Sends an inquiry and returns the one-byte answer, 0 to 255."""
+        """Sends an inquiry and returns the one-byte answer, 0 to 255. Raises ValueError, and sends
+        nothing, if the text contains no inquiry (`?` `T` `V` `I` `J` `K` or `*`)."""
+        check_type(inquiry, str, TEXT)
+        if not re.search(r"[?TVIJK*]", inquiry, re.IGNORECASE):
+            raise ValueError(f"{inquiry!r} is no inquiry, so that the robot does not answer: ask "
+                             "'E?' for the counts that E still has to go; send() is for commands")
         self.send(inquiry)
         return self.read(1)[0]
 
