@@ -1,8 +1,9 @@
 """The folder can be installed with pip, and the installed package is complete. Needs pip,
-setuptools and wheel, but no network; skipped if they are missing."""
+setuptools and wheel, but no network; skipped if they are missing. Its help() is short."""
 
 import importlib.util
 import os
+import pydoc
 import shutil
 import subprocess
 import sys
@@ -37,6 +38,15 @@ class Installed(unittest.TestCase):
         said = subprocess.run([XR3, "--version"], check=True, timeout=60, text=True,
                               stdout=subprocess.PIPE).stdout
         self.assertIn(xr3.__version__, said.split())
+
+
+class Help(unittest.TestCase):
+    def test_no_argument_is_a_page(self):
+        """help() shows an arm in a signature by its name."""
+        for name in ("connect", "Robot", "Arm", "Monitor", "Camera", "Picture"):
+            with self.subTest(name):
+                self.assertNotRegex(pydoc.plain(pydoc.render_doc(getattr(xr3, name))), r"Joint\(|lambda")
+        self.assertIn("arm: xr3.kinematics.Arm = <Arm rhino-xr3>,", pydoc.plain(pydoc.render_doc(xr3.connect)))
 
 
 if __name__ == "__main__":

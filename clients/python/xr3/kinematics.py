@@ -190,6 +190,9 @@ class Arm:
         object.__setattr__(self, "switches",
                            {label: self.switch(label).edge for label in self.labels})
 
+    def __repr__(self) -> str:
+        return f"<Arm {self.name}>"  # all parameters would fill a page of help()
+
     def switch(self, label: str) -> Switch:
         """The microswitch of a joint, of the carousel or, for A, of the jaws."""
         motors = [*self.joints, *([self.carousel] if self.carousel else [])]

@@ -33,8 +33,9 @@ WHY_IT_STANDS = ("Is it blocked at a limit, or stalled? Is a block in the jaws? 
                  "paused or slow? Look at the page or at `xr3 watch`")
 
 
-def _poll_s() -> float:
-    return float(os.environ.get("XR3_POLL_MS", 1000 * POLL_S)) / 1000
+def poll_pause() -> None:
+    """Sleeps between two questions: 0.05 s, or as many milliseconds as XR3_POLL_MS says."""
+    time.sleep(float(os.environ.get("XR3_POLL_MS") or 1000 * POLL_S) / 1000)
 
 
 class RobotError(Exception):
@@ -63,7 +64,7 @@ class Robot:
 
     def __init__(self, host: Optional[str] = None, port: Union[int, str, None] = None, *,
                  arm: Arm = RHINO_XR3, camera: Optional[Camera] = None, timeout_s: float = 10.0,
-                 pause: Callable[[], None] = lambda: time.sleep(_poll_s())) -> None:
+                 pause: Callable[[], None] = poll_pause) -> None:
         check_type(arm, Arm, "an arm, such as xr3.ADEPT_ONE, or that of xr3.Arm.load(file)")
         check_type(camera or Camera(), Camera, "a camera, such as xr3.Camera(x=290)")
         self.arm = arm
