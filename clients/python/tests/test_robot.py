@@ -1,12 +1,16 @@
 """Robot and Monitor with a real server at a high clock rate: bytes, waiting, home, pick and
 place."""
 
+import contextlib
 import dataclasses
+import io
 import math
 import os
 import random
 import re
+import socket
 import sys
+import threading
 import time
 import unittest
 from unittest import mock
@@ -430,6 +434,52 @@ class NobodyThere(unittest.TestCase):
         with Server(*FAST) as server, Robot(port=server.monitor_port, timeout_s=0.2) as robot, \
                 self.assertRaisesRegex(TimeoutError, "is this the monitor port"):
             robot.to_go("E")
+
+
+class Versions(unittest.TestCase):
+    """connect() compares the package with the server where a monitor port answers."""
+
+    def connect(self, server, monitor_port):
+        """What connect() writes to standard error."""
+        said = io.StringIO()
+        with contextlib.redirect_stderr(said), mock.patch.object(sys, "argv", ["program"]), \
+                mock.patch.dict(os.environ, XR3_MONITOR_PORT=str(monitor_port)), \
+                xr3.connect(port=server.robot_port) as robot:
+            self.assertEqual(0, robot.to_go("E"))
+        return said.getvalue()
+
+    def test_of_the_server(self):
+        for options, token in (((), ""), (("--private",), "sixteen or more characters")):
+            with mock.patch.dict(os.environ, XR3_TOKEN=token), Server(*options) as server:
+                with mock.patch.dict(os.environ, XR3_TOKEN=""):
+                    self.assertEqual("", self.connect(server, server.monitor_port))
+                    with mock.patch.object(xr3, "__version__", "0.1.0"):
+                        self.assertRegex(self.connect(server, server.monitor_port),
+                                         r"^xr3: the package has the version 0\.1\.0, and the server at the monitor "
+                                         r"port is xr3 \d+\.\d+\.\d+: use the package of its version\n$")
+
+    def test_where_no_monitor_answers(self):
+        with Server() as server, mock.patch.object(xr3, "__version__", "0.1.0"):
+            for answer in None, b"", b"SSH-2.0\r\n", b"[]\n", b'{"op": "bye"}\n', b'{"server": 5}\n', b"\xff\n":
+                with self.subTest(answer), socket.create_server(("127.0.0.1", 0)) as other:
+                    other.settimeout(10)
+                    port = other.getsockname()[1]
+                    answering = threading.Thread(target=self.answer, args=(other, answer))
+                    answering.start()
+                    self.assertEqual("", self.connect(server, port))
+                    answering.join()
+            self.assertEqual("", self.connect(server, "none"))
+            self.assertEqual("", self.connect(server, 1))
+
+    def answer(self, other, answer):
+        """Answers one client; None is silence until the client ends. All that it may send is {."""
+        line, _ = other.accept()
+        with line:
+            if answer is not None:
+                line.sendall(answer)
+                line.shutdown(socket.SHUT_WR)
+            received = b"".join(iter(lambda: line.recv(100), b""))
+        self.assertIn(received, (b"", b"{"))
 
 
 if __name__ == "__main__":

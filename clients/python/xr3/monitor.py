@@ -25,6 +25,21 @@ class MonitorError(Exception):
         self.details: Sequence[Message] = error["details"]
 
 
+def server_version(host: Optional[str] = None) -> Optional[str]:
+    """Name and version of the server whose monitor port answers within a second, such as
+    "xr3 0.2.0", at the default port of Monitor. None if there is none. Sends only a brace, which a
+    robot ignores: the port may be that of another arm."""
+    try:
+        with connect(host, None, "XR3_MONITOR_PORT", 9601, 1.0) as line:
+            line.sendall(b"{")
+            with line.makefile("rb") as answers:
+                hello = json.loads(answers.readline(65536))
+    except (OSError, ValueError):
+        return None
+    server = hello.get("server") if isinstance(hello, dict) else None
+    return server if isinstance(server, str) else None
+
+
 class Monitor:
     """A connection to the monitor port. Use it in a `with` statement, or call `close()`. The
     attribute `hello` is the server's first message, or its first after the token if reading needs

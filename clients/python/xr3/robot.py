@@ -11,9 +11,11 @@ import time
 from types import TracebackType
 from typing import Callable, List, Optional, Sequence, Type, Union
 
+import xr3
 from xr3.address import check_type, connect as connect_line
 from xr3.arms import RHINO_XR3
 from xr3.kinematics import Arm, Counts, Pose, Unreachable, check_counts, check_pose
+from xr3.monitor import server_version
 from xr3.vision import CAMERAS, Camera, Picture
 
 SPACE = 32  # added to one-byte replies: a blank means 0
@@ -389,11 +391,21 @@ def connect(arm: Arm = RHINO_XR3, camera: Optional[Camera] = None, *,
             host: Optional[str] = None, port: Union[int, str, None] = None) -> Robot:
     """For interactive programs: a Robot at `host` and `port`, else at the HOST and PORT of the
     command line, else at its defaults. If no robot answers within 5 s, ends the program with a
-    message of one line."""
+    message of one line. Warns on standard error if a monitor port answers at the host, and its
+    server has another version than the package."""
     there = [*sys.argv[1:3], None, None]
     try:
         robot = Robot(host or there[0], port or there[1], arm=arm, camera=camera, timeout_s=5)
         robot.ask("I")  # a robot answers at once, another kind of server does not
-        return robot
     except (OSError, ValueError) as error:
         sys.exit(str(error))
+    _compare_versions(host or there[0])
+    return robot
+
+
+def _compare_versions(host: Optional[str]) -> None:
+    """Warns if a server of another version answers at the monitor port."""
+    server = server_version(host)
+    if server is not None and server != f"xr3 {xr3.__version__}":
+        print(f"xr3: the package has the version {xr3.__version__}, and the server at the monitor "
+              f"port is {server}: use the package of its version", file=sys.stderr)
