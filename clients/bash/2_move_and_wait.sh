@@ -13,7 +13,7 @@ wait_for() {
   robot_to_go "$1"
   while [ "$left" -gt 0 ]; do
     echo "  $left counts to go"
-    sleep 0.05
+    robot_pause
     before=$left
     robot_to_go "$1"
     if [ "$left" = "$before" ]; then same=$((same + 1)); else same=0; fi

@@ -22,7 +22,7 @@ ask_both
 same=0 # number of equal answers in a row, as in example 2
 while [ "$f" -gt 0 ] || [ "$e" -gt 0 ]; do
   echo "  F $f, E $e counts to go"
-  sleep 0.05
+  robot_pause
   before=$((f + e))
   ask_both
   if [ $((f + e)) = "$before" ]; then same=$((same + 1)); else same=0; fi

@@ -74,13 +74,19 @@ robot_to_go() {
   left=$((reply - 32))
 }
 
+# robot_pause: pauses between two questions: 50 ms, or XR3_POLL_MS.
+robot_pause() {
+  local ms=${XR3_POLL_MS:-50}
+  sleep "$((ms / 1000)).$(printf '%03d' $((ms % 1000)))"
+}
+
 # robot_wait JOINT: waits until the joint has arrived. If it is blocked (at a limit, or jaws at a
 # block), cancels its move. Sets $left to the counts that were left.
 robot_wait() {
   local before same=0 # number of equal answers in a row
   robot_to_go "$1"
   while [ "$left" -gt 0 ] && [ "$same" -lt "$stands_after" ]; do
-    sleep 0.05
+    robot_pause
     before=$left
     robot_to_go "$1"
     if [ "$left" = "$before" ]; then same=$((same + 1)); else same=0; fi

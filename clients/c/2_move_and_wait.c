@@ -7,17 +7,17 @@
 #include "robot.h"
 
 /* Asks for the remaining counts until none are left, with a pause between two questions. A blocked
-   joint would never finish, so the program gives up after STANDS_MS without a count. */
+   joint would never finish, so the program gives up after STANDS_AFTER equal answers. */
 static void wait_for(int joint) {
   int left = robot_to_go(joint);
-  int still_ms = 0; /* time without a change of the counter */
+  int same = 0; /* number of equal answers in a row */
   while (left > 0) {
     printf("  %d counts to go\n", left);
-    wait_ms(PAUSE_MS);
+    robot_pause();
     int before = left;
     left = robot_to_go(joint);
-    still_ms = left == before ? still_ms + PAUSE_MS : 0;
-    if (still_ms >= STANDS_MS) {
+    same = left == before ? same + 1 : 0;
+    if (same == STANDS_AFTER) {
       robot_send("%cX", LETTERS[joint]); /* cancel the rest: the next move would add to it */
       robot_stands(joint, left);
     }

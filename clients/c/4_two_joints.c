@@ -15,15 +15,15 @@ int main(int argc, char *argv[]) {
   printf("F+40 E+80\n");
 
   int f = robot_to_go(F), e = robot_to_go(E);
-  int still_ms = 0; /* time without a change of either counter, as in example 2 */
+  int same = 0; /* number of equal answers in a row, as in example 2 */
   while (f > 0 || e > 0) {
     printf("  F %d, E %d counts to go\n", f, e);
-    wait_ms(PAUSE_MS);
+    robot_pause();
     int before = f + e;
     f = robot_to_go(F);
     e = robot_to_go(E);
-    still_ms = f + e == before ? still_ms + PAUSE_MS : 0;
-    if (still_ms >= STANDS_MS) {
+    same = f + e == before ? same + 1 : 0;
+    if (same == STANDS_AFTER) {
       robot_send("FX EX"); /* cancel the rest: the next move would add to it */
       if (f > 0) robot_stands(F, f);
       if (e > 0) robot_stands(E, e);

@@ -99,19 +99,20 @@ int robot_to_go(int joint) {
   return robot_ask(inquiry) - 32;
 }
 
-void wait_ms(int milliseconds) {
+void robot_pause(void) {
+  int milliseconds = atoi(setting("XR3_POLL_MS", "50"));
   struct timespec pause = {milliseconds / 1000, milliseconds % 1000 * 1000000L};
   nanosleep(&pause, NULL);
 }
 
 int robot_wait(int joint) {
   int left = robot_to_go(joint);
-  int still_ms = 0; /* time without a change of the counter */
-  while (left > 0 && still_ms < STANDS_MS) {
-    wait_ms(PAUSE_MS);
+  int same = 0; /* number of equal answers in a row */
+  while (left > 0 && same < STANDS_AFTER) {
+    robot_pause();
     int before = left;
     left = robot_to_go(joint);
-    still_ms = left == before ? still_ms + PAUSE_MS : 0;
+    same = left == before ? same + 1 : 0;
   }
   if (left > 0) robot_send("%cX", LETTERS[joint]);
   return left;

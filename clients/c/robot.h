@@ -8,12 +8,10 @@
 enum { F, E, D, C, B, A, JOINTS };
 extern const char LETTERS[]; /* "FEDCBA" */
 
-/* The pause between two questions. */
-enum { PAUSE_MS = 50 };
-
-/* A joint counts as stopped if its counter has not changed for this long. The slowest speed is one
-   count per second, and the simulator's clock may run slowly, hence the long wait. */
-enum { STANDS_MS = 2000 };
+/* A joint counts as stopped if its counter is the same after this many questions, over 2 seconds.
+   The slowest speed is one count per second, and the simulator's clock may run slowly, hence the
+   long wait. */
+enum { STANDS_AFTER = 40 };
 
 /* Motor positions in counts from the soft home, as tracked by robot_go. */
 extern int at[JOINTS];
@@ -34,11 +32,11 @@ int robot_ask(const char *inquiry);
    counts the answer is wrong there, so no move of these programs is longer. */
 int robot_to_go(int joint);
 
-/* Sleeps. */
-void wait_ms(int milliseconds);
+/* Pauses between two questions: 50 ms, or XR3_POLL_MS. */
+void robot_pause(void);
 
-/* Waits until the joint has arrived. If it makes no count for STANDS_MS (at a limit, or jaws at a
-   block), cancels its move. Returns the counts that were left. */
+/* Waits until the joint has arrived. If it is blocked (at a limit, or jaws at a block), cancels its
+   move. Returns the counts that were left. */
 int robot_wait(int joint);
 
 /* Reports a joint that has stopped `left` counts short of its target, with possible reasons, and

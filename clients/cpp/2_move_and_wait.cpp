@@ -8,17 +8,17 @@
 #include "robot.hpp"
 
 /// Asks for the remaining counts until none are left, with a pause between two questions. A blocked
-/// joint would never finish, so the program gives up after kStandsMs without a count.
+/// joint would never finish, so the program gives up after kStandsAfter equal answers.
 void wait_for(Robot& robot, char joint) {
   int left = robot.to_go(joint);
-  int still_ms = 0;  // time without a change of the counter
+  int same = 0;  // number of equal answers in a row
   while (left > 0) {
     std::cout << "  " << left << " counts to go\n";
     Robot::pause();
     const int before = left;
     left = robot.to_go(joint);
-    still_ms = left == before ? still_ms + Robot::kPauseMs : 0;
-    if (still_ms >= Robot::kStandsMs) {
+    same = left == before ? same + 1 : 0;
+    if (same == Robot::kStandsAfter) {
       robot.send(std::string{joint, 'X'});  // cancel the rest: the next move would add to it
       Robot::check_arrived(joint, left);
     }

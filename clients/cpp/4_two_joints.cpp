@@ -17,15 +17,15 @@ int main(int argc, char* argv[]) try {
 
   int f = robot.to_go('F');
   int e = robot.to_go('E');
-  int still_ms = 0;  // time without a change of either counter, as in example 2
+  int same = 0;  // number of equal answers in a row, as in example 2
   while (f > 0 || e > 0) {
     std::cout << "  F " << f << ", E " << e << " counts to go\n";
     Robot::pause();
     const int before = f + e;
     f = robot.to_go('F');
     e = robot.to_go('E');
-    still_ms = f + e == before ? still_ms + Robot::kPauseMs : 0;
-    if (still_ms >= Robot::kStandsMs) {
+    same = f + e == before ? same + 1 : 0;
+    if (same == Robot::kStandsAfter) {
       robot.send("FX EX");  // cancel the rest: the next move would add to it
       Robot::check_arrived('F', f);
       Robot::check_arrived('E', e);

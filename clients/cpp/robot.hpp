@@ -75,28 +75,31 @@ class Robot {
   /// 95 counts the answer is wrong there, so no move of these programs is longer.
   int to_go(char joint) { return ask(std::string{joint, '?'}) - 32; }
 
-  /// A joint counts as stopped if its counter has not changed for this long. The slowest speed is
-  /// one count per second, and the simulator's clock may run slowly, hence the long wait.
-  static constexpr int kStandsMs = 2000;
+  /// A joint counts as stopped if its counter is the same after this many questions, over 2
+  /// seconds. The slowest speed is one count per second, and the simulator's clock may run slowly,
+  /// hence the long wait.
+  static constexpr int kStandsAfter = 40;
 
-  /// Waits until the joint has arrived. If it makes no count for kStandsMs (at a limit, or jaws at
-  /// a block), cancels its move. Returns the counts that were left.
+  /// Waits until the joint has arrived. If it is blocked (at a limit, or jaws at a block), cancels
+  /// its move. Returns the counts that were left.
   int wait(char joint) {
     int left = to_go(joint);
-    int still_ms = 0;  // time without a change of the counter
-    while (left > 0 && still_ms < kStandsMs) {
+    int same = 0;  // number of equal answers in a row
+    while (left > 0 && same < kStandsAfter) {
       pause();
       const int before = left;
       left = to_go(joint);
-      still_ms = left == before ? still_ms + kPauseMs : 0;
+      same = left == before ? same + 1 : 0;
     }
     if (left > 0) send(std::string{joint, 'X'});
     return left;
   }
 
-  /// The duration of pause(), between two questions.
-  static constexpr int kPauseMs = 50;
-  static void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(kPauseMs)); }
+  /// Pauses between two questions: 50 ms, or XR3_POLL_MS.
+  static void pause() {
+    const int milliseconds = std::atoi(setting("XR3_POLL_MS", "50").c_str());
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+  }
 
   /// Throws if counts are left; the message has the joint and possible reasons.
   static void check_arrived(char joint, int left) {

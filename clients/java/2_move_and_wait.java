@@ -7,18 +7,18 @@ import java.io.IOException;
 class MoveAndWait {
     /**
      * Asks for the remaining counts until none are left, with a pause between two questions. A
-     * blocked joint would never finish, so the program gives up after STANDS_MS without a count.
+     * blocked joint would never finish, so the program gives up after STANDS_AFTER equal answers.
      */
     static void waitFor(Robot robot, String joint) throws IOException, InterruptedException {
         int left = robot.toGo(joint);
-        int stillMs = 0; // time without a change of the counter
+        int same = 0; // number of equal answers in a row
         while (left > 0) {
             System.out.println("  " + left + " counts to go");
             robot.pause();
             int before = left;
             left = robot.toGo(joint);
-            stillMs = left == before ? stillMs + Robot.PAUSE_MS : 0;
-            if (stillMs >= Robot.STANDS_MS) {
+            same = left == before ? same + 1 : 0;
+            if (same == Robot.STANDS_AFTER) {
                 robot.send(joint + "X"); // cancel the rest: the next move would add to it
                 Robot.checkArrived(joint, left);
             }

@@ -15,15 +15,15 @@ class TwoJoints {
 
         int f = robot.toGo("F");
         int e = robot.toGo("E");
-        int stillMs = 0; // time without a change of either counter, as in example 2
+        int same = 0; // number of equal answers in a row, as in example 2
         while (f > 0 || e > 0) {
             System.out.println("  F " + f + ", E " + e + " counts to go");
             robot.pause();
             int before = f + e;
             f = robot.toGo("F");
             e = robot.toGo("E");
-            stillMs = f + e == before ? stillMs + Robot.PAUSE_MS : 0;
-            if (stillMs >= Robot.STANDS_MS) {
+            same = f + e == before ? same + 1 : 0;
+            if (same == Robot.STANDS_AFTER) {
                 robot.send("FX EX"); // cancel the rest: the next move would add to it
                 Robot.checkArrived("F", f);
                 Robot.checkArrived("E", e);

@@ -10,14 +10,12 @@ import java.util.Map;
 
 /** The connection to the robot. All failures throw IOException with a readable message. */
 public class Robot {
-    /** The duration of pause(), between two questions. */
-    public static final int PAUSE_MS = 50;
-
     /**
-     * A joint counts as stopped if its counter has not changed for this long. The slowest speed is
-     * one count per second, and the simulator's clock may run slowly, hence the long wait.
+     * A joint counts as stopped if its counter is the same after this many questions, over 2
+     * seconds. The slowest speed is one count per second, and the simulator's clock may run slowly,
+     * hence the long wait.
      */
-    public static final int STANDS_MS = 2000;
+    public static final int STANDS_AFTER = 40;
 
     /** Motor positions in counts from the soft home, as tracked by go(). */
     public final Map<String, Integer> at = new LinkedHashMap<>(arm(0, 0, 0, 0, 0));
@@ -100,23 +98,23 @@ public class Robot {
         return ask(joint + "?") - 32;
     }
 
-    /** Sleeps for PAUSE_MS. */
+    /** Pauses between two questions: 50 ms, or XR3_POLL_MS. */
     public void pause() throws InterruptedException {
-        Thread.sleep(PAUSE_MS);
+        Thread.sleep(Integer.parseInt(setting("XR3_POLL_MS", "50")));
     }
 
     /**
-     * Waits until the joint has arrived. If it makes no count for STANDS_MS (at a limit, or jaws at
-     * a block), cancels its move. Returns the counts that were left.
+     * Waits until the joint has arrived. If it is blocked (at a limit, or jaws at a block), cancels
+     * its move. Returns the counts that were left.
      */
     public int waitFor(String joint) throws IOException, InterruptedException {
         int left = toGo(joint);
-        int stillMs = 0; // time without a change of the counter
-        while (left > 0 && stillMs < STANDS_MS) {
+        int same = 0; // number of equal answers in a row
+        while (left > 0 && same < STANDS_AFTER) {
             pause();
             int before = left;
             left = toGo(joint);
-            stillMs = left == before ? stillMs + PAUSE_MS : 0;
+            same = left == before ? same + 1 : 0;
         }
         if (left > 0) send(joint + "X");
         return left;

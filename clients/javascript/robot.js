@@ -3,7 +3,7 @@
 
 const net = require("node:net");
 
-const PAUSE_MS = 50; // between two questions
+const PAUSE_MS = Number(process.env.XR3_POLL_MS || 50); // between two questions
 
 // A joint counts as stopped if its counter is the same after this many questions, over 2 seconds.
 // The slowest speed is one count per second, and the simulator's clock may run slowly, hence the

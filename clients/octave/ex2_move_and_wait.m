@@ -15,7 +15,7 @@ left = robot_to_go(robot, 'E');
 same = 0;
 while left > 0
   fprintf('  %d counts to go\n', left);
-  pause(0.05);
+  robot_pause();
   before = left;
   left = robot_to_go(robot, 'E');
   if left == before, same = same + 1; else, same = 0; end
@@ -33,7 +33,7 @@ left = robot_to_go(robot, 'E');
 same = 0;
 while left > 0
   fprintf('  %d counts to go\n', left);
-  pause(0.05);
+  robot_pause();
   before = left;
   left = robot_to_go(robot, 'E');
   if left == before, same = same + 1; else, same = 0; end

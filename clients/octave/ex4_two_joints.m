@@ -14,7 +14,7 @@ e = robot_to_go(robot, 'E');
 same = 0;
 while f > 0 || e > 0
   fprintf('  F %d, E %d counts to go\n', f, e);
-  pause(0.05);
+  robot_pause();
   before = f + e;
   f = robot_to_go(robot, 'F');
   e = robot_to_go(robot, 'E');

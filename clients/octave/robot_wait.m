@@ -4,7 +4,7 @@ function left = robot_wait(robot, joint)
   left = robot_to_go(robot, joint);
   same = 0;  % number of equal answers in a row
   while left > 0 && same < robot_stands_after()
-    pause(0.05);
+    robot_pause();
     before = left;
     left = robot_to_go(robot, joint);
     if left == before, same = same + 1; else, same = 0; end

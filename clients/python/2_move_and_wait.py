@@ -4,7 +4,6 @@
 """
 
 import sys
-import time
 
 import xr3
 
@@ -14,7 +13,7 @@ STANDS_AFTER = 40
 WHY_IT_STANDS = ("Is it blocked at a limit, or stalled? Is the clock paused or slow? Look at the "
                  "page or at `xr3 watch`")
 
-robot = xr3.connect()  # this example uses only its send() and ask()
+robot = xr3.connect()  # this example uses only its send(), ask() and pause()
 
 
 def wait_for(joint):
@@ -24,7 +23,7 @@ def wait_for(joint):
     same = 0  # number of equal answers in a row
     while left > 0:
         print(f"  {left} counts to go")
-        time.sleep(0.05)
+        robot.pause()
         before = left
         left = robot.ask(joint + "?") - 32
         same = same + 1 if left == before else 0

@@ -4,7 +4,6 @@
 """
 
 import sys
-import time
 
 import xr3
 from xr3.robot import STANDS_AFTER, WHY_IT_STANDS  # as in example 2
@@ -28,7 +27,7 @@ f, e = robot.ask("F?") - 32, robot.ask("E?") - 32
 same = 0  # number of equal answers in a row
 while f > 0 or e > 0:
     print(f"  F {f}, E {e} counts to go")
-    time.sleep(0.05)
+    robot.pause()
     before = f, e
     f, e = robot.ask("F?") - 32, robot.ask("E?") - 32
     same = same + 1 if (f, e) == before else 0

@@ -3,21 +3,21 @@
 //     build/2_move_and_wait [HOST [PORT]]
 
 mod robot;
-use robot::{check_arrived, pause, Robot, PAUSE_MS, STANDS_MS};
+use robot::{check_arrived, pause, Robot, STANDS_AFTER};
 use std::io::Result;
 
 /// Asks for the remaining counts until none are left, with a pause between two questions. A blocked
-/// joint would never finish, so the program gives up after STANDS_MS without a count.
+/// joint would never finish, so the program gives up after STANDS_AFTER equal answers.
 fn wait_for(robot: &mut Robot, joint: char) -> Result<()> {
     let mut left = robot.to_go(joint)?;
-    let mut still_ms = 0; // time without a change of the counter
+    let mut same = 0; // number of equal answers in a row
     while left > 0 {
         println!("  {left} counts to go");
         pause();
         let before = left;
         left = robot.to_go(joint)?;
-        still_ms = if left == before { still_ms + PAUSE_MS } else { 0 };
-        if still_ms >= STANDS_MS {
+        same = if left == before { same + 1 } else { 0 };
+        if same == STANDS_AFTER {
             robot.send(&format!("{joint}X"))?; // cancel the rest: the next move would add to it
             check_arrived(joint, left)?;
         }

@@ -3,7 +3,7 @@
 //     build/4_two_joints [HOST [PORT]]
 
 mod robot;
-use robot::{check_arrived, pause, Robot, PAUSE_MS, STANDS_MS};
+use robot::{check_arrived, pause, Robot, STANDS_AFTER};
 use std::io::Result;
 
 fn two_joints() -> Result<()> {
@@ -16,15 +16,15 @@ fn two_joints() -> Result<()> {
 
     let mut f = robot.to_go('F')?;
     let mut e = robot.to_go('E')?;
-    let mut still_ms = 0; // time without a change of either counter, as in example 2
+    let mut same = 0; // number of equal answers in a row, as in example 2
     while f > 0 || e > 0 {
         println!("  F {f}, E {e} counts to go");
         pause();
         let before = f + e;
         f = robot.to_go('F')?;
         e = robot.to_go('E')?;
-        still_ms = if f + e == before { still_ms + PAUSE_MS } else { 0 };
-        if still_ms >= STANDS_MS {
+        same = if f + e == before { same + 1 } else { 0 };
+        if same == STANDS_AFTER {
             robot.send("FX EX")?; // cancel the rest: the next move would add to it
             check_arrived('F', f)?;
             check_arrived('E', e)?;

@@ -18,12 +18,10 @@ pub const JAWS: usize = 5;
 /// A count for each motor, in the order of LETTERS.
 pub type Counts = [i32; 6];
 
-/// The duration of pause(), between two questions.
-pub const PAUSE_MS: u64 = 50;
-
-/// A joint counts as stopped if its counter has not changed for this long. The slowest speed is one
-/// count per second, and the simulator's clock may run slowly, hence the long wait.
-pub const STANDS_MS: u64 = 2000;
+/// A joint counts as stopped if its counter is the same after this many questions, over 2 seconds.
+/// The slowest speed is one count per second, and the simulator's clock may run slowly, hence the
+/// long wait.
+pub const STANDS_AFTER: i32 = 40;
 
 const CLOSED: &str = "the robot has closed the line";
 
@@ -82,16 +80,16 @@ impl Robot {
         Ok(self.ask(&format!("{joint}?"))? - 32)
     }
 
-    /// Waits until the joint has arrived. If it makes no count for STANDS_MS (at a limit, or jaws
-    /// at a block), cancels its move. Returns the counts that were left.
+    /// Waits until the joint has arrived. If it is blocked (at a limit, or jaws at a block), cancels
+    /// its move. Returns the counts that were left.
     pub fn wait(&mut self, joint: char) -> Result<i32> {
         let mut left = self.to_go(joint)?;
-        let mut still_ms = 0; // time without a change of the counter
-        while left > 0 && still_ms < STANDS_MS {
+        let mut same = 0; // number of equal answers in a row
+        while left > 0 && same < STANDS_AFTER {
             pause();
             let before = left;
             left = self.to_go(joint)?;
-            still_ms = if left == before { still_ms + PAUSE_MS } else { 0 };
+            same = if left == before { same + 1 } else { 0 };
         }
         if left > 0 {
             self.send(&format!("{joint}X"))?;
@@ -135,9 +133,10 @@ impl Robot {
     }
 }
 
-/// Sleeps for PAUSE_MS.
+/// Pauses between two questions: 50 ms, or XR3_POLL_MS.
 pub fn pause() {
-    sleep(Duration::from_millis(PAUSE_MS));
+    let milliseconds = setting("XR3_POLL_MS").and_then(|value| value.parse().ok());
+    sleep(Duration::from_millis(milliseconds.unwrap_or(50)));
 }
 
 /// Returns an error if counts are left; the message has the joint and possible reasons.

@@ -57,6 +57,8 @@ NEEDS = {
 # Where 3_home starts: all joints but the jaws are beyond their switches (where these are open again in
 # mark3), and the arm is folded back above its base.
 DISPLACED = {"F": 200, "E": -200, "D": 200, "C": -200, "B": -200, "A": 20}
+# How often an example may ask for counts if it pauses between two questions for longer than a move takes.
+MOST_QUESTIONS = {"2_move_and_wait": 4, "4_two_joints": 8}
 MOVED_RED = {"centroid": [285, 25, 20], "yaw_deg": 35}  # where 6_find_and_pick must find it
 MOST_MM = 2  # tolerance for the place of a block that was found with the camera
 MOST_DEG = 3
@@ -199,6 +201,16 @@ def run_example(language, example, command, profile, by_arguments=False):
         check_outcome(monitor, OUTCOMES.get(f"{example}-{profile}", OUTCOMES[example]), blocks)
 
 
+def run_with_pauses(language, example, command):
+    """Runs one example with XR3_POLL_MS=1000, and counts its questions."""
+    with Server() as server, Monitor("127.0.0.1", server.monitor_port) as monitor:
+        run(command, CLIENTS / language, XR3_HOST="localhost", XR3_PORT=str(server.robot_port), XR3_POLL_MS="1000")
+        asked = sum(part["code"] == "query_error" for message in monitor.recall("line", since=0)
+                    for part in message["parsed"])
+        if asked > MOST_QUESTIONS[example]:
+            raise Wrong(f"it does not obey XR3_POLL_MS: it has asked {asked} times")
+
+
 # --- Languages.
 
 def missing(language):
@@ -228,8 +240,10 @@ def check_language(language):
         prepare(language)
         command, elsewhere = commands_of(language)
         for example, profile in itertools.product(EXAMPLES, PROFILES):
-            run_one(language, example, command.replace("1_hello", example), faults, profile)
-        run_one(language, "1_hello", elsewhere, faults, "paper", by_arguments=True)
+            run_one(language, example, faults, run_example, command.replace("1_hello", example), profile)
+        run_one(language, "1_hello", faults, run_example, elsewhere, "paper", by_arguments=True)
+        for example in MOST_QUESTIONS:
+            run_one(language, example, faults, run_with_pauses, command.replace("1_hello", example))
         if command.startswith("make"):
             run_in_a_row(language)
         faults += wrong_use.faults_of(language, command, CLIENTS / language)
@@ -241,11 +255,11 @@ def check_language(language):
     return f"{word:9} {language:10} {len(EXAMPLES)} examples in both profiles, {took:.0f} s", not faults
 
 
-def run_one(language, example, command, faults, profile, **options):
+def run_one(language, example, faults, how, *arguments, **options):
     try:
-        run_example(language, example, command, profile, **options)
+        how(language, example, *arguments, **options)
     except (Wrong, subprocess.TimeoutExpired) as wrong:
-        faults.append(f"{language}, {example}, {profile}: {wrong}")
+        faults.append(f"{language}, {example}, {' '.join(arguments)}: {wrong}")
 
 
 def main():

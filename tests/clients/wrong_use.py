@@ -34,6 +34,7 @@ class Case:
     options: tuple = FAST
     port: str = "{robot}"
     host: str = "localhost"
+    environment: dict = dataclasses.field(default_factory=dict)
     blocks: bool = True
     before: Callable = lambda robot: None
     after: Callable = lambda monitor: None
@@ -61,6 +62,7 @@ def nothing_left(monitor):
 STOPPED = r"E stopped 50 counts short of its target\..*limit.*stalled.*xr3 watch"
 NO_ROBOT = "no robot answers at localhost port 1: is the server running"
 NO_PORT = "port has to be a number from 1 to 65535, not '{}'"
+NO_PAUSE = {"XR3_POLL_MS": "0"}  # as xr3 exec sets it
 CASES = [
     Case("no server", "1_hello", NO_ROBOT, port="1"),
     Case("no server", "2_move_and_wait", NO_ROBOT, port="1"),
@@ -73,7 +75,11 @@ CASES = [
     Case("manual clock", "2_move_and_wait", STOPPED, options=("--clock", "manual"),
          after=nothing_left),
     Case("manual clock", "4_two_joints", "F stopped 40 counts short.*xr3 watch",
-         options=("--clock", "manual"), after=nothing_left),
+         options=("--clock", "manual"), environment=NO_PAUSE, after=nothing_left),
+    Case("manual clock, no pause", "2_move_and_wait", STOPPED, options=("--clock", "manual"),
+         environment=NO_PAUSE, after=nothing_left),
+    Case("no pause", "5_pick_and_place", None, options=("--clock", "bytes:100"),
+         environment=NO_PAUSE, after=at_home),
     Case("slow jaws", "3_home", None, options=("--clock", "real:10"),
          before=lambda robot: robot.send("A1S"), after=at_home),
     Case("another robot", "3_home", r"switch of D does not change.*Rhino XR-3",
@@ -97,7 +103,7 @@ def check_case(case, command, folder):
         port = case.port.format(robot=server.robot_port, monitor=server.monitor_port)
         clean = {name: value for name, value in os.environ.items() if not name.startswith("XR3_")}
         ran = subprocess.run(command, shell=True, cwd=folder, text=True, stdin=subprocess.DEVNULL,
-                             env={**clean, "XR3_HOST": case.host, "XR3_PORT": port},
+                             env={**clean, "XR3_HOST": case.host, "XR3_PORT": port, **case.environment},
                              capture_output=True, check=False, timeout=DEADLINE_S)
         return said_wrong(case, ran) or case.after(monitor)
 

@@ -36,7 +36,7 @@ WHY_IT_STANDS = ("Is it blocked at a limit, or stalled? Is a block in the jaws? 
 
 
 def poll_pause() -> None:
-    """Sleeps between two questions: 0.05 s, or as many milliseconds as XR3_POLL_MS says."""
+    """The default of Robot.pause()."""
     time.sleep(float(os.environ.get("XR3_POLL_MS") or 1000 * POLL_S) / 1000)
 
 
@@ -185,13 +185,18 @@ class Robot:
         self._check(label)
         self.send(f"{label}X")
 
+    def pause(self) -> None:
+        """Pauses between two questions: by default 0.05 s, or as many milliseconds as XR3_POLL_MS
+        says."""
+        self._pause()
+
     def wait(self, label: str) -> int:
         """Waits until the joint has arrived. If it is blocked (at a limit, jaws at a block, arm
         stalled, clock paused), cancels its move. Returns the counts that were left, 0 if it has
         arrived."""
         left, same = self.to_go(label), 0
         while left and same < STANDS_AFTER:
-            self._pause()
+            self.pause()
             before, left = left, self.to_go(label)
             same = same + 1 if left == before else 0
         if left:
