@@ -1,7 +1,6 @@
 """Exercise 1: connect, ask, move the shoulder twice, and wait each time."""
 
 import sys
-import time
 
 import xr3
 
@@ -18,7 +17,7 @@ def wait(robot, label):
     left, same = to_go(robot, label), 0
     while left > 0:
         print(f"  {left} counts to go")
-        time.sleep(0.05)
+        robot.pause()
         before, left = left, to_go(robot, label)
         same = same + 1 if left == before else 0
         if same == STANDS_AFTER:

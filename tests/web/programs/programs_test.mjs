@@ -34,6 +34,11 @@ test("no program has an unfilled place", () => {
   }
 });
 
+test("programs that ask pause as XR3_POLL_MS says, which xr3 exec sets", () => {
+  assert.match(pythonSockets(kRhino, [point("a")]).text, /os\.environ\.get\("XR3_POLL_MS", 50\)/);
+  assert.match(cProgram(kRhino, [point("a")]).text, /getenv\("XR3_POLL_MS"\)/);
+});
+
 test("a name cannot leave its string", () => {
   const points = [point('"); system("x"); //\\'), point("*/ ??/ @points"), point('"""')];
   const c = cProgram(kRhino, points).text;

@@ -30,8 +30,8 @@ enum {
   SHUT = @shut@,         /* the count at which the jaws are closed */
   SQUEEZE = @squeeze@,       /* counts by which the jaws close further than a point that grips a block */
   STRIDE = @stride@,        /* the longest move: the error counter has 8 bits */
-  POLL_MS = 50,       /* between two questions */
-  STANDS_MS = 2000    /* a joint has stopped if its counter is the same for so long */
+  POLL_MS = 50,       /* between two questions, unless XR3_POLL_MS is set */
+  STANDS_AFTER = 40   /* a joint has stopped if so many questions in a row have the same answer */
 };
 
 static const char LABELS[] = "@labels@";
@@ -76,15 +76,21 @@ static int to_go(int motor) {
   return reply - 32;
 }
 
+/* Pauses between two questions. */
+static void poll_pause(void) {
+  const char *ms = getenv("XR3_POLL_MS");
+  wait_ms(ms ? atoi(ms) : POLL_MS);
+}
+
 /* Waits until a motor has arrived. If it stands, drops the rest of its move. Returns that rest. */
 static int wait_for(int motor) {
   int left = to_go(motor);
-  int still_ms = 0;
-  while (left > 0 && still_ms < STANDS_MS) {
+  int same = 0;
+  while (left > 0 && same < STANDS_AFTER) {
     int before = left;
-    wait_ms(POLL_MS);
+    poll_pause();
     left = to_go(motor);
-    still_ms = left == before ? still_ms + POLL_MS : 0;
+    same = left == before ? same + 1 : 0;
   }
   if (left > 0) {
     char cancel[] = {LABELS[motor], 'X', '\\0'};

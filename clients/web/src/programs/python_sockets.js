@@ -20,7 +20,7 @@ CLOSING = @closing@  # the sign of counts that close the jaws
 SHUT = @shut@  # the count at which the jaws are closed
 SQUEEZE = @squeeze@  # counts by which the jaws close further than a point that grips a block
 STRIDE = @stride@  # the longest move: the error counter has 8 bits
-POLL_S = 0.05  # between two questions
+POLL_S = int(os.environ.get("XR3_POLL_MS", 50)) / 1000  # between two questions
 STANDS_AFTER = 40  # a joint has stopped if so many questions in a row have the same answer
 @speeds
 
