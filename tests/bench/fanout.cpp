@@ -275,9 +275,9 @@ double ratio(const std::vector<Round>& rounds, const Value& value, const Base& b
 }
 
 struct Bounds {
-  double lines = 1.2;
-  double websocket = 1.6;
-  double robot_line = 1.2;
+  double lines = 2;
+  double websocket = 2.5;
+  double robot_line = 5;
 };
 
 bool report(const std::vector<Round>& rounds, const Bounds& bounds) {

@@ -209,9 +209,9 @@ void print(const char* name, const Figures& figures) {
 struct Bounds {
   double cost = 1.3;
   double pipelined = 3;
-  double time = 1.1;
-  double rate = 0.9;
-  double single_rate = 0.85;
+  double time = 1 / 0.7;
+  double rate = 0.45;
+  double single_rate = 0.45;
 };
 
 /// The server for comparison: the program `other`, or the bare loop if it is null.
