@@ -32,8 +32,8 @@ struct CellSummary {
   double tool = 0;             ///< tool variable, deg or mm
 };
 
-/// The summary of a machine in this state; name, robot port, lines, peer, owner, last input and epoch
-/// remain to be filled in.
+/// The summary of a machine in this state; name, robot port, lines, peer, owner, last input and
+/// epoch remain to be filled in.
 CellSummary machine_summary(const Model& model, const State& state);
 
 /// The object, with all members.

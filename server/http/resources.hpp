@@ -41,7 +41,8 @@ class HttpResources {
   /// Whether the request asks for /healthz or /readyz.
   static bool is_health_check(const http::HttpRequest& request);
 
-  /// The error response for an invalid WebSocket handshake, or one for an unknown cell; else nullopt.
+  /// The error response for a WebSocket handshake that is invalid, or for an unknown cell; else
+  /// nullopt.
   std::optional<http::Answer> refuse_websocket(const http::HttpRequest& request) const;
 
  private:

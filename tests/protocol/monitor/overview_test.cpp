@@ -19,11 +19,11 @@ CellSummary some_summary() {
 }
 
 TEST(Overview, ShowsAMachine) {
-  EXPECT_EQ(
-      text_of(summary_json(some_summary())),
-      R"({"name":"7","robot":"Rhino XR-3","robot_port":null,"lines":0,"peer":null,)"
-      R"("owner":null,"moving":false,"stalled":null,"holding":null,"last_input_tick":null,"epoch":0,)"
-      R"("tick":0,"joints":[0.0,-90.0,90.0,0.0,-90.0],"tool":50.8})");
+  EXPECT_EQ(text_of(summary_json(some_summary())),
+            R"({"name":"7","robot":"Rhino XR-3","robot_port":null,"lines":0,"peer":null,)"
+            R"("owner":null,"moving":false,"stalled":null,"holding":null,)"
+            R"("last_input_tick":null,"epoch":0,"tick":0,)"
+            R"("joints":[0.0,-90.0,90.0,0.0,-90.0],"tool":50.8})");
 }
 
 TEST(Overview, TimeAloneIsNoNews) {
