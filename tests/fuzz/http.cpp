@@ -223,7 +223,7 @@ void check_answers(const HeadReading& reading, Effort effort, bool asks_closed) 
     require(refused->status >= 400, "a refusal has a status of an error");
     return check_response(*refused, reading.request.method, effort);
   }
-  if (auto no_websocket = HttpResources::refuse_websocket(reading.request))
+  if (auto no_websocket = MonitorRig::shared().resources().refuse_websocket(reading.request))
     check_response(*no_websocket, reading.request.method, effort);
   const http::Answer answer = MonitorRig::shared().answer(reading.request);
   check_response(answer, reading.request.method, effort);

@@ -82,14 +82,15 @@ http::Answer answer_to(const http::HeadReading& head) {
   if (auto refused = http::refuse_head(head.fault)) return *std::move(refused);
   if (auto refused = MonitorRig::shared().resources().refuse(head.request))
     return *std::move(refused);
-  if (head.request.path() == "/ws") return *HttpResources::refuse_websocket(head.request);
+  if (head.request.path() == "/ws")
+    return *MonitorRig::shared().resources().refuse_websocket(head.request);
   return MonitorRig::shared().answer(head.request);
 }
 
 bool is_handshake(const http::HeadReading& head) {
   return head.fault == http::HeadFault::kNone && head.request.path() == "/ws" &&
          !MonitorRig::shared().resources().refuse(head.request) &&
-         !HttpResources::refuse_websocket(head.request);
+         !MonitorRig::shared().resources().refuse_websocket(head.request);
 }
 
 /// The responses to the client's requests; nullopt after a handshake, whose answer depends on the

@@ -24,6 +24,8 @@ cells | server/options/options.hpp | max_cells
 cells | server/options/serve.cpp | kMaxCells
 subscriptions of a monitor client, and lines of its own by `send` | server/monitor_port/service.hpp | kMaxSubscriptions
 subscriptions of a monitor client, and lines of its own by `send` | server/monitor_port/service.hpp | kMaxOwnLines
+branches of a cell, and lines of each | server/cells/branch_cells.hpp | kMostPerOrigin
+branches of a cell, and lines of each | server/net/socket_limits.hpp | kLinesPerBranch
 memory of the process | server/options/options.hpp | max_memory_mib
 unread bytes of a connection in the kernel | server/net/listener.cpp | kSendBuffer | 1024
 first bytes of a line that are examined together | protocol/line/line_guard.hpp | kFirstChunk

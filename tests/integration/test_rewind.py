@@ -179,7 +179,7 @@ class Rewind(unittest.TestCase):
             self.assertEqual(["1-b1", "1-b2", "1-b3", "1-b4"], made)
             for cell in "1", "1-b1", "1-b4":
                 with self.subTest(cell), self.assertRaises(MonitorError) as refused:
-                    self.at(monitor, cell, "branch", tick=20)
+                    self.at(monitor, cell, "branch", tick=30)
                 self.assertEqual("limit", refused.exception.code)
                 self.assertEqual("cell 1 has 4 branches already", refused.exception.message)
             self.at(monitor, "2", "step", ticks=50)

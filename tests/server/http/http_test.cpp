@@ -391,8 +391,8 @@ TEST_F(HttpTest, ValidatesWebSocketHandshakes) {
   const std::string key = "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n";
   const std::string version = "Sec-WebSocket-Version: 13\r\n";
   const std::string offer = "Sec-WebSocket-Protocol: ";
-  const auto status = [](const std::string& fields) {
-    const auto refused = HttpResources::refuse_websocket(read_head(get("/ws", fields)).request);
+  const auto status = [this](const std::string& fields) {
+    const auto refused = resources_.refuse_websocket(read_head(get("/ws", fields)).request);
     return refused ? refused->status : 101U;
   };
   EXPECT_EQ(status(upgrade + key + version), 101U);
