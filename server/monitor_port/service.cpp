@@ -1,10 +1,7 @@
 #include "server/monitor_port/service.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <boost/asio/post.hpp>
-#include <chrono>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -18,10 +15,8 @@ namespace {
 using monitor::Channel;
 
 constexpr int kMaxWrongTokens = 5;
-constexpr std::chrono::milliseconds kWrongTokenDelay{200};
 // Parsing takes some 0.2 us a byte.
 constexpr std::size_t kMaxParsedAtOnce = 4096;
-constexpr WallNs kTokenLogEvery = 1'000'000'000;
 
 using AllChannelStats = std::array<monitor::ChannelStats, monitor::kChannels>;
 
@@ -118,6 +113,7 @@ MonitorService::MonitorService(asio::io_context& io, CellRegistry& cells, Worker
       cells_(cells),
       worker_(worker),
       policy_(policy),
+      wrong_tokens_(io),
       overview_(io, cells, [this] { between(); }),
       lag_(io, [this] { return cells_.has_news_to_come(); }),
       making_long_(io),
@@ -194,7 +190,7 @@ CellCounters MonitorService::counters() const {
   counters.cells_total = cells_.total();
   if (count_more_) count_more_(counters);
   counters.monitor_sessions = sessions_.size();
-  counters.wrong_tokens = wrong_tokens_;
+  counters.wrong_tokens = wrong_tokens_.count();
   counters.loop_lag_ns = lag_.max_at(wall_now());
   AllChannelStats channel_stats = gone_sessions_;
   for (MonitorSession* session : sessions_) merge(channel_stats, session->client().channel_stats());
@@ -289,7 +285,6 @@ asio::awaitable<void> MonitorService::carry_out_at(CellPtr at, MonitorSession& s
   }
 }
 
-// A wrong token is answered late, so that trying many takes long.
 asio::awaitable<void> MonitorService::authorize(MonitorSession& session, monitor::Request request) {
   if (!policy_.needs_token() || policy_.is_right(std::get<monitor::Auth>(request.what).token)) {
     const bool had_no_access = session.access() == Access::kNone;
@@ -306,21 +301,10 @@ asio::awaitable<void> MonitorService::authorize(MonitorSession& session, monitor
     overview_.restart(session);
     co_return;
   }
-  note_wrong_token();
-  asio::steady_timer delay(io_, kWrongTokenDelay);
-  co_await delay.async_wait(kAwait);
+  co_await wrong_tokens_.delay();
   session.send(refused(
       request.id, {"bad_token", "this is not the token", "five wrong ones end the connection"}));
   if (session.note_wrong_token() >= kMaxWrongTokens) session.end(monitor::CloseReason::kBadToken);
-}
-
-// At most one message a second, however many clients try.
-void MonitorService::note_wrong_token() {
-  ++wrong_tokens_;
-  const WallNs now = wall_now();
-  if (now < next_token_log_) return;
-  next_token_log_ = now + kTokenLogEvery;
-  spdlog::warn("monitor: a client gave a wrong token; {} since the start", wrong_tokens_);
 }
 
 // --- Channels.

@@ -16,6 +16,7 @@
 #include "server/monitor_port/access.hpp"
 #include "server/monitor_port/overview.hpp"
 #include "server/monitor_port/session.hpp"
+#include "server/monitor_port/wrong_tokens.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/exclusive.hpp"
 #include "server/net/loop_lag.hpp"
@@ -100,7 +101,6 @@ class MonitorService {
 
  private:
   asio::awaitable<void> authorize(MonitorSession& session, monitor::Request request);
-  void note_wrong_token();
   void between();
   static bool may_see(const MonitorSession& session, const HostedCell& cell);
   /// The answer to a request that names a cell that the session does not know.
@@ -158,8 +158,7 @@ class MonitorService {
   Worker& worker_;
   MemoryLimit* memory_ = nullptr;  ///< none if null
   const AccessPolicy& policy_;
-  std::uint64_t wrong_tokens_ = 0;
-  WallNs next_token_log_ = 0;  ///< earliest time of the next message about wrong tokens
+  WrongTokens wrong_tokens_;
   std::vector<MonitorSession*> sessions_;
   /// The statistics of removed sessions, by monitor::Channel, and of closed cells.
   std::array<monitor::ChannelStats, monitor::kChannels> gone_sessions_{};

@@ -71,7 +71,8 @@ pixels of a camera | protocol/files/workcell.cpp | kMaxPixels
 a data file | server/files/data_files.cpp | kLargestFile | 1048576
 a data file | server/files/data_files.cpp | kMaxWaitMs | 1000
 wrong tokens of a connection | server/monitor_port/service.cpp | kMaxWrongTokens
-wrong tokens of a connection | server/monitor_port/service.cpp | kWrongTokenDelay
+wrong tokens of a connection | server/monitor_port/wrong_tokens.hpp | kWrongTokenDelay
+wrong tokens of all connections | server/monitor_port/wrong_tokens.hpp | kWrongTokensPerSecond
 a token | server/monitor_port/token.hpp | kMinTokenBytes
 a token | server/monitor_port/token.hpp | kMaxTokenBytes
 log | server/log_budget.hpp | kMaxLogBurst | 1024
