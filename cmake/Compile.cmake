@@ -22,6 +22,18 @@ add_compile_options(-Wall -Wextra -Wpedantic -Wconversion -Wshadow)
 add_compile_options(-ffp-contract=off)
 add_link_options(-ffp-contract=off)
 
+# Options that end the program where a fault of memory would go on unseen. (glibc takes level 2 of _FORTIFY_SOURCE where
+# the compiler has no level 3. The linker needs those that change code, as above.)
+option(XR3_HARDENED "Check stack, buffers, containers and jumps while the program runs" OFF)
+if(XR3_HARDENED)
+  set(hardening -fstack-protector-strong -fstack-clash-protection)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|i.86")
+    list(APPEND hardening -fcf-protection)
+  endif()
+  add_compile_options(${hardening} -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=3 -D_GLIBCXX_ASSERTIONS)
+  add_link_options(${hardening} -Wl,-z,relro,-z,now)
+endif()
+
 if(XR3_PORTABLE)  # no path of this machine, so that the same commit gives the same bytes
   add_compile_options("-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.")
   add_link_options("-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.")
