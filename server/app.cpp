@@ -51,12 +51,27 @@ void listen_too(Port& port, const std::string& what, bool was_chosen) {
   if (error == asio::error::address_in_use && was_chosen) throw listen_error(what, endpoint, error);
 }
 
+void warn_of_open_token(const std::string& file) {
+  if (others_may_read(file))
+    spdlog::warn("{}: every user of this machine can read the token; set mode 600", file);
+}
+
+/// Empty: there is none.
+std::string metrics_token(const ServeOptions& options) {
+  if (options.metrics_token_file.empty()) return {};
+  warn_of_open_token(options.metrics_token_file);
+  return with_option_source(options.option_sources, "--metrics-token-file",
+                            [&] { return read_token(TokenFile{options.metrics_token_file}); });
+}
+
 AccessRules access_rules(const ServeOptions& options, std::string token) {
+  if (const auto* file = std::get_if<TokenFile>(&options.token)) warn_of_open_token(file->path);
   const auto reach =
       is_loopback(options.listen) ? http::HostReach::kThisMachine : http::HostReach::kBeyond;
   return {{reach, options.allow_hosts, options.allow_origins},
           options.is_private ? ReadAccess::kWithToken : ReadAccess::kFree,
-          std::move(token)};
+          std::move(token),
+          metrics_token(options)};
 }
 
 asio::ip::address address_of(const std::string& listen) {

@@ -1,7 +1,6 @@
 // xr3: parses the command line, runs the command, and turns every failure into a message and an
 // exit code.
 #include <fcntl.h>
-#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -23,13 +22,6 @@
 namespace xr3 {
 namespace {
 
-void warn_of_open_token(const TokenSource& source) {
-  const auto* file = std::get_if<TokenFile>(&source);
-  if (file != nullptr && others_may_read(file->path)) {
-    spdlog::warn("{}: every user of this machine can read the token; set mode 600", file->path);
-  }
-}
-
 /// The seeds of the cells; cells of the same files share a model.
 std::vector<CellSeed> load_seeds(const ServeOptions& options) {
   std::vector<CellPlan> plans = plan_cells(options);
@@ -48,7 +40,6 @@ ExitCode run_command(const ServeOptions& options) {
   ignore_signals_of_writing();
   with_option_source(options.option_sources, "--log-file",
                      [&] { start_log(options.log_level, options.log_file); });
-  warn_of_open_token(options.token);
   const std::string token = with_option_source(options.option_sources, "--token-file",
                                                [&] { return read_token(options.token); });
   App app(options, load_seeds(options), token);

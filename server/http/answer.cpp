@@ -6,6 +6,16 @@
 #include "protocol/json/source.hpp"
 
 namespace xr3::http {
+namespace {
+
+Answer unauthorized(const char* code, const char* message) {
+  Answer answer = error(401, code, message,
+                        "send Authorization: Bearer TOKEN, with that of --metrics-token-file");
+  answer.fields.push_back({"WWW-Authenticate", "Bearer"});
+  return answer;
+}
+
+}  // namespace
 
 Answer closing(Answer answer) {
   answer.then = Then::kClose;
@@ -44,6 +54,14 @@ Answer method_not_allowed() {
 Answer token_required() {
   return error(403, "token_required", "reading needs the token, which HTTP requests cannot carry",
                "connect to /ws or send JSON lines, and first send {\"op\":\"auth\",\"token\":...}");
+}
+
+Answer metrics_token_required() {
+  return unauthorized("token_required", "reading the metrics needs their token");
+}
+
+Answer bad_metrics_token() {
+  return closing(unauthorized("bad_token", "this is not the token of the metrics"));
 }
 
 Answer too_slow() {

@@ -38,6 +38,9 @@ Answer not_found(const std::string& message);
 Answer method_not_allowed();
 /// 403: reading requires the token, which only JSON messages can carry.
 Answer token_required();
+/// 401: reading the metrics requires their token; or it is another one, and the connection closes.
+Answer metrics_token_required();
+Answer bad_metrics_token();
 /// 408: the head did not arrive in time.
 Answer too_slow();
 /// 503: the maximum number of connections is open.

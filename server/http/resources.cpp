@@ -72,6 +72,15 @@ bool is_websocket_key(std::string_view key) {
          key.find_first_not_of(kLetters) == key.size() - 2;
 }
 
+/// The token that a request carries (RFC 6750, section 2.1); nullopt: none, or several.
+std::optional<std::string_view> bearer_token(const HttpRequest& request) {
+  constexpr std::string_view kScheme = "Bearer ";
+  const auto values = request.values("Authorization");
+  if (values.size() != 1) return std::nullopt;
+  if (!http::is_same_name(values.front().substr(0, kScheme.size()), kScheme)) return std::nullopt;
+  return values.front().substr(kScheme.size());
+}
+
 Answer unknown_cell(const CellRegistry& cells) {
   const std::string hint = cells.is_empty() ? "there is no cell now"
                            : cells.is_single()
@@ -143,9 +152,9 @@ std::optional<Answer> HttpResources::refuse_websocket(const HttpRequest& request
 struct HttpResources::Route {
   enum class Kind : std::uint8_t {
     kServer,
-    kReading,
+    kMetrics,
     kCell
-  };  ///< kServer needs no token; kCell accepts ?cell=
+  };  ///< kServer needs no token, kMetrics may have its own; kCell accepts ?cell=
 
   std::string_view path;
   Kind kind;
@@ -156,7 +165,7 @@ const HttpResources::Route HttpResources::kRoutes[] = {
     {kHealth, Route::Kind::kServer, &HttpResources::health},
     {kReady, Route::Kind::kServer, &HttpResources::readiness},
     {"/schema/v1.json", Route::Kind::kServer, &HttpResources::schema},
-    {"/metrics", Route::Kind::kReading, &HttpResources::metrics},
+    {"/metrics", Route::Kind::kMetrics, &HttpResources::metrics},
     {"/state", Route::Kind::kCell, &HttpResources::state},
     {"/robot", Route::Kind::kCell, &HttpResources::robot},
     {"/workcell", Route::Kind::kCell, &HttpResources::workcell},
@@ -176,14 +185,27 @@ asio::awaitable<Answer> HttpResources::answer(const HttpRequest& request) {
     co_return http::error(503, "not_ready", "the server is stopping", "start it again");
   for (const Route& route : kRoutes) {
     if (route.path != path) continue;
-    if (route.kind != Route::Kind::kServer && policy_.is_private())
-      co_return http::token_required();
+    std::optional<Answer> refused = co_await refuse_reading(route, request);
+    if (refused) co_return *std::move(refused);
     CellPtr at = route.kind == Route::Kind::kCell ? cell_of(request) : nullptr;
     if (route.kind == Route::Kind::kCell && !at) co_return unknown_cell(service_.cells());
     if (at) at->cell().catch_up(wall_now());
     co_return co_await (this->*route.show)(std::move(at), request);
   }
   co_return page(request);
+}
+
+/// The answer to a request that lacks the token that a private server requires; else nullopt.
+asio::awaitable<std::optional<Answer>> HttpResources::refuse_reading(const Route& route,
+                                                                     const HttpRequest& request) {
+  if (route.kind == Route::Kind::kServer || !policy_.is_private()) co_return std::nullopt;
+  if (route.kind != Route::Kind::kMetrics || !policy_.has_metrics_token())
+    co_return http::token_required();
+  const std::optional<std::string_view> token = bearer_token(request);
+  if (!token) co_return http::metrics_token_required();
+  if (policy_.is_right_for_metrics(*token)) co_return std::nullopt;
+  co_await service_.wrong_tokens().delay();
+  co_return http::bad_metrics_token();
 }
 
 /// The cell in the query, or the first one; nullptr if there is none.

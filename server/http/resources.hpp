@@ -51,6 +51,8 @@ class HttpResources {
   struct Route;
   static const Route kRoutes[];
 
+  asio::awaitable<std::optional<http::Answer>> refuse_reading(const Route& route,
+                                                              const http::HttpRequest& request);
   http::Answer page(const http::HttpRequest& request) const;
 
   asio::awaitable<http::Answer> health(CellPtr at, http::HttpRequest request);

@@ -4,6 +4,17 @@
 #include <nettle/sha2.h>
 
 namespace xr3 {
+namespace {
+
+// Compares digests, which have equal lengths, so that the time does not reveal the token's length.
+bool are_equal(std::string_view one, std::string_view other) {
+  const TokenDigest first = digest_of_token(one);
+  const TokenDigest second = digest_of_token(other);
+  return memeql_sec(first.data(), second.data(), first.size()) != 0;
+}
+
+}  // namespace
+
 TokenDigest digest_of_token(std::string_view token) {
   static_assert(std::tuple_size_v<TokenDigest> == SHA256_DIGEST_SIZE);
   sha256_ctx context;
@@ -14,11 +25,12 @@ TokenDigest digest_of_token(std::string_view token) {
   return result;
 }
 
-// Compares digests, which have equal lengths, so that the time does not reveal the token's length.
 bool AccessPolicy::is_right(std::string_view token) const {
-  const TokenDigest given = digest_of_token(token);
-  const TokenDigest wanted = digest_of_token(rules_.token);
-  return needs_token() && memeql_sec(given.data(), wanted.data(), wanted.size()) != 0;
+  return needs_token() && are_equal(token, rules_.token);
+}
+
+bool AccessPolicy::is_right_for_metrics(std::string_view token) const {
+  return has_metrics_token() && are_equal(token, rules_.metrics_token);
 }
 
 }  // namespace xr3

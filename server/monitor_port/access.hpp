@@ -23,7 +23,8 @@ enum class ReadAccess : std::uint8_t { kFree, kWithToken };
 struct AccessRules {
   http::GuardRules guard;
   ReadAccess reading = ReadAccess::kFree;
-  std::string token;  ///< empty: calls require no token
+  std::string token;               ///< empty: calls require no token
+  std::string metrics_token = {};  ///< of /metrics alone, if reading requires a token; empty: none
 };
 
 class AccessPolicy {
@@ -38,6 +39,10 @@ class AccessPolicy {
   bool is_private() const { return needs_token() && rules_.reading == ReadAccess::kWithToken; }
   /// Compares in constant time. Always false if no token is set.
   bool is_right(std::string_view token) const;
+
+  bool has_metrics_token() const { return !rules_.metrics_token.empty(); }
+  /// Compares in constant time. Always false if there is none.
+  bool is_right_for_metrics(std::string_view token) const;
 
   bool is_host_allowed(std::string_view host) const {
     return http::is_host_allowed(host, rules_.guard);

@@ -42,6 +42,7 @@ class MonitorService {
 
   CellRegistry& cells() { return cells_; }
   Overview& overview() { return overview_; }
+  WrongTokens& wrong_tokens() { return wrong_tokens_; }
 
   // --- Sessions.
 

@@ -78,6 +78,7 @@ struct ServeOptions {
   std::string log_file;  ///< empty: standard error
   TokenSource token;
   bool is_private = false;
+  std::string metrics_token_file;  ///< empty: none
   std::vector<std::string> allow_hosts;
   std::vector<std::string> allow_origins;
   bool is_insecure = false;

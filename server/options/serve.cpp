@@ -195,6 +195,8 @@ void add_access(CLI::App& serve, ServeOptions& options) {
       ->check(CLI::Validator(check_token_word, ""))
       ->configurable(false);
   add_flag(serve, "--private", options.is_private, "reading needs the token, too");
+  add_value(serve, "--metrics-token-file", options.metrics_token_file, "FILE",
+            "with --private: file with a token for /metrics alone, sent as Authorization: Bearer");
   add_names(serve, "--allow-host", options.allow_hosts, "NAME",
             "host name that browsers may use for this machine; several with commas", check_host);
   add_names(serve, "--allow-origin", options.allow_origins, "ORIGIN",
@@ -257,6 +259,9 @@ Options checked_serve(ServeOptions options) {
   if (options.is_private && !has_token)
     return refuse(options, "--private",
                   "needs a token: --token-file FILE, XR3_TOKEN or --token auto");
+  if (!options.metrics_token_file.empty() && !options.is_private)
+    return refuse(options, "--metrics-token-file",
+                  "needs --private: without it reading /metrics needs no token");
   if (is_beyond && !has_token && !options.is_insecure)
     return refuse(
         options, "--listen",

@@ -165,9 +165,37 @@ class Tokens(Case):
             self.assertIn(status, (401, 403), path)
             self.assertIn(b"token_required", body)
 
-    def http(self, xr3, path):
+    def test_the_metrics_have_a_token_of_their_own(self):
+        of_metrics = "of-the-metrics-alone"
+        file = self.enterContext(TokenFile(of_metrics + "\n"))
+        xr3 = self.guarded("--private", "--metrics-token-file", file)
+        for bearer in "Bearer", "bearer":
+            status, body = self.http(xr3, "/metrics", f"{bearer} {of_metrics}")
+            self.assertEqual(200, status)
+            self.assertIn(b"xr3_lines_open", body)
+        for authorization in None, "Basic " + of_metrics, of_metrics:
+            status, body = self.http(xr3, "/metrics", authorization)
+            self.assertEqual(401, status)
+            self.assertIn(b"token_required", body)
+        started = time.monotonic()
+        for wrong in TOKEN, of_metrics[:-1], of_metrics + "x", "":
+            status, body = self.http(xr3, "/metrics", "Bearer " + wrong)
+            self.assertEqual(401, status)
+            self.assertNotIn(b"xr3_lines_open", body)
+        self.assertGreaterEqual(time.monotonic() - started, 3 * 0.2, "wrong tokens are answered late")
+        xr3.wait_log("a client gave a wrong token")
+        for path in "/state", "/view.svg":
+            self.assertEqual(403, self.http(xr3, path, f"Bearer {of_metrics}")[0], path)
+        with xr3.monitor() as monitor:
+            self.refused("bad_token", monitor, "auth", token=of_metrics)
+        self.assertNotIn(of_metrics, xr3.log())
+
+    def http(self, xr3, path, authorization=None):
+        request = urllib.request.Request(f"http://{LOCALHOST}:{xr3.monitor_port}{path}")
+        if authorization is not None:
+            request.add_header("Authorization", authorization)
         try:
-            with urllib.request.urlopen(f"http://{LOCALHOST}:{xr3.monitor_port}{path}") as answer:
+            with urllib.request.urlopen(request) as answer:
                 return answer.status, answer.read()
         except urllib.error.HTTPError as error:
             with error:
@@ -186,6 +214,9 @@ class Starts(Case):
             self.rejected("16", "--token-file", path)
         with TokenFile("") as path:
             self.rejected("16", "--token-file", path)
+            with TokenFile() as good:
+                self.rejected("16", "--token-file", good, "--private", "--metrics-token-file", path)
+        self.rejected("--metrics-token-file needs --private", "--metrics-token-file", "/absent")
         self.rejected("absent", "--token-file", "/absent/token")
         self.rejected("16", env={**os.environ, "XR3_TOKEN": "short"})
 

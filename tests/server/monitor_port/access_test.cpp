@@ -30,6 +30,16 @@ TEST(Access, IsPrivateOnlyWithAToken) {
   EXPECT_FALSE(AccessPolicy({{}, ReadAccess::kWithToken, ""}).is_private());
 }
 
+TEST(Access, TheTokenOfTheMetricsIsForThemAlone) {
+  constexpr const char* kOfMetrics = "of the metrics only";
+  const AccessPolicy policy({{}, ReadAccess::kWithToken, kToken, kOfMetrics});
+  EXPECT_TRUE(policy.has_metrics_token());
+  EXPECT_TRUE(policy.is_right_for_metrics(kOfMetrics));
+  EXPECT_FALSE(policy.is_right_for_metrics(kToken));
+  EXPECT_FALSE(policy.is_right(kOfMetrics));
+  EXPECT_FALSE(AccessPolicy({{}, ReadAccess::kWithToken, kToken}).is_right_for_metrics(""));
+}
+
 TEST(Access, AppliesTheRulesForHostsAndOrigins) {
   const AccessPolicy policy({{http::HostReach::kBeyond, {}, {"https://a.example"}}, {}, ""});
   EXPECT_TRUE(policy.is_host_allowed("xr3:9601"));

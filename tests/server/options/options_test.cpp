@@ -149,6 +149,7 @@ TEST(Options, RejectsInvalidArgumentsWithAMessage) {
       {"check"},
       {"serve", "--listen", "nowhere"},
       {"serve", "--private"},
+      {"serve", "--metrics-token-file", "t"},
       {"serve", "--token-file", "t", "--token", "auto"},
       {"serve", "--allow-host", "a:80"},
       {"serve", "--allow-host", "*"},
