@@ -4,7 +4,6 @@
 #include <spdlog/details/null_mutex.h>
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/sinks/base_sink.h>
-#include <spdlog/sinks/rotating_file_sink.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
@@ -14,8 +13,8 @@
 #include <utility>
 
 #include "protocol/explain/event_report.hpp"
-#include "server/files/data_files.hpp"
 #include "server/log_budget.hpp"
+#include "server/log_file.hpp"
 #include "server/net/wall_clock.hpp"
 
 namespace xr3 {
@@ -80,6 +79,21 @@ class PatientSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex>
   void flush_() override {}
 };
 
+class FileSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
+ public:
+  explicit FileSink(const std::string& path) : file_(path, kMaxLogFileBytes, kMaxLogFiles) {}
+
+ private:
+  void sink_it_(const spdlog::details::log_msg& message) override {
+    spdlog::memory_buf_t text;
+    formatter_->format(message, text);
+    file_.write({text.data(), text.size()});
+  }
+  void flush_() override {}
+
+  LogFile file_;
+};
+
 /// Passes on to another sink what the budget admits, as one line each, and says how many messages
 /// it has dropped.
 class LimitedSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
@@ -119,12 +133,7 @@ std::shared_ptr<LimitedSink> limited_sink;
 
 spdlog::sink_ptr open_sink(const std::string& file) {
   if (file.empty()) return std::make_shared<PatientSink>();
-  try {
-    return std::make_shared<spdlog::sinks::rotating_file_sink_st>(file, kMaxLogFileBytes,
-                                                                  kMaxLogFiles - 1);
-  } catch (const spdlog::spdlog_ex& error) {
-    throw FileError(file + ": the log cannot be written: " + error.what());
-  }
+  return std::make_shared<FileSink>(file);
 }
 
 // Events of the machine are debug messages, except those that a user must see: stalls, faults,

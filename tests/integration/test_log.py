@@ -1,5 +1,6 @@
 """Log messages of events that are caused by simulated time, and escapes in the log."""
 
+import os
 import pathlib
 import tempfile
 import time
@@ -8,6 +9,7 @@ import unittest
 from support import Server, connect, drive, run_xr3
 
 BURST, BYTES_A_SECOND = 256 * 1024, 64 * 1024
+FILE_BYTES = 10 * 1024 * 1024
 FLOOD_S = 3
 
 
@@ -55,6 +57,20 @@ class Log(unittest.TestCase):
         self.assertRegex(text, r"warning suppressed [1-9]\d* messages\n")
         self.assertGreater(len(text), BURST)
         self.assertLess(len(text), BURST + (seconds + 1) * BYTES_A_SECOND)
+
+    def test_a_full_log_file_gets_a_number(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "xr3.log")
+            path.write_bytes(b"x" * FILE_BYTES)
+            for number in range(1, 5):
+                pathlib.Path(folder, f"xr3.log.{number}").write_text(f"file {number}", encoding="ascii")
+            with Server("--log-file", path) as xr3:
+                xr3.line().ask("E?")
+            self.assertEqual({"xr3.log", *(f"xr3.log.{number}" for number in range(1, 5))}, set(os.listdir(folder)))
+            self.assertIn("line 1 @0: ", path.read_text(encoding="utf-8"))
+            self.assertEqual(FILE_BYTES, pathlib.Path(folder, "xr3.log.1").stat().st_size)
+            for number in range(2, 5):
+                self.assertEqual(f"file {number - 1}", pathlib.Path(folder, f"xr3.log.{number}").read_text("ascii"))
 
     def test_a_log_file_that_cannot_be_written_is_refused(self):
         with tempfile.NamedTemporaryFile() as file:  # no folder
