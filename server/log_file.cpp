@@ -11,12 +11,20 @@
 #include "server/files/data_files.hpp"
 
 namespace xr3 {
+namespace {
+
+std::string open_failure(int error) {
+  if (error == ELOOP) return "it is a symbolic link, which is not followed; name the file itself";
+  return std::strerror(error);
+}
+
+}  // namespace
 
 LogFile::LogFile(std::string path, std::size_t max_bytes, std::size_t max_files)
     : path_(std::move(path)), max_bytes_(max_bytes), max_files_(max_files) {
   open();
   if (!file_.is_open())
-    throw FileError(path_ + ": the log cannot be written: " + std::strerror(errno));
+    throw FileError(path_ + ": the log cannot be written: " + open_failure(errno));
 }
 
 void LogFile::write(std::string_view message) {
@@ -32,7 +40,8 @@ std::string LogFile::name(std::size_t number) const {
 
 void LogFile::open() {
   constexpr ::mode_t kRights = S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH;
-  file_ = Descriptor(::open(path_.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, kRights));
+  constexpr int kHow = O_WRONLY | O_APPEND | O_CREAT | O_NOFOLLOW | O_CLOEXEC;
+  file_ = Descriptor(::open(path_.c_str(), kHow, kRights));
   struct ::stat status {};
   const bool is_known = file_.is_open() && ::fstat(file_.get(), &status) == 0;
   bytes_ = is_known ? static_cast<std::size_t>(status.st_size) : 0;

@@ -11,8 +11,9 @@ namespace xr3 {
 
 class LogFile {
  public:
-  /// Opens the file, or makes it. `max_bytes`: of each file; `max_files`: FILE, FILE.1 and so on,
-  /// from the newest to the oldest, two or more. Throws FileError.
+  /// Opens the file, or makes it; no symbolic link is followed, now and later. `max_bytes`: of each
+  /// file; `max_files`: FILE, FILE.1 and so on, from the newest to the oldest, two or more. Throws
+  /// FileError.
   LogFile(std::string path, std::size_t max_bytes, std::size_t max_files);
 
   /// Appends a message, to a new file if it does not fit into this one. An error is not reported:

@@ -58,6 +58,15 @@ class Log(unittest.TestCase):
         self.assertGreater(len(text), BURST)
         self.assertLess(len(text), BURST + (seconds + 1) * BYTES_A_SECOND)
 
+    def test_a_symbolic_link_is_not_followed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            link, target = pathlib.Path(folder, "xr3.log"), pathlib.Path(folder, "target")
+            link.symlink_to(target)
+            done = run_xr3("serve", "--robot-port", 0, "--monitor-port", 0, "--log-file", link)
+            self.assertEqual(2, done.returncode)
+            self.assertIn(f"{link}: the log cannot be written: it is a symbolic link", done.stderr)
+            self.assertFalse(target.exists())
+
     def test_a_full_log_file_gets_a_number(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder, "xr3.log")

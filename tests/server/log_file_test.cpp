@@ -71,6 +71,19 @@ TEST_F(LogFileTest, AFileThatCannotBeRenamedBeginsAnew) {
   EXPECT_EQ(text(), "three\n");
 }
 
+TEST_F(LogFileTest, NoLinkIsFollowed) {
+  fs::create_symlink(path(".link"), path());
+  EXPECT_THROW(LogFile(path(), 8, 2), FileError);
+  fs::remove(path());
+  LogFile log(path(), 4, 2);
+  log.write("one\n");
+  fs::remove(path());
+  fs::create_symlink(path(".link"), path());
+  for (const char* message : {"two\n", "three\n"}) log.write(message);
+  EXPECT_FALSE(fs::exists(path(".link")));
+  EXPECT_EQ(text(), "three\n") << "the link was renamed like a file";
+}
+
 TEST_F(LogFileTest, AFileThatCannotBeOpenedIsRefused) {
   EXPECT_THROW(LogFile((folder_ / "none" / "a.log").string(), 8, 2), FileError);
 }
