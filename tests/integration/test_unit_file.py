@@ -82,6 +82,25 @@ class Unit(unittest.TestCase):
         self.assertIn("--token-file %d/token", self.value("ExecStart"))
         self.assertIn("--config /etc/xr3/xr3.toml", self.value("ExecStart"))
 
+    def test_the_files_of_the_options_are_in_folders_of_the_service(self):
+        """The options that xr3.toml shows in comments, with a folder of this test instead of the root folder."""
+        folders = {f"{place}/{self.value(name)}" for name, place in
+                   (("StateDirectory", "/var/lib"), ("LogsDirectory", "/var/log"), ("RuntimeDirectory", "/run"))}
+        for name in "StateDirectory", "LogsDirectory", "RuntimeDirectory":
+            self.assertEqual("0700", self.value(f"{name}Mode"))
+        text = (FOLDER / "xr3.toml").read_text(encoding="utf-8")
+        shown = dict(re.findall(r'^# ([\w-]+) = "(/.*)"$', text, re.MULTILINE))
+        self.assertEqual({"record", "log-file", "port-file"}, set(shown))
+        self.assertEqual(folders, {os.path.dirname(path) for path in shown.values()})
+        for folder in folders:
+            (self.folder / folder[1:]).mkdir(parents=True)
+        options = self.folder / "xr3.toml"
+        options.write_text(re.sub(r'^# ([\w-]+ = ")/', rf"\1{self.folder}/", text, flags=re.MULTILINE), encoding="utf-8")
+        command = [str(options) if word == str(FOLDER / "xr3.toml") else word for word in self.command()]
+        with Server(command=command):
+            for path in shown.values():
+                self.assertTrue((self.folder / path[1:]).exists(), path)
+
     def test_a_failure_restarts_the_server_and_invalid_options_do_not(self):
         self.assertEqual(("notify", "on-failure"), (self.value("Type"), self.value("Restart")))
         self.assertEqual("2", self.value("RestartPreventExitStatus"))
