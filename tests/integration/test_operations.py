@@ -5,6 +5,7 @@ table of capacity is the one that scripts/capacity prints, and its metrics are t
 import os
 import pathlib
 import re
+import signal
 import subprocess
 import tempfile
 import unittest
@@ -125,6 +126,16 @@ class Limits(unittest.TestCase):
         for name, values in expected.items():
             with self.subTest(name):
                 self.assertEqual(values, [int(number) for number in re.findall(r"\d+", rows[name])])
+
+
+class Signals(unittest.TestCase):
+    def test_each_signal_stops_the_server(self):
+        rows = [re.findall(r"`(SIG\w+)`", row[0]) for row in table("Signals")]
+        self.assertEqual([["SIGTERM", "SIGINT"], ["SIGHUP"]], rows)
+        for name in sum(rows, []):
+            with self.subTest(name), Server() as xr3:
+                self.assertEqual(0, xr3.stop(signal.Signals[name]))
+                self.assertIn(f"signal {signal.Signals[name].value}: stopping", xr3.log())
 
 
 class Metrics(unittest.TestCase):
