@@ -229,10 +229,13 @@ void App::connect_device() {
 void App::start_recordings() {
   if (options_.record.empty()) return;
   with_option_source(options_.option_sources, "--record", [&] {
-    if (has_many_cells(options_)) {
-      run_folder_ = make_run_folder(options_.record, std::chrono::system_clock::now());
-      spdlog::info("the cells are recorded in {}", run_folder_);
-    }
+    const auto start = std::chrono::system_clock::now();
+    record_path_ = has_many_cells(options_) ? make_run_folder(options_.record, start)
+                                            : unused_path(options_.record, start);
+    if (has_many_cells(options_))
+      spdlog::info("the cells are recorded in {}", record_path_);
+    else if (record_path_ != options_.record)
+      spdlog::info("{} exists already; the cell is recorded in {}", options_.record, record_path_);
     for (const CellPtr& each : cells_.all()) record(*each);
   });
 }
@@ -240,7 +243,7 @@ void App::start_recordings() {
 /// Each of several cells has a file in the folder of this run.
 void App::record(HostedCell& cell) {
   const std::string file =
-      run_folder_.empty() ? options_.record : run_folder_ + "/" + cell.name() + kRecordingEnd;
+      has_many_cells(options_) ? record_path_ + "/" + cell.name() + kRecordingEnd : record_path_;
   cell.record(file, std::uint64_t{options_.record_max_mib} << 20U);
 }
 

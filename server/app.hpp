@@ -106,7 +106,7 @@ class App {
   EventLoop io_;
   Stage stage_ = Stage::kStarting;
   bool is_replaying_ = false;
-  std::string run_folder_;  ///< of the recordings of several cells; else empty
+  std::string record_path_;  ///< of the recording, or the folder of this run for several cells
   AccessPolicy policy_;
   SocketLimits limits_;
   MemoryLimit memory_;

@@ -238,8 +238,10 @@ void add_serve(CLI::App& app, ServeOptions& options) {
   add_parsed(serve, "--pty-mode", options.pty_mode, parse_mode, "MODE",
              "rights of the pseudo-terminals, in octal (default: 0600)");
   add_port_file(serve, options);
-  add_value(serve, "--record", options.record, "FILE",
-            "record all inputs and replies in this new file, or for several cells in this folder");
+  add_value(
+      serve, "--record", options.record, "FILE",
+      "record all inputs and replies in this file, with the time in its name if it exists, or "
+      "for several cells in this folder");
   add_value(serve, "--record-max", options.record_max_mib, "MIB",
             "maximum size of the recording in MiB; the robot goes on without it")
       ->check(whole_number_between(1, kMaxMemoryMib))

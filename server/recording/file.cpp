@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <ctime>
+#include <filesystem>
 #include <utility>
 
 #include "server/files/data_files.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 // With so much collected, it is written at once.
 constexpr std::size_t kMaxUnwritten = std::size_t{256} * 1024;
-// Servers that start to record into one folder within one second.
+// Servers that start within one second to record into one folder, or under one name.
 constexpr int kMaxRunsOfASecond = 100;
 
 Descriptor new_file(const std::string& path) {
@@ -43,12 +44,19 @@ bool make_private_folder(const std::string& path) {
   throw FileError(path + ": the folder of the recordings cannot be made: " + std::strerror(errno));
 }
 
-std::string run_name(std::chrono::system_clock::time_point start) {
-  const std::time_t seconds = std::chrono::system_clock::to_time_t(start);
+/// `format` is that of strftime.
+std::string utc_text(std::chrono::system_clock::time_point time, const char* format) {
+  const std::time_t seconds = std::chrono::system_clock::to_time_t(time);
   std::tm utc{};
   std::array<char, 32> text{};
   ::gmtime_r(&seconds, &utc);
-  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%dT%H-%M-%SZ", &utc)};
+  return {text.data(), std::strftime(text.data(), text.size(), format, &utc)};
+}
+
+/// Whether something has this name, such as a symbolic link to nothing.
+bool is_taken(const std::string& path) {
+  struct stat found {};
+  return ::lstat(path.c_str(), &found) == 0;
 }
 
 }  // namespace
@@ -57,7 +65,7 @@ std::string make_run_folder(const std::string& folder,
                             std::chrono::system_clock::time_point start) {
   if (!make_private_folder(folder) && !is_folder(folder))
     throw FileError(folder + ": is a file; several cells record into a folder");
-  std::string path = folder + "/" + run_name(start);
+  std::string path = folder + "/" + utc_text(start, "%Y-%m-%dT%H-%M-%SZ");
   if (make_private_folder(path)) return path;
   for (int run = 2; run <= kMaxRunsOfASecond; ++run) {
     std::string next = path + "-" + std::to_string(run);
@@ -65,6 +73,18 @@ std::string make_run_folder(const std::string& folder,
   }
   throw FileError(path + ": more than " + std::to_string(kMaxRunsOfASecond) +
                   " servers have started to record here in one second; start again");
+}
+
+std::string unused_path(const std::string& path, std::chrono::system_clock::time_point start) {
+  if (!is_taken(path)) return path;
+  if (is_folder(path)) throw FileError(path + ": is a folder; one cell records into a file");
+  const std::string ending = std::filesystem::path(path).extension().string();
+  const std::string stem = path.substr(0, path.size() - ending.size());
+  const std::string name = stem + utc_text(start, "-%Y%m%dT%H%M%SZ");
+  std::string unused = name + ending;
+  for (int run = 2; is_taken(unused) && run <= kMaxRunsOfASecond; ++run)
+    unused = name + "-" + std::to_string(run) + ending;
+  return unused;
 }
 
 RecordingFile::RecordingFile(std::string path) : path_(std::move(path)), file_(new_file(path_)) {}

@@ -16,6 +16,11 @@ namespace xr3 {
 /// this user alone. Returns the path of the new folder. Throws FileError.
 std::string make_run_folder(const std::string& folder, std::chrono::system_clock::time_point start);
 
+/// The path if nothing has it yet; else with the time of the start of a run in UTC before its
+/// ending: a.xr3rec becomes a-20261123T152949Z.xr3rec, or …Z-2.xr3rec if that exists. Throws
+/// FileError if it is a folder.
+std::string unused_path(const std::string& path, std::chrono::system_clock::time_point start);
+
 class RecordingFile {
  public:
   /// Makes the file. Throws FileError, also if there is one already.

@@ -240,16 +240,30 @@ class Recordings(unittest.TestCase):
     def test_the_file_is_new_and_private(self):
         with Server("--record", self.file):
             self.assertEqual(0o600, stat.S_IMODE(self.file.stat().st_mode))
-        before = self.file.read_bytes()
-        ports = "--robot-port", "0", "--monitor-port", "0"
-        done = run_xr3("serve", *ports, "--record", self.file)
+        done = run_xr3("serve", "--robot-port", "0", "--monitor-port", "0", "--record", self.folder)
         self.assertEqual(2, done.returncode)
-        self.assertIn("exists already", done.stderr)
+        self.assertIn("is a folder; one cell records into a file", done.stderr)
+
+    def test_a_restart_after_a_crash_records_beside_the_file(self):
+        with Server("--record", self.file) as xr3:
+            xr3.process.kill()
+            xr3.process.wait()
+        before = self.file.read_bytes()
+        with Server("--record", self.file) as xr3:
+            xr3.line().ask("E?")
+            xr3.wait_log("session.xr3 exists already; the cell is recorded in ")
         self.assertEqual(before, self.file.read_bytes())
-        link = self.folder / "link"
-        link.symlink_to(self.folder / "target")
-        self.assertEqual(2, run_xr3("serve", *ports, "--record", link).returncode)
+        other, = (path for path in self.folder.iterdir() if path != self.file)
+        self.assertRegex(other.name, r"^session-\d{8}T\d{6}Z\.xr3$")
+        self.assertEqual(0o600, stat.S_IMODE(other.stat().st_mode))
+        self.assertIn("everything is as recorded", self.replay(file=other).stderr)
+
+    def test_a_symbolic_link_is_not_followed(self):
+        self.file.symlink_to(self.folder / "target")
+        with Server("--record", self.file):
+            pass
         self.assertFalse((self.folder / "target").exists())
+        self.assertEqual(2, len(list(self.folder.iterdir())))
 
     def test_a_killed_server_leaves_a_valid_recording(self):
         with Server("--record", self.file, clock="real") as xr3:

@@ -62,6 +62,20 @@ TEST_F(RecordingFiles, EachRunHasANewFolderOfItsOwnerAlone) {
     EXPECT_EQ(fs::status(each).permissions(), fs::perms::owner_all) << each;
 }
 
+TEST_F(RecordingFiles, ANameThatIsTakenGetsTheTimeOfTheStart) {
+  const auto start = std::chrono::system_clock::from_time_t(1'000'000'000);
+  EXPECT_EQ(unused_path(path("a.b.xr3rec"), start), path("a.b.xr3rec"));
+  for (const char* name : {"a.b.xr3rec", "a.b-20010909T014640Z.xr3rec",
+                           "a.b-20010909T014640Z-2.xr3rec", "plain", ".hidden"})
+    RecordingFile file(path(name));
+  EXPECT_EQ(unused_path(path("a.b.xr3rec"), start), path("a.b-20010909T014640Z-3.xr3rec"));
+  EXPECT_EQ(unused_path(path("plain"), start), path("plain-20010909T014640Z"));
+  EXPECT_EQ(unused_path(path(".hidden"), start), path(".hidden-20010909T014640Z"));
+  fs::create_symlink(path("elsewhere"), path("link.c"));
+  EXPECT_EQ(unused_path(path("link.c"), start), path("link-20010909T014640Z.c"));
+  EXPECT_THROW(unused_path(folder_.string(), start), FileError);
+}
+
 TEST_F(RecordingFiles, RunsOfOneSecondAreLimited) {
   const auto start = std::chrono::system_clock::from_time_t(0);
   for (int i = 0; i < 100; ++i) make_run_folder(path("class"), start);
