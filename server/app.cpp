@@ -118,6 +118,7 @@ App::App(const ServeOptions& options, std::vector<CellSeed> seeds, std::string t
       fresh_token_(std::holds_alternative<FreshToken>(options.token) ? token : ""),
       reserve_(std::make_unique<char[]>(kReserveBytes)),
       policy_(access_rules(options, std::move(token))),
+      record_room_(std::uint64_t{options.record_total_mib} << 20U),
       limits_(socket_limits(options, plans_.size())),
       memory_(io_, options.max_memory_mib << 20, [this] { return close_greediest(); }),
       rings_((options.max_memory_mib << 20) / kRingsPart),
@@ -244,7 +245,7 @@ void App::start_recordings() {
 void App::record(HostedCell& cell) {
   const std::string file =
       has_many_cells(options_) ? record_path_ + "/" + cell.name() + kRecordingEnd : record_path_;
-  cell.record(file, std::uint64_t{options_.record_max_mib} << 20U);
+  cell.record(file, {std::uint64_t{options_.record_max_mib} << 20U, &record_room_});
 }
 
 void App::open_device() {

@@ -21,6 +21,7 @@
 #include "server/net/service_manager.hpp"
 #include "server/net/socket_limits.hpp"
 #include "server/options/options.hpp"
+#include "server/recording/room.hpp"
 #include "server/robot_port/probe.hpp"
 
 namespace xr3 {
@@ -108,6 +109,7 @@ class App {
   bool is_replaying_ = false;
   std::string record_path_;  ///< of the recording, or the folder of this run for several cells
   AccessPolicy policy_;
+  RecordingRoom record_room_;
   SocketLimits limits_;
   MemoryLimit memory_;
   monitor::ByteBudget rings_;

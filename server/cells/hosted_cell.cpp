@@ -44,8 +44,8 @@ void HostedCell::connect_device(const DeviceChoice& device, bool is_mirrored) {
                   [this] { acted(); });
 }
 
-void HostedCell::record(std::string path, std::uint64_t max_bytes) {
-  recording_.emplace(context_.io, cell_, std::move(path), max_bytes, [this] { acted(); });
+void HostedCell::record(std::string path, RecordingLimits limits) {
+  recording_.emplace(context_.io, cell_, std::move(path), limits, [this] { acted(); });
 }
 
 void HostedCell::finish_recording() {

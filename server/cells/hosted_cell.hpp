@@ -84,7 +84,7 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
 
   /// Records the cell in this new file; see recording.hpp. Throws FileError. Preconditions: no
   /// input has acted, and the device, if there will be one, is connected.
-  void record(std::string path, std::uint64_t max_bytes);
+  void record(std::string path, RecordingLimits limits);
   /// The cell gets no more input.
   void finish_recording();
 

@@ -45,7 +45,7 @@ RobotHost::RobotHost(const ServeOptions& options, const CellSeed& seed, MonitorA
   require_port(listener < 0 ? port.listen(any_port()) : port.adopt(listener), "robot");
   cell_->serve_terminals({pty}, kOwnerOnly);
   if (!options.record.empty())
-    cell_->record(options.record, std::uint64_t{options.record_max_mib} << 20U);
+    cell_->record(options.record, {std::uint64_t{options.record_max_mib} << 20U});
   if (access == MonitorAccess::kNone) return;
   monitor_.emplace(
       io_, cells_, worker_, policy_,

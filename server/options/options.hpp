@@ -73,6 +73,7 @@ struct ServeOptions {
   std::string port_file;  ///< empty: none
   std::string record;     ///< the file of the recording; empty: none
   std::size_t record_max_mib = 1024;
+  std::size_t record_total_mib = 8192;
   Tick history_ticks = 3600 * kTickHz;  ///< how long the past is kept; 0: not at all
   std::string log_level = "info";
   std::string log_file;  ///< empty: standard error

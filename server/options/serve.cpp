@@ -168,6 +168,21 @@ void add_port_file(CLI::App& serve, ServeOptions& options) {
             "write the ports to this file as JSON when the server is ready");
 }
 
+void add_recording(CLI::App& serve, ServeOptions& options) {
+  add_value(
+      serve, "--record", options.record, "FILE",
+      "record all inputs and replies in this file, with the time in its name if it exists, or "
+      "for several cells in this folder");
+  add_value(serve, "--record-max", options.record_max_mib, "MIB",
+            "maximum size of the recording in MiB; the robot goes on without it")
+      ->check(whole_number_between(1, kMaxMemoryMib))
+      ->capture_default_str();
+  add_value(serve, "--record-total", options.record_total_mib, "MIB",
+            "maximum size of all recordings of this run together in MiB")
+      ->check(whole_number_between(1, kMaxMemoryMib))
+      ->capture_default_str();
+}
+
 void add_log(CLI::App& serve, ServeOptions& options) {
   add_value(serve, "--log-level", options.log_level, "L", "trace, debug, info, warn, error or off")
       ->check(CLI::IsMember(kLogLevels).description(""))
@@ -238,14 +253,7 @@ void add_serve(CLI::App& app, ServeOptions& options) {
   add_parsed(serve, "--pty-mode", options.pty_mode, parse_mode, "MODE",
              "rights of the pseudo-terminals, in octal (default: 0600)");
   add_port_file(serve, options);
-  add_value(
-      serve, "--record", options.record, "FILE",
-      "record all inputs and replies in this file, with the time in its name if it exists, or "
-      "for several cells in this folder");
-  add_value(serve, "--record-max", options.record_max_mib, "MIB",
-            "maximum size of the recording in MiB; the robot goes on without it")
-      ->check(whole_number_between(1, kMaxMemoryMib))
-      ->capture_default_str();
+  add_recording(serve, options);
   add_parsed(serve, "--history", options.history_ticks, parse_duration, "90s|10m|1h|0",
              "how long the past of a cell is kept, to look at it and go back to it (default: 1h)");
   add_log(serve, options);

@@ -21,54 +21,77 @@ constexpr std::uint64_t kMebibyte = 1U << 20U;
 
 }  // namespace
 
-Recording::Recording(asio::io_context& io, Cell& cell, std::string path, std::uint64_t max_bytes,
+Recording::Recording(asio::io_context& io, Cell& cell, std::string path, RecordingLimits limits,
                      std::function<void()> acted)
     : io_(io),
       cell_(cell),
-      max_bytes_(max_bytes),
+      path_(std::move(path)),
+      limits_(limits),
       acted_(std::move(acted)),
-      file_(std::move(path)),
       recorder_([this](const recording::Entry& entry) { add(entry); }),
-      timer_(io) {
-  begin_file();
+      timer_(io),
+      last_{0, 0, 0, recording::End{"", "limit"}} {
+  const std::string header = header_line();
+  if (std::string why = refusal(header.size()); !why.empty()) {
+    fail(std::move(why));
+    return;
+  }
+  begin_file(header);
   cell_.add_log(recorder_);
 }
 
 Recording::~Recording() { cell_.remove_log(recorder_); }
 
+std::string Recording::header_line() {
+  std::string line = writer_.line(recording_header(cell_, "xr3 " XR3_VERSION));
+  if (line.size() > recording::kMaxLine || line.size() + kRoomForEnd > limits_.max_bytes)
+    throw FileError(path_ + ": robot and workcell are too large for the recording");
+  return line;
+}
+
 // The first line shows at once whether the file can be written.
-void Recording::begin_file() {
-  const std::string line = writer_.line(recording_header(cell_, "xr3 " XR3_VERSION));
-  if (line.size() > recording::kMaxLine || line.size() + kRoomForEnd > max_bytes_)
-    throw FileError(file_.path() + ": robot and workcell are too large for the recording");
-  file_.add(line);
-  file_.flush();
-  if (!file_.failure().empty())
-    throw FileError(file_.path() + ": the recording cannot be written: " + file_.failure());
+void Recording::begin_file(const std::string& header) {
+  file_.emplace(path_);
+  file_->add(header);
+  file_->flush();
+  if (!file_->failure().empty())
+    throw FileError(path_ + ": the recording cannot be written: " + file_->failure());
+  if (limits_.room != nullptr) limits_.room->take(header.size() + kRoomForEnd);
 }
 
 void Recording::add(const recording::Entry& entry) {
   if (is_over_) return;
-  const recording::Entry here{entry.epoch, entry.tick, entry.us, recording::End{"", "limit"}};
   recording::RecordingWriter next = writer_;
   const std::string line = next.line(entry);
-  if (file_.size() + line.size() + kRoomForEnd <= max_bytes_ &&
-      line.size() <= recording::kMaxLine) {
-    writer_ = next;
-    last_ = here;
-    return add_line(line);
-  }
-  last_.body = here.body;
-  file_.add(writer_.line(last_));
-  file_.flush();
-  fail("it has reached its maximum of " + std::to_string(max_bytes_ / kMebibyte) +
-       " MiB (--record-max)");
+  if (std::string why = refusal(line.size()); !why.empty()) return end_early(std::move(why));
+  writer_ = next;
+  last_.epoch = entry.epoch;
+  last_.tick = entry.tick;
+  last_.us = entry.us;
+  if (limits_.room != nullptr) limits_.room->take(line.size());
+  add_line(line);
+}
+
+/// The reason why a line of this size must not be added; empty if it may.
+std::string Recording::refusal(std::uint64_t bytes) const {
+  const std::uint64_t size = file_ ? file_->size() : 0;
+  if (bytes > recording::kMaxLine || size + bytes + kRoomForEnd > limits_.max_bytes)
+    return "it has reached its maximum of " + std::to_string(limits_.max_bytes / kMebibyte) +
+           " MiB (--record-max)";
+  if (limits_.room == nullptr) return {};
+  return limits_.room->refusal(file_ ? bytes : bytes + kRoomForEnd);
 }
 
 void Recording::add_line(const std::string& line) {
-  file_.add(line);
-  if (!file_.failure().empty()) return fail(file_.failure());
+  file_->add(line);
+  if (!file_->failure().empty()) return fail(file_->failure());
   flush_soon();
+}
+
+void Recording::end_early(std::string why) {
+  file_->add(writer_.line(last_));
+  file_->flush();
+  fail(std::move(why));
 }
 
 void Recording::flush_soon() {
@@ -78,8 +101,8 @@ void Recording::flush_soon() {
 
 void Recording::flush() {
   is_timer_on_ = false;
-  file_.flush();
-  if (!file_.failure().empty()) fail(file_.failure());
+  file_->flush();
+  if (!file_->failure().empty()) fail(file_->failure());
 }
 
 // The cell may be in the middle of an input, so the event comes later.
@@ -90,7 +113,7 @@ void Recording::fail(std::string why) {
 
 void Recording::report(const std::string& why) {
   cell_.remove_log(recorder_);
-  cell_.apply(RecordingFailed{file_.path(), why}, wall_now());
+  cell_.apply(RecordingFailed{path_, why}, wall_now());
   acted_();
 }
 
@@ -98,10 +121,10 @@ void Recording::finish() {
   cell_.remove_log(recorder_);
   timer_.cancel();
   if (std::exchange(is_over_, true)) return;
-  file_.add(writer_.line(recorder_.end_of(cell_, "stopped")));
-  file_.flush();
-  if (!file_.failure().empty())
-    spdlog::error("{}: the recording cannot be written: {}", file_.path(), file_.failure());
+  file_->add(writer_.line(recorder_.end_of(cell_, "stopped")));
+  file_->flush();
+  if (!file_->failure().empty())
+    spdlog::error("{}: the recording cannot be written: {}", path_, file_->failure());
 }
 
 }  // namespace xr3

@@ -60,6 +60,7 @@ head of an HTTP request | server/http/wire.hpp | kMaxTargetBytes | 1024
 an HTTP connection between requests | server/http/session.cpp | kKeptAlive
 the history of all cells | server/app.cpp | kHistoryBytes | 1048576
 a recording | server/options/options.hpp | record_max_mib
+all recordings of a run | server/options/options.hpp | record_total_mib
 bytes of a `send` call | protocol/monitor/calls/line.cpp | kMaxSent
 waiting of a call with `after` | protocol/monitor/request.hpp | kMaxWithinMs | 1000
 named snapshots | cell/cell.hpp | kMaxSnapshots

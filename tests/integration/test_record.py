@@ -308,6 +308,29 @@ class Recordings(unittest.TestCase):
         self.assertEqual("limit", self.entries()[-1]["end"])
         self.replay()
 
+    def test_the_maximum_size_of_all_recordings_together(self):
+        folder = self.folder / "class"
+        options = "--cell-per-connection", "--record", folder, "--record-max", 2, "--record-total", 3
+        with Server(*options, clock="real") as xr3, xr3.monitor() as monitor:
+            for number in range(1, 5):
+                line = xr3.line()
+                failed = []
+                deadline = time.monotonic() + DEADLINE_S
+                while not failed:
+                    self.assertLess(time.monotonic(), deadline)
+                    line.send("x" * 3000 if number < 3 else "")
+                    line.ask("E?")
+                    events = monitor.recall("event", cell=f"c{number}", since=0)
+                    failed = [event for event in events if event["code"] == "recording_failed"]
+                self.assertIn("--record-max" if number == 1 else "--record-total", failed[0]["message"])
+                self.assertEqual(ord(" "), line.ask("E?"))
+        run, = self.runs(folder)
+        self.assertEqual({"c1.xr3rec", "c2.xr3rec"}, {path.name for path in run.iterdir()})
+        self.assertLessEqual(sum(path.stat().st_size for path in run.iterdir()), 3 << 20)
+        for file in run.iterdir():
+            self.assertEqual("limit", self.entries(file)[-1]["end"])
+            self.replay(file=file)
+
     def talk_until_the_recording_fails(self, xr3, why, junk=""):
         line = xr3.line()
         line.ask("E?")

@@ -43,11 +43,13 @@ TEST(ReplayOptions, WrongOnesAreRefused) {
 }
 
 TEST(ReplayOptions, ServeRecordsIntoAFile) {
-  const auto options =
-      std::get<ServeOptions>(parse({"serve", "--record", "a.xr3", "--record-max", "5"}));
+  const auto options = std::get<ServeOptions>(
+      parse({"serve", "--record", "a.xr3", "--record-max", "5", "--record-total", "9"}));
   EXPECT_EQ(options.record, "a.xr3");
   EXPECT_EQ(options.record_max_mib, 5U);
+  EXPECT_EQ(options.record_total_mib, 9U);
   EXPECT_EQ(refused({"serve", "--record-max", "0"}).code, ExitCode::kBadInput);
+  EXPECT_EQ(refused({"serve", "--record-total", "0"}).code, ExitCode::kBadInput);
 }
 
 }  // namespace

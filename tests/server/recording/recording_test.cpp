@@ -46,7 +46,7 @@ class CellRecording : public testing::Test {
 
 TEST_F(CellRecording, IsWrittenSoonAndIsWholeAtTheEnd) {
   {
-    Recording recording(io_, cell_, path(), kMiB, [this] { ++acted_; });
+    Recording recording(io_, cell_, path(), {kMiB}, [this] { ++acted_; });
     const std::string header = text();
     EXPECT_EQ(io_.poll(), 0U) << "no timer without input";
     io_.restart();
@@ -65,7 +65,7 @@ TEST_F(CellRecording, IsWrittenSoonAndIsWholeAtTheEnd) {
 }
 
 TEST_F(CellRecording, EndsAtItsMaximumSizeWithAnEvent) {
-  Recording recording(io_, cell_, path(), 30'000, [this] { ++acted_; });
+  Recording recording(io_, cell_, path(), {30'000}, [this] { ++acted_; });
   cell_.apply(LineOpened{"test", LineKind::kPty}, 0);
   for (int i = 0; i < 2000; ++i) ask("E?");
   io_.run();
@@ -78,9 +78,40 @@ TEST_F(CellRecording, EndsAtItsMaximumSizeWithAnEvent) {
   EXPECT_NE(text().find(R"("end":"limit")"), std::string::npos);
 }
 
+TEST_F(CellRecording, SharesItsRoomWithOthers) {
+  Cell other("other", test::rhino(), SimClock::manual(), {});
+  RecordingRoom room(40'000);
+  Recording first(io_, other, path() + "1", {kMiB, &room}, [] {});
+  Recording second(io_, cell_, path(), {kMiB, &room}, [this] { ++acted_; });
+  cell_.apply(LineOpened{"test", LineKind::kPty}, 0);
+  for (int i = 0; i < 2000; ++i) ask("E?");
+  other.apply(LineOpened{"test", LineKind::kPty}, 0);
+  io_.run();
+  EXPECT_EQ(failures_.size(), 1U);
+  EXPECT_EQ(acted_, 1);
+  first.finish();
+  const std::string of_first = read_file(path() + "1").text;
+  EXPECT_LE(text().size() + of_first.size(), 40'000U);
+  EXPECT_GT(text().size() + of_first.size(), 39'000U);
+  EXPECT_NE(text().find(R"("end":"limit")"), std::string::npos);
+  EXPECT_FALSE(test::replay(text()).difference);
+  EXPECT_NE(of_first.find(R"("end":"limit")"), std::string::npos);
+}
+
+TEST_F(CellRecording, WithoutRoomForItsHeaderThereIsNoFile) {
+  RecordingRoom room(1000);
+  Recording recording(io_, cell_, path(), {kMiB, &room}, [this] { ++acted_; });
+  cell_.apply(LineOpened{"test"}, 0);
+  io_.run();
+  recording.finish();
+  EXPECT_EQ(failures_.size(), 1U);
+  EXPECT_EQ(acted_, 1);
+  EXPECT_FALSE(fs::exists(path()));
+}
+
 TEST_F(CellRecording, AHeaderThatDoesNotFitIsRefused) {
-  EXPECT_THROW(Recording(io_, cell_, path(), 1000, [] {}), FileError);
-  EXPECT_THROW(Recording(io_, cell_, (folder_ / "none" / "a").string(), kMiB, [] {}), FileError);
+  EXPECT_THROW(Recording(io_, cell_, path(), {1000}, [] {}), FileError);
+  EXPECT_THROW(Recording(io_, cell_, (folder_ / "none" / "a").string(), {kMiB}, [] {}), FileError);
 }
 
 }  // namespace
