@@ -270,6 +270,7 @@ void Cell::handle(const LineClosed& closed, WallNs) {
 }
 
 void Cell::handle(const RecordingFailed& failed, WallNs) {
+  ++counters_.recordings_failed;
   emit(std::nullopt, RecordingNote{failed.path, failed.why});
 }
 

@@ -46,6 +46,7 @@ struct CellCounters {
   std::array<std::uint64_t, kCommandKinds> commands{};  ///< by index in Command
   std::map<std::string_view, std::uint64_t> warnings;   ///< by code
   std::uint64_t ticks = 0;                              ///< simulated, over all epochs
+  std::uint64_t recordings_failed = 0;                  ///< those that ended before their cells
   std::array<ChannelCounters, kChannels> channels{};    ///< by monitor::Channel
   std::uint64_t monitor_sessions = 0;                   ///< monitor clients now
   std::uint64_t wrong_tokens = 0;                       ///< of monitor clients
@@ -55,7 +56,7 @@ struct CellCounters {
   std::uint64_t cells_total = 0;
   std::int64_t loop_lag_ns = 0;  ///< the greatest of the last minute, see server/net/loop_lag
 
-  /// Adds the counts of a cell: of its lines, commands, warnings and ticks.
+  /// Adds the counts of a cell: of its lines, commands, warnings, ticks and recordings.
   CellCounters& operator+=(const CellCounters& cell) {
     lines_total += cell.lines_total;
     for (std::size_t i = 0; i < lines_closed.size(); ++i) lines_closed[i] += cell.lines_closed[i];
@@ -64,6 +65,7 @@ struct CellCounters {
     for (std::size_t i = 0; i < commands.size(); ++i) commands[i] += cell.commands[i];
     for (const auto& [code, count] : cell.warnings) warnings[code] += count;
     ticks += cell.ticks;
+    recordings_failed += cell.recordings_failed;
     return *this;
   }
 

@@ -64,11 +64,11 @@ struct Rewind {
   ReplayTime from{};  ///< the time of that state, for the history
 };
 
-/// The recording of the cell's inputs has ended before the cell has. For the event; it changes
-/// nothing.
+/// The recording of the cell's inputs has ended before the cell has, or could not begin. For event
+/// and counter; it changes nothing else.
 struct RecordingFailed {
   std::string path;  ///< of its file
-  std::string why;
+  std::string why;   ///< begins with the path
 };
 
 using Input = std::variant<LineOpened, LineSettings, BytesIn, InputEnded, LineClosed, LineSilent,

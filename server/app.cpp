@@ -242,10 +242,12 @@ void App::start_recordings() {
 }
 
 /// Each of several cells has a file in the folder of this run.
+std::string App::record_file(const HostedCell& cell) const {
+  return has_many_cells(options_) ? record_path_ + "/" + cell.name() + kRecordingEnd : record_path_;
+}
+
 void App::record(HostedCell& cell) {
-  const std::string file =
-      has_many_cells(options_) ? record_path_ + "/" + cell.name() + kRecordingEnd : record_path_;
-  cell.record(file, {std::uint64_t{options_.record_max_mib} << 20U, &record_room_});
+  cell.record(record_file(cell), {std::uint64_t{options_.record_max_mib} << 20U, &record_room_});
 }
 
 void App::open_device() {

@@ -62,6 +62,7 @@ class App {
   void open_terminals();
   void connect_device();
   void start_recordings();
+  std::string record_file(const HostedCell& cell) const;
   void record(HostedCell& cell);
   void record_connection(HostedCell& cell);
   void keep_histories();

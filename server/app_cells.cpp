@@ -126,7 +126,7 @@ void App::record_connection(HostedCell& cell) {
   try {
     record(cell);
   } catch (const FileError& error) {
-    spdlog::error("{}", error.what());
+    cell.cell().apply(RecordingFailed{record_file(cell), error.what()}, wall_now());
   }
 }
 

@@ -137,8 +137,9 @@ spdlog::sink_ptr open_sink(const std::string& file) {
 }
 
 // Events of the machine are debug messages, except those that a user must see: stalls, faults,
-// and warnings that no command caused.
+// and warnings that no command caused. The end of a recording needs attention.
 spdlog::level::level_enum level_of(const CellNote& note) {
+  if (std::holds_alternative<RecordingNote>(note)) return spdlog::level::warn;
   const auto* body = std::get_if<EventBody>(&note);
   const bool matters = body == nullptr || std::holds_alternative<Stalled>(*body) ||
                        std::holds_alternative<Warning>(*body) ||

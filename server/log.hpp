@@ -19,8 +19,8 @@ inline constexpr std::size_t kMaxLogFiles = 5;
 /// standard error if `file` is empty. Throws FileError if the file cannot be opened.
 void start_log(const std::string& level, const std::string& file);
 
-/// Logs an event of a cell: the machine's events at debug, except stalls and warnings; all others
-/// at info. `cell` is its name; empty if it is the only one.
+/// Logs an event of a cell: the machine's events at debug, except stalls and warnings; the end of a
+/// recording as a warning; all others at info. `cell` is its name; empty if it is the only one.
 void log_event(const CellEvent& event, const Model& model, const std::string& cell = {});
 
 }  // namespace xr3

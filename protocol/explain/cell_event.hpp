@@ -127,7 +127,7 @@ struct DeviceNote {
 /// The recording of the cell has ended, and the cell goes on.
 struct RecordingNote {
   std::string path;  ///< of its file
-  std::string why;
+  std::string why;   ///< begins with the path
 };
 
 using CellNote =

@@ -226,7 +226,7 @@ struct CellEvents {
   EventReport operator()(const RecordingNote& note) const {
     return {"recording",
             "recording_failed",
-            "the recording has ended, and the robot goes on: " + note.path + ": " + note.why,
+            "the recording has ended, and the robot goes on: " + note.why,
             {{"file", note.path}}};
   }
 

@@ -46,6 +46,7 @@ Json summary_json(const CellSummary& cell) {
           {"moving", cell.is_moving},
           {"stalled", stall_json(cell.stall)},
           {"holding", json_or_null(cell.holding)},
+          {"recording_failed", cell.has_recording_failed},
           {"last_input_tick", json_or_null(cell.last_input_tick)},
           {"epoch", cell.epoch},
           {"tick", cell.tick},
@@ -56,8 +57,8 @@ Json summary_json(const CellSummary& cell) {
 bool is_news(const CellSummary& before, const CellSummary& now) {
   const auto shown = [](const CellSummary& cell) {
     return std::tie(cell.name, cell.robot, cell.robot_port, cell.lines, cell.peer, cell.owner,
-                    cell.is_moving, cell.stall, cell.holding, cell.last_input_tick, cell.epoch,
-                    cell.joints, cell.tool);
+                    cell.is_moving, cell.stall, cell.holding, cell.has_recording_failed,
+                    cell.last_input_tick, cell.epoch, cell.joints, cell.tool);
   };
   return shown(before) != shown(now);
 }

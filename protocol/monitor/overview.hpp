@@ -25,6 +25,7 @@ struct CellSummary {
   bool is_moving = false;
   Stall stall = Stall::kNo;
   std::optional<std::string> holding;   ///< name of the block
+  bool has_recording_failed = false;    ///< there was to be one, and it has ended
   std::optional<Tick> last_input_tick;  ///< nullopt: no byte has arrived in this epoch
   std::int64_t epoch = 0;
   Tick tick = 0;
@@ -32,8 +33,8 @@ struct CellSummary {
   double tool = 0;             ///< tool variable, deg or mm
 };
 
-/// The summary of a machine in this state; name, robot port, lines, peer, owner, last input and
-/// epoch remain to be filled in.
+/// The summary of a machine in this state; name, robot port, lines, peer, owner, recording, last
+/// input and epoch remain to be filled in.
 CellSummary machine_summary(const Model& model, const State& state);
 
 /// The object, with all members.

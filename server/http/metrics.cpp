@@ -124,6 +124,11 @@ void add_time(Page& page, const CellCounters& counters) {
                number(counters.ticks) / kTickHz);
 }
 
+void add_recordings(Page& page, const CellCounters& counters) {
+  page.counter("recordings_failed_total", "Recordings that ended before their cells.",
+               number(counters.recordings_failed));
+}
+
 void add_refusals(Page& page, const CellCounters& counters) {
   const PortCounters& robot = counters.robot_port;
   const PortCounters& monitor = counters.monitor_port;
@@ -175,6 +180,7 @@ std::string metrics_text(const std::string& cell, const CellCounters& counters,
   add_lines(page, counters);
   add_commands(page, counters);
   add_time(page, counters);
+  add_recordings(page, counters);
   add_sessions(page, counters);
   add_refusals(page, counters);
   add_process(page, counters, process);

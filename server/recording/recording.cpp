@@ -32,7 +32,9 @@ Recording::Recording(asio::io_context& io, Cell& cell, std::string path, Recordi
       timer_(io),
       last_{0, 0, 0, recording::End{"", "limit"}} {
   const std::string header = header_line();
-  if (std::string why = refusal(header.size()); !why.empty()) {
+  std::string why = refusal(header.size());
+  if (why.empty()) why = shortage();
+  if (!why.empty()) {
     fail(std::move(why));
     return;
   }
@@ -101,8 +103,14 @@ void Recording::flush_soon() {
 
 void Recording::flush() {
   is_timer_on_ = false;
+  if (is_over_) return;
   file_->flush();
-  if (!file_->failure().empty()) fail(file_->failure());
+  if (!file_->failure().empty()) return fail(file_->failure());
+  if (std::string why = shortage(); !why.empty()) end_early(std::move(why));
+}
+
+std::string Recording::shortage() const {
+  return limits_.room == nullptr ? "" : limits_.room->shortage(path_, wall_now());
 }
 
 // The cell may be in the middle of an input, so the event comes later.
@@ -113,7 +121,7 @@ void Recording::fail(std::string why) {
 
 void Recording::report(const std::string& why) {
   cell_.remove_log(recorder_);
-  cell_.apply(RecordingFailed{path_, why}, wall_now());
+  cell_.apply(RecordingFailed{path_, path_ + ": " + why}, wall_now());
   acted_();
 }
 

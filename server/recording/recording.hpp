@@ -40,6 +40,7 @@ class Recording {
   void begin_file(const std::string& header);
   void add(const recording::Entry& entry);
   std::string refusal(std::uint64_t bytes) const;
+  std::string shortage() const;
   void add_line(const std::string& line);
   void end_early(std::string why);
   void flush_soon();

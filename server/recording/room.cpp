@@ -1,12 +1,43 @@
 #include "server/recording/room.hpp"
 
+#include <sys/statvfs.h>
+
+#include <algorithm>
+#include <filesystem>
+
 namespace xr3 {
+namespace {
+
+constexpr std::uint64_t kPercent = 100;
+
+std::string mebibytes(std::uint64_t bytes) { return std::to_string(bytes >> 20U) + " MiB"; }
+
+}  // namespace
+
+DiskSpace disk_space(const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  struct statvfs found {};
+  if (::statvfs(folder.empty() ? "." : folder.c_str(), &found) != 0) return {};
+  return {std::uint64_t{found.f_blocks} * found.f_frsize,
+          std::uint64_t{found.f_bavail} * found.f_frsize};
+}
 
 std::string RecordingRoom::refusal(std::uint64_t bytes) const {
-  constexpr std::uint64_t kMebibyte = 1U << 20U;
   if (taken_ + bytes <= max_bytes_) return {};
   return "the recordings of this run together have reached their maximum of " +
-         std::to_string(max_bytes_ / kMebibyte) + " MiB (--record-total)";
+         mebibytes(max_bytes_) + " (--record-total)";
+}
+
+const std::string& RecordingRoom::shortage(const std::string& path, WallNs now) {
+  if (now < next_look_) return shortage_;
+  next_look_ = now + look_every_;
+  const DiskSpace space = space_of_(path);
+  const std::uint64_t kept = std::min(kFreeMib << 20U, space.size / kPercent * kFreePercent);
+  shortage_.clear();
+  if (space.free < kept)
+    shortage_ = "its disk has only " + mebibytes(space.free) + " free, and recordings leave " +
+                mebibytes(kept);
+  return shortage_;
 }
 
 }  // namespace xr3

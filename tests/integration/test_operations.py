@@ -60,6 +60,8 @@ head of an HTTP request | server/http/wire.hpp | kMaxTargetBytes | 1024
 an HTTP connection between requests | server/http/session.cpp | kKeptAlive
 the history of all cells | server/app.cpp | kHistoryBytes | 1048576
 a recording | server/options/options.hpp | record_max_mib
+free space on the disk of recordings | server/recording/room.hpp | kFreeMib
+free space on the disk of recordings | server/recording/room.hpp | kFreePercent
 all recordings of a run | server/options/options.hpp | record_total_mib
 bytes of a `send` call | protocol/monitor/calls/line.cpp | kMaxSent
 waiting of a call with `after` | protocol/monitor/request.hpp | kMaxWithinMs | 1000

@@ -24,7 +24,8 @@ CONFIG = '# lab.toml\nrobot = "adept-one"\nworkcell = "adept-one"\nrobot-port = 
 # Fragments of the log and of replies in tables, and the pages that quote them. The sources have {} for a number.
 IN_THE_SOURCES = {
     "docs/operations.md": ["lines are refused", "the limit of ... open files allows only", "no sign of life",
-                           "suppressed N messages", "the server needs more memory than --max-memory"],
+                           "suppressed N messages", "the server needs more memory than --max-memory",
+                           "the recording has ended, and the robot goes on"],
     "docs/monitor.md": ["the server is starting or stopping", "the robot port accepts no connection: ...",
                         "the robot port does not answer an inquiry within 500 ms"],
 }
@@ -48,8 +49,8 @@ def quotes():
 
 
 def words_of_sources():
-    """The C++ sources of the server, with adjacent literals joined, and {} for a number between them."""
-    files = sorted(pathlib.Path(ROOT, "server").rglob("*.cpp"))
+    """The C++ sources of the server and of the texts of events, with adjacent literals joined, and {} for a number between them."""
+    files = [path for folder in ("server", "protocol/explain") for path in sorted(pathlib.Path(ROOT, folder).rglob("*.cpp"))]
     text = "\n".join(re.sub(r'"\s*\n\s*"', "", path.read_text(encoding="utf-8")) for path in files)
     return re.sub(r'" \+\s*std::to_string\([^"]*\) \+\s*"', "{}", text)
 

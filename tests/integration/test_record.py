@@ -3,13 +3,17 @@
 import contextlib
 import csv
 import json
+import os
 import pathlib
+import re
 import stat
+import subprocess
 import tempfile
 import time
 import unittest
+import urllib.request
 
-from support import DEADLINE_S, ROOT, XR3, MonitorError, Server, counts, run_xr3
+from support import DEADLINE_S, LOCALHOST, ROOT, XR3, MonitorError, Server, counts, run_xr3
 
 POLLS = 300
 LIMIT_KIB = 24  # stands for a full disk
@@ -295,8 +299,11 @@ class Recordings(unittest.TestCase):
 
     def test_a_full_disk_ends_the_recording_and_not_the_robot(self):
         limited = ["bash", "-c", f'ulimit -f {LIMIT_KIB}; exec "$@"', "bash", XR3, "serve"]
-        with Server("--record", self.file, command=limited, clock="real") as xr3:
+        with Server("--record", self.file, "--log-level", "warn", command=limited, clock="real") as xr3:
+            self.assertEqual((0, False), self.failed_recordings(xr3))
             self.talk_until_the_recording_fails(xr3, "File too large")
+            self.assertEqual((1, True), self.failed_recordings(xr3))
+            self.assertRegex(xr3.log(), r"warning cell @\d+: the recording has ended")
         self.assertLessEqual(self.file.stat().st_size, LIMIT_KIB << 10)
         self.assertTrue(self.file.read_bytes().endswith(b"\n"))
         self.assertIn("was cut off", self.replay().stderr)
@@ -330,6 +337,33 @@ class Recordings(unittest.TestCase):
         for file in run.iterdir():
             self.assertEqual("limit", self.entries(file)[-1]["end"])
             self.replay(file=file)
+
+    def failed_recordings(self, xr3):
+        """Their number in /metrics, and the mark of the cell in the overview."""
+        with urllib.request.urlopen(f"http://{LOCALHOST}:{xr3.monitor_port}/metrics") as answer:
+            count, = re.findall(rb'^xr3_recordings_failed_total{cell="main"} (\d+)$', answer.read(), re.MULTILINE)
+        with xr3.monitor() as monitor:
+            cell, = monitor.look("overview")["cells"]
+        return int(count), cell["recording_failed"]
+
+    @unittest.skipUnless(os.geteuid() == 0, "a small file system needs root")
+    def test_a_disk_that_is_nearly_full_ends_the_recording_and_not_the_robot(self):
+        if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=8m", "tmpfs", self.folder], check=False).returncode:
+            self.skipTest("this machine lets nobody mount")
+        self.addCleanup(subprocess.run, ["umount", self.folder], check=True)
+        filler = self.folder / "filler"
+        with Server("--record", self.file, clock="real") as xr3:
+            xr3.line().ask("E?")
+            filler.write_bytes(bytes((8 << 20) - (400 << 10)))
+            self.talk_until_the_recording_fails(xr3, "its disk has only 0 MiB free, and recordings leave 0 MiB")
+        self.assertEqual("limit", self.entries()[-1]["end"])
+        self.replay()
+        again = self.folder / "again.xr3"
+        with Server("--record", again, "--log-level", "warn", clock="real") as xr3:
+            xr3.wait_log("the recording has ended, and the robot goes on: .*again.xr3: its disk has only")
+            self.assertEqual(ord(" "), xr3.line().ask("E?"))
+            self.assertEqual((1, True), self.failed_recordings(xr3))
+        self.assertFalse(again.exists())
 
     def talk_until_the_recording_fails(self, xr3, why, junk=""):
         line = xr3.line()

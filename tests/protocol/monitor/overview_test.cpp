@@ -22,7 +22,7 @@ TEST(Overview, ShowsAMachine) {
   EXPECT_EQ(text_of(summary_json(some_summary())),
             R"({"name":"7","robot":"Rhino XR-3","robot_port":null,"lines":0,"peer":null,)"
             R"("owner":null,"moving":false,"stalled":null,"holding":null,)"
-            R"("last_input_tick":null,"epoch":0,"tick":0,)"
+            R"("recording_failed":false,"last_input_tick":null,"epoch":0,"tick":0,)"
             R"("joints":[0.0,-90.0,90.0,0.0,-90.0],"tool":50.8})");
 }
 
@@ -30,6 +30,9 @@ TEST(Overview, TimeAloneIsNoNews) {
   CellSummary now = some_summary();
   now.tick = 5;
   EXPECT_FALSE(is_news(some_summary(), now));
+  now.has_recording_failed = true;
+  EXPECT_TRUE(is_news(some_summary(), now));
+  now.has_recording_failed = false;
   now.lines = 1;
   EXPECT_TRUE(is_news(some_summary(), now));
 }

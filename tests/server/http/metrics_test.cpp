@@ -22,6 +22,7 @@ CellCounters some_counters() {
   counters.of(Command(CameraPixel{0, 0})) = 1;
   counters.warnings["number_out_of_range"] = 3;
   counters.ticks = 12'345;
+  counters.recordings_failed = 10;
   counters.of(monitor::Channel::kState) = {100, 4};
   counters.monitor_sessions = 6;
   counters.wrong_tokens = 8;
@@ -81,6 +82,7 @@ TEST(Metrics, EveryCounterHasASample) {
       {R"(xr3_warnings_total{cell="main",code="number_out_of_range"})", 3},
       {R"(xr3_ticks_total{cell="main"})", 12'345},
       {R"(xr3_simulated_seconds_total{cell="main"})", 12.345},
+      {R"(xr3_recordings_failed_total{cell="main"})", 10},
       {R"(xr3_viewers{cell="main"})", 6},
       {R"(xr3_frames_sent_total{cell="main",channel="state"})", 100},
       {R"(xr3_frames_overwritten_total{cell="main",channel="state"})", 4},
@@ -101,7 +103,7 @@ TEST(Metrics, EveryCounterHasASample) {
     ASSERT_TRUE(samples.contains(name)) << name;
     EXPECT_EQ(samples.at(name), value) << name;
   }
-  EXPECT_EQ(samples.size(), 20 + kLineCloseReasons + kCommandKinds + 1 + 2 * kChannels);
+  EXPECT_EQ(samples.size(), 21 + kLineCloseReasons + kCommandKinds + 1 + 2 * kChannels);
 }
 
 TEST(Metrics, SumsOfManyCellsNameNoCell) {

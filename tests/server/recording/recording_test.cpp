@@ -17,6 +17,8 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMiB = 1U << 20U;
 
+DiskSpace unknown_space(const std::string&) { return {}; }
+
 class CellRecording : public testing::Test {
  protected:
   CellRecording()
@@ -80,7 +82,7 @@ TEST_F(CellRecording, EndsAtItsMaximumSizeWithAnEvent) {
 
 TEST_F(CellRecording, SharesItsRoomWithOthers) {
   Cell other("other", test::rhino(), SimClock::manual(), {});
-  RecordingRoom room(40'000);
+  RecordingRoom room(40'000, unknown_space);
   Recording first(io_, other, path() + "1", {kMiB, &room}, [] {});
   Recording second(io_, cell_, path(), {kMiB, &room}, [this] { ++acted_; });
   cell_.apply(LineOpened{"test", LineKind::kPty}, 0);
@@ -99,13 +101,45 @@ TEST_F(CellRecording, SharesItsRoomWithOthers) {
 }
 
 TEST_F(CellRecording, WithoutRoomForItsHeaderThereIsNoFile) {
-  RecordingRoom room(1000);
+  RecordingRoom room(1000, unknown_space);
   Recording recording(io_, cell_, path(), {kMiB, &room}, [this] { ++acted_; });
   cell_.apply(LineOpened{"test"}, 0);
   io_.run();
   recording.finish();
   EXPECT_EQ(failures_.size(), 1U);
   EXPECT_EQ(acted_, 1);
+  EXPECT_FALSE(fs::exists(path()));
+}
+
+TEST_F(CellRecording, EndsWhenItsDiskIsNearlyFull) {
+  DiskSpace space{1000 * kMiB, 50 * kMiB};
+  RecordingRoom room(
+      kMiB, [&](const std::string&) { return space; }, 0);
+  Recording recording(io_, cell_, path(), {kMiB, &room}, [this] { ++acted_; });
+  cell_.apply(LineOpened{"test", LineKind::kPty}, 0);
+  ask("E?");
+  io_.run();
+  EXPECT_EQ(failures_.size(), 0U);
+  space.free = 50 * kMiB - 1;
+  ask("E?");
+  io_.restart();
+  io_.run();
+  ASSERT_EQ(failures_.size(), 1U);
+  EXPECT_EQ(failures_[0], path() + ": its disk has only 49 MiB free, and recordings leave 50 MiB");
+  EXPECT_EQ(cell_.counters().recordings_failed, 1U);
+  ask("E?");
+  recording.finish();
+  EXPECT_NE(text().find(R"("end":"limit")"), std::string::npos);
+  const auto replayed = test::replay(text());
+  EXPECT_FALSE(replayed.difference);
+  EXPECT_EQ(replayed.inputs, 3U);
+}
+
+TEST_F(CellRecording, WithoutSpaceForItsHeaderThereIsNoFile) {
+  RecordingRoom room(kMiB, [](const std::string&) { return DiskSpace{1000 * kMiB, 0}; });
+  Recording recording(io_, cell_, path(), {kMiB, &room}, [this] { ++acted_; });
+  io_.run();
+  EXPECT_EQ(failures_.size(), 1U);
   EXPECT_FALSE(fs::exists(path()));
 }
 

@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { CellList, peerText, stateTexts } from "../../../clients/web/src/lib/cell_list.js";
 import { cellOfPath, isOverview, pathOfCell } from "../../../clients/web/src/lib/place.js";
 
-const cell = (name, change = {}) => ({ name, robot: "Rhino XR-3", robot_port: 9701, lines: 0, peer: null, moving: false, stalled: null, holding: null, last_input_tick: null, epoch: 0, tick: 0, joints: [], tool: 0, ...change });
+const cell = (name, change = {}) => ({ name, robot: "Rhino XR-3", robot_port: 9701, lines: 0, peer: null, moving: false, stalled: null, holding: null, recording_failed: false, last_input_tick: null, epoch: 0, tick: 0, joints: [], tool: 0, ...change });
 const listOf = (...cells) => {
   const list = new CellList();
   list.take({ whole: true, cells, closed: [] });
@@ -53,6 +53,7 @@ test("totals count each kind", () =>
 test("texts of a card", () => {
   assert.deepEqual(stateTexts(cell("1", { stalled: "protected_region", holding: "red" })), ["stalled: protected region", "holds red"]);
   assert.deepEqual(stateTexts(cell("1")), ["at rest"]);
+  assert.deepEqual(stateTexts(cell("1", { holding: "red", recording_failed: true })), ["at rest", "holds red", "recording ended"]);
   assert.equal(peerText({ lines: 0, peer: null }), "nobody connected");
   assert.equal(peerText({ lines: 3, peer: "10.0.0.7:4000" }), "10.0.0.7:4000 and 2 more");
 });

@@ -13,7 +13,7 @@ export async function ask(port, request) {
 
 /** A cell as the channel `overview` shows it. */
 export const cellNamed = (name, change = {}) => ({
-  name, robot: "Rhino XR-3", robot_port: null, lines: 1, peer: `10.0.0.${name}:40000`, moving: false, stalled: null, holding: null,
+  name, robot: "Rhino XR-3", robot_port: null, lines: 1, peer: `10.0.0.${name}:40000`, moving: false, stalled: null, holding: null, recording_failed: false,
   last_input_tick: 0, epoch: 0, tick: 0, joints: [0, -90, 90, 0, -90], tool: 50.8, ...change,
 });
 

@@ -48,6 +48,12 @@ test("a card shows name, peer and state, links to its cell, and its picture foll
     await page.waitForSelector(".card.moving[data-cell='1']");
     assert.notEqual(await picture(), before);
     assert.equal(played.requests.filter(({ op }) => op === "get").length, 1, "one model for all robots of a name");
+    const mark = () => page.$eval(".card[data-cell='3'] .picture", (element) => getComputedStyle(element, "::before").content);
+    assert.equal(await mark(), "none");
+    played.send([cellNamed("3", { recording_failed: true })]);
+    await page.waitForSelector(".card.unrecorded[data-cell='3']");
+    assert.equal(await mark(), '"recording ended"');
+    assert.equal((await texts("3"))[1], "at rest, recording ended");
   }));
 
 test("search and order choose the cards; opened and closed cells come and go", () =>

@@ -62,8 +62,8 @@ const textOf = (cell) => [cell.name, cell.robot, cell.peer ?? "", cell.robot_por
 const kStalls = { protected_region: "stalled: protected region", work_surface: "stalled: work surface" };
 
 /** What a robot does, as texts for its card. */
-export function stateTexts({ moving, stalled, holding }) {
-  return [stalled ? (kStalls[stalled] ?? `stalled: ${stalled}`) : moving ? "moving" : "at rest", ...(holding !== null ? [`holds ${holding}`] : [])];
+export function stateTexts({ moving, stalled, holding, recording_failed: isUnrecorded }) {
+  return [stalled ? (kStalls[stalled] ?? `stalled: ${stalled}`) : moving ? "moving" : "at rest", ...(holding !== null ? [`holds ${holding}`] : []), ...(isUnrecorded ? ["recording ended"] : [])];
 }
 
 /** Who is connected, as a text for the card. */

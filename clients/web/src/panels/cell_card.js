@@ -51,6 +51,7 @@ export class CellCard {
     setText(this.state, [state, ...more].join(", "));
     this.element.classList.toggle("moving", cell.moving && !cell.stalled);
     this.element.classList.toggle("stalled", Boolean(cell.stalled));
+    this.element.classList.toggle("unrecorded", Boolean(cell.recording_failed));
     setText(this.peer, peerText(cell));
     setText(this.robot, `${cell.robot}${cell.robot_port ? `, port ${cell.robot_port}` : ""}`);
     if (picture && this.canvas) picture.draw(this.canvas, cell.joints, cell.tool, ground);
