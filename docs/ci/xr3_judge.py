@@ -83,7 +83,7 @@ def shown(output, mark):
 
 def report(result):
     """(what was checked, what was found) of a run, as lines without a line end."""
-    if result["outcome"] != "finished":
+    if result["why"]:
         yield f"✗ {clean(result['why'])}", []
     for goal in result["goals"]:
         found = [] if goal["met"] else [clean(goal["found"])]

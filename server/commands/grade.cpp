@@ -78,8 +78,8 @@ void print_table(const std::vector<RunReport>& reports) {
   for (const RunReport& each : reports) width = std::max(width, each.program.size());
   for (const RunReport& each : reports)
     std::cout << std::left << std::setw(static_cast<int>(width)) << each.program << "  "
-              << points_of(each.goals) << "/" << max_points_of(each.goals) << "  "
-              << (each.outcome == RunOutcome::kFinished ? "" : each.why) << "\n";
+              << points_of(each.goals) << "/" << max_points_of(each.goals) << "  " << each.why
+              << "\n";
 }
 
 }  // namespace

@@ -134,6 +134,7 @@ class Run {
       read_output();
       read_lines();
     }
+    check_reached();
     host_.on_action({});
     host_.come_to_rest(kRestLimit);
     host_.finish_recording();
@@ -273,6 +274,14 @@ class Run {
       reap_children(program_->has_ended() ? 0 : program_->pid());
       pause = std::min(2 * pause, std::chrono::milliseconds{kCheckEvery});
     }
+  }
+
+  /// A program that speaks to another robot looks as if it did nothing.
+  void check_reached() {
+    const bool may_call = settings_.exec.monitor == MonitorAccess::kControl;
+    if (!program_ || may_call || host_.cell().counters().lines_total > 0) return;
+    report_.why += report_.why.empty() ? "" : "; ";
+    report_.why += "nothing reached this run's robot: use XR3_HOST and XR3_PORT";
   }
 
   RunResult judged() {

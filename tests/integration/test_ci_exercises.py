@@ -105,6 +105,10 @@ class Exercises(unittest.TestCase):
         self.assertEqual("-What the program printed", [line for line in comment if line[0] == "-"][-1])
         self.assertIn(">Grade :=>> 100", comment)
 
+    def test_vpl_says_that_a_program_reached_no_robot(self):
+        self.submit("print('hello')\n")
+        self.assertIn("-✗ nothing reached this run's robot: use XR3_HOST and XR3_PORT", self.evaluate()[0])
+
     def test_vpl_shows_the_beginning_of_a_long_output(self):
         self.submit("for i in range(100_000): print(i, 'x' * 1000)\n")
         comment, _ = self.evaluate()

@@ -176,6 +176,25 @@ class Exec(unittest.TestCase):
         done = self.run_exec("--", "./no-such-program", code=6)
         self.assertIn("✗ ./no-such-program cannot be started: No such file or directory", done.stdout)
 
+    def test_a_program_that_reaches_another_robot(self):
+        note = "nothing reached this run's robot: use XR3_HOST and XR3_PORT"
+        with socket.create_server(("127.0.0.1", 0)) as other:
+            port = other.getsockname()[1]
+            done = self.judge(f"import socket\nsocket.create_connection(('localhost', {port})).sendall(b'E+50')\n",
+                              "--json", "r.json", "--markdown", "r.md", code=5)
+        self.assertIn(f"✗ {note}\n", done.stdout)
+        self.assertIn(f"**{note}**", (self.folder / "r.md").read_text(encoding="utf-8"))
+        self.assertEqual(note, json.loads((self.folder / "r.json").read_text(encoding="utf-8"))["why"])
+        done = self.judge(f"import socket\nsocket.create_connection(('localhost', {port}))\n", code=6)
+        self.assertIn(f"✗ the program ended with exit code 1; {note}\n", done.stdout, "nothing listens any more")
+        self.assertIn(f"✗ {note}\n", self.run_exec("--", "true").stdout, "without goals, too")
+        self.assertNotIn(note, self.judge(HEAD, code=5).stdout, "a line was opened")
+        self.assertNotIn(note, self.judge("", "--monitor", "control", code=5).stdout, "the monitor port may be enough")
+        self.write("class/bob.py", "")
+        self.assertIn(f"bob.py  4/8  {note}\n", self.grade("class").stdout)
+        for name in "index.html", "grades.csv", "junit.xml":
+            self.assertIn("nothing reached this run", (self.folder / "report" / name).read_text(encoding="utf-8"), name)
+
     def test_no_process_outlives_the_run(self):
         pids = self.folder / "pids"
         stubborn = ("import os, signal, sys, time\nfor hop in range(3):\n    if os.fork() == 0:\n"

@@ -70,10 +70,10 @@ std::string score(const RunReport& report) {
          std::to_string(max_points_of(report.goals));
 }
 
-/// `2 of 9 goals missed`, or why the program did not end well.
+/// `2 of 9 goals missed`, or what else went wrong.
 std::string verdict_of(const RunReport& report) {
-  if (report.outcome != RunOutcome::kFinished) return html(report.why);
   if (report.is_passed()) return "all goals met";
+  if (!report.why.empty()) return html(report.why);
   const auto missed = std::ranges::count(report.goals, false, &GoalResult::is_met);
   return std::to_string(missed) + " of " + std::to_string(report.goals.size()) + " goals missed";
 }
@@ -165,7 +165,7 @@ std::string section(const RunReport& report) {
   std::string text = "<section id=\"" + folder + "\">\n" +
                      tag("h2", html(report.program) + " " + score(report)) +
                      "\n<div class=\"run\">\n<div>\n";
-  if (report.outcome != RunOutcome::kFinished) text += tag("p", html(report.why), "missed") + "\n";
+  if (!report.why.empty()) text += tag("p", html(report.why), "missed") + "\n";
   text += "<ul>\n";
   for (const GoalResult& each : report.goals) text += goal_item(each);
   return text + "</ul>\n<p>" + link(folder, "output.txt", "what it printed") + " · " +
@@ -187,7 +187,7 @@ std::string field(const std::string& text) {
 }
 
 std::string missed_text(const RunReport& report) {
-  std::string text = report.outcome == RunOutcome::kFinished ? "" : report.why;
+  std::string text = report.why;
   for (const GoalResult& each : report.goals)
     if (!each.is_met) text += (text.empty() ? "" : "; ") + each.expected + ": " + each.found;
   return text;

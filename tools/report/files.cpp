@@ -37,7 +37,7 @@ std::string failure(const GoalResult& goal) {
 }
 
 std::string suite(const RunReport& report) {
-  const bool has_failed = report.outcome != RunOutcome::kFinished;
+  const bool has_failed = !report.why.empty() && !report.is_passed();
   const auto missed = std::ranges::count(report.goals, false, &GoalResult::is_met);
   std::string text = "  <testsuite name=\"" + xml(report.program) + "\" tests=\"" +
                      std::to_string(report.goals.size() + 1) + "\" failures=\"" +
@@ -106,7 +106,7 @@ std::string to_markdown(const std::vector<RunReport>& reports) {
   for (const RunReport& report : reports) {
     text += "### " + cell_text(report.program) + ": " + std::to_string(points_of(report.goals)) +
             " of " + std::to_string(max_points_of(report.goals)) + "\n\n";
-    if (report.outcome != RunOutcome::kFinished) text += "**" + cell_text(report.why) + "**\n\n";
+    if (!report.why.empty()) text += "**" + cell_text(report.why) + "**\n\n";
     if (report.goals.empty()) continue;
     text += "| | goal | found | points |\n|---|---|---|---|\n";
     for (const GoalResult& each : report.goals)

@@ -21,7 +21,7 @@ enum class RunOutcome : std::uint8_t {
 struct RunReport {
   std::string program;  ///< its name, for titles
   RunOutcome outcome = RunOutcome::kFinished;
-  std::string why;                ///< of another outcome: a sentence for the student
+  std::string why;                ///< what went wrong, for the student; empty: nothing but goals
   std::vector<GoalResult> goals;  ///< judged with any outcome
   Tick ticks = 0;                 ///< simulated time from the start to rest
   double wall_s = 0;

@@ -38,7 +38,7 @@ std::string name_of(RunOutcome outcome) {
 
 std::string to_text(const RunReport& report) {
   std::string text;
-  if (report.outcome != RunOutcome::kFinished) text += "✗ " + report.why + "\n";
+  if (!report.why.empty()) text += "✗ " + report.why + "\n";
   for (const GoalResult& each : report.goals) text += line_of(each);
   const bool is_elsewhere = std::ranges::any_of(report.goals, [](const GoalResult& each) {
     return !each.is_met && (each.kind == "block" || each.kind == "stacked");

@@ -19,8 +19,9 @@ class Readme(unittest.TestCase):
         code = re.search(r"```python\n(.*?)```", README.read_text(encoding="utf-8"), re.S).group(1)
         printed = io.StringIO()
         with Server("--clock", "real:500") as server, mock.patch("xr3.robot.POLL_S", 0.001), \
+                mock.patch.dict(os.environ, {"XR3_HOST": "", "XR3_PORT": str(server.robot_port)}), \
                 contextlib.redirect_stdout(printed):
-            code = code.replace("9600", str(server.robot_port)).replace("../../data", str(DATA))
+            code = code.replace("../../data", str(DATA))
             exec(code.replace("9601", str(server.monitor_port)), {})  # pylint: disable=exec-used
         self.assertIn("[399.9", printed.getvalue())
         self.assertIn("'E': 449", printed.getvalue())

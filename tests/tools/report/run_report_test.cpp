@@ -45,6 +45,20 @@ TEST(RunReport, SaysWhyARunFailedAndWhatElseMatters) {
   EXPECT_FALSE(report.is_passed()) << "although all goals are met";
 }
 
+TEST(RunReport, SaysWhatAFinishedRunLacked) {
+  RunReport report = some_report();
+  report.why = "nothing was sent";
+  EXPECT_TRUE(to_text(report).starts_with("✗ nothing was sent\n✓ the robot never stalls\n"));
+  EXPECT_NE(to_markdown({report}).find("**nothing was sent**"), std::string::npos);
+  EXPECT_NE(to_junit({report}).find("errors=\"1\""), std::string::npos);
+  EXPECT_NE(to_html({report}).find("<td class=\"missed\">nothing was sent</td>"),
+            std::string::npos);
+  EXPECT_NE(to_csv({report}).find("\"nothing was sent; block red"), std::string::npos);
+  report.goals.pop_back();
+  EXPECT_TRUE(report.is_passed());
+  EXPECT_NE(to_junit({report}).find("errors=\"0\""), std::string::npos);
+}
+
 TEST(RunReport, JsonIsReadBackAsItWas) {
   RunReport report = some_report();
   report.outcome = RunOutcome::kFailed;
