@@ -1,6 +1,7 @@
 #include "server/app.hpp"
 
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <iostream>
@@ -76,6 +77,14 @@ AccessRules access_rules(const ServeOptions& options, std::string token) {
 
 asio::ip::address address_of(const std::string& listen) {
   return asio::ip::make_address(listen == "localhost" ? "127.0.0.1" : listen);
+}
+
+/// The address of the page for a browser on this machine.
+std::string page_address(const tcp::endpoint& monitor) {
+  const asio::ip::address at = monitor.address();
+  const bool is_local = at.is_loopback() || at.is_unspecified();
+  return "http://" + (is_local ? "localhost:" + std::to_string(monitor.port()) : to_text(monitor)) +
+         "/";
 }
 
 // nohup starts a program with SIGHUP ignored, so that it survives the end of the terminal.
@@ -209,6 +218,7 @@ void App::listen() {
   const bool is_local = options_.listen == "localhost";
   listen_on(monitor_port_, "monitor", {address_of(options_.listen), options_.monitor_port});
   if (is_local) listen_too(monitor_port_, "monitor", options_.monitor_port != 0);
+  page_ = page_address(monitor_endpoint());
 }
 
 void App::listen_on_cell(HostedCell& cell, std::uint16_t port) {
@@ -264,18 +274,26 @@ void App::announce() {
     with_option_source(options_.option_sources, "--port-file",
                        [&] { port_file_.emplace(options_.port_file, served_ports()); });
   }
-  announce_token(monitor.port());
+  announce_token();
   std::cout << "LISTENING robot=" << to_text(robot) << " monitor=" << to_text(monitor);
   for (const std::string& path : options_.ptys) std::cout << " pty=" << path;
   std::cout << std::endl;
+  announce_page();
   service_manager_.ready();
 }
 
 // Bypasses the log, which may be stored. Standard output contains only the LISTENING line.
-void App::announce_token(std::uint16_t monitor_port) const {
+void App::announce_token() const {
   if (fresh_token_.empty()) return;
-  std::cerr << "xr3: calls need this run's token; open http://localhost:" << monitor_port
-            << "/#token=" << fresh_token_ << std::endl;
+  std::cerr << "xr3: calls need this run's token; open " << page_ << "#token=" << fresh_token_
+            << std::endl;
+}
+
+/// Names the page to a person, or where the log of level info is read.
+void App::announce_page() const {
+  const bool is_logged = options_.log_file.empty() && spdlog::should_log(spdlog::level::info);
+  if (!fresh_token_.empty() || (!is_logged && ::isatty(STDERR_FILENO) == 0)) return;
+  std::cerr << "xr3: open " << page_ << std::endl;
 }
 
 void App::await_signal() {

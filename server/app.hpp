@@ -72,7 +72,8 @@ class App {
   void begin_branch(HostedCell& cell, MachineSnapshotPtr past);
   void open_device();
   void announce();
-  void announce_token(std::uint16_t monitor_port) const;
+  void announce_token() const;
+  void announce_page() const;
   void await_signal();
   void stop();
   void end_soon();
@@ -108,6 +109,7 @@ class App {
   EventLoop io_;
   Stage stage_ = Stage::kStarting;
   bool is_replaying_ = false;
+  std::string page_;         ///< its address; empty before the monitor port listens
   std::string record_path_;  ///< of the recording, or the folder of this run for several cells
   AccessPolicy policy_;
   RecordingRoom record_room_;

@@ -54,7 +54,7 @@ RobotPort& App::first_port() const { return *(probe_cell_ ? *probe_cell_ : first
 CellPtr App::make_cell(const std::string& name, const CellSeed& seed) {
   const std::string shown = has_many_cells(options_) ? name : "";
   const auto log = [this, shown](const CellEvent& event, const Model& model) {
-    if (!is_replaying_) log_event(event, model, shown);
+    if (!is_replaying_) log_event(event, model, {shown, page_});
   };
   return xr3::make_cell(context_, options_, seed, name, log, cell_token(options_));
 }
@@ -98,6 +98,10 @@ void App::serve_connections() {
   cells_.note_dynamic();
   ConnectionCellsRules rules{limits_.lines, options_.max_cells, linger_of(options_), options_.guard,
                              peer_counts(limits_.lines, limits_.per_address)};
+  rules.report_other = [this] {
+    spdlog::info("a client of the robot port is no robot program, and gets no cell; {}",
+                 browser_hint(page_));
+  };
   connection_cells_.emplace(
       io_, std::move(rules), [this](const std::string& name) { return open_for_connection(name); },
       [this](const CellPtr& cell) { close_cell(cell); });

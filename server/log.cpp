@@ -160,14 +160,16 @@ std::string before(const CellEvent& event, std::string_view code) {
   return where + at + std::string(code) + ": ";
 }
 
-/// The suffix: counts and offsets that the sentence does not contain.
-std::string behind(const CellNote& note) {
+/// The suffix: counts, offsets and the address that the sentence does not contain.
+std::string behind(const CellNote& note, std::string_view page) {
   if (const auto* problem = std::get_if<ProblemNote>(&note)) {
     return fmt::format("; byte {}{}", problem->offset,
                        problem->count > 1 ? fmt::format(", {} in a row", problem->count) : "");
   }
   if (const auto* closed = std::get_if<LineClosedNote>(&note)) {
-    return fmt::format("; {} bytes in, {} out", closed->bytes_in, closed->bytes_out);
+    const bool is_foreign = closed->reason == LineCloseReason::kNotARobotProgram;
+    return fmt::format("; {} bytes in, {} out", closed->bytes_in, closed->bytes_out) +
+           (is_foreign && !page.empty() ? "; " + browser_hint(page) : "");
   }
   return "";
 }
@@ -182,14 +184,18 @@ void start_log(const std::string& level, const std::string& file) {
   spdlog::set_default_logger(std::move(logger));
 }
 
-void log_event(const CellEvent& event, const Model& model, const std::string& cell) {
+void log_event(const CellEvent& event, const Model& model, const LogNames& names) {
   const auto level = level_of(event.note);
   if (!spdlog::should_log(level)) return;
   if (limited_sink && !limited_sink->admit_event()) return;  // before the text is made
   const EventReport about = report(event, model);
-  const std::string of_cell = cell.empty() ? "" : "cell " + cell + ": ";
+  const std::string of_cell = names.cell.empty() ? "" : fmt::format("cell {}: ", names.cell);
   spdlog::log(level, "{}{}{}{}", of_cell, before(event, about.code), about.message,
-              behind(event.note));
+              behind(event.note, names.page));
+}
+
+std::string browser_hint(std::string_view page) {
+  return "a browser belongs on the monitor port: " + std::string(page);
 }
 
 }  // namespace xr3

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "core/model.hpp"
 #include "protocol/explain/cell_event.hpp"
@@ -19,8 +20,17 @@ inline constexpr std::size_t kMaxLogFiles = 5;
 /// standard error if `file` is empty. Throws FileError if the file cannot be opened.
 void start_log(const std::string& level, const std::string& file);
 
+/// Names that messages about a cell contain.
+struct LogNames {
+  std::string_view cell;  ///< its name; empty: it is the only one
+  std::string_view page;  ///< the address of the page on the monitor port; empty: there is none
+};
+
 /// Logs an event of a cell: the machine's events at debug, except stalls and warnings; the end of a
-/// recording as a warning; all others at info. `cell` is its name; empty if it is the only one.
-void log_event(const CellEvent& event, const Model& model, const std::string& cell = {});
+/// recording as a warning; all others at info.
+void log_event(const CellEvent& event, const Model& model, const LogNames& names = {});
+
+/// Where a browser belongs that has connected to a robot port.
+std::string browser_hint(std::string_view page);
 
 }  // namespace xr3

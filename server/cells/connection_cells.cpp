@@ -14,12 +14,20 @@ namespace xr3 {
 namespace {
 
 constexpr const char* kConnectionsName = "the robot port";
-constexpr WallNs kRefusalLogEvery = 1'000'000'000;
+constexpr WallNs kLogEvery = 1'000'000'000;
 
 /// The socket is reported as readable when it has so many bytes, or has ended.
 void set_low_water(tcp::socket& socket, std::size_t bytes) {
   const int count = static_cast<int>(bytes);
   ::setsockopt(socket.native_handle(), SOL_SOCKET, SO_RCVLOWAT, &count, sizeof count);
+}
+
+/// Whether a message may be logged, of a kind that clients cause: at most one a second.
+bool is_due(WallNs& next) {
+  const WallNs now = wall_now();
+  if (now < next) return false;
+  next = now + kLogEvery;
+  return true;
 }
 
 }  // namespace
@@ -80,7 +88,7 @@ asio::awaitable<void> ConnectionCells::await_first_byte(ClientPtr client) {
     first = error || is_closing_ ? First::kEnd : look(*client);
   }
   waiting_.erase(client);
-  if (first == First::kOther) ++turned_away_;
+  if (first == First::kOther) turn_away();
   if (first == First::kRobot && !is_closing_) serve(*client);
 }
 
@@ -125,13 +133,16 @@ void ConnectionCells::serve(Client& client) {
                      opened, std::move(client.place));
 }
 
-// Refusals are frequent if there are many: at most one message a second.
 void ConnectionCells::refuse(const char* why) {
   ++refused_;
-  const WallNs now = wall_now();
-  if (now < next_log_) return;
-  next_log_ = now + kRefusalLogEvery;
-  spdlog::warn("a connection of the robot port is refused: {}; {} since the start", why, refused_);
+  if (is_due(next_refusal_log_))
+    spdlog::warn("a connection of the robot port is refused: {}; {} since the start", why,
+                 refused_);
+}
+
+void ConnectionCells::turn_away() {
+  ++turned_away_;
+  if (rules_.report_other && is_due(next_other_log_)) rules_.report_other();
 }
 
 void ConnectionCells::line_ended(Guest& guest) {

@@ -28,6 +28,8 @@ struct ConnectionCellsRules {
   WallNs linger = 0;             ///< how long a cell is kept after its line
   Guard guard = Guard::kNormal;
   PeerCounts peers = PeerCounts();
+  /// Called, at most once a second, for a connection that is no robot program; may be empty.
+  std::function<void()> report_other = {};
 };
 
 class ConnectionCells {
@@ -65,6 +67,7 @@ class ConnectionCells {
   First judge(Client& client, std::string_view bytes) const;
   void serve(Client& client);
   void refuse(const char* why);
+  void turn_away();
   void line_ended(Guest& guest);
   void close_cell(const HostedCell* cell);
   void arm();
@@ -84,7 +87,8 @@ class ConnectionCells {
   std::size_t lines_ = 0;   ///< open lines
   std::uint64_t refused_ = 0;
   std::uint64_t turned_away_ = 0;
-  WallNs next_log_ = 0;
+  WallNs next_refusal_log_ = 0;
+  WallNs next_other_log_ = 0;
   bool is_closing_ = false;
 };
 

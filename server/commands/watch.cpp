@@ -26,7 +26,7 @@ using watch::Link;
 using watch::Page;
 
 constexpr std::chrono::seconds kBeforeReconnect{1};
-constexpr std::chrono::seconds kLinesEvery{1};
+constexpr std::chrono::seconds kRefreshEvery{1};
 constexpr std::chrono::seconds kOnceAtMost{15};
 
 watch::Wish wish_of(const WatchOptions& options, watch::Interest interest) {
@@ -89,7 +89,7 @@ class Watcher {
 
   void show_news() {
     const bool is_new = std::exchange(link_.phase, Link::Phase::kLive) != Link::Phase::kLive;
-    if (is_new) refresh_lines();
+    if (is_new) refresh();
     show();
   }
 
@@ -122,7 +122,7 @@ class Watcher {
     } else {
       press_in_page(key);
     }
-    if (page() != before) refresh_lines();
+    if (page() != before) ask_lines();
     show();
   }
 
@@ -148,11 +148,18 @@ class Watcher {
     if (page() == Page::kLines || page() == Page::kCell) is_lines_open_ = !is_lines_open_;
   }
 
-  /// Asks for the lines now and then once a second, while their page is on the screen.
-  void refresh_lines() {
-    if (is_stopping_ || page() != Page::kLines) return;
+  /// Asks once a second for the values that the server does not publish: the time of a robot at
+  /// rest, and the lines while their page is on the screen.
+  void refresh() {
+    if (is_stopping_ || link_.phase != Link::Phase::kLive) return;
+    if (const auto request = model_.ask_time()) connection_.send(*request);
+    ask_lines();
+    run_after(refresh_, kRefreshEvery, [this] { refresh(); });
+  }
+
+  void ask_lines() {
+    if (page() != Page::kLines) return;
     if (const auto request = model_.ask_lines()) connection_.send(*request);
-    run_after(refresh_, kLinesEvery, [this] { refresh_lines(); });
   }
 
   void act(const auto& wanted) {
@@ -189,7 +196,7 @@ class Watcher {
   watch::WatchModel model_;
   WatchConnection connection_;
   asio::steady_timer before_next_try_;
-  asio::steady_timer refresh_;  ///< of the serial lines
+  asio::steady_timer refresh_;
   // Before the terminal: ncurses does not replace signal handlers that exist already.
   asio::signal_set signals_;
   asio::signal_set resizes_;

@@ -26,7 +26,7 @@ COMMAND_S = 60.0
 CONNECTED = "connected to localhost:9600; ~. quits, ~? is help"
 TELNET_CONNECTED = "Trying 127.0.0.1...\nConnected to localhost.\nEscape character is '^]'.\n"
 # What differs from log to log: time of day, tick, number of the line, port of the client, number of the byte.
-DIFFERS = re.compile(r"^\d\d:\d\d:\d\d\.\d{3}|(?<=\bline )\d+|(?<=@)\d+|(?<=127\.0\.0\.1:)\d+|(?<=; byte )\d+")
+DIFFERS = re.compile(r"^\d\d:\d\d:\d\d\.\d{3}|(?<=\bline )\d+|(?<=@)\d+|(?<=127\.0\.0\.1:)\d+|(?<=localhost:)\d+|(?<=; byte )\d+")
 
 
 def pattern(shown):
@@ -72,7 +72,7 @@ class Reader:
     def console(self, text, xr3):
         for command, shown in re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", text, re.MULTILINE):
             if command.split()[0] == "./run":
-                self.compare(shown, self.as_shown(xr3.greeting, xr3))
+                self.compare(shown, self.as_shown(xr3.greeting + xr3.page(), xr3))
             elif command.startswith("export "):
                 self.variables.append(command)
             else:

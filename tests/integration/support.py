@@ -55,10 +55,11 @@ class Server:
     the command line to which the options are added.
     """
 
-    def __init__(self, *options, clock="manual", environment=None, command=(XR3, "serve")):
+    def __init__(self, *options, clock="manual", environment=None, command=(XR3, "serve"), pass_fds=()):
         self.command = list(map(str, command))
         self.options = ["--robot-port", "0", "--monitor-port", "0", "--clock", clock, *map(str, options)]
         self.environment = {**os.environ, **(environment or {})}
+        self.pass_fds = pass_fds
         self.lines = []
         self._log = ""
         self._log_grew = threading.Condition()
@@ -66,7 +67,7 @@ class Server:
     def __enter__(self):
         self.process = subprocess.Popen(
             [*self.command, *self.options], cwd=ROOT, env=self.environment, stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, pass_fds=self.pass_fds)
         self.pid = self.process.pid
         self._log_reader = threading.Thread(target=self._read_log, daemon=True)
         self._log_reader.start()
@@ -139,6 +140,11 @@ class Server:
                 lambda: len(re.findall(pattern, self._log)) >= times, DEADLINE_S)
             assert found, f"not {times} of {pattern!r} in the log:\n{self._log}"
             return self._log
+
+    def page(self):
+        """The line that names the page."""
+        opened = r"(?m)^xr3: open \S+\n"
+        return re.findall(opened, self.wait_log(opened))[0]
 
     def line(self, **options):
         """Opens a serial line. Its number counts the calls of this method, so open all lines with it."""

@@ -230,6 +230,7 @@ class Connections(unittest.TestCase):
             self.assertEqual("ok\n", get(xr3, "/readyz"))
             self.assertEqual(["c1", "c2"], list(cell_ports(monitor)), "the probe has none")
             self.assertEqual(3, samples(xr3)['xr3_lines_closed_total{reason="stranger"}'])
+            xr3.wait_log(rf"gets no cell; a browser belongs on the monitor port: http://localhost:{xr3.monitor_port}/")
 
     def test_a_cell_lingers_and_goes(self):
         with Server("--cell-per-connection", "--linger", SHORT_S) as xr3, xr3.monitor() as monitor:

@@ -134,6 +134,12 @@ class OtherProtocols(unittest.TestCase):
                 self.assertEqual(32, line.ask("\rE?"))
                 self.assertEqual(b"", line.unread())
 
+    def test_the_log_names_the_port_for_browsers(self):
+        with Server() as xr3, xr3.line() as line:
+            line.send(request("GET"))
+            self.assertEqual(b"", line.read_to_end())
+            xr3.wait_log(rf"were executed; .*a browser belongs on the monitor port: http://localhost:{xr3.monitor_port}/")
+
     def test_no_bytes_are_held_later_on_a_line(self):
         with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
             self.assertEqual(32, line.ask("E?"))

@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import pty
 import re
 import signal
 import socket
@@ -24,6 +25,30 @@ class Start(unittest.TestCase):
             self.assertNotIn(0, (xr3.robot_port, xr3.monitor_port))
             self.assertNotEqual(xr3.robot_port, xr3.monitor_port)
         # At its end the context has checked that there is no other output.
+
+    def test_names_the_page_after_listening(self):
+        for options in (), ("--listen", "0.0.0.0", "--insecure"):
+            with self.subTest(options), Server(*options) as xr3:
+                xr3.wait_log(rf"(?m)^xr3: open http://localhost:{xr3.monitor_port}/$")
+        with Server(command=["sh", "-c", 'exec "$@" 2>&1', "sh", XR3, "serve"]) as xr3:
+            xr3.process.send_signal(signal.SIGTERM)
+            self.assertEqual(f"xr3: open http://localhost:{xr3.monitor_port}/\n", xr3.process.stdout.readline())
+            xr3.process.stdout.read()
+
+    def test_names_the_page_only_to_those_who_read(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for options in ("--log-level", "warn"), ("--log-file", f"{folder}/log"):
+                with self.subTest(options), Server(*options) as xr3:
+                    xr3.stop()
+                    self.assertEqual("", xr3.log())
+        master, terminal = pty.openpty()
+        self.addCleanup(os.close, master)
+        self.addCleanup(os.close, terminal)
+        with Server("--log-level", "off", command=["sh", "-c", f'exec "$@" 2>/dev/fd/{terminal}', "sh", XR3, "serve"],
+                    pass_fds=[terminal]) as xr3:
+            pass
+        os.set_blocking(master, False)
+        self.assertEqual(f"xr3: open http://localhost:{xr3.monitor_port}/\r\n".encode(), os.read(master, 1000))
 
     def test_both_ports_answer_after_listening(self):
         for _ in range(5):

@@ -62,7 +62,7 @@ class Watch(unittest.TestCase):
         with Server(clock="real") as xr3, xr3.monitor() as monitor, watch(xr3.monitor_port) as terminal:
             terminal.wait_text("space pause")
             terminal.press(" ")
-            terminal.wait_text("manual   epoch")
+            terminal.wait_text("paused   epoch")
             before = monitor.get("clock")
             self.assertEqual("manual", before["clock"]["mode"])
             line = xr3.line()
@@ -82,6 +82,24 @@ class Watch(unittest.TestCase):
             terminal.press(" ")
             terminal.wait_text("real x 1")
             self.leave(terminal, "\x03")
+
+    def test_the_time_of_a_robot_at_rest_goes_on(self):
+        with Server(clock="real:1000") as xr3, watch(xr3.monitor_port) as terminal:
+            terminal.wait_text("rests")
+            began = int(re.search(r"tick (\d+)", terminal.text())[1])
+            terminal.wait_for(lambda text: int(re.search(r"tick (\d+)", text)[1]) > began + 1000)
+            self.leave(terminal)
+
+    def test_shows_that_another_client_has_paused_the_clock(self):
+        with Server(clock="real") as xr3, xr3.monitor() as monitor, watch(xr3.monitor_port) as terminal:
+            terminal.wait_text("real x 1")
+            tick = monitor.call("pause")["tick"]
+            terminal.wait_text(f"paused   epoch 0   tick {tick} ")
+            monitor.step(1234)  # publishes no state
+            terminal.wait_text(f"paused   epoch 0   tick {tick + 1234} ")
+            monitor.call("resume")
+            terminal.wait_text("real x 1")
+            self.leave(terminal)
 
     def test_command_mode_by_letters(self):
         with Server() as xr3, xr3.monitor() as monitor, watch(xr3.monitor_port) as terminal:

@@ -67,7 +67,7 @@ Outcome run_one(const Arguments& arguments, std::uint64_t seed) {
   limit_time();
   const Outcome outcome = run_seed(seed);
   if (outcome.failure.empty()) return outcome;
-  std::cerr << "seed " + std::to_string(seed) + " fails: " + outcome.failure + "\n  " +
+  std::clog << "seed " + std::to_string(seed) + " fails: " + outcome.failure + "\n  " +
                    repetition(arguments, seed) + "\n";
   return outcome;
 }
@@ -105,7 +105,7 @@ void note_end(const Arguments& arguments, int status, Progress& progress) {
   const bool may_end = WIFEXITED(status) && WEXITSTATUS(status) == kWithoutMemory;
   ++(may_end ? progress.aborted : progress.failed);
   if (may_end) return;
-  std::cerr << "seed " << seed << " ends the process: status " << status
+  std::clog << "seed " << seed << " ends the process: status " << status
             << (WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF ? ", it hangs" : "") << "\n  "
             << repetition(arguments, seed) << "\n";
 }
@@ -187,7 +187,7 @@ bool run_site(const Arguments& arguments, std::uint64_t site) {
     limit_time();
     const Outcome outcome =
         run_seed(arguments.sites_of, {.chooses_failure = false, .failing_allocation = site});
-    if (!outcome.failure.empty()) std::cerr << outcome.failure << "\n";
+    if (!outcome.failure.empty()) std::clog << outcome.failure << "\n";
     ::_exit(outcome.failure.empty() ? 0 : 1);
   }
   int status = 0;
@@ -202,15 +202,19 @@ int walk_sites(const Arguments& arguments) {
   for (std::uint64_t site = 0; site < count; site += arguments.every) {
     if (run_site(arguments, site)) continue;
     ++failed;
-    std::cerr << "allocation " << site << "\n  " << repetition(arguments, arguments.sites_of)
+    std::clog << "allocation " << site << "\n  " << repetition(arguments, arguments.sites_of)
               << " --failing " << site << "\n";
   }
   std::clog << count << " allocations, " << failed << " failures go wrong\n";
   return failed == 0 ? 0 : 1;
 }
 
-/// The server's standard output: LISTENING lines.
-void discard_output() { std::cout.setstate(std::ios::badbit); }
+/// The server's output: LISTENING lines, and addresses of the page. That of this program goes to
+/// std::clog.
+void discard_output() {
+  std::cout.setstate(std::ios::badbit);
+  std::cerr.setstate(std::ios::badbit);
+}
 
 }  // namespace
 }  // namespace xr3::seeds

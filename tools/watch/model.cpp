@@ -11,6 +11,7 @@ namespace {
 constexpr const char* kAuthId = "auth";
 constexpr const char* kKeyId = "key";
 constexpr const char* kLinesId = "lines";
+constexpr const char* kTimeId = "time";
 constexpr const char* kLastId = "last";
 constexpr int kMaxStatesPerS = 20;
 constexpr int kMaxImagesPerS = 10;
@@ -111,11 +112,15 @@ std::vector<std::string> WatchModel::first_requests(const Json& channels) {
   return requests;
 }
 
-void WatchModel::handle_state(const Json& message) {
+void WatchModel::handle_time(const Json& message) {
   read(message, "epoch", known_.epoch);
   read(message, "tick", known_.tick);
   read_clock(member(message, "clock"), known_);
-  known_.state = read_state(message);
+}
+
+void WatchModel::handle_state(const Json& message) {
+  handle_time(message);
+  if (member(message, "id") != kTimeId) known_.state = read_state(message);
 }
 
 void WatchModel::handle_model(const Json& message) {
@@ -185,6 +190,11 @@ bool WatchModel::may_call() {
 
 std::string WatchModel::call(const char* id, const char* fn, Json args) const {
   return request({{"op", "call"}, {"id", id}, {"fn", fn}, {"args", std::move(args)}});
+}
+
+std::optional<std::string> WatchModel::ask_time() const {
+  if (!known_.state) return {};
+  return request({{"op", "get"}, {"id", kTimeId}, {"channel", "state"}, {"fields", {"clock"}}});
 }
 
 std::optional<std::string> WatchModel::ask_lines() {

@@ -52,6 +52,9 @@ class WatchModel {
   /// The same for a function of command mode.
   std::optional<std::string> ask(const FunctionCall& call);
 
+  /// The request for the time, which goes on while nothing is published. nullopt before the first
+  /// state.
+  std::optional<std::string> ask_time() const;
   /// The request for the serial lines. nullopt without permission for calls, or while the last one
   /// is not answered.
   std::optional<std::string> ask_lines();
@@ -69,6 +72,7 @@ class WatchModel {
   std::vector<std::string> handle_hello(const Json& message);
   std::vector<std::string> first_requests(const Json& channels);
   void handle_state(const Json& message);
+  void handle_time(const Json& message);
   void handle_model(const Json& message);
   void handle_event(const Json& message);
   void handle_result(const Json& message);

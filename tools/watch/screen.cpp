@@ -51,7 +51,7 @@ void paint_ends(TextScreen& screen, int row, const std::string& left, const std:
 std::string mode_text(const Known& known) {
   switch (known.mode) {
     case WatchedClockMode::kReal: return "real x " + plain_number(known.rate, 6);
-    case WatchedClockMode::kManual: return "manual";
+    case WatchedClockMode::kManual: return "paused";
     case WatchedClockMode::kBytes: return "bytes";
   }
   return "";

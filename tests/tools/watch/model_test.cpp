@@ -177,6 +177,19 @@ TEST(WatchModel, AStepUpdatesTheTickWithoutAStateMessage) {
   EXPECT_EQ(model.known().tick, 12355);
 }
 
+TEST(WatchModel, TheTimeIsAskedForAloneAndKeepsTheState) {
+  EXPECT_FALSE(WatchModel({}).ask_time()) << "before the first state";
+  WatchModel model = test::watched_model();
+  const auto joints = model.known().state->joints.size();
+  EXPECT_EQ(*model.ask_time(), R"({"op":"get","id":"time","channel":"state","fields":["clock"]})"
+                               "\n");
+  model.handle(R"({"op":"state","id":"time","cell":"main","epoch":3,"seq":9,"tick":99999,)"
+               R"("clock":{"mode":"manual","rate":1.0}})");
+  EXPECT_EQ(model.known().tick, 99999);
+  EXPECT_EQ(model.known().mode, WatchedClockMode::kManual);
+  EXPECT_EQ(model.known().state->joints.size(), joints);
+}
+
 TEST(WatchModel, KeysWithoutTheTokenNameTheOption) {
   WatchModel model({});
   model.handle(test::watched_hello("read"));

@@ -206,7 +206,7 @@ TEST(WatchScreen, HidesKeysWithoutAnEffect) {
   EXPECT_THAT(text(model.known(), 24, 80), Not(HasSubstr("h home")));
   const Known manual = with_state("\"real\"", "\"manual\"");
   EXPECT_THAT(text(manual, 24, 80), HasSubstr("space resume   . step   h home"));
-  EXPECT_THAT(text(manual, 24, 80), HasSubstr("manual   epoch"));
+  EXPECT_THAT(text(manual, 24, 80), HasSubstr("paused   epoch"));
 }
 
 TEST(WatchScreen, CountsBlocksThatDoNotFit) {
