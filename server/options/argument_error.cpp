@@ -11,6 +11,8 @@ namespace {
 
 using Words = std::vector<std::string>;
 
+constexpr std::size_t kCommandColumns = 11;  // of the longest name
+
 /// The subcommand that was given; the program itself if there was none.
 const CLI::App& command_of(const CLI::App& app) {
   const auto commands = app.get_subcommands();
@@ -31,6 +33,15 @@ std::string perhaps(std::string_view word, const Words& known) {
   return nearest.empty() ? "" : "; perhaps " + nearest + " was meant";
 }
 
+/// The names of which this option is the end, such as --robot-port of --port; else the nearest.
+std::string perhaps_option(const std::string& name, const Words& known) {
+  std::string longer;
+  for (const std::string& each : known)
+    if (name.starts_with("--") && each.ends_with(name.substr(1)))
+      longer += (longer.empty() ? "" : " or ") + each;
+  return longer.empty() ? perhaps(name, known) : "; perhaps " + longer + " was meant";
+}
+
 Words options_of(const CLI::App& command) {
   Words names;
   for (const CLI::Option* option : command.get_options()) {
@@ -43,6 +54,17 @@ Words commands_of(const CLI::App& app) {
   Words names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   return names;
+}
+
+/// A line for each command.
+std::string list_of_commands(const CLI::App& app) {
+  std::string list;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    std::string name = command->get_name();
+    name.resize(std::max(name.size(), kCommandColumns), ' ');
+    list += "\n  " + name + "  " + command->get_description();
+  }
+  return list;
 }
 
 /// What nothing expected. The library counts the `--` before the arguments of another program.
@@ -76,7 +98,7 @@ std::string unexpected(const CLI::App& app, const Words& arguments) {
   const std::string name = word.substr(0, word.find('='));
   if (&command != &app && is_before(word, command.get_name(), arguments))
     return name + " must follow the command, as in " + name_of(command) + " " + name;
-  return name_of(command) + " has no option " + name + perhaps(name, options_of(command)) +
+  return name_of(command) + " has no option " + name + perhaps_option(name, options_of(command)) +
          help_on(command);
 }
 
@@ -110,7 +132,7 @@ std::string describe_argument_error(const CLI::App& app, const CLI::ParseError& 
   const std::string kind = error.get_name();
   const CLI::App& command = command_of(app);
   if (kind == "RequiredError" && &command == &app && extras_of(app).empty())
-    return "a command is missing" + help_on(app);
+    return "a command is missing; xr3 COMMAND --help says more" + list_of_commands(app);
   if (!extras_of(app).empty()) return unexpected(app, arguments);
   if (kind == "ArgumentMismatch" || kind == "RequiredError") return miscounted(app, error);
   return error.what() + help_on(command);

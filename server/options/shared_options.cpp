@@ -2,12 +2,25 @@
 
 #include <cstdint>
 #include <stdexcept>
+#include <utility>
 
 #include "protocol/text/text_stream.hpp"
 #include "server/net/asio.hpp"
 #include "server/options/whole_number.hpp"
 
 namespace xr3 {
+
+void add_port_word(CLI::App& command, std::function<void(const std::string&)> set) {
+  const auto checked = [set = std::move(set)](const std::string& text) {
+    try {
+      set(text);
+    } catch (const std::invalid_argument& error) {
+      throw CLI::ValidationError(error.what());
+    }
+  };
+  command.add_option_function<std::string>("port", checked, "the port, as a word of its own")
+      ->type_name("PORT");
+}
 
 std::string check_listen(const std::string& text) {
   ErrorCode error;

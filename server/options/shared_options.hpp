@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -43,6 +44,10 @@ CLI::Option* add_parsed(CLI::App& command, const std::string& name, Value& value
       ->type_name(type)
       ->check(parses(parse));
 }
+
+/// Adds the port of the address before it, as a word of its own: `localhost 9600`. `set` may throw
+/// std::invalid_argument.
+void add_port_word(CLI::App& command, std::function<void(const std::string&)> set);
 
 /// Validators: empty if the text is a valid address to listen on, port, or value of a flag; else
 /// the error, with the allowed values.

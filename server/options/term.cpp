@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "server/options/shared_options.hpp"
 
@@ -14,10 +15,20 @@ constexpr double kMaxTimeoutS = 3600;
 
 bool is_path(const std::string& text) { return text.starts_with('/') || text.starts_with('.'); }
 
+void set_address(TermOptions& options, PortAddress address) {
+  options.peer = address.text;
+  options.address = std::move(address);
+}
+
 void set_peer(TermOptions& options, const std::string& text) {
   options.peer = text;
   options.is_path = is_path(text);
-  if (!options.is_path) options.address = parse_address(text, kUsualRobotPort);
+  if (!options.is_path) set_address(options, parse_address(text, kUsualRobotPort));
+}
+
+void set_port(TermOptions& options, const std::string& port) {
+  if (options.is_path) throw std::invalid_argument(options.peer + ": a path has no port: " + port);
+  set_address(options, with_port(options.address, port));
 }
 
 SerialSettings parse_line_settings(const std::string& text) {
@@ -34,11 +45,12 @@ void add_peer(CLI::App& term, TermOptions& options) {
   term.add_option_function<std::string>(
           "peer", [&options](const std::string& text) { set_peer(options, text); },
           "the robot port (default localhost:9600), or a serial device or pseudo-terminal")
-      ->type_name("HOST:PORT|PATH")
+      ->type_name("HOST:PORT|PORT|PATH")
       ->check(parses([](const std::string& text) {
         TermOptions unused;
         set_peer(unused, text);
       }));
+  add_port_word(term, [&options](const std::string& port) { set_port(options, port); });
   term.add_flag("--rfc2217", options.is_rfc2217,
                 "HOST:PORT is a terminal server: set up its serial port (RFC 2217)");
   add_parsed(term, "--line-settings", options.settings, parse_line_settings, "SETTINGS",

@@ -19,7 +19,7 @@ enum class TermView : std::uint8_t {
 };
 
 struct TermOptions {
-  std::string peer = "localhost:9600";  ///< as given
+  std::string peer = "localhost:9600";  ///< a path as given, or the text of the address
   bool is_path = false;                 ///< a device or pseudo-terminal, not an address
   PortAddress address;                  ///< unless is_path
   bool is_rfc2217 = false;              ///< negotiate COM-PORT with the address

@@ -14,8 +14,11 @@ PortAddress parse_monitor_address(const std::string& text) { return parse_addres
 void add_watch(CLI::App& app, WatchOptions& options) {
   CLI::App& watch =
       *app.add_subcommand("watch", "show a robot in the terminal, through its monitor port");
-  add_parsed(watch, "address", options.address, parse_monitor_address, "HOST:PORT",
-             "the monitor port (default localhost:9601)");
+  add_parsed(watch, "address", options.address, parse_monitor_address, "HOST:PORT|PORT",
+             "the monitor port, or the address of its page (default localhost:9601)");
+  add_port_word(watch, [&options](const std::string& port) {
+    options.address = with_port(options.address, port);
+  });
   add_value(watch, "--cell", options.cell, "NAME",
             "the cell to show (default: the server's first)");
   add_value(watch, "--token-file", options.token_file, "FILE",

@@ -10,7 +10,7 @@
 namespace xr3 {
 
 struct WatchOptions {
-  PortAddress address{"localhost:9601", "localhost", "9601"};
+  PortAddress address{"localhost:9601", "localhost", "9601", true};
   std::string cell;          ///< empty: the server's first
   std::string token_file;    ///< empty: the token in XR3_TOKEN, if any
   bool is_once = false;      ///< print one screen as text, then exit

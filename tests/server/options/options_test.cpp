@@ -169,7 +169,6 @@ TEST(Options, ErrorsAreSentencesWithTheNameThatWasMeant) {
     const char* sentence;
   };
   const std::initializer_list<Case> cases = {
-      {{}, "a command is missing; xr3 --help lists the commands"},
       {{"sevre"}, "unknown command sevre; perhaps serve was meant; xr3 --help lists the commands"},
       {{"fly"}, "unknown command fly; xr3 --help lists the commands"},
       {{"--robot", "x", "serve"}, "--robot must follow the command, as in xr3 serve --robot"},
@@ -180,6 +179,11 @@ TEST(Options, ErrorsAreSentencesWithTheNameThatWasMeant) {
       {{"serve", "--robto=x"},
        "xr3 serve has no option --robto; perhaps --robot was meant; xr3 serve --help lists the "
        "arguments"},
+      {{"serve", "--port", "9700"},
+       "xr3 serve has no option --port; perhaps --robot-port or --monitor-port was meant; xr3 "
+       "serve "
+       "--help lists the arguments"},
+      {{"serve", "-p", "9700"}, "xr3 serve has no option -p; xr3 serve --help lists the arguments"},
       {{"serve", "first", "second", "--robot", "a"},
        "unexpected argument first; xr3 serve --help lists the arguments"},
       {{"serve", "--robot", "a", "b"},
@@ -196,6 +200,17 @@ TEST(Options, ErrorsAreSentencesWithTheNameThatWasMeant) {
       {{"convert", "a"}, "xr3 convert needs OUT; xr3 convert --help lists the arguments"}};
   for (const auto& [words, sentence] : cases)
     EXPECT_EQ(refused(words).to_stderr, "xr3: " + std::string(sentence) + "\n");
+}
+
+TEST(Options, NoCommandListsTheCommands) {
+  const Leave leave = refused({});
+  EXPECT_EQ(leave.code, ExitCode::kBadInput);
+  EXPECT_TRUE(
+      leave.to_stderr.starts_with("xr3: a command is missing; xr3 COMMAND --help says more\n"
+                                  "  serve        start a robot and its controller\n"
+                                  "  check        "))
+      << leave.to_stderr;
+  EXPECT_NE(leave.to_stderr.find("\n  healthcheck  check that"), std::string::npos);
 }
 
 TEST(Options, HelpListsTheOptions) {
