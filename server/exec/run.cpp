@@ -15,6 +15,7 @@
 #include "protocol/text/table.hpp"
 #include "server/exec/descendants.hpp"
 #include "server/exec/sandbox.hpp"
+#include "server/exec/script.hpp"
 #include "server/exec/transcript_text.hpp"
 #include "server/files/data_files.hpp"
 #include "server/net/wall_clock.hpp"
@@ -172,8 +173,9 @@ class Run {
       program_.emplace(host_.io(), program(), [this](std::string_view text) { output_.add(text); });
     } catch (const std::system_error& error) {
       report_.outcome = RunOutcome::kFailed;
-      report_.why =
-          settings_.exec.command.front() + " cannot be started: " + error.code().message();
+      const std::string trouble = interpreter_trouble(settings_.exec.command.front());
+      report_.why = settings_.exec.command.front() +
+                    " cannot be started: " + (trouble.empty() ? error.code().message() : trouble);
       return false;
     }
     program_->on_end([this](const ProgramEnd& end) { ended(end); });
@@ -184,7 +186,9 @@ class Run {
     is_over_ = true;
     if (end.is_good() || report_.outcome == RunOutcome::kTimeUp) return;
     report_.outcome = RunOutcome::kFailed;
-    report_.why = "the program ended with " + to_text(end);
+    const std::string trouble = interpreter_trouble(settings_.exec.command.front());
+    report_.why =
+        "the program ended with " + to_text(end) + (trouble.empty() ? "" : ": ") + trouble;
   }
 
   void pass_signals_on() {

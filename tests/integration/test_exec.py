@@ -176,6 +176,21 @@ class Exec(unittest.TestCase):
         done = self.run_exec("--", "./no-such-program", code=6)
         self.assertIn("✗ ./no-such-program cannot be started: No such file or directory", done.stdout)
 
+    def test_a_script_without_its_interpreter(self):
+        for first, code, says in (
+                ("#!/bin/sh\r", "cannot be started", "its first line ends with CR LF, as on Windows"),
+                ("#!/usr/bin/env python3\r", "the program ended with exit code 127", "its first line ends with CR LF"),
+                ("#! /no/such/python -u", "cannot be started",
+                 'its first line names the interpreter "/no/such/python", which is not there')):
+            with self.subTest(first):
+                script = self.write("script", f"{first}\nexit 0\n")
+                script.chmod(0o755)
+                done = self.run_exec("--", "./script", code=6)
+                self.assertIn(f"{code}: {says}", done.stdout)
+                self.assertEqual("cannot" in code, "nothing reached" not in done.stdout)
+        script = self.write("script", "#!/bin/sh\nexit 3\n")
+        self.assertIn("exit code 3;", self.run_exec("--", "./script", code=6).stdout)
+
     def test_a_program_that_reaches_another_robot(self):
         note = "nothing reached this run's robot: use XR3_HOST and XR3_PORT"
         with socket.create_server(("127.0.0.1", 0)) as other:

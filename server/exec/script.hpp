@@ -1,0 +1,12 @@
+// The first line of a script, when the script cannot be started.
+#pragma once
+
+#include <string>
+
+namespace xr3 {
+
+/// Why the interpreter in the first line of a script is not found, as a part of a sentence; empty
+/// if `path` is no script, or its interpreter is there.
+std::string interpreter_trouble(const std::string& path);
+
+}  // namespace xr3
