@@ -153,7 +153,7 @@ class Exec(unittest.TestCase):
         done = self.judge("print('hello')\n", code=5)
         self.assertIn("✗ block red at x 244, y 94, z 20 mm, within 8 mm: it is at x 262, y 0, z 20 mm", done.stdout)
         self.assertIn("  hint: turn the base by 92 counts", done.stdout)
-        self.assertIn("a red, b green", done.stdout, "the legend of a view from above")
+        self.assertIn("r red, g green", done.stdout, "the legend of a view from above")
 
     def test_a_program_that_hangs(self):
         done = self.judge("import time\ntime.sleep(1000)\n", "--max-seconds", 0.5, code=7)

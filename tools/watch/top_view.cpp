@@ -15,7 +15,14 @@ constexpr int kMaxColumns = 70;
 constexpr int kMaxRows = 20;
 constexpr int kLegendColumns = 78;
 constexpr double kTouchMm = 1e-6;  ///< tolerance: a centre on the edge of a block is inside
-constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQSTUVWXYZ";
+constexpr std::string_view kLetters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQSTUVWXYZ1234567890";
+constexpr char kNoLetter = '#';
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
 
 /// The smallest of a few round numbers that is at least `number`.
 double round_up(double number) {
@@ -129,24 +136,26 @@ void draw_blocks(Grid& picture, const std::vector<Block>& blocks) {
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto top = [&](std::size_t i) { return blocks[i].centroid_um.z * 2 + blocks[i].size_um.z; };
   std::ranges::stable_sort(order, {}, top);
-  for (const std::size_t i : order) draw_block(picture, blocks[i], block_letter(i));
+  const std::string letters = block_letters(blocks);
+  for (const std::size_t i : order) draw_block(picture, blocks[i], letters[i]);
 }
 
-/// `a red, b green`, over several lines. Blocks without a letter are only counted.
+/// `r red, g green`, over several lines. Blocks without a letter are only counted.
 std::string block_legend(const std::vector<Block>& blocks) {
+  const std::string letters = block_letters(blocks);
   std::string text;
   std::string line;
-  for (std::size_t i = 0; i < std::min(blocks.size(), kLetters.size()); ++i) {
-    const std::string entry = std::string(1, block_letter(i)) + " " + blocks[i].name;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (letters[i] == kNoLetter) continue;
+    const std::string entry = std::string(1, letters[i]) + " " + blocks[i].name;
     if (!line.empty() && line.size() + entry.size() + 2 > kLegendColumns) {
       text += " " + line + ",\n";
       line.clear();
     }
     line += (line.empty() ? "" : ", ") + entry;
   }
-  if (blocks.size() > kLetters.size()) {
+  if (blocks.size() > kLetters.size())
     line += ", # " + std::to_string(blocks.size() - kLetters.size()) + " more";
-  }
   return line.empty() ? text : text + " " + line + "\n";
 }
 
@@ -165,6 +174,21 @@ std::string top_view(const Workcell& workcell, const ReachAbove& reaches) {
   return picture.framed(workcell.workspace) + legend + "\n" + block_legend(workcell.blocks);
 }
 
-char block_letter(std::size_t index) { return index < kLetters.size() ? kLetters[index] : '#'; }
+std::string block_letters(const std::vector<Block>& blocks) {
+  std::string letters(blocks.size(), kNoLetter);
+  std::string free(kLetters);
+  const auto take = [&](std::size_t i, std::string_view wanted) {
+    const std::size_t at = wanted.find_first_of(free);
+    if (letters[i] != kNoLetter || at == std::string_view::npos) return;
+    letters[i] = wanted[at];
+    std::erase(free, wanted[at]);
+  };
+  for (std::size_t i = 0; i < blocks.size(); ++i) take(i, lower_case(blocks[i].name.substr(0, 1)));
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const std::string name = lower_case(blocks[i].name);
+    take(i, std::string(name.rbegin(), name.rend()) + free);
+  }
+  return letters;
+}
 
 }  // namespace xr3

@@ -2,9 +2,9 @@
 // and y to the left, the view from behind the robot.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "core/workcell.hpp"
 
@@ -17,7 +17,8 @@ using ReachAbove = std::function<bool(double x_mm, double y_mm)>;
 /// the blocks' letters. Reachable points are dots; colons are the edge of the camera's field.
 std::string top_view(const Workcell& workcell, const ReachAbove& reaches);
 
-/// a...z, then A...Z without R (the robot), then `#` for all later blocks.
-char block_letter(std::size_t index);
+/// The letter, or digit, of each block in the view: the first of its name; the last one that is
+/// free, if an earlier block has that; or any that is free. `#`: all are in use. R is the robot.
+std::string block_letters(const std::vector<Block>& blocks);
 
 }  // namespace xr3

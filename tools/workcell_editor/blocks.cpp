@@ -111,7 +111,7 @@ void WorkcellDialogue::remove() {
                if (!removes) return;
                std::vector<Block>& blocks = workcell_.blocks.edit();
                blocks.erase(blocks.begin() + static_cast<std::ptrdiff_t>(block_index_));
-               say("Removed. The letters of later blocks move up.\n");
+               say("Removed. Other blocks may have other letters now.\n");
              });
 }
 
@@ -137,8 +137,8 @@ void WorkcellDialogue::keep_block() {
   std::vector<Block>& blocks = workcell_.blocks.edit();
   if (is_added) blocks.emplace_back();
   blocks[block_index_] = block_;
-  say(std::string(is_added ? "Added" : "Changed") + ": " + block_letter(block_index_) + " \"" +
-      block_.name + "\" at (" + dialogue::mm_text(block_.centroid_um.x) + ", " +
+  say(std::string(is_added ? "Added" : "Changed") + ": " + block_letters(blocks)[block_index_] +
+      " \"" + block_.name + "\" at (" + dialogue::mm_text(block_.centroid_um.x) + ", " +
       dialogue::mm_text(block_.centroid_um.y) + ", " + dialogue::mm_text(block_.centroid_um.z) +
       ").\n");
   if (is_making_) offer_block();

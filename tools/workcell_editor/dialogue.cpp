@@ -175,11 +175,8 @@ std::optional<std::size_t> WorkcellDialogue::block_named(const std::string& name
   const std::vector<Block>& blocks = workcell_.blocks;
   const auto named = std::ranges::find(blocks, name, &Block::name);
   if (named != blocks.end()) return static_cast<std::size_t>(named - blocks.begin());
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    const char letter = block_letter(i);
-    if (letter != '#' && name == std::string(1, letter)) return i;
-  }
-  return std::nullopt;
+  const std::size_t at = name == "#" ? std::string::npos : block_letters(blocks).find(name);
+  return name.size() == 1 && at < blocks.size() ? std::optional(at) : std::nullopt;
 }
 
 /// Replaces control characters: names come from files and must not control the terminal.

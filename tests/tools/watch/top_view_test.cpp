@@ -31,15 +31,15 @@ TEST(TopView, BlocksAreDrawnAsSeenFromBehindTheRobot) {
             " x = 80 mm\n"
             "+-------------------------------------------------------------------+\n"
             "|                                                                   |\n"
-            "|        aaaaaaaaaaa                                                |\n"
-            "|        aaaaaaaaaaa                                                |\n"
+            "|        lllllllllll                                                |\n"
+            "|        lllllllllll                                                |\n"
             "|                                                                   |\n"
             "|                                                                   |\n"
-            "|                               bbbbb                               |\n"
-            "|                               bbbbb                               |\n"
-            "|                               bbbbb                               |\n"
-            "|                               bbbbb                               |\n"
-            "|                               bbbbb                               |\n"
+            "|                               fffff                               |\n"
+            "|                               fffff                               |\n"
+            "|                               fffff                               |\n"
+            "|                               fffff                               |\n"
+            "|                               fffff                               |\n"
             "|                                                                   |\n"
             "|                                                                   |\n"
             "|                                                                   |\n"
@@ -47,7 +47,7 @@ TEST(TopView, BlocksAreDrawnAsSeenFromBehindTheRobot) {
             "+---------------------------------R---------------------------------+\n"
             " y = 100                                                        -100\n"
             " R robot   a character is 3 x 6 mm\n"
-            " a left, b front\n");
+            " l left, f front\n");
 }
 
 TEST(TopView, TheUpperOfTwoBlocksIsVisible) {
@@ -55,7 +55,7 @@ TEST(TopView, TheUpperOfTwoBlocksIsVisible) {
   cell.blocks = {block("upper", {10'000, 10'000, 10'000}, {40'000, 0, 15'000}, 0),
                  block("lower", {30'000, 30'000, 10'000}, {40'000, 0, 5'000}, 0)};
   const std::string view = top_view(cell, {});
-  EXPECT_NE(view.find("bbaaabb"), std::string::npos) << view;
+  EXPECT_NE(view.find("lluuull"), std::string::npos) << view;
 }
 
 TEST(TopView, ReachIsDottedAndTheCamerasEdgeIsDrawn) {
@@ -98,13 +98,25 @@ TEST(TopView, FitsATerminal) {
   }
 }
 
+std::vector<Block> named(const std::vector<std::string>& names) {
+  std::vector<Block> blocks;
+  for (const std::string& name : names) blocks.push_back(block(name, {1, 1, 1}, {}, 0));
+  return blocks;
+}
+
+TEST(TopView, ABlockHasALetterOfItsName) {
+  EXPECT_EQ(block_letters(named({"red", "green", "blue", "magenta", "yellow"})), "rgbmy");
+  EXPECT_EQ(block_letters(named({"blue", "brown", "red"})), "bnr") << "initials go first";
+  EXPECT_EQ(block_letters(named({"Red", "1", "\xC3\xA9", "r", ""})), "r1abc");
+  EXPECT_EQ(block_letters(named({"block 1", "block 2", "block 3"})), "b23");
+}
+
 TEST(TopView, LettersAreUniqueUntilTheyRunOut) {
-  std::set<char> letters;
-  for (std::size_t i = 0; i < 51; ++i) letters.insert(block_letter(i));
-  EXPECT_EQ(letters.size(), 51U);
-  EXPECT_FALSE(letters.contains('R'));
-  EXPECT_EQ(block_letter(0), 'a');
-  EXPECT_EQ(block_letter(51), '#');
+  const std::string all = block_letters(named(std::vector<std::string>(70, "block")));
+  const std::string given = all.substr(0, 61);
+  EXPECT_EQ((std::set<char>{given.begin(), given.end()}.size()), 61U);
+  EXPECT_EQ(given.find('R'), std::string::npos);
+  EXPECT_EQ(all.substr(61), "#########");
 }
 
 }  // namespace

@@ -118,13 +118,13 @@ TEST(WorkcellDialogue, CreatesAWorkcellItemByItem) {
   EXPECT_EQ(talk.type("270"), "z of its middle (12.5 to 800 mm) [32.5]: ");
   EXPECT_EQ(talk.type(""), "Colour (0 to 15) [9]: ");
   EXPECT_EQ(talk.type("12"),
-            "Added: a \"red\" at (262, 0, 32.5).\nAnother block? (yes or no) [yes]: ");
+            "Added: r \"red\" at (262, 0, 32.5).\nAnother block? (yes or no) [yes]: ");
   EXPECT_EQ(talk.type("no"), "A camera? (yes or no) [yes]: ");
   EXPECT_EQ(talk.type("yes"), "Camera x (0 to 650 mm) [325]: ");
   EXPECT_EQ(talk.enter(6), "Pixels along y (1 to 2048) [192]: ");
   EXPECT_EQ(talk.type("96"), "Projection (orthographic or perspective) [orthographic]: ");
   EXPECT_THAT(talk.type("per"), HasSubstr("R robot   . within reach   : camera's field"));
-  EXPECT_THAT(talk.shown(), EndsWith("a red\nworkcell (not saved)> "));
+  EXPECT_THAT(talk.shown(), EndsWith("r red\nworkcell (not saved)> "));
   EXPECT_EQ(talk.type("save"), "Wrote lab.json.\nworkcell> ");
   EXPECT_EQ(talk.type("quit"), "Left; all changes to lab.json are saved.\n");
   EXPECT_TRUE(talk.is_over());
@@ -202,7 +202,7 @@ TEST(WorkcellDialogue, OddBlocksGetWarningsAndStay) {
   EXPECT_THAT(talk.shown(), HasSubstr("! \"wide\": a block out of reach"));
   talk.type("", "", "", "", "", "400", "", "");
   EXPECT_THAT(talk.type("100", ""), HasSubstr("floats 80 mm"));
-  EXPECT_EQ(talk.type("yes"), "Added: f \"wide\" at (400, 0, 100).\nworkcell (not saved)> ");
+  EXPECT_EQ(talk.type("yes"), "Added: w \"wide\" at (400, 0, 100).\nworkcell (not saved)> ");
   EXPECT_THAT(talk.type("check"), HasSubstr("! \"wide\": a block that floats 80 mm"));
   EXPECT_THAT(talk.type("save", "yes", "q"), HasSubstr("are saved")) << "odd, but it loads";
 }
@@ -210,16 +210,16 @@ TEST(WorkcellDialogue, OddBlocksGetWarningsAndStay) {
 TEST(WorkcellDialogue, EditsAndRemovesBlocks) {
   Talk talk("rhino-xr3", "rhino-xr3");
   EXPECT_EQ(talk.type("move red"), "x of its middle (0 to 600 mm) [262]: ");
-  EXPECT_THAT(talk.type("400", "0", ""), HasSubstr("Changed: a \"red\" at (400, 0, 20)."));
-  EXPECT_EQ(talk.type("tu b"), "Orientation (-360 to 360 degrees) [25]: ");
+  EXPECT_THAT(talk.type("400", "0", ""), HasSubstr("Changed: r \"red\" at (400, 0, 20)."));
+  EXPECT_EQ(talk.type("tu g"), "Orientation (-360 to 360 degrees) [25]: ");
   talk.type("-180");
-  EXPECT_THAT(talk.type("change c"), HasSubstr("Block's name [blue]: "));
+  EXPECT_THAT(talk.type("change b"), HasSubstr("Block's name [blue]: "));
   EXPECT_THAT(talk.type("red"), HasSubstr("Another block has this name."));
   talk.type("azure");
   talk.enter(8);
   EXPECT_EQ(talk.type("remove yellow"), "Remove \"yellow\"? (yes or no) [yes]: ");
   talk.type("no");
-  talk.type("remove e", "");
+  talk.type("remove m", "");
   talk.type("save", "yes");
   const Workcell cell = talk.saved();
   ASSERT_EQ(cell.blocks.size(), 4U);
@@ -291,7 +291,7 @@ TEST(WorkcellDialogue, AsksToSaveBeforeLeaving) {
   Talk unchanged("rhino-xr3", "rhino-xr3");
   EXPECT_EQ(unchanged.type("q"), "Left; all changes to lab.json are saved.\n");
   Talk changed("rhino-xr3", "rhino-xr3");
-  changed.type("remove a", "");
+  changed.type("remove r", "");
   EXPECT_EQ(changed.type("quit"), "Save before leaving? (yes or no) [yes]: ");
   EXPECT_THAT(changed.type("."), HasSubstr("Back to the menu"));
   EXPECT_EQ(changed.type("quit", "no"), "Left without writing lab.json.\n");
@@ -309,7 +309,7 @@ TEST(WorkcellDialogue, CommandsHaveShortFormsAndHelp) {
   EXPECT_THAT(talk.type("?"), HasSubstr("remove NAME"));
   EXPECT_THAT(talk.type("help"), HasSubstr("remove NAME"));
   EXPECT_THAT(talk.type("l"), HasSubstr("magenta"));
-  EXPECT_THAT(talk.type("v"), HasSubstr("a red, b green"));
+  EXPECT_THAT(talk.type("v"), HasSubstr("r red, g green"));
   EXPECT_THAT(talk.type("ch"), HasSubstr("Which one: check or change?"));
   EXPECT_THAT(talk.type("fly"), HasSubstr("Unknown command"));
   EXPECT_THAT(talk.type("move purple"), HasSubstr("move which block?"));
@@ -328,7 +328,7 @@ TEST(WorkcellDialogue, EscapesNamesFromAFile) {
 std::string any_line(std::mt19937& random) {
   static const std::vector<std::string> kLines = {
       "",       "",          "",        "",         "?",        ".",    "yes",        "no",
-      "add",    "move a",    "turn b",  "remove a", "change c", "list", "view",       "check",
+      "add",    "move b",    "turn r",  "remove b", "change r", "list", "view",       "check",
       "camera", "workspace", "surface", "name",     "save",     "0",    "1",          "12",
       "300",    "-80",       "1e5",     "red",      "x",        "-",    "perspective"};
   return kLines[random() % kLines.size()];
