@@ -13,7 +13,11 @@ class Kin(unittest.TestCase):
     def test_a_pose_that_the_robot_can_take(self):
         done = run_xr3("kin", "--pose", "262,0,20", "--down", "90")
         self.assertEqual((0, ""), (done.returncode, done.stderr))
-        self.assertIn("4 solutions, 1 allowed by limits and protected region", done.stdout)
+        self.assertRegex(done.stdout, r"(?s)4 solutions, 1 allowed by limits and protected region\n\nMotor counts.*Joint variables")
+
+    def test_the_tip_comes_before_the_matrices(self):
+        self.assertRegex(run_xr3("kin", "--counts", "0,0,0,0,0").stdout,
+                         r"(?s)\ARhino XR-3: direct kinematics\n\nTool\n  tip .*Motors.*Link matrices.*T\(0,5\)")
 
     def test_a_pose_that_the_limits_forbid(self):
         done = run_xr3("kin", *BEYOND_LIMITS)

@@ -146,7 +146,7 @@ std::string solutions_text(const Model& model, const InverseResult& result) {
   std::string text = "\n" + std::to_string(count) + (count == 1 ? " solution, " : " solutions, ") +
                      std::to_string(allowed) + " allowed by limits and protected region\n";
   for (const InverseFreedom freedom : result.freedoms) text += described(freedom).text + "\n";
-  return text + variables_table(model, result) + counts_table(model, result) +
+  return text + counts_table(model, result) + variables_table(model, result) +
          positions_table(model, result);
 }
 
@@ -163,8 +163,8 @@ Eigen::Vector3d yaw_pitch_roll_deg(const Eigen::Matrix3d& rotation) {
 
 std::string direct_text(const Model& model, const DirectQuestion& question) {
   const KinPose pose = kin_pose(model, question);
-  return model.robot().name + ": direct kinematics\n" + motors_table(model, pose) +
-         links_text(model, pose) + tool_text(pose);
+  return model.robot().name + ": direct kinematics\n" + tool_text(pose) +
+         motors_table(model, pose) + links_text(model, pose);
 }
 
 std::string inverse_text(const Model& model, const ToolTarget& target,

@@ -11,13 +11,13 @@
 
 namespace xr3 {
 
-/// Tables that end with a line feed: motors and limits, T(k-1,k) and T(0,k) of every link, the
-/// tool.
+/// Tables that end with a line feed: the tool, motors and limits, and T(k-1,k) and T(0,k) of every
+/// link.
 std::string direct_text(const Model& model, const DirectQuestion& question);
 /// The same in mm and degrees, with nine decimals. docs/kinematics.md describes the members.
 Json direct_json(const Model& model, const DirectQuestion& question);
 
-/// Tables of joint variables and motor counts, one row per solution; or why there is no solution.
+/// Tables of motor counts and joint variables, one row per solution; or why there is no solution.
 std::string inverse_text(const Model& model, const ToolTarget& target, const InverseResult& result);
 Json inverse_json(const Model& model, const ToolTarget& target, const InverseResult& result);
 

@@ -207,6 +207,28 @@ TEST(KinReport, DirectTextOfAPose) {
   EXPECT_THAT(text, Not(HasSubstr("-0.0000")));
 }
 
+/// Whether the texts are there in this order.
+bool are_in_order(const std::string& text, const std::vector<std::string>& parts) {
+  std::size_t at = 0;
+  for (const std::string& part : parts) {
+    at = text.find(part, at);
+    if (at == std::string::npos) return false;
+  }
+  return true;
+}
+
+TEST(KinReport, TheAnswerComesFirst) {
+  const std::string tip =
+      direct_text(*test::rhino(), direct(*test::rhino(), counts({0, 0, 0, 0, 0})));
+  EXPECT_TRUE(
+      are_in_order(tip, {"direct kinematics\n\nTool\n  tip ", "\nMotors:", "\nLink matrices"}))
+      << tip;
+  const std::string pick = solved_text(*test::rhino(), down({262, 0, 20}, 90));
+  EXPECT_TRUE(
+      are_in_order(pick, {"4 solutions", "\nMotor counts", "\nJoint variables", "\nPositions"}))
+      << pick;
+}
+
 TEST(KinReport, DirectTextReportsLimitsRegionAndRounding) {
   const std::string text =
       direct_text(*test::rhino(), direct(*test::rhino(), joints({0.1, 12, 160, -150, 0, 70})));
