@@ -169,10 +169,8 @@ void add_port_file(CLI::App& serve, ServeOptions& options) {
 }
 
 void add_recording(CLI::App& serve, ServeOptions& options) {
-  add_value(
-      serve, "--record", options.record, "FILE",
-      "record all inputs and replies in this file, with the time in its name if it exists, or "
-      "for several cells in this folder");
+  add_value(serve, "--record", options.record, "FILE",
+            "record inputs and replies in this file, or for several cells in this folder");
   add_value(serve, "--record-max", options.record_max_mib, "MIB",
             "maximum size of the recording in MiB; the robot goes on without it")
       ->check(whole_number_between(1, kMaxMemoryMib))

@@ -76,7 +76,7 @@ class Log(unittest.TestCase):
             with Server("--log-file", path) as xr3:
                 xr3.line().ask("E?")
             self.assertEqual({"xr3.log", *(f"xr3.log.{number}" for number in range(1, 5))}, set(os.listdir(folder)))
-            self.assertIn("line 1 @0: ", path.read_text(encoding="utf-8"))
+            self.assertIn("line 1 opened", path.read_text(encoding="utf-8"))
             self.assertEqual(FILE_BYTES, pathlib.Path(folder, "xr3.log.1").stat().st_size)
             for number in range(2, 5):
                 self.assertEqual(f"file {number - 1}", pathlib.Path(folder, f"xr3.log.{number}").read_text("ascii"))

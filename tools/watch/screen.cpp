@@ -57,19 +57,21 @@ std::string mode_text(const Known& known) {
   return "";
 }
 
-std::string clock_text(const Known& known, int columns) {
+/// With epoch and tick if they fit beside `left`.
+std::string clock_text(const Known& known, int columns, const std::string& left) {
   const std::string mode = mode_text(known);
   const std::string time = "   " + seconds_text(known.tick, known.tick_hz);
-  if (columns < kTickWidth) return mode + time;
-  return mode + "   epoch " + std::to_string(known.epoch) + "   tick " +
-         std::to_string(known.tick) + time;
+  const std::string whole = mode + "   epoch " + std::to_string(known.epoch) + "   tick " +
+                            std::to_string(known.tick) + time;
+  const int width = static_cast<int>(one_column_letters(left).size() + whole.size());
+  return columns < kTickWidth || width + 3 >= columns ? mode + time : whole;
 }
 
 void paint_title(TextScreen& screen, const Known& known, const Link& link) {
   std::string left = "xr3 watch";
   if (!known.cell.empty()) left += "   " + known.robot + "   " + known.cell;
   const bool is_known = known.state.has_value();
-  paint_ends(screen, 0, left, is_known ? clock_text(known, screen.columns()) : link.address,
+  paint_ends(screen, 0, left, is_known ? clock_text(known, screen.columns(), left) : link.address,
              TextStyle::kTitle);
 }
 

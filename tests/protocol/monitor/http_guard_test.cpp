@@ -67,9 +67,10 @@ TEST(HttpGuard, AcceptsNamesWithoutADotOnlyBeyondLoopback) {
 }
 
 TEST(HttpGuard, AcceptsNamesOfTheRules) {
-  for (const char* host : {"robot.lab.example", "ROBOT.lab.example:9601", "arm"})
+  for (const char* host :
+       {"robot.lab.example", "ROBOT.lab.example:9601", "arm", "robot.lab.example.", "arm.:9601"})
     EXPECT_TRUE(is_host_allowed(host, kNamed)) << host;
-  for (const char* host : {"lab.example", "x.robot.lab.example", "robot.lab.example.", "arms"})
+  for (const char* host : {"lab.example", "x.robot.lab.example", "robot.lab.example..", "arms"})
     EXPECT_FALSE(is_host_allowed(host, kNamed)) << host;
 }
 

@@ -47,6 +47,13 @@ TEST(WatchScreen, MatchesTheGoldens) {
   expect_golden(text(known, 12, 44), "watch-44x12");
 }
 
+TEST(WatchScreen, ShowsTheTimeAloneIfTheTickDoesNotFit) {
+  Known known = test::watched_model().known();
+  known.tick = 123'456'789;
+  EXPECT_THAT(text(known, 24, 80), HasSubstr("123456.789 s\n"));
+  EXPECT_THAT(text(known, 24, 200), HasSubstr("tick 123456789   123456.789 s\n"));
+}
+
 TEST(WatchScreen, OtherPagesMatchTheGoldens) {
   const Link refused{Link::Phase::kTrying, "localhost:9601",
                      "cannot connect to localhost:9601 (Connection refused)"};
