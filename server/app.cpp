@@ -4,11 +4,11 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <iostream>
 #include <utility>
 
 #include "server/log.hpp"
 #include "server/net/wall_clock.hpp"
+#include "server/print.hpp"
 
 namespace xr3 {
 namespace {
@@ -275,9 +275,9 @@ void App::announce() {
                        [&] { port_file_.emplace(options_.port_file, served_ports()); });
   }
   announce_token();
-  std::cout << "LISTENING robot=" << to_text(robot) << " monitor=" << to_text(monitor);
-  for (const std::string& path : options_.ptys) std::cout << " pty=" << path;
-  std::cout << std::endl;
+  std::string ports = "LISTENING robot=" + to_text(robot) + " monitor=" + to_text(monitor);
+  for (const std::string& path : options_.ptys) ports += " pty=" + path;
+  print_text(ports + "\n");
   announce_page();
   service_manager_.ready();
 }
@@ -285,15 +285,14 @@ void App::announce() {
 // Bypasses the log, which may be stored. Standard output contains only the LISTENING line.
 void App::announce_token() const {
   if (fresh_token_.empty()) return;
-  std::cerr << "xr3: calls need this run's token; open " << page_ << "#token=" << fresh_token_
-            << std::endl;
+  print_error("xr3: calls need this run's token; open " + page_ + "#token=" + fresh_token_ + "\n");
 }
 
 /// Names the page to a person, or where the log of level info is read.
 void App::announce_page() const {
   const bool is_logged = options_.log_file.empty() && spdlog::should_log(spdlog::level::info);
   if (!fresh_token_.empty() || (!is_logged && ::isatty(STDERR_FILENO) == 0)) return;
-  std::cerr << "xr3: open " << page_ << std::endl;
+  print_error("xr3: open " + page_ + "\n");
 }
 
 void App::await_signal() {

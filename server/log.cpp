@@ -8,60 +8,17 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <utility>
 
 #include "protocol/explain/event_report.hpp"
+#include "protocol/text/printable.hpp"
 #include "server/log_budget.hpp"
 #include "server/log_file.hpp"
 #include "server/net/wall_clock.hpp"
 
 namespace xr3 {
 namespace {
-
-/// The length of a character in UTF-8 at the start of `text` that changes the direction of text.
-/// Such characters can make a line look different from what it says. 0 if there is none.
-std::size_t bidi_length(std::string_view text) {
-  constexpr std::array<std::string_view, 12> kBidi = {
-      "\xE2\x80\x8E", "\xE2\x80\x8F", "\xE2\x80\xAA", "\xE2\x80\xAB",
-      "\xE2\x80\xAC", "\xE2\x80\xAD", "\xE2\x80\xAE", "\xE2\x81\xA6",
-      "\xE2\x81\xA7", "\xE2\x81\xA8", "\xE2\x81\xA9", "\xD8\x9C"};
-  for (const std::string_view each : kBidi) {
-    if (text.starts_with(each)) return each.size();
-  }
-  return 0;
-}
-
-bool is_printable_ascii(char c) { return c >= ' ' && c < '\x7F'; }
-
-/// One line without control characters (C0, DEL, C1 and those of direction), which are escaped:
-/// names chosen by clients may contain any character.
-std::string one_line(std::string_view text) {
-  std::string line;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto plain_end = std::find_if_not(text.begin() + i, text.end(), is_printable_ascii);
-    line.append(text.begin() + i, plain_end);
-    i = static_cast<std::size_t>(plain_end - text.begin());
-    if (i == text.size()) break;
-    if (const std::size_t length = bidi_length(text.substr(i)); length > 0) {
-      for (const std::size_t end = i + length; i < end; ++i)
-        line += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[i]));
-      continue;
-    }
-    const char c = text[i++];
-    const auto byte = static_cast<unsigned char>(c);
-    const bool is_second_of_c1 = byte >= 0x80 && byte < 0xA0 && line.ends_with('\xC2');
-    const bool is_control = byte < ' ' || byte == 0x7F;
-    if (is_second_of_c1) line.pop_back();
-    if (is_control || is_second_of_c1) {
-      line += fmt::format("\\x{:02x}", byte);
-    } else {
-      line += c;
-    }
-  }
-  return line;
-}
 
 // A parent process that never reads our standard error must not block the robot. A pipe that polls
 // writable accepts PIPE_BUF bytes without blocking; longer messages are cut.
@@ -115,7 +72,7 @@ class LimitedSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex>
     if (message.level != spdlog::level::critical && !budget_.admit(now)) return;
     if (const std::uint64_t count = budget_.take_dropped(now); count > 0)
       write(spdlog::level::warn, fmt::format("suppressed {} messages", count));
-    write(message.level, one_line({message.payload.data(), message.payload.size()}));
+    write(message.level, printable_line({message.payload.data(), message.payload.size()}));
   }
   void flush_() override { sink_->flush(); }
 

@@ -18,6 +18,7 @@
 #include "server/log.hpp"
 #include "server/monitor_port/token.hpp"
 #include "server/options/options.hpp"
+#include "server/print.hpp"
 
 namespace xr3 {
 namespace {
@@ -47,8 +48,8 @@ ExitCode run_command(const ServeOptions& options) {
 }
 
 ExitCode run_command(const Leave& leave) {
-  std::cout << leave.to_stdout;
-  std::cerr << leave.to_stderr;
+  print_text(leave.to_stdout);
+  print_error(leave.to_stderr);
   return leave.code;
 }
 
@@ -59,7 +60,7 @@ ExitCode run(int argc, const char* const* argv) {
   } catch (const ExitError& error) {
     return fail(error.code(), error.what());
   } catch (const DataError& error) {
-    std::cerr << to_text(error.findings());
+    print_error(to_text(error.findings()));
     return ExitCode::kBadInput;
   } catch (const std::exception& error) {
     return fail(ExitCode::kInternal, error.what());

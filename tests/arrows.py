@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Project rules that a compiler does not check: the includes that each library may have, the maximum length
-of a file and of its lines, the maximum size of a folder, that each type of a header has a name of its own, and that
-no file names a path outside the project. Prints every breach as file:line."""
+of a file and of its lines, the maximum size of a folder, that each type of a header has a name of its own, that what
+commands print is escaped, and that no file names a path outside the project. Prints every breach as file:line."""
 
 import os
 import re
@@ -38,6 +38,10 @@ PRIVATE_PATH = re.compile(
 # scripts/emscripten compiles these libraries with Debian 12's libc++, which has no such algorithms.
 PORTABLE = ("core", "protocol", "cell")
 NOT_IN_LIBCXX = re.compile(r"\b(?:std::ranges::\w+\(|(?:std|ranges)::views::)")
+
+# Names may contain control characters. `xr3 term` moves the cursor, and passes on the bytes of a robot.
+PRINTS = re.compile(r"\bstd::c(?:out|err|log) <<")
+PRINTERS = {"server/print.cpp", "server/term/console.cpp", "server/term/pipe.cpp"}
 
 # A type that the namespace of a header defines; nested types belong to their class.
 TYPE = re.compile(r"^(?:struct|class|enum class) ([A-Z]\w*)(?: final)?(?: : [^;{]*)?\s*\{|^using ([A-Z]\w*) =", re.MULTILINE)
@@ -93,6 +97,8 @@ def breaches(path, text):
             yield f"{path}:{number}: {reason}"
         if path.endswith((".cpp", ".hpp")) and len(line) > MAX_COLUMNS:
             yield f"{path}:{number}: longer than {MAX_COLUMNS} columns"
+        if folder in RULES and PRINTS.search(line) and path not in PRINTERS:
+            yield f"{path}:{number}: prints unescaped; use server/print.hpp"
         if folder in PORTABLE and NOT_IN_LIBCXX.search(line):
             yield f"{path}:{number}: {folder} may not use algorithms of std::ranges; Emscripten's libc++ lacks them"
     if folder in RULES and len(lines) > MAX_LINES:

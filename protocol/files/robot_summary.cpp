@@ -7,6 +7,7 @@
 #include "core/switches.hpp"
 #include "protocol/files/consistency.hpp"
 #include "protocol/files/summary.hpp"
+#include "protocol/text/printable.hpp"
 #include "protocol/text/table.hpp"
 
 namespace xr3 {
@@ -18,7 +19,7 @@ std::string one_letter(char label) { return std::string(1, label); }
 
 /// `E shoulder`
 std::string title_of(const Model& model, int index) {
-  return one_letter(model.motor(index).drive.label) + " " + model.name(index);
+  return one_letter(model.motor(index).drive.label) + " " + printable_line(model.name(index));
 }
 
 std::string unit_of(const Model& model, int index) { return model.is_length(index) ? "mm" : "deg"; }
@@ -27,8 +28,8 @@ std::string signed_number(int number) { return (number > 0 ? "+" : "") + std::to
 
 std::string heading(const Robot& robot) {
   const std::string jaws = robot.tool.kind == ToolKind::kParallel ? "parallel" : "angular";
-  std::string text =
-      robot.name + ": " + std::to_string(robot.joints.size()) + " joints, " + jaws + " jaws\n";
+  std::string text = printable_line(robot.name) + ": " + std::to_string(robot.joints.size()) +
+                     " joints, " + jaws + " jaws\n";
   if (!robot.notes.empty()) text += robot.notes + "\n";
   return text;
 }
@@ -125,7 +126,7 @@ std::string carousel_text(const Robot& robot) {
 std::string net_roll_text(const Model& model) {
   std::string text = "Net roll:";
   for (const RollTerm& term : model.robot().net_roll) {
-    text += (term.sign > 0 ? " + " : " - ") + model.name(term.joint);
+    text += (term.sign > 0 ? " + " : " - ") + printable_line(model.name(term.joint));
   }
   const double offset = model.robot().net_roll_offset_deg;
   return text + (offset < 0 ? " - " : " + ") + plain_number(std::abs(offset)) + " deg\n";

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "protocol/files/summary.hpp"
+#include "protocol/text/printable.hpp"
 #include "protocol/text/table.hpp"
 
 namespace xr3 {
@@ -17,7 +18,7 @@ std::string length(Micrometres um) { return plain_number(mm(um)); }
 
 std::string heading(const Workcell& workcell) {
   const std::size_t count = workcell.blocks.size();
-  std::string text = workcell.name + ": " + std::to_string(count) +
+  std::string text = printable_line(workcell.name) + ": " + std::to_string(count) +
                      (count == 1 ? " block, " : " blocks, ") +
                      (workcell.camera ? "a camera\n" : "no camera\n");
   if (!workcell.notes.empty()) text += workcell.notes + "\n";

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/text/printable.hpp"
+
 namespace xr3 {
 
-std::string to_text(const Finding& finding) {
+namespace {
+
+std::string sentence_of(const Finding& finding) {
   std::string text = finding.file + ":" + std::to_string(finding.line) + ":";
   if (finding.column > 0) text += std::to_string(finding.column) + ":";
   if (finding.severity == Severity::kWarning) text += " warning:";
@@ -14,6 +18,10 @@ std::string to_text(const Finding& finding) {
   text += finding.found.empty() ? " is missing" : " found " + finding.found;
   return text + "; allowed: " + finding.allowed;
 }
+
+}  // namespace
+
+std::string to_text(const Finding& finding) { return printable_line(sentence_of(finding)); }
 
 std::string to_text(const Findings& findings) {
   std::string text;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cctype>
 
+#include "protocol/text/printable.hpp"
+
 namespace xr3 {
 namespace {
 
@@ -34,23 +36,6 @@ std::string word_at(std::string_view text, std::size_t offset) {
   std::size_t end = offset + 1;
   while (end < text.size() && is_word(text[offset]) && is_word(text[end])) ++end;
   return std::string(text.substr(begin, std::min(end - begin, kMaxQuotedLength)));
-}
-
-/// Replaces bytes other than printable ASCII by \xNN, since an excerpt may split a character.
-std::string printable(const std::string& bytes) {
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
-  std::string result;
-  for (const char c : bytes) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x20 && byte < 0x7F) {
-      result += c;
-    } else {
-      result += "\\x";
-      result += kDigits[byte >> 4U];
-      result += kDigits[byte & 0x0FU];
-    }
-  }
-  return result;
 }
 
 std::string allowed_here(const std::string& message) {
@@ -90,7 +75,7 @@ void describe_error(std::string_view text, std::size_t offset, const JsonDocumen
     finding.allowed = phrase.allowed;
     return;
   }
-  finding.found = printable(word_at(text, offset));
+  finding.found = printable_line(word_at(text, offset));  // which may split a character
   finding.allowed = allowed_here(error.message);
   const bool names_expected = contains(error.message, "; expected string literal");
   if (finding.found == "}" && names_expected) finding.found = "} after a comma";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iomanip>
 
+#include "protocol/text/printable.hpp"
 #include "protocol/text/text_stream.hpp"
 
 namespace xr3 {
@@ -14,8 +15,15 @@ std::size_t width_of(const std::string& cell) {
       std::count_if(cell.begin(), cell.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-std::vector<std::size_t> column_widths(const std::vector<std::vector<std::string>>& rows,
-                                       std::size_t columns) {
+using TableRows = std::vector<std::vector<std::string>>;
+
+TableRows printable_cells(TableRows rows) {
+  for (auto& row : rows)
+    for (std::string& cell : row) cell = printable_line(cell);
+  return rows;
+}
+
+std::vector<std::size_t> column_widths(const TableRows& rows, std::size_t columns) {
   std::vector<std::size_t> widths(columns, 0);
   for (const auto& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
@@ -52,8 +60,9 @@ std::string significant_digits(double number, int digits) {
   return out.str();
 }
 
-std::string text_table(const std::vector<std::vector<std::string>>& rows,
+std::string text_table(const std::vector<std::vector<std::string>>& cells,
                        const std::string& alignment) {
+  const TableRows rows = printable_cells(cells);
   const std::vector<std::size_t> widths = column_widths(rows, alignment.size());
   std::string table;
   for (const auto& row : rows) {

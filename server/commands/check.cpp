@@ -1,4 +1,3 @@
-#include <iostream>
 #include <optional>
 
 #include "protocol/files/paper_form/paper_form.hpp"
@@ -6,6 +5,7 @@
 #include "server/commands/fail.hpp"
 #include "server/files/data_files.hpp"
 #include "server/files/load_model.hpp"
+#include "server/print.hpp"
 
 namespace xr3 {
 namespace {
@@ -22,8 +22,8 @@ bool check_file(const CheckOptions& options, const std::string& file) {
   const std::optional<Robot> robot = robot_for(options, file);
   const CheckResult result =
       check_either_form(data.text, data.path, options.profile, robot ? &*robot : nullptr);
-  std::cerr << to_text(result.findings) << std::flush;
-  std::cout << result.summary << std::flush;
+  print_error(to_text(result.findings));
+  print_text(result.summary);
   return result.is_good();
 }
 

@@ -1,13 +1,14 @@
-#include <iostream>
 #include <optional>
 
 #include "protocol/files/paper_form/paper_form.hpp"
 #include "protocol/json/text.hpp"
+#include "protocol/text/printable.hpp"
 #include "server/commands/commands.hpp"
 #include "server/commands/fail.hpp"
 #include "server/files/atomic_write.hpp"
 #include "server/files/data_files.hpp"
 #include "server/files/load_model.hpp"
+#include "server/print.hpp"
 
 namespace xr3 {
 namespace {
@@ -40,13 +41,13 @@ std::string summary_of(const CheckResult& data) {
 void check_draft(const DataFile& draft, const CheckResult& data) {
   const CheckResult again = check_either_form(draft.text, draft.path, Profile::kPaper);
   if (again.robot == data.robot && again.workcell == data.workcell) return;
-  throw FileError(draft.path + ": reads back differently from the input: a bug in xr3\n" +
-                  to_text(again.findings));
+  print_error(to_text(again.findings));
+  throw FileError(draft.path + ": reads back differently from the input: a bug in xr3");
 }
 
 void print_summary(const ConvertOptions& options, Form form, const CheckResult& data) {
-  std::cout << options.out << ": " << summary_of(data)
-            << (form == Form::kJson ? " as JSON, in mm\n" : " in the paper's plain form, in mm\n");
+  print_text(printable_line(options.out + ": " + summary_of(data)) +
+             (form == Form::kJson ? " as JSON, in mm\n" : " in the paper's plain form, in mm\n"));
 }
 
 }  // namespace
@@ -62,7 +63,7 @@ ExitCode run_command(const ConvertOptions& options) {
   const std::optional<Robot> robot = robot_with_name_of(options.in);
   const CheckResult data =
       check_either_form(in.text, in.path, Profile::kPaper, robot ? &*robot : nullptr);
-  std::cerr << to_text(data.findings);
+  print_error(to_text(data.findings));
   if (!data.is_good()) return ExitCode::kBadInput;
   if (data.faults)
     return fail(ExitCode::kBadInput,

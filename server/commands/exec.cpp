@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <iomanip>
-#include <iostream>
 #include <set>
 #include <utility>
 
@@ -11,6 +10,7 @@
 #include "server/exec/pool.hpp"
 #include "server/files/atomic_write.hpp"
 #include "server/log.hpp"
+#include "server/print.hpp"
 
 namespace xr3 {
 namespace {
@@ -67,12 +67,13 @@ std::size_t count_passed(const std::vector<RunReport>& reports) {
 /// Of several runs, those that failed are shown in full.
 void print(const std::vector<RunReport>& reports) {
   if (reports.size() == 1) {
-    std::cout << to_text(reports.front());
-    return;
+    return print_text(to_text(reports.front()));
   }
   for (std::size_t i = 0; i < reports.size(); ++i)
-    if (!reports[i].is_passed()) std::cout << "run " << i + 1 << ":\n" << to_text(reports[i]);
-  std::cout << count_passed(reports) << " of " << reports.size() << " runs passed\n";
+    if (!reports[i].is_passed())
+      print_text("run " + std::to_string(i + 1) + ":\n" + to_text(reports[i]));
+  print_text(std::to_string(count_passed(reports)) + " of " + std::to_string(reports.size()) +
+             " runs passed\n");
 }
 
 void write_results(const ExecCommand& command, const std::vector<RunReport>& reports) {
@@ -100,8 +101,9 @@ ExitCode run_command(const ExecCommand& command) {
   const std::set<std::string> found = transcripts(reports);
   const bool is_different = !command.exec.vary && found.size() > 1;
   if (is_different)
-    std::cout << found.size() << " different transcripts in " << reports.size()
-              << " runs: the program does not do the same every time\n";
+    print_text(std::to_string(found.size()) + " different transcripts in " +
+               std::to_string(reports.size()) +
+               " runs: the program does not do the same every time\n");
   if (has_any(reports, RunOutcome::kTimeUp)) return ExitCode::kTimeUp;
   if (has_any(reports, RunOutcome::kFailed)) return ExitCode::kProgramFailed;
   if (is_different) return ExitCode::kDifferent;

@@ -2,16 +2,17 @@
 #pragma once
 
 #include <csignal>
-#include <iostream>
 #include <string>
 
+#include "protocol/text/printable.hpp"
 #include "server/exit_code.hpp"
+#include "server/print.hpp"
 
 namespace xr3 {
 
-/// Prints the message to standard error.
+/// Prints the message as one line to standard error.
 inline ExitCode fail(ExitCode code, const std::string& message) {
-  std::cerr << "xr3: " << message << "\n";
+  print_error("xr3: " + printable_line(message) + "\n");
   return code;
 }
 

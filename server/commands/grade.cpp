@@ -1,11 +1,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <iomanip>
-#include <iostream>
 #include <system_error>
 #include <utility>
 
 #include "protocol/goals/goal_text.hpp"
+#include "protocol/text/printable.hpp"
+#include "protocol/text/text_stream.hpp"
 #include "server/commands/commands.hpp"
 #include "server/commands/fail.hpp"
 #include "server/exec/exercise.hpp"
@@ -13,6 +14,7 @@
 #include "server/files/atomic_write.hpp"
 #include "server/files/data_files.hpp"
 #include "server/log.hpp"
+#include "server/print.hpp"
 #include "tools/report/class_report.hpp"
 
 namespace xr3 {
@@ -74,12 +76,14 @@ void make_report_folder(const std::string& path) {
 }
 
 void print_table(const std::vector<RunReport>& reports) {
+  const auto title = [](const RunReport& report) { return printable_line(report.program); };
   std::size_t width = 0;
-  for (const RunReport& each : reports) width = std::max(width, each.program.size());
+  for (const RunReport& each : reports) width = std::max(width, title(each).size());
+  TextStream table;
   for (const RunReport& each : reports)
-    std::cout << std::left << std::setw(static_cast<int>(width)) << each.program << "  "
-              << points_of(each.goals) << "/" << max_points_of(each.goals) << "  " << each.why
-              << "\n";
+    table << std::left << std::setw(static_cast<int>(width)) << title(each) << "  "
+          << points_of(each.goals) << "/" << max_points_of(each.goals) << "  " << each.why << "\n";
+  print_text(table.str());
 }
 
 }  // namespace
@@ -102,8 +106,8 @@ ExitCode run_command(const GradeCommand& command) {
   };
   std::size_t count = 0;
   const auto done = [&](std::size_t index) {
-    std::cerr << ++count << " of " << submissions.size() << ": "
-              << submissions[index].filename().string() << "\n";
+    print_error(std::to_string(++count) + " of " + std::to_string(submissions.size()) + ": " +
+                printable_line(submissions[index].filename().string()) + "\n");
   };
   const std::size_t jobs = command.grade.jobs > 0 ? command.grade.jobs : usual_jobs();
   const auto texts = in_processes(submissions.size(), jobs, run, done);

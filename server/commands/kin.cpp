@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <iostream>
 
 #include "protocol/files/paper_form/paper_form.hpp"
 #include "protocol/json/text.hpp"
 #include "server/commands/commands.hpp"
 #include "server/commands/fail.hpp"
 #include "server/files/data_files.hpp"
+#include "server/print.hpp"
 #include "tools/kin/report.hpp"
 #include "tools/kin/text.hpp"
 
@@ -13,15 +13,16 @@ namespace xr3 {
 namespace {
 
 ExitCode answer(const Model& model, const DirectQuestion& question, bool as_json) {
-  std::cout << (as_json ? json_text(direct_json(model, question)) : direct_text(model, question));
+  if (as_json) print_json(json_text(direct_json(model, question)));
+  if (!as_json) print_text(direct_text(model, question));
   return ExitCode::kGood;
 }
 
 ExitCode answer(const Model& model, const InverseQuestion& question, bool as_json) {
   const InverseResult result = solve_inverse(model, question.target, question.options);
-  if (as_json) std::cout << json_text(inverse_json(model, question.target, result));
+  if (as_json) print_json(json_text(inverse_json(model, question.target, result)));
   if (result.solutions.empty()) return fail(ExitCode::kBadInput, refusal_of(result).text);
-  if (!as_json) std::cout << inverse_text(model, question.target, result);
+  if (!as_json) print_text(inverse_text(model, question.target, result));
   return std::ranges::any_of(result.solutions, &InverseSolution::is_allowed)
              ? ExitCode::kGood
              : fail(ExitCode::kBadInput,

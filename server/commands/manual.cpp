@@ -1,8 +1,9 @@
 #include <filesystem>
-#include <iostream>
 
+#include "protocol/text/printable.hpp"
 #include "server/commands/commands.hpp"
 #include "server/files/atomic_write.hpp"
+#include "server/print.hpp"
 
 namespace xr3 {
 
@@ -16,7 +17,8 @@ ExitCode run_command(const ManualFiles& manual) {
     if (error) throw FileError(path.parent_path().string() + ": " + error.message());
     write_file(path, file.text);
   }
-  std::cout << manual.folder << ": " << manual.files.size() << " files\n";
+  print_text(printable_line(manual.folder) + ": " + std::to_string(manual.files.size()) +
+             " files\n");
   return ExitCode::kGood;
 }
 

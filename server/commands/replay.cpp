@@ -4,7 +4,6 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <iostream>
 #include <optional>
 #include <utility>
 
@@ -13,12 +12,14 @@
 #include "protocol/monitor/message.hpp"
 #include "protocol/monitor/snapshot.hpp"
 #include "protocol/recording/reader.hpp"
+#include "protocol/text/printable.hpp"
 #include "server/app.hpp"
 #include "server/commands/commands.hpp"
 #include "server/commands/fail.hpp"
 #include "server/files/atomic_write.hpp"
 #include "server/files/descriptor.hpp"
 #include "server/log.hpp"
+#include "server/print.hpp"
 #include "server/recording/joint_table.hpp"
 #include "tools/drawing/picture.hpp"
 #include "tools/drawing/svg.hpp"
@@ -111,8 +112,9 @@ class ReplayRun {
       const auto entry = source_.next();
       if (!entry) break;
       if (const auto other = replayer.apply(*entry)) {
-        std::cerr << options_.file << ":" << source_.reader().line() << ": " << to_text(*other)
-                  << "\n";
+        print_error(printable_line(options_.file + ":" + std::to_string(source_.reader().line()) +
+                                   ": " + to_text(*other)) +
+                    "\n");
         return false;
       }
     }
@@ -144,7 +146,9 @@ class ReplayRun {
          "; everything is as recorded");
   }
 
-  void note(const std::string& text) const { std::cerr << options_.file << ": " << text << "\n"; }
+  void note(const std::string& text) const {
+    print_error(printable_line(options_.file + ": " + text) + "\n");
+  }
 
   const ReplayOptions& options_;
   RecordingSource source_;
@@ -153,15 +157,15 @@ class ReplayRun {
 
 void print_state(const Cell& cell) {
   const std::string members = monitor::text_of(state_json(cell.model(), cell.snapshot()));
-  std::cout << *monitor::channel_message(monitor::Channel::kState,
-                                         {cell.name(), cell.epoch(), 0, cell.state().tick}, members)
-            << "\n";
+  print_json(*monitor::channel_message(monitor::Channel::kState,
+                                       {cell.name(), cell.epoch(), 0, cell.state().tick}, members) +
+             "\n");
 }
 
 void show_end(const ReplayOptions& options, const Cell& cell) {
   if (options.print == ReplayPrint::kState) print_state(cell);
   if (options.print == ReplayPrint::kStatus)
-    std::cout << status_line(cell.model(), cell.state()) << "\n";
+    print_text(printable_line(status_line(cell.model(), cell.state())) + "\n");
   if (options.svg.empty()) return;
   const State& state = cell.state();
   const Picture picture = drawing(cell.model(), state, state.display.view, kUsualPictureWidthPx);

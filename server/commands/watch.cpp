@@ -6,7 +6,6 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <iostream>
 #include <map>
 
 #include "server/commands/commands.hpp"
@@ -15,6 +14,7 @@
 #include "server/commands/watch_connection.hpp"
 #include "server/monitor_port/token.hpp"
 #include "server/net/spawn.hpp"
+#include "server/print.hpp"
 #include "tools/watch/screen.hpp"
 #include "tools/watch/token_prompt.hpp"
 
@@ -240,8 +240,8 @@ ExitCode watch_once(const WatchOptions& options) {
   const Link link{Link::Phase::kLive, options.address.text, ""};
   const TerminalSize size = terminal_size();
   const Page page = options.shows_lines ? Page::kPrintLines : Page::kPrint;
-  std::cout << text_of(watch::watch_screen(model.known(), link, page, size.rows, size.columns),
-                       letters_of(options, Letters::kUnicode));
+  print_text(text_of(watch::watch_screen(model.known(), link, page, size.rows, size.columns),
+                     letters_of(options, Letters::kUnicode)));
   return ExitCode::kGood;
 }
 

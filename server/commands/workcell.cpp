@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <iostream>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -15,6 +14,7 @@
 #include "server/commands/commands.hpp"
 #include "server/files/atomic_write.hpp"
 #include "server/files/data_files.hpp"
+#include "server/print.hpp"
 #include "tools/workcell_editor/dialogue.hpp"
 
 namespace xr3 {
@@ -108,8 +108,6 @@ std::optional<std::string> KeyboardInput::line() {
   return take(text_.size(), 0);
 }
 
-void show(const std::string& text) { std::cout << text << std::flush; }
-
 /// The error for an unusable file: its findings, or that it is of the other kind.
 DataError unusable(const CheckResult& data, const std::string& file, const std::string& wanted) {
   if (!data.is_good()) return DataError(data.findings);
@@ -178,11 +176,11 @@ DialogueTurn write(const WorkcellOptions& options, const DialogueTurn& turn,
 DialogueTurn handle_line(KeyboardInput& input, WorkcellDialogue& dialogue) {
   const std::optional<std::string> line = input.line();
   if (!line) {
-    show("\n");
+    print_text("\n");
     return dialogue.leave(input.end() == KeyboardInput::End::kSignal ? "Interrupted"
                                                                      : "End of input");
   }
-  if (!input.is_terminal()) show(*line + "\n");
+  if (!input.is_terminal()) print_text(*line + "\n");
   return dialogue.handle(*line);
 }
 
@@ -192,10 +190,10 @@ ExitCode run_command(const WorkcellOptions& options) {
   WorkcellDialogue dialogue(start_of(options));
   KeyboardInput input;
   DialogueTurn turn = dialogue.begin();
-  show(turn.text);
+  print_text(turn.text);
   while (!turn.is_over) {
     turn = turn.file_text ? write(options, turn, dialogue) : handle_line(input, dialogue);
-    show(turn.text);
+    print_text(turn.text);
   }
   const bool is_lost = input.end() != KeyboardInput::End::kNone && dialogue.has_unsaved();
   return is_lost ? ExitCode::kBadInput : ExitCode::kGood;

@@ -11,11 +11,11 @@
 #include <cerrno>
 #include <csignal>
 #include <exception>
-#include <iostream>
 #include <utility>
 
 #include "server/exec/pipe.hpp"
 #include "server/exec/throw_errno.hpp"
+#include "server/print.hpp"
 
 namespace xr3 {
 namespace {
@@ -35,14 +35,13 @@ struct Job {
   try {
     is_good = write_all(pipe, task(index));
   } catch (const std::exception& error) {
-    std::cerr << "xr3: " << error.what() << "\n";
+    print_error(std::string("xr3: ") + error.what() + "\n");
   }
   ::_exit(is_good ? 0 : 1);
 }
 
 Job start(const std::function<std::string(std::size_t)>& task, std::size_t index) {
   Pipe ends;
-  std::cout.flush();
   const ::pid_t process = ::fork();
   if (process < 0) throw_errno("fork");
   if (process == 0) {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "protocol/monitor/http_guard.hpp"
+#include "protocol/text/printable.hpp"
 #include "server/net/asio.hpp"
 #include "server/options/config.hpp"
 #include "server/options/environment.hpp"
@@ -73,7 +74,9 @@ void add_cells(CLI::App& serve, ServeOptions& options) {
            "the first address that speaks on a robot port keeps it; others are disconnected");
 }
 
-Leave refuse(const std::string& why) { return {ExitCode::kBadInput, "", "xr3: " + why + "\n"}; }
+Leave refuse(const std::string& why) {
+  return {ExitCode::kBadInput, "", "xr3: " + printable_line(why) + "\n"};
+}
 
 Leave refuse(const ServeOptions& options, const char* option, const std::string& why) {
   return refuse(source_of(options.option_sources, option) + " " + why);

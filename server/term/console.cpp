@@ -3,6 +3,7 @@
 #include <csignal>
 #include <iostream>
 
+#include "protocol/text/printable.hpp"
 #include "server/commands/terminal.hpp"
 #include "server/net/spawn.hpp"
 #include "tools/term/line_decoder.hpp"
@@ -109,7 +110,7 @@ void TermConsole::note_received(std::string_view bytes, const std::vector<std::s
   for (const std::string& reply : replies) print("  " + reply);
 }
 
-void TermConsole::say(const std::string& sentence) { print(sentence); }
+void TermConsole::say(const std::string& sentence) { print(printable_lines(sentence)); }
 
 void TermConsole::print(std::string_view lines) {
   write(screen_.print(lines));

@@ -2,7 +2,9 @@
 
 #include <iostream>
 
+#include "protocol/text/printable.hpp"
 #include "server/net/spawn.hpp"
+#include "server/print.hpp"
 #include "tools/term/line_decoder.hpp"
 
 namespace xr3 {
@@ -34,7 +36,9 @@ void TermPipe::note_received(std::string_view bytes, const std::vector<std::stri
   for (const std::string& reply : replies) write(reply + "\n");
 }
 
-void TermPipe::say(const std::string& sentence) { std::cerr << "xr3: " << sentence << "\n"; }
+void TermPipe::say(const std::string& sentence) {
+  print_error("xr3: " + printable_line(sentence) + "\n");
+}
 
 void TermPipe::write(std::string_view text) {
   std::cout << text << std::flush;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "protocol/text/printable.hpp"
 #include "protocol/text/table.hpp"
 #include "tools/kin/pose.hpp"
 #include "tools/kin/text.hpp"
@@ -163,13 +164,13 @@ Eigen::Vector3d yaw_pitch_roll_deg(const Eigen::Matrix3d& rotation) {
 
 std::string direct_text(const Model& model, const DirectQuestion& question) {
   const KinPose pose = kin_pose(model, question);
-  return model.robot().name + ": direct kinematics\n" + tool_text(pose) +
+  return printable_line(model.robot().name) + ": direct kinematics\n" + tool_text(pose) +
          motors_table(model, pose) + links_text(model, pose);
 }
 
 std::string inverse_text(const Model& model, const ToolTarget& target,
                          const InverseResult& result) {
-  const std::string heading = model.robot().name + ": inverse kinematics, " +
+  const std::string heading = printable_line(model.robot().name) + ": inverse kinematics, " +
                               described(result.method).text + "\n" + target_text(model, target);
   if (result.solutions.empty()) return heading + "\nNo solution: " + refusal_of(result).text + "\n";
   return heading + solutions_text(model, result);

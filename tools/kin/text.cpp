@@ -1,5 +1,6 @@
 #include "tools/kin/text.hpp"
 
+#include "protocol/text/printable.hpp"
 #include "protocol/text/table.hpp"
 
 namespace xr3 {
@@ -9,7 +10,7 @@ std::string label_of(const Model& model, int index) {
 }
 
 std::string joint_title(const Model& model, int index) {
-  return label_of(model, index) + " " + model.name(index);
+  return label_of(model, index) + " " + printable_line(model.name(index));
 }
 
 std::string unit_name(const Model& model, int index) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "protocol/text/printable.hpp"
 #include "protocol/text/table.hpp"
 
 namespace xr3 {
@@ -147,7 +148,7 @@ std::string block_legend(const std::vector<Block>& blocks) {
   std::string line;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     if (letters[i] == kNoLetter) continue;
-    const std::string entry = std::string(1, letters[i]) + " " + blocks[i].name;
+    const std::string entry = std::string(1, letters[i]) + " " + printable_line(blocks[i].name);
     if (!line.empty() && line.size() + entry.size() + 2 > kLegendColumns) {
       text += " " + line + ",\n";
       line.clear();

@@ -8,6 +8,7 @@
 #include "protocol/files/summary.hpp"
 #include "protocol/files/workcell.hpp"
 #include "protocol/json/text.hpp"
+#include "protocol/text/printable.hpp"
 
 namespace xr3 {
 namespace {
@@ -46,7 +47,7 @@ DialogueTurn WorkcellDialogue::begin() {
     say("Enter accepts the default in brackets, ? explains, . leaves the rest as it is.\n");
     ask_all();
   } else {
-    say("From " + from_ + ": \"" + workcell_.name + "\", " +
+    say("From " + from_ + ": \"" + printable_line(workcell_.name) + "\", " +
         std::to_string(workcell_.blocks.size()) + " blocks. ? shows the commands.\n");
     check();
   }
@@ -179,10 +180,7 @@ std::optional<std::size_t> WorkcellDialogue::block_named(const std::string& name
   return name.size() == 1 && at < blocks.size() ? std::optional(at) : std::nullopt;
 }
 
-/// Replaces control characters: names come from files and must not control the terminal.
-void WorkcellDialogue::say(const std::string& text) {
-  for (const char c : text) text_ += (c >= 0 && c < ' ' && c != '\n') || c == '\x7F' ? '?' : c;
-}
+void WorkcellDialogue::say(const std::string& text) { text_ += text; }
 
 /// Reach of the hand just above the work surface.
 ReachAbove WorkcellDialogue::reach_above() {

@@ -6,6 +6,7 @@
 
 #include "protocol/files/paper_form/lines.hpp"
 #include "protocol/json/source.hpp"
+#include "protocol/text/printable.hpp"
 #include "protocol/text/table.hpp"
 
 namespace xr3::dialogue {
@@ -34,13 +35,6 @@ Question number_question(const std::string& prompt, double min, double max, cons
     return "";
   };
   return question;
-}
-
-/// Printable text that JSON can hold.
-bool is_printable(const std::string& text) {
-  const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == 127; };
-  const std::string valid = Json(text).dump(-1, ' ', false, Json::error_handler_t::ignore);
-  return std::ranges::none_of(text, is_control) && Json::parse(valid) == Json(text);
 }
 
 /// Passes the index of the answer in `words` to `set`; an unambiguous prefix suffices.
@@ -120,7 +114,7 @@ Question text_question(const std::string& prompt, std::size_t least, std::size_t
     const std::string text = least == 0 && answer == "-" ? "" : answer;
     if (text.size() < least) return "It must not be empty.";
     if (text.size() > most) return "That is too long: at most " + std::to_string(most) + " bytes.";
-    if (!is_printable(text)) return "That contains unprintable characters.";
+    if (text != printable_line(text)) return "That contains unprintable characters.";
     std::string problem = check ? check(text) : "";
     if (problem.empty()) value = text;
     return problem;

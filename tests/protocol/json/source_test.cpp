@@ -92,7 +92,7 @@ TEST(JsonSource, ReportsSyntaxErrors) {
       {"{\"a\":tru}", 1, 6, "tru", value},
       {"{\"a\":01}", 1, 7, "01", "a comma or }"},
       {"{\"a\":+1}", 1, 6, "+1", value},
-      {"{\xC3\xA4: 1}", 1, 2, "\\xC3", name},
+      {"{\xC3\xA4: 1}", 1, 2, "\\xc3", name},
       {"{}x", 1, 3, "x", "nothing after the end of the value"},
       {"{\"a\":1.}", 1, 8, "an unfinished number", "digits"},
       {"{\"a\":-1e999}", 1, 11, "a number that is too large", "numbers up to 1e308"},

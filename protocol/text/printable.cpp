@@ -1,0 +1,92 @@
+#include "protocol/text/printable.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "protocol/text/utf8.hpp"
+
+namespace xr3 {
+namespace {
+
+struct CodeRange {
+  char32_t first;
+  char32_t last;
+};
+/// Of characters of more than one byte: C1, those of direction and of line ends, and noncharacters.
+constexpr std::array<CodeRange, 6> kUnprintable{{{0x80, 0x9F},
+                                                 {0x61C, 0x61C},
+                                                 {0x200E, 0x200F},
+                                                 {0x2028, 0x202E},
+                                                 {0x2066, 0x2069},
+                                                 {0xFFFE, 0xFFFF}}};
+
+/// The code point of a valid character.
+char32_t code_point(std::string_view character) {
+  if (character.size() == 1) return static_cast<unsigned char>(character[0]);
+  char32_t code = static_cast<unsigned char>(character[0]) & (0x7FU >> character.size());
+  for (const char byte : character.substr(1))
+    code = code << 6U | (static_cast<unsigned char>(byte) & 0x3FU);
+  return code;
+}
+
+/// Whether a character outside printable ASCII is printable. A single byte is none.
+bool is_printable(std::string_view character) {
+  const char32_t code = code_point(character);
+  const auto contains = [code](const CodeRange& range) {
+    return code >= range.first && code <= range.last;
+  };
+  return character.size() > 1 && std::none_of(kUnprintable.begin(), kUnprintable.end(), contains);
+}
+
+std::string hex_digits(char32_t number, int count) {
+  std::string digits;
+  for (int shift = 4 * (count - 1); shift >= 0; shift -= 4)
+    digits += "0123456789abcdef"[number >> static_cast<unsigned>(shift) & 0xFU];
+  return digits;
+}
+
+std::string escaped_bytes(std::string_view character) {
+  std::string text;
+  for (const char byte : character) text += "\\x" + hex_digits(static_cast<unsigned char>(byte), 2);
+  return text;
+}
+
+std::string escaped_code(std::string_view character) {
+  return "\\u" + hex_digits(code_point(character), 4);
+}
+
+/// The text with `escape(character)` in place of each character that is not printable.
+std::string without_unprintable(std::string_view text, bool keeps_line_feeds,
+                                std::string (*escape)(std::string_view)) {
+  const auto is_plain = [keeps_line_feeds](char c) {
+    return (c >= ' ' && c < '\x7F') || (keeps_line_feeds && c == '\n');
+  };
+  std::string result;
+  while (!text.empty()) {
+    const auto plain_end = std::find_if_not(text.begin(), text.end(), is_plain);
+    const auto plain = static_cast<std::size_t>(plain_end - text.begin());
+    result += text.substr(0, plain);
+    text.remove_prefix(plain);
+    const std::size_t length = std::min(text.size(), std::max<std::size_t>(1, utf8_length(text)));
+    const std::string_view character = text.substr(0, length);
+    if (!character.empty()) result += is_printable(character) ? character : escape(character);
+    text.remove_prefix(length);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string printable_line(std::string_view text) {
+  return without_unprintable(text, false, escaped_bytes);
+}
+
+std::string printable_lines(std::string_view text) {
+  return without_unprintable(text, true, escaped_bytes);
+}
+
+std::string printable_json(std::string_view json) {
+  return without_unprintable(json, true, escaped_code);
+}
+
+}  // namespace xr3
