@@ -114,8 +114,9 @@ ExitCode run_command(const GradeCommand& command) {
   std::vector<RunReport> reports;
   bool has_all = true;
   for (std::size_t i = 0; i < texts.size(); ++i) {
-    reports.push_back(texts[i] ? parse_report(*texts[i])
-                               : failed_report(submissions[i].filename().string()));
+    const std::string name = submissions[i].filename().string();
+    reports.push_back(texts[i] ? parse_report(*texts[i]) : failed_report(name));
+    reports.back().program = name;  // its bytes, which lead to its files
     has_all = has_all && texts[i];
   }
   const std::string folder = command.grade.report + "/";

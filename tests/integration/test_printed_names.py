@@ -1,14 +1,20 @@
 """Names in files and of files may contain anything. The commands print them without a character that a terminal obeys,
-that changes the direction of text or that ends a line, and in UTF-8."""
+that changes the direction of text or that ends a line, and in UTF-8; reports have the same names, and links that lead
+to the files."""
 
 import base64
+import csv
+import html
 import json
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unicodedata
 import unittest
+import urllib.parse
+import xml.etree.ElementTree
 
 from support import DEADLINE_S, ROOT, XR3
 
@@ -16,6 +22,7 @@ DATA = pathlib.Path(ROOT, "data")
 NAME = "\x1b[2J\x9bm\u202e\u2028\x7f\r\uffff"
 ESCAPED = r"\x1b[2J\xc2\x9bm\xe2\x80\xae\xe2\x80\xa8\x7f\x0d\xef\xbf\xbf"
 LINE = NAME + "\nxr3: "  # would forge a line
+LATIN = [b"Ren\xe8.py", b"Ren\xe9.py"]  # as a Windows zip has them; they differ in one byte
 
 
 def unprintable(text):
@@ -87,6 +94,8 @@ class PrintedNames(unittest.TestCase):
     def test_draw(self):
         self.run_here("draw", NAME + "/a.svg", code=2)
         self.run_here("draw", "a.svg", "--robot", "robot-unknown.json", "--workcell", "workcell.json", code=2)
+        self.run_here("draw", "a.svg", "--robot", "robot.json", "--workcell", "workcell.json", says=False)
+        xml.etree.ElementTree.parse(self.folder / "a.svg")
 
     def test_convert(self):
         self.run_here("convert", "robot.json", "robot.txt")
@@ -128,6 +137,55 @@ class PrintedNames(unittest.TestCase):
             typed.write(f"list\nview\n{NAME}\nquit\n")
             typed.seek(0)
             self.run_here("workcell", "new.json", "--from", "workcell.json", code=2, stdin=typed)
+
+    # --- Reports.
+
+    def grade(self, *names, goals="goals.json"):
+        (self.folder / "class").mkdir()
+        for name in names:
+            (self.folder / "class" / os.fsdecode(name)).write_text("print('hello')\n", encoding="ascii")
+        return self.run_here("grade", "class", "--workcell", "workcell.json", "--goals", goals, "--report", "report", "--",
+                             "python3", "{}", says=False)
+
+    def test_two_names_in_latin_1_stay_two(self):
+        names = [r"Ren\xe8.py", r"Ren\xe9.py"]
+        table = self.grade(*LATIN)
+        self.assertEqual(names, [line.split()[0] for line in table.splitlines()])
+        with open(self.folder / "report/grades.csv", encoding="utf-8") as file:
+            self.assertEqual(names, [row["submission"] for row in csv.DictReader(file)])
+        suites = xml.etree.ElementTree.parse(self.folder / "report/junit.xml").getroot()
+        self.assertEqual(names, [suite.get("name") for suite in suites])
+        for link, name in zip(LATIN, names):
+            result = os.fsencode(self.folder) + b"/report/" + link + b"/result.json"
+            self.assertEqual(name, json.loads(pathlib.Path(os.fsdecode(result)).read_text(encoding="utf-8"))["program"])
+
+    def test_every_link_of_the_page_leads_to_a_file_or_a_place(self):
+        self.grade(*LATIN, "é 漢.py", NAME + ".py", "a?b#c%41.py")
+        page = (self.folder / "report/index.html").read_text(encoding="utf-8")
+        self.assertEqual([], unprintable(page))
+        self.assertIn(ESCAPED, page)
+        links = {html.unescape(link) for link in re.findall(r'(?:href|src)="([^"]*)"', page) if not link.startswith("data:")}
+        self.assertLess(5 * 6, len(links))
+        for link in links:
+            if link.startswith("#"):
+                self.assertEqual(1, page.count(f'id="{link[1:]}"'), link)
+            else:
+                path = os.path.join(os.fsencode(self.folder), b"report", urllib.parse.unquote_to_bytes(link))
+                self.assertTrue(os.path.isfile(path), link)
+
+    def test_results_of_a_program_with_such_a_name(self):
+        for name, shown in (LATIN[1], r"Ren\xe9.py"), (os.fsencode(NAME), ESCAPED):
+            self.run_here("exec", "--workcell", "workcell.json", "--goals", "goals.json", "--junit", "r.xml", "--markdown", "r.md",
+                          "--json", "r.json", "--", b"./" + name, code=6)
+            suite = xml.etree.ElementTree.parse(self.folder / "r.xml").getroot()[0]
+            self.assertEqual("./" + shown, suite.get("name"))
+            self.assertIn(shown + " cannot be started", suite[0].find("error").get("message"))
+            self.assertIn(ESCAPED, suite[1].get("name"))
+            text = (self.folder / "r.md").read_text(encoding="utf-8")
+            self.assertEqual([], unprintable(text))
+            self.assertIn("### ./" + shown.replace("\\", r"\\"), text)
+            result = json.loads((self.folder / "r.json").read_text(encoding="ascii"))
+            self.assertEqual(("./" + shown, NAME), (result["program"], result["goals"][0]["hint"]))
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "protocol/goals/goal_text.hpp"
+#include "protocol/text/printable.hpp"
 #include "tools/text/markup.hpp"
 
 namespace xr3 {
@@ -180,9 +181,10 @@ std::string section(const RunReport& report) {
 /// A field of a table: in quotes, and never a formula of a spreadsheet.
 std::string field(const std::string& text) {
   const bool is_formula =
-      !text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos;
+      !text.empty() && std::string_view("=+-@").find(text[0]) != std::string_view::npos;
   std::string result = is_formula ? "\"'" : "\"";
-  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  for (const char c : printable_lines(text))
+    result += c == '"' ? std::string("\"\"") : std::string(1, c);
   return result + "\"";
 }
 

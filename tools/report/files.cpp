@@ -6,6 +6,7 @@
 #include "protocol/goals/goal_text.hpp"
 #include "protocol/json/source.hpp"
 #include "protocol/json/values.hpp"
+#include "protocol/text/printable.hpp"
 #include "tools/report/run_report.hpp"
 #include "tools/text/markup.hpp"
 
@@ -53,7 +54,7 @@ std::string suite(const RunReport& report) {
 /// Text in a cell of a table.
 std::string cell_text(std::string_view text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : printable_lines(text)) {
     if (c == '|' || c == '\\' || c == '<' || c == '`') result += '\\';
     result += c == '\n' ? ' ' : c;
   }
@@ -65,9 +66,9 @@ std::string cell_text(std::string_view text) {
 std::string to_json(const RunReport& report) {
   Json goals = Json::array();
   for (const GoalResult& each : report.goals) goals.push_back(goal_json(each));
-  Json json = {{"program", report.program},
+  Json json = {{"program", printable_line(report.program)},
                {"outcome", name_of(report.outcome)},
-               {"why", report.why},
+               {"why", printable_line(report.why)},
                {"passed", report.is_passed()},
                {"points", points_of(report.goals)},
                {"max_points", max_points_of(report.goals)},
@@ -79,7 +80,7 @@ std::string to_json(const RunReport& report) {
                {"top_view", report.top_view}};
   if (!report.transcript.empty()) json["transcript"] = report.transcript;
   if (report.seed) json["seed"] = *report.seed;
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return printable_json(json.dump(-1, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 RunReport parse_report(const std::string& json) {

@@ -1,4 +1,5 @@
-// The report of a run of a program, and its forms: lines for a terminal, JUnit, JSON, Markdown.
+// The report of a run of a program, and its forms: lines for a terminal, JUnit, JSON, Markdown. All
+// forms are UTF-8 and printable, see protocol/text/printable.hpp.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,7 @@ enum class RunOutcome : std::uint8_t {
 };
 
 struct RunReport {
-  std::string program;  ///< its name, for titles
+  std::string program;  ///< its name, for titles and links; not always UTF-8
   RunOutcome outcome = RunOutcome::kFinished;
   std::string why;                ///< what went wrong, for the student; empty: nothing but goals
   std::vector<GoalResult> goals;  ///< judged with any outcome
@@ -39,9 +40,9 @@ std::string name_of(RunOutcome outcome);
 
 /// Lines for people, each with a line feed.
 std::string to_text(const RunReport& report);
-/// A JSON object on one line.
+/// A JSON object on one line, with the printable name of the program.
 std::string to_json(const RunReport& report);
-/// Reads what to_json() wrote. Precondition: nobody has changed it.
+/// Reads what to_json() wrote. Precondition: not changed since.
 RunReport parse_report(const std::string& json);
 /// A table with a line for each goal.
 std::string to_markdown(const std::vector<RunReport>& reports);

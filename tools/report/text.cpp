@@ -3,6 +3,7 @@
 #include <array>
 
 #include "protocol/goals/goal_text.hpp"
+#include "protocol/text/printable.hpp"
 #include "tools/report/run_report.hpp"
 
 namespace xr3 {
@@ -44,7 +45,7 @@ std::string to_text(const RunReport& report) {
     return !each.is_met && (each.kind == "block" || each.kind == "stacked");
   });
   if (is_elsewhere) text += report.top_view;
-  return text + summary(report);
+  return printable_lines(text + summary(report));
 }
 
 }  // namespace xr3

@@ -1,16 +1,18 @@
-// Text within HTML and XML.
+// Text within HTML and XML: printable, see protocol/text/printable.hpp.
 #pragma once
 
 #include <algorithm>
 #include <string>
 #include <string_view>
 
+#include "protocol/text/printable.hpp"
+
 namespace xr3 {
 
 /// Text in HTML, between tags or in quotes.
 inline std::string html(std::string_view text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : printable_lines(text)) {
     switch (c) {
       case '&': result += "&amp;"; break;
       case '<': result += "&lt;"; break;
@@ -22,11 +24,10 @@ inline std::string html(std::string_view text) {
   return result;
 }
 
-/// Text in XML. Control characters, which it does not have, not even escaped, become blanks.
+/// Text in XML, on one line: line feeds become blanks.
 inline std::string xml(std::string_view text) {
   std::string result = html(text);
-  const auto is_control = [](unsigned char c) { return c < ' '; };
-  std::ranges::replace_if(result, is_control, ' ');
+  std::ranges::replace(result, '\n', ' ');
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "protocol/text/printable.hpp"
 #include "tools/report/class_report.hpp"
 
 namespace xr3 {
@@ -85,6 +86,32 @@ TEST(RunReport, MarkdownKeepsItsColumns) {
   EXPECT_NE(text.find("| ✗ | block red at x 1 mm | it is at x 2 mm \\| y | 0/3 |"),
             std::string::npos)
       << text;
+}
+
+TEST(RunReport, EveryFormIsPrintable) {
+  RunReport report = some_report();
+  report.program = "Ren\xe9\x1b\u009b\u202e\u2028\xef\xbf\xbf";
+  report.outcome = RunOutcome::kFailed;
+  report.why = report.program + " cannot be started";
+  report.goals[1].expected = "block \x1b\u202e\xef\xbf\xbf";
+  report.goals[1].found = "it is on \x1b\u202e";
+  report.goals[1].hint = "\u2028";
+  report.top_view = "a \u009b\n";
+  const std::string all[] = {to_text(report),    to_json(report),   to_markdown({report}),
+                             to_junit({report}), to_html({report}), to_csv({report})};
+  for (const std::string& form : all) EXPECT_EQ(form, printable_lines(form));
+  const std::string name = R"(Ren\xe9\x1b\xc2\x9b\xe2\x80\xae\xe2\x80\xa8\xef\xbf\xbf)";
+  EXPECT_EQ(parse_report(to_json(report)).program, name);
+  EXPECT_EQ(parse_report(to_json(report)).goals[1].hint, "\u2028") << "JSON keeps its values";
+  EXPECT_NE(to_junit({report}).find("<testsuite name=\"" + name), std::string::npos);
+}
+
+TEST(ClassReport, ALinkHasTheBytesOfTheName) {
+  RunReport report = some_report();
+  report.program = "Ren\xe9";
+  const std::string page = to_html({report});
+  EXPECT_NE(page.find(R"(<a href="#Ren%E9">Ren\xe9</a>)"), std::string::npos) << page;
+  EXPECT_NE(page.find("src=\"Ren%E9/end.svg\""), std::string::npos);
 }
 
 TEST(ClassReport, ThePageEscapesNamesAndLinksToTheirFiles) {
