@@ -129,6 +129,13 @@ def classroom_lines(results):
     return ["result=" + base64.b64encode(json.dumps(every).encode()).decode()]
 
 
+def use_utf8(*streams):
+    """Services read UTF-8, whatever the locale of their machine is. The streams of a notebook have no other."""
+    for stream in streams:
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(encoding="utf-8", errors="backslashreplace")
+
+
 def print_report(results, file):
     """The goals of every run, for people."""
     for number, result in enumerate(results, 1):
@@ -140,6 +147,7 @@ def points(program, *options, of=None):
     """Judges a program, a list such as ["python3", "pick.py"]; prints its goals, and returns its points: those of
     the goals, or a share of the points `of` a cell. As the last line of a test cell this is partial credit."""
     results, output = judge([str(option) for option in options], program)
+    use_utf8(sys.stdout)
     print_report(results, sys.stdout)
     print(*shown(output, "| "), sep="\n")
     scale = of if of is not None else sum(result["max_points"] for result in results)
@@ -147,6 +155,7 @@ def points(program, *options, of=None):
 
 
 def main(arguments):
+    use_utf8(sys.stdout, sys.stderr)
     if len(arguments) < 3 or arguments[0] not in ("vpl", "classroom") or "--" not in arguments[:-1]:
         print(f"usage: {os.path.basename(__file__)} vpl|classroom OPTIONS -- PROGRAM ARGS", file=sys.stderr)
         return 2

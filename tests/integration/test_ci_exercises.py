@@ -129,6 +129,26 @@ class Exercises(unittest.TestCase):
         self.assertEqual(["10.00"], self.evaluate(name)[1])
         self.assertFalse((self.folder / "hacked").exists())
 
+    def test_vpl_gets_a_grade_if_a_program_prints_other_bytes_than_utf_8(self):
+        self.submit("solution.py")
+        text = (self.folder / "hello.py").read_text(encoding="utf-8")
+        self.submit(text + r"import sys; sys.stdout.buffer.write(b'caf\xe9 \xff\xc3\n')" + "\n")
+        comment, grades = self.evaluate()
+        self.assertEqual(["10.00"], grades)
+        self.assertIn(">caf� ��", comment)
+
+    def test_vpl_gets_a_grade_whatever_the_locale_and_the_name_are(self):
+        name = os.fsdecode(b"Ren\xe9.py")
+        self.submit("solution.py", name)
+        shutil.copy(CI / "xr3_judge.py", self.folder)
+        judge = f"{sys.executable} xr3_judge.py vpl --goals goals.json --clock bytes:200 -- {sys.executable} Ren?.py"
+        for locale in ({"LC_ALL": "C"}, {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
+                       {"PYTHONIOENCODING": "latin-1"}, {"PYTHONIOENCODING": "ascii"}):
+            with self.subTest(locale):
+                comment, grades = self.read_by_vpl(self.run_here(judge, **locale))
+                self.assertEqual(["10.00"], grades)
+                self.assertIn("-✓ joint E at 140 counts, within 0", comment)
+
     def test_vpl_gets_a_comment_and_no_grade_if_the_judge_cannot_run(self):
         self.submit("solution.py")
         (self.folder / "goals.json").write_text("{}", encoding="utf-8")
@@ -250,6 +270,11 @@ class Exercises(unittest.TestCase):
         *report, value = self.cell()
         self.assertEqual("5.0", value)
         self.assertIn("  it is at 50 counts", report)
+
+    def test_nbgrader_gets_points_whatever_the_locale_is(self):
+        self.submit("solution.py")
+        self.environment |= {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
+        self.assertEqual("9.0", self.cell()[-1])
 
     def test_nbgrader_marks_what_the_program_prints(self):
         self.submit(CHEAT)
