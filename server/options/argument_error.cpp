@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "protocol/json/codec.hpp"
+#include "protocol/text/printable.hpp"
 #include "server/options/environment.hpp"
 
 namespace xr3 {
@@ -127,15 +128,16 @@ std::string describe_argument_error(const CLI::App& app, const CLI::ParseError& 
                                     const std::vector<std::string>& arguments) {
   for (CLI::App* command : app.get_subcommands()) {
     const auto trouble = problem_in_environment(*command);
-    if (trouble) return *trouble + help_on(*command);
+    if (trouble) return printable_line(*trouble + help_on(*command));
   }
   const std::string kind = error.get_name();
   const CLI::App& command = command_of(app);
   if (kind == "RequiredError" && &command == &app && extras_of(app).empty())
     return "a command is missing; xr3 COMMAND --help says more" + list_of_commands(app);
-  if (!extras_of(app).empty()) return unexpected(app, arguments);
-  if (kind == "ArgumentMismatch" || kind == "RequiredError") return miscounted(app, error);
-  return error.what() + help_on(command);
+  if (!extras_of(app).empty()) return printable_line(unexpected(app, arguments));
+  if (kind == "ArgumentMismatch" || kind == "RequiredError")
+    return printable_line(miscounted(app, error));
+  return printable_line(error.what() + help_on(command));
 }
 
 }  // namespace xr3

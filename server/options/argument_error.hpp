@@ -9,7 +9,8 @@
 
 namespace xr3 {
 
-/// The sentence, without `xr3: ` and without a line feed. `arguments` are those of the program.
+/// The sentence, printable, without `xr3: ` and a final line feed; a list of the commands may
+/// follow. `arguments` are those of the program.
 std::string describe_argument_error(const CLI::App& app, const CLI::ParseError& error,
                                     const std::vector<std::string>& arguments);
 

@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "protocol/text/printable.hpp"
 #include "protocol/text/text_stream.hpp"
 #include "server/options/argument_error.hpp"
 #include "server/options/environment.hpp"
@@ -134,7 +133,7 @@ Leave leave(const CLI::App& app, const CLI::ParseError& error,
   if (error.get_exit_code() != 0 && is_help_wanted(app)) return {ExitCode::kGood, app.help(), ""};
   if (error.get_exit_code() != 0) {
     return {ExitCode::kBadInput, "",
-            "xr3: " + printable_line(describe_argument_error(app, error, arguments)) + "\n"};
+            "xr3: " + describe_argument_error(app, error, arguments) + "\n"};
   }
   TextStream out;
   TextStream err;
