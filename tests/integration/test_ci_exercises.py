@@ -212,7 +212,7 @@ class Exercises(unittest.TestCase):
     def test_classroom_knows_a_program_that_fails(self):
         self.submit("raise SystemExit(3)\n")
         self.assertEqual("error", self.classroom()["status"])
-        self.assertIn("✗ the program ended with exit code 3\n", self.log)
+        self.assertIn("✗ the program ended with exit code 3; nothing reached this run's robot", self.log)
 
     # --- GitLab.
 
