@@ -17,7 +17,7 @@ OPENING = {"for", "function", "if", "switch", "try", "while"}
 
 # Functions that MATLAB and Octave have with the same meaning. Before you add one, look it up in MATLAB's documentation.
 FUNCTIONS = set("abs acos any atan2 bitand bitget ceil clear double error exist false fileparts find fix fprintf "
-                "getenv hypot isempty max mean mod numel pause pi read reshape round sign size sprintf "
+                "getenv hypot isempty isnan max mean mod numel pause pi read reshape round sign size sprintf "
                 "str2double strncmp tcpclient true uint8 varargin write zeros".split())
 
 SYNTAX = [

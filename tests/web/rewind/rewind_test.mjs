@@ -106,7 +106,7 @@ test("a branch goes on as a robot of its own, and its link opens it", () =>
     const [, port] = /robot port (\d+)/.exec(await page.textContent("#past-made"));
     await type(Number(port), "F+7\r");
     await page.click("#past-made a");
-    await page.waitForURL(/\/cell\/\w+$/); // until then, the old page may answer
+    await page.waitForURL(/\/cell\/\w+-b1$/); // until then, the old page may answer
     await ready(page);
     await shows(page, 47);
     assert.equal((await server.state()).joints[0].count, 80);
@@ -130,7 +130,7 @@ test("the link to a branch has the page's own host, and its token on a private s
   await page.waitForSelector("#past-made:visible");
   const address = await page.$eval("#past-made a", ({ href }) => href);
   assert.ok(address.startsWith(`${url}cell/`));
-  assert.match(address, /\/cell\/\w+#token=.+$/);
+  assert.match(address, /\/cell\/1-b1#token=.+$/);
   const student = await open(address);
   await ready(student);
   await shows(student, 40);
