@@ -1,6 +1,6 @@
 # What `cmake --install` installs, and how CPack makes the tarball and the Debian package of it. Why they
 # are made so: docs/decisions/0028-packages.md. The page is a part of the program.
-set(manual "${PROJECT_BINARY_DIR}/server/manual")
+set(manual "${PROJECT_BINARY_DIR}/cli/manual")
 set(doc "${CMAKE_INSTALL_DATADIR}/doc/xr3")
 install(TARGETS xr3)
 install(DIRECTORY data/ DESTINATION "${CMAKE_INSTALL_DATADIR}/xr3")

@@ -14,7 +14,7 @@ MAX_COLUMNS = 100
 MAX_ROOMS = 32  # a room is a subfolder, or a header with its source
 
 # For each library: the libraries it may include, the start of every <path/> with a folder in it (None:
-# any), and standard headers it may not have. core <- protocol <- cell <- server, protocol <- tools <- server.
+# any), and standard headers it may not have. core <- protocol <- cell <- server <- cli, protocol <- tools <- server.
 NO_IO = {"thread", "mutex", "shared_mutex", "condition_variable", "future", "iostream", "fstream",
          "chrono", "ctime", "filesystem"}
 RULES = {
@@ -23,6 +23,7 @@ RULES = {
     "cell": (("core/", "protocol/", "cell/"), ("Eigen/", "nlohmann/"), NO_IO),
     "tools": (("core/", "protocol/", "tools/"), ("Eigen/", "nlohmann/"), NO_IO),
     "server": (("core/", "protocol/", "cell/", "tools/", "server/"), None, set()),
+    "cli": (("core/", "protocol/", "cell/", "tools/", "server/", "cli/"), None, set()),
 }
 # Folders that know nothing of each other; app.cpp connects them.
 SEPARATE = (("server/robot_port/", "server/monitor_port/"), ("server/robot_port/", "server/http/"),
@@ -41,7 +42,7 @@ NOT_IN_LIBCXX = re.compile(r"\b(?:std::ranges::\w+\(|(?:std|ranges)::views::)")
 
 # Names may contain control characters. `xr3 term` moves the cursor, and passes on the bytes of a robot.
 PRINTS = re.compile(r"\bstd::c(?:out|err|log) <<")
-PRINTERS = {"server/print.cpp", "server/term/console.cpp", "server/term/pipe.cpp"}
+PRINTERS = {"server/print.cpp", "cli/term/console.cpp", "cli/term/pipe.cpp"}
 
 # A type that the namespace of a header defines; nested types belong to their class.
 TYPE = re.compile(r"^(?:struct|class|enum class) ([A-Z]\w*)(?: final)?(?: : [^;{]*)?\s*\{|^using ([A-Z]\w*) =", re.MULTILINE)

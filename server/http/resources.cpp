@@ -13,10 +13,11 @@
 #include "server/http/process_stats.hpp"
 #include "server/http/web_assets.hpp"
 #include "server/net/wall_clock.hpp"
-#include "server/options/options.hpp"
+#include "server/options/cells.hpp"
 #include "tools/drawing/pbm.hpp"
 #include "tools/drawing/picture.hpp"
 #include "tools/drawing/svg.hpp"
+#include "tools/drawing/view_vector.hpp"
 
 namespace xr3 {
 namespace {

@@ -14,9 +14,9 @@
 #include <limits>
 #include <utility>
 
+#include "protocol/text/whole_number.hpp"
 #include "server/files/descriptor.hpp"
 #include "server/net/spawn.hpp"
-#include "server/options/whole_number.hpp"
 
 namespace xr3 {
 namespace {

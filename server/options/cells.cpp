@@ -4,8 +4,8 @@
 #include <map>
 #include <utility>
 
+#include "protocol/text/whole_number.hpp"
 #include "server/options/options.hpp"
-#include "server/options/whole_number.hpp"
 
 namespace xr3 {
 namespace {

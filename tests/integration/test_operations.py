@@ -20,9 +20,9 @@ CAPACITY_S = 240.0
 # if the unit differs, the divisor.
 LIMITS = """
 open lines | server/net/socket_limits.hpp | lines
-open lines | server/options/serve.cpp | kMaxLines
+open lines | cli/options/serve.cpp | kMaxLines
 cells | server/options/options.hpp | max_cells
-cells | server/options/serve.cpp | kMaxCells
+cells | cli/options/serve.cpp | kMaxCells
 subscriptions of a monitor client, and lines of its own by `send` | server/monitor_port/service.hpp | kMaxSubscriptions
 subscriptions of a monitor client, and lines of its own by `send` | server/monitor_port/service.hpp | kMaxOwnLines
 branches of a cell, and lines of each | server/cells/branch_cells.hpp | kMostPerOrigin

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "server/options/options.hpp"
+#include "cli/options/options.hpp"
 
 namespace xr3::test {
 

@@ -1,0 +1,45 @@
+#include <optional>
+
+#include "cli/commands/commands.hpp"
+#include "cli/commands/fail.hpp"
+#include "protocol/files/paper_form/paper_form.hpp"
+#include "server/files/data_files.hpp"
+#include "server/files/load_model.hpp"
+#include "server/print.hpp"
+
+namespace xr3 {
+namespace {
+
+/// The robot to check a workcell against: from --robot, else the one with the file's name, if any.
+std::optional<Robot> robot_for(const CheckOptions& options, const std::string& file) {
+  if (options.robot.empty()) return robot_with_name_of(file);
+  const DataFile data = find_data_file(options.robot, "robots");
+  return load_robot_of_either_form(data.text, data.path);
+}
+
+bool check_file(const CheckOptions& options, const std::string& file) {
+  const DataFile data = read_file(file);
+  const std::optional<Robot> robot = robot_for(options, file);
+  const CheckResult result =
+      check_either_form(data.text, data.path, options.profile, robot ? &*robot : nullptr);
+  print_error(to_text(result.findings));
+  print_text(result.summary);
+  return result.is_good();
+}
+
+}  // namespace
+
+ExitCode run_command(const CheckOptions& options) {
+  bool all_good = true;
+  for (const std::string& file : options.files) {
+    try {
+      all_good &= check_file(options, file);
+    } catch (const FileError& error) {
+      fail(error.code(), error.what());
+      all_good = false;
+    }
+  }
+  return all_good ? ExitCode::kGood : ExitCode::kBadInput;
+}
+
+}  // namespace xr3

@@ -1,0 +1,113 @@
+#include <algorithm>
+#include <iomanip>
+#include <set>
+#include <utility>
+
+#include "cli/commands/commands.hpp"
+#include "cli/commands/fail.hpp"
+#include "cli/exec/exercise.hpp"
+#include "cli/exec/pool.hpp"
+#include "protocol/text/text_stream.hpp"
+#include "server/files/atomic_write.hpp"
+#include "server/log.hpp"
+#include "server/print.hpp"
+
+namespace xr3 {
+namespace {
+
+/// The folder of one of several runs: 001, 002, ...
+std::string run_name(std::size_t index) {
+  constexpr int kDigits = 3;
+  TextStream name;
+  name << std::setw(kDigits) << std::setfill('0') << index + 1;
+  return name.str();
+}
+
+std::string title_of(const std::vector<std::string>& command) {
+  std::string title;
+  for (const std::string& each : command) title += (title.empty() ? "" : " ") + each;
+  return title;
+}
+
+std::vector<RunReport> run_all(const ExecCommand& command, const Exercise& exercise) {
+  const auto count = static_cast<std::size_t>(command.exec.repeat);
+  RunPlace place{title_of(command.exec.command),
+                 command.exec.command,
+                 "",
+                 command.exec.out,
+                 command.server.record,
+                 0};
+  if (count == 1) return {exercise.run(place)};
+  const auto run = [&](std::size_t index) {
+    RunPlace its = place;
+    its.index = index;
+    if (!its.folder.empty()) its.folder += "/" + run_name(index);
+    return to_json(exercise.run(its));
+  };
+  std::vector<RunReport> reports;
+  const auto texts = in_processes(count, usual_jobs(), run, [](std::size_t) {});
+  for (const std::optional<std::string>& text : texts) {
+    reports.push_back(text ? parse_report(*text) : failed_report(place.title));
+  }
+  return reports;
+}
+
+/// The digests of the runs that have one.
+std::set<std::string> transcripts(const std::vector<RunReport>& reports) {
+  std::set<std::string> found;
+  for (const RunReport& each : reports)
+    if (!each.transcript.empty()) found.insert(each.transcript);
+  return found;
+}
+
+std::size_t count_passed(const std::vector<RunReport>& reports) {
+  return static_cast<std::size_t>(std::ranges::count_if(reports, &RunReport::is_passed));
+}
+
+/// Of several runs, those that failed are shown in full.
+void print(const std::vector<RunReport>& reports) {
+  if (reports.size() == 1) {
+    return print_text(to_text(reports.front()));
+  }
+  for (std::size_t i = 0; i < reports.size(); ++i)
+    if (!reports[i].is_passed())
+      print_text("run " + std::to_string(i + 1) + ":\n" + to_text(reports[i]));
+  print_text(std::to_string(count_passed(reports)) + " of " + std::to_string(reports.size()) +
+             " runs passed\n");
+}
+
+void write_results(const ExecCommand& command, const std::vector<RunReport>& reports) {
+  std::string json;
+  for (const RunReport& each : reports) json += to_json(each);
+  const ExecOptions& files = command.exec;
+  if (!files.json.empty()) write_file(files.json, json);
+  if (!files.junit.empty()) write_file(files.junit, to_junit(reports));
+  if (!files.markdown.empty()) write_file(files.markdown, to_markdown(reports));
+}
+
+bool has_any(const std::vector<RunReport>& reports, RunOutcome outcome) {
+  return std::ranges::count(reports, outcome, &RunReport::outcome) > 0;
+}
+
+}  // namespace
+
+ExitCode run_command(const ExecCommand& command) {
+  ignore_signals_of_writing();
+  start_log(command.server.log_level, command.server.log_file);
+  const Exercise exercise(command.exec, command.server);
+  const std::vector<RunReport> reports = run_all(command, exercise);
+  print(reports);
+  write_results(command, reports);
+  const std::set<std::string> found = transcripts(reports);
+  const bool is_different = !command.exec.vary && found.size() > 1;
+  if (is_different)
+    print_text(std::to_string(found.size()) + " different transcripts in " +
+               std::to_string(reports.size()) +
+               " runs: the program does not do the same every time\n");
+  if (has_any(reports, RunOutcome::kTimeUp)) return ExitCode::kTimeUp;
+  if (has_any(reports, RunOutcome::kFailed)) return ExitCode::kProgramFailed;
+  if (is_different) return ExitCode::kDifferent;
+  return count_passed(reports) == reports.size() ? ExitCode::kGood : ExitCode::kGoalsMissed;
+}
+
+}  // namespace xr3

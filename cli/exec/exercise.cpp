@@ -1,0 +1,98 @@
+#include "cli/exec/exercise.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "cli/exec/sandbox.hpp"
+#include "protocol/goals/file.hpp"
+#include "server/files/atomic_write.hpp"
+#include "server/files/data_files.hpp"
+#include "tools/drawing/picture.hpp"
+#include "tools/drawing/svg.hpp"
+
+namespace xr3 {
+namespace {
+
+GoalList load_goal_list(const std::string& path, const Model& model) {
+  if (path.empty()) return {};
+  const DataFile file = find_data_file(path, "goals");
+  return load_goals(file.text, file.path, model);
+}
+
+void make_folder(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::create_directories(path, error) && error)
+    throw FileError(path + ": cannot be made: " + error.message());
+  if (!std::filesystem::is_empty(path, error))
+    throw FileError(path + ": there is something in this folder; name a new one");
+}
+
+std::string picture_of(const RunResult& result) {
+  return to_svg(drawing(*result.model, result.end, ViewVector{}, kUsualPictureWidthPx));
+}
+
+}  // namespace
+
+Exercise::Exercise(const ExecOptions& options, const ServeOptions& server)
+    : options_(options),
+      server_(server),
+      seed_(load_seed(server, server.robot, server.workcell)),
+      goals_(load_goal_list(options.goals, *seed_.model)) {
+  if (options.is_sandboxed && !has_sandbox())
+    throw FileError("--sandbox: bubblewrap is not installed (Debian package bubblewrap)");
+}
+
+CellSeed Exercise::seed_of(std::size_t index) const {
+  if (!options_.vary) return seed_;
+  Variation variation = *options_.vary;
+  variation.seed += index;
+  const auto workcell = varied(seed_.model->workcell(), seed_.model->robot(), variation);
+  if (!workcell)
+    throw FileError("--vary " + std::to_string(variation.seed) +
+                    ": found no place for a block within reach and in view, apart from the others; "
+                    "allow more mm");
+  CellSeed seed = seed_;
+  seed.model =
+      std::make_shared<const Model>(seed_.model->robot(), *workcell, seed_.model->profile());
+  return seed;
+}
+
+RunReport Exercise::run(const RunPlace& place) const {
+  RunSettings settings{server_, seed_of(place.index), options_, ""};
+  settings.exec.command = place.command;
+  settings.exec.readable.push_back(place.readable);
+  settings.server.record = place.record;
+  if (!place.folder.empty()) {
+    make_folder(place.folder);
+    settings.server.record = place.folder + "/recording.xr3rec";
+    settings.output_file = place.folder + "/output.txt";
+  }
+  RunResult result = run_program(settings, goals_);
+  result.report.program = place.title;
+  if (options_.vary) result.report.seed = options_.vary->seed + place.index;
+  if (!place.folder.empty()) {
+    write_file(place.folder + "/end.svg", picture_of(result));
+    write_file(place.folder + "/transcript.txt", result.transcript);
+    write_file(place.folder + "/result.json", to_json(result.report));
+    write_file(place.folder + "/result.txt", to_text(result.report));
+  }
+  return std::move(result.report);
+}
+
+RunReport failed_report(const std::string& title) {
+  RunReport report;
+  report.program = title;
+  report.outcome = RunOutcome::kFailed;
+  report.why = "the run could not be made; standard error says why";
+  return report;
+}
+
+std::size_t usual_jobs() {
+  constexpr unsigned kJobsOfProcessor = 8;  // programs mostly wait
+  return kJobsOfProcessor * std::max(1U, std::thread::hardware_concurrency());
+}
+
+}  // namespace xr3

@@ -1,0 +1,49 @@
+// A task for robot programs: the robot, the goals and the limits, loaded once, and runs of programs
+// with their files.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "cli/exec/run.hpp"
+#include "cli/options/options.hpp"
+#include "tools/report/run_report.hpp"
+
+namespace xr3 {
+
+/// What differs between the runs of a task.
+struct RunPlace {
+  std::string title;  ///< of the report
+  std::vector<std::string> command;
+  std::string readable;   ///< what it may read in a sandbox beside what the command names
+  std::string folder;     ///< new, for output, recording, picture and result; empty: none
+  std::string record;     ///< the file of the recording without a folder; empty: none
+  std::size_t index = 0;  ///< added to the seed of a variation
+};
+
+class Exercise {
+ public:
+  /// Loads the robot, the workcell, the faults and the goals. Throws FileError and DataError.
+  explicit Exercise(const ExecOptions& options, const ServeOptions& server);
+
+  /// Runs a program. Throws FileError if a file cannot be written, or no place was found for a
+  /// block.
+  RunReport run(const RunPlace& place) const;
+
+ private:
+  CellSeed seed_of(std::size_t index) const;
+
+  ExecOptions options_;
+  ServeOptions server_;
+  CellSeed seed_;
+  GoalList goals_;
+};
+
+/// The report of a run whose process failed.
+RunReport failed_report(const std::string& title);
+
+/// How many programs run at a time unless the user says otherwise.
+std::size_t usual_jobs();
+
+}  // namespace xr3

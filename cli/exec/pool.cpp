@@ -1,0 +1,101 @@
+#include "cli/exec/pool.hpp"
+
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cerrno>
+#include <csignal>
+#include <exception>
+#include <utility>
+
+#include "cli/exec/pipe.hpp"
+#include "cli/exec/throw_errno.hpp"
+#include "server/print.hpp"
+
+namespace xr3 {
+namespace {
+
+struct Job {
+  std::size_t index;
+  ::pid_t process;
+  Descriptor pipe;
+  std::string text;
+};
+
+/// In the child: never returns.
+[[noreturn]] void work(const std::function<std::string(std::size_t)>& task, std::size_t index,
+                       int pipe) {
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  bool is_good = false;
+  try {
+    is_good = write_all(pipe, task(index));
+  } catch (const std::exception& error) {
+    print_error(std::string("xr3: ") + error.what() + "\n");
+  }
+  ::_exit(is_good ? 0 : 1);
+}
+
+Job start(const std::function<std::string(std::size_t)>& task, std::size_t index) {
+  Pipe ends;
+  const ::pid_t process = ::fork();
+  if (process < 0) throw_errno("fork");
+  if (process == 0) {
+    ends.reading = Descriptor();
+    work(task, index, ends.writing.get());
+  }
+  return {index, process, std::move(ends.reading), {}};
+}
+
+/// Reads what has arrived. Returns false at the end.
+bool read_some(Job& job) {
+  std::array<char, 65536> buffer;
+  const ::ssize_t count = ::read(job.pipe.get(), buffer.data(), buffer.size());
+  if (count > 0) job.text.append(buffer.data(), static_cast<std::size_t>(count));
+  return count > 0 || (count < 0 && errno == EINTR);
+}
+
+/// Waits for the end of a process. Returns whether it succeeded.
+bool finish(Job& job) {
+  job.pipe = Descriptor();
+  int status = 0;
+  while (::waitpid(job.process, &status, 0) < 0)
+    if (errno != EINTR) return false;
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+void wait_for_any(const std::vector<Job>& jobs, std::vector<pollfd>& watched) {
+  watched.clear();
+  for (const Job& job : jobs) watched.push_back({job.pipe.get(), POLLIN, 0});
+  if (::poll(watched.data(), watched.size(), -1) < 0 && errno != EINTR) throw_errno("poll");
+}
+
+}  // namespace
+
+std::vector<std::optional<std::string>> in_processes(
+    std::size_t count, std::size_t jobs, const std::function<std::string(std::size_t)>& task,
+    const std::function<void(std::size_t)>& done) {
+  assert(jobs > 0);
+  std::vector<std::optional<std::string>> results(count);
+  std::vector<Job> running;
+  std::vector<pollfd> watched;
+  std::size_t next = 0;
+  while (next < count || !running.empty()) {
+    while (next < count && running.size() < jobs) running.push_back(start(task, next++));
+    wait_for_any(running, watched);
+    for (std::size_t i = running.size(); i-- > 0;) {
+      if (watched[i].revents == 0 || read_some(running[i])) continue;
+      Job job = std::move(running[i]);
+      running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
+      if (finish(job)) results[job.index] = std::move(job.text);
+      done(job.index);
+    }
+  }
+  return results;
+}
+
+}  // namespace xr3

@@ -1,0 +1,70 @@
+// One fresh robot for one run of a program: its serial lines on a free TCP port and a
+// pseudo-terminal, and a monitor port only on request. Its event loop runs until the run is over.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "cli/options/options.hpp"
+#include "server/cells/registry.hpp"
+#include "server/cells/seed.hpp"
+#include "server/lines/turns.hpp"
+#include "server/monitor_port/access.hpp"
+#include "server/monitor_port/port.hpp"
+#include "server/net/asio.hpp"
+#include "server/net/worker.hpp"
+
+namespace xr3 {
+
+class RobotHost {
+ public:
+  /// `options`: of `serve`, for the clock, the lines, and the recording. `pty`: path of a
+  /// pseudo-terminal. `listener`: a socket that listens for the serial lines, which the host owns
+  /// from now on; -1: a free port of loopback. Throws FileError, and std::system_error if no port
+  /// can be had.
+  RobotHost(const ServeOptions& options, const CellSeed& seed, MonitorAccess access,
+            const std::string& pty, int listener);
+  RobotHost(const RobotHost&) = delete;
+  RobotHost& operator=(const RobotHost&) = delete;
+  ~RobotHost();
+
+  asio::io_context& io() { return io_; }
+  Cell& cell() { return cell_->cell(); }
+  std::uint16_t robot_port() const { return cell_->port()->endpoint().port(); }
+  /// nullopt: there is none.
+  std::optional<std::uint16_t> monitor_port() const;
+
+  /// Calls `acted` after each input of the cell.
+  void on_action(std::function<void()> acted) { on_action_ = std::move(acted); }
+  /// Runs the event loop until `is_over` returns true; it is asked after every handler. Throws what
+  /// leaves a handler.
+  void run(const std::function<bool()>& is_over);
+
+  /// Accepts no further client than those that have arrived, and lets the open lines be read to
+  /// their end. To be called once.
+  void close_ports();
+  /// Whether every line has been read to its end.
+  bool are_lines_closed();
+  /// Closes the lines that are left.
+  void abort_lines();
+  /// Lets the robot run until nothing moves, but for at most `limit` ticks, whatever its clock.
+  void come_to_rest(Tick limit);
+  /// Writes the end of the recording, if there is one.
+  void finish_recording() { cell_->finish_recording(); }
+
+ private:
+  EventLoop io_;
+  LineTurns turns_{io_};
+  Worker worker_;
+  std::function<void()> on_action_;
+  bool has_read_arrived_ = false;
+  CellContext context_;
+  CellRegistry cells_;
+  CellPtr cell_;
+  AccessPolicy policy_;
+  std::optional<MonitorPort> monitor_;
+};
+
+}  // namespace xr3

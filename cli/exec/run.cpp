@@ -1,0 +1,342 @@
+#include "cli/exec/run.hpp"
+
+#include <unistd.h>
+
+#include <boost/asio/signal_set.hpp>
+#include <cerrno>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+#include "cell/judge/run_observer.hpp"
+#include "cli/exec/descendants.hpp"
+#include "cli/exec/sandbox.hpp"
+#include "cli/exec/script.hpp"
+#include "cli/exec/transcript_text.hpp"
+#include "protocol/goals/goal_text.hpp"
+#include "protocol/text/table.hpp"
+#include "server/files/data_files.hpp"
+#include "server/net/wall_clock.hpp"
+#include "server/recording/joint_table.hpp"
+#include "tools/watch/top_view.hpp"
+
+namespace xr3 {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kCheckEvery = 50ms;
+constexpr WallNs kGrace = 2'000'000'000;      // between SIGTERM and SIGKILL
+constexpr WallNs kReadLimit = 5'000'000'000;  // for what the program has sent before its end
+constexpr Tick kRestLimit = Tick{128} * kTickHz;
+constexpr double kNsPerSecond = 1e9;
+
+/// A folder for the pseudo-terminal, removed at the end.
+class PrivateFolder {
+ public:
+  PrivateFolder() {
+    std::string name = std::filesystem::temp_directory_path() / "xr3-XXXXXX";
+    if (::mkdtemp(name.data()) == nullptr)
+      throw FileError(name + ": cannot be made: " + std::system_category().message(errno));
+    path_ = name;
+  }
+  PrivateFolder(const PrivateFolder&) = delete;
+  PrivateFolder& operator=(const PrivateFolder&) = delete;
+  ~PrivateFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  std::string file(const char* name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// What the program prints: passed on, and its beginning kept.
+class KeptOutput {
+ public:
+  KeptOutput(const std::string& path, bool is_quiet) : is_quiet_(is_quiet) {
+    if (path.empty()) return;
+    file_.open(path, std::ios::binary | std::ios::trunc);
+    if (!file_) throw FileError(path + ": cannot be written");
+  }
+  void add(std::string_view text) {
+    if (!is_quiet_) [[maybe_unused]]
+      const auto written = ::write(STDOUT_FILENO, text.data(), text.size());
+    const std::size_t count = std::min(text.size(), kMaxOutputBytes - kept_);
+    file_.write(text.data(), static_cast<std::streamsize>(count));
+    file_.flush();
+    kept_ += count;
+  }
+
+ private:
+  bool is_quiet_;
+  std::ofstream file_;
+  std::size_t kept_ = 0;
+};
+
+/// Samples a cell for the table of --csv, from now on.
+class TableSampler final : private CellWatcher {
+ public:
+  TableSampler(Cell& cell, const std::string& path)
+      : cell_(cell), table_(cell.model(), path), epoch_(cell.epoch()) {
+    after_tick(cell);
+    cell.watch(*this);
+  }
+  ~TableSampler() override { cell_.end_watch(*this); }
+
+  JointTable& table() { return table_; }
+
+ private:
+  static constexpr Tick kEvery = 100;  // between two lines
+
+  void event(const Cell&, const CellEvent&) override {}
+  // A cell passes over ticks at rest, in which nothing changes.
+  void after_tick(const Cell& cell) override {
+    if (std::exchange(epoch_, cell.epoch()) != cell.epoch()) next_ = 0;
+    for (; next_ <= cell.state().tick && !table_.is_full(); next_ += kEvery)
+      table_.add(cell, next_);
+  }
+
+  Cell& cell_;
+  JointTable table_;
+  Epoch epoch_;
+  Tick next_ = 0;
+};
+
+class Run {
+ public:
+  Run(const RunSettings& settings, const GoalList& goals)
+      : settings_(settings),
+        goals_(goals),
+        output_(settings.output_file, settings.exec.is_quiet),
+        network_(settings.exec.is_sandboxed ? std::make_optional<PrivateNetwork>() : std::nullopt),
+        host_(settings.server, settings.seed, settings.exec.monitor, folder_.file("serial"),
+              network_ ? network_->release_listener() : -1),
+        observer_(host_.cell(), goals),
+        table_(settings.exec.csv.empty()
+                   ? std::optional<TableSampler>()
+                   : std::optional<TableSampler>(std::in_place, host_.cell(), settings.exec.csv)),
+        timer_(host_.io()),
+        signals_(host_.io(), SIGINT, SIGTERM) {
+    host_.cell().add_log(transcript_);
+  }
+
+  RunResult result() {
+    begin_ = wall_now();
+    if (start()) {
+      pass_signals_on();
+      watch_limits();
+      host_.on_action([this] { check_limits(); });
+      host_.run([this] { return is_over_; });
+      end_processes();
+      read_output();
+      read_lines();
+    }
+    check_reached();
+    host_.on_action({});
+    host_.come_to_rest(kRestLimit);
+    host_.finish_recording();
+    return judged();
+  }
+
+ private:
+  ProgramSettings program() const {
+    const std::string pty = folder_.file("serial");
+    ProgramSettings program;
+    program.command = settings_.exec.command;
+    if (network_) {
+      program.command = sandboxed(settings_.exec.command, settings_.exec.readable,
+                                  std::filesystem::read_symlink(pty));
+      program.network = &*network_;
+      program.is_stranger = true;
+    }
+    program.environment = {{"XR3_HOST", "127.0.0.1"},
+                           {"XR3_PORT", std::to_string(host_.robot_port())},
+                           {"XR3_PTY", network_ ? kSandboxPty : pty}};
+    // The questions of a program let time pass: it need not wait between them.
+    if (settings_.server.clock.mode == ClockMode::kBytes)
+      program.environment.emplace_back("XR3_POLL_MS", "0");
+    if (const auto port = host_.monitor_port())
+      program.environment.emplace_back("XR3_MONITOR_PORT", std::to_string(*port));
+    program.has_terminal = settings_.exec.has_terminal;
+    program.is_captured = settings_.exec.is_quiet || !settings_.output_file.empty();
+    program.max_memory_mib = settings_.exec.limits.memory_mib;
+    program.max_processes = settings_.exec.limits.processes;
+    return program;
+  }
+
+  bool start() {
+    try {
+      program_.emplace(host_.io(), program(), [this](std::string_view text) { output_.add(text); });
+    } catch (const std::system_error& error) {
+      report_.outcome = RunOutcome::kFailed;
+      const std::string trouble = interpreter_trouble(settings_.exec.command.front());
+      report_.why = settings_.exec.command.front() +
+                    " cannot be started: " + (trouble.empty() ? error.code().message() : trouble);
+      return false;
+    }
+    program_->on_end([this](const ProgramEnd& end) { ended(end); });
+    return true;
+  }
+
+  void ended(const ProgramEnd& end) {
+    is_over_ = true;
+    if (end.is_good() || report_.outcome == RunOutcome::kTimeUp) return;
+    report_.outcome = RunOutcome::kFailed;
+    const std::string trouble = interpreter_trouble(settings_.exec.command.front());
+    report_.why =
+        "the program ended with " + to_text(end) + (trouble.empty() ? "" : ": ") + trouble;
+  }
+
+  void pass_signals_on() {
+    signals_.async_wait([this](ErrorCode cancelled, int signal) {
+      if (cancelled) return;
+      program_->signal(signal);
+      pass_signals_on();
+    });
+  }
+
+  // --- Limits.
+
+  void watch_limits() {
+    run_after(timer_, kCheckEvery, [this] {
+      if (is_over_) return;
+      host_.cell().catch_up(wall_now());
+      check_limits();
+      watch_limits();
+    });
+  }
+
+  void check_limits() {
+    if (is_over_) return;
+    const RunLimits& limits = settings_.exec.limits;
+    const Cell& cell = host_.cell();
+    if (limits.sim_ticks > 0 && cell.state().tick > limits.sim_ticks)
+      return stop("the limit of " + seconds_text(limits.sim_ticks) +
+                  " simulated seconds was reached (--max-sim-seconds)");
+    if (limits.wall_s > 0 && wall_s() > limits.wall_s)
+      return stop("the program still ran after " + plain_number(limits.wall_s, 4) +
+                  " seconds (--max-seconds)");
+    if (limits.bytes > 0 && cell.counters().bytes_in > limits.bytes)
+      return stop("the program sent more than " + std::to_string(limits.bytes) +
+                  " bytes (--max-bytes)");
+    // The system's own limit of processes does not bind root.
+    if (limits.processes > 0 && wall_now() >= next_count_) {
+      next_count_ = wall_now() + kCountEvery;
+      if (count_descendants() > limits.processes)
+        return stop("the program had more than " + std::to_string(limits.processes) +
+                    " processes (--processes)");
+    }
+  }
+
+  void stop(std::string why) {
+    report_.outcome = RunOutcome::kTimeUp;
+    report_.why = std::move(why);
+    is_over_ = true;
+  }
+
+  double wall_s() const { return static_cast<double>(wall_now() - begin_) / kNsPerSecond; }
+
+  // --- The end.
+
+  /// Ends the program, if it still runs, and all that it has started.
+  void end_processes() {
+    is_over_ = false;
+    program_->signal(SIGTERM);
+    wait_until(wall_now() + kGrace,
+               [this] { return program_->has_ended() && !program_->has_group(); });
+    for (int i = 0; i < kMaxKills && !children().empty(); ++i) {
+      signal_descendants(SIGKILL);
+      wait_until(wall_now() + kKillLimit, [] { return children().empty(); });
+    }
+    reap_children(program_->has_ended() ? 0 : program_->pid());
+  }
+
+  /// What it has printed before its end.
+  void read_output() {
+    wait_until(wall_now() + kReadLimit, [this] { return !program_->has_output(); });
+  }
+
+  void read_lines() {
+    host_.close_ports();
+    wait_until(wall_now() + kReadLimit, [this] { return host_.are_lines_closed(); });
+    host_.abort_lines();
+  }
+
+  /// Runs the event loop until something is so, or the deadline has passed.
+  void wait_until(WallNs deadline, const std::function<bool()>& is_so) {
+    asio::steady_timer soon(host_.io());
+    std::chrono::milliseconds pause{1};
+    while (!is_so() && wall_now() < deadline) {
+      bool is_due = false;
+      soon.expires_after(pause);
+      soon.async_wait([&is_due](ErrorCode) { is_due = true; });
+      host_.run([&is_due] { return is_due; });
+      reap_children(program_->has_ended() ? 0 : program_->pid());
+      pause = std::min(2 * pause, std::chrono::milliseconds{kCheckEvery});
+    }
+  }
+
+  /// A program that speaks to another robot looks as if it did nothing.
+  void check_reached() {
+    const bool may_call = settings_.exec.monitor == MonitorAccess::kControl;
+    if (!program_ || may_call || host_.cell().counters().lines_total > 0) return;
+    report_.why += report_.why.empty() ? "" : "; ";
+    report_.why += "nothing reached this run's robot: use XR3_HOST and XR3_PORT";
+  }
+
+  RunResult judged() {
+    if (table_) table_->table().finish();
+    const Cell& cell = host_.cell();
+    const RunFacts facts = observer_.facts();
+    report_.wall_s = wall_s();
+    report_.ticks = cell.state().tick;
+    report_.bytes = facts.bytes;
+    report_.has_control = settings_.exec.monitor == MonitorAccess::kControl;
+    if (const Transcript* transcript = cell.transcript())
+      report_.transcript = transcript_digest(transcript->summary(), cell.model(), cell.state(),
+                                             cell.clock_remainder());
+    report_.goals = judge(goals_, cell.model(), cell.state(), facts);
+    report_.top_view = view_of(cell);
+    return {std::move(report_), transcript_.text(), cell.model_ptr(), cell.state()};
+  }
+
+  static std::string view_of(const Cell& cell) {
+    Workcell now = cell.model().workcell();
+    now.blocks = cell.state().blocks;
+    return top_view(now, {});
+  }
+
+  static constexpr WallNs kCountEvery = 200'000'000;
+  static constexpr WallNs kKillLimit = 500'000'000;
+  static constexpr int kMaxKills = 20;
+
+  const RunSettings& settings_;
+  const GoalList& goals_;
+  PrivateFolder folder_;
+  KeptOutput output_;
+  std::optional<PrivateNetwork> network_;
+  TranscriptText transcript_;  // outlives the cell
+  RobotHost host_;
+  RunObserver observer_;
+  std::optional<TableSampler> table_;
+  asio::steady_timer timer_;
+  asio::signal_set signals_;
+  std::optional<Program> program_;
+  RunReport report_;
+  WallNs begin_ = 0;
+  WallNs next_count_ = 0;
+  bool is_over_ = false;
+};
+
+}  // namespace
+
+RunResult run_program(const RunSettings& settings, const GoalList& goals) {
+  adopt_orphans();
+  return Run(settings, goals).result();
+}
+
+}  // namespace xr3

@@ -1,0 +1,41 @@
+// The run of one program against one fresh robot, from its start to its judgement.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/exec/program.hpp"
+#include "cli/exec/robot_host.hpp"
+#include "cli/options/options.hpp"
+#include "core/model.hpp"
+#include "core/state.hpp"
+#include "protocol/goals/goal.hpp"
+#include "server/cells/seed.hpp"
+#include "tools/report/run_report.hpp"
+
+namespace xr3 {
+
+struct RunSettings {
+  ServeOptions server;  ///< for the robot; its `record` is the file of this run
+  CellSeed seed;
+  ExecOptions exec;         ///< for the program; its `command` is that of this run
+  std::string output_file;  ///< keeps what the program prints; empty: it is only passed on
+};
+
+struct RunResult {
+  RunReport report;        ///< without the name of the program and the seed
+  std::string transcript;  ///< as TranscriptText shows it
+  ModelPtr model;
+  State end;
+};
+
+/// Maximum size of the file of what a program prints; the rest is dropped.
+inline constexpr std::size_t kMaxOutputBytes = std::size_t{1} << 20U;
+
+/// Runs the program and judges the run. SIGINT and SIGTERM are passed on to it. Throws FileError,
+/// and std::system_error if this process lacks something.
+RunResult run_program(const RunSettings& settings, const GoalList& goals);
+
+}  // namespace xr3

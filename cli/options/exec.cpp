@@ -1,0 +1,163 @@
+#include "cli/options/exec.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "cli/options/shared_options.hpp"
+
+namespace xr3 {
+namespace {
+
+constexpr double kMaxSimSeconds = 1e6;
+constexpr double kMaxSeconds = 86'400;
+constexpr int kMaxRepeat = 100'000;
+constexpr std::int64_t kMaxBytes = std::int64_t{1} << 53;
+constexpr int kMaxProcesses = 100'000;
+constexpr int kMaxJobs = 256;
+
+MonitorAccess monitor_named(const std::string& name) {
+  return name == "read" ? MonitorAccess::kRead : MonitorAccess::kControl;
+}
+
+/// A number at the beginning of a text, which it shortens; nullopt: none, or out of range.
+std::optional<double> take_number(std::string& text, double most) {
+  std::size_t end = 0;
+  double number = 0;
+  try {
+    number = std::stod(text, &end);
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+  text.erase(0, end);
+  return number >= 0 && number <= most ? std::optional(number) : std::nullopt;
+}
+
+void add_limits(CLI::App& command, RunLimits& limits) {
+  command
+      .add_option_function<double>(
+          "--max-sim-seconds",
+          [&limits](double seconds) { limits.sim_ticks = std::llround(seconds * kTickHz); },
+          "maximum simulated time of a run in seconds (default: 600)")
+      ->type_name("SECONDS")
+      ->check(number_between(0, kMaxSimSeconds));
+  add_value(command, "--max-seconds", limits.wall_s, "SECONDS", "maximum time of a run in seconds")
+      ->check(number_between(0, kMaxSeconds))
+      ->capture_default_str();
+  add_value(command, "--max-bytes", limits.bytes, "N",
+            "maximum number of bytes that a program sends")
+      ->check(whole_number_between(1, kMaxBytes));
+  add_value(command, "--memory", limits.memory_mib, "MIB",
+            "MiB of memory that each of its processes may have")
+      ->check(whole_number_between(1, kMaxMemoryMib));
+  add_value(command, "--processes", limits.processes, "N", "number of processes that it may have")
+      ->check(whole_number_between(1, kMaxProcesses));
+}
+
+/// What exec and grade have in common: the robot, the goals, limits.
+void add_run(CLI::App& command, ExecOptions& options, ServeOptions& server) {
+  server.clock = {ClockMode::kBytes, Rate{}, {}};
+  server.log_level = "off";
+  add_machine(command, server);
+  add_time(command, server,
+           "bytes (default): time follows the program; real, FACTOR times as fast; manual");
+  add_line_speed(command, server);
+  add_value(command, "--goals", options.goals, "FILE",
+            "file with the goals by which a run is judged");
+  add_limits(command, options.limits);
+  add_parsed(command, "--vary", options.vary, parse_variation, "SEED[:MM[,DEG]]",
+             "move the blocks at random by at most 40 mm (or MM) and 180 degrees (or DEG)");
+  command
+      .add_option_function<std::string>(
+          "--monitor",
+          [&options](const std::string& access) { options.monitor = monitor_named(access); },
+          "the program gets a monitor port, to read, or to control (which the report says)")
+      ->type_name("read|control")
+      ->check(CLI::IsMember({"read", "control"}).description(""));
+}
+
+void add_sandbox(CLI::App& command, ExecOptions& options) {
+  CLI::Option* sandbox = command.add_flag(
+      "--sandbox", options.is_sandboxed,
+      "run it under bubblewrap: no network but the robot, no files but the system's and its own");
+  command.get_option("--monitor")->excludes(sandbox);
+  add_value(command, "--read", options.readable, "PATH",
+            "with --sandbox: a further file or folder that it may read")
+      ->allow_extra_args(false)
+      ->needs(sandbox);
+}
+
+}  // namespace
+
+Variation parse_variation(const std::string& text) {
+  constexpr double kMaxSeed = 9'007'199'254'740'991;
+  constexpr double kMaxMm = 1e5;
+  constexpr double kMaxDeg = 180;
+  Variation variation;
+  std::string rest = text;
+  const auto seed = take_number(rest, kMaxSeed);
+  bool is_good = seed && *seed == std::floor(*seed);
+  if (is_good) variation.seed = static_cast<std::uint64_t>(*seed);
+  if (is_good && rest.starts_with(':')) {
+    rest.erase(0, 1);
+    const auto mm = take_number(rest, kMaxMm);
+    is_good = mm.has_value();
+    if (mm) variation.most_um = micrometres(*mm);
+    if (is_good && rest.starts_with(',')) {
+      rest.erase(0, 1);
+      const auto degrees = take_number(rest, kMaxDeg);
+      is_good = degrees.has_value();
+      if (degrees) variation.most_udeg = microdegrees(*degrees);
+    }
+  }
+  if (is_good && rest.empty()) return variation;
+  throw std::invalid_argument(
+      text + ": a variation is a seed, mm and degrees such as 7, 7:40 or 7:40,180");
+}
+
+void add_exec(CLI::App& app, ExecOptions& options, ServeOptions& server) {
+  CLI::App& exec = *app.add_subcommand(
+      "exec", "run a robot program against a fresh robot, and judge it by its goals");
+  add_run(exec, options, server);
+  add_value(exec, "--repeat", options.repeat, "N",
+            "number of runs; with --vary each has the next seed, without it all must be equal")
+      ->check(whole_number_between(1, kMaxRepeat))
+      ->capture_default_str();
+  add_value(exec, "--record", server.record, "FILE", "record the run in this new file");
+  add_value(exec, "--csv", options.csv, "OUT.csv",
+            "write joints, counts and tip each 100 ms as a table");
+  add_value(exec, "--junit", options.junit, "OUT.xml", "write the results for test reporters");
+  add_value(exec, "--json", options.json, "OUT.json",
+            "write the results as JSON, one object a line");
+  add_value(exec, "--markdown", options.markdown, "OUT.md",
+            "write the results as a table in Markdown");
+  add_value(exec, "--out", options.out, "FOLDER",
+            "new folder for output, recording, picture of the end and result of each run");
+  exec.add_flag("--stdin", options.has_terminal, "the program reads standard input");
+  exec.add_flag("--quiet", options.is_quiet, "do not show what the program prints");
+  add_sandbox(exec, options);
+  add_log(exec, server);
+  add_value(exec, "command", options.command, "PROGRAM [ARG]",
+            "the program and its arguments, after --")
+      ->required();
+}
+
+void add_grade(CLI::App& app, GradeOptions& options, ExecOptions& exec, ServeOptions& server) {
+  CLI::App& grade = *app.add_subcommand(
+      "grade", "run every submission in a folder as xr3 exec does, and write a report");
+  add_value(grade, "folder", options.folder, "FOLDER",
+            "the submissions: each file or folder in it is one")
+      ->required();
+  add_run(grade, exec, server);
+  grade.get_option("--goals")->required();
+  add_value(grade, "--report", options.report, "FOLDER", "new folder for the report")->required();
+  add_sandbox(grade, exec);
+  add_value(grade, "--jobs", options.jobs, "N", "number of submissions that run at a time")
+      ->check(whole_number_between(1, kMaxJobs));
+  add_value(grade, "command", exec.command, "PROGRAM [ARG]",
+            "the program and its arguments, after --; {} is the submission")
+      ->required();
+}
+
+}  // namespace xr3

@@ -1,0 +1,38 @@
+// The command line of `xr3 replay`.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "cell/recording/replayer.hpp"
+#include "cli/options/cli_fwd.hpp"
+
+namespace xr3 {
+
+struct ServeOptions;
+
+/// What is printed of the state at the end.
+enum class ReplayPrint : std::uint8_t {
+  kNothing,
+  kState,   ///< the monitor's `state` message, on one line
+  kStatus,  ///< the controller's status line
+};
+
+struct ReplayOptions {
+  std::string file;
+  std::optional<ReplayTime> until;
+  ReplayPrint print = ReplayPrint::kNothing;
+  std::string svg;     ///< a picture of the end; empty: none
+  std::string csv;     ///< a table of joints over time; empty: none
+  int every_ms = 100;  ///< between its lines
+  bool is_serving = false;
+};
+
+/// The subcommand `replay` with its options; those of the server that goes on are `server`.
+void add_replay(CLI::App& app, ReplayOptions& options, ServeOptions& server);
+
+/// `TICK` or `EPOCH:TICK`. Throws std::invalid_argument, with the allowed form.
+ReplayTime parse_replay_time(const std::string& text);
+
+}  // namespace xr3
