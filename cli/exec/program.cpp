@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <boost/asio/write.hpp>
 #include <cassert>
 #include <cerrno>
 #include <csignal>
@@ -19,6 +20,7 @@ extern char** environ;
 
 #include "cli/exec/pipe.hpp"
 #include "cli/exec/throw_errno.hpp"
+#include "server/net/spawn.hpp"
 
 namespace xr3 {
 namespace {
@@ -63,24 +65,26 @@ void limit(int resource, std::size_t most) {
   if (::setrlimit(static_cast<__rlimit_resource>(resource), &both) != 0) ::_exit(127);
 }
 
+/// The standard streams of a program. Without input the pipe is closed: it ends at once.
+struct StandardPipes {
+  Pipe input;
+  Pipe output;
+  Pipe error;
+};
+
 /// In the child: everything between fork and exec. Only async-signal-safe calls.
-void become_program(const ProgramSettings& settings, int output, ::pid_t parent) {
+void become_program(const ProgramSettings& settings, const StandardPipes& pipes, ::pid_t parent) {
   constexpr std::size_t kMib = std::size_t{1} << 20U;
-  if (!settings.has_terminal) ::setpgid(0, 0);
+  ::setsid();  // and so no terminal of this process
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(127);  // it has ended meanwhile
   for (const int each : {SIGPIPE, SIGXFSZ, SIGINT, SIGTERM, SIGHUP}) ::signal(each, SIG_DFL);
   sigset_t none;
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  if (!settings.has_terminal) {
-    const int null = ::open("/dev/null", O_RDONLY);
-    ::dup2(null, STDIN_FILENO);
-  }
-  if (output >= 0) {
-    ::dup2(output, STDOUT_FILENO);
-    ::dup2(output, STDERR_FILENO);
-  }
+  ::dup2(pipes.input.reading.get(), STDIN_FILENO);
+  ::dup2(pipes.output.writing.get(), STDOUT_FILENO);
+  ::dup2(pipes.error.writing.get(), STDERR_FILENO);
   if (settings.network != nullptr && !settings.network->enter()) ::_exit(127);
   limit(RLIMIT_AS, settings.max_memory_mib * kMib);
   limit(RLIMIT_NPROC, settings.max_processes);
@@ -88,7 +92,7 @@ void become_program(const ProgramSettings& settings, int output, ::pid_t parent)
 }
 
 /// Starts the program. The error of exec comes back by a pipe that exec closes.
-::pid_t start(const ProgramSettings& settings, int output) {
+::pid_t start(const ProgramSettings& settings, const StandardPipes& pipes) {
   const Arguments arguments(settings.command);
   const std::vector<std::string> environment = environment_of(settings);
   const Arguments variables(environment);
@@ -97,7 +101,7 @@ void become_program(const ProgramSettings& settings, int output, ::pid_t parent)
   const ::pid_t child = ::fork();
   if (child < 0) throw_errno("fork");
   if (child == 0) {
-    become_program(settings, output, parent);
+    become_program(settings, pipes, parent);
     ::execvpe(arguments.pointers[0], arguments.pointers.data(), variables.pointers.data());
     const int error = errno;
     [[maybe_unused]] const auto sent = ::write(result.writing.get(), &error, sizeof error);
@@ -128,19 +132,24 @@ std::string to_text(const ProgramEnd& end) {
 
 Program::Program(asio::io_context& io, const ProgramSettings& settings, Output output)
     : pid_(0),
-      has_group_of_its_own_(!settings.has_terminal),
       ended_(io),
-      output_(io),
+      input_(io),
+      output_{STDOUT_FILENO, asio::posix::stream_descriptor(io), {}},
+      error_{STDERR_FILENO, asio::posix::stream_descriptor(io), {}},
       on_output_(std::move(output)) {
   assert(!settings.command.empty());
-  std::optional<Pipe> pipe;
-  if (settings.is_captured) pipe.emplace();
-  pid_ = start(settings, pipe ? pipe->writing.get() : -1);
-  if (has_group_of_its_own_) ::setpgid(pid_, pid_);  // whoever is first, parent or child
+  StandardPipes pipes;
+  if (!settings.has_input) pipes.input.writing = Descriptor();
+  pid_ = start(settings, pipes);
   ended_.assign(open_pidfd(pid_));
-  if (!pipe) return;
-  output_.assign(pipe->reading.release());
-  read();
+  output_.pipe.assign(pipes.output.reading.release());
+  error_.pipe.assign(pipes.error.reading.release());
+  read(output_);
+  read(error_);
+  if (!settings.has_input) return;
+  from_.emplace(io);
+  input_.assign(pipes.input.writing.release());
+  spawn_session(io.get_executor(), "the standard input", copy_input(), [] {});
 }
 
 Program::~Program() {
@@ -164,17 +173,28 @@ void Program::reap() {
   on_end_(*end_);
 }
 
-void Program::read() {
-  output_.async_read_some(asio::buffer(buffer_), [this](ErrorCode error, std::size_t count) {
-    if (error == asio::error::operation_aborted) return;
-    if (error) return output_.close();  // its last process has ended
-    on_output_({buffer_.data(), count});
-    read();
-  });
+void Program::read(OutputPipe& from) {
+  from.pipe.async_read_some(asio::buffer(from.buffer),
+                            [this, &from](ErrorCode error, std::size_t count) {
+                              if (error == asio::error::operation_aborted) return;
+                              if (error) return from.pipe.close();  // its last process has ended
+                              on_output_(from.stream, {from.buffer.data(), count});
+                              read(from);
+                            });
 }
 
-void Program::signal(int number) const { ::kill(has_group_of_its_own_ ? -pid_ : pid_, number); }
+asio::awaitable<void> Program::copy_input() {
+  for (;;) {
+    const std::string_view bytes = co_await from_->read();
+    if (bytes.empty()) break;
+    const auto [error, count] = co_await asio::async_write(input_, asio::buffer(bytes), kAwait);
+    if (error) break;  // the program has closed it
+  }
+  input_.close();
+}
 
-bool Program::has_group() const { return has_group_of_its_own_ && ::kill(-pid_, 0) == 0; }
+void Program::signal(int number) const { ::kill(-pid_, number); }
+
+bool Program::has_group() const { return ::kill(-pid_, 0) == 0; }
 
 }  // namespace xr3

@@ -4,6 +4,7 @@
 
 #include <sys/types.h>
 
+#include <array>
 #include <boost/asio/posix/stream_descriptor.hpp>
 #include <cstdint>
 #include <functional>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "cli/exec/private_network.hpp"
+#include "cli/term/standard_input.hpp"
 #include "server/net/asio.hpp"
 
 namespace xr3 {
@@ -23,8 +25,7 @@ struct ProgramSettings {
   /// begin with XR3_: they were meant for this process, and may hold a token.
   std::vector<std::pair<std::string, std::string>> environment;
   bool is_stranger = false;  ///< of this process's environment it gets path, language and time zone
-  bool has_terminal = false;  ///< it inherits standard input, and stays in the terminal's group
-  bool is_captured = false;   ///< its standard output and error come to `output`
+  bool has_input = false;    ///< it gets the standard input of this process
   const PrivateNetwork* network = nullptr;  ///< that it enters; null: that of this process
   std::size_t max_memory_mib = 0;           ///< of address space, for each process; 0: no limit
   std::size_t max_processes = 0;            ///< of its user; 0: no limit
@@ -42,10 +43,11 @@ std::string to_text(const ProgramEnd& end);
 
 class Program {
  public:
-  using Output = std::function<void(std::string_view)>;
+  /// Gets what the program has written to a stream, STDOUT_FILENO or STDERR_FILENO.
+  using Output = std::function<void(int stream, std::string_view text)>;
 
-  /// Starts the program. `output` is called with what it prints, if it is captured. Throws
-  /// std::system_error if it cannot be started: it is missing, or not executable.
+  /// Starts the program. Its standard streams are pipes: it holds no descriptor of this process.
+  /// Throws std::system_error if it cannot be started: it is missing, or not executable.
   Program(asio::io_context& io, const ProgramSettings& settings, Output output);
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -62,20 +64,27 @@ class Program {
   bool has_group() const;
   ::pid_t pid() const { return pid_; }
   /// Whether a process may still print, or what was printed has yet to be read.
-  bool has_output() const { return output_.is_open(); }
+  bool has_output() const { return output_.pipe.is_open() || error_.pipe.is_open(); }
 
  private:
-  void read();
+  struct OutputPipe {
+    int stream;
+    asio::posix::stream_descriptor pipe;
+    std::array<char, 16 * 1024> buffer;
+  };
+  void read(OutputPipe& from);
   void reap();
+  asio::awaitable<void> copy_input();
 
   ::pid_t pid_;
-  bool has_group_of_its_own_;
   asio::posix::stream_descriptor ended_;  ///< becomes readable when the program ends
-  asio::posix::stream_descriptor output_;
+  std::optional<StandardInput> from_;
+  asio::posix::stream_descriptor input_;  ///< where `from_` is copied to
+  OutputPipe output_;
+  OutputPipe error_;
   Output on_output_;
   std::function<void(const ProgramEnd&)> on_end_;
   std::optional<ProgramEnd> end_;
-  std::array<char, 16 * 1024> buffer_{};
 };
 
 }  // namespace xr3

@@ -6,12 +6,12 @@
 #include <cerrno>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 #include <utility>
 
 #include "cell/judge/run_observer.hpp"
 #include "cli/exec/descendants.hpp"
+#include "cli/exec/kept_output.hpp"
 #include "cli/exec/sandbox.hpp"
 #include "cli/exec/script.hpp"
 #include "cli/exec/transcript_text.hpp"
@@ -52,29 +52,6 @@ class PrivateFolder {
 
  private:
   std::filesystem::path path_;
-};
-
-/// What the program prints: passed on, and its beginning kept.
-class KeptOutput {
- public:
-  KeptOutput(const std::string& path, bool is_quiet) : is_quiet_(is_quiet) {
-    if (path.empty()) return;
-    file_.open(path, std::ios::binary | std::ios::trunc);
-    if (!file_) throw FileError(path + ": cannot be written");
-  }
-  void add(std::string_view text) {
-    if (!is_quiet_) [[maybe_unused]]
-      const auto written = ::write(STDOUT_FILENO, text.data(), text.size());
-    const std::size_t count = std::min(text.size(), kMaxOutputBytes - kept_);
-    file_.write(text.data(), static_cast<std::streamsize>(count));
-    file_.flush();
-    kept_ += count;
-  }
-
- private:
-  bool is_quiet_;
-  std::ofstream file_;
-  std::size_t kept_ = 0;
 };
 
 /// Samples a cell for the table of --csv, from now on.
@@ -155,14 +132,14 @@ class Run {
     }
     program.environment = {{"XR3_HOST", "127.0.0.1"},
                            {"XR3_PORT", std::to_string(host_.robot_port())},
-                           {"XR3_PTY", network_ ? kSandboxPty : pty}};
+                           {"XR3_PTY", network_ ? kSandboxPty : pty},
+                           {"PYTHONUNBUFFERED", "1"}};  // its output is shown as it is printed
     // The questions of a program let time pass: it need not wait between them.
     if (settings_.server.clock.mode == ClockMode::kBytes)
       program.environment.emplace_back("XR3_POLL_MS", "0");
     if (const auto port = host_.monitor_port())
       program.environment.emplace_back("XR3_MONITOR_PORT", std::to_string(*port));
-    program.has_terminal = settings_.exec.has_terminal;
-    program.is_captured = settings_.exec.is_quiet || !settings_.output_file.empty();
+    program.has_input = settings_.exec.has_input;
     program.max_memory_mib = settings_.exec.limits.memory_mib;
     program.max_processes = settings_.exec.limits.processes;
     return program;
@@ -170,7 +147,8 @@ class Run {
 
   bool start() {
     try {
-      program_.emplace(host_.io(), program(), [this](std::string_view text) { output_.add(text); });
+      program_.emplace(host_.io(), program(),
+                       [this](int stream, std::string_view text) { output_.add(stream, text); });
     } catch (const std::system_error& error) {
       report_.outcome = RunOutcome::kFailed;
       const std::string trouble = interpreter_trouble(settings_.exec.command.front());

@@ -31,9 +31,6 @@ struct RunResult {
   State end;
 };
 
-/// Maximum size of the file of what a program prints; the rest is dropped.
-inline constexpr std::size_t kMaxOutputBytes = std::size_t{1} << 20U;
-
 /// Runs the program and judges the run. SIGINT and SIGTERM are passed on to it. Throws FileError,
 /// and std::system_error if this process lacks something.
 RunResult run_program(const RunSettings& settings, const GoalList& goals);

@@ -134,7 +134,7 @@ void add_exec(CLI::App& app, ExecOptions& options, ServeOptions& server) {
             "write the results as a table in Markdown");
   add_value(exec, "--out", options.out, "FOLDER",
             "new folder for output, recording, picture of the end and result of each run");
-  exec.add_flag("--stdin", options.has_terminal, "the program reads standard input");
+  exec.add_flag("--stdin", options.has_input, "the program reads standard input");
   exec.add_flag("--quiet", options.is_quiet, "do not show what the program prints");
   add_sandbox(exec, options);
   add_log(exec, server);

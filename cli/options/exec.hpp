@@ -34,8 +34,8 @@ struct ExecOptions {
   std::string goals;  ///< a file; empty: none
   RunLimits limits;
   MonitorAccess monitor = MonitorAccess::kNone;
-  bool has_terminal = false;  ///< the program reads standard input
-  bool is_quiet = false;      ///< its output is not shown
+  bool has_input = false;  ///< the program reads standard input
+  bool is_quiet = false;   ///< its output is not shown
   bool is_sandboxed = false;
   std::vector<std::string> readable;  ///< in the sandbox, beside the files of the command
   int repeat = 1;

@@ -20,7 +20,7 @@ TEST(ExecOptions, HaveTheDocumentedDefaults) {
   EXPECT_EQ(command.exec.limits.bytes, 0U);
   EXPECT_EQ(command.exec.monitor, MonitorAccess::kNone);
   EXPECT_EQ(command.exec.repeat, 1);
-  EXPECT_FALSE(command.exec.vary || command.exec.has_terminal || command.exec.is_quiet);
+  EXPECT_FALSE(command.exec.vary || command.exec.has_input || command.exec.is_quiet);
   EXPECT_EQ(command.server.clock.mode, ClockMode::kBytes);
   EXPECT_EQ(command.server.log_level, "off");
 }
@@ -54,7 +54,7 @@ TEST(ExecOptions, AllAreRead) {
   EXPECT_EQ(command.exec.limits.processes, 3U);
   EXPECT_EQ(command.exec.vary, (Variation{7, 25'000, 10'000'000}));
   EXPECT_EQ(command.exec.monitor, MonitorAccess::kControl);
-  EXPECT_TRUE(command.exec.has_terminal && command.exec.is_quiet);
+  EXPECT_TRUE(command.exec.has_input && command.exec.is_quiet);
   EXPECT_EQ(command.exec.command, (Words{"./a", "-v", "--goals"})) << "after --, all is its own";
 }
 

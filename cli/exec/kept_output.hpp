@@ -1,0 +1,37 @@
+// The output of a program under test: shown, and its beginning kept in a file.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include "cli/exec/terminal_text.hpp"
+#include "server/files/descriptor.hpp"
+
+namespace xr3 {
+
+/// Maximum size of the file of a program's output; the rest is dropped.
+inline constexpr std::size_t kMaxOutputBytes = std::size_t{1} << 20U;
+
+class KeptOutput {
+ public:
+  /// `path`: of the file; empty: none. `is_quiet`: the output is not shown. Throws FileError if the
+  /// file cannot be written.
+  KeptOutput(const std::string& path, bool is_quiet);
+
+  /// Takes what the program has written to `stream`, STDOUT_FILENO or STDERR_FILENO, and shows it
+  /// there: on a terminal without control characters.
+  void add(int stream, std::string_view text);
+
+ private:
+  void show(int stream, std::string_view text);
+
+  bool is_quiet_;
+  std::ofstream file_;
+  std::size_t kept_ = 0;
+  std::array<TerminalText, 2> terminals_;  ///< for standard output and error
+};
+
+}  // namespace xr3
