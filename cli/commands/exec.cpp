@@ -6,6 +6,7 @@
 #include "cli/commands/commands.hpp"
 #include "cli/commands/fail.hpp"
 #include "cli/exec/exercise.hpp"
+#include "cli/exec/hide.hpp"
 #include "cli/exec/pool.hpp"
 #include "protocol/text/text_stream.hpp"
 #include "server/files/atomic_write.hpp"
@@ -45,10 +46,10 @@ std::vector<RunReport> run_all(const ExecCommand& command, const Exercise& exerc
     return to_json(exercise.run(its));
   };
   std::vector<RunReport> reports;
-  const auto texts = in_processes(count, usual_jobs(), run, [](std::size_t) {});
-  for (const std::optional<std::string>& text : texts) {
-    reports.push_back(text ? parse_report(*text) : failed_report(place.title));
-  }
+  const auto texts =
+      in_processes(count, usual_jobs(), exercise.run_limit(), run, [](std::size_t) {});
+  for (const std::optional<std::string>& text : texts)
+    reports.push_back(report_of(text, place.title));
   return reports;
 }
 
@@ -92,6 +93,7 @@ bool has_any(const std::vector<RunReport>& reports, RunOutcome outcome) {
 }  // namespace
 
 ExitCode run_command(const ExecCommand& command) {
+  hide_from_programs();
   ignore_signals_of_writing();
   start_log(command.server.log_level, command.server.log_file);
   const Exercise exercise(command.exec, command.server);

@@ -7,6 +7,7 @@
 #include "cli/commands/commands.hpp"
 #include "cli/commands/fail.hpp"
 #include "cli/exec/exercise.hpp"
+#include "cli/exec/hide.hpp"
 #include "cli/exec/pool.hpp"
 #include "protocol/goals/goal_text.hpp"
 #include "protocol/text/printable.hpp"
@@ -89,6 +90,7 @@ void print_table(const std::vector<RunReport>& reports) {
 }  // namespace
 
 ExitCode run_command(const GradeCommand& command) {
+  hide_from_programs();
   ignore_signals_of_writing();
   start_log(command.server.log_level, "");
   require_place(command.exec.command);
@@ -110,12 +112,12 @@ ExitCode run_command(const GradeCommand& command) {
                 printable_line(submissions[index].filename().string()) + "\n");
   };
   const std::size_t jobs = command.grade.jobs > 0 ? command.grade.jobs : usual_jobs();
-  const auto texts = in_processes(submissions.size(), jobs, run, done);
+  const auto texts = in_processes(submissions.size(), jobs, exercise.run_limit(), run, done);
   std::vector<RunReport> reports;
   bool has_all = true;
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const std::string name = submissions[i].filename().string();
-    reports.push_back(texts[i] ? parse_report(*texts[i]) : failed_report(name));
+    reports.push_back(report_of(texts[i], name));
     reports.back().program = name;  // its bytes, which lead to its files
     has_all = has_all && texts[i];
   }

@@ -14,6 +14,7 @@
 #include <memory>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "cli/exec/throw_errno.hpp"
 
@@ -55,6 +56,22 @@ std::vector<::pid_t> descendants() {
   return found;
 }
 
+/// The children of this process, as a rule with those that have ended: they may have started another
+/// one that is not in the list yet. The list of the kernel is much quicker than
+/// looking through all processes, and so finds more of a chain of processes that start each other.
+std::vector<::pid_t> children() {
+  std::vector<::pid_t> found;
+  const std::string own = std::to_string(::getpid());
+  std::ifstream list("/proc/self/task/" + own + "/children");
+  if (!list) {
+    const Parents all = processes();
+    const auto [begin, end] = all.equal_range(::getpid());
+    for (auto each = begin; each != end; ++each) found.push_back(each->second);
+  }
+  for (::pid_t process = 0; list >> process;) found.push_back(process);
+  return found;
+}
+
 }  // namespace
 
 ::pid_t parent_in(std::istream& stat) {
@@ -73,18 +90,19 @@ void adopt_orphans() {
   if (::prctl(PR_SET_CHILD_SUBREAPER, 1) != 0) throw_errno("prctl(PR_SET_CHILD_SUBREAPER)");
 }
 
-std::vector<::pid_t> children() {
-  const Parents all = processes();
-  std::vector<::pid_t> found;
-  const auto [begin, end] = all.equal_range(::getpid());
-  for (auto each = begin; each != end; ++each) found.push_back(each->second);
-  return found;
-}
-
 std::size_t count_descendants() { return descendants().size(); }
 
-void signal_descendants(int signal) {
-  for (const ::pid_t process : descendants()) ::kill(process, signal);
+void end_children(WallNs deadline, ::pid_t kept) {
+  constexpr int kLooks = 2;
+  for (int empty = 0; empty < kLooks && wall_now() < deadline;) {
+    std::vector<::pid_t> found = children();
+    if (parent_of(kept) == 0) std::erase(found, kept);
+    empty = found.empty() ? empty + 1 : 0;
+    for (const ::pid_t process : found) {
+      ::kill(process, SIGKILL);
+      if (process != kept) ::waitpid(process, nullptr, WNOHANG);
+    }
+  }
 }
 
 void reap_children(::pid_t kept) {

@@ -6,7 +6,8 @@
 
 #include <cstddef>
 #include <istream>
-#include <vector>
+
+#include "server/net/wall_clock.hpp"
 
 namespace xr3 {
 
@@ -14,17 +15,19 @@ namespace xr3 {
 /// ends while the file is read: then reading fails.
 ::pid_t parent_in(std::istream& stat);
 
-/// From now on, orphaned descendants become children of this process. Throws std::system_error.
+/// Orphaned descendants become children of this process from here on. Throws std::system_error.
 void adopt_orphans();
-
-/// The children of this process.
-std::vector<::pid_t> children();
 
 /// The number of processes that descend from this one.
 std::size_t count_descendants();
 
-/// Sends a signal to every descendant.
-void signal_descendants(int signal);
+/// Maximum time to end the processes that a program has left behind.
+inline constexpr WallNs kKillLimit = 10'000'000'000;
+
+/// Ends the children of this process, and theirs, which become children by that, until it has twice
+/// found none: a process may start another one while it is looked for. Gives up at the deadline, in
+/// wall time. `kept` is ended, too, but stays for its owner to reap; 0: none.
+void end_children(WallNs deadline, ::pid_t kept);
 
 /// Collects the exit codes of children that have ended, except `kept`.
 void reap_children(::pid_t kept);

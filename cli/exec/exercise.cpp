@@ -42,7 +42,8 @@ Exercise::Exercise(const ExecOptions& options, const ServeOptions& server)
       seed_(load_seed(server, server.robot, server.workcell)),
       goals_(load_goal_list(options.goals, *seed_.model)) {
   if (options.is_sandboxed && !has_sandbox())
-    throw FileError("--sandbox: bubblewrap is not installed (Debian package bubblewrap)");
+    throw FileError("the sandbox needs bubblewrap (Debian package bubblewrap); install it, or " +
+                    options.without_sandbox);
 }
 
 CellSeed Exercise::seed_of(std::size_t index) const {
@@ -82,7 +83,18 @@ RunReport Exercise::run(const RunPlace& place) const {
   return std::move(result.report);
 }
 
-RunReport failed_report(const std::string& title) {
+WallNs Exercise::run_limit() const {
+  constexpr double kForTheEnd = 60;  // ending the program, the rest of the motion, the files
+  constexpr double kNs = 1e9;
+  const double wall_s = options_.limits.wall_s;
+  return wall_s > 0 ? static_cast<WallNs>((wall_s + kForTheEnd) * kNs) : 0;
+}
+
+RunReport report_of(const std::optional<std::string>& text, const std::string& title) {
+  if (text) try {
+      return parse_report(*text);
+    } catch (const std::exception&) {
+    }
   RunReport report;
   report.program = title;
   report.outcome = RunOutcome::kFailed;

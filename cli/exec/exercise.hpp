@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/exec/run.hpp"
 #include "cli/options/options.hpp"
+#include "server/net/wall_clock.hpp"
 #include "tools/report/run_report.hpp"
 
 namespace xr3 {
@@ -31,6 +33,9 @@ class Exercise {
   /// block.
   RunReport run(const RunPlace& place) const;
 
+  /// Time after which a process that makes a run has failed; 0: none.
+  WallNs run_limit() const;
+
  private:
   CellSeed seed_of(std::size_t index) const;
 
@@ -40,8 +45,9 @@ class Exercise {
   GoalList goals_;
 };
 
-/// The report of a run whose process failed.
-RunReport failed_report(const std::string& title);
+/// The report that the process of a run has returned; one that says that the run could not be made if
+/// it returned none, or no report.
+RunReport report_of(const std::optional<std::string>& text, const std::string& title);
 
 /// How many programs run at a time unless the user says otherwise.
 std::size_t usual_jobs();

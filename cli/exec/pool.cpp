@@ -11,8 +11,10 @@
 #include <cerrno>
 #include <csignal>
 #include <exception>
+#include <limits>
 #include <utility>
 
+#include "cli/exec/descendants.hpp"
 #include "cli/exec/pipe.hpp"
 #include "cli/exec/throw_errno.hpp"
 #include "server/print.hpp"
@@ -24,6 +26,7 @@ struct Job {
   std::size_t index;
   ::pid_t process;
   Descriptor pipe;
+  WallNs deadline;
   std::string text;
 };
 
@@ -40,7 +43,7 @@ struct Job {
   ::_exit(is_good ? 0 : 1);
 }
 
-Job start(const std::function<std::string(std::size_t)>& task, std::size_t index) {
+Job start(const std::function<std::string(std::size_t)>& task, std::size_t index, WallNs limit) {
   Pipe ends;
   const ::pid_t process = ::fork();
   if (process < 0) throw_errno("fork");
@@ -48,7 +51,8 @@ Job start(const std::function<std::string(std::size_t)>& task, std::size_t index
     ends.reading = Descriptor();
     work(task, index, ends.writing.get());
   }
-  return {index, process, std::move(ends.reading), {}};
+  const WallNs deadline = limit > 0 ? wall_now() + limit : kNever;
+  return {index, process, std::move(ends.reading), deadline, {}};
 }
 
 /// Reads what has arrived. Returns false at the end.
@@ -68,33 +72,55 @@ bool finish(Job& job) {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
+/// Milliseconds until the first deadline; -1: there is none.
+int until_deadline(const std::vector<Job>& jobs) {
+  constexpr WallNs kMs = 1'000'000;
+  const WallNs first = std::ranges::min_element(jobs, {}, &Job::deadline)->deadline;
+  if (first == kNever) return -1;
+  const WallNs left_ms = (first - wall_now()) / kMs + 1;
+  return static_cast<int>(std::clamp<WallNs>(left_ms, 0, std::numeric_limits<int>::max()));
+}
+
 void wait_for_any(const std::vector<Job>& jobs, std::vector<pollfd>& watched) {
   watched.clear();
   for (const Job& job : jobs) watched.push_back({job.pipe.get(), POLLIN, 0});
-  if (::poll(watched.data(), watched.size(), -1) < 0 && errno != EINTR) throw_errno("poll");
+  if (::poll(watched.data(), watched.size(), until_deadline(jobs)) < 0 && errno != EINTR)
+    throw_errno("poll");
+}
+
+/// Whether a job goes on after poll() has returned these events for it.
+bool goes_on(Job& job, short events) {
+  if (wall_now() >= job.deadline) {
+    ::kill(job.process, SIGKILL);  // stopped, or held up
+    return false;
+  }
+  return events == 0 || read_some(job);
 }
 
 }  // namespace
 
 std::vector<std::optional<std::string>> in_processes(
-    std::size_t count, std::size_t jobs, const std::function<std::string(std::size_t)>& task,
+    std::size_t count, std::size_t jobs, WallNs limit,
+    const std::function<std::string(std::size_t)>& task,
     const std::function<void(std::size_t)>& done) {
   assert(jobs > 0);
+  adopt_orphans();  // of a process that failed
   std::vector<std::optional<std::string>> results(count);
   std::vector<Job> running;
   std::vector<pollfd> watched;
   std::size_t next = 0;
   while (next < count || !running.empty()) {
-    while (next < count && running.size() < jobs) running.push_back(start(task, next++));
+    while (next < count && running.size() < jobs) running.push_back(start(task, next++, limit));
     wait_for_any(running, watched);
     for (std::size_t i = running.size(); i-- > 0;) {
-      if (watched[i].revents == 0 || read_some(running[i])) continue;
+      if (goes_on(running[i], watched[i].revents)) continue;
       Job job = std::move(running[i]);
       running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
       if (finish(job)) results[job.index] = std::move(job.text);
       done(job.index);
     }
   }
+  end_children(wall_now() + kKillLimit, 0);
   return results;
 }
 

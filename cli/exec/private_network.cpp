@@ -5,7 +5,9 @@
 #include <net/if.h>
 #include <sched.h>
 #include <sys/ioctl.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +15,7 @@
 #include <cerrno>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -24,16 +27,11 @@ namespace {
 constexpr std::size_t kDescriptors = 3;  // listener, network namespace, user namespace
 using Descriptors = std::array<int, kDescriptors>;
 
-bool write_to(const char* path, const std::string& text) {
-  const Descriptor file(::open(path, O_WRONLY | O_CLOEXEC));
-  return file.is_open() && write_all(file.get(), text);
-}
-
-/// Keeps the user and group that this process had.
-bool map_own_user(::uid_t user, ::gid_t group) {
-  const auto one = [](unsigned id) { return std::to_string(id) + " " + std::to_string(id) + " 1"; };
-  return write_to("/proc/self/setgroups", "deny") && write_to("/proc/self/uid_map", one(user)) &&
-         write_to("/proc/self/gid_map", one(group));
+bool write_to(const char* path, std::string_view text) {
+  const int file = ::open(path, O_WRONLY | O_CLOEXEC);
+  const bool is_written = file >= 0 && write_all(file, text);
+  ::close(file);
+  return is_written;
 }
 
 bool bring_loopback_up() {
@@ -90,12 +88,19 @@ bool receive_descriptors(int channel, Descriptors& descriptors) {
   return true;
 }
 
+/// Closes every descriptor of the judge but the channel. Returns its new number.
+int keep_channel(int channel) {
+  constexpr int kChannel = STDERR_FILENO + 1;
+  if (channel != kChannel) ::dup2(channel, kChannel);
+  ::syscall(SYS_close_range, static_cast<unsigned>(kChannel) + 1U, ~0U, 0U);
+  return kChannel;
+}
+
 /// In the child: makes the namespaces and sends their descriptors. Returns 0, or errno.
-int make_namespaces(int channel, bool has_user) {
-  const ::uid_t user = ::geteuid();
-  const ::gid_t group = ::getegid();
+int make_namespaces(int judges_channel, const IdMaps& maps, bool has_user) {
+  const int channel = keep_channel(judges_channel);
   if (::unshare(CLONE_NEWNET | (has_user ? CLONE_NEWUSER : 0)) != 0) return errno;
-  if (has_user && !map_own_user(user, group)) return errno;
+  if (has_user && !maps.write()) return errno;
   if (!bring_loopback_up()) return errno;
   const Descriptors descriptors{listen_on_loopback(),
                                 ::open("/proc/self/ns/net", O_RDONLY | O_CLOEXEC),
@@ -107,14 +112,25 @@ int make_namespaces(int channel, bool has_user) {
 
 }  // namespace
 
+// The files below /proc/self are those of root while this process is not dumpable.
+bool IdMaps::write() const {
+  ::prctl(PR_SET_DUMPABLE, 1);
+  const bool is_written = write_to("/proc/self/setgroups", "deny") &&
+                          write_to("/proc/self/uid_map", user) &&
+                          write_to("/proc/self/gid_map", group);
+  ::prctl(PR_SET_DUMPABLE, 0);
+  return is_written;
+}
+
 PrivateNetwork::PrivateNetwork() {
   const bool has_user = ::geteuid() != 0;
+  const IdMaps maps;
   std::array<int, 2> channel{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, channel.data()) != 0)
     throw_errno("socketpair");
   const ::pid_t child = ::fork();
   if (child < 0) throw_errno("fork");
-  if (child == 0) ::_exit(make_namespaces(channel[1], has_user));
+  if (child == 0) ::_exit(make_namespaces(channel[1], maps, has_user));
   ::close(channel[1]);
   Descriptors descriptors{-1, -1, -1};
   const bool is_made = receive_descriptors(channel[0], descriptors);

@@ -2,9 +2,28 @@
 // robot, and nothing else.
 #pragma once
 
+#include <unistd.h>
+
+#include <string>
+
 #include "server/files/descriptor.hpp"
 
 namespace xr3 {
+
+/// The user and group that this process has, for a new user namespace in which it keeps them.
+struct IdMaps {
+  std::string user = one(::geteuid());
+  std::string group = one(::getegid());
+
+  /// Writes them, in the first process of the namespace. Only async-signal-safe calls. Returns
+  /// whether it succeeded.
+  bool write() const;
+
+ private:
+  static std::string one(unsigned id) {
+    return std::to_string(id) + " " + std::to_string(id) + " 1";
+  }
+};
 
 class PrivateNetwork {
  public:

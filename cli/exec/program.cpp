@@ -1,121 +1,21 @@
 #include "cli/exec/program.hpp"
 
-#include <fcntl.h>
-#include <linux/close_range.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <boost/asio/write.hpp>
 #include <cassert>
-#include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <system_error>
 
-extern char** environ;
-
-#include "cli/exec/pipe.hpp"
+#include "cli/exec/launch.hpp"
 #include "cli/exec/throw_errno.hpp"
 #include "server/net/spawn.hpp"
 
 namespace xr3 {
 namespace {
-
-/// The arguments of execvpe(), which must not be made after the fork.
-struct Arguments {
-  explicit Arguments(const std::vector<std::string>& texts) {
-    for (const std::string& each : texts) pointers.push_back(const_cast<char*>(each.c_str()));
-    pointers.push_back(nullptr);
-  }
-  std::vector<char*> pointers;
-};
-
-bool is_passed_on(std::string_view variable, bool to_stranger) {
-  const std::string_view name = variable.substr(0, variable.find('='));
-  if (!to_stranger) return !name.starts_with("XR3_");
-  return name == "PATH" || name == "LANG" || name.starts_with("LC_") || name == "TZ" ||
-         name == "TERM";
-}
-
-std::vector<std::string> environment_of(const ProgramSettings& settings) {
-  std::vector<std::string> all;
-  for (char** each = environ; *each != nullptr; ++each)
-    if (is_passed_on(*each, settings.is_stranger)) all.emplace_back(*each);
-  for (const auto& [name, value] : settings.environment)
-    all.emplace_back(name).append("=").append(value);
-  return all;
-}
-
-/// Leaves the program its standard input and outputs only. Not every socket of this process closes
-/// by itself.
-void close_others_at_exec() {
-  constexpr int kFirst = STDERR_FILENO + 1;
-  constexpr int kMost = 65'536;
-  if (::syscall(SYS_close_range, kFirst, ~0U, CLOSE_RANGE_CLOEXEC) == 0) return;
-  for (int each = kFirst; each < kMost; ++each) ::fcntl(each, F_SETFD, FD_CLOEXEC);
-}
-
-void limit(int resource, std::size_t most) {
-  if (most == 0) return;
-  const rlimit both{most, most};
-  if (::setrlimit(static_cast<__rlimit_resource>(resource), &both) != 0) ::_exit(127);
-}
-
-/// The standard streams of a program. Without input the pipe is closed: it ends at once.
-struct StandardPipes {
-  Pipe input;
-  Pipe output;
-  Pipe error;
-};
-
-/// In the child: everything between fork and exec. Only async-signal-safe calls.
-void become_program(const ProgramSettings& settings, const StandardPipes& pipes, ::pid_t parent) {
-  constexpr std::size_t kMib = std::size_t{1} << 20U;
-  ::setsid();  // and so no terminal of this process
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(127);  // it has ended meanwhile
-  for (const int each : {SIGPIPE, SIGXFSZ, SIGINT, SIGTERM, SIGHUP}) ::signal(each, SIG_DFL);
-  sigset_t none;
-  ::sigemptyset(&none);
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  ::dup2(pipes.input.reading.get(), STDIN_FILENO);
-  ::dup2(pipes.output.writing.get(), STDOUT_FILENO);
-  ::dup2(pipes.error.writing.get(), STDERR_FILENO);
-  if (settings.network != nullptr && !settings.network->enter()) ::_exit(127);
-  limit(RLIMIT_AS, settings.max_memory_mib * kMib);
-  limit(RLIMIT_NPROC, settings.max_processes);
-  close_others_at_exec();
-}
-
-/// Starts the program. The error of exec comes back by a pipe that exec closes.
-::pid_t start(const ProgramSettings& settings, const StandardPipes& pipes) {
-  const Arguments arguments(settings.command);
-  const std::vector<std::string> environment = environment_of(settings);
-  const Arguments variables(environment);
-  Pipe result;
-  const ::pid_t parent = ::getpid();
-  const ::pid_t child = ::fork();
-  if (child < 0) throw_errno("fork");
-  if (child == 0) {
-    become_program(settings, pipes, parent);
-    ::execvpe(arguments.pointers[0], arguments.pointers.data(), variables.pointers.data());
-    const int error = errno;
-    [[maybe_unused]] const auto sent = ::write(result.writing.get(), &error, sizeof error);
-    ::_exit(127);
-  }
-  result.writing = Descriptor();
-  int error = 0;
-  if (::read(result.reading.get(), &error, sizeof error) == sizeof error) {
-    ::waitpid(child, nullptr, 0);
-    errno = error;
-    throw_errno(settings.command.front());
-  }
-  return child;
-}
 
 int open_pidfd(::pid_t process) {
   const auto descriptor = static_cast<int>(::syscall(SYS_pidfd_open, process, 0));
@@ -140,7 +40,9 @@ Program::Program(asio::io_context& io, const ProgramSettings& settings, Output o
   assert(!settings.command.empty());
   StandardPipes pipes;
   if (!settings.has_input) pipes.input.writing = Descriptor();
-  pid_ = start(settings, pipes);
+  Launched launched = launch(settings, pipes);
+  pid_ = launched.process;
+  status_ = std::move(launched.status);
   ended_.assign(open_pidfd(pid_));
   output_.pipe.assign(pipes.output.reading.release());
   error_.pipe.assign(pipes.error.reading.release());
@@ -168,6 +70,8 @@ void Program::on_end(std::function<void(const ProgramEnd&)> ended) {
 void Program::reap() {
   int status = 0;
   ::waitpid(pid_, &status, 0);
+  int its = 0;
+  if (::read(status_.get(), &its, sizeof its) == sizeof its) status = its;
   end_ = ProgramEnd{WIFEXITED(status) ? WEXITSTATUS(status) : 0,
                     WIFSIGNALED(status) ? WTERMSIG(status) : 0};
   on_end_(*end_);

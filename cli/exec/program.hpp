@@ -1,4 +1,4 @@
-// A program under test as a child process in a group of its own: its environment, limits and
+// A program under test as a child process in a session of its own: its environment, limits and
 // output, and its end.
 #pragma once
 
@@ -62,6 +62,7 @@ class Program {
   void signal(int number) const;
   /// Whether a process of its group still runs.
   bool has_group() const;
+  /// The child of this process, which is reaped here.
   ::pid_t pid() const { return pid_; }
   /// Whether a process may still print, or what was printed has yet to be read.
   bool has_output() const { return output_.pipe.is_open() || error_.pipe.is_open(); }
@@ -76,7 +77,8 @@ class Program {
   void reap();
   asio::awaitable<void> copy_input();
 
-  ::pid_t pid_;
+  ::pid_t pid_;  ///< of the program or its keeper
+  Descriptor status_;
   asio::posix::stream_descriptor ended_;  ///< becomes readable when the program ends
   std::optional<StandardInput> from_;
   asio::posix::stream_descriptor input_;  ///< where `from_` is copied to

@@ -226,11 +226,8 @@ class Run {
     program_->signal(SIGTERM);
     wait_until(wall_now() + kGrace,
                [this] { return program_->has_ended() && !program_->has_group(); });
-    for (int i = 0; i < kMaxKills && !children().empty(); ++i) {
-      signal_descendants(SIGKILL);
-      wait_until(wall_now() + kKillLimit, [] { return children().empty(); });
-    }
-    reap_children(program_->has_ended() ? 0 : program_->pid());
+    end_children(wall_now() + kKillLimit, program_->has_ended() ? 0 : program_->pid());
+    wait_until(wall_now() + kGrace, [this] { return program_->has_ended(); });
   }
 
   /// What it has printed before its end.
@@ -289,8 +286,6 @@ class Run {
   }
 
   static constexpr WallNs kCountEvery = 200'000'000;
-  static constexpr WallNs kKillLimit = 500'000'000;
-  static constexpr int kMaxKills = 20;
 
   const RunSettings& settings_;
   const GoalList& goals_;

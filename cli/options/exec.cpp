@@ -77,15 +77,32 @@ void add_run(CLI::App& command, ExecOptions& options, ServeOptions& server) {
       ->check(CLI::IsMember({"read", "control"}).description(""));
 }
 
-void add_sandbox(CLI::App& command, ExecOptions& options) {
+void add_readable(CLI::App& command, ExecOptions& options, const std::string& when) {
+  add_value(command, "--read", options.readable, "PATH",
+            when + "a further file or folder that it may read")
+      ->allow_extra_args(false);
+}
+
+/// `exec` runs a program of one's own, `grade` those of other people.
+void add_sandbox_of_exec(CLI::App& command, ExecOptions& options) {
+  options.without_sandbox = "leave out --sandbox, which runs the program with your rights";
   CLI::Option* sandbox = command.add_flag(
       "--sandbox", options.is_sandboxed,
       "run it under bubblewrap: no network but the robot, no files but the system's and its own");
   command.get_option("--monitor")->excludes(sandbox);
-  add_value(command, "--read", options.readable, "PATH",
-            "with --sandbox: a further file or folder that it may read")
-      ->allow_extra_args(false)
-      ->needs(sandbox);
+  add_readable(command, options, "with --sandbox: ");
+  command.get_option("--read")->needs(sandbox);
+}
+
+void add_sandbox_of_grade(CLI::App& command, ExecOptions& options) {
+  options.is_sandboxed = true;
+  options.without_sandbox = "add --no-sandbox, which runs the submissions with your rights";
+  CLI::Option* none = command.add_flag_callback(
+      "--no-sandbox", [&options] { options.is_sandboxed = false; },
+      "run them with your rights, not under bubblewrap: no protection from what they do");
+  command.get_option("--monitor")->needs(none);
+  add_readable(command, options, "in the sandbox: ");
+  command.get_option("--read")->excludes(none);
 }
 
 }  // namespace
@@ -136,7 +153,7 @@ void add_exec(CLI::App& app, ExecOptions& options, ServeOptions& server) {
             "new folder for output, recording, picture of the end and result of each run");
   exec.add_flag("--stdin", options.has_input, "the program reads standard input");
   exec.add_flag("--quiet", options.is_quiet, "do not show what the program prints");
-  add_sandbox(exec, options);
+  add_sandbox_of_exec(exec, options);
   add_log(exec, server);
   add_value(exec, "command", options.command, "PROGRAM [ARG]",
             "the program and its arguments, after --")
@@ -152,7 +169,7 @@ void add_grade(CLI::App& app, GradeOptions& options, ExecOptions& exec, ServeOpt
   add_run(grade, exec, server);
   grade.get_option("--goals")->required();
   add_value(grade, "--report", options.report, "FOLDER", "new folder for the report")->required();
-  add_sandbox(grade, exec);
+  add_sandbox_of_grade(grade, exec);
   add_value(grade, "--jobs", options.jobs, "N", "number of submissions that run at a time")
       ->check(whole_number_between(1, kMaxJobs));
   add_value(grade, "command", exec.command, "PROGRAM [ARG]",

@@ -74,8 +74,23 @@ TEST(GradeOptions, NeedGoalsAndAReport) {
   EXPECT_EQ(command.grade.report, "r");
   EXPECT_EQ(command.grade.jobs, 3U);
   EXPECT_EQ(command.exec.command, (Words{"python3", "{}"}));
+  EXPECT_TRUE(command.exec.is_sandboxed);
   EXPECT_EQ(refused({"grade", "class", "--report", "r", "--", "a"}).code, ExitCode::kBadInput);
   EXPECT_EQ(refused({"grade", "class", "--goals", "g", "--", "a"}).code, ExitCode::kBadInput);
+}
+
+Options graded(const char* option, const char* value = "--") {
+  return parse({"grade", "class", "--goals", "g", "--report", "r", option, value, "--", "{}"});
+}
+
+TEST(GradeOptions, LeaveTheSandboxOnlyIfItIsSaid) {
+  EXPECT_FALSE(std::get<GradeCommand>(graded("--no-sandbox")).exec.is_sandboxed);
+  EXPECT_TRUE(std::get<GradeCommand>(graded("--read", "folder")).exec.is_sandboxed);
+  EXPECT_TRUE(std::holds_alternative<Leave>(graded("--monitor", "read")));
+  EXPECT_EQ(refused({"grade", "class", "--goals", "g", "--report", "r", "--no-sandbox", "--read",
+                     "folder", "--", "{}"})
+                .code,
+            ExitCode::kBadInput);
 }
 
 }  // namespace

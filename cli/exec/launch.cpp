@@ -1,0 +1,188 @@
+#include "cli/exec/launch.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sched.h>
+#include <sys/mount.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <string>
+#include <utility>
+#include <vector>
+
+extern char** environ;
+
+#include "cli/exec/private_network.hpp"
+#include "cli/exec/throw_errno.hpp"
+
+namespace xr3 {
+namespace {
+
+// The descriptors of a child before exec, beside its standard streams.
+constexpr int kResult = 3;  // an error as errno, or kNoNamespace; closed by exec
+constexpr int kStatus = 4;  // the wait status of the program, from its keeper
+constexpr int kFirstOther = 5;
+
+constexpr int kNoNamespace = -1;
+
+/// The arguments of execvpe(), which must not be made after the fork.
+struct Arguments {
+  explicit Arguments(const std::vector<std::string>& texts) {
+    for (const std::string& each : texts) pointers.push_back(const_cast<char*>(each.c_str()));
+    pointers.push_back(nullptr);
+  }
+  std::vector<char*> pointers;
+};
+
+bool is_passed_on(std::string_view variable, bool to_stranger) {
+  const std::string_view name = variable.substr(0, variable.find('='));
+  if (!to_stranger) return !name.starts_with("XR3_");
+  return name == "PATH" || name == "LANG" || name.starts_with("LC_") || name == "TZ" ||
+         name == "TERM";
+}
+
+std::vector<std::string> environment_of(const ProgramSettings& settings) {
+  std::vector<std::string> all;
+  for (char** each = environ; *each != nullptr; ++each)
+    if (is_passed_on(*each, settings.is_stranger)) all.emplace_back(*each);
+  for (const auto& [name, value] : settings.environment)
+    all.emplace_back(name).append("=").append(value);
+  return all;
+}
+
+/// All that a child needs; after the fork no memory can be had.
+struct Launch {
+  Launch(const ProgramSettings& the_settings, const StandardPipes& the_pipes)
+      : settings(the_settings), pipes(the_pipes) {}
+
+  const ProgramSettings& settings;
+  const StandardPipes& pipes;
+  Arguments arguments{settings.command};
+  std::vector<std::string> environment = environment_of(settings);
+  Arguments variables{environment};
+  IdMaps maps;
+  Pipe result;
+  Pipe status;
+};
+
+// --- In the child: only async-signal-safe calls.
+
+[[noreturn]] void give_up(int error) {
+  [[maybe_unused]] const auto sent = ::write(kResult, &error, sizeof error);
+  ::_exit(127);
+}
+
+/// Closes every descriptor of this process but the standard streams, kResult and kStatus.
+void arrange_descriptors(const Launch& launch) {
+  constexpr int kMost = 65'536;
+  const int result = ::fcntl(launch.result.writing.get(), F_DUPFD, kFirstOther);
+  const int status = ::fcntl(launch.status.writing.get(), F_DUPFD, kFirstOther);
+  ::dup2(launch.pipes.input.reading.get(), STDIN_FILENO);
+  ::dup2(launch.pipes.output.writing.get(), STDOUT_FILENO);
+  ::dup2(launch.pipes.error.writing.get(), STDERR_FILENO);
+  ::dup3(result, kResult, O_CLOEXEC);
+  ::dup3(status, kStatus, O_CLOEXEC);
+  if (::syscall(SYS_close_range, kFirstOther, ~0U, 0U) == 0) return;
+  for (int each = kFirstOther; each < kMost; ++each) ::close(each);
+}
+
+/// A session of its own: no terminal of the judge, and none of its handlers. It ends with the judge.
+void leave_judge(const Launch& launch) {
+  for (const int each : {SIGPIPE, SIGXFSZ, SIGINT, SIGTERM, SIGHUP}) ::signal(each, SIG_DFL);
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  if (launch.settings.network != nullptr && !launch.settings.network->enter()) ::_exit(127);
+  arrange_descriptors(launch);
+  ::setsid();
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  pollfd judge{kResult, 0, 0};
+  if (::poll(&judge, 1, 0) != 0) ::_exit(127);  // it has ended meanwhile
+}
+
+void limit(int resource, std::size_t most) {
+  if (most == 0) return;
+  const rlimit both{most, most};
+  if (::setrlimit(static_cast<__rlimit_resource>(resource), &both) != 0) ::_exit(127);
+}
+
+[[noreturn]] void become_program(const Launch& launch) {
+  constexpr std::size_t kMib = std::size_t{1} << 20U;
+  limit(RLIMIT_AS, launch.settings.max_memory_mib * kMib);
+  limit(RLIMIT_NPROC, launch.settings.max_processes);
+  ::execvpe(launch.arguments.pointers[0], launch.arguments.pointers.data(),
+            launch.variables.pointers.data());
+  give_up(errno);
+}
+
+/// As fork(), with new namespaces, and without the handlers that need locks.
+::pid_t fork_with(unsigned long namespaces) {
+  return static_cast<::pid_t>(::syscall(SYS_clone, namespaces | SIGCHLD, 0, 0, 0, 0));
+}
+
+/// A view of the namespace's own processes. Containers may not mount it: then the outer one stays.
+void mount_proc() {
+  if (::mount(nullptr, "/", nullptr, MS_SLAVE | MS_REC, nullptr) == 0)
+    ::mount("proc", "/proc", "proc", MS_NOSUID | MS_NODEV | MS_NOEXEC, nullptr);
+}
+
+/// The first process of a PID namespace: starts the program, waits for it, and tells its status.
+[[noreturn]] void keep_program(const Launch& launch, bool has_user) {
+  leave_judge(launch);
+  if (has_user && !launch.maps.write()) give_up(kNoNamespace);
+  mount_proc();
+  const ::pid_t program = fork_with(0);
+  if (program < 0) give_up(errno);
+  if (program == 0) become_program(launch);
+  ::syscall(SYS_close_range, 0U, static_cast<unsigned>(kResult), 0U);
+  int status = 0;
+  while (::waitpid(-1, &status, 0) != program) {
+  }
+  [[maybe_unused]] const auto sent = ::write(kStatus, &status, sizeof status);
+  ::_exit(0);
+}
+
+[[noreturn]] void run_child(const Launch& launch, unsigned long namespaces) {
+  if (namespaces != 0) keep_program(launch, (namespaces & CLONE_NEWUSER) != 0);
+  leave_judge(launch);
+  become_program(launch);
+}
+
+// --- In the judge.
+
+/// Starts the program in these namespaces; nullopt if the system does not allow them.
+std::optional<Launched> try_launch(const ProgramSettings& settings, const StandardPipes& pipes,
+                                   unsigned long namespaces) {
+  Launch launch(settings, pipes);
+  const ::pid_t child = fork_with(namespaces);
+  if (child < 0 && namespaces != 0) return std::nullopt;
+  if (child < 0) throw_errno("fork");
+  if (child == 0) run_child(launch, namespaces);
+  launch.result.writing = Descriptor();
+  launch.status.writing = Descriptor();
+  int error = 0;
+  if (::read(launch.result.reading.get(), &error, sizeof error) != sizeof error)
+    return Launched{child, std::move(launch.status.reading)};
+  ::waitpid(child, nullptr, 0);
+  if (error == kNoNamespace) return std::nullopt;
+  errno = error;
+  throw_errno(settings.command.front());
+}
+
+}  // namespace
+
+Launched launch(const ProgramSettings& settings, const StandardPipes& pipes) {
+  constexpr unsigned long kProcesses = CLONE_NEWPID | CLONE_NEWNS;
+  if (settings.network == nullptr)  // bubblewrap makes its own
+    for (const unsigned long namespaces : {kProcesses, kProcesses | CLONE_NEWUSER})
+      if (auto launched = try_launch(settings, pipes, namespaces)) return std::move(*launched);
+  return *try_launch(settings, pipes, 0);
+}
+
+}  // namespace xr3
