@@ -41,7 +41,7 @@ std::vector<RunReport> run_all(const ExecCommand& command, const Exercise& exerc
   if (count == 1) return {exercise.run(place)};
   const auto run = [&](std::size_t index) {
     RunPlace its = place;
-    its.index = index;
+    its.index = its.job = index;
     if (!its.folder.empty()) its.folder += "/" + run_name(index);
     return to_json(exercise.run(its));
   };

@@ -103,8 +103,8 @@ ExitCode run_command(const GradeCommand& command) {
   const auto run = [&](std::size_t index) {
     const fs::path& its = submissions[index];
     const std::string name = its.filename().string();
-    return to_json(exercise.run(
-        {name, command_for(its, exec.command), its, command.grade.report + "/" + name, "", 0}));
+    return to_json(exercise.run({name, command_for(its, exec.command), its,
+                                 command.grade.report + "/" + name, "", 0, index}));
   };
   std::size_t count = 0;
   const auto done = [&](std::size_t index) {

@@ -41,9 +41,8 @@ Exercise::Exercise(const ExecOptions& options, const ServeOptions& server)
       server_(server),
       seed_(load_seed(server, server.robot, server.workcell)),
       goals_(load_goal_list(options.goals, *seed_.model)) {
-  if (options.is_sandboxed && !has_sandbox())
-    throw FileError("the sandbox needs bubblewrap (Debian package bubblewrap); install it, or " +
-                    options.without_sandbox);
+  const auto user = program_user(options.run_as, options.is_sandboxed, 0);
+  if (options.is_sandboxed) require_sandbox(user, options.without_sandbox);
 }
 
 CellSeed Exercise::seed_of(std::size_t index) const {
@@ -62,7 +61,8 @@ CellSeed Exercise::seed_of(std::size_t index) const {
 }
 
 RunReport Exercise::run(const RunPlace& place) const {
-  RunSettings settings{server_, seed_of(place.index), options_, ""};
+  RunSettings settings{server_, seed_of(place.index), options_,
+                       program_user(options_.run_as, options_.is_sandboxed, place.job), ""};
   settings.exec.command = place.command;
   settings.exec.readable.push_back(place.readable);
   settings.server.record = place.record;

@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <string>
@@ -18,6 +19,7 @@
 
 extern char** environ;
 
+#include "cli/exec/no_keys.hpp"
 #include "cli/exec/private_network.hpp"
 #include "cli/exec/throw_errno.hpp"
 
@@ -43,8 +45,12 @@ struct Arguments {
 bool is_passed_on(std::string_view variable, bool to_stranger) {
   const std::string_view name = variable.substr(0, variable.find('='));
   if (!to_stranger) return !name.starts_with("XR3_");
-  return name == "PATH" || name == "LANG" || name.starts_with("LC_") || name == "TZ" ||
-         name == "TERM";
+  constexpr std::string_view kNames[] = {
+      "PATH",           "TZ",           "TERM",        "LANG",     "LANGUAGE",
+      "LC_ALL",         "LC_ADDRESS",   "LC_COLLATE",  "LC_CTYPE", "LC_IDENTIFICATION",
+      "LC_MEASUREMENT", "LC_MESSAGES",  "LC_MONETARY", "LC_NAME",  "LC_NUMERIC",
+      "LC_PAPER",       "LC_TELEPHONE", "LC_TIME"};
+  return std::ranges::count(kNames, name) > 0;
 }
 
 std::vector<std::string> environment_of(const ProgramSettings& settings) {
@@ -98,8 +104,11 @@ void leave_judge(const Launch& launch) {
   sigset_t none;
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  if (launch.settings.network != nullptr && !launch.settings.network->enter()) ::_exit(127);
+  const ProgramSettings& its = launch.settings;
+  const bool is_in =
+      its.network == nullptr || ((!its.user || its.user->enter()) && its.network->enter());
   arrange_descriptors(launch);
+  if (!is_in) give_up(errno);
   ::setsid();
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   pollfd judge{kResult, 0, 0};
@@ -116,6 +125,9 @@ void limit(int resource, std::size_t most) {
   constexpr std::size_t kMib = std::size_t{1} << 20U;
   limit(RLIMIT_AS, launch.settings.max_memory_mib * kMib);
   limit(RLIMIT_NPROC, launch.settings.max_processes);
+  const bool is_sandboxed = launch.settings.network != nullptr;
+  if (is_sandboxed && !give_up_keys()) give_up(errno);
+  if (!is_sandboxed && launch.settings.user && !launch.settings.user->enter()) give_up(errno);
   ::execvpe(launch.arguments.pointers[0], launch.arguments.pointers.data(),
             launch.variables.pointers.data());
   give_up(errno);

@@ -97,10 +97,12 @@ int keep_channel(int channel) {
 }
 
 /// In the child: makes the namespaces and sends their descriptors. Returns 0, or errno.
-int make_namespaces(int judges_channel, const IdMaps& maps, bool has_user) {
+int make_namespaces(int judges_channel, const IdMaps& maps,
+                    const std::optional<ProgramUser>& user) {
   const int channel = keep_channel(judges_channel);
-  if (::unshare(CLONE_NEWNET | (has_user ? CLONE_NEWUSER : 0)) != 0) return errno;
-  if (has_user && !maps.write()) return errno;
+  if (user && !user->enter()) return errno;
+  if (::unshare(CLONE_NEWNET | CLONE_NEWUSER) != 0) return errno;
+  if (!maps.write() || !write_to("/proc/sys/user/max_user_namespaces", "1")) return errno;
   if (!bring_loopback_up()) return errno;
   const Descriptors descriptors{listen_on_loopback(),
                                 ::open("/proc/self/ns/net", O_RDONLY | O_CLOEXEC),
@@ -122,15 +124,14 @@ bool IdMaps::write() const {
   return is_written;
 }
 
-PrivateNetwork::PrivateNetwork() {
-  const bool has_user = ::geteuid() != 0;
-  const IdMaps maps;
+PrivateNetwork::PrivateNetwork(const std::optional<ProgramUser>& user) {
+  const IdMaps maps(user);
   std::array<int, 2> channel{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, channel.data()) != 0)
     throw_errno("socketpair");
   const ::pid_t child = ::fork();
   if (child < 0) throw_errno("fork");
-  if (child == 0) ::_exit(make_namespaces(channel[1], maps, has_user));
+  if (child == 0) ::_exit(make_namespaces(channel[1], maps, user));
   ::close(channel[1]);
   Descriptors descriptors{-1, -1, -1};
   const bool is_made = receive_descriptors(channel[0], descriptors);
@@ -139,17 +140,15 @@ PrivateNetwork::PrivateNetwork() {
   ::waitpid(child, &status, 0);
   if (!is_made) {
     errno = WIFEXITED(status) ? WEXITSTATUS(status) : EIO;
-    throw_errno("a network namespace");
+    throw_errno("user and network namespaces");
   }
   listener_ = Descriptor(descriptors[0]);
   network_ = Descriptor(descriptors[1]);
-  Descriptor user(descriptors[2]);
-  if (has_user) user_ = std::move(user);
+  user_ = Descriptor(descriptors[2]);
 }
 
 bool PrivateNetwork::enter() const {
-  return (!user_.is_open() || ::setns(user_.get(), CLONE_NEWUSER) == 0) &&
-         ::setns(network_.get(), CLONE_NEWNET) == 0;
+  return ::setns(user_.get(), CLONE_NEWUSER) == 0 && ::setns(network_.get(), CLONE_NEWNET) == 0;
 }
 
 }  // namespace xr3

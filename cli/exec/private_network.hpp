@@ -4,16 +4,21 @@
 
 #include <unistd.h>
 
+#include <optional>
 #include <string>
 
+#include "cli/exec/program_user.hpp"
 #include "server/files/descriptor.hpp"
 
 namespace xr3 {
 
-/// The user and group that this process has, for a new user namespace in which it keeps them.
+/// The user and group of this process, or of `of`, for a new user namespace in which it keeps them.
 struct IdMaps {
-  std::string user = one(::geteuid());
-  std::string group = one(::getegid());
+  explicit IdMaps(const std::optional<ProgramUser>& of = {})
+      : user(one(of ? of->user : ::geteuid())), group(one(of ? of->group : ::getegid())) {}
+
+  std::string user;
+  std::string group;
 
   /// Writes them, in the first process of the namespace. Only async-signal-safe calls. Returns
   /// whether it succeeded.
@@ -27,9 +32,10 @@ struct IdMaps {
 
 class PrivateNetwork {
  public:
-  /// Makes the namespace, in a user namespace of its own unless this process is privileged. Throws
-  /// std::system_error if the system does not allow it.
-  PrivateNetwork();
+  /// Makes the namespace in a user namespace of its own, which belongs to `user` (nullopt: the user
+  /// of this process), and in which bubblewrap can make its own one and nothing any further one.
+  /// Throws std::system_error if the system does not allow it.
+  explicit PrivateNetwork(const std::optional<ProgramUser>& user);
 
   /// A socket that listens on 127.0.0.1 and a free port in it. The caller owns it; to be called
   /// once.
@@ -42,7 +48,7 @@ class PrivateNetwork {
  private:
   Descriptor listener_;
   Descriptor network_;
-  Descriptor user_;  ///< none: that of this process
+  Descriptor user_;
 };
 
 }  // namespace xr3

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "cli/exec/private_network.hpp"
+#include "cli/exec/program_user.hpp"
 #include "cli/term/standard_input.hpp"
 #include "server/net/asio.hpp"
 
@@ -27,6 +28,7 @@ struct ProgramSettings {
   bool is_stranger = false;  ///< of this process's environment it gets path, language and time zone
   bool has_input = false;    ///< it gets the standard input of this process
   const PrivateNetwork* network = nullptr;  ///< that it enters; null: that of this process
+  std::optional<ProgramUser> user;          ///< nullopt: that of this process
   std::size_t max_memory_mib = 0;           ///< of address space, for each process; 0: no limit
   std::size_t max_processes = 0;            ///< of its user; 0: no limit
 };

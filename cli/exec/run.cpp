@@ -12,8 +12,10 @@
 #include "cell/judge/run_observer.hpp"
 #include "cli/exec/descendants.hpp"
 #include "cli/exec/kept_output.hpp"
+#include "cli/exec/run_folder.hpp"
 #include "cli/exec/sandbox.hpp"
 #include "cli/exec/script.hpp"
+#include "cli/exec/throw_errno.hpp"
 #include "cli/exec/transcript_text.hpp"
 #include "protocol/goals/goal_text.hpp"
 #include "protocol/text/table.hpp"
@@ -32,27 +34,6 @@ constexpr WallNs kGrace = 2'000'000'000;      // between SIGTERM and SIGKILL
 constexpr WallNs kReadLimit = 5'000'000'000;  // for what the program has sent before its end
 constexpr Tick kRestLimit = Tick{128} * kTickHz;
 constexpr double kNsPerSecond = 1e9;
-
-/// A folder for the pseudo-terminal, removed at the end.
-class PrivateFolder {
- public:
-  PrivateFolder() {
-    std::string name = std::filesystem::temp_directory_path() / "xr3-XXXXXX";
-    if (::mkdtemp(name.data()) == nullptr)
-      throw FileError(name + ": cannot be made: " + std::system_category().message(errno));
-    path_ = name;
-  }
-  PrivateFolder(const PrivateFolder&) = delete;
-  PrivateFolder& operator=(const PrivateFolder&) = delete;
-  ~PrivateFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  std::string file(const char* name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// Samples a cell for the table of --csv, from now on.
 class TableSampler final : private CellWatcher {
@@ -88,9 +69,11 @@ class Run {
   Run(const RunSettings& settings, const GoalList& goals)
       : settings_(settings),
         goals_(goals),
+        folder_(settings.user),
         output_(settings.output_file, settings.exec.is_quiet),
-        network_(settings.exec.is_sandboxed ? std::make_optional<PrivateNetwork>() : std::nullopt),
-        host_(settings.server, settings.seed, settings.exec.monitor, folder_.file("serial"),
+        network_(settings.exec.is_sandboxed ? std::make_optional<PrivateNetwork>(settings.user)
+                                            : std::nullopt),
+        host_(settings.server, settings.seed, settings.exec.monitor, pty(),
               network_ ? network_->release_listener() : -1),
         observer_(host_.cell(), goals),
         table_(settings.exec.csv.empty()
@@ -99,6 +82,7 @@ class Run {
         timer_(host_.io()),
         signals_(host_.io(), SIGINT, SIGTERM) {
     host_.cell().add_log(transcript_);
+    give_terminal();
   }
 
   RunResult result() {
@@ -120,19 +104,41 @@ class Run {
   }
 
  private:
-  ProgramSettings program() const {
-    const std::string pty = folder_.file("serial");
+  std::string pty() const { return folder_.file("serial"); }
+
+  void give_terminal() {
+    if (const auto& user = settings_.user;
+        user && ::chown(pty().c_str(), user->user, user->group) != 0)
+      throw_errno("the pseudo-terminal cannot be given to the user of the program");
+  }
+
+  /// What it can read in the sandbox: the files that its command names, and others.
+  std::vector<Binding> bindings() {
+    std::vector<Binding> all;
+    const auto add = [&](const std::string& name) {
+      std::error_code error;
+      const auto path = std::filesystem::absolute(name, error).lexically_normal();
+      if (!error && !name.empty() && std::filesystem::exists(path, error))
+        all.push_back(folder_.readable(path, path));
+    };
+    for (const std::string& each : settings_.exec.command) add(each);
+    for (const std::string& each : settings_.exec.readable) add(each);
+    return all;
+  }
+
+  ProgramSettings program() {
     ProgramSettings program;
     program.command = settings_.exec.command;
     if (network_) {
-      program.command = sandboxed(settings_.exec.command, settings_.exec.readable,
-                                  std::filesystem::read_symlink(pty));
+      program.command =
+          sandboxed(settings_.exec.command, bindings(), std::filesystem::read_symlink(pty()));
       program.network = &*network_;
       program.is_stranger = true;
     }
+    program.user = settings_.user;
     program.environment = {{"XR3_HOST", "127.0.0.1"},
                            {"XR3_PORT", std::to_string(host_.robot_port())},
-                           {"XR3_PTY", network_ ? kSandboxPty : pty},
+                           {"XR3_PTY", network_ ? kSandboxPty : pty()},
                            {"PYTHONUNBUFFERED", "1"}};  // its output is shown as it is printed
     // The questions of a program let time pass: it need not wait between them.
     if (settings_.server.clock.mode == ClockMode::kBytes)
@@ -289,7 +295,7 @@ class Run {
 
   const RunSettings& settings_;
   const GoalList& goals_;
-  PrivateFolder folder_;
+  RunFolder folder_;
   KeptOutput output_;
   std::optional<PrivateNetwork> network_;
   TranscriptText transcript_;  // outlives the cell

@@ -20,8 +20,9 @@ namespace xr3 {
 struct RunSettings {
   ServeOptions server;  ///< for the robot; its `record` is the file of this run
   CellSeed seed;
-  ExecOptions exec;         ///< for the program; its `command` is that of this run
-  std::string output_file;  ///< keeps what the program prints; empty: it is only passed on
+  ExecOptions exec;                 ///< for the program; its `command` is that of this run
+  std::optional<ProgramUser> user;  ///< of the program; nullopt: that of this process
+  std::string output_file;          ///< keeps what the program prints; empty: it is only passed on
 };
 
 struct RunResult {

@@ -5,7 +5,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
+#include <string_view>
 #include <system_error>
+
+#include "cli/exec/private_network.hpp"
+#include "cli/exec/program.hpp"
+#include "protocol/text/printable.hpp"
+#include "server/files/data_files.hpp"
 
 namespace xr3 {
 namespace {
@@ -53,16 +59,6 @@ void add_current_folder(std::vector<std::string>& command, const std::string& he
   add_writable(command, here);
 }
 
-/// Files that the program's own command names, and those that the user adds.
-void add_readable(std::vector<std::string>& command, const std::string& name) {
-  std::error_code error;
-  const fs::path path = fs::absolute(name, error);
-  if (error || name.empty() || !fs::exists(path, error)) return;
-  add(command, {"--ro-bind", path.lexically_normal(), path.lexically_normal()});
-}
-
-}  // namespace
-
 bool has_sandbox() {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path != nullptr ? path : "/usr/bin");
@@ -71,21 +67,59 @@ bool has_sandbox() {
   return false;
 }
 
+/// The complaint of bubblewrap, which runs a program that does nothing; empty if it ended well.
+std::string complaint(const std::optional<ProgramUser>& user) {
+  const PrivateNetwork network(user);
+  ProgramSettings settings;
+  settings.command = sandboxed({"true"}, {}, "");
+  settings.network = &network;
+  settings.user = user;
+  settings.is_stranger = true;
+  asio::io_context io;
+  std::string said;
+  ProgramEnd ended;
+  Program program(io, settings, [&](int, std::string_view text) { said += text; });
+  program.on_end([&](const ProgramEnd& end) { ended = end; });
+  io.run();
+  if (ended.is_good()) return "";
+  return said.empty() ? to_text(ended) : one_line(said.substr(0, said.find('\n')));
+}
+
+}  // namespace
+
+void require_sandbox(const std::optional<ProgramUser>& user, const std::string& without) {
+  if (!has_sandbox())
+    throw FileError("the sandbox needs bubblewrap (Debian package bubblewrap); install it, or " +
+                    without);
+  std::string why;
+  try {
+    why = complaint(user);
+  } catch (const std::system_error& error) {
+    why = error.what();
+  }
+  if (!why.empty())
+    throw FileError("the sandbox cannot be made: " + why +
+                    "; allow user namespaces (sysctl user.max_user_namespaces, or the settings of "
+                    "the container), or " +
+                    without);
+}
+
 std::vector<std::string> sandboxed(const std::vector<std::string>& command,
-                                   const std::vector<std::string>& readable,
-                                   const std::string& pty) {
-  std::vector<std::string> all{kProgram,        "--die-with-parent", "--unshare-pid",
-                               "--unshare-ipc", "--unshare-uts",     "--unshare-cgroup-try",
-                               "--new-session", "--cap-drop",        "ALL"};
+                                   const std::vector<Binding>& bindings, const std::string& pty) {
+  std::vector<std::string> all{kProgram,         "--die-with-parent",
+                               "--unshare-user", "--unshare-pid",
+                               "--unshare-ipc",  "--unshare-uts",
+                               "--new-session",  "--unshare-cgroup-try",
+                               "--cap-drop",     "ALL"};
   for (const char* each : kSystem) add(all, {"--ro-bind-try", each, each});
-  add(all, {"--proc", "/proc", "--dev", "/dev", "--setenv", "HOME", "/tmp"});
+  add(all, {"--proc", "/proc", "--ro-bind", "/proc/sys", "/proc/sys", "--dev", "/dev"});
+  add(all, {"--setenv", "HOME", "/tmp"});
   add_writable(all, "/dev/shm");
   add_writable(all, "/tmp");
   const std::string here = fs::current_path();
   add_current_folder(all, here);
-  for (const std::string& each : command) add_readable(all, each);
-  for (const std::string& each : readable) add_readable(all, each);
-  add(all, {"--dev-bind", pty, kSandboxPty});
+  for (const Binding& each : bindings) add(all, {"--ro-bind", each.from, each.to});
+  if (!pty.empty()) add(all, {"--dev-bind", pty, kSandboxPty});
   add(all, {"--remount-ro", "/dev", "--remount-ro", "/", "--chdir", here, "--"});
   all.insert(all.end(), command.begin(), command.end());
   return all;

@@ -1,23 +1,26 @@
 // The command line that runs a program under bubblewrap: it sees the system's programs and
-// libraries, the files that its command names, and nothing else. It has no capabilities, and can
-// write a limited amount to /tmp, /dev/shm and the current folder, all of them empty and in memory.
+// libraries, the files that are bound, and nothing else. It has no capabilities, and can write a
+// limited amount to /tmp, /dev/shm and the current folder, all of them empty and in memory.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "cli/exec/program_user.hpp"
+#include "cli/exec/readable.hpp"
 
 namespace xr3 {
 
 /// Where the program finds its pseudo-terminal in the sandbox.
 inline constexpr const char* kSandboxPty = "/run/xr3/serial";
 
-/// Whether bubblewrap is installed.
-bool has_sandbox();
+/// Throws FileError if bubblewrap is not installed, or the system does not let `user` make the
+/// sandbox; it ends with `without`, which says how to go without it.
+void require_sandbox(const std::optional<ProgramUser>& user, const std::string& without);
 
-/// The command with bubblewrap before it. `readable`: further files and folders, which it can read;
-/// `pty`: the device of its pseudo-terminal.
+/// The command with bubblewrap before it. `pty`: the device of its pseudo-terminal; empty: none.
 std::vector<std::string> sandboxed(const std::vector<std::string>& command,
-                                   const std::vector<std::string>& readable,
-                                   const std::string& pty);
+                                   const std::vector<Binding>& bindings, const std::string& pty);
 
 }  // namespace xr3

@@ -77,6 +77,13 @@ void add_run(CLI::App& command, ExecOptions& options, ServeOptions& server) {
       ->check(CLI::IsMember({"read", "control"}).description(""));
 }
 
+void add_user(CLI::App& command, ExecOptions& options) {
+  add_value(
+      command, "--run-as", options.run_as, "USER",
+      "for root: the user of the program (default: in the sandbox one without a name for each "
+      "job, from 61184)");
+}
+
 void add_readable(CLI::App& command, ExecOptions& options, const std::string& when) {
   add_value(command, "--read", options.readable, "PATH",
             when + "a further file or folder that it may read")
@@ -154,6 +161,7 @@ void add_exec(CLI::App& app, ExecOptions& options, ServeOptions& server) {
   exec.add_flag("--stdin", options.has_input, "the program reads standard input");
   exec.add_flag("--quiet", options.is_quiet, "do not show what the program prints");
   add_sandbox_of_exec(exec, options);
+  add_user(exec, options);
   add_log(exec, server);
   add_value(exec, "command", options.command, "PROGRAM [ARG]",
             "the program and its arguments, after --")
@@ -170,6 +178,7 @@ void add_grade(CLI::App& app, GradeOptions& options, ExecOptions& exec, ServeOpt
   grade.get_option("--goals")->required();
   add_value(grade, "--report", options.report, "FOLDER", "new folder for the report")->required();
   add_sandbox_of_grade(grade, exec);
+  add_user(grade, exec);
   add_value(grade, "--jobs", options.jobs, "N", "number of submissions that run at a time")
       ->check(whole_number_between(1, kMaxJobs));
   add_value(grade, "command", exec.command, "PROGRAM [ARG]",

@@ -37,6 +37,7 @@ struct ExecOptions {
   bool has_input = false;  ///< the program reads standard input
   bool is_quiet = false;   ///< its output is not shown
   bool is_sandboxed = false;
+  std::string run_as;  ///< name or number of a user; empty: see program_user()
   std::string without_sandbox;        ///< how to go without it, for messages
   std::vector<std::string> readable;  ///< in the sandbox, beside the files of the command
   int repeat = 1;
