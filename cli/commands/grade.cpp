@@ -9,6 +9,7 @@
 #include "cli/exec/exercise.hpp"
 #include "cli/exec/hide.hpp"
 #include "cli/exec/pool.hpp"
+#include "cli/exec/submission.hpp"
 #include "protocol/goals/goal_text.hpp"
 #include "protocol/text/printable.hpp"
 #include "protocol/text/text_stream.hpp"
@@ -103,8 +104,9 @@ ExitCode run_command(const GradeCommand& command) {
   const auto run = [&](std::size_t index) {
     const fs::path& its = submissions[index];
     const std::string name = its.filename().string();
-    return to_json(exercise.run({name, command_for(its, exec.command), its,
-                                 command.grade.report + "/" + name, "", 0, index}));
+    return to_json(
+        exercise.run({name, command_for(its, exec.command), its, command.grade.report + "/" + name,
+                      "", 0, why_refused(its), index}));
   };
   std::size_t count = 0;
   const auto done = [&](std::size_t index) {

@@ -61,8 +61,9 @@ CellSeed Exercise::seed_of(std::size_t index) const {
 }
 
 RunReport Exercise::run(const RunPlace& place) const {
-  RunSettings settings{server_, seed_of(place.index), options_,
-                       program_user(options_.run_as, options_.is_sandboxed, place.job), ""};
+  RunSettings settings{server_,  seed_of(place.index),
+                       options_, program_user(options_.run_as, options_.is_sandboxed, place.job),
+                       "",       place.refused};
   settings.exec.command = place.command;
   settings.exec.readable.push_back(place.readable);
   settings.server.record = place.record;

@@ -22,6 +22,7 @@ struct RunPlace {
   std::string folder;     ///< new, for output, recording, picture and result; empty: none
   std::string record;     ///< the file of the recording without a folder; empty: none
   std::size_t index = 0;  ///< added to the seed of a variation
+  std::string refused;    ///< why it is judged without being run; empty: it is run
   std::size_t job = 0;    ///< each has a user of its own if the judge is root
 };
 

@@ -152,15 +152,14 @@ class Run {
   }
 
   bool start() {
+    if (!settings_.refused.empty()) return fail(settings_.refused);
     try {
       program_.emplace(host_.io(), program(),
                        [this](int stream, std::string_view text) { output_.add(stream, text); });
     } catch (const std::system_error& error) {
-      report_.outcome = RunOutcome::kFailed;
       const std::string trouble = interpreter_trouble(settings_.exec.command.front());
-      report_.why = settings_.exec.command.front() +
-                    " cannot be started: " + (trouble.empty() ? error.code().message() : trouble);
-      return false;
+      return fail(settings_.exec.command.front() +
+                  " cannot be started: " + (trouble.empty() ? error.code().message() : trouble));
     }
     program_->on_end([this](const ProgramEnd& end) { ended(end); });
     return true;
@@ -169,10 +168,14 @@ class Run {
   void ended(const ProgramEnd& end) {
     is_over_ = true;
     if (end.is_good() || report_.outcome == RunOutcome::kTimeUp) return;
-    report_.outcome = RunOutcome::kFailed;
     const std::string trouble = interpreter_trouble(settings_.exec.command.front());
-    report_.why =
-        "the program ended with " + to_text(end) + (trouble.empty() ? "" : ": ") + trouble;
+    fail("the program ended with " + to_text(end) + (trouble.empty() ? "" : ": ") + trouble);
+  }
+
+  bool fail(std::string why) {
+    report_.outcome = RunOutcome::kFailed;
+    report_.why = std::move(why);
+    return false;
   }
 
   void pass_signals_on() {

@@ -23,6 +23,7 @@ struct RunSettings {
   ExecOptions exec;                 ///< for the program; its `command` is that of this run
   std::optional<ProgramUser> user;  ///< of the program; nullopt: that of this process
   std::string output_file;          ///< keeps what the program prints; empty: it is only passed on
+  std::string refused;              ///< why the program is not run; empty: it is
 };
 
 struct RunResult {

@@ -55,10 +55,10 @@ class Judge:
 
     def write(self, name, text):
         path = self.folder / name
-        path.parent.mkdir(exist_ok=True)
+        path.parent.mkdir(exist_ok=True, parents=True)
         path.write_text(text, encoding="utf-8")
-        self.give(path.parent)
-        self.give(path)
+        for each in path, *path.parents[:len(path.relative_to(self.folder).parents)]:
+            self.give(each)
         return path
 
     def run_xr3(self, *arguments, code=0, before=(), **options):

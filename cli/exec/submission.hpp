@@ -1,0 +1,13 @@
+// Paths of submissions, which other people have chosen.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace xr3 {
+
+/// The reason to refuse a submission: it is a symbolic link, or has one that leads out of it: such a
+/// program would be that of somebody else. Empty if it is good.
+std::string why_refused(const std::filesystem::path& submission);
+
+}  // namespace xr3
