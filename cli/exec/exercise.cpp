@@ -6,6 +6,8 @@
 #include <thread>
 #include <utility>
 
+#include "cli/exec/private_file.hpp"
+#include "cli/exec/run_folder.hpp"
 #include "cli/exec/sandbox.hpp"
 #include "protocol/goals/file.hpp"
 #include "server/files/atomic_write.hpp"
@@ -41,6 +43,7 @@ Exercise::Exercise(const ExecOptions& options, const ServeOptions& server)
       server_(server),
       seed_(load_seed(server, server.robot, server.workcell)),
       goals_(load_goal_list(options.goals, *seed_.model)) {
+  remove_abandoned_folders();
   const auto user = program_user(options.run_as, options.is_sandboxed, 0);
   if (options.is_sandboxed) require_sandbox(user, options.without_sandbox);
 }
@@ -77,7 +80,7 @@ RunReport Exercise::run(const RunPlace& place) const {
   if (options_.vary) result.report.seed = options_.vary->seed + place.index;
   if (!place.folder.empty()) {
     write_file(place.folder + "/end.svg", picture_of(result));
-    write_file(place.folder + "/transcript.txt", result.transcript);
+    write_private(place.folder + "/transcript.txt", result.transcript);
     write_file(place.folder + "/result.json", to_json(result.report));
     write_file(place.folder + "/result.txt", to_text(result.report));
   }

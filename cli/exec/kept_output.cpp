@@ -4,22 +4,18 @@
 
 #include <algorithm>
 
-#include "server/files/data_files.hpp"
-#include "server/files/descriptor.hpp"
+#include "cli/exec/private_file.hpp"
 
 namespace xr3 {
 
 KeptOutput::KeptOutput(const std::string& path, bool is_quiet) : is_quiet_(is_quiet) {
-  if (path.empty()) return;
-  file_.open(path, std::ios::binary | std::ios::trunc);
-  if (!file_) throw FileError(path + ": cannot be written");
+  if (!path.empty()) file_ = open_private(path);
 }
 
 void KeptOutput::add(int stream, std::string_view text) {
   if (!is_quiet_) show(stream, text);
   const std::size_t count = std::min(text.size(), kMaxOutputBytes - kept_);
-  file_.write(text.data(), static_cast<std::streamsize>(count));
-  file_.flush();
+  if (file_.is_open()) write_all(file_.get(), text.substr(0, count));
   kept_ += count;
 }
 

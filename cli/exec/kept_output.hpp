@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <fstream>
 #include <string>
 #include <string_view>
 
@@ -29,7 +28,7 @@ class KeptOutput {
   void show(int stream, std::string_view text);
 
   bool is_quiet_;
-  std::ofstream file_;
+  Descriptor file_;
   std::size_t kept_ = 0;
   std::array<TerminalText, 2> terminals_;  ///< for standard output and error
 };

@@ -8,8 +8,12 @@
 
 #include "cli/exec/program_user.hpp"
 #include "cli/exec/readable.hpp"
+#include "server/files/descriptor.hpp"
 
 namespace xr3 {
+
+/// Removes the folders of runs whose judge was killed.
+void remove_abandoned_folders();
 
 class RunFolder {
  public:
@@ -26,6 +30,7 @@ class RunFolder {
  private:
   std::optional<ProgramUser> user_;
   std::filesystem::path path_;
+  Descriptor lock_;  ///< of the folder, for as long as this process lives
   int copies_ = 0;
 };
 
