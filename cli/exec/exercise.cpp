@@ -1,6 +1,9 @@
 #include "cli/exec/exercise.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <system_error>
 #include <thread>
@@ -24,6 +27,12 @@ GoalList load_goal_list(const std::string& path, const Model& model) {
   return load_goals(file.text, file.path, model);
 }
 
+void require_readable(const std::vector<std::string>& paths) {
+  for (const std::string& each : paths)
+    if (::access(each.c_str(), R_OK) != 0)
+      throw FileError("--read " + each + ": " + std::system_category().message(errno));
+}
+
 void make_folder(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::create_directories(path, error) && error)
@@ -43,6 +52,7 @@ Exercise::Exercise(const ExecOptions& options, const ServeOptions& server)
       server_(server),
       seed_(load_seed(server, server.robot, server.workcell)),
       goals_(load_goal_list(options.goals, *seed_.model)) {
+  require_readable(options.readable);
   remove_abandoned_folders();
   const auto user = program_user(options.run_as, options.is_sandboxed, 0);
   if (options.is_sandboxed) require_sandbox(user, options.without_sandbox);

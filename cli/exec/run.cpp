@@ -123,6 +123,8 @@ class Run {
     };
     for (const std::string& each : settings_.exec.command) add(each);
     for (const std::string& each : settings_.exec.readable) add(each);
+    if (const std::string package = python_package(); !package.empty())
+      all.push_back(folder_.readable(package, std::string(kSandboxPython) + "/xr3"));
     return all;
   }
 
@@ -140,6 +142,7 @@ class Run {
                            {"XR3_PORT", std::to_string(host_.robot_port())},
                            {"XR3_PTY", network_ ? kSandboxPty : pty()},
                            {"PYTHONUNBUFFERED", "1"}};  // its output is shown as it is printed
+    if (network_) program.environment.emplace_back("PYTHONPATH", kSandboxPython);
     // The questions of a program let time pass: it need not wait between them.
     if (settings_.server.clock.mode == ClockMode::kBytes)
       program.environment.emplace_back("XR3_POLL_MS", "0");

@@ -87,6 +87,15 @@ std::string complaint(const std::optional<ProgramUser>& user) {
 
 }  // namespace
 
+// Installed it is beside the data, in a checkout with the clients.
+std::string python_package() {
+  const fs::path data = data_folder();
+  std::error_code error;
+  for (const fs::path& each : {data / "python" / "xr3", data / ".." / "clients" / "python" / "xr3"})
+    if (fs::is_directory(each, error)) return fs::canonical(each, error);
+  return "";
+}
+
 void require_sandbox(const std::optional<ProgramUser>& user, const std::string& without) {
   if (!has_sandbox())
     throw FileError("the sandbox needs bubblewrap (Debian package bubblewrap); install it, or " +

@@ -15,6 +15,12 @@ namespace xr3 {
 /// Where the program finds its pseudo-terminal in the sandbox.
 inline constexpr const char* kSandboxPty = "/run/xr3/serial";
 
+/// The folder for PYTHONPATH in the sandbox, with the package xr3 in it.
+inline constexpr const char* kSandboxPython = "/run/xr3/python";
+
+/// The Python package xr3 that belongs to this program; empty if there is none.
+std::string python_package();
+
 /// Throws FileError if bubblewrap is not installed, or the system does not let `user` make the
 /// sandbox; it ends with `without`, which says how to go without it.
 void require_sandbox(const std::optional<ProgramUser>& user, const std::string& without);

@@ -336,7 +336,7 @@ for folder in "/tmp", "/dev/shm", ".":
 """
         done = self.judge(look, "--sandbox", code=5, env={**os.environ, "XR3_TOKEN": SECRET, "CI_PASSWORD": SECRET})
         self.assertEqual(["CapPrm:\t0000000000000000", "CapEff:\t0000000000000000",
-                          "['HOME', 'PATH', 'PYTHONUNBUFFERED', 'XR3_HOST', 'XR3_POLL_MS', 'XR3_PORT', 'XR3_PTY']", *["No space left on device 64"] * 3],
+                          "['HOME', 'PATH', 'PYTHONPATH', 'PYTHONUNBUFFERED', 'XR3_HOST', 'XR3_POLL_MS', 'XR3_PORT', 'XR3_PTY']", *["No space left on device 64"] * 3],
                          done.stdout.splitlines()[:6])
 
     # --- A class.

@@ -80,6 +80,14 @@ os.execvp(sys.argv[1], [*sys.argv[1:], *map(str, serials)])
         done = self.run_xr3("exec", "--sandbox", "--read", "deep/data.txt", "--", PYTHON, "deep/program.py")
         self.assertEqual("True data", done.stdout.splitlines()[0])
 
+    def test_the_python_package_is_there(self):
+        text = "import xr3, os\nrobot = xr3.connect()\nprint(robot.ask('E?'), os.listdir(os.path.dirname(os.path.dirname(xr3.__file__))))\n"
+        self.assertEqual("0 ['xr3']", self.sandboxed(text, env={**os.environ, "PYTHONPATH": "/nowhere"})[0])
+
+    def test_a_path_to_read_must_be_there(self):
+        done = self.judge("", "--sandbox", "--read", "solutoin.py", code=2)
+        self.assertEqual("xr3: --read solutoin.py: No such file or directory\n", done.stderr)
+
     def test_the_pseudo_terminal_is_the_programs(self):
         text = ("import os\nline = os.open(os.environ['XR3_PTY'], os.O_RDWR | os.O_NOCTTY)\n"
                 "os.write(line, b'F+20\\rF?')\nprint(len(os.read(line, 1)))\n")
