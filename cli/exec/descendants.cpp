@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <map>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -21,54 +20,41 @@
 namespace xr3 {
 namespace {
 
-using Parents = std::multimap<::pid_t, ::pid_t>;  // parent to child
-
 ::pid_t parent_of(::pid_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   return parent_in(file);
 }
 
-/// All processes that run, by their parents.
-Parents processes() {
+/// The names in a folder of /proc that are numbers.
+std::vector<::pid_t> numbers_in(const std::string& path) {
   const auto close = [](DIR* folder) { ::closedir(folder); };
-  const std::unique_ptr<DIR, decltype(close)> folder(::opendir("/proc"), close);
-  Parents all;
-  if (!folder) return all;
-  while (const dirent* entry = ::readdir(folder.get())) {
-    const auto process = static_cast<::pid_t>(std::strtol(entry->d_name, nullptr, 10));
-    if (process <= 0) continue;
-    if (const ::pid_t parent = parent_of(process)) all.emplace(parent, process);
-  }
-  return all;
-}
-
-void add_descendants(const Parents& all, ::pid_t parent, std::vector<::pid_t>& found) {
-  const auto [begin, end] = all.equal_range(parent);
-  for (auto each = begin; each != end; ++each) {
-    found.push_back(each->second);
-    add_descendants(all, each->second, found);
-  }
-}
-
-std::vector<::pid_t> descendants() {
+  const std::unique_ptr<DIR, decltype(close)> folder(::opendir(path.c_str()), close);
   std::vector<::pid_t> found;
-  add_descendants(processes(), ::getpid(), found);
+  if (!folder) return found;
+  while (const dirent* entry = ::readdir(folder.get()))
+    if (const auto number = static_cast<::pid_t>(std::strtol(entry->d_name, nullptr, 10)))
+      found.push_back(number);
   return found;
 }
 
-/// The children of this process, as a rule with those that have ended: they may have started another
-/// one that is not in the list yet. The list of the kernel is much quicker than
-/// looking through all processes, and so finds more of a chain of processes that start each other.
-std::vector<::pid_t> children() {
+std::vector<::pid_t> scanned_children_of(::pid_t parent) {
+  std::vector<::pid_t> found = numbers_in("/proc");
+  std::erase_if(found, [&](::pid_t each) { return parent_of(each) != parent; });
+  return found;
+}
+
+/// The children of a process, as a rule with those that have ended: they may have started another
+/// one that is not in the list yet. The kernel's lists, one for each thread, are much quicker than
+/// looking through all processes, and so find more of a chain of processes that start each other.
+std::vector<::pid_t> children_of(::pid_t parent) {
+  static const bool has_lists = ::access("/proc/thread-self/children", R_OK) == 0;
+  if (!has_lists) return scanned_children_of(parent);
   std::vector<::pid_t> found;
-  const std::string own = std::to_string(::getpid());
-  std::ifstream list("/proc/self/task/" + own + "/children");
-  if (!list) {
-    const Parents all = processes();
-    const auto [begin, end] = all.equal_range(::getpid());
-    for (auto each = begin; each != end; ++each) found.push_back(each->second);
+  const std::string tasks = "/proc/" + std::to_string(parent) + "/task";
+  for (const ::pid_t task : numbers_in(tasks)) {
+    std::ifstream list(tasks + "/" + std::to_string(task) + "/children");
+    for (::pid_t process = 0; list >> process;) found.push_back(process);
   }
-  for (::pid_t process = 0; list >> process;) found.push_back(process);
   return found;
 }
 
@@ -90,12 +76,19 @@ void adopt_orphans() {
   if (::prctl(PR_SET_CHILD_SUBREAPER, 1) != 0) throw_errno("prctl(PR_SET_CHILD_SUBREAPER)");
 }
 
-std::size_t count_descendants() { return descendants().size(); }
+std::vector<::pid_t> descendants() {
+  std::vector<::pid_t> found = children_of(::getpid());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::vector<::pid_t> its = children_of(found[i]);
+    found.insert(found.end(), its.begin(), its.end());
+  }
+  return found;
+}
 
 void end_children(WallNs deadline, ::pid_t kept) {
   constexpr int kLooks = 2;
   for (int empty = 0; empty < kLooks && wall_now() < deadline;) {
-    std::vector<::pid_t> found = children();
+    std::vector<::pid_t> found = children_of(::getpid());
     if (parent_of(kept) == 0) std::erase(found, kept);
     empty = found.empty() ? empty + 1 : 0;
     for (const ::pid_t process : found) {

@@ -4,8 +4,8 @@
 
 #include <sys/types.h>
 
-#include <cstddef>
 #include <istream>
+#include <vector>
 
 #include "server/net/wall_clock.hpp"
 
@@ -18,8 +18,8 @@ namespace xr3 {
 /// Orphaned descendants become children of this process from here on. Throws std::system_error.
 void adopt_orphans();
 
-/// The number of processes that descend from this one.
-std::size_t count_descendants();
+/// The processes that descend from this one, parents first.
+std::vector<::pid_t> descendants();
 
 /// Maximum time to end the processes that a program has left behind.
 inline constexpr WallNs kKillLimit = 10'000'000'000;

@@ -115,16 +115,15 @@ void leave_judge(const Launch& launch) {
   if (::poll(&judge, 1, 0) != 0) ::_exit(127);  // it has ended meanwhile
 }
 
-void limit(int resource, std::size_t most) {
+/// The system counts those of a user in each user namespace by itself.
+void limit_tasks(std::size_t most) {
   if (most == 0) return;
   const rlimit both{most, most};
-  if (::setrlimit(static_cast<__rlimit_resource>(resource), &both) != 0) ::_exit(127);
+  if (::setrlimit(RLIMIT_NPROC, &both) != 0) give_up(errno);
 }
 
-[[noreturn]] void become_program(const Launch& launch) {
-  constexpr std::size_t kMib = std::size_t{1} << 20U;
-  limit(RLIMIT_AS, launch.settings.max_memory_mib * kMib);
-  limit(RLIMIT_NPROC, launch.settings.max_processes);
+[[noreturn]] void become_program(const Launch& launch, bool has_user_namespace) {
+  if (has_user_namespace) limit_tasks(launch.settings.max_tasks);
   const bool is_sandboxed = launch.settings.network != nullptr;
   if (is_sandboxed && !give_up_keys()) give_up(errno);
   if (!is_sandboxed && launch.settings.user && !launch.settings.user->enter()) give_up(errno);
@@ -151,7 +150,7 @@ void mount_proc() {
   mount_proc();
   const ::pid_t program = fork_with(0);
   if (program < 0) give_up(errno);
-  if (program == 0) become_program(launch);
+  if (program == 0) become_program(launch, has_user);
   ::syscall(SYS_close_range, 0U, static_cast<unsigned>(kResult), 0U);
   int status = 0;
   while (::waitpid(-1, &status, 0) != program) {
@@ -163,7 +162,7 @@ void mount_proc() {
 [[noreturn]] void run_child(const Launch& launch, unsigned long namespaces) {
   if (namespaces != 0) keep_program(launch, (namespaces & CLONE_NEWUSER) != 0);
   leave_judge(launch);
-  become_program(launch);
+  become_program(launch, launch.settings.network != nullptr);
 }
 
 // --- In the judge.
@@ -180,7 +179,7 @@ std::optional<Launched> try_launch(const ProgramSettings& settings, const Standa
   launch.status.writing = Descriptor();
   int error = 0;
   if (::read(launch.result.reading.get(), &error, sizeof error) != sizeof error)
-    return Launched{child, std::move(launch.status.reading)};
+    return Launched{child, namespaces != 0, std::move(launch.status.reading)};
   ::waitpid(child, nullptr, 0);
   if (error == kNoNamespace) return std::nullopt;
   errno = error;

@@ -19,7 +19,8 @@ struct StandardPipes {
 };
 
 struct Launched {
-  ::pid_t process;    ///< the program, or its keeper; leader of a group and a session
+  ::pid_t process;  ///< the program, or its keeper; leader of a group and a session
+  bool is_keeper;
   Descriptor status;  ///< has the wait status of the program, if its keeper has ended; else empty
 };
 

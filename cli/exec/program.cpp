@@ -42,6 +42,7 @@ Program::Program(asio::io_context& io, const ProgramSettings& settings, Output o
   if (!settings.has_input) pipes.input.writing = Descriptor();
   Launched launched = launch(settings, pipes);
   pid_ = launched.process;
+  has_keeper_ = launched.is_keeper;
   status_ = std::move(launched.status);
   ended_.assign(open_pidfd(pid_));
   output_.pipe.assign(pipes.output.reading.release());

@@ -29,8 +29,9 @@ struct ProgramSettings {
   bool has_input = false;    ///< it gets the standard input of this process
   const PrivateNetwork* network = nullptr;  ///< that it enters; null: that of this process
   std::optional<ProgramUser> user;          ///< nullopt: that of this process
-  std::size_t max_memory_mib = 0;           ///< of address space, for each process; 0: no limit
-  std::size_t max_processes = 0;            ///< of its user; 0: no limit
+  /// Processes and threads that it may have at a time, where they can be counted apart from others of
+  /// the user: in a user namespace of its own. 0: no limit.
+  std::size_t max_tasks = 0;
 };
 
 /// How a program has ended.
@@ -66,6 +67,8 @@ class Program {
   bool has_group() const;
   /// The child of this process, which is reaped here.
   ::pid_t pid() const { return pid_; }
+  /// Whether that child is its keeper.
+  bool has_keeper() const { return has_keeper_; }
   /// Whether a process may still print, or what was printed has yet to be read.
   bool has_output() const { return output_.pipe.is_open() || error_.pipe.is_open(); }
 
@@ -80,6 +83,7 @@ class Program {
   asio::awaitable<void> copy_input();
 
   ::pid_t pid_;  ///< of the program or its keeper
+  bool has_keeper_ = false;
   Descriptor status_;
   asio::posix::stream_descriptor ended_;  ///< becomes readable when the program ends
   std::optional<StandardInput> from_;

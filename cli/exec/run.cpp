@@ -9,14 +9,15 @@
 #include <system_error>
 #include <utility>
 
-#include "cell/judge/run_observer.hpp"
 #include "cli/exec/descendants.hpp"
 #include "cli/exec/kept_output.hpp"
 #include "cli/exec/run_folder.hpp"
 #include "cli/exec/sandbox.hpp"
 #include "cli/exec/script.hpp"
+#include "cli/exec/sim_limit.hpp"
 #include "cli/exec/throw_errno.hpp"
 #include "cli/exec/transcript_text.hpp"
+#include "cli/exec/usage.hpp"
 #include "protocol/goals/goal_text.hpp"
 #include "protocol/text/table.hpp"
 #include "server/files/data_files.hpp"
@@ -76,6 +77,7 @@ class Run {
         host_(settings.server, settings.seed, settings.exec.monitor, pty(),
               network_ ? network_->release_listener() : -1),
         observer_(host_.cell(), goals),
+        sim_limit_(host_.cell(), observer_, settings.exec.limits.sim_ticks),
         table_(settings.exec.csv.empty()
                    ? std::optional<TableSampler>()
                    : std::optional<TableSampler>(std::in_place, host_.cell(), settings.exec.csv)),
@@ -98,7 +100,7 @@ class Run {
     }
     check_reached();
     host_.on_action({});
-    host_.come_to_rest(kRestLimit);
+    host_.come_to_rest(sim_limit_.left(kRestLimit));
     host_.finish_recording();
     return judged();
   }
@@ -149,8 +151,7 @@ class Run {
     if (const auto port = host_.monitor_port())
       program.environment.emplace_back("XR3_MONITOR_PORT", std::to_string(*port));
     program.has_input = settings_.exec.has_input;
-    program.max_memory_mib = settings_.exec.limits.memory_mib;
-    program.max_processes = settings_.exec.limits.processes;
+    program.max_tasks = kTasksOfProcess * settings_.exec.limits.processes;
     return program;
   }
 
@@ -203,23 +204,42 @@ class Run {
   void check_limits() {
     if (is_over_) return;
     const RunLimits& limits = settings_.exec.limits;
-    const Cell& cell = host_.cell();
-    if (limits.sim_ticks > 0 && cell.state().tick > limits.sim_ticks)
-      return stop("the limit of " + seconds_text(limits.sim_ticks) +
-                  " simulated seconds was reached (--max-sim-seconds)");
+    if (sim_limit_.moment()) return stop(sim_limit_text());
     if (limits.wall_s > 0 && wall_s() > limits.wall_s)
       return stop("the program still ran after " + plain_number(limits.wall_s, 4) +
                   " seconds (--max-seconds)");
-    if (limits.bytes > 0 && cell.counters().bytes_in > limits.bytes)
+    if (limits.bytes > 0 && host_.cell().counters().bytes_in > limits.bytes)
       return stop("the program sent more than " + std::to_string(limits.bytes) +
                   " bytes (--max-bytes)");
-    // The system's own limit of processes does not bind root.
-    if (limits.processes > 0 && wall_now() >= next_count_) {
-      next_count_ = wall_now() + kCountEvery;
-      if (count_descendants() > limits.processes)
-        return stop("the program had more than " + std::to_string(limits.processes) +
-                    " processes (--processes)");
-    }
+    if (wall_now() < next_count_) return;
+    next_count_ = wall_now() + kCountEvery;
+    check_usage();
+  }
+
+  void check_usage() {
+    const RunLimits& limits = settings_.exec.limits;
+    const Usage usage = usage_of(its_processes(), folders_);
+    if (limits.processes > 0 && usage.processes > limits.processes)
+      return stop("the program had more than " + std::to_string(limits.processes) +
+                  " processes (--processes)");
+    if (limits.memory_mib > 0 && usage.memory_bytes > std::uint64_t{limits.memory_mib} << 20U)
+      return stop("the program had more than " + std::to_string(limits.memory_mib) +
+                  " MiB of memory (--memory)");
+    if (usage.files > kMaxFiles)
+      return stop("the program had more than " + std::to_string(kMaxFiles) + " files");
+  }
+
+  /// Without those that keep it: its keeper, or the two of bubblewrap.
+  std::vector<::pid_t> its_processes() const {
+    std::vector<::pid_t> all = descendants();
+    const std::size_t kept = network_ ? 2 : program_->has_keeper() ? 1 : 0;
+    all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(kept, all.size())));
+    return all;
+  }
+
+  std::string sim_limit_text() const {
+    return "the limit of " + seconds_text(settings_.exec.limits.sim_ticks) +
+           " simulated seconds was reached (--max-sim-seconds)";
   }
 
   void stop(std::string why) {
@@ -277,36 +297,41 @@ class Run {
 
   RunResult judged() {
     if (table_) table_->table().finish();
+    if (sim_limit_.moment() && report_.outcome == RunOutcome::kFinished) stop(sim_limit_text());
     const Cell& cell = host_.cell();
-    const RunFacts facts = observer_.facts();
+    JudgedMoment end = sim_limit_.moment().value_or(moment_of(cell, observer_));
     report_.wall_s = wall_s();
-    report_.ticks = cell.state().tick;
-    report_.bytes = facts.bytes;
+    report_.ticks = end.state.tick;
+    report_.bytes = end.facts.bytes;
     report_.has_control = settings_.exec.monitor == MonitorAccess::kControl;
-    if (const Transcript* transcript = cell.transcript())
-      report_.transcript = transcript_digest(transcript->summary(), cell.model(), cell.state(),
-                                             cell.clock_remainder());
-    report_.goals = judge(goals_, cell.model(), cell.state(), facts);
-    report_.top_view = view_of(cell);
-    return {std::move(report_), transcript_.text(), cell.model_ptr(), cell.state()};
+    report_.transcript = std::move(end.transcript);
+    report_.goals = judge(goals_, cell.model(), end.state, end.facts);
+    report_.top_view = view_of(cell.model(), end.state);
+    return {std::move(report_), transcript_.text(), cell.model_ptr(), std::move(end.state)};
   }
 
-  static std::string view_of(const Cell& cell) {
-    Workcell now = cell.model().workcell();
-    now.blocks = cell.state().blocks;
+  static std::string view_of(const Model& model, const State& state) {
+    Workcell now = model.workcell();
+    now.blocks = state.blocks;
     return top_view(now, {});
   }
 
-  static constexpr WallNs kCountEvery = 200'000'000;
+  static constexpr WallNs kCountEvery = 100'000'000;
+  static constexpr std::uint64_t kMaxFiles = 10'000;
+  /// Threads count, too: enough for them, and a bound for a program that starts processes without
+  /// end, between two looks.
+  static constexpr std::size_t kTasksOfProcess = 16;
 
   const RunSettings& settings_;
   const GoalList& goals_;
+  const std::vector<std::string> folders_{"/tmp", "/dev/shm", std::filesystem::current_path()};
   RunFolder folder_;
   KeptOutput output_;
   std::optional<PrivateNetwork> network_;
   TranscriptText transcript_;  // outlives the cell
   RobotHost host_;
   RunObserver observer_;
+  SimLimit sim_limit_;
   std::optional<TableSampler> table_;
   asio::steady_timer timer_;
   asio::signal_set signals_;

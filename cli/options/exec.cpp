@@ -49,10 +49,12 @@ void add_limits(CLI::App& command, RunLimits& limits) {
             "maximum number of bytes that a program sends")
       ->check(whole_number_between(1, kMaxBytes));
   add_value(command, "--memory", limits.memory_mib, "MIB",
-            "MiB of memory that each of its processes may have")
-      ->check(whole_number_between(1, kMaxMemoryMib));
+            "MiB of memory that all its processes may have together")
+      ->check(whole_number_between(1, kMaxMemoryMib))
+      ->capture_default_str();
   add_value(command, "--processes", limits.processes, "N", "number of processes that it may have")
-      ->check(whole_number_between(1, kMaxProcesses));
+      ->check(whole_number_between(1, kMaxProcesses))
+      ->capture_default_str();
 }
 
 /// What exec and grade have in common: the robot, the goals, limits.

@@ -25,9 +25,9 @@ enum class MonitorAccess : std::uint8_t {
 struct RunLimits {
   Tick sim_ticks = 600 * kTickHz;
   double wall_s = 60;
-  std::uint64_t bytes = 0;     ///< that the program sends
-  std::size_t memory_mib = 0;  ///< of each of its processes
-  std::size_t processes = 0;   ///< that it may have at a time
+  std::uint64_t bytes = 0;       ///< that the program sends
+  std::size_t memory_mib = 512;  ///< of all its processes, and of its files in the sandbox
+  std::size_t processes = 64;    ///< that it may have at a time
 };
 
 struct ExecOptions {
@@ -37,7 +37,7 @@ struct ExecOptions {
   bool has_input = false;  ///< the program reads standard input
   bool is_quiet = false;   ///< its output is not shown
   bool is_sandboxed = false;
-  std::string run_as;  ///< name or number of a user; empty: see program_user()
+  std::string run_as;                 ///< name or number of a user; empty: see program_user()
   std::string without_sandbox;        ///< how to go without it, for messages
   std::vector<std::string> readable;  ///< in the sandbox, beside the files of the command
   int repeat = 1;

@@ -18,6 +18,8 @@ TEST(ExecOptions, HaveTheDocumentedDefaults) {
   EXPECT_EQ(command.exec.limits.sim_ticks, 600'000);
   EXPECT_EQ(command.exec.limits.wall_s, 60);
   EXPECT_EQ(command.exec.limits.bytes, 0U);
+  EXPECT_EQ(command.exec.limits.memory_mib, 512U);
+  EXPECT_EQ(command.exec.limits.processes, 64U);
   EXPECT_EQ(command.exec.monitor, MonitorAccess::kNone);
   EXPECT_EQ(command.exec.repeat, 1);
   EXPECT_FALSE(command.exec.vary || command.exec.has_input || command.exec.is_quiet);

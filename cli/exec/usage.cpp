@@ -1,0 +1,64 @@
+#include "cli/exec/usage.hpp"
+
+#include <linux/magic.h>
+#include <sys/stat.h>
+#include <sys/vfs.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <set>
+
+namespace xr3 {
+namespace {
+
+std::string file_of(::pid_t process, const char* name) {
+  return "/proc/" + std::to_string(process) + "/" + name;
+}
+
+/// The memory of a process, in which a page that n processes share counts as 1/n; of one that hides
+/// its maps the whole.
+std::uint64_t memory_of(::pid_t process) {
+  constexpr std::uint64_t kKib = 1024;
+  std::ifstream rollup(file_of(process, "smaps_rollup"));
+  for (std::string word; rollup >> word;)
+    if (std::uint64_t kib = 0; word == "Pss:" && rollup >> kib) return kib * kKib;
+  std::ifstream statm(file_of(process, "statm"));
+  std::uint64_t all = 0;
+  std::uint64_t resident = 0;
+  statm >> all >> resident;
+  return resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+/// Adds the files of a process's folders, as far as they are in memory and not yet in `counted`.
+void add_files(::pid_t process, const std::vector<std::string>& folders, std::set<::dev_t>& counted,
+               Usage& usage) {
+  for (const std::string& folder : folders) {
+    const std::string path = file_of(process, "root") + folder;
+    struct ::statfs system {};
+    struct ::stat its {};
+    struct ::stat of_judge {};
+    if (::statfs(path.c_str(), &system) != 0 || system.f_type != TMPFS_MAGIC) continue;
+    const bool is_outside =
+        ::stat(path.c_str(), &its) != 0 ||
+        (::stat(folder.c_str(), &of_judge) == 0 && its.st_dev == of_judge.st_dev);
+    if (is_outside || !counted.insert(its.st_dev).second) continue;
+    usage.files += system.f_files - system.f_ffree;
+    usage.memory_bytes +=
+        (system.f_blocks - system.f_bfree) * static_cast<std::uint64_t>(system.f_bsize);
+  }
+}
+
+}  // namespace
+
+Usage usage_of(const std::vector<::pid_t>& processes, const std::vector<std::string>& folders) {
+  Usage usage;
+  usage.processes = processes.size();
+  std::set<::dev_t> counted;
+  for (const ::pid_t process : processes) {
+    usage.memory_bytes += memory_of(process);
+    if (counted.size() < folders.size()) add_files(process, folders, counted, usage);
+  }
+  return usage;
+}
+
+}  // namespace xr3
