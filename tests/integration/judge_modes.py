@@ -9,7 +9,7 @@ import subprocess
 import tempfile
 import unittest
 
-from support import XR3
+from support import HAS_SANDBOX, XR3
 
 PYTHON = "/usr/bin/python3"  # in the sandbox, too
 USER = 61000  # an ordinary user, who need not have a name
@@ -93,4 +93,4 @@ class UserWithoutNamespaces(Judge):
     before = [*(AS_USER if os.getuid() == 0 else []), *NO_NAMESPACES]
 
 
-SANDBOX = unittest.skipUnless(shutil.which("bwrap"), "bubblewrap is not installed")
+SANDBOX = unittest.skipUnless(HAS_SANDBOX, "bubblewrap does not work here")

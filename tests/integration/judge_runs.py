@@ -14,7 +14,7 @@ import tempfile
 import time
 import unittest
 
-from support import ROOT, XR3
+from support import GRADE, ROOT, XR3
 
 COURSE = pathlib.Path(ROOT, "docs/course")
 CLIENTS = pathlib.Path(ROOT, "clients")
@@ -136,7 +136,7 @@ class Costs(unittest.TestCase):
             path.parent.mkdir(exist_ok=True)
             path.write_bytes(source.read_bytes())
         report = pathlib.Path(self.folder, "report")
-        seconds, _ = self.timed("grade", path.parent, "--goals", exercise / "goals.json", "--report", report, "--",
+        seconds, _ = self.timed(*GRADE, path.parent, "--goals", exercise / "goals.json", "--report", report, "--",
                                 sys.executable, "{}")
         print(f"\n{STUDENTS} submissions graded: {seconds:.1f} s (bound: {MOST_CLASS_S})")
         with open(report / "grades.csv", encoding="utf-8") as file:

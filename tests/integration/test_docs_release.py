@@ -14,7 +14,7 @@ import tempfile
 import unittest
 
 from pages import has_a_reader, is_command, write_files
-from support import DEADLINE_S, ROOT, XR3, Server, run_xr3
+from support import DEADLINE_S, GRADE, ROOT, XR3, Server, run_xr3
 
 RUNS = 8  # of the judge at the same time; their programs pause most of the time
 JUDGE_S = 120.0
@@ -162,6 +162,8 @@ class Docs(unittest.TestCase):
 
     def judge(self, words, report):
         words = [report if word == "report" else word for word in words]
+        if words[0] == "grade":
+            words[:1] = GRADE
         environment = {**os.environ, "PYTHONPATH": str(self.folder / "clients" / "python"),
                        "PYTHONDONTWRITEBYTECODE": "1"}
         return subprocess.run([XR3, *words], cwd=self.folder, stdin=subprocess.DEVNULL, env=environment,

@@ -13,7 +13,7 @@ import tempfile
 import unittest
 import xml.etree.ElementTree
 
-from support import DEADLINE_S, XR3
+from support import DEADLINE_S, GRADE, HAS_SANDBOX, XR3
 
 # A robot program without a package: send() and ask() for bytes, wait() until a motor is done.
 HEAD = """
@@ -60,16 +60,6 @@ GOALS = {"goals": [
 TASK_S = 60
 
 
-def has_sandbox():
-    """Whether bubblewrap is there and may make its namespaces: not so in some containers."""
-    try:
-        done = subprocess.run(["bwrap", "--ro-bind", "/", "/", "--unshare-pid", "true"], check=False, capture_output=True)
-        return done.returncode == 0
-    except FileNotFoundError:
-        return False
-
-
-HAS_SANDBOX = has_sandbox()
 SECRET = "sixteen letters!"
 
 
@@ -98,8 +88,7 @@ class Exec(unittest.TestCase):
         return self.run_exec("--goals", self.goals, *options, "--", sys.executable, path, code=code, **more)
 
     def grade(self, folder, *options, command=(sys.executable, "{}"), code=0):
-        away = [] if HAS_SANDBOX else ["--no-sandbox"]
-        done = subprocess.run([XR3, "grade", folder, "--goals", self.goals, "--report", "report", *away, *options, "--", *command],
+        done = subprocess.run([XR3, *GRADE, folder, "--goals", self.goals, "--report", "report", *options, "--", *command],
                               capture_output=True, text=True, timeout=TASK_S, check=False, cwd=self.folder)
         self.assertEqual(code, done.returncode, done.stdout + done.stderr)
         return done

@@ -19,7 +19,7 @@ import unittest
 import urllib.parse
 
 from browser import CHROMIUM, MISSING, Chromium
-from support import DEADLINE_S, LOCALHOST, ROOT, XR3
+from support import DEADLINE_S, GRADE, LOCALHOST, ROOT, XR3
 
 GRADED = pathlib.Path(ROOT, "docs", "graded")
 REPORT = GRADED / "report"
@@ -36,7 +36,7 @@ CHECKSUM = re.compile(r',"c":"[^"]+"')
 
 def grade(report):
     """Runs the command of the page, with this folder for the report."""
-    words = shlex.split(re.search(r"^\$ xr3 (grade .*)$", PAGE, re.MULTILINE)[1])
+    words = [*GRADE, *shlex.split(re.search(r"^\$ xr3 grade (.*)$", PAGE, re.MULTILINE)[1])]
     words[words.index("--report") + 1] = str(report)
     environment = {**os.environ, "PYTHONPATH": str(pathlib.Path(ROOT, "clients", "python"))}
     return subprocess.run([XR3, *words], cwd=ROOT, env=environment, stdin=subprocess.DEVNULL, capture_output=True,
