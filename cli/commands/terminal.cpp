@@ -18,7 +18,13 @@
 #define NCURSES_WIDECHAR 1
 #include <curses.h>
 #include <term.h>
-#undef columns  // (macros of term.h)
+
+namespace {
+void delete_terminal() { del_curterm(cur_term); }
+}  // namespace
+
+#undef columns  // (macros of term.h, which files compiled together with this one may use as names)
+#undef cur_term
 #undef lines
 
 namespace xr3 {
@@ -64,7 +70,7 @@ bool can_move_its_cursor() {
   const char* sequence = tigetstr(name);
   // NOLINTNEXTLINE(performance-no-int-to-ptr): terminfo's value for "not a string"
   const bool can = sequence != nullptr && sequence != reinterpret_cast<char*>(-1);
-  del_curterm(cur_term);
+  delete_terminal();
   return can;
 }
 
