@@ -37,6 +37,8 @@ std::vector<RunReport> run_all(const ExecCommand& command, const Exercise& exerc
                  "",
                  command.exec.out,
                  command.server.record,
+                 0,
+                 "",
                  0};
   if (count == 1) return {exercise.run(place)};
   const auto run = [&](std::size_t index) {

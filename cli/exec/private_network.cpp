@@ -27,6 +27,9 @@ namespace {
 constexpr std::size_t kDescriptors = 3;  // listener, network namespace, user namespace
 using Descriptors = std::array<int, kDescriptors>;
 
+// The user namespaces that bubblewrap makes, one in the other: to mount, and for the program.
+constexpr const char* kOfBubblewrap = "2";
+
 bool write_to(const char* path, std::string_view text) {
   const int file = ::open(path, O_WRONLY | O_CLOEXEC);
   const bool is_written = file >= 0 && write_all(file, text);
@@ -102,7 +105,7 @@ int make_namespaces(int judges_channel, const IdMaps& maps,
   const int channel = keep_channel(judges_channel);
   if (user && !user->enter()) return errno;
   if (::unshare(CLONE_NEWNET | CLONE_NEWUSER) != 0) return errno;
-  if (!maps.write() || !write_to("/proc/sys/user/max_user_namespaces", "1")) return errno;
+  if (!maps.write() || !write_to("/proc/sys/user/max_user_namespaces", kOfBubblewrap)) return errno;
   if (!bring_loopback_up()) return errno;
   const Descriptors descriptors{listen_on_loopback(),
                                 ::open("/proc/self/ns/net", O_RDONLY | O_CLOEXEC),

@@ -33,7 +33,7 @@ struct IdMaps {
 class PrivateNetwork {
  public:
   /// Makes the namespace in a user namespace of its own, which belongs to `user` (nullopt: the user
-  /// of this process), and in which bubblewrap can make its own one and nothing any further one.
+  /// of this process), and in which bubblewrap can make its own and nothing any further one.
   /// Throws std::system_error if the system does not allow it.
   explicit PrivateNetwork(const std::optional<ProgramUser>& user);
 
