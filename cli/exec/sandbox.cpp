@@ -82,7 +82,7 @@ std::string complaint(const std::optional<ProgramUser>& user) {
   program.on_end([&](const ProgramEnd& end) { ended = end; });
   io.run();
   if (ended.is_good()) return "";
-  return said.empty() ? to_text(ended) : one_line(said.substr(0, said.find('\n')));
+  return said.empty() ? to_text(ended) : printable_line(said.substr(0, said.find('\n')));
 }
 
 }  // namespace
