@@ -47,8 +47,8 @@ class Exercise {
   GoalList goals_;
 };
 
-/// The report that the process of a run has returned; one that says that the run could not be made if
-/// it returned none, or no report.
+/// The report that the process of a run has returned; one that says that the run could not be made
+/// if it returned none, or no report.
 RunReport report_of(const std::optional<std::string>& text, const std::string& title);
 
 /// How many programs run at a time unless the user says otherwise.

@@ -98,7 +98,8 @@ void arrange_descriptors(const Launch& launch) {
   for (int each = kFirstOther; each < kMost; ++each) ::close(each);
 }
 
-/// A session of its own: no terminal of the judge, and none of its handlers. It ends with the judge.
+/// A session of its own: no terminal of the judge, and none of its handlers. It ends with the
+/// judge.
 void leave_judge(const Launch& launch) {
   for (const int each : {SIGPIPE, SIGXFSZ, SIGINT, SIGTERM, SIGHUP}) ::signal(each, SIG_DFL);
   sigset_t none;

@@ -29,8 +29,8 @@ struct ProgramSettings {
   bool has_input = false;    ///< it gets the standard input of this process
   const PrivateNetwork* network = nullptr;  ///< that it enters; null: that of this process
   std::optional<ProgramUser> user;          ///< nullopt: that of this process
-  /// Processes and threads that it may have at a time, where they can be counted apart from others of
-  /// the user: in a user namespace of its own. 0: no limit.
+  /// Processes and threads that it may have at a time, where they can be counted apart from others
+  /// of the user: in a user namespace of its own. 0: no limit.
   std::size_t max_tasks = 0;
 };
 

@@ -1,7 +1,7 @@
 #include "cli/exec/program_user.hpp"
 
-#include <grp.h>
 #include <pwd.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <limits>
@@ -11,9 +11,12 @@
 
 namespace xr3 {
 
+// The functions of the C library would wait for threads that this copy of the process does not
+// have.
 bool ProgramUser::enter() const {
-  return ::setgroups(0, nullptr) == 0 && ::setresgid(group, group, group) == 0 &&
-         ::setresuid(user, user, user) == 0;
+  return ::syscall(SYS_setgroups, 0, nullptr) == 0 &&
+         ::syscall(SYS_setresgid, group, group, group) == 0 &&
+         ::syscall(SYS_setresuid, user, user, user) == 0;
 }
 
 std::optional<ProgramUser> program_user(const std::string& name, bool is_sandboxed,

@@ -23,8 +23,8 @@ inline constexpr ::uid_t kFirstProgramUser = 61'184;
 inline constexpr std::size_t kProgramUsers = 4096;
 
 /// The user for a program: `name`, a name or a number; if it is empty, one of job's own for a judge
-/// that is root and uses the sandbox; nullopt: the judge's. Throws FileError for an unknown user, or
-/// if this process may not become one.
+/// that is root and uses the sandbox; nullopt: the judge's. Throws FileError for an unknown user,
+/// or if this process may not become one.
 std::optional<ProgramUser> program_user(const std::string& name, bool is_sandboxed,
                                         std::size_t job);
 

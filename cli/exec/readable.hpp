@@ -22,8 +22,8 @@ struct Binding {
 inline constexpr std::size_t kMaxCopiedFiles = 10'000;
 inline constexpr std::uintmax_t kMaxCopiedBytes = std::uintmax_t{256} << 20U;
 
-/// Binds a path to its place. For another user it is copied to `copy` if not every user may read all
-/// of it. Throws FileError.
+/// Binds a path to its place. For another user it is copied to `copy` if not every user may read
+/// all of it. Throws FileError.
 Binding readable_by(const std::optional<ProgramUser>& user, const std::filesystem::path& from,
                     const std::filesystem::path& to, const std::filesystem::path& copy);
 

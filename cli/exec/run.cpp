@@ -114,14 +114,14 @@ class Run {
       throw_errno("the pseudo-terminal cannot be given to the user of the program");
   }
 
-  /// What it can read in the sandbox: the files that its command names, and others.
+  /// Files for the sandbox: those that its command names, and others.
   std::vector<Binding> bindings() {
     std::vector<Binding> all;
     const auto add = [&](const std::string& name) {
       std::error_code error;
       const auto path = std::filesystem::absolute(name, error).lexically_normal();
-      if (!error && !name.empty() && std::filesystem::exists(path, error))
-        all.push_back(folder_.readable(path, path));
+      const auto followed = std::filesystem::canonical(path, error);
+      if (!error && !name.empty()) all.push_back(folder_.readable(followed, path));
     };
     for (const std::string& each : settings_.exec.command) add(each);
     for (const std::string& each : settings_.exec.readable) add(each);

@@ -31,8 +31,8 @@ Descriptor locked(const fs::path& path) {
   return is_ours ? std::move(folder) : Descriptor();
 }
 
-/// Another process may take a new folder for an abandoned one before it is locked: then the next one
-/// is made.
+/// Another process may take a new folder for an abandoned one before it is locked: then the next
+/// one is made.
 fs::path make_folder_to_lock() {
   std::string name = fs::temp_directory_path() / (std::string(kPrefix) + "XXXXXX");
   if (::mkdtemp(name.data()) == nullptr)

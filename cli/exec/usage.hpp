@@ -16,8 +16,8 @@ struct Usage {
   std::uint64_t files = 0;         ///< in the folders of the sandbox
 };
 
-/// Sums up these processes. `folders`: those of the sandbox that the program can write to; empty: it
-/// has none. A process that ends meanwhile counts as nothing.
+/// Sums up these processes. `folders`: those of the sandbox that the program can write to; empty:
+/// it has none. A process that ends meanwhile counts as nothing.
 Usage usage_of(const std::vector<::pid_t>& processes, const std::vector<std::string>& folders);
 
 }  // namespace xr3

@@ -8,16 +8,16 @@ import unittest
 from judge_modes import SANDBOX, Judge, Root, User, UserWithoutNamespaces
 
 TOKEN = "sixteen letters!"
-# Asks whether each process that it can see, except itself, lets it read its environment, its open files and its memory.
+# Asks whether a process of xr3 that it can see, the judge or its keeper, lets it read its environment, its open files and its
+# memory.
 LOOK = f"""
 import os
-own = os.stat("/proc/self").st_ino
 for pid in filter(str.isdigit, os.listdir("/proc")):
     try:
         command = open(f"/proc/{{pid}}/cmdline", "rb").read()
     except OSError:
         continue
-    if b"xr3\\0" not in command or b"program.py" not in command or pid == os.readlink("/proc/self"):
+    if not command.split(b"\\0")[0].endswith(b"xr3"):
         continue
     for what in "environ", "fd", "mem":
         try:
@@ -56,7 +56,6 @@ KILL_THE_JUDGE = "import os, signal\nos.kill(os.getppid(), signal.SIGKILL)\nprin
 
 
 class Hidden:
-    """Of every mode."""
     options = []
 
     def test_the_environment_files_and_memory_of_the_judge_are_out_of_reach(self):
@@ -64,8 +63,9 @@ class Hidden:
         self.assertEqual("token False looked", done.stdout.splitlines()[0], done.stdout)
 
 
-class Ended(Hidden):
+class Ended:
     """Without the sandbox: programs may write a file of the test's folder."""
+    options = []
 
     def assert_no_process_is_left(self):
         with open(self.folder / "lock", encoding="utf-8") as file:
@@ -111,15 +111,15 @@ class Report:
 
 
 class RootWithoutSandbox(Apart, Ended, Root, unittest.TestCase):
-    """Root may read every process that it sees; the namespace shows it none."""
+    pass
 
 
-class UserWithoutSandbox(Apart, Ended, Report, User, unittest.TestCase):
+class UserWithoutSandbox(Apart, Hidden, Ended, Report, User, unittest.TestCase):
     def grade(self, *options, **more):
         return super().grade("--no-sandbox", *options, **more)
 
 
-class UserInABareContainer(Ended, Report, UserWithoutNamespaces, unittest.TestCase):
+class UserInABareContainer(Hidden, Ended, Report, UserWithoutNamespaces, unittest.TestCase):
     code = 1  # a run could not be made
 
     def grade(self, *options, **more):
