@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "cell/judge/passive.hpp"
 #include "cli/exec/descendants.hpp"
 #include "cli/exec/kept_output.hpp"
 #include "cli/exec/run_folder.hpp"
@@ -18,6 +19,7 @@
 #include "cli/exec/throw_errno.hpp"
 #include "cli/exec/transcript_text.hpp"
 #include "cli/exec/usage.hpp"
+#include "protocol/goals/credit.hpp"
 #include "protocol/goals/goal_text.hpp"
 #include "protocol/text/table.hpp"
 #include "server/files/data_files.hpp"
@@ -33,7 +35,6 @@ using namespace std::chrono_literals;
 constexpr auto kCheckEvery = 50ms;
 constexpr WallNs kGrace = 2'000'000'000;      // between SIGTERM and SIGKILL
 constexpr WallNs kReadLimit = 5'000'000'000;  // for what the program has sent before its end
-constexpr Tick kRestLimit = Tick{128} * kTickHz;
 constexpr double kNsPerSecond = 1e9;
 
 /// Samples a cell for the table of --csv, from now on.
@@ -306,6 +307,8 @@ class Run {
     report_.has_control = settings_.exec.monitor == MonitorAccess::kControl;
     report_.transcript = std::move(end.transcript);
     report_.goals = judge(goals_, cell.model(), end.state, end.facts);
+    const auto passive = passive_goals(goals_, settings_.seed.model, settings_.seed.faults);
+    report_.not_counted = withhold(report_.goals, goals_, passive, report_.outcome, end.facts);
     report_.top_view = view_of(cell.model(), end.state);
     return {std::move(report_), transcript_.text(), cell.model_ptr(), std::move(end.state)};
   }

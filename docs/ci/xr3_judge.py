@@ -88,7 +88,10 @@ def report(result):
     for goal in result["goals"]:
         found = [] if goal["met"] else [clean(goal["found"])]
         hint = [f"Hint: {clean(goal['hint'])}"] if goal["hint"] and not goal["met"] else []
-        yield f"{'✓' if goal['met'] else '✗'} {clean(goal['expected'])}", found + hint
+        mark = "" if goal["counted"] else " (not counted)"
+        yield f"{'✓' if goal['met'] else '✗'} {clean(goal['expected'])}{mark}", found + hint
+    if result["not_counted"]:
+        yield f"Not counted: {clean(result['not_counted'])}", []
 
 
 def heading(results, number):
@@ -119,9 +122,11 @@ def classroom_lines(results):
     tests = []
     for number, result in enumerate(results, 1):
         for goal in result["goals"]:
+            has_points = goal["met"] and goal["counted"]
+            found = goal["found"] if goal["counted"] else f"not counted: {result['not_counted']}"
             tests.append({"name": heading(results, number) + goal["expected"], "test_code": "", "filename": "",
-                          "line_no": 0, "status": "pass" if goal["met"] else "fail", "message": goal["found"],
-                          "score": goal["points"] if goal["met"] else 0})
+                          "line_no": 0, "status": "pass" if has_points else "fail", "message": found,
+                          "score": goal["points"] if has_points else 0})
     has_failed = any(result["outcome"] != "finished" for result in results)
     status = "error" if has_failed else "pass" if all(result["passed"] for result in results) else "fail"
     every = {"version": 1, "status": status, "max_score": sum(result["max_points"] for result in results),

@@ -12,6 +12,13 @@
 
 namespace xr3 {
 
+/// Why a run ended.
+enum class RunOutcome : std::uint8_t {
+  kFinished,  ///< the program ended with exit code 0
+  kFailed,    ///< the program could not be started, or ended with another code or by a signal
+  kTimeUp,    ///< a limit was reached
+};
+
 /// A problem that was reported, with the number of times.
 struct RunProblem {
   Tick tick = 0;  ///< of the first time

@@ -242,7 +242,9 @@ const Members<GoalList>& list_members() {
   static const Members<GoalList> members = {
       optional("notes", &GoalList::notes, text(0, kMaxNotes)),
       required("goals", &GoalList::goals,
-               list(Codec<Goal>{"an object { ... }", read_goal, nullptr}, 1, kMaxGoals))};
+               list(Codec<Goal>{"an object { ... }", read_goal, nullptr}, 1, kMaxGoals)),
+      optional("failed_program", &GoalList::failed_program_counts,
+               choice<bool>({{"counts", true}}))};
   return members;
 }
 

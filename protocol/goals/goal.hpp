@@ -153,6 +153,7 @@ struct Goal {
 struct GoalList {
   std::string notes;
   std::vector<Goal> goals;
+  bool failed_program_counts = false;  ///< a program that fails gets points, too
 };
 
 /// Maximum number of goals in a file.

@@ -339,7 +339,7 @@ std::vector<GoalResult> judge(const GoalList& list, const Model& model, const St
 
 int points_of(const std::vector<GoalResult>& results) {
   int points = 0;
-  for (const GoalResult& each : results) points += each.is_met ? each.points : 0;
+  for (const GoalResult& each : results) points += each.earned();
   return points;
 }
 

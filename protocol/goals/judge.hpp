@@ -15,11 +15,15 @@ namespace xr3 {
 /// The judgement of one goal. The texts are parts of sentences for a student.
 struct GoalResult {
   bool is_met = false;
-  int points = 1;        ///< of the goal
-  std::string kind;      ///< as in the goals file
-  std::string expected;  ///< such as `block red at x 400, y 0 mm, within 5 mm`
-  std::string found;     ///< such as `it is at x 262, y 0, z 20 mm, 138 mm away`
-  std::string hint;      ///< the author's, or a general one; empty if the goal is met
+  int points = 1;          ///< of the goal
+  std::string kind;        ///< as in the goals file
+  std::string expected;    ///< such as `block red at x 400, y 0 mm, within 5 mm`
+  std::string found;       ///< such as `it is at x 262, y 0, z 20 mm, 138 mm away`
+  std::string hint;        ///< the author's, or a general one; empty if the goal is met
+  bool is_counted = true;  ///< false: the goal is met, and gives no points; see credit.hpp
+
+  /// The points that the run gets for the goal.
+  int earned() const { return is_met && is_counted ? points : 0; }
 };
 
 /// One result for each goal, in order. Precondition: `facts` was collected for these goals, and
@@ -27,7 +31,7 @@ struct GoalResult {
 std::vector<GoalResult> judge(const GoalList& list, const Model& model, const State& end,
                               const RunFacts& facts);
 
-/// The points of the goals that are met, and of all goals.
+/// The points that the run gets, and the points of all goals.
 int points_of(const std::vector<GoalResult>& results);
 int max_points_of(const std::vector<GoalResult>& results);
 

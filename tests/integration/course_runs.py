@@ -1,6 +1,7 @@
 """The course of docs/course: each solution in Python and C meets all goals, and each of the five wrong programs of an
 exercise fails for the reason in its first line, `# expects: KIND: PART OF WHAT THE JUDGE SAYS`, or `# expects: failed`
-or `# expects: time_up`. Each sentence of the judge that a sheet quotes is said to one of its wrong programs.
+or `# expects: time_up`. An empty program, and one with a syntax error, get no points. Each sentence of the judge that a
+sheet quotes is said to one of its wrong programs.
 Run by `./test --course`. Usage: course_runs.py [EXERCISE...]; the environment has XR3 and XR3_ROOT."""
 
 import concurrent.futures
@@ -55,6 +56,11 @@ def check_wrong(exercise, program):
     return is_found, printed if is_found else f"not found: {kind}: {part}\n{printed}"
 
 
+def check_nothing(exercise, text):
+    report, printed = judged(exercise, [sys.executable, "-c", text])
+    return report["points"] == 0, printed
+
+
 def quotes_missing(exercise, printed):
     """What the sheet quotes from the judge, `...` for a gap, and the judge said to none of the wrong programs."""
     table = (exercise / "README.md").read_text(encoding="utf-8").partition("## Common mistakes")[2]
@@ -74,6 +80,8 @@ def tasks(exercise, folder):
     assert len(programs) == WRONG_PROGRAMS, f"{exercise.name}: {len(programs)} wrong programs"
     for program in programs:
         yield f"wrong/{program.name}", check_wrong, (exercise, program)
+    yield "an empty program", check_nothing, (exercise, "")
+    yield "a syntax error", check_nothing, (exercise, "this is no Python")
 
 
 def main():

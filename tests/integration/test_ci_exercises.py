@@ -29,6 +29,13 @@ CI = pathlib.Path(ROOT, "docs", "ci")
 COURSE = pathlib.Path(ROOT, "docs", "course")
 PAGE = (CI / "exercises.md").read_text(encoding="utf-8")
 TASK_S = 60
+# Meets the goal of exercise 1 that needs a program, and misses that of joint F.
+PARTIAL = """
+import xr3
+robot = xr3.connect()
+robot.go({"E": 140, "F": 1})
+robot.close()
+"""
 # Each begins a new line for one of the services, which read lines of \n, of \r\n or of \r.
 CHEAT = r"""
 for end in "\n", "\r\n", "\r", "\x0b", "\x85", "\u2028":
@@ -95,12 +102,21 @@ class Exercises(unittest.TestCase):
         self.submit("wrong/unfinished.py")
         output = re.search(r"^```\n(<\|--\n.*?)^```", PAGE, re.DOTALL | re.MULTILINE)[1]
         self.assertEqual(self.read_by_vpl(output), self.evaluate())
-        self.assertEqual(["4.22"], self.evaluate(VPL_GRADEMIN="2", VPL_GRADEMAX="6")[1])
+        self.submit(PARTIAL)
+        self.assertEqual(["8.89"], self.evaluate()[1])
+        self.assertEqual(["5.56"], self.evaluate(VPL_GRADEMIN="2", VPL_GRADEMAX="6")[1])
+
+    def test_vpl_proposes_the_lowest_grade_for_a_program_that_does_nothing_or_fails(self):
+        for program in "", "this is no Python\n":
+            self.submit(program)
+            comment, grades = self.evaluate()
+            self.assertEqual(["0.00"], grades)
+            self.assertIn("-✓ no warnings (not counted)", comment)
 
     def test_vpl_gets_no_grade_from_the_program(self):
         self.submit(CHEAT)
         comment, grades = self.evaluate()
-        self.assertEqual(["5.56"], grades)
+        self.assertEqual(["0.00"], grades)
         self.assertEqual([], [line for line in comment if not line.isprintable()])
         self.assertEqual("-What the program printed", [line for line in comment if line[0] == "-"][-1])
         self.assertIn(">Grade :=>> 100", comment)
@@ -121,7 +137,7 @@ class Exercises(unittest.TestCase):
         self.submit("solution.py")
         for module in "json", "subprocess", "tempfile":
             self.submit("print('Grade :=>> 10')\nraise SystemExit(0)\n", module + ".py")
-        self.assertEqual(["5.56"], self.evaluate()[1], "the student's own program gets them")
+        self.assertEqual(["0.00"], self.evaluate()[1], "the student's own program gets them")
 
     def test_vpl_takes_no_command_from_the_name_of_a_file(self):
         name = "a b;$(touch hacked).py"
@@ -195,7 +211,9 @@ class Exercises(unittest.TestCase):
         self.assertEqual([4, 1, 2, 1, 1], [test["score"] for test in result["tests"]])
         self.submit("wrong/unfinished.py")
         result = self.classroom()
-        self.assertEqual(("fail", [0, 1, 2, 1, 1]), (result["status"], [test["score"] for test in result["tests"]]))
+        self.assertEqual(("fail", [0] * 5), (result["status"], [test["score"] for test in result["tests"]]))
+        self.assertEqual({"fail"}, {test["status"] for test in result["tests"]})
+        self.assertTrue(result["tests"][1]["message"].startswith("not counted: "))
         self.assertEqual("it is at 50 counts", result["tests"][0]["message"])
         self.assertIn("| ✗ | joint E at 140 counts", (self.folder / "github_step_summary").read_text(encoding="utf-8"))
         self.assertEqual("6", xml.etree.ElementTree.parse(self.folder / "junit.xml").getroot()[0].get("tests"))
@@ -204,7 +222,7 @@ class Exercises(unittest.TestCase):
     def test_classroom_gets_no_result_from_the_program(self):
         self.submit(CHEAT + "import os\nprint([name for name in os.environ if name.startswith('GITHUB_')])\n")
         result = self.classroom()
-        self.assertEqual(5, sum(test["score"] for test in result["tests"]))
+        self.assertEqual(0, sum(test["score"] for test in result["tests"]))
         self.assertNotIn("Autograding complete", self.log)
         printed = (self.folder / "result" / "output.txt").read_text(encoding="utf-8")
         self.assertTrue(printed.endswith("[]\n"), printed)
@@ -266,10 +284,10 @@ class Exercises(unittest.TestCase):
     def test_nbgrader_gets_partial_credit(self):
         self.submit("solution.py")
         self.assertEqual("9.0", self.cell()[-1])
-        self.submit("wrong/unfinished.py")
+        self.submit(PARTIAL)
         *report, value = self.cell()
-        self.assertEqual("5.0", value)
-        self.assertIn("  it is at 50 counts", report)
+        self.assertEqual("8.0", value)
+        self.assertIn("  it is at 1 counts", report)
 
     def test_nbgrader_gets_points_whatever_the_locale_is(self):
         self.submit("solution.py")
@@ -279,7 +297,7 @@ class Exercises(unittest.TestCase):
     def test_nbgrader_marks_what_the_program_prints(self):
         self.submit(CHEAT)
         *report, value = self.cell()
-        self.assertEqual("5.0", value)
+        self.assertEqual("0.0", value)
         self.assertIn("| Grade :=>> 100", report)
 
     # --- The files.

@@ -162,6 +162,46 @@ class Exec(unittest.TestCase):
         done = self.judge("import os, signal\nos.kill(os.getpid(), signal.SIGSEGV)\n", code=6)
         self.assertIn("✗ the program ended with signal 11 (Segmentation fault)", done.stdout)
 
+    # --- Points.
+
+    def score(self, program, goals, *options, code):
+        """The score of a program by some goals, and what was printed."""
+        self.goals.write_text(json.dumps(goals), encoding="utf-8")
+        printed = self.judge(program, *options, "--quiet", code=code).stdout
+        return re.search(r"^score (.*?);", printed, re.MULTILINE)[1], printed
+
+    def test_goals_that_a_robot_at_rest_meets_count_only_with_another(self):
+        for program, code in ("", 5), (HEAD + "go(F=20)\n", 5), ("this is no Python\n", 6):
+            score, printed = self.score(program, GOALS, code=code)
+            self.assertEqual("0 of 8", score)
+            self.assertIn("✓ the robot never stalls (not counted)\n", printed)
+            reason = "the program failed" if code == 6 else "a robot without a program meets them, too, and no other goal is met"
+            self.assertIn(f"\nnot counted: {reason}\n", printed)
+        self.assertEqual("4 of 8", self.score(GRASP + "go(F=5)\ngo(A=-39)\nsend('Z')\n", GOALS, code=5)[0])
+
+    def test_a_program_that_fails_gets_no_points_unless_the_file_says_so(self):
+        fails = PLACE + "sys.exit(3)\n"
+        score, printed = self.score(fails, GOALS, code=6)
+        self.assertEqual("0 of 8", score)
+        self.assertEqual(6, printed.count("(not counted)"), printed)
+        self.assertEqual("8 of 8", self.score(fails, {**GOALS, "failed_program": "counts"}, code=6)[0])
+
+    def test_goals_that_a_robot_at_rest_meets_count_alone_if_the_program_moved_and_ended_well(self):
+        goals = {"goals": [{"kind": "no_stall"}, {"kind": "untouched", "names": ["red"]}]}
+        for program, code, score in (("", 5, "0 of 2"), (HEAD + "ask('E?')\n", 5, "0 of 2"),
+                                     (HEAD + "go(F=20)\nsys.exit(1)\n", 6, "0 of 2"), (HEAD + "go(F=20)\n", 0, "2 of 2")):
+            self.assertEqual(score, self.score(program, goals, code=code)[0])
+        self.assertIn("they count if the program moves the robot", self.score("", goals, code=5)[1])
+
+    def test_a_goal_that_the_varied_blocks_meet_counts_not_alone(self):
+        goals = {"goals": [{"kind": "block", "name": "red", "xyz_mm": [400, 0, None], "mm": 0.1}, {"kind": "holding", "name": "red"}]}
+        printed = self.score("", goals, "--vary", 7, code=5)[1]
+        x, y = map(float, re.search(r"it is at x ([-\d.]+), y ([-\d.]+), z", printed).groups())
+        goals["goals"][0]["xyz_mm"] = [x, y, None]
+        score, printed = self.score(HEAD + "go(F=20)\n", goals, "--vary", 7, code=5)
+        self.assertEqual("0 of 2", score)
+        self.assertIn("✓ block red", printed)
+
     def test_a_program_that_is_not_there(self):
         done = self.run_exec("--", "./no-such-program", code=6)
         self.assertIn("✗ ./no-such-program cannot be started: No such file or directory", done.stdout)
@@ -215,7 +255,8 @@ class Exec(unittest.TestCase):
         self.assertEqual(1 << 20, (run / "output.txt").stat().st_size)
         self.assertEqual(0, stat.S_IMODE((run / "recording.xr3rec").stat().st_mode) & 0o077)
         result = json.loads((run / "result.json").read_text(encoding="utf-8"))
-        self.assertEqual(("finished", False, 4, 8), tuple(result[name] for name in ("outcome", "passed", "points", "max_points")))
+        self.assertEqual(("finished", False, 0, 8), tuple(result[name] for name in ("outcome", "passed", "points", "max_points")))
+        self.assertEqual([True, True, False], [goal["counted"] for goal in result["goals"] if not goal["met"]] + [result["goals"][1]["counted"]])
         replay = subprocess.run([XR3, "replay", run / "recording.xr3rec"], capture_output=True, text=True, timeout=DEADLINE_S, check=False)
         self.assertEqual(0, replay.returncode, replay.stderr)
         done = self.judge("", "--out", "run", code=2)
@@ -224,7 +265,7 @@ class Exec(unittest.TestCase):
     def test_junit_and_markdown(self):
         self.judge("raise SystemExit(1)\n", "--junit", "r.xml", "--markdown", "r.md", code=6)
         suite = xml.etree.ElementTree.parse(self.folder / "r.xml").getroot()[0]
-        self.assertEqual(("7", "2", "1"), (suite.get("tests"), suite.get("failures"), suite.get("errors")))
+        self.assertEqual(["7", "2", "1", "4"], [suite.get(name) for name in ("tests", "failures", "errors", "skipped")])
         self.assertEqual("program", suite[0].get("name"))
         self.assertIsNotNone(suite[0].find("error"))
         self.assertIn("| ✗ | block red at", (self.folder / "r.md").read_text(encoding="utf-8"))
@@ -340,7 +381,7 @@ for folder in "/tmp", "/dev/shm", ".":
         self.grade("class", "--max-seconds", "3")
         with open(self.folder / "report/grades.csv", encoding="utf-8") as file:
             rows = {row["submission"]: row for row in csv.DictReader(file)}
-        self.assertEqual({"ada.py": "8", "bob.py": "4", "carl <b>.py": "4", "'=dora.py": "4"},
+        self.assertEqual({"ada.py": "8", "bob.py": "0", "carl <b>.py": "0", "'=dora.py": "0"},
                          {name: row["points"] for name, row in rows.items()})
         self.assertEqual("time_up", rows["'=dora.py"]["outcome"])
         page = (self.folder / "report/index.html").read_text(encoding="utf-8")

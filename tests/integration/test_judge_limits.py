@@ -61,7 +61,7 @@ class Limits:
 
     def simulated(self, program, *options):
         """(report, exit code) of a run of half a second of simulated time."""
-        done = self.judge(program, *self.options, "--max-sim-seconds", "0.5", "--json", "run.json", *options, code=7)
+        done = self.judge(program, *self.options, "--goals", "goals.json", "--max-sim-seconds", "0.5", "--json", "run.json", *options, code=7)
         self.assertIn("the limit of 0.5 simulated seconds was reached (--max-sim-seconds)", done.stdout)
         return json.loads((self.folder / "run.json").read_text(encoding="utf-8"))
 

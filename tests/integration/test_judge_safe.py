@@ -5,7 +5,7 @@ import fcntl
 import os
 import unittest
 
-from judge_modes import SANDBOX, Judge, Root, User, UserWithoutNamespaces
+from judge_modes import MOVE, SANDBOX, Judge, Root, User, UserWithoutNamespaces
 
 TOKEN = "sixteen letters!"
 # Asks whether a process of xr3 that it can see, the judge or its keeper, lets it read its environment, its open files and its
@@ -102,12 +102,12 @@ class Report:
     code = 0
 
     def test_a_submission_that_attacks_its_judge_fails_alone(self):
-        for name, program in {"ada": "print(1)\n", "eve": KILL_THE_JUDGE, "mallory": LOOK, "zoe": "print(1)\n"}.items():
+        for name, program in {"ada": MOVE, "eve": KILL_THE_JUDGE, "mallory": LOOK + MOVE, "zoe": MOVE}.items():
             self.write(f"class/{name}.py", program)
         done, rows = self.grade(*self.options, "--jobs", "2", code=self.code)
         for name in "ada", "mallory", "zoe":
             self.assertRegex(rows[f"{name}.py"], r"^\w+\.py +10/10 *$")
-        self.assertRegex(rows["eve.py"], r"10/10" if self.code == 0 else "the run could not be made|the program ended with")
+        self.assertRegex(rows["eve.py"], r" 0/10 *$" if self.code == 0 else "the run could not be made|the program ended with")
 
 
 class RootWithoutSandbox(Apart, Ended, Root, unittest.TestCase):
@@ -142,7 +142,7 @@ class WithoutTheSandbox(Judge, unittest.TestCase):
     """grade needs it, unless it is told otherwise."""
 
     def test_grade_names_the_package_of_bubblewrap(self):
-        self.write("class/ada.py", "")
+        self.write("class/ada.py", MOVE)
         done, _ = self.grade(code=2, env={**os.environ, "PATH": "/nowhere"})
         self.assertEqual("xr3: the sandbox needs bubblewrap (Debian package bubblewrap); install it, or add --no-sandbox, which runs the "
                          "submissions with your rights\n", done.stderr)

@@ -5,7 +5,7 @@ import os
 import platform
 import unittest
 
-from judge_modes import PYTHON, ROOT_WITHOUT, SANDBOX, Judge, Root, User, UserWithoutNamespaces
+from judge_modes import MOVE, PYTHON, ROOT_WITHOUT, SANDBOX, Judge, Root, User, UserWithoutNamespaces
 
 ADD_KEY, KEYCTL = {"x86_64": (248, 250), "aarch64": (217, 219)}[platform.machine()]
 SESSION, USER_KEYRING = -3, -4
@@ -120,7 +120,7 @@ class UserInTheSandbox(InTheSandbox, User, unittest.TestCase):
 
 class Refused:
     def test_where_it_cannot_be_made_it_says_so(self):
-        self.write("class/ada.py", "")
+        self.write("class/ada.py", MOVE)
         done, _ = self.grade(code=2)
         self.assertRegex(done.stderr, "^xr3: the sandbox cannot be made: user and network namespaces: .*; allow user namespaces "
                                       ".*, or add --no-sandbox, which runs the submissions with your rights\n$")

@@ -3,9 +3,9 @@
 import os
 import unittest
 
-from judge_modes import PYTHON, SANDBOX, Root, User
+from judge_modes import MOVE, PYTHON, SANDBOX, Root, User
 
-FULL = "print('mine')\n"
+FULL = MOVE + "print('mine')\n"
 LINKS = {  # where it is, and where it points to
     "class/bob": "ada", "class/carl": "/etc", "class/dora/main.py": "../ada/main.py", "class/eve/main.py": "/etc/passwd",
     "class/finn/lib": "..", "class/gus/main.py": "code.py", "class/hal/main.py": "main.py"}

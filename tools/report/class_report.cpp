@@ -76,6 +76,7 @@ std::string verdict_of(const RunReport& report) {
   if (report.is_passed()) return "all goals met";
   if (!report.why.empty()) return html(report.why);
   const auto missed = std::ranges::count(report.goals, false, &GoalResult::is_met);
+  if (missed == 0) return "goals not counted";
   return std::to_string(missed) + " of " + std::to_string(report.goals.size()) + " goals missed";
 }
 
@@ -115,7 +116,7 @@ std::string class_summary(const std::vector<RunReport>& reports) {
          "\n";
 }
 
-/// How many submissions have met each goal. A run that could not be made has no goals.
+/// How many submissions got the points of each goal. A run that could not be made has no goals.
 std::string goal_table(const std::vector<RunReport>& reports) {
   const auto fullest = std::ranges::max_element(
       reports, {}, [](const RunReport& each) { return each.goals.size(); });
@@ -123,7 +124,7 @@ std::string goal_table(const std::vector<RunReport>& reports) {
   std::string rows;
   for (std::size_t i = 0; i < fullest->goals.size(); ++i) {
     const auto met = std::ranges::count_if(reports, [i](const RunReport& each) {
-      return i < each.goals.size() && each.goals[i].is_met;
+      return i < each.goals.size() && each.goals[i].is_met && each.goals[i].is_counted;
     });
     rows +=
         tag("tr", tag("td", html(fullest->goals[i].expected)) +
@@ -137,9 +138,10 @@ std::string goal_table(const std::vector<RunReport>& reports) {
 
 std::string goal_item(const GoalResult& goal) {
   const std::string points =
-      std::to_string(goal.is_met ? goal.points : 0) + "/" + std::to_string(goal.points) + " ";
+      std::to_string(goal.earned()) + "/" + std::to_string(goal.points) + " ";
   std::string text =
       tag("span", (goal.is_met ? "✓ " : "✗ ") + points + html(goal.expected), kind_of(goal.is_met));
+  if (!goal.is_counted) text += " (not counted)";
   if (!goal.is_met) text += ": " + html(goal.found);
   if (!goal.is_met && !goal.hint.empty())
     text += "<br>" + tag("span", "Hint: " + html(goal.hint), "hint");
@@ -169,7 +171,10 @@ std::string section(const RunReport& report) {
   if (!report.why.empty()) text += tag("p", html(report.why), "missed") + "\n";
   text += "<ul>\n";
   for (const GoalResult& each : report.goals) text += goal_item(each);
-  return text + "</ul>\n<p>" + link(folder, "output.txt", "what it printed") + " · " +
+  text += "</ul>\n";
+  if (!report.not_counted.empty())
+    text += tag("p", "Not counted: " + html(report.not_counted) + ".") + "\n";
+  return text + "<p>" + link(folder, "output.txt", "what it printed") + " · " +
          link(folder, "transcript.txt", "what it sent and received") + " · " +
          link(folder, "recording.xr3rec", "recording") + " · " +
          link(folder, "result.txt", "result as text") + " · " +
@@ -192,6 +197,8 @@ std::string missed_text(const RunReport& report) {
   std::string text = report.why;
   for (const GoalResult& each : report.goals)
     if (!each.is_met) text += (text.empty() ? "" : "; ") + each.expected + ": " + each.found;
+  if (!report.not_counted.empty())
+    text += (text.empty() ? "" : "; ") + ("not counted: " + report.not_counted);
   return text;
 }
 

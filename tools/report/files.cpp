@@ -16,8 +16,9 @@ namespace {
 constexpr int kSecondDecimals = 3;
 
 Json goal_json(const GoalResult& goal) {
-  return {{"kind", goal.kind},         {"met", goal.is_met},  {"points", goal.points},
-          {"expected", goal.expected}, {"found", goal.found}, {"hint", goal.hint}};
+  return {{"kind", goal.kind},     {"met", goal.is_met},        {"counted", goal.is_counted},
+          {"points", goal.points}, {"expected", goal.expected}, {"found", goal.found},
+          {"hint", goal.hint}};
 }
 
 RunOutcome outcome_named(const std::string& name) {
@@ -32,7 +33,9 @@ std::string test_case(const RunReport& report, const std::string& name, const st
   return inside.empty() ? begin + "/>\n" : begin + ">" + inside + "</testcase>\n";
 }
 
+/// Only a goal that gives points is a test that succeeds.
 std::string failure(const GoalResult& goal) {
+  if (!goal.is_counted) return "<skipped message=\"not counted\"/>";
   if (goal.is_met) return "";
   return "<failure message=\"" + xml(goal.found) + "\">" + xml(goal.hint) + "</failure>";
 }
@@ -40,10 +43,12 @@ std::string failure(const GoalResult& goal) {
 std::string suite(const RunReport& report) {
   const bool has_failed = !report.why.empty() && !report.is_passed();
   const auto missed = std::ranges::count(report.goals, false, &GoalResult::is_met);
+  const auto skipped = std::ranges::count(report.goals, false, &GoalResult::is_counted);
   std::string text = "  <testsuite name=\"" + xml(report.program) + "\" tests=\"" +
                      std::to_string(report.goals.size() + 1) + "\" failures=\"" +
                      std::to_string(missed) + "\" errors=\"" + (has_failed ? "1" : "0") +
-                     "\" time=\"" + seconds_text(report.ticks) + "\">\n";
+                     "\" skipped=\"" + std::to_string(skipped) + "\" time=\"" +
+                     seconds_text(report.ticks) + "\">\n";
   text += test_case(report, "program",
                     has_failed ? "<error message=\"" + xml(report.why) + "\"/>" : "");
   for (const GoalResult& each : report.goals)
@@ -72,6 +77,7 @@ std::string to_json(const RunReport& report) {
                {"passed", report.is_passed()},
                {"points", points_of(report.goals)},
                {"max_points", max_points_of(report.goals)},
+               {"not_counted", report.not_counted},
                {"ticks", report.ticks},
                {"wall_seconds", rounded(report.wall_s, kSecondDecimals)},
                {"bytes", report.bytes},
@@ -91,7 +97,8 @@ RunReport parse_report(const std::string& json) {
   report.why = its.at("why");
   for (const Json& each : its.at("goals"))
     report.goals.push_back({each.at("met"), each.at("points"), each.at("kind"), each.at("expected"),
-                            each.at("found"), each.at("hint")});
+                            each.at("found"), each.at("hint"), each.at("counted")});
+  report.not_counted = its.at("not_counted");
   report.ticks = its.at("ticks");
   report.wall_s = its.at("wall_seconds");
   report.bytes = its.at("bytes");
@@ -112,9 +119,10 @@ std::string to_markdown(const std::vector<RunReport>& reports) {
     text += "| | goal | found | points |\n|---|---|---|---|\n";
     for (const GoalResult& each : report.goals)
       text += "| " + std::string(each.is_met ? "✓" : "✗") + " | " + cell_text(each.expected) +
-              " | " + cell_text(each.found) + " | " +
-              std::to_string(each.is_met ? each.points : 0) + "/" + std::to_string(each.points) +
-              " |\n";
+              " | " + (each.is_counted ? cell_text(each.found) : "not counted") + " | " +
+              std::to_string(each.earned()) + "/" + std::to_string(each.points) + " |\n";
+    if (!report.not_counted.empty())
+      text += "\nNot counted: " + cell_text(report.not_counted) + ".\n";
     text += "\n";
   }
   return text;

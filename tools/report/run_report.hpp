@@ -12,18 +12,12 @@
 
 namespace xr3 {
 
-/// Why a run ended.
-enum class RunOutcome : std::uint8_t {
-  kFinished,  ///< the program ended with exit code 0
-  kFailed,    ///< the program could not be started, or ended with another code or by a signal
-  kTimeUp,    ///< a limit was reached
-};
-
 struct RunReport {
   std::string program;  ///< its name, for titles and links; not always UTF-8
   RunOutcome outcome = RunOutcome::kFinished;
   std::string why;                ///< what went wrong, for the student; empty: nothing but goals
   std::vector<GoalResult> goals;  ///< judged with any outcome
+  std::string not_counted;        ///< why some goals are not counted; empty: all are
   Tick ticks = 0;                 ///< simulated time from the start to rest
   double wall_s = 0;
   std::uint64_t bytes = 0;            ///< that the program sent
@@ -32,6 +26,7 @@ struct RunReport {
   bool has_control = false;           ///< the program might use the calls of the monitor
   std::string top_view;               ///< of the end, in characters; shown if a block is elsewhere
 
+  /// Whether the program ended well, met every goal, and gets the points of all.
   bool is_passed() const;
 };
 

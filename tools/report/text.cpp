@@ -10,7 +10,7 @@ namespace xr3 {
 namespace {
 
 std::string line_of(const GoalResult& goal) {
-  if (goal.is_met) return "✓ " + goal.expected + "\n";
+  if (goal.is_met) return "✓ " + goal.expected + (goal.is_counted ? "\n" : " (not counted)\n");
   const std::string hint = goal.hint.empty() ? "" : "  hint: " + goal.hint + "\n";
   return "✗ " + goal.expected + ": " + goal.found + "\n" + hint;
 }
@@ -29,7 +29,8 @@ std::string summary(const RunReport& report) {
 }  // namespace
 
 bool RunReport::is_passed() const {
-  return outcome == RunOutcome::kFinished && std::ranges::all_of(goals, &GoalResult::is_met);
+  return outcome == RunOutcome::kFinished && not_counted.empty() &&
+         std::ranges::all_of(goals, &GoalResult::is_met);
 }
 
 std::string name_of(RunOutcome outcome) {
@@ -45,6 +46,7 @@ std::string to_text(const RunReport& report) {
     return !each.is_met && (each.kind == "block" || each.kind == "stacked");
   });
   if (is_elsewhere) text += report.top_view;
+  if (!report.not_counted.empty()) text += "not counted: " + report.not_counted + "\n";
   return printable_lines(text + summary(report));
 }
 

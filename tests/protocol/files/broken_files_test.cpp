@@ -70,6 +70,7 @@ const std::vector<Row>& rows() {
       {"goal-events", 4, "/goals/1/events/0", "[\"grasped\",\"red\"]",
        "text of 1 to 60 bytes in UTF-8"},
       {"goal-events", 5, "/goals/2/events", "", "a list of 1 to 1000"},
+      {"goal-failed", 2, "/failed_program", "\"fails\"", "\"counts\""},
       {"goal-kinds", 3, "/goals/0/kind", "\"blok\"",
        "\"block\", \"stacked\", \"sorted\", \"holding\", \"joi"},
       {"goal-kinds", 4, "/goals/1/kind", "",

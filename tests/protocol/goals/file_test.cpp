@@ -51,6 +51,15 @@ TEST(GoalsFile, ABlockAtAPoint) {
   EXPECT_FALSE(body.may_be_held);
 }
 
+TEST(GoalsFile, AFailedProgramCountsIfTheFileSaysSo) {
+  const auto list = [](const std::string& member) {
+    return load_goals("{" + member + R"("goals":[{"kind":"no_stall"}]})", "goals.json",
+                      rhino_of_goals());
+  };
+  EXPECT_FALSE(list("").failed_program_counts);
+  EXPECT_TRUE(list(R"("failed_program":"counts",)").failed_program_counts);
+}
+
 TEST(GoalsFile, EachKindOfGoal) {
   using namespace goal;  // NOLINT: the kinds
   const auto box = only_body<BlockPlace>(

@@ -60,7 +60,33 @@ TEST(RunReport, SaysWhatAFinishedRunLacked) {
   EXPECT_NE(to_junit({report}).find("errors=\"0\""), std::string::npos);
 }
 
+/// A program that met a goal and gets no points for it.
+RunReport uncounted_report() {
+  RunReport report = some_report();
+  report.goals.pop_back();
+  report.goals.front().is_counted = false;
+  report.not_counted = "it did <nothing>";
+  return report;
+}
+
+TEST(RunReport, AGoalThatIsNotCountedIsMarked) {
+  const RunReport report = uncounted_report();
+  EXPECT_FALSE(report.is_passed());
+  EXPECT_EQ(to_text(report),
+            "✓ the robot never stalls (not counted)\n"
+            "not counted: it did <nothing>\n"
+            "score 0 of 2; 1.25 simulated s, 17 bytes\n");
+  EXPECT_NE(to_markdown({report}).find("| ✓ | the robot never stalls | not counted | 0/2 |\n\n"
+                                       "Not counted: it did \\<nothing>.\n"),
+            std::string::npos)
+      << to_markdown({report});
+  const std::string junit = to_junit({report});
+  EXPECT_NE(junit.find("failures=\"0\" errors=\"0\" skipped=\"1\""), std::string::npos) << junit;
+  EXPECT_NE(junit.find("<skipped message=\"not counted\"/>"), std::string::npos) << junit;
+}
+
 TEST(RunReport, JsonIsReadBackAsItWas) {
+  EXPECT_EQ(to_text(parse_report(to_json(uncounted_report()))), to_text(uncounted_report()));
   RunReport report = some_report();
   report.outcome = RunOutcome::kFailed;
   report.why = "exit code 3";
@@ -76,7 +102,8 @@ TEST(RunReport, JsonIsReadBackAsItWas) {
 
 TEST(RunReport, JunitCountsAndEscapes) {
   const std::string text = to_junit({some_report()});
-  EXPECT_NE(text.find("tests=\"3\" failures=\"1\" errors=\"0\" time=\"1.25\""), std::string::npos);
+  EXPECT_NE(text.find("tests=\"3\" failures=\"1\" errors=\"0\" skipped=\"0\" time=\"1.25\""),
+            std::string::npos);
   EXPECT_NE(text.find("pick &lt;a&gt; &amp; &quot;b&quot;.py"), std::string::npos);
   EXPECT_EQ(text.find("<a>"), std::string::npos);
 }
@@ -140,6 +167,18 @@ TEST(ClassReport, ThePageSumsUpTheClass) {
   has("<td>block red at x 1 mm</td><td class=\"n\">3</td><td class=\"n\">1/3</td>");
   has("✗ 0/3 block red at x 1 mm</span>: it is at x 2 mm | y<br>");
   has("alt=\"gita.py: the robot and its workcell at the end\"");
+}
+
+TEST(ClassReport, GoalsThatAreNotCountedGiveNoPoints) {
+  const std::string page = to_html({uncounted_report()});
+  for (const char* text : {"<td class=\"missed\">goals not counted</td>",
+                           "✓ 0/2 the robot never stalls</span> (not counted)</li>",
+                           "<p>Not counted: it did &lt;nothing&gt;.</p>", "0.0 of 2 points",
+                           "<td class=\"n\">2</td><td class=\"n\">0/1</td>"})
+    EXPECT_NE(page.find(text), std::string::npos) << text << "\n" << page;
+  EXPECT_NE(
+      to_csv({uncounted_report()}).find("finished,0,2,1.25,17,\"not counted: it did <nothing>\"\n"),
+      std::string::npos);
 }
 
 TEST(ClassReport, TheViewFromAboveIsThereIfAGoalIsMissed) {
