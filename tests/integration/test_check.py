@@ -2,6 +2,7 @@
 all findings, one per line, with file, line, JSON pointer, the found and the allowed value, and exits with 2."""
 
 import pathlib
+import tempfile
 import unittest
 
 from support import ROOT, run_xr3
@@ -61,6 +62,21 @@ class Check(unittest.TestCase):
                 done = run_xr3("serve", "--robot-port", 0, "--monitor-port", 0, f"--{kind}", file, f"--{other}", "rhino-xr3")
                 self.assertEqual((2, ""), (done.returncode, done.stdout))
                 self.assertIn(file.name, done.stderr)
+
+    def test_goals_that_need_no_program(self):
+        passive, active = '{"kind":"no_stall"}', '{"kind":"order","events":["grasped red"]}'
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "goals.json")
+            for goals, options, has_warning in (([passive], [], True), ([passive, active], [], False),
+                                                (['{"kind":"tip","xyz_mm":[null,null,877]}'], ["--robot", "adept-one"], False)):
+                file.write_text('{"notes":"-",\n "goals":[' + ",".join(goals) + "]}", encoding="utf-8")
+                done = run_xr3("check", *options, file)
+                self.assertEqual(0, done.returncode, done.stderr)
+                if not has_warning:
+                    self.assertEqual("", done.stderr)
+                    continue
+                self.assertIn(f"{file}:2: warning: /goals: found only goals that rhino-xr3 meets at rest, without a program", done.stderr)
+                self.assertRegex(done.stderr.rstrip("\n"), FINDING)
 
     def test_exec_refuses_broken_goals(self):
         """With the findings of `check`, before the program starts."""
