@@ -17,14 +17,14 @@ namespace xr3 {
 namespace {
 
 /// The folder of one of several runs: 001, 002, ...
-std::string run_name(std::size_t index) {
+std::string run_name(std::size_t run) {
   constexpr int kDigits = 3;
   TextStream name;
-  name << std::setw(kDigits) << std::setfill('0') << index + 1;
+  name << std::setw(kDigits) << std::setfill('0') << run;
   return name.str();
 }
 
-std::string title_of(const std::vector<std::string>& command) {
+std::string program_title(const std::vector<std::string>& command) {
   std::string title;
   for (const std::string& each : command) title += (title.empty() ? "" : " ") + each;
   return title;
@@ -32,7 +32,7 @@ std::string title_of(const std::vector<std::string>& command) {
 
 std::vector<RunReport> run_all(const ExecCommand& command, const Exercise& exercise) {
   const auto count = static_cast<std::size_t>(command.exec.repeat);
-  RunPlace place{title_of(command.exec.command),
+  RunPlace place{program_title(command.exec.command),
                  command.exec.command,
                  "",
                  command.exec.out,
@@ -43,15 +43,16 @@ std::vector<RunReport> run_all(const ExecCommand& command, const Exercise& exerc
   if (count == 1) return {exercise.run(place)};
   const auto run = [&](std::size_t index) {
     RunPlace its = place;
-    its.index = its.job = index;
-    if (!its.folder.empty()) its.folder += "/" + run_name(index);
+    its.run = index + 1;
+    its.job = index;
+    if (!its.folder.empty()) its.folder += "/" + run_name(its.run);
     return to_json(exercise.run(its));
   };
   std::vector<RunReport> reports;
   const auto texts =
       in_processes(count, usual_jobs(), exercise.run_limit(), run, [](std::size_t) {});
-  for (const std::optional<std::string>& text : texts)
-    reports.push_back(report_of(text, place.title));
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    reports.push_back(report_of(texts[i], place.title, i + 1));
   return reports;
 }
 
@@ -72,9 +73,8 @@ void print(const std::vector<RunReport>& reports) {
   if (reports.size() == 1) {
     return print_text(to_text(reports.front()));
   }
-  for (std::size_t i = 0; i < reports.size(); ++i)
-    if (!reports[i].is_passed())
-      print_text("run " + std::to_string(i + 1) + ":\n" + to_text(reports[i]));
+  for (const RunReport& each : reports)
+    if (!each.is_passed()) print_text("run " + std::to_string(each.run) + ":\n" + to_text(each));
   print_text(std::to_string(count_passed(reports)) + " of " + std::to_string(reports.size()) +
              " runs passed\n");
 }

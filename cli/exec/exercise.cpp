@@ -58,13 +58,18 @@ Exercise::Exercise(const ExecOptions& options, const ServeOptions& server)
   if (options.is_sandboxed) require_sandbox(user, options.without_sandbox);
 }
 
-CellSeed Exercise::seed_of(std::size_t index) const {
-  if (!options_.vary) return seed_;
-  Variation variation = *options_.vary;
-  variation.seed += index;
-  const auto workcell = varied(seed_.model->workcell(), seed_.model->robot(), variation);
+std::optional<Variation> Exercise::variation_of(std::size_t run) const {
+  std::optional<Variation> variation = options_.vary;
+  if (variation && run > 0) variation->seed += run - 1;
+  return variation;
+}
+
+CellSeed Exercise::seed_of(std::size_t run) const {
+  const std::optional<Variation> variation = variation_of(run);
+  if (!variation) return seed_;
+  const auto workcell = varied(seed_.model->workcell(), seed_.model->robot(), *variation);
   if (!workcell)
-    throw FileError("--vary " + std::to_string(variation.seed) +
+    throw FileError("--vary " + std::to_string(variation->seed) +
                     ": found no place for a block within reach and in view, apart from the others; "
                     "allow more mm");
   CellSeed seed = seed_;
@@ -74,7 +79,7 @@ CellSeed Exercise::seed_of(std::size_t index) const {
 }
 
 RunReport Exercise::run(const RunPlace& place) const {
-  RunSettings settings{server_,  seed_of(place.index),
+  RunSettings settings{server_,  seed_of(place.run),
                        options_, program_user(options_.run_as, options_.is_sandboxed, place.job),
                        "",       place.refused};
   settings.exec.command = place.command;
@@ -87,7 +92,8 @@ RunReport Exercise::run(const RunPlace& place) const {
   }
   RunResult result = run_program(settings, goals_);
   result.report.program = place.title;
-  if (options_.vary) result.report.seed = options_.vary->seed + place.index;
+  result.report.run = place.run;
+  if (const auto variation = variation_of(place.run)) result.report.seed = variation->seed;
   if (!place.folder.empty()) {
     write_file(place.folder + "/end.svg", picture_of(result));
     write_private(place.folder + "/transcript.txt", result.transcript);
@@ -104,13 +110,15 @@ WallNs Exercise::run_limit() const {
   return wall_s > 0 ? static_cast<WallNs>((wall_s + kForTheEnd) * kNs) : 0;
 }
 
-RunReport report_of(const std::optional<std::string>& text, const std::string& title) {
+RunReport report_of(const std::optional<std::string>& text, const std::string& title,
+                    std::size_t run) {
   if (text) try {
       return parse_report(*text);
     } catch (const std::exception&) {
     }
   RunReport report;
   report.program = title;
+  report.run = run;
   report.outcome = RunOutcome::kFailed;
   report.why = "the run could not be made; standard error says why";
   return report;

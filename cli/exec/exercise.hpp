@@ -18,12 +18,12 @@ namespace xr3 {
 struct RunPlace {
   std::string title;  ///< of the report
   std::vector<std::string> command;
-  std::string readable;   ///< what it may read in a sandbox beside what the command names
-  std::string folder;     ///< new, for output, recording, picture and result; empty: none
-  std::string record;     ///< the file of the recording without a folder; empty: none
-  std::size_t index = 0;  ///< added to the seed of a variation
-  std::string refused;    ///< why it is judged without being run; empty: it is run
-  std::size_t job = 0;    ///< each has a user of its own if the judge is root
+  std::string readable;      ///< what it may read in a sandbox beside what the command names
+  std::string folder;        ///< new, for output, recording, picture and result; empty: none
+  std::string record;        ///< the file of the recording without a folder; empty: none
+  std::size_t run = 0;       ///< of several, from 1; 0: the only one. Each has the next seed
+  std::string refused = {};  ///< why it is judged without being run; empty: it is run
+  std::size_t job = 0;       ///< each has a user of its own if the judge is root
 };
 
 class Exercise {
@@ -39,7 +39,8 @@ class Exercise {
   WallNs run_limit() const;
 
  private:
-  CellSeed seed_of(std::size_t index) const;
+  std::optional<Variation> variation_of(std::size_t run) const;
+  CellSeed seed_of(std::size_t run) const;
 
   ExecOptions options_;
   ServeOptions server_;
@@ -48,8 +49,9 @@ class Exercise {
 };
 
 /// The report that the process of a run has returned; one that says that the run could not be made
-/// if it returned none, or no report.
-RunReport report_of(const std::optional<std::string>& text, const std::string& title);
+/// if it returned none, or no report. `run`: as in RunPlace.
+RunReport report_of(const std::optional<std::string>& text, const std::string& title,
+                    std::size_t run = 0);
 
 /// How many programs run at a time unless the user says otherwise.
 std::size_t usual_jobs();

@@ -1,7 +1,5 @@
 #include "cli/exec/terminal_text.hpp"
 
-#include <algorithm>
-
 #include "protocol/text/printable.hpp"
 
 namespace xr3 {
@@ -26,14 +24,7 @@ std::string TerminalText::add(std::string_view text) {
   std::string all = rest_.append(text);
   rest_ = all.substr(all.size() - unfinished(all));
   all.resize(all.size() - rest_.size());
-  std::string shown;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::size_t end = std::min(all.find_first_of("\n\t", i), all.size());
-    shown += printable_line(std::string_view(all).substr(i, end - i));
-    if (end < all.size()) shown += all[end];
-    i = end;
-  }
-  return shown;
+  return printable_lines(all);
 }
 
 }  // namespace xr3

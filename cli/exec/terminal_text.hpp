@@ -6,8 +6,8 @@
 
 namespace xr3 {
 
-/// A stream of text in UTF-8: as printable_line(), except that line ends and tabs remain. The
-/// beginning of a character waits for the rest of it.
+/// A stream of text in UTF-8, as printable_lines(). The beginning of a character waits for the rest
+/// of it.
 class TerminalText {
  public:
   /// The next piece, escaped.

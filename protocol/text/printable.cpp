@@ -56,10 +56,10 @@ std::string escaped_code(std::string_view character) {
 }
 
 /// The text with `escape(character)` in place of each character that is not printable.
-std::string without_unprintable(std::string_view text, bool keeps_line_feeds,
+std::string without_unprintable(std::string_view text, bool keeps_lines,
                                 std::string (*escape)(std::string_view)) {
-  const auto is_plain = [keeps_line_feeds](char c) {
-    return (c >= ' ' && c < '\x7F') || (keeps_line_feeds && c == '\n');
+  const auto is_plain = [keeps_lines](char c) {
+    return (c >= ' ' && c < '\x7F') || (keeps_lines && (c == '\n' || c == '\t'));
   };
   std::string result;
   while (!text.empty()) {

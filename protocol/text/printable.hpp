@@ -12,7 +12,7 @@ namespace xr3 {
 /// lines, or that XML does not have (U+FFFE, U+FFFF).
 std::string printable_line(std::string_view text);
 
-/// The same for several lines: keeps line feeds.
+/// The same for several lines: keeps line feeds and tabs.
 std::string printable_lines(std::string_view text);
 
 /// JSON with the same value and without these characters: they become `\uNNNN`. Keeps line feeds.

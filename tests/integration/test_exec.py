@@ -11,8 +11,8 @@ import subprocess
 import sys
 import tempfile
 import unittest
-import xml.etree.ElementTree
 
+import junit
 from support import DEADLINE_S, GRADE, HAS_SANDBOX, XR3
 
 # A robot program without a package: send() and ask() for bytes, wait() until a motor is done.
@@ -264,11 +264,44 @@ class Exec(unittest.TestCase):
 
     def test_junit_and_markdown(self):
         self.judge("raise SystemExit(1)\n", "--junit", "r.xml", "--markdown", "r.md", code=6)
-        suite = xml.etree.ElementTree.parse(self.folder / "r.xml").getroot()[0]
+        suite, = self.junit("r.xml")
         self.assertEqual(["7", "2", "1", "4"], [suite.get(name) for name in ("tests", "failures", "errors", "skipped")])
         self.assertEqual("program", suite[0].get("name"))
         self.assertIsNotNone(suite[0].find("error"))
         self.assertIn("| ✗ | block red at", (self.folder / "r.md").read_text(encoding="utf-8"))
+
+    def junit(self, name):
+        """The suites of a JUnit file, which has no errors."""
+        suites, errors = junit.read(self.folder / name)
+        self.assertEqual([], errors)
+        return suites
+
+    def test_junit_names_the_tests_of_several_runs_apart_and_alike_each_time(self):
+        goals = {"goals": [{"kind": "holding", "name": "red"}, {"kind": "holding", "name": "red"}, {"kind": "no_stall"}]}
+        self.goals.write_text(json.dumps(goals), encoding="utf-8")
+        names, seeds = [], []
+        for seed in 7, 20:
+            self.judge(HEAD + "go(F=20)\n", "--vary", seed, "--repeat", 3, "--junit", "r.xml", "--markdown", "r.md", "--json", "r.json", code=5)
+            suites = self.junit("r.xml")
+            self.assertEqual(["2"] * 3, [suite.get("failures") for suite in suites])
+            names.append([case.get("name") for suite in suites for case in suite.iter("testcase")])
+            seeds.append([suite.find("properties/property[@name='seed']").get("value") for suite in suites])
+            for suite in suites:
+                self.assertEqual([True, False, False, False], ["time" in case.attrib for case in suite.iter("testcase")])
+        self.assertEqual(names[0], names[1], "a reporter compares them by their names")
+        self.assertEqual(["the jaws hold block red, run 2", "the jaws hold block red (2), run 2", "the robot never stalls, run 2"],
+                         names[0][5:8])
+        self.assertEqual([["7", "8", "9"], ["20", "21", "22"]], seeds)
+        self.assertIn(", run 2, blocks of seed 21: 0 of 3\n", (self.folder / "r.md").read_text(encoding="utf-8"))
+        results = [json.loads(line) for line in (self.folder / "r.json").read_text(encoding="utf-8").splitlines()]
+        self.assertEqual([(1, 20), (2, 21), (3, 22)], [(each["run"], each["seed"]) for each in results])
+
+    def test_junit_of_bytes_that_xml_does_not_have(self):
+        program = os.fsencode(self.write("x.py", "raise SystemExit(1)\n"))
+        done = subprocess.run([XR3, "exec", "--junit", "r.xml", "--", sys.executable, program, b"\xff\x1b\xed\xa0\x80<"],
+                              cwd=self.folder, capture_output=True, timeout=TASK_S, check=False)
+        self.assertEqual(6, done.returncode, done.stderr)
+        self.assertRegex(self.junit("r.xml")[0].get("name"), "x.py \ufffd \ufffd+<$")
 
     def test_bad_arguments_and_files(self):
         self.assertIn("xr3 exec needs PROGRAM", self.run_exec(code=2).stderr)
@@ -363,6 +396,15 @@ for folder in "/tmp", "/dev/shm", ".":
                           "['HOME', 'PATH', 'PYTHONPATH', 'PYTHONUNBUFFERED', 'XR3_HOST', 'XR3_POLL_MS', 'XR3_PORT', 'XR3_PTY']", *["No space left on device 64"] * 3],
                          done.stdout.splitlines()[:6])
 
+    @unittest.skipUnless(HAS_SANDBOX, "bubblewrap does not work here")
+    def test_a_program_in_the_sandbox_that_crashes(self):
+        """bubblewrap ends with an exit code in the place of the signal."""
+        done = self.judge("import os, signal\nos.kill(os.getpid(), signal.SIGSEGV)\n", "--sandbox", code=6)
+        self.assertIn("✗ the program ended with signal 11 (Segmentation fault)", done.stdout)
+        for code in 3, 128, 255:
+            done = self.judge(f"raise SystemExit({code})\n", "--sandbox", code=6)
+            self.assertIn(f"✗ the program ended with exit code {code}", done.stdout)
+
     # --- A class.
 
     @unittest.skipUnless(HAS_SANDBOX, "bubblewrap does not work here")
@@ -384,6 +426,7 @@ for folder in "/tmp", "/dev/shm", ".":
         self.assertEqual({"ada.py": "8", "bob.py": "0", "carl <b>.py": "0", "'=dora.py": "0"},
                          {name: row["points"] for name, row in rows.items()})
         self.assertEqual("time_up", rows["'=dora.py"]["outcome"])
+        self.assertEqual([*sorted(programs)], sorted(suite.get("name") for suite in self.junit("report/junit.xml")))
         page = (self.folder / "report/index.html").read_text(encoding="utf-8")
         self.assertIn("carl &lt;b&gt;.py", page)
         self.assertNotIn("carl <b>", page)

@@ -18,6 +18,7 @@ import threading
 import unittest
 import urllib.parse
 
+import junit
 from browser import CHROMIUM, MISSING, Chromium
 from support import DEADLINE_S, GRADE, LOCALHOST, ROOT, XR3
 
@@ -89,6 +90,10 @@ class Graded(unittest.TestCase):
                              ("dan.py", "it stalled"), ("finn.py", "still ran after 30 seconds"),
                              ("gita.py", "exit code 1")):
             self.assertIn(reason, rows[name]["missed"])
+
+    def test_the_junit_file_is_valid(self):
+        suites, errors = junit.read(REPORT / "junit.xml")
+        self.assertEqual((7, []), (len(suites), errors))
 
     def test_the_report_names_nothing_of_the_machine(self):
         names = [str(pathlib.Path(ROOT).resolve()), tempfile.gettempdir(), str(pathlib.Path.home()), socket.gethostname()]

@@ -169,6 +169,7 @@ std::string section(const RunReport& report) {
                      tag("h2", html(report.program) + " " + score(report)) +
                      "\n<div class=\"run\">\n<div>\n";
   if (!report.why.empty()) text += tag("p", html(report.why), "missed") + "\n";
+  if (report.seed) text += tag("p", "Blocks of seed " + std::to_string(*report.seed) + ".") + "\n";
   text += "<ul>\n";
   for (const GoalResult& each : report.goals) text += goal_item(each);
   text += "</ul>\n";

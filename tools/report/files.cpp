@@ -1,14 +1,11 @@
 // The report in the forms that other programs read.
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "protocol/goals/goal_text.hpp"
 #include "protocol/json/source.hpp"
 #include "protocol/json/values.hpp"
 #include "protocol/text/printable.hpp"
 #include "tools/report/run_report.hpp"
-#include "tools/text/markup.hpp"
 
 namespace xr3 {
 namespace {
@@ -25,35 +22,6 @@ RunOutcome outcome_named(const std::string& name) {
   return name == "finished" ? RunOutcome::kFinished
          : name == "failed" ? RunOutcome::kFailed
                             : RunOutcome::kTimeUp;
-}
-
-std::string test_case(const RunReport& report, const std::string& name, const std::string& inside) {
-  const std::string begin = "    <testcase classname=\"" + xml(report.program) + "\" name=\"" +
-                            xml(name) + "\" time=\"" + seconds_text(report.ticks) + "\"";
-  return inside.empty() ? begin + "/>\n" : begin + ">" + inside + "</testcase>\n";
-}
-
-/// Only a goal that gives points is a test that succeeds.
-std::string failure(const GoalResult& goal) {
-  if (!goal.is_counted) return "<skipped message=\"not counted\"/>";
-  if (goal.is_met) return "";
-  return "<failure message=\"" + xml(goal.found) + "\">" + xml(goal.hint) + "</failure>";
-}
-
-std::string suite(const RunReport& report) {
-  const bool has_failed = !report.why.empty() && !report.is_passed();
-  const auto missed = std::ranges::count(report.goals, false, &GoalResult::is_met);
-  const auto skipped = std::ranges::count(report.goals, false, &GoalResult::is_counted);
-  std::string text = "  <testsuite name=\"" + xml(report.program) + "\" tests=\"" +
-                     std::to_string(report.goals.size() + 1) + "\" failures=\"" +
-                     std::to_string(missed) + "\" errors=\"" + (has_failed ? "1" : "0") +
-                     "\" skipped=\"" + std::to_string(skipped) + "\" time=\"" +
-                     seconds_text(report.ticks) + "\">\n";
-  text += test_case(report, "program",
-                    has_failed ? "<error message=\"" + xml(report.why) + "\"/>" : "");
-  for (const GoalResult& each : report.goals)
-    text += test_case(report, each.expected, failure(each));
-  return text + "  </testsuite>\n";
 }
 
 /// Text in a cell of a table.
@@ -86,6 +54,7 @@ std::string to_json(const RunReport& report) {
                {"top_view", report.top_view}};
   if (!report.transcript.empty()) json["transcript"] = report.transcript;
   if (report.seed) json["seed"] = *report.seed;
+  if (report.run > 0) json["run"] = report.run;
   return printable_json(json.dump(-1, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
@@ -106,14 +75,17 @@ RunReport parse_report(const std::string& json) {
   report.top_view = its.at("top_view");
   report.transcript = its.value("transcript", std::string());
   if (its.contains("seed")) report.seed = its.at("seed").get<std::uint64_t>();
+  report.run = its.value("run", std::size_t{0});
   return report;
 }
 
 std::string to_markdown(const std::vector<RunReport>& reports) {
   std::string text;
   for (const RunReport& report : reports) {
-    text += "### " + cell_text(report.program) + ": " + std::to_string(points_of(report.goals)) +
-            " of " + std::to_string(max_points_of(report.goals)) + "\n\n";
+    text += "### " + cell_text(title_of(report)) +
+            (report.seed ? ", blocks of seed " + std::to_string(*report.seed) : "") + ": " +
+            std::to_string(points_of(report.goals)) + " of " +
+            std::to_string(max_points_of(report.goals)) + "\n\n";
     if (!report.why.empty()) text += "**" + cell_text(report.why) + "**\n\n";
     if (report.goals.empty()) continue;
     text += "| | goal | found | points |\n|---|---|---|---|\n";
@@ -126,12 +98,6 @@ std::string to_markdown(const std::vector<RunReport>& reports) {
     text += "\n";
   }
   return text;
-}
-
-std::string to_junit(const std::vector<RunReport>& reports) {
-  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"xr3\">\n";
-  for (const RunReport& each : reports) text += suite(each);
-  return text + "</testsuites>\n";
 }
 
 }  // namespace xr3

@@ -14,6 +14,7 @@ namespace xr3 {
 
 struct RunReport {
   std::string program;  ///< its name, for titles and links; not always UTF-8
+  std::size_t run = 0;  ///< of several runs of this program, from 1; 0: it is the only one
   RunOutcome outcome = RunOutcome::kFinished;
   std::string why;                ///< what went wrong, for the student; empty: nothing but goals
   std::vector<GoalResult> goals;  ///< judged with any outcome
@@ -33,6 +34,9 @@ struct RunReport {
 /// The stable name: `finished`, `failed` or `time_up`.
 std::string name_of(RunOutcome outcome);
 
+/// The name of the program, and which of several runs it is.
+std::string title_of(const RunReport& report);
+
 /// Lines for people, each with a line feed.
 std::string to_text(const RunReport& report);
 /// A JSON object on one line, with the printable name of the program.
@@ -41,7 +45,8 @@ std::string to_json(const RunReport& report);
 RunReport parse_report(const std::string& json);
 /// A table with a line for each goal.
 std::string to_markdown(const std::vector<RunReport>& reports);
-/// A document for test reporters: a test suite for each run.
+/// A document for test reporters: a test suite for each run, with a test for the program and one
+/// for each goal.
 std::string to_junit(const std::vector<RunReport>& reports);
 
 }  // namespace xr3

@@ -38,6 +38,10 @@ std::string name_of(RunOutcome outcome) {
   return kNames.at(static_cast<std::size_t>(outcome));
 }
 
+std::string title_of(const RunReport& report) {
+  return report.program + (report.run > 0 ? ", run " + std::to_string(report.run) : "");
+}
+
 std::string to_text(const RunReport& report) {
   std::string text;
   if (!report.why.empty()) text += "✗ " + report.why + "\n";

@@ -24,10 +24,14 @@ inline std::string html(std::string_view text) {
   return result;
 }
 
-/// Text in XML, on one line: line feeds become blanks.
+/// Text in XML, with its line feeds and tabs.
+inline std::string xml_lines(std::string_view text) { return html(text); }
+
+/// Text in XML, on one line: line feeds and tabs become blanks.
 inline std::string xml(std::string_view text) {
-  std::string result = html(text);
-  std::ranges::replace(result, '\n', ' ');
+  std::string result = xml_lines(text);
+  std::ranges::replace_if(
+      result, [](char c) { return c == '\n' || c == '\t'; }, ' ');
   return result;
 }
 

@@ -44,8 +44,8 @@ TEST(Printable, EscapesEachByteOfACharacterThatIsNotPrintable) {
   }
 }
 
-TEST(Printable, LinesKeepTheirLineFeeds) {
-  EXPECT_EQ(printable_lines("a\x1b\nb\r\n"), "a\\x1b\nb\\x0d\n");
+TEST(Printable, LinesKeepTheirLineFeedsAndTabs) {
+  EXPECT_EQ(printable_lines("a\x1b\n\tb\r\n"), "a\\x1b\n\tb\\x0d\n");
 }
 
 TEST(Printable, JsonKeepsItsValues) {

@@ -91,6 +91,7 @@ TEST(RunReport, JsonIsReadBackAsItWas) {
   report.outcome = RunOutcome::kFailed;
   report.why = "exit code 3";
   report.seed = 18;
+  report.run = 3;
   report.transcript = "sha256:00";
   const std::string json = to_json(report);
   EXPECT_EQ(json.find('\n'), json.size() - 1) << "one line";
@@ -106,6 +107,22 @@ TEST(RunReport, JunitCountsAndEscapes) {
             std::string::npos);
   EXPECT_NE(text.find("pick &lt;a&gt; &amp; &quot;b&quot;.py"), std::string::npos);
   EXPECT_EQ(text.find("<a>"), std::string::npos);
+}
+
+TEST(RunReport, JunitNamesTheTestsOfARunAndOfEqualGoals) {
+  RunReport report = some_report();
+  report.goals.push_back(report.goals.front());
+  report.run = 2;
+  report.seed = 8;
+  const std::string text = to_junit({report});
+  const auto has = [&text](const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  };
+  has("name=\"program, run 2\" time=\"1.25\"/>");
+  has("name=\"the robot never stalls, run 2\"/>");
+  has("name=\"the robot never stalls (2), run 2\"/>");
+  has("<properties><property name=\"seed\" value=\"8\"/></properties>");
+  EXPECT_EQ(to_junit({some_report()}).find("<properties>"), std::string::npos);
 }
 
 TEST(RunReport, MarkdownKeepsItsColumns) {

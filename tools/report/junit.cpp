@@ -1,0 +1,88 @@
+// The report for test reporters. Its form is that of the schema junit-10 of Jenkins' xunit plugin,
+// which other services accept, too.
+#include <algorithm>
+#include <map>
+
+#include "protocol/goals/goal_text.hpp"
+#include "tools/report/run_report.hpp"
+#include "tools/text/markup.hpp"
+
+namespace xr3 {
+namespace {
+
+struct JunitCase {
+  std::string name;
+  std::string problem = {};  ///< `failure`, `error` or `skipped`; empty: the test succeeds
+  std::string message = {};
+  std::string text = {};
+};
+
+JunitCase case_of(const RunReport& report) {
+  if (report.why.empty() || report.is_passed()) return {"program"};
+  return {"program", "error", report.why};
+}
+
+/// Only a goal that gives points is a test that succeeds.
+JunitCase case_of(const GoalResult& goal) {
+  if (!goal.is_counted) return {goal.expected, "skipped", "not counted"};
+  if (goal.is_met) return {goal.expected};
+  return {goal.expected, "failure", goal.found, goal.hint};
+}
+
+/// The program and its goals. A reporter compares tests with those of an earlier run by their
+/// names, and keeps one of several equal names: so a name is the same in every run, and unique.
+std::vector<JunitCase> cases_of(const RunReport& report) {
+  std::vector<JunitCase> cases{case_of(report)};
+  for (const GoalResult& each : report.goals) cases.push_back(case_of(each));
+  std::map<std::string, int> seen;
+  for (JunitCase& each : cases) {
+    const int number = ++seen[each.name];
+    if (number > 1) each.name += " (" + std::to_string(number) + ")";
+    if (report.run > 0) each.name += ", run " + std::to_string(report.run);
+  }
+  return cases;
+}
+
+std::string element(const JunitCase& test) {
+  const std::string begin = "<" + test.problem + " message=\"" + xml(test.message) + "\"";
+  return test.text.empty() ? begin + "/>"
+                           : begin + ">" + xml_lines(test.text) + "</" + test.problem + ">";
+}
+
+std::string test_case(const std::string& program, const JunitCase& test, const std::string& time) {
+  const std::string begin =
+      "    <testcase classname=\"" + xml(program) + "\" name=\"" + xml(test.name) + "\"" + time;
+  return test.problem.empty() ? begin + "/>\n" : begin + ">" + element(test) + "</testcase>\n";
+}
+
+/// An attribute with the number of tests that have a problem.
+std::string count(const char* name, const std::vector<JunitCase>& cases, const char* problem) {
+  return std::string(" ") + name + "=\"" +
+         std::to_string(std::ranges::count(cases, problem, &JunitCase::problem)) + "\"";
+}
+
+/// The time is that of the program; the goals are judged at its end.
+std::string suite(const RunReport& report) {
+  const std::vector<JunitCase> cases = cases_of(report);
+  const std::string time = " time=\"" + seconds_text(report.ticks) + "\"";
+  std::string text = "  <testsuite name=\"" + xml(title_of(report)) + "\" tests=\"" +
+                     std::to_string(cases.size()) + "\"" + count("failures", cases, "failure") +
+                     count("errors", cases, "error") + count("skipped", cases, "skipped") + time +
+                     ">\n";
+  if (report.seed)
+    text += "    <properties><property name=\"seed\" value=\"" + std::to_string(*report.seed) +
+            "\"/></properties>\n";
+  for (const JunitCase& each : cases)
+    text += test_case(report.program, each, &each == &cases.front() ? time : "");
+  return text + "  </testsuite>\n";
+}
+
+}  // namespace
+
+std::string to_junit(const std::vector<RunReport>& reports) {
+  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"xr3\">\n";
+  for (const RunReport& each : reports) text += suite(each);
+  return text + "</testsuites>\n";
+}
+
+}  // namespace xr3
