@@ -66,6 +66,14 @@ class TableSampler final : private CellWatcher {
   Tick next_ = 0;
 };
 
+/// The end of a program in the sandbox by that of bubblewrap, which turns signal N into the exit
+/// code 128 + N.
+ProgramEnd end_in_sandbox(const ProgramEnd& end) {
+  constexpr int kSignalled = 128;
+  const int signal = end.code - kSignalled;
+  return signal > 0 && signal <= SIGRTMAX ? ProgramEnd{0, signal} : end;
+}
+
 class Run {
  public:
   Run(const RunSettings& settings, const GoalList& goals)
@@ -174,7 +182,8 @@ class Run {
     is_over_ = true;
     if (end.is_good() || report_.outcome == RunOutcome::kTimeUp) return;
     const std::string trouble = interpreter_trouble(settings_.exec.command.front());
-    fail("the program ended with " + to_text(end) + (trouble.empty() ? "" : ": ") + trouble);
+    fail("the program ended with " + to_text(network_ ? end_in_sandbox(end) : end) +
+         (trouble.empty() ? "" : ": ") + trouble);
   }
 
   bool fail(std::string why) {
