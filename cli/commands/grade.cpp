@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iomanip>
 #include <system_error>
@@ -24,14 +25,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The submissions in the order of their names. Hidden files are none.
+/// The files of the report stand beside the folders of the submissions.
+constexpr const char* kPage = "index.html";
+constexpr const char* kTable = "grades.csv";
+constexpr const char* kJunit = "junit.xml";
+
+constexpr std::array kReportFiles{kPage, kTable, kJunit};
+
+bool is_report(const fs::path& path) {
+  return std::ranges::all_of(kReportFiles, [&](const char* file) {
+    std::error_code no_folder;
+    return fs::exists(path / file, no_folder);
+  });
+}
+
+/// Whether a path is a submission, and not hidden, made by Python, or the report of a class.
+bool is_submission(const fs::path& path) {
+  const std::string name = path.filename().string();
+  return !name.starts_with('.') && name != "__pycache__" && !is_report(path);
+}
+
+/// The submissions in the order of their names.
 std::vector<fs::path> submissions_in(const std::string& folder) {
   std::error_code error;
   const fs::directory_iterator entries(folder, error);
   if (error) throw FileError(folder + ": cannot be read: " + error.message());
   std::vector<fs::path> found;
   for (const fs::directory_entry& each : entries)
-    if (!each.path().filename().string().starts_with('.')) found.push_back(each.path());
+    if (is_submission(each.path())) found.push_back(each.path());
   if (found.empty()) throw FileError(folder + ": there is no submission in this folder");
   std::sort(found.begin(), found.end());
   return found;
@@ -55,14 +76,9 @@ void require_place(const std::vector<std::string>& command) {
         "xr3 grade FOLDER --goals FILE --report NEW -- python3 {}");
 }
 
-/// The files of the report stand beside the folders of the submissions.
-constexpr const char* kPage = "index.html";
-constexpr const char* kTable = "grades.csv";
-constexpr const char* kJunit = "junit.xml";
-
 void require_free_names(const std::vector<fs::path>& submissions) {
   for (const fs::path& each : submissions)
-    for (const char* file : {kPage, kTable, kJunit})
+    for (const char* file : kReportFiles)
       if (each.filename() == file)
         throw FileError(each.string() +
                         ": a file of the report has this name; rename it, or move it " +

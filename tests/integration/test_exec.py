@@ -88,7 +88,8 @@ class Exec(unittest.TestCase):
         return self.run_exec("--goals", self.goals, *options, "--", sys.executable, path, code=code, **more)
 
     def grade(self, folder, *options, command=(sys.executable, "{}"), code=0):
-        done = subprocess.run([XR3, *GRADE, folder, "--goals", self.goals, "--report", "report", *options, "--", *command],
+        report = [] if "--report" in options else ["--report", "report"]
+        done = subprocess.run([XR3, *GRADE, folder, "--goals", self.goals, *report, *options, "--", *command],
                               capture_output=True, text=True, timeout=TASK_S, check=False, cwd=self.folder)
         self.assertEqual(code, done.returncode, done.stdout + done.stderr)
         return done
@@ -432,6 +433,13 @@ for folder in "/tmp", "/dev/shm", ".":
         self.assertNotIn("carl <b>", page)
         self.assertIn('src="carl%20%3Cb%3E.py/end.svg"', page)
         self.assertIn("no\n", (self.folder / "report/carl <b>.py/output.txt").read_text(encoding="utf-8"))
+
+    def test_grade_takes_no_report_and_nothing_of_python_or_an_editor_for_a_submission(self):
+        for name in "class/ada.py", "class/ben/main.py", "class/ben/grades.csv", "class/__pycache__/ada.pyc", "class/.idea/workspace.xml", "class/.DS_Store":
+            self.write(name, "print('hello')\n")
+        for report in "class/report", "class/report 2":
+            done = self.grade("class", "--report", report)
+            self.assertEqual(["ada.py", "ben"], [line.split()[0] for line in done.stdout.splitlines()])
 
     def test_grade_says_what_is_missing(self):
         self.assertIn("the command has no {}", self.grade(".", command=["python3"], code=2).stderr)
