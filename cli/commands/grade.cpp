@@ -93,6 +93,13 @@ void make_report_folder(const std::string& path) {
   if (error) throw FileError(path + ": cannot be made: " + error.message());
 }
 
+RunReport not_run_report() {
+  RunReport report;
+  report.outcome = RunOutcome::kNotRun;
+  report.why = "not run: grading was stopped before";
+  return report;
+}
+
 void print_table(const std::vector<RunReport>& reports) {
   const auto title = [](const RunReport& report) { return printable_line(report.program); };
   std::size_t width = 0;
@@ -104,6 +111,82 @@ void print_table(const std::vector<RunReport>& reports) {
   print_text(table.str());
 }
 
+class Grading {
+ public:
+  explicit Grading(const GradeCommand& command)
+      : options_(command.grade),
+        exec_(command.exec),
+        submissions_(submissions_in(options_.folder)),
+        exercise_(quiet(command.exec), command.server),
+        is_run_(submissions_.size()) {
+    require_free_names(submissions_);
+    make_report_folder(options_.report);
+  }
+
+  ExitCode result() {
+    const std::vector<RunReport> reports = run_all();
+    write_file(file(kPage), to_html(reports));
+    write_file(file(kTable), to_csv(reports));
+    write_file(file(kJunit), to_junit(reports));
+    print_table(reports);
+    return has_all_ ? ExitCode::kGood : ExitCode::kInternal;
+  }
+
+ private:
+  static ExecOptions quiet(ExecOptions exec) {
+    exec.is_quiet = true;
+    return exec;
+  }
+
+  std::string file(const std::string& name) const { return options_.report + "/" + name; }
+  std::string name_of(std::size_t index) const { return submissions_[index].filename().string(); }
+  /// The folder of a run until it is complete. No submission has such a name.
+  std::string draft_of(std::size_t index) const { return file("." + name_of(index)); }
+
+  /// SIGINT and SIGTERM end the runs that are under way; the report has the others.
+  std::vector<RunReport> run_all() {
+    StopSignals stop;
+    const std::size_t jobs = options_.jobs > 0 ? options_.jobs : usual_jobs();
+    const auto texts = in_processes(
+        submissions_.size(), jobs, exercise_.run_limit(),
+        [this](std::size_t index) { return to_json(run(index)); },
+        [this](std::size_t index) { note_run(index); }, &stop);
+    std::vector<RunReport> reports;
+    for (std::size_t i = 0; i < texts.size(); ++i) reports.push_back(report(i, texts[i]));
+    return reports;
+  }
+
+  RunReport run(std::size_t index) const {
+    const fs::path& its = submissions_[index];
+    return exercise_.run({name_of(index), command_for(its, exec_.command), its, draft_of(index), "",
+                          0, why_refused(its), index});
+  }
+
+  void note_run(std::size_t index) {
+    is_run_[index] = true;
+    std::error_code failed;  // without a result the folder keeps its name
+    if (fs::exists(draft_of(index) + "/" + kResultFile, failed))
+      fs::rename(draft_of(index), file(name_of(index)), failed);
+    print_error(std::to_string(std::ranges::count(is_run_, true)) + " of " +
+                std::to_string(is_run_.size()) + ": " + printable_line(name_of(index)) + "\n");
+  }
+
+  RunReport report(std::size_t index, const std::optional<std::string>& text) {
+    has_all_ = has_all_ && text;
+    RunReport report = is_run_[index] ? report_of(text, name_of(index)) : not_run_report();
+    report.program = name_of(index);  // its bytes, which lead to its files
+    if (!is_run_[index]) fs::remove_all(draft_of(index));
+    return report;
+  }
+
+  const GradeOptions& options_;
+  const ExecOptions& exec_;
+  std::vector<fs::path> submissions_;
+  Exercise exercise_;
+  std::vector<bool> is_run_;
+  bool has_all_ = true;
+};
+
 }  // namespace
 
 ExitCode run_command(const GradeCommand& command) {
@@ -111,40 +194,7 @@ ExitCode run_command(const GradeCommand& command) {
   ignore_signals_of_writing();
   start_log(command.server.log_level, "");
   require_place(command.exec.command);
-  const std::vector<fs::path> submissions = submissions_in(command.grade.folder);
-  require_free_names(submissions);
-  ExecOptions exec = command.exec;
-  exec.is_quiet = true;
-  const Exercise exercise(exec, command.server);
-  make_report_folder(command.grade.report);
-  const auto run = [&](std::size_t index) {
-    const fs::path& its = submissions[index];
-    const std::string name = its.filename().string();
-    return to_json(
-        exercise.run({name, command_for(its, exec.command), its, command.grade.report + "/" + name,
-                      "", 0, why_refused(its), index}));
-  };
-  std::size_t count = 0;
-  const auto done = [&](std::size_t index) {
-    print_error(std::to_string(++count) + " of " + std::to_string(submissions.size()) + ": " +
-                printable_line(submissions[index].filename().string()) + "\n");
-  };
-  const std::size_t jobs = command.grade.jobs > 0 ? command.grade.jobs : usual_jobs();
-  const auto texts = in_processes(submissions.size(), jobs, exercise.run_limit(), run, done);
-  std::vector<RunReport> reports;
-  bool has_all = true;
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    const std::string name = submissions[i].filename().string();
-    reports.push_back(report_of(texts[i], name));
-    reports.back().program = name;  // its bytes, which lead to its files
-    has_all = has_all && texts[i];
-  }
-  const std::string folder = command.grade.report + "/";
-  write_file(folder + kPage, to_html(reports));
-  write_file(folder + kTable, to_csv(reports));
-  write_file(folder + kJunit, to_junit(reports));
-  print_table(reports);
-  return has_all ? ExitCode::kGood : ExitCode::kInternal;
+  return Grading(command).result();
 }
 
 }  // namespace xr3

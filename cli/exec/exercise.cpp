@@ -97,8 +97,8 @@ RunReport Exercise::run(const RunPlace& place) const {
   if (!place.folder.empty()) {
     write_file(place.folder + "/end.svg", picture_of(result));
     write_private(place.folder + "/transcript.txt", result.transcript);
-    write_file(place.folder + "/result.json", to_json(result.report));
     write_file(place.folder + "/result.txt", to_text(result.report));
+    write_file(place.folder + "/" + kResultFile, to_json(result.report));
   }
   return std::move(result.report);
 }

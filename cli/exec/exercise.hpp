@@ -14,6 +14,9 @@
 
 namespace xr3 {
 
+/// The last file of a run's folder: with it the folder is complete.
+inline constexpr const char* kResultFile = "result.json";
+
 /// What differs between the runs of a task.
 struct RunPlace {
   std::string title;  ///< of the report

@@ -43,12 +43,14 @@ struct Job {
   ::_exit(is_good ? 0 : 1);
 }
 
-Job start(const std::function<std::string(std::size_t)>& task, std::size_t index, WallNs limit) {
+Job start(const std::function<std::string(std::size_t)>& task, std::size_t index, WallNs limit,
+          const StopSignals* stop) {
   Pipe ends;
   const ::pid_t process = ::fork();
   if (process < 0) throw_errno("fork");
   if (process == 0) {
     ends.reading = Descriptor();
+    if (stop != nullptr) stop->release();
     work(task, index, ends.writing.get());
   }
   const WallNs deadline = limit > 0 ? wall_now() + limit : kNever;
@@ -81,9 +83,11 @@ int until_deadline(const std::vector<Job>& jobs) {
   return static_cast<int>(std::clamp<WallNs>(left_ms, 0, std::numeric_limits<int>::max()));
 }
 
-void wait_for_any(const std::vector<Job>& jobs, std::vector<pollfd>& watched) {
+void wait_for_any(const std::vector<Job>& jobs, const StopSignals* stop,
+                  std::vector<pollfd>& watched) {
   watched.clear();
   for (const Job& job : jobs) watched.push_back({job.pipe.get(), POLLIN, 0});
+  if (stop != nullptr) watched.push_back({stop->descriptor(), POLLIN, 0});
   if (::poll(watched.data(), watched.size(), until_deadline(jobs)) < 0 && errno != EINTR)
     throw_errno("poll");
 }
@@ -97,26 +101,42 @@ bool goes_on(Job& job, short events) {
   return events == 0 || read_some(job);
 }
 
+/// Lets a job end its program.
+void end(Job& job) {
+  constexpr WallNs kStopLimit = 20'000'000'000;
+  ::kill(job.process, SIGTERM);
+  job.deadline = std::min(job.deadline, wall_now() + kStopLimit);
+}
+
 }  // namespace
 
 std::vector<std::optional<std::string>> in_processes(
     std::size_t count, std::size_t jobs, WallNs limit,
     const std::function<std::string(std::size_t)>& task,
-    const std::function<void(std::size_t)>& done) {
+    const std::function<void(std::size_t)>& done, StopSignals* stop) {
   assert(jobs > 0);
   adopt_orphans();  // of a process that failed
   std::vector<std::optional<std::string>> results(count);
   std::vector<Job> running;
   std::vector<pollfd> watched;
   std::size_t next = 0;
+  bool is_stopped = false;
   while (next < count || !running.empty()) {
-    while (next < count && running.size() < jobs) running.push_back(start(task, next++, limit));
-    wait_for_any(running, watched);
+    while (next < count && running.size() < jobs)
+      running.push_back(start(task, next++, limit, stop));
+    wait_for_any(running, stop, watched);
+    if (stop != nullptr && stop->take()) {
+      is_stopped = true;
+      next = count;
+      std::ranges::for_each(running, end);
+    }
     for (std::size_t i = running.size(); i-- > 0;) {
       if (goes_on(running[i], watched[i].revents)) continue;
       Job job = std::move(running[i]);
       running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
-      if (finish(job)) results[job.index] = std::move(job.text);
+      const bool is_good = finish(job);
+      if (is_stopped) continue;
+      if (is_good) results[job.index] = std::move(job.text);
       done(job.index);
     }
   }

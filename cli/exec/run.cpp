@@ -195,7 +195,8 @@ class Run {
   void pass_signals_on() {
     signals_.async_wait([this](ErrorCode cancelled, int signal) {
       if (cancelled) return;
-      program_->signal(signal);
+      if (signal == SIGTERM) is_over_ = true;  // the end of the run passes it on
+      if (signal != SIGTERM) program_->signal(signal);
       pass_signals_on();
     });
   }

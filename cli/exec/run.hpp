@@ -33,8 +33,8 @@ struct RunResult {
   State end;
 };
 
-/// Runs the program and judges the run. SIGINT and SIGTERM are passed on to it. Throws FileError,
-/// and std::system_error if this process lacks something.
+/// Runs the program and judges the run. SIGINT is passed on to it, and SIGTERM, which ends the run
+/// after a grace period. Throws FileError, and std::system_error if this process lacks something.
 RunResult run_program(const RunSettings& settings, const GoalList& goals);
 
 }  // namespace xr3

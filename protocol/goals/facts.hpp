@@ -17,6 +17,7 @@ enum class RunOutcome : std::uint8_t {
   kFinished,  ///< the program ended with exit code 0
   kFailed,    ///< the program could not be started, or ended with another code or by a signal
   kTimeUp,    ///< a limit was reached
+  kNotRun,    ///< the run was not made, or not to its end
 };
 
 /// A problem that was reported, with the number of times.

@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import re
+import signal
 import socket
 import stat
 import subprocess
@@ -433,6 +434,36 @@ for folder in "/tmp", "/dev/shm", ".":
         self.assertNotIn("carl <b>", page)
         self.assertIn('src="carl%20%3Cb%3E.py/end.svg"', page)
         self.assertIn("no\n", (self.folder / "report/carl <b>.py/output.txt").read_text(encoding="utf-8"))
+
+    def interrupted(self):
+        """Interrupts `xr3 grade` as Ctrl-C does, while the second of three submissions runs; returns the rows of its table."""
+        self.write("class/ada.py", PLACE)
+        self.write("class/bob.py", "import signal\nsignal.signal(signal.SIGTERM, signal.SIG_IGN)\nsignal.signal(signal.SIGINT, signal.SIG_IGN)\n"
+                                   "while True:\n    signal.pause()\n")
+        self.write("class/carl.py", "print('hello')\n")
+        away = [] if HAS_SANDBOX else ["--no-sandbox"]
+        with subprocess.Popen([XR3, "grade", "class", "--goals", self.goals, "--report", "report", "--jobs", "1", *away, "--",
+                               sys.executable, "{}"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                              start_new_session=True) as judge:
+            self.assertEqual("1 of 3: ada.py\n", judge.stderr.readline())
+            os.killpg(judge.pid, signal.SIGINT)
+            printed, _ = judge.communicate(timeout=TASK_S)
+            self.assertEqual(1, judge.returncode)
+        self.assertIn("carl.py  0/0  not run: grading was stopped before", printed)
+        return self.rows()
+
+    def rows(self):
+        with open(self.folder / "report/grades.csv", encoding="utf-8") as file:
+            return {row["submission"]: (row["points"], row["outcome"]) for row in csv.DictReader(file)}
+
+    def test_after_an_interrupt_the_report_has_what_is_finished(self):
+        self.assertEqual({"ada.py": ("8", "finished"), "bob.py": ("0", "not_run"), "carl.py": ("0", "not_run")}, self.interrupted())
+        self.assertEqual({"ada.py", "grades.csv", "index.html", "junit.xml"}, {each.name for each in (self.folder / "report").iterdir()})
+        suites = self.junit("report/junit.xml")
+        self.assertEqual(["0", "1", "1"], [suite.get("skipped") for suite in suites])
+        page = (self.folder / "report/index.html").read_text(encoding="utf-8")
+        self.assertIn("Submissions: 3, 2 of them not run. All goals met by 1. On average 8.0 of 8 points.", page)
+        self.assertNotIn("bob.py/", page, "links to files that are not there")
 
     def test_grade_takes_no_report_and_nothing_of_python_or_an_editor_for_a_submission(self):
         for name in "class/ada.py", "class/ben/main.py", "class/ben/grades.csv", "class/__pycache__/ada.pyc", "class/.idea/workspace.xml", "class/.DS_Store":

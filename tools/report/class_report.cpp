@@ -101,17 +101,20 @@ std::string class_summary(const std::vector<RunReport>& reports) {
   int sum = 0;
   int most = 0;
   std::size_t passed = 0;
+  const auto not_run = std::ranges::count(reports, RunOutcome::kNotRun, &RunReport::outcome);
   for (const RunReport& each : reports) {
     sum += points_of(each.goals);
     most = std::max(most, max_points_of(each.goals));
     passed += each.is_passed() ? 1 : 0;
   }
   constexpr int kTenths = 10;
-  const int count = std::max(1, static_cast<int>(reports.size()));
+  const int count = std::max(1, static_cast<int>(std::ssize(reports) - not_run));
   const int mean = (kTenths * sum + count / 2) / count;
-  return tag("p", "Submissions: " + std::to_string(reports.size()) + ". All goals met by " +
-                      std::to_string(passed) + ". On average " + std::to_string(mean / kTenths) +
-                      "." + std::to_string(mean % kTenths) + " of " + std::to_string(most) +
+  return tag("p", "Submissions: " + std::to_string(reports.size()) +
+                      (not_run > 0 ? ", " + std::to_string(not_run) + " of them not run" : "") +
+                      ". All goals met by " + std::to_string(passed) + ". On average " +
+                      std::to_string(mean / kTenths) + "." + std::to_string(mean % kTenths) +
+                      " of " + std::to_string(most) +
                       " points. <a href=\"grades.csv\">Table for a spreadsheet</a>") +
          "\n";
 }
@@ -163,8 +166,18 @@ std::string picture(const RunReport& report, const std::string& folder) {
                     "</details>");
 }
 
+std::string links(const std::string& folder) {
+  return link(folder, "output.txt", "what it printed") + " · " +
+         link(folder, "transcript.txt", "what it sent and received") + " · " +
+         link(folder, "recording.xr3rec", "recording") + " · " +
+         link(folder, "result.txt", "result as text") + " · " +
+         link(folder, "result.json", "as JSON") + " · ";
+}
+
+/// A run that was not made has no goals and no files.
 std::string section(const RunReport& report) {
   const std::string folder = address(report.program);
+  const bool has_files = !report.goals.empty();
   std::string text = "<section id=\"" + folder + "\">\n" +
                      tag("h2", html(report.program) + " " + score(report)) +
                      "\n<div class=\"run\">\n<div>\n";
@@ -175,13 +188,9 @@ std::string section(const RunReport& report) {
   text += "</ul>\n";
   if (!report.not_counted.empty())
     text += tag("p", "Not counted: " + html(report.not_counted) + ".") + "\n";
-  return text + "<p>" + link(folder, "output.txt", "what it printed") + " · " +
-         link(folder, "transcript.txt", "what it sent and received") + " · " +
-         link(folder, "recording.xr3rec", "recording") + " · " +
-         link(folder, "result.txt", "result as text") + " · " +
-         link(folder, "result.json", "as JSON") +
-         " · <a href=\"#submissions\">all submissions</a></p>\n</div>\n<div>" +
-         picture(report, folder) + "</div>\n</div>\n</section>\n";
+  return text + "<p>" + (has_files ? links(folder) : "") +
+         "<a href=\"#submissions\">all submissions</a></p>\n</div>\n<div>" +
+         (has_files ? picture(report, folder) : "") + "</div>\n</div>\n</section>\n";
 }
 
 /// A field of a table: in quotes, and never a formula of a spreadsheet.

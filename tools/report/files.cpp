@@ -19,9 +19,9 @@ Json goal_json(const GoalResult& goal) {
 }
 
 RunOutcome outcome_named(const std::string& name) {
-  return name == "finished" ? RunOutcome::kFinished
-         : name == "failed" ? RunOutcome::kFailed
-                            : RunOutcome::kTimeUp;
+  for (const RunOutcome each : {RunOutcome::kFinished, RunOutcome::kFailed, RunOutcome::kTimeUp})
+    if (name_of(each) == name) return each;
+  return RunOutcome::kNotRun;
 }
 
 /// Text in a cell of a table.

@@ -19,7 +19,7 @@ struct JunitCase {
 
 JunitCase case_of(const RunReport& report) {
   if (report.why.empty() || report.is_passed()) return {"program"};
-  return {"program", "error", report.why};
+  return {"program", report.outcome == RunOutcome::kNotRun ? "skipped" : "error", report.why};
 }
 
 /// Only a goal that gives points is a test that succeeds.

@@ -31,7 +31,7 @@ struct RunReport {
   bool is_passed() const;
 };
 
-/// The stable name: `finished`, `failed` or `time_up`.
+/// The stable name: `finished`, `failed`, `time_up` or `not_run`.
 std::string name_of(RunOutcome outcome);
 
 /// The name of the program, and which of several runs it is.

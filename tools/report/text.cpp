@@ -34,7 +34,7 @@ bool RunReport::is_passed() const {
 }
 
 std::string name_of(RunOutcome outcome) {
-  constexpr std::array kNames{"finished", "failed", "time_up"};
+  constexpr std::array kNames{"finished", "failed", "time_up", "not_run"};
   return kNames.at(static_cast<std::size_t>(outcome));
 }
 

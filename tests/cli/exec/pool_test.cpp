@@ -39,5 +39,24 @@ TEST(Pool, AProcessThatIsStoppedIsEnded) {
   EXPECT_EQ(all, (std::vector<std::optional<std::string>>{"good", std::nullopt, "good"}));
 }
 
+TEST(Pool, ASignalEndsTheTasksThatAreUnderWayAndLeavesTheResults) {
+  StopSignals stop;
+  std::vector<std::size_t> done;
+  const auto all = in_processes(
+      4, 2, kLong,
+      [](std::size_t index) {
+        while (index > 0) ::pause();
+        return std::string("good");
+      },
+      [&](std::size_t index) {
+        done.push_back(index);
+        ::raise(SIGINT);
+      },
+      &stop);
+  EXPECT_EQ(done, std::vector<std::size_t>{0});
+  EXPECT_EQ(all, (std::vector<std::optional<std::string>>{"good", {}, {}, {}}));
+  EXPECT_FALSE(stop.take()) << "a further signal has its usual effect";
+}
+
 }  // namespace
 }  // namespace xr3

@@ -183,7 +183,8 @@ TEST(ClassReport, ThePageSumsUpTheClass) {
   has("<td>the robot never stalls</td><td class=\"n\">2</td><td class=\"n\">2/3</td>");
   has("<td>block red at x 1 mm</td><td class=\"n\">3</td><td class=\"n\">1/3</td>");
   has("✗ 0/3 block red at x 1 mm</span>: it is at x 2 mm | y<br>");
-  has("alt=\"gita.py: the robot and its workcell at the end\"");
+  has("alt=\"ada.py: the robot and its workcell at the end\"");
+  EXPECT_EQ(page.find("gita.py/"), std::string::npos) << "no links to files that are not there";
 }
 
 TEST(ClassReport, GoalsThatAreNotCountedGiveNoPoints) {
