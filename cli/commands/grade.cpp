@@ -2,6 +2,7 @@
 #include <array>
 #include <filesystem>
 #include <iomanip>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -85,12 +86,27 @@ void require_free_names(const std::vector<fs::path>& submissions) {
                         "out of the folder of submissions");
 }
 
-void make_report_folder(const std::string& path) {
+void make_report_folder(const std::string& path, bool may_exist) {
   std::error_code error;
-  if (fs::exists(path, error) && !fs::is_empty(path, error))
-    throw FileError(path + ": there is something in this folder; name a new one for the report");
+  if (!may_exist && fs::exists(path, error) && !fs::is_empty(path, error))
+    throw FileError(path +
+                    ": there is something in this folder; name a new one for the report, or add "
+                    "--only-missing to continue this one");
   fs::create_directories(path, error);
   if (error) throw FileError(path + ": cannot be made: " + error.message());
+}
+
+/// The result of an earlier run in its folder; nullopt: there is no such folder.
+std::optional<RunReport> result_in(const std::string& folder) {
+  std::error_code error;
+  if (!fs::exists(folder, error)) return std::nullopt;
+  const std::string path = folder + "/" + kResultFile;
+  try {
+    return parse_report(read_file(path).text);
+  } catch (const std::exception&) {
+    throw FileError(path + ": there is no result of this version of xr3; remove the folder " +
+                    folder + ", and its submission is run again");
+  }
 }
 
 RunReport not_run_report() {
@@ -118,13 +134,22 @@ class Grading {
         exec_(command.exec),
         submissions_(submissions_in(options_.folder)),
         exercise_(quiet(command.exec), command.server),
-        is_run_(submissions_.size()) {
+        reports_(submissions_.size()) {
     require_free_names(submissions_);
-    make_report_folder(options_.report);
+    make_report_folder(options_.report, options_.has_only_missing);
+    for (std::size_t i = 0; i < submissions_.size(); ++i) {
+      if (options_.has_only_missing) reports_[i] = result_in(file(name_of(i)));
+      if (!reports_[i]) missing_.push_back(i);
+    }
   }
 
   ExitCode result() {
-    const std::vector<RunReport> reports = run_all();
+    run_missing();
+    std::vector<RunReport> reports;
+    for (std::size_t i = 0; i < reports_.size(); ++i) {
+      reports.push_back(std::move(*reports_[i]));
+      reports.back().program = name_of(i);  // its bytes, which lead to its files
+    }
     write_file(file(kPage), to_html(reports));
     write_file(file(kTable), to_csv(reports));
     write_file(file(kJunit), to_junit(reports));
@@ -144,46 +169,48 @@ class Grading {
   std::string draft_of(std::size_t index) const { return file("." + name_of(index)); }
 
   /// SIGINT and SIGTERM end the runs that are under way; the report has the others.
-  std::vector<RunReport> run_all() {
+  void run_missing() {
     StopSignals stop;
     const std::size_t jobs = options_.jobs > 0 ? options_.jobs : usual_jobs();
+    std::vector<bool> is_run(missing_.size());
+    const auto note = [&](std::size_t i) {
+      is_run[i] = true;
+      take(missing_[i]);
+      print_error(std::to_string(std::ranges::count(is_run, true)) + " of " +
+                  std::to_string(missing_.size()) + ": " + printable_line(name_of(missing_[i])) +
+                  "\n");
+    };
     const auto texts = in_processes(
-        submissions_.size(), jobs, exercise_.run_limit(),
-        [this](std::size_t index) { return to_json(run(index)); },
-        [this](std::size_t index) { note_run(index); }, &stop);
-    std::vector<RunReport> reports;
-    for (std::size_t i = 0; i < texts.size(); ++i) reports.push_back(report(i, texts[i]));
-    return reports;
+        missing_.size(), jobs, exercise_.run_limit(),
+        [this](std::size_t i) { return to_json(run(missing_[i])); }, note, &stop);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      reports_[missing_[i]] =
+          is_run[i] ? report_of(texts[i], name_of(missing_[i])) : not_run_report();
+      has_all_ = has_all_ && texts[i];
+      if (!is_run[i]) fs::remove_all(draft_of(missing_[i]));
+    }
   }
 
   RunReport run(std::size_t index) const {
     const fs::path& its = submissions_[index];
+    fs::remove_all(draft_of(index));  // of a judge that was killed
     return exercise_.run({name_of(index), command_for(its, exec_.command), its, draft_of(index), "",
                           0, why_refused(its), index});
   }
 
-  void note_run(std::size_t index) {
-    is_run_[index] = true;
-    std::error_code failed;  // without a result the folder keeps its name
+  /// Gives a complete folder its name.
+  void take(std::size_t index) const {
+    std::error_code failed;
     if (fs::exists(draft_of(index) + "/" + kResultFile, failed))
       fs::rename(draft_of(index), file(name_of(index)), failed);
-    print_error(std::to_string(std::ranges::count(is_run_, true)) + " of " +
-                std::to_string(is_run_.size()) + ": " + printable_line(name_of(index)) + "\n");
-  }
-
-  RunReport report(std::size_t index, const std::optional<std::string>& text) {
-    has_all_ = has_all_ && text;
-    RunReport report = is_run_[index] ? report_of(text, name_of(index)) : not_run_report();
-    report.program = name_of(index);  // its bytes, which lead to its files
-    if (!is_run_[index]) fs::remove_all(draft_of(index));
-    return report;
   }
 
   const GradeOptions& options_;
   const ExecOptions& exec_;
   std::vector<fs::path> submissions_;
   Exercise exercise_;
-  std::vector<bool> is_run_;
+  std::vector<std::optional<RunReport>> reports_;  ///< of the submissions
+  std::vector<std::size_t> missing_;               ///< the indices of those that are run
   bool has_all_ = true;
 };
 

@@ -98,7 +98,7 @@ RunReport Exercise::run(const RunPlace& place) const {
     write_file(place.folder + "/end.svg", picture_of(result));
     write_private(place.folder + "/transcript.txt", result.transcript);
     write_file(place.folder + "/result.txt", to_text(result.report));
-    write_file(place.folder + "/" + kResultFile, to_json(result.report));
+    write_private(place.folder + "/" + kResultFile, to_json(result.report));
   }
   return std::move(result.report);
 }

@@ -179,6 +179,8 @@ void add_grade(CLI::App& app, GradeOptions& options, ExecOptions& exec, ServeOpt
   add_run(grade, exec, server);
   grade.get_option("--goals")->required();
   add_value(grade, "--report", options.report, "FOLDER", "new folder for the report")->required();
+  grade.add_flag("--only-missing", options.has_only_missing,
+                 "continue a report: run only the submissions that have no result in it");
   add_sandbox_of_grade(grade, exec);
   add_user(grade, exec);
   add_value(grade, "--jobs", options.jobs, "N", "number of submissions that run at a time")

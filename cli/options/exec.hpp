@@ -51,9 +51,10 @@ struct ExecOptions {
 };
 
 struct GradeOptions {
-  std::string folder;    ///< with the submissions
-  std::string report;    ///< a new folder for the report
-  std::size_t jobs = 0;  ///< submissions at a time; 0: the usual number
+  std::string folder;             ///< with the submissions
+  std::string report;             ///< a new folder for the report
+  bool has_only_missing = false;  ///< the folder may have results already, which are kept
+  std::size_t jobs = 0;           ///< submissions at a time; 0: the usual number
 };
 
 /// The subcommands; `server` is for the robot. The command of `grade` has `{}` for the submission.

@@ -465,6 +465,25 @@ for folder in "/tmp", "/dev/shm", ".":
         self.assertIn("Submissions: 3, 2 of them not run. All goals met by 1. On average 8.0 of 8 points.", page)
         self.assertNotIn("bob.py/", page, "links to files that are not there")
 
+    def test_a_report_is_continued(self):
+        self.interrupted()
+        result = self.folder / "report/ada.py/result.json"
+        before = result.stat().st_mtime_ns
+        self.write("class/bob.py", PLACE)
+        self.write("report/.carl.py/output.txt", "of a judge that was killed\n")
+        self.assertIn("--only-missing", self.grade("class", code=2).stderr)
+        done = self.grade("class", "--only-missing")
+        self.assertEqual({"1 of 2", "2 of 2"}, {line.split(":")[0] for line in done.stderr.splitlines()})
+        self.assertEqual({"ada.py": ("8", "finished"), "bob.py": ("8", "finished"), "carl.py": ("0", "finished")}, self.rows())
+        self.assertEqual(before, result.stat().st_mtime_ns)
+        self.assertEqual("hello\n", (self.folder / "report/carl.py/output.txt").read_text(encoding="utf-8"))
+        done = self.grade("class", "--only-missing")
+        self.assertEqual("", done.stderr)
+        self.assertEqual(3, len(self.rows()))
+        result.write_text("{}", encoding="utf-8")
+        (self.folder / "report/bob.py/result.json").unlink()
+        self.assertIn("there is no result of this version of xr3", self.grade("class", "--only-missing", code=2).stderr)
+
     def test_grade_takes_no_report_and_nothing_of_python_or_an_editor_for_a_submission(self):
         for name in "class/ada.py", "class/ben/main.py", "class/ben/grades.csv", "class/__pycache__/ada.pyc", "class/.idea/workspace.xml", "class/.DS_Store":
             self.write(name, "print('hello')\n")

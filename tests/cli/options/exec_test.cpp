@@ -77,6 +77,7 @@ TEST(GradeOptions, NeedGoalsAndAReport) {
   EXPECT_EQ(command.grade.jobs, 3U);
   EXPECT_EQ(command.exec.command, (Words{"python3", "{}"}));
   EXPECT_TRUE(command.exec.is_sandboxed);
+  EXPECT_FALSE(command.grade.has_only_missing);
   EXPECT_EQ(refused({"grade", "class", "--report", "r", "--", "a"}).code, ExitCode::kBadInput);
   EXPECT_EQ(refused({"grade", "class", "--goals", "g", "--", "a"}).code, ExitCode::kBadInput);
 }
