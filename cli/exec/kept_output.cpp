@@ -3,10 +3,17 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "cli/exec/private_file.hpp"
 
 namespace xr3 {
+namespace {
+
+constexpr std::string_view kMark =
+    "\nxr3: the rest of the output is left out; only its first MiB is kept\n";
+
+}  // namespace
 
 KeptOutput::KeptOutput(const std::string& path, bool is_quiet) : is_quiet_(is_quiet) {
   if (!path.empty()) file_ = open_private(path);
@@ -14,9 +21,14 @@ KeptOutput::KeptOutput(const std::string& path, bool is_quiet) : is_quiet_(is_qu
 
 void KeptOutput::add(int stream, std::string_view text) {
   if (!is_quiet_) show(stream, text);
+  if (file_.is_open()) keep(text);
+}
+
+void KeptOutput::keep(std::string_view text) {
   const std::size_t count = std::min(text.size(), kMaxOutputBytes - kept_);
-  if (file_.is_open()) write_all(file_.get(), text.substr(0, count));
+  write_all(file_.get(), text.substr(0, count));
   kept_ += count;
+  if (count < text.size() && !std::exchange(is_cut_, true)) write_all(file_.get(), kMark);
 }
 
 void KeptOutput::show(int stream, std::string_view text) {

@@ -11,7 +11,7 @@
 
 namespace xr3 {
 
-/// Maximum size of the file of a program's output; the rest is dropped.
+/// Maximum size of the file of a program's output. The rest is dropped, and a last line says so.
 inline constexpr std::size_t kMaxOutputBytes = std::size_t{1} << 20U;
 
 class KeptOutput {
@@ -25,11 +25,13 @@ class KeptOutput {
   void add(int stream, std::string_view text);
 
  private:
+  void keep(std::string_view text);
   void show(int stream, std::string_view text);
 
   bool is_quiet_;
   Descriptor file_;
   std::size_t kept_ = 0;
+  bool is_cut_ = false;
   std::array<TerminalText, 2> terminals_;  ///< for standard output and error
 };
 

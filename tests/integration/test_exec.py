@@ -254,7 +254,8 @@ class Exec(unittest.TestCase):
         run = self.folder / "run"
         self.assertEqual({"end.svg", "output.txt", "recording.xr3rec", "result.json", "result.txt", "transcript.txt"},
                          {each.name for each in run.iterdir()})
-        self.assertEqual(1 << 20, (run / "output.txt").stat().st_size)
+        output = (run / "output.txt").read_text(encoding="utf-8")
+        self.assertEqual("x" * (1 << 20) + "\nxr3: the rest of the output is left out; only its first MiB is kept\n", output)
         self.assertEqual(0, stat.S_IMODE((run / "recording.xr3rec").stat().st_mode) & 0o077)
         result = json.loads((run / "result.json").read_text(encoding="utf-8"))
         self.assertEqual(("finished", False, 0, 8), tuple(result[name] for name in ("outcome", "passed", "points", "max_points")))
