@@ -21,6 +21,8 @@ KeptOutput::KeptOutput(const std::string& path, bool is_quiet) : is_quiet_(is_qu
 
 void KeptOutput::add(int stream, std::string_view text) {
   if (!is_quiet_) show(stream, text);
+  if (stream == STDERR_FILENO) errors_.append(text);
+  if (errors_.size() > 2 * kMaxErrorBytes) errors_ = errors();
   if (file_.is_open()) keep(text);
 }
 
@@ -29,6 +31,10 @@ void KeptOutput::keep(std::string_view text) {
   write_all(file_.get(), text.substr(0, count));
   kept_ += count;
   if (count < text.size() && !std::exchange(is_cut_, true)) write_all(file_.get(), kMark);
+}
+
+std::string KeptOutput::errors() const {
+  return errors_.substr(errors_.size() - std::min(errors_.size(), kMaxErrorBytes));
 }
 
 void KeptOutput::show(int stream, std::string_view text) {

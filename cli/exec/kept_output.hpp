@@ -14,6 +14,9 @@ namespace xr3 {
 /// Maximum size of the file of a program's output. The rest is dropped, and a last line says so.
 inline constexpr std::size_t kMaxOutputBytes = std::size_t{1} << 20U;
 
+/// Maximum size of the end of standard error that is kept for reports.
+inline constexpr std::size_t kMaxErrorBytes = std::size_t{64} << 10U;
+
 class KeptOutput {
  public:
   /// `path`: of the file; empty: none. `is_quiet`: the output is not shown. Throws FileError if the
@@ -24,6 +27,9 @@ class KeptOutput {
   /// there: on a terminal without control characters.
   void add(int stream, std::string_view text);
 
+  /// The end of what the program has written to standard error.
+  std::string errors() const;
+
  private:
   void keep(std::string_view text);
   void show(int stream, std::string_view text);
@@ -32,6 +38,7 @@ class KeptOutput {
   Descriptor file_;
   std::size_t kept_ = 0;
   bool is_cut_ = false;
+  std::string errors_;
   std::array<TerminalText, 2> terminals_;  ///< for standard output and error
 };
 

@@ -314,6 +314,7 @@ class Run {
     report_.wall_s = wall_s();
     report_.ticks = end.state.tick;
     report_.bytes = end.facts.bytes;
+    report_.errors = output_.errors();
     report_.has_control = settings_.exec.monitor == MonitorAccess::kControl;
     report_.transcript = std::move(end.transcript);
     report_.goals = judge(goals_, cell.model(), end.state, end.facts);

@@ -299,6 +299,22 @@ class Exec(unittest.TestCase):
         results = [json.loads(line) for line in (self.folder / "r.json").read_text(encoding="utf-8").splitlines()]
         self.assertEqual([(1, 20), (2, 21), (3, 22)], [(each["run"], each["seed"]) for each in results])
 
+    def test_junit_has_standard_error_at_the_first_problem(self):
+        noise = "sys.stderr.buffer.write(b'early ' + b'x' * 70_000 + b'\\x1b[31m\\xff<late>\\n')\n"
+        for end, code, place in ("sys.exit(3)\n", 6, 0), ("", 5, 1):
+            self.judge("import sys\nprint('printed')\n" + noise + end, "--junit", "r.xml", "--json", "r.json", "--quiet", code=code)
+            suite, = self.junit("r.xml")
+            cases = suite.findall("testcase")
+            self.assertEqual([place], [i for i, case in enumerate(cases) if case.find("system-err") is not None])
+            self.assertEqual([["error", "failure"][place], "system-err"], [child.tag for child in cases[place]])
+            errors = cases[place].findtext("system-err")
+            self.assertTrue(errors.endswith("x [31m\ufffd<late>\n"), errors[-50:])
+            self.assertEqual(65536, len(errors))
+            self.assertNotRegex(errors, "early|printed")
+            self.assertIn("<late>\n", json.loads((self.folder / "r.json").read_text(encoding="utf-8"))["stderr"])
+        self.judge(PLACE + "sys.stderr.write('all is well')\n", "--junit", "r.xml", "--quiet")
+        self.assertIsNone(self.junit("r.xml")[0].find("testcase/system-err"))
+
     def test_junit_of_bytes_that_xml_does_not_have(self):
         program = os.fsencode(self.write("x.py", "raise SystemExit(1)\n"))
         done = subprocess.run([XR3, "exec", "--junit", "r.xml", "--", sys.executable, program, b"\xff\x1b\xed\xa0\x80<"],
@@ -442,8 +458,7 @@ for folder in "/tmp", "/dev/shm", ".":
         self.write("class/bob.py", "import signal\nsignal.signal(signal.SIGTERM, signal.SIG_IGN)\nsignal.signal(signal.SIGINT, signal.SIG_IGN)\n"
                                    "while True:\n    signal.pause()\n")
         self.write("class/carl.py", "print('hello')\n")
-        away = [] if HAS_SANDBOX else ["--no-sandbox"]
-        with subprocess.Popen([XR3, "grade", "class", "--goals", self.goals, "--report", "report", "--jobs", "1", *away, "--",
+        with subprocess.Popen([XR3, *GRADE, "class", "--goals", self.goals, "--report", "report", "--jobs", "1", "--",
                                sys.executable, "{}"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                               start_new_session=True) as judge:
             self.assertEqual("1 of 3: ada.py\n", judge.stderr.readline())

@@ -53,6 +53,7 @@ std::string to_json(const RunReport& report) {
                {"goals", std::move(goals)},
                {"top_view", report.top_view}};
   if (!report.transcript.empty()) json["transcript"] = report.transcript;
+  if (!report.errors.empty()) json["stderr"] = report.errors;
   if (report.seed) json["seed"] = *report.seed;
   if (report.run > 0) json["run"] = report.run;
   return printable_json(json.dump(-1, ' ', false, Json::error_handler_t::replace)) + "\n";
@@ -74,6 +75,7 @@ RunReport parse_report(const std::string& json) {
   report.has_control = its.at("monitor_control");
   report.top_view = its.at("top_view");
   report.transcript = its.value("transcript", std::string());
+  report.errors = its.value("stderr", std::string());
   if (its.contains("seed")) report.seed = its.at("seed").get<std::uint64_t>();
   report.run = its.value("run", std::size_t{0});
   return report;

@@ -15,6 +15,9 @@ struct JunitCase {
   std::string problem = {};  ///< `failure`, `error` or `skipped`; empty: the test succeeds
   std::string message = {};
   std::string text = {};
+  std::string errors = {};  ///< of the program
+
+  bool is_failed() const { return problem == "failure" || problem == "error"; }
 };
 
 JunitCase case_of(const RunReport& report) {
@@ -29,6 +32,12 @@ JunitCase case_of(const GoalResult& goal) {
   return {goal.expected, "failure", goal.found, goal.hint};
 }
 
+/// The first problem gets the standard error of the program.
+void add_errors(std::vector<JunitCase>& cases, const RunReport& report) {
+  const auto first = std::ranges::find_if(cases, &JunitCase::is_failed);
+  if (first != cases.end()) first->errors = report.errors;
+}
+
 /// The program and its goals. A reporter compares tests with those of an earlier run by their
 /// names, and keeps one of several equal names: so a name is the same in every run, and unique.
 std::vector<JunitCase> cases_of(const RunReport& report) {
@@ -40,13 +49,16 @@ std::vector<JunitCase> cases_of(const RunReport& report) {
     if (number > 1) each.name += " (" + std::to_string(number) + ")";
     if (report.run > 0) each.name += ", run " + std::to_string(report.run);
   }
+  add_errors(cases, report);
   return cases;
 }
 
 std::string element(const JunitCase& test) {
   const std::string begin = "<" + test.problem + " message=\"" + xml(test.message) + "\"";
-  return test.text.empty() ? begin + "/>"
-                           : begin + ">" + xml_lines(test.text) + "</" + test.problem + ">";
+  const std::string end =
+      test.text.empty() ? "/>" : ">" + xml_lines(test.text) + "</" + test.problem + ">";
+  if (test.errors.empty()) return begin + end;
+  return begin + end + "<system-err>" + xml_lines(test.errors) + "</system-err>";
 }
 
 std::string test_case(const std::string& program, const JunitCase& test, const std::string& time) {

@@ -19,6 +19,7 @@ struct RunReport {
   std::string why;                ///< what went wrong, for the student; empty: nothing but goals
   std::vector<GoalResult> goals;  ///< judged with any outcome
   std::string not_counted;        ///< why some goals are not counted; empty: all are
+  std::string errors;             ///< the end of what the program wrote to standard error
   Tick ticks = 0;                 ///< simulated time from the start to rest
   double wall_s = 0;
   std::uint64_t bytes = 0;            ///< that the program sent

@@ -92,6 +92,7 @@ TEST(RunReport, JsonIsReadBackAsItWas) {
   report.why = "exit code 3";
   report.seed = 18;
   report.run = 3;
+  report.errors = "Traceback\n";
   report.transcript = "sha256:00";
   const std::string json = to_json(report);
   EXPECT_EQ(json.find('\n'), json.size() - 1) << "one line";
