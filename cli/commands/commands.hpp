@@ -59,6 +59,10 @@ ExitCode run_command(const ExecCommand& command);
 /// submission was run, whatever it scored. Throws std::system_error.
 ExitCode run_command(const GradeCommand& command);
 
+/// `xr3 exercise check`: proves an exercise, with a line for each of its programs. kBadInput if one
+/// does not come to what it must. Throws std::system_error.
+ExitCode run_command(const ExerciseOptions& options);
+
 /// `xr3 manual --write FOLDER`: writes the files, over those of the same names, and prints their
 /// number.
 ExitCode run_command(const ManualFiles& manual);

@@ -103,7 +103,7 @@ ExitCode run_command(const ExecCommand& command) {
   print(reports);
   write_results(command, reports);
   const std::set<std::string> found = transcripts(reports);
-  const bool is_different = !command.exec.vary && found.size() > 1;
+  const bool is_different = !exercise.is_varied() && found.size() > 1;
   if (is_different)
     print_text(std::to_string(found.size()) + " different transcripts in " +
                std::to_string(reports.size()) +

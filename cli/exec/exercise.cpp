@@ -47,15 +47,23 @@ std::string picture_of(const RunResult& result) {
 
 }  // namespace
 
-Exercise::Exercise(const ExecOptions& options, const ServeOptions& server)
-    : options_(options),
-      server_(server),
-      seed_(load_seed(server, server.robot, server.workcell)),
-      goals_(load_goal_list(options.goals, *seed_.model)) {
-  require_readable(options.readable);
+Exercise::Sources::Sources(ExecOptions exec_options, ServeOptions server_options)
+    : exec(std::move(exec_options)), server(std::move(server_options)) {
   remove_abandoned_folders();
-  const auto user = program_user(options.run_as, options.is_sandboxed, 0);
-  if (options.is_sandboxed) require_sandbox(user, options.without_sandbox);
+  if (exec.exercise.empty()) return;
+  folder.emplace(exec.exercise);
+  folder->set(exec);
+  folder->set(server);
+}
+
+Exercise::Exercise(const Sources& sources)
+    : options_(sources.exec),
+      server_(sources.server),
+      seed_(load_seed(server_, server_.robot, server_.workcell)),
+      goals_(load_goal_list(options_.goals, *seed_.model)) {
+  require_readable(options_.readable);
+  const auto user = program_user(options_.run_as, options_.is_sandboxed, 0);
+  if (options_.is_sandboxed) require_sandbox(user, options_.without_sandbox);
 }
 
 std::optional<Variation> Exercise::variation_of(std::size_t run) const {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/exec/exercise_folder.hpp"
 #include "cli/exec/run.hpp"
 #include "cli/options/options.hpp"
 #include "server/net/wall_clock.hpp"
@@ -31,17 +32,31 @@ struct RunPlace {
 
 class Exercise {
  public:
-  /// Loads the robot, the workcell, the faults and the goals. Throws FileError and DataError.
-  explicit Exercise(const ExecOptions& options, const ServeOptions& server);
+  /// Loads the robot, the workcell, the faults and the goals, those of an exercise if `options` names
+  /// one. Throws FileError and DataError.
+  Exercise(const ExecOptions& options, const ServeOptions& server)
+      : Exercise(Sources(options, server)) {}
 
   /// Runs a program. Throws FileError if a file cannot be written, or no place was found for a
   /// block.
   RunReport run(const RunPlace& place) const;
 
+  /// Whether each run has its own places of the blocks.
+  bool is_varied() const { return options_.vary.has_value(); }
+
   /// Time after which a process that makes a run has failed; 0: none.
   WallNs run_limit() const;
 
  private:
+  /// The options, completed by those of an exercise, whose files are there as long as this.
+  struct Sources {
+    Sources(ExecOptions exec_options, ServeOptions server_options);
+    ExecOptions exec;
+    ServeOptions server;
+    std::optional<ExerciseFolder> folder;
+  };
+
+  explicit Exercise(const Sources& sources);
   std::optional<Variation> variation_of(std::size_t run) const;
   CellSeed seed_of(std::size_t run) const;
 

@@ -15,7 +15,6 @@ constexpr double kMaxSeconds = 86'400;
 constexpr int kMaxRepeat = 100'000;
 constexpr std::int64_t kMaxBytes = std::int64_t{1} << 53;
 constexpr int kMaxProcesses = 100'000;
-constexpr int kMaxJobs = 256;
 
 MonitorAccess monitor_named(const std::string& name) {
   return name == "read" ? MonitorAccess::kRead : MonitorAccess::kControl;
@@ -57,6 +56,15 @@ void add_limits(CLI::App& command, RunLimits& limits) {
       ->capture_default_str();
 }
 
+/// It stands for the options that say the same.
+void add_exercise(CLI::App& command, ExecOptions& options) {
+  CLI::Option* exercise =
+      add_value(command, "--exercise", options.exercise, "NAME|FOLDER|ZIP",
+                "exercise with robot, workcell, faults, clock and goals: a name, or its files");
+  for (const char* each : {"--robot", "--workcell", "--fault", "--clock", "--goals"})
+    exercise->excludes(each);
+}
+
 /// What exec and grade have in common: the robot, the goals, limits.
 void add_run(CLI::App& command, ExecOptions& options, ServeOptions& server) {
   server.clock = {ClockMode::kBytes, Rate{}, {}};
@@ -67,6 +75,7 @@ void add_run(CLI::App& command, ExecOptions& options, ServeOptions& server) {
   add_line_speed(command, server);
   add_value(command, "--goals", options.goals, "FILE",
             "file with the goals by which a run is judged");
+  add_exercise(command, options);
   add_limits(command, options.limits);
   add_parsed(command, "--vary", options.vary, parse_variation, "SEED[:MM[,DEG]]",
              "move the blocks at random by at most 40 mm (or MM) and 180 degrees (or DEG)");
@@ -177,7 +186,10 @@ void add_grade(CLI::App& app, GradeOptions& options, ExecOptions& exec, ServeOpt
             "the submissions: each file or folder in it is one")
       ->required();
   add_run(grade, exec, server);
-  grade.get_option("--goals")->required();
+  grade.callback([&exec] {
+    if (exec.goals.empty() && exec.exercise.empty())
+      throw CLI::ValidationError("xr3 grade needs --goals or --exercise");
+  });
   add_value(grade, "--report", options.report, "FOLDER", "new folder for the report")->required();
   grade.add_flag("--only-missing", options.has_only_missing,
                  "continue a report: run only the submissions that have no result in it");

@@ -14,6 +14,9 @@ namespace xr3 {
 
 struct ServeOptions;
 
+/// Maximum of --jobs.
+inline constexpr int kMaxJobs = 256;
+
 /// What the program under test may do on the monitor port.
 enum class MonitorAccess : std::uint8_t {
   kNone,  ///< there is none
@@ -31,7 +34,8 @@ struct RunLimits {
 };
 
 struct ExecOptions {
-  std::string goals;  ///< a file; empty: none
+  std::string exercise;  ///< a name, folder or archive that says the robot and goals; empty: none
+  std::string goals;     ///< a file; empty: none
   RunLimits limits;
   MonitorAccess monitor = MonitorAccess::kNone;
   bool has_input = false;  ///< the program reads standard input

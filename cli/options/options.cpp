@@ -303,6 +303,8 @@ Options parse_options(int argc, const char* const* argv, const std::string& buil
   add_exec(app, exec.exec, exec.server);
   GradeCommand grade;
   add_grade(app, grade.grade, grade.exec, grade.server);
+  ExerciseOptions exercise;
+  add_exercise(app, exercise);
   ManualOptions manual;
   add_manual(app, manual);
   add_completion(app, manual);
@@ -322,6 +324,7 @@ Options parse_options(int argc, const char* const* argv, const std::string& buil
   if (app.got_subcommand("replay")) return checked_replay(std::move(replay));
   if (app.got_subcommand("exec")) return exec;
   if (app.got_subcommand("grade")) return grade;
+  if (app.got_subcommand("exercise")) return exercise;
   if (app.got_subcommand("manual")) return checked_manual(app, manual);
   if (app.got_subcommand("completion"))
     return Leave{ExitCode::kGood, completion_text(app, manual), ""};

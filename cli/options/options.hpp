@@ -10,6 +10,7 @@
 
 #include "cell/byte_clock.hpp"
 #include "cli/options/exec.hpp"
+#include "cli/options/exercise.hpp"
 #include "cli/options/healthcheck.hpp"
 #include "cli/options/manual.hpp"
 #include "cli/options/replay.hpp"
@@ -91,9 +92,10 @@ struct Leave {
   std::string to_stderr;
 };
 
-using Options = std::variant<ServeOptions, CheckOptions, DrawOptions, KinOptions, ConvertOptions,
-                             WorkcellOptions, WatchOptions, TermOptions, HealthOptions,
-                             ReplayCommand, ExecCommand, GradeCommand, ManualFiles, Leave>;
+using Options =
+    std::variant<ServeOptions, CheckOptions, DrawOptions, KinOptions, ConvertOptions,
+                 WorkcellOptions, WatchOptions, TermOptions, HealthOptions, ReplayCommand,
+                 ExecCommand, GradeCommand, ExerciseOptions, ManualFiles, Leave>;
 
 /// Never prints. `build` is what --version prints after the version. Throws FileError if `xr3
 /// completion` finds no data folder, ArgumentError if `xr3 manual` is given no command of xr3.

@@ -34,9 +34,11 @@ std::string labels_of(const Robot& robot) {
 CheckResult unknown_result(const std::string& file) {
   CheckResult result;
   result.findings.push_back(
-      {Severity::kError, file, 1, 0, "", "neither a robot nor a workcell, faults or goals",
+      {Severity::kError, file, 1, 0, "",
+       "neither a robot nor a workcell, faults, goals or an exercise",
        std::string(description_of(DataKind::kRobot)) + "; " + description_of(DataKind::kWorkcell) +
-           "; " + description_of(DataKind::kFaults) + "; or " + description_of(DataKind::kGoals)});
+           "; " + description_of(DataKind::kFaults) + "; " + description_of(DataKind::kGoals) +
+           "; or " + description_of(DataKind::kExercise)});
   return result;
 }
 
@@ -64,6 +66,9 @@ CheckResult check_text(std::string_view text, const std::string& file, Profile p
     case DataKind::kGoals:
       return result_of(DataKind::kGoals, read_goals(text, file), &CheckResult::goals,
                        goals_summary);
+    case DataKind::kExercise:
+      return result_of(DataKind::kExercise, read_exercise(text, file), &CheckResult::exercise,
+                       exercise_summary);
     case DataKind::kUnknown: break;
   }
   return unknown_result(file);

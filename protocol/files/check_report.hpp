@@ -10,6 +10,7 @@
 #include "core/model.hpp"
 #include "core/robot.hpp"
 #include "core/workcell.hpp"
+#include "protocol/files/exercise.hpp"
 #include "protocol/files/kind.hpp"
 #include "protocol/goals/goal.hpp"
 #include "protocol/json/finding.hpp"
@@ -25,6 +26,7 @@ struct CheckResult {
   std::optional<Workcell> workcell;
   std::optional<FaultPlan> faults;
   std::optional<GoalList> goals;
+  std::optional<ExerciseFile> exercise;
 
   bool is_good() const { return !has_errors(findings); }
 };

@@ -7,6 +7,7 @@ DataKind kind_of(JsonValue root) {
   if (root.find("joints")) return DataKind::kRobot;
   if (root.find("workspace") || root.find("blocks")) return DataKind::kWorkcell;
   if (root.find("faults")) return DataKind::kFaults;
+  if (root.find("title")) return DataKind::kExercise;
   return root.find("goals") ? DataKind::kGoals : DataKind::kUnknown;
 }
 
@@ -16,6 +17,7 @@ const char* description_of(DataKind kind) {
     case DataKind::kWorkcell: return "a workcell, with \"workspace\" and \"blocks\"";
     case DataKind::kFaults: return "a fault file, with \"faults\"";
     case DataKind::kGoals: return "a goals file, with \"goals\"";
+    case DataKind::kExercise: return "an exercise, with \"title\" and \"goals\"";
     case DataKind::kUnknown: break;
   }
   return "";

@@ -1,4 +1,4 @@
-// Tells robot, workcell, fault and goals files apart.
+// Tells robot, workcell, fault, goals and exercise files apart.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 
 namespace xr3 {
 
-enum class DataKind : std::uint8_t { kUnknown, kRobot, kWorkcell, kFaults, kGoals };
+enum class DataKind : std::uint8_t { kUnknown, kRobot, kWorkcell, kFaults, kGoals, kExercise };
 
 /// With `joints` it is a robot, with `workspace` or `blocks` a workcell, with `faults` a list of
-/// faults, with `goals` one of goals.
+/// faults, with `title` an exercise, else with `goals` a list of goals.
 DataKind kind_of(JsonValue root);
 
 /// The only finding of a file of the other kind: one sentence says more than a list of all members

@@ -29,11 +29,6 @@ constexpr int kMaxWaitMs = 10'000;
 // Editors on Windows may write one.
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-bool is_path(const std::string& what) {
-  if (what.find('/') != std::string::npos) return true;
-  return what.ends_with(".json") || what.ends_with(".txt") || what.ends_with(".dat");
-}
-
 std::string list_of_names(const std::string& kind) {
   std::string list;
   for (const std::string& name : names_of_data_files(kind))
@@ -89,8 +84,13 @@ DataFile read_file(const fs::path& path) {
   return {path.string(), std::move(content)};
 }
 
+bool is_data_path(const std::string& what) {
+  if (what.find('/') != std::string::npos) return true;
+  return what.ends_with(".json") || what.ends_with(".txt") || what.ends_with(".dat");
+}
+
 DataFile find_data_file(const std::string& what, const std::string& kind) {
-  if (is_path(what)) return read_file(what);
+  if (is_data_path(what)) return read_file(what);
   if (!has_data_file(what, kind)) {
     std::error_code error;
     if (fs::is_regular_file(what, error)) return read_file(what);

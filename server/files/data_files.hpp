@@ -25,6 +25,9 @@ struct DataFile {
 /// for the next bytes of a pipe. Throws FileError.
 DataFile read_file(const std::filesystem::path& path);
 
+/// Whether find_data_file() takes this for a path.
+bool is_data_path(const std::string& what);
+
 /// `what` is a path if it contains a slash or ends in .json, .txt or .dat; else the name of a file
 /// in folder `kind` ("robots" or "workcells") of the data folder; else a file in the current
 /// folder. Throws FileError, with the names available.

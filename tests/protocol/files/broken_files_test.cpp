@@ -26,6 +26,10 @@ const std::string kFolder = "tests/data/broken/";
 /// One row per finding, in order of output.
 const std::vector<Row>& rows() {
   static const std::vector<Row> table = {
+      {"exercise-types", 1, "/goals", "", "text of 1 to 200 bytes in UTF-8"},
+      {"exercise-types", 2, "/title", "\"\"", "text of 1 to 100 bytes in UTF-8"},
+      {"exercise-types", 3, "/robot", "5", "text of 1 to 200 bytes in UTF-8"},
+      {"exercise-types", 4, "/goal", "an unknown member \"goal\"", "perhaps \"goals\" was meant"},
       {"fault-members", 3, "/faults/0/joint", "\"E\"", "no \"joint\": reply_lost acts on a line"},
       {"fault-members", 4, "/faults/1/line", "1", "no \"line\": encoder_slip acts on a joint"},
       {"fault-members", 4, "/faults/1/joint", "", "the label of a joint"},
@@ -131,9 +135,9 @@ const std::vector<Row>& rows() {
       {"goal-unknown", 6, "/goals/2/value", "", "a whole number from 0 to 9007199254740991"},
       {"goal-unknown", 7, "/goals/3/name", "an unknown member \"name\"",
        "\"kind\", \"points\" or \"hint\""},
-      {"neither-list", 1, "", "neither a robot nor a workcell, faults or goals",
+      {"neither-list", 1, "", "neither a robot nor a workcell, faults, goals or an exercise",
        "a robot, with \"joints\" and \"tool"},
-      {"neither-other", 1, "", "neither a robot nor a workcell, faults or goals",
+      {"neither-other", 1, "", "neither a robot nor a workcell, faults, goals or an exercise",
        "a robot, with \"joints\" and \"tool"},
       {"not-json-comma", 10, "", "} after a comma", "a member name in double quotes"},
       {"not-json-comment", 4, "", "/", "a member name in double quotes"},

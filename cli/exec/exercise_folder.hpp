@@ -1,0 +1,45 @@
+// An exercise as a folder: exercise.json with the files that it names, the sheet, and programs that
+// solve it or fail (docs/exercises.md).
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/exec/run_folder.hpp"
+#include "cli/options/options.hpp"
+#include "protocol/files/exercise.hpp"
+
+namespace xr3 {
+
+class ExerciseFolder {
+ public:
+  /// Finds an exercise. `what` is a path of a folder or a zip archive if it contains a slash or ends
+  /// in .zip; else the name of an exercise that comes with xr3, else a folder here. Throws FileError
+  /// and DataError.
+  explicit ExerciseFolder(const std::string& what);
+
+  const std::filesystem::path& path() const { return path_; }
+  const ExerciseFile& file() const { return file_; }
+
+  /// Sets what the exercise says: goals, and the variation unless there is one. Throws FileError if
+  /// the variation is none.
+  void set(ExecOptions& options) const;
+  /// Robot, workcell, faults and clock. Throws FileError if the clock is none.
+  void set(ServeOptions& options) const;
+
+ private:
+  std::string place_of(const std::string& name) const;
+  [[noreturn]] void refuse(const char* member, const std::string& why) const;
+
+  std::optional<RunFolder> unpacked_;  ///< of an archive
+  std::filesystem::path path_;
+  ExerciseFile file_;
+};
+
+/// The names of the exercises that come with xr3, sorted. Throws FileError if there is no data
+/// folder.
+std::vector<std::string> names_of_exercises();
+
+}  // namespace xr3

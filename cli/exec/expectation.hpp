@@ -1,0 +1,42 @@
+// What a program of an exercise must come to, so that the exercise is proven.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include "tools/report/run_report.hpp"
+
+namespace xr3 {
+
+class Expectation {
+ public:
+  static Expectation all_goals() { return Expectation(Kind::kAllGoals, "", ""); }
+  static Expectation no_points() { return Expectation(Kind::kNoPoints, "", ""); }
+  /// `failed` or `time_up`; or the kind of a goal that is missed, with a part of what is found
+  /// instead.
+  static Expectation stated(std::string what, std::string part) {
+    return Expectation(Kind::kStated, std::move(what), std::move(part));
+  }
+
+  bool is_stated() const { return kind_ == Kind::kStated; }
+  /// What is different; empty: nothing.
+  std::string trouble_of(const RunReport& report) const;
+
+ private:
+  enum class Kind : std::uint8_t { kAllGoals, kNoPoints, kStated };
+  Expectation(Kind kind, std::string what, std::string part)
+      : kind_(kind), what_(std::move(what)), part_(std::move(part)) {}
+  bool is_as_stated(const RunReport& report) const;
+
+  Kind kind_;
+  std::string what_;
+  std::string part_;
+};
+
+/// The expectation in the first line of a wrong program, a comment: `expects: WHAT: PART` or
+/// `expects: WHAT`. Throws FileError if there is none.
+Expectation stated_expectation(const std::filesystem::path& program);
+
+}  // namespace xr3

@@ -1,0 +1,34 @@
+// Reads exercise files (docs/exercises.md): the robot, the time and the goals of a task for robot
+// programs. The text comes from the caller; no file is read here.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "protocol/json/codec.hpp"
+
+namespace xr3 {
+
+/// An `exercise.json`. Robot, workcell, faults and goals are names, or files of its folder; clock
+/// and variation are written as the options of `xr3 exec`. Empty: the default of the option.
+struct ExerciseFile {
+  std::string title;
+  std::string notes;
+  std::string robot;
+  std::string workcell;
+  std::string faults;
+  std::string clock;
+  std::string vary;
+  std::string goals;
+};
+
+/// Reads and checks an exercise file. Syntax errors are findings, too. Never throws.
+FileReading<ExerciseFile> read_exercise(std::string_view text, const std::string& file);
+
+/// The same; throws DataError with all findings if one of them is an error.
+ExerciseFile load_exercise(std::string_view text, const std::string& file);
+
+/// The text that `xr3 check` prints of a good file.
+std::string exercise_summary(const ExerciseFile& exercise);
+
+}  // namespace xr3
