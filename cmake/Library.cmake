@@ -1,7 +1,8 @@
 # xr3_together(<variable> <name> <source>...): the sources to compile for <source>..., which are absolute
 # paths below the project. With XR3_TOGETHER these are files that include up to XR3_MOST_TOGETHER neighbouring sources
-# each, so that the compiler parses the headers of many files once (docs/decisions/0018-compile-together.md). CMake's
-# own UNITY_BUILD writes absolute paths into such files, and ccache then shares nothing between two checkouts.
+# each, except those with a comment `Compiled alone:`, so that the compiler parses the headers of many files
+# once (docs/decisions/0018-compile-together.md). CMake's own UNITY_BUILD writes absolute paths into such files, and
+# ccache then shares nothing between two checkouts.
 option(XR3_TOGETHER "Compile the sources of a library together" ON)
 set(XR3_MOST_TOGETHER 12)
 if(XR3_TOGETHER AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -15,6 +16,13 @@ function(xr3_together variable name)
     return()
   endif()
   cmake_path(GET CMAKE_CURRENT_FUNCTION_LIST_DIR PARENT_PATH root)
+  foreach(source ${ARGN})
+    file(STRINGS "${source}" mark REGEX "^// Compiled alone:" LIMIT_COUNT 1)
+    if(mark)
+      list(APPEND files "${source}")
+      list(REMOVE_ITEM ARGN "${source}")
+    endif()
+  endforeach()
   list(LENGTH ARGN total)
   # Groups of nearly one size: the last one is not a small one.
   math(EXPR groups "(${total} + ${XR3_MOST_TOGETHER} - 1) / ${XR3_MOST_TOGETHER}")

@@ -1,3 +1,4 @@
+// Compiled alone: term.h has macros with names that headers of Boost use.
 #include "cli/commands/terminal.hpp"
 
 #include <langinfo.h>
@@ -18,13 +19,7 @@
 #define NCURSES_WIDECHAR 1
 #include <curses.h>
 #include <term.h>
-
-namespace {
-void delete_terminal() { del_curterm(cur_term); }
-}  // namespace
-
-#undef columns  // (macros of term.h, which files compiled together with this one may use as names)
-#undef cur_term
+#undef columns  // (macros of term.h)
 #undef lines
 
 namespace xr3 {
@@ -70,7 +65,7 @@ bool can_move_its_cursor() {
   const char* sequence = tigetstr(name);
   // NOLINTNEXTLINE(performance-no-int-to-ptr): terminfo's value for "not a string"
   const bool can = sequence != nullptr && sequence != reinterpret_cast<char*>(-1);
-  delete_terminal();
+  del_curterm(cur_term);
   return can;
 }
 

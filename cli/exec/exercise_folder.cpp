@@ -18,14 +18,6 @@ bool is_exercise(const fs::path& folder) {
   return fs::is_regular_file(folder / kFile, error);
 }
 
-/// The folder with those that come with xr3: in an installation, or in a checkout.
-fs::path shipped() {
-  const fs::path data = data_folder();
-  std::error_code error;
-  const fs::path installed = data / "exercises";
-  return fs::is_directory(installed, error) ? installed : data / "../docs/course";
-}
-
 std::string list_of_names() {
   std::string list;
   for (const std::string& each : names_of_exercises()) list += (list.empty() ? "" : ", ") + each;
@@ -34,7 +26,7 @@ std::string list_of_names() {
 
 fs::path find(const std::string& what) {
   const bool is_path = what.find('/') != std::string::npos || what.ends_with(".zip");
-  if (!is_path && is_exercise(shipped() / what)) return shipped() / what;
+  if (!is_path && is_exercise(shipped_exercises() / what)) return shipped_exercises() / what;
   std::error_code error;
   if (fs::exists(what, error)) return what;
   if (is_path) throw FileError(what + ": there is no such folder or archive");
@@ -92,10 +84,18 @@ void ExerciseFolder::refuse(const char* member, const std::string& why) const {
   throw FileError((path_ / kFile).string() + ": /" + member + ": " + why);
 }
 
+// In an installation, or in a checkout.
+fs::path shipped_exercises() {
+  const fs::path data = data_folder();
+  std::error_code error;
+  const fs::path installed = data / "exercises";
+  return fs::is_directory(installed, error) ? installed : data / "../docs/course";
+}
+
 std::vector<std::string> names_of_exercises() {
   std::vector<std::string> names;
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(shipped(), error))
+  for (const auto& entry : fs::directory_iterator(shipped_exercises(), error))
     if (is_exercise(entry.path())) names.push_back(entry.path().filename());
   std::ranges::sort(names);
   return names;

@@ -38,6 +38,10 @@ class ExerciseFolder {
   ExerciseFile file_;
 };
 
+/// The folder of the exercises that come with xr3, and of the header robot.h for programs in C.
+/// Throws FileError if there is no data folder.
+std::filesystem::path shipped_exercises();
+
 /// The names of the exercises that come with xr3, sorted. Throws FileError if there is no data
 /// folder.
 std::vector<std::string> names_of_exercises();

@@ -9,7 +9,7 @@
 namespace xr3 {
 
 std::vector<std::string> start_command(const std::filesystem::path& program,
-                                       const std::string& built) {
+                                       const std::string& built, const std::string& headers) {
   static const std::map<std::string, std::string> kInterpreters{
       {".py", "python3"}, {".js", "node"}, {".mjs", "node"}, {".sh", "sh"}, {".m", "octave-cli"}};
   const std::string end = program.extension();
