@@ -1,9 +1,10 @@
 #!/bin/bash
 # Moodle VPL, an execution file: makes vpl_execution, which judges the first file of the submission.
-# The goals and the options are for you to change. Keep goals.json and xr3_judge.py when running.
+# The exercise and the options are for you to change. Keep xr3_judge.py when running, and the exercise if it is a file
+# of yours.
 set -eu
 
-options=(--goals goals.json --clock bytes:200 --max-seconds 60)
+options=(--exercise 01-hello --max-seconds 60)
 command=(python3)
 
 # VPL_SUBFILE0 is the name of the file, VPL_GRADEMIN and VPL_GRADEMAX are the grades of the activity.

@@ -3,7 +3,7 @@
 # shows on the student's terminal what it prints, and which goals it has met.
 set -eu
 
-options=(--goals goals.json --clock bytes:200 --max-seconds 60)
+options=(--exercise 01-hello --max-seconds 60)
 command=(python3)
 
 # shellcheck source=/dev/null

@@ -1,7 +1,7 @@
 """The course of docs/course: each solution in Python and C meets all goals, and each of the five wrong programs of an
 exercise fails for the reason in its first line, `# expects: KIND: PART OF WHAT THE JUDGE SAYS`, or `# expects: failed`
-or `# expects: time_up`. An empty program, and one with a syntax error, get no points. Each sentence of the judge that a
-sheet quotes is said to one of its wrong programs.
+or `# expects: time_up`. The starter runs without an error and gets no points; nor does an empty program, or one with a
+syntax error. Each sentence of the judge that a sheet quotes is said to one of its wrong programs.
 Run by `./test --course`. Usage: course_runs.py [EXERCISE...]; the environment has XR3 and XR3_ROOT."""
 
 import concurrent.futures
@@ -16,17 +16,25 @@ import tempfile
 from support import ROOT, XR3
 
 COURSE = pathlib.Path(ROOT, "docs/course")
-COMMAND = re.compile(r"^(?:\$ )?xr3 exec (.*?) -- python3 \S+$", re.MULTILINE)
+COMMAND = re.compile(r"^xr3 exec (.*?) -- python3 (\S+)$", re.MULTILINE)
 MISTAKE = re.compile(r"^\| .* \| (.*) \|$", re.MULTILINE)  # a row of the last table of a sheet
 QUOTE = re.compile(r"`([^`]*[ _][^`]*)`")  # a sentence, or the code of a warning
 WRONG_PROGRAMS = 5
 JOBS = 8
 
 
+def sheet_command(exercise):
+    """(the options of `xr3 exec`, the program) of the first command that the sheet shows."""
+    options, program = COMMAND.search((exercise / "README.md").read_text(encoding="utf-8")).groups()
+    return options.split(), program
+
+
 def options_of(exercise):
-    """The options of `xr3 exec` that the sheet shows, with its files."""
-    text = (exercise / "README.md").read_text(encoding="utf-8").replace("\\\n", " ")
-    return COMMAND.search(text)[1].split()
+    return sheet_command(exercise)[0]
+
+
+def starter_of(exercise):
+    return exercise / "starter" / sheet_command(exercise)[1]
 
 
 def judged(exercise, command):
@@ -61,6 +69,11 @@ def check_nothing(exercise, text):
     return report["points"] == 0, printed
 
 
+def check_starter(exercise):
+    report, printed = judged(exercise, [sys.executable, starter_of(exercise)])
+    return (report["outcome"], report["points"]) == ("finished", 0), printed
+
+
 def quotes_missing(exercise, printed):
     """What the sheet quotes from the judge, `...` for a gap, and the judge said to none of the wrong programs."""
     table = (exercise / "README.md").read_text(encoding="utf-8").partition("## Common mistakes")[2]
@@ -80,6 +93,7 @@ def tasks(exercise, folder):
     assert len(programs) == WRONG_PROGRAMS, f"{exercise.name}: {len(programs)} wrong programs"
     for program in programs:
         yield f"wrong/{program.name}", check_wrong, (exercise, program)
+    yield f"starter/{starter_of(exercise).name}", check_starter, (exercise,)
     yield "an empty program", check_nothing, (exercise, "")
     yield "a syntax error", check_nothing, (exercise, "this is no Python")
 

@@ -6,7 +6,6 @@ import csv
 import json
 import os
 import pathlib
-import re
 import statistics
 import subprocess
 import sys
@@ -14,12 +13,11 @@ import tempfile
 import time
 import unittest
 
+from course_runs import COURSE, options_of
 from support import GRADE, ROOT, XR3
 
-COURSE = pathlib.Path(ROOT, "docs/course")
 CLIENTS = pathlib.Path(ROOT, "clients")
 ENVIRONMENT = {**os.environ, "PYTHONPATH": str(CLIENTS / "python")}
-SHEET_COMMAND = re.compile(r"^xr3 exec (.*?) -- python3 \S+$", re.MULTILINE)
 FIND = ["--goals", "find-and-pick"]
 CAMERA_PROGRAM = [sys.executable, CLIENTS / "python/6_find_and_pick.py"]
 STUDENTS = 200
@@ -61,8 +59,7 @@ def right_programs(folder):
         yield source, FIND, [interpreter, CLIENTS / source]
     yield "python/6_find_and_pick.py", FIND, CAMERA_PROGRAM
     for exercise in sorted(path for path in COURSE.iterdir() if path.is_dir()):
-        sheet = (exercise / "README.md").read_text(encoding="utf-8").replace("\\\n", " ")
-        yield exercise.name, SHEET_COMMAND.search(sheet)[1].split(), [sys.executable, exercise / "solution.py"]
+        yield exercise.name, options_of(exercise), [sys.executable, exercise / "solution.py"]
 
 
 class Verdicts(unittest.TestCase):
@@ -136,7 +133,7 @@ class Costs(unittest.TestCase):
             path.parent.mkdir(exist_ok=True)
             path.write_bytes(source.read_bytes())
         report = pathlib.Path(self.folder, "report")
-        seconds, _ = self.timed(*GRADE, path.parent, "--goals", exercise / "goals.json", "--report", report, "--",
+        seconds, _ = self.timed(*GRADE, path.parent, "--exercise", exercise.name, "--report", report, "--",
                                 sys.executable, "{}")
         print(f"\n{STUDENTS} submissions graded: {seconds:.1f} s (bound: {MOST_CLASS_S})")
         with open(report / "grades.csv", encoding="utf-8") as file:

@@ -57,7 +57,6 @@ class Exercises(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
         (self.folder / "xr3").symlink_to(ROOT)
-        shutil.copy(COURSE / "01-hello" / "goals.json", self.folder)
         self.environment = {**os.environ, "XR3": XR3, "PYTHONPATH": str(pathlib.Path(ROOT, "clients", "python"))}
 
     def submit(self, program, name="hello.py"):
@@ -157,7 +156,7 @@ class Exercises(unittest.TestCase):
         name = os.fsdecode(b"Ren\xe9.py")
         self.submit("solution.py", name)
         shutil.copy(CI / "xr3_judge.py", self.folder)
-        judge = f"{sys.executable} xr3_judge.py vpl --goals goals.json --clock bytes:200 -- {sys.executable} Ren?.py"
+        judge = f"{sys.executable} xr3_judge.py vpl --exercise 01-hello -- {sys.executable} Ren?.py"
         for locale in ({"LC_ALL": "C"}, {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
                        {"PYTHONIOENCODING": "latin-1"}, {"PYTHONIOENCODING": "ascii"}):
             with self.subTest(locale):
@@ -167,14 +166,16 @@ class Exercises(unittest.TestCase):
 
     def test_vpl_gets_a_comment_and_no_grade_if_the_judge_cannot_run(self):
         self.submit("solution.py")
-        (self.folder / "goals.json").write_text("{}", encoding="utf-8")
-        self.evaluate_fails("goals.json")
-        self.environment["XR3"] = str(self.folder / "no-such-program")
-        self.evaluate_fails("cannot be started")
-
-    def evaluate_fails(self, reason):
         for each in "vpl_evaluate.sh", "xr3_judge.py":
             shutil.copy(CI / each, self.folder)
+        self.environment["XR3"] = str(self.folder / "no-such-program")
+        self.evaluate_fails("cannot be started")
+        self.environment["XR3"] = XR3
+        script = self.folder / "vpl_evaluate.sh"
+        script.write_text(script.read_text(encoding="utf-8").replace("01-hello", "no-such-exercise"), encoding="utf-8")
+        self.evaluate_fails("no-such-exercise")
+
+    def evaluate_fails(self, reason):
         self.run_here("./vpl_evaluate.sh", VPL_SUBFILE0="hello.py")
         comment, grades = self.read_by_vpl(self.run_here("./vpl_execution", code=1))
         self.assertEqual([], grades)
@@ -305,7 +306,7 @@ class Exercises(unittest.TestCase):
     def test_the_judge_can_take_several_runs(self):
         self.submit("solution.py")
         shutil.copy(CI / "xr3_judge.py", self.folder)
-        options = "--goals goals.json --clock bytes:200 --vary 1 --repeat 2"
+        options = "--exercise 01-hello --vary 1 --repeat 2"
         output = self.run_here(f"{sys.executable} -I xr3_judge.py vpl {options} -- {sys.executable} hello.py")
         comment, grades = self.read_by_vpl(output)
         self.assertEqual(["10.00"], grades)
@@ -313,7 +314,7 @@ class Exercises(unittest.TestCase):
 
     def test_wrong_arguments(self):
         judge = f"{sys.executable} {CI / 'xr3_judge.py'}"
-        for arguments in "", "vpl --goals goals.json", "moodle -- python3 hello.py", "vpl --":
+        for arguments in "", "vpl --exercise 01-hello", "moodle -- python3 hello.py", "vpl --":
             self.run_here(f"{judge} {arguments}", code=2)
 
     @unittest.skipUnless(yaml, "python3-yaml is not installed")

@@ -1,5 +1,6 @@
 """docs/course: its first steps work as its page shows them, its figures are those that `xr3 draw` makes, its table of
-points is that of the goals files, and the fastest exercise is judged as its sheet says (`./test --course`: all)."""
+points is that of the goals files, its exercises have all their parts, and the fastest one is judged as its sheet says
+(`./test --course`: all)."""
 # labels: full
 
 import json
@@ -29,17 +30,18 @@ class Course(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def test_the_first_steps(self):
-        """All commands of the page in one shell, and `./hello` in the place of `python3 hello.py`."""
+        """All commands of the page in one shell, with the solution in the place of the starter, and `./hello` in the place
+        of `python3 hello.py`."""
         for name in "clients", "docs":
             (self.folder / name).symlink_to(pathlib.Path(ROOT, name))
         (self.folder / "build" / "release").mkdir(parents=True)
         (self.folder / "build" / "release" / "xr3").symlink_to(XR3)
-        for end in "py", "c":
-            text = (COURSE / "01-hello" / f"solution.{end}").read_text(encoding="utf-8")
-            (self.folder / f"hello.{end}").write_text(text, encoding="utf-8")
-        page = (COURSE / "README.md").read_text(encoding="utf-8")
-        commands = "".join(FENCE.findall(page))
-        self.assertIn("-- python3 hello.py\n", commands)
+        text = (COURSE / "01-hello" / "solution.c").read_text(encoding="utf-8")
+        (self.folder / "hello.c").write_text(text, encoding="utf-8")
+        commands = "".join(FENCE.findall((COURSE / "README.md").read_text(encoding="utf-8")))
+        for part in "cp docs/course/01-hello/starter/hello.py .\n", "-- python3 hello.py\n":
+            self.assertIn(part, commands)
+        commands = commands.replace("starter/hello.py .", "solution.py hello.py")
         in_c = re.search(r"xr3 exec .*", commands)[0].replace("python3 hello.py", "./hello")
         done = subprocess.run(["bash", "-euc", f"unset PYTHONPATH\n{commands}\n{in_c}\n"], cwd=self.folder,
                               stdin=subprocess.DEVNULL, env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"},
@@ -73,7 +75,7 @@ class Course(unittest.TestCase):
         self.assertEqual([*points, sum(points)], [int(number) for number in shown])
 
     def test_files(self):
-        files = sorted(COURSE.glob("*/*.json"))
+        files = sorted(path for path in COURSE.glob("*/*.json") if path.name != "exercise.json")
         self.assertGreater(len(files), len(EXERCISES))
         done = run_xr3("check", *files)
         self.assertEqual((0, ""), (done.returncode, done.stderr))
@@ -86,7 +88,18 @@ class Course(unittest.TestCase):
                 sheet = (exercise / "README.md").read_text(encoding="utf-8")
                 self.assertEqual(["Aim", "Theory", "Task", "Run it", "Hints", "Common mistakes"],
                                  re.findall(r"^## (.*)", sheet, re.MULTILINE))
-                self.assertTrue(course_runs.options_of(exercise))
+                self.assertEqual(["--exercise", exercise.name], course_runs.options_of(exercise))
+                self.assertEqual([course_runs.starter_of(exercise)], list((exercise / "starter").iterdir()))
+
+    def test_settings_of_every_exercise(self):
+        """The title is that of the sheet, and each file is used."""
+        for exercise in EXERCISES:
+            with self.subTest(exercise.name):
+                settings = json.loads((exercise / "exercise.json").read_text(encoding="utf-8"))
+                sheet = (exercise / "README.md").read_text(encoding="utf-8")
+                self.assertEqual(f"# {int(exercise.name[:2])}. {settings['title']}", sheet.splitlines()[0])
+                used = {value for value in settings.values() if value.endswith(".json")} | {"exercise.json"}
+                self.assertEqual(used, {path.name for path in exercise.glob("*.json")})
 
     def test_the_fastest_exercise(self):
         printed = ""
