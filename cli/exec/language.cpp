@@ -14,9 +14,8 @@ std::vector<std::string> start_command(const std::filesystem::path& program,
       {".py", "python3"}, {".js", "node"}, {".mjs", "node"}, {".sh", "sh"}, {".m", "octave-cli"}};
   const std::string end = program.extension();
   if (end == ".c") {
-    const auto folder = program.parent_path();
-    return {"sh",    "-c",  R"(cc -std=c11 -I "$2" -I "$2/.." -o "$1" "$0" -lm && exec "$1")",
-            program, built, folder};
+    constexpr const char* kBuild = R"(cc -std=c11 -I "$2" -I "$3" -o "$1" "$0" -lm && exec "$1")";
+    return {"sh", "-c", kBuild, program, built, program.parent_path(), headers};
   }
   if (const auto found = kInterpreters.find(end); found != kInterpreters.end())
     return {found->second, program};

@@ -13,6 +13,7 @@
 #include "server/files/data_files.hpp"
 #include "server/files/png.hpp"
 #include "tests/support/rig.hpp"
+#include "tools/drawing/view_vector.hpp"
 
 namespace xr3 {
 namespace {
