@@ -11,7 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 MAP = ROOT / "docs" / "paper-map.md"
 COLUMNS = 4
 STATUSES = ("done", "planned", "replaced")
-LIBRARIES = ("core", "protocol", "cell", "tools", "server")
+LIBRARIES = ("core", "protocol", "cell", "tools", "server", "cli")
 GTEST = re.compile(r"^(TEST|TEST_F|TEST_P|RC_GTEST_PROP)\(\s*(\w+),", re.MULTILINE)
 
 # The tests of ctest that use the other files of tests/.

@@ -32,8 +32,8 @@ struct RunPlace {
 
 class Exercise {
  public:
-  /// Loads the robot, the workcell, the faults and the goals, those of an exercise if `options` names
-  /// one. Throws FileError and DataError.
+  /// Loads the robot, the workcell, the faults and the goals, those of an exercise if `options`
+  /// names one. Throws FileError and DataError.
   Exercise(const ExecOptions& options, const ServeOptions& server)
       : Exercise(Sources(options, server)) {}
 

@@ -15,9 +15,9 @@ namespace xr3 {
 
 class ExerciseFolder {
  public:
-  /// Finds an exercise. `what` is a path of a folder or a zip archive if it contains a slash or ends
-  /// in .zip; else the name of an exercise that comes with xr3, else a folder here. Throws FileError
-  /// and DataError.
+  /// Finds an exercise. `what` is a path of a folder or a zip archive if it contains a slash or
+  /// ends in .zip; else the name of an exercise that comes with xr3, else a folder here. Throws
+  /// FileError and DataError.
   explicit ExerciseFolder(const std::string& what);
 
   const std::filesystem::path& path() const { return path_; }

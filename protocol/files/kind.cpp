@@ -4,10 +4,10 @@ namespace xr3 {
 
 DataKind kind_of(JsonValue root) {
   if (!root.is_object()) return DataKind::kUnknown;
+  if (root.find("title")) return DataKind::kExercise;
   if (root.find("joints")) return DataKind::kRobot;
   if (root.find("workspace") || root.find("blocks")) return DataKind::kWorkcell;
   if (root.find("faults")) return DataKind::kFaults;
-  if (root.find("title")) return DataKind::kExercise;
   return root.find("goals") ? DataKind::kGoals : DataKind::kUnknown;
 }
 

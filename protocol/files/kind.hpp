@@ -13,8 +13,8 @@ namespace xr3 {
 
 enum class DataKind : std::uint8_t { kUnknown, kRobot, kWorkcell, kFaults, kGoals, kExercise };
 
-/// With `joints` it is a robot, with `workspace` or `blocks` a workcell, with `faults` a list of
-/// faults, with `title` an exercise, else with `goals` a list of goals.
+/// With `title` it is an exercise; else with `joints` a robot, with `workspace` or `blocks` a
+/// workcell, with `faults` a list of faults, with `goals` one of goals.
 DataKind kind_of(JsonValue root);
 
 /// The only finding of a file of the other kind: one sentence says more than a list of all members

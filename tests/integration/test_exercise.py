@@ -2,6 +2,7 @@
 `xr3 exercise check`, which says of an exercise that is wrong what is wrong with it."""
 
 import json
+import os
 import pathlib
 import shutil
 import stat
@@ -13,7 +14,7 @@ from support import ROOT, run_xr3
 
 MOVE = """import os, socket
 line = socket.create_connection((os.environ["XR3_HOST"], int(os.environ["XR3_PORT"])))
-line.sendall(b"{}")
+line.sendall(b"{}\\r")
 line.shutdown(socket.SHUT_WR)
 while line.recv(100):
     pass
@@ -40,7 +41,7 @@ class Folder(unittest.TestCase):
         return path
 
     def run_here(self, *arguments, code=0):
-        done = run_xr3(*arguments, cwd=self.folder)
+        done = run_xr3(*arguments, cwd=self.folder, env={**os.environ, "PYTHONPATH": os.path.join(ROOT, "clients/python")})
         self.assertEqual(code, done.returncode, done.stdout + done.stderr)
         return done
 
@@ -83,7 +84,7 @@ class Exec(Folder):
 
     def test_runs_of_an_exercise_that_varies_may_differ(self):
         self.write("turn/exercise.json", json.dumps({**EXERCISE, "vary": "7"}))
-        look = MOVE.format("F+40").replace("line.sendall", "import random\nline.sendall").replace('b"F+40"', 'b"F?" * random.randint(1, 90) + b"F+40"')
+        look = MOVE.format("F+40").replace("line.sendall", "import random\nline.sendall").replace('b"F+40', 'b"F?" * random.randint(1, 90) + b"F+40')
         program = self.write("look.py", look)
         self.run_here("exec", "--exercise", "turn", "--repeat", "3", "--", "python3", program)
 

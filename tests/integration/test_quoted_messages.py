@@ -50,7 +50,7 @@ def quotes():
 
 def words_of_sources():
     """The C++ sources of the server and of the texts of events, with adjacent literals joined, and {} for a number between them."""
-    files = [path for folder in ("server", "protocol/explain") for path in sorted(pathlib.Path(ROOT, folder).rglob("*.cpp"))]
+    files = [path for folder in ("server", "cli", "protocol/explain") for path in sorted(pathlib.Path(ROOT, folder).rglob("*.cpp"))]
     text = "\n".join(re.sub(r'"\s*\n\s*"', "", path.read_text(encoding="utf-8")) for path in files)
     return re.sub(r'" \+\s*std::to_string\([^"]*\) \+\s*"', "{}", text)
 
