@@ -75,7 +75,7 @@ class Course(unittest.TestCase):
         self.assertEqual([*points, sum(points)], [int(number) for number in shown])
 
     def test_files(self):
-        files = sorted(path for path in COURSE.glob("*/*.json") if path.name != "exercise.json")
+        files = sorted(COURSE.glob("*/*.json"))
         self.assertGreater(len(files), len(EXERCISES))
         done = run_xr3("check", *files)
         self.assertEqual((0, ""), (done.returncode, done.stderr))
@@ -90,6 +90,8 @@ class Course(unittest.TestCase):
                                  re.findall(r"^## (.*)", sheet, re.MULTILINE))
                 self.assertEqual(["--exercise", exercise.name], course_runs.options_of(exercise))
                 self.assertEqual([course_runs.starter_of(exercise)], list((exercise / "starter").iterdir()))
+                self.assertEqual(["c", "py"], sorted(path.suffix[1:] for path in exercise.glob("solution.*")))
+                self.assertEqual(5, len(list((exercise / "wrong").iterdir())))
 
     def test_settings_of_every_exercise(self):
         """The title is that of the sheet, and each file is used."""
@@ -102,13 +104,7 @@ class Course(unittest.TestCase):
                 self.assertEqual(used, {path.name for path in exercise.glob("*.json")})
 
     def test_the_fastest_exercise(self):
-        printed = ""
-        for name, check, arguments in course_runs.tasks(COURSE / FASTEST, self.folder):
-            with self.subTest(name):
-                is_good, said = check(*arguments)
-                self.assertTrue(is_good, said)
-                printed += said
-        self.assertEqual([], course_runs.quotes_missing(COURSE / FASTEST, printed))
+        self.assertEqual([], list(course_runs.troubles_of(COURSE / FASTEST)))
 
 
 if __name__ == "__main__":
