@@ -76,7 +76,7 @@ class Trials {
   /// Each has a name of its own for what a compiler makes.
   std::vector<std::string> command(const fs::path& program) {
     return start_command(fs::absolute(program), scratch_.file(std::to_string(++programs_).c_str()),
-                         shipped_exercises());
+                         exercises_folder());
   }
 
   const ExerciseFolder& folder_;

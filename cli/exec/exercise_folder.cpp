@@ -11,11 +11,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFile = "exercise.json";
-
 bool is_exercise(const fs::path& folder) {
   std::error_code error;
-  return fs::is_regular_file(folder / kFile, error);
+  return fs::is_regular_file(folder / kExerciseFile, error);
 }
 
 std::string list_of_names() {
@@ -26,7 +24,7 @@ std::string list_of_names() {
 
 fs::path find(const std::string& what) {
   const bool is_path = what.find('/') != std::string::npos || what.ends_with(".zip");
-  if (!is_path && is_exercise(shipped_exercises() / what)) return shipped_exercises() / what;
+  if (!is_path && is_exercise(exercises_folder() / what)) return exercises_folder() / what;
   std::error_code error;
   if (fs::exists(what, error)) return what;
   if (is_path) throw FileError(what + ": there is no such folder or archive");
@@ -49,8 +47,8 @@ ExerciseFolder::ExerciseFolder(const std::string& what) : path_(find(what)) {
     unzip(path_, folder);
     path_ = top_of(folder);
   }
-  if (!is_exercise(path_)) throw FileError(what + ": there is no " + kFile + " in it");
-  const DataFile data = read_file(path_ / kFile);
+  if (!is_exercise(path_)) throw FileError(what + ": there is no " + kExerciseFile + " in it");
+  const DataFile data = read_file(path_ / kExerciseFile);
   file_ = load_exercise(data.text, data.path);
 }
 
@@ -81,24 +79,7 @@ std::string ExerciseFolder::place_of(const std::string& name) const {
 }
 
 void ExerciseFolder::refuse(const char* member, const std::string& why) const {
-  throw FileError((path_ / kFile).string() + ": /" + member + ": " + why);
-}
-
-// In an installation, or in a checkout.
-fs::path shipped_exercises() {
-  const fs::path data = data_folder();
-  std::error_code error;
-  const fs::path installed = data / "exercises";
-  return fs::is_directory(installed, error) ? installed : data / "../docs/course";
-}
-
-std::vector<std::string> names_of_exercises() {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(shipped_exercises(), error))
-    if (is_exercise(entry.path())) names.push_back(entry.path().filename());
-  std::ranges::sort(names);
-  return names;
+  throw FileError((path_ / kExerciseFile).string() + ": /" + member + ": " + why);
 }
 
 }  // namespace xr3

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "cli/exec/run_folder.hpp"
 #include "cli/options/options.hpp"
@@ -37,13 +36,5 @@ class ExerciseFolder {
   std::filesystem::path path_;
   ExerciseFile file_;
 };
-
-/// The folder of the exercises that come with xr3, and of the header robot.h for programs in C.
-/// Throws FileError if there is no data folder.
-std::filesystem::path shipped_exercises();
-
-/// The names of the exercises that come with xr3, sorted. Throws FileError if there is no data
-/// folder.
-std::vector<std::string> names_of_exercises();
 
 }  // namespace xr3

@@ -27,7 +27,7 @@ std::vector<std::string> alternatives_of(std::string_view type) {
 
 bool is_of_files(std::string_view type) {
   for (const std::string_view part :
-       {"FILE", "FOLDER", "PATH", "DEVICE", "OUT", "IN", "PROGRAM", ".json"}) {
+       {"FILE", "FOLDER", "PATH", "DEVICE", "OUT", "IN", "PROGRAM", "ZIP", ".json"}) {
     if (type.starts_with(part) || type.ends_with(part)) return true;
   }
   return false;
@@ -35,6 +35,7 @@ bool is_of_files(std::string_view type) {
 
 std::string data_kind_of(const DescribedOption& option) {
   if (option.name == "--robot") return "robots";
+  if (option.name.ends_with("exercise")) return "exercises";
   if (option.name == "--workcell" || option.name == "--from") return "workcells";
   return option.name == "--fault" ? "faults" : "";
 }

@@ -14,7 +14,7 @@
 namespace xr3 {
 namespace {
 
-constexpr std::array kDataKinds = {"robots", "workcells", "faults"};
+constexpr std::array kDataKinds = {"robots", "workcells", "faults", "exercises"};
 
 std::string command_list(const DescribedProgram& program) {
   std::string list;
@@ -73,10 +73,10 @@ void add_completion(CLI::App& app, ManualOptions& options) {
   app.add_subcommand("completion", "print a script that completes xr3's command line in a shell")
       ->add_option("shell", options.completion,
                    "the shell; or the kind of data files whose names are printed")
-      ->type_name("bash|zsh|fish|robots|workcells|faults")
+      ->type_name("bash|zsh|fish|robots|workcells|faults|exercises")
       ->required()
-      ->check(
-          CLI::IsMember({"bash", "zsh", "fish", "robots", "workcells", "faults"}).description(""));
+      ->check(CLI::IsMember({"bash", "zsh", "fish", "robots", "workcells", "faults", "exercises"})
+                  .description(""));
 }
 
 std::string manual_page(const CLI::App& app, const ManualOptions& options) {
@@ -93,7 +93,9 @@ std::string manual_page(const CLI::App& app, const ManualOptions& options) {
 std::string completion_text(const CLI::App& app, const ManualOptions& options) {
   if (std::find(kDataKinds.begin(), kDataKinds.end(), options.completion) != kDataKinds.end()) {
     std::string lines;
-    for (const std::string& name : names_of_data_files(options.completion)) lines += name + "\n";
+    const auto names = options.completion == "exercises" ? names_of_exercises()
+                                                         : names_of_data_files(options.completion);
+    for (const std::string& name : names) lines += name + "\n";
     return lines;
   }
   const DescribedProgram program = describe_program(app);

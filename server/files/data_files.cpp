@@ -114,6 +114,24 @@ std::vector<std::string> names_of_data_files(const std::string& kind) {
   return names;
 }
 
+// In an installation, or in a checkout.
+fs::path exercises_folder() {
+  const fs::path data = data_folder();
+  std::error_code error;
+  const fs::path installed = data / "exercises";
+  return fs::is_directory(installed, error) ? installed : data / "../docs/course";
+}
+
+std::vector<std::string> names_of_exercises() {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(exercises_folder(), error))
+    if (fs::is_regular_file(entry.path() / kExerciseFile, error))
+      names.push_back(entry.path().filename());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 fs::path data_folder() {
   std::error_code error;
   if (const char* named = std::getenv("XR3_DATA")) {

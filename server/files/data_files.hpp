@@ -40,6 +40,16 @@ bool has_data_file(const std::string& name, const std::string& kind);
 /// no data folder.
 std::vector<std::string> names_of_data_files(const std::string& kind);
 
+/// The file that makes a folder an exercise.
+inline constexpr const char* kExerciseFile = "exercise.json";
+
+/// The folder of the exercises that come with xr3, and of the header robot.h for programs in C.
+/// Throws FileError if there is no data folder.
+std::filesystem::path exercises_folder();
+
+/// The names of these exercises, sorted. Throws FileError if there is no data folder.
+std::vector<std::string> names_of_exercises();
+
 /// The data folder: $XR3_DATA if set; else share/xr3 beside the program's bin; else data in the
 /// source tree of the build. Throws FileError if it does not exist.
 std::filesystem::path data_folder();

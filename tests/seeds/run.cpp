@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cell/failure.hpp"
+#include "cli/options/options.hpp"
 #include "server/app.hpp"
 #include "tests/seeds/client.hpp"
 #include "tests/seeds/log.hpp"

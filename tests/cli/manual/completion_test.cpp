@@ -42,6 +42,8 @@ TEST(ValueChoices, AreFilesForTypesThatAreFiles) {
 TEST(ValueChoices, AreNamesAndFilesForDataFiles) {
   EXPECT_EQ((ValueChoices{{}, "robots", true}), choices_of(option_of("--robot", "NAME|FILE")));
   EXPECT_EQ((ValueChoices{{}, "workcells", true}), choices_of(option_of("--from", "NAME|FILE")));
+  EXPECT_EQ((ValueChoices{{}, "exercises", true}),
+            choices_of(option_of("--exercise", "NAME|FOLDER|ZIP")));
   EXPECT_EQ((ValueChoices{{}, "faults", true}), choices_of(option_of("--fault", "NAME|FILE")));
 }
 
