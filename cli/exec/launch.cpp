@@ -19,8 +19,8 @@
 
 extern char** environ;
 
-#include "cli/exec/no_keys.hpp"
 #include "cli/exec/private_network.hpp"
+#include "cli/exec/system_calls.hpp"
 #include "cli/exec/throw_errno.hpp"
 
 namespace xr3 {
@@ -123,10 +123,17 @@ void limit_tasks(std::size_t most) {
   if (::setrlimit(RLIMIT_NPROC, &both) != 0) give_up(errno);
 }
 
+/// The system has limits for a user, such as of watched files, that one program must not use up.
+void limit_files() {
+  constexpr rlimit kFiles{256, 256};
+  if (::setrlimit(RLIMIT_NOFILE, &kFiles) != 0) give_up(errno);
+}
+
 [[noreturn]] void become_program(const Launch& launch, bool has_user_namespace) {
   if (has_user_namespace) limit_tasks(launch.settings.max_tasks);
   const bool is_sandboxed = launch.settings.network != nullptr;
-  if (is_sandboxed && !give_up_keys()) give_up(errno);
+  if (is_sandboxed) limit_files();
+  if (is_sandboxed && !restrict_system_calls()) give_up(errno);
   if (!is_sandboxed && launch.settings.user && !launch.settings.user->enter()) give_up(errno);
   ::execvpe(launch.arguments.pointers[0], launch.arguments.pointers.data(),
             launch.variables.pointers.data());

@@ -13,12 +13,14 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
+#include "cli/exec/pipe.hpp"
 #include "cli/exec/throw_errno.hpp"
 
 namespace xr3 {
@@ -57,52 +59,9 @@ int listen_on_loopback() {
   return is_listening ? listener : -1;
 }
 
-bool send_descriptors(int channel, const Descriptors& descriptors) {
-  alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(Descriptors))> space{};
-  char byte = 0;
-  iovec data{&byte, 1};
-  msghdr message{};
-  message.msg_iov = &data;
-  message.msg_iovlen = 1;
-  message.msg_control = space.data();
-  message.msg_controllen = space.size();
-  cmsghdr* header = CMSG_FIRSTHDR(&message);
-  header->cmsg_level = SOL_SOCKET;
-  header->cmsg_type = SCM_RIGHTS;
-  header->cmsg_len = CMSG_LEN(sizeof(Descriptors));
-  std::memcpy(CMSG_DATA(header), descriptors.data(), sizeof(Descriptors));
-  return ::sendmsg(channel, &message, 0) == 1;
-}
-
-/// False if the other side has sent none.
-bool receive_descriptors(int channel, Descriptors& descriptors) {
-  alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(Descriptors))> space{};
-  char byte = 0;
-  iovec data{&byte, 1};
-  msghdr message{};
-  message.msg_iov = &data;
-  message.msg_iovlen = 1;
-  message.msg_control = space.data();
-  message.msg_controllen = space.size();
-  if (::recvmsg(channel, &message, MSG_CMSG_CLOEXEC) != 1) return false;
-  const cmsghdr* header = CMSG_FIRSTHDR(&message);
-  if (header == nullptr || header->cmsg_type != SCM_RIGHTS) return false;
-  std::memcpy(descriptors.data(), CMSG_DATA(header), sizeof(Descriptors));
-  return true;
-}
-
-/// Closes every descriptor of the judge but the channel. Returns its new number.
-int keep_channel(int channel) {
-  constexpr int kChannel = STDERR_FILENO + 1;
-  if (channel != kChannel) ::dup2(channel, kChannel);
-  ::syscall(SYS_close_range, static_cast<unsigned>(kChannel) + 1U, ~0U, 0U);
-  return kChannel;
-}
-
-/// In the child: makes the namespaces and sends their descriptors. Returns 0, or errno.
-int make_namespaces(int judges_channel, const IdMaps& maps,
-                    const std::optional<ProgramUser>& user) {
-  const int channel = keep_channel(judges_channel);
+/// In the child: makes the namespaces, and writes their descriptors to `result`. Returns 0, or
+/// errno.
+int make_namespaces(int result, const IdMaps& maps, const std::optional<ProgramUser>& user) {
   if (user && !user->enter()) return errno;
   if (::unshare(CLONE_NEWNET | CLONE_NEWUSER) != 0) return errno;
   if (!maps.write() || !write_to("/proc/sys/user/max_user_namespaces", kOfBubblewrap)) return errno;
@@ -112,7 +71,7 @@ int make_namespaces(int judges_channel, const IdMaps& maps,
                                 ::open("/proc/self/ns/user", O_RDONLY | O_CLOEXEC)};
   for (const int each : descriptors)
     if (each < 0) return errno;
-  return send_descriptors(channel, descriptors) ? 0 : errno;
+  return ::write(result, descriptors.data(), sizeof descriptors) == sizeof descriptors ? 0 : errno;
 }
 
 }  // namespace
@@ -127,21 +86,19 @@ bool IdMaps::write() const {
   return is_written;
 }
 
+// The child shares the table of descriptors. (Over a socket they would count as being under way, of
+// which a user may have only so many at a time: a program could take all of them.)
 PrivateNetwork::PrivateNetwork(const std::optional<ProgramUser>& user) {
   const IdMaps maps(user);
-  std::array<int, 2> channel{};
-  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, channel.data()) != 0)
-    throw_errno("socketpair");
-  const ::pid_t child = ::fork();
+  const Pipe result;
+  const auto child = static_cast<::pid_t>(::syscall(SYS_clone, CLONE_FILES | SIGCHLD, 0, 0, 0, 0));
   if (child < 0) throw_errno("fork");
-  if (child == 0) ::_exit(make_namespaces(channel[1], maps, user));
-  ::close(channel[1]);
-  Descriptors descriptors{-1, -1, -1};
-  const bool is_made = receive_descriptors(channel[0], descriptors);
-  ::close(channel[0]);
+  if (child == 0) ::_exit(make_namespaces(result.writing.get(), maps, user));
   int status = 0;
   ::waitpid(child, &status, 0);
-  if (!is_made) {
+  Descriptors descriptors{-1, -1, -1};
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 ||
+      ::read(result.reading.get(), descriptors.data(), sizeof descriptors) != sizeof descriptors) {
     errno = WIFEXITED(status) ? WEXITSTATUS(status) : EIO;
     throw_errno("user and network namespaces");
   }

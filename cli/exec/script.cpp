@@ -1,20 +1,26 @@
 #include "cli/exec/script.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <string_view>
 #include <system_error>
+
+#include "server/files/descriptor.hpp"
 
 namespace xr3 {
 namespace {
 
-/// The first line without its line feed, as far as Linux reads it.
+/// The first line without its line feed, as far as Linux reads it. Does not wait for a FIFO.
 std::string first_line(const std::string& path) {
   std::array<char, 256> bytes{};
-  std::ifstream file(path, std::ios::binary);
-  file.read(bytes.data(), bytes.size());
-  const std::string_view read(bytes.data(), static_cast<std::size_t>(file.gcount()));
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  const ::ssize_t count = ::read(file.get(), bytes.data(), bytes.size());
+  const std::string_view read(bytes.data(),
+                              static_cast<std::size_t>(std::max<::ssize_t>(0, count)));
   return std::string(read.substr(0, read.find('\n')));
 }
 

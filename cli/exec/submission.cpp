@@ -22,6 +22,8 @@ std::string why_refused(const fs::path& submission) try {
   const std::string name = submission.filename().string();
   if (fs::is_symlink(submission))
     return name + " is a symbolic link; a submission is a file or a folder of its own";
+  if (!fs::is_regular_file(submission) && !fs::is_directory(submission))
+    return name + " is neither a file nor a folder";
   if (!fs::is_directory(submission)) return "";
   const fs::path folder = fs::canonical(submission);
   for (const fs::directory_entry& each : fs::recursive_directory_iterator(submission))

@@ -7,7 +7,8 @@
 namespace xr3 {
 
 /// The reason to refuse a submission: it is a symbolic link, or has one that leads out of it: such
-/// a program would be that of somebody else. Empty if it is good.
+/// a program would be that of somebody else; or it is a FIFO, socket or device. Empty if it is
+/// good.
 std::string why_refused(const std::filesystem::path& submission);
 
 }  // namespace xr3

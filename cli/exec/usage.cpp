@@ -5,24 +5,35 @@
 #include <sys/vfs.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
 #include <set>
+#include <system_error>
 
 namespace xr3 {
 namespace {
 
-std::string file_of(::pid_t process, const char* name) {
-  return "/proc/" + std::to_string(process) + "/" + name;
+/// The folder in /proc of a thread that lives: the first one of a process may have ended before the
+/// others. Empty: none does.
+std::string folder_of(::pid_t process) {
+  const std::string tasks = "/proc/" + std::to_string(process) + "/task";
+  std::error_code ended;
+  std::filesystem::directory_iterator each(tasks, ended);
+  for (; !ended && each != std::filesystem::directory_iterator(); each.increment(ended)) {
+    std::ifstream statm(each->path() / "statm");
+    if (std::uint64_t pages = 0; statm >> pages && pages > 0) return each->path();
+  }
+  return "";
 }
 
-/// The memory of a process, in which a page that n processes share counts as 1/n; of one that hides
-/// its maps the whole.
-std::uint64_t memory_of(::pid_t process) {
+/// The memory of the process with this folder, in which a page that n processes share counts as
+/// 1/n; of one that hides its maps the whole.
+std::uint64_t memory_of(const std::string& process) {
   constexpr std::uint64_t kKib = 1024;
-  std::ifstream rollup(file_of(process, "smaps_rollup"));
+  std::ifstream rollup(process + "/smaps_rollup");
   for (std::string word; rollup >> word;)
     if (std::uint64_t kib = 0; word == "Pss:" && rollup >> kib) return kib * kKib;
-  std::ifstream statm(file_of(process, "statm"));
+  std::ifstream statm(process + "/statm");
   std::uint64_t all = 0;
   std::uint64_t resident = 0;
   statm >> all >> resident;
@@ -30,10 +41,10 @@ std::uint64_t memory_of(::pid_t process) {
 }
 
 /// Adds the files of a process's folders, as far as they are in memory and not yet in `counted`.
-void add_files(::pid_t process, const std::vector<std::string>& folders, std::set<::dev_t>& counted,
-               Usage& usage) {
+void add_files(const std::string& process, const std::vector<std::string>& folders,
+               std::set<::dev_t>& counted, Usage& usage) {
   for (const std::string& folder : folders) {
-    const std::string path = file_of(process, "root") + folder;
+    const std::string path = process + "/root" + folder;
     struct ::statfs system {};
     struct ::stat its {};
     struct ::stat of_judge {};
@@ -54,7 +65,9 @@ Usage usage_of(const std::vector<::pid_t>& processes, const std::vector<std::str
   Usage usage;
   usage.processes = processes.size();
   std::set<::dev_t> counted;
-  for (const ::pid_t process : processes) {
+  for (const ::pid_t each : processes) {
+    const std::string process = folder_of(each);
+    if (process.empty()) continue;
     usage.memory_bytes += memory_of(process);
     if (counted.size() < folders.size()) add_files(process, folders, counted, usage);
   }

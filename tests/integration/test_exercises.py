@@ -28,6 +28,7 @@ class Folder(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
+        self.environment = {**os.environ, "PYTHONPATH": os.path.join(ROOT, "clients/python")}
         self.write("turn/exercise.json", json.dumps(EXERCISE))
         self.write("turn/goals.json", json.dumps(GOALS))
         self.write("turn/solution.py", MOVE.format("F+40"))
@@ -41,7 +42,7 @@ class Folder(unittest.TestCase):
         return path
 
     def run_here(self, *arguments, code=0):
-        done = run_xr3(*arguments, cwd=self.folder, env={**os.environ, "PYTHONPATH": os.path.join(ROOT, "clients/python")})
+        done = run_xr3(*arguments, cwd=self.folder, env=self.environment)
         self.assertEqual(code, done.returncode, done.stdout + done.stderr)
         return done
 
@@ -110,10 +111,12 @@ class Zip(Folder):
                 for path in (self.folder / "turn").rglob("*") if path.is_file()}
 
     def refused(self, words, files):
-        before = set(pathlib.Path(tempfile.gettempdir()).glob("xr3-*"))
+        own = tempfile.TemporaryDirectory()
+        self.addCleanup(own.cleanup)
+        self.environment["TMPDIR"] = own.name
         done = self.judge(self.zip(files), code=2)
         self.assertIn(words, done.stderr)
-        self.assertEqual(set(), set(pathlib.Path(tempfile.gettempdir()).glob("xr3-*")) - before)
+        self.assertEqual([], os.listdir(own.name))
 
     def test_its_files_or_one_folder(self):
         self.assertIn("score 4 of 4", self.judge(self.zip(self.files())).stdout)

@@ -27,7 +27,7 @@ LIMIT_S, MEMORY_MIB, PROCESSES = 5, 200, 20
 GOALS = {"notes": GOAL_SECRET, "goals": [{"kind": "joint", "label": "F", "count": 9, "points": 7}, {"kind": "no_stall", "points": 2},
                                          {"kind": "holding", "name": None}]}
 HEAD = f"""#!{PYTHON}
-import array, ctypes, fcntl, glob, os, resource, select, signal, socket, subprocess, sys, termios, threading, time
+import array, ctypes, errno, fcntl, glob, os, resource, select, signal, socket, subprocess, sys, termios, threading, time
 print("I am @NAME@", flush=True)
 libc = ctypes.CDLL(None, use_errno=True)
 libc.shmat.restype = ctypes.c_void_p
@@ -195,10 +195,10 @@ ring = libc.syscall(425, 256, parameters)
 print("ring", ring)
 """,
     # Without the bound it takes all of fs.epoll.max_user_watches, which the processes of a user share: in 15 s, with 1 GiB of the
-    # kernel's memory. FINDING: as an ordinary user, honest submissions that start then get 0 points, without a word.
+    # kernel's memory.
     "epoll-watches": """
-pipe, held = os.pipe()[0], [select.epoll() for _ in range(100)]
-for each in [os.dup(pipe) for _ in range(500)]:
+pipe, held = os.pipe()[0], [select.epoll() for _ in range(50)]
+for each in [os.dup(pipe) for _ in range(150)]:
     for epoll in held:
         attempt(epoll.register, each, 0)
 """,
@@ -319,13 +319,12 @@ for folder in "/tmp", "/dev/shm", ".":
             pass
 """,
     "files": "for number in range(10_500):\n    open(f'/tmp/{number}', 'w').close()\ntime.sleep(60)\n",
-    # FINDING: the system calls of AF_VSOCK know no network namespace: the program reaches the machine's own, and that of its host.
+    # AF_VSOCK knows no network namespace: the program would reach the machine's own sockets, and those of its host.
     "virtual-sockets": """
-line = socket.socket(socket.AF_VSOCK, socket.SOCK_STREAM)
 try:
-    line.bind((socket.VMADDR_CID_ANY, @VSOCK@))
+    socket.socket(socket.AF_VSOCK, socket.SOCK_STREAM).bind((socket.VMADDR_CID_ANY, @VSOCK@))
 except OSError as error:
-    print("vsock: the machine's", error)
+    print("the machine's" if error.errno == errno.EADDRINUSE else "none", error)
 """,
 }
 
@@ -338,8 +337,11 @@ def alone():
 threading.Thread(target=alone).start()
 libc.syscall({{"x86_64": 60, "aarch64": 93}}[os.uname().machine], 0)
 """
-# FINDINGS: programs that pass a limit, which the judge does not see. Each of them gives up what it has after 2 s. SECURITY.md: "the
-# run ends if it takes more memory or processes than allowed".
+# /proc/PID of a process whose first thread has ended tells nothing of its memory and its folders.
+CHEATS["memory-without-first-thread"] = ALONE.format("x = b'x' * (300 << 20); time.sleep(60)")
+IN_THE_SANDBOX["files-without-first-thread"] = ALONE.format(
+    "[open(f'/tmp/{number}', 'w').close() for number in range(10_500)]; time.sleep(60)")
+# Programs that pass a limit, which the judge does not see, as docs/exec.md says. Each of them gives up what it has after 2 s.
 UNSEEN = {
     # Files without a name and without a mapping are counted nowhere.
     "memory-as-memfd": "file = os.memfd_create('x')\nfor _ in range(300):\n    os.write(file, b'x' * (1 << 20))\n" + HOLD,
@@ -349,14 +351,14 @@ most = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
 resource.setrlimit(resource.RLIMIT_NOFILE, (most, most))
 held, count = [], 0
 while count < 300 << 20:
-    pair = socket.socketpair()
+    pair = attempt(socket.socketpair)
+    if not pair:
+        break
     pair[0].setblocking(False)
     held.append(pair)
     while sent := attempt(pair[0].send, b"x" * 65_536):
         count += sent
 """ + HOLD,
-    # /proc/PID of a process whose first thread has ended tells nothing of its memory.
-    "memory-without-first-thread": ALONE.format("x = b'x' * (300 << 20); time.sleep(2)"),
 }
 UNSEEN_IN_THE_SANDBOX = {
     # Segments that no process has attached; without the sandbox they would stay on the machine.
@@ -367,17 +369,16 @@ for _ in range(4):
     ctypes.memset(address, 1, 75 << 20)
     libc.shmdt(ctypes.c_void_p(address))
 """ + HOLD,
-    "files-without-first-thread": ALONE.format("[open(f'/tmp/{number}', 'w').close() for number in range(10_500)]; time.sleep(2)"),
 }
 ENDS = {  # words in the row
-    "memory": "MiB of memory", "children": "processes", "files": "10000 files", "closes-its-streams": "still ran",
+    "memory": "MiB of memory", "memory-without-first-thread": "MiB of memory", "files-without-first-thread": "10000 files", "children": "processes", "files": "10000 files", "closes-its-streams": "still ran",
     "stops-itself": "still ran", "ignores-signals": "still ran", "lines-of-the-judge": "exit code 1",
     "moves-and-fails": "the program ended with",
     "moves-and-is-killed": "signal 9", "kernel": "signal 6",
     **dict.fromkeys([*UNSEEN, *UNSEEN_IN_THE_SANDBOX], "the program had more than")}
-FINDINGS = {*UNSEEN, *UNSEEN_IN_THE_SANDBOX}  # which do not end so yet
+PASSING = {*UNSEEN, *UNSEEN_IN_THE_SANDBOX}  # do not end so
 
-# FINDING: 15 x 250 descriptors under way on sockets, more than the usual soft limit of open files (1024). The system counts them
+# 15 x 250 descriptors under way on sockets, more than the usual soft limit of open files (1024). The system counts them
 # for each user, and refuses those that the judge sends: no run can be made until the program ends.
 IN_FLIGHT = """
 most = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
@@ -503,7 +504,7 @@ class Cheats:
         self.check_report(names)
         self.check_secrets(done)
         unexpected = {name for name, words in ENDS.items() if name in names and words not in rows[name]}
-        self.assertEqual(FINDINGS & set(names), unexpected, done.stdout)
+        self.assertEqual(PASSING & set(names), unexpected, done.stdout)
 
     def check_points(self, names, done, rows):
         self.assertEqual(names, [line.split()[0] for line in done.stdout.splitlines()])
@@ -554,7 +555,6 @@ class OrdinaryUser(Cheats, User):
 
 @SANDBOX
 class UserInTheSandbox(OrdinaryUser, unittest.TestCase):
-    @unittest.expectedFailure  # FINDING
     def test_descriptors_in_flight(self):
         if resource.getrlimit(resource.RLIMIT_NOFILE)[1] < 4096:
             self.skipTest("a program may not open so many files")
@@ -565,7 +565,6 @@ class UserInTheSandbox(OrdinaryUser, unittest.TestCase):
         for name in HONEST:
             self.assertIn("10/10", rows[name])
 
-    @unittest.expectedFailure  # FINDING: the judge reads the first line of a program that does not start, and waits a minute for it
     def test_a_fifo_as_a_submission(self):
         self.submit("ada", HONEST["ada"])
         os.mkfifo(self.folder / "class/fifo")
@@ -580,7 +579,6 @@ class UserInTheSandbox(OrdinaryUser, unittest.TestCase):
                 output, _ = judge.communicate(timeout=60)
                 self.fail(f"it waits for a FIFO\n{output}")
 
-    @unittest.expectedFailure  # FINDING
     def test_virtual_sockets(self):
         if not self.vsock:
             self.skipTest("this kernel has no virtual sockets")

@@ -144,7 +144,7 @@ class PrintedNames(unittest.TestCase):
         (self.folder / "class").mkdir()
         for name in names:
             (self.folder / "class" / os.fsdecode(name)).write_text("print('hello')\n", encoding="ascii")
-        return self.run_here("grade", "class", "--workcell", "workcell.json", "--goals", goals, "--report", "report", "--",
+        return self.run_here("grade", "class", "--workcell", "workcell.json", "--no-sandbox", "--goals", goals, "--report", "report", "--",
                              "python3", "{}", says=False)
 
     def test_two_names_in_latin_1_stay_two(self):

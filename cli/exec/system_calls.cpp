@@ -1,10 +1,11 @@
-#include "cli/exec/no_keys.hpp"
+#include "cli/exec/system_calls.hpp"
 
 #include <linux/audit.h>
 #include <linux/filter.h>
 #include <linux/keyctl.h>
 #include <linux/seccomp.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -35,21 +36,35 @@ constexpr sock_filter result(unsigned value) { return BPF_STMT(BPF_RET | BPF_K, 
 
 constexpr unsigned refused(int error) { return SECCOMP_RET_ERRNO | static_cast<unsigned>(error); }
 
-std::array<sock_filter, 9> kFilter{
+constexpr sock_filter skip_if_equal(unsigned value, unsigned char count) {
+  return BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, value, count, 0);
+}
+
+std::array<sock_filter, 19> kFilter{
     load(offsetof(seccomp_data, arch)),
-    BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kArchitecture, 1, 0),
+    skip_if_equal(kArchitecture, 1),
     result(refused(ENOSYS)),
     load(offsetof(seccomp_data, nr)),
     BPF_STMT(BPF_ALU | BPF_AND | BPF_K, ~kSecondTable),
+    skip_if_equal(SYS_socket, 6),
+    skip_if_equal(SYS_socketpair, 5),
+    skip_if_equal(SYS_io_uring_setup, 2),  // it makes sockets, too
     BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, SYS_add_key, 0, 2),
     BPF_JUMP(BPF_JMP | BPF_JGT | BPF_K, SYS_keyctl, 1, 0),
     result(refused(EPERM)),
     result(SECCOMP_RET_ALLOW),
+    load(offsetof(seccomp_data, args)),  // the family; both architectures are little-endian
+    skip_if_equal(AF_UNIX, 3),
+    skip_if_equal(AF_INET, 2),
+    skip_if_equal(AF_INET6, 1),
+    BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, AF_NETLINK, 0, 1),
+    result(SECCOMP_RET_ALLOW),
+    result(refused(EAFNOSUPPORT)),
 };
 
 }  // namespace
 
-bool give_up_keys() {
+bool restrict_system_calls() {
   ::syscall(SYS_keyctl, KEYCTL_JOIN_SESSION_KEYRING, nullptr);
   const sock_fprog program{static_cast<unsigned short>(kFilter.size()), kFilter.data()};
   return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
