@@ -18,7 +18,7 @@ namespace xr3 {
 /// The last file of a run's folder: with it the folder is complete.
 inline constexpr const char* kResultFile = "result.json";
 
-/// What differs between the runs of a task.
+/// The program, the files and the number of one run.
 struct RunPlace {
   std::string title;  ///< of the report
   std::vector<std::string> command;

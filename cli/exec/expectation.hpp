@@ -1,4 +1,4 @@
-// What a program of an exercise must come to, so that the exercise is proven.
+// The verdict that a program of an exercise must get.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ class Expectation {
   }
 
   bool is_stated() const { return kind_ == Kind::kStated; }
-  /// What is different; empty: nothing.
+  /// How a report differs from it; empty: it does not.
   std::string trouble_of(const RunReport& report) const;
 
  private:

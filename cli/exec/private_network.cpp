@@ -86,8 +86,8 @@ bool IdMaps::write() const {
   return is_written;
 }
 
-// The child shares the table of descriptors. (Over a socket they would count as being under way, of
-// which a user may have only so many at a time: a program could take all of them.)
+// The child shares the table of descriptors. (Descriptors sent over a socket count against a limit
+// of the user until they are received, and a program of the same user could use the limit up.)
 PrivateNetwork::PrivateNetwork(const std::optional<ProgramUser>& user) {
   const IdMaps maps(user);
   const Pipe result;

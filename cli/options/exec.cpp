@@ -56,7 +56,7 @@ void add_limits(CLI::App& command, RunLimits& limits) {
       ->capture_default_str();
 }
 
-/// It stands for the options that say the same.
+/// --exercise, which excludes the options that an exercise sets.
 void add_exercise(CLI::App& command, ExecOptions& options) {
   CLI::Option* exercise =
       add_value(command, "--exercise", options.exercise, "NAME|FOLDER|ZIP",
