@@ -56,9 +56,9 @@ std::vector<JunitCase> cases_of(const RunReport& report) {
 std::string element(const JunitCase& test) {
   const std::string begin = "<" + test.problem + " message=\"" + xml(test.message) + "\"";
   const std::string end =
-      test.text.empty() ? "/>" : ">" + xml_lines(test.text) + "</" + test.problem + ">";
+      test.text.empty() ? "/>" : ">" + html(test.text) + "</" + test.problem + ">";
   if (test.errors.empty()) return begin + end;
-  return begin + end + "<system-err>" + xml_lines(test.errors) + "</system-err>";
+  return begin + end + "<system-err>" + html(test.errors) + "</system-err>";
 }
 
 std::string test_case(const std::string& program, const JunitCase& test, const std::string& time) {

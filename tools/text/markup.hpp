@@ -9,7 +9,7 @@
 
 namespace xr3 {
 
-/// Text in HTML, between tags or in quotes.
+/// Text in HTML or XML, between tags or in quotes, with its line feeds and tabs.
 inline std::string html(std::string_view text) {
   std::string result;
   for (const char c : printable_lines(text)) {
@@ -24,12 +24,9 @@ inline std::string html(std::string_view text) {
   return result;
 }
 
-/// Text in XML, with its line feeds and tabs.
-inline std::string xml_lines(std::string_view text) { return html(text); }
-
-/// Text in XML, on one line: line feeds and tabs become blanks.
+/// Text in an attribute of XML, on one line: line feeds and tabs become blanks.
 inline std::string xml(std::string_view text) {
-  std::string result = xml_lines(text);
+  std::string result = html(text);
   std::ranges::replace_if(
       result, [](char c) { return c == '\n' || c == '\t'; }, ' ');
   return result;

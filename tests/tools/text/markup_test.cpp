@@ -1,4 +1,4 @@
-// Text within XML.
+// Text within HTML and XML.
 #include "tools/text/markup.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ TEST(Xml, EscapesAndKeepsLetters) { EXPECT_EQ(xml("a<b>&\"é€😀"), "a&lt;b&g
 
 TEST(Xml, HasNoControlCharacters) {
   EXPECT_EQ(xml("a\x1b[2K\n\t\r"), R"(a\x1b[2K  \x0d)");
-  EXPECT_EQ(xml_lines("a\r\n\tb\x07"), "a\\x0d\n\tb\\x07");
+  EXPECT_EQ(html("a\r\n\tb\x07"), "a\\x0d\n\tb\\x07");
 }
 
 }  // namespace
