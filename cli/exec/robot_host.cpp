@@ -76,7 +76,7 @@ void RobotHost::close_ports() {
 }
 
 bool RobotHost::are_lines_closed() {
-  turns_.take_news();
+  turns_.run_news();
   return turns_.is_empty();
 }
 

@@ -1,37 +1,39 @@
 #include "server/lines/arrived.hpp"
 
-#include <algorithm>
-
 namespace xr3 {
+
+void ArrivedBytes::add(SessionNumber number, const std::shared_ptr<LineSession>& session) {
+  if (!session->is_open()) return;
+  const std::uint64_t start = session->bytes_in();
+  lines_.push_back({number, session, start, start + session->arrived_bytes(),
+                    session->output_end() + kMaxReplies});
+}
 
 bool ArrivedBytes::read(WallNs end) {
   do {
     if (lines_.empty()) return false;
-    read_next();
+    Line line = lines_.front();
+    lines_.pop_front();
+    if (run_turn(line)) lines_.push_back(line);
   } while (wall_now() < end);
   return !lines_.empty();
 }
 
-void ArrivedBytes::read_next() {
-  Line line = lines_.front();
-  lines_.pop_front();
-  const auto session = line.session.lock();  // null: it has ended
-  if (!session || !session->is_open()) return;
-  const bool is_first = !line.limits;
-  if (is_first) line.limits = session->arrived_limits();
-  if (!is_first && is_over(*session, *line.limits)) return wake_(session->line());
-  if (read_round(*session, *line.limits)) lines_.push_back(line);
+/// Returns whether the line has more to read.
+bool ArrivedBytes::run_turn(Line& line) {
+  const LineSession::Turn turn = turns_.run_turn(line.number);
+  const auto session = line.session.lock();
+  const bool may_have_more = turn != LineSession::Turn::kBlocked && session && session->is_open();
+  return may_have_more && has_more(line, *session);
 }
 
-bool ArrivedBytes::is_over(const LineSession& session, const LineSession::Limits& limits) const {
-  return left_ == 0 || limits.most_read == 0 || session.is_over(limits, wall_now());
-}
-
-bool ArrivedBytes::read_round(LineSession& session, LineSession::Limits& limits) {
-  const std::size_t before = limits.most_read;
-  const bool has_more = session.read_arrived(limits, kRound);
-  left_ -= std::min(left_, before - limits.most_read);
-  return has_more;
+bool ArrivedBytes::has_more(Line& line, const LineSession& session) {
+  const std::uint64_t now = session.bytes_in();
+  const std::uint64_t count = now - line.start;
+  if (count >= kMaxBytes || session.output_end() >= line.replies_end) return false;
+  const std::size_t arrived = session.arrived_bytes();
+  if (count >= kBurst) line.end = now + arrived;
+  return now < line.end && arrived > 0;
 }
 
 }  // namespace xr3

@@ -1,49 +1,53 @@
-// The bytes of serial lines that have arrived and must act before a call. They are read in rounds,
-// so that no line keeps the call from the bytes of another, and piece by piece, so that no other
-// port waits for them.
+// A read barrier: the bytes of serial lines that have arrived before a call are executed before it.
+// The lines have ordinary turns, one after the other, until each has executed as many bytes as
+// had arrived at the call.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
-#include <functional>
 #include <memory>
-#include <optional>
-#include <utility>
 
 #include "server/lines/session.hpp"
+#include "server/lines/turns.hpp"
 #include "server/net/wall_clock.hpp"
 
 namespace xr3 {
 
 class ArrivedBytes {
  public:
-  /// The bytes of a line in one round, and of all lines together: then the rounds end. Each line
-  /// has one round at least.
-  static constexpr std::size_t kRound = 2048;
-  static constexpr std::size_t kMax = 2 * 1024 * 1024;
+  /// Bounds for each line, for one that sends without end. Bytes beyond them are executed in later
+  /// turns of the line, after the call.
+  static constexpr std::size_t kMaxBytes = 512 * 1024;
+  static constexpr std::size_t kMaxReplies = 1024 * 1024;  ///< bytes
+  /// After this number of bytes of one line, the system is asked again: the rest of a burst that is
+  /// larger than the receive buffer arrives while the beginning is read.
+  static constexpr std::size_t kBurst = 2048;
 
-  /// `wake` is called for each line that has more to do after its last round.
-  explicit ArrivedBytes(std::function<void(LineId)> wake) : wake_(std::move(wake)) {}
+  /// `turns` must outlive the barrier.
+  explicit ArrivedBytes(LineTurns& turns) : turns_(turns) {}
 
-  void add(const std::shared_ptr<LineSession>& session) { lines_.push_back({session, {}}); }
+  /// Adds the bytes of a line that have arrived now. Each line gets one turn at least: it may have
+  /// ended, or hold bytes that it has read before. No effect if the session is closed.
+  void add(SessionNumber number, const std::shared_ptr<LineSession>& session);
 
-  /// Reads until `end`, but one round of one line at least. Returns whether there is more to read.
+  /// Runs turns until `end`, but one at least. Returns whether there is more to read.
   bool read(WallNs end);
 
  private:
   struct Line {
+    SessionNumber number;
     std::weak_ptr<LineSession> session;
-    std::optional<LineSession::Limits> limits;  ///< nullopt before its first round
+    std::uint64_t start;        ///< LineSession::bytes_in() at the call
+    std::uint64_t end;          ///< as start
+    std::uint64_t replies_end;  ///< LineSession::output_end()
   };
 
-  void read_next();
-  bool is_over(const LineSession& session, const LineSession::Limits& limits) const;
-  /// Returns whether there is more to read of the line.
-  bool read_round(LineSession& session, LineSession::Limits& limits);
+  bool run_turn(Line& line);
+  static bool has_more(Line& line, const LineSession& session);
 
-  std::function<void(LineId)> wake_;
+  LineTurns& turns_;
   std::deque<Line> lines_;
-  std::size_t left_ = kMax;
 };
 
 }  // namespace xr3

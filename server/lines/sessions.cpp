@@ -99,28 +99,11 @@ void LineSessions::accept_arrived() {
   for (LineSource* source : sources_) source->accept_arrived();
 }
 
-ArrivedBytes LineSessions::begin_reading() {
+ArrivedBytes LineSessions::arrived(const std::function<bool(const LineSession&)>& matches) {
   accept_arrived();
-  return ArrivedBytes([this](LineId line) { wake(line); });
-}
-
-ArrivedBytes LineSessions::arrived() {
-  ArrivedBytes bytes = begin_reading();
-  for (const auto& [line, entry] : sessions_) bytes.add(entry.session);
-  return bytes;
-}
-
-ArrivedBytes LineSessions::arrived(const LineSource& source) {
-  ArrivedBytes bytes = begin_reading();
+  ArrivedBytes bytes(turns_);
   for (const auto& [line, entry] : sessions_)
-    if (&entry.session->source() == &source) bytes.add(entry.session);
-  return bytes;
-}
-
-ArrivedBytes LineSessions::arrived(LineId line) {
-  ArrivedBytes bytes = begin_reading();
-  const auto found = sessions_.find(line);
-  if (found != sessions_.end()) bytes.add(found->second.session);
+    if (entry.number && matches(*entry.session)) bytes.add(*entry.number, entry.session);
   return bytes;
 }
 
@@ -142,7 +125,8 @@ std::uint64_t LineSessions::progress() const {
 asio::awaitable<void> LineSessions::read_arrived() {
   const std::uint64_t before = progress();
   co_await settle();
-  co_await read(vital(kLinesName, [this] { return arrived(); }));
+  co_await read(
+      vital(kLinesName, [this] { return arrived([](const LineSession&) { return true; }); }));
   if (progress() == before) co_return;
   for (LineSource* source : sources_)
     if (source->progress() > 0) co_await read_rest(*source);
@@ -153,7 +137,9 @@ asio::awaitable<void> LineSessions::read_rest(LineSource& source) {
   for (int round = 0; round < kMaxRounds; ++round) {
     const std::uint64_t before = source.progress();
     co_await source.settle();
-    co_await read(vital(kLinesName, [&, this] { return arrived(source); }));
+    co_await read(vital(kLinesName, [&, this] {
+      return arrived([&source](const LineSession& each) { return &each.source() == &source; });
+    }));
     if (source.progress() == before) co_return;
   }
 }
@@ -163,7 +149,9 @@ asio::awaitable<bool> LineSessions::wait_for_bytes(LineId id, std::uint64_t byte
   asio::steady_timer timer(turns_.io(), within);
   const auto deadline = timer.expiry();
   for (;;) {
-    co_await read(vital(kLinesName, [id, this] { return arrived(id); }));
+    co_await read(vital(kLinesName, [id, this] {
+      return arrived([id](const LineSession& each) { return each.line() == id; });
+    }));
     if (cell_.bytes_in(id).value_or(0) >= bytes_in) co_return true;
     const bool may_come = cell_.find_line(id) != nullptr && !is_closing_;
     if (!may_come || asio::steady_timer::clock_type::now() >= deadline) co_return false;

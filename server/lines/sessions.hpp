@@ -47,8 +47,8 @@ class LineSessions final : public LineTransports {
   /// Gives a line a turn, if it is open: it can go on for another reason than news of its stream.
   void wake(LineId line);
 
-  /// Looks for streams that have ended without notice so far.
-  void take_news() { turns_.take_news(); }
+  /// LineTurns::run_news(): finds streams that have ended.
+  void run_news() { turns_.run_news(); }
 
   /// Sessions send their outboxes and end. Those that have not begun to do so at the deadline are
   /// closed at once. The sources must open no further lines.
@@ -70,10 +70,7 @@ class LineSessions final : public LineTransports {
   void notify(LineId line);
   Sessions sessions() const { return sessions_; }
   void accept_arrived();
-  ArrivedBytes begin_reading();  ///< of no line yet
-  ArrivedBytes arrived();
-  ArrivedBytes arrived(const LineSource& source);
-  ArrivedBytes arrived(LineId line);
+  ArrivedBytes arrived(const std::function<bool(const LineSession&)>& matches);
   asio::awaitable<void> read(ArrivedBytes bytes);
   asio::awaitable<void> settle();
   std::uint64_t progress() const;

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -29,13 +28,13 @@ class LineStream {
   /// The number of bytes written. 0: none now, or is_lost().
   virtual std::size_t write(std::string_view bytes) = 0;
   virtual void close() = 0;
+  /// The number of bytes that have arrived and can be read now, as the system reports it for the
+  /// descriptor. Precondition: the stream is open.
+  virtual std::size_t unread_bytes() const;
 
   /// To be called when all bytes read have acted: tells the client that they have arrived, if no
   /// reply has.
   virtual void acknowledge() {}
-
-  /// The maximum number of bytes that LineSource::settle() makes readable.
-  virtual std::size_t max_settled() const { return std::numeric_limits<std::size_t>::max(); }
 
   /// The settings of the serial port if they have changed since the last call, as an input for
   /// this line.

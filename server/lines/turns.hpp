@@ -1,16 +1,20 @@
-// The turns of the serial lines of all cells: no line waits for one that takes much time. One watch
-// and one buffer serve them all.
+// The turns of the serial lines of all cells. One watch and one buffer serve them all. A line with
+// news waits in the queue `ready`, one that has used up its turn in `busy`, and the two queues have
+// turns alternately: an inquiry never waits for more than one turn of a line that floods, and a
+// flood is not forgotten beside a thousand inquiries.
+//
+// The event loop calls run_turns() when the watch has news, and run_due_turns() after each handler.
+// A turn reads at most 256 bytes, or works for 150 µs. A line is in one queue at most.
 #pragma once
 
 #include <array>
-#include <boost/container/flat_map.hpp>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <span>
+#include <unordered_map>
 
 #include "server/lines/session.hpp"
-#include "server/lines/turn_peers.hpp"
-#include "server/lines/turn_queue.hpp"
 #include "server/lines/watch.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/exclusive.hpp"
@@ -27,56 +31,59 @@ class LineTurns {
   LineTurns& operator=(const LineTurns&) = delete;
 
   asio::io_context& io() { return io_; }
-  /// TurnPeers::at().
-  std::shared_ptr<TurnQueue::Peer> peer(const asio::ip::address* address) {
-    return peers_.at(address);
-  }
   /// A buffer for one read, shared by all sessions.
   std::span<char> scratch() { return scratch_; }
 
-  /// The session has its turns from now on, until remove(). Returns its number, which no other
-  /// session has now, or nullopt if the system refuses to watch its stream.
+  /// Gives the session turns until remove(). Returns its number, which no other session has now, or
+  /// nullopt if the system refuses to watch its stream.
   std::optional<SessionNumber> add(std::shared_ptr<LineSession> session);
   void remove(SessionNumber number);
 
-  /// From now on the lines count towards a limit of memory, which must outlive the sessions.
+  /// Counts the lines towards a limit of memory, which must outlive the sessions.
   void limit_memory(MemoryLimit& limit) { memory_ = &limit; }
-  /// nullptr: none.
+  /// nullptr if there is none.
   MemoryLimit* memory() const { return memory_; }
   /// The most bytes that one line holds.
   std::size_t most_held() const;
   /// Closes the line that holds the most bytes. Precondition: most_held() > 0.
   void close_greediest();
 
-  /// Runs a turn for each line with news, and one turn for one of the lines with unfinished work.
-  /// It is cheap enough to be called between writes to monitor sessions, so that a line never waits
-  /// for a thousand sessions, nor for many flooding lines.
+  /// Runs turns until no line waits for one, or other ports must have theirs. It is cheap enough to
+  /// be called between writes to monitor sessions.
   void run_turns();
   /// Runs a few turns if the last ones are kTurnsEvery ago. The event loop calls this after every
   /// handler, so that a line waits for one handler at most, however many are ready.
   void run_due_turns();
   static constexpr WallNs kTurnsEvery = 200'000;
 
+  /// Runs one turn of a session now. Returns kBlocked if it is closed.
+  LineSession::Turn run_turn(SessionNumber number);
   /// Gives a session a turn soon, after all handlers that are ready now.
   void wake(SessionNumber number);
+  /// Looks for lines with news, among them streams that have ended, and gives each a turn now.
+  void run_news();
 
   /// LineTransports::pause(), of all cells together.
   asio::awaitable<void> pause();
-
-  /// Looks for lines with news, among them streams that have ended. They have their turns now or
-  /// soon.
-  void take_news();
 
   /// Stops to watch when the last session has ended, so that nothing keeps the event loop running.
   void close();
   bool is_empty() const { return sessions_.empty(); }
 
  private:
+  struct Entry {
+    std::shared_ptr<LineSession> session;
+    bool is_queued = false;
+  };
+  using Queue = std::deque<SessionNumber>;  ///< numbers of closed sessions have no effect
+
   asio::awaitable<void> run();
-  void run_lightest(WallNs time);
-  std::size_t run_news(WallNs& now, WallNs end);
-  void run_turn(SessionNumber number, WallNs now);
-  void run_turn(SessionNumber number, std::shared_ptr<LineSession> session, WallNs now);
+  void run_for(WallNs time);
+  void queue_news();
+  void add_to(Queue& queue, SessionNumber number);
+  Queue& next_queue();
+  SessionNumber take_first(Queue& queue);
+  bool has_waiting() const { return !ready_.empty() || !busy_.empty(); }
   void schedule();
   std::shared_ptr<LineSession> greediest() const;
 
@@ -84,12 +91,13 @@ class LineTurns {
   std::array<char, 64 * 1024> scratch_{};
   LineWatch watch_;
   bool is_watching_ = false;
-  TurnPeers peers_;
-  TurnQueue queue_;
-  bool is_again_ = false;  ///< the next turns are scheduled
-  WallNs next_turns_ = 0;  ///< earliest time of the next run_due_turns()
+  std::unordered_map<SessionNumber, Entry> sessions_;
   SessionNumber last_ = 0;
-  boost::container::flat_map<SessionNumber, std::shared_ptr<LineSession>> sessions_;
+  Queue ready_;
+  Queue busy_;
+  bool is_busy_next_ = false;
+  bool is_scheduled_ = false;
+  WallNs next_turns_ = 0;  ///< earliest time of the next run_due_turns()
   MemoryLimit* memory_ = nullptr;
   Exclusive pausing_{io_};
   bool is_closing_ = false;

@@ -7,12 +7,15 @@
 
 #include <array>
 #include <boost/asio/posix/stream_descriptor.hpp>
+#include <cstdint>
 #include <span>
 
-#include "server/lines/turn_queue.hpp"
 #include "server/net/asio.hpp"
 
 namespace xr3 {
+
+/// Numbers the sessions of all cells while they are open; a line's own number counts per cell.
+using SessionNumber = std::uint32_t;
 
 class LineWatch {
  public:

@@ -1,5 +1,6 @@
 #include "server/pty/stream.hpp"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -38,6 +39,12 @@ std::size_t PtyStream::read_arrived(std::span<char> into) {
   if (count >= 0) return static_cast<std::size_t>(count);
   if (errno != EAGAIN && errno != EIO) note_lost();
   return 0;
+}
+
+std::size_t PtyStream::unread_bytes() const {
+  int count = 0;
+  const int master = place_.terminal().master();
+  return ::ioctl(master, FIONREAD, &count) == 0 ? static_cast<std::size_t>(count) : 0;
 }
 
 std::size_t PtyStream::write(std::string_view bytes) {

@@ -19,7 +19,7 @@ class PtyStream final : public LineStream {
   std::size_t write(std::string_view bytes) override;
   void close() override { is_closed_ = true; }
   bool is_hung_up() const override { return place_.is_leaving(); }
-  std::size_t max_settled() const override { return PseudoTerminal::kMaxShown; }
+  std::size_t unread_bytes() const override;
   /// Those with which the last bytes came.
   std::optional<LineSettings> take_settings(LineId line) override;
 

@@ -27,7 +27,7 @@ RobotPort::RobotPort(asio::io_context& io, Cell& cell, LineSessions& lines, Robo
 void RobotPort::open(NewConnection connection) {
   const bool is_probe = this->is_probe(connection.peer);
   if (!is_probe && rules_.divert) return rules_.divert(std::move(connection));
-  if (is_full()) lines_.take_news();       // a client may have closed its line without our notice
+  if (is_full()) lines_.run_news();        // a client may have closed its line without our notice
   if (is_full()) return refuse(is_probe);  // closed without a byte
   const asio::ip::address peer = machine_of(connection);
   if (!is_probe && is_owned_by_other(peer)) return refuse_other(peer);

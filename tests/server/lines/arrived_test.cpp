@@ -1,11 +1,12 @@
 #include "server/lines/arrived.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <vector>
 
 #include "tests/support/line_sessions.hpp"
 
@@ -15,14 +16,18 @@ namespace {
 constexpr std::size_t kFlood = std::numeric_limits<std::size_t>::max();
 constexpr WallNs kPast = 0;
 
-/// Gives a number of CRs, as many as are wanted at first, then some at a time; takes all replies.
+/// Gives a number of CRs, of which `shown` at most have arrived at once; takes all replies.
 class CrStream final : public LineStream {
  public:
-  CrStream(std::size_t count, std::size_t at_once) : left_(count), at_once_(at_once) {}
-  int descriptor() const override { return is_closed_ ? -1 : 0; }
+  CrStream(std::size_t count, std::size_t shown) : left_(count), shown_(shown) {}
+  CrStream(const CrStream&) = delete;
+  CrStream& operator=(const CrStream&) = delete;
+  ~CrStream() override { ::close(descriptor_); }
+
+  int descriptor() const override { return is_closed_ ? -1 : descriptor_; }
+  std::size_t unread_bytes() const override { return std::min(left_, shown_); }
   std::size_t read(std::span<char> into) override {
-    const std::size_t count = std::min({into.size(), is_first_ ? kFlood : at_once_, left_});
-    is_first_ = false;
+    const std::size_t count = std::min(into.size(), left_);
     std::ranges::fill(into.first(count), '\r');
     left_ -= count;
     return count;
@@ -32,77 +37,78 @@ class CrStream final : public LineStream {
 
  private:
   std::size_t left_;
-  std::size_t at_once_;
-  bool is_first_ = true;
+  std::size_t shown_;
   bool is_closed_ = false;
+  int descriptor_ = ::eventfd(0, EFD_CLOEXEC);
 };
 
 class ArrivedBytesTest : public test::LineSessionsTest {
  protected:
+  ~ArrivedBytesTest() override {
+    for (const auto& [line, number] : numbers_) turns_.remove(number);
+    turns_.close();
+    io_.run();
+  }
+
   /// Line 1 is the first one.
-  LineId add(std::size_t count, std::size_t at_once = kFlood) {
-    const auto session = open(std::make_unique<CrStream>(count, at_once));
-    arrived_.add(session);
+  LineId add(std::size_t count, std::size_t shown = kFlood) {
+    const auto session = open(std::make_unique<CrStream>(count, shown));
     sessions_[session->line()] = session;
+    numbers_[session->line()] = turns_.add(session).value();
+    arrived_.add(numbers_[session->line()], session);
     return session->line();
   }
   std::uint64_t received(LineId line) const { return cell_.bytes_in(line).value_or(0); }
 
-  std::vector<LineId> woken_;
   std::map<LineId, std::shared_ptr<LineSession>> sessions_;
-  ArrivedBytes arrived_{[this](LineId line) { woken_.push_back(line); }};
+  std::map<LineId, SessionNumber> numbers_;
+  ArrivedBytes arrived_{turns_};
 };
 
-TEST_F(ArrivedBytesTest, AllBytesOfALineAct) {
+TEST_F(ArrivedBytesTest, AllBytesThatHaveArrivedAreExecuted) {
   const LineId line = add(100'000);
   EXPECT_FALSE(arrived_.read(kNever));
   EXPECT_EQ(received(line), 100'000U);
-  EXPECT_TRUE(woken_.empty());
 }
 
 TEST_F(ArrivedBytesTest, ReadsOnIfABurstArrivesInParts) {
-  const LineId line = add(100'000, 1000);
-  arrived_.read(kNever);
+  const LineId line = add(100'000, 8192);
+  EXPECT_FALSE(arrived_.read(kNever));
   EXPECT_EQ(received(line), 100'000U);
+}
+
+TEST_F(ArrivedBytesTest, BytesThatArriveLaterAreNotWaitedFor) {
+  const LineId line = add(kFlood, 10);
+  EXPECT_FALSE(arrived_.read(kNever));
+  EXPECT_EQ(received(line), kFirstChunk) << "one turn";
 }
 
 TEST_F(ArrivedBytesTest, AFloodEndsAtItsLimit) {
   const LineId line = add(kFlood);
   EXPECT_FALSE(arrived_.read(kNever));
-  EXPECT_EQ(received(line), LineSession::kMaxArrived);
-  EXPECT_EQ(woken_, std::vector{line}) << "the rest acts in the turns of the line";
+  EXPECT_GE(received(line), ArrivedBytes::kMaxBytes);
+  EXPECT_LT(received(line), ArrivedBytes::kMaxBytes + LineSession::kBytesATurn);
 }
 
-TEST_F(ArrivedBytesTest, ManyFloodsEndAtTheLimitOfAll) {
-  constexpr std::size_t kFloods = 2000;
-  std::vector<LineId> floods;
-  while (floods.size() < kFloods) floods.push_back(add(kFlood));
-  const LineId other = add(1000);
-  EXPECT_FALSE(arrived_.read(kNever));
-  for (const LineId flood : floods) ASSERT_EQ(received(flood), ArrivedBytes::kRound);
-  EXPECT_EQ(received(other), 1000U) << "each line has a round";
-  EXPECT_EQ(woken_, floods);
-}
-
-TEST_F(ArrivedBytesTest, ReadsAPieceAtATime) {
+TEST_F(ArrivedBytesTest, LinesHaveTurnsOneAfterTheOther) {
   const LineId flood = add(kFlood);
   const LineId other = add(1000);
   EXPECT_TRUE(arrived_.read(kPast));
-  EXPECT_EQ(received(flood), ArrivedBytes::kRound);
+  EXPECT_EQ(received(flood), kFirstChunk);
   EXPECT_EQ(received(other), 0U);
   EXPECT_TRUE(arrived_.read(kPast));
   EXPECT_EQ(received(other), 1000U);
 }
 
-TEST_F(ArrivedBytesTest, ALineMayEndBetweenTwoPieces) {
+TEST_F(ArrivedBytesTest, ALineMayEndBetweenTwoTurns) {
   const LineId closed = add(kFlood);
   const LineId destroyed = add(kFlood);
   const LineId other = add(1000);
   sessions_[closed]->close(LineCloseReason::kDisconnected);
+  turns_.remove(numbers_[destroyed]);
   sessions_.erase(destroyed);
   EXPECT_FALSE(arrived_.read(kNever));
   EXPECT_EQ(received(other), 1000U);
-  EXPECT_TRUE(woken_.empty());
 }
 
 }  // namespace
