@@ -111,12 +111,10 @@ Snapshot Cell::snapshot() const {
           state(), std::move(device), is_in_past_};
 }
 
-const SerialLine* Cell::search_line(LineId line) const {
+const SerialLine* Cell::find_line(LineId line) const {
   if (line == kProbeLine) return probe_line_ ? &*probe_line_ : nullptr;
   const auto found = lines_.find(line);
-  if (found == lines_.end()) return nullptr;
-  found_ = &*found;
-  return &found->second;
+  return found == lines_.end() ? nullptr : &found->second;
 }
 
 SerialLine* Cell::open_line(LineId line) { return const_cast<SerialLine*>(find_line(line)); }
@@ -264,7 +262,6 @@ void Cell::handle(const LineClosed& closed, WallNs) {
   if (closed_bytes_in_.size() > kRememberedLines) closed_bytes_in_.erase(closed_bytes_in_.begin());
   const bool was_current = current_line() == closed.line;
   lines_.erase(closed.line);
-  found_ = nullptr;
   note_end(closed.line, closed.reason);
   if (was_current || lines_.empty()) end_turn(closed.reason);
 }

@@ -190,10 +190,7 @@ class Cell final : private LineListener {
   static constexpr std::size_t kWireHeap = 768;
 
   /// nullptr if closed.
-  const SerialLine* find_line(LineId line) const {
-    const bool is_found = found_ != nullptr && found_->first == line;
-    return is_found ? &found_->second : search_line(line);
-  }
+  const SerialLine* find_line(LineId line) const;
   /// The open lines without kProbeLine, which is not counted, recorded or reported.
   const std::map<LineId, SerialLine>& lines() const { return lines_; }
 
@@ -221,7 +218,6 @@ class Cell final : private LineListener {
   void report_closed() { emit(std::nullopt, CellClosedNote{name_}); }
 
  private:
-  const SerialLine* search_line(LineId line) const;
   SerialLine* open_line(LineId line);
   Applied take_in(const Input& input, WallNs now);
   void advance(WallNs now);
@@ -342,7 +338,6 @@ class Cell final : private LineListener {
   std::optional<Mirror> mirror_;
   std::vector<LineId> woken_;
   std::map<LineId, SerialLine> lines_;
-  mutable const std::pair<const LineId, SerialLine>* found_ = nullptr;  ///< the last one in lines_
   LineId last_line_ = 0;
   std::optional<SerialLine> probe_line_;
   std::map<LineId, std::uint64_t> closed_bytes_in_;  ///< of closed lines; the lowest goes first

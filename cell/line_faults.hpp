@@ -41,14 +41,6 @@ class LineFaults {
     ++received_;
     return true;
   }
-  /// Whether the faults would let data bytes and replies pass at once, and change nothing. If so,
-  /// count_input() suffices.
-  bool is_idle(const State& state) const {
-    return !has_line_faults(state) && power_cycles_ == state.faults.power_cycles &&
-           waiting_.empty() && !is_cut_;
-  }
-  /// Counts data bytes that no fault concerns.
-  void count_input(std::size_t bytes) { received_ += bytes; }
   /// Returns the bytes that arrive at the controller for a data byte of the client. Preconditions:
   /// faults concern lines, and the simulation has no pending events; those of faults are kept here.
   std::string receive(std::uint8_t byte, Simulation& simulation);

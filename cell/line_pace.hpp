@@ -39,7 +39,7 @@ class LinePace {
   void set_time(const CharacterTime& time);
 
   bool accepts_input() const { return input_.size() < kMaxInput; }
-  [[gnu::noinline]] void add_input(ReceivedByte byte, Micros now);
+  void add_input(ReceivedByte byte, Micros now);
   /// Removes the byte that is due. Precondition: due(kIn) has a value.
   ReceivedByte take_input();
   void discard_input();

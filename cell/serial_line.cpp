@@ -9,34 +9,15 @@ std::size_t SerialLine::receive(std::string_view bytes, Simulation& simulation,
                                 std::vector<Exchange>& exchanges) {
   released_.clear();
   const Effects effects{simulation, exchanges, micros_at(simulation.tick())};
-  std::size_t taken = is_undisturbed(simulation.state()) ? receive_plain(bytes, effects) : 0;
-  if (taken == bytes.size()) return taken;
+  if (bytes.empty()) return 0;
   const bool was_paced = is_paced();
-  const bool was_data = is_data(bytes[taken]);
+  const bool was_data = is_data(bytes.front());
+  std::size_t taken = 0;
   while (taken < bytes.size() && accepts(bytes[taken]) && !is_not_a_robot_program_) {
     if (is_paced() != was_paced || (was_paced && is_data(bytes[taken]) != was_data)) break;
     const auto byte = static_cast<std::uint8_t>(bytes[taken++]);
     receive_byte(byte, bytes_in_++, effects);
   }
-  return taken;
-}
-
-bool SerialLine::is_undisturbed(const State& state) const {
-  const bool is_examined = guard_ == Guard::kOff || detector_.has_passed();
-  const bool is_alone = listener_ == nullptr && device_ == nullptr && !pace_ && !hold_.is_on();
-  return is_network() && is_examined && !is_not_a_robot_program_ && is_alone &&
-         (!faults_ || faults_->is_idle(state));
-}
-
-// Almost all bytes are taken here.
-std::size_t SerialLine::receive_plain(std::string_view bytes, const Effects& effects) {
-  std::size_t taken = 0;
-  for (; taken < bytes.size() && !is_full(); ++taken) {
-    const auto byte = static_cast<std::uint8_t>(bytes[taken]);
-    if (!telnet_.is_plain(byte)) break;
-    interpret(byte, bytes_in_++, effects);
-  }
-  if (faults_) faults_->count_input(taken);
   return taken;
 }
 

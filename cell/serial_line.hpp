@@ -201,20 +201,13 @@ class SerialLine {
     return !hold_.is_full() && (!pace_ || pace_->accepts_input()) &&
            (!faults_ || !faults_->is_full());
   }
-  /// Whether nothing but the controller acts on bytes of data, and nothing holds its replies back.
-  /// Bytes of data do not change that.
-  bool is_undisturbed(const State& state) const;
-  /// Receives bytes up to the first one of a telnet command, or until the outbox is full.
-  /// Precondition: is_undisturbed().
-  std::size_t receive_plain(std::string_view bytes, const Effects& effects);
   void receive_byte(std::uint8_t byte, std::uint64_t offset, const Effects& effects);
   void filter(std::uint8_t byte, std::uint64_t offset, const Effects& effects);
   void take_data(std::uint8_t byte, std::uint64_t offset, const Effects& effects);
   void act_on(std::uint8_t byte, std::uint64_t offset, const Effects& effects);
   void act_on_faulty(std::uint8_t byte, std::uint64_t offset, const Effects& effects);
   void interpret(std::uint8_t byte, std::uint64_t offset, const Effects& effects);
-  // Few bytes complete a command. Inlined, this would slow down every byte.
-  [[gnu::noinline]] void execute(const std::vector<Parsed>& items, const Effects& effects);
+  void execute(const std::vector<Parsed>& items, const Effects& effects);
   bool announce(const Parsed& item);
   void answer(std::string& replies, Exchange& exchange, const Effects& effects);
   bool leaves_now(std::string& reply, const Exchange& exchange, const Effects& effects);

@@ -100,10 +100,7 @@ class Executor {
     if (index >= 0) return &state_.motor(index);
     return warn_of(label), nullptr;
   }
-  // Inlined, it would slow down every command.
-  [[gnu::noinline]] void warn_of(char label) {
-    emit(Warning{WarningCode::kNoSuchJoint, label, 0, 0, {}});
-  }
+  void warn_of(char label) { emit(Warning{WarningCode::kNoSuchJoint, label, 0, 0, {}}); }
 
   void counters_changed() {
     update_blocked(model_, state_, positions(model_, state_.motors), events_);

@@ -22,7 +22,6 @@ void Cell::restore(const Checkpoint& from) {
   transcript_ = from.transcript;
   agenda_ = from.agenda;
   lines_ = from.lines;
-  found_ = nullptr;
   if (transcript_) {
     for (auto& [id, line] : lines_) line.listen(*this, id);
   }

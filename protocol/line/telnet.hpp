@@ -30,8 +30,6 @@ class TelnetFilter {
     return handle(item, answers);
   }
 
-  /// Whether feed() would return this byte as data and change nothing. Almost every byte is plain.
-  bool is_plain(std::uint8_t byte) const { return parser_.is_plain(byte); }
   /// Whether feed() would return this byte as data.
   bool is_data(std::uint8_t byte) const { return parser_.is_data(byte); }
 

@@ -17,9 +17,8 @@ class LineTransports {
   /// so that bytes sent before them act before them. Other handlers run meanwhile if it takes long.
   virtual asio::awaitable<void> read_arrived() = 0;
 
-  /// Runs a turn for each line with news, and one turn for one of the lines with unfinished work.
-  /// It is cheap enough to be called between writes to monitor sessions, so that a line never waits
-  /// for a thousand sessions, nor for many flooding lines.
+  /// Runs turns of lines that wait for one, for a fraction of a millisecond. It is cheap enough to
+  /// be called between writes to monitor sessions, so that a line never waits for a thousand of them.
   virtual void run_turns() = 0;
 
   /// Resumes when other handlers have run, callers one after the other. So others wait for one

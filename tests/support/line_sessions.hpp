@@ -4,13 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <vector>
 
 #include "server/lines/turns.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3::test {
 
-class LineSessionsTest : public testing::Test {
+class LineFixture : public testing::Test {
  protected:
   /// A source that accepts no clients.
   struct NoSource final : LineSource {
@@ -30,7 +31,9 @@ class LineSessionsTest : public testing::Test {
              std::make_shared<const Model>(robot_named("rhino-xr3"), workcell_named("rhino-xr3"),
                                            Profile::kPaper),
              SimClock::manual(), [](const CellEvent&, const Model&) {}};
-  LineSessionContext context_{cell_, turns_, [](LineId) {}, [](LineId, LineCloseReason) {}};
+  std::vector<LineCloseReason> ended_;  ///< of the sessions that have ended, in order
+  LineSessionContext context_{cell_, turns_, [](LineId) {},
+                              [this](LineId, LineCloseReason reason) { ended_.push_back(reason); }};
   NoSource source_;
 };
 

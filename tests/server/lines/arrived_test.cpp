@@ -42,7 +42,7 @@ class CrStream final : public LineStream {
   int descriptor_ = ::eventfd(0, EFD_CLOEXEC);
 };
 
-class ArrivedBytesTest : public test::LineSessionsTest {
+class ArrivedBytesTest : public test::LineFixture {
  protected:
   ~ArrivedBytesTest() override {
     for (const auto& [line, number] : numbers_) turns_.remove(number);

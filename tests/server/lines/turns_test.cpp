@@ -38,7 +38,7 @@ class NotedStream final : public LineStream {
   int descriptor_ = ::eventfd(0, EFD_CLOEXEC);
 };
 
-class LineTurnsTest : public test::LineSessionsTest {
+class LineTurnsTest : public test::LineFixture {
  protected:
   ~LineTurnsTest() override {
     for (const auto& [line, number] : numbers_) turns_.remove(number);
