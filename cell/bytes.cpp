@@ -41,7 +41,7 @@ std::optional<LineId> Cell::current_line() const {
 
 std::optional<LineId> Cell::line_before(LineId line) const {
   const std::optional<LineId> current = current_line();
-  if (!current || current == line || line == kProbeLine) return std::nullopt;
+  if (!current || current == line) return std::nullopt;
   return lines_.contains(line) ? current : std::nullopt;
 }
 

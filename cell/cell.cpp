@@ -112,7 +112,6 @@ Snapshot Cell::snapshot() const {
 }
 
 const SerialLine* Cell::find_line(LineId line) const {
-  if (line == kProbeLine) return probe_line_ ? &*probe_line_ : nullptr;
   const auto found = lines_.find(line);
   return found == lines_.end() ? nullptr : &found->second;
 }
@@ -140,10 +139,6 @@ std::vector<LineId> Cell::take_woken_lines() {
 }
 
 Applied Cell::handle(const LineOpened& opened, WallNs) {
-  if (opened.is_probe) {
-    probe_line_.emplace(model().profile(), opened.kind, opened.peer, state().tick);
-    return {};
-  }
   const LineId id = ++last_line_;
   lines_.try_emplace(id, model().profile(), opened.kind, opened.peer, state().tick, opened.guard);
   ++counters_.lines_total;
@@ -170,10 +165,6 @@ void Cell::handle(const LineSettings& reported, WallNs) {
 Applied Cell::handle(const BytesIn& in, WallNs) {
   SerialLine* line = open_line(in.line);
   if (line == nullptr) return {};
-  if (in.line == kProbeLine) {  // its bytes are not counted, recorded or reported
-    exchanges_.clear();
-    return {.bytes_taken = line->receive(in.bytes, simulation_, exchanges_)};
-  }
   if (is_unread(in.line)) return {};
   last_input_tick_ = state().tick;
   if (line->bytes_in() == 0 && line->is_network()) line->examine(in.bytes);
@@ -239,15 +230,11 @@ void Cell::handle(const InputEnded& ended, WallNs) {
   exchanges_.clear();
   line->end_input(micros_at(state().tick));
   if (!line->next_reply(state())) line->discard_held_back();  // no end of the fault is known
-  if (ended.line != kProbeLine) record_out(out, *line, unsent);
+  record_out(out, *line, unsent);
   schedule(ended.line, *line);
 }
 
 void Cell::handle(const LineClosed& closed, WallNs) {
-  if (closed.line == kProbeLine) {
-    probe_line_.reset();
-    return;
-  }
   SerialLine* line = open_line(closed.line);
   if (line == nullptr) return;
   agenda_.forget(closed.line);

@@ -77,7 +77,7 @@ class Cell final : private LineListener {
   /// The transcript of this epoch; nullptr unless the clock was made by SimClock::bytes().
   const Transcript* transcript() const { return transcript_ ? &*transcript_ : nullptr; }
 
-  /// From now on, the bytes of lines take time, except on those of the monitor and the probe.
+  /// From now on, the bytes of lines take time, except on those of the monitor.
   /// Preconditions: no line is open, and there is no device.
   void set_line_speed(const LineSpeed& speed);
   /// The tick at which the next byte of a line is due; nullopt: none is.
@@ -153,9 +153,7 @@ class Cell final : private LineListener {
   static call::Refused in_the_past();
   /// Whether the bytes of an open line wait: for another line, with a byte clock only, or because
   /// the cell is in the past.
-  bool is_unread(LineId line) const {
-    return line != kProbeLine && (is_in_past_ || (byte_clock_ && line_before(line)));
-  }
+  bool is_unread(LineId line) const { return is_in_past_ || (byte_clock_ && line_before(line)); }
   /// The model of this robot and profile with another workcell.
   ModelPtr model_with(const Workcell& workcell) const;
 
@@ -191,7 +189,7 @@ class Cell final : private LineListener {
 
   /// nullptr if closed.
   const SerialLine* find_line(LineId line) const;
-  /// The open lines without kProbeLine, which is not counted, recorded or reported.
+  /// The open lines, numbered from 1.
   const std::map<LineId, SerialLine>& lines() const { return lines_; }
 
   /// The number of bytes that a line has received; nullopt for an unknown line. Closed lines are
@@ -339,7 +337,6 @@ class Cell final : private LineListener {
   std::vector<LineId> woken_;
   std::map<LineId, SerialLine> lines_;
   LineId last_line_ = 0;
-  std::optional<SerialLine> probe_line_;
   std::map<LineId, std::uint64_t> closed_bytes_in_;  ///< of closed lines; the lowest goes first
   std::map<std::string, MachineSnapshotPtr> snapshots_;
   std::vector<Exchange> exchanges_;  ///< of the bytes being received; reuses its memory

@@ -11,9 +11,4 @@ std::optional<LineId> line_of(const Input& input) {
       input);
 }
 
-bool is_of_probe(const Input& input) {
-  const auto* opened = std::get_if<LineOpened>(&input);
-  return opened != nullptr ? opened->is_probe : line_of(input) == kProbeLine;
-}
-
 }  // namespace xr3

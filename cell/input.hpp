@@ -18,14 +18,9 @@
 
 namespace xr3 {
 
-/// The line of the server's own readiness probe (`RobotProbe`). All other lines are numbered from
-/// 1.
-inline constexpr LineId kProbeLine = 0;
-
 struct LineOpened {
   std::string peer;  ///< for display: address and port, or `monitor`
   LineKind kind = LineKind::kTcp;
-  bool is_probe = false;  ///< opens kProbeLine, of which there is at most one
   Guard guard = Guard::kNormal;
 };
 
@@ -83,8 +78,6 @@ struct BytesOut {
 
 /// The line of an input of an open line; nullopt for others.
 std::optional<LineId> line_of(const Input& input);
-/// Whether it concerns only the line of the probe.
-bool is_of_probe(const Input& input);
 
 /// The result of an input: the number of the opened line, the number of bytes taken, or the outcome
 /// of the call.

@@ -79,6 +79,14 @@ asio::ip::address address_of(const std::string& listen) {
   return asio::ip::make_address(listen == "localhost" ? "127.0.0.1" : listen);
 }
 
+/// Listens at the address of the option --listen; for localhost at both of its addresses.
+template <class Port>
+void listen_at(Port& port, const std::string& what, const std::string& listen,
+               std::uint16_t number) {
+  listen_on(port, what, {address_of(listen), number});
+  if (listen == "localhost") listen_too(port, what, number != 0);
+}
+
 /// The address of the page for a browser on this machine.
 std::string page_address(const tcp::endpoint& monitor) {
   const asio::ip::address at = monitor.address();
@@ -138,7 +146,7 @@ App::App(const ServeOptions& options, std::vector<CellSeed> seeds, std::string t
           io_, cells_, worker_, policy_, [this] { return not_ready(); }, [this] { ended(); },
           limits_),
       branch_cells_(io_, linger_of(options_), [this](const CellPtr& cell) { close_cell(cell); }),
-      service_manager_(io_, service_environment(), [this] { return robot_probe_->failure(); }),
+      service_manager_(io_, service_environment()),
       signals_(io_, SIGINT, SIGTERM) {
   turns_.limit_memory(memory_);
   monitor_port_.limit_memory(memory_);
@@ -147,7 +155,6 @@ App::App(const ServeOptions& options, std::vector<CellSeed> seeds, std::string t
       [this](HostedCell& of, MachineSnapshotPtr past) { return open_branch(of, std::move(past)); });
   check_byte_clock();
   options_.is_cell_per_connection ? serve_connections() : open_planned();
-  robot_probe_.emplace(io_, first_port());
 }
 
 // Destroys waiting handlers and coroutines before the members that they refer to. The cell may be
@@ -155,7 +162,6 @@ App::App(const ServeOptions& options, std::vector<CellSeed> seeds, std::string t
 App::~App() {
   stage_ = Stage::kEnded;
   for (const CellPtr& each : cells_.all()) each->freeze();
-  if (probe_cell_) probe_cell_->freeze();
   worker_.stop();
   io_.shutdown();
   for (const CellPtr& each : cells_.all()) each->lines().drop();
@@ -206,25 +212,17 @@ ExitCode App::break_off(const char* what) {
   return ExitCode::kBroken;
 }
 
-asio::awaitable<std::string> App::not_ready() {
-  if (stage_ != Stage::kReady) co_return "the server is starting or stopping";
-  std::string trouble = co_await robot_probe_->trouble();
-  co_return trouble;
-}
-
 void App::listen() {
   for (const CellPlan& plan : plans_) listen_on_cell(*cells_.find(plan.name), plan.port);
-  if (probe_cell_) listen_on_cell(*probe_cell_, options_.robot_port);
-  const bool is_local = options_.listen == "localhost";
-  listen_on(monitor_port_, "monitor", {address_of(options_.listen), options_.monitor_port});
-  if (is_local) listen_too(monitor_port_, "monitor", options_.monitor_port != 0);
+  if (connection_cells_)
+    listen_at(*connection_cells_, "robot", options_.listen, options_.robot_port);
+  listen_at(monitor_port_, "monitor", options_.listen, options_.monitor_port);
   page_ = page_address(monitor_endpoint());
 }
 
 void App::listen_on_cell(HostedCell& cell, std::uint16_t port) {
   const std::string what = plans_.size() > 1 ? "cell " + cell.name() + ": robot" : "robot";
-  listen_on(*cell.port(), what, {address_of(options_.listen), port});
-  if (options_.listen == "localhost") listen_too(*cell.port(), what, port != 0);
+  listen_at(*cell.port(), what, options_.listen, port);
 }
 
 void App::open_terminals() {
@@ -333,7 +331,6 @@ void App::stop() {
   const WallNs deadline = wall_now() + kDrainLimit;
   branch_cells_.stop();
   if (connection_cells_) connection_cells_->close();
-  if (probe_cell_) probe_cell_->close();
   for (const CellPtr& each : cells_.all()) each->close(deadline - kDrainLimit / 2);
   turns_.close();
   monitor_port_.close(deadline);

@@ -22,7 +22,6 @@
 #include "server/net/socket_limits.hpp"
 #include "server/options/options.hpp"
 #include "server/recording/room.hpp"
-#include "server/robot_port/probe.hpp"
 
 namespace xr3 {
 
@@ -50,7 +49,7 @@ class App {
   ExitCode run();
 
   /// Valid once run() has begun to serve.
-  tcp::endpoint robot_endpoint() const { return first_port().endpoint(); }
+  tcp::endpoint robot_endpoint() const;
   tcp::endpoint monitor_endpoint() const { return monitor_port_.endpoint(); }
   /// For posting work to the event loop.
   asio::io_context::executor_type executor() { return io_.get_executor(); }
@@ -77,8 +76,6 @@ class App {
   void await_signal();
   void stop();
   void end_soon();
-  /// The port that is named first, and that the probe asks.
-  RobotPort& first_port() const;
   HostedCell& first() const { return *cells_.all().front(); }
   void check_byte_clock() const;
   void open_planned();
@@ -96,7 +93,7 @@ class App {
   bool has_no_clients() const;
   std::size_t close_greediest();
   std::size_t trim_frames();
-  asio::awaitable<std::string> not_ready();
+  std::string not_ready() const;
 
   enum class Stage : std::uint8_t { kStarting, kReady, kDraining, kEnded };
 
@@ -121,10 +118,7 @@ class App {
   Worker worker_;
   CellContext context_;
   CellRegistry cells_;
-  /// With --cell-per-connection: the cell of the probe, which nobody sees. It has the robot port.
-  CellPtr probe_cell_;
   std::optional<ConnectionCells> connection_cells_;
-  std::optional<RobotProbe> robot_probe_;
   MonitorPort monitor_port_;
   BranchCells branch_cells_;
   ServiceManager service_manager_;

@@ -49,7 +49,28 @@ WallNs linger_of(const ServeOptions& options) {
   return static_cast<WallNs>(options.linger_s * kNsPerSecond);
 }
 
-RobotPort& App::first_port() const { return *(probe_cell_ ? *probe_cell_ : first()).port(); }
+tcp::endpoint App::robot_endpoint() const {
+  return connection_cells_ ? connection_cells_->endpoint() : first().port()->endpoint();
+}
+
+// --- Readiness.
+
+/// Why clients of the robot ports are not served, as a sentence; empty if they are.
+std::string App::not_ready() const {
+  if (stage_ != Stage::kReady) return "the server is starting or stopping";
+  if (!turns_.is_watching()) return "the serial lines are not watched";
+  std::string trouble = connection_cells_ ? connection_cells_->trouble() : "";
+  bool is_full = !connection_cells_ || connection_cells_->is_full();
+  for (const CellPlan& plan : plans_) {
+    const RobotPort& port = *cells_.find(plan.name)->port();
+    if (trouble.empty()) trouble = port.trouble();
+    is_full = is_full && port.is_full();
+  }
+  if (!is_full || !trouble.empty()) return trouble;
+  return "every line is in use: " + std::to_string(limits_.lines) + " are open (--max-lines)";
+}
+
+// --- Planned cells.
 
 CellPtr App::make_cell(const std::string& name, const CellSeed& seed) {
   const std::string shown = has_many_cells(options_) ? name : "";
@@ -105,13 +126,6 @@ void App::serve_connections() {
   connection_cells_.emplace(
       io_, std::move(rules), [this](const std::string& name) { return open_for_connection(name); },
       [this](const CellPtr& cell) { close_cell(cell); });
-  probe_cell_ = HostedCell::make(
-      context_, {"probe", seeds_.front().model, start_clock(options_.clock), {}, {}});
-  RobotPortRules port{1, options_.guard};
-  port.divert = [this](NewConnection connection) {
-    connection_cells_->take(std::move(connection));
-  };
-  probe_cell_->add_port(std::move(port));
 }
 
 CellPtr App::open_for_connection(const std::string& name) {
@@ -205,7 +219,7 @@ void App::close_cell(const CellPtr& cell) {
 void App::count_more(CellCounters& counters) const {
   if (!connection_cells_) return;
   counters.robot_port.refused += connection_cells_->refused();
-  counters.robot_port.accept_failures += probe_cell_->transports().counters().accept_failures;
+  counters.robot_port.accept_failures += connection_cells_->accept_failures();
   counters.of(LineCloseReason::kNotARobotProgram) += connection_cells_->turned_away();
 }
 

@@ -134,7 +134,7 @@ HistoryPartPtr History::part_before(const ReplayTime& time) const {
 void History::begin(const Cell& cell, const Input& input) {
   before_ = now();
   if (before_ != last_) note_motion();  // else nothing has moved since the last input
-  if (is_checkpoint_due() && !is_of_probe(input) && !is_behind()) try_part();
+  if (is_checkpoint_due() && !is_behind()) try_part();
   Recorder::begin(cell, input);
 }
 
@@ -156,7 +156,7 @@ void History::end(const Cell& cell, const Input& input, const Applied& applied) 
 
 template <class Entry>
 void History::add(Entry&& entry) {
-  if (parts_.empty() || retry_in_ > 0) return;  // only the probe has acted, or there is a gap
+  if (parts_.empty() || retry_in_ > 0) return;  // there is a gap
   InputTape& inputs = parts_.back()->inputs;
   used_ -= inputs.bytes();
   inputs.add(std::forward<Entry>(entry));

@@ -23,7 +23,7 @@ class InputLog {
   virtual void end(const Cell& /*cell*/, const Input& /*input*/, const Applied& /*applied*/) {}
   /// A transport has sent bytes, which the line's outbox still has.
   virtual void sent(const Cell& /*cell*/, const BytesOut& /*out*/) {}
-  /// A line, not the probe's, has added these bytes to its outbox.
+  /// A line has added these bytes to its outbox.
   virtual void output(const Cell& /*cell*/, LineId /*line*/, std::string_view /*bytes*/) {}
   /// Time has advanced. `is_behind`: bytes that are due have not acted, because too many were.
   virtual void after_advance(const Cell& /*cell*/, bool /*is_behind*/) {}

@@ -70,9 +70,8 @@ void Recorder::begin(const Cell& cell, const Input& input) {
     hashed_ = input_at_;
     add(hashed_, StateHash{hasher_.hash(cell)});
   }
-  const LineId id = line_of(input).value_or(kProbeLine);
-  const SerialLine* line = cell.find_line(id);
-  is_open_ = line != nullptr && id != kProbeLine;
+  const SerialLine* line = cell.find_line(line_of(input).value_or(0));
+  is_open_ = line != nullptr;
   if (!is_open_) return;
   if (std::holds_alternative<BytesIn>(input)) {
     unsent_ = line->outbox().size();
@@ -86,7 +85,7 @@ bool Recorder::is_hash_due() const {
 }
 
 void Recorder::end(const Cell& cell, const Input& input, const Applied& applied) {
-  if (line_of(input) ? is_open_ : !is_of_probe(input)) {
+  if (is_open_ || !line_of(input)) {
     if (auto body = std::visit(EntryMaker{*this, cell, applied}, input))
       add(input_at_, *std::move(body));
   }
@@ -106,7 +105,7 @@ std::optional<Recorder::Read> Recorder::read_of(const Cell& cell, const BytesIn&
 /// When a paced line is full, and goes on, depends on what its transport has sent.
 void Recorder::sent(const Cell& cell, const BytesOut& out) {
   const SerialLine& line = *cell.find_line(out.line);
-  if (out.line == kProbeLine || !line.is_paced()) return;
+  if (!line.is_paced()) return;
   if (out.count == 0 && !line.is_full() && !is_behind_) return;
   add(now(cell), LineUnsent{out.line, line.outbox().size() - out.count});
 }

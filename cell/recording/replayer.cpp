@@ -81,7 +81,7 @@ struct Replayer::Applier {
   const recording::Entry& entry;
 
   Result operator()(const LineBegin& begin) const {
-    const auto opened = apply(LineOpened{begin.peer, begin.kind, false, begin.guard});
+    const auto opened = apply(LineOpened{begin.peer, begin.kind, begin.guard});
     if (opened.line == begin.line) return std::nullopt;
     return replayer.difference("number of the line that opens", number(begin.line),
                                number(opened.line));

@@ -65,7 +65,7 @@ asio::awaitable<void> greet(MonitorSocket& socket, HealthProbe& probe) {
   }
 }
 
-/// Requests /readyz, for which the server probes its own robot port. Returns the response.
+/// Requests /readyz. Returns the response.
 asio::awaitable<std::string> ask_ready(MonitorSocket& socket, const tcp::endpoint& place) {
   std::string answer;
   const std::string request = ready_request(to_text(place));

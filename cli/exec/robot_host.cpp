@@ -48,8 +48,7 @@ RobotHost::RobotHost(const ServeOptions& options, const CellSeed& seed, MonitorA
     cell_->record(options.record, {std::uint64_t{options.record_max_mib} << 20U});
   if (access == MonitorAccess::kNone) return;
   monitor_.emplace(
-      io_, cells_, worker_, policy_,
-      []() -> asio::awaitable<std::string> { co_return std::string(); }, [] {}, SocketLimits());
+      io_, cells_, worker_, policy_, [] { return std::string(); }, [] {}, SocketLimits());
   require_port(monitor_->listen(any_port()), "monitor");
 }
 

@@ -59,6 +59,8 @@ ConnectionCells::ConnectionCells(asio::io_context& io, ConnectionCellsRules rule
                                  Close close)
     : io_(io),
       rules_(std::move(rules)),
+      listener_(io, kConnectionsName,
+                [this](NewConnection connection) { take(std::move(connection)); }),
       open_(std::move(open)),
       close_(std::move(close)),
       timer_(io) {}
@@ -68,9 +70,7 @@ ConnectionCells::~ConnectionCells() = default;
 // --- Connections without a cell.
 
 void ConnectionCells::take(NewConnection connection) {
-  if (is_closing_) return;
-  if (waiting_.size() + lines_ >= rules_.max_lines)
-    return refuse("as many lines are open as --max-lines allows");
+  if (is_full()) return refuse("as many lines are open as --max-lines allows");
   auto place = rules_.peers.take(machine_of(connection));
   if (!place)
     return refuse("the client has as many lines open as one address may have (--max-per-address)");
@@ -125,7 +125,7 @@ void ConnectionCells::serve(Client& client) {
     return refuse("as many cells have a line as --max-cells allows");
   const CellPtr cell = open_("c" + std::to_string(++last_));
   const auto guest = guests_.emplace(cell.get(), std::make_unique<Guest>(*this, cell)).first;
-  const LineOpened opened{to_text(client.peer), LineKind::kTcp, false, rules_.guard};
+  const LineOpened opened{to_text(client.peer), LineKind::kTcp, rules_.guard};
   ++lines_;
   ErrorCode ignored;
   cell->lines().open(*guest->second,
@@ -173,6 +173,7 @@ void ConnectionCells::close_due() {
 
 void ConnectionCells::close() {
   is_closing_ = true;
+  listener_.close();
   timer_.cancel();
   ErrorCode ignored;
   for (const ClientPtr& client : waiting_) client->socket.close(ignored);

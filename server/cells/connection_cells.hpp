@@ -44,11 +44,17 @@ class ConnectionCells {
 
   ~ConnectionCells();
 
-  /// Takes over a connection.
-  void take(NewConnection connection);
-  /// Takes no further connection; those that wait for their first byte are closed.
+  /// Binds and starts to accept; endpoint() is then valid. Returns the error.
+  ErrorCode listen(const tcp::endpoint& endpoint) { return listener_.listen(endpoint); }
+  tcp::endpoint endpoint() const { return listener_.endpoint(); }
+  /// Accepts no further connection; those that wait for their first byte are closed.
   void close();
+  /// Listener::trouble().
+  std::string trouble() const { return listener_.trouble(); }
+  /// Every line is in use: a further connection is refused.
+  bool is_full() const { return waiting_.size() + lines_ >= rules_.max_lines; }
 
+  std::uint64_t accept_failures() const { return listener_.failures(); }
   /// Connections beyond a limit.
   std::uint64_t refused() const { return refused_; }
   /// Connections that were no robot programs, and so got no cell.
@@ -62,6 +68,7 @@ class ConnectionCells {
   using ClientPtr = std::shared_ptr<Client>;
   enum class First : std::uint8_t { kNothing, kRobot, kOther, kEnd };
 
+  void take(NewConnection connection);
   asio::awaitable<void> await_first_byte(ClientPtr client);
   First look(Client& client);
   First judge(Client& client, std::string_view bytes) const;
@@ -75,6 +82,7 @@ class ConnectionCells {
 
   asio::io_context& io_;
   ConnectionCellsRules rules_;
+  Listener listener_;
   Open open_;
   Close close_;
   std::set<ClientPtr> waiting_;

@@ -248,7 +248,7 @@ asio::awaitable<Answer> HttpResources::health(CellPtr, HttpRequest) {
 }
 
 asio::awaitable<Answer> HttpResources::readiness(CellPtr, HttpRequest) {
-  const std::string trouble = co_await not_ready_();
+  const std::string trouble = not_ready_();
   if (trouble.empty()) co_return http::text(http::Body::of_static("ok\n"));
   co_return http::error(503, "not_ready", trouble, "try again, or start it again");
 }

@@ -19,7 +19,7 @@ namespace xr3 {
 class HttpResources {
  public:
   /// Returns why the server is not ready, as a sentence; empty if it is ready.
-  using NotReady = std::function<asio::awaitable<std::string>()>;
+  using NotReady = std::function<std::string()>;
 
   /// Returns the statistics of the server.
   using Count = std::function<CellCounters()>;
@@ -34,8 +34,7 @@ class HttpResources {
   /// The error response for a forbidden Host, Origin or method, or an invalid target; else nullopt.
   std::optional<http::Answer> refuse(const http::HttpRequest& request) const;
 
-  /// The answer to a request that refuse() accepts. Waits for the resources that the worker makes,
-  /// and for /readyz, which probes the robot port.
+  /// The answer to a request that refuse() accepts. Waits for the resources that the worker makes.
   asio::awaitable<http::Answer> answer(const http::HttpRequest& request);
 
   /// Whether the request asks for /healthz or /readyz.

@@ -38,10 +38,7 @@ LineSessions::LineSessions(LineTurns& turns, Cell& cell, std::function<void()> a
     : turns_(turns),
       cell_(cell),
       acted_(std::move(acted)),
-      context_{cell, turns,
-               [this](LineId line) {
-                 if (line != kProbeLine) notify(line);
-               },
+      context_{cell, turns, [this](LineId line) { notify(line); },
                [this](LineId line, LineCloseReason reason) { end(line, reason); }} {}
 
 std::optional<LineId> LineSessions::open(LineSource& source, std::unique_ptr<LineStream> stream,
@@ -56,7 +53,7 @@ std::optional<LineId> LineSessions::open(LineSource& source, std::unique_ptr<Lin
     session->close(LineCloseReason::kError);
     return std::nullopt;
   }
-  if (line != kProbeLine) notify(line);
+  notify(line);
   return line;
 }
 
@@ -64,8 +61,7 @@ void LineSessions::end(LineId line, LineCloseReason reason) {
   const auto ended = sessions_.extract(line);
   if (ended && ended.mapped().number) turns_.remove(*ended.mapped().number);
   if (ended) ended.mapped().session->source().line_ended(line, reason);
-  if (line != kProbeLine) return notify(line);
-  if (is_closing_) acted_();
+  notify(line);
 }
 
 PortCounters LineSessions::counters() const {

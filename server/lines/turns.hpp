@@ -69,6 +69,7 @@ class LineTurns {
   /// Stops to watch when the last session has ended, so that nothing keeps the event loop running.
   void close();
   bool is_empty() const { return sessions_.empty(); }
+  bool is_watching() const { return watch_.is_open(); }
 
  private:
   struct Entry {

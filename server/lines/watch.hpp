@@ -39,6 +39,7 @@ class LineWatch {
   /// Waits for news. Returns false if closed. Throws boost::system::system_error.
   asio::awaitable<bool> wait();
   void close();
+  bool is_open() const { return set_.is_open(); }
 
   /// The news now, at most kMaxNews; may be empty. Valid until the next call.
   std::span<const News> news();

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <boost/asio/ip/v6_only.hpp>
 #include <boost/system/system_error.hpp>
 #include <cerrno>
@@ -134,9 +135,16 @@ bool Listener::accept_some(tcp::acceptor& acceptor) {
   return is_done;
 }
 
+std::string Listener::trouble() const {
+  const auto is_open = [](const Entrance& each) { return each.acceptor.is_open(); };
+  if (entrances_.empty() || !std::ranges::all_of(entrances_, is_open))
+    return std::string(name_) + " is closed";
+  return failure_ ? std::string(name_) + " cannot accept a connection: " + failure_.message() : "";
+}
+
 void Listener::note_failure(ErrorCode error) {
   ++failures_;
-  if (std::exchange(has_logged_failure_, true)) return;
+  if (std::exchange(failure_, error)) return;
   spdlog::error("{} cannot accept a connection: {} (reported once until it can)", name_,
                 error.message());
 }
@@ -161,7 +169,7 @@ ErrorCode Listener::hand_over(NewConnection connection) {
   } catch (const boost::system::system_error& failure) {
     return failure.code();
   }
-  has_logged_failure_ = false;
+  failure_ = {};
   return {};
 }
 

@@ -49,6 +49,9 @@ class Listener {
 
   /// The number of failed attempts to accept a connection, such as without descriptors.
   std::uint64_t failures() const { return failures_; }
+  /// Empty if connections are accepted. Otherwise, as a sentence: it is closed, or why the last
+  /// attempt to accept one has failed.
+  std::string trouble() const;
 
   /// Accepts every connection that is pending in the kernel.
   void accept_pending();
@@ -74,7 +77,7 @@ class Listener {
   Accepted accepted_;
   tcp::endpoint endpoint_;
   std::uint64_t failures_ = 0;
-  bool has_logged_failure_ = false;  ///< until the next connection is accepted
+  ErrorCode failure_;  ///< of the last attempt; none if it has succeeded
 };
 
 }  // namespace xr3

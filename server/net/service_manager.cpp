@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <boost/asio/post.hpp>
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
@@ -83,9 +84,8 @@ ServiceEnvironment service_environment() {
   return {socket_in_environment(), watchdog_in_environment()};
 }
 
-ServiceManager::ServiceManager(asio::io_context& io, ServiceEnvironment environment,
-                               Failure failure)
-    : io_(io), environment_(std::move(environment)), failure_(std::move(failure)), timer_(io) {}
+ServiceManager::ServiceManager(asio::io_context& io, ServiceEnvironment environment)
+    : io_(io), environment_(std::move(environment)), timer_(io) {}
 
 void ServiceManager::ready() {
   if (environment_.socket.empty()) return;
@@ -106,13 +106,8 @@ asio::awaitable<void> ServiceManager::show_life(microseconds period) {
   while (!is_stopping_) {
     timer_.expires_after(period);
     co_await timer_.async_wait(kAwait);
-    if (is_stopping_) break;
-    const std::string failure = co_await failure_();
-    if (failure.empty()) {
-      send("WATCHDOG=1");
-    } else {
-      spdlog::error("no sign of life is sent to the service manager: {}", failure);
-    }
+    co_await asio::post(io_, kAwait);
+    if (!is_stopping_) send("WATCHDOG=1");
   }
 }
 

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <chrono>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,15 +24,12 @@ ServiceEnvironment service_environment();
 
 class ServiceManager {
  public:
-  /// Returns why the server does not work, as a sentence; empty if it works.
-  using Failure = std::function<asio::awaitable<std::string>()>;
-
-  /// `failure` is called before each sign of life.
-  ServiceManager(asio::io_context& io, ServiceEnvironment environment, Failure failure);
+  ServiceManager(asio::io_context& io, ServiceEnvironment environment);
   ServiceManager(const ServiceManager&) = delete;
   ServiceManager& operator=(const ServiceManager&) = delete;
 
-  /// Clients can connect. From now on signs of life are sent, if the manager asks for them.
+  /// Clients can connect. If the manager asks for signs of life, a timer sends them: each after all
+  /// handlers that were ready in the event loop have run.
   void ready();
   /// The server stops: no further sign of life.
   void stopping();
@@ -44,7 +40,6 @@ class ServiceManager {
 
   asio::io_context& io_;
   ServiceEnvironment environment_;
-  Failure failure_;
   asio::steady_timer timer_;
   bool is_stopping_ = false;
 };

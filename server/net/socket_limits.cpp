@@ -7,7 +7,7 @@
 namespace xr3 {
 namespace {
 
-// Standard streams, event loop, listeners, signals, the probe, and files being read or written.
+// Standard streams, event loop, listeners, signals, and files being read or written.
 constexpr std::size_t kOwnDescriptors = 36;
 
 // Several health checks can wait for their answers at once.

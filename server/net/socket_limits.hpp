@@ -20,8 +20,8 @@ struct SocketLimits {
 inline constexpr std::size_t kLinesPerBranch = 8;
 
 /// Divides this many descriptors: all of `wanted` if there are enough, else a proportional part. A
-/// few are left for the process itself, its own probe, and health checks, and `listeners` for the
-/// robot ports of further cells. Branches get their listeners and lines from the rest before the
+/// few are left for the process itself and health checks, and `listeners` for the robot ports of
+/// further cells. Branches get their listeners and lines from the rest before the
 /// others, but at most a quarter of it.
 SocketLimits divide_descriptors(std::size_t descriptors, const SocketLimits& wanted,
                                 std::size_t listeners = 0);

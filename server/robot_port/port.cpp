@@ -25,20 +25,18 @@ RobotPort::RobotPort(asio::io_context& io, Cell& cell, LineSessions& lines, Robo
 }
 
 void RobotPort::open(NewConnection connection) {
-  const bool is_probe = this->is_probe(connection.peer);
-  if (!is_probe && rules_.divert) return rules_.divert(std::move(connection));
-  if (is_full()) lines_.run_news();        // a client may have closed its line without our notice
-  if (is_full()) return refuse(is_probe);  // closed without a byte
+  if (is_full()) lines_.run_news();  // a client may have closed its line without our notice
+  if (is_full()) return refuse();     // closed without a byte
   const asio::ip::address peer = machine_of(connection);
-  if (!is_probe && is_owned_by_other(peer)) return refuse_other(peer);
-  auto place = is_probe ? nullptr : rules_.peers.take(peer);
-  if (!place && !is_probe) return refuse_peer(peer);
-  const LineOpened opened{to_text(connection.peer), LineKind::kTcp, is_probe, rules_.guard};
-  if (!is_probe) ++open_;
+  if (is_owned_by_other(peer)) return refuse_other(peer);
+  auto place = rules_.peers.take(peer);
+  if (!place) return refuse_peer(peer);
+  const LineOpened opened{to_text(connection.peer), LineKind::kTcp, rules_.guard};
+  ++open_;
   const auto line =
       lines_.open(*this, std::make_unique<RobotSocket>(std::move(connection.descriptor)), opened,
                   std::move(place));
-  if (is_probe || !line || !rules_.owner_lingers) return;
+  if (!line || !rules_.owner_lingers) return;
   peers_of_lines_.emplace(*line, peer);
   release_.cancel();
 }
@@ -49,11 +47,7 @@ void RobotPort::close() {
   release_.cancel();
 }
 
-void RobotPort::refuse(bool is_probe) {
-  if (is_probe) {
-    probe_progress_ = ProbeProgress::kRefused;
-    return;
-  }
+void RobotPort::refuse() {
   ++refused_;
   if (std::exchange(has_logged_full_, true)) return;
   spdlog::warn("lines are refused: {} are open already (--max-lines; reported once until one ends)",
@@ -106,32 +100,15 @@ void RobotPort::release_later() {
 }
 
 void RobotPort::line_acted(LineId line) {
-  if (line != kProbeLine) {
-    const auto peer = peers_of_lines_.find(line);
-    if (peer != peers_of_lines_.end() && !owner_) become_owner(peer->second);
-    return;
-  }
-  probe_progress_ = cell_.state().enabled ? ProbeProgress::kTaken : ProbeProgress::kIgnored;
+  const auto peer = peers_of_lines_.find(line);
+  if (peer != peers_of_lines_.end() && !owner_) become_owner(peer->second);
 }
 
 void RobotPort::line_ended(LineId line, LineCloseReason) {
-  if (line == kProbeLine) return;
   assert(open_ > 0);
   --open_;
   has_logged_full_ = has_logged_peer_ = false;
   if (peers_of_lines_.erase(line) > 0 && peers_of_lines_.empty() && owner_) release_later();
-}
-
-void RobotPort::expect_probe(const tcp::endpoint& from) {
-  probe_from_ = from;
-  probe_progress_ = ProbeProgress::kUnseen;
-}
-
-bool RobotPort::is_probe(const tcp::endpoint& peer) {
-  if (probe_from_ != peer) return false;
-  probe_from_.reset();
-  probe_progress_ = ProbeProgress::kAccepted;
-  return true;
 }
 
 }  // namespace xr3

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
+#include <string>
 
 #include "cell/counters.hpp"
 #include "server/lines/sessions.hpp"
@@ -14,15 +14,6 @@
 
 namespace xr3 {
 
-/// The progress of the server's own probe of a line (`RobotProbe`).
-enum class ProbeProgress : std::uint8_t {
-  kUnseen,    ///< its connection is not accepted yet
-  kRefused,   ///< all lines were in use
-  kAccepted,  ///< its line is open
-  kTaken,     ///< its byte has been parsed
-  kIgnored,   ///< as kTaken, but the controller is disabled and does not reply
-};
-
 struct RobotPortRules {
   std::size_t max_lines;  ///< further connections are closed without a byte
   Guard guard = Guard::kNormal;
@@ -30,16 +21,12 @@ struct RobotPortRules {
   /// The first address that speaks keeps the port until it had no line for so long; nullopt: the
   /// port is for everybody (--bind-peer).
   std::optional<WallNs> owner_lingers = {};
-  /// Takes over all connections but the probe's; may be empty.
-  std::function<void(NewConnection)> divert = {};
 };
 
 class RobotPort final : public LineSource {
  public:
   /// `cell` and `lines` must outlive the port.
   RobotPort(asio::io_context& io, Cell& cell, LineSessions& lines, RobotPortRules rules);
-  std::size_t max_lines() const { return rules_.max_lines; }
-
   /// Binds and starts to accept; endpoint() is then valid. Returns the error.
   ErrorCode listen(const tcp::endpoint& endpoint) { return listener_.listen(endpoint); }
   /// The same for a socket that listens already, which the port owns from now on.
@@ -47,6 +34,10 @@ class RobotPort final : public LineSource {
   tcp::endpoint endpoint() const { return listener_.endpoint(); }
   /// Accepts no further connection.
   void close();
+  /// Listener::trouble().
+  std::string trouble() const { return listener_.trouble(); }
+  /// Every line is in use: a further connection is refused.
+  bool is_full() const { return open_ >= rules_.max_lines; }
 
   void accept_arrived() override { listener_.accept_pending(); }
   void line_acted(LineId line) override;
@@ -58,18 +49,9 @@ class RobotPort final : public LineSource {
   /// Closes the owner's lines: the port belongs to the next address that speaks. Returns the owner.
   std::optional<asio::ip::address> release_owner();
 
-  /// The next connection from this endpoint is the server's own probe and becomes kProbeLine. It is
-  /// refused if the limit of lines is reached, but does not count as a line.
-  void expect_probe(const tcp::endpoint& from);
-  /// Cancels expect_probe(): another process may get the endpoint from now on.
-  void forget_probe() { probe_from_.reset(); }
-  ProbeProgress probe_progress() const { return probe_progress_; }
-
  private:
   void open(NewConnection connection);
-  bool is_probe(const tcp::endpoint& peer);
-  bool is_full() const { return open_ >= rules_.max_lines; }
-  void refuse(bool is_probe);
+  void refuse();
   void refuse_peer(const asio::ip::address& peer);
   void refuse_other(const asio::ip::address& peer);
   bool is_owned_by_other(const asio::ip::address& peer) const { return owner_ && *owner_ != peer; }
@@ -80,7 +62,7 @@ class RobotPort final : public LineSource {
   LineSessions& lines_;
   RobotPortRules rules_;
   Listener listener_;
-  std::size_t open_ = 0;  ///< lines without the probe
+  std::size_t open_ = 0;  ///< lines
   bool has_logged_full_ = false;
   bool has_logged_peer_ = false;
   std::uint64_t refused_ = 0;
@@ -90,8 +72,6 @@ class RobotPort final : public LineSource {
   std::uint64_t other_peers_ = 0;  ///< connections closed since another address has the port
   WallNs next_other_log_ = 0;
   bool is_closed_ = false;
-  std::optional<tcp::endpoint> probe_from_;  ///< of the expected probe, until it is accepted
-  ProbeProgress probe_progress_ = ProbeProgress::kUnseen;
 };
 
 }  // namespace xr3

@@ -162,16 +162,6 @@ TEST(ByteClockCell, BytesThatTheDetectorHoldsActTogetherLater) {
   EXPECT_EQ(lab.time(), 2 * kUsualCharacter);
 }
 
-TEST(ByteClockCell, TheProbeMovesNoTimeAndTakesNoTurn) {
-  ByteLab lab;
-  lab.cell.apply(LineOpened{.peer = "probe", .is_probe = true}, 0);
-  const LineId line = lab.open();
-  EXPECT_FALSE(lab.cell.line_before(line));
-  EXPECT_EQ(lab.send(kProbeLine, "K"), 1U);
-  EXPECT_EQ(lab.time(), 0);
-  EXPECT_EQ(lab.cell.find_line(kProbeLine)->outbox().size(), 1U);
-}
-
 TEST(ByteClockCell, LineSpeedSetsTheTimeOfACharacter) {
   ByteLab slow({}, LineSpeed{parse_serial_settings("1000-8n1"), Rate{}});
   const LineId line = slow.open();

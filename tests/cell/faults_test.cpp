@@ -76,12 +76,10 @@ TEST(CellFaults, OffsetsCountDataBytesWithoutTelnet) {
   EXPECT_EQ(reply, "\xff\xfb\x03 ");
 }
 
-TEST(CellFaults, DoNotConcernTheProbeAndTheMonitor) {
+TEST(CellFaults, DoNotConcernTheMonitor) {
   Faulty faulty({fault_named("deaf", FaultKind::kByteDropped)});
   const LineId monitor = faulty.cell.apply(LineOpened{"monitor", LineKind::kMonitor}, 0).line;
   EXPECT_EQ(faulty.send(monitor, "E?"), " ");
-  faulty.cell.apply(LineOpened{"probe", LineKind::kTcp, true}, 0);
-  EXPECT_EQ(faulty.send(kProbeLine, "E?"), " ");
   EXPECT_EQ(faulty.send(1, "E?"), "");
 }
 

@@ -7,7 +7,6 @@ import tempfile
 import threading
 import time
 import unittest
-import urllib.request
 
 from support import DEADLINE_S, MonitorError, Server, counts, run_xr3
 
@@ -85,8 +84,6 @@ class Transcripts(unittest.TestCase):
             with xr3.line() as browser:
                 browser.send("GET / HTTP/1.1\r\n\r\n")
                 self.assertEqual(b"", browser.read_to_end())
-            with urllib.request.urlopen(f"http://127.0.0.1:{xr3.monitor_port}/readyz", timeout=DEADLINE_S) as ready:
-                self.assertEqual(200, ready.status)
             nothing = closed(monitor)
             self.assertEqual((0, 0, 0, []), (nothing["tick"], nothing["lines"], nothing["bytes_in"], nothing["marks"]))
             play(xr3)

@@ -181,11 +181,10 @@ class Faults(unittest.TestCase):
             second.finish_sending()
             self.assertNotEqual(b" ", second.read_to_end())
 
-    def test_the_probe_and_the_monitor_have_no_faults(self):
+    def test_the_monitor_has_no_faults(self):
         path = self.file({"name": "x", "kind": "reply_lost", "from_tick": 0})
         with Server("--log-level", "warn", "--fault", path) as xr3, xr3.monitor() as monitor:
             self.assertEqual(" ", monitor.call("send", text="E?")["text"])
-            self.assertEqual(0, run_xr3("healthcheck", "--monitor-port", xr3.monitor_port).returncode)
 
     def test_a_line_is_cut_at_a_tick(self):
         path = self.file({"name": "x", "kind": "line_disconnected", "at_tick": 100})

@@ -85,7 +85,7 @@ class Healthcheck(unittest.TestCase):
                 self.healthy("--listen", listen, "--monitor-port", port)
                 self.healthy(environment={"XR3_LISTEN": listen, "XR3_MONITOR_PORT": port})
 
-    def test_the_probe_has_no_side_effects(self):
+    def test_it_has_no_side_effects(self):
         with Server("--log-level", "debug") as xr3, xr3.monitor() as monitor:
             log = xr3.page() and xr3.log()
             for _ in range(3):
@@ -97,15 +97,6 @@ class Healthcheck(unittest.TestCase):
             line.send("E+5\r")
             monitor.step(1, after=line)
             self.assertEqual([1], [line["line"] for line in monitor.call("lines")["lines"]])
-
-    def test_a_disabled_simulator_is_healthy(self):
-        with Server() as xr3, xr3.monitor() as monitor:
-            line = xr3.line()
-            line.send("A@")
-            monitor.step(0, after=line)
-            self.assertFalse(monitor.get("enabled")["enabled"])
-            self.healthy("--monitor-port", xr3.monitor_port)
-            self.assertFalse(monitor.get("enabled")["enabled"])
 
     def test_a_server_with_all_lines_taken_is_not_ready(self):
         with Server("--max-lines", 1) as xr3:

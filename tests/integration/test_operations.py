@@ -83,8 +83,6 @@ log | server/log_budget.hpp | kMaxLogBurst | 1024
 log | server/log_budget.hpp | kMaxLogBytesPerSecond | 1024
 log file | server/log.hpp | kMaxLogFiles
 log file | server/log.hpp | kMaxLogFileBytes | 1048576
-probes of a line for health checks | server/robot_port/probe.hpp | kFresh | 10
-probes of a line for health checks | server/robot_port/probe.hpp | kPatience
 stopping | server/app.cpp | kDrainLimit | 1000000000
 """
 # Without a constant: no silence ends a line; other tests measure the memory and count the connections.

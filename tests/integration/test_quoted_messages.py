@@ -23,11 +23,10 @@ PLAIN = ("* workcell\n600 500 700\n* blocks\n1\n* block\n64 -32 40 262 0 20 90\n
 CONFIG = '# lab.toml\nrobot = "adept-one"\nworkcell = "adept-one"\nrobot-port = 99999\n'
 # Fragments of the log and of replies in tables, and the pages that quote them. The sources have {} for a number.
 IN_THE_SOURCES = {
-    "docs/operations.md": ["lines are refused", "the limit of ... open files allows only", "no sign of life",
+    "docs/operations.md": ["lines are refused", "the limit of ... open files allows only",
                            "suppressed N messages", "the server needs more memory than --max-memory",
                            "the recording has ended, and the robot goes on"],
-    "docs/monitor.md": ["the server is starting or stopping", "the robot port accepts no connection: ...",
-                        "the robot port does not answer an inquiry within 500 ms"],
+    "docs/monitor.md": ["the server is starting or stopping", "the serial lines are not watched"],
 }
 
 

@@ -47,7 +47,7 @@ struct Faults {
   std::size_t interrupted = 0;  ///< recv and epoll_wait: EINTR
   std::size_t accept = 0;       ///< accept: out of descriptors or memory, or aborted
   std::size_t watch = 0;        ///< epoll_ctl: ENOSPC or ENOMEM for new descriptors
-  std::size_t socket = 0;       ///< socket and connect: EMFILE, EADDRNOTAVAIL
+  std::size_t socket = 0;       ///< socket: EMFILE
   std::size_t spurious = 0;     ///< epoll_wait: events that have happened before
   std::size_t arrival = 0;      ///< recv and send: bytes arrive meanwhile
   std::size_t worker = 0;       ///< epoll_wait: the worker works meanwhile
@@ -151,7 +151,6 @@ class Kernel {
   int accept(Fd fd, bool blocks);
   /// The port of the peer, also if the connection is lost.
   int peer_of_accepted(Fd fd);
-  int connect(Fd fd, std::uint16_t port);
   int port_of(Fd fd, bool of_peer);
   ssize_t receive(Fd fd, std::span<char> into, bool may_wait);
   ssize_t send(Fd fd, std::span<const std::string_view> parts, bool may_wait);

@@ -67,24 +67,6 @@ int Kernel::peer_of_accepted(Fd fd) {
 }
 
 // To the server's own port. It succeeds at once, but reports that later, as Linux does.
-int Kernel::connect(Fd fd, std::uint16_t port) {
-  count_call();
-  File* file = find(fd);
-  if (file == nullptr) return refuse(EBADF);
-  if (fault(faults_.socket)) return refuse(EADDRNOTAVAIL);
-  if (listener_at(port) == nullptr) return refuse(ECONNREFUSED);
-  const std::size_t capacity = 64 * 1024;
-  const ConnectionPtr connection = connect(port, capacity, capacity);
-  file->kind = Kind::kStream;
-  file->connection = connection;
-  file->side = 0;
-  connection->sides[0].fd = fd;
-  if (file->port != 0) connection->ports[0] = file->port;
-  signal(fd);
-  note("connect", fd, port);
-  return refuse(EINPROGRESS);
-}
-
 int Kernel::port_of(Fd fd, bool of_peer) {
   const File* file = find(fd);
   if (file == nullptr) return refuse(EBADF);

@@ -90,9 +90,6 @@ int __wrap_accept4(int fd, sockaddr* address, socklen_t* size, int flags) {
     return accepted;
   });
 }
-int __wrap_connect(int fd, const sockaddr* address, socklen_t) {
-  return in_kernel([&] { return current_kernel->connect(fd, port_in(address)); });
-}
 int __wrap_getsockname(int fd, sockaddr* address, socklen_t* size) {
   return in_kernel([&] { return give_address(current_kernel->port_of(fd, false), address, size); });
 }
@@ -227,5 +224,8 @@ ssize_t __wrap_sendto(int, const void*, size_t, int, const sockaddr*, socklen_t)
   return no_such_call("sendto");
 }
 int __wrap_accept(int, sockaddr*, socklen_t*) { return static_cast<int>(no_such_call("accept")); }
+int __wrap_connect(int, const sockaddr*, socklen_t) {
+  return static_cast<int>(no_such_call("connect"));
+}
 
 }  // extern "C"

@@ -50,8 +50,6 @@ TEST(History, BeginsWithTheFirstInput) {
   monitor::ByteBudget budget(kAmple);
   Cell cell("main", test::rhino(), SimClock::real({}, 0), {});
   const History history(cell, 1000, budget);
-  cell.apply(LineOpened{"probe", LineKind::kTcp, true}, 0);
-  cell.apply(BytesIn{kProbeLine, "E?"}, 0);
   cell.catch_up(500 * kHistoryMs);
   EXPECT_TRUE(history.epochs().empty());
   EXPECT_EQ(budget.used_bytes(), 0U);

@@ -39,13 +39,11 @@ TEST(Recorder, APollIsOneShortLine) {
                    R"({"tick":40,"line":1,"in":"A?","out":" "})"}));
 }
 
-TEST(Recorder, TheProbeAndRefusedCallsAreNotRecorded) {
+TEST(Recorder, ClosedLinesAndRefusedCallsAreNotRecorded) {
   RecordedCell recorded(test::rhino());
   Cell& cell = recorded.cell;
-  cell.apply(LineOpened{"probe", LineKind::kTcp, true}, 0);
-  cell.apply(BytesIn{kProbeLine, "A?"}, 0);
-  cell.sent({kProbeLine, 1});
-  cell.apply(LineClosed{kProbeLine, LineCloseReason::kClientClosed}, 0);
+  cell.apply(BytesIn{7, "A?"}, 0);
+  cell.sent({7, 1});
   cell.apply(LineClosed{7, LineCloseReason::kClientClosed}, 0);
   cell.apply(Input{call::Call{call::Step{5}}}, 0);
   EXPECT_EQ(lines_of(recorded), Lines{});

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "server/net/listener.hpp"
 #include "tests/support/cell_host.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/tcp_client.hpp"
@@ -25,13 +24,10 @@ class ConnectionCellsTest : public testing::Test {
   explicit ConnectionCellsTest(ConnectionCellsRules rules = {4, 3, WallNs{3'600'000'000'000}})
       : connections_(
             io_, std::move(rules), [this](const std::string& name) { return open(name); },
-            [this](const CellPtr& cell) { close(cell); }),
-        listener_(io_, "test",
-                  [this](NewConnection connection) { connections_.take(std::move(connection)); }) {
-    EXPECT_FALSE(listener_.listen({asio::ip::address_v4::loopback(), 0}));
+            [this](const CellPtr& cell) { close(cell); }) {
+    EXPECT_FALSE(connections_.listen({asio::ip::address_v4::loopback(), 0}));
   }
   ~ConnectionCellsTest() override {
-    listener_.close();
     connections_.close();
     for (const CellPtr& each : std::vector<CellPtr>(host_.cells.all())) each->lines().abort();
     host_.turns.close();
@@ -48,7 +44,7 @@ class ConnectionCellsTest : public testing::Test {
     cell->retire();
     asio::post(io_, [cell] {});
   }
-  Client client() { return {io_, listener_.endpoint()}; }
+  Client client() { return {io_, connections_.endpoint()}; }
   void settle() {
     io_.restart();
     while (io_.poll() > 0) {
@@ -72,7 +68,6 @@ class ConnectionCellsTest : public testing::Test {
   asio::io_context io_{1};
   test::CellHost host_{io_};
   ConnectionCells connections_;
-  Listener listener_;
 };
 
 TEST_F(ConnectionCellsTest, ACellAppearsWithTheFirstByteThatActs) {
@@ -117,7 +112,7 @@ TEST_F(ConnectionCellsTest, TheLongestLingeringGoesFirst) {
 TEST_F(ConnectionCellsTest, CellsWithALineStay) {
   std::vector<std::unique_ptr<Client>> clients;
   for (int i = 0; i < 3; ++i) {
-    clients.push_back(std::make_unique<Client>(io_, listener_.endpoint()));
+    clients.push_back(std::make_unique<Client>(io_, connections_.endpoint()));
     clients.back()->send("E?");
     EXPECT_EQ(clients.back()->bytes(1), " ");
   }
@@ -130,12 +125,17 @@ TEST_F(ConnectionCellsTest, CellsWithALineStay) {
 
 TEST_F(ConnectionCellsTest, ConnectionsWithoutAByteCountToo) {
   std::vector<std::unique_ptr<Client>> silent;
-  for (int i = 0; i < 4; ++i) silent.push_back(std::make_unique<Client>(io_, listener_.endpoint()));
+  for (int i = 0; i < 4; ++i)
+    silent.push_back(std::make_unique<Client>(io_, connections_.endpoint()));
   settle();
   Client beyond = client();
   EXPECT_EQ(beyond.rest(), "");
   EXPECT_EQ(connections_.refused(), 1U);
   EXPECT_EQ(connections_.waiting(), 4U);
+  EXPECT_TRUE(connections_.is_full());
+  silent.clear();
+  settle();
+  EXPECT_FALSE(connections_.is_full());
 }
 
 struct ShortLingerTest : ConnectionCellsTest {

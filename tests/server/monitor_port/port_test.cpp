@@ -67,7 +67,7 @@ class MonitorPortTest : public testing::Test {
                             host_.cells,
                             host_.worker,
                             policy_,
-                            [this]() -> asio::awaitable<std::string> { co_return trouble_; },
+                            [this] { return trouble_; },
                             [this] { ++acted_; },
                             SocketLimits{}};
 };

@@ -9,6 +9,7 @@
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/write.hpp>
 #include <boost/system/system_error.hpp>
+#include <chrono>
 #include <string>
 #include <utility>
 #include <vector>
@@ -114,8 +115,35 @@ TEST_F(ListenerTest, AConnectionThatCannotBeServedCountsAsAFailure) {
   peer.connect(refusing.endpoint());
   settle();
   EXPECT_EQ(refusing.failures(), 1);
+  EXPECT_EQ(refusing.trouble(), "test cannot accept a connection: Cannot allocate memory");
   refusing.close();
   settle();
+}
+
+TEST_F(ListenerTest, AFailureIsOverWithTheNextConnection) {
+  bool is_refusing = true;
+  Listener second(io, "test", [&](const NewConnection&) {
+    if (std::exchange(is_refusing, false))
+      throw boost::system::system_error(asio::error::no_memory);
+  });
+  EXPECT_EQ(second.trouble(), "test is closed");
+  ASSERT_FALSE(second.listen({asio::ip::address_v4::loopback(), 0}));
+  EXPECT_EQ(second.trouble(), "");
+  tcp::socket refused(io);
+  refused.connect(second.endpoint());
+  settle();
+  EXPECT_NE(second.trouble(), "");
+  tcp::socket served(io);
+  served.connect(second.endpoint());
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  while (!second.trouble().empty() && std::chrono::steady_clock::now() < deadline) {
+    io.restart();
+    io.run_one_for(std::chrono::milliseconds(20));
+  }
+  EXPECT_EQ(second.trouble(), "");
+  second.close();
+  settle();
+  EXPECT_EQ(second.trouble(), "test is closed");
 }
 
 TEST_F(ListenerTest, AConnectionOfIPv6HasAnAddressInBrackets) {

@@ -182,6 +182,10 @@ TEST_F(RobotPortTest, LinesAboveTheMaximumAreClosed) {
   Client beyond(io_, port_.endpoint());
   EXPECT_EQ(beyond.rest(), "");
   EXPECT_EQ(cell_.lines().size(), kMaxLines);
+  EXPECT_TRUE(port_.is_full());
+  lines.pop_back();
+  settle();
+  EXPECT_FALSE(port_.is_full());
 }
 
 TEST_F(RobotPortTest, ClosingSendsPendingReplies) {
