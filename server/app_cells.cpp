@@ -108,7 +108,7 @@ std::size_t App::lines_per_cell() const {
 }
 
 RobotPortRules App::port_rules(std::size_t lines) const {
-  RobotPortRules rules{lines, options_.guard, peer_counts(lines, limits_.per_address)};
+  RobotPortRules rules{lines, options_.guard, peer_counts(limits_.per_address)};
   if (options_.binds_peer) rules.owner_lingers = linger_of(options_);
   return rules;
 }
@@ -118,7 +118,7 @@ RobotPortRules App::port_rules(std::size_t lines) const {
 void App::serve_connections() {
   cells_.note_dynamic();
   ConnectionCellsRules rules{limits_.lines, options_.max_cells, linger_of(options_), options_.guard,
-                             peer_counts(limits_.lines, limits_.per_address)};
+                             peer_counts(limits_.per_address)};
   rules.report_other = [this] {
     spdlog::info("a client of the robot port is no robot program, and gets no cell; {}",
                  browser_hint(page_));

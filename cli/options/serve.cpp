@@ -90,11 +90,12 @@ bool is_set(const CLI::App& command, const std::string& name) {
 void complete_cells(const CLI::App& serve, ServeOptions& options) {
   constexpr std::size_t kLinesOfEach = 4;
   const std::size_t count = options.cells + options.cell_choices.size();
-  if (count == 0) return;
-  if (!is_set(serve, "--robot-port")) options.robot_port = kFirstOfManyPorts;
-  if (!is_set(serve, "--max-lines"))
-    options.max_lines =
-        std::min<std::size_t>(kMaxLines, std::max(options.max_lines, kLinesOfEach * count));
+  if (count > 0 && !is_set(serve, "--robot-port")) options.robot_port = kFirstOfManyPorts;
+  if (is_set(serve, "--max-lines")) return;
+  options.max_lines =
+      options.is_cell_per_connection
+          ? options.max_cells
+          : std::clamp<std::size_t>(kLinesOfEach * count, options.max_lines, kMaxLines);
 }
 
 std::optional<Leave> refuse_cells(const ServeOptions& options) {
@@ -230,9 +231,9 @@ void add_serve(CLI::App& app, ServeOptions& options) {
   add_time(serve, options,
            "real (default), FACTOR times as fast; manual: by the monitor; bytes: by the programs");
   add_value(serve, "--max-lines", options.max_lines, "N",
-            "maximum number of open robot connections; further ones are closed at once")
-      ->check(whole_number_between(1, kMaxLines))
-      ->capture_default_str();
+            "maximum number of open robot connections; further ones are closed at once "
+            "(default: 64, or 4 for each of several cells)")
+      ->check(whole_number_between(1, kMaxLines));
   add_value(serve, "--max-per-address", options.max_per_address, "N",
             "maximum number of connections of one address on each port")
       ->check(whole_number_between(1, kMaxLines));

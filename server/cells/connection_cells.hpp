@@ -23,7 +23,7 @@
 namespace xr3 {
 
 struct ConnectionCellsRules {
-  std::size_t max_lines = 1024;  ///< connections, also those that have not sent a byte
+  std::size_t max_lines = 1000;  ///< connections, also those that have not sent a byte
   std::size_t max_cells = 1000;  ///< also those that linger
   WallNs linger = 0;             ///< how long a cell is kept after its line
   Guard guard = Guard::kNormal;

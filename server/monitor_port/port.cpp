@@ -12,7 +12,7 @@ MonitorPort::MonitorPort(asio::io_context& io, CellRegistry& cells, Worker& work
                          const std::function<void()>& ended, const SocketLimits& limits)
     : io_(io),
       max_connections_(limits.connections),
-      peers_(peer_counts(limits.connections, limits.per_address)),
+      peers_(peer_counts(limits.per_address, limits.connections - limits.connections / 4)),
       service_(io, cells, worker, policy),
       resources_(service_, policy, std::move(not_ready), [this] { return counters(); }),
       context_{service_, resources_, nullptr, [this] { report_tls(); },

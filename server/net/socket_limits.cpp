@@ -21,21 +21,24 @@ constexpr std::size_t kBranchesPart = 4;
 
 SocketLimits divide_descriptors(std::size_t descriptors, const SocketLimits& wanted,
                                 std::size_t listeners) {
-  const std::size_t sum = wanted.lines + wanted.connections + wanted.refusals;
   const std::size_t rest = descriptors - std::min(descriptors, kOwnDescriptors + listeners);
   const std::size_t branches =
       std::min(wanted.branches, rest / kBranchesPart / kDescriptorsPerBranch);
   const std::size_t free = rest - branches * kDescriptorsPerBranch;
-  if (sum <= free)
+  const std::size_t others = wanted.connections + wanted.refusals;
+  if (wanted.lines + others <= free)
     return {wanted.lines, wanted.connections, wanted.refusals, wanted.per_address, branches};
-  const auto part = [&](std::size_t count) { return std::max<std::size_t>(1, count * free / sum); };
-  return {part(wanted.lines), part(wanted.connections),
-          std::max(kMinRefusals, part(wanted.refusals)), wanted.per_address, branches};
+  const std::size_t lines = std::clamp<std::size_t>(free / 2, 1, wanted.lines);
+  const auto part = [&](std::size_t count, std::size_t least) {
+    return std::clamp(count * (free - std::min(free, lines)) / others, least, count);
+  };
+  return {lines, part(wanted.connections, 1), part(wanted.refusals, kMinRefusals),
+          wanted.per_address, branches};
 }
 
-PeerCounts peer_counts(std::size_t places, std::size_t per_address) {
+PeerCounts peer_counts(std::size_t per_address, std::size_t max_remote) {
   if (per_address > 0) return PeerCounts(per_address, per_address);
-  return PeerCounts(places - places / 4);
+  return PeerCounts(max_remote);
 }
 
 std::size_t raise_descriptor_limit() {

@@ -49,7 +49,7 @@ struct ServeOptions {
   Profile profile = Profile::kPaper;
   ClockChoice clock;
   bool has_concurrent_lines = false;  ///< with the byte clock: all lines are obeyed together
-  std::size_t max_lines = 1024;
+  std::size_t max_lines = 64;
   Guard guard = Guard::kNormal;
   std::string fault_file;               ///< name or path; empty: none
   std::optional<LineSpeed> line_speed;  ///< nullopt: bytes take no time

@@ -61,7 +61,7 @@ def stop(name, cell, opener, data):
     def measure():
         with contextlib.ExitStack() as stack:
             options = stack.enter_context(Cell(cell))
-            xr3 = stack.enter_context(Server("--log-level", "warn", *options, clock="real"))
+            xr3 = stack.enter_context(Server("--log-level", "warn", "--max-lines", CLIENTS, *options, clock="real"))
             target = Target(xr3.robot_port, xr3.monitor_port)
             for _ in range(CLIENTS):
                 send_greedily(stack.enter_context(opener(target)), data)
@@ -188,7 +188,8 @@ def other_address(port_of, is_served):
     machine, which has no limit by default."""
     def measure():
         with contextlib.ExitStack() as stack:
-            xr3 = stack.enter_context(Server("--log-level", "warn", "--max-per-address", "700", clock="real"))
+            xr3 = stack.enter_context(Server("--log-level", "warn", "--max-lines", 1024, "--max-per-address", 700,
+                                             clock="real"))
             for _ in range(MOST_PLACES):
                 with contextlib.suppress(OSError):
                     address = (LOCALHOST, getattr(xr3, port_of))

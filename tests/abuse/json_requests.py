@@ -92,7 +92,7 @@ def image_fields(number):
 
 
 def waiting(target):
-    """200 calls that wait for bytes of a line, while each of 1,000 lines sends a byte at a time."""
+    """200 calls that wait for bytes of a line, while each of many lines sends a byte at a time."""
     lines = [target.line() for _ in range(MANY_LINES)]
     after = {"line": 1, "bytes_in": 10**9, "within_ms": 60_000}
     waiters = [target.tell(call("step", ticks=0, fields=[], after=after)) for _ in range(200)]

@@ -11,7 +11,7 @@ from attack import beside, crowd
 from cells import HEAPED, HUNDRED, LARGEST, SHIPPED
 from target import MOST_AT_ONCE, PING, call, json_line
 
-MANY_LINES = 1000
+MANY_LINES = 60  # of 64
 STEPPERS = 500
 PR_SET_PDEATHSIG = 1
 SMALL_BUFFER = 4096
@@ -32,7 +32,7 @@ def flood(data, reads=True):
 
 
 def trickle(data):
-    """A thousand lines, each of which sends a byte at a time, again and again, and reads the replies."""
+    """Many lines, each of which sends a byte at a time, again and again, and reads the replies."""
     def load(target):
         socks = [target.line() for _ in range(MANY_LINES)]
         for turn in itertools.count():
@@ -109,7 +109,6 @@ ATTACKS = [
     *beside("lines.moves-fast", flood(b"A255SB255SC255SD255SE255SF255S" + MOVES), SHIPPED, clock="real:100000"),
     *beside("lines.stepped", stepped(MOVES), SHIPPED, LARGEST, clock="manual"),
     *beside("lines.stepped-images", stepped(b"A**"), SHIPPED, LARGEST, clock="manual"),
-    *beside("lines.stepped-many", stepped(MOVES, 100), SHIPPED, clock="manual"),
     *crowd("lines.stepped-crowd", stepped(MOVES, MANY_LINES), clock="manual"),
     *beside("lines.many-steps", many_steps, SHIPPED, clock="manual"),
     *beside("lines.many-steps-pings", many_steps, SHIPPED, clock="manual", victim="session", own_bound=PING_MS),
@@ -133,6 +132,6 @@ ATTACKS = [
     *beside("lines.storm-held", storm(b"GET"), SHIPPED),
     *beside("lines.storm-strangers", storm(b"GET / HTTP/1.1\r\n"), SHIPPED),
     *crowd("lines.bursts", lambda target: target.bursts(target.robot_port, b"E?")),
-    *crowd("lines.refused", lambda target: target.flood(target.untried_line, b"A**", count=100)),
-    *beside("lines.many-images", lambda target: target.flood(target.line, b"A**", count=100), SHIPPED, LARGEST),
+    *crowd("lines.refused", lambda target: target.flood(target.untried_line, b"A**", count=MANY_LINES)),
+    *beside("lines.many-images", lambda target: target.flood(target.line, b"A**", count=MANY_LINES), SHIPPED, LARGEST),
 ]

@@ -51,7 +51,8 @@ def send_greedily(sock, data):
 
 @contextlib.contextmanager
 def serving(cell, others=(), **more):
-    with Cell(cell) as options, Server("--log-level", "warn", *options, *others, **more) as xr3:
+    with Cell(cell) as options, \
+            Server("--log-level", "warn", "--max-lines", MOST_CONNECTIONS, *options, *others, **more) as xr3:
         yield xr3, Target(xr3.robot_port, xr3.monitor_port)
 
 

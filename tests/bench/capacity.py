@@ -102,7 +102,7 @@ def measure_start(xr3, report, _):
 
 
 def measure_lines(xr3, report, scale):
-    with Server(xr3) as server:
+    with Server(xr3, "--max-lines", str(scale.lines)) as server:
         before = server.resident_kib()
         lines = [connect(server.robot_port) for _ in range(scale.lines)]
         for line in lines:

@@ -66,7 +66,7 @@ class Lines(unittest.TestCase):
             self.assertEqual("D20", counts(monitor.settle(after=good)))
 
     def test_two_hundred_lines_at_once(self):
-        with Server() as xr3, xr3.monitor() as monitor:
+        with Server("--max-lines", 200) as xr3, xr3.monitor() as monitor:
             lines = [xr3.line() for _ in range(200)]
             for line in lines:
                 line.send("E+1\r" if line.number % 2 else "D-1\r")

@@ -32,7 +32,7 @@ class MaxMemory(unittest.TestCase):
         self.workcell.write_text(json.dumps(workcell), encoding="utf-8")
 
     def serve(self):
-        return Server("--workcell", self.workcell, "--max-memory", LIMIT_MIB, clock="real",
+        return Server("--workcell", self.workcell, "--max-memory", LIMIT_MIB, "--max-lines", CLIENTS + 1, clock="real",
                       environment=NO_QUARANTINE)
 
     def client(self, port, request):

@@ -38,8 +38,8 @@ def greedy_lines(xr3, open_lines):
 
 class OutOfMemory(unittest.TestCase):
     def test_ends_or_continues(self):
-        with tempfile.TemporaryDirectory() as folder, Server("--workcell", workcell(folder)) as xr3, \
-                contextlib.ExitStack() as open_lines:
+        with tempfile.TemporaryDirectory() as folder, \
+                Server("--max-lines", LINES + 1, "--workcell", workcell(folder)) as xr3, contextlib.ExitStack() as open_lines:
             most = (xr3.status("VmSize") + MORE_KIB) * 1024
             resource.prlimit(xr3.pid, resource.RLIMIT_AS, (most, most))
             greedy_lines(xr3, open_lines)

@@ -39,7 +39,8 @@ class Shutdown(unittest.TestCase):
 
     def test_unread_images(self):
         for what, (port, request) in REQUESTS.items():
-            with self.subTest(what), Server("--workcell", self.workcell, "--log-level", "warn", clock="real") as xr3:
+            options = "--max-lines", CLIENTS, "--workcell", self.workcell, "--log-level", "warn"
+            with self.subTest(what), Server(*options, clock="real") as xr3:
                 socks = [self.client(getattr(xr3, port), request) for _ in range(CLIENTS)]
                 socks[-1].recv(1)  # the last one has been noticed
                 self.assertEqual(0, xr3.stop())

@@ -22,7 +22,7 @@ PROGRAM = "/usr/local/bin/xr3"
 TOKEN = "a token of the tests\n"
 MOST_EXPOSURE = 2.0
 # The server allows this number of sockets, and 36 other descriptors: server/net/socket_limits.
-DESCRIPTORS = 36 + 1024 + 1024 + 64
+DESCRIPTORS = 36 + 64 + 1024 + 64
 ANALYZE = shutil.which("systemd-analyze")
 NEEDS_ANALYZE = unittest.skipUnless(ANALYZE, "needs systemd-analyze, which is in the package systemd")
 

@@ -37,6 +37,20 @@ TEST(Options, ServeAcceptsEveryOption) {
   EXPECT_EQ(options.port_file, "p.json");
 }
 
+TEST(Options, TheNumberOfLinesFollowsThatOfCells) {
+  const auto max_lines = [](std::initializer_list<const char*> words) {
+    return std::get<ServeOptions>(parse(words)).max_lines;
+  };
+  EXPECT_EQ(max_lines({"serve"}), 64U);
+  EXPECT_EQ(max_lines({"serve", "--cells", "5"}), 64U);
+  EXPECT_EQ(max_lines({"serve", "--cells", "30"}), 120U);
+  EXPECT_EQ(max_lines({"serve", "--cells", "6000", "--max-cells", "6000"}), 20'000U);
+  EXPECT_EQ(max_lines({"serve", "--cells", "30", "--max-lines", "30"}), 30U);
+  EXPECT_EQ(max_lines({"serve", "--cell-per-connection"}), 1000U);
+  EXPECT_EQ(max_lines({"serve", "--cell-per-connection", "--max-cells", "40"}), 40U);
+  EXPECT_EQ(max_lines({"serve", "--cell-per-connection", "--max-lines", "2000"}), 2000U);
+}
+
 TEST(Options, TheHistoryIsATime) {
   EXPECT_EQ(std::get<ServeOptions>(parse({"serve"})).history_ticks, 3'600'000);
   EXPECT_EQ(parse_duration("90s"), 90'000);

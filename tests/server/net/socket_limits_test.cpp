@@ -23,7 +23,8 @@ TEST(SocketLimits, LeaveSomeDescriptorsToTheProcess) {
 
 TEST(SocketLimits, LeaveDescriptorsToTheListenersOfManyCells) {
   const SocketLimits limits = divide_descriptors(4096, kWanted, 2000);
-  EXPECT_EQ(limits.lines, 998U);
+  EXPECT_EQ(limits.lines, 1024U);
+  EXPECT_EQ(limits.connections, 975U);
   EXPECT_LE(limits.lines + limits.connections + limits.refusals, 4096U - 2000U);
 }
 
@@ -52,11 +53,26 @@ TEST(SocketLimits, AreAtLeastOne) {
   }
 }
 
-TEST(SocketLimits, DivideInProportion) {
+TEST(SocketLimits, LinesGetAtMostHalfOfFewDescriptors) {
   const SocketLimits limits = divide_descriptors(36 + 211, kWanted);
-  EXPECT_EQ(limits.lines, 102U);
-  EXPECT_EQ(limits.connections, 102U);
+  EXPECT_EQ(limits.lines, 105U);
+  EXPECT_EQ(limits.connections, 99U);
   EXPECT_EQ(limits.refusals, 6U);
+  EXPECT_EQ(divide_descriptors(36 + 211, SocketLimits()).lines, 64U);
+}
+
+TEST(SocketLimits, OneAddressMayHaveEveryPlaceUnlessItIsLimited) {
+  const auto remote = asio::ip::make_address("192.0.2.1");
+  const auto local = asio::ip::make_address("127.0.0.1");
+  const auto is_second_served = [](PeerCounts counts, const asio::ip::address& address) {
+    const auto first = counts.take(address);
+    return counts.take(address) != nullptr;
+  };
+  EXPECT_TRUE(is_second_served(peer_counts(0), remote));
+  EXPECT_FALSE(is_second_served(peer_counts(0, 1), remote));
+  EXPECT_TRUE(is_second_served(peer_counts(0, 1), local));
+  EXPECT_FALSE(is_second_served(peer_counts(1), remote));
+  EXPECT_FALSE(is_second_served(peer_counts(1), local));
 }
 
 }  // namespace
