@@ -1,10 +1,8 @@
 #include "server/cells/connection_cells.hpp"
 
 #include <spdlog/spdlog.h>
-#include <sys/socket.h>
 
-#include <algorithm>
-#include <cerrno>
+#include <boost/asio/buffer.hpp>
 #include <utility>
 
 #include "server/net/spawn.hpp"
@@ -16,12 +14,6 @@ namespace {
 constexpr const char* kConnectionsName = "the robot port";
 constexpr WallNs kLogEvery = 1'000'000'000;
 
-/// The socket is reported as readable when it has so many bytes, or has ended.
-void set_low_water(tcp::socket& socket, std::size_t bytes) {
-  const int count = static_cast<int>(bytes);
-  ::setsockopt(socket.native_handle(), SOL_SOCKET, SO_RCVLOWAT, &count, sizeof count);
-}
-
 /// Whether a message may be logged, of a kind that clients cause: at most one a second.
 bool is_due(WallNs& next) {
   const WallNs now = wall_now();
@@ -32,13 +24,13 @@ bool is_due(WallNs& next) {
 
 }  // namespace
 
-/// A connection without a cell. Its bytes stay in the kernel until it has one.
+/// A connection without a cell.
 struct ConnectionCells::Client {
   tcp::socket socket;
   tcp::endpoint peer;
   PeerCounts::Place place;
   HttpTlsDetector detector;
-  std::size_t seen = 0;  ///< bytes that the detector has examined
+  std::string bytes;  ///< read so far
 };
 
 /// The one line of a cell.
@@ -76,44 +68,38 @@ void ConnectionCells::take(NewConnection connection) {
     return refuse("the client has as many lines open as one address may have (--max-per-address)");
   const tcp::endpoint peer = connection.peer;
   const auto client = std::make_shared<Client>(
-      Client{to_socket(io_, std::move(connection)), peer, std::move(place), {}, 0});
+      Client{to_socket(io_, std::move(connection)), peer, std::move(place), {}, {}});
   waiting_.insert(client);
-  spawn_loop(io_.get_executor(), kConnectionsName, await_first_byte(client));
+  spawn_loop(io_.get_executor(), kConnectionsName, await_first_bytes(client));
 }
 
-asio::awaitable<void> ConnectionCells::await_first_byte(ClientPtr client) {
-  First first = First::kNothing;
-  while (first == First::kNothing) {
+asio::awaitable<void> ConnectionCells::await_first_bytes(ClientPtr client) {
+  std::optional<Detection> found = Detection::kUndecided;
+  while (found == Detection::kUndecided) {
     const auto [error] = co_await client->socket.async_wait(tcp::socket::wait_read, kAwait);
-    first = error || is_closing_ ? First::kEnd : look(*client);
+    found = error ? std::nullopt : read(*client);
   }
   waiting_.erase(client);
-  if (first == First::kOther) turn_away();
-  if (first == First::kRobot && !is_closing_) serve(*client);
+  if (found == Detection::kNotARobotProgram) turn_away();
+  if (found == Detection::kPass && !is_closing_) serve(*client);
 }
 
-/// Examines the bytes that have arrived, and leaves them where they are.
-ConnectionCells::First ConnectionCells::look(Client& client) {
-  const auto count = ::recv(client.socket.native_handle(), scratch_.data(), scratch_.size(),
-                            MSG_PEEK | MSG_DONTWAIT);
-  if (count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR))
-    return First::kNothing;
-  const auto bytes = static_cast<std::size_t>(std::max<decltype(count)>(count, 0));
-  if (bytes <= client.seen) return First::kEnd;  // it has ended
-  const First first = judge(client, {scratch_.data(), bytes});
-  set_low_water(client.socket, first == First::kNothing ? bytes + 1 : 1);
-  return first;
-}
-
-ConnectionCells::First ConnectionCells::judge(Client& client, std::string_view bytes) const {
-  if (rules_.guard == Guard::kOff) return First::kRobot;
-  if (client.seen == 0 && is_refused(bytes, rules_.guard)) return First::kOther;
-  while (client.seen < bytes.size()) {
-    const Detection found = client.detector.feed(static_cast<std::uint8_t>(bytes[client.seen++]));
-    if (found == Detection::kPass) return First::kRobot;
-    if (found == Detection::kNotARobotProgram) return First::kOther;
-  }
-  return First::kNothing;
+/// Reads and examines the bytes that have arrived. nullopt if the connection has ended.
+std::optional<Detection> ConnectionCells::read(Client& client) {
+  ErrorCode error;
+  const std::size_t count = client.socket.read_some(asio::buffer(scratch_), error);
+  if (error == asio::error::would_block || error == asio::error::interrupted)
+    return Detection::kUndecided;
+  if (error) return std::nullopt;
+  const std::string_view bytes(scratch_.data(), count);
+  const bool is_first = client.bytes.empty();
+  client.bytes += bytes;
+  if (rules_.guard == Guard::kOff) return Detection::kPass;
+  if (is_first && is_refused(bytes, rules_.guard)) return Detection::kNotARobotProgram;
+  Detection found = Detection::kUndecided;
+  for (std::size_t i = 0; i < count && found == Detection::kUndecided; ++i)
+    found = client.detector.feed(static_cast<std::uint8_t>(bytes[i]));
+  return found;
 }
 
 // --- Cells.
@@ -129,7 +115,8 @@ void ConnectionCells::serve(Client& client) {
   ++lines_;
   ErrorCode ignored;
   cell->lines().open(*guest->second,
-                     std::make_unique<RobotSocket>(Descriptor(client.socket.release(ignored))),
+                     std::make_unique<RobotSocket>(Descriptor(client.socket.release(ignored)),
+                                                   std::move(client.bytes)),
                      opened, std::move(client.place));
 }
 

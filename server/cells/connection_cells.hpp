@@ -1,6 +1,6 @@
-// The cells of `--cell-per-connection`: each connection of the robot port gets a cell when its
-// first byte may act, and the cell goes some time after its line. A client of HTTP or TLS gets
-// none.
+// The cells of `--cell-per-connection`: a connection of the robot port waits without a cell until
+// the guard has passed its first bytes. It then gets a cell, whose line begins with these bytes.
+// The cell is closed some time after its line. A client of HTTP or TLS gets none.
 #pragma once
 
 #include <array>
@@ -47,7 +47,7 @@ class ConnectionCells {
   /// Binds and starts to accept; endpoint() is then valid. Returns the error.
   ErrorCode listen(const tcp::endpoint& endpoint) { return listener_.listen(endpoint); }
   tcp::endpoint endpoint() const { return listener_.endpoint(); }
-  /// Accepts no further connection; those that wait for their first byte are closed.
+  /// Accepts no further connection; those that have no cell are closed.
   void close();
   /// Listener::trouble().
   std::string trouble() const { return listener_.trouble(); }
@@ -59,19 +59,17 @@ class ConnectionCells {
   std::uint64_t refused() const { return refused_; }
   /// Connections that were no robot programs, and so got no cell.
   std::uint64_t turned_away() const { return turned_away_; }
-  /// The connections that have not sent a byte that may act.
+  /// The connections that have no cell yet.
   std::size_t waiting() const { return waiting_.size(); }
 
  private:
   struct Client;
   class Guest;
   using ClientPtr = std::shared_ptr<Client>;
-  enum class First : std::uint8_t { kNothing, kRobot, kOther, kEnd };
 
   void take(NewConnection connection);
-  asio::awaitable<void> await_first_byte(ClientPtr client);
-  First look(Client& client);
-  First judge(Client& client, std::string_view bytes) const;
+  asio::awaitable<void> await_first_bytes(ClientPtr client);
+  std::optional<Detection> read(Client& client);
   void serve(Client& client);
   void refuse(const char* why);
   void turn_away();

@@ -26,12 +26,18 @@ void discard_input(int descriptor) {
 
 }  // namespace
 
+// Early bytes and those of the kernel are one read, since a read that fills less than `into` means
+// that nothing is left. After early bytes the end of the connection is found by the next read.
 std::size_t RobotSocket::read(std::span<char> into) {
+  const std::size_t early = early_.copy(into.data(), into.size());
+  early_.erase(0, early);
+  into = into.subspan(early);
   const auto count =
       retry_interrupted([&] { return ::recv(descriptor(), into.data(), into.size(), 0); });
-  if (count > 0) {
+  const std::size_t all = early + (count > 0 ? static_cast<std::size_t>(count) : 0);
+  if (all > 0) {
     is_unacknowledged_ = true;
-    return static_cast<std::size_t>(count);
+    return all;
   }
   if (count == 0) note_ended();
   if (count < 0 && !must_wait()) note_lost();

@@ -1,6 +1,9 @@
 // A TCP connection of the robot port as the stream of a serial line.
 #pragma once
 
+#include <string>
+#include <utility>
+
 #include "server/files/descriptor.hpp"
 #include "server/lines/stream.hpp"
 
@@ -8,8 +11,10 @@ namespace xr3 {
 
 class RobotSocket final : public LineStream {
  public:
+  /// `early`: bytes of the connection that were read before; read() returns them first.
   /// Precondition: the connection is non-blocking.
-  explicit RobotSocket(Descriptor connection) : connection_(std::move(connection)) {}
+  explicit RobotSocket(Descriptor connection, std::string early = {})
+      : connection_(std::move(connection)), early_(std::move(early)) {}
   ~RobotSocket() override { RobotSocket::close(); }
 
   int descriptor() const override { return connection_.get(); }
@@ -20,6 +25,7 @@ class RobotSocket final : public LineStream {
 
  private:
   Descriptor connection_;
+  std::string early_;
   bool has_written_ = false;
   bool is_unacknowledged_ = false;  ///< bytes were read after the last write
 };

@@ -85,6 +85,32 @@ TEST_F(ConnectionCellsTest, ACellAppearsWithTheFirstByteThatActs) {
   EXPECT_EQ(host_.cells.find("c1")->cell().lines().size(), 1U);
 }
 
+TEST_F(ConnectionCellsTest, TheLineBeginsWithTheBytesThatWereRead) {
+  Client one = client();
+  one.send("GE");
+  settle();
+  std::string asked = "?";
+  constexpr std::size_t kInquiries = 5000;  // more than one read
+  for (std::size_t i = 0; i < kInquiries; ++i) asked += "E?";
+  one.send(asked);
+  one.half_close();
+  EXPECT_EQ(one.rest(), std::string(kInquiries + 1, ' '));
+  settle();
+  EXPECT_EQ(host_.cells.find("c1")->cell().counters().bytes_in, 2 + asked.size());
+}
+
+TEST_F(ConnectionCellsTest, AnUndecidedConnectionEvictsNoCell) {
+  for (int i = 0; i < 3; ++i) visit();
+  Client undecided = client();
+  undecided.send("GE");
+  settle();
+  EXPECT_EQ(names(), "c1 c2 c3 ");
+  undecided.half_close();
+  EXPECT_EQ(undecided.rest(), "");
+  EXPECT_EQ(names(), "c1 c2 c3 ");
+  EXPECT_EQ(connections_.waiting(), 0U);
+}
+
 TEST_F(ConnectionCellsTest, OtherProtocolsGetNone) {
   for (const std::string opening : {"GET / HTTP/1.1\r\n", "\x16\x03\x01", "E+50 / HTTP/1.1\r\n"}) {
     Client other = client();
