@@ -86,7 +86,10 @@ bool write_file_atomically(const fs::path& path, const std::string& text, Existi
 }
 
 void write_file(const fs::path& path, const std::string& text) {
-  write_file_atomically(path, text, Existing::kReplace, [](const DataFile&) {});
+  Draft draft(path);
+  draft.append(text);
+  draft.sync();
+  draft.take_name(Existing::kReplace);
 }
 
 }  // namespace xr3

@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// No data file is this large. Refuses a wrong path, such as a disk image, before reading it.
-constexpr std::size_t kLargestFile = 64 * 1024 * 1024;
+// Refuses a wrong path, such as a disk image, before reading it.
+constexpr std::size_t kLargestFile = 4 * 1024 * 1024;
 
 // For a pipe, such as the shell makes for <(command).
 constexpr int kMaxWaitMs = 10'000;
@@ -55,7 +55,7 @@ class OpenFile {
       const ::ssize_t count = ::read(file_.get(), piece.data(), piece.size());
       if (count == 0) return content;
       if (count > 0) content.append(piece.data(), static_cast<std::size_t>(count));
-      if (content.size() > kLargestFile) fail("too large; a data file has at most 64 MiB");
+      if (content.size() > kLargestFile) fail("too large; a data file has at most 4 MiB");
       if (count < 0) wait(errno);
     }
   }

@@ -21,7 +21,7 @@ struct DataFile {
   std::string text;
 };
 
-/// Reads a file, pipe or device of at most 64 MiB, without its byte order mark. Waits at most 10 s
+/// Reads a file, pipe or device of at most 4 MiB, without its byte order mark. Waits at most 10 s
 /// for the next bytes of a pipe. Throws FileError.
 DataFile read_file(const std::filesystem::path& path);
 

@@ -18,7 +18,17 @@ class StrangeFiles(unittest.TestCase):
             with self.subTest(arguments):
                 done = run_xr3(*arguments)
                 self.assertEqual(2, done.returncode, done.stderr)
-                self.assertIn("at most 64 MiB", done.stdout + done.stderr)
+                self.assertIn("at most 4 MiB", done.stdout + done.stderr)
+
+    def test_a_file_in_utf_16_is_told_so(self):
+        text = ROBOT.read_text(encoding="utf-8")
+        for name, encoding in (("robot.json", "utf-16"), ("robot.txt", "utf-16"), ("robot.json", "utf-16-be")):
+            with self.subTest(name, encoding=encoding), tempfile.TemporaryDirectory() as folder:
+                file = pathlib.Path(folder, name)
+                file.write_text(text, encoding=encoding)
+                done = run_xr3("check", file)
+                self.assertEqual(2, done.returncode)
+                self.assertEqual(f"{file}:1:1: found UTF-16; allowed: UTF-8\n", done.stderr)
 
     def test_a_pipe_without_a_writer_is_empty(self):
         with tempfile.TemporaryDirectory() as folder:
